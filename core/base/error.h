@@ -1,0 +1,25 @@
+// The environment's and the user's errors: a file that cannot be read, an option out of range, no
+// EGL. Thrown where found, caught once in main. Hard geometry is never an Error but a status.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace trivet {
+
+/// What went wrong, with the value and with what is accepted. The kind decides the exit status.
+class Error : public std::runtime_error {
+ public:
+  enum class Kind {
+    BadInput,     // a model, layout or argument: exit status 2
+    Environment,  // a file that cannot be written, no EGL, no memory: exit status 3
+  };
+
+  Error(Kind kind, const std::string& message) : std::runtime_error(message), m_kind(kind) {}
+  Kind kind() const { return m_kind; }
+
+ private:
+  Kind m_kind;
+};
+
+}  // namespace trivet

@@ -1,0 +1,43 @@
+// Whether two placed meshes cross or contain each other, decided by exact predicates.
+#pragma once
+
+#include <optional>
+
+#include "core/base/types.h"
+#include "core/index/shape.h"
+
+namespace trivet {
+
+/// A pair of faces that have a point in common.
+struct CrossingPair {
+  Index face_a, face_b;
+};
+
+/// World positions of a shape's vertices, one per vertex of its mesh.
+using Positions = std::vector<Vec3>;
+
+/// All vertices, moved: the doubles of world_from_object.apply(vertex).
+Positions world_positions(const Shape& shape, const Affine& world_from_object);
+
+/// One shape in the world: its topology and index, and where its vertices really are.
+/// `world_from_object` maps the index's boxes; it must agree with the positions to within `slack`.
+struct PlacedShape {
+  const Shape* shape;
+  const Positions* positions;
+  Affine world_from_object;
+  double slack = 0;  // metres; largest distance of a position from world_from_object x vertex
+};
+
+/// Counts intersecting pairs of faces, up to `limit`; touching counts. `first`, if given, receives
+/// the pair with the smallest (face_a, face_b) among those found.
+/// Candidates by the shapes' box trees, decisions by triangles_intersect().
+std::int64_t count_crossings(const PlacedShape& a, const PlacedShape& b,
+                             std::int64_t limit = std::numeric_limits<std::int64_t>::max(),
+                             std::optional<CrossingPair>* first = nullptr);
+
+/// How many components of `inner` lie inside a closed component of `outer`, by the winding number
+/// of all balanced components together, and by parity for other components with even edges.
+/// Meaningful only when the surfaces do not cross.
+int count_components_inside(const PlacedShape& inner, const PlacedShape& outer);
+
+}  // namespace trivet

@@ -1,0 +1,37 @@
+// A binary tree of boxes over the triangles of one mesh, built once with Embree, in object space.
+#pragma once
+
+#include <vector>
+
+#include "core/mesh/mesh.h"
+
+namespace trivet {
+
+/// 32 bytes. Boxes are float32, rounded outwards. Nodes are numbered depth-first: the first child
+/// of an inner node is the next one.
+struct BvhNode {
+  std::array<float, 3> lower, upper;
+  Index second_child = 0;  // inner node: id of the second child; leaf: id of the first face slot
+  Index num_faces = 0;     // 0: inner node
+
+  bool is_leaf() const { return num_faces > 0; }
+  Aabb box() const {
+    return {Vec3(lower[0], lower[1], lower[2]), Vec3(upper[0], upper[1], upper[2])};
+  }
+};
+
+struct Bvh {
+  std::vector<BvhNode> nodes;  // empty for a mesh without triangles
+  std::vector<Index> faces;    // face slots, leaf by leaf
+
+  size_t size_bytes() const {
+    return nodes.size() * sizeof(BvhNode) + faces.size() * sizeof(Index);
+  }
+};
+
+/// Surface-area heuristic (rtcBuildBVH). The shape of the tree may depend on Embree's version and
+/// number of threads; no answer of Trivet does.
+/// @throws Error (Environment) when Embree cannot build.
+Bvh build_bvh(const Mesh& mesh);
+
+}  // namespace trivet

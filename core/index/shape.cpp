@@ -1,0 +1,14 @@
+#include "core/index/shape.h"
+
+namespace trivet {
+
+std::shared_ptr<const Shape> make_shape(Mesh mesh) {
+  auto shape = std::make_shared<Shape>();
+  shape->mesh = std::move(mesh);
+  shape->adjacency = make_adjacency(shape->mesh);
+  shape->mass = mass_properties(shape->mesh, shape->adjacency);
+  shape->bvh = build_bvh(shape->mesh);
+  return shape;
+}
+
+}  // namespace trivet

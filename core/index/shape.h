@@ -1,0 +1,22 @@
+// A mesh with everything that queries need, computed once and shared by all objects that use it.
+#pragma once
+
+#include <memory>
+
+#include "core/index/bvh.h"
+#include "core/mesh/adjacency.h"
+#include "core/mesh/mass.h"
+#include "core/mesh/mesh.h"
+
+namespace trivet {
+
+struct Shape {
+  Mesh mesh;
+  Adjacency adjacency;
+  MassProperties mass;
+  Bvh bvh;
+};
+
+std::shared_ptr<const Shape> make_shape(Mesh mesh);
+
+}  // namespace trivet

@@ -1,0 +1,47 @@
+// Scenes to files: binary glTF 2.0, OBJ, PLY, STL. Files are replaced atomically.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/io/model.h"
+
+namespace trivet {
+
+/// One object of an exported scene.
+struct ExportObject {
+  std::string name;
+  std::shared_ptr<const Model> model;  // shared: stored once in the file
+  Affine world_from_object;
+  std::string extras_json;  // glTF `extras` of the node; empty: none
+};
+
+struct ExportScene {
+  std::vector<ExportObject> objects;
+  std::string extras_json;  // glTF `extras` of the scene; empty: none
+};
+
+/// The float32 positions (world, z up) that a reader of the glTF sees: float32 node matrix times
+/// float32 vertex in double, rounded to float32. One per vertex of the mesh. This is what the
+/// exact check of a float32 export looks at, and it is computed by the code that writes the file.
+std::vector<Eigen::Vector3f> exported_positions(const ExportObject& object);
+
+/// By extension: .glb, .obj, .ply, .stl. Writes beside the target and renames, so that the target
+/// is either the old file or the whole new one.
+/// @throws Error: BadInput for an unknown extension, Environment when it cannot be written.
+void write_scene(const ExportScene& scene, const std::string& path);
+
+/// Writes bytes atomically: temporary file in the same folder, fsync, rename.
+/// @throws Error (Environment) naming the path and the system's reason; no partial output is left.
+void write_file_atomically(const std::string& path, const std::string& bytes);
+
+/// The extras that Trivet put into a .glb: of the scene, and of each node by name.
+struct SceneExtras {
+  std::string scene_json;
+  std::vector<std::pair<std::string, std::string>> node_json;
+};
+/// @throws Error (BadInput) when the file is no glTF binary.
+SceneExtras read_scene_extras(const std::string& path);
+
+}  // namespace trivet

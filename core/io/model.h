@@ -1,0 +1,49 @@
+// Models as files have them: triangles for geometry, appearance for pictures and export.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/mesh/mesh.h"
+#include "core/motion/pose.h"
+
+namespace trivet {
+
+/// A surface's look; linear RGB.
+struct Material {
+  std::string name;
+  std::array<float, 4> base_colour{0.8f, 0.8f, 0.8f, 1.0f};
+  float metallic = 0.0f;
+  float roughness = 0.6f;
+};
+
+/// Everything read from one file. Geometry is exact: float32 positions of the file, node matrices
+/// (float32) multiplied in double, row by row.
+struct Model {
+  std::string path;                   // as given
+  std::string format;                 // "obj", "gltf2", ... as assimp names the importer
+  Mesh mesh;                          // all triangles of all nodes, object frame
+  std::vector<Material> materials;    // at least one
+  std::vector<Index> face_material;   // #F
+  // #F x 3 corner normals, unit, object frame; empty when the file has none.
+  std::vector<std::array<Eigen::Vector3f, 3>> corner_normals;
+  UpAxis up = UpAxis::Z;              // what the format says, else z
+  bool up_from_format = false;        // the format or the file says so
+  std::optional<double> metres_per_unit;  // what the file says, if it does (reported, not applied)
+  std::vector<std::string> notes;     // what was found and left out: lines, points, empty nodes
+  int num_nodes = 0;
+};
+
+/// Limits for untrusted files.
+struct ImportLimits {
+  std::uintmax_t max_file_bytes = std::uintmax_t{4} << 30;
+  std::int64_t max_triangles = 50'000'000;
+};
+
+/// Reads a model with assimp. Polygons are triangulated; points and lines are left out and noted.
+/// @throws Error (BadInput) naming the file: missing, unreadable, empty, no triangle, coordinates
+///   that are not finite (or beyond 1e30), index out of range, larger than the limits.
+Model read_model(const std::string& path, const ImportLimits& limits = {});
+
+}  // namespace trivet
