@@ -1,0 +1,97 @@
+// The scene: objects in their poses, what they touch, and what rests on what.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/contact/contact.h"
+#include "core/index/shape.h"
+#include "core/io/model.h"
+#include "core/motion/pose.h"
+
+namespace trivet {
+
+/// Names an object for ever: a slot that is used again has another generation.
+struct ObjectId {
+  std::uint32_t index = 0, generation = 0;
+  friend bool operator==(const ObjectId&, const ObjectId&) = default;
+};
+
+enum class ObjectState {
+  Unplaced,  // known, but not in the scene yet
+  Fixed,     // never moves, carries everything
+  Stable,    // at rest: contact forces balance its weight
+  Wedged,    // can neither move nor be shown to be supported
+};
+const char* to_string(ObjectState state);  // "unplaced", "fixed", "stable", "wedged"
+
+/// Contact with another object or the floor, seen from one object.
+struct Link {
+  std::optional<ObjectId> with;  // nothing: the floor
+  Contact contact;
+};
+
+struct Object {
+  std::string name;
+  std::shared_ptr<const Model> model;  // look and origin
+  std::shared_ptr<const Shape> shape;  // geometry, shared by all objects of this model
+  UpAxis up = UpAxis::Z;
+  double scale = 1;  // metres per file unit
+  bool fixed = false;
+  bool placed = false;
+  Pose pose;
+  ObjectState state = ObjectState::Unplaced;
+  double stability_margin = 0;  // metres the centre of mass is inside the hull of the contacts that
+                                // carry, seen from above; negative: outside (leaning, hanging)
+  double least_friction = 0;    // smallest Coulomb coefficient that holds it; infinity: none does
+  std::vector<Link> links;      // what it touches, as of the last operation that moved it
+
+  Affine world_from_object() const { return trivet::world_from_object(pose, up, scale); }
+  Vec3 centre_of_mass() const { return world_from_object().apply(shape->mass.centre); }
+};
+
+/// Objects in slots. A floor at z = 0 is optional; gravity is along -z.
+class Scene {
+ public:
+  bool floor = true;
+
+  /// @throws Error (BadInput) when the name is empty or taken.
+  ObjectId add(Object object);
+  void remove(ObjectId id);
+  bool contains(ObjectId id) const;
+  Object& at(ObjectId id);              // asserts that the id is alive
+  const Object& at(ObjectId id) const;
+  std::optional<ObjectId> find(const std::string& name) const;
+  std::vector<ObjectId> ids() const;    // in the order of their addition
+
+  /// World box of the placed objects, exact (from vertices).
+  Aabb box() const;
+
+ private:
+  struct Slot {
+    std::uint32_t generation = 0;
+    std::optional<Object> object;
+    std::uint64_t order = 0;
+  };
+  std::vector<Slot> m_slots;
+  std::uint64_t m_next_order = 0;
+};
+
+/// Who holds an object and who lies on it, derived from the links of all objects.
+struct LoadSupport {
+  struct Entry {
+    ObjectId object;
+    bool on_floor = false;
+    std::vector<ObjectId> supports, loads;  // sorted by slot
+  };
+  std::vector<Entry> entries;  // placed objects, in the order of Scene::ids()
+};
+
+/// A supports B when B touches A and the contact's normal points up from A to B (normal.z of the
+/// contact, or of one of its points, above kSupportNormalZ).
+LoadSupport load_support(const Scene& scene);
+inline constexpr double kSupportNormalZ = 1e-3;
+
+}  // namespace trivet

@@ -1,0 +1,32 @@
+// The whole scene judged again from its poses alone: exact interpenetration in double and in the
+// exported float32, gaps, rest.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/scene/scene.h"
+
+namespace trivet {
+
+struct SceneCheck {
+  struct PairFinding {
+    std::string a, b;  // names; "floor"
+    std::int64_t count = 0;
+  };
+  std::vector<PairFinding> crossings;          // pairs of faces, on the doubles
+  std::vector<PairFinding> float32_crossings;  // on the exported positions
+  std::vector<PairFinding> contained;          // components of a inside b
+  std::vector<std::string> not_at_rest;        // names of free objects without equilibrium
+  double smallest_gap = kInfinity;             // metres, over all contacts; infinity: no contact
+  std::int64_t interpenetrating_pairs() const;
+  bool ok() const;
+};
+
+/// @param num_threads  0: all cores. The result does not depend on it.
+SceneCheck check_scene(const Scene& scene, int num_threads = 0);
+
+/// Fills links, margin and least friction of every placed object from the poses.
+void update_contacts(Scene& scene);
+
+}  // namespace trivet
