@@ -30,10 +30,10 @@ struct Rows {
 struct Component {
   Index num_faces = 0;
   Index sample_vertex = 0;
-  Aabb box;               // object frame
-  bool even = true;       // every edge is used an even number of times: it has an inside by parity
-  bool balanced = true;   // every edge is used as often in either direction: it has a signed volume
-  bool manifold = true;   // every edge is used just once in either direction
+  Aabb box;              // object frame
+  bool even = true;      // every edge is used an even number of times: it has an inside by parity
+  bool balanced = true;  // every edge is used as often in either direction: it has a signed volume
+  bool manifold = true;  // every edge is used just once in either direction
 };
 
 /// Who touches whom, both ways. Edges are numbered in the order in which faces use them; a face

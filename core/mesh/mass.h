@@ -19,13 +19,16 @@ struct MassProperties {
   Vec3 centre = Vec3::Zero();
   double volume = 0;          // of the solid or the hull; 0 with MassRule::Surface
   double area = 0;            // of all faces
-  double radius_squared = 0;  // mean squared distance of the mass from `centre` (gyration)
+  double radius_squared = 0;  // mean squared distance of the mass from `centre` (gyration); if
+                              // that is 0, of a solid box of the mesh's size
 };
 
 /// Sums signed tetrahedra about the box's centre, so that an offset costs no digits.
-/// By volume if every edge is balanced, every component has positive volume (or all negative:
-/// then the mesh is inside out, and the centroid is the same) and the centre is in the box; else
-/// by surface if there is area; else by convex hull.
+/// By volume if every edge is balanced, the total is more than rounding, the centre is in the box,
+/// and the components' volumes are of one sign (all negative: the mesh is inside out, and the
+/// centroid is the same) or their total is positive (the negative ones are cavities); else by
+/// surface if there is area; else by convex hull.
+/// @return all finite; `radius_squared` is positive unless all vertices coincide.
 MassProperties mass_properties(const Mesh& mesh, const Adjacency& adjacency);
 
 /// Vertices of the convex hull, ids sorted; all vertices if they lie in one plane or are fewer
