@@ -15,9 +15,7 @@ int orient2d(const Vec2& a, const Vec2& b, const Vec2& c);
 int orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
 /// Whether two closed triangles have a point in common. Degenerate triangles are the segments or
-/// points that they are.
+/// points that they are. The tests compare with a linear program on integers.
 bool triangles_intersect(const Triangle& a, const Triangle& b);
-
-/// The same by rational arithmetic alone is in the tests.
 
 }  // namespace trivet
