@@ -1,0 +1,40 @@
+// All numbers that were chosen, not derived: what they mean, their unit, and what happens when they
+// are changed. SETTLING means the measurements of the settling prototype.
+#pragma once
+
+namespace trivet {
+
+// --- clearance -----------------------------------------------------------------------------------
+
+/// Default clearance, of the scene's size or its largest coordinate. 16 times float32's half-ulp:
+/// smaller, and float32 export makes contacts touch; larger, and gaps become visible.
+inline constexpr double kRelativeClearance = 1.0 / (1 << 20);
+/// A pair of faces that starts closer than this many clearances is in contact: it stops a motion
+/// only when its gap shrinks to kRestingShrink of itself. 1 makes pivots block themselves.
+inline constexpr double kHysteresis = 2.0;
+inline constexpr double kRestingShrink = 0.5;
+/// A motion's stop may be this much (relative) outside its target distance; bounds the number of
+/// separating planes that a pair of turning edges needs.
+inline constexpr double kTargetSlack = 0.06;
+/// Contacts are features within this many clearances; must equal kHysteresis, so that what is in
+/// contact and what only shrinks are the same pairs.
+inline constexpr double kContactTolerance = kHysteresis;
+
+// --- first contact -------------------------------------------------------------------------------
+
+/// Separating planes tried for one pair of faces before it is given up as blocking (safe, early).
+inline constexpr int kMaxSeparatingPlanes = 1000;
+/// sin^2 of the angle below which edges are parallel for the purpose of a separating plane.
+inline constexpr double kParallelSquaredSine = 1e-16;
+
+// --- contacts ------------------------------------------------------------------------------------
+
+/// Slope by which a surface may dip through the plane of a contact point, before the point counts
+/// as lying past the end of a face. Larger accepts wrong normals, smaller loses contacts.
+inline constexpr double kConeSlope = 1e-3;
+/// How far (in clearances) a foot may be outside a face and still count as inside.
+inline constexpr double kFootSlack = 0.05;
+/// Principal extents below this part of the object's size count as nothing: point, line or area.
+inline constexpr double kContactExtent = 1e-4;
+
+}  // namespace trivet

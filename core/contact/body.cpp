@@ -1,0 +1,27 @@
+#include "core/contact/body.h"
+
+namespace trivet {
+
+Body::Body(const Shape& s, const Affine& m) : shape(&s), world_from_object(m) {
+  if (s.bvh.nodes.empty()) return;
+  const Aabb b = s.bvh.nodes[0].box();
+  const Vec3 centre = m.apply(b.centre()), half = m.linear.cwiseAbs() * b.half_extent();
+  const Vec3 margin = 1e-14 * (centre.cwiseAbs() + half);
+  world_box = {centre - half - margin, centre + half + margin};
+}
+
+UnitFrame::UnitFrame(const Body& fixed)
+    : unit_from_world((fixed.world_from_object.linear / fixed.scale()).transpose()),
+      origin(fixed.world_from_object.translation) {}
+
+BoxTree UnitFrame::tree(const Body& other) const {
+  return {other.shape->bvh, unit_from_world * other.world_from_object.linear,
+          point(other.world_from_object.translation), other.scale()};
+}
+
+BoxTree UnitFrame::own_tree(const Body& fixed) const {
+  const double scale = fixed.scale();
+  return {fixed.shape->bvh, scale * Mat3::Identity(), Vec3::Zero(), scale};
+}
+
+}  // namespace trivet

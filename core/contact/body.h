@@ -1,0 +1,64 @@
+// A shape somewhere in the world, and its boxes seen from another frame.
+#pragma once
+
+#include "core/index/shape.h"
+
+namespace trivet {
+
+/// One shape somewhere in the world.
+struct Body {
+  const Shape* shape = nullptr;
+  Affine world_from_object;  // rotation x uniform scale, translation
+  Aabb world_box;            // holds all vertices
+
+  Body() = default;
+  /// The box from the root of the shape's tree.
+  Body(const Shape& s, const Affine& m);
+
+  Vec3 vertex(Index v) const { return world_from_object.apply(shape->mesh.vertices[v]); }
+  Triangle triangle(Index f) const {
+    const Index3& t = shape->mesh.triangles[f];
+    return {vertex(t[0]), vertex(t[1]), vertex(t[2])};
+  }
+  /// Length of the columns of the matrix.
+  double scale() const { return world_from_object.linear.col(0).norm(); }
+};
+
+/// The boxes of a body's tree in a frame of unit scale (metres), as axis-aligned boxes there.
+struct BoxTree {
+  const Bvh& bvh;
+  Mat3 linear, abs_linear;
+  Vec3 translation;
+  double scale;
+
+  BoxTree(const Bvh& tree, const Mat3& m, const Vec3& t, double s)
+      : bvh(tree), linear(m), abs_linear(m.cwiseAbs()), translation(t), scale(s) {}
+  /// In the world.
+  explicit BoxTree(const Body& body)
+      : BoxTree(body.shape->bvh, body.world_from_object.linear, body.world_from_object.translation,
+                body.scale()) {}
+
+  struct Box {
+    Vec3 centre, half;
+    double radius;  // of the sphere about the box
+  };
+  Box box(Index node) const {
+    const Aabb b = bvh.nodes[node].box();
+    const Vec3 half = b.half_extent();
+    return {linear * b.centre() + translation, abs_linear * half, scale * half.norm()};
+  }
+};
+
+/// The frame of a fixed body at unit scale: its own boxes are axis-aligned and tight there.
+struct UnitFrame {
+  Mat3 unit_from_world;
+  Vec3 origin;
+
+  explicit UnitFrame(const Body& fixed);
+  Vec3 point(const Vec3& world) const { return unit_from_world * (world - origin); }
+  Vec3 direction(const Vec3& world) const { return unit_from_world * world; }
+  BoxTree tree(const Body& other) const;   // of another body, in this frame
+  BoxTree own_tree(const Body& fixed) const;
+};
+
+}  // namespace trivet

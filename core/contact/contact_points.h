@@ -1,0 +1,33 @@
+// Which features of two bodies touch, found from their poses alone.
+#pragma once
+
+#include "core/contact/body.h"
+#include "core/contact/contact.h"
+
+namespace trivet {
+
+/// Every place where the distance of the two surfaces has a local minimum of at most `tolerance`:
+/// vertices over faces (either way) and crossing edges. A feature whose surroundings dip through
+/// the plane of the contact by more than kConeSlope lies past the end of a face, and is left out.
+/// Where only ends and parallel edges are near, the closest points of the faces are taken.
+/// Sorted by features, each once. Means nothing for bodies that cross.
+/// @param slack  metres by which a foot may be outside a face and still count as inside.
+std::vector<ContactPoint> contact_points(const Body& object, const Body& support, double tolerance,
+                                         double slack);
+
+/// The same with the floor z = 0: vertices.
+std::vector<ContactPoint> floor_contact_points(const Body& object, double tolerance);
+
+/// Points that are nearer to each other than `distance` and have the same normal (to 1e-2) become
+/// one, the one with the smallest gap (then the first).
+std::vector<ContactPoint> merged(const std::vector<ContactPoint>& points, double distance);
+
+/// Sums up: type by the principal extents against `extent`, hull in the contact's plane, mean
+/// normal, smallest gap, faces. @param support  null for the floor.
+Contact make_contact(const std::vector<ContactPoint>& points, const Body& object,
+                     const Body* support, double extent);
+
+/// Convex hull in the plane, counter-clockwise; collinear points are left out.
+std::vector<Vec2> convex_hull(std::vector<Vec2> points);
+
+}  // namespace trivet

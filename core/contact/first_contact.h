@@ -1,0 +1,52 @@
+// The question everything turns on: when does a moving body first touch the others?
+#pragma once
+
+#include <span>
+
+#include "core/contact/body.h"
+#include "core/contact/pair_contact.h"
+
+namespace trivet {
+
+struct FirstContactQuery {
+  std::span<const Body> moving;  // one object, or a carried group that moves as one
+  std::span<const Body> fixed;
+  bool floor = false;            // the half space z <= 0 is fixed, too
+  Motion motion;
+  Clearance clearance;
+};
+
+/// Which faces were tried; what a query cost.
+struct QueryWork {
+  std::int64_t node_pairs = 0, face_pairs = 0;
+};
+
+struct FirstContact {
+  enum class Status {
+    Free,      // the whole motion is free; no other field means anything
+    Contact,   // at `time`, the first of all face pairs is at its target distance
+    Crossing,  // faces cross or touch at time 0 already
+  };
+  static constexpr Index kFloor = -1;
+
+  Status status = Status::Free;
+  double time = kInfinity;              // see Motion; never beyond motion.limit
+  Index moving = 0, fixed = 0;          // indices into the query's spans; fixed may be kFloor
+  Index face_moving = 0, face_fixed = 0;  // with the floor: vertex of the moving mesh, and 0
+  Vec3 point = Vec3::Zero();            // on the fixed body
+  Vec3 normal = Vec3::UnitZ();          // unit, from the fixed to the moving body
+  double gap = 0;
+  bool stalled = false;                 // see PairContact::Status::Stalled
+  QueryWork work;
+};
+
+/// Branch and bound over pairs of boxes, nearest first; the pairs left are decided by
+/// first_contact() of two triangles. The result does not depend on the order: the smallest
+/// (time, moving, fixed, face_moving, face_fixed) wins. Cost about O(log n + pairs near contact).
+/// Re-entrant.
+FirstContact first_contact(const FirstContactQuery& query);
+
+/// All pairs of faces, without any box: the truth for tests.
+FirstContact first_contact_brute_force(const FirstContactQuery& query);
+
+}  // namespace trivet

@@ -1,0 +1,223 @@
+#include "core/contact/pair_contact.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/tunables.h"
+#include "core/contact/triangle_distance.h"
+
+// a, b: corners of the moving and of the fixed triangle, relative to a point on the axis.
+// n: normal of a plane, from the fixed to the moving side. u, v: edges.
+
+namespace trivet {
+namespace {
+
+// Some squared area below this, of the longest edge to the fourth, has no usable normal.
+constexpr double kFlat = 1e-20;
+// Distances below this, of the pair's extent, are rounding of 0.
+constexpr double kRounding = 4e-15;
+
+struct State {
+  Triangle a, b;
+  const Motion& motion;
+
+  bool turning() const { return motion.kind == Motion::Kind::Rotation; }
+
+  // The height function of p . R q + constant for a turn by R about the axis.
+  HeightFunction bilinear(double f0, const Vec3& p, const Vec3& q, double sign) const {
+    const Vec3& axis = motion.axis;
+    return {f0, sign * (p.dot(q) - axis.dot(p) * axis.dot(q)), sign * p.dot(axis.cross(q))};
+  }
+};
+
+double lowest(const Triangle& t, const Vec3& n) {
+  return std::min({n.dot(t[0]), n.dot(t[1]), n.dot(t[2])});
+}
+
+double highest(const Triangle& t, const Vec3& n) {
+  return std::max({n.dot(t[0]), n.dot(t[1]), n.dot(t[2])});
+}
+
+// A plane that stands still, with unit normal n.
+double until_static_plane(const State& s, const Vec3& n, double target) {
+  const double level = highest(s.b, n) + target;
+  double first = kInfinity;
+  for (const Vec3& p : s.a) {
+    const double f0 = n.dot(p) - level;
+    if (f0 <= 0) return 0;
+    const HeightFunction f =
+        s.turning() ? s.bilinear(f0, n, p, 1) : HeightFunction{f0, 0, n.dot(s.motion.axis)};
+    first = std::min(first, first_zero(f, s.motion.kind));
+  }
+  return first;
+}
+
+// A plane that turns with the moving triangle, with unit normal n at the start.
+double until_moving_plane(const State& s, const Vec3& n, double target) {
+  const double level = lowest(s.a, n) - target;
+  double first = kInfinity;
+  for (const Vec3& q : s.b) {
+    const double f0 = level - n.dot(q);
+    if (f0 <= 0) return 0;
+    first = std::min(first, first_zero(s.bilinear(f0, q, n, -1), s.motion.kind));
+  }
+  return first;
+}
+
+// The scale of an edge-edge normal N = u x v that may be relied on, and until when |N| stays below
+// it: |N| = |u| |v| sin(angle), and the angle changes no faster than the turn.
+struct NormalScale {
+  double scale, valid_until;
+};
+
+NormalScale normal_scale(const State& s, const Vec3& u, const Vec3& v, double length_n,
+                         double distance, double target) {
+  if (!s.turning()) return {length_n, kInfinity};
+  const double largest = u.norm() * v.norm(), sine = length_n / largest;
+  const double factor = std::max(1.05, 0.5 * distance / target);
+  if (factor * sine >= 1) return {largest, kInfinity};
+  return {factor * length_n, 0.5 * (factor - 1) * sine};
+}
+
+// The plane spanned by edge i of a and edge j of b, as both are now.
+double until_edge_plane(const State& s, const ClosestPoints& closest, double target) {
+  const int i = closest.a, j = closest.b;
+  const Vec3 u = s.a[(i + 1) % 3] - s.a[i], v = s.b[(j + 1) % 3] - s.b[j];
+  Vec3 n = u.cross(v);
+  const double squared = n.squaredNorm();
+  if (squared <= kParallelSquaredSine * u.squaredNorm() * v.squaredNorm()) return 0;
+  const double sign = n.dot(closest.point_a - closest.point_b) < 0 ? -1 : 1;
+  const NormalScale scale =
+      normal_scale(s, u, v, std::sqrt(squared), closest.distance, target);
+  n *= sign;
+  double first = scale.valid_until;
+  for (const Vec3& p : {s.a[i], s.a[(i + 2) % 3]})
+    for (const Vec3& q : {s.b[j], s.b[(j + 2) % 3]}) {
+      // N . (p - q) with N = R u x v: v . R (p x u) - (v x q) . R u
+      const double f0 = n.dot(p - q) - target * scale.scale;
+      if (f0 <= 0) return 0;
+      HeightFunction f{f0, 0, n.dot(s.motion.axis)};
+      if (s.turning()) {
+        const HeightFunction x = s.bilinear(0, v, p.cross(u), sign);
+        const HeightFunction y = s.bilinear(0, v.cross(q), u, -sign);
+        f = {f0, x.A + y.A, x.B + y.B};
+      }
+      first = std::min(first, first_zero(f, s.motion.kind));
+    }
+  return first;
+}
+
+// Unit normal of t on the side of `towards`; zero for a triangle without inside.
+Vec3 face_normal(const Triangle& t, const Vec3& towards) {
+  const Vec3 e = t[1] - t[0], f = t[2] - t[0];
+  const Vec3 n = e.cross(f);
+  const double squared = n.squaredNorm();
+  const double longest = std::max(e.squaredNorm(), f.squaredNorm());
+  if (squared <= kFlat * longest * longest) return Vec3::Zero();
+  return (n.dot(towards) < 0 ? -1.0 : 1.0) / std::sqrt(squared) * n;
+}
+
+double until_face_planes(const State& s, const Vec3& towards_a, double target) {
+  double first = 0;
+  const Vec3 nb = face_normal(s.b, towards_a), na = face_normal(s.a, towards_a);
+  if (nb != Vec3::Zero()) first = std::max(first, until_static_plane(s, nb, target));
+  if (na == Vec3::Zero()) return first;
+  return std::max(first, s.turning() ? until_moving_plane(s, na, target)
+                                     : until_static_plane(s, na, target));
+}
+
+// How long the best of the planes keeps the triangles apart.
+double until_best_plane(const State& s, const ClosestPoints& closest, double target) {
+  const Vec3 towards_a = closest.point_a - closest.point_b;
+  const Vec3 n = towards_a / closest.distance;
+  double first = until_static_plane(s, n, target);
+  if (s.turning()) first = std::max(first, until_moving_plane(s, n, target));
+  if (closest.features == ClosestPoints::Features::EdgeEdge)
+    first = std::max(first, until_edge_plane(s, closest, target));
+  if (first == kInfinity) return first;
+  return std::max(first, until_face_planes(s, towards_a, target));
+}
+
+// Proves cheaply that the pair is free up to `horizon`, by the planes of the two faces.
+bool free_by_faces(const State& s, double largest_stop, double horizon) {
+  const Vec3 towards_a = (s.a[0] - s.b[0]) + (s.a[1] - s.b[1]) + (s.a[2] - s.b[2]);
+  return until_face_planes(s, towards_a, largest_stop) > horizon;
+}
+
+double extent(const State& s) {
+  double out = 0;
+  for (int k = 0; k < 3; ++k)
+    out = std::max({out, s.a[k].cwiseAbs().maxCoeff(), s.b[k].cwiseAbs().maxCoeff()});
+  return out;
+}
+
+Triangle at_time(const Triangle& t, const Motion& motion, double time) {
+  return {moved_point(t[0], motion, time), moved_point(t[1], motion, time),
+          moved_point(t[2], motion, time)};
+}
+
+PairContact at_contact(PairContact::Status status, double time, const ClosestPoints& closest,
+                       const Vec3& centre) {
+  PairContact out;
+  out.status = status;
+  out.time = time;
+  out.point = closest.point_b + centre;
+  out.gap = closest.distance;
+  if (closest.distance > 0)
+    out.normal = (closest.point_a - closest.point_b) / closest.distance;
+  return out;
+}
+
+}  // namespace
+
+double Clearance::target(double initial) const {
+  return initial <= kHysteresis * distance ? kRestingShrink * initial : distance;
+}
+
+double Clearance::largest_stop() const { return (1 + 1.1 * kTargetSlack) * distance; }
+
+PairContact first_contact(const Triangle& moving, const Triangle& fixed, const Motion& motion,
+                          const Clearance& clearance, double best) {
+  // Relative to the axis (or to the fixed triangle): no digits are lost far from the origin.
+  const bool turning = motion.kind == Motion::Kind::Rotation;
+  const Vec3 centre = turning ? motion.centre : fixed[0];
+  Motion local = motion;
+  local.centre = Vec3::Zero();
+  Triangle start;
+  State s{{}, {}, local};
+  for (int k = 0; k < 3; ++k) start[k] = moving[k] - centre, s.b[k] = fixed[k] - centre;
+  s.a = start;
+  const double horizon = std::min(best, motion.limit);
+  if (free_by_faces(s, clearance.largest_stop(), horizon)) return {};
+
+  double time = 0, target = 0;
+  for (int planes = 0; planes < kMaxSeparatingPlanes; ++planes) {
+    const ClosestPoints closest = closest_points(s.a, s.b);
+    if (planes == 0) {
+      if (closest.distance <= kRounding * extent(s))
+        return at_contact(PairContact::Status::Crossing, 0, closest, centre);
+      target = clearance.target(closest.distance);
+    }
+    if (closest.distance <= (1 + kTargetSlack) * target)
+      return at_contact(PairContact::Status::Contact, time, closest, centre);
+    const double step = until_best_plane(s, closest, target);
+    const double next = turning ? compose_turns(time, step) : time + step;
+    if (next > horizon) return {};
+    if (next <= time) return at_contact(PairContact::Status::Stalled, time, closest, centre);
+    time = next;
+    s.a = at_time(start, local, time);
+  }
+  return at_contact(PairContact::Status::Stalled, time, closest_points(s.a, s.b), centre);
+}
+
+double first_floor_contact(const Vec3& p, const Motion& motion, const Clearance& clearance) {
+  const double f0 = p.z() - clearance.target(p.z());
+  if (motion.kind == Motion::Kind::Translation)
+    return first_zero({f0, 0, motion.axis.z()}, motion.kind);
+  const Vec3 r = p - motion.centre;
+  const Vec3& a = motion.axis;
+  return first_zero({f0, r.z() - a.z() * a.dot(r), a.cross(r).z()}, motion.kind);
+}
+
+}  // namespace trivet

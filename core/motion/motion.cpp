@@ -1,0 +1,42 @@
+#include "core/motion/motion.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+namespace trivet {
+
+Vec3 moved_point(const Vec3& p, const Motion& motion, double time) {
+  if (motion.kind == Motion::Kind::Translation) return p + time * motion.axis;
+  // Rodrigues' formula; the displacement is added, so that a small turn is exact to its last bits.
+  const Vec3 r = p - motion.centre;
+  const Vec3 tangent = motion.axis.cross(r);
+  const double w = 2 * time / (1 + time * time);
+  return p + w * tangent + w * time * motion.axis.cross(tangent);
+}
+
+Pose moved_pose(const Pose& pose, const Motion& motion, double time) {
+  Pose out = pose;
+  out.translation = moved_point(pose.translation, motion, time);
+  if (motion.kind == Motion::Kind::Rotation)
+    out.rotation = (Rotation::about_axis(motion.axis, time) * pose.rotation).normalized();
+  return out;
+}
+
+double compose_turns(double s_first, double s_second) {
+  const double denominator = 1 - s_first * s_second;
+  return denominator > 0 ? (s_first + s_second) / denominator : kInfinity;
+}
+
+double first_zero(const HeightFunction& f, Motion::Kind kind) {
+  if (f.f0 <= 0) return 0;
+  if (kind == Motion::Kind::Translation) return f.B < 0 ? f.f0 / -f.B : kInfinity;
+  // (f0 - 2A) s^2 + 2B s + f0 = 0, the stable form of its smallest positive root.
+  const double leading = f.f0 - 2 * f.A;
+  const double discriminant = f.B * f.B - f.f0 * leading;
+  if (discriminant < 0) return kInfinity;
+  const double root = std::sqrt(discriminant);
+  if (f.B < 0) return f.f0 / (root - f.B);
+  return leading < 0 ? (root + f.B) / -leading : kInfinity;
+}
+
+}  // namespace trivet

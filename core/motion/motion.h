@@ -1,0 +1,45 @@
+// A straight or turning motion, with the parameter that all of Trivet calls time.
+#pragma once
+
+#include "core/motion/pose.h"
+
+namespace trivet {
+
+/// Time is the distance in metres of a translation; of a rotation it is s = tan(angle / 2), so that
+/// positions are rational in it and no answer needs libm. A rotation goes at most a quarter turn
+/// (s <= 1); longer turns are several motions.
+struct Motion {
+  enum class Kind { Translation, Rotation };
+  Kind kind = Kind::Translation;
+  Vec3 axis = Vec3::UnitZ();    // unit: direction, or axis of a right-handed turn
+  Vec3 centre = Vec3::Zero();   // a point on the axis of a rotation, world
+  double limit = 0;             // largest time, >= 0
+
+  static Motion translation(const Vec3& unit_direction, double length) {
+    return {Kind::Translation, unit_direction, Vec3::Zero(), length};
+  }
+  static Motion rotation(const Vec3& centre, const Vec3& unit_axis, double s_limit) {
+    return {Kind::Rotation, unit_axis, centre, s_limit};
+  }
+};
+
+/// Where a point of the moving object is at `time`.
+Vec3 moved_point(const Vec3& p, const Motion& motion, double time);
+
+/// The pose at `time` of an object that has `pose` at time 0.
+Pose moved_pose(const Pose& pose, const Motion& motion, double time);
+
+/// The time of a turn that goes on: tan((x + y) / 2) from tan(x / 2) and tan(y / 2); infinity from
+/// half a turn on.
+double compose_turns(double s_first, double s_second);
+
+/// f0 + A (cos - 1) + B sin for a rotation, f0 + B t for a translation: how the height of a point
+/// over a plane changes during a motion, when the plane stands still or moves along.
+struct HeightFunction {
+  double f0, A, B;
+};
+
+/// First time > 0 at which a height that starts at f0 > 0 is 0; 0 if f0 <= 0; infinity if never.
+double first_zero(const HeightFunction& f, Motion::Kind kind);
+
+}  // namespace trivet
