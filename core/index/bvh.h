@@ -7,6 +7,12 @@
 
 namespace trivet {
 
+/// Nodes on the longest way from the root to a leaf, at most: a traversal may count on it.
+inline constexpr int kMaxBvhDepth = 64;
+
+/// Faces in a leaf, at most.
+inline constexpr Index kMaxLeafFaces = 2;
+
 /// 32 bytes. Boxes are float32, rounded outwards. Nodes are numbered depth-first: the first child
 /// of an inner node is the next one.
 struct BvhNode {
@@ -29,9 +35,11 @@ struct Bvh {
   }
 };
 
-/// Surface-area heuristic (rtcBuildBVH). The shape of the tree may depend on Embree's version and
+/// Surface-area heuristic (rtcBuildBVH); median splits where that would go deeper than
+/// kMaxBvhDepth. Faces in a leaf ascend. The shape of the tree may depend on Embree's version and
 /// number of threads; no answer of Trivet does.
-/// @throws Error (Environment) when Embree cannot build.
+/// @throws Error (Environment) when Embree cannot start or memory ends.
+/// Cost O(n log n), on all cores.   Thread-safe.
 Bvh build_bvh(const Mesh& mesh);
 
 }  // namespace trivet

@@ -1,0 +1,218 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <thread>
+
+#include "core/index/bvh.h"
+#include "core/index/shape.h"
+#include "core/mesh/made_meshes.h"
+
+namespace trivet {
+namespace {
+
+using namespace trivet::testing;
+
+bool contains(const Aabb& outer, const Aabb& inner) {
+  return (outer.lower.array() <= inner.lower.array()).all() &&
+         (inner.upper.array() <= outer.upper.array()).all();
+}
+
+/// Walks the tree as its documentation says, and checks every promise.
+class TreeCheck {
+ public:
+  TreeCheck(const Mesh& mesh, const Bvh& bvh)
+      : m_mesh(mesh), m_bvh(bvh), m_uses(mesh.triangles.size()) {}
+
+  void run() {
+    ASSERT_FALSE(m_bvh.nodes.empty());
+    const Index end = visit(0, 1);
+    EXPECT_EQ(end, static_cast<Index>(m_bvh.nodes.size()));
+    EXPECT_EQ(m_bvh.faces.size(), m_mesh.triangles.size());
+    EXPECT_EQ(m_next_slot, static_cast<Index>(m_bvh.faces.size()));
+    for (const int uses : m_uses) ASSERT_EQ(uses, 1);
+    EXPECT_LE(m_depth, kMaxBvhDepth);
+  }
+
+  int depth() const { return m_depth; }
+
+ private:
+  /// Returns the id after the subtree.
+  Index visit(Index id, int depth) {
+    m_depth = std::max(m_depth, depth);
+    const BvhNode& node = m_bvh.nodes.at(id);
+    if (node.is_leaf()) {
+      visit_leaf(node);
+      return id + 1;
+    }
+    const Index second = visit(id + 1, depth + 1);
+    EXPECT_EQ(node.second_child, second);
+    EXPECT_TRUE(contains(node.box(), m_bvh.nodes.at(id + 1).box()));
+    EXPECT_TRUE(contains(node.box(), m_bvh.nodes.at(second).box()));
+    return visit(second, depth + 1);
+  }
+
+  void visit_leaf(const BvhNode& leaf) {
+    EXPECT_LE(leaf.num_faces, kMaxLeafFaces);
+    EXPECT_EQ(leaf.second_child, m_next_slot);  // leaf by leaf
+    m_next_slot += leaf.num_faces;
+    Aabb box;
+    for (Index i = 0; i < leaf.num_faces; ++i) {
+      const Index face = m_bvh.faces.at(leaf.second_child + i);
+      if (i > 0) {
+        EXPECT_LT(m_bvh.faces[leaf.second_child + i - 1], face);
+      }
+      ++m_uses.at(face);
+      for (const Vec3& p : m_mesh.triangle(face)) box.extend(p);
+    }
+    EXPECT_TRUE(contains(leaf.box(), box));
+    expect_tight(leaf.box(), box);
+  }
+
+  /// Rounded outwards by at most one float.
+  void expect_tight(const Aabb& rounded, const Aabb& exact) {
+    constexpr float kBig = std::numeric_limits<float>::infinity();
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto lower = static_cast<float>(rounded.lower[axis]);
+      const auto upper = static_cast<float>(rounded.upper[axis]);
+      EXPECT_GT(std::nextafter(lower, kBig), exact.lower[axis]);
+      EXPECT_LT(std::nextafter(upper, -kBig), exact.upper[axis]);
+    }
+  }
+
+  const Mesh& m_mesh;
+  const Bvh& m_bvh;
+  std::vector<int> m_uses;
+  Index m_next_slot = 0;
+  int m_depth = 0;
+};
+
+/// Checks the tree; returns its depth.
+int check(const Triangles& triangles) {
+  const Mesh mesh = weld(triangles);
+  const Bvh bvh = build_bvh(mesh);
+  TreeCheck tree(mesh, bvh);
+  tree.run();
+  return tree.depth();
+}
+
+bool equal(const Bvh& a, const Bvh& b) {
+  const auto same_node = [](const BvhNode& m, const BvhNode& n) {
+    return std::tie(m.lower, m.upper, m.second_child, m.num_faces) ==
+           std::tie(n.lower, n.upper, n.second_child, n.num_faces);
+  };
+  return a.faces == b.faces &&
+         std::equal(a.nodes.begin(), a.nodes.end(), b.nodes.begin(), b.nodes.end(), same_node);
+}
+
+TEST(Bvh, node_has_32_bytes) { EXPECT_EQ(sizeof(BvhNode), 32u); }
+
+TEST(Bvh, nothing) {
+  const Bvh bvh = build_bvh({});
+  EXPECT_TRUE(bvh.nodes.empty());
+  EXPECT_TRUE(bvh.faces.empty());
+}
+
+TEST(Bvh, one_triangle) {
+  const Vec3 a(0.1, 0.2, 0.3), b(0.7, -0.1, 0.2), c(1.0 / 3, 0, 1);
+  EXPECT_EQ(check({{a, b, c}}), 1);
+}
+
+TEST(Bvh, one_point) { EXPECT_EQ(check({Triangle{Vec3::Ones(), Vec3::Ones(), Vec3::Ones()}}), 1); }
+
+TEST(Bvh, cube) { check(make_cube()); }
+
+TEST(Bvh, first_child_is_nearer_to_the_start_of_the_axis) {
+  for (const double offset : {-10.0, 10.0})
+    for (int axis = 0; axis < 3; ++axis) {
+      const Mesh mesh = weld(joined(make_cube(), moved(make_cube(), offset * Vec3::Unit(axis))));
+      const Bvh bvh = build_bvh(mesh);
+      ASSERT_FALSE(bvh.nodes[0].is_leaf());
+      const Aabb first = bvh.nodes[1].box(), second = bvh.nodes[bvh.nodes[0].second_child].box();
+      EXPECT_LT(first.upper[axis], second.lower[axis]);
+    }
+}
+
+TEST(Bvh, soups_of_many_sizes) {
+  constexpr unsigned kSeed = 11;
+  std::printf("seed %u\n", kSeed);
+  std::mt19937 random(kSeed);
+  for (const int num_faces : {1, 2, 3, 4, 5, 17, 64, 1000, 30000}) {
+    check(make_soup(random, num_faces));
+    check(make_tangle(random, num_faces, 1 + num_faces / 3));
+  }
+}
+
+TEST(Bvh, any_unit_and_place) {
+  constexpr unsigned kSeed = 12;
+  std::printf("seed %u\n", kSeed);
+  std::mt19937 random(kSeed);
+  for (const double size : {1e-40, 1e-30, 1e-3, 1e3, 1e18, 1e30})
+    check(make_soup(random, 2000, size));
+  for (const double far : {1e3, 1e6, 1e15}) {
+    const int depth = check(make_soup(random, 2000, 1, Vec3(far, -far, far)));
+    EXPECT_LT(depth, 40) << far;  // the split is not made in float32 at the offset
+  }
+}
+
+TEST(Bvh, hundred_thousand_identical_triangles) {
+  const Triangle t{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0.1)};
+  EXPECT_LE(check(Triangles(100000, t)), 20);
+  const Triangle point{Vec3::Ones(), Vec3::Ones(), Vec3::Ones()};
+  EXPECT_LE(check(Triangles(100000, point)), 20);
+}
+
+TEST(Bvh, fan_of_long_triangles) {
+  Triangles triangles;
+  for (int i = 0; i < 20000; ++i)
+    triangles.push_back({Vec3(0, 0, 0), Vec3(0, 0, 1), Vec3(1, i * 1e-4, 0)});
+  check(triangles);
+}
+
+/// Each split by surface area peels off few of them, so that the tree would be too deep.
+TEST(Bvh, nested_sizes_do_not_exceed_the_depth) {
+  Triangles triangles;
+  double size = 1;
+  for (int i = 0; i < 1000; ++i, size *= 0.9)
+    for (int axis = 0; axis < 3; ++axis)
+      for (int copy = 0; copy < 4; ++copy)
+        triangles.push_back({size * Vec3::Unit(axis), size * Vec3(1, 1, 0), size * Vec3(0, 1, 1)});
+  check(triangles);
+  for (int copy = 0; copy < 5000; ++copy)
+    triangles.push_back({Vec3::Zero(), Vec3::Zero(), Vec3::Zero()});
+  check(triangles);
+}
+
+TEST(Bvh, same_tree_every_time_and_from_many_threads) {
+  constexpr unsigned kSeed = 13;
+  std::printf("seed %u\n", kSeed);
+  std::mt19937 random(kSeed);
+  const Triangle t{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0.1)};
+  for (const Triangles& triangles :
+       {make_soup(random, 20000), make_tangle(random, 20000, 50), Triangles(20000, t)}) {
+    const Mesh mesh = weld(triangles);
+    const Bvh expected = build_bvh(mesh);
+    std::vector<int> num_equal(3);
+    std::vector<std::thread> threads;
+    for (int& count : num_equal)
+      threads.emplace_back([&] {
+        for (int i = 0; i < 3; ++i) count += equal(build_bvh(mesh), expected);
+      });
+    for (std::thread& thread : threads) thread.join();
+    EXPECT_EQ(num_equal, std::vector<int>(3, 3));
+  }
+}
+
+TEST(Shape, cube) {
+  const auto shape = make_shape(weld(make_cube()));
+  EXPECT_EQ(shape->mesh.vertices.size(), 8u);
+  EXPECT_EQ(shape->adjacency.edge_vertices.size(), 18u);
+  EXPECT_EQ(shape->mass.rule, MassRule::Volume);
+  EXPECT_NEAR(shape->mass.volume, 1, 1e-15);
+  EXPECT_EQ(shape->bvh.faces.size(), 12u);
+  EXPECT_EQ(shape->bvh.nodes[0].box().lower, Vec3::Zero());
+  EXPECT_EQ(shape->bvh.nodes[0].box().upper, Vec3::Ones());
+}
+
+}  // namespace
+}  // namespace trivet

@@ -1,0 +1,247 @@
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "core/mesh/made_meshes.h"
+#include "core/mesh/mass.h"
+
+namespace trivet {
+namespace {
+
+using namespace trivet::testing;
+
+MassProperties mass_of(const Triangles& triangles) {
+  const Mesh mesh = weld(triangles);
+  return mass_properties(mesh, make_adjacency(mesh));
+}
+
+void expect_near(const Vec3& a, const Vec3& b, double tolerance) {
+  EXPECT_LE((a - b).norm(), tolerance) << a.transpose() << " is not " << b.transpose();
+}
+
+TEST(Mass, cube) {
+  const MassProperties mass = mass_of(make_cube());
+  EXPECT_EQ(mass.rule, MassRule::Volume);
+  EXPECT_STREQ(to_string(mass.rule), "volume");
+  expect_near(mass.centre, Vec3::Constant(0.5), 1e-15);
+  EXPECT_NEAR(mass.volume, 1, 1e-15);
+  EXPECT_NEAR(mass.area, 6, 1e-14);
+  EXPECT_NEAR(mass.radius_squared, 0.25, 1e-15);
+}
+
+TEST(Mass, cube_inside_out_is_the_same) {
+  const MassProperties mass = mass_of(inside_out(make_cube()));
+  EXPECT_EQ(mass.rule, MassRule::Volume);
+  expect_near(mass.centre, Vec3::Constant(0.5), 1e-15);
+  EXPECT_NEAR(mass.volume, 1, 1e-15);
+  EXPECT_NEAR(mass.radius_squared, 0.25, 1e-15);
+}
+
+TEST(Mass, tetrahedron_far_from_the_origin) {
+  const std::array<Vec3, 4> corners{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)};
+  for (const double offset : {0.0, 1e2, 1e4, 1e6}) {
+    const Vec3 by(offset, -offset, 2 * offset);
+    const MassProperties mass =
+        mass_of(moved(make_tetrahedron(corners[0], corners[1], corners[2], corners[3]), by));
+    EXPECT_EQ(mass.rule, MassRule::Volume);
+    EXPECT_NEAR(mass.volume, 1.0 / 6, 1e-15);
+    expect_near(mass.centre - by, Vec3::Constant(0.25), 1e-15 + 1e-15 * offset);
+    double squares = 0;  // of the distances of the corners from the centre
+    for (const Vec3& p : corners) squares += (p - Vec3::Constant(0.25)).squaredNorm();
+    EXPECT_NEAR(mass.radius_squared, squares / 20, 1e-15);
+  }
+}
+
+TEST(Mass, sphere) {
+  const double pi = 3.14159265358979323846;
+  const Vec3 centre(10, 20, 30);
+  const MassProperties mass = mass_of(moved(make_sphere(2, 6), centre));
+  EXPECT_EQ(mass.rule, MassRule::Volume);
+  expect_near(mass.centre, centre, 1e-13);
+  EXPECT_NEAR(mass.volume, 4.0 / 3 * pi * 8, 1e-3 * 4.0 / 3 * pi * 8);
+  EXPECT_NEAR(mass.area, 4 * pi * 4, 1e-3 * 4 * pi * 4);
+  EXPECT_NEAR(mass.radius_squared, 0.6 * 4, 1e-3 * 0.6 * 4);
+}
+
+TEST(Mass, hollow_sphere_has_a_cavity) {
+  const MassProperties full = mass_of(make_sphere(1, 4));
+  const Triangles outer = make_sphere(2, 4), inner = make_sphere(1, 4);
+  const MassProperties hollow = mass_of(joined(outer, inside_out(inner)));
+  EXPECT_EQ(hollow.rule, MassRule::Volume);
+  expect_near(hollow.centre, Vec3::Zero(), 1e-14);
+  EXPECT_NEAR(hollow.volume, 7 * full.volume, 1e-13);
+  EXPECT_NEAR(hollow.area, 5 * full.area, 1e-12);
+  EXPECT_NEAR(hollow.radius_squared, 31.0 / 7 * full.radius_squared, 1e-13);
+}
+
+TEST(Mass, cavity_off_the_middle) {
+  const Triangles cavity = inside_out(make_box(Vec3(0.5, 0.25, 0.25), Vec3(1, 0.75, 0.75)));
+  const MassProperties mass = mass_of(joined(make_box(Vec3::Zero(), Vec3(2, 1, 1)), cavity));
+  EXPECT_EQ(mass.rule, MassRule::Volume);
+  EXPECT_NEAR(mass.volume, 2 - 0.125, 1e-15);
+  expect_near(mass.centre, Vec3((2 - 0.125 * 0.75) / 1.875, 0.5, 0.5), 1e-15);
+}
+
+TEST(Mass, hollow_sphere_inside_out_is_a_surface) {
+  const MassProperties mass =
+      mass_of(inside_out(joined(make_sphere(2, 2), inside_out(make_sphere(1, 2)))));
+  EXPECT_EQ(mass.rule, MassRule::Surface);
+}
+
+TEST(Mass, two_components) {
+  const Triangles big = make_box(Vec3(10, 0, 0), Vec3(12, 2, 2));
+  const MassProperties mass = mass_of(joined(make_cube(), big));
+  EXPECT_EQ(mass.rule, MassRule::Volume);
+  EXPECT_NEAR(mass.volume, 9, 1e-13);
+  expect_near(mass.centre, (Vec3::Constant(0.5) + 8 * Vec3(11, 1, 1)) / 9, 1e-13);
+}
+
+TEST(Mass, open_box_by_surface) {
+  Triangles triangles = make_cube();
+  triangles.erase(triangles.begin(), triangles.begin() + 2);  // the top
+  const MassProperties mass = mass_of(triangles);
+  EXPECT_EQ(mass.rule, MassRule::Surface);
+  EXPECT_STREQ(to_string(mass.rule), "surface");
+  EXPECT_EQ(mass.volume, 0);
+  EXPECT_NEAR(mass.area, 5, 1e-14);
+  expect_near(mass.centre, Vec3(0.5, 0.5, 0.4), 1e-15);
+  // About the cube's centre: each square 1/6 within its plane and 1/4 from it; then Steiner.
+  EXPECT_NEAR(mass.radius_squared, 1.0 / 6 + 0.25 - 0.01, 1e-15);
+}
+
+TEST(Mass, flipped_face_by_surface) {
+  Triangles triangles = make_cube();
+  std::swap(triangles[5][0], triangles[5][1]);
+  const MassProperties mass = mass_of(triangles);
+  EXPECT_EQ(mass.rule, MassRule::Surface);
+  expect_near(mass.centre, Vec3::Constant(0.5), 1e-15);
+}
+
+TEST(Mass, one_face_twice_by_surface) {
+  Triangles triangles = make_cube();
+  triangles.push_back(triangles[0]);
+  EXPECT_EQ(mass_of(triangles).rule, MassRule::Surface);
+}
+
+TEST(Mass, every_face_twice_is_still_a_solid) {
+  const MassProperties mass = mass_of(joined(make_cube(), make_cube()));
+  EXPECT_EQ(mass.rule, MassRule::Volume);
+  expect_near(mass.centre, Vec3::Constant(0.5), 1e-15);
+}
+
+TEST(Mass, every_face_and_its_back_by_surface) {
+  const MassProperties mass = mass_of(joined(make_cube(), inside_out(make_cube())));
+  EXPECT_EQ(mass.rule, MassRule::Surface);
+  EXPECT_NEAR(mass.area, 12, 1e-14);
+}
+
+TEST(Mass, fan_of_faces_at_one_edge_by_surface) {
+  Triangles triangles;
+  for (int i = 0; i < 6; ++i)
+    triangles.push_back({Vec3(0, 0, 0), Vec3(0, 0, 3), Vec3(i - 2.5, 1, 0)});
+  const MassProperties mass = mass_of(triangles);
+  EXPECT_EQ(mass.rule, MassRule::Surface);
+  EXPECT_NEAR(mass.centre.z(), 1, 1e-15);
+  EXPECT_NEAR(mass.centre.x(), 0, 1e-15);
+}
+
+TEST(Mass, degenerate_faces_do_not_count) {
+  const Vec3 a(0, 0, 0), b(1, 0, 0);
+  const MassProperties mass = mass_of(joined(make_cube(), {{a, a, b}, {a, a, a}, {b, a, b}}));
+  EXPECT_EQ(mass.rule, MassRule::Volume);
+  EXPECT_NEAR(mass.volume, 1, 1e-15);
+  expect_near(mass.centre, Vec3::Constant(0.5), 1e-15);
+}
+
+TEST(Mass, flat_sheet_with_a_back_by_surface) {
+  Triangles sheet;
+  add_quad(sheet, Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1, 1, 0.3), Vec3(0, 1, 0.3));
+  const MassProperties mass = mass_of(joined(sheet, inside_out(sheet)));
+  EXPECT_EQ(mass.rule, MassRule::Surface);
+  expect_near(mass.centre, Vec3(0.5, 0.5, 0.15), 1e-15);
+}
+
+TEST(Mass, without_area_by_hull) {
+  Triangles triangles;  // the edges of a cube, as faces with two equal corners
+  for (const Triangle& t : make_cube()) triangles.push_back({t[0], t[0], t[1]});
+  for (const Triangle& t : make_cube()) triangles.push_back({t[1], t[2], t[2]});
+  const MassProperties mass = mass_of(triangles);
+  EXPECT_EQ(mass.rule, MassRule::Hull);
+  EXPECT_STREQ(to_string(mass.rule), "hull");
+  EXPECT_EQ(mass.area, 0);
+  EXPECT_NEAR(mass.volume, 1, 1e-14);
+  expect_near(mass.centre, Vec3::Constant(0.5), 1e-15);
+  EXPECT_NEAR(mass.radius_squared, 0.25, 1e-14);
+}
+
+TEST(Mass, needle_by_its_vertices) {
+  const Vec3 a(0, 0, 0), b(4, 0, 0), c(1, 0, 0);
+  const MassProperties mass = mass_of({{a, b, c}});
+  EXPECT_EQ(mass.rule, MassRule::Hull);
+  EXPECT_EQ(mass.volume, 0);
+  expect_near(mass.centre, Vec3(5.0 / 3, 0, 0), 1e-15);
+  EXPECT_NEAR(mass.radius_squared, 26.0 / 9, 1e-14);
+}
+
+TEST(Mass, point_and_nothing) {
+  const Vec3 p(1, 2, 3);
+  const MassProperties point = mass_of({{p, p, p}});
+  EXPECT_EQ(point.rule, MassRule::Hull);
+  EXPECT_EQ(point.centre, p);
+  EXPECT_EQ(point.radius_squared, 0);
+  const MassProperties nothing = mass_of({});
+  EXPECT_EQ(nothing.rule, MassRule::Hull);
+  EXPECT_EQ(nothing.centre, Vec3::Zero());
+}
+
+TEST(Mass, any_unit) {
+  for (const double unit : {1e-30, 1e-10, 1e10, 1e30}) {
+    const MassProperties mass = mass_of(scaled(make_cube(), unit));
+    EXPECT_EQ(mass.rule, MassRule::Volume);
+    EXPECT_NEAR(mass.centre.x() / unit, 0.5, 1e-14);
+    EXPECT_NEAR(mass.radius_squared / (unit * unit), 0.25, 1e-14);
+  }
+}
+
+/// Random affine images of the cube: the centre moves along, and the spread follows the covariance.
+TEST(Mass, parallelepipeds) {
+  constexpr unsigned kSeed = 3;
+  std::printf("seed %u\n", kSeed);
+  std::mt19937 random(kSeed);
+  std::uniform_real_distribution<double> number(-1, 1);
+  for (int round = 0; round < 200; ++round) {
+    const Mat3 linear = Mat3::NullaryExpr([&] { return number(random); });
+    const Vec3 by = Vec3::NullaryExpr([&] { return 100 * number(random); });
+    Triangles triangles = make_cube();
+    for (Triangle& t : triangles)
+      for (Vec3& p : t) p = linear * p + by;
+    const double determinant = linear.determinant();
+    if (std::abs(determinant) < 1e-3) continue;
+    const MassProperties mass = mass_of(triangles);
+    ASSERT_EQ(mass.rule, MassRule::Volume);
+    EXPECT_NEAR(mass.volume, std::abs(determinant), 1e-12);
+    expect_near(mass.centre, linear * Vec3::Constant(0.5) + by, 1e-11);
+    EXPECT_NEAR(mass.radius_squared, linear.squaredNorm() / 12, 1e-11);
+  }
+}
+
+TEST(Mass, tangles_give_finite_numbers_within_the_box) {
+  constexpr unsigned kSeed = 4;
+  std::printf("seed %u\n", kSeed);
+  std::mt19937 random(kSeed);
+  for (int round = 0; round < 300; ++round) {
+    const Mesh mesh = weld(make_tangle(random, 1 + static_cast<int>(random() % 30),
+                                       1 + static_cast<int>(random() % 12)));
+    const MassProperties mass = mass_properties(mesh, make_adjacency(mesh));
+    const Aabb box = mesh.box();
+    EXPECT_TRUE(std::isfinite(mass.radius_squared));
+    EXPECT_EQ(mass.radius_squared > 0, box.diagonal() > 0);
+    EXPECT_TRUE(
+        ((mass.centre - box.centre()).cwiseAbs().array() <= box.half_extent().array() + 1e-12)
+            .all());
+  }
+}
+
+}  // namespace
+}  // namespace trivet
