@@ -1,0 +1,151 @@
+#include "ops/layout/layout.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "ops/layout/json_text.h"
+
+namespace trivet {
+namespace {
+
+constexpr int kVersion = 1;
+constexpr double kUnitTolerance = 4e-15;
+
+// In the contract, but of a later release.
+constexpr const char* kLaterOperations[] = {"push", "turn", "pick_up", "translate", "rotate"};
+
+UpAxis read_up(const JsonPlace& place) {
+  if (place.value() == "y") return UpAxis::Y;
+  if (place.value() == "z") return UpAxis::Z;
+  place.refuse("\"y\" or \"z\"");
+}
+
+Vec3 read_position(const JsonPlace& place) {
+  const std::vector<double> p = place.numbers(3, -kMaxLength, kMaxLength);
+  return {p[0], p[1], p[2]};
+}
+
+// Unit quaternions are taken as they are: what Trivet writes is read to the same bits.
+Rotation read_rotation(const JsonPlace& place) {
+  const std::vector<double> q = place.numbers(4, -kMaxQuaternionComponent, kMaxQuaternionComponent);
+  const auto is_large = [](double c) { return std::abs(c) >= kMinQuaternionComponent; };
+  if (std::none_of(q.begin(), q.end(), is_large))
+    place.refuse("a quaternion [w, x, y, z] whose length is not zero");
+  const Rotation rotation{q[0], q[1], q[2], q[3]};
+  const double squared_length = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
+  return std::abs(squared_length - 1) <= kUnitTolerance ? rotation : rotation.normalized();
+}
+
+Pose read_pose(const JsonPlace& place) {
+  Pose pose;
+  pose.translation = read_position(place.at("position"));
+  if (const auto rotation = place.find("rotation")) pose.rotation = read_rotation(*rotation);
+  return pose;
+}
+
+LayoutObject read_object(const JsonPlace& place) {
+  place.expect_object({"name", "model"}, {"scale", "up", "fixed", "position", "rotation"});
+  LayoutObject object;
+  object.name = place.at("name").text();
+  if (object.name == "floor") place.at("name").refuse("any name but \"floor\", which is the floor");
+  object.model = place.at("model").text();
+  if (const auto scale = place.find("scale")) object.scale = scale->number(kMinScale, kMaxScale);
+  if (const auto up = place.find("up")) object.up = read_up(*up);
+  if (const auto fixed = place.find("fixed")) object.fixed = fixed->boolean();
+  if (place.find("position")) object.pose = read_pose(place);
+  if (const auto rotation = place.find("rotation"); rotation && !object.pose)
+    rotation->fail(
+        "a rotation without a position; accepted: both, or neither for an object that "
+        "is out of the scene until it is put");
+  return object;
+}
+
+std::vector<LayoutObject> read_objects(const JsonPlace& place) {
+  std::vector<LayoutObject> objects;
+  std::map<std::string, size_t> index_of;
+  for (const JsonPlace& item : place.items()) {
+    objects.push_back(read_object(item));
+    const auto [it, is_new] = index_of.emplace(objects.back().name, objects.size() - 1);
+    if (!is_new)
+      item.at("name").fail(item.at("name").value().dump() + " is already the name of /objects/" +
+                           std::to_string(it->second) + "; accepted: a name of its own");
+  }
+  return objects;
+}
+
+// Which operation an entry asks for, before its other keys are looked at.
+LayoutOperation::Kind read_kind(const JsonPlace& place) {
+  if (!place.value().is_object()) place.refuse("an object with the keys op, object, ...");
+  const JsonPlace op = place.at("op");
+  if (op.value() == "put") return LayoutOperation::Kind::Put;
+  for (const char* later : kLaterOperations)
+    if (op.value() == later)
+      op.fail(op.value().dump() + " is not available in this version; accepted: \"put\"");
+  op.refuse("\"put\"");
+}
+
+LayoutOperation read_operation(const JsonPlace& place, const std::set<std::string>& names) {
+  LayoutOperation operation;
+  operation.kind = read_kind(place);
+  place.expect_object({"op", "object", "position"}, {"rotation"});
+  operation.object = place.at("object").text();
+  if (!names.count(operation.object)) place.at("object").refuse("the name of one of /objects");
+  operation.start = read_pose(place);
+  return operation;
+}
+
+nlohmann::ordered_json pose_json(const Pose& pose, nlohmann::ordered_json json) {
+  const Rotation& r = pose.rotation;
+  const Vec3& t = pose.translation;
+  json["position"] = {t.x(), t.y(), t.z()};
+  json["rotation"] = {r.w, r.x, r.y, r.z};
+  return json;
+}
+
+}  // namespace
+
+const char* to_string(LayoutOperation::Kind) { return "put"; }
+
+Layout parse_layout(const std::string& text, const std::string& file) {
+  const nlohmann::json document = parse_json(text, file);
+  const JsonPlace root(document, file);
+  root.expect_object({"trivet", "objects"}, {"floor", "operations"});
+  const JsonPlace version = root.at("trivet");
+  if (!version.value().is_number() || version.value() != kVersion)
+    version.refuse(std::to_string(kVersion) + ", the version of the layout format");
+
+  Layout layout;
+  if (const auto floor = root.find("floor")) layout.floor = floor->boolean();
+  layout.objects = read_objects(root.at("objects"));
+  std::set<std::string> names;
+  for (const LayoutObject& object : layout.objects) names.insert(object.name);
+  if (const auto operations = root.find("operations"))
+    for (const JsonPlace& item : operations->items())
+      layout.operations.push_back(read_operation(item, names));
+  return layout;
+}
+
+Layout read_layout(const std::string& path, std::uintmax_t max_bytes) {
+  return parse_layout(read_text_file(path, max_bytes), path);
+}
+
+std::string write_layout(const Layout& layout, int indent) {
+  using Json = nlohmann::ordered_json;
+  Json json = {{"trivet", kVersion}, {"floor", layout.floor}};
+  json["objects"] = Json::array();
+  for (const LayoutObject& o : layout.objects) {
+    Json entry = {{"name", o.name}, {"model", o.model}, {"scale", o.scale}};
+    if (o.up) entry["up"] = *o.up == UpAxis::Y ? "y" : "z";
+    if (o.fixed) entry["fixed"] = true;
+    json["objects"].push_back(o.pose ? pose_json(*o.pose, entry) : entry);
+  }
+  json["operations"] = Json::array();
+  for (const LayoutOperation& o : layout.operations)
+    json["operations"].push_back(
+        pose_json(o.start, {{"op", to_string(o.kind)}, {"object", o.object}}));
+  return json.dump(indent) + "\n";
+}
+
+}  // namespace trivet

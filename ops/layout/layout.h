@@ -1,0 +1,55 @@
+// Layout files: which objects there are, where they stand, and what is done with them.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/motion/pose.h"
+
+namespace trivet {
+
+/// Lengths in a layout, metres, and scales: what float32 export and exact predicates can bear.
+inline constexpr double kMaxLength = 1e15;
+inline constexpr double kMinScale = 1e-15, kMaxScale = 1e15;
+/// A quaternion needs one component of at least this magnitude; it is scaled to unit length.
+inline constexpr double kMinQuaternionComponent = 1e-6, kMaxQuaternionComponent = 1e6;
+
+struct LayoutObject {
+  std::string name;          // unique, not "floor"
+  std::string model;         // path relative to the layout file
+  double scale = 1;          // metres per file unit
+  std::optional<UpAxis> up;  // nothing: as the model's format says, else z
+  bool fixed = false;
+  std::optional<Pose>
+      pose;  // stands there from the start; nothing: out of the scene until it is put
+};
+
+struct LayoutOperation {
+  enum class Kind { Put };
+  Kind kind = Kind::Put;
+  std::string object;  // name of one of the objects
+  Pose start;
+};
+const char* to_string(LayoutOperation::Kind kind);  // "put"
+
+struct Layout {
+  bool floor = true;
+  std::vector<LayoutObject> objects;
+  std::vector<LayoutOperation> operations;
+};
+
+/// Reads a layout strictly: whatever is not in layout.schema.json is an error, and so are names
+/// that come twice, keys that come twice and operations on unknown objects, which a schema cannot
+/// say. Models are not opened.
+/// @param file  name for messages.
+/// @throws Error (BadInput) naming the file, the place as a JSON pointer, the value and what is
+///   accepted.
+Layout parse_layout(const std::string& text, const std::string& file);
+Layout read_layout(const std::string& path, std::uintmax_t max_bytes = std::uintmax_t{1} << 30);
+
+/// The layout as JSON text that parse_layout reads to the same bits.
+/// @param indent  spaces per level; negative: all on one line.
+std::string write_layout(const Layout& layout, int indent = 1);
+
+}  // namespace trivet

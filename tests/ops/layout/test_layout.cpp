@@ -1,0 +1,168 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "core/base/error.h"
+#include "ops/layout/json_text.h"
+#include "ops/layout/layout.h"
+
+namespace trivet {
+namespace {
+
+using nlohmann::json;
+
+json read_corpus() {
+  std::ifstream file(TRIVET_SOURCE_DIR "/tests/ops/layout/corpus.json");
+  return json::parse(file);
+}
+
+std::string text_of(const json& base, const json& c) {
+  if (c.contains("text")) return c["text"];
+  json layout = base;
+  const json settings = c.value("set", json::object());
+  for (const auto& [pointer, value] : settings.items()) layout[json::json_pointer(pointer)] = value;
+  json removals = json::array();
+  for (const json& pointer : c.value("remove", json::array()))
+    removals.push_back({{"op", "remove"}, {"path", pointer}});
+  return layout.patch(removals).dump();
+}
+
+/// The reader's complaint; empty when there is none.
+std::string complaint(const std::string& text) {
+  try {
+    parse_layout(text, "a.json");
+  } catch (const Error& e) {
+    EXPECT_EQ(e.kind(), Error::Kind::BadInput);
+    return e.what();
+  }
+  return "";
+}
+
+TEST(Layout, corpus) {
+  const json corpus = read_corpus();
+  int num_good = 0, num_bad = 0;
+  for (const json& c : corpus["cases"]) {
+    const std::string what = c["what"], expected = c.value("message", "");
+    const std::string message = complaint(text_of(corpus["base"], c));
+    if (expected.empty()) {
+      EXPECT_EQ(message, "") << what;
+    } else {
+      EXPECT_EQ(message.rfind("a.json: ", 0), 0u) << what << ": " << message;
+      EXPECT_NE(message.find(expected), std::string::npos) << what << ": " << message;
+    }
+    ++(expected.empty() ? num_good : num_bad);
+  }
+  EXPECT_GE(num_good, 15);
+  EXPECT_GE(num_bad, 60);
+}
+
+TEST(Layout, values_arrive) {
+  const Layout layout = parse_layout(read_corpus()["base"].dump(), "a.json");
+  EXPECT_TRUE(layout.floor);
+  ASSERT_EQ(layout.objects.size(), 2u);
+  const LayoutObject& table = layout.objects[0];
+  EXPECT_EQ(table.name, "table");
+  EXPECT_EQ(table.model, "table.obj");
+  EXPECT_EQ(table.scale, 0.5);
+  EXPECT_EQ(table.up, UpAxis::Y);
+  EXPECT_TRUE(table.fixed);
+  ASSERT_TRUE(table.pose);
+  const LayoutObject& spoon = layout.objects[1];
+  EXPECT_EQ(spoon.scale, 1);
+  EXPECT_FALSE(spoon.up);
+  EXPECT_FALSE(spoon.fixed);
+  EXPECT_FALSE(spoon.pose);
+  ASSERT_EQ(layout.operations.size(), 1u);
+  EXPECT_EQ(layout.operations[0].object, "spoon");
+  EXPECT_EQ(layout.operations[0].start.translation, Vec3(0.1, 0.2, 1.5));
+  EXPECT_EQ(layout.operations[0].start.rotation.w, 1);
+}
+
+TEST(Layout, quaternions_get_unit_length) {
+  json base = read_corpus()["base"];
+  base["operations"][0]["rotation"] = {2, 0, 0, -2};
+  const Rotation r = parse_layout(base.dump(), "a.json").operations[0].start.rotation;
+  EXPECT_NEAR(r.w, std::sqrt(0.5), 1e-15);
+  EXPECT_NEAR(r.z, -std::sqrt(0.5), 1e-15);
+}
+
+TEST(Layout, written_and_read_to_the_same_bits) {
+  std::mt19937_64 rng(1);
+  std::normal_distribution<double> normal;
+  Layout layout;
+  layout.floor = false;
+  for (int i = 0; i < 1000; ++i) {
+    LayoutObject o;
+    o.name = "o" + std::to_string(i), o.model = "m.obj", o.fixed = i % 3 == 0;
+    o.scale = std::exp(normal(rng));
+    if (i % 2) o.up = i % 4 == 1 ? UpAxis::Y : UpAxis::Z;
+    const Rotation r = Rotation{normal(rng), normal(rng), normal(rng), normal(rng)}.normalized();
+    const Pose pose{r, {normal(rng), normal(rng), normal(rng)}};
+    if (i % 5) o.pose = pose;
+    layout.objects.push_back(o);
+    layout.operations.push_back({LayoutOperation::Kind::Put, o.name, pose});
+  }
+  const std::string text = write_layout(layout);
+  const Layout back = parse_layout(text, "a.json");
+  EXPECT_EQ(write_layout(back), text);
+  for (int i = 0; i < 1000; ++i) {
+    const Pose &a = layout.operations[i].start, &b = back.operations[i].start;
+    EXPECT_EQ(a.translation, b.translation);
+    EXPECT_TRUE(a.rotation.w == b.rotation.w && a.rotation.x == b.rotation.x);
+    EXPECT_TRUE(a.rotation.y == b.rotation.y && a.rotation.z == b.rotation.z);
+    EXPECT_EQ(layout.objects[i].pose.has_value(), back.objects[i].pose.has_value());
+    EXPECT_EQ(layout.objects[i].up, back.objects[i].up);
+  }
+}
+
+TEST(Layout, long_values_are_cut_in_messages) {
+  json base = read_corpus()["base"];
+  base["objects"][1]["up"] = std::string(100'000, 'u');
+  EXPECT_LT(complaint(base.dump()).size(), 200u);
+}
+
+TEST(Layout, random_bytes_and_cuts_never_crash) {
+  std::mt19937_64 rng(2);
+  const std::string good = read_corpus()["base"].dump();
+  int num_refused = 0;
+  for (int i = 0; i < 5000; ++i) {
+    std::string text = good;
+    for (int k = 0; k < 1 + i % 4; ++k) text[rng() % text.size()] = static_cast<char>(rng());
+    if (i % 3 == 0) text.resize(rng() % text.size());
+    num_refused += !complaint(text).empty();
+  }
+  EXPECT_GT(num_refused, 4000);
+}
+
+TEST(Layout, deep_nesting_is_an_error_like_others) {
+  EXPECT_NE(complaint(std::string(1'000'000, '[')), "");
+  EXPECT_NE(complaint(std::string(100'000, '[') + std::string(100'000, ']')), "");
+}
+
+TEST(ReadTextFile, names_what_is_wrong) {
+  const auto message = [](const std::string& path, std::uintmax_t limit) -> std::string {
+    try {
+      read_text_file(path, limit);
+    } catch (const Error& e) {
+      return e.what();
+    }
+    return "";
+  };
+  const std::string folder = testing::TempDir();
+  EXPECT_EQ(message(folder + "none.json", 10),
+            folder + "none.json: cannot be opened: No such file or directory");
+  EXPECT_EQ(message(folder, 10), folder + ": is a folder, not a file");
+  const std::string path = folder + "trivet_ten_bytes.json";
+  std::ofstream(path) << "0123456789";
+  EXPECT_EQ(message(path, 10), "");
+  EXPECT_EQ(message(path, 9), path + ": is larger than the limit of 9 bytes");
+  std::filesystem::remove(path);
+}
+
+}  // namespace
+}  // namespace trivet
