@@ -24,9 +24,10 @@ struct SceneCheck {
 };
 
 /// @param num_threads  0: all cores. The result does not depend on it.
-SceneCheck check_scene(const Scene& scene, int num_threads = 0);
+SceneCheck check_scene(const Scene& scene, int num_threads = 0, double clearance = 0);
 
-/// Fills links, margin and least friction of every placed object from the poses.
-void update_contacts(Scene& scene);
+/// Fills links, state, margin and least friction of every placed object from the poses.
+/// @param clearance  metres; 0: default_clearance() of the scene.
+void update_contacts(Scene& scene, double clearance = 0);
 
 }  // namespace trivet

@@ -37,4 +37,21 @@ inline constexpr double kFootSlack = 0.05;
 /// Principal extents below this part of the object's size count as nothing: point, line or area.
 inline constexpr double kContactExtent = 1e-4;
 
+// --- settling ------------------------------------------------------------------------------------
+
+/// Clearances by which every executed motion must lower the centre of mass. 0 never ends, 10 gets
+/// stuck.
+inline constexpr double kEnergyDrop = 0.1;
+/// Part of the object's size that the centre of mass must be inside the hull, to count as at rest.
+inline constexpr double kRestMargin = 1e-6;
+/// Gaps below this many clearances are opened again (a sliding edge halves its gap at every event).
+inline constexpr double kLiftBelow = 0.5;
+/// A lift is at most this many clearances long; at most kMaxLifts are made.
+inline constexpr double kLargestLift = 20;
+inline constexpr int kMaxLifts = 200;
+inline constexpr int kLiftSweeps = 300;
+/// Contacts within this many clearances may carry when nothing can sink any more: a last closing
+/// motion shorter than kEnergyDrop is not executed.
+inline constexpr double kBalanceTolerance = 20;
+
 }  // namespace trivet

@@ -66,8 +66,12 @@ class Scene {
   std::optional<ObjectId> find(const std::string& name) const;
   std::vector<ObjectId> ids() const;    // in the order of their addition
 
-  /// World box of the placed objects, exact (from vertices).
+  /// World box of the placed objects; holds all vertices, may be a little larger.
   Aabb box() const;
+
+  /// Replaces what the object touches; those it touches see the same contact from their side.
+  void link(ObjectId id, std::vector<Link> links);
+  void unlink(ObjectId id);
 
  private:
   struct Slot {
@@ -78,6 +82,9 @@ class Scene {
   std::vector<Slot> m_slots;
   std::uint64_t m_next_order = 0;
 };
+
+/// The same contact seen from the other object.
+Contact reversed(const Contact& contact);
 
 /// Who holds an object and who lies on it, derived from the links of all objects.
 struct LoadSupport {

@@ -1,0 +1,135 @@
+#include "ops/check.h"
+
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+
+#include "ops/rest.h"
+#include "ops/verify.h"
+
+namespace trivet {
+namespace {
+
+struct PlacedObject {
+  ObjectId id;
+  const Object* object;
+  Body body;
+  ObjectPositions positions;
+};
+
+std::vector<PlacedObject> placed_objects(const Scene& scene) {
+  std::vector<PlacedObject> out;
+  for (const ObjectId id : scene.ids()) {
+    const Object& object = scene.at(id);
+    if (object.placed)
+      out.push_back({id, &object, Body(*object.shape, object.world_from_object()), {}});
+  }
+  return out;
+}
+
+struct PairToCheck {
+  size_t a, b;
+  PairVerdict verdict;
+};
+
+std::vector<PairToCheck> near_pairs(const std::vector<PlacedObject>& objects) {
+  std::vector<PairToCheck> out;
+  for (size_t i = 0; i < objects.size(); ++i)
+    for (size_t j = i + 1; j < objects.size(); ++j) {
+      const double slack =
+          std::max(objects[i].positions.float_slack, objects[j].positions.float_slack);
+      if (overlaps(objects[i].body.world_box, objects[j].body.world_box, slack))
+        out.push_back({i, j, {}});
+    }
+  return out;
+}
+
+std::int64_t num_below_floor(const Positions& positions) {
+  return std::count_if(positions.begin(), positions.end(),
+                       [](const Vec3& p) { return p.z() < 0; });
+}
+
+void add_floor_findings(const PlacedObject& o, SceneCheck& check) {
+  if (const auto n = num_below_floor(o.positions.doubles))
+    check.crossings.push_back({o.object->name, "floor", n});
+  if (const auto n = num_below_floor(o.positions.floats))
+    check.float32_crossings.push_back({o.object->name, "floor", n});
+}
+
+void add_pair_findings(const std::string& a, const std::string& b, const PairVerdict& v,
+                       SceneCheck& check) {
+  if (v.crossings) check.crossings.push_back({a, b, v.crossings});
+  if (v.float_crossings) check.float32_crossings.push_back({a, b, v.float_crossings});
+  if (v.a_inside_b) check.contained.push_back({a, b, v.a_inside_b});
+  if (v.b_inside_a) check.contained.push_back({b, a, v.b_inside_a});
+}
+
+void add_rest_findings(const Scene& scene, const PlacedObject& o, double clearance,
+                       SceneCheck& check) {
+  const Surroundings others(scene, o.id);
+  for (const ContactsWith& c :
+       touching(scene, *o.object, o.object->pose, others, clearance))
+    for (const ContactPoint& p : c.points)
+      check.smallest_gap = std::min(check.smallest_gap, p.gap);
+  if (!o.object->fixed && !rests_at(scene, *o.object, o.object->pose, others, clearance))
+    check.not_at_rest.push_back(o.object->name);
+}
+
+}  // namespace
+
+std::int64_t SceneCheck::interpenetrating_pairs() const {
+  std::int64_t sum = 0;
+  for (const PairFinding& f : crossings) sum += f.count;
+  return sum;
+}
+
+bool SceneCheck::ok() const {
+  return crossings.empty() && float32_crossings.empty() && contained.empty() &&
+         not_at_rest.empty();
+}
+
+SceneCheck check_scene(const Scene& scene, int num_threads, double clearance) {
+  const tbb::global_control threads(
+      tbb::global_control::max_allowed_parallelism,
+      num_threads > 0 ? num_threads
+                      : tbb::global_control::active_value(
+                            tbb::global_control::max_allowed_parallelism));
+  if (!(clearance > 0)) clearance = default_clearance(scene);
+  std::vector<PlacedObject> objects = placed_objects(scene);
+  tbb::parallel_for(size_t{0}, objects.size(), [&](size_t i) {
+    objects[i].positions = positions_of(*objects[i].object, objects[i].object->pose);
+  });
+  std::vector<PairToCheck> pairs = near_pairs(objects);
+  tbb::parallel_for(size_t{0}, pairs.size(), [&](size_t i) {
+    const PlacedObject &a = objects[pairs[i].a], &b = objects[pairs[i].b];
+    pairs[i].verdict = verify_pair(*a.object, a.object->pose, a.positions, *b.object,
+                                   b.object->pose, b.positions,
+                                   std::numeric_limits<std::int64_t>::max());
+  });
+  SceneCheck check;
+  for (const PlacedObject& o : objects) {
+    if (scene.floor) add_floor_findings(o, check);
+    add_rest_findings(scene, o, clearance, check);
+  }
+  for (const PairToCheck& p : pairs)
+    add_pair_findings(objects[p.a].object->name, objects[p.b].object->name, p.verdict, check);
+  return check;
+}
+
+void update_contacts(Scene& scene, double clearance) {
+  if (!(clearance > 0)) clearance = default_clearance(scene);
+  for (const ObjectId id : scene.ids()) {
+    const Object& object = scene.at(id);
+    if (!object.placed) continue;
+    const Surroundings others(scene, id);
+    ObjectState state = ObjectState::Fixed;
+    if (!object.fixed)
+      state = rests_at(scene, object, object.pose, others, clearance) ? ObjectState::Stable
+                                                                      : ObjectState::Wedged;
+    const auto contacts = touching(scene, object, object.pose, others, clearance);
+    commit(scene, id, object.pose, state, others, contacts, clearance);
+  }
+}
+
+}  // namespace trivet

@@ -1,0 +1,36 @@
+// Contacts, rest and links of objects as they lie: what put(), stand() and check share.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/contact/body.h"
+#include "core/scene/scene.h"
+#include "ops/settle/settle.h"
+
+namespace trivet {
+
+/// The other placed objects, as bodies, with their ids.
+struct Surroundings {
+  std::vector<ObjectId> ids;
+  std::vector<Body> bodies;
+
+  Surroundings(const Scene& scene, ObjectId except);
+  /// "the floor" or the quoted name.
+  std::string name(const Scene& scene, Index fixed) const;
+};
+
+/// Whether an object would be at rest at `pose`: by the contacts within kBalanceTolerance.
+bool rests_at(const Scene& scene, const Object& object, const Pose& pose,
+              const Surroundings& others, double clearance);
+
+/// What an object at `pose` touches, within kContactTolerance clearances.
+std::vector<ContactsWith> touching(const Scene& scene, const Object& object, const Pose& pose,
+                                   const Surroundings& others, double clearance);
+
+/// Gives the object its pose and state, rates its rest and links it with what it touches.
+void commit(Scene& scene, ObjectId id, const Pose& pose, ObjectState state,
+            const Surroundings& others, const std::vector<ContactsWith>& contacts,
+            double clearance);
+
+}  // namespace trivet

@@ -1,0 +1,167 @@
+#include "ops/settle/candidates.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "core/contact/contact_points.h"
+#include "ops/settle/equilibrium.h"
+
+namespace trivet {
+namespace {
+
+constexpr size_t kMaxContacts = 48;
+constexpr size_t kMaxCandidates = 16;
+constexpr double kApproach = 1e-4;   // relative speed into a contact that still counts as none
+constexpr double kNoSupport = 1e-6;  // normal.z below which a contact does not hinder a fall
+constexpr double kTie = 1e-9;        // of the size: the centre is exactly over the axis
+constexpr double kQuarterTurn = 1;   // tan(90 degrees / 2)
+
+// Turning about `axis` through `point` until the centre is lowest, at most a quarter turn.
+Motion turn(const Vec3& point, const Vec3& axis, const Vec3& centre) {
+  const Vec3 r = centre - point;
+  const double a = r.z() - axis.z() * axis.dot(r), b = axis.cross(r).z();
+  // z(t) = const + a cos t + b sin t is lowest at cos t = -a / h, sin t = -b / h.
+  const double h = std::sqrt(a * a + b * b);
+  const double s = h - a > 0 ? -b / (h - a) : kQuarterTurn;
+  return Motion::rotation(point, axis, s > 0 && s < kQuarterTurn ? s : kQuarterTurn);
+}
+
+bool stands_against(const std::vector<ContactPoint>& contacts, const Vec3& point,
+                    const Vec3& axis) {
+  return std::any_of(contacts.begin(), contacts.end(), [&](const ContactPoint& c) {
+    const Vec3 arm = c.point - point;
+    return c.normal.dot(axis.cross(arm)) < -kApproach * arm.norm();
+  });
+}
+
+double gauss_gain(const Vec3& axis, const Vec3& r, double radius_squared) {
+  const Vec3 speed = axis.cross(r);
+  return speed.z() * speed.z() / (radius_squared + speed.squaredNorm());
+}
+
+class Enumeration {
+ public:
+  Enumeration(const std::vector<ContactPoint>& contacts, const SettlingObject& object)
+      : m_contacts(contacts), m_object(object) {}
+
+  void fall(double limit) {
+    const bool held = std::any_of(m_contacts.begin(), m_contacts.end(),
+                                  [](const ContactPoint& c) { return c.normal.z() >= kNoSupport; });
+    if (!held)
+      m_out.push_back({SettleStep::Kind::Fall, Motion::translation(-Vec3::UnitZ(), limit), 1});
+  }
+
+  void about_point(const Vec3& p) {
+    const Vec3 r = m_object.centre - p;
+    const double level = r.head<2>().norm();
+    if (level > kTie * m_object.size)
+      return add(SettleStep::Kind::TurnAboutPoint, p, Vec3(-r.y(), r.x(), 0) / level);
+    constexpr double d = 0.70710678118654752;
+    for (const auto& [x, y] : {std::pair{1.0, 0.0}, {d, d}, {0.0, 1.0}, {-d, d}, {-1.0, 0.0},
+                               {-d, -d}, {0.0, -1.0}, {d, -d}})
+      add(SettleStep::Kind::TurnAboutPoint, p, Vec3(x, y, 0));
+  }
+
+  void about_line(const Vec3& p, const Vec3& q) {
+    const Vec3 d = q - p;
+    const double length = d.norm();
+    if (length <= kTie * m_object.size) return;
+    const Vec3 axis = d / length;
+    const double down = axis.cross(m_object.centre - p).z();
+    const bool tie = std::abs(down) <= kTie * m_object.size;
+    if (down < 0 || tie) add(SettleStep::Kind::TurnAboutLine, p, axis);
+    if (down > 0 || tie) add(SettleStep::Kind::TurnAboutLine, p, -axis);
+  }
+
+  std::vector<Candidate> best() {
+    std::stable_sort(m_out.begin(), m_out.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.gain > b.gain; });
+    if (m_out.size() > kMaxCandidates) m_out.resize(kMaxCandidates);
+    return std::move(m_out);
+  }
+
+ private:
+  void add(SettleStep::Kind kind, const Vec3& point, const Vec3& axis) {
+    if (stands_against(m_contacts, point, axis)) return;
+    m_out.push_back({kind, turn(point, axis, m_object.centre),
+                     gauss_gain(axis, m_object.centre - point, m_object.radius_squared)});
+  }
+
+  const std::vector<ContactPoint>& m_contacts;
+  const SettlingObject& m_object;
+  std::vector<Candidate> m_out;
+};
+
+// --- the paper's cases -----------------------------------------------------------------------
+
+Candidate paper_point(const Vec3& p, const SettlingObject& object) {
+  const Vec3 r = object.centre - p;
+  const double level = r.head<2>().norm();
+  const Vec3 axis =
+      level > kTie * object.size ? Vec3(Vec3(-r.y(), r.x(), 0) / level) : Vec3(Vec3::UnitX());
+  return {SettleStep::Kind::TurnAboutPoint, turn(p, axis, object.centre), 0};
+}
+
+Candidate paper_line(const Vec3& p, const Vec3& q, const SettlingObject& object) {
+  const Vec3 d = q - p;
+  const double along = d.dot(object.centre - p) / d.squaredNorm();
+  if (along < 0) return paper_point(p, object);
+  if (along > 1) return paper_point(q, object);
+  Vec3 axis = d.normalized();
+  if (axis.cross(object.centre - p).z() > 0) axis = -axis;
+  return {SettleStep::Kind::TurnAboutLine, turn(p, axis, object.centre), 0};
+}
+
+// Hull seen from above: the edge or corner nearest to the centre.
+std::vector<Candidate> paper_area(const std::vector<ContactPoint>& contacts,
+                                  const std::vector<Vec2>& hull, const SettlingObject& object) {
+  if (hull_margin(hull, object.centre.head<2>()) >= 0) return {};
+  const auto lifted = [&](const Vec2& p) {
+    return std::find_if(contacts.begin(), contacts.end(), [&](const ContactPoint& c) {
+             return Vec2(c.point.head<2>()) == p;
+           })->point;
+  };
+  size_t nearest = 0;
+  double best = kInfinity;
+  for (size_t i = 0; i < hull.size(); ++i) {
+    const double d = -hull_margin({hull[i], hull[(i + 1) % hull.size()]}, object.centre.head<2>());
+    if (d < best) best = d, nearest = i;
+  }
+  return {paper_line(lifted(hull[nearest]), lifted(hull[(nearest + 1) % hull.size()]), object)};
+}
+
+}  // namespace
+
+std::vector<Candidate> gauss_candidates(const std::vector<ContactPoint>& all,
+                                        const SettlingObject& object, double fall_limit) {
+  const std::vector<ContactPoint> contacts = reduced(all, kMaxContacts);
+  Enumeration enumeration(contacts, object);
+  enumeration.fall(fall_limit);
+  for (size_t i = 0; i < contacts.size(); ++i) {
+    enumeration.about_point(contacts[i].point);
+    for (size_t j = i + 1; j < contacts.size(); ++j)
+      enumeration.about_line(contacts[i].point, contacts[j].point);
+  }
+  return enumeration.best();
+}
+
+std::vector<Candidate> paper_candidates(const std::vector<ContactPoint>& contacts,
+                                        const SettlingObject& object, double fall_limit) {
+  if (contacts.empty())
+    return {{SettleStep::Kind::Fall, Motion::translation(-Vec3::UnitZ(), fall_limit), 1}};
+  std::vector<Vec2> points;
+  for (const ContactPoint& c : contacts) points.push_back(c.point.head<2>());
+  const std::vector<Vec2> hull = convex_hull(points);
+  if (hull.size() > 2) return paper_area(contacts, hull, object);
+  if (hull.size() == 1) return {paper_point(contacts.front().point, object)};
+  // All above one line: the two that are farthest apart.
+  const auto by_xy = [](const ContactPoint& a, const ContactPoint& b) {
+    return std::make_tuple(a.point.x(), a.point.y()) < std::make_tuple(b.point.x(), b.point.y());
+  };
+  const auto [p, q] = std::minmax_element(contacts.begin(), contacts.end(), by_xy);
+  return {paper_line(p->point, q->point, object)};
+}
+
+}  // namespace trivet

@@ -1,0 +1,38 @@
+// The motions by which an object may give way, best first.
+#pragma once
+
+#include <vector>
+
+#include "core/contact/contact.h"
+#include "core/motion/motion.h"
+#include "ops/put.h"
+
+namespace trivet {
+
+/// What the rules need to know of the object; world, metres.
+struct SettlingObject {
+  Vec3 centre;            // of mass
+  double radius_squared;  // of gyration
+  double size;            // diagonal
+};
+
+struct Candidate {
+  SettleStep::Kind kind;
+  Motion motion;  // its limit: where the centre is lowest, at most a quarter turn
+  double gain;    // Gauss: squared initial acceleration that the motion takes of free fall, of g^2
+};
+
+/// The sticking motions of a body held by contacts with infinite friction: fall, turn about one
+/// contact point, turn about the line through two; those against which no other contact stands, in
+/// the order of Gauss' principle of least constraint.
+/// [SETTLING section 3, rule 2; generalises the three cases of Shinya 1995, 5.3, which get stuck
+/// where supports differ in height or slope.]
+/// @param fall_limit  metres.
+std::vector<Candidate> gauss_candidates(const std::vector<ContactPoint>& contacts,
+                                        const SettlingObject& object, double fall_limit);
+
+/// The paper's three cases literally (one motion, or none when its rules call the object stable).
+std::vector<Candidate> paper_candidates(const std::vector<ContactPoint>& contacts,
+                                        const SettlingObject& object, double fall_limit);
+
+}  // namespace trivet

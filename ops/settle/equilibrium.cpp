@@ -1,0 +1,187 @@
+#include "ops/settle/equilibrium.h"
+
+#include <Eigen/Geometry>
+#include <ClpSimplex.hpp>
+#include <algorithm>
+#include <cmath>
+
+#include "core/contact/contact_points.h"
+
+namespace trivet {
+namespace {
+
+constexpr double kFrictionLimit = 10;    // of all contacts together, in weights
+constexpr double kNoise = 1e-12;         // forces and torques of size one: rounding below this
+constexpr double kSameNormal = 0.999;    // cosine
+constexpr size_t kProgramContacts = 40;  // a linear program of more gains nothing
+
+double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+double distance_to_segment(const Vec2& p, const Vec2& a, const Vec2& b) {
+  const Vec2 d = b - a;
+  const double squared = d.squaredNorm();
+  const double t = squared > 0 ? std::clamp(d.dot(p - a) / squared, 0.0, 1.0) : 0.0;
+  return (p - a - t * d).norm();
+}
+
+std::array<Vec3, 2> tangents(const Vec3& n) {
+  int k = 0;
+  n.cwiseAbs().minCoeff(&k);
+  const Vec3 u = n.cross(Vec3::Unit(k)).normalized();
+  return {u, n.cross(u)};
+}
+
+// The 8 edges of a friction pyramid; no libm: the diagonals are written down.
+std::array<Vec3, 8> pyramid(const Vec3& n, double friction) {
+  constexpr double d = 0.70710678118654752;
+  const auto [u, v] = tangents(n);
+  return {n + friction * u, n + friction * d * (u + v), n + friction * v,
+          n + friction * d * (v - u), n - friction * u, n - friction * d * (u + v),
+          n - friction * v, n + friction * d * (u - v)};
+}
+
+// Column by column, as CLP wants it.
+struct Program {
+  std::vector<int> starts{0}, rows;
+  std::vector<double> values, costs;
+
+  void add_column(std::initializer_list<double> column, double cost) {
+    int row = 0;
+    for (const double x : column) {
+      if (std::abs(x) > kNoise) rows.push_back(row), values.push_back(x);
+      ++row;
+    }
+    starts.push_back(static_cast<int>(rows.size()));
+    costs.push_back(cost);
+  }
+};
+
+Program make_program(const std::vector<ContactPoint>& contacts, const Vec3& centre, double size,
+                     double friction) {
+  Program program;
+  for (const ContactPoint& c : contacts)
+    for (const Vec3& f : pyramid(c.normal, friction)) {
+      const Vec3 t = (c.point - centre).cross(f) / size;
+      program.add_column({f.x(), f.y(), f.z(), t.x(), t.y(), t.z(), friction}, 0);
+    }
+  for (int row = 0; row < 6; ++row)
+    for (const double sign : {1.0, -1.0}) {
+      double e[6] = {};
+      e[row] = sign;
+      program.add_column({e[0], e[1], e[2], e[3], e[4], e[5]}, 1);
+    }
+  return program;
+}
+
+// The farthest from what is chosen already, again and again.
+std::vector<ContactPoint> farthest(const std::vector<ContactPoint>& points, size_t limit) {
+  std::vector<double> distance(points.size(), kInfinity);
+  std::vector<char> chosen(points.size(), 0);
+  size_t next = 0;
+  for (size_t n = 0; n < std::min(limit, points.size()); ++n) {
+    chosen[next] = 1;
+    size_t best = next;
+    for (size_t i = 0; i < points.size(); ++i) {
+      distance[i] = std::min(distance[i], (points[i].point - points[next].point).squaredNorm());
+      if (!chosen[i] && (chosen[best] || distance[i] > distance[best])) best = i;
+    }
+    next = best;
+  }
+  std::vector<ContactPoint> out;
+  for (size_t i = 0; i < points.size(); ++i)
+    if (chosen[i]) out.push_back(points[i]);
+  return out;
+}
+
+// Of points with one normal, those whose feet on the plane are the hull's corners.
+std::vector<ContactPoint> hull_points(const std::vector<ContactPoint>& points) {
+  if (points.size() < 4) return points;
+  const auto [u, v] = tangents(points.front().normal);
+  const auto flat = [&, u = u, v = v](const ContactPoint& p) {
+    return Vec2(u.dot(p.point), v.dot(p.point));
+  };
+  std::vector<Vec2> all;
+  for (const ContactPoint& p : points) all.push_back(flat(p));
+  std::vector<Vec2> hull = convex_hull(all);
+  std::vector<ContactPoint> out;
+  for (const ContactPoint& p : points) {
+    const auto at = std::find(hull.begin(), hull.end(), flat(p));
+    if (at == hull.end()) continue;
+    out.push_back(p);
+    hull.erase(at);  // each corner once
+  }
+  return out;
+}
+
+}  // namespace
+
+double hull_margin(const std::vector<Vec2>& points, const Vec2& centre) {
+  const std::vector<Vec2> hull = convex_hull(points);
+  if (hull.empty()) return -kInfinity;
+  bool inside = hull.size() > 2;
+  double nearest = kInfinity;
+  for (size_t i = 0; i < hull.size(); ++i) {
+    const Vec2 &a = hull[i], &b = hull[(i + 1) % hull.size()];
+    inside = inside && cross(b - a, centre - a) >= 0;
+    nearest = std::min(nearest, distance_to_segment(centre, a, b));
+  }
+  return inside ? nearest : -nearest;
+}
+
+double carrying_margin(const std::vector<ContactPoint>& contacts, const Vec3& centre,
+                       double min_normal_z) {
+  std::vector<Vec2> points;
+  for (const ContactPoint& c : contacts)
+    if (c.normal.z() >= min_normal_z) points.push_back(c.point.head<2>());
+  return hull_margin(points, centre.head<2>());
+}
+
+double equilibrium_residual(const std::vector<ContactPoint>& contacts, const Vec3& centre,
+                            double size, double friction) {
+  if (contacts.empty()) return kInfinity;
+  const Program p = make_program(reduced(contacts, kProgramContacts), centre, size, friction);
+  const double lower[7] = {0, 0, 1, 0, 0, 0, 0};
+  const double upper[7] = {0, 0, 1, 0, 0, 0, kFrictionLimit};
+  ClpSimplex solver;
+  solver.setLogLevel(0);
+  solver.scaling(0);  // all is of size one already
+  solver.loadProblem(static_cast<int>(p.costs.size()), 7, p.starts.data(), p.rows.data(),
+                     p.values.data(), nullptr, nullptr, p.costs.data(), lower, upper);
+  solver.primal();
+  return solver.isProvenOptimal() ? solver.objectiveValue() : kInfinity;
+}
+
+double least_friction(const std::vector<ContactPoint>& contacts, const Vec3& centre, double size,
+                      double tolerance) {
+  const auto holds = [&](double friction) {
+    return equilibrium_residual(contacts, centre, size, friction) <= tolerance;
+  };
+  if (carrying_margin(contacts, centre, 1 - 1e-9) >= 0 || holds(0)) return 0;
+  if (!holds(kSettlingFriction)) return kInfinity;
+  double low = 0, high = kSettlingFriction;
+  while (high - low > 0.01 * high && high > 1e-3) {
+    const double middle = 0.5 * (low + high);
+    (holds(middle) ? high : low) = middle;
+  }
+  return high;
+}
+
+std::vector<ContactPoint> reduced(const std::vector<ContactPoint>& contacts, size_t limit) {
+  if (contacts.size() <= limit) return contacts;
+  std::vector<std::vector<ContactPoint>> groups;
+  for (const ContactPoint& c : contacts) {
+    const auto same = std::find_if(groups.begin(), groups.end(), [&](const auto& group) {
+      return group.front().normal.dot(c.normal) > kSameNormal;
+    });
+    if (same == groups.end())
+      groups.push_back({c});
+    else
+      same->push_back(c);
+  }
+  std::vector<ContactPoint> out;
+  for (const auto& group : groups)
+    for (const ContactPoint& c : hull_points(group)) out.push_back(c);
+  return out.size() <= limit ? out : farthest(out, limit);
+}
+
+}  // namespace trivet

@@ -1,0 +1,40 @@
+// Can these contacts hold this weight?
+#pragma once
+
+#include <vector>
+
+#include "core/contact/contact.h"
+
+namespace trivet {
+
+/// Steepest contact that counts as carrying on its own: vertical force lies in the friction cone of
+/// kSettlingFriction. Settling assumes nearly perfect friction [Shinya 1995, 5.3]; truly perfect
+/// friction would let two contacts a hair apart hold anything by pressing against each other.
+inline constexpr double kSettlingFriction = 5.0;
+inline constexpr double kCarryingNormalZ = 0.2;
+
+/// How far the centre is inside the convex hull of the points, both seen from above.
+/// @return metres; negative outside; -infinity without points.
+double hull_margin(const std::vector<Vec2>& points, const Vec2& centre);
+
+/// The margin of the contacts that carry: their normal's z is at least `min_normal_z`.
+double carrying_margin(const std::vector<ContactPoint>& contacts, const Vec3& centre,
+                       double min_normal_z = kCarryingNormalZ);
+
+/// Least sum of missing force (in weights) and missing torque (in weights x `size`), by linear
+/// programming (CLP) over friction pyramids of 8 edges inside the cones. All friction together is
+/// at most 10 weights.
+/// @param size  metres, of the object. @return 0: equilibrium; infinity: no contact.
+double equilibrium_residual(const std::vector<ContactPoint>& contacts, const Vec3& centre,
+                            double size, double friction);
+
+/// Smallest friction coefficient with a residual of at most `tolerance`, to 1 %; infinity when even
+/// kSettlingFriction does not do.
+double least_friction(const std::vector<ContactPoint>& contacts, const Vec3& centre, double size,
+                      double tolerance);
+
+/// At most about `limit` contacts with (nearly) the same span of forces: per direction of normal the
+/// convex hull of the points, then the points farthest from each other.
+std::vector<ContactPoint> reduced(const std::vector<ContactPoint>& contacts, size_t limit);
+
+}  // namespace trivet

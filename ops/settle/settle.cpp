@@ -1,0 +1,187 @@
+#include "ops/settle/settle.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "core/base/tunables.h"
+#include "core/contact/contact_points.h"
+#include "core/contact/first_contact.h"
+#include "ops/settle/candidates.h"
+#include "ops/settle/equilibrium.h"
+
+namespace trivet {
+namespace {
+
+class Settling {
+ public:
+  explicit Settling(const SettleProblem& problem) : m_problem(problem) {
+    m_out.pose = problem.start;
+    const Shape& shape = *problem.shape;
+    m_object.size = problem.scale * shape.mesh.box().diagonal();
+    m_object.radius_squared = problem.scale * problem.scale * shape.mass.radius_squared;
+  }
+
+  SettleOutcome run() {
+    while (static_cast<int>(m_out.steps.size()) <= m_problem.options.max_motions) {
+      const std::vector<ContactPoint> points = look_around();
+      if (lift_if_needed(points)) continue;
+      if (carrying_margin(points, m_object.centre) >= kRestMargin * m_object.size)
+        return finish(SettleOutcome::Status::AtRest);
+      const Outcome outcome = give_way(points);
+      if (outcome == Outcome::Moved) continue;
+      if (outcome == Outcome::FallsOut) return finish(SettleOutcome::Status::FallsOut);
+      return finish(is_balanced() ? SettleOutcome::Status::AtRest : SettleOutcome::Status::Wedged);
+    }
+    return finish(SettleOutcome::Status::TooManyMotions);
+  }
+
+ private:
+  enum class Outcome { Moved, Stuck, FallsOut };
+
+  double clearance() const { return m_problem.clearance; }
+
+  // Body, centre and contacts at the present pose.
+  std::vector<ContactPoint> look_around() {
+    m_body = Body(*m_problem.shape,
+                  world_from_object(m_out.pose, m_problem.up, m_problem.scale));
+    m_object.centre = m_body.world_from_object.apply(m_problem.shape->mass.centre);
+    const double tolerance = kContactTolerance * clearance();
+    m_out.contacts = contacts_with(m_body, m_problem.fixed, m_problem.floor, tolerance,
+                                   kFootSlack * clearance());
+    return all_points(m_out.contacts, tolerance);
+  }
+
+  FirstContact query(const Motion& motion) {
+    FirstContactQuery q;
+    q.moving = {&m_body, 1};
+    q.fixed = m_problem.fixed;
+    q.floor = m_problem.floor;
+    q.motion = motion;
+    q.clearance.distance = clearance();
+    const FirstContact found = first_contact(q);
+    ++m_out.num_queries;
+    m_out.num_face_pairs += found.work.face_pairs;
+    return found;
+  }
+
+  double fall_limit() const {
+    double lowest = m_problem.floor ? 0.0 : kInfinity;
+    for (const Body& b : m_problem.fixed) lowest = std::min(lowest, b.world_box.lower.z());
+    const double depth = m_body.world_box.upper.z() - lowest;
+    return std::isfinite(depth) && depth > 0 ? depth : 0;
+  }
+
+  void execute(SettleStep::Kind kind, const Motion& motion, double time, double drop) {
+    m_out.pose = moved_pose(m_out.pose, motion, time);
+    m_out.steps.push_back({kind, m_out.pose, drop});
+  }
+
+  // Executes the first candidate that lowers the centre of mass.
+  Outcome give_way(const std::vector<ContactPoint>& points) {
+    const std::vector<Candidate> candidates =
+        m_problem.options.literal_paper_rules
+            ? paper_candidates(points, m_object, fall_limit())
+            : gauss_candidates(points, m_object, fall_limit());
+    for (const Candidate& c : candidates) {
+      const FirstContact found = query(c.motion);
+      if (c.kind == SettleStep::Kind::Fall && found.status == FirstContact::Status::Free)
+        return Outcome::FallsOut;
+      const double time = std::min(found.time, c.motion.limit);
+      const double drop =
+          m_object.centre.z() - moved_point(m_object.centre, c.motion, time).z();
+      if (drop < kEnergyDrop * clearance()) continue;
+      execute(c.kind, c.motion, time, drop);
+      return Outcome::Moved;
+    }
+    return Outcome::Stuck;
+  }
+
+  // Gaps that shrank below half the clearance are opened again, by the smallest translation.
+  bool lift_if_needed(const std::vector<ContactPoint>& points) {
+    double smallest = kInfinity;
+    for (const ContactPoint& c : points) smallest = std::min(smallest, c.gap);
+    if (smallest >= kLiftBelow * clearance() || m_num_lifts >= kMaxLifts) return false;
+    ++m_num_lifts;
+    const Vec3 d = smallest_lift(points);
+    const double length = d.norm();
+    if (!(length > 0) || length > kLargestLift * clearance()) return false;
+    const Motion motion = Motion::translation(d / length, length);
+    const double time = std::min(query(motion).time, length);
+    if (time < 0.1 * length) return false;
+    execute(SettleStep::Kind::Lift, motion, time, -d.z() * time / length);
+    return true;
+  }
+
+  // The least |d| with normal . d >= clearance - gap for all contacts [Hildreth 1957].
+  Vec3 smallest_lift(const std::vector<ContactPoint>& points) const {
+    std::vector<double> weights(points.size(), 0.0);
+    Vec3 d = Vec3::Zero();
+    for (int sweep = 0; sweep < kLiftSweeps; ++sweep)
+      for (size_t i = 0; i < points.size(); ++i) {
+        const double missing = clearance() - points[i].gap - points[i].normal.dot(d);
+        const double change = std::max(-weights[i], missing);
+        weights[i] += change;
+        d += change * points[i].normal;
+      }
+    return d;
+  }
+
+  bool is_balanced() const {
+    const double tolerance = kBalanceTolerance * clearance();
+    const auto near = contacts_with(m_body, m_problem.fixed, m_problem.floor, tolerance,
+                                    kFootSlack * clearance());
+    return is_at_rest(all_points(near, tolerance), m_object.centre, m_object.size, clearance());
+  }
+
+  SettleOutcome finish(SettleOutcome::Status status) {
+    m_out.status = status;
+    return std::move(m_out);
+  }
+
+  const SettleProblem& m_problem;
+  SettleOutcome m_out;
+  SettlingObject m_object;
+  Body m_body;
+  int m_num_lifts = 0;
+};
+
+}  // namespace
+
+std::vector<ContactsWith> contacts_with(const Body& body, std::span<const Body> fixed, bool floor,
+                                        double tolerance, double slack) {
+  std::vector<ContactsWith> out;
+  if (floor) {
+    auto points = floor_contact_points(body, tolerance);
+    if (!points.empty()) out.push_back({ContactsWith::kFloor, std::move(points)});
+  }
+  for (Index i = 0; i < static_cast<Index>(fixed.size()); ++i) {
+    auto points = contact_points(body, fixed[i], tolerance, slack);
+    if (!points.empty()) out.push_back({i, std::move(points)});
+  }
+  return out;
+}
+
+std::vector<ContactPoint> all_points(const std::vector<ContactsWith>& contacts, double distance) {
+  std::vector<ContactPoint> all;
+  for (const ContactsWith& c : contacts) {
+    const std::vector<ContactPoint> points = merged(c.points, distance);
+    all.insert(all.end(), points.begin(), points.end());
+  }
+  return all;
+}
+
+bool is_at_rest(const std::vector<ContactPoint>& contacts, const Vec3& centre, double size,
+                double clearance) {
+  return carrying_margin(contacts, centre) >= 0 ||
+         equilibrium_residual(contacts, centre, size, kSettlingFriction) <=
+             residual_tolerance(size, clearance);
+}
+
+double residual_tolerance(double size, double clearance) {
+  return 1e-7 + kBalanceTolerance * clearance / std::max(size, clearance);
+}
+
+SettleOutcome settle(const SettleProblem& problem) { return Settling(problem).run(); }
+
+}  // namespace trivet

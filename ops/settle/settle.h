@@ -1,0 +1,71 @@
+// Quasi-static settling of one object among others that stand still [Shinya 1995, 5.3].
+//
+//   contacts -> at rest? -> candidate motions, best first -> first contact -> the first motion that
+//   lowers the centre of mass is executed -> contacts -> ...
+//
+// The centre of mass sinks by at least kEnergyDrop clearances in every executed motion, and it is
+// bounded below: the loop ends. See candidates.h for the rules.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/contact/body.h"
+#include "core/contact/contact.h"
+#include "core/motion/pose.h"
+#include "ops/put.h"
+
+namespace trivet {
+
+struct SettleProblem {
+  const Shape* shape = nullptr;
+  UpAxis up = UpAxis::Z;
+  double scale = 1;
+  Pose start;                    // free of interpenetration
+  std::span<const Body> fixed;
+  bool floor = true;
+  double clearance = 0;          // metres, > 0
+  SettleOptions options;
+};
+
+/// Contact points with one of the fixed bodies, or with the floor (kFloor).
+struct ContactsWith {
+  static constexpr Index kFloor = -1;
+  Index fixed = kFloor;
+  std::vector<ContactPoint> points;
+};
+
+struct SettleOutcome {
+  enum class Status {
+    AtRest,          // the hull of carrying contacts holds it, or contact forces balance
+    Wedged,          // nothing lowers it, and no forces balance
+    FallsOut,        // nothing is below it
+    TooManyMotions,  // options.max_motions
+    Crossing,        // the start crosses something
+  };
+  Status status = Status::AtRest;
+  Pose pose;
+  std::vector<ContactsWith> contacts;  // by fixed index, the floor first; none empty
+  std::vector<SettleStep> steps;
+  std::int64_t num_queries = 0, num_face_pairs = 0;
+};
+
+SettleOutcome settle(const SettleProblem& problem);
+
+/// Everything that `body` touches, within `tolerance`.
+std::vector<ContactsWith> contacts_with(const Body& body, std::span<const Body> fixed, bool floor,
+                                        double tolerance, double slack);
+
+/// All points together, those at one place merged.
+std::vector<ContactPoint> all_points(const std::vector<ContactsWith>& contacts, double distance);
+
+/// Whether the contacts hold the body: the centre inside the hull of those that carry, or forces
+/// that balance, up to what the contacts' tolerance leaves open.
+bool is_at_rest(const std::vector<ContactPoint>& contacts, const Vec3& centre, double size,
+                double clearance);
+
+/// The residual of equilibrium_residual() that contacts known to a few clearances leave open.
+double residual_tolerance(double size, double clearance);
+
+}  // namespace trivet
