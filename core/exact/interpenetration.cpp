@@ -1,0 +1,187 @@
+// Candidates come from box trees; verdicts from signs of determinants of the positions, so that
+// they do not depend on the trees or on rounding.
+#include "core/exact/interpenetration.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "core/exact/predicates.h"
+#include "core/exact/separating_axes.h"
+
+namespace trivet {
+namespace {
+
+// Rays tried before a vertex is given up: only one that lies on a surface grazes again and again.
+constexpr int kMaxRays = 100;
+// Sideways part of a ray per upward part; straight rays would run along walls.
+constexpr double kTilt = 1e-2;
+
+Triangle world_triangle(const PlacedShape& placed, Index face) {
+  const Index3& t = placed.shape->mesh.triangles[face];
+  const Positions& p = *placed.positions;
+  return {p[t[0]], p[t[1]], p[t[2]]};
+}
+
+BoxFrame box_frame(const PlacedShape& placed) {
+  const Aabb box = placed.shape->bvh.nodes[0].box();
+  return {placed.world_from_object, box.lower.cwiseAbs().cwiseMax(box.upper.cwiseAbs()),
+          placed.slack};
+}
+
+bool has_faces(const PlacedShape& placed) { return !placed.shape->bvh.nodes.empty(); }
+
+// -------------------------------------------------------------------------------------------------
+// Containment
+// -------------------------------------------------------------------------------------------------
+
+struct Ray {
+  Vec3 from, to;
+};
+
+// A frame in which the ray is the segment from (-1, 0, 0) to (1, 0, 0), and its tree of one leaf.
+BoxFrame ray_frame(const Ray& ray) {
+  Affine world_from_ray;
+  world_from_ray.linear = Mat3::Zero();
+  world_from_ray.linear.col(0) = 0.5 * (ray.to - ray.from);
+  world_from_ray.translation = 0.5 * (ray.from + ray.to);
+  return {world_from_ray, Vec3(1, 0, 0), 0};
+}
+
+const Bvh& ray_tree() {
+  static const Bvh tree{{BvhNode{{-1, 0, 0}, {1, 0, 0}, 0, 1}}, {0}};
+  return tree;
+}
+
+// A frame for one point, at its origin.
+BoxFrame point_frame(const Vec3& p) {
+  Affine world_from_point;
+  world_from_point.linear = Mat3::Zero();
+  world_from_point.translation = p;
+  return {world_from_point, Vec3::Zero(), 0};
+}
+
+// +1 or -1: the ray passes through the inside of the triangle, against or along its normal; 0: it
+// does not; nothing: it grazes an edge or a corner.
+std::optional<int> crossing_sign(const Ray& ray, const Triangle& t) {
+  const int turns[3] = {orient3d(ray.from, ray.to, t[0], t[1]),
+                        orient3d(ray.from, ray.to, t[1], t[2]),
+                        orient3d(ray.from, ray.to, t[2], t[0])};
+  const auto [lowest, highest] = std::minmax_element(turns, turns + 3);
+  if (*lowest < 0 && *highest > 0) return 0;
+  const int side_from = orient3d(t[0], t[1], t[2], ray.from);
+  const int side_to = orient3d(t[0], t[1], t[2], ray.to);
+  if (side_from * side_to > 0) return 0;
+  if (*lowest * *highest > 0 && side_from * side_to < 0) return side_from;
+  // Triangles without area bound nothing; where they are grazed, so are their neighbours.
+  if (collinear(t[0], t[1], t[2])) return 0;
+  return std::nullopt;
+}
+
+// Is the start of the ray inside a closed component? Nothing if the ray grazes.
+std::optional<bool> starts_inside(const Ray& ray, const PlacedShape& outer) {
+  const Adjacency& adjacency = outer.shape->adjacency;
+  int winding = 0;                    // of all balanced components together
+  std::vector<Index> crossed_by_ray;  // other even components, once per crossing
+  bool grazes = false;
+  const auto axes = SeparatingAxes::of_segment(ray_frame(ray), box_frame(outer));
+  visit_near_leaves(ray_tree(), outer.shape->bvh, axes, [&](const BvhNode&, const BvhNode& leaf) {
+    for (Index slot = leaf.second_child; slot < leaf.second_child + leaf.num_faces; ++slot) {
+      const Index face = outer.shape->bvh.faces[slot];
+      const Index id = adjacency.face_component[face];
+      const Component& component = adjacency.components[id];
+      if (!component.balanced && !component.even) continue;
+      const std::optional<int> sign = crossing_sign(ray, world_triangle(outer, face));
+      grazes = grazes || !sign;
+      if (grazes) return false;
+      if (component.balanced)
+        winding += *sign;
+      else if (*sign != 0)
+        crossed_by_ray.push_back(id);
+    }
+    return true;
+  });
+  if (grazes) return std::nullopt;
+  std::sort(crossed_by_ray.begin(), crossed_by_ray.end());
+  const bool any_odd = std::any_of(crossed_by_ray.begin(), crossed_by_ray.end(), [&](Index id) {
+    const auto [first, last] = std::equal_range(crossed_by_ray.begin(), crossed_by_ray.end(), id);
+    return (last - first) % 2 == 1;
+  });
+  return winding != 0 || any_odd;
+}
+
+// Upwards, to a point outside of the box of `outer`, if it starts in that. Tilts are the points of
+// a sequence that fills the square evenly [Roberts 2018].
+Ray ray_from(const Vec3& point, const PlacedShape& outer, int attempt) {
+  const Vec3 half =
+      outer.world_from_object.linear.cwiseAbs() * outer.shape->bvh.nodes[0].box().half_extent();
+  // The last part moves the end at all if the box is tiny and far from the origin.
+  const double height = 4 * (half.norm() + outer.slack) + 1e-6 * point.cwiseAbs().maxCoeff();
+  const auto tilt = [&](double step) {
+    const double x = 0.5 + step * (attempt + 1);
+    return kTilt * (2 * (x - std::floor(x)) - 1);
+  };
+  return {point, point + height * Vec3(tilt(0.7548776662466927), tilt(0.5698402909980532), 1)};
+}
+
+bool is_inside(const Vec3& point, const PlacedShape& outer) {
+  for (int attempt = 0; attempt < kMaxRays; ++attempt)
+    if (const auto inside = starts_inside(ray_from(point, outer, attempt), outer)) return *inside;
+  return false;  // on the surface
+}
+
+// No ray is needed for a point that is in no closed component's box.
+bool in_box_of_closed_component(const Vec3& point, const PlacedShape& outer) {
+  const SeparatingAxes axes(point_frame(point), box_frame(outer));
+  const Aabb origin{Vec3::Zero(), Vec3::Zero()};
+  if (axes.separate(origin, outer.shape->bvh.nodes[0].box())) return false;
+  const auto& components = outer.shape->adjacency.components;
+  return std::any_of(components.begin(), components.end(),
+                     [&](const Component& c) { return c.even && !axes.separate(origin, c.box); });
+}
+
+}  // namespace
+
+Positions world_positions(const Shape& shape, const Affine& world_from_object) {
+  Positions out;
+  out.reserve(shape.mesh.vertices.size());
+  for (const Vec3& p : shape.mesh.vertices) out.push_back(world_from_object.apply(p));
+  return out;
+}
+
+std::int64_t count_crossings(const PlacedShape& a, const PlacedShape& b, std::int64_t limit,
+                             std::optional<CrossingPair>* first) {
+  if (first) first->reset();
+  if (!has_faces(a) || !has_faces(b) || limit <= 0) return 0;
+  const Bvh &tree_a = a.shape->bvh, &tree_b = b.shape->bvh;
+  const SeparatingAxes axes(box_frame(a), box_frame(b));
+  std::int64_t count = 0;
+  const auto add = [&](Index face_a, Index face_b) {
+    ++count;
+    if (first &&
+        (!*first || std::tie(face_a, face_b) < std::tie((*first)->face_a, (*first)->face_b)))
+      *first = CrossingPair{face_a, face_b};
+  };
+  visit_near_leaves(tree_a, tree_b, axes, [&](const BvhNode& x, const BvhNode& y) {
+    for (Index i = x.second_child; i < x.second_child + x.num_faces; ++i) {
+      const Triangle triangle_a = world_triangle(a, tree_a.faces[i]);
+      for (Index j = y.second_child; j < y.second_child + y.num_faces && count < limit; ++j)
+        if (triangles_intersect(triangle_a, world_triangle(b, tree_b.faces[j])))
+          add(tree_a.faces[i], tree_b.faces[j]);
+    }
+    return count < limit;
+  });
+  return count;
+}
+
+// If the surfaces do not cross, all of a component is where its sample vertex is.
+int count_components_inside(const PlacedShape& inner, const PlacedShape& outer) {
+  if (!has_faces(inner) || !has_faces(outer)) return 0;
+  const auto& components = inner.shape->adjacency.components;
+  return static_cast<int>(std::count_if(components.begin(), components.end(), [&](const auto& c) {
+    const Vec3& sample = (*inner.positions)[c.sample_vertex];
+    return in_box_of_closed_component(sample, outer) && is_inside(sample, outer);
+  }));
+}
+
+}  // namespace trivet
