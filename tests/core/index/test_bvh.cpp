@@ -169,17 +169,28 @@ TEST(Bvh, fan_of_long_triangles) {
   check(triangles);
 }
 
-/// Each split by surface area peels off few of them, so that the tree would be too deep.
-TEST(Bvh, nested_sizes_do_not_exceed_the_depth) {
+/// Points about the middle, each at half the distance of the last: a split by surface area peels
+/// off few of them, and the tree would become too deep.
+TEST(Bvh, nested_points_do_not_exceed_the_depth) {
+  Triangles triangles;
+  double distance = 1;
+  for (int i = 0; i < 120; ++i, distance *= 0.5)
+    for (const double side : {-distance, distance}) {
+      const Vec3 p = Vec3::Constant(side);
+      triangles.push_back({p, p, p});
+    }
+  for (int copy = 0; copy < 5000; ++copy)
+    triangles.push_back({Vec3::Zero(), Vec3::Zero(), Vec3::Zero()});
+  EXPECT_LE(check(triangles), 14);  // by median
+}
+
+TEST(Bvh, nested_triangles) {
   Triangles triangles;
   double size = 1;
   for (int i = 0; i < 1000; ++i, size *= 0.9)
     for (int axis = 0; axis < 3; ++axis)
       for (int copy = 0; copy < 4; ++copy)
         triangles.push_back({size * Vec3::Unit(axis), size * Vec3(1, 1, 0), size * Vec3(0, 1, 1)});
-  check(triangles);
-  for (int copy = 0; copy < 5000; ++copy)
-    triangles.push_back({Vec3::Zero(), Vec3::Zero(), Vec3::Zero()});
   check(triangles);
 }
 
