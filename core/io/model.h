@@ -21,17 +21,17 @@ struct Material {
 /// Everything read from one file. Geometry is exact: float32 positions of the file, node matrices
 /// (float32) multiplied in double, row by row.
 struct Model {
-  std::string path;                   // as given
-  std::string format;                 // "obj", "gltf2", ... as assimp names the importer
-  Mesh mesh;                          // all triangles of all nodes, object frame
-  std::vector<Material> materials;    // at least one
-  std::vector<Index> face_material;   // #F
+  std::string path;                  // as given
+  std::string format;                // "obj", "gltf2", ... as assimp names the importer
+  Mesh mesh;                         // all triangles of all nodes, object frame
+  std::vector<Material> materials;   // at least one
+  std::vector<Index> face_material;  // #F
   // #F x 3 corner normals, unit, object frame; empty when the file has none.
   std::vector<std::array<Eigen::Vector3f, 3>> corner_normals;
-  UpAxis up = UpAxis::Z;              // what the format says, else z
-  bool up_from_format = false;        // the format or the file says so
+  UpAxis up = UpAxis::Z;                  // what the format says, else z
+  bool up_from_format = false;            // the format or the file says so
   std::optional<double> metres_per_unit;  // what the file says, if it does (reported, not applied)
-  std::vector<std::string> notes;     // what was found and left out: lines, points, empty nodes
+  std::vector<std::string> notes;         // what was found and left out: lines, points, empty nodes
   int num_nodes = 0;
 };
 

@@ -1,0 +1,20 @@
+// Triangles of an assimp scene: all nodes, in the object frame.
+#pragma once
+
+#include <string>
+
+#include "core/io/model.h"
+
+struct aiScene;
+
+namespace trivet {
+
+/// Fills mesh, face_material, corner_normals, num_nodes and notes of `model`. Reads model.format.
+///
+/// Positions are float32 of the file times the product of the float32 node matrices, in double, in
+/// one fixed order: whoever reads the same file with assimp and does the same gets the same bits.
+/// @throws Error (BadInput): no triangle, more triangles than the limit, an index out of range, a
+///   coordinate that is not finite or beyond 1e30; every message begins with `model.path`.
+void read_geometry(const aiScene& scene, const ImportLimits& limits, Model& model);
+
+}  // namespace trivet

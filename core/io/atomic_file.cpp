@@ -1,0 +1,112 @@
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+
+#include "core/base/error.h"
+#include "core/io/export.h"
+
+namespace trivet {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail(const std::string& path, int error) {
+  throw Error(Error::Kind::Environment, path + ": cannot be written: " + std::strerror(error));
+}
+
+/// An open file that vanishes unless it is kept.
+class TemporaryFile {
+ public:
+  /// Hidden, beside the target: a rename is atomic only within a file system.
+  explicit TemporaryFile(const fs::path& target) {
+    std::string stem(1, '.');
+    stem += target.filename().string().substr(0, 200) + ".";
+    for (int i = 0; m_descriptor < 0; ++i) {
+      m_path = target.parent_path() / (stem + std::to_string(getpid()) + "_" + std::to_string(i));
+      // 0666 less the umask, as for any new file; mkstemp would make it private.
+      m_descriptor = open(m_path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+      if (m_descriptor < 0 && errno != EEXIST) fail(target.string(), errno);
+    }
+  }
+  ~TemporaryFile() {
+    if (m_descriptor >= 0) close(m_descriptor);
+    if (!m_kept) unlink(m_path.c_str());
+  }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+
+  int descriptor() const { return m_descriptor; }
+
+  void close_and_rename(const fs::path& target) {
+    const int descriptor = m_descriptor;
+    m_descriptor = -1;
+    if (close(descriptor) != 0) fail(target.string(), errno);
+    if (std::rename(m_path.c_str(), target.c_str()) != 0) fail(target.string(), errno);
+    m_kept = true;
+  }
+
+ private:
+  fs::path m_path;
+  int m_descriptor = -1;
+  bool m_kept = false;
+};
+
+void write_all(int descriptor, const std::string& bytes, const std::string& path) {
+  const char* next = bytes.data();
+  const char* const end = next + bytes.size();
+  while (next < end) {
+    const ssize_t written = write(descriptor, next, static_cast<size_t>(end - next));
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) fail(path, errno);
+    next += written;
+  }
+}
+
+// Makes the rename last; some file systems cannot, which harms nothing that is promised.
+void sync_folder(const fs::path& folder) {
+  const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return;
+  fsync(descriptor);
+  close(descriptor);
+}
+
+// Devices and pipes cannot be replaced: /dev/stdout, /dev/null, a FIFO.
+void write_through(const std::string& path, const std::string& bytes) {
+  const int descriptor = open(path.c_str(), O_WRONLY | O_CLOEXEC);
+  if (descriptor < 0) fail(path, errno);
+  try {
+    write_all(descriptor, bytes, path);
+  } catch (...) {
+    close(descriptor);
+    throw;
+  }
+  if (close(descriptor) != 0) fail(path, errno);
+}
+
+}  // namespace
+
+void write_file_atomically(const std::string& path, const std::string& bytes) {
+  struct stat old {};
+  const bool exists = stat(path.c_str(), &old) == 0;
+  if (exists && S_ISDIR(old.st_mode)) fail(path, EISDIR);
+  if (exists && !S_ISREG(old.st_mode)) return write_through(path, bytes);
+  if (exists && access(path.c_str(), W_OK) != 0) fail(path, errno);
+
+  // Through a symbolic link, so that the link stays one.
+  std::error_code error;
+  fs::path target = exists ? fs::canonical(path, error) : fs::absolute(path, error);
+  if (error) fail(path, error.value());
+  TemporaryFile temporary(target);
+  write_all(temporary.descriptor(), bytes, path);
+  if (exists) fchmod(temporary.descriptor(), old.st_mode & 07777);
+  if (fsync(temporary.descriptor()) != 0) fail(path, errno);
+  temporary.close_and_rename(target);
+  sync_folder(target.parent_path());
+}
+
+}  // namespace trivet

@@ -1,0 +1,74 @@
+#include "core/io/float_export.h"
+
+#include <cmath>
+
+#include "core/base/error.h"
+
+namespace trivet {
+namespace {
+
+// Beyond this many diagonals from its origin a mesh loses digits that a centre can save.
+constexpr double kFarInDiagonals = 2.0;
+
+[[noreturn]] void fail_range(const ExportObject& object) {
+  throw Error(Error::Kind::BadInput, "object '" + object.name +
+                                         "' lies beyond the range of float32, or its pose is not "
+                                         "finite; it cannot be exported");
+}
+
+// World row -> glTF row: (x, z, -y). Sums run in the fixed order of Affine::apply.
+Affine y_up_from_local(const Affine& world_from_object, const Vec3& centre) {
+  const Vec3 translation = world_from_object.apply(centre);
+  Affine out;
+  out.linear.row(0) = world_from_object.linear.row(0);
+  out.linear.row(1) = world_from_object.linear.row(2);
+  out.linear.row(2) = -world_from_object.linear.row(1);
+  out.translation = Vec3(translation.x(), translation.z(), -translation.y());
+  return out;
+}
+
+float finite_float(double value, const ExportObject& object) {
+  const float rounded = static_cast<float>(value);
+  if (!std::isfinite(rounded)) fail_range(object);
+  return rounded + 0.0f;  // readers multiply by their root matrix, which turns -0 into 0
+}
+
+}  // namespace
+
+LocalVertices local_vertices(const Mesh& mesh) {
+  LocalVertices out;
+  const Aabb box = mesh.box();
+  if (!box.empty() && box.centre().norm() > kFarInDiagonals * box.diagonal())
+    out.centre = box.centre();
+  out.positions.reserve(mesh.vertices.size());
+  for (const Vec3& p : mesh.vertices) out.positions.push_back((p - out.centre).cast<float>());
+  return out;
+}
+
+NodeMatrix node_matrix(const ExportObject& object, const Vec3& centre) {
+  const Affine exact = y_up_from_local(object.world_from_object, centre);
+  NodeMatrix out;
+  for (int r = 0; r < 3; ++r) {
+    for (int c = 0; c < 3; ++c) out[r][c] = finite_float(exact.linear(r, c), object);
+    out[r][3] = finite_float(exact.translation[r], object);
+  }
+  return out;
+}
+
+std::vector<Eigen::Vector3f> exported_positions(const ExportObject& object) {
+  LocalVertices local = local_vertices(object.model->mesh);
+  const NodeMatrix rows = node_matrix(object, local.centre);
+  Affine y_up_from_local;  // the float32 entries, in double
+  for (int r = 0; r < 3; ++r) {
+    for (int c = 0; c < 3; ++c) y_up_from_local.linear(r, c) = rows[r][c];
+    y_up_from_local.translation[r] = rows[r][3];
+  }
+  for (Eigen::Vector3f& p : local.positions) {
+    const Eigen::Vector3f y_up = y_up_from_local.apply(p.cast<double>()).cast<float>();
+    if (!y_up.allFinite()) fail_range(object);
+    p = {y_up.x(), -y_up.z(), y_up.y()};
+  }
+  return std::move(local.positions);
+}
+
+}  // namespace trivet

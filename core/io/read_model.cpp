@@ -1,0 +1,105 @@
+#include <assimp/importerdesc.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+
+#include <algorithm>
+#include <assimp/Importer.hpp>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <new>
+#include <sstream>
+
+#include "core/base/error.h"
+#include "core/io/assimp_appearance.h"
+#include "core/io/assimp_geometry.h"
+#include "core/io/model.h"
+
+namespace trivet {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail(const std::string& path, const std::string& reason) {
+  throw Error(Error::Kind::BadInput, path + ": " + reason);
+}
+
+// Before assimp sees the file, as its messages on these are vague, and it reads all into memory.
+void check_file(const std::string& path, const ImportLimits& limits) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (status.type() == fs::file_type::not_found) fail(path, "no such file");
+  if (status.type() == fs::file_type::none) fail(path, "cannot be read: " + error.message());
+  if (status.type() == fs::file_type::directory) fail(path, "is a folder, not a model file");
+  if (status.type() != fs::file_type::regular) fail(path, "is not a regular file");
+  errno = 0;
+  if (!std::ifstream(path, std::ios::binary))
+    fail(path, std::string("cannot be read: ") + std::strerror(errno));
+  const std::uintmax_t bytes = fs::file_size(path, error);
+  if (error) fail(path, "cannot be read: " + error.message());
+  if (bytes == 0) fail(path, "the file is empty");
+  if (bytes > limits.max_file_bytes)
+    fail(path, std::to_string(bytes) + " bytes, more than the limit of " +
+                   std::to_string(limits.max_file_bytes));
+}
+
+void check_extension(const Assimp::Importer& importer, const std::string& path) {
+  const std::string extension = fs::path(path).extension().string();
+  if (!extension.empty() && importer.IsExtensionSupported(extension)) return;
+  fail(path, (extension.empty() ? "has no file extension" : "no importer for " + extension) +
+                 ("; accepted are .obj, .ply, .stl, .gltf, .glb, .fbx, .dae, .3ds and others"));
+}
+
+// The first extension that the importer lists; glTF 1 and 2 share theirs and differ in the name.
+std::string format_of(const Assimp::Importer& importer) {
+  const aiImporterDesc* description =
+      importer.GetImporterInfo(importer.GetPropertyInteger("importerIndex", -1));
+  if (!description) return "";
+  std::string format;
+  std::istringstream(description->mFileExtensions) >> format;
+  const bool gltf2 = std::string(description->mName).find("glTF2") != std::string::npos;
+  return gltf2 ? "gltf2" : format;
+}
+
+// assimp's messages may span lines and hold file bytes; one printable line is wanted.
+std::string printable(std::string text) {
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
+  constexpr size_t kMaxLength = 300;
+  if (text.size() > kMaxLength) text = text.substr(0, kMaxLength) + "...";
+  return text.empty() ? "unknown error" : text;
+}
+
+const aiScene& import_scene(Assimp::Importer& importer, const std::string& path) {
+  const aiScene* scene = importer.ReadFile(path, aiProcess_Triangulate);
+  if (!scene || !scene->mRootNode)
+    fail(path, "cannot be read as a model: " + printable(importer.GetErrorString()));
+  return *scene;
+}
+
+}  // namespace
+
+Model read_model(const std::string& path, const ImportLimits& limits) {
+  check_file(path, limits);
+  try {
+    Assimp::Importer importer;
+    check_extension(importer, path);
+    const aiScene& scene = import_scene(importer, path);
+    Model model;
+    model.path = path;
+    model.format = format_of(importer);
+    read_materials(scene, model);
+    read_frame(scene, model);
+    read_geometry(scene, limits, model);
+    return model;
+  } catch (const Error&) {
+    throw;
+  } catch (const std::bad_alloc&) {
+    fail(path, "needs more memory than there is; the file is broken or too large");
+  } catch (const std::exception& e) {
+    fail(path, "cannot be read as a model: " + printable(e.what()));
+  }
+}
+
+}  // namespace trivet

@@ -1,0 +1,37 @@
+// Bytes of each file format. Little-endian hosts only, as the binary formats are.
+#pragma once
+
+#include <bit>
+#include <cstring>
+#include <string>
+
+#include "core/io/export.h"
+
+namespace trivet {
+
+static_assert(std::endian::native == std::endian::little);
+
+/// Appends the bytes of a value as they lie in memory.
+template <class T>
+void append_bytes(std::string& out, const T& value) {
+  out.append(reinterpret_cast<const char*>(&value), sizeof value);
+}
+
+/// Binary glTF 2.0: a node per object, a mesh per model, a primitive per material.
+/// @throws Error (BadInput): extras that are no JSON, poses beyond float32, more than 4 GiB.
+std::string glb_bytes(const ExportScene& scene);
+
+/// World coordinates, z up: the float32 of exported_positions(), nine significant digits.
+struct ObjText {
+  std::string obj, mtl;
+};
+/// `mtl_name` is what the OBJ calls its material file.
+ObjText obj_text(const ExportScene& scene, const std::string& mtl_name);
+
+/// World coordinates, z up, binary little endian; one mesh, geometry only.
+std::string ply_bytes(const ExportScene& scene);
+
+/// World coordinates, z up, binary; geometry only.
+std::string stl_bytes(const ExportScene& scene);
+
+}  // namespace trivet
