@@ -1,0 +1,154 @@
+#include "gpu/egl_context.h"
+
+#include <epoxy/egl.h>
+#include <epoxy/gl.h>
+
+#include <optional>
+
+#include "core/base/error.h"
+#include "gpu/egl_display.h"
+
+namespace trivet {
+namespace {
+
+constexpr int kVersions[] = {45, 43, 41, 40, 33};
+
+Error environment(const std::string& message) { return {Error::Kind::Environment, message}; }
+
+std::string gl_text(GLenum name) {
+  const GLubyte* text = glGetString(name);
+  return text != nullptr ? reinterpret_cast<const char*>(text) : "";
+}
+
+bool names_software(const std::string& renderer) {
+  for (const char* name : {"llvmpipe", "softpipe", "swrast", "SwiftShader", "Software Rasterizer"})
+    if (renderer.find(name) != std::string::npos) return true;
+  return false;
+}
+
+/// Contexts need no config where the driver knows EGL_KHR_no_config_context.
+EGLConfig choose_config(const EglDisplayUse& display) {
+  if (display.has_extension("EGL_KHR_no_config_context")) return EGL_NO_CONFIG_KHR;
+  const EGLint wanted[] = {EGL_SURFACE_TYPE, 0, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
+  EGLConfig config = nullptr;
+  EGLint count = 0;
+  if (!eglChooseConfig(display.get(), wanted, &config, 1, &count) || count == 0)
+    throw environment("no config for OpenGL, " + last_egl_error());
+  return config;
+}
+
+EGLContext create_context(EGLDisplay display, EGLConfig config, int version) {
+  const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
+                               version / 10,
+                               EGL_CONTEXT_MINOR_VERSION,
+                               version % 10,
+                               EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                               EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                               EGL_NONE};
+  return eglCreateContext(display, config, EGL_NO_CONTEXT, attributes);
+}
+
+}  // namespace
+
+struct EglContext::State {
+  explicit State(const EglCandidate& candidate) : display(candidate.display) {}
+  State(const State&) = delete;
+  State& operator=(const State&) = delete;
+  ~State() {
+    if (context != EGL_NO_CONTEXT) eglDestroyContext(display.get(), context);
+  }
+  void create();
+
+  EglDisplayUse display;
+  EGLContext context = EGL_NO_CONTEXT;
+  std::string renderer, vendor, version, device;
+  int gl_version = 0;
+  bool software = false;
+  std::vector<std::string> failures;
+};
+
+void EglContext::State::create() {
+  if (!display.has_extension("EGL_KHR_surfaceless_context"))
+    throw environment("cannot draw without a surface (no EGL_KHR_surfaceless_context)");
+  if (!eglBindAPI(EGL_OPENGL_API)) throw environment("no OpenGL, " + last_egl_error());
+  const EGLConfig config = choose_config(display);
+  for (const int wanted : kVersions) {
+    context = create_context(display.get(), config, wanted);
+    if (context != EGL_NO_CONTEXT) break;
+  }
+  if (context == EGL_NO_CONTEXT)
+    throw environment("no context of OpenGL 3.3 core or later, " + last_egl_error());
+}
+
+EglContext::EglContext(const EglOptions& options) {
+  std::vector<std::string> failures;
+  for (const EglCandidate& candidate : list_egl_candidates(failures)) {
+    try {
+      if (candidate.software && !options.allow_software)
+        throw environment("software renderers are not allowed here");
+      m_state = std::make_unique<State>(candidate);
+      m_state->create();
+      const Current current(*this);
+      m_state->renderer = gl_text(GL_RENDERER);
+      m_state->vendor = gl_text(GL_VENDOR);
+      m_state->version = gl_text(GL_VERSION);
+      m_state->device = candidate.name;
+      m_state->gl_version = epoxy_gl_version();
+      m_state->software = candidate.software || names_software(m_state->renderer);
+      if (m_state->software && !options.allow_software)
+        throw environment(m_state->renderer + " is a software renderer, not allowed here");
+      m_state->failures = std::move(failures);
+      return;
+    } catch (const Error& error) {
+      failures.push_back(candidate.name + ": " + error.what());
+      m_state.reset();
+    }
+  }
+  std::string message = "no OpenGL 3.3 context through EGL; tried:";
+  for (const std::string& failure : failures) message += "\n  " + failure;
+  throw environment(message);
+}
+
+EglContext::~EglContext() = default;
+EglContext::EglContext(EglContext&& other) noexcept = default;
+EglContext& EglContext::operator=(EglContext&& other) noexcept = default;
+
+const std::string& EglContext::renderer() const { return m_state->renderer; }
+const std::string& EglContext::vendor() const { return m_state->vendor; }
+const std::string& EglContext::version() const { return m_state->version; }
+const std::string& EglContext::device() const { return m_state->device; }
+int EglContext::gl_version() const { return m_state->gl_version; }
+bool EglContext::is_software() const { return m_state->software; }
+const std::vector<std::string>& EglContext::failures() const { return m_state->failures; }
+
+std::string EglContext::description() const {
+  return renderer() + (is_software() ? " (software)" : "") + ", OpenGL " + version() + ", " +
+         device();
+}
+
+EglContext::Current::Current(const EglContext& context) {
+  // OpenGL ES and OpenGL may have a current context each: look at the bound API's first.
+  m_before.api = eglQueryAPI();
+  m_before.context = eglGetCurrentContext();
+  eglBindAPI(EGL_OPENGL_API);
+  if (m_before.context == EGL_NO_CONTEXT) m_before.context = eglGetCurrentContext();
+  m_before.display = eglGetCurrentDisplay();
+  m_before.draw = eglGetCurrentSurface(EGL_DRAW);
+  m_before.read = eglGetCurrentSurface(EGL_READ);
+  m_display = context.m_state->display.get();
+  if (!eglMakeCurrent(m_display, EGL_NO_SURFACE, EGL_NO_SURFACE, context.m_state->context)) {
+    const std::string reason = last_egl_error();
+    eglBindAPI(m_before.api);
+    throw environment("the OpenGL context cannot be made current on this thread, " + reason);
+  }
+}
+
+EglContext::Current::~Current() {
+  if (m_before.context == EGL_NO_CONTEXT)
+    eglMakeCurrent(m_display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+  else
+    eglMakeCurrent(m_before.display, m_before.draw, m_before.read, m_before.context);
+  eglBindAPI(m_before.api);
+}
+
+}  // namespace trivet

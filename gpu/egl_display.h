@@ -1,0 +1,43 @@
+// Private to gpu: the EGL displays of this machine that can be drawn to without a window.
+#pragma once
+
+#include <epoxy/egl.h>
+
+#include <string>
+#include <vector>
+
+namespace trivet {
+
+/// A way to reach a renderer; nothing is initialised yet.
+struct EglCandidate {
+  std::string name;  // "EGL device 1 of 2"
+  EGLDisplay display = EGL_NO_DISPLAY;
+  bool software = false;  // the driver says so (EGL_MESA_device_software)
+};
+
+/// Devices, hardware first, then the surfaceless platform. What cannot even be asked for is added
+/// to `failures`.
+/// @throws Error (Environment) when libEGL or libGL is not installed.
+std::vector<EglCandidate> list_egl_candidates(std::vector<std::string>& failures);
+
+/// An initialised display. EGL keeps one state per display and process, which a single
+/// eglTerminate would take from everybody, so initialisations are counted. Move-only.
+class EglDisplayUse {
+ public:
+  /// @throws Error (Environment) with EGL's reason.
+  explicit EglDisplayUse(EGLDisplay display);
+  ~EglDisplayUse();
+  EglDisplayUse(EglDisplayUse&& other) noexcept;
+  EglDisplayUse& operator=(EglDisplayUse&& other) noexcept;
+
+  EGLDisplay get() const { return m_display; }
+  bool has_extension(const char* name) const;
+
+ private:
+  EGLDisplay m_display = EGL_NO_DISPLAY;
+};
+
+/// The calling thread's last EGL error as text, for example "EGL_BAD_ALLOC (0x3003)".
+std::string last_egl_error();
+
+}  // namespace trivet

@@ -1,0 +1,96 @@
+// Private to gpu: owners of OpenGL objects. All need a current context, to live and to die.
+#pragma once
+
+#include <epoxy/gl.h>
+
+#include <cstddef>
+#include <initializer_list>
+#include <string>
+#include <utility>
+
+namespace trivet {
+
+/// Owns one OpenGL name; move-only. 0 owns nothing.
+template <typename Kind>
+class GlHandle {
+ public:
+  GlHandle() = default;
+  explicit GlHandle(GLuint id) : m_id(id) {}
+  static GlHandle create() { return GlHandle(Kind::create()); }
+  ~GlHandle() {
+    if (m_id != 0) Kind::destroy(m_id);
+  }
+  GlHandle(GlHandle&& other) noexcept : m_id(std::exchange(other.m_id, 0)) {}
+  GlHandle& operator=(GlHandle&& other) noexcept {
+    std::swap(m_id, other.m_id);
+    return *this;
+  }
+  GLuint id() const { return m_id; }
+
+ private:
+  GLuint m_id = 0;
+};
+
+struct GlBufferKind {
+  static GLuint create();
+  static void destroy(GLuint id);
+};
+struct GlTextureKind {
+  static GLuint create();
+  static void destroy(GLuint id);
+};
+struct GlFramebufferKind {
+  static GLuint create();
+  static void destroy(GLuint id);
+};
+struct GlVertexArrayKind {
+  static GLuint create();
+  static void destroy(GLuint id);
+};
+struct GlShaderKind {
+  static void destroy(GLuint id);
+};
+struct GlProgramKind {
+  static void destroy(GLuint id);
+};
+using GlBuffer = GlHandle<GlBufferKind>;
+using GlTexture = GlHandle<GlTextureKind>;
+using GlFramebuffer = GlHandle<GlFramebufferKind>;
+using GlVertexArray = GlHandle<GlVertexArrayKind>;
+
+/// A vertex and a fragment shader, linked. Uniforms that the compiler dropped are ignored.
+class GlProgram {
+ public:
+  /// @param name  for messages.
+  /// @throws Error (Environment) with the compiler's log.
+  GlProgram(const char* name, const std::string& vertex, const std::string& fragment);
+
+  GLuint id() const { return m_program.id(); }
+  void use() const { glUseProgram(id()); }
+  GLint uniform(const char* name) const { return glGetUniformLocation(id(), name); }
+
+ private:
+  GlHandle<GlProgramKind> m_program;
+};
+
+/// A buffer that is written once.
+GlBuffer make_buffer(GLenum target, const void* data, std::size_t bytes);
+
+/// A texture of one level, read texel by texel (nearest, clamped); not initialised.
+GlTexture make_texture_2d(GLenum internal_format, int width, int height);
+
+/// Depth textures of float32 in an array, likewise.
+GlTexture make_depth_array(int size, int layers);
+
+/// A framebuffer of these colour textures in order and, unless 0, this depth texture.
+/// @throws Error (Environment) when the driver cannot draw to them.
+GlFramebuffer make_framebuffer(std::initializer_list<GLuint> colours, GLuint depth);
+
+/// A framebuffer of one layer of a depth array and no colour.
+GlFramebuffer make_depth_framebuffer(GLuint depth_array, int layer);
+
+/// Looks for what went wrong since the last look.
+/// @throws Error (Environment) naming `stage` and the OpenGL error.
+void check_gl(const char* stage);
+
+}  // namespace trivet

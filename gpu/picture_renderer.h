@@ -1,0 +1,76 @@
+// Private to gpu: renders one picture, tile by tile.
+//
+// Many cheap views instead of few clever ones: each sub-pixel view is shaded by five far lights
+// with hard shadows, and the sum over the views is anti-aliased, softly shadowed and ambiently
+// occluded, without the artefacts of screen-space methods.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "gpu/gl_objects.h"
+#include "gpu/picture_frame.h"
+#include "gpu/picture_geometry.h"
+#include "gpu/picture_lights.h"
+
+namespace trivet {
+
+struct PicturePrograms {
+  PicturePrograms();
+  GlProgram surface, surface_see_through, shadow, shadow_see_through, light, develop;
+};
+
+/// Textures of one tile and the framebuffers that draw to them.
+struct PictureTargets {
+  PictureTargets(int width, int height, int map_size);
+  GlTexture surfaces, depth, sums, developed, maps;
+  GlFramebuffer draw_surfaces, draw_sums, draw_developed;
+  std::array<GlFramebuffer, kLightsPerView> draw_maps;
+};
+
+/// A rectangle of pixels, counted from the lower left of the picture.
+struct PictureTile {
+  int x = 0, y = 0, width = 0, height = 0;
+};
+
+class PictureRenderer {
+ public:
+  /// `options` must outlive it. Needs a current context, as long as it lives.
+  PictureRenderer(const PictureScene& scene, const Camera& camera, const PictureOptions& options);
+
+  Image render();
+
+ private:
+  using Lights = std::array<PictureLight, kLightsPerView>;
+
+  bool casts_shadows(int light) const {
+    return light == 0 ? m_options.shadows : m_options.ambient_occlusion;
+  }
+  void find_depth_range();
+  std::vector<PictureTile> tiles() const;
+  void render_view(int view, const PictureTile& tile);
+  void draw_shadow_maps(int view, const Lights& lights);
+  void draw_surfaces(int view, const PictureTile& tile);
+  void draw_geometry(const GlProgram& opaque, const GlProgram& see_through,
+                     const Eigen::Matrix4f& clip_from_frame, int view, const PictureTile& tile);
+  void add_light(int view, const PictureTile& tile, const Lights& lights);
+  void set_view_uniforms(int view, const PictureTile& tile);
+  void set_light_uniforms(const Lights& lights);
+  void develop(const PictureTile& tile, Image& image);
+  Eigen::Matrix4f clip_from_frame(const PictureTile& tile, const Vec2& jitter_px) const;
+
+  const PictureOptions& m_options;
+  bool m_has_floor;
+  PictureFrame m_frame;
+  FrameCamera m_camera;
+  PictureLights m_lights;
+  int m_map_size;
+  double m_near = 0.01, m_far = 10;
+  PicturePrograms m_programs;
+  PictureGeometry m_geometry;
+  PictureTargets m_targets;
+  GlVertexArray m_no_attributes;  // the core profile draws nothing without a vertex array
+  std::array<ShadowMap, kLightsPerView> m_maps;
+};
+
+}  // namespace trivet
