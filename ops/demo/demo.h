@@ -1,0 +1,39 @@
+// The demos: models that Trivet makes itself, and the operations that lay them out.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/io/model.h"
+#include "ops/layout/layout.h"
+
+namespace trivet {
+
+/// A made model under the file name that the layout calls it by; metres, z up.
+struct DemoModel {
+  std::string file;
+  Model model;
+};
+
+/// What `trivet demo` runs, and what it exports: the layout as a file, the models beside it. The
+/// objects' up axis is left to the model, so that made and re-read models stand alike (a glTF file
+/// is y up). Each movable object has just one PUT; at its start it touches nothing.
+struct DemoLayout {
+  std::string name;
+  std::vector<DemoModel> models;
+  Layout layout;
+
+  /// @throws Error (BadInput) when there is no model under that file name.
+  const Model& model(const std::string& file) const;
+};
+
+/// "spoon-saucer" and "breakfast": the two layouts that [Shinya and Forgue 1995] measured.
+std::vector<std::string> demo_names();
+
+/// @throws Error (BadInput) naming the demos there are.
+DemoLayout make_demo(const std::string& name);
+
+/// The layout file.
+std::string layout_json(const DemoLayout& demo);
+
+}  // namespace trivet

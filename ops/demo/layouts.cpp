@@ -1,0 +1,107 @@
+// Where everything starts. Positions are metres on the table: x along it, y away from the person in
+// front; the table's middle is the origin.
+#include "ops/demo/layouts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/shapes/models.h"
+
+namespace trivet {
+namespace {
+
+constexpr double kStartHeight = 0.3;  // above what the object is to stand on
+
+// Half-angle sines rounded to 2^-20, so that the file is the same with every C library.
+Rotation turned(const Vec3& axis, double angle_deg) {
+  const double half = angle_deg * std::numbers::pi / 360;
+  const auto rounded = [](double v) { return std::nearbyint(v * 1048576) / 1048576; };
+  const double w = rounded(std::cos(half)), s = rounded(std::sin(half));
+  return Rotation{w, s * axis.x(), s * axis.y(), s * axis.z()}.normalized();
+}
+
+class LayoutWriter {
+ public:
+  /// @param ground  height of the table or floor that things are put on.
+  LayoutWriter(std::string name, double ground) : m_ground(ground) {
+    m_demo.name = std::move(name);
+  }
+
+  void fix(const std::string& object, const std::string& model) {
+    add_object(object, model);
+    m_demo.layout.objects.back().fixed = true;
+    m_demo.layout.objects.back().pose = Pose{};
+  }
+
+  // `tilt_deg` is about the object's own x axis, before it is turned about z.
+  void put(const std::string& object, const std::string& model, double x, double y,
+           double turn_deg = 0, double tilt_deg = 0) {
+    add_object(object, model);
+    const Rotation rotation = turned(Vec3::UnitZ(), turn_deg) * turned(Vec3::UnitX(), tilt_deg);
+    const Pose start{rotation.normalized(), Vec3(x, y, m_ground + kStartHeight)};
+    m_demo.layout.operations.push_back({LayoutOperation::Kind::Put, object, start});
+  }
+
+  DemoLayout take() { return std::move(m_demo); }
+
+ private:
+  void add_object(const std::string& object, const std::string& model) {
+    const std::string file = model + ".glb";
+    const auto known = [&](const DemoModel& m) { return m.file == file; };
+    if (std::none_of(m_demo.models.begin(), m_demo.models.end(), known))
+      m_demo.models.push_back({file, shapes::make_model(model)});
+    LayoutObject entry;
+    entry.name = object;
+    entry.model = file;
+    m_demo.layout.objects.push_back(std::move(entry));
+  }
+
+  DemoLayout m_demo;
+  double m_ground;
+};
+
+// A person's place: angles and positions as the person in front sees them; the other one is across.
+void put_drinks(LayoutWriter* w, const std::string& who, double side) {
+  const double turn = side > 0 ? 0 : 180;
+  const double x = side * 0.105, y = side * -0.205;
+  w->put("saucer_" + who, "saucer", x, y, turn);
+  w->put("cup_" + who, "cup", x, y, turn + 35);
+  w->put("spoon_" + who, "spoon", x + side * 0.004, y - side * 0.0575, turn + 183);
+}
+
+}  // namespace
+
+DemoLayout make_spoon_saucer() {
+  LayoutWriter w("spoon-saucer", 0);
+  w.put("saucer", "saucer", 0, 0);
+  w.put("spoon", "spoon", 0.030, 0.012, 20);
+  return w.take();
+}
+
+DemoLayout make_breakfast() {
+  LayoutWriter w("breakfast", shapes::kClothHeight);
+  w.fix("table", "table");
+  w.put("plate_front", "plate", -0.13, -0.20);
+  w.put("plate_back", "plate", 0.13, 0.20);
+  put_drinks(&w, "front", 1);
+  put_drinks(&w, "back", -1);
+  w.put("toast", "toast", -0.135, -0.200, 12);
+  w.put("knife", "knife", -0.040, -0.170, 262);
+  w.put("egg_cup", "egg_cup", 0.125, 0.195);
+  w.put("egg", "egg", 0.125, 0.195, 40);
+  w.put("glass_front", "glass", 0.035, -0.085);
+  w.put("glass_back", "glass", -0.035, 0.100);
+  w.put("teapot", "teapot", -0.170, 0.030, 205);
+  w.put("jug", "jug", 0.130, 0.020, 300);
+  w.put("bowl", "bowl", 0.400, -0.020);
+  w.put("apple_1", "apple", 0.445, -0.020, 15);
+  w.put("apple_2", "apple", 0.378, 0.020, 140);
+  w.put("apple_3", "apple", 0.378, -0.060, 265);
+  w.put("banana_1", "banana", 0.385, -0.035, 20);
+  w.put("banana_2", "banana", 0.400, 0.020, 35);
+  w.put("loaf", "loaf", -0.420, -0.020, 60);
+  return w.take();
+}
+
+}  // namespace trivet

@@ -1,0 +1,11 @@
+// The layouts by name; use make_demo.
+#pragma once
+
+#include "ops/demo/demo.h"
+
+namespace trivet {
+
+DemoLayout make_spoon_saucer();
+DemoLayout make_breakfast();
+
+}  // namespace trivet
