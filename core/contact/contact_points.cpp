@@ -3,9 +3,11 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <tuple>
 
 #include "core/base/tunables.h"
+#include "core/contact/leaf_box.h"
 #include "core/contact/triangle_distance.h"
 
 namespace trivet {
@@ -51,7 +53,7 @@ class ContactSearch {
 
   std::vector<ContactPoint> run() {
     if (!m_object.shape->bvh.nodes.empty() && !m_support.shape->bvh.nodes.empty())
-      visit(0, 0, m_tree_object.box(0), m_tree_support.box(0));
+      visit(0, 0, m_tree_object.box(0), m_tree_support.box(0), nullptr);
     std::vector<ContactPoint>& out = m_found.empty() ? m_fallback : m_found;
     std::stable_sort(out.begin(), out.end(), [](const ContactPoint& a, const ContactPoint& b) {
       return std::make_tuple(features_of(a), a.gap) < std::make_tuple(features_of(b), b.gap);
@@ -69,16 +71,24 @@ class ContactSearch {
     return ((a.centre - b.centre).cwiseAbs().array() > (a.half + b.half).array() + m_reach).any();
   }
 
-  void visit(Index ia, Index ib, const BoxTree::Box& box_a, const BoxTree::Box& box_b) {
+  // `leaf` is the tight box of the node that is a leaf already.
+  void visit(Index ia, Index ib, const BoxTree::Box& box_a, const BoxTree::Box& box_b,
+             const LeafBox* leaf) {
     if (apart(box_a, box_b)) return;
     const BvhNode &a = m_tree_object.bvh.nodes[ia], &b = m_tree_support.bvh.nodes[ib];
+    if (leaf && leaf->valid && leaf->gap(a.is_leaf() ? box_b : box_a) > m_reach) return;
     if (a.is_leaf() && b.is_leaf()) return try_leaves(a, b);
+    std::optional<LeafBox> own;
+    if (!leaf && (a.is_leaf() || b.is_leaf())) {
+      own.emplace(a.is_leaf() ? LeafBox(m_object, a, m_frame) : LeafBox(m_support, b, m_frame));
+      leaf = &*own;
+    }
     if (!a.is_leaf() && (b.is_leaf() || box_a.radius > box_b.radius)) {
-      visit(ia + 1, ib, m_tree_object.box(ia + 1), box_b);
-      visit(a.second_child, ib, m_tree_object.box(a.second_child), box_b);
+      visit(ia + 1, ib, m_tree_object.box(ia + 1), box_b, leaf);
+      visit(a.second_child, ib, m_tree_object.box(a.second_child), box_b, leaf);
     } else {
-      visit(ia, ib + 1, box_a, m_tree_support.box(ib + 1));
-      visit(ia, b.second_child, box_a, m_tree_support.box(b.second_child));
+      visit(ia, ib + 1, box_a, m_tree_support.box(ib + 1), leaf);
+      visit(ia, b.second_child, box_a, m_tree_support.box(b.second_child), leaf);
     }
   }
 

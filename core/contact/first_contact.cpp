@@ -3,7 +3,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <tuple>
+
+#include "core/contact/leaf_box.h"
 
 namespace trivet {
 namespace {
@@ -99,7 +102,7 @@ class PairTraversal {
   }
 
   double root_bound() const { return bound(m_a.box(0), m_b.box(0)); }
-  void run() { visit(0, 0, m_a.box(0), m_b.box(0)); }
+  void run() { visit(0, 0, m_a.box(0), m_b.box(0), nullptr); }
 
  private:
   // Before this time the two boxes are farther apart than any pair stops; infinity: always.
@@ -148,30 +151,78 @@ class PairTraversal {
     return std::abs(radial.norm() - (q - height_b * m_axis).norm()) > reach;
   }
 
+  // The same for the leaf of one body and a box of the other, from the leaf's tight box.
+  double moving_leaf_bound(const LeafBox& leaf, const BoxTree::Box& b) const {
+    double until = 0;
+    for (int k = 0; k < 3; ++k) {
+      const auto [gap, side] = leaf.outside(k, b);
+      const Vec3 n = side * leaf.axis[k], q = b.centre - m_centre;
+      // The leaf's plane turns with it: the height of the box over it is R n . q.
+      const HeightFunction f =
+          turning() ? HeightFunction{gap - m_margin, q.dot(n) - m_axis.dot(q) * m_axis.dot(n),
+                                     q.dot(m_axis.cross(n))}
+                    : HeightFunction{gap - m_margin, 0, -n.dot(m_axis)};
+      until = std::max(until, first_zero(f, m_query.motion.kind));
+    }
+    return until;
+  }
+
+  double fixed_leaf_bound(const LeafBox& leaf, const BoxTree::Box& a) const {
+    double until = 0;
+    for (int k = 0; k < 3; ++k) {
+      const auto [gap, side] = leaf.outside(k, a);
+      const Vec3 n = side * leaf.axis[k], r = a.centre - m_centre;
+      const HeightFunction f =
+          turning() ? HeightFunction{gap - m_margin, n.dot(r) - m_axis.dot(n) * m_axis.dot(r),
+                                     n.dot(m_axis.cross(r))}
+                    : HeightFunction{gap - m_margin, 0, n.dot(m_axis)};
+      until = std::max(until, first_zero(f, m_query.motion.kind));
+    }
+    return until;
+  }
+
+  bool turning() const { return m_query.motion.kind == Motion::Kind::Rotation; }
+  bool hopeless(double bound) const {
+    return bound > m_best.time || bound > m_query.motion.limit;
+  }
+
   struct Next {
     double bound;
     Index a, b;
     BoxTree::Box box_a, box_b;
   };
 
-  Next next(Index a, Index b, const BoxTree::Box& box_a, const BoxTree::Box& box_b) const {
+  // The bound of a pair of nodes; `leaf` is the tight box of the one that is a leaf already.
+  Next next(Index a, Index b, const BoxTree::Box& box_a, const BoxTree::Box& box_b, bool open_a,
+            const LeafBox* leaf) const {
     ++m_best.work.node_pairs;
-    return {bound(box_a, box_b), a, b, box_a, box_b};
+    double until = bound(box_a, box_b);
+    if (leaf && !hopeless(until))
+      until = std::max(until, open_a ? fixed_leaf_bound(*leaf, box_a)
+                                     : moving_leaf_bound(*leaf, box_b));
+    return {until, a, b, box_a, box_b};
   }
 
-  void visit(Index ia, Index ib, const BoxTree::Box& box_a, const BoxTree::Box& box_b) {
+  void visit(Index ia, Index ib, const BoxTree::Box& box_a, const BoxTree::Box& box_b,
+             const LeafBox* leaf) {
     const BvhNode &a = m_a.bvh.nodes[ia], &b = m_b.bvh.nodes[ib];
     if (a.is_leaf() && b.is_leaf()) return try_leaves(a, b);
+    std::optional<LeafBox> own;
+    if (!leaf && (a.is_leaf() || b.is_leaf())) {
+      own.emplace(a.is_leaf() ? LeafBox(m_query.moving[m_moving], a, m_frame)
+                              : LeafBox(m_query.fixed[m_fixed], b, m_frame));
+      leaf = &*own;
+    }
+    const LeafBox* usable = leaf && leaf->valid ? leaf : nullptr;
     const bool open_a = !a.is_leaf() && (b.is_leaf() || box_a.radius > box_b.radius);
     const Index first = open_a ? ia + 1 : ib + 1, second = open_a ? a.second_child : b.second_child;
-    Next x = open_a ? next(first, ib, m_a.box(first), box_b)
-                    : next(ia, first, box_a, m_b.box(first));
-    Next y = open_a ? next(second, ib, m_a.box(second), box_b)
-                    : next(ia, second, box_a, m_b.box(second));
+    Next x = open_a ? next(first, ib, m_a.box(first), box_b, true, usable)
+                    : next(ia, first, box_a, m_b.box(first), false, usable);
+    Next y = open_a ? next(second, ib, m_a.box(second), box_b, true, usable)
+                    : next(ia, second, box_a, m_b.box(second), false, usable);
     if (y.bound < x.bound) std::swap(x, y);
     for (const Next* n : {&x, &y})
-      if (n->bound <= m_best.time && n->bound <= m_query.motion.limit)
-        visit(n->a, n->b, n->box_a, n->box_b);
+      if (!hopeless(n->bound)) visit(n->a, n->b, n->box_a, n->box_b, leaf);
   }
 
   void try_leaves(const BvhNode& a, const BvhNode& b) {

@@ -1,0 +1,50 @@
+#include "core/contact/leaf_box.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+namespace trivet {
+namespace {
+
+constexpr double kFlat = 1e-20;  // squared area over the longest edge to the fourth
+
+Triangle in_frame(const Triangle& t, const UnitFrame& frame) {
+  return {frame.point(t[0]), frame.point(t[1]), frame.point(t[2])};
+}
+
+}  // namespace
+
+LeafBox::LeafBox(const Body& body, const BvhNode& leaf, const UnitFrame& frame) {
+  const Index* faces = &body.shape->bvh.faces[leaf.second_child];
+  const Triangle t = in_frame(body.triangle(faces[0]), frame);
+  const std::array<Vec3, 3> edge{t[1] - t[0], t[2] - t[1], t[0] - t[2]};
+  const Vec3& longest =
+      *std::max_element(edge.begin(), edge.end(), [](const Vec3& a, const Vec3& b) {
+        return a.squaredNorm() < b.squaredNorm();
+      });
+  const Vec3 n = edge[0].cross(edge[1]);
+  valid = n.squaredNorm() > kFlat * longest.squaredNorm() * longest.squaredNorm();
+  if (!valid) return;
+  axis[0] = n.normalized();
+  axis[1] = longest.normalized();
+  axis[2] = axis[0].cross(axis[1]);
+  lower.fill(kInfinity);
+  upper.fill(-kInfinity);
+  for (Index i = 0; i < leaf.num_faces; ++i)
+    for (const Vec3& p : in_frame(body.triangle(faces[i]), frame))
+      for (int k = 0; k < 3; ++k) {
+        lower[k] = std::min(lower[k], axis[k].dot(p));
+        upper[k] = std::max(upper[k], axis[k].dot(p));
+      }
+}
+
+LeafBox::Outside LeafBox::outside(int k, const BoxTree::Box& box) const {
+  const double x = axis[k].dot(box.centre), above = x - upper[k], below = lower[k] - x;
+  return above > below ? Outside{above - box.radius, 1.0} : Outside{below - box.radius, -1.0};
+}
+
+double LeafBox::gap(const BoxTree::Box& box) const {
+  return std::max({outside(0, box).gap, outside(1, box).gap, outside(2, box).gap});
+}
+
+}  // namespace trivet

@@ -1,0 +1,28 @@
+// The tight box about the faces of a leaf.
+#pragma once
+
+#include <utility>
+
+#include "core/contact/body.h"
+
+namespace trivet {
+
+/// Along the normal of the leaf's first face, its longest edge, and across both. A large tilted
+/// triangle has a useless axis-aligned box; this one has no thickness.
+struct LeafBox {
+  std::array<Vec3, 3> axis;            // unit, in the frame given
+  std::array<double, 3> lower, upper;  // extents along the axes
+  bool valid = false;                  // false for a face without area
+
+  LeafBox(const Body& body, const BvhNode& leaf, const UnitFrame& frame);
+
+  struct Outside {
+    double gap;   // of the box's sphere beyond the leaf along the axis; negative: overlap
+    double side;  // +1: beyond `upper`, -1: beyond `lower`
+  };
+  Outside outside(int k, const BoxTree::Box& box) const;
+  /// Largest of the three gaps: a lower bound of the distance.
+  double gap(const BoxTree::Box& box) const;
+};
+
+}  // namespace trivet
