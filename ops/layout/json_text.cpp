@@ -39,6 +39,30 @@ std::string shown(const json& value) {
   return text;
 }
 
+void append_plain(const nlohmann::ordered_json& value, std::string& out) {
+  out += value.dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+void append_readable(const nlohmann::ordered_json& value, const std::string& indent,
+                     std::string& out) {
+  const auto is_plain = [](const auto& item) { return item.is_primitive(); };
+  const bool nested = value.is_structured() && !std::all_of(value.begin(), value.end(), is_plain);
+  if (value.empty() || value.is_primitive()) return append_plain(value, out);
+  const bool one_line = !nested && value.is_array();
+  const std::string deeper = one_line ? "" : "\n" + indent + ' ';
+  const char* separator = value.is_object() ? "{" : "[";
+  for (const auto& [key, entry] : value.items()) {
+    out += separator;
+    out += deeper;
+    if (value.is_object())
+      out += nlohmann::json(key).dump(-1, ' ', false, json::error_handler_t::replace) + ": ";
+    append_readable(entry, indent + ' ', out);
+    separator = one_line ? ", " : ",";
+  }
+  if (!one_line) out += '\n' + indent;
+  out += value.is_object() ? '}' : ']';
+}
+
 // Follows the parser, because a finished document no longer shows that a key came twice, and
 // because the library prints and copies documents recursively.
 class ParserWatch {
@@ -81,8 +105,10 @@ class ParserWatch {
 
   std::string pointer() const {
     std::string out;
-    for (const Level& l : m_levels)
-      out += "/" + (l.array ? std::to_string(l.index) : pointer_token(l.key));
+    for (const Level& l : m_levels) {
+      out += '/';
+      out += l.array ? std::to_string(l.index) : pointer_token(l.key);
+    }
     return out;
   }
 
@@ -161,6 +187,12 @@ std::string pointer_token(const std::string& key) {
   std::string out;
   for (char c : key) out += c == '~' ? "~0" : c == '/' ? "~1" : std::string(1, c);
   return out;
+}
+
+std::string readable_json(const nlohmann::ordered_json& value) {
+  std::string out;
+  append_readable(value, "", out);
+  return out + "\n";
 }
 
 std::string short_number(double value) {

@@ -27,15 +27,10 @@ Vec3 read_position(const JsonPlace& place) {
   return {p[0], p[1], p[2]};
 }
 
-// Unit quaternions are taken as they are: what Trivet writes is read to the same bits.
 Rotation read_rotation(const JsonPlace& place) {
   const std::vector<double> q = place.numbers(4, -kMaxQuaternionComponent, kMaxQuaternionComponent);
-  const auto is_large = [](double c) { return std::abs(c) >= kMinQuaternionComponent; };
-  if (std::none_of(q.begin(), q.end(), is_large))
-    place.refuse("a quaternion [w, x, y, z] whose length is not zero");
-  const Rotation rotation{q[0], q[1], q[2], q[3]};
-  const double squared_length = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
-  return std::abs(squared_length - 1) <= kUnitTolerance ? rotation : rotation.normalized();
+  if (const auto rotation = unit_rotation({q[0], q[1], q[2], q[3]})) return *rotation;
+  place.refuse("a quaternion [w, x, y, z] whose length is not zero");
 }
 
 Pose read_pose(const JsonPlace& place) {
@@ -108,6 +103,14 @@ nlohmann::ordered_json pose_json(const Pose& pose, nlohmann::ordered_json json) 
 
 const char* to_string(LayoutOperation::Kind) { return "put"; }
 
+std::optional<Rotation> unit_rotation(const std::array<double, 4>& q) {
+  const auto is_large = [](double c) { return std::abs(c) >= kMinQuaternionComponent; };
+  if (std::none_of(q.begin(), q.end(), is_large)) return std::nullopt;
+  const Rotation rotation{q[0], q[1], q[2], q[3]};
+  const double squared_length = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
+  return std::abs(squared_length - 1) <= kUnitTolerance ? rotation : rotation.normalized();
+}
+
 Layout parse_layout(const std::string& text, const std::string& file) {
   const nlohmann::json document = parse_json(text, file);
   const JsonPlace root(document, file);
@@ -131,7 +134,7 @@ Layout read_layout(const std::string& path, std::uintmax_t max_bytes) {
   return parse_layout(read_text_file(path, max_bytes), path);
 }
 
-std::string write_layout(const Layout& layout, int indent) {
+std::string write_layout(const Layout& layout) {
   using Json = nlohmann::ordered_json;
   Json json = {{"trivet", kVersion}, {"floor", layout.floor}};
   json["objects"] = Json::array();
@@ -145,7 +148,7 @@ std::string write_layout(const Layout& layout, int indent) {
   for (const LayoutOperation& o : layout.operations)
     json["operations"].push_back(
         pose_json(o.start, {{"op", to_string(o.kind)}, {"object", o.object}}));
-  return json.dump(indent) + "\n";
+  return readable_json(json);
 }
 
 }  // namespace trivet

@@ -1,6 +1,8 @@
 // Layout files: which objects there are, where they stand, and what is done with them.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -39,6 +41,11 @@ struct Layout {
   std::vector<LayoutOperation> operations;
 };
 
+/// A quaternion w, x, y, z of any length but zero as a rotation; one of unit length is taken as it
+/// is, so that what Trivet writes is read to the same bits. Nothing: no component is of the
+/// magnitude kMinQuaternionComponent.
+std::optional<Rotation> unit_rotation(const std::array<double, 4>& quaternion);
+
 /// Reads a layout strictly: whatever is not in layout.schema.json is an error, and so are names
 /// that come twice, keys that come twice and operations on unknown objects, which a schema cannot
 /// say. Models are not opened.
@@ -49,7 +56,6 @@ Layout parse_layout(const std::string& text, const std::string& file);
 Layout read_layout(const std::string& path, std::uintmax_t max_bytes = std::uintmax_t{1} << 30);
 
 /// The layout as JSON text that parse_layout reads to the same bits.
-/// @param indent  spaces per level; negative: all on one line.
-std::string write_layout(const Layout& layout, int indent = 1);
+std::string write_layout(const Layout& layout);
 
 }  // namespace trivet

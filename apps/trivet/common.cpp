@@ -1,0 +1,137 @@
+#include "apps/trivet/common.h"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <iostream>
+
+#include "ops/layout/json_text.h"
+
+namespace trivet::apps {
+namespace {
+
+std::string quoted(const std::string& text) { return "\"" + text + "\" is not accepted"; }
+
+bool shows_progress(const CommonOptions& common) { return !common.quiet && isatty(STDERR_FILENO); }
+
+CLI::Validator backend_validator() {
+  return CLI::Validator(
+      [](const std::string& name) -> std::string {
+        const std::string accepted = "; accepted: auto, bvh";
+        if (name == "auto" || name == "bvh") return "";
+        if (name == "gpu" || name == "software")
+          return "\"" + name + "\" is not available in this version" + accepted;
+        return quoted(name) + accepted;
+      },
+      "auto|bvh");
+}
+
+}  // namespace
+
+ImportLimits CommonOptions::limits() const {
+  ImportLimits limits;
+  limits.max_file_bytes = static_cast<std::uintmax_t>(max_file_mb * 1e6);
+  return limits;
+}
+
+void add_common_options(CLI::App& app, CommonOptions& common) {
+  const char* const group = "Options of all verbs";
+  app.add_option("--backend", common.backend, "What proposes candidates; the result is the same")
+      ->check(backend_validator())
+      ->group(group);
+  app.add_option("--threads", common.num_threads, "0: all cores; the result is the same")
+      ->check(integer_from(0, 4096))
+      ->group(group);
+  app.add_option("--max-file-mb", common.max_file_mb, "Larger input files are refused")
+      ->check(number_from(0, 1e9))
+      ->group(group);
+  app.add_flag("--json", common.json, "JSON on standard output, errors too")->group(group);
+  app.add_flag("--quiet", common.quiet, "Nothing but results and errors")->group(group);
+  app.set_version_flag("--version", "trivet " TRIVET_VERSION)->group(group);
+  app.get_help_ptr()->group(group);
+}
+
+void add_settle_options(CLI::App& app, SettleOptions& settle) {
+  const char* const group = "Settling";
+  app.add_option("--clearance", settle.clearance,
+                 "Metres at which motions stop before contact; 0: 2^-20 of the scene's size")
+      ->check(number_from(0, 1e6))
+      ->group(group);
+  app.add_option("--max-motions", settle.max_motions, "More motions than this: refused")
+      ->check(integer_from(1, 1'000'000'000))
+      ->group(group);
+  app.add_flag("--accept-wedged", settle.accept_wedged,
+               "Accept objects that can neither move nor be shown to be supported")
+      ->group(group);
+  app.add_flag("--literal-paper-rules", settle.literal_paper_rules,
+               "The paper's three cases of settling to the letter, for comparison")
+      ->group(group);
+}
+
+RunOptions run_options(const CommonOptions& common, const SettleOptions& settle) {
+  RunOptions options;
+  options.settle = settle;
+  options.num_threads = common.num_threads;
+  options.progress = terminal_progress(common);
+  return options;
+}
+
+CLI::Validator integer_from(long lower, long upper) {
+  const std::string range = std::to_string(lower) + " to " + std::to_string(upper);
+  return CLI::Validator(
+      [=](const std::string& text) -> std::string {
+        char* end = nullptr;
+        errno = 0;
+        const long value = std::strtol(text.c_str(), &end, 10);
+        if (!text.empty() && !*end && errno == 0 && lower <= value && value <= upper) return "";
+        return quoted(text) + "; accepted: whole numbers from " + range;
+      },
+      "INTEGER");
+}
+
+CLI::Validator number_from(double lower, double upper) {
+  const std::string range = short_number(lower) + " to " + short_number(upper);
+  return CLI::Validator(
+      [=](const std::string& text) -> std::string {
+        char* end = nullptr;
+        const double value = std::strtod(text.c_str(), &end);
+        if (!text.empty() && !*end && lower <= value && value <= upper) return "";
+        return quoted(text) + "; accepted: numbers from " + range;
+      },
+      "");
+}
+
+CLI::Validator one_of(std::vector<std::string> accepted) {
+  std::string list;
+  for (const std::string& name : accepted) list += (list.empty() ? "" : ", ") + name;
+  return CLI::Validator(
+      [=](const std::string& text) -> std::string {
+        for (const std::string& name : accepted)
+          if (text == name) return "";
+        return quoted(text) + "; accepted: " + list;
+      },
+      "");
+}
+
+ProgressCallback terminal_progress(const CommonOptions& common) {
+  if (!shows_progress(common)) return {};
+  return [](const Progress& p) {
+    std::cerr << "\r\033[K[" << p.done << "/" << p.total << "] " << p.stage << " " << p.item
+              << std::flush;
+  };
+}
+
+void clear_progress_line(const CommonOptions& common) {
+  if (shows_progress(common)) std::cerr << "\r\033[K" << std::flush;
+}
+
+std::string json_string(const std::string& text) {
+  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+void print_note(const CommonOptions& common, const std::string& note) {
+  if (!common.quiet) std::cerr << "trivet: note: " << note << "\n";
+}
+
+}  // namespace trivet::apps

@@ -1,0 +1,46 @@
+// Options that verbs share, their validation, and progress on the terminal.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <string>
+#include <vector>
+
+#include "core/io/model.h"
+#include "ops/layout/run.h"
+
+namespace trivet::apps {
+
+/// Options of every verb.
+struct CommonOptions {
+  std::string backend = "auto";
+  int num_threads = 0;  // 0: all cores
+  bool json = false;
+  bool quiet = false;
+  double max_file_mb = 4096;
+
+  ImportLimits limits() const;
+};
+void add_common_options(CLI::App& app, CommonOptions& common);
+
+void add_settle_options(CLI::App& app, SettleOptions& settle);
+
+/// Everything that a run of operations needs.
+RunOptions run_options(const CommonOptions& common, const SettleOptions& settle);
+
+/// Validators whose complaints name what is accepted.
+CLI::Validator integer_from(long lower, long upper);
+CLI::Validator number_from(double lower, double upper);
+CLI::Validator one_of(std::vector<std::string> accepted);
+
+/// Shows what long work is at, on standard error if that is a terminal; nothing when quiet.
+ProgressCallback terminal_progress(const CommonOptions& common);
+void clear_progress_line(const CommonOptions& common);
+
+/// Text as a JSON string.
+std::string json_string(const std::string& text);
+
+/// Something people should know, on standard error; nothing when quiet.
+void print_note(const CommonOptions& common, const std::string& note);
+
+}  // namespace trivet::apps

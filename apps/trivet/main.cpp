@@ -1,0 +1,3 @@
+#include "apps/trivet/program.h"
+
+int main(int argc, char** argv) { return trivet::apps::run_program(argc, argv); }

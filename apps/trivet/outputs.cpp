@@ -1,0 +1,173 @@
+#include "apps/trivet/outputs.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <iostream>
+#include <sstream>
+
+#include "core/base/error.h"
+#include "core/io/export.h"
+#include "ops/report/report.h"
+
+namespace trivet::apps {
+namespace {
+
+namespace fs = std::filesystem;
+
+void check_extension(const std::string& path, const std::vector<std::string>& accepted) {
+  std::string extension = fs::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (std::find(accepted.begin(), accepted.end(), extension) != accepted.end()) return;
+  std::string list;
+  for (const std::string& e : accepted) list += (list.empty() ? "" : ", ") + e;
+  throw Error(Error::Kind::BadInput,
+              path + ": the extension \"" + extension + "\" is not accepted; accepted: " + list);
+}
+
+[[noreturn]] void fail_write(const std::string& path) {
+  throw Error(Error::Kind::Environment, path + ": cannot be written: " + std::strerror(errno));
+}
+
+std::string identity_of(const std::string& path) {
+  std::error_code error;
+  const fs::path canonical = fs::weakly_canonical(path, error);
+  return error ? path : canonical.string();
+}
+
+void check_distinct(const std::vector<std::string>& outputs,
+                    const std::vector<std::string>& inputs) {
+  for (size_t i = 0; i < outputs.size(); ++i) {
+    for (size_t j = 0; j < i; ++j)
+      if (identity_of(outputs[i]) == identity_of(outputs[j]))
+        throw Error(Error::Kind::BadInput, outputs[i] + ": two outputs would go to this file");
+    for (const std::string& input : inputs)
+      if (identity_of(outputs[i]) == identity_of(input))
+        throw Error(Error::Kind::BadInput, outputs[i] + ": is an input and would be overwritten");
+  }
+}
+
+// Tries, and leaves nothing behind.
+void check_writable(const std::string& path) {
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored)) {
+    errno = EISDIR;
+    fail_write(path);
+  }
+  if (fs::exists(path, ignored)) {
+    if (access(path.c_str(), W_OK) != 0) fail_write(path);
+    if (!fs::is_regular_file(path, ignored)) return;  // a device or a pipe
+  }
+  // Through a symbolic link, as the file will be written.
+  const fs::path target = fs::weakly_canonical(path, ignored);
+  const std::string trial_name = ".trivet_trial_" + std::to_string(getpid());
+  const fs::path trial = (ignored ? fs::path(path) : target).parent_path() / trial_name;
+  const int descriptor = open(trial.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+  if (descriptor < 0) fail_write(path);
+  close(descriptor);
+  unlink(trial.c_str());
+}
+
+std::string count_of(size_t count, const std::string& what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+void append_findings(std::ostringstream& out, const std::vector<SceneCheck::PairFinding>& findings,
+                     const char* what) {
+  for (const SceneCheck::PairFinding& f : findings)
+    out << "  \"" << f.a << "\" and \"" << f.b << "\": " << f.count << " " << what << "\n";
+}
+
+std::string check_summary(const SceneCheck& check) {
+  std::ostringstream out;
+  out << "check: " << (check.ok() ? "ok" : "failed") << ", " << check.interpenetrating_pairs()
+      << " interpenetrating pairs of faces, ";
+  if (check.smallest_gap < kInfinity) out << "smallest gap " << check.smallest_gap << " m, ";
+  out << (check.not_at_rest.empty() ? "all at rest" : "not all at rest") << "\n";
+  append_findings(out, check.crossings, "pairs of faces interpenetrate");
+  append_findings(out, check.float32_crossings, "pairs of faces interpenetrate in float32");
+  append_findings(out, check.contained, "parts of the first are inside the second");
+  for (const std::string& name : check.not_at_rest) out << "  \"" << name << "\" is not at rest\n";
+  return out.str();
+}
+
+}  // namespace
+
+void add_output_options(CLI::App& app, OutputPaths& paths) {
+  app.add_option("-o,--output", paths.scene, "The scene: .glb, .obj, .ply or .stl");
+  app.add_option("--report", paths.report, "The report, JSON");
+  app.add_option("--picture", paths.picture, "A picture, .png");
+}
+
+void check_outputs(const OutputPaths& paths, const std::vector<std::string>& inputs) {
+  if (!paths.scene.empty()) check_extension(paths.scene, {".glb", ".obj", ".ply", ".stl"});
+  if (!paths.picture.empty()) check_extension(paths.picture, {".png"});
+  std::vector<std::string> wanted;
+  for (const std::string& path : {paths.scene, paths.report, paths.picture})
+    if (!path.empty()) wanted.push_back(path);
+  check_distinct(wanted, inputs);
+  for (const std::string& path : wanted) check_writable(path);
+}
+
+Outputs::Outputs(const OutputPaths& paths, const std::vector<std::string>& inputs,
+                 const CommonOptions& common)
+    : m_paths(paths), m_common(common) {
+  check_outputs(paths, inputs);
+  if (!paths.picture.empty()) m_picture = std::make_unique<PictureMaker>(PictureRequest{});
+}
+
+int Outputs::write(const LayoutRun& run, const Layout& layout, const SettleOptions& settle,
+                   const ModelFolders& folders) {
+  ReportOptions report_options;
+  report_options.version = TRIVET_VERSION;
+  report_options.model_folder = folders.in_report;
+  const std::string report = report_json(run, report_options);
+  // All that can fail but the disk comes first.
+  const std::string png = m_picture ? m_picture->png(run.scene) : "";
+  clear_progress_line(m_common);
+  if (!m_paths.scene.empty())
+    write_scene_file(run.scene, layout, {TRIVET_VERSION, folders.in_scene, settle.clearance},
+                     m_paths.scene);
+  if (!m_paths.report.empty()) write_file_atomically(m_paths.report, report);
+  if (m_picture) write_file_atomically(m_paths.picture, png);
+  if (m_common.json)
+    std::cout << report;
+  else if (!m_common.quiet)
+    std::cout << summary(run);
+  return run.ok() ? 0 : 1;
+}
+
+std::string summary(const LayoutRun& run) {
+  std::ostringstream out;
+  size_t num_refused = 0;
+  for (const OperationRecord& record : run.operations) {
+    if (record.result.ok()) continue;
+    ++num_refused;
+    out << record.op << " \"" << record.object << "\": refused: " << record.result.reason << "\n";
+  }
+  size_t num_placed = 0;
+  const std::vector<ObjectId> ids = run.scene.ids();
+  for (const ObjectId id : ids) num_placed += run.scene.at(id).placed;
+  out << count_of(ids.size(), "object") << ", " << num_placed << " in the scene; "
+      << count_of(run.operations.size(), "operation") << ", " << num_refused << " refused\n"
+      << check_summary(run.check);
+  return out.str();
+}
+
+std::string folder_of(const std::string& file) { return fs::path(file).parent_path().string(); }
+
+std::string folder_from(const std::string& from_file, const std::string& to_folder) {
+  const auto whole = [](const fs::path& folder) {  // without a slash at the end
+    return (fs::absolute(folder.empty() ? "." : folder) / "").lexically_normal().parent_path();
+  };
+  const fs::path way =
+      whole(to_folder).lexically_proximate(whole(fs::path(from_file).parent_path()));
+  return way == "." ? "" : way.generic_string();
+}
+
+}  // namespace trivet::apps

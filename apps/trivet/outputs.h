@@ -1,0 +1,54 @@
+// Where results go: checked before the work, written together after it.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "apps/trivet/common.h"
+#include "apps/trivet/picture.h"
+#include "ops/layout/run.h"
+#include "ops/report/scene_file.h"
+
+namespace trivet::apps {
+
+struct OutputPaths {
+  std::string scene, report, picture;  // empty: not wanted
+};
+/// What is put before the models' relative paths.
+struct ModelFolders {
+  std::string in_scene, in_report;
+};
+void add_output_options(CLI::App& app, OutputPaths& paths);
+
+/// Before the work. @throws Error: BadInput for a wrong extension, two outputs in one file, an
+/// output that is an input; Environment when a file could not be written.
+/// @param inputs  files that must not be overwritten.
+void check_outputs(const OutputPaths& paths, const std::vector<std::string>& inputs);
+
+/// The outputs of a run. Made before the work.
+class Outputs {
+ public:
+  /// @throws Error as check_outputs(), and when pictures are wanted and cannot be made.
+  Outputs(const OutputPaths& paths, const std::vector<std::string>& inputs,
+          const CommonOptions& common);
+
+  /// Writes all files and says on standard output what was done; the report itself with --json.
+  /// @return the exit status: 1 when an operation was refused or the check failed.
+  int write(const LayoutRun& run, const Layout& layout, const SettleOptions& settle,
+            const ModelFolders& folders);
+
+ private:
+  OutputPaths m_paths;
+  const CommonOptions& m_common;
+  std::unique_ptr<PictureMaker> m_picture;
+};
+
+/// What was refused and what the check found, for people.
+std::string summary(const LayoutRun& run);
+
+/// The way from a file's folder to another folder; "" for the same one.
+std::string folder_from(const std::string& from_file, const std::string& to_folder);
+std::string folder_of(const std::string& file);
+
+}  // namespace trivet::apps

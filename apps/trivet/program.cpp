@@ -1,0 +1,93 @@
+#include "apps/trivet/program.h"
+
+#include <tbb/global_control.h>
+
+#include <CLI/CLI.hpp>
+#include <cstring>
+#include <iostream>
+#include <new>
+#include <nlohmann/json.hpp>
+
+#include "apps/trivet/verbs.h"
+#include "core/base/error.h"
+
+namespace trivet::apps {
+namespace {
+
+constexpr int kBadInput = 2, kEnvironment = 3;
+
+int fail(bool json, const char* kind, const std::string& message, int status) {
+  if (json) {
+    const nlohmann::ordered_json error = {
+        {"error", {{"kind", kind}, {"message", message}, {"status", status}}}};
+    std::cout << error.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) << "\n";
+  } else {
+    std::cerr << "trivet: " << message << "\n";
+  }
+  std::cout.flush();
+  return status;
+}
+
+// Before the command line is understood, and also when it cannot be.
+bool asks_for_json(int argc, char** argv) {
+  for (int i = 1; i < argc; ++i)
+    if (std::strcmp(argv[i], "--json") == 0) return true;
+  return false;
+}
+
+std::vector<Verb> add_verbs(CLI::App& app, CommonOptions& common) {
+  std::vector<Verb> verbs;
+  for (const auto add : {add_info, add_run, add_put, add_check, add_render, add_demo, add_schema}) {
+    verbs.push_back(add(app, common));
+    add_common_options(*verbs.back().app, common);
+  }
+  return verbs;
+}
+
+int do_verb(const std::vector<Verb>& verbs, const CommonOptions& common) {
+  const auto all = tbb::global_control::max_allowed_parallelism;
+  const tbb::global_control threads(all, common.num_threads > 0
+                                             ? static_cast<size_t>(common.num_threads)
+                                             : tbb::global_control::active_value(all));
+  for (const Verb& verb : verbs)
+    if (verb.app->parsed()) {
+      const int status = verb.run();
+      if (!std::cout.flush())
+        throw Error(Error::Kind::Environment, "the standard output cannot be written");
+      return status;
+    }
+  return kBadInput;
+}
+
+}  // namespace
+
+int run_program(int argc, char** argv) {
+  const bool json = asks_for_json(argc, argv);
+  CLI::App app(
+      "Lays out 3D objects without interpenetration, at rest.\n"
+      "Exit status: 0 done; 1 an operation was refused or a check failed; 2 wrong usage or "
+      "bad input; 3 the environment.",
+      "trivet");
+  CommonOptions common;
+  const std::vector<Verb> verbs = add_verbs(app, common);
+  add_common_options(app, common);
+  app.require_subcommand(1);
+  try {
+    app.parse(argc, argv);
+    return do_verb(verbs, common);
+  } catch (const CLI::Success& e) {  // help and version
+    return app.exit(e);
+  } catch (const CLI::ParseError& e) {
+    return fail(json, "usage", std::string(e.what()) + " (see trivet --help)", kBadInput);
+  } catch (const Error& e) {
+    const bool bad_input = e.kind() == Error::Kind::BadInput;
+    return fail(json, bad_input ? "bad input" : "environment", e.what(),
+                bad_input ? kBadInput : kEnvironment);
+  } catch (const std::bad_alloc&) {
+    return fail(json, "environment", "there is not enough memory", kEnvironment);
+  } catch (const std::exception& e) {
+    return fail(json, "environment", std::string("unexpected: ") + e.what(), kEnvironment);
+  }
+}
+
+}  // namespace trivet::apps

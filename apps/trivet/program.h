@@ -1,0 +1,10 @@
+// The command line as a whole: reads it, does the verb, turns errors into messages and statuses.
+#pragma once
+
+namespace trivet::apps {
+
+/// @return the exit status: 0 done; 1 an operation was refused or a check failed; 2 wrong usage or
+///   bad input; 3 the environment.
+int run_program(int argc, char** argv);
+
+}  // namespace trivet::apps

@@ -1,0 +1,77 @@
+#include <filesystem>
+#include <iostream>
+
+#include "apps/trivet/outputs.h"
+#include "apps/trivet/verbs.h"
+#include "core/io/export.h"
+#include "ops/report/report.h"
+
+namespace trivet::apps {
+namespace {
+
+struct CheckArguments {
+  std::string file, report;
+  SettleOptions settle;
+};
+
+bool is_layout(const std::string& path) {
+  return std::filesystem::path(path).extension() == ".json";
+}
+
+LayoutRun check_scene_file(const CheckArguments& arguments, const CommonOptions& common) {
+  SceneFile file = read_scene_file(arguments.file, common.limits());
+  for (const std::string& note : file.notes) print_note(common, note);
+  RunOptions options = run_options(common, arguments.settle);
+  if (!(options.settle.clearance > 0)) options.settle.clearance = file.clearance;
+  LayoutRun run;
+  run.scene = std::move(file.scene);
+  finish_run(options, run);
+  return run;
+}
+
+// What stands from the start is judged as it stands; if that is clean the operations are tried.
+LayoutRun check_layout(const CheckArguments& arguments, const CommonOptions& common) {
+  const Layout layout = read_layout(arguments.file, common.limits().max_file_bytes);
+  RunOptions options = run_options(common, arguments.settle);
+  options.layout_file = arguments.file;
+  const ModelSource models = models_in_folder(folder_of(arguments.file), common.limits());
+  LayoutRun start = run_start_only(layout, models, options);
+  if (layout.operations.empty() || !start.ok()) return start;
+  return run_layout(layout, models, options);
+}
+
+int check(const CheckArguments& arguments, const CommonOptions& common) {
+  const bool layout = is_layout(arguments.file);
+  check_outputs({"", arguments.report, ""}, {arguments.file});
+  const LayoutRun run =
+      layout ? check_layout(arguments, common) : check_scene_file(arguments, common);
+  clear_progress_line(common);
+  ReportOptions options;
+  options.version = TRIVET_VERSION;
+  if (!layout && !arguments.report.empty())
+    options.model_folder = folder_from(arguments.report, folder_of(arguments.file));
+  const std::string report = report_json(run, options);
+  if (!arguments.report.empty()) write_file_atomically(arguments.report, report);
+  if (common.json)
+    std::cout << report;
+  else if (!common.quiet)
+    std::cout << summary(run);
+  return run.ok() ? 0 : 1;
+}
+
+}  // namespace
+
+Verb add_check(CLI::App& app, const CommonOptions& common) {
+  CLI::App* const verb = app.add_subcommand("check",
+                                            "Judges a scene from its poses, or a layout: what "
+                                            "stands from the start, then its operations");
+  const auto arguments = std::make_shared<CheckArguments>();
+  verb->add_option("file", arguments->file, "A scene that trivet wrote, or a layout")
+      ->required()
+      ->type_name("SCENE.glb|LAYOUT.json");
+  verb->add_option("--report", arguments->report, "The report, JSON");
+  add_settle_options(*verb, arguments->settle);
+  return {verb, [arguments, &common] { return check(*arguments, common); }};
+}
+
+}  // namespace trivet::apps

@@ -1,0 +1,94 @@
+#include <filesystem>
+
+#include "apps/trivet/outputs.h"
+#include "apps/trivet/verbs.h"
+#include "core/base/error.h"
+#include "core/io/export.h"
+#include "ops/demo/demo.h"
+
+namespace trivet::apps {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct DemoArguments {
+  std::string name, folder;
+  OutputPaths outputs;
+  SettleOptions settle;
+};
+
+/// The folder for the demo's files: the one that was asked for, else one that vanishes.
+class DemoFolder {
+ public:
+  explicit DemoFolder(const std::string& wanted) : m_keep(!wanted.empty()), m_path(wanted) {
+    std::error_code error;
+    if (m_keep) {
+      fs::create_directories(m_path, error);
+      if (error)
+        throw Error(Error::Kind::Environment, wanted + ": cannot be made: " + error.message());
+      return;
+    }
+    m_path = (fs::temp_directory_path() / "trivet_demo_XXXXXX").string();
+    if (!mkdtemp(m_path.data()))
+      throw Error(Error::Kind::Environment, m_path + ": a temporary folder cannot be made");
+  }
+  ~DemoFolder() {
+    std::error_code ignored;
+    if (!m_keep) fs::remove_all(m_path, ignored);
+  }
+  DemoFolder(const DemoFolder&) = delete;
+  DemoFolder& operator=(const DemoFolder&) = delete;
+
+  std::string file(const std::string& name) const { return (fs::path(m_path) / name).string(); }
+  const std::string& path() const { return m_path; }
+
+ private:
+  bool m_keep;
+  std::string m_path;
+};
+
+void write_demo(const DemoLayout& demo, const DemoFolder& folder) {
+  for (const DemoModel& made : demo.models) {
+    ExportScene scene;
+    scene.objects.push_back({fs::path(made.file).stem().string(),
+                             std::make_shared<const Model>(made.model), Affine{}, ""});
+    write_scene(scene, folder.file(made.file));
+  }
+  write_file_atomically(folder.file("layout.json"), layout_json(demo));
+}
+
+// From its files, as anybody would run it: the same bits with and without --export.
+int run_demo(const DemoArguments& arguments, const CommonOptions& common) {
+  const DemoLayout demo = make_demo(arguments.name);
+  Outputs outputs(arguments.outputs, {}, common);
+  const DemoFolder folder(arguments.folder);
+  write_demo(demo, folder);
+  const Layout layout = read_layout(folder.file("layout.json"));
+  RunOptions options = run_options(common, arguments.settle);
+  options.layout_file = folder.file("layout.json");
+  const LayoutRun result =
+      run_layout(layout, models_in_folder(folder.path(), common.limits()), options);
+  const std::string& scene = arguments.outputs.scene;
+  const std::string in_scene = arguments.folder.empty() ? "" : folder_from(scene, folder.path());
+  return outputs.write(result, layout, arguments.settle, {in_scene, ""});
+}
+
+}  // namespace
+
+Verb add_demo(CLI::App& app, const CommonOptions& common) {
+  CLI::App* const verb = app.add_subcommand("demo", "Lays out a scene of trivet's own");
+  const auto arguments = std::make_shared<DemoArguments>();
+  verb->add_option("name", arguments->name, "Which one")
+      ->required()
+      ->type_name("NAME")
+      ->check(one_of(demo_names()));
+  add_output_options(*verb, arguments->outputs);
+  verb->get_option("--output")->required();
+  verb->add_option("--export", arguments->folder,
+                   "Leaves layout.json and the models in this folder, for trivet run")
+      ->type_name("DIR");
+  add_settle_options(*verb, arguments->settle);
+  return {verb, [arguments, &common] { return run_demo(*arguments, common); }};
+}
+
+}  // namespace trivet::apps

@@ -1,0 +1,138 @@
+#include <cmath>
+#include <filesystem>
+
+#include "apps/trivet/outputs.h"
+#include "apps/trivet/verbs.h"
+#include "core/base/error.h"
+#include "ops/report/geometry.h"
+
+namespace trivet::apps {
+namespace {
+
+struct PutArguments {
+  std::string scene, model, name, up;
+  std::vector<double> position, rotation{1, 0, 0, 0};
+  double scale = 1;
+  OutputPaths outputs;
+  SettleOptions settle;
+};
+
+Pose start_pose(const PutArguments& arguments) {
+  const std::vector<double>&p = arguments.position, &q = arguments.rotation;
+  const auto rotation = unit_rotation({q[0], q[1], q[2], q[3]});
+  if (!rotation)
+    throw Error(Error::Kind::BadInput,
+                "--rotation: a quaternion w x y z of length zero is not accepted; accepted: any "
+                "other length");
+  return {*rotation, {p[0], p[1], p[2]}};
+}
+
+// The name that was asked for, or the file's with the first number that is free.
+std::string free_name(const PutArguments& arguments, const Scene& scene) {
+  const std::string wanted = arguments.name.empty()
+                                 ? std::filesystem::path(arguments.model).stem().string()
+                                 : arguments.name;
+  if (wanted == "floor" || (!arguments.name.empty() && scene.find(wanted)))
+    throw Error(Error::Kind::BadInput, "--name: \"" + wanted +
+                                           "\" is taken; accepted: a name that no object of the "
+                                           "scene has");
+  std::string name = wanted;
+  for (int i = 2; scene.find(name); ++i) name = wanted + "_" + std::to_string(i);
+  return name;
+}
+
+// The same file again shares its geometry with those that are there.
+void share_geometry(const Scene& scene, Object& object) {
+  const std::string fingerprint = geometry_fingerprint(object.shape->mesh);
+  for (const ObjectId id : scene.ids()) {
+    const Object& other = scene.at(id);
+    if (other.model->path != object.model->path) continue;
+    if (geometry_fingerprint(other.shape->mesh) != fingerprint) continue;
+    object.model = other.model;
+    object.shape = other.shape;
+    return;
+  }
+}
+
+LayoutObject layout_object(const PutArguments& arguments, const SceneFile& file) {
+  LayoutObject object;
+  object.name = free_name(arguments, file.scene);
+  const std::filesystem::path model(arguments.model);
+  object.model =
+      model.is_absolute()
+          ? arguments.model
+          : (std::filesystem::path(folder_from(arguments.scene, folder_of(arguments.model))) /
+             model.filename())
+                .generic_string();
+  object.scale = arguments.scale;
+  if (!arguments.up.empty()) object.up = arguments.up == "y" ? UpAxis::Y : UpAxis::Z;
+  return object;
+}
+
+int put(const PutArguments& arguments, const CommonOptions& common) {
+  const Pose start = start_pose(arguments);
+  Outputs outputs(arguments.outputs, {arguments.model}, common);
+  SceneFile file = read_scene_file(arguments.scene, common.limits());
+  for (const std::string& note : file.notes) print_note(common, note);
+
+  Layout addition;
+  addition.objects.push_back(layout_object(arguments, file));
+  addition.operations.push_back({LayoutOperation::Kind::Put, addition.objects.back().name, start});
+  SettleOptions settle = arguments.settle;
+  if (!(settle.clearance > 0)) settle.clearance = file.clearance;
+  const RunOptions options = run_options(common, settle);
+  const ModelSource source = [&](const std::string&) {
+    return read_model(arguments.model, common.limits());
+  };
+  Scene single = make_scene(addition, source, options);
+  Object object = single.at(single.ids().front());
+  share_geometry(file.scene, object);
+
+  LayoutRun run;
+  run.scene = std::move(file.scene);
+  const ObjectId id = run.scene.add(std::move(object));
+  run_operations(addition, options, run);
+  if (run.operations.back().result.ok()) {
+    file.layout.objects.push_back(addition.objects.back());
+    file.layout.operations.push_back(addition.operations.back());
+  } else {
+    run.scene.remove(id);  // the scene is as it was
+  }
+  finish_run(options, run);
+  const std::string folder = folder_of(arguments.scene);
+  const OutputPaths& paths = arguments.outputs;
+  return outputs.write(run, file.layout, settle,
+                       {folder_from(paths.scene, folder), folder_from(paths.report, folder)});
+}
+
+}  // namespace
+
+Verb add_put(CLI::App& app, const CommonOptions& common) {
+  CLI::App* const verb =
+      app.add_subcommand("put", "Puts one more object into a scene that trivet wrote");
+  const auto arguments = std::make_shared<PutArguments>();
+  verb->add_option("scene", arguments->scene, "The scene")->required()->type_name("SCENE.glb");
+  verb->add_option("model", arguments->model, "The model file")->required()->type_name("MODEL");
+  verb->add_option("--position", arguments->position,
+                   "Start of the model's origin, metres, from where it falls")
+      ->required()
+      ->expected(3)
+      ->type_name("X Y Z")
+      ->check(number_from(-kMaxLength, kMaxLength));
+  verb->add_option("--rotation", arguments->rotation, "Quaternion at the start")
+      ->expected(4)
+      ->type_name("W X Y Z")
+      ->check(number_from(-kMaxQuaternionComponent, kMaxQuaternionComponent));
+  verb->add_option("--name", arguments->name, "Name of the object; default: the file's");
+  verb->add_option("--scale", arguments->scale, "Metres per unit of the file")
+      ->check(number_from(kMinScale, kMaxScale));
+  verb->add_option("--up", arguments->up,
+                   "Up axis of the file; default: as its format says, else z")
+      ->check(one_of({"y", "z"}));
+  add_output_options(*verb, arguments->outputs);
+  verb->get_option("--output")->required();
+  add_settle_options(*verb, arguments->settle);
+  return {verb, [arguments, &common] { return put(*arguments, common); }};
+}
+
+}  // namespace trivet::apps

@@ -1,0 +1,80 @@
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+
+#include "apps/trivet/outputs.h"
+#include "apps/trivet/verbs.h"
+#include "core/io/export.h"
+
+namespace trivet::apps {
+namespace {
+
+struct RenderArguments {
+  std::string scene, picture;
+  PictureRequest request;
+};
+
+// Models of other programs are shown as they are, without a floor.
+Scene scene_of_model(const std::string& path, const CommonOptions& common) {
+  Layout layout;
+  layout.floor = false;
+  LayoutObject object;
+  object.name = object.model = path;
+  object.pose = Pose{};
+  layout.objects.push_back(object);
+  const ModelSource source = [&](const std::string& name) {
+    return read_model(name, common.limits());
+  };
+  Scene scene = make_scene(layout, source, run_options(common, {}));
+  Object& placed = scene.at(scene.ids().front());
+  placed.placed = true;
+  return scene;
+}
+
+Scene read_scene(const std::string& path, const CommonOptions& common) {
+  if (std::filesystem::path(path).extension() != ".glb" || !is_scene_file(path))
+    return scene_of_model(path, common);
+  SceneFile file = read_scene_file(path, common.limits());
+  for (const std::string& note : file.notes) print_note(common, note);
+  return std::move(file.scene);
+}
+
+int render(const RenderArguments& arguments, const CommonOptions& common) {
+  check_outputs({"", "", arguments.picture}, {arguments.scene});
+  PictureMaker maker(arguments.request);
+  const Scene scene = read_scene(arguments.scene, common);
+  clear_progress_line(common);
+  write_file_atomically(arguments.picture, maker.png(scene));
+  if (common.json)
+    std::cout << "{\"picture\": " << json_string(arguments.picture)
+              << ", \"device\": " << json_string(maker.device()) << "}\n";
+  return 0;
+}
+
+}  // namespace
+
+Verb add_render(CLI::App& app, const CommonOptions& common) {
+  CLI::App* const verb =
+      app.add_subcommand("render", "Makes a picture of a scene or a model, without a display");
+  const auto arguments = std::make_shared<RenderArguments>();
+  PictureRequest& request = arguments->request;
+  verb->add_option("scene", arguments->scene, "The scene, or any model file")
+      ->required()
+      ->type_name("SCENE");
+  verb->add_option("-o,--output", arguments->picture, "The picture, .png")->required();
+  verb->add_option("--width", request.width, "Pixels")->check(integer_from(1, 16384));
+  verb->add_option("--height", request.height, "Pixels")->check(integer_from(1, 16384));
+  verb->add_option("--samples", request.samples,
+                   "Views that are averaged: 8 a draft, 128 for print")
+      ->check(integer_from(1, 4096));
+  verb->add_option("--camera", request.camera,
+                   "Eye and target, metres; default: frames everything from above")
+      ->expected(6)
+      ->type_name("EX EY EZ TX TY TZ")
+      ->check(number_from(-kMaxLength, kMaxLength));
+  verb->add_option("--fov", request.fov_deg, "Degrees from the lower to the upper edge")
+      ->check(number_from(1, 170));
+  return {verb, [arguments, &common] { return render(*arguments, common); }};
+}
+
+}  // namespace trivet::apps

@@ -1,0 +1,27 @@
+// The verbs of the command line, each in its own file verb_<name>.cpp.
+#pragma once
+
+#include <functional>
+
+#include "apps/trivet/common.h"
+
+namespace trivet::apps {
+
+/// A verb and what it does once the command line is read.
+/// `run` returns 0, or 1 when an operation was refused or a check failed; it throws Error.
+struct Verb {
+  CLI::App* app;
+  std::function<int()> run;
+};
+
+Verb add_info(CLI::App& app, const CommonOptions& common);
+Verb add_run(CLI::App& app, const CommonOptions& common);
+Verb add_put(CLI::App& app, const CommonOptions& common);
+Verb add_check(CLI::App& app, const CommonOptions& common);
+Verb add_render(CLI::App& app, const CommonOptions& common);
+Verb add_demo(CLI::App& app, const CommonOptions& common);
+Verb add_schema(CLI::App& app, const CommonOptions& common);
+
+extern const char* const kLayoutSchema;  // the text of ops/layout/layout.schema.json
+
+}  // namespace trivet::apps

@@ -1,0 +1,63 @@
+#include "ops/layout/load.h"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <filesystem>
+#include <mutex>
+#include <thread>
+
+namespace trivet {
+namespace {
+
+LoadedModel load_model(const std::string& name, const ModelSource& source) {
+  Model model = source(name);
+  model.path = name;
+  auto shape = make_shape(model.mesh);
+  return {std::make_shared<const Model>(std::move(model)), std::move(shape)};
+}
+
+}  // namespace
+
+ModelSource models_in_folder(const std::string& folder, const ImportLimits& limits) {
+  return [folder, limits](const std::string& name) {
+    return read_model((std::filesystem::path(folder) / name).string(), limits);
+  };
+}
+
+std::vector<LoadedModel> load_models(const std::vector<std::string>& names,
+                                     const ModelSource& source, int num_threads,
+                                     const ProgressCallback& progress) {
+  std::vector<LoadedModel> loaded(names.size());
+  std::vector<std::exception_ptr> errors(names.size());
+  std::atomic<size_t> next = 0;
+  std::atomic<bool> failed = false;
+  std::mutex mutex;
+  size_t num_done = 0;
+  const auto work = [&] {
+    // Names are taken in order, and what is begun is finished: the first error is always found.
+    for (size_t i; !failed && (i = next++) < names.size();) {
+      try {
+        loaded[i] = load_model(names[i], source);
+        const std::lock_guard lock(mutex);
+        if (progress) progress({"load", names[i], ++num_done, names.size()});
+      } catch (...) {
+        errors[i] = std::current_exception();
+        failed = true;
+      }
+    }
+  };
+
+  const size_t num_cores = std::max(1u, std::thread::hardware_concurrency());
+  const size_t num_workers =
+      std::min(names.size(), num_threads > 0 ? static_cast<size_t>(num_threads) : num_cores);
+  std::vector<std::jthread> helpers;
+  for (size_t k = 1; k < num_workers; ++k) helpers.emplace_back(work);
+  work();
+  helpers.clear();
+  for (const std::exception_ptr& error : errors)
+    if (error) std::rethrow_exception(error);
+  return loaded;
+}
+
+}  // namespace trivet

@@ -1,0 +1,41 @@
+// Models for many objects: each read once, with its shape, on several threads.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/index/shape.h"
+#include "core/io/model.h"
+
+namespace trivet {
+
+/// What long work is at; for those who show it.
+struct Progress {
+  std::string stage;  // "load", "stand", "put", "check"
+  std::string item;   // a model or an object
+  size_t done = 0, total = 0;
+};
+using ProgressCallback = std::function<void(const Progress&)>;
+
+/// Gives the model of that name, or throws an Error. Called from several threads at a time.
+using ModelSource = std::function<Model(const std::string& name)>;
+
+/// Models from files, with paths relative to `folder`.
+ModelSource models_in_folder(const std::string& folder, const ImportLimits& limits = {});
+
+struct LoadedModel {
+  std::shared_ptr<const Model> model;  // its path is the name it was asked for by
+  std::shared_ptr<const Shape> shape;
+};
+
+/// Loads the models of these names and makes their shapes. The result does not depend on the number
+/// of threads; of several errors the one of the first name is thrown.
+/// @param num_threads  0: all cores.
+/// @param progress  may be empty; called from one thread at a time.
+std::vector<LoadedModel> load_models(const std::vector<std::string>& names,
+                                     const ModelSource& source, int num_threads,
+                                     const ProgressCallback& progress);
+
+}  // namespace trivet

@@ -1,0 +1,158 @@
+#include "ops/layout/run.h"
+
+#include <algorithm>
+#include <map>
+
+#include "core/base/error.h"
+#include "ops/layout/json_text.h"
+
+namespace trivet {
+namespace {
+
+std::string place(const RunOptions& options, size_t object, const std::string& key) {
+  return options.layout_file + ": /objects/" + std::to_string(object) + key;
+}
+
+// The models in the order in which objects first name them.
+std::vector<std::string> model_names(const Layout& layout) {
+  std::vector<std::string> names;
+  std::map<std::string, bool> seen;
+  for (const LayoutObject& object : layout.objects)
+    if (seen.emplace(object.model, true).second) names.push_back(object.model);
+  return names;
+}
+
+// A model's error gets the place that asked for it.
+ModelSource with_place(const Layout& layout, const ModelSource& models, const RunOptions& options) {
+  if (options.layout_file.empty()) return models;
+  return [&](const std::string& name) {
+    try {
+      return models(name);
+    } catch (const Error& e) {
+      const auto asks = [&](const LayoutObject& o) { return o.model == name; };
+      const auto it = std::find_if(layout.objects.begin(), layout.objects.end(), asks);
+      const auto index = static_cast<size_t>(it - layout.objects.begin());
+      throw Error(e.kind(), place(options, index, "/model: ") + e.what());
+    }
+  };
+}
+
+void check_reach(const LayoutObject& object, const Aabb& box, size_t index,
+                 const RunOptions& options) {
+  const double size = object.scale * box.max_abs_coordinate() * std::sqrt(3.0);
+  const double offset = object.pose ? object.pose->translation.cwiseAbs().maxCoeff() : 0;
+  if (size + offset <= kMaxLength) return;
+  throw Error(Error::Kind::BadInput, place(options, index, ": \"") + object.name + "\" reaches " +
+                                         short_number(size + offset) + " metres; accepted: up to " +
+                                         short_number(kMaxLength));
+}
+
+void report_progress(const RunOptions& options, const std::string& stage, const std::string& item,
+                     size_t done, size_t total) {
+  if (options.progress) options.progress({stage, item, done, total});
+}
+
+// Whatever the layout says to stand; refusals are recorded.
+void stand_objects(const Layout& layout, const RunOptions& options, LayoutRun& run) {
+  for (size_t i = 0; i < layout.objects.size(); ++i) {
+    const LayoutObject& object = layout.objects[i];
+    if (!object.pose) continue;
+    report_progress(options, "stand", object.name, i, layout.objects.size());
+    const ObjectId id = *run.scene.find(object.name);
+    OperationResult result = stand(run.scene, id, *object.pose, options.settle);
+    if (!result.ok()) run.operations.push_back({"stand", object.name, std::move(result)});
+  }
+}
+
+OperationResult not_tried(const OperationRecord& stopped_at) {
+  OperationResult result;
+  result.status = OperationResult::Status::Refused;
+  result.reason = "not tried, because " + stopped_at.op + " of \"" + stopped_at.object +
+                  "\" was refused before";
+  return result;
+}
+
+}  // namespace
+
+void run_operations(const Layout& layout, const RunOptions& options, LayoutRun& run) {
+  const OperationRecord* stopped_at = nullptr;
+  run.operations.reserve(run.operations.size() + layout.operations.size());
+  const auto note_refusal = [&] {
+    if (!options.stop_at_refusal || stopped_at || run.operations.empty()) return;
+    if (!run.operations.back().result.ok()) stopped_at = &run.operations.back();
+  };
+
+  note_refusal();
+  for (size_t i = 0; i < layout.operations.size(); ++i) {
+    const LayoutOperation& operation = layout.operations[i];
+    report_progress(options, to_string(operation.kind), operation.object, i,
+                    layout.operations.size());
+    OperationResult result = stopped_at ? not_tried(*stopped_at)
+                                        : put(run.scene, *run.scene.find(operation.object),
+                                              operation.start, options.settle);
+    run.operations.push_back({to_string(operation.kind), operation.object, std::move(result)});
+    note_refusal();
+  }
+}
+
+void finish_run(const RunOptions& options, LayoutRun& run) {
+  report_progress(options, "check", "", 0, 1);
+  update_contacts(run.scene, options.settle.clearance);
+  run.check = check_scene(run.scene, options.num_threads, options.settle.clearance);
+  report_progress(options, "check", "", 1, 1);
+}
+
+bool LayoutRun::ok() const {
+  const auto is_ok = [](const OperationRecord& r) { return r.result.ok(); };
+  return std::all_of(operations.begin(), operations.end(), is_ok) && check.ok();
+}
+
+Scene make_scene(const Layout& layout, const ModelSource& models, const RunOptions& options) {
+  const std::vector<std::string> names = model_names(layout);
+  const std::vector<LoadedModel> loaded = load_models(names, with_place(layout, models, options),
+                                                      options.num_threads, options.progress);
+  std::map<std::string, LoadedModel> by_name;
+  for (size_t i = 0; i < names.size(); ++i) by_name[names[i]] = loaded[i];
+
+  Scene scene;
+  scene.floor = layout.floor;
+  for (size_t i = 0; i < layout.objects.size(); ++i) {
+    const LayoutObject& wanted = layout.objects[i];
+    const LoadedModel& model = by_name.at(wanted.model);
+    check_reach(wanted, model.model->mesh.box(), i, options);
+    Object object;
+    object.name = wanted.name;
+    object.model = model.model;
+    object.shape = model.shape;
+    object.up = wanted.up.value_or(model.model->up);
+    object.scale = wanted.scale;
+    object.fixed = wanted.fixed;
+    scene.add(std::move(object));
+  }
+  return scene;
+}
+
+LayoutRun run_layout(const Layout& layout, const ModelSource& models, const RunOptions& options) {
+  LayoutRun run;
+  run.scene = make_scene(layout, models, options);
+  stand_objects(layout, options, run);
+  run_operations(layout, options, run);
+  finish_run(options, run);
+  return run;
+}
+
+LayoutRun run_start_only(const Layout& layout, const ModelSource& models,
+                         const RunOptions& options) {
+  LayoutRun run;
+  run.scene = make_scene(layout, models, options);
+  for (const LayoutObject& wanted : layout.objects) {
+    if (!wanted.pose) continue;
+    Object& object = run.scene.at(*run.scene.find(wanted.name));
+    object.pose = *wanted.pose;
+    object.placed = true;
+  }
+  finish_run(options, run);
+  return run;
+}
+
+}  // namespace trivet

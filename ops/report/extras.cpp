@@ -1,0 +1,155 @@
+#include "ops/report/extras.h"
+
+#include <map>
+
+#include "ops/layout/json_text.h"
+#include "ops/report/json_parts.h"
+#include "ops/report/report.h"
+
+namespace trivet {
+namespace {
+
+constexpr int kVersion = 1;
+constexpr double kMaxCount = 1e15;
+
+OrderedJson model_json(const Model& model, const SceneFileOptions& options) {
+  const StoredGeometry stored = stored_geometry(model);
+  return {{"path", joined_path(options.model_folder, model.path)},
+          {"triangles", stored.num_triangles},
+          {"fingerprint", stored.fingerprint},
+          {"stored_fingerprint", stored.stored_fingerprint},
+          {"centre", to_json(stored.centre)},
+          {"face_order", stored.face_order}};
+}
+
+OrderedJson stored_object_json(const Object& object, size_t model) {
+  OrderedJson json = {
+      {"name", object.name},   {"model", model},        {"up", object.up == UpAxis::Y ? "y" : "z"},
+      {"scale", object.scale}, {"fixed", object.fixed}, {"state", to_string(object.state)}};
+  if (!object.placed) return json;
+  const Rotation& r = object.pose.rotation;
+  json["position"] = to_json(object.pose.translation);
+  json["rotation"] = {r.w, r.x, r.y, r.z};
+  return json;
+}
+
+OrderedJson load_support_json(const Scene& scene) {
+  OrderedJson json = OrderedJson::array();
+  for (const LoadSupport::Entry& entry : load_support(scene).entries) {
+    OrderedJson loads = OrderedJson::array();
+    for (const ObjectId id : entry.loads) loads.push_back(scene.at(id).name);
+    json.push_back({{"object", scene.at(entry.object).name},
+                    {"supports", supports_json(scene, entry)},
+                    {"loads", std::move(loads)}});
+  }
+  return json;
+}
+
+OrderedJson layout_json(Layout layout, const SceneFileOptions& options) {
+  for (LayoutObject& object : layout.objects)
+    object.model = joined_path(options.model_folder, object.model);
+  return OrderedJson::parse(write_layout(layout));
+}
+
+ExtrasModel read_model_entry(const JsonPlace& place) {
+  place.expect_object({"path", "triangles", "fingerprint", "stored_fingerprint", "centre"},
+                      {"face_order"});
+  ExtrasModel model;
+  model.path = place.at("path").text();
+  StoredGeometry& stored = model.geometry;
+  stored.num_triangles = static_cast<std::int64_t>(place.at("triangles").number(0, kMaxCount));
+  stored.fingerprint = place.at("fingerprint").text();
+  stored.stored_fingerprint = place.at("stored_fingerprint").text();
+  const std::vector<double> centre = place.at("centre").numbers(3, -1e300, 1e300);
+  stored.centre = {centre[0], centre[1], centre[2]};
+  if (const auto order = place.find("face_order"))
+    for (const JsonPlace& run : order->items()) {
+      const std::vector<double> entry = run.numbers(2, 0, kMaxCount);
+      stored.face_order.push_back(
+          {static_cast<std::int64_t>(entry[0]), static_cast<std::int64_t>(entry[1])});
+    }
+  return model;
+}
+
+ObjectState read_state(const JsonPlace& place) {
+  for (const ObjectState state :
+       {ObjectState::Unplaced, ObjectState::Fixed, ObjectState::Stable, ObjectState::Wedged})
+    if (place.value() == to_string(state)) return state;
+  place.refuse("\"unplaced\", \"fixed\", \"stable\" or \"wedged\"");
+}
+
+// Poses come from Trivet and are taken as they are: no bit may change.
+ExtrasObject read_object_entry(const JsonPlace& place, size_t num_models) {
+  place.expect_object({"name", "model", "up", "scale", "fixed", "state"}, {"position", "rotation"});
+  ExtrasObject object;
+  object.name = place.at("name").text();
+  const double last_model = static_cast<double>(num_models) - 1;
+  object.model = static_cast<size_t>(place.at("model").number(0, last_model));
+  object.up = place.at("up").value() == "y" ? UpAxis::Y : UpAxis::Z;
+  object.scale = place.at("scale").number(kMinScale, kMaxScale);
+  object.fixed = place.at("fixed").boolean();
+  object.state = read_state(place.at("state"));
+  if (!place.find("position")) return object;
+  const std::vector<double> t = place.at("position").numbers(3, -kMaxLength, kMaxLength);
+  const std::vector<double> r = place.at("rotation").numbers(4, -2, 2);
+  object.pose = Pose{{r[0], r[1], r[2], r[3]}, {t[0], t[1], t[2]}};
+  return object;
+}
+
+}  // namespace
+
+std::string scene_extras(const Scene& scene, const Layout& layout,
+                         const SceneFileOptions& options) {
+  OrderedJson models = OrderedJson::array(), objects = OrderedJson::array();
+  std::map<const Model*, size_t> index_of;
+  for (const ObjectId id : scene.ids()) {
+    const Object& object = scene.at(id);
+    const auto [it, is_new] = index_of.emplace(object.model.get(), models.size());
+    if (is_new) models.push_back(model_json(*object.model, options));
+    objects.push_back(stored_object_json(object, it->second));
+  }
+  OrderedJson json = {{"trivet", kVersion},
+                      {"version", options.version},
+                      {"floor", scene.floor},
+                      {"clearance", options.clearance}};
+  json["models"] = std::move(models);
+  json["objects"] = std::move(objects);
+  json["load_support"] = load_support_json(scene);
+  json["layout"] = layout_json(layout, options);
+  return OrderedJson{{"trivet", std::move(json)}}.dump();
+}
+
+std::string node_extras(const Scene& scene, const Object& object, const LoadSupport::Entry* entry,
+                        const SceneFileOptions& options) {
+  const std::string path = joined_path(options.model_folder, object.model->path);
+  return OrderedJson{{"trivet", object_json(scene, object, entry, path)}}.dump();
+}
+
+TrivetExtras parse_scene_extras(const std::string& text, const std::string& file) {
+  const nlohmann::json document = parse_json(text.empty() ? "{}" : text, file);
+  const auto found = JsonPlace(document, file + " (extras of the scene)").find("trivet");
+  if (!found)
+    JsonPlace(document, file).fail("has no data of Trivet; accepted: scenes that Trivet wrote");
+  const JsonPlace& root = *found;
+  root.expect_object({"trivet", "version", "floor", "clearance", "models", "objects", "layout"},
+                     {"load_support"});
+  if (root.at("trivet").value() != kVersion) root.at("trivet").refuse(std::to_string(kVersion));
+
+  TrivetExtras extras;
+  extras.floor = root.at("floor").boolean();
+  extras.clearance = root.at("clearance").number(0, kMaxLength);
+  for (const JsonPlace& item : root.at("models").items())
+    extras.models.push_back(read_model_entry(item));
+  for (const JsonPlace& item : root.at("objects").items())
+    extras.objects.push_back(read_object_entry(item, extras.models.size()));
+  extras.layout = parse_layout(root.at("layout").value().dump(), root.at("layout").where());
+  return extras;
+}
+
+bool has_trivet_extras(const std::string& text) {
+  if (text.empty()) return false;
+  const nlohmann::json document = nlohmann::json::parse(text, nullptr, false);
+  return document.is_object() && document.contains("trivet");
+}
+
+}  // namespace trivet

@@ -1,0 +1,46 @@
+// How a model's triangles get into a scene file and back out to the same bits.
+//
+// A .glb holds float32 positions, about a centre when the model lies far from its origin, and its
+// triangles in groups by material. Most models are float32 from the start, so that nothing is lost
+// but the order of the triangles, and that is recorded. Models with scaled or turned nodes have
+// doubles that float32 cannot hold; a fingerprint tells them.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/io/model.h"
+
+namespace trivet {
+
+/// What has to be known to get a model back out of a scene file.
+struct StoredGeometry {
+  std::int64_t num_triangles = 0;
+  std::string fingerprint;         // of the model's triangles, in double
+  std::string stored_fingerprint;  // of what the file gives back; the same when nothing is lost
+  Vec3 centre = Vec3::Zero();      // what the file's positions are about
+  // Runs of (group of equal material, number of triangles) in the model's order; empty: the file
+  // has the model's order.
+  std::vector<std::array<std::int64_t, 2>> face_order;
+};
+
+/// Of all corners in the order of the triangles; -0 counts as 0. Not proof against malice.
+std::string geometry_fingerprint(const Mesh& mesh);
+
+StoredGeometry stored_geometry(const Model& model);
+
+/// The models of a .glb as Trivet wrote it, one for each of `nodes`, in their mesh's coordinates
+/// and the file's order of triangles.
+/// @param num_triangles  that each must have.
+/// @throws Error (BadInput) when nodes are missing or have other numbers of triangles.
+std::vector<Model> read_node_models(const std::string& path, const std::vector<std::string>& nodes,
+                                    const std::vector<std::int64_t>& num_triangles,
+                                    const ImportLimits& limits);
+
+/// The model in its own order and about its own origin. An order that does not fit is left alone:
+/// the fingerprint shows it.
+Model restored(Model model, const StoredGeometry& stored);
+
+}  // namespace trivet

@@ -1,0 +1,56 @@
+#include "ops/report/json_parts.h"
+
+namespace trivet {
+
+OrderedJson to_json(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+
+OrderedJson to_json(const Affine& affine) {
+  OrderedJson json = OrderedJson::array();
+  for (int r = 0; r < 3; ++r) {
+    for (int c = 0; c < 3; ++c) json.push_back(affine.linear(r, c));
+    json.push_back(affine.translation[r]);
+  }
+  for (const double last : {0.0, 0.0, 0.0, 1.0}) json.push_back(last);
+  return json;
+}
+
+OrderedJson supports_json(const Scene& scene, const LoadSupport::Entry& entry) {
+  OrderedJson json = OrderedJson::array();
+  if (entry.on_floor) json.push_back("floor");
+  for (const ObjectId id : entry.supports) json.push_back(scene.at(id).name);
+  return json;
+}
+
+OrderedJson contacts_json(const Scene& scene, const Object& object) {
+  OrderedJson json = OrderedJson::array();
+  for (const Link& link : object.links) {
+    OrderedJson points = OrderedJson::array();
+    for (const ContactPoint& p : link.contact.points) points.push_back(to_json(p.point));
+    json.push_back({{"with", link.with ? scene.at(*link.with).name : "floor"},
+                    {"type", to_string(link.contact.type)},
+                    {"points", std::move(points)},
+                    {"normal", to_json(link.contact.normal)},
+                    {"gap", link.contact.gap}});
+  }
+  return json;
+}
+
+OrderedJson object_json(const Scene& scene, const Object& object, const LoadSupport::Entry* entry,
+                        const std::string& model_path) {
+  OrderedJson json = {{"name", object.name},
+                      {"model", model_path},
+                      {"triangles", object.shape->mesh.triangles.size()}};
+  const bool placed = object.placed;
+  json["world_from_file"] = placed ? to_json(object.world_from_object()) : OrderedJson();
+  json["centre_of_mass"] = placed ? to_json(object.centre_of_mass()) : OrderedJson();
+  json["mass_rule"] = to_string(object.shape->mass.rule);
+  json["state"] = to_string(object.state);
+  json["supported_by"] = entry ? supports_json(scene, *entry) : OrderedJson::array();
+  json["contacts"] = placed ? contacts_json(scene, object) : OrderedJson::array();
+  const bool rests = placed && !object.fixed;
+  json["stability_margin"] = rests ? OrderedJson(object.stability_margin) : OrderedJson();
+  json["least_friction"] = rests ? OrderedJson(object.least_friction) : OrderedJson();
+  return json;
+}
+
+}  // namespace trivet

@@ -1,0 +1,28 @@
+// What `trivet info` says about a model, as text and as JSON.
+#pragma once
+
+#include <string>
+
+#include "core/index/shape.h"
+#include "core/io/model.h"
+
+namespace trivet {
+
+/// How the faces of a mesh hang together. Faces with two equal corners have fewer edges.
+struct Topology {
+  std::int64_t num_edges = 0;
+  std::int64_t boundary_edges = 0;      // at one face
+  std::int64_t non_manifold_edges = 0;  // at more than two faces
+  std::int64_t flipped_edges = 0;       // two faces run through it in the same direction
+  bool closed = false;    // every edge has an even number of faces: there is an inside
+  bool oriented = false;  // every edge is used as often in either direction
+  bool manifold = false;  // every edge has one or two faces
+};
+Topology topology(const Adjacency& adjacency);
+
+/// One JSON object; lengths in the file's units.
+std::string model_info_json(const Model& model, const Shape& shape);
+/// For people: a line per fact.
+std::string model_info_text(const Model& model, const Shape& shape);
+
+}  // namespace trivet

@@ -1,0 +1,77 @@
+#include "ops/report/report.h"
+
+#include <filesystem>
+#include <map>
+
+#include "ops/layout/json_text.h"
+#include "ops/report/json_parts.h"
+
+namespace trivet {
+namespace {
+
+constexpr int kReportVersion = 1;
+
+OrderedJson objects_json(const Scene& scene, const ReportOptions& options) {
+  const LoadSupport load_support_list = load_support(scene);
+  std::map<std::uint32_t, const LoadSupport::Entry*> entry_of;
+  for (const LoadSupport::Entry& e : load_support_list.entries) entry_of[e.object.index] = &e;
+
+  OrderedJson json = OrderedJson::array();
+  for (const ObjectId id : scene.ids()) {
+    const Object& object = scene.at(id);
+    const auto it = entry_of.find(id.index);
+    json.push_back(object_json(scene, object, it == entry_of.end() ? nullptr : it->second,
+                               joined_path(options.model_folder, object.model->path)));
+  }
+  return json;
+}
+
+OrderedJson operations_json(const std::vector<OperationRecord>& operations) {
+  OrderedJson json = OrderedJson::array();
+  for (const OperationRecord& record : operations)
+    json.push_back({{"op", record.op},
+                    {"object", record.object},
+                    {"status", record.result.ok() ? "ok" : "refused"},
+                    {"reason", record.result.reason},
+                    {"motions", record.result.num_motions},
+                    {"milliseconds", record.result.milliseconds}});
+  return json;
+}
+
+void append_pairs(const std::vector<SceneCheck::PairFinding>& findings, const char* kind,
+                  OrderedJson& json) {
+  for (const SceneCheck::PairFinding& f : findings)
+    json.push_back({{"a", f.a}, {"b", f.b}, {"kind", kind}, {"count", f.count}});
+}
+
+OrderedJson check_json(const SceneCheck& check) {
+  OrderedJson pairs = OrderedJson::array();
+  append_pairs(check.crossings, "crossing", pairs);
+  append_pairs(check.float32_crossings, "float32_crossing", pairs);
+  append_pairs(check.contained, "contained", pairs);
+  return {{"interpenetrating_pairs", check.interpenetrating_pairs()},
+          {"smallest_gap", check.smallest_gap},
+          {"all_at_rest", check.not_at_rest.empty()},
+          {"pairs", std::move(pairs)},
+          {"not_at_rest", check.not_at_rest}};
+}
+
+}  // namespace
+
+std::string report_json(const LayoutRun& run, const ReportOptions& options) {
+  OrderedJson json = {{"trivet", kReportVersion},
+                      {"version", options.version},
+                      {"backend", options.backend},
+                      {"device", options.device}};
+  json["objects"] = objects_json(run.scene, options);
+  json["operations"] = operations_json(run.operations);
+  json["check"] = check_json(run.check);
+  return readable_json(json);
+}
+
+std::string joined_path(const std::string& folder, const std::string& path) {
+  if (folder.empty()) return path;
+  return (std::filesystem::path(folder) / path).lexically_normal().generic_string();
+}
+
+}  // namespace trivet
