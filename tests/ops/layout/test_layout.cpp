@@ -98,7 +98,7 @@ TEST(Layout, written_and_read_to_the_same_bits) {
   layout.floor = false;
   for (int i = 0; i < 1000; ++i) {
     LayoutObject o;
-    o.name = "o" + std::to_string(i), o.model = "m.obj", o.fixed = i % 3 == 0;
+    o.name = std::to_string(i) + "_o", o.model = "m.obj", o.fixed = i % 3 == 0;
     o.scale = std::exp(normal(rng));
     if (i % 2) o.up = i % 4 == 1 ? UpAxis::Y : UpAxis::Z;
     const Rotation r = Rotation{normal(rng), normal(rng), normal(rng), normal(rng)}.normalized();
