@@ -31,7 +31,7 @@ std::array<Vec3, 2> tangents(const Vec3& n) {
   return {u, n.cross(u)};
 }
 
-// The 8 edges of a friction pyramid; no libm: the diagonals are written down.
+// The forces that span a contact's friction pyramid: its normal and 8 edges; no libm: the diagonals are written down.
 std::array<Vec3, 8> pyramid(const Vec3& n, double friction) {
   constexpr double d = 0.70710678118654752;
   const auto [u, v] = tangents(n);
@@ -59,11 +59,15 @@ struct Program {
 Program make_program(const std::vector<ContactPoint>& contacts, const Vec3& centre, double size,
                      double friction) {
   Program program;
-  for (const ContactPoint& c : contacts)
-    for (const Vec3& f : pyramid(c.normal, friction)) {
+  for (const ContactPoint& c : contacts) {
+    const auto add_force = [&](const Vec3& f, double part) {
       const Vec3 t = (c.point - centre).cross(f) / size;
-      program.add_column({f.x(), f.y(), f.z(), t.x(), t.y(), t.z(), friction}, 0);
-    }
+      program.add_column({f.x(), f.y(), f.z(), t.x(), t.y(), t.z(), part}, 0);
+    };
+    add_force(c.normal, 0);
+    if (friction > 0)
+      for (const Vec3& f : pyramid(c.normal, friction)) add_force(f, friction);
+  }
   for (int row = 0; row < 6; ++row)
     for (const double sign : {1.0, -1.0}) {
       double e[6] = {};
@@ -157,8 +161,8 @@ double least_friction(const std::vector<ContactPoint>& contacts, const Vec3& cen
     return equilibrium_residual(contacts, centre, size, friction) <= tolerance;
   };
   if (carrying_margin(contacts, centre, 1 - 1e-9) >= 0 || holds(0)) return 0;
-  if (!holds(kSettlingFriction)) return kInfinity;
-  double low = 0, high = kSettlingFriction;
+  if (!holds(kLargestFriction)) return kInfinity;
+  double low = 0, high = kLargestFriction;
   while (high - low > 0.01 * high && high > 1e-3) {
     const double middle = 0.5 * (low + high);
     (holds(middle) ? high : low) = middle;

@@ -12,6 +12,8 @@ namespace trivet {
 /// friction would let two contacts a hair apart hold anything by pressing against each other.
 inline constexpr double kSettlingFriction = 5.0;
 inline constexpr double kCarryingNormalZ = 0.2;
+/// What an object that cannot sink any further may need to be held.
+inline constexpr double kLargestFriction = 10.0;
 
 /// How far the centre is inside the convex hull of the points, both seen from above.
 /// @return metres; negative outside; -infinity without points.
@@ -29,7 +31,7 @@ double equilibrium_residual(const std::vector<ContactPoint>& contacts, const Vec
                             double size, double friction);
 
 /// Smallest friction coefficient with a residual of at most `tolerance`, to 1 %; infinity when even
-/// kSettlingFriction does not do.
+/// kLargestFriction does not do.
 double least_friction(const std::vector<ContactPoint>& contacts, const Vec3& centre, double size,
                       double tolerance);
 

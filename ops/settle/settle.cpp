@@ -174,7 +174,7 @@ std::vector<ContactPoint> all_points(const std::vector<ContactsWith>& contacts, 
 bool is_at_rest(const std::vector<ContactPoint>& contacts, const Vec3& centre, double size,
                 double clearance) {
   return carrying_margin(contacts, centre) >= 0 ||
-         equilibrium_residual(contacts, centre, size, kSettlingFriction) <=
+         equilibrium_residual(contacts, centre, size, kLargestFriction) <=
              residual_tolerance(size, clearance);
 }
 
