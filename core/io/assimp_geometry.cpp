@@ -128,7 +128,7 @@ class Reader {
                                    : m_left_out.polygons);
         continue;
       }
-      read_corners(instance, face, f);
+      read_corners(instance, face);
       read_normals(mesh, face, normal_matrix);
       m_model.face_material.push_back(material);
     }
@@ -141,14 +141,11 @@ class Reader {
     m_left_out.mirrored += mirrored;
   }
 
-  void read_corners(const Instance& instance, const aiFace& face, unsigned f) {
+  void read_corners(const Instance& instance, const aiFace& face) {
     const aiMesh& mesh = *instance.mesh;
     Triangle triangle;
     for (int k = 0; k < 3; ++k) {
       const unsigned v = face.mIndices[k];
-      if (v >= mesh.mNumVertices)
-        fail(instance, "face " + std::to_string(f) + " refers to vertex " + std::to_string(v) +
-                           " of " + std::to_string(mesh.mNumVertices));
       const aiVector3D& p = mesh.mVertices[v];
       triangle[k] = instance.object_from_mesh.apply(Vec3(p.x, p.y, p.z));
       if (!triangle[k].allFinite())

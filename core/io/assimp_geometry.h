@@ -9,12 +9,13 @@ struct aiScene;
 
 namespace trivet {
 
-/// Fills mesh, face_material, corner_normals, num_nodes and notes of `model`. Reads model.format.
+/// Indices must be in range (check_faces). Fills mesh, face_material, corner_normals, num_nodes and
+/// notes of `model`. Reads model.format.
 ///
 /// Positions are float32 of the file times the product of the float32 node matrices, in double, in
 /// one fixed order: whoever reads the same file with assimp and does the same gets the same bits.
-/// @throws Error (BadInput): no triangle, more triangles than the limit, an index out of range, a
-///   coordinate that is not finite or beyond 1e30; every message begins with `model.path`.
+/// @throws Error (BadInput): no triangle, more triangles than the limit, a coordinate that is not
+///   finite or beyond 1e30; every message begins with `model.path`.
 void read_geometry(const aiScene& scene, const ImportLimits& limits, Model& model);
 
 }  // namespace trivet

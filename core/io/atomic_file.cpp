@@ -95,7 +95,7 @@ void write_file_atomically(const std::string& path, const std::string& bytes) {
   const bool exists = stat(path.c_str(), &old) == 0;
   if (exists && S_ISDIR(old.st_mode)) fail(path, EISDIR);
   if (exists && !S_ISREG(old.st_mode)) return write_through(path, bytes);
-  if (exists && access(path.c_str(), W_OK) != 0) fail(path, errno);
+  if (exists && faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) != 0) fail(path, errno);
 
   // Through a symbolic link, so that the link stays one.
   std::error_code error;

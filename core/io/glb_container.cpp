@@ -43,7 +43,7 @@ void check_header(const std::string& path, const Header& header, std::uintmax_t 
     fail(path, "is truncated: " + std::to_string(file_bytes) + " bytes of " +
                    std::to_string(header.total_bytes));
   if (header.json_type != kJsonChunk) fail(path, "the first chunk of the glTF is not JSON");
-  if (header.json_bytes > header.total_bytes - sizeof(Header))
+  if (sizeof(Header) + std::uint64_t{header.json_bytes} > header.total_bytes)
     fail(path, "the JSON chunk of the glTF is longer than the file");
 }
 

@@ -2,12 +2,8 @@
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
-#include <algorithm>
 #include <assimp/Importer.hpp>
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <new>
 #include <sstream>
 
@@ -15,6 +11,7 @@
 #include "core/io/assimp_appearance.h"
 #include "core/io/assimp_geometry.h"
 #include "core/io/model.h"
+#include "core/io/preflight.h"
 
 namespace trivet {
 namespace {
@@ -23,25 +20,6 @@ namespace fs = std::filesystem;
 
 [[noreturn]] void fail(const std::string& path, const std::string& reason) {
   throw Error(Error::Kind::BadInput, path + ": " + reason);
-}
-
-// Before assimp sees the file, as its messages on these are vague, and it reads all into memory.
-void check_file(const std::string& path, const ImportLimits& limits) {
-  std::error_code error;
-  const fs::file_status status = fs::status(path, error);
-  if (status.type() == fs::file_type::not_found) fail(path, "no such file");
-  if (status.type() == fs::file_type::none) fail(path, "cannot be read: " + error.message());
-  if (status.type() == fs::file_type::directory) fail(path, "is a folder, not a model file");
-  if (status.type() != fs::file_type::regular) fail(path, "is not a regular file");
-  errno = 0;
-  if (!std::ifstream(path, std::ios::binary))
-    fail(path, std::string("cannot be read: ") + std::strerror(errno));
-  const std::uintmax_t bytes = fs::file_size(path, error);
-  if (error) fail(path, "cannot be read: " + error.message());
-  if (bytes == 0) fail(path, "the file is empty");
-  if (bytes > limits.max_file_bytes)
-    fail(path, std::to_string(bytes) + " bytes, more than the limit of " +
-                   std::to_string(limits.max_file_bytes));
 }
 
 void check_extension(const Assimp::Importer& importer, const std::string& path) {
@@ -71,8 +49,13 @@ std::string printable(std::string text) {
   return text.empty() ? "unknown error" : text;
 }
 
+// In two steps, as the second trusts what the first left behind; the result is that of one.
 const aiScene& import_scene(Assimp::Importer& importer, const std::string& path) {
-  const aiScene* scene = importer.ReadFile(path, aiProcess_Triangulate);
+  const aiScene* scene = importer.ReadFile(path, 0);
+  if (scene && scene->mRootNode) {
+    check_faces(path, *scene);
+    scene = importer.ApplyPostProcessing(aiProcess_Triangulate);
+  }
   if (!scene || !scene->mRootNode)
     fail(path, "cannot be read as a model: " + printable(importer.GetErrorString()));
   return *scene;

@@ -29,6 +29,15 @@ std::string IoTest::write(const std::string& name, const std::string& bytes) con
   return path(name);
 }
 
+OrdinaryUser::OrdinaryUser() : m_was_root(geteuid() == 0), m_ordinary(true) {
+  constexpr uid_t kNobody = 65534;
+  if (m_was_root) m_ordinary = seteuid(kNobody) == 0;
+}
+
+OrdinaryUser::~OrdinaryUser() {
+  if (m_was_root && m_ordinary && seteuid(0) != 0) ADD_FAILURE() << "cannot become root again";
+}
+
 std::string read_bytes(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};

@@ -27,6 +27,17 @@ class IoTest : public ::testing::Test {
   std::filesystem::path m_folder;
 };
 
+/// Root may read and write everything; lends the program the rights of nobody. False if it cannot.
+class OrdinaryUser {
+ public:
+  OrdinaryUser();
+  ~OrdinaryUser();
+  explicit operator bool() const { return m_ordinary; }
+
+ private:
+  bool m_was_root, m_ordinary;
+};
+
 std::string read_bytes(const std::string& path);
 
 /// The message of the Error that `call` throws; its kind is checked.

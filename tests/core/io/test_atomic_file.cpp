@@ -1,0 +1,130 @@
+// The target is the old file or the whole new one, and nothing else is left.
+#include <sys/resource.h>
+#include <sys/stat.h>
+
+#include <csignal>
+#include <fstream>
+#include <thread>
+
+#include "core/io/io_testing.h"
+
+namespace trivet {
+namespace {
+
+using testing::error_of;
+using testing::expect_parts;
+using testing::read_bytes;
+
+class AtomicFile : public testing::IoTest {
+ protected:
+  std::string refusal(const std::string& file, const std::string& bytes = "new") const {
+    return error_of([&] { write_file_atomically(file, bytes); }, Error::Kind::Environment);
+  }
+  int num_files() const {
+    int count = 0;
+    for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder()))
+      ++count;
+    return count;
+  }
+};
+
+TEST_F(AtomicFile, WritesAndReplaces) {
+  write_file_atomically(path("f"), "first");
+  EXPECT_EQ(read_bytes(path("f")), "first");
+  write_file_atomically(path("f"), std::string("sec\0nd", 6));
+  EXPECT_EQ(read_bytes(path("f")), std::string("sec\0nd", 6));
+  EXPECT_EQ(num_files(), 1);
+}
+
+TEST_F(AtomicFile, KeepsModeAndLinks) {
+  write("real", "old");
+  chmod(path("real").c_str(), 0640);
+  std::filesystem::create_symlink("real", path("link"));
+  write_file_atomically(path("link"), "new");
+  EXPECT_EQ(read_bytes(path("real")), "new");
+  EXPECT_TRUE(std::filesystem::is_symlink(path("link")));
+  EXPECT_EQ(static_cast<int>(std::filesystem::status(path("real")).permissions()), 0640);
+}
+
+TEST_F(AtomicFile, MissingFolder) {
+  expect_parts(refusal(path("none/f")), {path("none/f"), "No such file or directory"});
+  expect_parts(refusal(""), {"cannot be written"});
+}
+
+TEST_F(AtomicFile, TargetIsAFolder) {
+  std::filesystem::create_directory(path("d"));
+  expect_parts(refusal(path("d")), {path("d"), "Is a directory"});
+  EXPECT_EQ(num_files(), 1);
+}
+
+TEST_F(AtomicFile, FolderIsNotWritable) {
+  write("f", "old");
+  chmod(path("f").c_str(), 0666);
+  chmod(folder().c_str(), 0555);
+  const testing::OrdinaryUser user;
+  if (!user) GTEST_SKIP() << "cannot become a user who may not write everything";
+  expect_parts(refusal(path("f")), {path("f"), "Permission denied"});
+  EXPECT_EQ(read_bytes(path("f")), "old");
+  EXPECT_EQ(num_files(), 1);
+}
+
+TEST_F(AtomicFile, FileIsNotWritable) {
+  write("f", "old");
+  chmod(path("f").c_str(), 0444);
+  chmod(folder().c_str(), 0777);
+  const testing::OrdinaryUser user;
+  if (!user) GTEST_SKIP() << "cannot become a user who may not write everything";
+  expect_parts(refusal(path("f")), {path("f"), "Permission denied"});
+  EXPECT_EQ(read_bytes(path("f")), "old");
+}
+
+// A limit on the size of files stands for a full disk: write() fails half-way.
+TEST_F(AtomicFile, WriteErrorLeavesTheOldFile) {
+  write("f", "old");
+  rlimit old_limit;
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &old_limit), 0);
+  const auto old_handler = std::signal(SIGXFSZ, SIG_IGN);
+  rlimit limit = old_limit;
+  limit.rlim_cur = 1 << 16;
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &limit), 0);
+  const std::string message = refusal(path("f"), std::string(1 << 20, 'x'));
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &old_limit), 0);
+  std::signal(SIGXFSZ, old_handler);
+  expect_parts(message, {path("f"), "File too large"});
+  EXPECT_EQ(read_bytes(path("f")), "old");
+  EXPECT_EQ(num_files(), 1);
+}
+
+TEST_F(AtomicFile, DevicesAreWrittenThrough) {
+  write_file_atomically("/dev/null", "gone");
+  EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
+  expect_parts(refusal("/dev/full"), {"/dev/full", "No space left on device"});
+}
+
+TEST_F(AtomicFile, ManyWritersOneWholeFile) {
+  std::vector<std::thread> threads;
+  for (char c = 'a'; c < 'i'; ++c)
+    threads.emplace_back([this, c] {
+      for (int i = 0; i < 20; ++i) write_file_atomically(path("f"), std::string(10'000, c));
+    });
+  for (std::thread& thread : threads) thread.join();
+  const std::string bytes = read_bytes(path("f"));
+  EXPECT_EQ(bytes, std::string(10'000, bytes[0]));
+  EXPECT_EQ(num_files(), 1);
+}
+
+TEST_F(AtomicFile, AFailedObjLeavesTheOldOne) {
+  const auto model = std::make_shared<const Model>(testing::tetrahedron_model());
+  write("s.obj", "old");
+  std::filesystem::create_directory(path("s.mtl"));  // in the way
+  error_of(
+      [&] {
+        write_scene({{{"t", model, {}, ""}}, ""}, path("s.obj"));
+      },
+      Error::Kind::Environment);
+  EXPECT_EQ(read_bytes(path("s.obj")), "old");
+}
+
+}  // namespace
+}  // namespace trivet

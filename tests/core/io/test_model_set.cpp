@@ -1,0 +1,88 @@
+// Real models beside the project: triangle counts, and bits against the independent reader.
+#include <algorithm>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+
+#include "core/io/io_testing.h"
+
+namespace trivet {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A line of a CSV file; quotes may hold commas.
+std::vector<std::string> cells(const std::string& line) {
+  std::vector<std::string> out(1);
+  bool quoted = false;
+  for (const char c : line)
+    if (c == '"')
+      quoted = !quoted;
+    else if (c == ',' && !quoted)
+      out.emplace_back();
+    else
+      out.back() += c;
+  return out;
+}
+
+void expect_same_as_reference(const Model& model) {
+  EXPECT_TRUE(testing::same_triangles(testing::triangles_of(model.mesh),
+                                      testing::reference_triangles(model.path)))
+      << model.path;
+  EXPECT_EQ(model.face_material.size(), model.mesh.triangles.size());
+  for (const Index m : model.face_material)
+    ASSERT_LT(m, static_cast<Index>(model.materials.size())) << model.path;
+  for (const auto& face : model.corner_normals)
+    for (const Eigen::Vector3f& n : face) ASSERT_NEAR(n.norm(), 1.0f, 1e-5f) << model.path;
+}
+
+TEST(ModelSet, EveryModelReads) {
+  const std::string list = testing::shared_path("data/models.csv");
+  if (list.empty()) GTEST_SKIP() << "no ../shared/data/models.csv";
+  std::ifstream in(list);
+  std::string line;
+  std::getline(in, line);
+  const std::vector<std::string> header = cells(line);
+  const auto column = [&](const char* name) {
+    return std::find(header.begin(), header.end(), name) - header.begin();
+  };
+  const auto file = column("file"), triangles = column("triangles"), up = column("up_axis");
+  int count = 0;
+  for (; std::getline(in, line); ++count) {
+    const std::vector<std::string> row = cells(line);
+    const Model model = read_model(testing::shared_path("data/models/" + row[file]));
+    EXPECT_EQ(std::to_string(model.mesh.triangles.size()), row[triangles]) << row[file];
+    if (model.up_from_format) {
+      EXPECT_EQ(model.up == UpAxis::Y ? "y" : "z", row[up]) << row[file];
+    }
+    expect_same_as_reference(model);
+  }
+  EXPECT_EQ(count, 80);
+}
+
+// assimp's own test files of the formats that the set above lacks. Some are broken or without
+// triangles on purpose.
+TEST(ModelSet, AssimpTestModels) {
+  const fs::path root = "/usr/share/assimp/models";
+  if (!fs::exists(root)) GTEST_SKIP() << "assimp-testmodels is not installed";
+  int read = 0, refused = 0;
+  for (const char* folder : {"FBX", "Collada", "3DS", "glTF2", "OBJ", "PLY", "STL"})
+    for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
+      const std::string extension = entry.path().extension().string();
+      if (!entry.is_regular_file() || extension == ".mtl" || extension == ".bin") continue;
+      SCOPED_TRACE(entry.path().string());
+      try {
+        expect_same_as_reference(read_model(entry.path().string()));
+        ++read;
+      } catch (const Error& error) {
+        testing::expect_parts(error.what(), {entry.path().string()});
+        refused += std::string(error.what()).find("no importer") == std::string::npos;
+      }
+    }
+  std::cout << read << " read, " << refused << " refused\n";
+  EXPECT_GT(read, 100);
+  EXPECT_LT(refused, read / 2);
+}
+
+}  // namespace
+}  // namespace trivet
