@@ -46,8 +46,7 @@ std::vector<PairToCheck> near_pairs(const std::vector<PlacedObject>& objects) {
 }
 
 std::int64_t num_below_floor(const Positions& positions) {
-  return std::count_if(positions.begin(), positions.end(),
-                       [](const Vec3& p) { return p.z() < 0; });
+  return std::count_if(positions.begin(), positions.end(), [](const Vec3& p) { return p.z() < 0; });
 }
 
 void add_floor_findings(const PlacedObject& o, SceneCheck& check) {
@@ -68,10 +67,8 @@ void add_pair_findings(const std::string& a, const std::string& b, const PairVer
 void add_rest_findings(const Scene& scene, const PlacedObject& o, double clearance,
                        SceneCheck& check) {
   const Surroundings others(scene, o.id);
-  for (const ContactsWith& c :
-       touching(scene, *o.object, o.object->pose, others, clearance))
-    for (const ContactPoint& p : c.points)
-      check.smallest_gap = std::min(check.smallest_gap, p.gap);
+  for (const ContactsWith& c : touching(scene, *o.object, o.object->pose, others, clearance))
+    for (const ContactPoint& p : c.points) check.smallest_gap = std::min(check.smallest_gap, p.gap);
   if (!o.object->fixed && !rests_at(scene, *o.object, o.object->pose, others, clearance))
     check.not_at_rest.push_back(o.object->name);
 }
@@ -85,16 +82,15 @@ std::int64_t SceneCheck::interpenetrating_pairs() const {
 }
 
 bool SceneCheck::ok() const {
-  return crossings.empty() && float32_crossings.empty() && contained.empty() &&
-         not_at_rest.empty();
+  return crossings.empty() && float32_crossings.empty() && contained.empty() && not_at_rest.empty();
 }
 
 SceneCheck check_scene(const Scene& scene, int num_threads, double clearance) {
   const tbb::global_control threads(
       tbb::global_control::max_allowed_parallelism,
-      num_threads > 0 ? num_threads
-                      : tbb::global_control::active_value(
-                            tbb::global_control::max_allowed_parallelism));
+      num_threads > 0
+          ? num_threads
+          : tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
   if (!(clearance > 0)) clearance = default_clearance(scene);
   std::vector<PlacedObject> objects = placed_objects(scene);
   tbb::parallel_for(size_t{0}, objects.size(), [&](size_t i) {
@@ -103,9 +99,9 @@ SceneCheck check_scene(const Scene& scene, int num_threads, double clearance) {
   std::vector<PairToCheck> pairs = near_pairs(objects);
   tbb::parallel_for(size_t{0}, pairs.size(), [&](size_t i) {
     const PlacedObject &a = objects[pairs[i].a], &b = objects[pairs[i].b];
-    pairs[i].verdict = verify_pair(*a.object, a.object->pose, a.positions, *b.object,
-                                   b.object->pose, b.positions,
-                                   std::numeric_limits<std::int64_t>::max());
+    pairs[i].verdict =
+        verify_pair(*a.object, a.object->pose, a.positions, *b.object, b.object->pose, b.positions,
+                    std::numeric_limits<std::int64_t>::max());
   });
   SceneCheck check;
   for (const PlacedObject& o : objects) {

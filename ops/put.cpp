@@ -12,7 +12,8 @@ class Stopwatch {
  public:
   explicit Stopwatch(OperationResult& result) : m_result(result) {}
   ~Stopwatch() {
-    m_result.milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - m_start).count();
+    m_result.milliseconds =
+        std::chrono::duration<double, std::milli>(Clock::now() - m_start).count();
   }
 
  private:
@@ -40,17 +41,20 @@ std::string why_not_settled(const Scene& scene, const Surroundings& others, cons
                             const SettleOutcome& outcome, const SettleOptions& options) {
   const std::string name = "\"" + object.name + "\"";
   switch (outcome.status) {
-    case SettleOutcome::Status::AtRest: return "";
+    case SettleOutcome::Status::AtRest:
+      return "";
     case SettleOutcome::Status::Wedged:
-      return options.accept_wedged ? ""
-                                   : name + " is wedged between " +
-                                         list_of(scene, others, outcome.contacts) +
-                                         ": it can neither sink further nor be held there";
-    case SettleOutcome::Status::FallsOut: return "nothing is below " + name + ": it would fall for ever";
+      return options.accept_wedged
+                 ? ""
+                 : name + " is wedged between " + list_of(scene, others, outcome.contacts) +
+                       ": it can neither sink further nor be held there";
+    case SettleOutcome::Status::FallsOut:
+      return "nothing is below " + name + ": it would fall for ever";
     case SettleOutcome::Status::TooManyMotions:
       return name + " did not come to rest within " + std::to_string(options.max_motions) +
              " motions";
-    case SettleOutcome::Status::Crossing: return name + " passes through something at its start";
+    case SettleOutcome::Status::Crossing:
+      return name + " passes through something at its start";
   }
   return "";
 }
@@ -71,8 +75,8 @@ OperationResult put(Scene& scene, ObjectId id, const Pose& start, const SettleOp
     return result;
   }
   const Surroundings others(scene, id);
-  SettleProblem problem{object.shape.get(), object.up, object.scale, start, others.bodies,
-                        scene.floor, options.clearance, options};
+  SettleProblem problem{object.shape.get(), object.up,   object.scale,      start,
+                        others.bodies,      scene.floor, options.clearance, options};
   if (!(problem.clearance > 0))
     problem.clearance = default_clearance(scene, expected_box(scene, object, start));
   SettleOutcome outcome = settle(problem);
@@ -86,10 +90,10 @@ OperationResult put(Scene& scene, ObjectId id, const Pose& start, const SettleOp
     refuse(result, reason);
     return result;
   }
-  commit(scene, id, outcome.pose,
-         outcome.status == SettleOutcome::Status::Wedged ? ObjectState::Wedged
-                                                         : ObjectState::Stable,
-         others, outcome.contacts, problem.clearance);
+  commit(
+      scene, id, outcome.pose,
+      outcome.status == SettleOutcome::Status::Wedged ? ObjectState::Wedged : ObjectState::Stable,
+      others, outcome.contacts, problem.clearance);
   return result;
 }
 
@@ -104,8 +108,7 @@ OperationResult stand(Scene& scene, ObjectId id, const Pose& pose, const SettleO
   }
   const Surroundings others(scene, id);
   double clearance = options.clearance;
-  if (!(clearance > 0))
-    clearance = default_clearance(scene, expected_box(scene, object, pose));
+  if (!(clearance > 0)) clearance = default_clearance(scene, expected_box(scene, object, pose));
   ObjectState state = ObjectState::Fixed;
   if (!object.fixed)
     state = rests_at(scene, object, pose, others, clearance) ? ObjectState::Stable

@@ -35,7 +35,7 @@ struct OperationResult {
   Status status = Status::Ok;
   std::string reason;  // of a refusal, geometric: names the objects
   int num_motions = 0;
-  double milliseconds = 0;  // wall clock
+  double milliseconds = 0;                           // wall clock
   std::int64_t num_queries = 0, num_face_pairs = 0;  // first-contact queries, exact pairs
   std::vector<SettleStep> steps;
 
@@ -44,7 +44,8 @@ struct OperationResult {
 
 /// The whole operation or nothing: when refused, the scene is as it was.
 /// Refused: the start pose crosses, contains or is inside another object or reaches below the
-/// floor; nothing is below it; it wedges; a limit is reached; the exact check of the end pose fails.
+/// floor; nothing is below it; it wedges; a limit is reached; the exact check of the end pose
+/// fails.
 OperationResult put(Scene& scene, ObjectId object, const Pose& start,
                     const SettleOptions& options = {});
 

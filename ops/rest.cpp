@@ -11,9 +11,7 @@ Body body_at(const Object& object, const Pose& pose) {
   return {*object.shape, world_from_object(pose, object.up, object.scale)};
 }
 
-double size_of(const Object& object) {
-  return object.scale * object.shape->mesh.box().diagonal();
-}
+double size_of(const Object& object) { return object.scale * object.shape->mesh.box().diagonal(); }
 
 std::vector<Link> links_of(const Object& object, const Pose& pose, const Surroundings& others,
                            const std::vector<ContactsWith>& contacts, double clearance) {
@@ -36,8 +34,7 @@ void rate_rest(Object& object, const std::vector<ContactPoint>& points, double c
   const Vec3 centre = object.centre_of_mass();
   const double size = size_of(object);
   object.stability_margin = carrying_margin(points, centre);
-  object.least_friction =
-      least_friction(points, centre, size, residual_tolerance(size, clearance));
+  object.least_friction = least_friction(points, centre, size, residual_tolerance(size, clearance));
 }
 
 }  // namespace

@@ -99,8 +99,8 @@ std::string why_invalid(const Scene& scene, ObjectId id, const Pose& pose, bool 
     if (!overlaps(body.world_box, body_of(other, other.pose).world_box,
                   floats ? positions.float_slack : 0.0))
       continue;
-    const PairVerdict v = verify_pair(object, pose, positions, other, other.pose,
-                                      positions_of(other, other.pose), 1);
+    const PairVerdict v =
+        verify_pair(object, pose, positions, other, other.pose, positions_of(other, other.pose), 1);
     if (!v.clear()) return describe(v, object.name, other.name);
   }
   return "";

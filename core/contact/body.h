@@ -57,7 +57,7 @@ struct UnitFrame {
   explicit UnitFrame(const Body& fixed);
   Vec3 point(const Vec3& world) const { return unit_from_world * (world - origin); }
   Vec3 direction(const Vec3& world) const { return unit_from_world * world; }
-  BoxTree tree(const Body& other) const;   // of another body, in this frame
+  BoxTree tree(const Body& other) const;  // of another body, in this frame
   BoxTree own_tree(const Body& fixed) const;
 };
 

@@ -21,8 +21,8 @@ auto features_of(const ContactPoint& c) {
 }
 
 struct FacePlane {
-  Vec3 normal;                   // unit
-  std::array<Vec3, 3> outward;   // unit, in the plane, away from each edge
+  Vec3 normal;                  // unit
+  std::array<Vec3, 3> outward;  // unit, in the plane, away from each edge
   bool valid = false;
 
   explicit FacePlane(const Triangle& t) {
@@ -138,8 +138,7 @@ class ContactSearch {
     if (std::abs(height) > m_tolerance || !over(p, b, plane)) return;
     const Vec3 normal = height < 0 ? Vec3(-plane.normal) : plane.normal;
     if (vertex_dips(m_object, vertex, p, normal)) return;
-    m_found.push_back(
-        {p, normal, std::abs(height), ContactFeatures::VertexFace, vertex, face});
+    m_found.push_back({p, normal, std::abs(height), ContactFeatures::VertexFace, vertex, face});
   }
 
   void try_face_vertex(const Vec3& q, Index vertex, const Triangle& a, const FacePlane& plane,
@@ -148,8 +147,7 @@ class ContactSearch {
     if (std::abs(height) > m_tolerance || !over(q, a, plane)) return;
     const Vec3 normal = height > 0 ? Vec3(-plane.normal) : plane.normal;
     if (vertex_dips(m_support, vertex, q, -normal)) return;
-    m_found.push_back(
-        {q, normal, std::abs(height), ContactFeatures::FaceVertex, face, vertex});
+    m_found.push_back({q, normal, std::abs(height), ContactFeatures::FaceVertex, face, vertex});
   }
 
   void try_edges(const Triangle& a, int i, Index edge_a, const Triangle& b, int j, Index edge_b) {
@@ -167,8 +165,8 @@ class ContactSearch {
     const Vec3 normal = height < 0 ? Vec3(-unit) : unit;
     if (edge_dips(m_object, edge_a, pa, normal) || edge_dips(m_support, edge_b, pb, -normal))
       return;
-    m_found.push_back({0.5 * (pa + pb), normal, std::abs(height), ContactFeatures::EdgeEdge,
-                       edge_a, edge_b});
+    m_found.push_back(
+        {0.5 * (pa + pb), normal, std::abs(height), ContactFeatures::EdgeEdge, edge_a, edge_b});
   }
 
   void try_closest(const Triangle& a, Index face_a, const Triangle& b, Index face_b) {
@@ -237,9 +235,9 @@ Vec3 mean_normal(const std::vector<ContactPoint>& points) {
 void add_faces(const Body& body, ContactFeatures features, bool is_object, Index feature,
                std::vector<Index>& faces) {
   const Adjacency& adjacency = body.shape->adjacency;
-  const bool face = features == ContactFeatures::ClosestPoints ||
-                    features == (is_object ? ContactFeatures::FaceVertex
-                                           : ContactFeatures::VertexFace);
+  const bool face =
+      features == ContactFeatures::ClosestPoints ||
+      features == (is_object ? ContactFeatures::FaceVertex : ContactFeatures::VertexFace);
   if (face) {
     faces.push_back(feature);
   } else if (features == ContactFeatures::EdgeEdge) {
@@ -279,9 +277,12 @@ double cross(const Vec2& o, const Vec2& a, const Vec2& b) {
 
 const char* to_string(ContactType type) {
   switch (type) {
-    case ContactType::Point: return "point";
-    case ContactType::Line: return "line";
-    case ContactType::Area: return "area";
+    case ContactType::Point:
+      return "point";
+    case ContactType::Line:
+      return "line";
+    case ContactType::Area:
+      return "area";
   }
   return "?";
 }

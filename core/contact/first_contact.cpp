@@ -65,9 +65,9 @@ void try_floor_vertex(const FirstContactQuery& query, Index moving, Index vertex
 
 // How a box of the moving body comes nearer to something fixed, along one axis.
 struct Approach {
-  double gap;          // between the boxes along the axis, less the largest stop
-  double extent;       // of the moving box along the axis, to one side
-  double radius;       // of its sphere
+  double gap;             // between the boxes along the axis, less the largest stop
+  double extent;          // of the moving box along the axis, to one side
+  double radius;          // of its sphere
   HeightFunction centre;  // A and B of its centre; f0 is not used
 };
 
@@ -135,8 +135,10 @@ class PairTraversal {
     double until = 0;
     for (int k = 0; k < 3; ++k) {
       const double offset = a.centre[k] - b.centre[k], sign = offset < 0 ? -1 : 1;
-      const Approach approach{std::abs(offset) - a.half[k] - b.half[k] - m_margin, a.half[k],
-                              a.radius, {0, sign * radial[k], sign * tangent[k]}};
+      const Approach approach{std::abs(offset) - a.half[k] - b.half[k] - m_margin,
+                              a.half[k],
+                              a.radius,
+                              {0, sign * radial[k], sign * tangent[k]}};
       until = std::max(until, box_until(approach, Motion::Kind::Rotation));
     }
     return until;
@@ -182,9 +184,7 @@ class PairTraversal {
   }
 
   bool turning() const { return m_query.motion.kind == Motion::Kind::Rotation; }
-  bool hopeless(double bound) const {
-    return bound > m_best.time || bound > m_query.motion.limit;
-  }
+  bool hopeless(double bound) const { return bound > m_best.time || bound > m_query.motion.limit; }
 
   struct Next {
     double bound;
@@ -198,8 +198,8 @@ class PairTraversal {
     ++m_best.work.node_pairs;
     double until = bound(box_a, box_b);
     if (leaf && !hopeless(until))
-      until = std::max(until, open_a ? fixed_leaf_bound(*leaf, box_a)
-                                     : moving_leaf_bound(*leaf, box_b));
+      until = std::max(until,
+                       open_a ? fixed_leaf_bound(*leaf, box_a) : moving_leaf_bound(*leaf, box_b));
     return {until, a, b, box_a, box_b};
   }
 
@@ -263,7 +263,9 @@ class FloorTraversal {
   double bound(Index node) const {
     const BoxTree::Box box = m_tree.box(node);
     const Motion& motion = m_query.motion;
-    Approach approach{box.centre.z() - box.half.z() - m_margin, box.half.z(), box.radius,
+    Approach approach{box.centre.z() - box.half.z() - m_margin,
+                      box.half.z(),
+                      box.radius,
                       {0, 0, motion.axis.z()}};
     if (motion.kind == Motion::Kind::Rotation) {
       const Vec3 r = box.centre - motion.centre;
@@ -337,8 +339,8 @@ FirstContact first_contact_brute_force(const FirstContactQuery& query) {
     for (Index f = 0; f < static_cast<Index>(query.fixed.size()); ++f)
       for (Index i = 0; i < static_cast<Index>(mesh.triangles.size()); ++i)
         for (Index j = 0; j < static_cast<Index>(query.fixed[f].shape->mesh.triangles.size()); ++j)
-          try_faces(query, m, f, i, j, query.moving[m].triangle(i),
-                    query.fixed[f].triangle(j), best);
+          try_faces(query, m, f, i, j, query.moving[m].triangle(i), query.fixed[f].triangle(j),
+                    best);
   }
   return best;
 }

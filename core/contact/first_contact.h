@@ -11,7 +11,7 @@ namespace trivet {
 struct FirstContactQuery {
   std::span<const Body> moving;  // one object, or a carried group that moves as one
   std::span<const Body> fixed;
-  bool floor = false;            // the half space z <= 0 is fixed, too
+  bool floor = false;  // the half space z <= 0 is fixed, too
   Motion motion;
   Clearance clearance;
 };
@@ -30,13 +30,13 @@ struct FirstContact {
   static constexpr Index kFloor = -1;
 
   Status status = Status::Free;
-  double time = kInfinity;              // see Motion; never beyond motion.limit
-  Index moving = 0, fixed = 0;          // indices into the query's spans; fixed may be kFloor
+  double time = kInfinity;                // see Motion; never beyond motion.limit
+  Index moving = 0, fixed = 0;            // indices into the query's spans; fixed may be kFloor
   Index face_moving = 0, face_fixed = 0;  // with the floor: vertex of the moving mesh, and 0
-  Vec3 point = Vec3::Zero();            // on the fixed body
-  Vec3 normal = Vec3::UnitZ();          // unit, from the fixed to the moving body
+  Vec3 point = Vec3::Zero();              // on the fixed body
+  Vec3 normal = Vec3::UnitZ();            // unit, from the fixed to the moving body
   double gap = 0;
-  bool stalled = false;                 // see PairContact::Status::Stalled
+  bool stalled = false;  // see PairContact::Status::Stalled
   QueryWork work;
 };
 

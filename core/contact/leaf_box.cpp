@@ -18,10 +18,9 @@ LeafBox::LeafBox(const Body& body, const BvhNode& leaf, const UnitFrame& frame) 
   const Index* faces = &body.shape->bvh.faces[leaf.second_child];
   const Triangle t = in_frame(body.triangle(faces[0]), frame);
   const std::array<Vec3, 3> edge{t[1] - t[0], t[2] - t[1], t[0] - t[2]};
-  const Vec3& longest =
-      *std::max_element(edge.begin(), edge.end(), [](const Vec3& a, const Vec3& b) {
-        return a.squaredNorm() < b.squaredNorm();
-      });
+  const Vec3& longest = *std::max_element(
+      edge.begin(), edge.end(),
+      [](const Vec3& a, const Vec3& b) { return a.squaredNorm() < b.squaredNorm(); });
   const Vec3 n = edge[0].cross(edge[1]);
   valid = n.squaredNorm() > kFlat * longest.squaredNorm() * longest.squaredNorm();
   if (!valid) return;

@@ -88,8 +88,7 @@ double until_edge_plane(const State& s, const ClosestPoints& closest, double tar
   const double squared = n.squaredNorm();
   if (squared <= kParallelSquaredSine * u.squaredNorm() * v.squaredNorm()) return 0;
   const double sign = n.dot(closest.point_a - closest.point_b) < 0 ? -1 : 1;
-  const NormalScale scale =
-      normal_scale(s, u, v, std::sqrt(squared), closest.distance, target);
+  const NormalScale scale = normal_scale(s, u, v, std::sqrt(squared), closest.distance, target);
   n *= sign;
   double first = scale.valid_until;
   for (const Vec3& p : {s.a[i], s.a[(i + 2) % 3]})
@@ -123,8 +122,8 @@ double until_face_planes(const State& s, const Vec3& towards_a, double target) {
   const Vec3 nb = face_normal(s.b, towards_a), na = face_normal(s.a, towards_a);
   if (nb != Vec3::Zero()) first = std::max(first, until_static_plane(s, nb, target));
   if (na == Vec3::Zero()) return first;
-  return std::max(first, s.turning() ? until_moving_plane(s, na, target)
-                                     : until_static_plane(s, na, target));
+  return std::max(
+      first, s.turning() ? until_moving_plane(s, na, target) : until_static_plane(s, na, target));
 }
 
 // How long the best of the planes keeps the triangles apart.
@@ -164,8 +163,7 @@ PairContact at_contact(PairContact::Status status, double time, const ClosestPoi
   out.time = time;
   out.point = closest.point_b + centre;
   out.gap = closest.distance;
-  if (closest.distance > 0)
-    out.normal = (closest.point_a - closest.point_b) / closest.distance;
+  if (closest.distance > 0) out.normal = (closest.point_a - closest.point_b) / closest.distance;
   return out;
 }
 

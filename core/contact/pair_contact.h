@@ -36,8 +36,8 @@ struct PairContact {
   };
   Status status = Status::Free;
   double time = kInfinity;
-  Vec3 point = Vec3::Zero();   // on the fixed triangle
-  Vec3 normal = Vec3::UnitZ(); // unit, from the fixed to the moving triangle
+  Vec3 point = Vec3::Zero();    // on the fixed triangle
+  Vec3 normal = Vec3::UnitZ();  // unit, from the fixed to the moving triangle
   double gap = 0;
 };
 

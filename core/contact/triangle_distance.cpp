@@ -23,8 +23,8 @@ struct Prepared {
   explicit Prepared(const Triangle& t)
       : p(t), edge{t[1] - t[0], t[2] - t[1], t[0] - t[2]}, normal(edge[0].cross(edge[1])) {
     squared_area = normal.squaredNorm();
-    const double longest = std::max({edge[0].squaredNorm(), edge[1].squaredNorm(),
-                                     edge[2].squaredNorm()});
+    const double longest =
+        std::max({edge[0].squaredNorm(), edge[1].squaredNorm(), edge[2].squaredNorm()});
     if (squared_area <= kSliver * longest * longest) squared_area = 0;
   }
 };
@@ -94,12 +94,13 @@ SegmentPoints with_distance(double s, double t, const Vec3& r, const Vec3& u, co
 }
 
 // Nearly parallel: the ends decide as well as the badly conditioned crossing.
-SegmentPoints better_end(SegmentPoints best, const Vec3& r, const Vec3& u, const Vec3& v,
-                         double uu, double vv, double uv) {
+SegmentPoints better_end(SegmentPoints best, const Vec3& r, const Vec3& u, const Vec3& v, double uu,
+                         double vv, double uv) {
   const double ur = u.dot(r), vr = v.dot(r);
-  const std::array<std::array<double, 2>, 4> ends{
-      {{0, clamp01(vr / vv)}, {1, clamp01((vr + uv) / vv)}, {clamp01(-ur / uu), 0},
-       {clamp01((uv - ur) / uu), 1}}};
+  const std::array<std::array<double, 2>, 4> ends{{{0, clamp01(vr / vv)},
+                                                   {1, clamp01((vr + uv) / vv)},
+                                                   {clamp01(-ur / uu), 0},
+                                                   {clamp01((uv - ur) / uu), 1}}};
   for (const auto& [s, t] : ends) {
     const SegmentPoints end = with_distance(s, t, r, u, v);
     if (end.squared_distance < best.squared_distance) best = end;

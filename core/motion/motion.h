@@ -11,9 +11,9 @@ namespace trivet {
 struct Motion {
   enum class Kind { Translation, Rotation };
   Kind kind = Kind::Translation;
-  Vec3 axis = Vec3::UnitZ();    // unit: direction, or axis of a right-handed turn
-  Vec3 centre = Vec3::Zero();   // a point on the axis of a rotation, world
-  double limit = 0;             // largest time, >= 0
+  Vec3 axis = Vec3::UnitZ();   // unit: direction, or axis of a right-handed turn
+  Vec3 centre = Vec3::Zero();  // a point on the axis of a rotation, world
+  double limit = 0;            // largest time, >= 0
 
   static Motion translation(const Vec3& unit_direction, double length) {
     return {Kind::Translation, unit_direction, Vec3::Zero(), length};

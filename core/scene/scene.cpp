@@ -10,10 +10,14 @@ namespace trivet {
 
 const char* to_string(ObjectState state) {
   switch (state) {
-    case ObjectState::Unplaced: return "unplaced";
-    case ObjectState::Fixed: return "fixed";
-    case ObjectState::Stable: return "stable";
-    case ObjectState::Wedged: return "wedged";
+    case ObjectState::Unplaced:
+      return "unplaced";
+    case ObjectState::Fixed:
+      return "fixed";
+    case ObjectState::Stable:
+      return "stable";
+    case ObjectState::Wedged:
+      return "wedged";
   }
   return "?";
 }
@@ -24,8 +28,8 @@ ObjectId Scene::add(Object object) {
   if (find(object.name))
     throw Error(Error::Kind::BadInput,
                 "two objects are named \"" + object.name + "\"; names must be unique");
-  const auto free_slot = std::find_if(m_slots.begin(), m_slots.end(),
-                                      [](const Slot& slot) { return !slot.object; });
+  const auto free_slot =
+      std::find_if(m_slots.begin(), m_slots.end(), [](const Slot& slot) { return !slot.object; });
   const size_t index = free_slot - m_slots.begin();
   if (free_slot == m_slots.end()) m_slots.emplace_back();
   Slot& slot = m_slots[index];
@@ -66,8 +70,7 @@ std::optional<ObjectId> Scene::find(const std::string& name) const {
 std::vector<ObjectId> Scene::ids() const {
   std::vector<ObjectId> out;
   for (size_t i = 0; i < m_slots.size(); ++i)
-    if (m_slots[i].object)
-      out.push_back({static_cast<std::uint32_t>(i), m_slots[i].generation});
+    if (m_slots[i].object) out.push_back({static_cast<std::uint32_t>(i), m_slots[i].generation});
   std::sort(out.begin(), out.end(), [&](ObjectId a, ObjectId b) {
     return m_slots[a.index].order < m_slots[b.index].order;
   });

@@ -61,10 +61,10 @@ class Scene {
   ObjectId add(Object object);
   void remove(ObjectId id);
   bool contains(ObjectId id) const;
-  Object& at(ObjectId id);              // asserts that the id is alive
+  Object& at(ObjectId id);  // asserts that the id is alive
   const Object& at(ObjectId id) const;
   std::optional<ObjectId> find(const std::string& name) const;
-  std::vector<ObjectId> ids() const;    // in the order of their addition
+  std::vector<ObjectId> ids() const;  // in the order of their addition
 
   /// World box of the placed objects; holds all vertices, may be a little larger.
   Aabb box() const;

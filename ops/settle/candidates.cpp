@@ -17,6 +17,9 @@ constexpr double kApproach = 1e-4;   // relative speed into a contact that still
 constexpr double kNoSupport = 1e-6;  // normal.z below which a contact does not hinder a fall
 constexpr double kTie = 1e-9;        // of the size: the centre is exactly over the axis
 constexpr double kQuarterTurn = 1;   // tan(90 degrees / 2)
+constexpr size_t kMaxLastResorts = 8;
+constexpr double kPartingSpeed = 1e-3;  // relative, at which a last resort leaves other contacts
+constexpr int kProjectionSweeps = 200;
 
 // Turning about `axis` through `point` until the centre is lowest, at most a quarter turn.
 Motion turn(const Vec3& point, const Vec3& axis, const Vec3& centre) {
@@ -36,6 +39,28 @@ bool stands_against(const std::vector<ContactPoint>& contacts, const Vec3& point
   });
 }
 
+// The axis nearest to `wanted` about which all contacts but the one at `point` part: projection
+// onto a cone of half spaces [Hildreth 1957]. Zero if there is none.
+Vec3 parting_axis(const std::vector<ContactPoint>& contacts, const Vec3& point,
+                  const Vec3& wanted) {
+  std::vector<double> weights(contacts.size(), 0.0);
+  Vec3 axis = wanted;
+  for (int sweep = 0; sweep < kProjectionSweeps; ++sweep)
+    for (size_t i = 0; i < contacts.size(); ++i) {
+      const Vec3 arm = contacts[i].point - point;
+      const double length = arm.norm();
+      if (length == 0) continue;
+      const Vec3 g = arm.cross(contacts[i].normal) / length;  // speed of parting = g . axis
+      const double squared = g.squaredNorm();
+      if (squared < kApproach) continue;
+      const double change = std::max(-weights[i], (kPartingSpeed - g.dot(axis)) / squared);
+      weights[i] += change;
+      axis += change * g;
+    }
+  const double length = axis.norm();
+  return length > 0.05 ? Vec3(axis / length) : Vec3(Vec3::Zero());
+}
+
 double gauss_gain(const Vec3& axis, const Vec3& r, double radius_squared) {
   const Vec3 speed = axis.cross(r);
   return speed.z() * speed.z() / (radius_squared + speed.squaredNorm());
@@ -50,7 +75,8 @@ class Enumeration {
     const bool held = std::any_of(m_contacts.begin(), m_contacts.end(),
                                   [](const ContactPoint& c) { return c.normal.z() >= kNoSupport; });
     if (!held)
-      m_out.push_back({SettleStep::Kind::Fall, Motion::translation(-Vec3::UnitZ(), limit), 1});
+      m_out.sticking.push_back(
+          {SettleStep::Kind::Fall, Motion::translation(-Vec3::UnitZ(), limit), 1});
   }
 
   void about_point(const Vec3& p) {
@@ -59,8 +85,14 @@ class Enumeration {
     if (level > kTie * m_object.size)
       return add(SettleStep::Kind::TurnAboutPoint, p, Vec3(-r.y(), r.x(), 0) / level);
     constexpr double d = 0.70710678118654752;
-    for (const auto& [x, y] : {std::pair{1.0, 0.0}, {d, d}, {0.0, 1.0}, {-d, d}, {-1.0, 0.0},
-                               {-d, -d}, {0.0, -1.0}, {d, -d}})
+    for (const auto& [x, y] : {std::pair{1.0, 0.0},
+                               {d, d},
+                               {0.0, 1.0},
+                               {-d, d},
+                               {-1.0, 0.0},
+                               {-d, -d},
+                               {0.0, -1.0},
+                               {d, -d}})
       add(SettleStep::Kind::TurnAboutPoint, p, Vec3(x, y, 0));
   }
 
@@ -75,23 +107,41 @@ class Enumeration {
     if (down > 0 || tie) add(SettleStep::Kind::TurnAboutLine, p, -axis);
   }
 
-  std::vector<Candidate> best() {
-    std::stable_sort(m_out.begin(), m_out.end(),
-                     [](const Candidate& a, const Candidate& b) { return a.gain > b.gain; });
-    if (m_out.size() > kMaxCandidates) m_out.resize(kMaxCandidates);
+  Candidates best() {
+    keep_best(m_out.sticking, kMaxCandidates);
+    keep_best(m_out.last_resorts, kMaxLastResorts);
     return std::move(m_out);
   }
 
  private:
+  static void keep_best(std::vector<Candidate>& candidates, size_t limit) {
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.gain > b.gain; });
+    if (candidates.size() > limit) candidates.resize(limit);
+  }
+
+  // A turn about one point that other contacts stand against: the nearest turn that they allow.
+  void add_last_resort(const Vec3& point, const Vec3& wanted) {
+    const Vec3 axis = parting_axis(m_contacts, point, wanted), r = m_object.centre - point;
+    if (axis == Vec3::Zero() || axis.cross(r).z() >= 0 || stands_against(m_contacts, point, axis))
+      return;
+    m_out.last_resorts.push_back({SettleStep::Kind::TurnAboutPoint,
+                                  turn(point, axis, m_object.centre),
+                                  gauss_gain(axis, r, m_object.radius_squared)});
+  }
+
   void add(SettleStep::Kind kind, const Vec3& point, const Vec3& axis) {
-    if (stands_against(m_contacts, point, axis)) return;
-    m_out.push_back({kind, turn(point, axis, m_object.centre),
-                     gauss_gain(axis, m_object.centre - point, m_object.radius_squared)});
+    if (stands_against(m_contacts, point, axis)) {
+      if (kind == SettleStep::Kind::TurnAboutPoint) add_last_resort(point, axis);
+      return;
+    }
+    m_out.sticking.push_back({kind, turn(point, axis, m_object.centre),
+                              gauss_gain(axis, m_object.centre - point, m_object.radius_squared)});
   }
 
   const std::vector<ContactPoint>& m_contacts;
   const SettlingObject& m_object;
-  std::vector<Candidate> m_out;
+  Candidates m_out;
 };
 
 // --- the paper's cases -----------------------------------------------------------------------
@@ -119,9 +169,9 @@ std::vector<Candidate> paper_area(const std::vector<ContactPoint>& contacts,
                                   const std::vector<Vec2>& hull, const SettlingObject& object) {
   if (hull_margin(hull, object.centre.head<2>()) >= 0) return {};
   const auto lifted = [&](const Vec2& p) {
-    return std::find_if(contacts.begin(), contacts.end(), [&](const ContactPoint& c) {
-             return Vec2(c.point.head<2>()) == p;
-           })->point;
+    return std::find_if(contacts.begin(), contacts.end(),
+                        [&](const ContactPoint& c) { return Vec2(c.point.head<2>()) == p; })
+        ->point;
   };
   size_t nearest = 0;
   double best = kInfinity;
@@ -134,8 +184,8 @@ std::vector<Candidate> paper_area(const std::vector<ContactPoint>& contacts,
 
 }  // namespace
 
-std::vector<Candidate> gauss_candidates(const std::vector<ContactPoint>& all,
-                                        const SettlingObject& object, double fall_limit) {
+Candidates gauss_candidates(const std::vector<ContactPoint>& all, const SettlingObject& object,
+                            double fall_limit) {
   const std::vector<ContactPoint> contacts = reduced(all, kMaxContacts);
   Enumeration enumeration(contacts, object);
   enumeration.fall(fall_limit);
@@ -147,21 +197,21 @@ std::vector<Candidate> gauss_candidates(const std::vector<ContactPoint>& all,
   return enumeration.best();
 }
 
-std::vector<Candidate> paper_candidates(const std::vector<ContactPoint>& contacts,
-                                        const SettlingObject& object, double fall_limit) {
+Candidates paper_candidates(const std::vector<ContactPoint>& contacts, const SettlingObject& object,
+                            double fall_limit) {
   if (contacts.empty())
-    return {{SettleStep::Kind::Fall, Motion::translation(-Vec3::UnitZ(), fall_limit), 1}};
+    return {{{SettleStep::Kind::Fall, Motion::translation(-Vec3::UnitZ(), fall_limit), 1}}, {}};
   std::vector<Vec2> points;
   for (const ContactPoint& c : contacts) points.push_back(c.point.head<2>());
   const std::vector<Vec2> hull = convex_hull(points);
-  if (hull.size() > 2) return paper_area(contacts, hull, object);
-  if (hull.size() == 1) return {paper_point(contacts.front().point, object)};
+  if (hull.size() > 2) return {paper_area(contacts, hull, object), {}};
+  if (hull.size() == 1) return {{paper_point(contacts.front().point, object)}, {}};
   // All above one line: the two that are farthest apart.
   const auto by_xy = [](const ContactPoint& a, const ContactPoint& b) {
     return std::make_tuple(a.point.x(), a.point.y()) < std::make_tuple(b.point.x(), b.point.y());
   };
   const auto [p, q] = std::minmax_element(contacts.begin(), contacts.end(), by_xy);
-  return {paper_line(p->point, q->point, object)};
+  return {{paper_line(p->point, q->point, object)}, {}};
 }
 
 }  // namespace trivet

@@ -28,11 +28,17 @@ struct Candidate {
 /// [SETTLING section 3, rule 2; generalises the three cases of Shinya 1995, 5.3, which get stuck
 /// where supports differ in height or slope.]
 /// @param fall_limit  metres.
-std::vector<Candidate> gauss_candidates(const std::vector<ContactPoint>& contacts,
-                                        const SettlingObject& object, double fall_limit);
+struct Candidates {
+  std::vector<Candidate> sticking;
+  /// For an object that no sticking motion lowers and no forces hold: turns about one contact point
+  /// on the nearest axis about which all other contacts part.
+  std::vector<Candidate> last_resorts;
+};
+Candidates gauss_candidates(const std::vector<ContactPoint>& contacts, const SettlingObject& object,
+                            double fall_limit);
 
 /// The paper's three cases literally (one motion, or none when its rules call the object stable).
-std::vector<Candidate> paper_candidates(const std::vector<ContactPoint>& contacts,
-                                        const SettlingObject& object, double fall_limit);
+Candidates paper_candidates(const std::vector<ContactPoint>& contacts, const SettlingObject& object,
+                            double fall_limit);
 
 }  // namespace trivet

@@ -1,7 +1,7 @@
 #include "ops/settle/equilibrium.h"
 
-#include <Eigen/Geometry>
 #include <ClpSimplex.hpp>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -31,13 +31,14 @@ std::array<Vec3, 2> tangents(const Vec3& n) {
   return {u, n.cross(u)};
 }
 
-// The forces that span a contact's friction pyramid: its normal and 8 edges; no libm: the diagonals are written down.
+// The forces that span a contact's friction pyramid: its normal and 8 edges; no libm: the diagonals
+// are written down.
 std::array<Vec3, 8> pyramid(const Vec3& n, double friction) {
   constexpr double d = 0.70710678118654752;
   const auto [u, v] = tangents(n);
-  return {n + friction * u, n + friction * d * (u + v), n + friction * v,
-          n + friction * d * (v - u), n - friction * u, n - friction * d * (u + v),
-          n - friction * v, n + friction * d * (u - v)};
+  return {n + friction * u,           n + friction * d * (u + v), n + friction * v,
+          n + friction * d * (v - u), n - friction * u,           n - friction * d * (u + v),
+          n - friction * v,           n + friction * d * (u - v)};
 }
 
 // Column by column, as CLP wants it.

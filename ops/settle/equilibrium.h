@@ -35,8 +35,8 @@ double equilibrium_residual(const std::vector<ContactPoint>& contacts, const Vec
 double least_friction(const std::vector<ContactPoint>& contacts, const Vec3& centre, double size,
                       double tolerance);
 
-/// At most about `limit` contacts with (nearly) the same span of forces: per direction of normal the
-/// convex hull of the points, then the points farthest from each other.
+/// At most about `limit` contacts with (nearly) the same span of forces: per direction of normal
+/// the convex hull of the points, then the points farthest from each other.
 std::vector<ContactPoint> reduced(const std::vector<ContactPoint>& contacts, size_t limit);
 
 }  // namespace trivet

@@ -28,10 +28,14 @@ class Settling {
       if (lift_if_needed(points)) continue;
       if (carrying_margin(points, m_object.centre) >= kRestMargin * m_object.size)
         return finish(SettleOutcome::Status::AtRest);
-      const Outcome outcome = give_way(points);
-      if (outcome == Outcome::Moved) continue;
+      const Candidates candidates = candidate_motions(points);
+      Outcome outcome = give_way(candidates.sticking);
+      if (outcome == Outcome::Stuck) {
+        if (is_balanced()) return finish(SettleOutcome::Status::AtRest);
+        outcome = give_way(candidates.last_resorts);
+      }
       if (outcome == Outcome::FallsOut) return finish(SettleOutcome::Status::FallsOut);
-      return finish(is_balanced() ? SettleOutcome::Status::AtRest : SettleOutcome::Status::Wedged);
+      if (outcome == Outcome::Stuck) return finish(SettleOutcome::Status::Wedged);
     }
     return finish(SettleOutcome::Status::TooManyMotions);
   }
@@ -43,8 +47,7 @@ class Settling {
 
   // Body, centre and contacts at the present pose.
   std::vector<ContactPoint> look_around() {
-    m_body = Body(*m_problem.shape,
-                  world_from_object(m_out.pose, m_problem.up, m_problem.scale));
+    m_body = Body(*m_problem.shape, world_from_object(m_out.pose, m_problem.up, m_problem.scale));
     m_object.centre = m_body.world_from_object.apply(m_problem.shape->mass.centre);
     const double tolerance = kContactTolerance * clearance();
     m_out.contacts = contacts_with(m_body, m_problem.fixed, m_problem.floor, tolerance,
@@ -77,19 +80,19 @@ class Settling {
     m_out.steps.push_back({kind, m_out.pose, drop});
   }
 
+  Candidates candidate_motions(const std::vector<ContactPoint>& points) const {
+    return m_problem.options.literal_paper_rules ? paper_candidates(points, m_object, fall_limit())
+                                                 : gauss_candidates(points, m_object, fall_limit());
+  }
+
   // Executes the first candidate that lowers the centre of mass.
-  Outcome give_way(const std::vector<ContactPoint>& points) {
-    const std::vector<Candidate> candidates =
-        m_problem.options.literal_paper_rules
-            ? paper_candidates(points, m_object, fall_limit())
-            : gauss_candidates(points, m_object, fall_limit());
+  Outcome give_way(const std::vector<Candidate>& candidates) {
     for (const Candidate& c : candidates) {
       const FirstContact found = query(c.motion);
       if (c.kind == SettleStep::Kind::Fall && found.status == FirstContact::Status::Free)
         return Outcome::FallsOut;
       const double time = std::min(found.time, c.motion.limit);
-      const double drop =
-          m_object.centre.z() - moved_point(m_object.centre, c.motion, time).z();
+      const double drop = m_object.centre.z() - moved_point(m_object.centre, c.motion, time).z();
       if (drop < kEnergyDrop * clearance()) continue;
       execute(c.kind, c.motion, time, drop);
       return Outcome::Moved;

@@ -22,10 +22,10 @@ struct SettleProblem {
   const Shape* shape = nullptr;
   UpAxis up = UpAxis::Z;
   double scale = 1;
-  Pose start;                    // free of interpenetration
+  Pose start;  // free of interpenetration
   std::span<const Body> fixed;
   bool floor = true;
-  double clearance = 0;          // metres, > 0
+  double clearance = 0;  // metres, > 0
   SettleOptions options;
 };
 
