@@ -12,13 +12,13 @@ namespace {
 // A section of the spoon: an upper and a lower face, `hollow` deep below the rim, joined by a thin
 // edge. `across` points in each face.
 Ring spoon_section(const CurveSample& at, int across) {
-  const double rim = at[1], half_width = at[2], hollow = at[3], body = at[4], edge = 0.0005;
+  const double rim = at[1], half_width = at[2], hollow = at[3], body = at[4], edge = 0.0008;
   Ring ring;
   for (const int face : {0, 1}) {
     for (int k = 0; k < across; ++k) {
       const double t = -1 + 2.0 * k / (across - 1), u = face == 0 ? t : -t;
       const double sag = face == 0 ? hollow : hollow + body;
-      const double z = rim - sag * (1 - u * u) - (face == 0 ? 0 : edge);
+      const double z = rim - sag * (1 - u * u * std::abs(u)) - (face == 0 ? 0 : edge);
       ring.points.emplace_back(at[0], half_width * u, z);
     }
   }
@@ -44,13 +44,13 @@ Ring knife_section(const CurveSample& at, int segments, double z_middle) {
 
 Model make_spoon() {
   // x, height of the rim, half width, hollow, thickness in the middle.
-  const auto line = flatten({smooth({-0.0700, 0.0072, 0.0022, 0.0002, 0.0010}),
-                             smooth({-0.0680, 0.0072, 0.0062, 0.0014, 0.0011}),
-                             smooth({-0.0620, 0.0073, 0.0110, 0.0038, 0.0012}),
-                             smooth({-0.0500, 0.0075, 0.0148, 0.0060, 0.0013}),
-                             smooth({-0.0370, 0.0079, 0.0140, 0.0058, 0.0014}),
-                             smooth({-0.0260, 0.0089, 0.0092, 0.0034, 0.0017}),
-                             smooth({-0.0200, 0.0102, 0.0048, 0.0008, 0.0020}),
+  const auto line = flatten({smooth({-0.0700, 0.0086, 0.0022, 0.0002, 0.0010}),
+                             smooth({-0.0680, 0.0086, 0.0062, 0.0014, 0.0011}),
+                             smooth({-0.0620, 0.0086, 0.0110, 0.0044, 0.0012}),
+                             smooth({-0.0500, 0.0087, 0.0148, 0.0072, 0.0013}),
+                             smooth({-0.0370, 0.0090, 0.0140, 0.0070, 0.0014}),
+                             smooth({-0.0260, 0.0098, 0.0092, 0.0040, 0.0017}),
+                             smooth({-0.0200, 0.0108, 0.0048, 0.0008, 0.0020}),
                              smooth({-0.0120, 0.0128, 0.0030, -0.0002, 0.0023}),
                              smooth({0.0080, 0.0172, 0.0028, -0.0004, 0.0022}),
                              smooth({0.0350, 0.0150, 0.0042, -0.0006, 0.0020}),

@@ -12,7 +12,7 @@ namespace {
 constexpr double kTurn = 2 * std::numbers::pi;
 
 Material crust() { return make_material("crust", 0.40f, 0.17f, 0.045f, 0.7f); }
-Material crumb() { return make_material("crumb", 0.83f, 0.66f, 0.38f, 0.8f); }
+Material crumb() { return make_material("crumb", 0.92f, 0.78f, 0.52f, 0.8f); }
 
 // The outline of a slice of bread in the (y, z) plane, its flat base at z = 0: half of it, from the
 // base to the top of the dome, mirrored to a closed polygon.
@@ -20,7 +20,7 @@ std::vector<Vec2> bread_outline(double half_width, double height, double toleran
   const double w = half_width, h = height;
   const auto half = flatten(
       {corner({0, 0}), corner({0.86 * w, 0}), smooth({0.95 * w, 0.06 * h}),
-       smooth({0.94 * w, 0.40 * h}), smooth({0.90 * w, 0.58 * h}), smooth({1.00 * w, 0.72 * h}),
+       smooth({0.95 * w, 0.40 * h}), smooth({0.92 * w, 0.58 * h}), smooth({1.00 * w, 0.72 * h}),
        smooth({0.88 * w, 0.88 * h}), smooth({0.50 * w, 0.97 * h}), pole(h)},
       tolerance);
   std::vector<Vec2> outline;

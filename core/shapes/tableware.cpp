@@ -20,7 +20,7 @@ Model make_saucer() {
        smooth({0.0705, 0.0196}), smooth({0.053, 0.0108}), smooth({0.0350, 0.0074}),
        corner({0.0325, 0.0070}), corner({0.0310, 0.0045}), corner({0, 0.0045})},
       0.0008);
-  const Part body{skin(revolve(profile, {34, 24, 0.0352}))};
+  const Part body{skin(revolve(profile, {38, 24, 0.0352}))};
   return assemble("saucer", {body}, {porcelain(), cobalt()});
 }
 
@@ -49,14 +49,15 @@ Model make_bowl() {
 }
 
 Model make_egg_cup() {
+  // The rim is narrower than the egg, which so rests on it well below its middle.
   const auto profile =
-      flatten({corner({0, 0}), corner({0.0235, 0}), smooth({0.0245, 0.0025}, kBand),
-               smooth({0.0225, 0.0055}), smooth({0.0105, 0.0120}), smooth({0.0085, 0.0180}),
-               smooth({0.0125, 0.0235}), smooth({0.0205, 0.0330}), smooth({0.0232, 0.0465}, kBand),
-               smooth({0.0228, 0.0490}, kBand), smooth({0.0212, 0.0485}), smooth({0.0190, 0.0370}),
-               smooth({0.0120, 0.0285}), pole(0.0260)},
+      flatten({corner({0, 0}), corner({0.0225, 0}), smooth({0.0235, 0.0025}, kBand),
+               smooth({0.0215, 0.0055}), smooth({0.0105, 0.0120}), smooth({0.0085, 0.0170}),
+               smooth({0.0115, 0.0220}), smooth({0.0182, 0.0310}), smooth({0.0206, 0.0440}, kBand),
+               smooth({0.0200, 0.0460}, kBand), smooth({0.0182, 0.0455}), smooth({0.0165, 0.0370}),
+               smooth({0.0110, 0.0290}), pole(0.0265)},
               0.0006);
-  const Part body{skin(revolve(profile, {26, 16, 0.0130}))};
+  const Part body{skin(revolve(profile, {24, 16, 0.0120}))};
   return assemble("egg_cup", {body}, {porcelain(), cobalt()});
 }
 

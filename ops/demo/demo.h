@@ -15,6 +15,12 @@ struct DemoModel {
   Model model;
 };
 
+/// From where a picture of the demo looks best; world, metres.
+struct DemoView {
+  Vec3 eye, target;
+  double fov_deg;  // from the lower to the upper edge, for pictures of about 3 : 2
+};
+
 /// What `trivet demo` runs, and what it exports: the layout as a file, the models beside it. The
 /// objects' up axis is left to the model, so that made and re-read models stand alike (a glTF file
 /// is y up). Each movable object has just one PUT; at its start it touches nothing.
@@ -22,6 +28,7 @@ struct DemoLayout {
   std::string name;
   std::vector<DemoModel> models;
   Layout layout;
+  DemoView view;
 
   /// @throws Error (BadInput) when there is no model under that file name.
   const Model& model(const std::string& file) const;

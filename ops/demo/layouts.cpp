@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/shapes/assemble.h"
 #include "core/shapes/models.h"
 
 namespace trivet {
@@ -31,7 +32,7 @@ class LayoutWriter {
   void fix(const std::string& object, const std::string& model) {
     add_object(object, model);
     m_demo.layout.objects.back().fixed = true;
-    m_demo.layout.objects.back().pose = Pose{};
+    m_demo.layout.objects.back().pose = Pose{{}, Vec3(0, 0, shapes::kGrid)};
   }
 
   // `tilt_deg` is about the object's own x axis, before it is turned about z.
@@ -42,6 +43,8 @@ class LayoutWriter {
     const Pose start{rotation.normalized(), Vec3(x, y, m_ground + kStartHeight)};
     m_demo.layout.operations.push_back({LayoutOperation::Kind::Put, object, start});
   }
+
+  void look(const DemoView& view) { m_demo.view = view; }
 
   DemoLayout take() { return std::move(m_demo); }
 
@@ -64,10 +67,10 @@ class LayoutWriter {
 // A person's place: angles and positions as the person in front sees them; the other one is across.
 void put_drinks(LayoutWriter* w, const std::string& who, double side) {
   const double turn = side > 0 ? 0 : 180;
-  const double x = side * 0.105, y = side * -0.205;
+  const double x = side * 0.125, y = side * -0.210;
   w->put("saucer_" + who, "saucer", x, y, turn);
   w->put("cup_" + who, "cup", x, y, turn + 35);
-  w->put("spoon_" + who, "spoon", x + side * 0.004, y - side * 0.0575, turn + 183);
+  w->put("spoon_" + who, "spoon", x + side * 0.005, y - side * 0.051, turn + 173);
 }
 
 }  // namespace
@@ -75,32 +78,34 @@ void put_drinks(LayoutWriter* w, const std::string& who, double side) {
 DemoLayout make_spoon_saucer() {
   LayoutWriter w("spoon-saucer", 0);
   w.put("saucer", "saucer", 0, 0);
-  w.put("spoon", "spoon", 0.030, 0.012, 20);
+  w.look({Vec3(0.10, -0.27, 0.25), Vec3(0.012, 0, 0.008), 29});
+  w.put("spoon", "spoon", 0.036, 0.014, 29);
   return w.take();
 }
 
 DemoLayout make_breakfast() {
   LayoutWriter w("breakfast", shapes::kClothHeight);
+  w.look({Vec3(0.40, -1.08, 1.34), Vec3(0.005, -0.010, 0.76), 33});
   w.fix("table", "table");
   w.put("plate_front", "plate", -0.13, -0.20);
-  w.put("plate_back", "plate", 0.13, 0.20);
+  w.put("plate_back", "plate", 0.15, 0.205);
   put_drinks(&w, "front", 1);
   put_drinks(&w, "back", -1);
   w.put("toast", "toast", -0.135, -0.200, 12);
   w.put("knife", "knife", -0.040, -0.170, 262);
-  w.put("egg_cup", "egg_cup", 0.125, 0.195);
-  w.put("egg", "egg", 0.125, 0.195, 40);
-  w.put("glass_front", "glass", 0.035, -0.085);
-  w.put("glass_back", "glass", -0.035, 0.100);
-  w.put("teapot", "teapot", -0.170, 0.030, 205);
-  w.put("jug", "jug", 0.130, 0.020, 300);
-  w.put("bowl", "bowl", 0.400, -0.020);
-  w.put("apple_1", "apple", 0.445, -0.020, 15);
-  w.put("apple_2", "apple", 0.378, 0.020, 140);
-  w.put("apple_3", "apple", 0.378, -0.060, 265);
-  w.put("banana_1", "banana", 0.385, -0.035, 20);
-  w.put("banana_2", "banana", 0.400, 0.020, 35);
-  w.put("loaf", "loaf", -0.420, -0.020, 60);
+  w.put("egg_cup", "egg_cup", 0.145, 0.200);
+  w.put("egg", "egg", 0.145, 0.200);
+  w.put("glass_front", "glass", 0.025, -0.090);
+  w.put("glass_back", "glass", -0.010, 0.125);
+  w.put("teapot", "teapot", -0.165, 0.040, 165);
+  w.put("jug", "jug", 0.130, 0.015, 300);
+  w.put("bowl", "bowl", 0.360, -0.030);
+  w.put("apple_1", "apple", 0.405, -0.030, 15);
+  w.put("apple_2", "apple", 0.338, 0.010, 140);
+  w.put("apple_3", "apple", 0.338, -0.070, 265);
+  w.put("banana_1", "banana", 0.375, 0.015, 320, -10);
+  w.put("banana_2", "banana", 0.380, -0.060, 325, -10);
+  w.put("loaf", "loaf", -0.370, 0.040, 310);
   return w.take();
 }
 

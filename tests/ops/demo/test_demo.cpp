@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "ops/demo/demo.h"
+#include "ops/layout/run.h"
 
 namespace trivet {
 namespace {
@@ -81,6 +82,70 @@ TEST(Demo, WritesALayoutThatReadsBack) {
       EXPECT_EQ(a.translation, b.translation);
       EXPECT_EQ(a.rotation.matrix(), b.rotation.matrix());
     }
+  }
+}
+
+using Supports = std::map<std::string, std::set<std::string>>;
+
+// Who stands on whom, after the demo has run.
+Supports supports_of(const Scene& scene) {
+  Supports out;
+  for (const LoadSupport::Entry& entry : load_support(scene).entries)
+    for (const ObjectId id : entry.supports)
+      out[scene.at(entry.object).name].insert(scene.at(id).name);
+  return out;
+}
+
+LayoutRun run(const DemoLayout& demo) {
+  return run_layout(demo.layout, [&](const std::string& file) { return demo.model(file); }, {});
+}
+
+TEST(Demo, ComesToRestWithoutInterpenetration) {
+  for (const std::string& name : demo_names()) {
+    const LayoutRun result = run(make_demo(name));
+    EXPECT_TRUE(result.ok());
+    for (const OperationRecord& op : result.operations) {
+      EXPECT_TRUE(op.result.ok()) << op.object << ": " << op.result.reason;
+    }
+    EXPECT_EQ(result.check.interpenetrating_pairs(), 0);
+    EXPECT_GT(result.check.smallest_gap, 0);
+    for (const ObjectId id : result.scene.ids()) {
+      const Object& object = result.scene.at(id);
+      EXPECT_TRUE(object.fixed || object.state == ObjectState::Stable) << object.name;
+      EXPECT_LT(object.least_friction, 0.5) << object.name;
+    }
+  }
+}
+
+TEST(Demo, LaysTheTable) {
+  const LayoutRun result = run(make_demo("breakfast"));
+  const Supports supports = supports_of(result.scene);
+  const auto expect = [&](const char* object, std::set<std::string> on) {
+    EXPECT_EQ(supports.at(object), on) << object;
+  };
+  for (const char* object : {"plate_front", "plate_back", "saucer_front", "saucer_back", "bowl",
+                             "glass_front", "glass_back", "teapot", "jug", "loaf"})
+    expect(object, {"table"});
+  for (const std::string who : {"front", "back"}) {
+    expect(("cup_" + who).c_str(), {"saucer_" + who});
+    expect(("spoon_" + who).c_str(), {"saucer_" + who});
+  }
+  expect("egg_cup", {"plate_back"});
+  expect("egg", {"egg_cup"});
+  expect("toast", {"plate_front"});
+  expect("knife", {"plate_front"});
+  for (const char* apple : {"apple_1", "apple_2", "apple_3"}) expect(apple, {"bowl"});
+  for (const char* banana : {"banana_1", "banana_2"})
+    EXPECT_GE(supports.at(banana).size(), 2u) << banana;
+}
+
+// What was put upright stands upright: the z axis of each of these is the world's.
+TEST(Demo, KeepsTheTablewareUpright) {
+  const LayoutRun result = run(make_demo("breakfast"));
+  for (const char* name : {"cup_front", "cup_back", "teapot", "jug", "bowl", "glass_front",
+                           "glass_back", "egg_cup", "egg", "plate_front", "plate_back"}) {
+    const Object& object = result.scene.at(*result.scene.find(name));
+    EXPECT_GT(object.pose.rotation.matrix()(2, 2), 0.9999) << name;
   }
 }
 
