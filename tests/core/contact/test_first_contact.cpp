@@ -1,0 +1,106 @@
+// The traversal against brute force, bit for bit.
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+#include "core/contact/first_contact.h"
+#include "random_queries.h"
+#include "support/effort.h"
+
+namespace trivet {
+namespace {
+
+using test::RandomQuery;
+using Status = FirstContact::Status;
+
+struct Tally {
+  int total = 0, contact = 0, crossing = 0, stalled = 0;
+
+  void add(const FirstContact& found) {
+    ++total;
+    contact += found.status == Status::Contact;
+    crossing += found.status == Status::Crossing;
+    stalled += found.stalled;
+  }
+  double contact_percent() const { return 100.0 * contact / total; }
+  double crossing_percent() const { return 100.0 * crossing / total; }
+  void print(const char* name) const {
+    std::printf("  %-22s %6d motions, %5.1f %% contact, %5.1f %% crossing, %d stalled\n", name,
+                total, contact_percent(), crossing_percent(), stalled);
+  }
+};
+
+/// Asks both ways; false (and a message that repeats the case) when they differ.
+bool agree(const RandomQuery& q, const FirstContact& fast, unsigned seed, int index) {
+  const FirstContact truth = q.brute_force();
+  if (test::same_answer(fast, truth)) return true;
+  ADD_FAILURE() << "seed " << seed << ", query " << index << ": " << q.describe()
+                << "\n  traversal:   " << test::describe(fast)
+                << "\n  brute force: " << test::describe(truth);
+  return false;
+}
+
+TEST(FirstContact, EqualsBruteForceOnRandomMotions) {
+  constexpr unsigned kSeed = 20260101;
+  const int num_queries = test::with_effort(40000);
+  std::printf("seed %u, %d queries\n", kSeed, num_queries);
+  const test::MeshPool pool(kSeed, 24);
+  Tally all, near, turning, per_kind[test::kNumMeshKinds];
+  int num_different = 0;
+  for (int i = 0; i < num_queries && num_different < 5; ++i) {
+    const RandomQuery q = test::random_query(pool, kSeed, i);
+    const FirstContact found = q.fast();
+    num_different += !agree(q, found, kSeed, i);
+    all.add(found);
+    per_kind[static_cast<int>(q.kind_moving)].add(found);
+    if (q.starts_near) near.add(found);
+    if (q.motion.kind == Motion::Kind::Rotation) turning.add(found);
+  }
+  all.print("all");
+  near.print("starting in contact");
+  turning.print("rotations");
+  for (int k = 0; k < test::kNumMeshKinds; ++k)
+    per_kind[k].print(to_string(static_cast<test::MeshKind>(k)));
+
+  EXPECT_EQ(all.stalled, 0);
+  EXPECT_GT(all.contact_percent(), 10);
+  EXPECT_LT(all.contact_percent(), 40);
+  EXPECT_GT(all.crossing_percent(), 1);
+  EXPECT_LT(all.crossing_percent(), 25);
+  EXPECT_GT(near.total, 0.1 * all.total);
+  EXPECT_GT(near.contact_percent(), 10);
+  EXPECT_GT(turning.total, 0.4 * all.total);
+  EXPECT_GT(turning.contact_percent(), 10);
+  for (const Tally& t : per_kind) EXPECT_GT(t.contact_percent(), 3);
+}
+
+TEST(FirstContact, GroupsOverTheFloorEqualBruteForce) {
+  constexpr unsigned kSeed = 20260202;
+  const int num_queries = test::with_effort(3000);
+  std::printf("seed %u, %d queries\n", kSeed, num_queries);
+  const test::MeshPool pool(kSeed, 12);
+  Tally all;
+  int num_floor = 0, num_later_body = 0, num_different = 0;
+  for (int i = 0; i < num_queries && num_different < 5; ++i) {
+    const RandomQuery q = test::random_group_query(pool, kSeed, i);
+    const FirstContact found = q.fast();
+    num_different += !agree(q, found, kSeed, i);
+    all.add(found);
+    if (found.status != Status::Contact) continue;
+    num_floor += found.fixed == FirstContact::kFloor;
+    num_later_body += found.moving > 0 && found.fixed > 0;
+  }
+  all.print("groups");
+  std::printf("  %d contacts with the floor, %d of later bodies\n", num_floor, num_later_body);
+  EXPECT_EQ(all.stalled, 0);
+  EXPECT_GT(all.contact_percent(), 10);
+  EXPECT_LT(all.contact_percent(), 40);
+  EXPECT_GT(all.crossing_percent(), 1);
+  EXPECT_LT(all.crossing_percent(), 25);
+  EXPECT_GT(num_floor, 0.02 * all.total);
+  EXPECT_GT(num_later_body, 0.02 * all.total);
+}
+
+}  // namespace
+}  // namespace trivet
