@@ -27,8 +27,9 @@ struct ExportScene {
 /// exact check of a float32 export looks at, and it is computed by the code that writes the file.
 std::vector<Eigen::Vector3f> exported_positions(const ExportObject& object);
 
-/// By extension: .glb, .obj, .ply, .stl. Writes beside the target and renames, so that the target
-/// is either the old file or the whole new one.
+/// By extension: .glb, .obj (with .mtl beside it), .ply, .stl; the last three hold the coordinates
+/// of exported_positions(). Objects without triangles stay as empty nodes. Writes beside the target
+/// and renames, so that the target is either the old file or the whole new one.
 /// @throws Error: BadInput for an unknown extension, Environment when it cannot be written.
 void write_scene(const ExportScene& scene, const std::string& path);
 
@@ -36,7 +37,8 @@ void write_scene(const ExportScene& scene, const std::string& path);
 /// @throws Error (Environment) naming the path and the system's reason; no partial output is left.
 void write_file_atomically(const std::string& path, const std::string& bytes);
 
-/// The extras that Trivet put into a .glb: of the scene, and of each node by name.
+/// The extras of a .glb as JSON text: of the scene (empty: none), and of each node that has some,
+/// by the node's name.
 struct SceneExtras {
   std::string scene_json;
   std::vector<std::pair<std::string, std::string>> node_json;

@@ -10,6 +10,10 @@
 #include <iterator>
 #include <tuple>
 
+// assimp 5.2 leaks on files that it refuses; under AddressSanitizer only our own leaks count.
+extern "C" const char* __lsan_default_suppressions();
+extern "C" const char* __lsan_default_suppressions() { return "leak:libassimp"; }
+
 namespace trivet::testing {
 
 namespace fs = std::filesystem;
@@ -22,7 +26,10 @@ void IoTest::SetUp() {
   fs::create_directories(m_folder);
 }
 
-void IoTest::TearDown() { fs::remove_all(m_folder); }
+void IoTest::TearDown() {
+  fs::permissions(m_folder, fs::perms::owner_all);  // a test may have taken them away
+  fs::remove_all(m_folder);
+}
 
 std::string IoTest::write(const std::string& name, const std::string& bytes) const {
   std::ofstream(path(name), std::ios::binary) << bytes;
