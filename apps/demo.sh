@@ -1,0 +1,21 @@
+#!/usr/bin/env bash
+# From a fresh Debian 12 to a breakfast table: installs what is missing, builds Trivet and lays out
+# the demo BREAKFAST, every object put by Trivet.
+#   apps/demo.sh [spoon-saucer|breakfast]
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+demo="${1:-breakfast}"
+
+.ci/install-packages.sh build
+.ci/build.sh release -DTRIVET_TESTS=OFF
+mkdir -p out
+build/release/apps/trivet demo "$demo" -o "out/$demo.glb" --report "out/$demo.json" \
+  --picture "out/$demo.png"
+cat <<END
+
+The results are in $PWD/out:
+  $demo.glb    the scene, for any program that reads glTF
+  $demo.json   the report: poses, contacts, what rests on what
+  $demo.png    the picture
+The program is build/release/apps/trivet; see its --help.
+END
