@@ -41,11 +41,15 @@ struct BoxTree {
   struct Box {
     Vec3 centre, half;
     double radius;  // of the sphere about the box
+    Vec3 own_half;  // along the body's own axes
   };
+  /// Unit, in this frame.
+  Vec3 own_axis(int k) const { return linear.col(k) / scale; }
   Box box(Index node) const {
     const Aabb b = bvh.nodes[node].box();
     const Vec3 half = b.half_extent();
-    return {linear * b.centre() + translation, abs_linear * half, scale * half.norm()};
+    return {linear * b.centre() + translation, abs_linear * half, scale * half.norm(),
+            scale * half};
   }
 };
 

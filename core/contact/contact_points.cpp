@@ -47,7 +47,9 @@ class ContactSearch {
         m_slack(slack),
         m_frame(support),
         m_tree_object(m_frame.tree(object)),
-        m_tree_support(m_frame.own_tree(support)) {
+        m_tree_support(m_frame.own_tree(support)),
+        m_own_axis{m_tree_object.own_axis(0), m_tree_object.own_axis(1),
+                   m_tree_object.own_axis(2)} {
     m_reach = tolerance * 1.001 + 1e-14 * m_tree_object.translation.cwiseAbs().maxCoeff();
   }
 
@@ -68,7 +70,13 @@ class ContactSearch {
 
  private:
   bool apart(const BoxTree::Box& a, const BoxTree::Box& b) const {
-    return ((a.centre - b.centre).cwiseAbs().array() > (a.half + b.half).array() + m_reach).any();
+    const Vec3 d = a.centre - b.centre;
+    if ((d.cwiseAbs().array() > (a.half + b.half).array() + m_reach).any()) return true;
+    for (int k = 0; k < 3; ++k) {
+      const Vec3& n = m_own_axis[k];
+      if (std::abs(n.dot(d)) > a.own_half[k] + n.cwiseAbs().dot(b.half) + m_reach) return true;
+    }
+    return false;
   }
 
   // `leaf` is the tight box of the node that is a leaf already.
@@ -199,6 +207,7 @@ class ContactSearch {
   double m_tolerance, m_slack, m_reach = 0;
   UnitFrame m_frame;
   BoxTree m_tree_object, m_tree_support;
+  std::array<Vec3, 3> m_own_axis;  // of the object
   std::vector<ContactPoint> m_found, m_fallback;
 };
 

@@ -96,7 +96,8 @@ class PairTraversal {
         m_a(m_frame.tree(query.moving[moving])),
         m_b(m_frame.own_tree(query.fixed[fixed])),
         m_axis(m_frame.direction(query.motion.axis)),
-        m_centre(m_frame.point(query.motion.centre)) {
+        m_centre(m_frame.point(query.motion.centre)),
+        m_own_axis{m_a.own_axis(0), m_a.own_axis(1), m_a.own_axis(2)} {
     const double spread = m_a.translation.cwiseAbs().maxCoeff() + m_centre.cwiseAbs().maxCoeff();
     m_margin = query.clearance.largest_stop() * 1.002 + 1e-14 * spread;
   }
@@ -140,6 +141,23 @@ class PairTraversal {
                               a.radius,
                               {0, sign * radial[k], sign * tangent[k]}};
       until = std::max(until, box_until(approach, Motion::Kind::Rotation));
+    }
+    return until;
+  }
+
+  // The same along the moving body's own axes, which turn with it: its boxes are tight there.
+  double own_axes_bound(const BoxTree::Box& a, const BoxTree::Box& b) const {
+    const Vec3 q = b.centre - m_centre, d = b.centre - a.centre;
+    double until = 0;
+    for (int k = 0; k < 3; ++k) {
+      const double offset = m_own_axis[k].dot(d), sign = offset < 0 ? -1 : 1;
+      const double extent = m_own_axis[k].cwiseAbs().dot(b.half);
+      const double gap = std::abs(offset) - a.own_half[k] - extent - m_margin;
+      if (gap <= 0) continue;
+      const Vec3 n = sign * m_own_axis[k];
+      HeightFunction centre{0, 0, -n.dot(m_axis)};
+      if (turning()) centre = {0, q.dot(n) - m_axis.dot(q) * m_axis.dot(n), q.dot(m_axis.cross(n))};
+      until = std::max(until, box_until({gap, extent, b.radius, centre}, m_query.motion.kind));
     }
     return until;
   }
@@ -188,8 +206,13 @@ class PairTraversal {
 
   struct Next {
     double bound;
+    double gap;  // of the boxes' spheres, at time 0
     Index a, b;
     BoxTree::Box box_a, box_b;
+
+    bool before(const Next& other) const {
+      return std::tie(bound, gap) < std::tie(other.bound, other.gap);
+    }
   };
 
   // The bound of a pair of nodes; `leaf` is the tight box of the one that is a leaf already.
@@ -197,10 +220,12 @@ class PairTraversal {
             const LeafBox* leaf) const {
     ++m_best.work.node_pairs;
     double until = bound(box_a, box_b);
+    if (!hopeless(until)) until = std::max(until, own_axes_bound(box_a, box_b));
     if (leaf && !hopeless(until))
       until = std::max(until,
                        open_a ? fixed_leaf_bound(*leaf, box_a) : moving_leaf_bound(*leaf, box_b));
-    return {until, a, b, box_a, box_b};
+    return {until, (box_a.centre - box_b.centre).norm() - box_a.radius - box_b.radius, a, b, box_a,
+            box_b};
   }
 
   void visit(Index ia, Index ib, const BoxTree::Box& box_a, const BoxTree::Box& box_b,
@@ -220,7 +245,7 @@ class PairTraversal {
                     : next(ia, first, box_a, m_b.box(first), false, usable);
     Next y = open_a ? next(second, ib, m_a.box(second), box_b, true, usable)
                     : next(ia, second, box_a, m_b.box(second), false, usable);
-    if (y.bound < x.bound) std::swap(x, y);
+    if (y.before(x)) std::swap(x, y);
     for (const Next* n : {&x, &y})
       if (!hopeless(n->bound)) visit(n->a, n->b, n->box_a, n->box_b, leaf);
   }
@@ -243,6 +268,7 @@ class PairTraversal {
   UnitFrame m_frame;
   BoxTree m_a, m_b;
   Vec3 m_axis, m_centre;
+  std::array<Vec3, 3> m_own_axis;  // of the moving body
   double m_margin;
 };
 
