@@ -1,0 +1,273 @@
+// First contact of two triangles: nothing comes closer on the way, by sampling the motion.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+
+#include "core/base/tunables.h"
+#include "core/contact/pair_contact.h"
+#include "core/contact/triangle_distance.h"
+#include "reference_distance.h"
+#include "support/effort.h"
+
+namespace trivet {
+namespace {
+
+using Status = PairContact::Status;
+
+struct PairCase {
+  Triangle moving, fixed;
+  Motion motion;
+  Clearance clearance;
+  bool starts_near = false;
+
+  Triangle moved(double time) const {
+    return {moved_point(moving[0], motion, time), moved_point(moving[1], motion, time),
+            moved_point(moving[2], motion, time)};
+  }
+  double distance(double time) const { return closest_points(moved(time), fixed).distance; }
+  PairContact contact() const { return first_contact(moving, fixed, motion, clearance); }
+  double tolerance() const {
+    return test::distance_tolerance(moving, fixed) *
+           std::max(test::extent(moved(motion.limit), fixed), test::extent(moving, fixed));
+  }
+};
+
+/// A motion that leads from `from` to about `to`.
+Motion aimed_motion(bool rotation, const Vec3& from, const Vec3& to, test::Random& random) {
+  const Vec3 d = to - from + random.in_cube(0.3);
+  if (!rotation) return Motion::translation(d.normalized(), random.uniform(0.5, 3));
+  const Vec3 across = d.cross(random.direction()).normalized();
+  const Vec3 centre = from + 0.5 * d + random.uniform(0.6, 2) * across;
+  return Motion::rotation(centre, (from - centre).cross(to - centre).normalized(), 1);
+}
+
+Motion next_motion(const PairCase& c, test::Random& random) {
+  const bool rotation = random.integer(0, 1);
+  const Vec3 from = c.moving[0], to = c.fixed[random.integer(0, 2)];
+  if (random.integer(0, 3) && (to - from).norm() > 1e-3)
+    return aimed_motion(rotation, from, to, random);
+  Motion motion = test::random_motion(rotation, from, 1, random);
+  if (random.integer(0, 3) == 0) motion.axis = Vec3::Unit(random.integer(0, 2));
+  if (random.integer(0, 3) == 0) motion.centre = to;
+  return motion;
+}
+
+/// Clearances from 1e-7 to a third of the triangles; each third start is where another motion led.
+PairCase random_case(unsigned seed, int index) {
+  test::Random random(seed + static_cast<unsigned>(index));
+  const auto [a, b] = test::random_pair(index, random);
+  PairCase c{a, b, {}, {std::pow(10.0, random.uniform(-7, -0.5))}};
+  const Vec3 away = random.uniform(0, 2) * random.direction();
+  for (Vec3& p : c.moving) p += away;
+  c.motion = next_motion(c, random);
+  for (int attempt = 0; index % 3 == 0 && attempt < 4 && !c.starts_near; ++attempt) {
+    const PairContact found = c.contact();
+    c.starts_near = found.status == Status::Contact;
+    if (c.starts_near) c.moving = c.moved(found.time);
+    c.motion = next_motion(c, random);
+  }
+  return c;
+}
+
+/// Smallest distance up to `end`: samples, and a search between the neighbours of the smallest.
+double smallest_distance(const PairCase& c, double end) {
+  constexpr int kSamples = 48;
+  double best = kInfinity;
+  int at = 0;
+  for (int k = 0; k <= kSamples; ++k)
+    if (const double d = c.distance(end * k / kSamples); d < best) best = d, at = k;
+  double low = end * std::max(at - 1, 0) / kSamples,
+         high = end * std::min(at + 1, kSamples) / kSamples;
+  for (int k = 0; k < 40; ++k) {
+    const double x = low + (high - low) / 3, y = high - (high - low) / 3;
+    const double dx = c.distance(x), dy = c.distance(y);
+    best = std::min({best, dx, dy});
+    (dx < dy ? high : low) = dx < dy ? y : x;
+  }
+  return best;
+}
+
+/// What is wrong with the answer; empty: nothing.
+std::string complaint(const PairCase& c, const PairContact& found) {
+  const double start = c.distance(0), tolerance = c.tolerance();
+  if (found.status == Status::Crossing)
+    return test::reference_distance(c.moving, c.fixed) <= tolerance ? "" : "no crossing";
+  const double target = c.clearance.target(start);
+  const double least = target * (1 - 1e-9) - tolerance;
+  const double end = found.status == Status::Free ? c.motion.limit : found.time;
+  if (smallest_distance(c, end) < least) return "too close on the way";
+  if (found.status != Status::Contact) return "";
+  if (found.time > c.motion.limit) return "beyond the limit";
+  const double gap = c.distance(found.time);
+  if (gap > (1 + kTargetSlack) * target + tolerance) return "stops too early";
+  if (std::abs(gap - found.gap) > tolerance) return "wrong gap";
+  // The normal is the difference of two points that are `gap` apart.
+  if (std::abs(found.normal.norm() - 1) > 1e-15 + 4 * tolerance / gap) return "normal is not unit";
+  // The witness and the normal lead to the moving triangle.
+  const Vec3 q = found.point + found.gap * found.normal;
+  const double off = static_cast<double>(
+      std::max(test::reference_distance({q, q, q}, c.moved(found.time)),
+               test::reference_distance({found.point, found.point, found.point}, c.fixed)));
+  return off <= 4 * tolerance ? "" : "witness is off";
+}
+
+TEST(PairContact, NothingIsPassedAndTheStopIsAtTheTarget) {
+  constexpr unsigned kSeed = 21;
+  const int num_cases = test::with_effort(100000);
+  int num_contact = 0, num_crossing = 0, num_stalled = 0, num_near = 0, num_wrong = 0;
+  for (int i = 0; i < num_cases && num_wrong < 5; ++i) {
+    const PairCase c = random_case(kSeed, i);
+    const PairContact found = c.contact();
+    num_contact += found.status == Status::Contact;
+    num_crossing += found.status == Status::Crossing;
+    num_stalled += found.status == Status::Stalled;
+    num_near += c.starts_near;
+    const std::string why = complaint(c, found);
+    num_wrong += !why.empty();
+    EXPECT_EQ(why, "") << "seed " << kSeed << ", case " << i << ", "
+                       << (c.motion.kind == Motion::Kind::Rotation ? "turn" : "slide") << ", time "
+                       << found.time << ", clearance " << c.clearance.distance << ", start "
+                       << c.distance(0) << ", gap " << found.gap;
+  }
+  std::printf("seed %u: %d pairs, %d contacts, %d crossing, %d stalled, %d from contact\n", kSeed,
+              num_cases, num_contact, num_crossing, num_stalled, num_near);
+  EXPECT_EQ(num_stalled, 0);
+  EXPECT_GT(num_contact, 0.1 * num_cases);
+  EXPECT_LT(num_contact, 0.5 * num_cases);
+  EXPECT_GT(num_crossing, 0.01 * num_cases);
+  EXPECT_LT(num_crossing, 0.25 * num_cases);
+  EXPECT_GT(num_near, 0.05 * num_cases);
+}
+
+TEST(PairContact, DoesNotDependOnTheBestKnownTime) {
+  constexpr unsigned kSeed = 22;
+  for (int i = 0; i < test::with_effort(10000); ++i) {
+    const PairCase c = random_case(kSeed, i);
+    const PairContact free = c.contact();
+    if (free.status != Status::Contact) continue;
+    for (const double factor : {1.0, 1.5}) {
+      const PairContact bounded =
+          first_contact(c.moving, c.fixed, c.motion, c.clearance, factor * free.time);
+      EXPECT_EQ(bounded.status, free.status) << "case " << i;
+      EXPECT_EQ(bounded.time, free.time);
+      EXPECT_EQ(bounded.point, free.point);
+      EXPECT_EQ(bounded.gap, free.gap);
+    }
+    EXPECT_EQ(first_contact(c.moving, c.fixed, c.motion, c.clearance, 0.5 * free.time).status,
+              Status::Free);
+  }
+}
+
+// --- named cases -----------------------------------------------------------------------------
+
+const Triangle kFloor{Vec3(-1, -1, 0), Vec3(1, -1, 0), Vec3(0, 1, 0)};
+constexpr Clearance kClearance{1e-6};
+
+PairContact drop(const Triangle& t, double length = 10) {
+  return first_contact(t, kFloor, Motion::translation(-Vec3::UnitZ(), length), kClearance);
+}
+
+TEST(PairContact, AVertexFallsOnAFace) {
+  const PairContact c = drop({Vec3(0, 0, 1), Vec3(1, 0, 2), Vec3(0, 1, 2)});
+  EXPECT_EQ(c.status, Status::Contact);
+  EXPECT_NEAR(c.time, 1 - 1e-6, 1e-15);
+  EXPECT_NEAR(c.gap, 1e-6, 1e-15);
+  EXPECT_EQ(c.normal, Vec3::UnitZ());
+  EXPECT_EQ(c.point, Vec3::Zero());
+}
+
+TEST(PairContact, AFaceFallsFlat) {
+  const Triangle above{Vec3(-1, -1, 2), Vec3(1, -1, 2), Vec3(0, 1, 2)};
+  const PairContact c = drop(above);
+  EXPECT_EQ(c.status, Status::Contact);
+  EXPECT_NEAR(c.time, 2 - 1e-6, 1e-15);
+  EXPECT_EQ(drop(above, 1.9).status, Status::Free);
+}
+
+TEST(PairContact, EdgesAcross) {
+  const Triangle beam{Vec3(-2, 0.5, 3), Vec3(2, 0.5, 3), Vec3(0, 0.5, 9)};
+  const Triangle ridge{Vec3(0, -2, 1), Vec3(0, 2, 1), Vec3(0, 0, -5)};
+  const PairContact c =
+      first_contact(beam, ridge, Motion::translation(-Vec3::UnitZ(), 10), kClearance);
+  EXPECT_EQ(c.status, Status::Contact);
+  EXPECT_NEAR(c.time, 2 - 1e-6, 1e-15);
+  EXPECT_LT((c.point - Vec3(0, 0.5, 1)).norm(), 1e-15);
+}
+
+TEST(PairContact, PassingByJustOutsideAndJustInsideTheClearance) {
+  // A vertical needle passes the floor's edge y = -1 from above, at two distances.
+  const auto pass = [](double distance) {
+    const double y = -1 - distance;
+    return drop({Vec3(0, y, 1), Vec3(0, y, 2), Vec3(0, y, 2)}).status;
+  };
+  EXPECT_EQ(pass(1.0001e-6 * (1 + kTargetSlack)), Status::Free);
+  EXPECT_EQ(pass(0.9999e-6), Status::Contact);
+}
+
+TEST(PairContact, SlidingAlongAFaceAtRestIsFree) {
+  for (const double gap : {0.6e-6, 1e-6, 1.9e-6}) {
+    const Triangle t{Vec3(-0.1, 0, gap), Vec3(0.1, 0, gap), Vec3(0, 0.1, gap)};
+    const auto along = [&](const Vec3& d) {
+      return first_contact(t, kFloor, Motion::translation(d, 0.5), kClearance).status;
+    };
+    EXPECT_EQ(along(Vec3::UnitX()), Status::Free);
+    EXPECT_EQ(along(Vec3::UnitZ()), Status::Free);
+    EXPECT_EQ(along(-Vec3::UnitZ()), Status::Contact);
+  }
+}
+
+TEST(PairContact, ARestingPairStopsAtHalfItsGap) {
+  const Triangle t{Vec3(0, 0, 1.5e-6), Vec3(1, 0, 1), Vec3(0, 1, 1)};
+  const PairContact c = drop(t);
+  EXPECT_NEAR(c.gap, 0.75e-6, 0.75e-6 * kTargetSlack);
+}
+
+TEST(PairContact, TurningAboutAPointOfItsOwnKeepsTheContact) {
+  const Triangle t{Vec3(0, 0, 1e-6), Vec3(1, 0, 1), Vec3(0, 0.2, 1)};
+  const Motion tilt = Motion::rotation(t[0], Vec3::UnitY(), 1);
+  const PairContact c = first_contact(t, kFloor, tilt, kClearance);
+  EXPECT_EQ(c.status, Status::Contact);
+  // The corner at (1, 0, 1) comes down after 45 degrees, over the outside of the floor's triangle:
+  // its edge to the pivot meets the floor's edge.
+  EXPECT_NEAR(2 * std::atan(c.time), M_PI / 4, 1e-5);
+}
+
+TEST(PairContact, CrossingAtTheStart) {
+  EXPECT_EQ(drop({Vec3(0, 0, -1), Vec3(0, 0, 1), Vec3(1, 0, 1)}).status, Status::Crossing);
+  EXPECT_EQ(drop(kFloor).status, Status::Crossing);
+  EXPECT_EQ(drop({Vec3(0, 0, 0), Vec3(1, 0, 1), Vec3(0, 1, 1)}).status, Status::Crossing);
+}
+
+TEST(Clearance, HysteresisOfTheTarget) {
+  const Clearance c{1e-3};
+  EXPECT_EQ(c.target(1), 1e-3);
+  EXPECT_EQ(c.target(2.1e-3), 1e-3);
+  EXPECT_EQ(c.target(2e-3), 1e-3);
+  EXPECT_EQ(c.target(1.5e-3), 0.75e-3);
+  EXPECT_EQ(c.target(1e-6), 0.5e-6);
+  EXPECT_GE(c.largest_stop(), (1 + kTargetSlack) * 1e-3);
+}
+
+TEST(FloorContact, AgreesWithSamples) {
+  test::Random random(23);
+  int num_contact = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const Vec3 p(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(0, 1));
+    const Motion motion = test::random_motion(i % 2, p, 1, random);
+    const Clearance clearance{std::pow(10.0, random.uniform(-7, -1))};
+    const double time = first_floor_contact(p, motion, clearance);
+    const double target = clearance.target(p.z()), end = std::min(time, motion.limit);
+    for (int k = 1; k < 50; ++k)
+      EXPECT_GE(moved_point(p, motion, end * k / 50).z(), target - 1e-14);
+    if (time > motion.limit) continue;
+    ++num_contact;
+    EXPECT_NEAR(moved_point(p, motion, time).z(), target, 1e-14);
+  }
+  EXPECT_GT(num_contact, 4000);
+  EXPECT_EQ(first_floor_contact({0, 0, 0}, Motion::translation(Vec3::UnitZ(), 1), {1e-3}), 0);
+}
+
+}  // namespace
+}  // namespace trivet
