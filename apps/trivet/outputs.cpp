@@ -36,7 +36,7 @@ void check_extension(const std::string& path, const std::vector<std::string>& ac
 
 std::string identity_of(const std::string& path) {
   std::error_code error;
-  const fs::path canonical = fs::weakly_canonical(path, error);
+  const fs::path canonical = fs::weakly_canonical(fs::absolute(path), error);
   return error ? path : canonical.string();
 }
 
@@ -64,7 +64,7 @@ void check_writable(const std::string& path) {
     if (!fs::is_regular_file(path, ignored)) return;  // a device or a pipe
   }
   // Through a symbolic link, as the file will be written.
-  const fs::path target = fs::weakly_canonical(path, ignored);
+  const fs::path target = fs::weakly_canonical(fs::absolute(path), ignored);
   const std::string trial_name = ".trivet_trial_" + std::to_string(getpid());
   const fs::path trial = (ignored ? fs::path(path) : target).parent_path() / trial_name;
   const int descriptor = open(trial.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);

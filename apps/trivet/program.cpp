@@ -44,6 +44,15 @@ std::vector<Verb> add_verbs(CLI::App& app, CommonOptions& common) {
   return verbs;
 }
 
+// For those who gave none, or one that there is not.
+std::string accepted_verbs(const CLI::App& app) {
+  if (!app.get_subcommands().empty()) return "";
+  std::string list;
+  for (const CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; }))
+    list += (list.empty() ? "; accepted verbs: " : ", ") + verb->get_name();
+  return list;
+}
+
 int do_verb(const std::vector<Verb>& verbs, const CommonOptions& common) {
   const auto all = tbb::global_control::max_allowed_parallelism;
   const tbb::global_control threads(all, common.num_threads > 0
@@ -71,14 +80,16 @@ int run_program(int argc, char** argv) {
   CommonOptions common;
   const std::vector<Verb> verbs = add_verbs(app, common);
   add_common_options(app, common);
-  app.require_subcommand(1);
+  app.require_subcommand(0, 1);  // a missing one is told with the names there are
   try {
     app.parse(argc, argv);
+    if (app.get_subcommands().empty())
+      return fail(json, "usage", "a verb is missing" + accepted_verbs(app), kBadInput);
     return do_verb(verbs, common);
   } catch (const CLI::Success& e) {  // help and version
     return app.exit(e);
   } catch (const CLI::ParseError& e) {
-    return fail(json, "usage", std::string(e.what()) + " (see trivet --help)", kBadInput);
+    return fail(json, "usage", e.what() + accepted_verbs(app) + " (see trivet --help)", kBadInput);
   } catch (const Error& e) {
     const bool bad_input = e.kind() == Error::Kind::BadInput;
     return fail(json, bad_input ? "bad input" : "environment", e.what(),

@@ -127,6 +127,15 @@ class ParserWatch {
   std::vector<Level> m_levels;
 };
 
+// What the parser quotes may be any bytes; messages are one line of text.
+std::string printable(std::string text) {
+  constexpr size_t kMaxLength = 200;
+  if (text.size() > kMaxLength) text = text.substr(0, kMaxLength) + "...";
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) > 0x7e) c = '?';
+  return text;
+}
+
 // "[json.exception.parse_error.101] parse error at line 1, column 5: what" -> from "line" on.
 std::string without_prefix(const std::string& message) {
   for (const char* mark : {"parse error at ", "parse error: ", "] "}) {
@@ -179,7 +188,7 @@ json parse_json(const std::string& text, const std::string& file) {
   } catch (const json::out_of_range& e) {
     bad_input(file + ": " + overflow_message(text, e.what()));
   } catch (const json::exception& e) {
-    bad_input(file + ": " + without_prefix(e.what()));
+    bad_input(file + ": " + printable(without_prefix(e.what())));
   }
 }
 
