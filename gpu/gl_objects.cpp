@@ -128,6 +128,12 @@ GlTexture make_texture_2d(GLenum internal_format, int width, int height) {
   return texture;
 }
 
+void set_linear(const GlTexture& texture) {
+  glBindTexture(GL_TEXTURE_2D, texture.id());
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+}
+
 GlTexture make_depth_array(int size, int layers) {
   GlTexture texture = GlTexture::create();
   glBindTexture(GL_TEXTURE_2D_ARRAY, texture.id());

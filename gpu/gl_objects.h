@@ -79,6 +79,9 @@ GlBuffer make_buffer(GLenum target, const void* data, std::size_t bytes);
 /// A texture of one level, read texel by texel (nearest, clamped); not initialised.
 GlTexture make_texture_2d(GLenum internal_format, int width, int height);
 
+/// Makes a texture blend linearly between its texels.
+void set_linear(const GlTexture& texture);
+
 /// Depth textures of float32 in an array, likewise.
 GlTexture make_depth_array(int size, int layers);
 

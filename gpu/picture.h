@@ -49,7 +49,7 @@ struct Camera {
 struct PictureOptions {
   int width = 1280, height = 720;  // pixels, 1 to 16384
   // Sub-pixel views that are averaged, 1 to 4096. Each brings one light of the key light's disc,
-  // three of the sky and one from the floor, each with a shadow map. Time grows with it, noise
+  // three of the sky and two from the floor, each with a shadow map. Time grows with it, noise
   // and steps in soft shadows shrink: 8 is a draft, 32 clean, 128 for print.
   int samples = 32;
   bool shadows = true;            // of the key light
@@ -68,7 +68,7 @@ Camera automatic_camera(const PictureScene& scene, double aspect);
 /// in last bits.
 /// @throws Error (BadInput) for sizes, samples, camera or poses out of range; Error (Environment)
 ///   when the driver runs out of memory or refuses a shader.
-/// Cost: samples x (5 shadow maps + a view) of all triangles. Not to be called for one context from
+/// Cost: samples x (6 shadow maps + a view) of all triangles. Not to be called for one context from
 /// two threads at a time.
 Image render_picture(EglContext& context, const PictureScene& scene,
                      const std::optional<Camera>& camera = std::nullopt,

@@ -9,7 +9,7 @@
 namespace trivet {
 namespace {
 
-/// One triangle corner as the vertex shaders read it.
+/// One triangle corner, as the vertex shaders read it, and the fragment shader as two texels.
 struct Corner {
   float position[3];
   std::int16_t normal[4];       // x 32767; the fourth is padding
@@ -131,6 +131,9 @@ PictureGeometry::Mesh PictureGeometry::upload(const PictureMesh& mesh) {
   out.material_texture = GlTexture::create();
   glBindTexture(GL_TEXTURE_BUFFER, out.material_texture.id());
   glTexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32F, out.materials.id());
+  out.corner_texture = GlTexture::create();
+  glBindTexture(GL_TEXTURE_BUFFER, out.corner_texture.id());
+  glTexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32UI, out.corners.id());
   check_gl("sending materials to the graphics memory");
   return out;
 }
@@ -161,7 +164,7 @@ void PictureGeometry::draw(const GlProgram& program, Part part) const {
   const GLint frame_from_normal = program.uniform("frame_from_normal");
   const GLint highlight = program.uniform("highlight");
   const GLint seed = program.uniform("seed");
-  glActiveTexture(GL_TEXTURE0);
+  const GLint first_triangle = program.uniform("first_triangle");
   for (std::size_t i = 0; i < m_instances.size(); ++i) {
     const Instance& instance = m_instances[i];
     const Mesh& mesh = m_meshes[instance.mesh];
@@ -172,6 +175,10 @@ void PictureGeometry::draw(const GlProgram& program, Part part) const {
     glUniformMatrix3fv(frame_from_normal, 1, GL_FALSE, instance.frame_from_normal.data());
     glUniform4fv(highlight, 1, instance.highlight.data());
     glUniform1ui(seed, static_cast<GLuint>(i));
+    glUniform1i(first_triangle, first / 3);
+    glActiveTexture(GL_TEXTURE1);
+    glBindTexture(GL_TEXTURE_BUFFER, mesh.corner_texture.id());
+    glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_BUFFER, mesh.material_texture.id());
     glBindVertexArray(mesh.vertex_array.id());
     glDrawArrays(GL_TRIANGLES, first, count);

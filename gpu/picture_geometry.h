@@ -25,8 +25,9 @@ class PictureGeometry {
   enum class Part { Opaque, SeeThrough };
 
   /// Draws that part of all objects with the program in use, which finds position, normal, face
-  /// normal and material at locations 0 to 3, the texture buffer of the materials on unit 0, and
-  /// its uniforms `frame_from_object`, `frame_from_normal`, `highlight` and `seed` set.
+  /// normal and material at locations 0 to 3, the texture buffers of the materials on unit 0
+  /// and of the corners on unit 1, and its uniforms `frame_from_object`, `frame_from_normal`,
+  /// `highlight`, `seed` and `first_triangle` set.
   void draw(const GlProgram& program, Part part) const;
 
   /// Corners of the objects' boxes, frame: all objects lie in their convex hull.
@@ -36,7 +37,7 @@ class PictureGeometry {
   struct Mesh {
     GlVertexArray vertex_array;
     GlBuffer corners, materials;
-    GlTexture material_texture;
+    GlTexture corner_texture, material_texture;
     GLsizei num_opaque = 0, num_see_through = 0;  // corners; the opaque ones come first
     // Corners are stored as (position - centre) * scale, so that float32 holds any mesh.
     Vec3 centre = Vec3::Zero();

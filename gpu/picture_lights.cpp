@@ -55,9 +55,9 @@ PictureLights::PictureLights(int num_views, const FrameCamera& camera)
     : m_key_direction(key_direction(camera)) {
   m_key_scale = kKeyShare * kPi / m_key_direction.z();
   double floor_irradiance = 0;
-  for (int i = 0; i < 3 * num_views; ++i) {
+  for (int i = 0; i < kNumSkyLights * num_views; ++i) {
     const double z = hemisphere_direction(i).z();
-    floor_irradiance += sky_profile(z) * z * kHemisphere / (3 * num_views);
+    floor_irradiance += sky_profile(z) * z * kHemisphere / (kNumSkyLights * num_views);
   }
   m_sky_scale = (1 - kKeyShare) * kPi / floor_irradiance;
 }
@@ -74,13 +74,18 @@ std::array<PictureLight, kLightsPerView> PictureLights::of_view(int view) const 
                          other * (r * std::sin(2 * kPi * u.y())))
                             .normalized();
   lights[0].irradiance = kKeyColour * m_key_scale;
-  for (int i = 0; i < 3; ++i) {
-    lights[1 + i].direction = hemisphere_direction(3 * view + i);
-    lights[1 + i].irradiance =
-        kSkyColour * (sky_radiance(lights[1 + i].direction.z()) * kHemisphere / 3);
+  PictureLight* sky = &lights[1];
+  for (int i = 0; i < kNumSkyLights; ++i) {
+    sky[i].direction = hemisphere_direction(kNumSkyLights * view + i);
+    sky[i].irradiance =
+        kSkyColour * (sky_radiance(sky[i].direction.z()) * kHemisphere / kNumSkyLights);
   }
-  lights[4].direction = hemisphere_direction(view).cwiseProduct(Vec3(1, 1, -1));
-  lights[4].irradiance = Vec3::Constant(kHemisphere);
+  PictureLight* floor = sky + kNumSkyLights;
+  for (int i = 0; i < kNumFloorLights; ++i) {
+    floor[i].direction =
+        hemisphere_direction(kNumFloorLights * view + i).cwiseProduct(Vec3(1, 1, -1));
+    floor[i].irradiance = Vec3::Constant(kHemisphere / kNumFloorLights);
+  }
   return lights;
 }
 

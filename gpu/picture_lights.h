@@ -9,7 +9,8 @@
 namespace trivet {
 
 inline constexpr double kKeyShare = 0.58;  // of the light that falls on an open floor
-inline constexpr int kLightsPerView = 5;   // key, three of the sky, floor
+inline constexpr int kNumSkyLights = 3, kNumFloorLights = 2;  // per view, beside the key light
+inline constexpr int kLightsPerView = 1 + kNumSkyLights + kNumFloorLights;
 
 /// A far light.
 struct PictureLight {
@@ -25,7 +26,8 @@ class PictureLights {
   /// Scaled so that few views are as bright as many.
   PictureLights(int num_views, const FrameCamera& camera);
 
-  /// [0] key, [1..3] sky, [4] from below: its irradiance is for a floor of albedo 1 in the open.
+  /// [0] key, [1..3] sky, [4..5] from below: their irradiance is for a floor of albedo 1 in the
+  /// open.
   std::array<PictureLight, kLightsPerView> of_view(int view) const;
 
   /// Of the sky at the sine of elevation `z`, without its colour.

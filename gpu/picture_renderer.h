@@ -1,10 +1,11 @@
 // Private to gpu: renders one picture, tile by tile.
 //
-// Many cheap views instead of few clever ones: each sub-pixel view is shaded by five far lights
+// Many cheap views instead of few clever ones: each sub-pixel view is shaded by six far lights
 // with hard shadows, and the sum over the views is anti-aliased, softly shadowed and ambiently
 // occluded, without the artefacts of screen-space methods.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -17,14 +18,14 @@ namespace trivet {
 
 struct PicturePrograms {
   PicturePrograms();
-  GlProgram surface, surface_see_through, shadow, shadow_see_through, light, develop;
+  GlProgram surface, surface_see_through, shadow, shadow_see_through, floor_light, light, develop;
 };
 
-/// Textures of one tile and the framebuffers that draw to them.
+/// Textures of one tile, shadow maps, the floor's light, and the framebuffers that draw to them.
 struct PictureTargets {
   PictureTargets(int width, int height, int map_size);
-  GlTexture surfaces, depth, sums, developed, maps;
-  GlFramebuffer draw_surfaces, draw_sums, draw_developed;
+  GlTexture surfaces, depth, sums, developed, floor_light, maps;
+  GlFramebuffer draw_surfaces, draw_sums, draw_developed, draw_floor_light;
   std::array<GlFramebuffer, kLightsPerView> draw_maps;
 };
 
@@ -46,16 +47,19 @@ class PictureRenderer {
   bool casts_shadows(int light) const {
     return light == 0 ? m_options.shadows : m_options.ambient_occlusion;
   }
+  double floor_radius() const { return std::max(m_frame.radius, 0.05); }  // of a thin post too
+  void set_map_sizes(int key_px, int other_px);
   void find_depth_range();
   std::vector<PictureTile> tiles() const;
   void render_view(int view, const PictureTile& tile);
+  void measure_floor_light();
   void draw_shadow_maps(int view, const Lights& lights);
   void draw_surfaces(int view, const PictureTile& tile);
   void draw_geometry(const GlProgram& opaque, const GlProgram& see_through,
                      const Eigen::Matrix4f& clip_from_frame, int view, const PictureTile& tile);
   void add_light(int view, const PictureTile& tile, const Lights& lights);
   void set_view_uniforms(int view, const PictureTile& tile);
-  void set_light_uniforms(const Lights& lights);
+  void set_light_uniforms(const GlProgram& program, const Lights& lights);
   void develop(const PictureTile& tile, Image& image);
   Eigen::Matrix4f clip_from_frame(const PictureTile& tile, const Vec2& jitter_px) const;
 
@@ -64,7 +68,7 @@ class PictureRenderer {
   PictureFrame m_frame;
   FrameCamera m_camera;
   PictureLights m_lights;
-  int m_map_size;
+  std::array<int, kLightsPerView> m_map_px{};
   double m_near = 0.01, m_far = 10;
   PicturePrograms m_programs;
   PictureGeometry m_geometry;

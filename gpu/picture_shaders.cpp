@@ -3,11 +3,10 @@
 namespace trivet::picture_shaders {
 namespace {
 
-const std::string kVersion = "#version 330 core\n";
 const std::string kSeeThrough = "#define SEE_THROUGH\n";
 
-/// A threshold in (0, 1) that differs from pixel to pixel and from object to object, and whose
-/// values over the views are spread evenly.
+/// A threshold in [0, 1): evenly spread over the views and over neighbouring pixels, independent
+/// between triangles, so that one behind another shows by the product of what both let through.
 const char* const kThreshold = R"(
 uniform uint seed;   // of the object
 uniform uint view;   // of the sub-pixel view or of the light
@@ -19,11 +18,32 @@ uint scramble(uint x) {  // integer hash by xor-shifts and odd factors
   return x ^ (x >> 16);
 }
 
-float threshold(uint layer) {
-  uvec2 pixel = uvec2(ivec2(gl_FragCoord.xy) + tile);
-  uint h = scramble(pixel.x ^ scramble(pixel.y ^ scramble(2u * seed + layer)));
-  // Golden ratio steps in 32-bit fixed point.
-  return (float((h + view * 2654435769u) >> 8) + 0.5) / 16777216.0;
+uint reversed(uint x) {
+  x = (x << 16) | (x >> 16);
+  x = ((x & 0x00ff00ffu) << 8) | ((x >> 8) & 0x00ff00ffu);
+  x = ((x & 0x0f0f0f0fu) << 4) | ((x >> 4) & 0x0f0f0f0fu);
+  x = ((x & 0x33333333u) << 2) | ((x >> 2) & 0x33333333u);
+  return ((x & 0x55555555u) << 1) | ((x >> 1) & 0x55555555u);
+}
+
+// Every bit depends on the bits below it only. @see [Laine, Karras 2011]
+uint mix_upwards(uint x, uint key) {
+  x += key;
+  x ^= x * 0x6c50b47cu;
+  x ^= x * 0xb82f1e52u;
+  x ^= x * 0xc7afe638u;
+  return x ^ (x * 0x8d22f6e6u);
+}
+
+// The van der Corput sequence, shuffled and scrambled per triangle, and shifted from pixel to pixel
+// so that neighbours make up for each other. @see [Burley 2020], [Jimenez 2014]
+float threshold() {
+  vec2 pixel = vec2(ivec2(gl_FragCoord.xy) + tile);
+  float noise = fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715))));
+  uint key = scramble(uint(gl_PrimitiveID) ^ scramble(seed));
+  uint index = reversed(mix_upwards(reversed(view), key));
+  uint value = reversed(mix_upwards(index, scramble(key)));
+  return fract(noise + float(value >> 8) / 16777216.0);
 }
 )";
 
@@ -40,8 +60,12 @@ out vec3 from_eye;
 out vec3 shading_normal;
 flat out vec3 flat_normal;
 flat out uint material_id;
+out vec3 object_position;
+out vec3 weights;
 
 void main() {
+  object_position = position;
+  weights = vec3(equal(ivec3(gl_VertexID % 3), ivec3(0, 1, 2)));
   vec4 p = frame_from_object * vec4(position, 1.0);
   from_eye = p.xyz - eye;
   shading_normal = frame_from_normal * normal;
@@ -51,15 +75,20 @@ void main() {
 }
 )";
 
-// G-buffer: x shading normal, y face normal and roughness, z base colour and metallic,
+// G-buffer: x shading normal, y face normal and bulge, z base colour, roughness and metallic,
 // w distance from the eye; 0 where there is nothing.
 const char* const kSurfaceFragment = R"(
 uniform samplerBuffer materials;
+uniform usamplerBuffer corners;
+uniform int first_triangle;
+uniform mat4 frame_from_object;
 uniform vec4 highlight;
 in vec3 from_eye;
 in vec3 shading_normal;
 flat in vec3 flat_normal;
 flat in uint material_id;
+in vec3 object_position;
+in vec3 weights;
 layout(location = 0) out uvec4 surface;
 
 vec2 octahedron(vec3 n) {  // unit vector -> unit square
@@ -73,23 +102,49 @@ uint pack_normal(vec3 n, uint bits) {
   return q.x | (q.y << bits);
 }
 
+vec3 stored_normal(uvec2 bits) {
+  ivec3 n = ivec3(int(bits.x << 16) >> 16, int(bits.x) >> 16, int(bits.y << 16) >> 16);
+  return vec3(n) / 32767.0;
+}
+
+// How far outside the triangle the smooth surface is that its corners' normals tell of. Shadow rays
+// start there, or a coarse sphere would be shaded smoothly and shadowed by its facets.
+// @see [Hanika 2021], Hacking the shadow terminator
+float bulge(float side) {
+  int corner = 6 * (first_triangle + gl_PrimitiveID);
+  vec3 lift = vec3(0.0);
+  for (int i = 0; i < 3; ++i) {
+    uvec4 low = texelFetch(corners, corner + 2 * i), high = texelFetch(corners, corner + 2 * i + 1);
+    vec3 normal = side * stored_normal(uvec2(low.w, high.x));
+    float below = dot(object_position - uintBitsToFloat(low.xyz), normal);
+    lift -= weights[i] * min(below, 0.0) * normal;
+  }
+  float height = length(mat3(frame_from_object) * lift);
+  // More than that tells of normals bent over a fold, not of a surface: do not follow them.
+  return height > kMaxBulge ? kMaxBulge * kMaxBulge / height : height;
+}
+
 void main() {
   vec4 base = texelFetch(materials, 2 * int(material_id));
   vec4 finish = texelFetch(materials, 2 * int(material_id) + 1);
 #ifdef SEE_THROUGH
-  if (base.a <= threshold(gl_FrontFacing ? 0u : 1u)) discard;
+  // Like glass: more mirrors and less shows through at a slant.
+  float slant = 1.0 - abs(dot(normalize(from_eye), normalize(shading_normal)));
+  if (mix(base.a, 1.0, 0.7 * pow(slant, 4.0)) <= threshold()) discard;
 #endif
   // Both sides are seen: normals look at the viewer, and the smooth one agrees with the face.
   vec3 face = dot(flat_normal, flat_normal) > 0.0 ? normalize(flat_normal) : normalize(-from_eye);
   if (dot(face, from_eye) > 0.0) face = -face;
   float squared = dot(shading_normal, shading_normal);
   vec3 smooth_normal = squared > 1e-12 ? shading_normal * inversesqrt(squared) : face;
-  if (dot(smooth_normal, face) < 0.0) smooth_normal = -smooth_normal;
-  vec3 colour = mix(base.rgb, highlight.rgb, highlight.a);
-  uvec4 b = uvec4(vec4(sqrt(colour), finish.y) * 255.0 + 0.5);
-  surface.x = pack_normal(smooth_normal, 16u);
-  surface.y = pack_normal(face, 12u) | (uint(finish.x * 255.0 + 0.5) << 24);
-  surface.z = b.r | (b.g << 8) | (b.b << 16) | (b.a << 24);
+  float side = dot(smooth_normal, face) < 0.0 ? -1.0 : 1.0;
+  uint lift = uint(sqrt(min(bulge(side) / kMaxBulge, 1.0)) * 4095.0 + 0.5);
+  uvec3 colour = uvec3(sqrt(mix(base.rgb, highlight.rgb, highlight.a)) * 255.0 + 0.5);
+  uvec2 rough_metal = uvec2(finish.xy * 15.0 + 0.5);
+  surface.x = pack_normal(side * smooth_normal, 16u);
+  surface.y = pack_normal(face, 10u) | (lift << 20);
+  surface.z = colour.r | (colour.g << 8) | (colour.b << 16) | (rough_metal.x << 24) |
+              (rough_metal.y << 28);
   surface.w = floatBitsToUint(max(length(from_eye), 1e-20));
 }
 )";
@@ -113,238 +168,20 @@ flat in uint material_id;
 
 void main() {
 #ifdef SEE_THROUGH
-  if (texelFetch(materials, 2 * int(material_id)).a <= threshold(gl_FrontFacing ? 0u : 1u)) discard;
+  if (texelFetch(materials, 2 * int(material_id)).a <= threshold()) discard;
 #endif
-}
-)";
-
-const char* const kWholeTargetVertex = R"(
-void main() {
-  vec2 corner = vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0);
-  gl_Position = vec4(corner, 0.0, 1.0);
-}
-)";
-
-const char* const kLightHead = R"(
-uniform usampler2D surfaces;
-uniform sampler2DArray shadow_maps;
-uniform vec4 ndc_from_pixel;  // scale, offset
-uniform vec3 eye, forward, right, up;
-
-uniform int has_floor;
-uniform float floor_z;
-uniform vec2 floor_fade;  // radii where it begins and ends
-
-// [0] key, [1..3] sky, [4] from below.
-uniform mat4 map_from_frame[5];
-uniform vec3 direction[5];
-uniform vec3 irradiance[5];
-uniform float texel[5];
-uniform float casts[5];  // 1: look at its shadow map, 0: everything is lit
-uniform vec2 sky_radiance;  // at the horizon, at the zenith
-uniform float map_size;
-uniform float key_share;  // of the light that falls on an open floor
-
-layout(location = 0) out vec4 sum;
-
-const float kPi = 3.14159265;
-const float kFloorAlbedo = 0.62;
-const float kDimGround = 0.30;      // radiance from below where there is no floor
-const float kFromNeighbours = 0.14;  // of the sky's light that comes back where the sky is hidden
-const float kBelowTolerance = 2e-4;  // objects that much below the floor are in front of it
-
-struct Surface {
-  vec3 position, normal, face;
-  vec3 base;
-  float roughness, metallic;
-};
-
-vec3 unpack_normal(uint bits, uint count) {
-  float top = float((1u << count) - 1u);
-  uint mask = (1u << count) - 1u;
-  vec2 f = vec2(bits & mask, (bits >> count) & mask) / top * 2.0 - 1.0;
-  vec3 n = vec3(f, 1.0 - abs(f.x) - abs(f.y));
-  float t = max(-n.z, 0.0);
-  n.xy -= vec2(n.x < 0.0 ? -t : t, n.y < 0.0 ? -t : t);
-  return normalize(n);
-}
-
-// 1 where the light reaches p. The point is lifted off the surface by what the depth of a slanted
-// plane changes within half the diagonal of a texel, and by what float32 loses.
-float reaches(int i, vec3 p, vec3 face, float rounding) {
-  float c = dot(face, direction[i]);
-  float slant = sqrt(max(0.0, 1.0 - c * c));
-  vec3 lifted = p + face * (texel[i] * (0.15 + 0.75 * slant) + rounding);
-  vec3 q = (map_from_frame[i] * vec4(lifted, 1.0)).xyz;
-  vec2 at = q.xy * map_size;
-  if (casts[i] == 0.0 || any(lessThan(at, vec2(0.0))) || any(greaterThanEqual(at, vec2(map_size))))
-    return 1.0;
-  return q.z <= texelFetch(shadow_maps, ivec3(ivec2(at), i), 0).r ? 1.0 : 0.0;
-}
-
-// Fades the light out where the smooth normal still sees it and the face no longer does.
-// @see [Chiang, Li, Burley 2019], Taming the shadow terminator
-float terminator(vec3 normal, vec3 face, vec3 light) {
-  float g = dot(face, light) / max(dot(normal, light) * dot(normal, face), 1e-6);
-  g = clamp(g, 0.0, 1.0);
-  return g * (1.0 + g * (1.0 - g));
-}
-)";
-
-const char* const kLightBody = R"(
-vec3 specular_colour(Surface s) { return mix(vec3(0.04), s.base, s.metallic); }
-
-// GGX with Smith's visibility in Hammon's approximation and Schlick's Fresnel term.
-vec3 highlight_of_key(Surface s, vec3 to_eye) {
-  vec3 h = normalize(direction[0] + to_eye);
-  float nl = max(dot(s.normal, direction[0]), 1e-4), nv = max(dot(s.normal, to_eye), 1e-4);
-  float nh = max(dot(s.normal, h), 0.0), lh = max(dot(direction[0], h), 0.0);
-  float a = max(s.roughness * s.roughness, 0.02), a2 = a * a;
-  float d = nh * nh * (a2 - 1.0) + 1.0;
-  float spread = a2 / (kPi * d * d);
-  float masking = 0.5 / mix(2.0 * nl * nv, nl + nv, a);
-  vec3 f0 = specular_colour(s);
-  return min(spread * masking, 50.0) * (f0 + (1.0 - f0) * pow(1.0 - lh, 5.0));
-}
-
-// The share of a uniform surrounding that is mirrored. @see [Karis 2014], Physically based shading
-// on mobile
-vec3 mirrored_share(Surface s, float nv) {
-  vec4 r = s.roughness * vec4(-1.0, -0.0275, -0.572, 0.022) + vec4(1.0, 0.0425, 1.04, -0.04);
-  float a = min(r.x * r.x, exp2(-9.28 * nv)) * r.x + r.y;
-  vec2 ab = vec2(-1.04, 1.04) * a + r.zw;
-  return specular_colour(s) * ab.x + ab.y;
-}
-
-// How much of its full light the floor below p has, seen from p towards the light from below.
-float floor_brightness(vec3 p, float rounding) {
-  vec3 foot = p - direction[4] * ((p.z - floor_z) / direction[4].z);
-  float key = reaches(0, foot, vec3(0, 0, 1), rounding);
-  float sky = reaches(1, foot, vec3(0, 0, 1), rounding);
-  return mix(sky, key, key_share);
-}
-
-vec3 shade(Surface s, vec3 to_eye, float rounding) {
-  vec3 diffuse = s.base * (1.0 - s.metallic) / kPi;
-  float key = max(dot(s.normal, direction[0]), 0.0) * reaches(0, s.position, s.face, rounding) *
-              terminator(s.normal, s.face, direction[0]);
-  vec3 result = key * irradiance[0] * (diffuse + highlight_of_key(s, to_eye));
-
-  // The sky: diffuse by each light, mirrored from a smooth gradient and hidden as they are.
-  float seen = 0.0;
-  for (int i = 1; i < 4; ++i) {
-    float cosine = max(dot(s.normal, direction[i]), 0.0);
-    float free = reaches(i, s.position, s.face, rounding) *
-                 terminator(s.normal, s.face, direction[i]);
-    result += cosine * irradiance[i] * diffuse * mix(s.base * kFromNeighbours, vec3(1.0), free);
-    seen += cosine * free;
-  }
-  float open = 3.0 * 0.25 * (1.0 + s.normal.z) + 0.15;  // what `seen` is without any caster
-  float nv = max(dot(s.normal, to_eye), 0.0);
-  vec3 mirrored = reflect(-to_eye, s.normal);
-  float width = 0.15 + s.roughness;
-  float above = smoothstep(-width, width, mirrored.z);
-  float sky = mix(sky_radiance.x, sky_radiance.y, max(mirrored.z, 0.0)) * min(seen / open, 1.5);
-
-  // From below.
-  float cosine = max(dot(s.normal, direction[4]), 0.0);
-  float ground = has_floor != 0 ? kFloorAlbedo * floor_brightness(s.position, rounding) : kDimGround;
-  float free = reaches(4, s.position, s.face, rounding);
-  result += cosine * irradiance[4] * diffuse * ground * mix(s.base * 0.35, vec3(1.0), free);
-  result += mirrored_share(s, nv) * mix(ground * mix(0.35, 1.0, free), sky, above);
-  return result;
-}
-
-void main() {
-  vec2 ndc = gl_FragCoord.xy * ndc_from_pixel.xy + ndc_from_pixel.zw;
-  vec3 ray = normalize(forward + ndc.x * right + ndc.y * up);
-  uvec4 packed_surface = texelFetch(surfaces, ivec2(gl_FragCoord.xy), 0);
-  float distance_to_object = uintBitsToFloat(packed_surface.w);
-  bool on_object = packed_surface.w != 0u;
-  bool sees_floor = has_floor != 0 && eye.z > floor_z && ray.z < -1e-6;
-  bool on_floor = sees_floor && (!on_object || eye.z + distance_to_object * ray.z <
-                                                   floor_z - kBelowTolerance);
-  if (!on_object && !on_floor) discard;
-
-  Surface s;
-  float along = on_floor ? (floor_z - eye.z) / ray.z : distance_to_object;
-  s.position = eye + along * ray;
-  float rounding = 4e-7 * (1.0 + along);
-  float coverage = 1.0;
-  if (on_floor) {
-    s.normal = s.face = vec3(0, 0, 1);
-    s.base = vec3(kFloorAlbedo);
-    s.roughness = 0.9;
-    s.metallic = 0.0;
-    coverage = 1.0 - smoothstep(floor_fade.x, floor_fade.y, length(s.position.xy));
-    if (coverage <= 0.0) discard;
-  } else {
-    s.normal = unpack_normal(packed_surface.x, 16u);
-    s.face = unpack_normal(packed_surface.y, 12u);
-    vec4 b = vec4((uvec4(packed_surface.z) >> uvec4(0, 8, 16, 24)) & 255u) / 255.0;
-    s.base = b.rgb * b.rgb;
-    s.roughness = float(packed_surface.y >> 24) / 255.0;
-    s.metallic = b.a;
-  }
-  sum = vec4(shade(s, -ray, rounding) * coverage, coverage);
-}
-)";
-
-const char* const kDevelop = R"(
-uniform sampler2D sums;
-uniform float num_views;
-uniform vec4 background;  // sRGB, alpha
-uniform float exposure;
-layout(location = 0) out vec4 developed;
-
-// Straight up to kKnee, then bent so that white is reached slowly.
-const float kKnee = 0.6;
-vec3 film(vec3 x) {
-  vec3 bent = 1.0 - (1.0 - kKnee) * exp(-max(x - kKnee, 0.0) / (1.0 - kKnee));
-  return mix(x, bent, greaterThan(x, vec3(kKnee)));
-}
-
-vec3 srgb_from_linear(vec3 x) {
-  return mix(12.92 * x, 1.055 * pow(max(x, vec3(1e-6)), vec3(1.0 / 2.4)) - 0.055,
-             greaterThan(x, vec3(0.0031308)));
-}
-
-vec3 linear_from_srgb(vec3 x) {
-  return mix(x / 12.92, pow((x + 0.055) / 1.055, vec3(2.4)), greaterThan(x, vec3(0.04045)));
-}
-
-// Half a step of 8 bits up or down, so that smooth shading shows no steps.
-float dither() {
-  uvec2 p = uvec2(gl_FragCoord.xy);
-  uint h = (p.x * 1973u + p.y * 9277u + 26699u) | 1u;
-  h = (h ^ (h >> 15)) * 0x846ca68bu;
-  h ^= h >> 16;
-  return (float(h & 65535u) / 65535.0 - 0.5) / 255.0;
-}
-
-void main() {
-  vec4 s = texelFetch(sums, ivec2(gl_FragCoord.xy), 0) / num_views;
-  developed = background;
-  if (s.a <= 0.0) return;
-  float alpha = min(s.a, 1.0) + background.a * (1.0 - min(s.a, 1.0));
-  vec3 drawn = film(exposure * s.rgb / s.a);
-  vec3 over = mix(linear_from_srgb(background.rgb) * background.a, drawn, min(s.a, 1.0)) / alpha;
-  developed = vec4(clamp(srgb_from_linear(over) + dither(), 0.0, 1.0), alpha);
 }
 )";
 
 }  // namespace
 
-std::string surface_vertex() { return kVersion + kSurfaceVertex; }
+std::string surface_vertex() { return version() + kSurfaceVertex; }
 std::string surface_fragment(bool see_through) {
-  return kVersion + (see_through ? kSeeThrough + kThreshold : "") + kSurfaceFragment;
+  return version() + max_bulge() + (see_through ? kSeeThrough + kThreshold : "") + kSurfaceFragment;
 }
-std::string shadow_vertex() { return kVersion + kShadowVertex; }
+std::string shadow_vertex() { return version() + kShadowVertex; }
 std::string shadow_fragment(bool see_through) {
-  return kVersion + (see_through ? kSeeThrough + kThreshold : "") + kShadowFragment;
+  return version() + (see_through ? kSeeThrough + kThreshold : "") + kShadowFragment;
 }
-std::string whole_target_vertex() { return kVersion + kWholeTargetVertex; }
-std::string light_fragment() { return kVersion + kLightHead + kLightBody; }
-std::string develop_fragment() { return kVersion + kDevelop; }
 
 }  // namespace trivet::picture_shaders
