@@ -13,17 +13,15 @@ namespace {
 
 struct PlacedObject {
   ObjectId id;
-  const Object* object;
-  Body body;
-  ObjectPositions positions;
+  ObjectInWorld world;
+  const Object& object() const { return *world.object; }
 };
 
 std::vector<PlacedObject> placed_objects(const Scene& scene) {
   std::vector<PlacedObject> out;
   for (const ObjectId id : scene.ids()) {
     const Object& object = scene.at(id);
-    if (object.placed)
-      out.push_back({id, &object, Body(*object.shape, object.world_from_object()), {}});
+    if (object.placed) out.push_back({id, in_world(object, object.pose)});
   }
   return out;
 }
@@ -36,24 +34,17 @@ struct PairToCheck {
 std::vector<PairToCheck> near_pairs(const std::vector<PlacedObject>& objects) {
   std::vector<PairToCheck> out;
   for (size_t i = 0; i < objects.size(); ++i)
-    for (size_t j = i + 1; j < objects.size(); ++j) {
-      const double slack =
-          std::max(objects[i].positions.float_slack, objects[j].positions.float_slack);
-      if (overlaps(objects[i].body.world_box, objects[j].body.world_box, slack))
-        out.push_back({i, j, {}});
-    }
+    for (size_t j = i + 1; j < objects.size(); ++j)
+      if (overlaps(objects[i].world.box, objects[j].world.box)) out.push_back({i, j, {}});
   return out;
 }
 
-std::int64_t num_below_floor(const Positions& positions) {
-  return std::count_if(positions.begin(), positions.end(), [](const Vec3& p) { return p.z() < 0; });
-}
-
 void add_floor_findings(const PlacedObject& o, SceneCheck& check) {
-  if (const auto n = num_below_floor(o.positions.doubles))
-    check.crossings.push_back({o.object->name, "floor", n});
-  if (const auto n = num_below_floor(o.positions.floats))
-    check.float32_crossings.push_back({o.object->name, "floor", n});
+  if (o.world.box.lower.z() >= 0) return;
+  if (const auto n = num_below_floor(o.world.doubles))
+    check.crossings.push_back({o.object().name, "floor", n});
+  if (const auto n = num_below_floor(o.world.floats))
+    check.float32_crossings.push_back({o.object().name, "floor", n});
 }
 
 void add_pair_findings(const std::string& a, const std::string& b, const PairVerdict& v,
@@ -67,10 +58,10 @@ void add_pair_findings(const std::string& a, const std::string& b, const PairVer
 void add_rest_findings(const Scene& scene, const PlacedObject& o, double clearance,
                        SceneCheck& check) {
   const Surroundings others(scene, o.id);
-  for (const ContactsWith& c : touching(scene, *o.object, o.object->pose, others, clearance))
+  for (const ContactsWith& c : touching(scene, o.object(), o.object().pose, others, clearance))
     for (const ContactPoint& p : c.points) check.smallest_gap = std::min(check.smallest_gap, p.gap);
-  if (!o.object->fixed && !rests_at(scene, *o.object, o.object->pose, others, clearance))
-    check.not_at_rest.push_back(o.object->name);
+  if (!o.object().fixed && !rests_at(scene, o.object(), o.object().pose, others, clearance))
+    check.not_at_rest.push_back(o.object().name);
 }
 
 }  // namespace
@@ -92,16 +83,11 @@ SceneCheck check_scene(const Scene& scene, int num_threads, double clearance) {
           ? num_threads
           : tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
   if (!(clearance > 0)) clearance = default_clearance(scene);
-  std::vector<PlacedObject> objects = placed_objects(scene);
-  tbb::parallel_for(size_t{0}, objects.size(), [&](size_t i) {
-    objects[i].positions = positions_of(*objects[i].object, objects[i].object->pose);
-  });
+  const std::vector<PlacedObject> objects = placed_objects(scene);
   std::vector<PairToCheck> pairs = near_pairs(objects);
   tbb::parallel_for(size_t{0}, pairs.size(), [&](size_t i) {
-    const PlacedObject &a = objects[pairs[i].a], &b = objects[pairs[i].b];
-    pairs[i].verdict =
-        verify_pair(*a.object, a.object->pose, a.positions, *b.object, b.object->pose, b.positions,
-                    std::numeric_limits<std::int64_t>::max());
+    pairs[i].verdict = verify_pair(objects[pairs[i].a].world, objects[pairs[i].b].world, true,
+                                   std::numeric_limits<std::int64_t>::max());
   });
   SceneCheck check;
   for (const PlacedObject& o : objects) {
@@ -109,7 +95,7 @@ SceneCheck check_scene(const Scene& scene, int num_threads, double clearance) {
     add_rest_findings(scene, o, clearance, check);
   }
   for (const PairToCheck& p : pairs)
-    add_pair_findings(objects[p.a].object->name, objects[p.b].object->name, p.verdict, check);
+    add_pair_findings(objects[p.a].object().name, objects[p.b].object().name, p.verdict, check);
   return check;
 }
 

@@ -11,7 +11,7 @@ Body body_at(const Object& object, const Pose& pose) {
   return {*object.shape, world_from_object(pose, object.up, object.scale)};
 }
 
-double size_of(const Object& object) { return object.scale * object.shape->mesh.box().diagonal(); }
+double size_of(const Object& object) { return object.scale * object.shape->box.diagonal(); }
 
 std::vector<Link> links_of(const Object& object, const Pose& pose, const Surroundings& others,
                            const std::vector<ContactsWith>& contacts, double clearance) {

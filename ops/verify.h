@@ -16,12 +16,17 @@ double default_clearance(const Scene& scene, const Aabb& extra = {});
 /// is there than it is high. (Its start may be far above the scene.)
 Aabb expected_box(const Scene& scene, const Object& object, const Pose& start);
 
-/// An object's vertices as stored, and as a reader of the exported file sees them.
-struct ObjectPositions {
-  Positions doubles, floats;
-  double float_slack = 0;  // metres
+/// An object somewhere: its vertices as stored, and as a reader of the exported file sees them.
+struct ObjectInWorld {
+  const Object* object = nullptr;
+  Aabb box;  // holds both
+  PlacedShape doubles, floats;
 };
-ObjectPositions positions_of(const Object& object, const Pose& pose);
+/// @throws Error (BadInput) when the pose is beyond the range of float32.
+ObjectInWorld in_world(const Object& object, const Pose& pose);
+
+/// Vertices below the floor z = 0.
+std::int64_t num_below_floor(const PlacedShape& placed);
 
 /// Faces of `a` and `b` that intersect on the doubles and on the exported floats, and components of
 /// one inside the other.
@@ -30,9 +35,8 @@ struct PairVerdict {
   int a_inside_b = 0, b_inside_a = 0;
   bool clear() const { return !crossings && !float_crossings && !a_inside_b && !b_inside_a; }
 };
-/// @param limit  counting stops there.
-PairVerdict verify_pair(const Object& a, const Pose& pose_a, const ObjectPositions& at_a,
-                        const Object& b, const Pose& pose_b, const ObjectPositions& at_b,
+/// @param floats  the exported floats, too. @param limit  counting stops there.
+PairVerdict verify_pair(const ObjectInWorld& a, const ObjectInWorld& b, bool floats,
                         std::int64_t limit);
 
 /// Why `id` may not be at `pose`, among the other placed objects and over the floor: names them.

@@ -19,8 +19,7 @@ constexpr double kTilt = 1e-2;
 
 Triangle world_triangle(const PlacedShape& placed, Index face) {
   const Index3& t = placed.shape->mesh.triangles[face];
-  const Positions& p = *placed.positions;
-  return {p[t[0]], p[t[1]], p[t[2]]};
+  return {placed.position(t[0]), placed.position(t[1]), placed.position(t[2])};
 }
 
 BoxFrame box_frame(const PlacedShape& placed) {
@@ -179,7 +178,7 @@ int count_components_inside(const PlacedShape& inner, const PlacedShape& outer) 
   if (!has_faces(inner) || !has_faces(outer)) return 0;
   const auto& components = inner.shape->adjacency.components;
   return static_cast<int>(std::count_if(components.begin(), components.end(), [&](const auto& c) {
-    const Vec3& sample = (*inner.positions)[c.sample_vertex];
+    const Vec3 sample = inner.position(c.sample_vertex);
     return in_box_of_closed_component(sample, outer) && is_inside(sample, outer);
   }));
 }

@@ -1,6 +1,7 @@
 // Whether two placed meshes cross or contain each other, decided by exact predicates.
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "core/base/types.h"
@@ -23,9 +24,18 @@ Positions world_positions(const Shape& shape, const Affine& world_from_object);
 /// `world_from_object` maps the index's boxes; it must agree with the positions to within `slack`.
 struct PlacedShape {
   const Shape* shape;
-  const Positions* positions;
+  const Positions* positions;  // null: computed when needed
   Affine world_from_object;
   double slack = 0;  // metres; largest distance of a position from world_from_object x vertex
+  /// Without `positions`: where a vertex (object frame) is in the world; empty:
+  /// world_from_object.apply().
+  std::function<Vec3(const Vec3&)> placement = {};
+
+  Vec3 position(Index vertex) const {
+    if (positions) return (*positions)[vertex];
+    const Vec3& v = shape->mesh.vertices[vertex];
+    return placement ? placement(v) : world_from_object.apply(v);
+  }
 };
 
 /// Counts intersecting pairs of faces, up to `limit`; touching counts. `first`, if given, receives

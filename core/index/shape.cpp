@@ -5,6 +5,7 @@ namespace trivet {
 std::shared_ptr<const Shape> make_shape(Mesh mesh) {
   auto shape = std::make_shared<Shape>();
   shape->mesh = std::move(mesh);
+  shape->box = shape->mesh.box();
   shape->adjacency = make_adjacency(shape->mesh);
   shape->mass = mass_properties(shape->mesh, shape->adjacency);
   shape->bvh = build_bvh(shape->mesh);

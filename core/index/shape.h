@@ -12,6 +12,7 @@ namespace trivet {
 
 struct Shape {
   Mesh mesh;
+  Aabb box;  // of the mesh
   Adjacency adjacency;
   MassProperties mass;
   Bvh bvh;

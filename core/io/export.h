@@ -22,9 +22,22 @@ struct ExportScene {
   std::string extras_json;  // glTF `extras` of the scene; empty: none
 };
 
-/// The float32 positions (world, z up) that a reader of the glTF sees: float32 node matrix times
-/// float32 vertex in double, rounded to float32. One per vertex of the mesh. This is what the
-/// exact check of a float32 export looks at, and it is computed by the code that writes the file.
+/// Where a reader of the glTF sees a vertex, as doubles (world, z up): float32 node matrix times
+/// float32 vertex in double, rounded to float32. This is what the exact check of a float32 export
+/// looks at, and it is computed by the code that writes the file.
+class ExportedPlacement {
+ public:
+  /// @param mesh_box  of object.model->mesh.
+  /// @throws Error (BadInput) naming the object when its pose is beyond the range of float32.
+  ExportedPlacement(const ExportObject& object, const Aabb& mesh_box);
+  Vec3 operator()(const Vec3& vertex) const;
+
+ private:
+  Vec3 m_centre;
+  Affine m_y_up_from_local;  // float32 entries
+};
+
+/// All vertices of the mesh through ExportedPlacement.
 std::vector<Eigen::Vector3f> exported_positions(const ExportObject& object);
 
 /// By extension: .glb, .obj (with .mtl beside it), .ply, .stl; the last three hold the coordinates

@@ -27,6 +27,12 @@ Affine y_up_from_local(const Affine& world_from_object, const Vec3& centre) {
   return out;
 }
 
+Vec3 local_centre(const Aabb& mesh_box) {
+  const bool far =
+      !mesh_box.empty() && mesh_box.centre().norm() > kFarInDiagonals * mesh_box.diagonal();
+  return far ? mesh_box.centre() : Vec3(Vec3::Zero());
+}
+
 float finite_float(double value, const ExportObject& object) {
   const float rounded = static_cast<float>(value);
   if (!std::isfinite(rounded)) fail_range(object);
@@ -37,9 +43,7 @@ float finite_float(double value, const ExportObject& object) {
 
 LocalVertices local_vertices(const Mesh& mesh) {
   LocalVertices out;
-  const Aabb box = mesh.box();
-  if (!box.empty() && box.centre().norm() > kFarInDiagonals * box.diagonal())
-    out.centre = box.centre();
+  out.centre = local_centre(mesh.box());
   out.positions.reserve(mesh.vertices.size());
   for (const Vec3& p : mesh.vertices) out.positions.push_back((p - out.centre).cast<float>());
   return out;
@@ -55,20 +59,31 @@ NodeMatrix node_matrix(const ExportObject& object, const Vec3& centre) {
   return out;
 }
 
-std::vector<Eigen::Vector3f> exported_positions(const ExportObject& object) {
-  LocalVertices local = local_vertices(object.model->mesh);
-  const NodeMatrix rows = node_matrix(object, local.centre);
-  Affine y_up_from_local;  // the float32 entries, in double
+ExportedPlacement::ExportedPlacement(const ExportObject& object, const Aabb& mesh_box)
+    : m_centre(local_centre(mesh_box)) {
+  const NodeMatrix rows = node_matrix(object, m_centre);
   for (int r = 0; r < 3; ++r) {
-    for (int c = 0; c < 3; ++c) y_up_from_local.linear(r, c) = rows[r][c];
-    y_up_from_local.translation[r] = rows[r][3];
+    for (int c = 0; c < 3; ++c) m_y_up_from_local.linear(r, c) = rows[r][c];
+    m_y_up_from_local.translation[r] = rows[r][3];
   }
-  for (Eigen::Vector3f& p : local.positions) {
-    const Eigen::Vector3f y_up = y_up_from_local.apply(p.cast<double>()).cast<float>();
-    if (!y_up.allFinite()) fail_range(object);
-    p = {y_up.x(), -y_up.z(), y_up.y()};
+}
+
+Vec3 ExportedPlacement::operator()(const Vec3& vertex) const {
+  const Eigen::Vector3f local = (vertex - m_centre).cast<float>();
+  const Eigen::Vector3f y_up = m_y_up_from_local.apply(local.cast<double>()).cast<float>();
+  return {y_up.x(), -y_up.z(), y_up.y()};
+}
+
+std::vector<Eigen::Vector3f> exported_positions(const ExportObject& object) {
+  const Mesh& mesh = object.model->mesh;
+  const ExportedPlacement placement(object, mesh.box());
+  std::vector<Eigen::Vector3f> out;
+  out.reserve(mesh.vertices.size());
+  for (const Vec3& p : mesh.vertices) {
+    out.push_back(placement(p).cast<float>());
+    if (!out.back().allFinite()) fail_range(object);
   }
-  return std::move(local.positions);
+  return out;
 }
 
 }  // namespace trivet

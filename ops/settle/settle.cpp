@@ -18,7 +18,7 @@ class Settling {
   explicit Settling(const SettleProblem& problem) : m_problem(problem) {
     m_out.pose = problem.start;
     const Shape& shape = *problem.shape;
-    m_object.size = problem.scale * shape.mesh.box().diagonal();
+    m_object.size = problem.scale * shape.box.diagonal();
     m_object.radius_squared = problem.scale * problem.scale * shape.mass.radius_squared;
   }
 
