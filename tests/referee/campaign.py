@@ -1,0 +1,175 @@
+#!/usr/bin/env python3
+"""Lays out real models by the hundred and lets the independent referee judge every scene.
+
+    tests/referee/campaign.py --trivet build/release/apps/trivet --referee PATH/referee \\
+        --shared ../shared [--set floor,pair,pile] [--out DIR] [--same-as OTHER_TRIVET] [--threads 1,2]
+
+floor: every model in 5 random orientations, put onto the floor.
+pair:  every model in 5 random orientations, put onto one of 10 other models that stand there fixed.
+pile:  4 heaps of 50 objects.
+--same-as and --threads run each layout again, by another build or with other numbers of threads:
+reports (apart from milliseconds) and scenes must be the same bytes.
+Prints a table; exit status 1 if a scene is not true, a result differs or under 98 % end ok.
+"""
+import argparse
+import concurrent.futures
+import json
+import os
+import random
+import statistics
+import subprocess
+import sys
+import types
+
+
+def read_models(shared, out):
+    sys.path.insert(0, os.path.join(shared, "tools", "referee"))
+    sys.dont_write_bytecode = True
+    import layouts
+    args = types.SimpleNamespace(
+        models=os.path.join(shared, "data", "models"),
+        csv=os.path.join(shared, "data", "models.csv"), out=out, absolute=True, kinds=None,
+        min_size=0, max_size=float("inf"), max_triangles=sys.maxsize, drop=0.1)
+    return layouts, layouts.read_models(args), args
+
+
+def floor_layouts(layouts, models):
+    for i, model in enumerate(models):
+        for k in range(5):
+            rng = random.Random(f"floor {i} {k}")
+            layout = layouts.Layout()
+            layout.put("object", model, layouts.random_rotation(rng), 0, 0, layouts.CLEAR + 0.1)
+            yield f"floor_{i:02d}_{k}", layout.json
+
+
+def pair_layouts(layouts, models):
+    supports = random.Random(7).sample(models, 10)
+    for i, model in enumerate(models):
+        for k in range(5):
+            rng = random.Random(f"pair {i} {k}")
+            support = rng.choice([s for s in supports if s is not model])
+            lower, upper = support.box()
+            half = [(b - a) / 2 for a, b in zip(lower, upper)]
+            layout = layouts.Layout()
+            layout.add("support", support, fixed=True,
+                       position=support.position(layouts.IDENTITY, 0, 0, layouts.CLEAR),
+                       rotation=list(layouts.IDENTITY))
+            x, y = (0.7 * h * rng.uniform(-1, 1) for h in half[:2])
+            layout.put("load", model, layouts.random_rotation(rng), x, y,
+                       2 * half[2] + 2 * layouts.CLEAR + 0.1)
+            yield f"pair_{i:02d}_{k}", layout.json
+
+
+def pile_layouts(layouts, models, args):
+    args.objects, args.radius = 50, None
+    for k in range(4):
+        layout = layouts.make_pile(models, random.Random(f"pile {k}"), args)
+        yield f"pile_{k}", layout.json
+
+
+def without_times(path):
+    with open(path) as file:
+        report = json.load(file)
+    for operation in report["operations"]:
+        operation.pop("milliseconds", None)
+    return json.dumps(report, sort_keys=True)
+
+
+def run_trivet(trivet, base, suffix, *options):
+    scene, report = f"{base}{suffix}.glb", f"{base}{suffix}.report.json"
+    done = subprocess.run([trivet, "run", base + ".json", "-o", scene, "--report", report,
+                           "--quiet", *options], capture_output=True, text=True)
+    if done.returncode not in (0, 1):
+        raise RuntimeError(f"{base}: status {done.returncode}: {done.stderr}")
+    return scene, report
+
+
+def differences(options, base, scene, report):
+    """What else ran, and did not give the same bytes."""
+    others = [(options.trivet, f"-{n}-threads", ["--threads", n])
+              for n in filter(None, options.threads.split(","))]
+    if options.same_as:
+        others.append((options.same_as, "-other-build", []))
+    found = []
+    for trivet, suffix, arguments in others:
+        other_scene, other_report = run_trivet(trivet, base, suffix, *arguments)
+        with open(scene, "rb") as a, open(other_scene, "rb") as b:
+            same = a.read() == b.read() and without_times(report) == without_times(other_report)
+        if not same:
+            found.append(os.path.basename(base) + suffix)
+        os.remove(other_scene)
+    return found
+
+
+def judge(options, name, layout):
+    base = os.path.join(options.out, name)
+    with open(base + ".json", "w") as file:
+        json.dump(layout, file)
+    scene, report = run_trivet(options.trivet, base, "")
+    with open(report) as file:
+        operations = json.load(file)["operations"]
+    verdict = subprocess.run([options.referee, report, "--layout", base + ".json", "--scene",
+                              scene, "--json"], capture_output=True, text=True)
+    totals = json.loads(verdict.stdout) if verdict.returncode in (0, 1) else {}
+    different = differences(options, base, scene, report)
+    os.remove(scene)
+    return name, operations, totals, different
+
+
+TOTALS = ["interpenetrating_pairs", "float32_interpenetrating_pairs", "below_floor",
+          "float32_below_floor", "contained", "hovering", "unstable", "false_supports",
+          "not_rigid", "scene_mismatch", "layout_mismatch"]
+
+
+def run_set(options, title, layouts):
+    with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
+        results = list(pool.map(lambda item: judge(options, *item), layouts))
+    operations = [o for _, ops, _, _ in results for o in ops]
+    done = [o for o in operations if o["status"] == "ok"]
+    times = sorted(o["milliseconds"] for o in done)
+    true = sum(1 for _, _, totals, _ in results if totals.get("verdict"))
+    sums = {k: sum(t.get(k) or 0 for _, _, t, _ in results) for k in TOTALS}
+    different = [d for _, _, _, found in results for d in found]
+    print(f"| {title} | {len(results)} | {len(done)} of {len(operations)} | {true} | "
+          f"{sum(sums.values())} | {statistics.median(times):.2f} | "
+          f"{times[int(0.95 * (len(times) - 1))]:.1f} | {times[-1]:.0f} | {len(different)} |",
+          flush=True)
+    for o in operations:
+        if o["status"] != "ok":
+            print(f"  refused: {o['reason']}", file=sys.stderr)
+    for name, _, totals, _ in results:
+        if not totals.get("verdict"):
+            print(f"  not true: {name} {totals}", file=sys.stderr)
+    for name in different:
+        print(f"  differs: {name}", file=sys.stderr)
+    return true == len(results) and not different and len(done) >= 0.98 * len(operations)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--trivet", required=True)
+    parser.add_argument("--referee", required=True)
+    parser.add_argument("--shared", required=True)
+    parser.add_argument("--set", default="floor,pair,pile")
+    parser.add_argument("--out", default="out/campaign")
+    parser.add_argument("--jobs", type=int, default=1, help="at a time; 1 for fair times")
+    parser.add_argument("--same-as", help="another build of trivet")
+    parser.add_argument("--threads", default="", help="numbers of threads, with commas")
+    options = parser.parse_args()
+    options.shared, options.out = os.path.abspath(options.shared), os.path.abspath(options.out)
+    os.makedirs(options.out, exist_ok=True)
+    layouts, models, args = read_models(options.shared, options.out)
+    sets = {"floor": lambda: floor_layouts(layouts, models),
+            "pair": lambda: pair_layouts(layouts, models),
+            "pile": lambda: pile_layouts(layouts, models, args)}
+    titles = {"floor": "80 models x 5 on the floor", "pair": "80 models x 5 on another model",
+              "pile": "4 heaps of 50 objects"}
+    print("| scenes | number | PUTs ok | true | findings | PUT ms median | p95 | max | differ |\n"
+          "|---|---|---|---|---|---|---|---|---|")
+    ok = [run_set(options, titles[name], sets[name]()) for name in options.set.split(",")]
+    sys.exit(0 if all(ok) else 1)
+
+
+if __name__ == "__main__":
+    main()
