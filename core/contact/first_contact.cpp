@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <optional>
 #include <tuple>
@@ -332,6 +333,8 @@ class FloorTraversal {
 }  // namespace
 
 FirstContact first_contact(const FirstContactQuery& query) {
+  // box_until() holds for a quarter turn at most.
+  assert(query.motion.kind == Motion::Kind::Translation || query.motion.limit <= 1);
   FirstContact best;
   struct Candidate {
     double bound;
