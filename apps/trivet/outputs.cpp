@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -20,9 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 void check_extension(const std::string& path, const std::vector<std::string>& accepted) {
-  std::string extension = fs::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string extension = extension_of(path);
   if (std::find(accepted.begin(), accepted.end(), extension) != accepted.end()) return;
   std::string list;
   for (const std::string& e : accepted) list += (list.empty() ? "" : ", ") + e;
@@ -157,6 +156,13 @@ std::string summary(const LayoutRun& run) {
       << count_of(run.operations.size(), "operation") << ", " << num_refused << " refused\n"
       << check_summary(run.check);
   return out.str();
+}
+
+std::string extension_of(const std::string& file) {
+  std::string extension = fs::path(file).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
 }
 
 std::string folder_of(const std::string& file) { return fs::path(file).parent_path().string(); }

@@ -50,5 +50,7 @@ std::string summary(const LayoutRun& run);
 /// The way from a file's folder to another folder; "" for the same one.
 std::string folder_from(const std::string& from_file, const std::string& to_folder);
 std::string folder_of(const std::string& file);
+/// ".glb" of "a.GLB".
+std::string extension_of(const std::string& file);
 
 }  // namespace trivet::apps

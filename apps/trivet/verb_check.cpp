@@ -1,4 +1,4 @@
-#include <filesystem>
+#include <algorithm>
 #include <iostream>
 
 #include "apps/trivet/outputs.h"
@@ -13,10 +13,6 @@ struct CheckArguments {
   std::string file, report;
   SettleOptions settle;
 };
-
-bool is_layout(const std::string& path) {
-  return std::filesystem::path(path).extension() == ".json";
-}
 
 LayoutRun check_scene_file(const CheckArguments& arguments, const CommonOptions& common) {
   SceneFile file = read_scene_file(arguments.file, common.limits());
@@ -35,13 +31,17 @@ LayoutRun check_layout(const CheckArguments& arguments, const CommonOptions& com
   RunOptions options = run_options(common, arguments.settle);
   options.layout_file = arguments.file;
   const ModelSource models = models_in_folder(folder_of(arguments.file), common.limits());
-  LayoutRun start = run_start_only(layout, models, options);
-  if (layout.operations.empty() || !start.ok()) return start;
+  const auto stands = [](const LayoutObject& o) { return o.pose.has_value(); };
+  if (layout.operations.empty() ||
+      std::any_of(layout.objects.begin(), layout.objects.end(), stands)) {
+    LayoutRun start = run_start_only(layout, models, options);
+    if (layout.operations.empty() || !start.ok()) return start;
+  }
   return run_layout(layout, models, options);
 }
 
 int check(const CheckArguments& arguments, const CommonOptions& common) {
-  const bool layout = is_layout(arguments.file);
+  const bool layout = extension_of(arguments.file) == ".json";
   check_outputs({"", arguments.report, ""}, {arguments.file});
   const LayoutRun run =
       layout ? check_layout(arguments, common) : check_scene_file(arguments, common);

@@ -32,7 +32,11 @@ std::string free_name(const PutArguments& arguments, const Scene& scene) {
   const std::string wanted = arguments.name.empty()
                                  ? std::filesystem::path(arguments.model).stem().string()
                                  : arguments.name;
-  if (wanted == "floor" || (!arguments.name.empty() && scene.find(wanted)))
+  if (!is_object_name(wanted))
+    throw Error(Error::Kind::BadInput, "--name: \"" + wanted +
+                                           "\" is not accepted; accepted: UTF-8 without control "
+                                           "characters, not \"floor\"");
+  if (!arguments.name.empty() && scene.find(wanted))
     throw Error(Error::Kind::BadInput, "--name: \"" + wanted +
                                            "\" is taken; accepted: a name that no object of the "
                                            "scene has");
@@ -69,25 +73,30 @@ LayoutObject layout_object(const PutArguments& arguments, const SceneFile& file)
   return object;
 }
 
+// The object, loaded as a layout of its own is.
+Object load_object(const PutArguments& arguments, const Layout& addition, const Scene& scene,
+                   const CommonOptions& common, const RunOptions& options) {
+  const ModelSource source = [&](const std::string&) {
+    return read_model(arguments.model, common.limits());
+  };
+  const Scene single = make_scene(addition, source, options);
+  Object object = single.at(single.ids().front());
+  share_geometry(scene, object);
+  return object;
+}
+
 int put(const PutArguments& arguments, const CommonOptions& common) {
   const Pose start = start_pose(arguments);
   Outputs outputs(arguments.outputs, {arguments.model}, common);
   SceneFile file = read_scene_file(arguments.scene, common.limits());
   for (const std::string& note : file.notes) print_note(common, note);
-
   Layout addition;
   addition.objects.push_back(layout_object(arguments, file));
   addition.operations.push_back({LayoutOperation::Kind::Put, addition.objects.back().name, start});
-  SettleOptions settle = arguments.settle;
-  if (!(settle.clearance > 0)) settle.clearance = file.clearance;
-  const RunOptions options = run_options(common, settle);
-  const ModelSource source = [&](const std::string&) {
-    return read_model(arguments.model, common.limits());
-  };
-  Scene single = make_scene(addition, source, options);
-  Object object = single.at(single.ids().front());
-  share_geometry(file.scene, object);
+  RunOptions options = run_options(common, arguments.settle);
+  if (!(options.settle.clearance > 0)) options.settle.clearance = file.clearance;
 
+  Object object = load_object(arguments, addition, file.scene, common, options);
   LayoutRun run;
   run.scene = std::move(file.scene);
   const ObjectId id = run.scene.add(std::move(object));
@@ -101,7 +110,7 @@ int put(const PutArguments& arguments, const CommonOptions& common) {
   finish_run(options, run);
   const std::string folder = folder_of(arguments.scene);
   const OutputPaths& paths = arguments.outputs;
-  return outputs.write(run, file.layout, settle,
+  return outputs.write(run, file.layout, options.settle,
                        {folder_from(paths.scene, folder), folder_from(paths.report, folder)});
 }
 

@@ -1,5 +1,3 @@
-#include <algorithm>
-#include <filesystem>
 #include <iostream>
 
 #include "apps/trivet/outputs.h"
@@ -32,8 +30,7 @@ Scene scene_of_model(const std::string& path, const CommonOptions& common) {
 }
 
 Scene read_scene(const std::string& path, const CommonOptions& common) {
-  if (std::filesystem::path(path).extension() != ".glb" || !is_scene_file(path))
-    return scene_of_model(path, common);
+  if (extension_of(path) != ".glb" || !is_scene_file(path)) return scene_of_model(path, common);
   SceneFile file = read_scene_file(path, common.limits());
   for (const std::string& note : file.notes) print_note(common, note);
   return std::move(file.scene);

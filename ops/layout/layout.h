@@ -41,6 +41,9 @@ struct Layout {
   std::vector<LayoutOperation> operations;
 };
 
+/// What an object may be called: UTF-8, not empty, no control characters, not "floor".
+bool is_object_name(const std::string& name);
+
 /// A quaternion w, x, y, z of any length but zero as a rotation; one of unit length is taken as it
 /// is, so that what Trivet writes is read to the same bits. Nothing: no component is of the
 /// magnitude kMinQuaternionComponent.

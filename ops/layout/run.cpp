@@ -1,6 +1,7 @@
 #include "ops/layout/run.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "core/base/error.h"
@@ -37,14 +38,32 @@ ModelSource with_place(const Layout& layout, const ModelSource& models, const Ru
   };
 }
 
-void check_reach(const LayoutObject& object, const Aabb& box, size_t index,
+/// A loaded model, and how far from its origin it reaches, in units of its file.
+struct SizedModel {
+  LoadedModel loaded;
+  double reach = 0;
+};
+
+void check_reach(const LayoutObject& object, double reach, size_t index,
                  const RunOptions& options) {
-  const double size = object.scale * box.max_abs_coordinate() * std::sqrt(3.0);
   const double offset = object.pose ? object.pose->translation.cwiseAbs().maxCoeff() : 0;
-  if (size + offset <= kMaxLength) return;
+  const double total = object.scale * reach + offset;
+  if (total <= kMaxLength) return;
   throw Error(Error::Kind::BadInput, place(options, index, ": \"") + object.name + "\" reaches " +
-                                         short_number(size + offset) + " metres; accepted: up to " +
+                                         short_number(total) + " metres; accepted: up to " +
                                          short_number(kMaxLength));
+}
+
+std::map<std::string, SizedModel> load_all(const Layout& layout, const ModelSource& models,
+                                           const RunOptions& options) {
+  const std::vector<std::string> names = model_names(layout);
+  const std::vector<LoadedModel> loaded = load_models(names, with_place(layout, models, options),
+                                                      options.num_threads, options.progress);
+  std::map<std::string, SizedModel> by_name;
+  for (size_t i = 0; i < names.size(); ++i)
+    by_name[names[i]] = {loaded[i],
+                         loaded[i].model->mesh.box().max_abs_coordinate() * std::sqrt(3.0)};
+  return by_name;
 }
 
 void report_progress(const RunOptions& options, const std::string& stage, const std::string& item,
@@ -108,23 +127,18 @@ bool LayoutRun::ok() const {
 }
 
 Scene make_scene(const Layout& layout, const ModelSource& models, const RunOptions& options) {
-  const std::vector<std::string> names = model_names(layout);
-  const std::vector<LoadedModel> loaded = load_models(names, with_place(layout, models, options),
-                                                      options.num_threads, options.progress);
-  std::map<std::string, LoadedModel> by_name;
-  for (size_t i = 0; i < names.size(); ++i) by_name[names[i]] = loaded[i];
-
+  const std::map<std::string, SizedModel> by_name = load_all(layout, models, options);
   Scene scene;
   scene.floor = layout.floor;
   for (size_t i = 0; i < layout.objects.size(); ++i) {
     const LayoutObject& wanted = layout.objects[i];
-    const LoadedModel& model = by_name.at(wanted.model);
-    check_reach(wanted, model.model->mesh.box(), i, options);
+    const SizedModel& sized = by_name.at(wanted.model);
+    check_reach(wanted, sized.reach, i, options);
     Object object;
     object.name = wanted.name;
-    object.model = model.model;
-    object.shape = model.shape;
-    object.up = wanted.up.value_or(model.model->up);
+    object.model = sized.loaded.model;
+    object.shape = sized.loaded.shape;
+    object.up = wanted.up.value_or(object.model->up);
     object.scale = wanted.scale;
     object.fixed = wanted.fixed;
     scene.add(std::move(object));

@@ -199,9 +199,10 @@ class RoundTrips(Case):
                     "--report", "r.json")
         self.assertEqual([o["name"] for o in self.read_json("r.json")["objects"]],
                          ["slab", "a", "b", "cube", "cube_2"])
-        for name in ("a", "floor"):
+        for name, says in (("a", '"a" is taken'), ("floor", '"floor" is not accepted'),
+                           ("a\tb", "without control characters")):
             self.refused("put", "s.glb", "cube.obj", "--position", 0, 0, 2, "--name", name,
-                         "-o", "t.glb", says='--name: "%s" is taken' % name)
+                         "-o", "t.glb", says=["--name: ", says])
 
     def test_a_model_is_stored_once(self):
         self.trivet("run", self.two_cubes(), "-o", "s.glb")
