@@ -1,0 +1,479 @@
+// Where bodies touch: known arrangements, and properties on random bodies that a motion brought
+// into contact.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/tunables.h"
+#include "core/contact/contact_points.h"
+#include "core/contact/triangle_distance.h"
+#include "random_queries.h"
+#include "support/effort.h"
+
+namespace trivet {
+namespace {
+
+constexpr double kEps = 1e-6;  // clearance; sizes are about 1
+constexpr double kTolerance = kContactTolerance * kEps;
+constexpr double kSlack = kFootSlack * kEps;
+constexpr double kExtent = kContactExtent;
+
+struct Posed {
+  std::shared_ptr<const Shape> shape;
+  Body body;
+
+  Posed(const std::vector<Triangle>& triangles, const Vec3& at, const Rotation& rotation = {})
+      : shape(test::shape_of(triangles)), body(*shape, test::placed(rotation, at)) {}
+};
+
+Posed box(const Vec3& half, const Vec3& at, const Rotation& rotation = {}) {
+  return {test::box_triangles(half), at, rotation};
+}
+
+/// Square top at z = 0.
+Posed table(double half = 1) { return box(Vec3(half, half, 0.5), Vec3(0, 0, -0.5)); }
+
+Rotation about(const Vec3& axis, double angle) {
+  return Rotation::about_axis(axis, std::tan(0.5 * angle));
+}
+
+std::vector<ContactPoint> points_of(const Posed& object, const Posed& support) {
+  return contact_points(object.body, support.body, kTolerance, kSlack);
+}
+
+Contact contact_of(const Posed& object, const Posed& support) {
+  return make_contact(merged(points_of(object, support), kTolerance), object.body, &support.body,
+                      kExtent);
+}
+
+void expect_normals(const std::vector<ContactPoint>& points, const Vec3& normal) {
+  for (const ContactPoint& p : points)
+    EXPECT_LT((p.normal - normal).norm(), 1e-9) << p.normal.transpose();
+}
+
+/// Each of `expected` is within 2 clearances of a corner of the hull, and there are no others.
+void expect_hull(const Contact& contact, const std::vector<Vec3>& expected) {
+  EXPECT_EQ(contact.hull.size(), expected.size());
+  for (const Vec3& e : expected) {
+    double nearest = kInfinity;
+    for (const Vec3& h : contact.hull) nearest = std::min(nearest, (h - e).norm());
+    EXPECT_LT(nearest, kTolerance) << e.transpose();
+  }
+}
+
+TEST(ContactPoints, BoxOnBoxTouchesInAnAreaOfFourCorners) {
+  const Posed object = box(Vec3(0.3, 0.2, 0.1), Vec3(0.1, 0.2, 0.1 + kEps)), support = table();
+  const Contact c = contact_of(object, support);
+  EXPECT_EQ(c.type, ContactType::Area);
+  expect_hull(c, {{-0.2, 0, 0}, {0.4, 0, 0}, {0.4, 0.4, 0}, {-0.2, 0.4, 0}});
+  expect_normals(c.points, Vec3::UnitZ());
+  EXPECT_NEAR(c.gap, kEps, 1e-15);
+  EXPECT_LT((c.normal - Vec3::UnitZ()).norm(), 1e-12);
+  // The two faces of the bottom, and the two of the table's top.
+  for (const Index f : {0, 1})
+    EXPECT_TRUE(std::binary_search(c.faces_object.begin(), c.faces_object.end(), f));
+  EXPECT_TRUE(std::is_sorted(c.faces_support.begin(), c.faces_support.end()));
+  EXPECT_FALSE(c.faces_support.empty());
+  for (const Index f : c.faces_support) EXPECT_TRUE(f == 2 || f == 3);
+}
+
+TEST(ContactPoints, BeyondTheToleranceNothingTouches) {
+  EXPECT_TRUE(
+      points_of(box(Vec3(0.3, 0.2, 0.1), Vec3(0, 0, 0.1 + 1.01 * kTolerance)), table()).empty());
+  EXPECT_FALSE(
+      points_of(box(Vec3(0.3, 0.2, 0.1), Vec3(0, 0, 0.1 + 0.99 * kTolerance)), table()).empty());
+}
+
+TEST(ContactPoints, SquareOnSquareTurnedByEighthTouchesInAnOctagon) {
+  const Posed object = box(Vec3(1, 1, 0.1), Vec3(0, 0, 0.1 + kEps), about(Vec3::UnitZ(), M_PI / 4));
+  const Contact c = contact_of(object, table());
+  EXPECT_EQ(c.type, ContactType::Area);
+  const double k = std::sqrt(2.0) - 1;
+  expect_hull(c, {{1, k, 0},
+                  {k, 1, 0},
+                  {-k, 1, 0},
+                  {-1, k, 0},
+                  {-1, -k, 0},
+                  {-k, -1, 0},
+                  {k, -1, 0},
+                  {1, -k, 0}});
+  expect_normals(c.points, Vec3::UnitZ());
+}
+
+TEST(ContactPoints, BoxOverTheEdgeOfATable) {
+  const Contact c = contact_of(box(Vec3(0.5, 0.2, 0.1), Vec3(0.9, 0, 0.1 + kEps)), table());
+  EXPECT_EQ(c.type, ContactType::Area);
+  expect_hull(c, {{0.4, -0.2, 0}, {0.4, 0.2, 0}, {1, 0.2, 0}, {1, -0.2, 0}});
+  expect_normals(c.points, Vec3::UnitZ());
+}
+
+TEST(ContactPoints, BoxOnItsEdgeTouchesInALine) {
+  const double r = std::sqrt(0.5);
+  const Posed object =
+      box(Vec3(0.5, 0.4, 0.5), Vec3(0, 0, r + kEps), about(Vec3::UnitY(), M_PI / 4));
+  const Contact c = contact_of(object, table());
+  EXPECT_EQ(c.type, ContactType::Line);
+  // The ends, and by rounding perhaps the crossing with the diagonal of the top.
+  double low = 0, high = 0;
+  for (const Vec3& h : c.hull) {
+    EXPECT_NEAR(h.x(), 0, 1e-15);
+    low = std::min(low, h.y());
+    high = std::max(high, h.y());
+  }
+  EXPECT_NEAR(low, -0.4, 1e-15);
+  EXPECT_NEAR(high, 0.4, 1e-15);
+  expect_normals(c.points, Vec3::UnitZ());
+}
+
+TEST(ContactPoints, CrossedRodsTouchInAPointBetweenTwoEdges) {
+  const double r = std::sqrt(0.02);
+  const Posed below = box(Vec3(2, 0.1, 0.1), Vec3(0.3, 0, -r), about(Vec3::UnitX(), M_PI / 4));
+  const Posed above =
+      box(Vec3(0.1, 2, 0.1), Vec3(0, 0.5, r + kEps), about(Vec3::UnitY(), M_PI / 4));
+  const Contact c = contact_of(above, below);
+  ASSERT_EQ(c.points.size(), 1u);
+  EXPECT_EQ(c.type, ContactType::Point);
+  EXPECT_EQ(c.points[0].features, ContactFeatures::EdgeEdge);
+  EXPECT_LT((c.points[0].point - Vec3(0, 0, 0.5 * kEps)).norm(), 1e-14);
+  expect_normals(c.points, Vec3::UnitZ());
+  EXPECT_NEAR(c.gap, kEps, 1e-14);
+  EXPECT_EQ(c.faces_object.size(), 2u);
+  EXPECT_EQ(c.faces_support.size(), 2u);
+}
+
+TEST(ContactPoints, SphereOnFloorAndOnTable) {
+  const Posed sphere(test::bumpy_sphere(12, 16, 0, 1), Vec3(0.2, 0.3, 1 + kEps));
+  const auto on_floor = floor_contact_points(sphere.body, kTolerance);
+  ASSERT_EQ(on_floor.size(), 1u);
+  EXPECT_EQ(on_floor[0].features, ContactFeatures::VertexFace);
+  EXPECT_EQ(on_floor[0].normal, Vec3::UnitZ());
+  EXPECT_NEAR(on_floor[0].gap, kEps, 1e-15);
+  EXPECT_LT((on_floor[0].point - Vec3(0.2, 0.3, kEps)).norm(), 1e-15);
+  const Contact c = contact_of(sphere, table());
+  ASSERT_EQ(c.points.size(), 1u);
+  EXPECT_EQ(c.type, ContactType::Point);
+  EXPECT_EQ(c.points[0].features, ContactFeatures::VertexFace);
+  expect_normals(c.points, Vec3::UnitZ());
+}
+
+TEST(ContactPoints, TableOnSphereNamesItsOwnFace) {
+  const Posed sphere(test::bumpy_sphere(12, 16, 0, 1), Vec3(0.2, 0.3, -1 - kEps));
+  const Posed slab = box(Vec3(1, 1, 0.1), Vec3(0, 0, 0.1));
+  const auto points = points_of(slab, sphere);
+  ASSERT_FALSE(points.empty());
+  for (const ContactPoint& p : points) EXPECT_EQ(p.features, ContactFeatures::FaceVertex);
+  expect_normals(points, Vec3::UnitZ());
+  EXPECT_LT((points[0].point - Vec3(0.2, 0.3, -kEps)).norm(), 1e-15);  // the vertex
+}
+
+std::vector<Triangle> pyramid() {  // tip at the origin, pointing down
+  const Vec3 tip(0, 0, 0), a(1, 0, 2), b(-1, 1, 2), c(-1, -1, 2);
+  return {{tip, b, a}, {tip, c, b}, {tip, a, c}, {a, b, c}};
+}
+
+TEST(ContactPoints, TipOnTip) {
+  const Posed above(pyramid(), Vec3(0, 0, kEps));
+  const Posed below(pyramid(), Vec3::Zero(), about(Vec3::UnitX(), M_PI - 1e-9));
+  const Contact c = contact_of(above, below);
+  ASSERT_EQ(c.points.size(), 1u);
+  EXPECT_EQ(c.type, ContactType::Point);
+  EXPECT_EQ(c.points[0].features, ContactFeatures::ClosestPoints);
+  EXPECT_LT((c.points[0].normal - Vec3::UnitZ()).norm(), 1e-6);
+  EXPECT_NEAR(c.gap, kEps, 1e-12);
+  EXPECT_LT(c.points[0].point.norm(), 1e-12);
+}
+
+TEST(ContactPoints, AVertexNearTheDiagonalOfAFlatQuadHasOnlyTheQuadsNormal) {
+  // The tip's edges pass over the diagonal, which is an edge of the mesh but not of the surface.
+  for (const double off : {0.0, 1e-9, 1e-7, 1e-6, 1e-4}) {
+    for (const double turn : {0.0, 0.3, 1.2, 2.0}) {
+      const Posed tip(pyramid(), Vec3(0.2 + off, 0.2, kEps), about(Vec3::UnitZ(), turn));
+      const auto points = points_of(tip, table());
+      EXPECT_FALSE(points.empty());
+      expect_normals(points, Vec3::UnitZ());
+      EXPECT_EQ(merged(points, kTolerance).size(), 1u);
+    }
+  }
+}
+
+TEST(ContactPoints, AVertexBesideAnEdgeOfTheTableStillTouchesIt) {
+  // Beside the edge by less than the slack: over the face. By more: the closest points.
+  const auto normal_at = [](double beside) {
+    const Posed tip(pyramid(), Vec3(1 + beside, 0.1, 0.8 * kEps));
+    const auto points = points_of(tip, table());
+    EXPECT_FALSE(points.empty());
+    return points.empty() ? Vec3::Zero().eval() : points[0].normal;
+  };
+  EXPECT_LT((normal_at(0.5 * kSlack) - Vec3::UnitZ()).norm(), 1e-9);
+  EXPECT_LT((normal_at(0.6 * kEps) - Vec3(0.6, 0, 0.8)).norm(), 1e-6);
+}
+
+TEST(ContactPoints, ParallelEdgesSideBySideTouchInALine) {
+  // The edges see each other at 37 degrees: neither is over a face of the other, nor do they cross.
+  for (const double half : {0.4, 1.0, 1.7})
+    for (const double shift : {0.0, 0.1, 0.5}) {
+      const Posed object =
+          box(Vec3(0.3, half, 0.2), Vec3(1.3 + 0.6 * kEps, shift, 0.2 + 0.8 * kEps));
+      const Contact c = contact_of(object, table());
+      EXPECT_EQ(c.type, ContactType::Line);
+      expect_normals(c.points, Vec3(0.6, 0, 0.8));
+      double low = kInfinity, high = -kInfinity;
+      for (const ContactPoint& p : c.points) {
+        low = std::min(low, p.point.y());
+        high = std::max(high, p.point.y());
+      }
+      EXPECT_NEAR(low, std::max(-1.0, shift - half), 1e-12);
+      EXPECT_NEAR(high, std::min(1.0, shift + half), 1e-12);
+    }
+}
+
+// Disabled: the closest points of faces are taken only where no vertex over a face and no crossing
+// edges are near, on the whole pair of bodies. Here the parallel edges on the left are lost,
+// because the corners on the right are found.
+TEST(ContactPoints, DISABLED_ParallelEdgesOnOneSideAndCornersOnTheOther) {
+  std::vector<Triangle> two_tables = test::box_triangles(Vec3(1, 1, 0.5));
+  for (Triangle t : test::box_triangles(Vec3(1, 1, 0.5))) {
+    for (Vec3& p : t) p += Vec3(2.4, 0, 0);
+    two_tables.push_back(t);
+  }
+  const Posed support(two_tables, Vec3(0, 0, -0.5));
+  const Posed object = box(Vec3(0.3, 0.4, 0.2), Vec3(1.3 + 0.6 * kEps, 0, 0.2 + 0.8 * kEps));
+  int num_left = 0, num_right = 0;
+  for (const ContactPoint& p : points_of(object, support))
+    ++(p.point.x() < 1.2 ? num_left : num_right);
+  EXPECT_GE(num_right, 2);
+  EXPECT_GE(num_left, 2);
+}
+
+TEST(ContactPoints, FlushBoxesTouchInTheWholeFace) {
+  for (const double off : {0.0, 0.9 * kSlack, -0.9 * kSlack, 5 * kEps, -5 * kEps}) {
+    const Posed object = box(Vec3(1, 1, 0.3), Vec3(off, 0, 0.3 + kEps));
+    const Contact c = contact_of(object, table());
+    EXPECT_EQ(c.type, ContactType::Area) << off;
+    expect_normals(c.points, Vec3::UnitZ());
+    EXPECT_GE(c.hull.size(), 4u);
+    for (const Vec3& corner : {Vec3(1, 1, 0), Vec3(1, -1, 0), Vec3(-1, 1, 0), Vec3(-1, -1, 0)}) {
+      double nearest = kInfinity;
+      for (const Vec3& h : c.hull) nearest = std::min(nearest, (h - corner).norm());
+      EXPECT_LT(nearest, 10 * kEps) << off;
+    }
+  }
+}
+
+TEST(ContactPoints, BoxBetweenWallAndFloorHasOneNormalForEach) {
+  const Posed wall = box(Vec3(0.1, 1, 1), Vec3(-0.1, 0, 1));
+  const Posed object = box(Vec3(0.2, 0.3, 0.2), Vec3(0.2 + kEps, 0, 0.2 + kEps));
+  expect_normals(points_of(object, wall), Vec3::UnitX());
+  EXPECT_EQ(contact_of(object, wall).type, ContactType::Area);
+  EXPECT_EQ(floor_contact_points(object.body, kTolerance).size(), 4u);
+}
+
+TEST(ContactPoints, ABoxInAVTouchesBothSlopes) {
+  // One solid with a right-angled notch along y; a box with an edge down lies in it.
+  const double r = std::sqrt(0.5);
+  std::vector<Triangle> notch;
+  test::add_quad(notch, Vec3(0, -1, 0), Vec3(0, 1, 0), Vec3(-1, 1, 1), Vec3(-1, -1, 1));
+  test::add_quad(notch, Vec3(0, 1, 0), Vec3(0, -1, 0), Vec3(1, -1, 1), Vec3(1, 1, 1));
+  const Posed support(notch, Vec3::Zero());
+  const Posed object = box(Vec3(0.2, 0.5, 0.2), Vec3(0, 0, std::sqrt(0.08) + kEps / r),
+                           about(Vec3::UnitY(), M_PI / 4));
+  int left = 0, right = 0;
+  for (const ContactPoint& p : points_of(object, support)) {
+    left += (p.normal - Vec3(r, 0, r)).norm() < 1e-6;
+    right += (p.normal - Vec3(-r, 0, r)).norm() < 1e-6;
+  }
+  EXPECT_GE(left, 4);
+  EXPECT_GE(right, 4);
+}
+
+// --- random bodies ---------------------------------------------------------------------------
+
+double distance_of(const Body& a, const Body& b) {
+  double out = kInfinity;
+  for (Index i = 0; i < static_cast<Index>(a.shape->mesh.triangles.size()); ++i)
+    for (Index j = 0; j < static_cast<Index>(b.shape->mesh.triangles.size()); ++j)
+      out = std::min(out, closest_points(a.triangle(i), b.triangle(j)).distance);
+  return out;
+}
+
+double distance_of(const Vec3& p, const Body& b) {
+  double out = kInfinity;
+  for (Index j = 0; j < static_cast<Index>(b.shape->mesh.triangles.size()); ++j)
+    out = std::min(out, closest_points({p, p, p}, b.triangle(j)).distance);
+  return out;
+}
+
+TEST(ContactPoints, OfRandomBodiesLieOnBothAndAreFoundWhereverTheyAreNear) {
+  constexpr unsigned kSeed = 41;
+  const test::MeshPool pool(kSeed, 16);
+  int num_near = 0, num_points = 0, num_missing = 0;
+  const int num_queries = test::with_effort(6000);
+  for (int i = 0; i < num_queries; i += 3) {  // each third starts in contact
+    const test::RandomQuery q = test::random_query(pool, kSeed, i);
+    const Body a = q.moving[0].body(), b = q.fixed[0].body();
+    const double eps = q.clearance.distance, tolerance = kContactTolerance * eps;
+    const double distance = distance_of(a, b);
+    if (distance < 1e-12) continue;
+    const auto points = contact_points(a, b, tolerance, kFootSlack * eps);
+    num_points += static_cast<int>(points.size());
+    for (const ContactPoint& p : points) {
+      EXPECT_LE(p.gap, tolerance);
+      EXPECT_NEAR(p.normal.norm(), 1, 1e-8);
+      EXPECT_LE(distance_of(p.point, a), 1.1 * tolerance) << "seed " << kSeed << ", query " << i;
+      EXPECT_LE(distance_of(p.point, b), 1.1 * tolerance) << "seed " << kSeed << ", query " << i;
+    }
+    if (distance > tolerance) {
+      EXPECT_TRUE(points.empty());
+    } else if (distance < 0.99 * tolerance) {
+      ++num_near;
+      num_missing += points.empty();
+      EXPECT_FALSE(points.empty()) << "seed " << kSeed << ", query " << i << ", distance "
+                                   << distance << ", clearance " << eps << ": " << q.describe();
+    }
+  }
+  std::printf("seed %u: %d of %d pairs near, %d points\n", kSeed, num_near, num_queries / 3,
+              num_points);
+  EXPECT_GT(num_near, 0.3 * num_queries / 3);
+}
+
+TEST(ContactPoints, AreTheSameSeenFromTheOtherBody) {
+  constexpr unsigned kSeed = 42;
+  const test::MeshPool pool(kSeed, 16);
+  for (int i = 0; i < test::with_effort(3000); i += 3) {
+    const test::RandomQuery q = test::random_query(pool, kSeed, i);
+    if (!q.starts_near) continue;
+    const Body a = q.moving[0].body(), b = q.fixed[0].body();
+    const double eps = q.clearance.distance;
+    const auto ab = contact_points(a, b, kContactTolerance * eps, kFootSlack * eps);
+    const auto ba = contact_points(b, a, kContactTolerance * eps, kFootSlack * eps);
+    EXPECT_EQ(ab.size(), ba.size()) << "seed " << kSeed << ", query " << i;
+    for (const ContactPoint& p : ab) {
+      const bool found = std::any_of(ba.begin(), ba.end(), [&](const ContactPoint& r) {
+        return (p.normal + r.normal).norm() < 1e-3 && (p.point - r.point).norm() < 3 * eps;
+      });
+      EXPECT_TRUE(found) << "seed " << kSeed << ", query " << i;
+    }
+  }
+}
+
+TEST(ContactPoints, WithTheFloorAreAllLowVertices) {
+  test::Random random(43);
+  const test::MeshPool pool(43, 8);
+  int num_points = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const auto& shape = pool.pick(static_cast<test::MeshKind>(i % test::kNumMeshKinds), random);
+    const Body body(*shape, test::placed(random.rotation(), Vec3(0, 0, random.uniform(-1, 1))));
+    const double tolerance = std::pow(10.0, random.uniform(-3, 0));
+    std::vector<Index> expected, found;
+    for (Index v = 0; v < static_cast<Index>(shape->mesh.vertices.size()); ++v)
+      if (body.vertex(v).z() <= tolerance) expected.push_back(v);
+    for (const ContactPoint& p : floor_contact_points(body, tolerance))
+      found.push_back(p.feature_object);
+    EXPECT_EQ(found, expected);
+    num_points += static_cast<int>(found.size());
+  }
+  EXPECT_GT(num_points, 2000);
+}
+
+// --- what is made of the points --------------------------------------------------------------
+
+ContactPoint point_at(const Vec3& p, double gap = kEps, const Vec3& normal = Vec3::UnitZ()) {
+  return {p, normal, gap, ContactFeatures::VertexFace, 0, 0};
+}
+
+Contact made(const std::vector<Vec3>& places) {
+  const Posed any = table();
+  std::vector<ContactPoint> points;
+  for (const Vec3& p : places) points.push_back(point_at(p));
+  return make_contact(points, any.body, nullptr, kExtent);
+}
+
+TEST(MakeContact, TypeFollowsTheExtents) {
+  EXPECT_EQ(made({{0, 0, 0}}).type, ContactType::Point);
+  EXPECT_EQ(made({{0, 0, 0}, {0.5e-4, 0, 0}}).type, ContactType::Point);
+  EXPECT_EQ(made({{0, 0, 0}, {1, 0, 0}}).type, ContactType::Line);
+  EXPECT_EQ(made({{0, 0, 0}, {0.5, 0.5e-4, 0}, {1, 0, 0}}).type, ContactType::Line);
+  EXPECT_EQ(made({{0, 0, 0}, {0.5, 2e-4, 0}, {1, 0, 0}}).type, ContactType::Area);
+  EXPECT_EQ(made({{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}, {0.5, 0.5, 0}}).hull.size(), 4u);
+}
+
+TEST(MakeContact, SumsUpNormalsAndGaps) {
+  const Posed any = table();
+  const Vec3 x = Vec3::UnitX(), z = Vec3::UnitZ();
+  const Contact c = make_contact({point_at({0, 0, 0}, 3e-7, x), point_at({0, 1, 0}, 2e-7, z)},
+                                 any.body, nullptr, kExtent);
+  EXPECT_EQ(c.gap, 2e-7);
+  EXPECT_LT((c.normal - (x + z).normalized()).norm(), 1e-15);
+  EXPECT_EQ(c.points.size(), 2u);
+  // Opposite normals have no mean: the first counts.
+  const Contact clamp = make_contact({point_at({0, 0, 0}, 1e-7, x), point_at({0, 1, 0}, 1e-7, -x)},
+                                     any.body, nullptr, kExtent);
+  EXPECT_EQ(clamp.normal, x);
+  EXPECT_TRUE(clamp.faces_support.empty());
+}
+
+TEST(Merged, KeepsTheSmallestGapOfEachPlaceAndNormal) {
+  const auto out = merged({point_at({0, 0, 0}, 3e-7), point_at({1e-7, 0, 0}, 2e-7),
+                           point_at({0, 1e-7, 0}, 2e-7), point_at({1, 0, 0}, 5e-7)},
+                          1e-6);
+  ASSERT_EQ(out.size(), 2u);
+  EXPECT_EQ(out[0].point, Vec3(1e-7, 0, 0));
+  EXPECT_EQ(out[1].point, Vec3(1, 0, 0));
+  const auto corner = merged({point_at({0, 0, 0}), point_at({0, 0, 0}, kEps, Vec3::UnitX())}, 1e-6);
+  EXPECT_EQ(corner.size(), 2u);  // another normal is another contact
+  EXPECT_TRUE(merged({}, 1).empty());
+}
+
+TEST(Merged, LeavesAPointNearEachAndNoneNearAnother) {
+  test::Random random(44);
+  size_t num_left = 0;
+  for (int i = 0; i < 300; ++i) {
+    std::vector<ContactPoint> points;
+    for (int k = 0; k < 60; ++k)
+      points.push_back(point_at(random.in_cube(1), random.uniform(0, kEps),
+                                random.integer(0, 1) ? Vec3::UnitZ() : Vec3::UnitX()));
+    const double distance = random.uniform(0.05, 0.3);
+    const auto out = merged(points, distance);
+    num_left += out.size();
+    for (size_t a = 0; a < out.size(); ++a)
+      for (size_t b = a + 1; b < out.size(); ++b)
+        EXPECT_TRUE((out[a].point - out[b].point).norm() > distance ||
+                    out[a].normal != out[b].normal);
+  }
+  EXPECT_LT(num_left, 0.97 * 300 * 60);
+  EXPECT_GT(num_left, 0.3 * 300 * 60);
+}
+
+double cross(const Vec2& a, const Vec2& b, const Vec2& c) {
+  return (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x();
+}
+
+TEST(ConvexHull, HoldsAllPointsAndTurnsLeft) {
+  test::Random random(45);
+  for (int i = 0; i < 2000; ++i) {
+    std::vector<Vec2> points;
+    const bool grid = i % 2;  // many collinear and equal points
+    for (int k = random.integer(3, 40); k > 0; --k)
+      points.push_back(grid ? Vec2(random.integer(-2, 2), random.integer(-2, 2))
+                            : Vec2(random.uniform(-1, 1), random.uniform(-1, 1)));
+    const std::vector<Vec2> hull = convex_hull(points);
+    const size_t n = hull.size();
+    for (size_t k = 0; n > 2 && k < n; ++k) {
+      EXPECT_GT(cross(hull[k], hull[(k + 1) % n], hull[(k + 2) % n]), 0);
+      for (const Vec2& p : points) EXPECT_GE(cross(hull[k], hull[(k + 1) % n], p), -1e-15);
+    }
+    for (const Vec2& h : hull) EXPECT_NE(std::find(points.begin(), points.end(), h), points.end());
+  }
+}
+
+TEST(ConvexHull, Degenerate) {
+  EXPECT_TRUE(convex_hull({}).empty());
+  EXPECT_EQ(convex_hull({{1, 2}}).size(), 1u);
+  EXPECT_EQ(convex_hull({{1, 2}, {1, 2}, {1, 2}, {1, 2}}).size(), 1u);
+  EXPECT_EQ(convex_hull({{0, 0}, {1, 1}, {2, 2}, {3, 3}, {1, 1}}).size(), 2u);
+}
+
+}  // namespace
+}  // namespace trivet
