@@ -96,9 +96,12 @@ class PairTraversal {
         m_frame(query.fixed[fixed]),
         m_a(m_frame.tree(query.moving[moving])),
         m_b(m_frame.own_tree(query.fixed[fixed])),
+        m_motion(query.motion),
         m_axis(m_frame.direction(query.motion.axis)),
         m_centre(m_frame.point(query.motion.centre)),
         m_own_axis{m_a.own_axis(0), m_a.own_axis(1), m_a.own_axis(2)} {
+    m_motion.axis = m_axis;
+    m_motion.centre = Vec3::Zero();
     const double spread = m_a.translation.cwiseAbs().maxCoeff() + m_centre.cwiseAbs().maxCoeff();
     m_margin = query.clearance.largest_stop() * 1.002 + 1e-14 * spread;
   }
@@ -156,9 +159,8 @@ class PairTraversal {
       const double gap = std::abs(offset) - a.own_half[k] - extent - m_margin;
       if (gap <= 0) continue;
       const Vec3 n = sign * m_own_axis[k];
-      HeightFunction centre{0, 0, -n.dot(m_axis)};
-      if (turning()) centre = {0, q.dot(n) - m_axis.dot(q) * m_axis.dot(n), q.dot(m_axis.cross(n))};
-      until = std::max(until, box_until({gap, extent, b.radius, centre}, m_query.motion.kind));
+      const HeightFunction centre = height_over_moving_plane(0, n, q, m_motion);
+      until = std::max(until, box_until({gap, extent, b.radius, centre}, m_motion.kind));
     }
     return until;
   }
@@ -173,36 +175,18 @@ class PairTraversal {
   }
 
   // The same for the leaf of one body and a box of the other, from the leaf's tight box.
-  double moving_leaf_bound(const LeafBox& leaf, const BoxTree::Box& b) const {
+  double leaf_bound(const LeafBox& leaf, bool leaf_moves, const BoxTree::Box& box) const {
     double until = 0;
     for (int k = 0; k < 3; ++k) {
-      const auto [gap, side] = leaf.outside(k, b);
-      const Vec3 n = side * leaf.axis[k], q = b.centre - m_centre;
-      // The leaf's plane turns with it: the height of the box over it is R n . q.
-      const HeightFunction f =
-          turning() ? HeightFunction{gap - m_margin, q.dot(n) - m_axis.dot(q) * m_axis.dot(n),
-                                     q.dot(m_axis.cross(n))}
-                    : HeightFunction{gap - m_margin, 0, -n.dot(m_axis)};
-      until = std::max(until, first_zero(f, m_query.motion.kind));
+      const auto [gap, side] = leaf.outside(k, box);
+      const Vec3 n = side * leaf.axis[k], x = box.centre - m_centre;
+      const HeightFunction f = leaf_moves ? height_over_moving_plane(gap - m_margin, n, x, m_motion)
+                                          : height_of_moving_point(gap - m_margin, n, x, m_motion);
+      until = std::max(until, first_zero(f, m_motion.kind));
     }
     return until;
   }
 
-  double fixed_leaf_bound(const LeafBox& leaf, const BoxTree::Box& a) const {
-    double until = 0;
-    for (int k = 0; k < 3; ++k) {
-      const auto [gap, side] = leaf.outside(k, a);
-      const Vec3 n = side * leaf.axis[k], r = a.centre - m_centre;
-      const HeightFunction f =
-          turning() ? HeightFunction{gap - m_margin, n.dot(r) - m_axis.dot(n) * m_axis.dot(r),
-                                     n.dot(m_axis.cross(r))}
-                    : HeightFunction{gap - m_margin, 0, n.dot(m_axis)};
-      until = std::max(until, first_zero(f, m_query.motion.kind));
-    }
-    return until;
-  }
-
-  bool turning() const { return m_query.motion.kind == Motion::Kind::Rotation; }
   bool hopeless(double bound) const { return bound > m_best.time || bound > m_query.motion.limit; }
 
   struct Next {
@@ -223,8 +207,7 @@ class PairTraversal {
     double until = bound(box_a, box_b);
     if (!hopeless(until)) until = std::max(until, own_axes_bound(box_a, box_b));
     if (leaf && !hopeless(until))
-      until = std::max(until,
-                       open_a ? fixed_leaf_bound(*leaf, box_a) : moving_leaf_bound(*leaf, box_b));
+      until = std::max(until, leaf_bound(*leaf, !open_a, open_a ? box_a : box_b));
     return {until, (box_a.centre - box_b.centre).norm() - box_a.radius - box_b.radius, a, b, box_a,
             box_b};
   }
@@ -268,6 +251,7 @@ class PairTraversal {
   FirstContact& m_best;
   UnitFrame m_frame;
   BoxTree m_a, m_b;
+  Motion m_motion;  // in this frame, about the origin
   Vec3 m_axis, m_centre;
   std::array<Vec3, 3> m_own_axis;  // of the moving body
   double m_margin;
@@ -290,16 +274,10 @@ class FloorTraversal {
   double bound(Index node) const {
     const BoxTree::Box box = m_tree.box(node);
     const Motion& motion = m_query.motion;
-    Approach approach{box.centre.z() - box.half.z() - m_margin,
-                      box.half.z(),
-                      box.radius,
-                      {0, 0, motion.axis.z()}};
-    if (motion.kind == Motion::Kind::Rotation) {
-      const Vec3 r = box.centre - motion.centre;
-      approach.centre.A = r.z() - motion.axis.z() * motion.axis.dot(r);
-      approach.centre.B = motion.axis.cross(r).z();
-    }
-    return box_until(approach, motion.kind);
+    const double gap = box.centre.z() - box.half.z() - m_margin;
+    const HeightFunction centre =
+        height_of_moving_point(0, Vec3::UnitZ(), box.centre - motion.centre, motion);
+    return box_until({gap, box.half.z(), box.radius, centre}, motion.kind);
   }
 
   void visit(Index node) {

@@ -23,12 +23,6 @@ struct State {
   const Motion& motion;
 
   bool turning() const { return motion.kind == Motion::Kind::Rotation; }
-
-  // The height function of p . R q + constant for a turn by R about the axis.
-  HeightFunction bilinear(double f0, const Vec3& p, const Vec3& q, double sign) const {
-    const Vec3& axis = motion.axis;
-    return {f0, sign * (p.dot(q) - axis.dot(p) * axis.dot(q)), sign * p.dot(axis.cross(q))};
-  }
 };
 
 double lowest(const Triangle& t, const Vec3& n) {
@@ -46,8 +40,7 @@ double until_static_plane(const State& s, const Vec3& n, double target) {
   for (const Vec3& p : s.a) {
     const double f0 = n.dot(p) - level;
     if (f0 <= 0) return 0;
-    const HeightFunction f =
-        s.turning() ? s.bilinear(f0, n, p, 1) : HeightFunction{f0, 0, n.dot(s.motion.axis)};
+    const HeightFunction f = height_of_moving_point(f0, n, p, s.motion);
     first = std::min(first, first_zero(f, s.motion.kind));
   }
   return first;
@@ -60,7 +53,8 @@ double until_moving_plane(const State& s, const Vec3& n, double target) {
   for (const Vec3& q : s.b) {
     const double f0 = level - n.dot(q);
     if (f0 <= 0) return 0;
-    first = std::min(first, first_zero(s.bilinear(f0, q, n, -1), s.motion.kind));
+    const HeightFunction f = height_over_moving_plane(f0, -n, q, s.motion);
+    first = std::min(first, first_zero(f, s.motion.kind));
   }
   return first;
 }
@@ -98,9 +92,9 @@ double until_edge_plane(const State& s, const ClosestPoints& closest, double tar
       if (f0 <= 0) return 0;
       HeightFunction f{f0, 0, n.dot(s.motion.axis)};
       if (s.turning()) {
-        const HeightFunction x = s.bilinear(0, v, p.cross(u), sign);
-        const HeightFunction y = s.bilinear(0, v.cross(q), u, -sign);
-        f = {f0, x.A + y.A, x.B + y.B};
+        const HeightFunction x = turning_product(0, s.motion.axis, v, p.cross(u));
+        const HeightFunction y = turning_product(0, s.motion.axis, v.cross(q), u);
+        f = {f0, sign * (x.A - y.A), sign * (x.B - y.B)};
       }
       first = std::min(first, first_zero(f, s.motion.kind));
     }
@@ -211,11 +205,8 @@ PairContact first_contact(const Triangle& moving, const Triangle& fixed, const M
 
 double first_floor_contact(const Vec3& p, const Motion& motion, const Clearance& clearance) {
   const double f0 = p.z() - clearance.target(p.z());
-  if (motion.kind == Motion::Kind::Translation)
-    return first_zero({f0, 0, motion.axis.z()}, motion.kind);
-  const Vec3 r = p - motion.centre;
-  const Vec3& a = motion.axis;
-  return first_zero({f0, r.z() - a.z() * a.dot(r), a.cross(r).z()}, motion.kind);
+  return first_zero(height_of_moving_point(f0, Vec3::UnitZ(), p - motion.centre, motion),
+                    motion.kind);
 }
 
 }  // namespace trivet

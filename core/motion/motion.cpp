@@ -27,6 +27,22 @@ double compose_turns(double s_first, double s_second) {
   return denominator > 0 ? (s_first + s_second) / denominator : kInfinity;
 }
 
+HeightFunction turning_product(double f0, const Vec3& axis, const Vec3& p, const Vec3& q) {
+  return {f0, p.dot(q) - axis.dot(p) * axis.dot(q), p.dot(axis.cross(q))};
+}
+
+HeightFunction height_of_moving_point(double f0, const Vec3& n, const Vec3& x,
+                                      const Motion& motion) {
+  if (motion.kind == Motion::Kind::Translation) return {f0, 0, n.dot(motion.axis)};
+  return turning_product(f0, motion.axis, n, x);
+}
+
+HeightFunction height_over_moving_plane(double f0, const Vec3& n, const Vec3& x,
+                                        const Motion& motion) {
+  if (motion.kind == Motion::Kind::Translation) return {f0, 0, -n.dot(motion.axis)};
+  return turning_product(f0, motion.axis, x, n);
+}
+
 double first_zero(const HeightFunction& f, Motion::Kind kind) {
   if (f.f0 <= 0) return 0;
   if (kind == Motion::Kind::Translation) return f.B < 0 ? f.f0 / -f.B : kInfinity;

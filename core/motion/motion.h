@@ -39,6 +39,16 @@ struct HeightFunction {
   double f0, A, B;
 };
 
+/// Of n . x for a moving point x over a plane with normal n that stands still; f0 is its value at
+/// the start. x is relative to a point on the axis.
+HeightFunction height_of_moving_point(double f0, const Vec3& n, const Vec3& x,
+                                      const Motion& motion);
+/// The same for a point x that stands still over a plane that moves.
+HeightFunction height_over_moving_plane(double f0, const Vec3& n, const Vec3& x,
+                                        const Motion& motion);
+/// Of f0 + p . R q - p . q, R turning about the unit axis.
+HeightFunction turning_product(double f0, const Vec3& axis, const Vec3& p, const Vec3& q);
+
 /// First time > 0 at which a height that starts at f0 > 0 is 0; 0 if f0 <= 0; infinity if never.
 double first_zero(const HeightFunction& f, Motion::Kind kind);
 
