@@ -64,8 +64,7 @@ inline std::vector<Triangle> bumpy_sphere(int rings, int segments, double bump, 
   const double a = random.uniform(2, 5), b = random.uniform(2, 5), c = random.uniform(0, 6);
   const auto at = [&](int i, int j) -> Vec3 {
     const double theta = M_PI * i / rings, phi = 2 * M_PI * (j % segments) / segments;
-    const Vec3 d(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi),
-                 std::cos(theta));
+    const Vec3 d(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta));
     if (i == 0 || i == rings) return (i == 0 ? 1.0 : -1.0) * Vec3::UnitZ();
     return (1 + bump * std::sin(a * d.x() + c) * std::sin(b * d.y()) * std::sin(theta)) * d;
   };

@@ -1,0 +1,220 @@
+// Forces that balance: textbook cases.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "ops/settle/equilibrium.h"
+#include "ops/settle/settle.h"
+#include "support/random_shapes.h"
+
+namespace trivet {
+namespace {
+
+constexpr double kTiny = 1e-7;
+
+ContactPoint contact(const Vec3& point, const Vec3& normal = Vec3::UnitZ()) {
+  return {point, normal.normalized(), 1e-6, ContactFeatures::VertexFace, 0, 0};
+}
+
+/// The corners of a square of half size 1, turned about the origin.
+std::vector<ContactPoint> square(const Mat3& rotation = Mat3::Identity()) {
+  std::vector<ContactPoint> out;
+  for (const double x : {-1.0, 1.0})
+    for (const double y : {-1.0, 1.0})
+      out.push_back(contact(rotation * Vec3(x, y, 0), rotation * Vec3::UnitZ()));
+  return out;
+}
+
+double least(const std::vector<ContactPoint>& contacts, const Vec3& centre, double size = 2) {
+  return least_friction(contacts, centre, size, kTiny);
+}
+
+TEST(HullMargin, OfASquare) {
+  const std::vector<Vec2> square{{0, 0}, {2, 0}, {2, 2}, {0, 2}, {1, 1}};
+  EXPECT_EQ(hull_margin(square, {1, 1}), 1);
+  EXPECT_EQ(hull_margin(square, {0.25, 1}), 0.25);
+  EXPECT_EQ(hull_margin(square, {-0.5, 1}), -0.5);
+  EXPECT_EQ(hull_margin(square, {-3, -4}), -5);
+  EXPECT_EQ(hull_margin(square, {0, 1}), 0);
+}
+
+TEST(HullMargin, OfFewerPointsIsNeverPositive) {
+  EXPECT_EQ(hull_margin({}, {0, 0}), -kInfinity);
+  EXPECT_EQ(hull_margin({{3, 4}}, {0, 0}), -5);
+  EXPECT_EQ(hull_margin({{-1, 2}, {1, 2}}, {0, 0}), -2);
+  EXPECT_EQ(hull_margin({{-1, 0}, {1, 0}, {0.5, 0}}, {0, 0}), 0);  // exactly over it
+}
+
+TEST(CarryingMargin, LeavesOutSteepContacts) {
+  auto contacts = square();
+  EXPECT_EQ(carrying_margin(contacts, {0.5, 0, 3}), 0.5);
+  contacts.push_back(contact({5, 0, 0}, Vec3::UnitX()));
+  contacts.push_back(contact({0, 5, 0}, -Vec3::UnitZ()));
+  EXPECT_EQ(carrying_margin(contacts, {0.5, 0, 3}), 0.5);
+  EXPECT_EQ(carrying_margin({contact({0, 0, 0}, Vec3::UnitX())}, {0, 0, 1}), -kInfinity);
+}
+
+TEST(Equilibrium, BoxOnTheGroundNeedsNoFriction) {
+  EXPECT_NEAR(equilibrium_residual(square(), {0.9, -0.9, 1}, 2, 0), 0, kTiny);
+  EXPECT_EQ(least(square(), {0.9, -0.9, 1}), 0);
+}
+
+TEST(Equilibrium, BeyondTheHullNoFrictionHelps) {
+  EXPECT_GT(equilibrium_residual(square(), {1.1, 0, 1}, 2, 5), 0.01);
+  EXPECT_EQ(least(square(), {1.1, 0, 1}), kInfinity);
+  // The missing torque: 0.1 beyond the edge, in weights times size.
+  EXPECT_NEAR(equilibrium_residual(square(), {1.1, 0, 1}, 2, 0), 0.1 / 2, kTiny);
+}
+
+TEST(Equilibrium, NothingHoldsWithoutContacts) {
+  EXPECT_EQ(equilibrium_residual({}, Vec3::Zero(), 1, 1), kInfinity);
+  EXPECT_EQ(least({}, Vec3::Zero()), kInfinity);
+  // Contacts that push down or sideways only: the whole weight is missing.
+  EXPECT_NEAR(equilibrium_residual({contact({0, 0, 1}, -Vec3::UnitZ())}, Vec3::Zero(), 2, 0), 1,
+              kTiny);
+  EXPECT_NEAR(equilibrium_residual({contact({-1, 0, 0}, Vec3::UnitX())}, Vec3::Zero(), 2, 0), 1,
+              kTiny);
+}
+
+TEST(LeastFriction, OfABlockOnASlopeIsTheTangent) {
+  for (const double angle : {0.05, 0.2, 0.5, 0.9, 1.2}) {
+    const Mat3 slope = Rotation::about_axis(Vec3::UnitY(), std::tan(angle / 2)).matrix();
+    const double mu = least(square(slope), slope * Vec3(0, 0, 0.1));
+    EXPECT_GE(mu, 0.999 * std::tan(angle));
+    EXPECT_LE(mu, 1.011 * std::tan(angle));
+  }
+}
+
+TEST(LeastFriction, OfASlopeInAnyDirectionIsSafe) {
+  // The pyramid is inside the cone: it may ask for more, by 1 / cos(22.5 degrees), never for less.
+  test::Random random(1);
+  for (int i = 0; i < 200; ++i) {
+    const double angle = random.uniform(0.05, 1.2), around = random.uniform(0, 2 * M_PI);
+    const Vec3 axis(std::cos(around), std::sin(around), 0);
+    const Mat3 slope = Rotation::about_axis(axis, std::tan(angle / 2)).matrix();
+    const double mu = least(square(slope), slope * Vec3(0, 0, 0.1));
+    EXPECT_GE(mu, 0.999 * std::tan(angle));
+    EXPECT_LE(mu, 1.095 * std::tan(angle));
+  }
+}
+
+TEST(LeastFriction, TooSteepIsInfinite) {
+  const Mat3 slope = Rotation::about_axis(Vec3::UnitY(), std::tan(0.5 * 1.5)).matrix();
+  EXPECT_EQ(least(square(slope), slope * Vec3(0, 0, 0.01)), kInfinity);  // tan 1.5 = 14
+}
+
+TEST(LeastFriction, ATallBlockTopplesOnASlopeThatWouldHoldIt) {
+  const Mat3 slope = Rotation::about_axis(Vec3::UnitY(), std::tan(0.25)).matrix();  // 0.5 rad
+  EXPECT_LT(least(square(slope), slope * Vec3(0, 0, 1.8)), 1);
+  EXPECT_EQ(least(square(slope), slope * Vec3(0, 0, 1.9)), kInfinity);  // 1 / tan 0.5 = 1.83
+}
+
+TEST(LeastFriction, OfALadder) {
+  // Uniform, leaning against a rough wall: mu = tan((90 degrees - angle to the ground) / 2).
+  for (const double angle : {0.6, 1.0, 1.3}) {
+    const Vec3 foot(std::cos(angle), 0, 0), head(0, 0, std::sin(angle));
+    const double mu = least({contact(foot), contact(head, Vec3::UnitX())}, 0.5 * (foot + head), 1);
+    const double expected = std::tan(0.5 * (M_PI / 2 - angle));
+    EXPECT_GE(mu, 0.999 * expected);
+    EXPECT_LE(mu, 1.011 * expected);
+  }
+}
+
+TEST(LeastFriction, AVGrooveNeedsNone) {
+  const std::vector<ContactPoint> groove{
+      contact({-1, -1, 0}, {1, 0, 1}), contact({-1, 1, 0}, {1, 0, 1}),
+      contact({1, -1, 0}, {-1, 0, 1}), contact({1, 1, 0}, {-1, 0, 1})};
+  EXPECT_EQ(least(groove, {0, 0, 0.5}), 0);
+  // Off the middle the normals leave a torque: friction must hold it.
+  const double mu = least(groove, {0.3, 0, 0.5});
+  EXPECT_GT(mu, 0.01);
+  EXPECT_LT(mu, 1);
+}
+
+TEST(LeastFriction, AHookHangsUnderItsPoint) {
+  EXPECT_EQ(least({contact({0, 0, 1})}, {0, 0, 0}), 0);
+  EXPECT_EQ(least({contact({0, 0, 1})}, {0.01, 0, 0}), kInfinity);
+  EXPECT_EQ(least({contact({0, 0, -1})}, {0, 0, 0}), 0);  // balanced on a tip: forces balance
+}
+
+TEST(LeastFriction, AKnifeEdgeBalancesOnlyExactly) {
+  const std::vector<ContactPoint> edge{contact({0, -1, 0}), contact({0, 1, 0})};
+  EXPECT_EQ(least(edge, {0, 0.5, 1}), 0);
+  EXPECT_EQ(least(edge, {0.01, 0, 1}), kInfinity);
+  EXPECT_EQ(least(edge, {0, 1.5, 1}), kInfinity);
+}
+
+TEST(LeastFriction, PressingApartByAHairHoldsNothing) {
+  // Two contacts nearly on one line: friction at one against the other must not balance a body
+  // that leans over them.
+  const std::vector<ContactPoint> edge{contact({1e-6, -1, 0}), contact({-1e-6, 1, 0}, {1e-3, 0, 1}),
+                                       contact({0, 0, 0}, {-1e-3, 0, 1})};
+  EXPECT_EQ(least(edge, {0.3, 0, 1}), kInfinity);
+}
+
+TEST(Equilibrium, DoesNotDependOnScaleOrPlace) {
+  test::Random random(2);
+  for (int i = 0; i < 50; ++i) {
+    std::vector<ContactPoint> near, far;
+    const Vec3 centre = random.in_cube(0.5), away = 1000 * random.direction();
+    for (int k = 0; k < 5; ++k) {
+      near.push_back(contact(random.in_cube(1), random.direction() + Vec3::UnitZ()));
+      far.push_back(near.back());
+      far.back().point = 1e3 * near.back().point + away;
+    }
+    EXPECT_NEAR(equilibrium_residual(near, centre, 1, 0.5),
+                equilibrium_residual(far, 1e3 * centre + away, 1e3, 0.5), 1e-9);
+  }
+}
+
+TEST(Equilibrium, MoreFrictionNeverHurts) {
+  test::Random random(3);
+  int num_held = 0;
+  for (int i = 0; i < 200; ++i) {
+    std::vector<ContactPoint> contacts;
+    const int n = random.integer(2, 8);
+    for (int k = 0; k < n; ++k)
+      contacts.push_back(contact(random.in_cube(1), random.direction() + 0.5 * Vec3::UnitZ()));
+    const Vec3 centre = random.in_cube(0.5);
+    double before = kInfinity;
+    for (const double mu : {0.0, 0.2, 0.5, 1.0}) {
+      const double residual = equilibrium_residual(contacts, centre, 2, mu);
+      EXPECT_LE(residual, before + 1e-9);
+      before = residual;
+    }
+    num_held += before < kTiny;
+  }
+  EXPECT_GT(num_held, 20);
+  EXPECT_LT(num_held, 180);
+}
+
+TEST(Reduced, KeepsTheForcesOfManyContacts) {
+  test::Random random(4);
+  for (int i = 0; i < 30; ++i) {
+    std::vector<ContactPoint> contacts;
+    for (int k = 0; k < 300; ++k) {
+      const Vec3 at = random.in_cube(1);
+      contacts.push_back(contact({at.x(), at.y(), 0}));                  // a flat bottom
+      contacts.push_back(contact({-1, at.y(), at.z()}, Vec3::UnitX()));  // against a wall
+    }
+    const auto few = reduced(contacts, 40);
+    EXPECT_LE(few.size(), 60u);
+    EXPECT_GE(few.size(), 6u);
+    for (const Vec3& centre : {Vec3(0.2, 0.1, 1), Vec3(-1.05, 0, 1), Vec3(1.2, 0, 0)})
+      EXPECT_NEAR(equilibrium_residual(few, centre, 2, 0.3),
+                  equilibrium_residual(contacts, centre, 2, 0.3), 0.02);
+  }
+  EXPECT_EQ(reduced(square(), 40).size(), 4u);
+}
+
+TEST(IsAtRest, ByTheHullOrByForces) {
+  EXPECT_TRUE(is_at_rest(square(), {0.9, 0, 1}, 2, 1e-6));
+  EXPECT_FALSE(is_at_rest(square(), {1.1, 0, 1}, 2, 1e-6));
+  EXPECT_TRUE(is_at_rest({contact({0, 0, 1})}, {0, 0, 0}, 2, 1e-6));
+  EXPECT_FALSE(is_at_rest({contact({0, 0, 1})}, {0.1, 0, 0}, 2, 1e-6));
+  EXPECT_FALSE(is_at_rest({}, {0, 0, 0}, 2, 1e-6));
+}
+
+}  // namespace
+}  // namespace trivet
