@@ -1,0 +1,9 @@
+// Stands for FCL where it is not installed.
+#include "perf/fcl_baseline.h"
+
+namespace trivet::perf {
+
+std::unique_ptr<FclPair> make_fcl_pair(const SpherePair&) { return nullptr; }
+std::string fcl_version() { return "left out (not found: libfcl-dev)"; }
+
+}  // namespace trivet::perf

@@ -1,0 +1,52 @@
+// The one table that all measurements of a run go to.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "perf/timing.h"
+
+namespace trivet::perf {
+
+/// printf into a string.
+[[gnu::format(printf, 1, 2)]] std::string text(const char* format, ...);
+
+/// 10'000 as "10K", 1'000'000 as "1M".
+std::string short_count(std::int64_t n);
+
+struct Row {
+  std::string what;
+  Samples samples;
+  double goal_ms = 0;   // for the median; 0: none
+  double ours_ms = 0;   // median CPU time of the same by Trivet, in rows of others; 0: none
+  std::string outcome;  // what came out, and what it cost in other units
+};
+
+class Report {
+ public:
+  // All of them say on stderr what they added.
+
+  /// A row that spans the table.
+  void section(const std::string& title);
+  void add(Row row);
+  /// A row without timing.
+  void remark(const std::string& what, const std::string& outcome) {
+    add({what, {}, 0, 0, outcome});
+  }
+  /// Takes part in the hash of the run.
+  void mix(std::uint64_t section_hash) { m_hash = (m_hash ^ section_hash) * 0x100000001b3; }
+  std::uint64_t hash() const { return m_hash; }
+
+  std::string markdown() const;
+
+ private:
+  struct Line {
+    bool is_section;
+    Row row;
+  };
+  std::vector<Line> m_rows;
+  std::uint64_t m_hash = 0xcbf29ce484222325;
+};
+
+}  // namespace trivet::perf

@@ -1,0 +1,45 @@
+// A fingerprint of results, so that figures and what was computed stay together.
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+
+#include "core/contact/first_contact.h"
+#include "core/motion/pose.h"
+
+namespace trivet::perf {
+
+/// FNV-1a, 64 bits, over the bits of what is added: the same on every machine and with any number
+/// of threads, or Trivet has another answer.
+class ResultHash {
+ public:
+  void add(std::uint64_t bits) {
+    for (int byte = 0; byte < 8; ++byte) {
+      m_hash ^= (bits >> (8 * byte)) & 0xff;
+      m_hash *= 0x100000001b3;
+    }
+  }
+  void add(double value) {
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, &value, sizeof bits);
+    add(bits);
+  }
+  void add(const Vec3& v) { add(v.x()), add(v.y()), add(v.z()); }
+  void add(const Pose& pose) {
+    add(pose.rotation.w), add(pose.rotation.x), add(pose.rotation.y), add(pose.rotation.z);
+    add(pose.translation);
+  }
+  void add(const FirstContact& contact) {
+    add(static_cast<std::uint64_t>(contact.status));
+    if (contact.status == FirstContact::Status::Free) return;
+    add(contact.time);
+    add(static_cast<std::uint64_t>(contact.face_moving));
+    add(static_cast<std::uint64_t>(contact.face_fixed));
+  }
+  std::uint64_t value() const { return m_hash; }
+
+ private:
+  std::uint64_t m_hash = 0xcbf29ce484222325;
+};
+
+}  // namespace trivet::perf

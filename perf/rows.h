@@ -1,0 +1,23 @@
+// The parts of the table. Each measures, and adds its rows and the hash of its results.
+#pragma once
+
+#include "perf/report.h"
+
+namespace trivet::perf {
+
+void first_contact_rows(Report& report);  // ours and FCL's, on the same motions
+void put_rows(Report& report);            // the demos, also refined
+void settling_rows(Report& report);       // ours, Bullet's and MuJoCo's, from the same starts
+void shape_rows(Report& report);          // memory, index, import
+
+/// What takes longer is measured at the first run.
+inline constexpr double kLong_ms = 50;
+
+/// Else after one run that does not count: caches are warm, as between the queries of a PUT.
+template <class Work>
+Took timed_warm(Work&& work) {
+  const Took first = timed(work);
+  return first.wall_ms > kLong_ms ? first : timed(work);
+}
+
+}  // namespace trivet::perf

@@ -1,0 +1,33 @@
+// The demos as scenes to measure PUT in, also with refined models.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/scene/scene.h"
+#include "ops/layout/layout.h"
+#include "tests/support/random_shapes.h"
+
+namespace trivet::perf {
+
+/// A demo before its first operation: fixed objects stand, the others are out of the scene.
+struct DemoScene {
+  Scene scene;
+  std::vector<LayoutOperation> operations;
+  std::int64_t num_triangles = 0;  // of all objects; those that share a model count, too
+};
+
+/// @param splits  parts that every edge of every model is cut into: splits^2 triangles for one.
+DemoScene make_demo_scene(const std::string& name, int splits = 1);
+
+/// The smallest number of splits that gives at least `num_triangles`.
+int splits_for(const DemoScene& demo, std::int64_t num_triangles);
+
+/// The same surface: every triangle becomes splits^2 coplanar ones (up to rounding), and
+/// neighbours stay welded.
+Mesh refined(const Mesh& mesh, int splits);
+
+/// A start of the layout with any orientation, and up to `jitter` metres aside.
+Pose random_start(const Pose& start, double jitter, test::Random& random);
+
+}  // namespace trivet::perf

@@ -1,0 +1,43 @@
+// The motions that first contact is measured with: bumpy spheres that fall and turn.
+#pragma once
+
+#include <memory>
+
+#include "core/contact/first_contact.h"
+#include "tests/support/random_shapes.h"
+
+namespace trivet::perf {
+
+/// Two different closed meshes of just so many triangles, radius about 1 m.
+struct SpherePair {
+  int num_triangles = 0;
+  std::shared_ptr<const Shape> moving, fixed;
+};
+
+/// @param num_triangles  10'000, 100'000 or 1'000'000.
+SpherePair make_sphere_pair(int num_triangles);
+Mesh make_sphere_mesh(int num_triangles, unsigned seed);
+
+/// One motion of the one towards the other, from random orientations, apart at the start.
+struct Sweep {
+  const SpherePair* spheres = nullptr;
+  Pose pose_moving, pose_fixed;
+  Motion motion;
+  Clearance clearance;  // as PUT chooses it: kRelativeClearance of the scene's size
+
+  Body moving() const;
+  Body fixed() const;
+  FirstContact first_contact() const;
+  /// Metres that the moving sphere's centre travels until `time`; along the arc of a turn.
+  double travel(double time) const;
+  /// The time when that part (0 to 1) of the distance or angle is done.
+  double time_at(double part) const;
+};
+
+/// A fall of 3 m onto the other, up to 0.8 m off its middle.
+Sweep random_drop(const SpherePair& spheres, test::Random& random);
+
+/// A quarter turn, about a random axis beside the fixed sphere, that leads onto it.
+Sweep random_turn(const SpherePair& spheres, test::Random& random);
+
+}  // namespace trivet::perf
