@@ -1,0 +1,53 @@
+// Scenes in which something is about to be put onto something, and what must hold of every PUT.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ops/put.h"
+#include "support/solids.h"
+
+namespace trivet::test {
+
+/// A scene with fixed supports, and one object that is not in it yet, above them.
+struct Arrangement {
+  std::string name;
+  Scene scene;
+  ObjectId object;
+  Pose start;
+};
+
+/// All deterministic; `index` chooses shape and orientation.
+Arrangement on_floor(int index);  // box, tetrahedron, cylinder, plate, torus, ball, ...
+Arrangement stick_on_saucer(int index);
+Arrangement into_bowl(int index);
+Arrangement torus_over_peg(int index);
+Arrangement on_two_heights(int index);
+Arrangement against_wall(int index);
+Arrangement into_wedge(int index);  // a V of three angles
+Arrangement hook_on_bar(int index);
+Arrangement onto_ball(int index);
+Arrangement onto_slope(int index);
+
+using MakeArrangement = Arrangement (*)(int);
+
+/// Adds an object and stands it where it is; fixed.
+ObjectId add_fixed(Scene& scene, const std::string& name, const Triangles& triangles,
+                   const Vec3& at = Vec3::Zero(), const Rotation& rotation = {});
+
+/// One of the shapes of about the given size, by number.
+Triangles some_shape(int index, double size);
+
+/// Puts, and checks all that must hold afterwards: energy falls in every step, no crossings in
+/// double and float32, at rest, gaps within (0, 2] clearances, links and state consistent. When
+/// refused, the scene must be untouched.
+OperationResult checked_put(Scene& scene, ObjectId object, const Pose& start,
+                            const SettleOptions& options = {});
+
+/// checked_put() twice, from the same scene: the same poses to the last bit.
+OperationResult put_twice(Arrangement& a, const SettleOptions& options = {});
+
+/// Every field of every object, links and contacts; the first difference, or nothing.
+std::string difference(const Scene& a, const Scene& b);
+
+}  // namespace trivet::test
