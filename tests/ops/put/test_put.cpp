@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdio>
 
 #include "arrangements.h"
@@ -11,33 +12,143 @@
 namespace trivet {
 namespace {
 
+using test::Arrangement;
+
+/// What an object came to lie on.
+struct Outcome {
+  bool floor = false, first = false, second = false;  // first and second support of the scene
+  Vec3 centre = Vec3::Zero();
+};
+
+Outcome outcome_of(const Arrangement& a) {
+  Outcome out;
+  const auto ids = a.scene.ids();
+  for (const Link& link : a.scene.at(a.object).links) {
+    out.floor |= !link.with;
+    out.first |= link.with == ids[0];
+    out.second |= ids.size() > 2 && link.with == ids[1];
+  }
+  out.centre = a.scene.at(a.object).centre_of_mass();
+  return out;
+}
+
 /// Every one must end ok.
-void expect_all_ok(test::MakeArrangement make, int num) {
-  int num_ok = 0, num_motions = 0, most = 0;
+std::vector<Outcome> expect_all_ok(test::MakeArrangement make, int num) {
+  std::vector<Outcome> outcomes;
+  int num_motions = 0, most = 0;
   num = test::with_effort(num);
   for (int i = 0; i < num; ++i) {
     SCOPED_TRACE("arrangement " + std::to_string(i));
-    test::Arrangement a = make(i);
+    Arrangement a = make(i);
     const OperationResult result = test::put_twice(a);
     EXPECT_TRUE(result.ok()) << a.name << ' ' << i << ": " << result.reason;
-    num_ok += result.ok();
+    if (result.ok()) outcomes.push_back(outcome_of(a));
     num_motions += result.num_motions;
     most = std::max(most, result.num_motions);
   }
-  std::printf("%d of %d ok, %.1f motions in the mean, %d at most\n", num_ok, num,
+  std::printf("%zu of %d ok, %.1f motions in the mean, %d at most\n", outcomes.size(), num,
               1.0 * num_motions / num, most);
+  return outcomes;
 }
 
-TEST(Put, OnTheFloor) { expect_all_ok(test::on_floor, 48); }
-TEST(Put, AStickOnASaucer) { expect_all_ok(test::stick_on_saucer, 16); }
-TEST(Put, IntoABowl) { expect_all_ok(test::into_bowl, 32); }
-TEST(Put, ATorusOverAPeg) { expect_all_ok(test::torus_over_peg, 20); }
-TEST(Put, OnTwoSupportsOfDifferentHeights) { expect_all_ok(test::on_two_heights, 32); }
-TEST(Put, AgainstAWall) { expect_all_ok(test::against_wall, 32); }
-TEST(Put, IntoAWedge) { expect_all_ok(test::into_wedge, 48); }
-TEST(Put, AHookOnABar) { expect_all_ok(test::hook_on_bar, 16); }
-TEST(Put, OntoABall) { expect_all_ok(test::onto_ball, 32); }
-TEST(Put, OntoASlope) { expect_all_ok(test::onto_slope, 48); }
+template <class Condition>
+double share(const std::vector<Outcome>& outcomes, Condition condition) {
+  return 1.0 * std::count_if(outcomes.begin(), outcomes.end(), condition) /
+         static_cast<double>(outcomes.size());
+}
+
+TEST(Put, OnTheFloor) {
+  const auto out = expect_all_ok(test::on_floor, 160);
+  EXPECT_EQ(share(out, [](const Outcome& o) { return o.floor; }), 1);
+}
+
+TEST(Put, AStickOnASaucer) {
+  const auto out = expect_all_ok(test::stick_on_saucer, 48);
+  EXPECT_GT(share(out, [](const Outcome& o) { return o.first; }), 0.7);
+}
+
+TEST(Put, IntoABowl) {
+  const auto out = expect_all_ok(test::into_bowl, 96);
+  EXPECT_GT(share(out, [](const Outcome& o) { return o.first && !o.floor; }), 0.9);
+  EXPECT_GT(share(out, [](const Outcome& o) { return o.centre.head<2>().norm() < 0.3; }), 0.9);
+}
+
+TEST(Put, ATorusOverAPeg) {
+  const auto out = expect_all_ok(test::torus_over_peg, 60);
+  // Around the peg, near its foot.
+  const double around = share(
+      out, [](const Outcome& o) { return o.centre.head<2>().norm() < 0.05 && o.centre.z() < 0.1; });
+  EXPECT_GT(around, 0.4);
+}
+
+TEST(Put, OnTwoSupportsOfDifferentHeights) {
+  const auto out = expect_all_ok(test::on_two_heights, 96);
+  EXPECT_GT(share(out, [](const Outcome& o) { return o.first && o.second; }), 0.2);
+}
+
+TEST(Put, AgainstAWall) {
+  const auto out = expect_all_ok(test::against_wall, 96);
+  EXPECT_GT(share(out, [](const Outcome& o) { return o.first && o.floor; }), 0.1);
+}
+
+TEST(Put, IntoAWedge) {
+  const auto out = expect_all_ok(test::into_wedge, 96);
+  EXPECT_GT(share(out, [](const Outcome& o) { return o.first && o.second; }), 0.5);
+}
+
+TEST(Put, AHookOnABar) {
+  const auto out = expect_all_ok(test::hook_on_bar, 48);
+  EXPECT_GT(share(out, [](const Outcome& o) { return o.first && !o.floor; }), 0.9);
+}
+
+TEST(Put, OntoABall) { expect_all_ok(test::onto_ball, 96); }
+TEST(Put, OntoASlope) { expect_all_ok(test::onto_slope, 96); }
+
+// Disabled: wedged, although it only has to close a gap. The torus leans on three points of a cone,
+// its centre 4.3e-5 outside their hull. The next contact is 32 clearances away, beyond
+// kBalanceTolerance; the turn that closes the gap lowers the centre by 0.053 clearances only, below
+// kEnergyDrop, and is not executed. One of 9,720 arrangements.
+TEST(Put, DISABLED_ATorusThatLacksALastClosingTurn) {
+  Arrangement a = test::torus_over_peg(221);
+  const OperationResult result = test::put_twice(a);
+  EXPECT_TRUE(result.ok()) << result.reason;
+}
+
+// --- the paper's rules, for comparison -------------------------------------------------------
+
+int num_refused(test::MakeArrangement make, int num) {
+  SettleOptions literal;
+  literal.literal_paper_rules = true;
+  int refused = 0;
+  for (int i = 0; i < num; ++i) {
+    Arrangement a = make(i);
+    refused += !test::checked_put(a.scene, a.object, a.start, literal).ok();
+  }
+  return refused;
+}
+
+TEST(PutByLiteralRules, IsNeverStuckOnTheFloor) {
+  EXPECT_EQ(num_refused(test::on_floor, test::with_effort(160)), 0);
+}
+
+TEST(PutByLiteralRules, IsStuckOnSomeOfTheOtherScenes) {
+  const std::vector<std::pair<const char*, test::MakeArrangement>> kinds{
+      {"saucer", test::stick_on_saucer}, {"bowl", test::into_bowl},
+      {"peg", test::torus_over_peg},     {"two heights", test::on_two_heights},
+      {"wall", test::against_wall},      {"wedge", test::into_wedge},
+      {"hook", test::hook_on_bar},       {"ball", test::onto_ball},
+      {"slope", test::onto_slope}};
+  const int num = test::with_effort(48);
+  int refused = 0;
+  for (const auto& [name, make] : kinds) {
+    const int n = num_refused(make, num);
+    std::printf("  %-12s %d of %d refused\n", name, n, num);
+    refused += n;
+  }
+  const double part = 1.0 * refused / (num * static_cast<int>(kinds.size()));
+  EXPECT_GT(part, 0.03);
+  EXPECT_LT(part, 0.4);
+}
 
 }  // namespace
 }  // namespace trivet
