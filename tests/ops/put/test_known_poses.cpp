@@ -384,6 +384,25 @@ TEST(CheckScene, FindsWhatIsWrong) {
   EXPECT_FALSE(check_scene(room.scene).ok());
 }
 
+TEST(CheckScene, IsTheSameWithAnyNumberOfThreads) {
+  Scene scene = heap(16, false);
+  scene.at(scene.ids()[3]).pose.translation.z() += 0.02;  // into something, perhaps
+  scene.at(scene.ids()[9]).pose.translation.z() -= 0.02;
+  const SceneCheck one = check_scene(scene, 1);
+  EXPECT_FALSE(one.ok());
+  for (const int threads : {0, 2, 8}) {
+    const SceneCheck many = check_scene(scene, threads);
+    EXPECT_EQ(many.not_at_rest, one.not_at_rest);
+    EXPECT_EQ(many.smallest_gap, one.smallest_gap);
+    ASSERT_EQ(many.crossings.size(), one.crossings.size());
+    for (size_t i = 0; i < one.crossings.size(); ++i) {
+      EXPECT_EQ(many.crossings[i].a, one.crossings[i].a);
+      EXPECT_EQ(many.crossings[i].b, one.crossings[i].b);
+      EXPECT_EQ(many.crossings[i].count, one.crossings[i].count);
+    }
+  }
+}
+
 TEST(CheckScene, UpdateContactsFindsTheSameAsPut) {
   Scene scene = heap(8, false);
   const Scene before = scene;

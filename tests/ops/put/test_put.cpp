@@ -150,5 +150,24 @@ TEST(PutByLiteralRules, IsStuckOnSomeOfTheOtherScenes) {
   EXPECT_LT(part, 0.4);
 }
 
+TEST(PutByLiteralRules, AWedgedObjectIsAcceptedIfOneWants) {
+  SettleOptions literal, accept;
+  literal.literal_paper_rules = accept.literal_paper_rules = accept.accept_wedged = true;
+  int num_wedged = 0;
+  for (int i = 0; i < 48; ++i) {
+    Arrangement refused = test::against_wall(i), accepted = test::against_wall(i);
+    const OperationResult result = put(refused.scene, refused.object, refused.start, literal);
+    const OperationResult with = put(accepted.scene, accepted.object, accepted.start, accept);
+    EXPECT_TRUE(with.ok()) << with.reason;
+    const ObjectState state = accepted.scene.at(accepted.object).state;
+    EXPECT_EQ(state, result.ok() ? ObjectState::Stable : ObjectState::Wedged);
+    if (result.ok()) continue;
+    ++num_wedged;
+    EXPECT_NE(result.reason.find("\"object\" is wedged between"), std::string::npos);
+    EXPECT_FALSE(refused.scene.at(refused.object).placed);
+  }
+  EXPECT_GT(num_wedged, 0);
+}
+
 }  // namespace
 }  // namespace trivet
