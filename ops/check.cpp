@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "core/base/tunables.h"
 #include "ops/rest.h"
 #include "ops/verify.h"
 
@@ -64,6 +65,13 @@ void add_rest_findings(const Scene& scene, const PlacedObject& o, double clearan
     check.not_at_rest.push_back(o.object().name);
 }
 
+// What a file says its clearance was must not turn hovering into rest.
+double believable_clearance(const Scene& scene, double clearance) {
+  const double usual = default_clearance(scene);
+  return clearance > 0 ? std::min(clearance, kLargestClearance / kRelativeClearance * usual)
+                       : usual;
+}
+
 }  // namespace
 
 std::int64_t SceneCheck::interpenetrating_pairs() const {
@@ -82,7 +90,7 @@ SceneCheck check_scene(const Scene& scene, int num_threads, double clearance) {
       num_threads > 0
           ? num_threads
           : tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
-  if (!(clearance > 0)) clearance = default_clearance(scene);
+  clearance = believable_clearance(scene, clearance);
   const std::vector<PlacedObject> objects = placed_objects(scene);
   std::vector<PairToCheck> pairs = near_pairs(objects);
   tbb::parallel_for(size_t{0}, pairs.size(), [&](size_t i) {
@@ -100,7 +108,7 @@ SceneCheck check_scene(const Scene& scene, int num_threads, double clearance) {
 }
 
 void update_contacts(Scene& scene, double clearance) {
-  if (!(clearance > 0)) clearance = default_clearance(scene);
+  clearance = believable_clearance(scene, clearance);
   for (const ObjectId id : scene.ids()) {
     const Object& object = scene.at(id);
     if (!object.placed) continue;

@@ -1,7 +1,10 @@
 #include "ops/put.h"
 
+#include <algorithm>
 #include <chrono>
+#include <sstream>
 
+#include "core/base/tunables.h"
 #include "ops/rest.h"
 #include "ops/verify.h"
 
@@ -54,9 +57,50 @@ std::string why_not_settled(const Scene& scene, const Surroundings& others, cons
       return name + " did not come to rest within " + std::to_string(options.max_motions) +
              " motions";
     case SettleOutcome::Status::Crossing:
-      return name + " passes through something at its start";
+      return name + " touches something at its start";
   }
   return "";
+}
+
+// The clearance asked for, or the default.
+double clearance_for(const Scene& scene, const Object& object, const Pose& pose,
+                     const SettleOptions& options) {
+  return options.clearance > 0 ? options.clearance
+                               : default_clearance(scene, expected_box(scene, object, pose));
+}
+
+std::string why_not_clearance(const Scene& scene, const Object& object, const Pose& pose,
+                              double clearance) {
+  const double size =
+      default_clearance(scene, expected_box(scene, object, pose)) / kRelativeClearance;
+  if (clearance >= kSmallestClearance * size && clearance <= kLargestClearance * size) return "";
+  std::ostringstream out;
+  out << "a clearance of " << clearance << " m is not between " << kSmallestClearance * size
+      << " and " << kLargestClearance * size << " m, " << kSmallestClearance << " and "
+      << kLargestClearance << " of the scene's size";
+  return out.str();
+}
+
+std::string why_not_movable(const Scene& scene, ObjectId id) {
+  const std::string name = "\"" + scene.at(id).name + "\"";
+  if (scene.at(id).fixed) return name + " is fixed";
+  std::string loads;
+  if (scene.at(id).placed)
+    for (const LoadSupport::Entry& entry : load_support(scene).entries)
+      if (entry.object == id)
+        for (const ObjectId load : entry.loads)
+          loads += (loads.empty() ? "\"" : ", \"") + scene.at(load).name + "\"";
+  return loads.empty() ? "" : name + " carries " + loads + ", which would be left in the air";
+}
+
+// A start that touches the floor is raised by as much as motions keep clear of it.
+Pose clear_of_floor(const Scene& scene, const Object& object, Pose pose, double clearance) {
+  if (!scene.floor) return pose;
+  const Affine world = world_from_object(pose, object.up, object.scale);
+  double lowest = kInfinity;
+  for (const Vec3& v : object.shape->mesh.vertices) lowest = std::min(lowest, world.apply(v).z());
+  if (lowest < kLiftBelow * clearance) pose.translation.z() += clearance - lowest;
+  return pose;
 }
 
 }  // namespace
@@ -65,20 +109,22 @@ OperationResult put(Scene& scene, ObjectId id, const Pose& start, const SettleOp
   OperationResult result;
   const Stopwatch stopwatch(result);
   const Object& object = scene.at(id);
-  if (object.fixed) {
-    refuse(result, "\"" + object.name + "\" is fixed");
-    return result;
+  const double clearance = clearance_for(scene, object, start, options);
+  std::string why = why_not_movable(scene, id);
+  if (why.empty()) why = why_not_clearance(scene, object, start, clearance);
+  if (why.empty()) {
+    why = why_invalid(scene, id, start, false);
+    if (!why.empty()) why = "at its start position " + why;
   }
-  const std::string why = why_invalid(scene, id, start, false);
   if (!why.empty()) {
-    refuse(result, "at its start position " + why);
+    refuse(result, why);
     return result;
   }
   const Surroundings others(scene, id);
-  SettleProblem problem{object.shape.get(), object.up,   object.scale,      start,
-                        others.bodies,      scene.floor, options.clearance, options};
-  if (!(problem.clearance > 0))
-    problem.clearance = default_clearance(scene, expected_box(scene, object, start));
+  const SettleProblem problem{object.shape.get(), object.up,
+                              object.scale,       clear_of_floor(scene, object, start, clearance),
+                              others.bodies,      scene.floor,
+                              clearance,          options};
   SettleOutcome outcome = settle(problem);
   result.num_motions = static_cast<int>(outcome.steps.size());
   result.num_queries = outcome.num_queries;
@@ -93,7 +139,7 @@ OperationResult put(Scene& scene, ObjectId id, const Pose& start, const SettleOp
   commit(
       scene, id, outcome.pose,
       outcome.status == SettleOutcome::Status::Wedged ? ObjectState::Wedged : ObjectState::Stable,
-      others, outcome.contacts, problem.clearance);
+      others, outcome.contacts, clearance);
   return result;
 }
 
@@ -101,14 +147,17 @@ OperationResult stand(Scene& scene, ObjectId id, const Pose& pose, const SettleO
   OperationResult result;
   const Stopwatch stopwatch(result);
   const Object& object = scene.at(id);
-  const std::string why = why_invalid(scene, id, pose, true);
+  const double clearance = clearance_for(scene, object, pose, options);
+  std::string why = why_not_clearance(scene, object, pose, clearance);
+  if (why.empty()) {
+    why = why_invalid(scene, id, pose, true);
+    if (!why.empty()) why = "at its position " + why;
+  }
   if (!why.empty()) {
-    refuse(result, "at its position " + why);
+    refuse(result, why);
     return result;
   }
   const Surroundings others(scene, id);
-  double clearance = options.clearance;
-  if (!(clearance > 0)) clearance = default_clearance(scene, expected_box(scene, object, pose));
   ObjectState state = ObjectState::Fixed;
   if (!object.fixed)
     state = rests_at(scene, object, pose, others, clearance) ? ObjectState::Stable

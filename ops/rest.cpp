@@ -29,14 +29,6 @@ std::vector<Link> links_of(const Object& object, const Pose& pose, const Surroun
   return links;
 }
 
-// Margin and friction of an object that stays where it is.
-void rate_rest(Object& object, const std::vector<ContactPoint>& points, double clearance) {
-  const Vec3 centre = object.centre_of_mass();
-  const double size = size_of(object);
-  object.stability_margin = carrying_margin(points, centre);
-  object.least_friction = least_friction(points, centre, size, residual_tolerance(size, clearance));
-}
-
 }  // namespace
 
 Surroundings::Surroundings(const Scene& scene, ObjectId except) {
@@ -60,24 +52,26 @@ std::vector<ContactsWith> touching(const Scene& scene, const Object& object, con
 
 bool rests_at(const Scene& scene, const Object& object, const Pose& pose,
               const Surroundings& others, double clearance) {
-  const Body body = body_at(object, pose);
-  const double tolerance = kBalanceTolerance * clearance;
-  const auto near =
-      contacts_with(body, others.bodies, scene.floor, tolerance, kFootSlack * clearance);
-  return is_at_rest(all_points(near, tolerance),
-                    body.world_from_object.apply(object.shape->mass.centre), size_of(object),
-                    clearance);
+  SettleProblem problem{object.shape.get(), object.up,   object.scale, pose,
+                        others.bodies,      scene.floor, clearance,    {}};
+  return is_at_rest(problem);
 }
 
 void commit(Scene& scene, ObjectId id, const Pose& pose, ObjectState state,
             const Surroundings& others, const std::vector<ContactsWith>& contacts,
             double clearance) {
   Object& object = scene.at(id);
+  const auto points = all_points(contacts, kContactTolerance * clearance);
+  const Vec3 centre = body_at(object, pose).world_from_object.apply(object.shape->mass.centre);
+  const double size = size_of(object), margin = carrying_margin(points, centre);
+  const double friction = least_friction(points, centre, size, residual_tolerance(size, clearance));
+  scene.link(id, links_of(object, pose, others, contacts, clearance));
+  // Nothing below can fail.
   object.pose = pose;
   object.placed = true;
   object.state = state;
-  rate_rest(object, all_points(contacts, kContactTolerance * clearance), clearance);
-  scene.link(id, links_of(object, pose, others, contacts, clearance));
+  object.stability_margin = margin;
+  object.least_friction = friction;
 }
 
 }  // namespace trivet

@@ -20,7 +20,7 @@ struct Surroundings {
   std::string name(const Scene& scene, Index fixed) const;
 };
 
-/// Whether an object would be at rest at `pose`: by the contacts within kBalanceTolerance.
+/// Whether an object would be at rest at `pose`; see is_at_rest().
 bool rests_at(const Scene& scene, const Object& object, const Pose& pose,
               const Surroundings& others, double clearance);
 

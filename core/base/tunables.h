@@ -53,5 +53,11 @@ inline constexpr int kLiftSweeps = 300;
 /// Contacts within this many clearances may carry when nothing can sink any more: a last closing
 /// motion shorter than kEnergyDrop is not executed.
 inline constexpr double kBalanceTolerance = 20;
+/// An object farther than this many clearances from everything hovers.
+inline constexpr double kHoverTolerance = 8;
+/// Clearances that may be asked for, as parts of the scene's size: smaller drowns in rounding,
+/// larger is hovering.
+inline constexpr double kSmallestClearance = 1e-10;
+inline constexpr double kLargestClearance = 1e-3;
 
 }  // namespace trivet

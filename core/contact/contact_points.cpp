@@ -20,6 +20,12 @@ auto features_of(const ContactPoint& c) {
   return std::tie(c.features, c.feature_object, c.feature_support);
 }
 
+// Two pairs of faces may see the same edges meet a rounding apart: the order must not depend on
+// which came first.
+auto order_of(const ContactPoint& c) {
+  return std::make_tuple(features_of(c), c.gap, c.point.x(), c.point.y(), c.point.z());
+}
+
 struct FacePlane {
   Vec3 normal;                  // unit
   std::array<Vec3, 3> outward;  // unit, in the plane, away from each edge
@@ -58,7 +64,7 @@ class ContactSearch {
       visit(0, 0, m_tree_object.box(0), m_tree_support.box(0), nullptr);
     std::vector<ContactPoint>& out = m_found.empty() ? m_fallback : m_found;
     std::stable_sort(out.begin(), out.end(), [](const ContactPoint& a, const ContactPoint& b) {
-      return std::make_tuple(features_of(a), a.gap) < std::make_tuple(features_of(b), b.gap);
+      return order_of(a) < order_of(b);
     });
     const auto last =
         std::unique(out.begin(), out.end(), [](const ContactPoint& a, const ContactPoint& b) {
@@ -316,11 +322,15 @@ std::vector<ContactPoint> floor_contact_points(const Body& object, double tolera
 }
 
 std::vector<ContactPoint> merged(const std::vector<ContactPoint>& points, double distance) {
-  // Sorted along x, each point is compared with those within reach only.
+  // Sorted along the widest extent, each point is compared with those within reach only.
+  Aabb box;
+  for (const ContactPoint& p : points) box.extend(p.point);
+  int along = 0;
+  if (!points.empty()) box.half_extent().maxCoeff(&along);
   std::vector<Index> order(points.size());
   for (size_t i = 0; i < order.size(); ++i) order[i] = static_cast<Index>(i);
   std::sort(order.begin(), order.end(), [&](Index a, Index b) {
-    return std::make_tuple(points[a].point.x(), a) < std::make_tuple(points[b].point.x(), b);
+    return std::make_tuple(points[a].point[along], a) < std::make_tuple(points[b].point[along], b);
   });
   std::vector<char> dropped(points.size(), 0);
   const auto better = [&](Index a, Index b) {
@@ -329,7 +339,7 @@ std::vector<ContactPoint> merged(const std::vector<ContactPoint>& points, double
   for (size_t i = 0; i < order.size(); ++i)
     for (size_t j = i + 1; j < order.size() && !dropped[order[i]]; ++j) {
       const ContactPoint &p = points[order[i]], &q = points[order[j]];
-      if (q.point.x() - p.point.x() > distance) break;
+      if (q.point[along] - p.point[along] > distance) break;
       if (dropped[order[j]] || (p.point - q.point).squaredNorm() > distance * distance ||
           p.normal.dot(q.normal) < 1 - 0.5e-4)
         continue;

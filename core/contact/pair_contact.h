@@ -43,7 +43,7 @@ struct PairContact {
 
 /// @param moving  world, at time 0. @param fixed  world.
 /// @param best  gives up (Free) as soon as the first contact is proved to be later than this; the
-///   result is otherwise independent of it.
+///   result is otherwise independent of it (but for Stalled, which no test has met yet).
 PairContact first_contact(const Triangle& moving, const Triangle& fixed, const Motion& motion,
                           const Clearance& clearance, double best = kInfinity);
 

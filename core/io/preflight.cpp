@@ -44,7 +44,7 @@ bool next_line(std::istream& in, std::string& line) {
 
 // assimp 5.2 looks for the end of the header forever, and where the text ends early it repeats the
 // last face for each that is missing.
-void check_ply(const std::string& path, std::istream& in) {
+void check_ply(const std::string& path, std::istream& in, std::uintmax_t bytes) {
   std::string line, keyword, value;
   bool ascii = false;
   std::uint64_t expected = 0, found = 0;
@@ -55,6 +55,9 @@ void check_ply(const std::string& path, std::istream& in) {
     std::uint64_t count = 0;
     words >> keyword >> value >> count;
     if (keyword == "format") ascii = value == "ascii";
+    if (keyword == "element" && count > bytes)  // each takes a byte at least
+      fail(path, "is truncated: a file of " + std::to_string(bytes) + " bytes cannot hold " +
+                     std::to_string(count) + " elements \"" + value + "\"");
     if (keyword == "element") expected += count;
   } while (line.substr(0, line.find_last_not_of(" \t") + 1) != "end_header");
   if (!ascii) return;
@@ -82,7 +85,7 @@ void check_file(const std::string& path, const ImportLimits& limits) {
   if (bytes > limits.max_file_bytes)
     fail(path, std::to_string(bytes) + " bytes, more than the limit of " +
                    std::to_string(limits.max_file_bytes));
-  if (has_extension(path, ".ply")) check_ply(path, in);
+  if (has_extension(path, ".ply")) check_ply(path, in, bytes);
 }
 
 void check_faces(const std::string& path, const aiScene& scene) {

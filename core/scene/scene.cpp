@@ -92,9 +92,17 @@ void Scene::unlink(ObjectId id) {
 }
 
 void Scene::link(ObjectId id, std::vector<Link> links) {
-  unlink(id);
-  for (const Link& l : links)
-    if (l.with) at(*l.with).links.push_back({id, reversed(l.contact)});
+  // All that allocates comes first: nothing is half done when memory runs out.
+  std::vector<std::pair<Object*, std::vector<Link>>> seen_by_others;
+  for (Slot& slot : m_slots) {
+    if (!slot.object || &*slot.object == &at(id)) continue;
+    std::vector<Link> others = slot.object->links;
+    std::erase_if(others, [&](const Link& l) { return l.with == id; });
+    for (const Link& l : links)
+      if (l.with && &at(*l.with) == &*slot.object) others.push_back({id, reversed(l.contact)});
+    seen_by_others.emplace_back(&*slot.object, std::move(others));
+  }
+  for (auto& [object, others] : seen_by_others) object->links = std::move(others);
   at(id).links = std::move(links);
 }
 

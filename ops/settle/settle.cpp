@@ -35,13 +35,27 @@ class Settling {
         outcome = give_way(candidates.last_resorts);
       }
       if (outcome == Outcome::FallsOut) return finish(SettleOutcome::Status::FallsOut);
+      if (outcome == Outcome::Crossing) return finish(SettleOutcome::Status::Crossing);
       if (outcome == Outcome::Stuck) return finish(SettleOutcome::Status::Wedged);
     }
     return finish(SettleOutcome::Status::TooManyMotions);
   }
 
+  bool is_at_rest() {
+    const std::vector<ContactPoint> points = look_around();
+    if (!is_balanced()) return false;
+    if (carrying_margin(points, m_object.centre) >= kRestMargin * m_object.size) return true;
+    const double tolerance = kBalanceTolerance * clearance();
+    const std::vector<Candidate> motions =
+        gauss_candidates(points, m_object, fall_limit()).sticking;
+    return std::none_of(motions.begin(), motions.end(), [&](const Candidate& c) {
+      const double time = std::min(query(c.motion).time, c.motion.limit);
+      return sinks_by(c.motion, time) > tolerance;
+    });
+  }
+
  private:
-  enum class Outcome { Moved, Stuck, FallsOut };
+  enum class Outcome { Moved, Stuck, FallsOut, Crossing };
 
   double clearance() const { return m_problem.clearance; }
 
@@ -75,6 +89,10 @@ class Settling {
     return std::isfinite(depth) && depth > 0 ? depth : 0;
   }
 
+  double sinks_by(const Motion& motion, double time) const {
+    return m_object.centre.z() - moved_point(m_object.centre, motion, time).z();
+  }
+
   void execute(SettleStep::Kind kind, const Motion& motion, double time, double drop) {
     m_out.pose = moved_pose(m_out.pose, motion, time);
     m_out.steps.push_back({kind, m_out.pose, drop});
@@ -89,10 +107,12 @@ class Settling {
   Outcome give_way(const std::vector<Candidate>& candidates) {
     for (const Candidate& c : candidates) {
       const FirstContact found = query(c.motion);
+      if (found.status == FirstContact::Status::Crossing && m_out.steps.empty())
+        return Outcome::Crossing;
       if (c.kind == SettleStep::Kind::Fall && found.status == FirstContact::Status::Free)
         return Outcome::FallsOut;
       const double time = std::min(found.time, c.motion.limit);
-      const double drop = m_object.centre.z() - moved_point(m_object.centre, c.motion, time).z();
+      const double drop = sinks_by(c.motion, time);
       if (drop < kEnergyDrop * clearance()) continue;
       execute(c.kind, c.motion, time, drop);
       return Outcome::Moved;
@@ -130,11 +150,16 @@ class Settling {
     return d;
   }
 
+  // Contacts that a last closing motion, too short to be executed, would close count as well.
   bool is_balanced() const {
     const double tolerance = kBalanceTolerance * clearance();
-    const auto near = contacts_with(m_body, m_problem.fixed, m_problem.floor, tolerance,
-                                    kFootSlack * clearance());
-    return is_at_rest(all_points(near, tolerance), m_object.centre, m_object.size, clearance());
+    const auto near = all_points(contacts_with(m_body, m_problem.fixed, m_problem.floor, tolerance,
+                                               kFootSlack * clearance()),
+                                 tolerance);
+    const bool touches = std::any_of(near.begin(), near.end(), [&](const ContactPoint& c) {
+      return c.gap <= kHoverTolerance * clearance();
+    });
+    return touches && trivet::is_balanced(near, m_object.centre, m_object.size, clearance());
   }
 
   SettleOutcome finish(SettleOutcome::Status status) {
@@ -174,15 +199,17 @@ std::vector<ContactPoint> all_points(const std::vector<ContactsWith>& contacts, 
   return all;
 }
 
-bool is_at_rest(const std::vector<ContactPoint>& contacts, const Vec3& centre, double size,
-                double clearance) {
-  return carrying_margin(contacts, centre) >= 0 ||
+bool is_balanced(const std::vector<ContactPoint>& contacts, const Vec3& centre, double size,
+                 double clearance) {
+  return carrying_margin(contacts, centre) >= kRestMargin * size ||
          equilibrium_residual(contacts, centre, size, kLargestFriction) <=
              residual_tolerance(size, clearance);
 }
 
+bool is_at_rest(const SettleProblem& problem) { return Settling(problem).is_at_rest(); }
+
 double residual_tolerance(double size, double clearance) {
-  return 1e-7 + kBalanceTolerance * clearance / std::max(size, clearance);
+  return std::min(1e-2, 1e-7 + kBalanceTolerance * clearance / std::max(size, clearance));
 }
 
 SettleOutcome settle(const SettleProblem& problem) { return Settling(problem).run(); }

@@ -60,10 +60,15 @@ std::vector<ContactsWith> contacts_with(const Body& body, std::span<const Body> 
 /// All points together, those at one place merged.
 std::vector<ContactPoint> all_points(const std::vector<ContactsWith>& contacts, double distance);
 
-/// Whether the contacts hold the body: the centre inside the hull of those that carry, or forces
-/// that balance, up to what the contacts' tolerance leaves open.
-bool is_at_rest(const std::vector<ContactPoint>& contacts, const Vec3& centre, double size,
-                double clearance);
+/// Whether the centre is inside the hull of the contacts that carry, or contact forces balance.
+bool is_balanced(const std::vector<ContactPoint>& contacts, const Vec3& centre, double size,
+                 double clearance);
+
+/// Whether an object at `problem.start` is held there: something is within kHoverTolerance, the
+/// centre is inside the hull of the contacts that carry, or forces balance and no motion would
+/// lower it by more than the contacts' tolerance (a cone on its tip is balanced, but does not
+/// rest).
+bool is_at_rest(const SettleProblem& problem);
 
 /// The residual of equilibrium_residual() that contacts known to a few clearances leave open.
 double residual_tolerance(double size, double clearance);

@@ -209,11 +209,11 @@ TEST(Reduced, KeepsTheForcesOfManyContacts) {
 }
 
 TEST(IsAtRest, ByTheHullOrByForces) {
-  EXPECT_TRUE(is_at_rest(square(), {0.9, 0, 1}, 2, 1e-6));
-  EXPECT_FALSE(is_at_rest(square(), {1.1, 0, 1}, 2, 1e-6));
-  EXPECT_TRUE(is_at_rest({contact({0, 0, 1})}, {0, 0, 0}, 2, 1e-6));
-  EXPECT_FALSE(is_at_rest({contact({0, 0, 1})}, {0.1, 0, 0}, 2, 1e-6));
-  EXPECT_FALSE(is_at_rest({}, {0, 0, 0}, 2, 1e-6));
+  EXPECT_TRUE(is_balanced(square(), {0.9, 0, 1}, 2, 1e-6));
+  EXPECT_FALSE(is_balanced(square(), {1.1, 0, 1}, 2, 1e-6));
+  EXPECT_TRUE(is_balanced({contact({0, 0, 1})}, {0, 0, 0}, 2, 1e-6));
+  EXPECT_FALSE(is_balanced({contact({0, 0, 1})}, {0.1, 0, 0}, 2, 1e-6));
+  EXPECT_FALSE(is_balanced({}, {0, 0, 0}, 2, 1e-6));
 }
 
 }  // namespace
