@@ -21,7 +21,9 @@ BoxTree UnitFrame::tree(const Body& other) const {
 
 BoxTree UnitFrame::own_tree(const Body& fixed) const {
   const double scale = fixed.scale();
-  return {fixed.shape->bvh, scale * Mat3::Identity(), Vec3::Zero(), scale};
+  BoxTree tree(fixed.shape->bvh, scale * Mat3::Identity(), Vec3::Zero(), scale);
+  tree.own_frame = true;
+  return tree;
 }
 
 }  // namespace trivet

@@ -30,6 +30,7 @@ struct BoxTree {
   Mat3 linear, abs_linear;
   Vec3 translation;
   double scale;
+  bool own_frame = false;  // only scaled: boxes stay as they are
 
   BoxTree(const Bvh& tree, const Mat3& m, const Vec3& t, double s)
       : bvh(tree), linear(m), abs_linear(m.cwiseAbs()), translation(t), scale(s) {}
@@ -48,6 +49,7 @@ struct BoxTree {
   Box box(Index node) const {
     const Aabb b = bvh.nodes[node].box();
     const Vec3 half = b.half_extent();
+    if (own_frame) return {scale * b.centre(), scale * half, scale * half.norm(), scale * half};
     return {linear * b.centre() + translation, abs_linear * half, scale * half.norm(),
             scale * half};
   }

@@ -100,6 +100,7 @@ class PairTraversal {
         m_axis(m_frame.direction(query.motion.axis)),
         m_centre(m_frame.point(query.motion.centre)),
         m_own_axis{m_a.own_axis(0), m_a.own_axis(1), m_a.own_axis(2)} {
+    for (int k = 0; k < 3; ++k) m_own_axis_abs[k] = m_own_axis[k].cwiseAbs();
     m_motion.axis = m_axis;
     m_motion.centre = Vec3::Zero();
     const double spread = m_a.translation.cwiseAbs().maxCoeff() + m_centre.cwiseAbs().maxCoeff();
@@ -155,7 +156,7 @@ class PairTraversal {
     double until = 0;
     for (int k = 0; k < 3; ++k) {
       const double offset = m_own_axis[k].dot(d), sign = offset < 0 ? -1 : 1;
-      const double extent = m_own_axis[k].cwiseAbs().dot(b.half);
+      const double extent = m_own_axis_abs[k].dot(b.half);
       const double gap = std::abs(offset) - a.own_half[k] - extent - m_margin;
       if (gap <= 0) continue;
       const Vec3 n = sign * m_own_axis[k];
@@ -253,7 +254,7 @@ class PairTraversal {
   BoxTree m_a, m_b;
   Motion m_motion;  // in this frame, about the origin
   Vec3 m_axis, m_centre;
-  std::array<Vec3, 3> m_own_axis;  // of the moving body
+  std::array<Vec3, 3> m_own_axis, m_own_axis_abs;  // of the moving body
   double m_margin;
 };
 
