@@ -254,7 +254,7 @@ TEST(FloorContact, AgreesWithSamples) {
   test::Random random(23);
   int num_contact = 0;
   for (int i = 0; i < 20000; ++i) {
-    const Vec3 p(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(0, 1));
+    const Vec3 p = random.in_cube(0.5) + Vec3(0, 0, 0.5);
     const Motion motion = test::random_motion(i % 2, p, 1, random);
     const Clearance clearance{std::pow(10.0, random.uniform(-7, -1))};
     const double time = first_floor_contact(p, motion, clearance);

@@ -122,7 +122,7 @@ int num_refused(test::MakeArrangement make, int num) {
   int refused = 0;
   for (int i = 0; i < num; ++i) {
     Arrangement a = make(i);
-    refused += !test::checked_put(a.scene, a.object, a.start, literal).ok();
+    refused += !put(a.scene, a.object, a.start, literal).ok();
   }
   return refused;
 }

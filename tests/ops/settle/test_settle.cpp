@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/base/tunables.h"
 #include "ops/settle/settle.h"
 #include "support/random_shapes.h"
@@ -85,11 +87,27 @@ TEST(Settle, StopsAtTheLimitOfMotions) {
   EXPECT_LE(out.steps.size(), 2u);
 }
 
-// Disabled: a start that crosses is never reported. The first query says so, but settle() takes it
-// for a motion that is blocked at once; put() refuses such starts before.
-TEST(Settle, DISABLED_AStartThatCrossesIsReported) {
+TEST(Settle, AStartThatCrossesIsReported) {
   const std::vector<Body> fixed{cube().at(Vec3(0.5, 0.5, 0.7))};
   EXPECT_EQ(settled(cube(), {{}, Vec3(0, 0, 0.6)}, fixed).status, Status::Crossing);
+}
+
+TEST(IsAtRest, OnlyWhereSomethingHoldsIt) {
+  const auto rests = [](const Vec3& at, const Rotation& rotation = {}) {
+    SettleProblem problem;
+    problem.shape = cube().shape.get();
+    problem.start = {rotation, at};
+    problem.clearance = kEps;
+    return is_at_rest(problem);
+  };
+  EXPECT_TRUE(rests(Vec3(0, 0, 0.5 + kEps)));
+  EXPECT_FALSE(rests(Vec3(0, 0, 0.5 + 15 * kEps)));  // hovers
+  EXPECT_FALSE(rests(Vec3(0, 0, 3)));
+  // On an edge, exactly and not: it balances, but does not rest.
+  const double high = std::sqrt(0.5) + kEps;
+  EXPECT_FALSE(rests(Vec3(0, 0, high), Rotation::about_axis(Vec3::UnitX(), std::tan(M_PI / 8))));
+  EXPECT_FALSE(
+      rests(Vec3(0, 0, high), Rotation::about_axis(Vec3::UnitX(), std::tan(M_PI / 8 + 1e-4))));
 }
 
 TEST(Settle, ContactsAreListedByBodyTheFloorFirst) {
@@ -115,7 +133,8 @@ TEST(Settle, StepsLeadFromTheStartToTheEnd) {
   const Box box(Vec3(0.3, 0.2, 0.1));
   const std::vector<Body> fixed{cube().at(Vec3(0, 0, 0.5 + 1e-5))};
   for (int i = 0; i < 50; ++i) {
-    const Pose start{random.rotation(), Vec3(random.uniform(-1, 1), random.uniform(-1, 1), 2)};
+    const Rotation rotation = random.rotation();
+    const Pose start{rotation, random.beside(1, 2)};
     const SettleOutcome out = settled(box, start, fixed);
     ASSERT_EQ(out.status, Status::AtRest);
     ASSERT_FALSE(out.steps.empty());
