@@ -120,10 +120,24 @@ double until_face_planes(const State& s, const Vec3& towards_a, double target) {
       first, s.turning() ? until_moving_plane(s, na, target) : until_static_plane(s, na, target));
 }
 
+// The direction between the closest points, which at tiny distances is mostly rounding: made
+// perpendicular again to the closest edges that it is nearly perpendicular to.
+Vec3 plane_direction(const State& s, const ClosestPoints& closest) {
+  constexpr double kNearlyPerpendicular = 1e-5;
+  Vec3 n = (closest.point_a - closest.point_b) / closest.distance;
+  const int i = closest.a, j = closest.b;
+  for (const Vec3& edge : {Vec3(s.a[(i + 1) % 3] - s.a[i]), Vec3(s.b[(j + 1) % 3] - s.b[j])}) {
+    const double squared = edge.squaredNorm(), along = edge.dot(n);
+    if (along * along < kNearlyPerpendicular * kNearlyPerpendicular * squared)
+      n -= along / squared * edge;
+  }
+  return n.normalized();
+}
+
 // How long the best of the planes keeps the triangles apart.
 double until_best_plane(const State& s, const ClosestPoints& closest, double target) {
   const Vec3 towards_a = closest.point_a - closest.point_b;
-  const Vec3 n = towards_a / closest.distance;
+  const Vec3 n = plane_direction(s, closest);
   double first = until_static_plane(s, n, target);
   if (s.turning()) first = std::max(first, until_moving_plane(s, n, target));
   if (closest.features == ClosestPoints::Features::EdgeEdge)

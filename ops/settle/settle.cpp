@@ -7,6 +7,7 @@
 #include "core/base/tunables.h"
 #include "core/contact/contact_points.h"
 #include "core/contact/first_contact.h"
+#include "core/scene/scene.h"
 #include "ops/settle/candidates.h"
 #include "ops/settle/equilibrium.h"
 
@@ -42,9 +43,11 @@ class Settling {
   }
 
   bool is_at_rest() {
-    const std::vector<ContactPoint> points = look_around();
+    std::vector<ContactPoint> points = look_around();
     if (!is_balanced()) return false;
     if (carrying_margin(points, m_object.centre) >= kRestMargin * m_object.size) return true;
+    // What lies on the object is no pivot for it.
+    std::erase_if(points, [](const ContactPoint& c) { return c.normal.z() < -kSupportNormalZ; });
     const double tolerance = kBalanceTolerance * clearance();
     const std::vector<Candidate> motions =
         gauss_candidates(points, m_object, fall_limit()).sticking;

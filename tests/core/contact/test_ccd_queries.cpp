@@ -131,11 +131,7 @@ TEST(CcdQueries, RelativeTranslationsHaveNoFalseNegative) {
   EXPECT_EQ(vertex_face.false_negative + edge_edge.false_negative, 0);
 }
 
-// Disabled: 48 false positives, 8 of them stalled pairs. At a distance d the direction between the
-// closest points has an error of 1e-16 / d, so that its plane is tilted by more than d over an edge
-// of length 1 as soon as d is below 1e-8: a vertex that passes an edge at 3e-11 finds no separating
-// plane. Making the direction perpendicular to the closest edges again gives 43, none stalled.
-TEST(CcdQueries, DISABLED_RelativeTranslationsHaveFewFalsePositives) {
+TEST(CcdQueries, RelativeTranslationsHaveFewFalsePositives) {
   TRIVET_NEEDS_DATA("ccd");
   const auto [vertex_face, edge_edge] = score_all();
   EXPECT_LE(vertex_face.false_positive + edge_edge.false_positive, 43);

@@ -207,10 +207,7 @@ TEST(PutHeap, OfMixedShapes) {
   EXPECT_GT(scene.box().upper.z(), 0.15);
 }
 
-// Disabled: boxes 6 and 10 of the heap rest when they are put, and no longer when a box lies on
-// them: the contacts with the load count as pivots, and a turn about a point of the load, whose
-// normal points down, would lower them. A load carries nothing.
-TEST(PutHeap, DISABLED_EveryBoxStaysAtRestUnderItsLoads) {
+TEST(PutHeap, EveryBoxStaysAtRestUnderItsLoads) {
   const Scene scene = heap(20, true);
   for (const std::string& name : check_scene(scene).not_at_rest)
     ADD_FAILURE() << name << " is not at rest";
