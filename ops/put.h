@@ -9,6 +9,8 @@
 
 namespace trivet {
 
+class Detector;
+
 /// How motions keep apart and when settling stops. Lengths in metres.
 struct SettleOptions {
   /// Clearance at which motions stop; 0: 2^-20 of the scene's size or largest coordinate.
@@ -20,6 +22,9 @@ struct SettleOptions {
   /// Accept an object that can neither move nor be shown to be supported, as ObjectState::Wedged;
   /// otherwise the operation is refused.
   bool accept_wedged = false;
+  /// What answers when motions first touch; null: box trees. Not owned; results do not depend on
+  /// it.
+  Detector* detector = nullptr;
 };
 
 /// One executed motion of a settling, for those who want to watch.

@@ -7,62 +7,11 @@
 #include <optional>
 #include <tuple>
 
+#include "core/contact/decide.h"
 #include "core/contact/leaf_box.h"
 
 namespace trivet {
 namespace {
-
-bool earlier(const FirstContact& a, const FirstContact& b) {
-  return std::tie(a.time, a.moving, a.fixed, a.face_moving, a.face_fixed) <
-         std::tie(b.time, b.moving, b.fixed, b.face_moving, b.face_fixed);
-}
-
-void keep_earlier(const FirstContact& found, FirstContact& best) {
-  if (best.status == FirstContact::Status::Free || earlier(found, best)) {
-    const QueryWork work = best.work;
-    best = found;
-    best.work = work;
-  }
-}
-
-void try_faces(const FirstContactQuery& query, Index moving, Index fixed, Index face_moving,
-               Index face_fixed, const Triangle& a, const Triangle& b, FirstContact& best) {
-  ++best.work.face_pairs;
-  const PairContact pair = first_contact(a, b, query.motion, query.clearance, best.time);
-  if (pair.status == PairContact::Status::Free) return;
-  FirstContact found;
-  found.status = pair.status == PairContact::Status::Crossing ? FirstContact::Status::Crossing
-                                                              : FirstContact::Status::Contact;
-  found.stalled = pair.status == PairContact::Status::Stalled;
-  found.time = pair.time;
-  found.moving = moving;
-  found.fixed = fixed;
-  found.face_moving = face_moving;
-  found.face_fixed = face_fixed;
-  found.point = pair.point;
-  found.normal = pair.normal;
-  found.gap = pair.gap;
-  keep_earlier(found, best);
-}
-
-void try_floor_vertex(const FirstContactQuery& query, Index moving, Index vertex,
-                      FirstContact& best) {
-  ++best.work.face_pairs;
-  const Body& body = query.moving[moving];
-  const Vec3 p = body.vertex(vertex);
-  const double time = first_floor_contact(p, query.motion, query.clearance);
-  if (time > query.motion.limit || time > best.time) return;
-  FirstContact found;
-  found.status = p.z() <= 0 ? FirstContact::Status::Crossing : FirstContact::Status::Contact;
-  found.time = time;
-  found.moving = moving;
-  found.fixed = FirstContact::kFloor;
-  found.face_moving = vertex;
-  const Vec3 at = moved_point(p, query.motion, time);
-  found.point = Vec3(at.x(), at.y(), 0);
-  found.gap = std::max(0.0, at.z());
-  keep_earlier(found, best);
-}
 
 // How a box of the moving body comes nearer to something fixed, along one axis.
 struct Approach {
@@ -72,16 +21,25 @@ struct Approach {
   HeightFunction centre;  // A and B of its centre; f0 is not used
 };
 
-// A turning box stays within two bounds: its sphere, and itself grown by the chord 2 sin(angle / 2)
-// times the radius; for s <= 1 that chord is at most 2 s + 0.8285 s^2, over 1 + s^2.
+// A turning box stays within two bounds: itself grown by the chord 2 sin(angle / 2) times the
+// radius (for s <= 1 that chord is at most 2 s + 0.8285 s^2, over 1 + s^2), and its sphere.
+HeightFunction grown_box(const Approach& x) {
+  return {x.gap, x.centre.A + 0.41425 * x.radius, x.centre.B - x.radius};
+}
+HeightFunction sphere_of_box(const Approach& x) {
+  return {x.gap + x.extent - x.radius, x.centre.A, x.centre.B};
+}
+
 double box_until(const Approach& x, Motion::Kind kind) {
   if (x.gap <= 0) return 0;
   if (kind == Motion::Kind::Translation) return first_zero({x.gap, 0, x.centre.B}, kind);
-  const double grown =
-      first_zero({x.gap, x.centre.A + 0.41425 * x.radius, x.centre.B - x.radius}, kind);
-  const double sphere_gap = x.gap + x.extent - x.radius;
-  return sphere_gap <= 0 ? grown
-                         : std::max(grown, first_zero({sphere_gap, x.centre.A, x.centre.B}, kind));
+  return std::max(first_zero(grown_box(x), kind), first_zero(sphere_of_box(x), kind));
+}
+
+bool turning_box_clear_until(const Approach& x, double horizon) {
+  constexpr auto kTurn = Motion::Kind::Rotation;
+  return positive_until(grown_box(x), kTurn, horizon) ||
+         positive_until(sphere_of_box(x), kTurn, horizon);
 }
 
 // One moving against one fixed body, in the frame of the fixed body (unit scale, its boxes are
@@ -100,7 +58,10 @@ class PairTraversal {
         m_axis(m_frame.direction(query.motion.axis)),
         m_centre(m_frame.point(query.motion.centre)),
         m_own_axis{m_a.own_axis(0), m_a.own_axis(1), m_a.own_axis(2)} {
-    for (int k = 0; k < 3; ++k) m_own_axis_abs[k] = m_own_axis[k].cwiseAbs();
+    for (int k = 0; k < 3; ++k) {
+      m_own_axis_abs[k] = m_own_axis[k].cwiseAbs();
+      m_own_axis_speed[k] = m_own_axis[k].dot(m_axis);
+    }
     m_motion.axis = m_axis;
     m_motion.centre = Vec3::Zero();
     const double spread = m_a.translation.cwiseAbs().maxCoeff() + m_centre.cwiseAbs().maxCoeff();
@@ -146,12 +107,15 @@ class PairTraversal {
                               a.radius,
                               {0, sign * radial[k], sign * tangent[k]}};
       until = std::max(until, box_until(approach, Motion::Kind::Rotation));
+      if (hopeless(until)) break;
     }
     return until;
   }
 
-  // The same along the moving body's own axes, which turn with it: its boxes are tight there.
+  // The same along the moving body's own axes, which turn with it: its boxes are tight there. Of a
+  // rotation only whether they keep the boxes apart for as long as it matters: no roots needed.
   double own_axes_bound(const BoxTree::Box& a, const BoxTree::Box& b) const {
+    const bool turning = m_motion.kind == Motion::Kind::Rotation;
     const Vec3 q = b.centre - m_centre, d = b.centre - a.centre;
     double until = 0;
     for (int k = 0; k < 3; ++k) {
@@ -159,9 +123,12 @@ class PairTraversal {
       const double extent = m_own_axis_abs[k].dot(b.half);
       const double gap = std::abs(offset) - a.own_half[k] - extent - m_margin;
       if (gap <= 0) continue;
-      const Vec3 n = sign * m_own_axis[k];
-      const HeightFunction centre = height_over_moving_plane(0, n, q, m_motion);
-      until = std::max(until, box_until({gap, extent, b.radius, centre}, m_motion.kind));
+      if (!turning) {
+        until = std::max(until, first_zero({gap, 0, -sign * m_own_axis_speed[k]}, m_motion.kind));
+        continue;
+      }
+      const HeightFunction centre = height_over_moving_plane(0, sign * m_own_axis[k], q, m_motion);
+      if (turning_box_clear_until({gap, extent, b.radius, centre}, horizon())) return kInfinity;
     }
     return until;
   }
@@ -176,19 +143,20 @@ class PairTraversal {
   }
 
   // The same for the leaf of one body and a box of the other, from the leaf's tight box.
-  double leaf_bound(const LeafBox& leaf, bool leaf_moves, const BoxTree::Box& box) const {
-    double until = 0;
+  bool leaf_clear(const LeafBox& leaf, bool leaf_moves, const BoxTree::Box& box) const {
     for (int k = 0; k < 3; ++k) {
       const auto [gap, side] = leaf.outside(k, box);
       const Vec3 n = side * leaf.axis[k], x = box.centre - m_centre;
       const HeightFunction f = leaf_moves ? height_over_moving_plane(gap - m_margin, n, x, m_motion)
                                           : height_of_moving_point(gap - m_margin, n, x, m_motion);
-      until = std::max(until, first_zero(f, m_motion.kind));
+      if (positive_until(f, m_motion.kind, horizon())) return true;
     }
-    return until;
+    return false;
   }
 
-  bool hopeless(double bound) const { return bound > m_best.time || bound > m_query.motion.limit; }
+  // Nothing later matters.
+  double horizon() const { return std::min(m_best.time, m_query.motion.limit); }
+  bool hopeless(double bound) const { return bound > horizon(); }
 
   struct Next {
     double bound;
@@ -207,8 +175,8 @@ class PairTraversal {
     ++m_best.work.node_pairs;
     double until = bound(box_a, box_b);
     if (!hopeless(until)) until = std::max(until, own_axes_bound(box_a, box_b));
-    if (leaf && !hopeless(until))
-      until = std::max(until, leaf_bound(*leaf, !open_a, open_a ? box_a : box_b));
+    if (leaf && !hopeless(until) && leaf_clear(*leaf, !open_a, open_a ? box_a : box_b))
+      until = kInfinity;
     return {until, (box_a.centre - box_b.centre).norm() - box_a.radius - box_b.radius, a, b, box_a,
             box_b};
   }
@@ -241,8 +209,8 @@ class PairTraversal {
       const Triangle ta = m_query.moving[m_moving].triangle(face_a);
       for (Index j = 0; j < b.num_faces; ++j) {
         const Index face_b = m_b.bvh.faces[b.second_child + j];
-        try_faces(m_query, m_moving, m_fixed, face_a, face_b, ta,
-                  m_query.fixed[m_fixed].triangle(face_b), m_best);
+        decide_faces(m_query, m_moving, m_fixed, face_a, face_b, ta,
+                     m_query.fixed[m_fixed].triangle(face_b), m_best);
       }
     }
   }
@@ -255,6 +223,7 @@ class PairTraversal {
   Motion m_motion;  // in this frame, about the origin
   Vec3 m_axis, m_centre;
   std::array<Vec3, 3> m_own_axis, m_own_axis_abs;  // of the moving body
+  std::array<double, 3> m_own_axis_speed;          // of a translation, along them
   double m_margin;
 };
 
@@ -287,7 +256,7 @@ class FloorTraversal {
       for (Index i = 0; i < n.num_faces; ++i)
         for (const Index vertex :
              m_query.moving[m_moving].shape->mesh.triangles[m_tree.bvh.faces[n.second_child + i]])
-          try_floor_vertex(m_query, m_moving, vertex, m_best);
+          decide_floor_vertex(m_query, m_moving, vertex, m_best);
       return;
     }
     m_best.work.node_pairs += 2;
@@ -343,12 +312,12 @@ FirstContact first_contact_brute_force(const FirstContactQuery& query) {
     const Mesh& mesh = query.moving[m].shape->mesh;
     if (query.floor)
       for (Index v = 0; v < static_cast<Index>(mesh.vertices.size()); ++v)
-        try_floor_vertex(query, m, v, best);
+        decide_floor_vertex(query, m, v, best);
     for (Index f = 0; f < static_cast<Index>(query.fixed.size()); ++f)
       for (Index i = 0; i < static_cast<Index>(mesh.triangles.size()); ++i)
         for (Index j = 0; j < static_cast<Index>(query.fixed[f].shape->mesh.triangles.size()); ++j)
-          try_faces(query, m, f, i, j, query.moving[m].triangle(i), query.fixed[f].triangle(j),
-                    best);
+          decide_faces(query, m, f, i, j, query.moving[m].triangle(i), query.fixed[f].triangle(j),
+                       best);
   }
   return best;
 }

@@ -146,10 +146,33 @@ double until_best_plane(const State& s, const ClosestPoints& closest, double tar
   return std::max(first, until_face_planes(s, towards_a, target));
 }
 
+bool clear_of_static_plane(const State& s, const Vec3& n, double target, double horizon) {
+  const double level = highest(s.b, n) + target;
+  for (const Vec3& p : s.a)
+    if (!positive_until(height_of_moving_point(n.dot(p) - level, n, p, s.motion), s.motion.kind,
+                        horizon))
+      return false;
+  return true;
+}
+
+bool clear_of_moving_plane(const State& s, const Vec3& n, double target, double horizon) {
+  const double level = lowest(s.a, n) - target;
+  for (const Vec3& q : s.b)
+    if (!positive_until(height_over_moving_plane(level - n.dot(q), -n, q, s.motion), s.motion.kind,
+                        horizon))
+      return false;
+  return true;
+}
+
 // Proves cheaply that the pair is free up to `horizon`, by the planes of the two faces.
 bool free_by_faces(const State& s, double largest_stop, double horizon) {
   const Vec3 towards_a = (s.a[0] - s.b[0]) + (s.a[1] - s.b[1]) + (s.a[2] - s.b[2]);
-  return until_face_planes(s, towards_a, largest_stop) > horizon;
+  const Vec3 nb = face_normal(s.b, towards_a);
+  if (nb != Vec3::Zero() && clear_of_static_plane(s, nb, largest_stop, horizon)) return true;
+  const Vec3 na = face_normal(s.a, towards_a);
+  if (na == Vec3::Zero()) return false;
+  return s.turning() ? clear_of_moving_plane(s, na, largest_stop, horizon)
+                     : clear_of_static_plane(s, na, largest_stop, horizon);
 }
 
 double extent(const State& s) {

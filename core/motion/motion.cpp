@@ -1,6 +1,7 @@
 #include "core/motion/motion.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 namespace trivet {
@@ -53,6 +54,15 @@ double first_zero(const HeightFunction& f, Motion::Kind kind) {
   const double root = std::sqrt(discriminant);
   if (f.B < 0) return f.f0 / (root - f.B);
   return leading < 0 ? (root + f.B) / -leading : kInfinity;
+}
+
+bool positive_until(const HeightFunction& f, Motion::Kind kind, double horizon) {
+  if (f.f0 <= 0) return false;
+  if (kind == Motion::Kind::Translation) return f.B >= 0 || f.f0 > -f.B * horizon;
+  const double h = std::min(horizon, 1.0), leading = f.f0 - 2 * f.A;
+  if ((leading * h + 2 * f.B) * h + f.f0 <= 0) return false;
+  // Positive at both ends: a root between them needs the parabola's lowest point between them.
+  return leading <= 0 || f.B >= 0 || -f.B >= leading * h || f.B * f.B < f.f0 * leading;
 }
 
 }  // namespace trivet

@@ -52,4 +52,8 @@ HeightFunction turning_product(double f0, const Vec3& axis, const Vec3& p, const
 /// First time > 0 at which a height that starts at f0 > 0 is 0; 0 if f0 <= 0; infinity if never.
 double first_zero(const HeightFunction& f, Motion::Kind kind);
 
+/// Whether first_zero(f, kind) > horizon, to rounding, without a root. A rotation's horizon may be
+/// larger than 1 and counts as 1.
+bool positive_until(const HeightFunction& f, Motion::Kind kind, double horizon);
+
 }  // namespace trivet

@@ -6,8 +6,8 @@
 
 #include "core/base/tunables.h"
 #include "core/contact/contact_points.h"
-#include "core/contact/first_contact.h"
 #include "core/scene/scene.h"
+#include "ops/detect/detector.h"
 #include "ops/settle/candidates.h"
 #include "ops/settle/equilibrium.h"
 
@@ -79,7 +79,8 @@ class Settling {
     q.floor = m_problem.floor;
     q.motion = motion;
     q.clearance.distance = clearance();
-    const FirstContact found = first_contact(q);
+    Detector* detector = m_problem.options.detector;
+    const FirstContact found = detector ? detector->first_contact(q) : first_contact(q);
     ++m_out.num_queries;
     m_out.num_face_pairs += found.work.face_pairs;
     return found;

@@ -9,8 +9,8 @@
 #include "core/base/tunables.h"
 #include "core/contact/contact_points.h"
 #include "core/contact/triangle_distance.h"
-#include "random_queries.h"
 #include "support/effort.h"
+#include "support/random_queries.h"
 
 namespace trivet {
 namespace {

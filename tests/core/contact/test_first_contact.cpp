@@ -5,8 +5,8 @@
 #include <cstdio>
 
 #include "core/contact/first_contact.h"
-#include "random_queries.h"
 #include "support/effort.h"
+#include "support/random_queries.h"
 
 namespace trivet {
 namespace {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "random_queries.h"
 #include "support/effort.h"
+#include "support/random_queries.h"
 
 namespace trivet {
 namespace {

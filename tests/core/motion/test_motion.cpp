@@ -140,6 +140,29 @@ TEST(FirstZero, IsTheFirstZeroAndNoneIsMissed) {
   EXPECT_LT(num_zeros, 0.8 * kNum);
 }
 
+TEST(PositiveUntil, SaysWhatTheFirstZeroSays) {
+  test::Random random(7);
+  int num_clear = 0, num_compared = 0;
+  for (int i = 0; i < 100000; ++i) {
+    const HeightFunction f = random_height(i, random);
+    const double horizon = i % 4 == 0 ? 1e300 : random.uniform(0, 1.2);
+    for (const auto kind : {kTurn, kSlide}) {
+      const double zero = first_zero(f, kind);
+      const double end = kind == kTurn ? std::min(horizon, 1.0) : horizon;
+      if (std::abs(zero - end) < 1e-6) continue;  // to rounding either
+      // A graze: whether it touches is rounding, too.
+      if (std::abs(f.B * f.B - f.f0 * (f.f0 - 2 * f.A)) < 1e-12 && kind == kTurn) continue;
+      ++num_compared;
+      num_clear += zero > end;
+      EXPECT_EQ(positive_until(f, kind, horizon), zero > end)
+          << std::hexfloat << f.f0 << ", " << f.A << ", " << f.B << " until " << horizon;
+    }
+  }
+  EXPECT_GT(num_compared, 150000);
+  EXPECT_GT(num_clear, 0.3 * num_compared);
+  EXPECT_LT(num_clear, 0.8 * num_compared);
+}
+
 TEST(FirstZero, SmallTurnsKeepAllTheirDigits) {
   test::Random random(6);
   double worst = 0;

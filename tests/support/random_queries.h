@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/contact/first_contact.h"
+#include "core/contact/zlist_stage.h"
 #include "support/random_shapes.h"
 
 namespace trivet::test {
@@ -35,6 +35,7 @@ struct RandomQuery {
 
   FirstContact fast() const;
   FirstContact brute_force() const;
+  FirstContact with_stage(ZListStage& stage, Proposal* proposal = nullptr) const;
   /// Everything moved to where it is at `time`.
   void advance(double time);
   std::string describe() const;  // full digits

@@ -1,4 +1,4 @@
-#include "random_queries.h"
+#include "support/random_queries.h"
 
 #include <bit>
 #include <sstream>
@@ -101,6 +101,10 @@ FirstContact RandomQuery::fast() const {
 
 FirstContact RandomQuery::brute_force() const {
   return ask([](const FirstContactQuery& q) { return first_contact_brute_force(q); });
+}
+
+FirstContact RandomQuery::with_stage(ZListStage& stage, Proposal* proposal) const {
+  return ask([&](const FirstContactQuery& q) { return first_contact(q, stage, proposal); });
 }
 
 void RandomQuery::advance(double time) {

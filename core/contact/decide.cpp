@@ -1,0 +1,63 @@
+#include "core/contact/decide.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace trivet {
+namespace {
+
+bool earlier(const FirstContact& a, const FirstContact& b) {
+  return std::tie(a.time, a.moving, a.fixed, a.face_moving, a.face_fixed) <
+         std::tie(b.time, b.moving, b.fixed, b.face_moving, b.face_fixed);
+}
+
+void keep_earlier(const FirstContact& found, FirstContact& best) {
+  if (best.status == FirstContact::Status::Free || earlier(found, best)) {
+    const QueryWork work = best.work;
+    best = found;
+    best.work = work;
+  }
+}
+
+}  // namespace
+
+void decide_faces(const FirstContactQuery& query, Index moving, Index fixed, Index face_moving,
+                  Index face_fixed, const Triangle& a, const Triangle& b, FirstContact& best) {
+  ++best.work.face_pairs;
+  const PairContact pair = first_contact(a, b, query.motion, query.clearance, best.time);
+  if (pair.status == PairContact::Status::Free) return;
+  FirstContact found;
+  found.status = pair.status == PairContact::Status::Crossing ? FirstContact::Status::Crossing
+                                                              : FirstContact::Status::Contact;
+  found.stalled = pair.status == PairContact::Status::Stalled;
+  found.time = pair.time;
+  found.moving = moving;
+  found.fixed = fixed;
+  found.face_moving = face_moving;
+  found.face_fixed = face_fixed;
+  found.point = pair.point;
+  found.normal = pair.normal;
+  found.gap = pair.gap;
+  keep_earlier(found, best);
+}
+
+void decide_floor_vertex(const FirstContactQuery& query, Index moving, Index vertex,
+                         FirstContact& best) {
+  ++best.work.face_pairs;
+  const Body& body = query.moving[moving];
+  const Vec3 p = body.vertex(vertex);
+  const double time = first_floor_contact(p, query.motion, query.clearance);
+  if (time > query.motion.limit || time > best.time) return;
+  FirstContact found;
+  found.status = p.z() <= 0 ? FirstContact::Status::Crossing : FirstContact::Status::Contact;
+  found.time = time;
+  found.moving = moving;
+  found.fixed = FirstContact::kFloor;
+  found.face_moving = vertex;
+  const Vec3 at = moved_point(p, query.motion, time);
+  found.point = Vec3(at.x(), at.y(), 0);
+  found.gap = std::max(0.0, at.z());
+  keep_earlier(found, best);
+}
+
+}  // namespace trivet

@@ -1,0 +1,18 @@
+// One candidate of first contact, decided: what box trees, z-lists and brute force share. Private.
+#pragma once
+
+#include "core/contact/first_contact.h"
+
+namespace trivet {
+
+/// Decides a pair of faces, and keeps it if it is earlier than `best` in the order of
+/// (time, moving, fixed, face_moving, face_fixed); so the order of the candidates does not matter.
+/// @param a, b  the faces' corners, world, at time 0.
+void decide_faces(const FirstContactQuery& query, Index moving, Index fixed, Index face_moving,
+                  Index face_fixed, const Triangle& a, const Triangle& b, FirstContact& best);
+
+/// The same for a vertex of a moving body and the floor.
+void decide_floor_vertex(const FirstContactQuery& query, Index moving, Index vertex,
+                         FirstContact& best);
+
+}  // namespace trivet

@@ -1,0 +1,60 @@
+// Where candidates for first contact may come from beside the box trees: z-lists along the motion.
+//
+// A stage only proposes; first_contact() of two triangles decides. So every stage, on any hardware,
+// gives the same bits, as long as it leaves out no pair of faces that can be first.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/contact/first_contact.h"
+
+namespace trivet {
+
+/// A pair of faces that may be the first to come into contact.
+struct FacePair {
+  Index moving, fixed;            // bodies: indices into the query's spans
+  Index face_moving, face_fixed;  // triangles of their meshes
+  double not_before;              // lower bound of its time, >= 0; see Motion
+};
+
+/// What the stages of a query left over, and what they read back; counts.
+struct ZListWork {
+  std::int64_t body_pairs = 0;       // stage 1: boxes meet during the motion
+  std::int64_t pixels = 0;           // stage 2: that a moving and a fixed face cover
+  std::int64_t doubtful_pixels = 0;  // stage 3: in which the first contact may be
+  std::int64_t face_pairs = 0;       // proposed
+  std::int64_t bytes_read_back = 0;  // from a GPU
+};
+
+/// What a stage knows after a query. Every pair of faces whose first contact is no later than
+/// `upper` is among `pairs`, and its time is at least its `not_before`.
+struct Proposal {
+  bool usable = false;          // false: the stage gave up (`why`); take another
+  std::string why;              // for people
+  double lower = 0;             // nothing touches before
+  double upper = kInfinity;     // something touches by then; infinity: perhaps nothing does
+  std::vector<FacePair> pairs;  // without duplicates, by not_before, then by indices
+  ZListWork work;
+};
+
+/// Finds, by rasterising along the motion, the pairs of faces that can be first. The floor is no
+/// business of a stage. Not re-entrant: one query at a time.
+class ZListStage {
+ public:
+  virtual ~ZListStage() = default;
+  virtual std::string name() const = 0;  // "software", "gpu (llvmpipe ...)"
+
+  /// @param horizon  contacts later than this do not matter; at most query.motion.limit.
+  /// Pairs stop at distances of up to query.clearance.largest_stop(): "touch" above means that.
+  virtual Proposal propose(const FirstContactQuery& query, double horizon) = 0;
+};
+
+/// The same bits as first_contact(query), with pairs from `stage`; where the stage gives up or
+/// proves wrong, from the box trees.
+/// @param proposal  if not null, what the stage said; not usable when the box trees had to answer.
+FirstContact first_contact(const FirstContactQuery& query, ZListStage& stage,
+                           Proposal* proposal = nullptr);
+
+}  // namespace trivet

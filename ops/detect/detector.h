@@ -1,0 +1,38 @@
+// Collision detection in the paper's three stages [Shinya 1995, 5.1], from whichever source of
+// candidates there is; what all operations ask.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "core/contact/zlist_stage.h"
+
+namespace trivet {
+
+/// What queries cost, added up.
+struct DetectionWork {
+  std::int64_t num_queries = 0;
+  std::int64_t node_pairs = 0;  // of box trees
+  std::int64_t face_pairs = 0;  // decided exactly
+  std::int64_t fallbacks = 0;   // queries that a z-list stage gave up; box trees answered
+  ZListWork zlist;
+};
+
+/// Answers are the same bits whatever the stage. One thread at a time.
+class Detector {
+ public:
+  /// Box trees alone.
+  Detector() = default;
+  explicit Detector(std::unique_ptr<ZListStage> stage) : m_stage(std::move(stage)) {}
+
+  FirstContact first_contact(const FirstContactQuery& query);
+  const DetectionWork& work() const { return m_work; }
+  /// "bvh", or the stage's name.
+  std::string name() const { return m_stage ? m_stage->name() : "bvh"; }
+
+ private:
+  std::unique_ptr<ZListStage> m_stage;
+  DetectionWork m_work;
+};
+
+}  // namespace trivet

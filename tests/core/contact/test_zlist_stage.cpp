@@ -1,0 +1,79 @@
+// What first_contact() makes of what a z-list stage says; stages themselves are tested in their
+// rooms.
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "core/contact/zlist_stage.h"
+#include "support/random_queries.h"
+
+namespace trivet {
+namespace {
+
+/// Says what the test wants.
+class ScriptedStage : public ZListStage {
+ public:
+  explicit ScriptedStage(std::function<Proposal(const FirstContactQuery&)> say)
+      : m_say(std::move(say)) {}
+  std::string name() const override { return "scripted"; }
+  Proposal propose(const FirstContactQuery& query, double /*horizon*/) override {
+    return m_say(query);
+  }
+
+ private:
+  std::function<Proposal(const FirstContactQuery&)> m_say;
+};
+
+Proposal everything(const FirstContactQuery& query) {
+  Proposal out;
+  out.usable = true;
+  for (Index m = 0; m < static_cast<Index>(query.moving.size()); ++m)
+    for (Index f = 0; f < static_cast<Index>(query.fixed.size()); ++f)
+      for (size_t i = 0; i < query.moving[m].shape->mesh.triangles.size(); ++i)
+        for (size_t j = 0; j < query.fixed[f].shape->mesh.triangles.size(); ++j)
+          out.pairs.push_back({m, f, static_cast<Index>(i), static_cast<Index>(j), 0});
+  return out;
+}
+
+constexpr unsigned kSeed = 77;
+constexpr int kNum = 300;
+
+TEST(ZListStage, AllPairsGiveTheAnswerOfBruteForce) {
+  const test::MeshPool pool(kSeed, 12);
+  ScriptedStage stage(everything);
+  int num_contacts = 0;
+  for (int i = 0; i < kNum; ++i) {
+    const test::RandomQuery q = test::random_query(pool, kSeed, i);
+    Proposal proposal;
+    const FirstContact found = q.with_stage(stage, &proposal);
+    EXPECT_TRUE(test::same_answer(found, q.brute_force())) << q.describe();
+    EXPECT_TRUE(proposal.usable);
+    num_contacts += found.status == FirstContact::Status::Contact;
+  }
+  EXPECT_GT(num_contacts, kNum / 5);
+}
+
+TEST(ZListStage, AStageThatGivesUpOrIsWrongIsNotBelieved) {
+  const test::MeshPool pool(kSeed, 12);
+  ScriptedStage gives_up([](const FirstContactQuery&) { return Proposal{}; });
+  ScriptedStage wrong([](const FirstContactQuery&) {
+    Proposal out;  // touches by 0, but by no pair
+    out.usable = true;
+    out.upper = 0;
+    return out;
+  });
+  int num_fallbacks = 0;
+  for (int i = 0; i < kNum; ++i) {
+    const test::RandomQuery q = test::random_query(pool, kSeed, i);
+    for (ScriptedStage* stage : {&gives_up, &wrong}) {
+      Proposal proposal;
+      const FirstContact found = q.with_stage(*stage, &proposal);
+      EXPECT_TRUE(test::same_answer(found, q.fast())) << q.describe();
+      num_fallbacks += !proposal.usable;
+    }
+  }
+  EXPECT_GT(num_fallbacks, kNum);
+}
+
+}  // namespace
+}  // namespace trivet
