@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "core/base/tunables.h"
+#include "ops/interrupt.h"
 #include "ops/rest.h"
 #include "ops/verify.h"
 
@@ -58,6 +59,8 @@ std::string why_not_settled(const Scene& scene, const Surroundings& others, cons
              " motions";
     case SettleOutcome::Status::Crossing:
       return name + " touches something at its start";
+    case SettleOutcome::Status::Interrupted:
+      break;
   }
   return "";
 }
@@ -108,6 +111,7 @@ Pose clear_of_floor(const Scene& scene, const Object& object, Pose pose, double 
 OperationResult put(Scene& scene, ObjectId id, const Pose& start, const SettleOptions& options) {
   OperationResult result;
   const Stopwatch stopwatch(result);
+  Interrupt interrupt(options);
   const Object& object = scene.at(id);
   const double clearance = clearance_for(scene, object, start, options);
   std::string why = why_not_movable(scene, id);
@@ -124,12 +128,17 @@ OperationResult put(Scene& scene, ObjectId id, const Pose& start, const SettleOp
   const SettleProblem problem{object.shape.get(), object.up,
                               object.scale,       clear_of_floor(scene, object, start, clearance),
                               others.bodies,      scene.floor,
-                              clearance,          options};
+                              clearance,          options,
+                              &interrupt};
   SettleOutcome outcome = settle(problem);
   result.num_motions = static_cast<int>(outcome.steps.size());
   result.num_queries = outcome.num_queries;
   result.num_face_pairs = outcome.num_face_pairs;
   result.steps = std::move(outcome.steps);
+  if (interrupt.reason()) {
+    interrupt.refuse("put of \"" + object.name + "\"", result);
+    return result;
+  }
   std::string reason = why_not_settled(scene, others, object, outcome, options);
   if (reason.empty()) reason = why_invalid(scene, id, outcome.pose, true);
   if (!reason.empty()) {

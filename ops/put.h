@@ -1,6 +1,7 @@
 // PUT: from a start pose down along gravity to the first contact, then settle [Shinya 1995, 4.1].
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <string>
 #include <vector>
@@ -25,6 +26,10 @@ struct SettleOptions {
   /// What answers when motions first touch; null: box trees. Not owned; results do not depend on
   /// it.
   Detector* detector = nullptr;
+  /// Set by another thread to stop the operation; null: nobody does. Not owned. See interrupt.h.
+  const std::atomic<bool>* cancel = nullptr;
+  /// Seconds that an operation may take, asked between motions; 0: as long as it needs.
+  double time_budget_s = 0;
 };
 
 /// One executed motion of a settling, for those who want to watch.
@@ -36,7 +41,12 @@ struct SettleStep {
 };
 
 struct OperationResult {
-  enum class Status { Ok, Refused };
+  enum class Status {
+    Ok,
+    Refused,    // by the geometry
+    Cancelled,  // by SettleOptions::cancel
+    OutOfTime,  // by SettleOptions::time_budget_s
+  };
   Status status = Status::Ok;
   std::string reason;  // of a refusal, geometric: names the objects
   int num_motions = 0;

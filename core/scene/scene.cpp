@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/contact/body.h"
@@ -31,9 +32,13 @@ ObjectId Scene::add(Object object) {
   const auto free_slot =
       std::find_if(m_slots.begin(), m_slots.end(), [](const Slot& slot) { return !slot.object; });
   const size_t index = free_slot - m_slots.begin();
-  if (free_slot == m_slots.end()) m_slots.emplace_back();
+  if (free_slot == m_slots.end()) {
+    m_slots.emplace_back();
+    m_generations.push_back(0);
+  }
+  keep(index);
   Slot& slot = m_slots[index];
-  ++slot.generation;
+  slot.generation = ++m_generations[index];
   slot.order = m_next_order++;
   slot.object = std::move(object);
   return {static_cast<std::uint32_t>(index), slot.generation};
@@ -42,6 +47,7 @@ ObjectId Scene::add(Object object) {
 void Scene::remove(ObjectId id) {
   assert(contains(id));
   unlink(id);
+  keep(id.index);
   m_slots[id.index].object.reset();
 }
 
@@ -52,6 +58,7 @@ bool Scene::contains(ObjectId id) const {
 
 Object& Scene::at(ObjectId id) {
   assert(contains(id));
+  keep(id.index);
   return *m_slots[id.index].object;
 }
 
@@ -85,25 +92,59 @@ Aabb Scene::box() const {
   return out;
 }
 
-void Scene::unlink(ObjectId id) {
-  for (Slot& slot : m_slots)
-    if (slot.object) std::erase_if(slot.object->links, [&](const Link& l) { return l.with == id; });
-  at(id).links.clear();
-}
+void Scene::unlink(ObjectId id) { link(id, {}); }
 
 void Scene::link(ObjectId id, std::vector<Link> links) {
   // All that allocates comes first: nothing is half done when memory runs out.
-  std::vector<std::pair<Object*, std::vector<Link>>> seen_by_others;
-  for (Slot& slot : m_slots) {
-    if (!slot.object || &*slot.object == &at(id)) continue;
-    std::vector<Link> others = slot.object->links;
-    std::erase_if(others, [&](const Link& l) { return l.with == id; });
-    for (const Link& l : links)
-      if (l.with && &at(*l.with) == &*slot.object) others.push_back({id, reversed(l.contact)});
-    seen_by_others.emplace_back(&*slot.object, std::move(others));
-  }
-  for (auto& [object, others] : seen_by_others) object->links = std::move(others);
-  at(id).links = std::move(links);
+  std::map<std::uint32_t, std::vector<Link>> seen_by_others;
+  const auto note = [&](const Link& l) -> std::vector<Link>* {
+    if (!l.with || *l.with == id) return nullptr;
+    const auto [it, is_new] = seen_by_others.try_emplace(l.with->index);
+    if (is_new) {
+      it->second = std::as_const(*this).at(*l.with).links;
+      std::erase_if(it->second, [&](const Link& other) { return other.with == id; });
+    }
+    return &it->second;
+  };
+  for (const Link& l : std::as_const(*this).at(id).links) note(l);
+  for (const Link& l : links)
+    if (std::vector<Link>* others = note(l)) others->push_back({id, reversed(l.contact)});
+  keep(id.index);
+  for (const auto& [index, others] : seen_by_others) keep(index);
+  for (auto& [index, others] : seen_by_others) m_slots[index].object->links = std::move(others);
+  m_slots[id.index].object->links = std::move(links);
+}
+
+void Scene::keep(size_t index) {
+  if (m_recording) m_kept.try_emplace(index, m_slots[index]);
+}
+
+void Scene::start_recording() {
+  assert(!m_recording);
+  m_recording = true;
+  m_order_before = m_next_order;
+}
+
+SceneChange Scene::stop_recording() {
+  assert(m_recording);
+  m_recording = false;
+  SceneChange change;
+  change.m_slots = std::exchange(m_kept, {});
+  change.m_next_order = m_order_before;
+  return change;
+}
+
+void Scene::exchange(SceneChange& change) {
+  assert(!m_recording);
+  for (auto& [index, slot] : change.m_slots) std::swap(m_slots[index], slot);
+  std::swap(m_next_order, change.m_next_order);
+}
+
+std::vector<ObjectId> SceneChange::ids() const {
+  std::vector<ObjectId> out;
+  for (const auto& [index, slot] : m_slots)
+    if (slot.object) out.push_back({static_cast<std::uint32_t>(index), slot.generation});
+  return out;
 }
 
 Contact reversed(const Contact& contact) {

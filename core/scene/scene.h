@@ -1,6 +1,7 @@
 // The scene: objects in their poses, what they touch, and what rests on what.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -47,10 +48,14 @@ struct Object {
                                 // carry, seen from above; negative: outside (leaning, hanging)
   double least_friction = 0;    // smallest Coulomb coefficient that holds it; infinity: none does
   std::vector<Link> links;      // what it touches, as of the last operation that moved it
+  bool locked = false;          // no operation may move it, but it is not fixed: it may topple
+  std::string group;            // objects of one group move as one; empty: of none
 
   Affine world_from_object() const { return trivet::world_from_object(pose, up, scale); }
   Vec3 centre_of_mass() const { return world_from_object().apply(shape->mass.centre); }
 };
+
+class SceneChange;
 
 /// Objects in slots. A floor at z = 0 is optional; gravity is along -z.
 class Scene {
@@ -70,16 +75,50 @@ class Scene {
   Aabb box() const;
 
   /// Replaces what the object touches; those it touches see the same contact from their side.
+  /// Costs what the object touched and touches, not the scene.
   void link(ObjectId id, std::vector<Link> links);
   void unlink(ObjectId id);
 
+  /// From now on whatever is changed is kept as it was before, once per object: the non-const
+  /// at(), add(), remove(), link(), unlink(). References from at() that are older than this, and
+  /// `floor`, are not watched.
+  void start_recording();
+  /// What was changed since. Objects that were only looked at through the non-const at() may be
+  /// among it.
+  SceneChange stop_recording();
+  bool is_recording() const { return m_recording; }
+  /// Brings back what `change` holds and lets it hold what was there: undo, and the next time redo,
+  /// to the bit, ids too. The scene must be as it was when the recording stopped (or, the next
+  /// time, began).
+  void exchange(SceneChange& change);
+
  private:
+  friend class SceneChange;
   struct Slot {
     std::uint32_t generation = 0;
     std::optional<Object> object;
     std::uint64_t order = 0;
   };
+  void keep(size_t index);
+
   std::vector<Slot> m_slots;
+  std::vector<std::uint32_t> m_generations;  // the last of each slot; undo does not take them back
+  std::uint64_t m_next_order = 0;
+  bool m_recording = false;
+  std::map<size_t, Slot> m_kept;  // as they were when the recording began
+  std::uint64_t m_order_before = 0;
+};
+
+/// The other state of all that a stretch of work changed. See Scene::start_recording().
+class SceneChange {
+ public:
+  bool empty() const { return m_slots.empty(); }
+  /// The objects that this holds: those that an exchange brings back. Sorted by slot.
+  std::vector<ObjectId> ids() const;
+
+ private:
+  friend class Scene;
+  std::map<size_t, Scene::Slot> m_slots;  // by index
   std::uint64_t m_next_order = 0;
 };
 

@@ -25,6 +25,8 @@ class Settling {
 
   SettleOutcome run() {
     while (static_cast<int>(m_out.steps.size()) <= m_problem.options.max_motions) {
+      if (m_problem.interrupt && m_problem.interrupt->reason())
+        return finish(SettleOutcome::Status::Interrupted);
       const std::vector<ContactPoint> points = look_around();
       if (lift_if_needed(points)) continue;
       if (carrying_margin(points, m_object.centre) >= kRestMargin * m_object.size)

@@ -14,6 +14,7 @@
 #include "core/contact/body.h"
 #include "core/contact/contact.h"
 #include "core/motion/pose.h"
+#include "ops/interrupt.h"
 #include "ops/put.h"
 
 namespace trivet {
@@ -27,6 +28,7 @@ struct SettleProblem {
   bool floor = true;
   double clearance = 0;  // metres, > 0
   SettleOptions options;
+  Interrupt* interrupt = nullptr;  // asked before every motion; null: never stops
 };
 
 /// Contact points with one of the fixed bodies, or with the floor (kFloor).
@@ -43,6 +45,7 @@ struct SettleOutcome {
     FallsOut,        // nothing is below it
     TooManyMotions,  // options.max_motions
     Crossing,        // the start crosses something
+    Interrupted,     // problem.interrupt
   };
   Status status = Status::AtRest;
   Pose pose;

@@ -181,48 +181,7 @@ void expect_consistent(const Scene& scene, ObjectId id, double clearance,
   }
 }
 
-bool same(const Pose& a, const Pose& b) {
-  return a.rotation.w == b.rotation.w && a.rotation.x == b.rotation.x &&
-         a.rotation.y == b.rotation.y && a.rotation.z == b.rotation.z &&
-         a.translation == b.translation;
-}
-
-bool same(const ContactPoint& a, const ContactPoint& b) {
-  return a.point == b.point && a.normal == b.normal && a.gap == b.gap && a.features == b.features &&
-         a.feature_object == b.feature_object && a.feature_support == b.feature_support;
-}
-
-bool same(const Link& a, const Link& b) {
-  const Contact &x = a.contact, &y = b.contact;
-  return a.with == b.with && x.type == y.type && x.hull == y.hull && x.normal == y.normal &&
-         x.gap == y.gap && x.faces_object == y.faces_object && x.faces_support == y.faces_support &&
-         std::equal(x.points.begin(), x.points.end(), y.points.begin(), y.points.end(),
-                    [](const ContactPoint& p, const ContactPoint& q) { return same(p, q); });
-}
-
-std::string difference(const Object& a, const Object& b) {
-  if (a.name != b.name) return "name";
-  if (a.model != b.model || a.shape != b.shape) return "model";
-  if (a.up != b.up || a.scale != b.scale) return "scale";
-  if (a.fixed != b.fixed || a.placed != b.placed || a.state != b.state) return "state";
-  if (!same(a.pose, b.pose)) return "pose";
-  if (a.stability_margin != b.stability_margin || a.least_friction != b.least_friction)
-    return "rating";
-  const bool links = std::equal(a.links.begin(), a.links.end(), b.links.begin(), b.links.end(),
-                                [](const Link& x, const Link& y) { return same(x, y); });
-  return links ? "" : "links";
-}
-
 }  // namespace
-
-std::string difference(const Scene& a, const Scene& b) {
-  if (a.floor != b.floor) return "floor";
-  if (a.ids() != b.ids()) return "ids";
-  for (const ObjectId id : a.ids())
-    if (const std::string d = difference(a.at(id), b.at(id)); !d.empty())
-      return d + " of " + a.at(id).name;
-  return "";
-}
 
 OperationResult checked_put(Scene& scene, ObjectId id, const Pose& start,
                             const SettleOptions& options) {

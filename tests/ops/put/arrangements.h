@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ops/put.h"
+#include "support/same_scene.h"
 #include "support/solids.h"
 
 namespace trivet::test {
@@ -46,8 +47,5 @@ OperationResult checked_put(Scene& scene, ObjectId object, const Pose& start,
 
 /// checked_put() twice, from the same scene: the same poses to the last bit.
 OperationResult put_twice(Arrangement& a, const SettleOptions& options = {});
-
-/// Every field of every object, links and contacts; the first difference, or nothing.
-std::string difference(const Scene& a, const Scene& b);
 
 }  // namespace trivet::test
