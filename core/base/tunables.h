@@ -60,4 +60,9 @@ inline constexpr double kHoverTolerance = 8;
 inline constexpr double kSmallestClearance = 1e-10;
 inline constexpr double kLargestClearance = 1e-3;
 
+// --- weights -------------------------------------------------------------------------------------
+
+/// Wall of objects without volume, of their size: what a sheet, a shell or an open mesh weighs.
+inline constexpr double kWallThickness = 0.01;
+
 }  // namespace trivet

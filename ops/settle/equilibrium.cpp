@@ -1,17 +1,16 @@
 #include "ops/settle/equilibrium.h"
 
-#include <ClpSimplex.hpp>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
 #include "core/contact/contact_points.h"
+#include "ops/settle/linear_program.h"
 
 namespace trivet {
 namespace {
 
 constexpr double kFrictionLimit = 10;    // of all contacts together, in weights
-constexpr double kNoise = 1e-12;         // forces and torques of size one: rounding below this
 constexpr double kSameNormal = 0.999;    // cosine
 constexpr size_t kProgramContacts = 40;  // a linear program of more gains nothing
 
@@ -24,57 +23,25 @@ double distance_to_segment(const Vec2& p, const Vec2& a, const Vec2& b) {
   return (p - a - t * d).norm();
 }
 
-std::array<Vec3, 2> tangents(const Vec3& n) {
-  int k = 0;
-  n.cwiseAbs().minCoeff(&k);
-  const Vec3 u = n.cross(Vec3::Unit(k)).normalized();
-  return {u, n.cross(u)};
-}
-
-// The forces that span a contact's friction pyramid: its normal and 8 edges; no libm: the diagonals
-// are written down.
-std::array<Vec3, 8> pyramid(const Vec3& n, double friction) {
-  constexpr double d = 0.70710678118654752;
-  const auto [u, v] = tangents(n);
-  return {n + friction * u,           n + friction * d * (u + v), n + friction * v,
-          n + friction * d * (v - u), n - friction * u,           n - friction * d * (u + v),
-          n - friction * v,           n + friction * d * (u - v)};
-}
-
-// Column by column, as CLP wants it.
-struct Program {
-  std::vector<int> starts{0}, rows;
-  std::vector<double> values, costs;
-
-  void add_column(std::initializer_list<double> column, double cost) {
-    int row = 0;
-    for (const double x : column) {
-      if (std::abs(x) > kNoise) rows.push_back(row), values.push_back(x);
-      ++row;
-    }
-    starts.push_back(static_cast<int>(rows.size()));
-    costs.push_back(cost);
-  }
-};
-
-Program make_program(const std::vector<ContactPoint>& contacts, const Vec3& centre, double size,
-                     double friction) {
-  Program program;
+LinearProgram make_program(const std::vector<ContactPoint>& contacts, const Vec3& centre,
+                           double size, double friction) {
+  using Entry = LinearProgram::Entry;
+  LinearProgram program;
+  for (const double weight : {0.0, 0.0, 1.0, 0.0, 0.0, 0.0}) program.add_row(weight, weight);
+  program.add_row(0, kFrictionLimit);
   for (const ContactPoint& c : contacts) {
     const auto add_force = [&](const Vec3& f, double part) {
       const Vec3 t = (c.point - centre).cross(f) / size;
-      program.add_column({f.x(), f.y(), f.z(), t.x(), t.y(), t.z(), part}, 0);
+      const Entry entries[] = {{0, f.x()}, {1, f.y()}, {2, f.z()}, {3, t.x()},
+                               {4, t.y()}, {5, t.z()}, {6, part}};
+      program.add_column(entries, 0);
     };
     add_force(c.normal, 0);
     if (friction > 0)
-      for (const Vec3& f : pyramid(c.normal, friction)) add_force(f, friction);
+      for (const Vec3& f : friction_pyramid(c.normal, friction)) add_force(f, friction);
   }
   for (int row = 0; row < 6; ++row)
-    for (const double sign : {1.0, -1.0}) {
-      double e[6] = {};
-      e[row] = sign;
-      program.add_column({e[0], e[1], e[2], e[3], e[4], e[5]}, 1);
-    }
+    for (const double sign : {1.0, -1.0}) program.add_column(std::array{Entry{row, sign}}, 1);
   return program;
 }
 
@@ -144,16 +111,10 @@ double carrying_margin(const std::vector<ContactPoint>& contacts, const Vec3& ce
 double equilibrium_residual(const std::vector<ContactPoint>& contacts, const Vec3& centre,
                             double size, double friction) {
   if (contacts.empty()) return kInfinity;
-  const Program p = make_program(reduced(contacts, kProgramContacts), centre, size, friction);
-  const double lower[7] = {0, 0, 1, 0, 0, 0, 0};
-  const double upper[7] = {0, 0, 1, 0, 0, 0, kFrictionLimit};
-  ClpSimplex solver;
-  solver.setLogLevel(0);
-  solver.scaling(0);  // all is of size one already
-  solver.loadProblem(static_cast<int>(p.costs.size()), 7, p.starts.data(), p.rows.data(),
-                     p.values.data(), nullptr, nullptr, p.costs.data(), lower, upper);
-  solver.primal();
-  return solver.isProvenOptimal() ? solver.objectiveValue() : kInfinity;
+  const LinearProgram::Solution solution =
+      make_program(reduced(contacts, kProgramContacts), centre, size, friction)
+          .solve(false);  // all is of size one already
+  return solution.optimal ? solution.objective : kInfinity;
 }
 
 double least_friction(const std::vector<ContactPoint>& contacts, const Vec3& centre, double size,

@@ -1,0 +1,160 @@
+#include "ops/stability/certificate.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/tunables.h"
+#include "core/contact/contact_points.h"
+
+namespace trivet {
+namespace {
+
+double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+// Parts of three corners; negative outside.
+std::array<double, 3> barycentric(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& p) {
+  const double area = cross(b - a, c - a);
+  if (!(area > 0)) return {-kInfinity, -kInfinity, -kInfinity};
+  const double wb = cross(p - a, c - a) / area, wc = cross(b - a, p - a) / area;
+  return {1 - wb - wc, wb, wc};
+}
+
+std::vector<double> shares_of_segment(const std::vector<Vec2>& hull, const Vec2& p) {
+  if (hull.size() == 1) return {1.0};
+  const Vec2 d = hull[1] - hull[0];
+  const double t = std::clamp(d.dot(p - hull[0]) / d.squaredNorm(), 0.0, 1.0);
+  return {1 - t, t};
+}
+
+// Of a polygon with a target inside, or outside by rounding.
+std::vector<double> shares_of_polygon(const std::vector<Vec2>& hull, const Vec2& p) {
+  const size_t n = hull.size();
+  std::vector<double> out(n, 0.0);
+  for (size_t apex = 0; apex < n; ++apex) {
+    std::array<double, 3> best{-kInfinity, -kInfinity, -kInfinity};
+    size_t best_k = 0;
+    for (size_t k = 1; k + 1 < n; ++k) {
+      const auto w = barycentric(hull[apex], hull[(apex + k) % n], hull[(apex + k + 1) % n], p);
+      if (*std::min_element(w.begin(), w.end()) <= *std::min_element(best.begin(), best.end()))
+        continue;
+      best = w;
+      best_k = k;
+    }
+    if (best_k == 0) continue;
+    for (double& w : best) w = std::max(w, 0.0);
+    const double sum = best[0] + best[1] + best[2];
+    out[apex] += best[0] / sum;
+    out[(apex + best_k) % n] += best[1] / sum;
+    out[(apex + best_k + 1) % n] += best[2] / sum;
+  }
+  double total = 0;
+  for (const double w : out) total += w;
+  for (double& w : out) w /= total;
+  return out;
+}
+
+// Which touches hold a body up, and which lie on it, with the sign that brings the normal to it.
+struct Sides {
+  struct Side {
+    size_t touch;
+    Index other;
+  };
+  std::vector<std::vector<Side>> below, above;  // of each body
+};
+
+Sides sides_of(const FreeBodies& all, double friction) {
+  // A vertical force is inside the cone about the normal.
+  const double least_z = 1 / std::sqrt(1 + friction * friction);
+  Sides sides;
+  sides.below.resize(all.bodies.size());
+  sides.above.resize(all.bodies.size());
+  for (size_t i = 0; i < all.touches.size(); ++i) {
+    const Touch& t = all.touches[i];
+    const double z = t.contact.normal.z();
+    if (z >= least_z) {
+      sides.below[t.on].push_back({i, t.from});
+      if (t.from != Touch::kGround) sides.above[t.from].push_back({i, t.on});
+    } else if (-z >= least_z && t.from != Touch::kGround) {
+      sides.below[t.from].push_back({i, t.on});
+      sides.above[t.on].push_back({i, t.from});
+    }
+  }
+  return sides;
+}
+
+class Descent {
+ public:
+  Descent(const FreeBodies& all, double friction)
+      : m_all(all), m_sides(sides_of(all, friction)), m_waiting_for(all.bodies.size()) {
+    m_out.bodies.resize(all.bodies.size());
+    m_out.forces.assign(all.touches.size(), 0.0);
+  }
+
+  // Bodies in a ring of supports are never reached, and so not certified.
+  Certificate run() {
+    std::vector<Index> ready;
+    for (size_t i = 0; i < m_all.bodies.size(); ++i) {
+      m_waiting_for[i] = m_sides.above[i].size();
+      if (m_waiting_for[i] == 0) ready.push_back(static_cast<Index>(i));
+    }
+    while (!ready.empty()) {
+      const Index body = ready.back();
+      ready.pop_back();
+      visit(body);
+      for (const Sides::Side& s : m_sides.below[body])
+        if (s.other != Touch::kGround && --m_waiting_for[s.other] == 0) ready.push_back(s.other);
+    }
+    return std::move(m_out);
+  }
+
+ private:
+  void visit(Index i) {
+    const FreeBody& body = m_all.bodies[i];
+    double weight = body.weight;
+    Vec2 moment = body.weight * body.centre.head<2>();
+    bool loads_certified = true;
+    for (const Sides::Side& s : m_sides.above[i]) {
+      loads_certified = loads_certified && m_out.bodies[s.other].certified;
+      const double force = std::abs(m_out.forces[s.touch]);
+      weight += force;
+      moment += force * m_all.touches[s.touch].contact.point.head<2>();
+    }
+    std::vector<Vec2> points;
+    for (const Sides::Side& s : m_sides.below[i])
+      points.push_back(m_all.touches[s.touch].contact.point.head<2>());
+    const Vec2 resultant = moment / weight;
+    Certificate::Body& out = m_out.bodies[i];
+    out.margin = hull_margin(points, resultant);
+    out.certified = loads_certified && out.margin >= kRestMargin * body.size;
+    if (!out.certified) return;
+    const std::vector<double> parts = shares(points, resultant, 0);
+    for (size_t k = 0; k < parts.size(); ++k) {
+      const size_t touch = m_sides.below[i][k].touch;
+      m_out.forces[touch] = (m_all.touches[touch].on == i ? 1 : -1) * parts[k] * weight;
+    }
+  }
+
+  const FreeBodies& m_all;
+  const Sides m_sides;
+  std::vector<size_t> m_waiting_for;
+  Certificate m_out;
+};
+
+}  // namespace
+
+std::vector<double> shares(const std::vector<Vec2>& points, const Vec2& target, double slack) {
+  if (hull_margin(points, target) < -slack) return {};
+  const std::vector<Vec2> hull = convex_hull(points);
+  const std::vector<double> of_corners =
+      hull.size() < 3 ? shares_of_segment(hull, target) : shares_of_polygon(hull, target);
+  std::vector<double> out(points.size(), 0.0);
+  for (size_t k = 0; k < hull.size(); ++k)
+    out[std::find(points.begin(), points.end(), hull[k]) - points.begin()] = of_corners[k];
+  return out;
+}
+
+Certificate vertical_certificate(const FreeBodies& all, double friction) {
+  return Descent(all, friction).run();
+}
+
+}  // namespace trivet

@@ -1,0 +1,49 @@
+#include "ops/stability/free_bodies.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+namespace trivet {
+
+FreeBodies free_bodies(const Scene& scene, double density) {
+  FreeBodies out;
+  std::map<std::uint32_t, Index> body_of;
+  for (const ObjectId id : scene.ids()) {
+    const Object& object = scene.at(id);
+    if (!object.placed || object.fixed) continue;
+    body_of[id.index] = static_cast<Index>(out.bodies.size());
+    out.bodies.push_back({id, object.centre_of_mass(), weight_of(object, density),
+                          object.scale * object.shape->box.diagonal()});
+  }
+  for (Index i = 0; i < static_cast<Index>(out.bodies.size()); ++i)
+    for (const Link& link : scene.at(out.bodies[i].id).links) {
+      const auto other = link.with ? body_of.find(link.with->index) : body_of.end();
+      const Index from = other == body_of.end() ? Touch::kGround : other->second;
+      if (from != Touch::kGround && from < i) continue;  // seen from the other side already
+      for (const ContactPoint& p : link.contact.points)
+        out.touches.push_back({i, from, link.with, p});
+    }
+  return out;
+}
+
+std::vector<Index> connected_parts(const FreeBodies& all) {
+  std::vector<Index> root(all.bodies.size());
+  std::iota(root.begin(), root.end(), 0);
+  const auto find = [&](Index i) {
+    while (root[i] != i) i = root[i] = root[root[i]];
+    return i;
+  };
+  for (const Touch& t : all.touches) {
+    if (t.from == Touch::kGround) continue;
+    const Index a = find(t.on), b = find(t.from);
+    root[std::max(a, b)] = std::min(a, b);
+  }
+  std::vector<Index> part(all.bodies.size());
+  Index num_parts = 0;
+  for (Index i = 0; i < static_cast<Index>(part.size()); ++i)
+    part[i] = find(i) == i ? num_parts++ : part[find(i)];
+  return part;
+}
+
+}  // namespace trivet

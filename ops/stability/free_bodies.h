@@ -1,0 +1,37 @@
+// The scene as bodies that may move and the contact points between them.
+#pragma once
+
+#include <vector>
+
+#include "ops/stability/stability.h"
+
+namespace trivet {
+
+struct FreeBody {
+  ObjectId id;
+  Vec3 centre;        // of mass
+  double weight = 0;  // newtons
+  double size = 0;    // diagonal, metres
+};
+
+/// A contact point of body `on`; its normal points to it.
+struct Touch {
+  static constexpr Index kGround = -1;  // the floor or a fixed object
+  Index on = 0, from = kGround;         // bodies
+  std::optional<ObjectId> from_id;      // nothing: the floor
+  ContactPoint contact;
+};
+
+/// Every contact point once.
+struct FreeBodies {
+  std::vector<FreeBody> bodies;  // in the order of Scene::ids()
+  std::vector<Touch> touches;    // sorted by `on`
+};
+
+FreeBodies free_bodies(const Scene& scene, double density);
+
+/// Which connected part each body is in, by contacts between bodies; parts are numbered in the
+/// order of their first body.
+std::vector<Index> connected_parts(const FreeBodies& all);
+
+}  // namespace trivet

@@ -1,0 +1,185 @@
+#include "ops/stability/stability.h"
+
+#include <algorithm>
+#include <map>
+
+#include "core/base/tunables.h"
+#include "core/contact/contact_points.h"
+#include "ops/rest.h"
+#include "ops/stability/certificate.h"
+#include "ops/stability/contact_forces.h"
+#include "ops/verify.h"
+
+namespace trivet {
+namespace {
+
+constexpr size_t kPairContacts = 12;  // points of one pair that the linear program gets
+
+class StabilityCheck {
+ public:
+  StabilityCheck(const Scene& scene, const StabilityOptions& options)
+      : m_scene(scene),
+        m_options(options),
+        m_clearance(options.clearance > 0 ? options.clearance : default_clearance(scene)),
+        m_all(free_bodies(scene, options.density)) {}
+
+  Stability run() {
+    m_out.friction = m_options.friction;
+    const Certificate certificate = vertical_certificate(m_all, m_options.friction);
+    const std::vector<Index> part_of = connected_parts(m_all);
+    const Index num_parts =
+        part_of.empty() ? 0 : 1 + *std::max_element(part_of.begin(), part_of.end());
+    std::vector<char> failed(num_parts, 0);
+    for (size_t i = 0; i < part_of.size(); ++i) {
+      m_out.objects.push_back({m_all.bodies[i].id, m_all.bodies[i].weight, false, 0});
+      if (!certificate.bodies[i].certified) failed[part_of[i]] = 1;
+    }
+    take_certified(certificate, part_of, failed);
+    for (Index p = 0; p < num_parts; ++p)
+      if (failed[p]) solve_part(p, part_of);
+    finish();
+    return std::move(m_out);
+  }
+
+ private:
+  void take_certified(const Certificate& certificate, const std::vector<Index>& part_of,
+                      const std::vector<char>& failed) {
+    for (size_t i = 0; i < part_of.size(); ++i)
+      if (!failed[part_of[i]]) m_out.objects[i].margin = certificate.bodies[i].margin;
+    for (size_t i = 0; i < m_all.touches.size(); ++i) {
+      const Touch& t = m_all.touches[i];
+      if (!failed[part_of[t.on]]) add_force(m_all, t, Vec3(0, 0, certificate.forces[i]));
+    }
+  }
+
+  void add_force(const FreeBodies& bodies, const Touch& t, const Vec3& force) {
+    if (force.isZero(0)) return;
+    const ObjectId on = bodies.bodies[t.on].id;
+    m_out.forces.push_back({on, t.from_id, t.contact.point, force});
+    if (t.from != Touch::kGround)
+      m_out.forces.push_back({bodies.bodies[t.from].id, on, t.contact.point, -force});
+  }
+
+  // The bodies of one part, with all contacts that settling would count on.
+  FreeBodies bodies_of_part(const std::vector<Index>& members) const {
+    FreeBodies part;
+    std::vector<std::pair<std::uint32_t, Index>> index_of;
+    for (const Index i : members) {
+      index_of.emplace_back(m_all.bodies[i].id.index, static_cast<Index>(part.bodies.size()));
+      part.bodies.push_back(m_all.bodies[i]);
+    }
+    std::sort(index_of.begin(), index_of.end());
+    const auto find = [&](ObjectId id) {
+      const auto it =
+          std::lower_bound(index_of.begin(), index_of.end(), std::make_pair(id.index, Index{0}));
+      return it != index_of.end() && it->first == id.index ? it->second : Touch::kGround;
+    };
+    for (Index i = 0; i < static_cast<Index>(part.bodies.size()); ++i)
+      append_touches(part, i, find);
+    return part;
+  }
+
+  template <class Find>
+  void append_touches(FreeBodies& part, Index i, const Find& find) const {
+    const ObjectId id = part.bodies[i].id;
+    const Object& object = m_scene.at(id);
+    const Surroundings others(m_scene, id);
+    const double tolerance = kBalanceTolerance * m_clearance;
+    const Body body(*object.shape, object.world_from_object());
+    for (const ContactsWith& c :
+         contacts_with(body, others.bodies, m_scene.floor, tolerance, kFootSlack * m_clearance)) {
+      const bool floor = c.fixed == ContactsWith::kFloor;
+      const Index from = floor ? Touch::kGround : find(others.ids[c.fixed]);
+      if (from != Touch::kGround && from <= i) continue;
+      if (!floor && from == Touch::kGround && !m_scene.at(others.ids[c.fixed]).fixed) continue;
+      for (const ContactPoint& p : reduced(merged(c.points, tolerance), kPairContacts)) {
+        Touch touch{i, from, std::nullopt, p};
+        if (!floor) touch.from_id = others.ids[c.fixed];
+        part.touches.push_back(touch);
+      }
+    }
+  }
+
+  double tolerance_of(const FreeBodies& part) const {
+    double sum = 0;
+    for (const FreeBody& body : part.bodies) sum += residual_tolerance(body.size, m_clearance);
+    return std::min(sum, 1e-2);
+  }
+
+  void solve_part(Index p, const std::vector<Index>& part_of) {
+    m_out.method = Stability::Method::LinearProgram;
+    std::vector<Index> members;
+    for (Index i = 0; i < static_cast<Index>(part_of.size()); ++i)
+      if (part_of[i] == p) members.push_back(i);
+    if (static_cast<int>(members.size()) > m_options.max_program_objects) return worsen();
+    const FreeBodies part = bodies_of_part(members);
+    const PartForces found = contact_forces(part, m_options.friction);
+    if (!found.solved) return worsen();
+    const double tolerance = tolerance_of(part);
+    m_out.residual = std::max(m_out.residual, found.residual);
+    const bool balanced = found.residual <= tolerance;
+    if (!balanced) m_out.status = Stability::Status::Unstable;
+    const double margin =
+        balanced ? std::max(0.0, shift_margin(part, m_options.friction, tolerance)) : 0.0;
+    for (size_t k = 0; k < members.size(); ++k) {
+      m_out.objects[members[k]].topples = !balanced && found.moves[k];
+      m_out.objects[members[k]].margin = margin;
+    }
+    for (size_t k = 0; k < part.touches.size(); ++k)
+      add_force(part, part.touches[k], found.forces[k]);
+  }
+
+  void worsen() {
+    if (m_out.status == Stability::Status::Stable) m_out.status = Stability::Status::Unknown;
+  }
+
+  void finish() {
+    for (const ObjectStability& o : m_out.objects) m_out.margin = std::min(m_out.margin, o.margin);
+    std::map<std::uint32_t, size_t> rank;  // of slots
+    for (const FreeBody& body : m_all.bodies) rank.emplace(body.id.index, rank.size());
+    std::stable_sort(m_out.forces.begin(), m_out.forces.end(),
+                     [&](const ContactForce& a, const ContactForce& b) {
+                       return rank.at(a.on.index) < rank.at(b.on.index);
+                     });
+  }
+
+  const Scene& m_scene;
+  const StabilityOptions& m_options;
+  const double m_clearance;
+  const FreeBodies m_all;
+  Stability m_out;
+};
+
+}  // namespace
+
+const char* to_string(Stability::Status status) {
+  switch (status) {
+    case Stability::Status::Stable:
+      return "stable";
+    case Stability::Status::Unstable:
+      return "unstable";
+    case Stability::Status::Unknown:
+      return "unknown";
+  }
+  return "?";
+}
+
+const char* to_string(Stability::Method method) {
+  return method == Stability::Method::Certificate ? "certificate" : "linear program";
+}
+
+Stability stability(const Scene& scene, const StabilityOptions& options) {
+  return StabilityCheck(scene, options).run();
+}
+
+double weight_of(const Object& object, double density) {
+  constexpr double kGravity = 9.80665;
+  const MassProperties& mass = object.shape->mass;
+  const double wall = kWallThickness * object.shape->box.diagonal();
+  const double volume = mass.volume != 0 ? std::abs(mass.volume) : mass.area * wall;
+  const double least = wall * wall * wall;  // lines and points
+  const double scale = object.scale;
+  return kGravity * density * scale * scale * scale * std::max(volume, least);
+}
+
+}  // namespace trivet

@@ -1,0 +1,76 @@
+// Is the whole scene in equilibrium? Settling holds what is there already in its place, the paper's
+// "localization", so a pile may topple although every single PUT was at rest [Shinya 1995, 7].
+//
+//   weights -> vertical certificate, from top to bottom, linear in the contacts (certificate.h)
+//           -> only the connected parts that fail it: a linear program over friction cones
+//              (contact_forces.h) -> forces, what is missing, what topples, margin
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/scene/scene.h"
+#include "ops/settle/equilibrium.h"
+
+namespace trivet {
+
+struct StabilityOptions {
+  /// Coulomb's coefficient at all contacts. The default is what settling assumes; dry things of
+  /// every day have 0.3 to 0.8.
+  double friction = kSettlingFriction;
+  /// kg/m^3, of everything; objects without volume weigh as a wall of kWallThickness.
+  double density = 1000;
+  /// Parts with more objects than this are not given to the linear program, whose time grows with
+  /// about the cube: the scene is then Unknown.
+  int max_program_objects = 200;
+  /// Metres, of the settling; 0: default_clearance() of the scene.
+  double clearance = 0;
+};
+
+/// Force of one contact point, newtons, world.
+struct ContactForce {
+  ObjectId on;
+  std::optional<ObjectId> from;  // nothing: the floor
+  Vec3 point, force;
+};
+
+struct ObjectStability {
+  ObjectId object;
+  double weight = 0;     // newtons
+  bool topples = false;  // moves when the scene is let go
+  /// Metres by which all weights of the scene may be shifted sideways together, in the worst
+  /// direction, before this object gives way (of a part that the linear program decided: before
+  /// the part does); 0 when it topples or nothing is known.
+  double margin = 0;
+};
+
+struct Stability {
+  enum class Status {
+    Stable,    // forces inside the friction cones balance all weights
+    Unstable,  // none do: proven by a motion that nothing stops
+    Unknown,   // not certified, and too large for the linear program
+  };
+  enum class Method { Certificate, LinearProgram };
+  Status status = Status::Stable;
+  Method method = Method::Certificate;  // LinearProgram: of a part at least
+  double friction = 0;
+  double residual = 0;  // force and torque (over the object's size) that is missing, in parts of
+                        // the weight that the object and its loads have; the largest sum of a part
+  double margin = kInfinity;             // the least of the objects; infinity: no free object
+  std::vector<ObjectStability> objects;  // placed and not fixed, in the order of Scene::ids()
+  std::vector<ContactForce> forces;      // on these, in their order; complete only when Stable
+
+  bool stable() const { return status == Status::Stable; }
+};
+const char* to_string(Stability::Status status);  // "stable", "unstable", "unknown"
+const char* to_string(Stability::Method method);  // "certificate", "linear program"
+
+/// Uses the links of the scene; see update_contacts(). Contacts of parts that fail the certificate
+/// are looked for again, within kBalanceTolerance clearances, as settling does.
+Stability stability(const Scene& scene, const StabilityOptions& options = {});
+
+/// Newtons. By volume, or by area and kWallThickness where there is none.
+double weight_of(const Object& object, double density);
+
+}  // namespace trivet

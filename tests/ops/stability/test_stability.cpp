@@ -1,0 +1,255 @@
+// Whole scenes whose equilibrium is known by hand.
+#include <gtest/gtest.h>
+
+#include "ops/check.h"
+#include "ops/put.h"
+#include "ops/stability/certificate.h"
+#include "ops/stability/stability.h"
+#include "support/solids.h"
+
+namespace trivet::test {
+namespace {
+
+constexpr double kGap = 1e-6;
+
+struct Pile {
+  Scene scene;
+  std::vector<ObjectId> ids;
+
+  // Placed as it is, whether it rests there or not.
+  void place(const std::string& name, const Triangles& triangles, const Vec3& at,
+             bool fixed = false) {
+    const ObjectId id = scene.add(object_of(name, triangles, fixed));
+    scene.at(id).pose.translation = at;
+    scene.at(id).placed = true;
+    ids.push_back(id);
+  }
+  Stability judge(double friction = kSettlingFriction) {
+    StabilityOptions options;
+    options.friction = friction;
+    options.clearance = kGap;
+    update_contacts(scene, kGap);
+    return stability(scene, options);
+  }
+};
+
+// Boxes of length 1 and height 0.2, each shifted against the one below.
+Pile leaning_pile(const std::vector<double>& offsets) {
+  Pile pile;
+  double x = 0, z = 0.1 + kGap;
+  int n = 0;
+  for (const double offset : offsets) {
+    x += offset;
+    pile.place("box" + std::to_string(n++), box_triangles(Vec3(0.5, 0.5, 0.1)), Vec3(x, 0, z));
+    z += 0.2 + kGap;
+  }
+  return pile;
+}
+
+std::vector<std::string> toppling(const Pile& pile, const Stability& found) {
+  std::vector<std::string> names;
+  for (const ObjectStability& o : found.objects)
+    if (o.topples) names.push_back(pile.scene.at(o.object).name);
+  return names;
+}
+
+void expect_balanced_forces(const Scene& scene, const Stability& found, double tolerance) {
+  for (const ObjectStability& o : found.objects) {
+    const Object& object = scene.at(o.object);
+    Vec3 force(0, 0, -o.weight), torque = Vec3::Zero();
+    for (const ContactForce& f : found.forces) {
+      if (f.on != o.object) continue;
+      force += f.force;
+      torque += (f.point - object.centre_of_mass()).cross(f.force);
+    }
+    EXPECT_LT(force.norm(), tolerance * o.weight) << object.name;
+    EXPECT_LT(torque.norm(), tolerance * o.weight) << object.name;
+  }
+}
+
+TEST(Stability, AnEmptySceneIsStable) {
+  const Scene scene;
+  const Stability found = stability(scene);
+  EXPECT_TRUE(found.stable());
+  EXPECT_EQ(found.margin, kInfinity);
+}
+
+TEST(Stability, OneBoxHasItsHalfWidthAsMarginAndItsWeightAsForce) {
+  Pile pile = leaning_pile({0});
+  const Stability found = pile.judge();
+  EXPECT_TRUE(found.stable());
+  EXPECT_EQ(found.method, Stability::Method::Certificate);
+  EXPECT_NEAR(found.margin, 0.5, 1e-6);
+  ASSERT_EQ(found.objects.size(), 1u);
+  EXPECT_NEAR(found.objects[0].weight, 0.2 * 1000 * 9.80665, 1e-3);
+  double up = 0;
+  for (const ContactForce& f : found.forces) up += f.force.z();
+  EXPECT_NEAR(up, found.objects[0].weight, 1e-9 * up);
+  EXPECT_EQ(found.forces.size(), 4u);  // spread over all corners
+}
+
+// Every box rests on the one below (offset 0.3 of 0.5), but of the boxes above box0 the common
+// centre is 0.3 (m + 1) / 2 past box0's: beyond its edge from m = 3 on.
+TEST(Stability, OverhangsAddUp) {
+  Pile three = leaning_pile({0, 0.3, 0.3});
+  const Stability stands = three.judge();
+  EXPECT_TRUE(stands.stable());
+  EXPECT_NEAR(stands.margin, 0.5 - 0.45, 1e-5);
+  expect_balanced_forces(three.scene, stands, 1e-9);
+
+  Pile four = leaning_pile({0, 0.3, 0.3, 0.3});
+  const Stability falls = four.judge();
+  EXPECT_EQ(falls.status, Stability::Status::Unstable);
+  EXPECT_EQ(falls.method, Stability::Method::LinearProgram);
+  EXPECT_GT(falls.residual, 0.01);
+  EXPECT_EQ(toppling(four, falls), (std::vector<std::string>{"box1", "box2", "box3"}));
+  EXPECT_TRUE(check_scene(four.scene, 1, kGap).ok()) << "each one rests on the one below";
+}
+
+// The same by PUTs: each is accepted.
+TEST(Stability, APileOfPutsThatTopples) {
+  Scene scene;
+  for (int i = 0; i < 4; ++i) {
+    const ObjectId id =
+        scene.add(object_of("box" + std::to_string(i), box_triangles(Vec3(0.5, 0.5, 0.1))));
+    EXPECT_TRUE(put(scene, id, {{}, Vec3(0.3 * i, 0, 2)}).ok());
+    const bool stands = stability(scene).stable();
+    EXPECT_EQ(stands, i < 3) << i;
+  }
+}
+
+// The largest overhang of n equal boxes is the harmonic sum 1/2 (1 + 1/2 + ... + 1/n).
+TEST(Stability, TheHarmonicPileIsTheLimit) {
+  for (const double factor : {0.99, 1.01}) {
+    std::vector<double> offsets{0};
+    for (int k = 8; k >= 1; --k) offsets.push_back(0.5 / k * factor);
+    Pile pile = leaning_pile(offsets);
+    EXPECT_EQ(pile.judge().stable(), factor < 1) << factor;
+  }
+}
+
+// Two towers, one of which topples: only its boxes are named.
+TEST(Stability, NamesOnlyWhatTopples) {
+  Pile pile = leaning_pile({0, 0.3, 0.3, 0.3});
+  pile.place("other", box_triangles(Vec3(0.5, 0.5, 0.1)), Vec3(9, 0, 0.1 + kGap));
+  pile.place("upon", box_triangles(Vec3(0.5, 0.5, 0.1)), Vec3(9, 0, 0.3 + 2 * kGap));
+  EXPECT_EQ(toppling(pile, pile.judge()), (std::vector<std::string>{"box1", "box2", "box3"}));
+}
+
+// A counterweight at the inner end holds the overhang; the plank between carries both.
+TEST(Stability, ACounterweightHolds) {
+  const Triangles plank = box_triangles(Vec3(1, 0.1, 0.05)), cube = box_triangles(Vec3(.1, .1, .1));
+  for (const bool counterweight : {false, true}) {
+    Pile pile;
+    pile.place("edge", box_triangles(Vec3(0.5, 0.5, 0.5)), Vec3(0, 0, 0.5 + kGap), true);
+    pile.place("plank", plank, Vec3(0.4, 0, 1.05 + 2 * kGap));
+    pile.place("end", cube, Vec3(1.3, 0, 1.2 + 3 * kGap));
+    if (counterweight) pile.place("weight", cube, Vec3(-0.5, 0, 1.2 + 3 * kGap));
+    const Stability found = pile.judge();
+    EXPECT_EQ(found.stable(), counterweight);
+    if (!counterweight) {
+      EXPECT_EQ(toppling(pile, found), (std::vector<std::string>{"plank", "end"}));
+    }
+  }
+}
+
+// A thin board leans between floor and wall, both with friction mu: it holds if its slope is at
+// least (1 - mu^2) / (2 mu) [textbook].
+TEST(Stability, ALadderNeedsItsFriction) {
+  const double slope = 1.0, half = 0.005;
+  const double least = std::sqrt(2) - 1;  // (1 - mu^2) / (2 mu) = 1
+  const Vec3 along = Vec3(1, 0, slope).normalized(), across = Vec3(-slope, 0, 1).normalized();
+  std::vector<std::vector<Vec3>> rings(2);
+  for (const double s : {-1.0, 1.0})
+    for (const double t : {-1.0, 1.0})
+      for (int k = 0; k < 2; ++k)
+        rings[k].push_back((k ? 1.0 : -1.0) * along + half * (s * across) * (t * s) +
+                           0.2 * s * Vec3::UnitY());
+  const Triangles board = skin(rings, false);
+  double low = kInfinity, right = -kInfinity;
+  for (const Triangle& t : board)
+    for (const Vec3& p : t) low = std::min(low, p.z()), right = std::max(right, p.x());
+  for (const double factor : {0.96, 1.04}) {
+    Pile pile;
+    pile.place("wall", box_triangles(Vec3(0.5, 2, 2)), Vec3(right + 0.5 + kGap, 0, 2 + kGap), true);
+    pile.place("board", board, Vec3(0, 0, -low + kGap));
+    const Stability found = pile.judge(factor * least);
+    EXPECT_EQ(found.stable(), factor > 1) << factor << " " << found.residual;
+    EXPECT_EQ(found.method, Stability::Method::LinearProgram);
+    if (found.stable()) expect_balanced_forces(pile.scene, found, 1e-3);
+  }
+}
+
+// Two blocks lean against each other like an A: each alone would fall, both together hold by the
+// thrust between them, which no vertical force can give.
+TEST(Stability, TwoThatLeanOnEachOtherHoldTogether) {
+  const Triangles right = prism({{0.0, 0.0}, {0.3, 0.0}, {-0.1 + 0.3, 1.0}, {-0.4, 1.0}}, 0.2);
+  Triangles left = right;
+  for (Triangle& t : left)
+    for (Vec3& p : t) p.x() = -p.x();
+  left = outward(left);
+  Pile alone;
+  alone.place("right", right, Vec3(0.4, 0, kGap));
+  EXPECT_TRUE(alone.judge().stable());
+  const Triangles leaning = prism({{0.0, 0.0}, {0.1, 0.0}, {-0.3, 1.0}, {-0.4, 1.0}}, 0.2);
+  Triangles mirrored = leaning;
+  for (Triangle& t : mirrored)
+    for (Vec3& p : t) p.x() = -p.x();
+  mirrored = outward(mirrored);
+  Pile one;
+  one.place("right", leaning, Vec3(0.4 + kGap / 2, 0, kGap));
+  EXPECT_FALSE(one.judge().stable());
+  one.place("left", mirrored, Vec3(-0.4 - kGap / 2, 0, kGap));
+  const Stability both = one.judge(0.8);
+  EXPECT_TRUE(both.stable()) << both.residual;
+  EXPECT_EQ(both.method, Stability::Method::LinearProgram);
+  EXPECT_GT(both.margin, 0);
+  expect_balanced_forces(one.scene, both, 1e-3);
+  EXPECT_FALSE(one.judge(0.05).stable()) << "the feet slip";
+}
+
+TEST(Stability, APartThatIsTooLargeIsUnknown) {
+  Pile pile = leaning_pile({0, 0.3, 0.3, 0.3});
+  update_contacts(pile.scene, kGap);
+  StabilityOptions options;
+  options.max_program_objects = 3;
+  EXPECT_EQ(stability(pile.scene, options).status, Stability::Status::Unknown);
+}
+
+TEST(Shares, KeepTheTargetAndAreNotNegative) {
+  Random random(7);
+  int num_inside = 0;
+  for (int i = 0; i < 2000; ++i) {
+    std::vector<Vec2> points;
+    const int n = random.integer(1, 9);
+    for (int k = 0; k < n; ++k)
+      points.push_back(i % 3 == 0 ? Vec2(random.integer(-2, 2), random.integer(-2, 2))
+                                  : Vec2(random.uniform(-1, 1), random.uniform(-1, 1)));
+    // A mean of the points: inside.
+    Vec2 target = Vec2::Zero();
+    double sum = 0;
+    for (const Vec2& p : points) {
+      const double w = random.uniform(0.01, 1);
+      target += w * p;
+      sum += w;
+    }
+    target /= sum;
+    const std::vector<double> parts = shares(points, target, 1e-12);
+    ASSERT_EQ(parts.size(), points.size());
+    Vec2 mean = Vec2::Zero();
+    double total = 0;
+    for (size_t k = 0; k < parts.size(); ++k) {
+      EXPECT_GE(parts[k], 0);
+      mean += parts[k] * points[k];
+      total += parts[k];
+    }
+    EXPECT_NEAR(total, 1, 1e-12);
+    EXPECT_LT((mean - target).norm(), 1e-9);
+    num_inside += n > 2;
+    EXPECT_TRUE(shares(points, Vec2(5, 5), 0).empty());
+  }
+  EXPECT_GT(num_inside, 1000);
+}
+
+}  // namespace
+}  // namespace trivet::test
