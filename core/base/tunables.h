@@ -42,6 +42,9 @@ inline constexpr double kContactExtent = 1e-4;
 /// Clearances by which every executed motion must lower the centre of mass. 0 never ends, 10 gets
 /// stuck.
 inline constexpr double kEnergyDrop = 0.1;
+/// The same for an object that would be wedged otherwise: a last turn that closes a gap may lower
+/// the centre by very little.
+inline constexpr double kLastEnergyDrop = 1e-3;
 /// Part of the object's size that the centre of mass must be inside the hull, to count as at rest.
 inline constexpr double kRestMargin = 1e-6;
 /// Gaps below this many clearances are opened again (a sliding edge halves its gap at every event).

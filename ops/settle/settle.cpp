@@ -32,10 +32,11 @@ class Settling {
       if (carrying_margin(points, m_object.centre) >= kRestMargin * m_object.size)
         return finish(SettleOutcome::Status::AtRest);
       const Candidates candidates = candidate_motions(points);
-      Outcome outcome = give_way(candidates.sticking);
+      Outcome outcome = give_way(candidates.sticking, kEnergyDrop);
       if (outcome == Outcome::Stuck) {
         if (is_balanced()) return finish(SettleOutcome::Status::AtRest);
-        outcome = give_way(candidates.last_resorts);
+        outcome = give_way(candidates.last_resorts, kEnergyDrop);
+        if (outcome == Outcome::Stuck) outcome = give_way(candidates.sticking, kLastEnergyDrop);
       }
       if (outcome == Outcome::FallsOut) return finish(SettleOutcome::Status::FallsOut);
       if (outcome == Outcome::Crossing) return finish(SettleOutcome::Status::Crossing);
@@ -109,8 +110,8 @@ class Settling {
                                                  : gauss_candidates(points, m_object, fall_limit());
   }
 
-  // Executes the first candidate that lowers the centre of mass.
-  Outcome give_way(const std::vector<Candidate>& candidates) {
+  // Executes the first candidate that lowers the centre of mass by `least` clearances.
+  Outcome give_way(const std::vector<Candidate>& candidates, double least) {
     for (const Candidate& c : candidates) {
       const FirstContact found = query(c.motion);
       if (found.status == FirstContact::Status::Crossing && m_out.steps.empty())
@@ -119,7 +120,7 @@ class Settling {
         return Outcome::FallsOut;
       const double time = std::min(found.time, c.motion.limit);
       const double drop = sinks_by(c.motion, time);
-      if (drop < kEnergyDrop * clearance()) continue;
+      if (drop < least * clearance()) continue;
       execute(c.kind, c.motion, time, drop);
       return Outcome::Moved;
     }

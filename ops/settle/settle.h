@@ -3,7 +3,7 @@
 //   contacts -> at rest? -> candidate motions, best first -> first contact -> the first motion that
 //   lowers the centre of mass is executed -> contacts -> ...
 //
-// The centre of mass sinks by at least kEnergyDrop clearances in every executed motion, and it is
+// The centre of mass sinks by at least kLastEnergyDrop clearances in every executed motion, and is
 // bounded below: the loop ends. See candidates.h for the rules.
 #pragma once
 

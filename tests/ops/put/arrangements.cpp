@@ -159,7 +159,7 @@ void expect_falling_energy(const Object& object, const Pose& start, double clear
     if (step.kind == SettleStep::Kind::Lift)
       EXPECT_GE(drop, -kLargestLift * clearance);
     else
-      EXPECT_GE(step.energy_drop, kEnergyDrop * clearance);
+      EXPECT_GE(step.energy_drop, kLastEnergyDrop * clearance);
     pose = step.pose_after;
   }
 }
