@@ -87,14 +87,6 @@ const char* to_string(MeshKind kind) {
   return kNames[static_cast<int>(kind)];
 }
 
-template <class F>
-FirstContact RandomQuery::ask(F f) const {
-  std::vector<Body> a, b;
-  for (const PosedShape& m : moving) a.push_back(m.body());
-  for (const PosedShape& m : fixed) b.push_back(m.body());
-  return f(FirstContactQuery{a, b, floor, motion, clearance});
-}
-
 FirstContact RandomQuery::fast() const {
   return ask([](const FirstContactQuery& q) { return first_contact(q); });
 }

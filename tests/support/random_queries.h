@@ -40,9 +40,14 @@ struct RandomQuery {
   void advance(double time);
   std::string describe() const;  // full digits
 
- private:
+  /// What f(FirstContactQuery) says about it.
   template <class F>
-  FirstContact ask(F f) const;
+  auto ask(F f) const {
+    std::vector<Body> a, b;
+    for (const PosedShape& m : moving) a.push_back(m.body());
+    for (const PosedShape& m : fixed) b.push_back(m.body());
+    return f(FirstContactQuery{a, b, floor, motion, clearance});
+  }
 };
 
 /// Some meshes of each kind, of size about 1, made once.
