@@ -12,6 +12,19 @@ using GlShader = GlHandle<GlShaderKind>;
 
 Error environment(const std::string& message) { return {Error::Kind::Environment, message}; }
 
+const char* stage_name(GLenum stage) {
+  switch (stage) {
+    case GL_VERTEX_SHADER:
+      return "vertex";
+    case GL_GEOMETRY_SHADER:
+      return "geometry";
+    case GL_COMPUTE_SHADER:
+      return "compute";
+    default:
+      return "fragment";
+  }
+}
+
 GlShader compile(const char* name, GLenum stage, const std::string& source) {
   GlShader shader(glCreateShader(stage));
   const char* text = source.c_str();
@@ -23,8 +36,8 @@ GlShader compile(const char* name, GLenum stage, const std::string& source) {
   glGetShaderiv(shader.id(), GL_INFO_LOG_LENGTH, &length);
   std::vector<char> log(length + 1, '\0');
   glGetShaderInfoLog(shader.id(), length, nullptr, log.data());
-  throw environment(std::string("the ") + (stage == GL_VERTEX_SHADER ? "vertex" : "fragment") +
-                    " shader of " + name + " does not compile with this driver: " + log.data());
+  throw environment(std::string("the ") + stage_name(stage) + " shader of " + name +
+                    " does not compile with this driver: " + log.data());
 }
 
 void check_framebuffer() {
@@ -94,10 +107,16 @@ void GlShaderKind::destroy(GLuint id) { glDeleteShader(id); }
 void GlProgramKind::destroy(GLuint id) { glDeleteProgram(id); }
 
 GlProgram::GlProgram(const char* name, const std::string& vertex, const std::string& fragment)
+    : GlProgram(name, {{GL_VERTEX_SHADER, vertex}, {GL_FRAGMENT_SHADER, fragment}}) {}
+
+GlProgram::GlProgram(const char* name, std::initializer_list<GlShaderSource> shaders,
+                     const char* feedback)
     : m_program(glCreateProgram()) {
-  const GlShader stages[] = {compile(name, GL_VERTEX_SHADER, vertex),
-                             compile(name, GL_FRAGMENT_SHADER, fragment)};
+  std::vector<GlShader> stages;
+  for (const GlShaderSource& shader : shaders)
+    stages.push_back(compile(name, shader.stage, shader.text));
   for (const GlShader& stage : stages) glAttachShader(id(), stage.id());
+  if (feedback) glTransformFeedbackVaryings(id(), 1, &feedback, GL_INTERLEAVED_ATTRIBS);
   glLinkProgram(id());
   for (const GlShader& stage : stages) glDetachShader(id(), stage.id());
   GLint linked = 0, length = 0;

@@ -58,11 +58,19 @@ using GlTexture = GlHandle<GlTextureKind>;
 using GlFramebuffer = GlHandle<GlFramebufferKind>;
 using GlVertexArray = GlHandle<GlVertexArrayKind>;
 
-/// A vertex and a fragment shader, linked. Uniforms that the compiler dropped are ignored.
+struct GlShaderSource {
+  GLenum stage;  // GL_VERTEX_SHADER
+  std::string text;
+};
+
+/// Shaders, linked. Uniforms that the compiler dropped are ignored.
 class GlProgram {
  public:
   /// @param name  for messages.
+  /// @param feedback  what transform feedback records, or null.
   /// @throws Error (Environment) with the compiler's log.
+  GlProgram(const char* name, std::initializer_list<GlShaderSource> shaders,
+            const char* feedback = nullptr);
   GlProgram(const char* name, const std::string& vertex, const std::string& fragment);
 
   GLuint id() const { return m_program.id(); }

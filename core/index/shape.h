@@ -11,6 +11,7 @@
 namespace trivet {
 
 struct Shape {
+  std::uint64_t id = 0;  // of no other shape that make_shape() made; 0: not made by it
   Mesh mesh;
   Aabb box;  // of the mesh
   Adjacency adjacency;

@@ -1,0 +1,214 @@
+#include "gpu/zlist_shaders.h"
+
+namespace trivet::zlist_shaders {
+namespace {
+
+// Floats as integers in the same order, for atomic minimum and maximum.
+const char* const kOrdered = R"(
+uint ordered(float x) {
+  uint bits = floatBitsToUint(x);
+  return (bits & 0x80000000u) != 0u ? ~bits : bits | 0x80000000u;
+}
+
+float unordered(uint key) {
+  return uintBitsToFloat((key & 0x80000000u) != 0u ? key & 0x7fffffffu : ~key);
+}
+)";
+
+// The image has planes of ordered floats: 0 moving faces' front, 1 their rear, 2 a sample of them,
+// 3 the nearest fixed face.
+const char* const kBuffers = R"(
+layout(std430, binding = 0) readonly buffer Vertices { float vertices[]; };
+layout(std430, binding = 1) readonly buffer Corners { uint corners[]; };
+layout(std430, binding = 2) coherent buffer Image { uint image[]; };
+layout(std430, binding = 3) coherent buffer Counters {
+  uint upper, lower;                // ordered depths
+  uint num_pixels, num_doubtful;
+  uint doubtful_low_x, doubtful_low_y, doubtful_high_x, doubtful_high_y;
+  uint num_entries, num_large;
+  uint large_groups[3];             // for the second dispatch
+};
+layout(std430, binding = 4) writeonly buffer Entries { uvec4 entries[]; };
+layout(std430, binding = 5) buffer Large { uint large[]; };
+
+uniform uint max_entries, max_large;
+
+uint at(uint plane, ivec2 pixel) {
+  return (plane * uint(size.y) + uint(pixel.y)) * uint(size.x) + uint(pixel.x);
+}
+bool has_moving(ivec2 pixel) { return image[at(0u, pixel)] != 0u; }
+)";
+
+const char* const kDoubtful = R"(
+bool is_doubtful(ivec2 pixel) {
+  uint nearest = image[at(3u, pixel)];
+  if (nearest == 0xffffffffu) return false;
+  return below(unordered(nearest) - unordered(image[at(0u, pixel)])) <= unordered(upper);
+}
+)";
+
+const char* const kVisitMoving = R"(
+const bool kOnlyDoubtful = false;
+
+void visit(Face face, ivec2 pixel, uint id) {
+  Cell cell = look(face, pixel);
+  for (int i = 0; i < cell.num_spans; ++i) {
+    uint front = ordered(cell.span[i].y), rear = ordered(cell.span[i].x);
+    if (image[at(0u, pixel)] < front) atomicMax(image[at(0u, pixel)], front);
+    if (image[at(1u, pixel)] > rear) atomicMin(image[at(1u, pixel)], rear);
+  }
+  for (int i = 0; i < cell.num_samples; ++i)
+    atomicMax(image[at(2u, pixel)], ordered(cell.sample_at[i].x));
+}
+)";
+
+const char* const kVisitFixed = R"(
+const bool kOnlyDoubtful = false;
+
+void meet_sample(vec2 fixed_sample, uint moving_key) {
+  float time;
+  if (moving_key == 0u || !meet(fixed_sample, unordered(moving_key), time)) return;
+  if (upper > ordered(time)) atomicMin(upper, ordered(time));
+}
+
+void visit(Face face, ivec2 pixel, uint id) {
+  if (!has_moving(pixel)) return;
+  Cell cell = look(face, pixel);
+  float rear = unordered(image[at(1u, pixel)]);
+  for (int i = 0; i < cell.num_spans; ++i) {
+    float shift = next_turn(cell.span[i].y, rear);
+    if (is_behind(cell.span[i].y, rear)) continue;
+    uint nearest = ordered(cell.span[i].x + shift);
+    if (image[at(3u, pixel)] > nearest) atomicMin(image[at(3u, pixel)], nearest);
+  }
+  for (int i = 0; i < cell.num_samples; ++i)
+    meet_sample(cell.sample_at[i], image[at(2u, pixel)]);
+}
+)";
+
+const char* const kAddEntry = R"(
+const bool kOnlyDoubtful = true;
+uniform uint first_face;  // number of the body's first face in the query
+
+void add_entry(ivec2 pixel, vec2 span, uint id) {
+  uint i = atomicAdd(num_entries, 1u);
+  if (i >= max_entries) return;
+  entries[i] = uvec4(uint(pixel.y * size.x + pixel.x), floatBitsToUint(span.x),
+                     floatBitsToUint(span.y), first_face + id);
+}
+)";
+
+const char* const kVisitMovingLists = R"(
+void visit(Face face, ivec2 pixel, uint id) {
+  if (!is_doubtful(pixel)) return;
+  Cell cell = look(face, pixel);
+  float nearest = unordered(image[at(3u, pixel)]);
+  for (int i = 0; i < cell.num_spans; ++i)
+    if (below(nearest - cell.span[i].y) <= unordered(upper)) add_entry(pixel, cell.span[i], id);
+}
+)";
+
+const char* const kVisitFixedLists = R"(
+void visit(Face face, ivec2 pixel, uint id) {
+  if (!is_doubtful(pixel)) return;
+  Cell cell = look(face, pixel);
+  float front = unordered(image[at(0u, pixel)]), rear = unordered(image[at(1u, pixel)]);
+  for (int i = 0; i < cell.num_spans; ++i) {
+    float shift = next_turn(cell.span[i].y, rear);
+    if (is_behind(cell.span[i].y, rear)) continue;
+    if (below(cell.span[i].x + shift - front) <= unordered(upper))
+      add_entry(pixel, cell.span[i], id);
+  }
+}
+)";
+
+// One thread per face; faces over many pixels are left to a second dispatch, with one group each.
+const char* const kMain = R"(
+layout(local_size_x = 64) in;
+uniform uint num_faces, group_per_face;
+
+vec3 corner(uint face, uint k) {
+  uint v = 3u * corners[3u * face + k];
+  return place(vec3(vertices[v], vertices[v + 1u], vertices[v + 2u]));
+}
+
+ivec4 cropped(ivec4 box) {
+  if (!kOnlyDoubtful) return box;
+  ivec4 doubtful = ivec4(doubtful_low_x, doubtful_low_y, doubtful_high_x, doubtful_high_y);
+  return ivec4(max(box.xy, doubtful.xy), min(box.zw, doubtful.zw));
+}
+
+bool left_to_a_group(uint face) {
+  uint i = atomicAdd(num_large, 1u);
+  if (i >= max_large) return false;
+  large[i] = face;
+  atomicMax(large_groups[0], i + 1u);
+  return true;
+}
+
+void main() {
+  bool in_group = group_per_face != 0u;
+  uint id = gl_GlobalInvocationID.y * gl_NumWorkGroups.x * gl_WorkGroupSize.x +
+            gl_GlobalInvocationID.x;
+  if (in_group) id = large[gl_WorkGroupID.x];
+  if (id >= num_faces) return;
+  Face face = make_face(corner(id, 0u), corner(id, 1u), corner(id, 2u));
+  ivec4 box = cropped(face.box);
+  if (is_empty(box)) return;
+  uint width = uint(box.z - box.x + 1), count = width * uint(box.w - box.y + 1);
+  if (!in_group && count > 64u && left_to_a_group(id)) return;
+  uint first = in_group ? gl_LocalInvocationIndex : 0u, step = in_group ? 64u : 1u;
+  for (uint i = first; i < count; i += step)
+    visit(face, box.xy + ivec2(i % width, i / width), id);
+}
+)";
+
+const char* const kReduce = R"(
+layout(local_size_x = 8, local_size_y = 8) in;
+
+void main() {
+  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+  if (any(greaterThanEqual(pixel, size))) return;
+  uint nearest = image[at(3u, pixel)];
+  if (nearest == 0xffffffffu) return;
+  atomicAdd(num_pixels, 1u);
+  uint gap = ordered(below(max(0.0, unordered(nearest) - unordered(image[at(0u, pixel)]))));
+  if (lower > gap) atomicMin(lower, gap);
+  if (!is_doubtful(pixel)) return;
+  atomicAdd(num_doubtful, 1u);
+  atomicMin(doubtful_low_x, uint(pixel.x));
+  atomicMin(doubtful_low_y, uint(pixel.y));
+  atomicMax(doubtful_high_x, uint(pixel.x));
+  atomicMax(doubtful_high_y, uint(pixel.y));
+}
+)";
+
+const char* visit_of(Pass pass) {
+  switch (pass) {
+    case Pass::Moving:
+      return kVisitMoving;
+    case Pass::Fixed:
+      return kVisitFixed;
+    case Pass::MovingLists:
+      return kVisitMovingLists;
+    default:
+      return kVisitFixedLists;
+  }
+}
+
+std::string with_version(const std::string& body) { return "#version 430 core\n" + body; }
+
+}  // namespace
+
+std::string compute(Motion::Kind kind, Pass pass) {
+  const bool lists = pass == Pass::MovingLists || pass == Pass::FixedLists;
+  return with_version(model(kind) + kOrdered + kBuffers +
+                      (lists ? std::string(kDoubtful) + kAddEntry : std::string()) +
+                      visit_of(pass) + kMain);
+}
+
+std::string reduction() {
+  return with_version(translation_model() + kOrdered + kBuffers + kDoubtful + kReduce);
+}
+
+}  // namespace trivet::zlist_shaders

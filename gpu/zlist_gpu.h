@@ -1,0 +1,25 @@
+// z-lists along the motion, on the graphics hardware. README.md derives why no pair is missed.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+
+#include "core/contact/zlist_stage.h"
+
+namespace trivet {
+
+struct GpuZListOptions {
+  int resolution = 128;                   // pixels along the longer side, 16 to 1024
+  std::size_t memory_bytes = 512u << 20;  // of graphics memory, meshes included
+  bool allow_software = true;             // false: refuse renderers that run on the CPU
+  bool force_fallback = false;            // do without OpenGL 4.3, as on old drivers
+};
+
+/// A stage with a context of its own, made current only while it works. Meshes stay in graphics
+/// memory, up to the limit, by the identity that make_shape() gave them. After an error of OpenGL
+/// (a lost context) a query is not usable and the next one starts afresh. One thread at a time.
+/// @throws Error (Environment) that says what is missing: EGL, OpenGL 3.3, or how much memory;
+///   (BadInput) for an option out of range.
+std::unique_ptr<ZListStage> make_gpu_zlist_stage(const GpuZListOptions& options = {});
+
+}  // namespace trivet

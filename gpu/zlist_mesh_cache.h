@@ -1,0 +1,46 @@
+// Private to gpu: meshes that stay in graphics memory between queries.
+#pragma once
+
+#include <cstdint>
+#include <map>
+
+#include "core/index/shape.h"
+#include "gpu/gl_objects.h"
+
+namespace trivet {
+
+struct GpuMesh {
+  GlBuffer vertices;  // float x y z, about the centre of the shape's box
+  GlBuffer corners;   // uint32, three per face
+  GlVertexArray vertex_array;
+  GLsizei num_faces = 0;
+  std::size_t bytes = 0;
+};
+
+/// Meshes by the identity of their shapes; the ones that were not used for longest go first. Needs
+/// a current context.
+class ZListMeshCache {
+ public:
+  explicit ZListMeshCache(std::size_t max_bytes) : m_max_bytes(max_bytes) {}
+
+  /// What is used from now on stays until the next call.
+  void begin_query() { ++m_query; }
+  /// @return null when the meshes of this query alone do not fit.
+  /// @throws Error (Environment) when OpenGL fails.
+  const GpuMesh* get(const Shape& shape);
+  std::size_t num_bytes() const { return m_bytes; }
+  std::size_t num_meshes() const { return m_meshes.size(); }
+
+ private:
+  struct Slot {
+    GpuMesh mesh;
+    std::uint64_t last_query = 0;
+  };
+  bool make_room(std::size_t bytes);
+
+  std::map<std::uint64_t, Slot> m_meshes;  // by Shape::id
+  std::size_t m_max_bytes, m_bytes = 0;
+  std::uint64_t m_query = 0;
+};
+
+}  // namespace trivet
