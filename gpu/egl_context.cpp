@@ -37,15 +37,20 @@ EGLConfig choose_config(const EglDisplayUse& display) {
   return config;
 }
 
-EGLContext create_context(EGLDisplay display, EGLConfig config, int version) {
-  const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
-                               version / 10,
-                               EGL_CONTEXT_MINOR_VERSION,
-                               version % 10,
-                               EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                               EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                               EGL_NONE};
-  return eglCreateContext(display, config, EGL_NO_CONTEXT, attributes);
+/// Where the driver can, after a reset of the hardware every call says that the context is lost.
+EGLContext create_context(const EglDisplayUse& display, EGLConfig config, int version) {
+  const bool notifies = display.has_extension("EGL_EXT_create_context_robustness");
+  const EGLint attributes[] = {
+      EGL_CONTEXT_MAJOR_VERSION,
+      version / 10,
+      EGL_CONTEXT_MINOR_VERSION,
+      version % 10,
+      EGL_CONTEXT_OPENGL_PROFILE_MASK,
+      EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+      notifies ? EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY_KHR : EGL_NONE,
+      EGL_LOSE_CONTEXT_ON_RESET_KHR,
+      EGL_NONE};
+  return eglCreateContext(display.get(), config, EGL_NO_CONTEXT, attributes);
 }
 
 }  // namespace
@@ -73,7 +78,7 @@ void EglContext::State::create() {
   if (!eglBindAPI(EGL_OPENGL_API)) throw environment("no OpenGL, " + last_egl_error());
   const EGLConfig config = choose_config(display);
   for (const int wanted : kVersions) {
-    context = create_context(display.get(), config, wanted);
+    context = create_context(display, config, wanted);
     if (context != EGL_NO_CONTEXT) break;
   }
   if (context == EGL_NO_CONTEXT)
@@ -126,15 +131,28 @@ std::string EglContext::description() const {
          device();
 }
 
-EglContext::Current::Current(const EglContext& context) {
+EglContext::Current::Binding EglContext::Current::query() {
   // OpenGL ES and OpenGL may have a current context each: look at the bound API's first.
-  m_before.api = eglQueryAPI();
-  m_before.context = eglGetCurrentContext();
+  Binding out;
+  out.api = eglQueryAPI();
+  out.context = eglGetCurrentContext();
   eglBindAPI(EGL_OPENGL_API);
-  if (m_before.context == EGL_NO_CONTEXT) m_before.context = eglGetCurrentContext();
-  m_before.display = eglGetCurrentDisplay();
-  m_before.draw = eglGetCurrentSurface(EGL_DRAW);
-  m_before.read = eglGetCurrentSurface(EGL_READ);
+  if (out.context == EGL_NO_CONTEXT) out.context = eglGetCurrentContext();
+  out.display = eglGetCurrentDisplay();
+  out.draw = eglGetCurrentSurface(EGL_DRAW);
+  out.read = eglGetCurrentSurface(EGL_READ);
+  return out;
+}
+
+void EglContext::Current::restore(const Binding& before, void* display) {
+  if (before.context != EGL_NO_CONTEXT)
+    eglMakeCurrent(before.display, before.draw, before.read, before.context);
+  else if (display != EGL_NO_DISPLAY)
+    eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+  eglBindAPI(before.api);
+}
+
+EglContext::Current::Current(const EglContext& context) : m_before(query()) {
   m_display = context.m_state->display.get();
   if (!eglMakeCurrent(m_display, EGL_NO_SURFACE, EGL_NO_SURFACE, context.m_state->context)) {
     const std::string reason = last_egl_error();
@@ -143,12 +161,13 @@ EglContext::Current::Current(const EglContext& context) {
   }
 }
 
-EglContext::Current::~Current() {
-  if (m_before.context == EGL_NO_CONTEXT)
-    eglMakeCurrent(m_display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-  else
-    eglMakeCurrent(m_before.display, m_before.draw, m_before.read, m_before.context);
-  eglBindAPI(m_before.api);
+EglContext::Current::~Current() { restore(m_before, m_display); }
+
+EglContext::None::None() : m_before(Current::query()) {
+  if (m_before.context != EGL_NO_CONTEXT)
+    eglMakeCurrent(m_before.display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
 }
+
+EglContext::None::~None() { Current::restore(m_before, EGL_NO_DISPLAY); }
 
 }  // namespace trivet

@@ -41,6 +41,7 @@ class EglContext {
   const std::vector<std::string>& failures() const;
 
   class Current;
+  class None;
 
  private:
   struct State;
@@ -58,6 +59,7 @@ class EglContext::Current {
   Current& operator=(const Current&) = delete;
 
  private:
+  friend class None;
   struct Binding {
     void* display = nullptr;
     void* context = nullptr;
@@ -65,8 +67,22 @@ class EglContext::Current {
     void* read = nullptr;
     unsigned api = 0;
   };
+  static Binding query();
+  static void restore(const Binding& before, void* display);
   Binding m_before;
   void* m_display;
+};
+
+/// Makes no context current for a scope: GL objects of a context that is lost may die there.
+class EglContext::None {
+ public:
+  None();
+  ~None();
+  None(const None&) = delete;
+  None& operator=(const None&) = delete;
+
+ private:
+  Current::Binding m_before;
 };
 
 }  // namespace trivet

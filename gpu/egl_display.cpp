@@ -118,7 +118,7 @@ EglDisplayUse::EglDisplayUse(EGLDisplay display) {
   const std::lock_guard lock(uses.mutex);
   int& count = uses.count[display];
   EGLint major = 0, minor = 0;
-  if (count == 0 && !eglInitialize(display, &major, &minor))
+  if (!eglInitialize(display, &major, &minor))  // again, too: somebody may have terminated it
     throw Error(Error::Kind::Environment, "eglInitialize failed, " + last_egl_error());
   ++count;
   m_display = display;

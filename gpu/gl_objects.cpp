@@ -1,5 +1,7 @@
 #include "gpu/gl_objects.h"
 
+#include <epoxy/egl.h>
+
 #include <cstdio>
 #include <vector>
 
@@ -74,6 +76,8 @@ GLenum client_type(GLenum internal_format) {
 }
 
 }  // namespace
+
+bool has_gl_context() { return eglGetCurrentContext() != EGL_NO_CONTEXT; }
 
 GLuint GlBufferKind::create() {
   GLuint id = 0;
@@ -193,6 +197,7 @@ void check_gl(const char* stage) {
   if (code == GL_NO_ERROR) return;
   for (int i = 0; i < 16 && glGetError() != GL_NO_ERROR; ++i) continue;  // the flags of the others
   const char* name = code == GL_OUT_OF_MEMORY                   ? "GL_OUT_OF_MEMORY"
+                     : code == GL_CONTEXT_LOST                  ? "GL_CONTEXT_LOST"
                      : code == GL_INVALID_OPERATION             ? "GL_INVALID_OPERATION"
                      : code == GL_INVALID_VALUE                 ? "GL_INVALID_VALUE"
                      : code == GL_INVALID_ENUM                  ? "GL_INVALID_ENUM"

@@ -1,4 +1,5 @@
-// Private to gpu: owners of OpenGL objects. All need a current context, to live and to die.
+// Private to gpu: owners of OpenGL objects. All need a current context, to live and to die; without
+// any (EglContext::None) they are forgotten, for when theirs is lost.
 #pragma once
 
 #include <epoxy/gl.h>
@@ -10,6 +11,9 @@
 
 namespace trivet {
 
+/// Whether some context is current on this thread.
+bool has_gl_context();
+
 /// Owns one OpenGL name; move-only. 0 owns nothing.
 template <typename Kind>
 class GlHandle {
@@ -18,7 +22,7 @@ class GlHandle {
   explicit GlHandle(GLuint id) : m_id(id) {}
   static GlHandle create() { return GlHandle(Kind::create()); }
   ~GlHandle() {
-    if (m_id != 0) Kind::destroy(m_id);
+    if (m_id != 0 && has_gl_context()) Kind::destroy(m_id);
   }
   GlHandle(GlHandle&& other) noexcept : m_id(std::exchange(other.m_id, 0)) {}
   GlHandle& operator=(GlHandle&& other) noexcept {

@@ -1,6 +1,7 @@
 #include "gpu/zlist_gpu.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "core/base/error.h"
 #include "gpu/egl_context.h"
@@ -12,6 +13,8 @@ namespace {
 
 /// What is tried when the lists do not fit: pixels that are this many times larger.
 constexpr int kCoarser = 4;
+/// Errors of OpenGL in a row after which it is left alone.
+constexpr int kMostErrors = 3;
 
 /// All that lives in one context.
 class GpuLists {
@@ -32,19 +35,13 @@ class GpuLists {
     }
     m_meshes = std::make_unique<ZListMeshCache>(options.memory_bytes - needed);
   }
-  ~GpuLists() {
-    try {
-      const EglContext::Current current(m_context);
-      m_meshes.reset();
-      m_raster.reset();
-    } catch (const Error&) {
-      // Another thread holds the context; all of it goes with the context.
-    }
-  }
+  ~GpuLists();
   GpuLists(const GpuLists&) = delete;
   GpuLists& operator=(const GpuLists&) = delete;
 
-  Proposal propose(const FirstContactQuery& query, const ZListFrame& frame);
+  /// @return nothing when the lists are too long.
+  std::optional<Proposal> propose(const FirstContactQuery& query, const ZListFrame& frame,
+                                  double horizon);
   std::string name() const {
     return "gpu (" + m_context.renderer() + ", " + m_raster->method() + ")";
   }
@@ -55,24 +52,37 @@ class GpuLists {
   std::unique_ptr<ZListMeshCache> m_meshes;
 };
 
+GpuLists::~GpuLists() {
+  try {
+    const EglContext::Current current(m_context);
+    m_meshes.reset();
+    m_raster.reset();
+  } catch (const Error&) {  // the context is lost, and all objects with it
+    const EglContext::None none;
+    m_meshes.reset();
+    m_raster.reset();
+  }
+}
+
 Proposal gives_up(const std::string& why) {
   Proposal out;
   out.why = why;
   return out;
 }
 
-Proposal GpuLists::propose(const FirstContactQuery& query, const ZListFrame& frame) {
+std::optional<Proposal> GpuLists::propose(const FirstContactQuery& query, const ZListFrame& frame,
+                                          double horizon) {
   const EglContext::Current current(m_context);
   m_meshes->begin_query();
   const ZListView view = make_view(query, frame, *m_meshes);
   if (view.fixed.empty()) return gives_up("the meshes do not fit into the graphics memory");
   ZLists lists = m_raster->rasterise(view);
-  if (lists.overflow) return gives_up("the lists do not fit into the graphics memory");
   Proposal out;
-  if (!make_pairs(view, lists, frame, out.pairs)) return gives_up("too many pairs of faces");
+  if (lists.overflow || !make_pairs(view, lists, frame, out.pairs)) return std::nullopt;
   out.usable = true;
-  out.lower = frame.time_before(lists.lower);
+  out.lower = std::min(frame.time_before(lists.lower), horizon);
   if (lists.upper < view.horizon) out.upper = frame.time_after(lists.upper);
+  out.work.body_pairs = static_cast<std::int64_t>(frame.pairs.size());
   out.work.pixels = lists.num_pixels;
   out.work.doubtful_pixels = lists.num_doubtful;
   out.work.face_pairs = static_cast<std::int64_t>(out.pairs.size());
@@ -86,41 +96,47 @@ class GpuZListStage : public ZListStage {
       : m_options(options), m_lists(std::make_unique<GpuLists>(options)), m_name(m_lists->name()) {}
 
   std::string name() const override { return m_name; }
-
-  Proposal propose(const FirstContactQuery& query, double horizon) override {
-    Proposal out;
-    for (const int resolution : {m_options.resolution, m_options.resolution / kCoarser}) {
-      const ZListFrame frame = make_zlist_frame(query, horizon, resolution);
-      if (frame.empty()) return nothing_touches(horizon);
-      out = try_propose(query, frame);
-      out.work.body_pairs = static_cast<std::int64_t>(frame.pairs.size());
-      if (out.usable) break;
-    }
-    return out;
-  }
+  Proposal propose(const FirstContactQuery& query, double horizon) override;
 
  private:
-  static Proposal nothing_touches(double horizon) {
-    Proposal out;
-    out.usable = true;
-    out.lower = horizon;
-    return out;
-  }
-
-  Proposal try_propose(const FirstContactQuery& query, const ZListFrame& frame) {
-    try {
-      if (!m_lists) m_lists = std::make_unique<GpuLists>(m_options);
-      return m_lists->propose(query, frame);
-    } catch (const Error& error) {
-      m_lists.reset();
-      return gives_up(error.what());
-    }
-  }
+  std::optional<Proposal> try_propose(const FirstContactQuery& query, const ZListFrame& frame,
+                                      double horizon);
 
   GpuZListOptions m_options;
-  std::unique_ptr<GpuLists> m_lists;  // null after an error, until the next query
-  std::string m_name;
+  std::unique_ptr<GpuLists> m_lists;  // null after an error
+  int m_num_errors = 0;               // since something last worked
+  std::string m_name, m_last_error;
 };
+
+Proposal GpuZListStage::propose(const FirstContactQuery& query, double horizon) {
+  for (const int resolution : {m_options.resolution, m_options.resolution / kCoarser}) {
+    const ZListFrame frame = make_zlist_frame(query, horizon, resolution);
+    if (frame.empty()) {
+      Proposal nothing_touches;
+      nothing_touches.usable = true;
+      nothing_touches.lower = horizon;
+      return nothing_touches;
+    }
+    if (std::optional<Proposal> out = try_propose(query, frame, horizon)) return *std::move(out);
+  }
+  return gives_up("too many faces are in doubtful pixels");
+}
+
+// A lost context is made again, and the query asked again.
+std::optional<Proposal> GpuZListStage::try_propose(const FirstContactQuery& query,
+                                                   const ZListFrame& frame, double horizon) {
+  while (m_num_errors < kMostErrors) try {
+      if (!m_lists) m_lists = std::make_unique<GpuLists>(m_options);
+      const auto out = m_lists->propose(query, frame, horizon);
+      m_num_errors = 0;
+      return out;
+    } catch (const Error& error) {
+      m_lists.reset();
+      m_last_error = error.what();
+      ++m_num_errors;
+    }
+  return gives_up(m_last_error);
+}
 
 }  // namespace
 

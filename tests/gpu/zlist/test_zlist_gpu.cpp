@@ -1,0 +1,200 @@
+// z-lists on the graphics hardware: the same bits as box trees and brute force, at every
+// resolution, with and without compute shaders; little memory, lost contexts, no leaks.
+#include <epoxy/egl.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
+
+#include "core/base/error.h"
+#include "gpu/egl_context.h"
+#include "gpu/zlist_gpu.h"
+#include "support/check_stage.h"
+#include "support/effort.h"
+
+namespace trivet {
+namespace {
+
+constexpr unsigned kSeed = 5309;
+
+/// Null where the machine has no EGL.
+std::unique_ptr<ZListStage> make_stage(const GpuZListOptions& options) {
+  try {
+    return make_gpu_zlist_stage(options);
+  } catch (const Error& error) {
+    const std::string why = error.what();
+    if (!why.starts_with("no EGL") && !why.starts_with("no OpenGL")) throw;
+    return nullptr;
+  }
+}
+
+#define TRIVET_SKIP_WITHOUT_EGL(stage) \
+  if (!(stage)) GTEST_SKIP() << "this machine has no OpenGL through EGL"
+
+struct Case {
+  int resolution;
+  bool fallback;
+  int num;
+};
+
+void PrintTo(const Case& c, std::ostream* out) {
+  *out << c.resolution << " pixels, " << (c.fallback ? "OpenGL 3.3" : "compute");
+}
+
+class ZListGpu : public testing::TestWithParam<Case> {};
+
+TEST_P(ZListGpu, AnswersLikeBruteForce) {
+  const Case& c = GetParam();
+  const auto stage = make_stage({.resolution = c.resolution, .force_fallback = c.fallback});
+  TRIVET_SKIP_WITHOUT_EGL(stage);
+  const test::MeshPool pool(kSeed, 8);
+  const int num = test::with_effort(c.num);
+  const test::StageCheck check = test::check_stage(*stage, pool, kSeed + c.resolution, 0, num);
+  EXPECT_TRUE(check.failures.empty()) << check.describe();
+  EXPECT_EQ(check.num_unusable, 0) << check.describe();
+  EXPECT_GT(check.num_contacts, num / 4) << check.describe();
+  EXPECT_GT(check.num_upper, num / 12) << check.describe();
+  EXPECT_LT(check.num_pairs, check.num_all_pairs / 8) << check.describe();
+}
+
+INSTANTIATE_TEST_SUITE_P(Resolutions, ZListGpu,
+                         testing::Values(Case{16, false, 1000}, Case{64, false, 2000},
+                                         Case{256, false, 300}, Case{1024, false, 60},
+                                         Case{16, true, 300}, Case{64, true, 600},
+                                         Case{256, true, 150}, Case{1024, true, 30}));
+
+class ZListGpuBothWays : public testing::TestWithParam<bool> {};
+
+/// Two finely divided slabs, flat on each other but for the clearance.
+test::RandomQuery flat_contact(int divisions, double gap) {
+  test::RandomQuery q;
+  const auto slab = test::shape_of(test::terrain(divisions, 1, 0, kSeed));
+  q.fixed.push_back({slab, {}});
+  q.moving.push_back({slab, {Rotation{}, Vec3(0.1, 0.2, gap)}});
+  q.motion = Motion::translation(-Vec3::UnitZ(), 1);
+  q.clearance.distance = 1e-6;
+  return q;
+}
+
+TEST_P(ZListGpuBothWays, FlatContactsAreDecidedOrGivenUp) {
+  const auto stage = make_stage({.resolution = 128, .force_fallback = GetParam()});
+  TRIVET_SKIP_WITHOUT_EGL(stage);
+  for (const double gap : {1e-6, 0.3}) {
+    const test::RandomQuery q = flat_contact(24, gap);
+    Proposal proposal;
+    EXPECT_TRUE(test::same_answer(q.with_stage(*stage, &proposal), q.fast()));
+    EXPECT_TRUE(proposal.usable) << proposal.why;
+  }
+}
+
+/// Everything turns about an axis that it surrounds: no line of sight is free of moving faces.
+TEST_P(ZListGpuBothWays, RingsAboutTheAxis) {
+  const auto stage = make_stage({.resolution = 64, .force_fallback = GetParam()});
+  TRIVET_SKIP_WITHOUT_EGL(stage);
+  test::Random random(kSeed);
+  int num_contacts = 0;
+  for (int i = 0; i < 40; ++i) {
+    test::RandomQuery q;
+    q.moving.push_back({test::shape_of(test::bumpy_sphere(8, 12, 0.2, kSeed + i)), {}});
+    const Vec3 place = random.uniform(1.2, 1.4) * random.direction();
+    q.fixed.push_back(
+        {test::shape_of(test::soup(12, i % 5, random)), {random.rotation(), place}, 0.3});
+    q.motion = Motion::rotation(random.in_cube(0.05), random.direction(), 1);
+    q.clearance.distance = 1e-6;
+    const FirstContact truth = q.brute_force();
+    EXPECT_TRUE(test::same_answer(q.with_stage(*stage), truth)) << q.describe();
+    num_contacts += truth.status == FirstContact::Status::Contact;
+  }
+  EXPECT_GT(num_contacts, 4);
+}
+
+std::string why_refused(const GpuZListOptions& options) {
+  try {
+    make_gpu_zlist_stage(options);
+    return "";
+  } catch (const Error& error) {
+    return error.what();
+  }
+}
+
+TEST_P(ZListGpuBothWays, TooLittleMemoryIsSaid) {
+  const bool fallback = GetParam();
+  TRIVET_SKIP_WITHOUT_EGL(make_stage({.force_fallback = fallback}));
+  const std::string why = why_refused({.memory_bytes = 1 << 20, .force_fallback = fallback});
+  EXPECT_NE(why.find("more than the 1024 KiB"), std::string::npos) << why;
+  // Enough for the lists, and for nothing else.
+  const auto at = why.find("need ");
+  ASSERT_NE(at, std::string::npos);
+  const std::size_t needed = (std::stoul(why.substr(at + 5)) + 1) << 10;
+  const auto stage = make_stage({.memory_bytes = needed, .force_fallback = fallback});
+  const test::RandomQuery q = flat_contact(24, 0.3);
+  Proposal proposal;
+  EXPECT_TRUE(test::same_answer(q.with_stage(*stage, &proposal), q.fast()));
+  EXPECT_FALSE(proposal.usable);
+  EXPECT_NE(proposal.why.find("memory"), std::string::npos) << proposal.why;
+}
+
+/// Room for few of the meshes at a time.
+TEST_P(ZListGpuBothWays, MeshesComeAndGo) {
+  const bool fallback = GetParam();
+  TRIVET_SKIP_WITHOUT_EGL(make_stage({.force_fallback = fallback}));
+  const std::string why = why_refused({.memory_bytes = 0, .force_fallback = fallback});
+  const std::size_t needed = (std::stoul(why.substr(why.find("need ") + 5)) + 8) << 10;
+  const auto stage = make_stage({.memory_bytes = needed, .force_fallback = fallback});
+  const test::MeshPool pool(kSeed, 8);
+  const test::StageCheck check = test::check_stage(*stage, pool, kSeed, 0, 100);
+  EXPECT_TRUE(check.failures.empty()) << check.describe();
+  EXPECT_LT(check.num_unusable, 20) << check.describe();
+}
+
+/// Whoever calls eglTerminate() takes all contexts of the display from everybody.
+TEST_P(ZListGpuBothWays, StartsAfreshAfterALostContext) {
+  const auto stage = make_stage({.resolution = 64, .force_fallback = GetParam()});
+  TRIVET_SKIP_WITHOUT_EGL(stage);
+  const test::RandomQuery q = flat_contact(4, 0.3);
+  Proposal proposal;
+  EXPECT_TRUE(test::same_answer(q.with_stage(*stage, &proposal), q.fast()));
+  EXPECT_TRUE(proposal.usable);
+  const EglContext another;  // of the same display
+  EGLDisplay display = EGL_NO_DISPLAY;
+  EGLContext context = EGL_NO_CONTEXT;
+  {
+    const EglContext::Current current(another);
+    display = eglGetCurrentDisplay();
+    context = eglGetCurrentContext();
+  }
+  eglTerminate(display);
+  EXPECT_EQ(eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context), EGL_FALSE);
+  EXPECT_TRUE(test::same_answer(q.with_stage(*stage, &proposal), q.fast()));
+  EXPECT_TRUE(proposal.usable) << proposal.why;
+}
+
+/// In pages.
+long resident_memory() {
+  long total = 0, resident = 0;
+  std::ifstream("/proc/self/statm") >> total >> resident;
+  return resident;
+}
+
+TEST_P(ZListGpuBothWays, DoesNotLeak) {
+  const auto stage = make_stage({.resolution = 16, .force_fallback = GetParam()});
+  TRIVET_SKIP_WITHOUT_EGL(stage);
+  const test::MeshPool pool(kSeed, 4);
+  const auto ask = [&](int num) {
+    for (int i = 0; i < num; ++i) test::random_query(pool, kSeed, i % 500).with_stage(*stage);
+  };
+  ask(600);
+  const long before = resident_memory();
+  ask(1400);
+  EXPECT_LT((resident_memory() - before) * sysconf(_SC_PAGESIZE), 4 << 20);
+}
+
+INSTANTIATE_TEST_SUITE_P(Ways, ZListGpuBothWays, testing::Bool());
+
+TEST(ZListGpuOptions, ResolutionHasLimits) {
+  const std::string why = why_refused({.resolution = 2000});
+  EXPECT_NE(why.find("2000"), std::string::npos) << why;
+}
+
+}  // namespace
+}  // namespace trivet
