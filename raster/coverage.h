@@ -1,0 +1,47 @@
+// Which pixels a triangle touches: all of them, and few others.
+#pragma once
+
+#include <array>
+
+#include "core/base/types.h"
+
+namespace trivet {
+
+/// Pixels by which everything is grown to make up for rounding; what rounds is far below it.
+inline constexpr double kRoundingPixels = 0.01;
+
+/// A triangle in the plane of an image, row by row. Touched are the pixels that no line along an
+/// edge and no box separates from it [separating axes; Akenine-Moller 2005]: all that it meets, for
+/// any triangle, degenerate ones included.
+class Coverage {
+ public:
+  struct Columns {
+    int first, last;  // first > last: none
+  };
+
+  /// @param half_x, half_y  half the size of a pixel, grown by what is to be made up for.
+  Coverage(const std::array<Vec2, 3>& corners, double half_x, double half_y, int width, int height);
+
+  int first_row() const { return m_first_row; }
+  int last_row() const { return m_last_row; }  // < first_row(): no pixel
+  Columns touched(int row) const { return columns(row, m_reach); }
+  /// Pixels whose centre is inside by more than `shrink` pixels.
+  Columns inside(int row, double shrink) const;
+  /// Twice the area, and the longest edge squared.
+  double area2() const { return m_area2; }
+  double squared_size() const { return m_squared_size; }
+
+ private:
+  struct Edge {
+    double a, b;  // a x + b y grows inwards
+    Vec2 p;       // on the edge
+  };
+  Columns columns(int row, const std::array<double, 3>& reach) const;
+
+  std::array<Edge, 3> m_edges;
+  std::array<double, 3> m_reach;
+  double m_area2, m_squared_size;
+  int m_first_row, m_last_row, m_first_column, m_last_column;
+};
+
+}  // namespace trivet

@@ -1,0 +1,34 @@
+// Per pixel, the smallest and the largest depth of everything drawn: the paper's second stage.
+#pragma once
+
+#include <vector>
+
+#include "raster/draw_faces.h"
+
+namespace trivet {
+
+/// Centres whose depth is less certain than this (pixels or radians) are not used.
+inline constexpr float kLargestCentreError = 0.02F;
+
+/// Bounds of depths in each pixel, row by row. Where nothing was drawn: +infinity and -infinity.
+struct DepthMap {
+  int width = 0, height = 0;
+  std::vector<float> lower, upper;  // all faces in the pixel are within
+  /// On the line through the pixel's centre, some face is met at `highest_centre` or farther along,
+  /// and some at `lowest_centre` or nearer.
+  std::vector<float> highest_centre, lowest_centre;
+
+  DepthMap() = default;
+  DepthMap(int w, int h);
+  bool empty_at(int pixel) const { return lower[pixel] > upper[pixel]; }
+
+  void add(const Span& span);
+  void add(const SmallFace& face);
+  void add(const DepthMap& other);
+};
+
+/// Draws all faces of a projected layer.
+/// @return false when a face had too many pieces: the map is not complete.
+bool draw_depth_map(const Layer& layer, const View& view, int num_threads, DepthMap& out);
+
+}  // namespace trivet

@@ -1,0 +1,28 @@
+// Work split into contiguous parts, so that what they find can be joined in a fixed order.
+#pragma once
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace trivet {
+
+/// Less than this is not worth a thread.
+inline constexpr size_t kSmallestPart = 1 << 14;
+
+inline size_t num_parts(size_t count, int num_threads) {
+  return std::clamp<size_t>(count / kSmallestPart, 1, static_cast<size_t>(num_threads));
+}
+
+/// f(part, first, last) for each of num_parts() parts.
+template <class F>
+void for_each_part(size_t count, int num_threads, F f) {
+  const size_t parts = num_parts(count, num_threads);
+  const auto run = [&](size_t i) { f(i, count * i / parts, count * (i + 1) / parts); };
+  if (parts == 1) return run(0);
+  tbb::task_arena(num_threads).execute([&] { tbb::parallel_for(size_t{0}, parts, run); });
+}
+
+}  // namespace trivet

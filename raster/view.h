@@ -1,0 +1,53 @@
+// The part of a frame's image that is drawn, and what comes out: rows of pixels with depths.
+#pragma once
+
+#include "core/contact/zlist_frame.h"
+
+namespace trivet {
+
+/// A window of the image of a frame; pixels of the view may be smaller than the frame's (zoom).
+/// Depths are the frame's in every view.
+struct View {
+  const ZListFrame* frame = nullptr;
+  bool moving = false;         // draws moving faces: grown, each at one angle
+  double column = 0, row = 0;  // lower left corner, in pixels of the frame
+  double scale = 1;            // pixels of the view per pixel of the frame
+  int width = 0, height = 0;
+
+  static View whole(const ZListFrame& frame, bool moving) {
+    return {&frame, moving, 0, 0, 1, frame.width, frame.height};
+  }
+  /// One pixel of this view, `factor` times finer.
+  View zoomed(int x, int y, int factor) const {
+    return {frame, moving, column + x / scale, row + y / scale, scale * factor, factor, factor};
+  }
+  View of(bool moving_faces) const {
+    View out = *this;
+    out.moving = moving_faces;
+    return out;
+  }
+  bool turning() const { return frame->kind == Motion::Kind::Rotation; }
+  /// In pixels of the view.
+  double growth() const { return moving ? frame->growth * scale : 0; }
+};
+
+/// Pixels first .. first + count - 1 of a row that a face touches.
+struct Span {
+  int row, first, count;
+  const float *lower, *upper;  // depths of the face within the pixel; lower > upper: not touched
+  const float* centre;         // depth on the line through the pixel's centre; NaN: not met
+  float centre_error;          // of `centre`, at most
+};
+
+/// Takes what a rasteriser draws.
+class SpanSink {
+ public:
+  std::uint32_t face = 0;  // whose spans follow
+
+  virtual void span(const Span& span) = 0;
+
+ protected:
+  ~SpanSink() = default;
+};
+
+}  // namespace trivet
