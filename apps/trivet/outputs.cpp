@@ -114,10 +114,10 @@ void check_outputs(const OutputPaths& paths, const std::vector<std::string>& inp
 }
 
 Outputs::Outputs(const OutputPaths& paths, const std::vector<std::string>& inputs,
-                 const CommonOptions& common)
+                 const CommonOptions& common, const PictureRequest& picture)
     : m_paths(paths), m_common(common) {
   check_outputs(paths, inputs);
-  if (!paths.picture.empty()) m_picture = std::make_unique<PictureMaker>(PictureRequest{});
+  if (!paths.picture.empty()) m_picture = std::make_unique<PictureMaker>(picture);
 }
 
 int Outputs::write(const LayoutRun& run, const Layout& layout, const SettleOptions& settle,

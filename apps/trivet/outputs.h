@@ -31,7 +31,7 @@ class Outputs {
  public:
   /// @throws Error as check_outputs(), and when pictures are wanted and cannot be made.
   Outputs(const OutputPaths& paths, const std::vector<std::string>& inputs,
-          const CommonOptions& common);
+          const CommonOptions& common, const PictureRequest& picture = {});
 
   /// Writes all files and says on standard output what was done; the report itself with --json.
   /// @return the exit status: 1 when an operation was refused or the check failed.

@@ -57,10 +57,18 @@ void write_demo(const DemoLayout& demo, const DemoFolder& folder) {
   write_file_atomically(folder.file("layout.json"), layout_json(demo));
 }
 
+PictureRequest picture_from(const DemoView& view) {
+  PictureRequest request;
+  for (const Vec3& p : {view.eye, view.target})
+    request.camera.insert(request.camera.end(), p.begin(), p.end());
+  request.fov_deg = view.fov_deg;
+  return request;
+}
+
 // From its files, as anybody would run it: the same bits with and without --export.
 int run_demo(const DemoArguments& arguments, const CommonOptions& common) {
   const DemoLayout demo = make_demo(arguments.name);
-  Outputs outputs(arguments.outputs, {}, common);
+  Outputs outputs(arguments.outputs, {}, common, picture_from(demo.view));
   const DemoFolder folder(arguments.folder);
   write_demo(demo, folder);
   const Layout layout = read_layout(folder.file("layout.json"));

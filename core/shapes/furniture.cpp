@@ -5,18 +5,13 @@
 
 #include "core/shapes/assemble.h"
 #include "core/shapes/models.h"
+#include "core/shapes/parts.h"
 
 namespace trivet::shapes {
 namespace {
 
 constexpr Index kWood = 0, kLinen = 1, kStripe = 2;
 const Vec2 kHalfTop(0.6, 0.4);
-
-Surface moved(Surface surface, const Vec3& by) {
-  for (Triangle& t : surface.triangles)
-    for (Vec3& p : t) p += by;
-  return surface;
-}
 
 // A leg that gets thinner downwards, 1 mm deep in the top.
 Part leg(double sx, double sy) {

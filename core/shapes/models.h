@@ -1,5 +1,6 @@
 // The models of the demos, made from smooth curves. Metres, z up, the lowest point at z = 0; what
-// stands upright has its axis through the origin. Handles point to +x.
+// stands upright has its axis through the origin. Handles point to +x; what belongs to an office
+// has its front at -y.
 #pragma once
 
 #include <string>
@@ -29,10 +30,38 @@ Model make_loaf();    // lies along x, cut at +x
 
 Model make_table();  // with a cloth; its top face at kTableHeight, the cloth's at kClothHeight
 
+Model make_desk();      // its top at kDeskHeight; a person sits at -y
+Model make_bookcase();  // open to -y, boards at kBookcaseBoards
+Model make_chair();     // with castors; its back at +y
+
+Model make_monitor();
+Model make_keyboard();
+Model make_mouse();
+Model make_telephone();
+Model make_lamp();  // its shade is at +x
+
+Model make_book_red();
+Model make_book_blue();
+Model make_book_green();
+Model make_book_yellow();
+Model make_binder();
+Model make_letter();      // a sheet of A4, one corner bent up
+Model make_report();      // some more sheets
+Model make_paper_ball();  // a crumpled sheet
+
+Model make_mug();     // empty
+Model make_pencil();  // lies along x, its tip at +x
+Model make_pen();     // lies along x, its tip at +x
+Model make_waste_basket();
+Model make_plant();
+
 inline constexpr double kTableHeight = 0.74;
 inline constexpr double kClothHeight = 0.7415;
+inline constexpr double kDeskHeight = 0.73;
+inline constexpr double kBookcaseHeight = 1.13;
+inline constexpr double kBookcaseBoards[] = {0.08, 0.43, 0.78};  // the upper sides
 
-/// All of the above by name: "saucer", "plate", ..., "table".
+/// All of the above by name: "saucer", "plate", ..., "plant".
 std::vector<std::string> model_names();
 /// @throws Error (BadInput) when there is no model of that name.
 Model make_model(const std::string& name);

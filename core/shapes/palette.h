@@ -17,5 +17,9 @@ inline Material orange_juice() { return make_material("orange juice", 0.95f, 0.4
 inline Material tea() { return make_material("tea", 0.28f, 0.08f, 0.01f, 0.1f); }
 inline Material milk() { return make_material("milk", 0.90f, 0.87f, 0.78f, 0.2f); }
 inline Material dark_wood() { return make_material("dark wood", 0.09f, 0.035f, 0.015f, 0.5f); }
+inline Material black_plastic() {
+  return make_material("black plastic", 0.022f, 0.023f, 0.026f, 0.45f);
+}
+inline Material white_paper() { return make_material("paper", 0.84f, 0.83f, 0.79f, 0.8f); }
 
 }  // namespace trivet::shapes

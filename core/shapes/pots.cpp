@@ -6,6 +6,7 @@
 #include "core/shapes/assemble.h"
 #include "core/shapes/models.h"
 #include "core/shapes/palette.h"
+#include "core/shapes/parts.h"
 
 namespace trivet::shapes {
 namespace {
@@ -53,14 +54,6 @@ Part teapot_spout(const std::vector<CurveSample>& body) {
   return {skin(tube)};
 }
 
-Part handle(const std::vector<CurveSample>& path, int segments,
-            const std::vector<CurveSample>& body) {
-  std::vector<Ring> tube = sweep(path, segments);
-  sink_into(body, kSink, &tube.front());
-  sink_into(body, kSink, &tube.back());
-  return {skin(tube), 75};
-}
-
 }  // namespace
 
 Model make_teapot() {
@@ -72,7 +65,7 @@ Model make_teapot() {
                smooth({0.1140, 0.0680, 0.0045, 0.0072}), smooth({0.1000, 0.0450, 0.0045, 0.0068}),
                smooth({0.0840, 0.0350, 0.0048, 0.0066}), smooth({0.0680, 0.0325, 0.0060, 0.0078})},
               0.0009);
-  return assemble("teapot", {body, teapot_spout(profile), handle(loop, 12, profile)},
+  return assemble("teapot", {body, teapot_spout(profile), handle(loop, 12, profile, kSink)},
                   {stoneware(), stoneware_rim(), tea()});
 }
 
@@ -101,7 +94,7 @@ Model make_jug() {
                smooth({0.0600, 0.0480, 0.0030, 0.0050}), smooth({0.0500, 0.0370, 0.0032, 0.0048}),
                smooth({0.0405, 0.0320, 0.0040, 0.0056})},
               0.0007);
-  return assemble("jug", {{skin(rings)}, handle(loop, 10, profile)},
+  return assemble("jug", {{skin(rings)}, handle(loop, 10, profile, kSink)},
                   {porcelain(), cobalt(), milk()});
 }
 

@@ -3,6 +3,7 @@
 #include "core/shapes/assemble.h"
 #include "core/shapes/models.h"
 #include "core/shapes/palette.h"
+#include "core/shapes/parts.h"
 
 namespace trivet::shapes {
 
@@ -88,11 +89,7 @@ Model make_cup() {
                smooth({0.0570, 0.0290, 0.0024, 0.0042}), smooth({0.0440, 0.0215, 0.0026, 0.0042}),
                smooth({0.0330, 0.0185, 0.0032, 0.0050})},
               0.0007);
-  std::vector<Ring> tube = sweep(ear, 10);
-  sink_into(profile, kSink, &tube.front());
-  sink_into(profile, kSink, &tube.back());
-  const Part handle{skin(tube), 75};
-  return assemble("cup", {body, handle}, {porcelain(), cobalt(), tea()});
+  return assemble("cup", {body, handle(ear, 10, profile, kSink)}, {porcelain(), cobalt(), tea()});
 }
 
 }  // namespace trivet::shapes

@@ -1,9 +1,23 @@
 #include "ops/demo/demo.h"
 
+#include <utility>
+
 #include "core/base/error.h"
 #include "ops/demo/layouts.h"
 
 namespace trivet {
+namespace {
+
+using Maker = DemoLayout (*)();
+
+constexpr std::pair<const char*, Maker> kMakers[] = {
+    {"spoon-saucer", make_spoon_saucer},
+    {"breakfast", make_breakfast},
+    {"office1", make_office1},
+    {"office2", make_office2},
+};
+
+}  // namespace
 
 const Model& DemoLayout::model(const std::string& file) const {
   for (const DemoModel& m : models)
@@ -11,13 +25,19 @@ const Model& DemoLayout::model(const std::string& file) const {
   throw Error(Error::Kind::BadInput, "the demo '" + name + "' has no model '" + file + "'");
 }
 
-std::vector<std::string> demo_names() { return {"spoon-saucer", "breakfast"}; }
+std::vector<std::string> demo_names() {
+  std::vector<std::string> names;
+  for (const auto& [name, make] : kMakers) names.emplace_back(name);
+  return names;
+}
 
 DemoLayout make_demo(const std::string& name) {
-  if (name == "spoon-saucer") return make_spoon_saucer();
-  if (name == "breakfast") return make_breakfast();
-  throw Error(Error::Kind::BadInput,
-              "no demo '" + name + "'; there are spoon-saucer and breakfast");
+  std::string accepted;
+  for (const auto& [known, make] : kMakers) {
+    if (name == known) return make();
+    accepted += (accepted.empty() ? "" : ", ") + std::string(known);
+  }
+  throw Error(Error::Kind::BadInput, "no demo '" + name + "'; there are " + accepted);
 }
 
 std::string layout_json(const DemoLayout& demo) { return write_layout(demo.layout) + "\n"; }

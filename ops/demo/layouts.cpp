@@ -2,70 +2,32 @@
 // front; the table's middle is the origin.
 #include "ops/demo/layouts.h"
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
-#include "core/shapes/assemble.h"
 #include "core/shapes/models.h"
+#include "ops/demo/layout_writer.h"
 
 namespace trivet {
 namespace {
 
 constexpr double kStartHeight = 0.3;  // above what the object is to stand on
 
-// Half-angle sines rounded to 2^-20, so that the file is the same with every C library.
-Rotation turned(const Vec3& axis, double angle_deg) {
-  const double half = angle_deg * std::numbers::pi / 360;
-  const auto rounded = [](double v) { return std::nearbyint(v * 1048576) / 1048576; };
-  const double w = rounded(std::cos(half)), s = rounded(std::sin(half));
-  return Rotation{w, s * axis.x(), s * axis.y(), s * axis.z()}.normalized();
-}
-
-class LayoutWriter {
+// `tilt_deg` is about the object's own x axis, before it is turned about z.
+class TableWriter : public LayoutWriter {
  public:
   /// @param ground  height of the table or floor that things are put on.
-  LayoutWriter(std::string name, double ground) : m_ground(ground) {
-    m_demo.name = std::move(name);
-  }
+  TableWriter(std::string name, double ground) : LayoutWriter(std::move(name)), m_ground(ground) {}
 
-  void fix(const std::string& object, const std::string& model) {
-    add_object(object, model);
-    m_demo.layout.objects.back().fixed = true;
-    m_demo.layout.objects.back().pose = Pose{{}, Vec3(0, 0, shapes::kGrid)};
-  }
-
-  // `tilt_deg` is about the object's own x axis, before it is turned about z.
   void put(const std::string& object, const std::string& model, double x, double y,
            double turn_deg = 0, double tilt_deg = 0) {
-    add_object(object, model);
-    const Rotation rotation = turned(Vec3::UnitZ(), turn_deg) * turned(Vec3::UnitX(), tilt_deg);
-    const Pose start{rotation.normalized(), Vec3(x, y, m_ground + kStartHeight)};
-    m_demo.layout.operations.push_back({LayoutOperation::Kind::Put, object, start});
+    LayoutWriter::put(object, model, Vec3(x, y, m_ground + kStartHeight),
+                      turned(Vec3::UnitZ(), turn_deg) * turned(Vec3::UnitX(), tilt_deg));
   }
-
-  void look(const DemoView& view) { m_demo.view = view; }
-
-  DemoLayout take() { return std::move(m_demo); }
 
  private:
-  void add_object(const std::string& object, const std::string& model) {
-    const std::string file = model + ".glb";
-    const auto known = [&](const DemoModel& m) { return m.file == file; };
-    if (std::none_of(m_demo.models.begin(), m_demo.models.end(), known))
-      m_demo.models.push_back({file, shapes::make_model(model)});
-    LayoutObject entry;
-    entry.name = object;
-    entry.model = file;
-    m_demo.layout.objects.push_back(std::move(entry));
-  }
-
-  DemoLayout m_demo;
   double m_ground;
 };
 
 // A person's place: angles and positions as the person in front sees them; the other one is across.
-void put_drinks(LayoutWriter* w, const std::string& who, double side) {
+void put_drinks(TableWriter* w, const std::string& who, double side) {
   const double turn = side > 0 ? 0 : 180;
   const double x = side * 0.125, y = side * -0.210;
   w->put("saucer_" + who, "saucer", x, y, turn);
@@ -76,7 +38,7 @@ void put_drinks(LayoutWriter* w, const std::string& who, double side) {
 }  // namespace
 
 DemoLayout make_spoon_saucer() {
-  LayoutWriter w("spoon-saucer", 0);
+  TableWriter w("spoon-saucer", 0);
   w.put("saucer", "saucer", 0, 0);
   w.look({Vec3(0.10, -0.27, 0.25), Vec3(0.012, 0, 0.008), 29});
   w.put("spoon", "spoon", 0.036, 0.014, 29);
@@ -84,7 +46,7 @@ DemoLayout make_spoon_saucer() {
 }
 
 DemoLayout make_breakfast() {
-  LayoutWriter w("breakfast", shapes::kClothHeight);
+  TableWriter w("breakfast", shapes::kClothHeight);
   w.look({Vec3(0.40, -1.08, 1.34), Vec3(0.005, -0.010, 0.76), 33});
   w.fix("table", "table");
   w.put("plate_front", "plate", -0.13, -0.20);

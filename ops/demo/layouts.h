@@ -7,5 +7,7 @@ namespace trivet {
 
 DemoLayout make_spoon_saucer();
 DemoLayout make_breakfast();
+DemoLayout make_office1();
+DemoLayout make_office2();
 
 }  // namespace trivet

@@ -1,0 +1,43 @@
+#include "ops/demo/layout_writer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/shapes/assemble.h"
+#include "core/shapes/models.h"
+
+namespace trivet {
+
+Rotation turned(const Vec3& axis, double angle_deg) {
+  const double half = angle_deg * std::numbers::pi / 360;
+  const auto rounded = [](double v) { return std::nearbyint(v * 1048576) / 1048576; };
+  const double w = rounded(std::cos(half)), s = rounded(std::sin(half));
+  return Rotation{w, s * axis.x(), s * axis.y(), s * axis.z()}.normalized();
+}
+
+void LayoutWriter::fix(const std::string& object, const std::string& model) {
+  add_object(object, model);
+  m_demo.layout.objects.back().fixed = true;
+  m_demo.layout.objects.back().pose = Pose{{}, Vec3(0, 0, shapes::kGrid)};
+}
+
+void LayoutWriter::put(const std::string& object, const std::string& model, const Vec3& position,
+                       const Rotation& rotation) {
+  add_object(object, model);
+  const Pose start{rotation.normalized(), position};
+  m_demo.layout.operations.push_back({LayoutOperation::Kind::Put, object, start});
+}
+
+void LayoutWriter::add_object(const std::string& object, const std::string& model) {
+  const std::string file = model + ".glb";
+  const auto known = [&](const DemoModel& m) { return m.file == file; };
+  if (std::none_of(m_demo.models.begin(), m_demo.models.end(), known))
+    m_demo.models.push_back({file, shapes::make_model(model)});
+  LayoutObject entry;
+  entry.name = object;
+  entry.model = file;
+  m_demo.layout.objects.push_back(std::move(entry));
+}
+
+}  // namespace trivet
