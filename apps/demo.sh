@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # From a fresh Debian 12 to a breakfast table: installs what is missing, builds Trivet and lays out
-# the demo BREAKFAST, every object put by Trivet.
-#   apps/demo.sh [spoon-saucer|breakfast]
+# a demo: BREAKFAST, or the one that is named.
+#   apps/demo.sh [spoon-saucer|breakfast|office1|office2]
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 demo="${1:-breakfast}"

@@ -58,8 +58,8 @@ Model make_plant();
 inline constexpr double kTableHeight = 0.74;
 inline constexpr double kClothHeight = 0.7415;
 inline constexpr double kDeskHeight = 0.73;
-inline constexpr double kBookcaseHeight = 1.13;
-inline constexpr double kBookcaseBoards[] = {0.08, 0.43, 0.78};  // the upper sides
+inline constexpr double kBookcaseHeight = 1.19;
+inline constexpr double kBookcaseBoards[] = {0.08, 0.45, 0.82};  // the upper sides
 
 /// All of the above by name: "saucer", "plate", ..., "plant".
 std::vector<std::string> model_names();

@@ -30,7 +30,7 @@ Model make_monitor() {
   constexpr Index kCase = 0, kScreen = 1, kPaper = 2, kBar = 3, kInk = 4, kAccent = 5;
   std::vector<Part> face;  // its front in the plane y = 0, its middle at the origin
   face.push_back({painted(box({-0.272, 0, -0.168}, {0.272, 0.024, 0.162}, 0.004), kCase), 40});
-  face.push_back({painted(box({-0.150, 0.020, -0.100}, {0.150, 0.050, 0.100}, 0.010), kCase), 40});
+  face.push_back({painted(box({-0.150, 0.020, -0.100}, {0.150, 0.050, 0.100}, 0.007), kCase), 40});
   add_pixels({-0.262, -0.146}, {0.262, 0.152}, 1, kScreen, &face);
   add_pixels({-0.262, -0.146}, {0.262, -0.132}, 2, kInk, &face);
   add_pixels({-0.230, -0.105}, {0.040, 0.120}, 2, kPaper, &face);

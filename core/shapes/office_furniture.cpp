@@ -52,7 +52,7 @@ Model make_desk() {
 
 Model make_bookcase() {
   constexpr Index kWood = 0, kBack = 1;
-  const double half_width = 0.360, side = 0.020, front = -0.140, back = 0.140;
+  const double half_width = 0.360, side = 0.020, front = -0.165, back = 0.165;
   std::vector<Part> parts;
   for (const double s : {-1.0, 1.0}) {
     const double inner = s * (half_width - side), outer = s * half_width;
@@ -146,13 +146,13 @@ Model make_chair() {
   add_box({-0.110, -0.110, 0.400}, {0.110, 0.130, 0.430}, 0.006, kPlastic, &parts);
   parts.push_back({moved(upholstery({0.245, 0.235}, 0.075, 0.018, 0), {0, 0, 0.424}), 60});
   // The back stands on its lower end and leans by 10 degrees; a bar joins it to the seat.
-  Surface back = upholstery({0.215, 0.260}, 0.055, 0.006, 0.045);
+  Surface back = upholstery({0.215, 0.215}, 0.055, 0.006, 0.045);
   back = turned(turned(std::move(back), Vec3::UnitX(), 90), Vec3::UnitX(), -10);
-  parts.push_back({moved(std::move(back), {0, 0.255, 0.820}), 60});
+  parts.push_back({moved(std::move(back), {0, 0.262, 0.765}), 60});
   const auto bar =
       flatten({corner({0.080, 0.414, 0.009, 0.030}), smooth({0.240, 0.414, 0.009, 0.030}),
                smooth({0.290, 0.450, 0.009, 0.030}), smooth({0.300, 0.560, 0.009, 0.030}),
-               corner({0.284, 0.780, 0.009, 0.030})},
+               corner({0.288, 0.740, 0.009, 0.030})},
               0.0015);
   parts.push_back({painted(turned(skin(sweep(bar, 12)), Vec3::UnitZ(), 90), kPlastic), 60});
   for (const double turn_deg : {0.0, 180.0}) add_arm_rest(turn_deg, &parts);

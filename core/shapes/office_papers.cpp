@@ -102,14 +102,12 @@ Model make_binder() {
   const BookSize size{0.075, 0.285, 0.318};
   std::vector<Part> parts = book_parts(size, 0.0026, 0.0004, {{0.42, 0.86}});
   // The hole for the finger, with its steel rim.
-  const auto rim = flatten({corner({0.0110, 0.0012}), corner({0.0110, -0.0015}),
-                            corner({0.0150, -0.0015}), corner({0.0160, 0.0012})},
-                           0.0004);
-  auto rings = revolve(rim, {24, 24, 0});
-  rings.insert(rings.begin(), Ring{{Vec3(0, 0, 0.0012)}, 0});
-  rings.push_back(Ring{{Vec3(0, 0, 0.0012)}, 0});
-  const Surface round = painted(turned(skin(rings), Vec3::UnitX(), 90), kSteel);
-  parts.push_back({moved(round, {0, -0.0010, 0.22 * size.z}), 40});
+  const auto hole = flatten(
+      {corner({0, 0}, kSteel), corner({0.0160, 0}, kSteel), corner({0.0150, 0.0034}, kSteel),
+       corner({0.0115, 0.0034}, kSteel), corner({0.0110, 0.0016}), corner({0, 0.0016})},
+      0.0004);
+  const Surface round = turned(skin(revolve(hole, {24, 24, 0})), Vec3::UnitX(), 90);
+  parts.push_back({moved(round, {0, 0.0008, 0.22 * size.z}), 40});
   return assemble("binder", parts,
                   {make_material("binder", 0.05f, 0.05f, 0.06f, 0.6f), white_paper(),
                    make_material("label", 0.86f, 0.85f, 0.80f, 0.7f), silver()});

@@ -23,7 +23,7 @@ struct DemoView {
 
 /// What `trivet demo` runs, and what it exports: the layout as a file, the models beside it. The
 /// objects' up axis is left to the model, so that made and re-read models stand alike (a glTF file
-/// is y up). Each movable object has just one PUT; at its start it touches nothing.
+/// is y up). Each movable object has just one PUT, which is the first that is done with it.
 struct DemoLayout {
   std::string name;
   std::vector<DemoModel> models;
@@ -34,7 +34,7 @@ struct DemoLayout {
   const Model& model(const std::string& file) const;
 };
 
-/// "spoon-saucer" and "breakfast": the two layouts that [Shinya and Forgue 1995] measured.
+/// "spoon-saucer", "breakfast", "office1" and "office2": the layouts of [Shinya and Forgue 1995].
 std::vector<std::string> demo_names();
 
 /// @throws Error (BadInput) naming the demos there are.

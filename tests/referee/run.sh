@@ -49,7 +49,7 @@ judge() {
 
 judge_demos() {
   local failed=0 demo dir
-  for demo in spoon-saucer breakfast; do
+  for demo in spoon-saucer breakfast office1 office2; do
     dir="$work_dir/demos/$demo"
     rm -rf "$dir"
     mkdir -p "$dir"

@@ -38,6 +38,27 @@ const std::map<std::string, Expected>& expectations() {
       {"toast", {180, 350, {.08, .08, .01}, {.12, .12, .02}}},
       {"loaf", {300, 700, {.18, .09, .09}, {.25, .13, .13}}},
       {"table", {700, 1200, {1.19, .79, .74}, {1.3, .8, .76}, 10}},
+      {"desk", {900, 1400, {1.4, .69, .729}, {1.6, .76, .731}, 10}},
+      {"bookcase", {300, 500, {.7, .3, 1.1}, {.75, .35, 1.2}, 8}},
+      {"chair", {3000, 4500, {.6, .5, .9}, {.7, .65, 1.05}, 24}},
+      {"monitor", {500, 800, {.5, .15, .4}, {.6, .25, .5}, 24}},
+      {"keyboard", {1200, 1600, {.42, .13, .02}, {.46, .15, .03}, 107}},
+      {"mouse", {500, 800, {.055, .1, .03}, {.07, .12, .04}, 2}},
+      {"telephone", {1300, 1900, {.2, .22, .1}, {.22, .27, .14}, 20}},
+      {"lamp", {2000, 2800, {.3, .16, .4}, {.42, .19, .5}, 10}},
+      {"book_red", {300, 500, {.03, .15, .23}, {.04, .18, .25}, 4}},
+      {"book_blue", {300, 500, {.02, .14, .2}, {.03, .17, .23}, 4}},
+      {"book_green", {300, 500, {.035, .16, .24}, {.045, .19, .26}, 4}},
+      {"book_yellow", {280, 450, {.015, .12, .19}, {.025, .15, .21}, 4}},
+      {"binder", {350, 600, {.07, .28, .31}, {.08, .3, .32}, 5}},
+      {"letter", {1800, 2600, {.2099, .2969, .01}, {.2101, .2971, .03}}},
+      {"report", {1800, 2600, {.2099, .2969, .01}, {.2101, .2971, .035}}},
+      {"paper_ball", {150, 300, {.055, .055, .055}, {.076, .076, .076}}},
+      {"mug", {1200, 1800, {.1, .08, .09}, {.13, .09, .1}, 2}},
+      {"pencil", {60, 120, {.17, .0079, .0068}, {.18, .0081, .007}}},
+      {"pen", {250, 400, {.13, .01, .01}, {.15, .013, .014}, 3}},
+      {"waste_basket", {800, 1200, {.27, .27, .29}, {.3, .3, .31}}},
+      {"plant", {1800, 2600, {.28, .28, .3}, {.36, .36, .4}, 16}},
   };
   return table;
 }
@@ -159,7 +180,7 @@ TEST(Models, KnowTheirNames) {
 // Where a handle, a spout or a stem enters the body, it meets only faces that look outwards: it
 // ends within the wall.
 TEST(Models, HandlesEndWithinTheWall) {
-  for (const char* name : {"cup", "teapot", "jug"}) {
+  for (const char* name : {"cup", "teapot", "jug", "mug"}) {
     const Model model = make_model(name);
     const Adjacency adjacency = make_adjacency(model.mesh);
     int num_met = 0;
@@ -176,8 +197,10 @@ TEST(Models, HandlesEndWithinTheWall) {
 
 // What is to stand has a flat base: several vertices at exactly z = 0, around the centre of mass.
 TEST(Models, StandOnFlatBases) {
-  for (const char* name : {"saucer", "plate", "cup", "glass", "bowl", "egg_cup", "teapot", "jug",
-                           "apple", "toast", "loaf"}) {
+  for (const char* name :
+       {"saucer", "plate",     "cup",  "glass", "bowl",         "egg_cup", "teapot",  "jug",
+        "apple",  "toast",     "loaf", "desk",  "bookcase",     "chair",   "monitor", "keyboard",
+        "mouse",  "telephone", "lamp", "mug",   "waste_basket", "plant",   "letter",  "report"}) {
     const Model model = make_model(name);
     const Vec3 centre = mass_properties(model.mesh, make_adjacency(model.mesh)).centre;
     Aabb base;
@@ -206,6 +229,32 @@ TEST(Models, TableTopAndClothAreFlat) {
   int num_on_cloth = 0;
   for (const Vec3& p : table.mesh.vertices) num_on_cloth += p.z() == table.mesh.box().upper.z();
   EXPECT_GT(num_on_cloth, 20);
+}
+
+// Things are put down on these heights: vertices there, and nothing above them.
+TEST(Models, DeskTopAndBookcaseBoardsAreFlat) {
+  EXPECT_NEAR(make_desk().mesh.box().upper.z(), kDeskHeight, kGrid);
+  const Model bookcase = make_bookcase();
+  EXPECT_NEAR(bookcase.mesh.box().upper.z(), kBookcaseHeight, kGrid);
+  for (const double board : kBookcaseBoards) {
+    int num_on_board = 0, num_above = 0;
+    for (const Vec3& p : bookcase.mesh.vertices) {
+      num_on_board += std::abs(p.z() - board) < kGrid;
+      num_above +=
+          std::abs(p.x()) < 0.33 && p.y() < 0.15 && p.z() > board + kGrid && p.z() < board + 0.32;
+    }
+    EXPECT_GE(num_on_board, 4) << board;
+    EXPECT_EQ(num_above, 0) << board;
+  }
+}
+
+TEST(Models, PencilsFitTheMug) {
+  double inside = kInfinity;
+  for (const Vec3& p : make_mug().mesh.vertices)
+    if (p.z() > 0.011) inside = std::min(inside, p.head<2>().norm());
+  const Vec3 pencil = make_pencil().mesh.box().upper - make_pencil().mesh.box().lower;
+  EXPECT_GT(inside, 4 * pencil.y());
+  EXPECT_GT(pencil.x(), 1.5 * make_mug().mesh.box().upper.z());
 }
 
 }  // namespace

@@ -34,6 +34,11 @@ TEST(Demo, HasThePapersNumbers) {
   EXPECT_LE(num_triangles(small), 1000);
   EXPECT_GE(num_triangles(large), 13000);
   EXPECT_LE(num_triangles(large), 17000);
+  const DemoLayout tidy = make_demo("office1"), untidy = make_demo("office2");
+  EXPECT_EQ(tidy.layout.objects.size(), 16u);
+  EXPECT_EQ(untidy.layout.objects.size(), 25u);
+  EXPECT_GE(num_triangles(tidy), 15000);
+  EXPECT_LE(num_triangles(untidy), 40000);
 }
 
 TEST(Demo, PutsEachMovableObjectJustOnce) {
@@ -51,9 +56,9 @@ TEST(Demo, PutsEachMovableObjectJustOnce) {
   }
 }
 
-// Nothing that has been put reaches up to where the next objects start.
-TEST(Demo, StartsAboveEverything) {
-  for (const std::string& name : demo_names()) {
+// On the tables nothing that has been put reaches up to where the next objects start.
+TEST(Demo, StartsAboveTheTable) {
+  for (const char* name : {"spoon-saucer", "breakfast"}) {
     const DemoLayout demo = make_demo(name);
     double ground = 0;
     for (const LayoutObject& o : demo.layout.objects)
@@ -96,8 +101,11 @@ Supports supports_of(const Scene& scene) {
   return out;
 }
 
-LayoutRun run(const DemoLayout& demo) {
-  return run_layout(demo.layout, [&](const std::string& file) { return demo.model(file); }, {});
+LayoutRun run(const DemoLayout& demo, int num_threads = 0) {
+  RunOptions options;
+  options.num_threads = num_threads;
+  return run_layout(
+      demo.layout, [&](const std::string& file) { return demo.model(file); }, options);
 }
 
 TEST(Demo, ComesToRestWithoutInterpenetration) {
@@ -137,6 +145,56 @@ TEST(Demo, LaysTheTable) {
   for (const char* apple : {"apple_1", "apple_2", "apple_3"}) expect(apple, {"bowl"});
   for (const char* banana : {"banana_1", "banana_2"})
     EXPECT_GE(supports.at(banana).size(), 2u) << banana;
+}
+
+void expect_supports(const Supports& supports, const std::vector<std::string>& objects,
+                     const std::set<std::string>& on) {
+  for (const std::string& object : objects) EXPECT_EQ(supports.at(object), on) << object;
+}
+
+std::set<std::string> touched_by(const Scene& scene, const std::string& object) {
+  std::set<std::string> out;
+  for (const Link& link : scene.at(*scene.find(object)).links)
+    out.insert(link.with ? scene.at(*link.with).name : "floor");
+  return out;
+}
+
+TEST(Demo, FurnishesTheOffice) {
+  const LayoutRun result = run(make_demo("office1"));
+  const Supports supports = supports_of(result.scene);
+  expect_supports(supports, {"monitor", "keyboard", "mouse", "telephone", "lamp", "mug", "report"},
+                  {"desk"});
+  expect_supports(supports, {"book_green", "book_red", "book_blue", "book_yellow"}, {"bookcase"});
+  expect_supports(supports, {"pencil"}, {"mug"});
+  EXPECT_EQ(touched_by(result.scene, "book_yellow"),
+            (std::set<std::string>{"bookcase", "book_blue"}));
+}
+
+// OFFICE2 is OFFICE1 and nine more objects.
+TEST(Demo, UntidiesTheOffice) {
+  const DemoLayout tidy = make_demo("office1"), untidy = make_demo("office2");
+  for (size_t i = 0; i < tidy.layout.objects.size(); ++i)
+    EXPECT_EQ(untidy.layout.objects[i].name, tidy.layout.objects[i].name);
+  const LayoutRun result = run(untidy);
+  const Supports supports = supports_of(result.scene);
+  expect_supports(supports, {"pencil", "pencil_2"}, {"mug"});
+  expect_supports(supports, {"letter_1"}, {"report"});
+  expect_supports(supports, {"pen"}, {"letter_1"});
+  expect_supports(supports, {"cup"}, {"letter_2"});
+  expect_supports(supports, {"paper_ball_1"}, {"waste_basket"});
+}
+
+TEST(Demo, IsTheSameWithAnyNumberOfThreads) {
+  for (const std::string& name : demo_names()) {
+    const DemoLayout demo = make_demo(name);
+    const LayoutRun one = run(demo, 1), two = run(demo, 2);
+    for (const ObjectId id : one.scene.ids()) {
+      const Object &a = one.scene.at(id), &b = two.scene.at(id);
+      EXPECT_EQ(a.pose.translation, b.pose.translation) << a.name;
+      EXPECT_EQ(a.pose.rotation.matrix(), b.pose.rotation.matrix()) << a.name;
+    }
+    EXPECT_EQ(one.check.smallest_gap, two.check.smallest_gap);
+  }
 }
 
 // What was put upright stands upright: the z axis of each of these is the world's.
