@@ -15,6 +15,12 @@ constexpr float kInf = std::numeric_limits<float>::infinity();
 constexpr int kZoom = 8;
 // Pairs in a pixel from which it pays to zoom; where depths are tied, zooming only multiplies them.
 constexpr size_t kZoomPairs = 64, kZoomTiedPairs = 4096;
+// Zooming in again must shorten the lists of a pixel to this part, on average.
+constexpr size_t kZoomGain = 4;
+constexpr size_t kAnyPairs = std::numeric_limits<std::uint32_t>::max();
+constexpr int kMostZooms = 1 << 14;
+// Angles of one face in one pixel that are less than this apart are one fragment.
+constexpr float kOneFragment = 0.5F;
 // Faces from which a first bound from every kStride-th one pays.
 constexpr size_t kManyFaces = 4096, kStride = 16;
 
@@ -39,14 +45,31 @@ bool draw_parts(const Layer& layer, const View& view, size_t stride, int num_thr
   return std::find(complete.begin(), complete.end(), 0) == complete.end();
 }
 
-}  // namespace
+// Sorted by pixel and face; pieces of one face of a turn become one fragment.
+void sort_fragments(std::vector<Fragment>& list) {
+  std::sort(list.begin(), list.end(), [](const Fragment& a, const Fragment& b) {
+    return std::tie(a.pixel, a.face, a.lower) < std::tie(b.pixel, b.face, b.lower);
+  });
+  size_t num = 0;
+  for (const Fragment& f : list) {
+    Fragment* last = num ? &list[num - 1] : nullptr;
+    if (last && last->pixel == f.pixel && last->face == f.face &&
+        f.lower <= last->upper + kOneFragment)
+      last->upper = std::max(last->upper, f.upper);
+    else
+      list[num++] = f;
+  }
+  list.resize(num);
+}
 
-// The lists of one pixel.
-struct ZListSearch::Pixel {
-  int pixel;
-  float bound;
-  std::span<Fragment> moving, fixed;
-};
+// From `at` on, the fragments of its pixel.
+std::span<Fragment> same_pixel(std::vector<Fragment>& list, size_t at) {
+  size_t end = at;
+  while (end < list.size() && list[end].pixel == list[at].pixel) ++end;
+  return {&list[at], end - at};
+}
+
+}  // namespace
 
 ZListSearch::ZListSearch(const FirstContactQuery& query, const ZListFrame& frame,
                          const SoftwareZListOptions& options)
@@ -69,7 +92,7 @@ bool ZListSearch::give_up(const char* why) {
 
 Proposal ZListSearch::run() {
   Lists lists;
-  const bool done = draw_base(lists) && resolve(View::whole(m_frame, true), 0, lists);
+  const bool done = draw_base(lists) && resolve(View::whole(m_frame, true), 0, kAnyPairs, lists);
   if (done) return proposal();
   Proposal out;
   out.why = m_why;
@@ -145,34 +168,35 @@ bool ZListSearch::collect_moving(const View& view, const std::vector<Fragment>& 
   return overflow ? give_up("too many moving faces are in doubt") : true;
 }
 
-// Pixel by pixel, the nearest first, so that the bound sinks early.
-bool ZListSearch::resolve(const View& view, int level, Lists& lists) {
-  const auto by_pixel = [](const Fragment& a, const Fragment& b) {
-    return std::tie(a.pixel, a.face, a.lower) < std::tie(b.pixel, b.face, b.lower);
-  };
-  std::sort(lists.moving.begin(), lists.moving.end(), by_pixel);
-  std::sort(lists.fixed.begin(), lists.fixed.end(), by_pixel);
-  std::vector<Pixel> pixels;
-  auto a = lists.moving.begin(), b = lists.fixed.begin();
-  while (a != lists.moving.end() && b != lists.fixed.end()) {
-    const int pixel = std::max(a->pixel, b->pixel);
-    a = std::find_if(a, lists.moving.end(), [&](const Fragment& f) { return f.pixel >= pixel; });
-    b = std::find_if(b, lists.fixed.end(), [&](const Fragment& f) { return f.pixel >= pixel; });
-    if (a == lists.moving.end() || b == lists.fixed.end()) break;
-    if (a->pixel != b->pixel) continue;
-    auto a_end = a, b_end = b;
+// Pixels in which both sides are, the nearest first.
+std::vector<ZListSearch::Pixel> ZListSearch::pixels_of(Lists& lists) {
+  sort_fragments(lists.moving);
+  sort_fragments(lists.fixed);
+  std::vector<Pixel> out;
+  for (size_t i = 0, j = 0; i < lists.moving.size() && j < lists.fixed.size();) {
+    const auto a = same_pixel(lists.moving, i), b = same_pixel(lists.fixed, j);
+    const int pixel_a = a.front().pixel, pixel_b = b.front().pixel;
+    if (pixel_a <= pixel_b) i += a.size();
+    if (pixel_b <= pixel_a) j += b.size();
+    if (pixel_a != pixel_b) continue;
     float front = -kInf, nearest = kInf;
-    for (; a_end != lists.moving.end() && a_end->pixel == a->pixel; ++a_end)
-      front = std::max(front, a_end->upper);
-    for (; b_end != lists.fixed.end() && b_end->pixel == b->pixel; ++b_end)
-      nearest = std::min(nearest, b_end->lower);
-    pixels.push_back({a->pixel, std::max(0.0F, nearest - front), {a, a_end}, {b, b_end}});
-    a = a_end, b = b_end;
+    for (const Fragment& f : a) front = std::max(front, f.upper);
+    for (const Fragment& f : b) nearest = std::min(nearest, f.lower);
+    out.push_back({pixel_a, std::max(0.0F, nearest - front), a, b});
   }
-  std::sort(pixels.begin(), pixels.end(), [](const Pixel& x, const Pixel& y) {
+  std::sort(out.begin(), out.end(), [](const Pixel& x, const Pixel& y) {
     return std::tie(x.bound, x.pixel) < std::tie(y.bound, y.pixel);
   });
+  return out;
+}
+
+// Pixel by pixel, the nearest first, so that the bound sinks early.
+bool ZListSearch::resolve(const View& view, int level, size_t pairs_before, Lists& lists) {
+  const std::vector<Pixel> pixels = pixels_of(lists);
   if (level == 0) m_work.doubtful_pixels = static_cast<std::int64_t>(pixels.size());
+  size_t num_pairs = 0;
+  for (const Pixel& p : pixels) num_pairs += p.moving.size() * p.fixed.size();
+  if (num_pairs * kZoomGain > pairs_before * pixels.size()) level = m_options.zoom_levels;
   for (const Pixel& p : pixels) {
     if (p.bound > m_upper.get()) break;
     if (!resolve_pixel(view, level, p)) return false;
@@ -193,7 +217,8 @@ bool ZListSearch::resolve_pixel(const View& view, int level, const Pixel& pixel)
   p.moving = {p.moving.begin(), a};
   p.fixed = {p.fixed.begin(), b};
   const bool tied = upper - p.bound <= m_tie;
-  const bool finer = level < m_options.zoom_levels && view.growth() * kZoom <= 1;
+  const bool finer =
+      level < m_options.zoom_levels && m_num_zooms < kMostZooms && view.growth() * kZoom <= 1;
   if (finer && p.moving.size() * p.fixed.size() > (tied ? kZoomTiedPairs : kZoomPairs))
     return zoom(view, level, p);
   return add_pairs(p);
@@ -201,6 +226,7 @@ bool ZListSearch::resolve_pixel(const View& view, int level, const Pixel& pixel)
 
 bool ZListSearch::zoom(const View& view, int level, const Pixel& pixel) {
   const View finer = view.zoomed(pixel.pixel % view.width, pixel.pixel / view.width, kZoom);
+  ++m_num_zooms;
   DepthMap map(finer.width, finer.height);
   Lists lists;
   TriangleRaster moving(finer.of(true)), fixed(finer.of(false));
@@ -226,7 +252,7 @@ bool ZListSearch::zoom(const View& view, int level, const Pixel& pixel) {
     return give_up("too many faces are in doubt");
   to_list.compact();
   lists.fixed = std::move(to_list.found);
-  return resolve(finer, level + 1, lists);
+  return resolve(finer, level + 1, pixel.moving.size() * pixel.fixed.size(), lists);
 }
 
 bool ZListSearch::add_pairs(const Pixel& p) {

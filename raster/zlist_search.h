@@ -45,14 +45,19 @@ class ZListSearch {
   struct Lists {
     std::vector<Fragment> moving, fixed;  // in some pixels
   };
-  struct Pixel;
+  struct Pixel {  // and its lists
+    int pixel;
+    float bound;
+    std::span<Fragment> moving, fixed;
+  };
 
   bool draw_base(Lists& lists);
   void sample_upper_bound(const View& view, const DepthMap& map);
   bool collect_fixed(const View& view, const DepthMap& map, std::vector<Fragment>& out);
   bool collect_moving(const View& view, const std::vector<Fragment>& fixed,
                       std::vector<Fragment>& out);
-  bool resolve(const View& view, int level, Lists& lists);
+  static std::vector<Pixel> pixels_of(Lists& lists);
+  bool resolve(const View& view, int level, size_t pairs_before, Lists& lists);
   bool resolve_pixel(const View& view, int level, const Pixel& pixel);
   bool zoom(const View& view, int level, const Pixel& pixel);
   bool add_pairs(const Pixel& pixel);
@@ -67,6 +72,7 @@ class ZListSearch {
   float m_reach, m_tie;
   SharedMinimum m_upper;  // of the difference of depths; m_reach when nothing is known
   std::vector<Candidate> m_candidates;
+  int m_num_zooms = 0;
   ZListWork m_work;
   std::string m_why;
 };
