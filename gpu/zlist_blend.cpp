@@ -60,16 +60,20 @@ class BlendRaster : public ZListRaster {
   std::size_t num_bytes() const override {
     return 2 * sizeof(Texel) * m_resolution * m_resolution + m_record_bytes;
   }
-  ZLists rasterise(const ZListView& view) override;
+  bool has_room(std::size_t /*num_views*/, std::size_t num_pixels) const override {
+    return num_pixels <= m_resolution * m_resolution;
+  }
+  std::vector<ZLists> rasterise(std::span<const ZListView> views) override;
 
  private:
+  ZLists rasterise(const ZListView& view);
   const GlProgram& program(Motion::Kind kind, Pass pass);
   void draw(const ZListView& view, Pass pass, const GlFramebuffer& target);
   std::vector<Texel> read(const ZListView& view, const GlFramebuffer& target, ZLists& lists);
   std::vector<std::uint16_t> find_doubtful(const ZListView& view, ZLists& lists);
   void send_doubtful(const std::vector<std::uint16_t>& pixels);
-  void list(const ZListView& view, Pass pass, int num_doubtful, float upper);
-  void read_records(ZLists& lists, GLuint num_records);
+  GLuint draw_lists(const ZListView& view, Pass pass, int pixels_per_run, const ZLists& lists);
+  bool list(const ZListView& view, Pass pass, int pixels_per_run, ZLists& lists);
 
   std::size_t m_resolution;
   static constexpr std::size_t m_record_bytes = kMaxZListEntries * sizeof(ZListEntry);
@@ -114,6 +118,21 @@ const GlProgram& BlendRaster::program(Motion::Kind kind, Pass pass) {
   return add(GlProgram("z-list depths", {{GL_VERTEX_SHADER, vertex},
                                          {GL_GEOMETRY_SHADER, quad_geometry(kind)},
                                          {GL_FRAGMENT_SHADER, depth_fragment(kind, pass)}}));
+}
+
+void set_view_uniforms(const GlProgram& program, const ZListView& view) {
+  glUniform2i(program.uniform("size"), view.width, view.height);
+  glUniform1f(program.uniform("first_radius"), view.first_radius);
+  glUniform1f(program.uniform("sample_error"), view.sample_error);
+  glUniform1f(program.uniform("period"), view.period);
+  glUniform1f(program.uniform("first_depth"), view.first_depth);
+}
+
+void set_body_uniforms(const GlProgram& program, const ZListBody& body) {
+  glUniform4fv(program.uniform("rows"), 3, body.rows.data());
+  glUniform1f(program.uniform("blur"), body.blur);
+  glUniform1f(program.uniform("depth_blur"), body.depth_blur);
+  glUniform1ui(program.uniform("first_face"), body.first_face);
 }
 
 void draw_bodies(const GlProgram& program, const std::vector<ZListBody>& bodies, GLsizei num_runs) {
@@ -177,7 +196,9 @@ void BlendRaster::send_doubtful(const std::vector<std::uint16_t>& pixels) {
   glBufferSubData(GL_TEXTURE_BUFFER, 0, static_cast<GLsizeiptr>(pixels.size() * 2), pixels.data());
 }
 
-void BlendRaster::list(const ZListView& view, Pass pass, int num_doubtful, float upper) {
+// Writes the records; returns how many there would be.
+GLuint BlendRaster::draw_lists(const ZListView& view, Pass pass, int pixels_per_run,
+                               const ZLists& lists) {
   const GlProgram& p = program(view.kind, pass);
   p.use();
   set_view_uniforms(p, view);
@@ -187,18 +208,28 @@ void BlendRaster::list(const ZListView& view, Pass pass, int num_doubtful, float
   glUniform1i(p.uniform("moving"), 0);
   glUniform1i(p.uniform("nearest"), 1);
   glUniform1i(p.uniform("doubtful"), 2);
+  const auto num_doubtful = static_cast<int>(lists.num_doubtful);
   glUniform1i(p.uniform("num_doubtful"), num_doubtful);
-  glUniform1f(p.uniform("upper"), upper);
-  constexpr int kRun = zlist_shaders::kPixelsPerRun;
+  glUniform1i(p.uniform("pixels_per_run"), pixels_per_run);
+  glUniform1f(p.uniform("upper"), lists.upper);
+  glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, m_records.id());
+  glBeginQuery(GL_PRIMITIVES_GENERATED, m_generated.id());
   glBeginTransformFeedback(GL_POINTS);
   draw_bodies(p, pass == Pass::MovingLists ? view.moving : view.fixed,
-              (num_doubtful + kRun - 1) / kRun);
+              (num_doubtful + pixels_per_run - 1) / pixels_per_run);
   glEndTransformFeedback();
+  glEndQuery(GL_PRIMITIVES_GENERATED);
+  GLuint num_records = 0;
+  glGetQueryObjectuiv(m_generated.id(), GL_QUERY_RESULT, &num_records);
   check_gl("drawing z-lists");
+  return num_records;
 }
 
-void BlendRaster::read_records(ZLists& lists, GLuint num_records) {
-  if (num_records == 0) return;
+// Adds the entries of a pass; false if a run had too many, or all have.
+bool BlendRaster::list(const ZListView& view, Pass pass, int pixels_per_run, ZLists& lists) {
+  const GLuint num_records = draw_lists(view, pass, pixels_per_run, lists);
+  if (num_records > kMaxZListEntries) return false;
+  if (num_records == 0) return true;
   const std::size_t before = lists.entries.size();
   lists.entries.resize(before + num_records);
   const std::size_t bytes = num_records * sizeof(ZListEntry);
@@ -207,6 +238,12 @@ void BlendRaster::read_records(ZLists& lists, GLuint num_records) {
                      lists.entries.data() + before);
   lists.bytes_read_back += static_cast<std::int64_t>(bytes);
   check_gl("reading z-lists back");
+  const auto added = lists.entries.begin() + static_cast<std::ptrdiff_t>(before);
+  const bool complete = std::none_of(added, lists.entries.end(), [](const ZListEntry& e) {
+    return e.pixel == zlist_shaders::kTooMany;
+  });
+  if (!complete) lists.entries.resize(before);
+  return complete;
 }
 
 ZLists BlendRaster::rasterise(const ZListView& view) {
@@ -221,17 +258,17 @@ ZLists BlendRaster::rasterise(const ZListView& view) {
   send_doubtful(doubtful);
   glBindFramebuffer(GL_FRAMEBUFFER, m_no_target.id());
   glEnable(GL_RASTERIZER_DISCARD);
-  for (const Pass pass : {Pass::MovingLists, Pass::FixedLists}) {
-    glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, m_records.id());
-    glBeginQuery(GL_PRIMITIVES_GENERATED, m_generated.id());
-    list(view, pass, static_cast<int>(doubtful.size() / 2), lists.upper);
-    glEndQuery(GL_PRIMITIVES_GENERATED);
-    GLuint num_records = 0;
-    glGetQueryObjectuiv(m_generated.id(), GL_QUERY_RESULT, &num_records);
-    lists.overflow = lists.overflow || num_records > kMaxZListEntries;
-    if (!lists.overflow) read_records(lists, num_records);
-  }
+  for (const Pass pass : {Pass::MovingLists, Pass::FixedLists})
+    lists.overflow =
+        lists.overflow || (!list(view, pass, zlist_shaders::kManyPixelsPerRun, lists) &&
+                           !list(view, pass, zlist_shaders::kFewPixelsPerRun, lists));
   return lists;
+}
+
+std::vector<ZLists> BlendRaster::rasterise(std::span<const ZListView> views) {
+  std::vector<ZLists> out;
+  for (const ZListView& view : views) out.push_back(rasterise(view));
+  return out;
 }
 
 }  // namespace

@@ -3,7 +3,9 @@
 namespace trivet::zlist_shaders {
 namespace {
 
-std::string with_version(const std::string& body) { return "#version 330 core\n" + body; }
+std::string with_version(const std::string& body) {
+  return "#version 330 core\n" + inputs("uniform") + body;
+}
 
 const char* const kFaceVertex = R"(
 layout(location = 0) in vec3 position;
@@ -81,15 +83,16 @@ void main() {
 }
 )";
 
-// The doubtful pixels are given row by row.
+// The doubtful pixels are given row by row. A run with more entries than may be written ends with
+// one whose pixel is kTooMany.
 const char* const kListGeometry = R"(
 layout(triangles) in;
 layout(points, max_vertices = MAX_RECORDS) out;
+const uint kTooMany = 0xffffffffu;
 in vec3 placed[];
 flat in int run[];
 uniform usamplerBuffer doubtful;  // x y
-uniform int num_doubtful;
-uniform uint first_face;
+uniform int num_doubtful, pixels_per_run;
 uniform float upper;
 uniform sampler2D moving, nearest;
 flat out uvec4 record;
@@ -112,25 +115,34 @@ bool is_wanted(vec2 span, ivec2 pixel) {
 )";
 
 const char* const kListMain = R"(
+int num_records = 0;
+
+void write(uint pixel, vec2 span) {
+  record = uvec4(pixel, floatBitsToUint(span.x), floatBitsToUint(span.y),
+                 first_face + uint(gl_PrimitiveIDIn));
+  EmitVertex();
+  EndPrimitive();
+  ++num_records;
+}
+
 void list_pixel(Face face, ivec2 pixel) {
   if (any(lessThan(pixel, face.box.xy)) || any(greaterThan(pixel, face.box.zw))) return;
   Cell cell = look(face, pixel);
-  for (int i = 0; i < cell.num_spans; ++i) {
-    if (!is_wanted(cell.span[i], pixel)) continue;
-    record = uvec4(uint(pixel.y * size.x + pixel.x), floatBitsToUint(cell.span[i].x),
-                   floatBitsToUint(cell.span[i].y), first_face + uint(gl_PrimitiveIDIn));
-    EmitVertex();
-    EndPrimitive();
-  }
+  for (int i = 0; i < cell.num_spans; ++i)
+    if (is_wanted(cell.span[i], pixel)) write(uint(pixel.y * size.x + pixel.x), cell.span[i]);
 }
 
 void main() {
-  int first = run[0] * kPixelsPerRun, last = min(first + kPixelsPerRun, num_doubtful) - 1;
-  Face face = make_face(placed[0], placed[1], placed[2]);
-  if (is_empty(face.box) || int(texelFetch(doubtful, first).y) > face.box.w ||
-      int(texelFetch(doubtful, last).y) < face.box.y)
+  int first = run[0] * pixels_per_run, last = min(first + pixels_per_run, num_doubtful) - 1;
+  vec2 range = rows_of(placed[0], placed[1], placed[2]);
+  if (range.y < float(texelFetch(doubtful, first).y) ||
+      range.x > float(texelFetch(doubtful, last).y) + 1.0)
     return;
-  for (int i = first; i <= last; ++i) list_pixel(face, ivec2(texelFetch(doubtful, i).xy));
+  Face face = make_face(placed[0], placed[1], placed[2]);
+  if (is_empty(face.box)) return;
+  for (int i = first; i <= last && num_records <= MAX_RECORDS - 3; ++i)
+    list_pixel(face, ivec2(texelFetch(doubtful, i).xy));
+  if (num_records > MAX_RECORDS - 3) write(kTooMany, vec2(0.0));
 }
 )";
 
@@ -145,9 +157,8 @@ std::string depth_fragment(Motion::Kind kind, Pass pass) {
 }
 
 std::string list_geometry(Motion::Kind kind, Pass pass) {
-  const std::string sizes = "#define MAX_RECORDS " + std::to_string(2 * kPixelsPerRun) +
-                            "\nconst int kPixelsPerRun = " + std::to_string(kPixelsPerRun) + ";\n";
-  return with_version(sizes + model(kind) + kListGeometry +
+  const std::string size = "#define MAX_RECORDS " + std::to_string(kRecordsPerRun) + "\n";
+  return with_version(size + model(kind) + kListGeometry +
                       (pass == Pass::MovingLists ? kMovingWanted : kFixedWanted) + kListMain);
 }
 

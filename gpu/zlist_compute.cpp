@@ -1,4 +1,5 @@
-// z-lists by compute shaders: one thread per face, minima and maxima by atomics on ordered floats.
+// z-lists by compute shaders: one thread per face, minima and maxima by atomics on ordered floats,
+// all views of a batch as layers of one image.
 #include <algorithm>
 #include <bit>
 #include <map>
@@ -12,19 +13,38 @@ namespace {
 
 using zlist_shaders::Pass;
 
-constexpr int kMaxLarge = 1 << 15;  // faces per body that cover many pixels
+constexpr std::size_t kMaxPixels = 1 << 20;  // of all layers
+constexpr std::size_t kMaxLayers = 256;
+constexpr int kMaxLarge = 1 << 15;  // faces per mesh that cover many pixels
 
-/// As in the shaders.
+// As in the shaders.
 struct Counters {
-  std::uint32_t upper, lower;
-  std::uint32_t num_pixels = 0, num_doubtful = 0;
-  std::uint32_t doubtful_low[2] = {0xffffffffu, 0xffffffffu}, doubtful_high[2] = {0, 0};
   std::uint32_t num_entries = 0, num_large = 0;
   std::uint32_t large_groups[3] = {0, 1, 1};
 };
-constexpr GLintptr kNumLargeOffset = 36, kLargeGroupsOffset = 40;
+constexpr GLintptr kNumLargeOffset = 4, kLargeGroupsOffset = 8;
 static_assert(offsetof(Counters, num_large) == kNumLargeOffset);
 static_assert(offsetof(Counters, large_groups) == kLargeGroupsOffset);
+
+struct Bounds {
+  std::uint32_t upper, lower;
+  std::uint32_t num_pixels = 0, num_doubtful = 0;
+  std::uint32_t low_x = 0x7fffffff, low_y = 0x7fffffff, high_x = 0, high_y = 0;
+};
+static_assert(sizeof(Bounds) == 32);
+
+struct Instance {
+  std::array<float, 12> rows;
+  float blur, depth_blur;
+  std::uint32_t first_face, layer;
+};
+static_assert(sizeof(Instance) == 64);
+
+struct View {
+  std::int32_t width, height;
+  float first_radius, sample_error, period, first_depth;
+};
+static_assert(sizeof(View) == 24);
 
 std::uint32_t ordered(float x) {
   const auto bits = std::bit_cast<std::uint32_t>(x);
@@ -43,33 +63,97 @@ GlBuffer make_storage(std::size_t bytes) {
   return buffer;
 }
 
+template <class T>
+void send(const GlBuffer& buffer, const std::vector<T>& data) {
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, buffer.id());
+  glBufferData(GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(data.size() * sizeof(T)),
+               data.data(), GL_STREAM_DRAW);
+}
+
+template <class T>
+void read(const GlBuffer& buffer, std::vector<T>& data) {
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, buffer.id());
+  glGetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, static_cast<GLsizeiptr>(data.size() * sizeof(T)),
+                     data.data());
+}
+
+/// All instances of a mesh, one after the other in the buffer of instances.
+struct Job {
+  const GpuMesh* mesh = nullptr;
+  GLuint first_instance = 0, num_instances = 0;
+};
+
+/// What a batch sends: jobs of the moving and of the fixed bodies, instances, views.
+struct Batch {
+  std::vector<Job> moving, fixed;
+  std::vector<Instance> instances;
+  std::vector<View> views;
+  std::vector<Bounds> bounds;
+  GLuint layer_pixels = 1, width = 1, height = 1;  // of the largest
+};
+
+std::vector<Job> add_jobs(std::span<const ZListView> views,
+                          std::vector<ZListBody> ZListView::*bodies, std::vector<Instance>& out) {
+  std::map<const GpuMesh*, std::vector<Instance>> of_mesh;
+  for (std::size_t layer = 0; layer < views.size(); ++layer)
+    for (const ZListBody& b : views[layer].*bodies)
+      of_mesh[b.mesh].push_back(
+          {b.rows, b.blur, b.depth_blur, b.first_face, static_cast<std::uint32_t>(layer)});
+  std::vector<Job> jobs;
+  for (const auto& [mesh, instances] : of_mesh) {
+    jobs.push_back({mesh, static_cast<GLuint>(out.size()), static_cast<GLuint>(instances.size())});
+    out.insert(out.end(), instances.begin(), instances.end());
+  }
+  return jobs;
+}
+
+Batch make_batch(std::span<const ZListView> views) {
+  Batch out;
+  out.moving = add_jobs(views, &ZListView::moving, out.instances);
+  out.fixed = add_jobs(views, &ZListView::fixed, out.instances);
+  for (const ZListView& v : views) {
+    out.views.push_back(
+        {v.width, v.height, v.first_radius, v.sample_error, v.period, v.first_depth});
+    out.bounds.push_back({ordered(v.horizon), ordered(v.horizon)});
+    out.width = std::max(out.width, static_cast<GLuint>(v.width));
+    out.height = std::max(out.height, static_cast<GLuint>(v.height));
+    out.layer_pixels = std::max(out.layer_pixels, static_cast<GLuint>(v.width * v.height));
+  }
+  return out;
+}
+
 class ComputeRaster : public ZListRaster {
  public:
-  explicit ComputeRaster(int resolution)
-      : m_plane_bytes(sizeof(std::uint32_t) * resolution * resolution),
-        m_image(make_storage(4 * m_plane_bytes)),
+  ComputeRaster()
+      : m_image(make_storage(kImageBytes)),
         m_counters(make_storage(sizeof(Counters))),
-        m_entries(make_storage(kMaxZListEntries * sizeof(ZListEntry))),
-        m_large(make_storage(kMaxLarge * sizeof(std::uint32_t))),
+        m_entries(make_storage(kEntriesBytes)),
+        m_large(make_storage(kLargeBytes)),
+        m_instances(GlBuffer::create()),
+        m_views(GlBuffer::create()),
+        m_bounds(GlBuffer::create()),
         m_reduction("z-list reduction", {{GL_COMPUTE_SHADER, zlist_shaders::reduction()}}) {}
 
   const char* method() const override { return "compute shaders"; }
-  std::size_t num_bytes() const override { return num_bytes(m_plane_bytes); }
-  static std::size_t num_bytes(std::size_t plane_bytes) {
-    return 4 * plane_bytes + kMaxZListEntries * sizeof(ZListEntry) + 4 * kMaxLarge;
+  std::size_t num_bytes() const override { return kImageBytes + kEntriesBytes + kLargeBytes; }
+  bool has_room(std::size_t num_views, std::size_t num_pixels) const override {
+    return num_views <= kMaxLayers && num_views * num_pixels <= kMaxPixels;
   }
-  ZLists rasterise(const ZListView& view) override;
+  std::vector<ZLists> rasterise(std::span<const ZListView> views) override;
 
  private:
-  const GlProgram& program(Motion::Kind kind, Pass pass);
-  void clear(const ZListView& view);
-  void run(const ZListView& view, Pass pass);
-  void run_body(const GlProgram& program, const ZListBody& body);
-  void reduce(const ZListView& view);
-  ZLists read_back();
+  static constexpr std::size_t kImageBytes = 4 * sizeof(std::uint32_t) * kMaxPixels;
+  static constexpr std::size_t kEntriesBytes = kMaxZListEntries * sizeof(ZListEntry);
+  static constexpr std::size_t kLargeBytes = 2 * sizeof(std::uint32_t) * kMaxLarge;
 
-  std::size_t m_plane_bytes;
-  GlBuffer m_image, m_counters, m_entries, m_large;
+  const GlProgram& program(Motion::Kind kind, Pass pass);
+  void start(const Batch& batch);
+  void run(Motion::Kind kind, const Batch& batch, Pass pass);
+  void run_job(const GlProgram& program, const Job& job);
+  void reduce(const Batch& batch);
+  std::vector<ZLists> read_back(const Batch& batch);
+
+  GlBuffer m_image, m_counters, m_entries, m_large, m_instances, m_views, m_bounds;
   GlProgram m_reduction;
   std::map<std::pair<Motion::Kind, Pass>, GlProgram> m_programs;
 };
@@ -83,43 +167,51 @@ const GlProgram& ComputeRaster::program(Motion::Kind kind, Pass pass) {
       .first->second;
 }
 
-void ComputeRaster::clear(const ZListView& view) {
-  Counters counters{};
-  counters.upper = counters.lower = ordered(view.horizon);
-  glBindBuffer(GL_SHADER_STORAGE_BUFFER, m_counters.id());
-  glBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, sizeof counters, &counters);
+void set_layers(const GlProgram& program, const Batch& batch) {
+  glUniform1ui(program.uniform("num_layers"), static_cast<GLuint>(batch.views.size()));
+  glUniform1ui(program.uniform("layer_pixels"), batch.layer_pixels);
+}
+
+void ComputeRaster::start(const Batch& batch) {
+  send(m_instances, batch.instances);
+  send(m_views, batch.views);
+  send(m_bounds, batch.bounds);
+  send(m_counters, std::vector<Counters>(1));
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, m_image.id());
-  const auto plane = static_cast<GLsizeiptr>(sizeof(std::uint32_t)) * view.width * view.height;
+  const std::size_t plane = sizeof(std::uint32_t) * batch.views.size() * batch.layer_pixels;
   const std::uint32_t lowest = 0, highest = 0xffffffffu;
   const std::uint32_t first[4] = {lowest, highest, lowest, highest};
   for (int i = 0; i < 4; ++i)
-    glClearBufferSubData(GL_SHADER_STORAGE_BUFFER, GL_R32UI, i * plane, plane, GL_RED_INTEGER,
-                         GL_UNSIGNED_INT, &first[i]);
-  const GLuint buffers[] = {m_image.id(), m_counters.id(), m_entries.id(), m_large.id()};
-  for (GLuint i = 0; i < 4; ++i) glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 2 + i, buffers[i]);
+    glClearBufferSubData(GL_SHADER_STORAGE_BUFFER, GL_R32UI, static_cast<GLintptr>(i * plane),
+                         static_cast<GLsizeiptr>(plane), GL_RED_INTEGER, GL_UNSIGNED_INT,
+                         &first[i]);
+  const GLuint buffers[] = {m_image.id(),     m_counters.id(), m_entries.id(), m_large.id(),
+                            m_instances.id(), m_views.id(),    m_bounds.id()};
+  for (GLuint i = 0; i < std::size(buffers); ++i)
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 2 + i, buffers[i]);
   glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, m_counters.id());
 }
 
-void ComputeRaster::run(const ZListView& view, Pass pass) {
-  const GlProgram& p = program(view.kind, pass);
+void ComputeRaster::run(Motion::Kind kind, const Batch& batch, Pass pass) {
+  const GlProgram& p = program(kind, pass);
   p.use();
-  set_view_uniforms(p, view);
+  set_layers(p, batch);
   glUniform1ui(p.uniform("max_entries"), kMaxZListEntries);
   glUniform1ui(p.uniform("max_large"), kMaxLarge);
   const bool moves = pass == Pass::Moving || pass == Pass::MovingLists;
-  for (const ZListBody& body : moves ? view.moving : view.fixed) run_body(p, body);
+  for (const Job& job : moves ? batch.moving : batch.fixed) run_job(p, job);
   check_gl("drawing z-lists");
 }
 
-void ComputeRaster::run_body(const GlProgram& program, const ZListBody& body) {
-  set_body_uniforms(program, body);
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, body.mesh->vertices.id());
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, body.mesh->corners.id());
-  const auto num_faces = static_cast<GLuint>(body.mesh->num_faces);
+void ComputeRaster::run_job(const GlProgram& program, const Job& job) {
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, job.mesh->vertices.id());
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, job.mesh->corners.id());
+  const auto num_faces = static_cast<GLuint>(job.mesh->num_faces);
   glUniform1ui(program.uniform("num_faces"), num_faces);
+  glUniform1ui(program.uniform("first_instance"), job.first_instance);
   glUniform1ui(program.uniform("group_per_face"), 0);
   const GLuint num_groups = (num_faces + 63) / 64, wide = std::min(num_groups, 65535u);
-  glDispatchCompute(wide, (num_groups + wide - 1) / wide, 1);
+  glDispatchCompute(wide, (num_groups + wide - 1) / wide, job.num_instances);
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
   glUniform1ui(program.uniform("group_per_face"), 1);
   glDispatchComputeIndirect(kLargeGroupsOffset);
@@ -130,50 +222,58 @@ void ComputeRaster::run_body(const GlProgram& program, const ZListBody& body) {
                        GL_UNSIGNED_INT, &none);
 }
 
-void ComputeRaster::reduce(const ZListView& view) {
+void ComputeRaster::reduce(const Batch& batch) {
   m_reduction.use();
-  set_view_uniforms(m_reduction, view);
-  glDispatchCompute((view.width + 7) / 8, (view.height + 7) / 8, 1);
+  set_layers(m_reduction, batch);
+  glDispatchCompute((batch.width + 7) / 8, (batch.height + 7) / 8,
+                    static_cast<GLuint>(batch.views.size()));
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
-ZLists ComputeRaster::read_back() {
-  Counters counters{};
+std::vector<ZLists> ComputeRaster::read_back(const Batch& batch) {
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-  glBindBuffer(GL_SHADER_STORAGE_BUFFER, m_counters.id());
-  glGetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, sizeof counters, &counters);
-  ZLists out;
-  out.upper = unordered(counters.upper);
-  out.lower = unordered(counters.lower);
-  out.num_pixels = counters.num_pixels;
-  out.num_doubtful = counters.num_doubtful;
-  out.bytes_read_back = sizeof counters;
-  out.overflow = counters.num_entries > kMaxZListEntries;
-  if (!out.overflow && counters.num_entries > 0) {
-    out.entries.resize(counters.num_entries);
-    const auto bytes = static_cast<GLsizeiptr>(out.entries.size() * sizeof(ZListEntry));
-    glBindBuffer(GL_SHADER_STORAGE_BUFFER, m_entries.id());
-    glGetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, bytes, out.entries.data());
-    out.bytes_read_back += bytes;
+  std::vector<Counters> counters(1);
+  std::vector<Bounds> bounds(batch.bounds);
+  std::vector<ZListEntry> entries;
+  read(m_counters, counters);
+  read(m_bounds, bounds);
+  const bool overflow = counters[0].num_entries > kMaxZListEntries;
+  if (!overflow && counters[0].num_entries > 0) {
+    entries.resize(counters[0].num_entries);
+    read(m_entries, entries);
   }
   check_gl("reading z-lists back");
+  std::vector<ZLists> out;
+  for (const Bounds& b : bounds) {
+    ZLists lists;
+    lists.overflow = overflow;
+    lists.upper = unordered(b.upper);
+    lists.lower = unordered(b.lower);
+    lists.num_pixels = b.num_pixels;
+    lists.num_doubtful = b.num_doubtful;
+    lists.bytes_read_back = sizeof(Counters) + sizeof(Bounds);
+    out.push_back(lists);
+  }
+  for (const ZListEntry& e : entries) out[e.pixel / batch.layer_pixels].entries.push_back(e);
+  for (ZLists& lists : out)
+    lists.bytes_read_back += static_cast<std::int64_t>(lists.entries.size() * sizeof(ZListEntry));
   return out;
 }
 
-ZLists ComputeRaster::rasterise(const ZListView& view) {
-  clear(view);
-  run(view, Pass::Moving);
-  run(view, Pass::Fixed);
-  reduce(view);
-  run(view, Pass::MovingLists);
-  run(view, Pass::FixedLists);
-  return read_back();
+std::vector<ZLists> ComputeRaster::rasterise(std::span<const ZListView> views) {
+  const Motion::Kind kind = views.front().kind;
+  const Batch batch = make_batch(views);
+  start(batch);
+  run(kind, batch, Pass::Moving);
+  run(kind, batch, Pass::Fixed);
+  reduce(batch);
+  run(kind, batch, Pass::MovingLists);
+  run(kind, batch, Pass::FixedLists);
+  return read_back(batch);
 }
 
 }  // namespace
 
-std::unique_ptr<ZListRaster> make_compute_raster(int resolution) {
-  return std::make_unique<ComputeRaster>(resolution);
-}
+std::unique_ptr<ZListRaster> make_compute_raster() { return std::make_unique<ComputeRaster>(); }
 
 }  // namespace trivet

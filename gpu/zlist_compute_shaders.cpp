@@ -15,26 +15,59 @@ float unordered(uint key) {
 }
 )";
 
-// The image has planes of ordered floats: 0 moving faces' front, 1 their rear, 2 a sample of them,
-// 3 the nearest fixed face.
+// All views of a batch are layers of one image. It has planes of ordered floats: 0 moving faces'
+// front, 1 their rear, 2 a sample of them, 3 the nearest fixed face. An instance is a body in a
+// view.
 const char* const kBuffers = R"(
+struct Instance {
+  vec4 rows[3];
+  float blur, depth_blur;
+  uint first_face, layer;
+};
+struct View {
+  ivec2 size;
+  float first_radius, sample_error, period, first_depth;
+};
+struct Bounds {
+  uint upper, lower;  // ordered depths
+  uint num_pixels, num_doubtful;
+  uint low_x, low_y, high_x, high_y;  // of the doubtful pixels
+};
 layout(std430, binding = 0) readonly buffer Vertices { float vertices[]; };
 layout(std430, binding = 1) readonly buffer Corners { uint corners[]; };
 layout(std430, binding = 2) coherent buffer Image { uint image[]; };
 layout(std430, binding = 3) coherent buffer Counters {
-  uint upper, lower;                // ordered depths
-  uint num_pixels, num_doubtful;
-  uint doubtful_low_x, doubtful_low_y, doubtful_high_x, doubtful_high_y;
   uint num_entries, num_large;
-  uint large_groups[3];             // for the second dispatch
+  uint large_groups[3];  // for the second dispatch
 };
 layout(std430, binding = 4) writeonly buffer Entries { uvec4 entries[]; };
-layout(std430, binding = 5) buffer Large { uint large[]; };
+layout(std430, binding = 5) buffer Large { uvec2 large[]; };  // instance, face
+layout(std430, binding = 6) readonly buffer Instances { Instance instances[]; };
+layout(std430, binding = 7) readonly buffer Views { View views[]; };
+layout(std430, binding = 8) coherent buffer Layers { Bounds bounds[]; };
 
-uniform uint max_entries, max_large;
+uniform uint num_layers, layer_pixels;
+uint layer;
+
+void load_view(uint i) {
+  layer = i;
+  size = views[i].size;
+  first_radius = views[i].first_radius;
+  sample_error = views[i].sample_error;
+  period = views[i].period;
+  first_depth = views[i].first_depth;
+}
+
+void load_instance(uint i) {
+  rows = instances[i].rows;
+  blur = instances[i].blur;
+  depth_blur = instances[i].depth_blur;
+  first_face = instances[i].first_face;
+  load_view(instances[i].layer);
+}
 
 uint at(uint plane, ivec2 pixel) {
-  return (plane * uint(size.y) + uint(pixel.y)) * uint(size.x) + uint(pixel.x);
+  return (plane * num_layers + layer) * layer_pixels + uint(pixel.y * size.x + pixel.x);
 }
 bool has_moving(ivec2 pixel) { return image[at(0u, pixel)] != 0u; }
 )";
@@ -43,7 +76,7 @@ const char* const kDoubtful = R"(
 bool is_doubtful(ivec2 pixel) {
   uint nearest = image[at(3u, pixel)];
   if (nearest == 0xffffffffu) return false;
-  return below(unordered(nearest) - unordered(image[at(0u, pixel)])) <= unordered(upper);
+  return below(unordered(nearest) - unordered(image[at(0u, pixel)])) <= unordered(bounds[layer].upper);
 }
 )";
 
@@ -68,7 +101,7 @@ const bool kOnlyDoubtful = false;
 void meet_sample(vec2 fixed_sample, uint moving_key) {
   float time;
   if (moving_key == 0u || !meet(fixed_sample, unordered(moving_key), time)) return;
-  if (upper > ordered(time)) atomicMin(upper, ordered(time));
+  if (bounds[layer].upper > ordered(time)) atomicMin(bounds[layer].upper, ordered(time));
 }
 
 void visit(Face face, ivec2 pixel, uint id) {
@@ -88,12 +121,12 @@ void visit(Face face, ivec2 pixel, uint id) {
 
 const char* const kAddEntry = R"(
 const bool kOnlyDoubtful = true;
-uniform uint first_face;  // number of the body's first face in the query
+uniform uint max_entries;
 
 void add_entry(ivec2 pixel, vec2 span, uint id) {
   uint i = atomicAdd(num_entries, 1u);
   if (i >= max_entries) return;
-  entries[i] = uvec4(uint(pixel.y * size.x + pixel.x), floatBitsToUint(span.x),
+  entries[i] = uvec4(at(0u, pixel), floatBitsToUint(span.x),
                      floatBitsToUint(span.y), first_face + id);
 }
 )";
@@ -104,7 +137,7 @@ void visit(Face face, ivec2 pixel, uint id) {
   Cell cell = look(face, pixel);
   float nearest = unordered(image[at(3u, pixel)]);
   for (int i = 0; i < cell.num_spans; ++i)
-    if (below(nearest - cell.span[i].y) <= unordered(upper)) add_entry(pixel, cell.span[i], id);
+    if (below(nearest - cell.span[i].y) <= unordered(bounds[layer].upper)) add_entry(pixel, cell.span[i], id);
 }
 )";
 
@@ -116,16 +149,17 @@ void visit(Face face, ivec2 pixel, uint id) {
   for (int i = 0; i < cell.num_spans; ++i) {
     float shift = next_turn(cell.span[i].y, rear);
     if (is_behind(cell.span[i].y, rear)) continue;
-    if (below(cell.span[i].x + shift - front) <= unordered(upper))
+    if (below(cell.span[i].x + shift - front) <= unordered(bounds[layer].upper))
       add_entry(pixel, cell.span[i], id);
   }
 }
 )";
 
-// One thread per face; faces over many pixels are left to a second dispatch, with one group each.
+// One thread per face and instance; faces over many pixels are left to a second dispatch, with one
+// group each.
 const char* const kMain = R"(
 layout(local_size_x = 64) in;
-uniform uint num_faces, group_per_face;
+uniform uint num_faces, first_instance, group_per_face, max_large;
 
 vec3 corner(uint face, uint k) {
   uint v = 3u * corners[3u * face + k];
@@ -134,11 +168,11 @@ vec3 corner(uint face, uint k) {
 
 ivec4 cropped(ivec4 box) {
   if (!kOnlyDoubtful) return box;
-  ivec4 doubtful = ivec4(doubtful_low_x, doubtful_low_y, doubtful_high_x, doubtful_high_y);
-  return ivec4(max(box.xy, doubtful.xy), min(box.zw, doubtful.zw));
+  Bounds b = bounds[layer];
+  return ivec4(max(box.xy, ivec2(b.low_x, b.low_y)), min(box.zw, ivec2(b.high_x, b.high_y)));
 }
 
-bool left_to_a_group(uint face) {
+bool left_to_a_group(uvec2 face) {
   uint i = atomicAdd(num_large, 1u);
   if (i >= max_large) return false;
   large[i] = face;
@@ -146,20 +180,26 @@ bool left_to_a_group(uint face) {
   return true;
 }
 
+uvec2 instance_and_face() {
+  if (group_per_face != 0u) return large[gl_WorkGroupID.x];
+  uint row = gl_GlobalInvocationID.y * gl_NumWorkGroups.x * gl_WorkGroupSize.x;
+  return uvec2(first_instance + gl_GlobalInvocationID.z, row + gl_GlobalInvocationID.x);
+}
+
 void main() {
-  bool in_group = group_per_face != 0u;
-  uint id = gl_GlobalInvocationID.y * gl_NumWorkGroups.x * gl_WorkGroupSize.x +
-            gl_GlobalInvocationID.x;
-  if (in_group) id = large[gl_WorkGroupID.x];
-  if (id >= num_faces) return;
-  Face face = make_face(corner(id, 0u), corner(id, 1u), corner(id, 2u));
+  uvec2 id = instance_and_face();
+  if (id.y >= num_faces) return;
+  load_instance(id.x);
+  if (kOnlyDoubtful && bounds[layer].num_doubtful == 0u) return;
+  Face face = make_face(corner(id.y, 0u), corner(id.y, 1u), corner(id.y, 2u));
   ivec4 box = cropped(face.box);
   if (is_empty(box)) return;
   uint width = uint(box.z - box.x + 1), count = width * uint(box.w - box.y + 1);
+  bool in_group = group_per_face != 0u;
   if (!in_group && count > 64u && left_to_a_group(id)) return;
   uint first = in_group ? gl_LocalInvocationIndex : 0u, step = in_group ? 64u : 1u;
   for (uint i = first; i < count; i += step)
-    visit(face, box.xy + ivec2(i % width, i / width), id);
+    visit(face, box.xy + ivec2(i % width, i / width), id.y);
 }
 )";
 
@@ -167,19 +207,20 @@ const char* const kReduce = R"(
 layout(local_size_x = 8, local_size_y = 8) in;
 
 void main() {
+  load_view(gl_GlobalInvocationID.z);
   ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
   if (any(greaterThanEqual(pixel, size))) return;
   uint nearest = image[at(3u, pixel)];
   if (nearest == 0xffffffffu) return;
-  atomicAdd(num_pixels, 1u);
+  atomicAdd(bounds[layer].num_pixels, 1u);
   uint gap = ordered(below(max(0.0, unordered(nearest) - unordered(image[at(0u, pixel)]))));
-  if (lower > gap) atomicMin(lower, gap);
+  if (bounds[layer].lower > gap) atomicMin(bounds[layer].lower, gap);
   if (!is_doubtful(pixel)) return;
-  atomicAdd(num_doubtful, 1u);
-  atomicMin(doubtful_low_x, uint(pixel.x));
-  atomicMin(doubtful_low_y, uint(pixel.y));
-  atomicMax(doubtful_high_x, uint(pixel.x));
-  atomicMax(doubtful_high_y, uint(pixel.y));
+  atomicAdd(bounds[layer].num_doubtful, 1u);
+  atomicMin(bounds[layer].low_x, uint(pixel.x));
+  atomicMin(bounds[layer].low_y, uint(pixel.y));
+  atomicMax(bounds[layer].high_x, uint(pixel.x));
+  atomicMax(bounds[layer].high_y, uint(pixel.y));
 }
 )";
 
@@ -196,7 +237,9 @@ const char* visit_of(Pass pass) {
   }
 }
 
-std::string with_version(const std::string& body) { return "#version 430 core\n" + body; }
+std::string with_version(const std::string& body) {
+  return "#version 430 core\n" + inputs("") + body;
+}
 
 }  // namespace
 
@@ -208,7 +251,7 @@ std::string compute(Motion::Kind kind, Pass pass) {
 }
 
 std::string reduction() {
-  return with_version(translation_model() + kOrdered + kBuffers + kDoubtful + kReduce);
+  return with_version(model(Motion::Kind::Translation) + kOrdered + kBuffers + kDoubtful + kReduce);
 }
 
 }  // namespace trivet::zlist_shaders

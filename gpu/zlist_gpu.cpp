@@ -11,37 +11,54 @@
 namespace trivet {
 namespace {
 
-/// What is tried when the lists do not fit: pixels that are this many times larger.
-constexpr int kCoarser = 4;
+/// What is tried when the lists do not fit: pixels larger or smaller by this factor.
+constexpr int kOtherPixels = 4;
+constexpr int kLeastResolution = 16, kLargestResolution = 1024;
 /// Errors of OpenGL in a row after which it is left alone.
 constexpr int kMostErrors = 3;
+
+/// A query, and where its lists are drawn.
+struct Ask {
+  const FirstContactQuery* query;
+  double horizon;
+  ZListFrame frame;
+};
+
+std::size_t num_pixels(const ZListFrame& frame) {
+  return static_cast<std::size_t>(frame.width) * frame.height;
+}
+
+enum class Trouble { None, Meshes, Entries, Pairs };
+
+struct Answer {
+  Trouble trouble = Trouble::None;
+  Proposal proposal;  // if there is no trouble
+};
+
+const char* to_string(Trouble trouble) {
+  switch (trouble) {
+    case Trouble::Meshes:
+      return "the meshes do not fit into the graphics memory";
+    case Trouble::Entries:
+      return "the lists of doubtful pixels do not fit into the graphics memory";
+    default:
+      return "too many pairs of faces may be first";
+  }
+}
 
 /// All that lives in one context.
 class GpuLists {
  public:
-  explicit GpuLists(const GpuZListOptions& options)
-      : m_context(EglOptions{options.allow_software}) {
-    const EglContext::Current current(m_context);
-    m_raster = m_context.gl_version() >= 43 && !options.force_fallback
-                   ? make_compute_raster(options.resolution)
-                   : make_blend_raster(options.resolution);
-    const std::size_t needed = m_raster->num_bytes();
-    if (needed > options.memory_bytes) {
-      m_raster.reset();
-      throw Error(Error::Kind::Environment,
-                  "z-lists of " + std::to_string(options.resolution) + " pixels need " +
-                      std::to_string(needed >> 10) + " KiB of graphics memory, more than the " +
-                      std::to_string(options.memory_bytes >> 10) + " KiB that are allowed");
-    }
-    m_meshes = std::make_unique<ZListMeshCache>(options.memory_bytes - needed);
-  }
+  explicit GpuLists(const GpuZListOptions& options);
   ~GpuLists();
   GpuLists(const GpuLists&) = delete;
   GpuLists& operator=(const GpuLists&) = delete;
 
-  /// @return nothing when the lists are too long.
-  std::optional<Proposal> propose(const FirstContactQuery& query, const ZListFrame& frame,
-                                  double horizon);
+  /// Of queries with one kind of motion, that there is room for.
+  std::vector<Answer> propose(std::span<const Ask> asks);
+  bool has_room(std::size_t num_asks, std::size_t largest) const {
+    return m_raster->has_room(num_asks, largest);
+  }
   std::string name() const {
     return "gpu (" + m_context.renderer() + ", " + m_raster->method() + ")";
   }
@@ -51,6 +68,22 @@ class GpuLists {
   std::unique_ptr<ZListRaster> m_raster;
   std::unique_ptr<ZListMeshCache> m_meshes;
 };
+
+GpuLists::GpuLists(const GpuZListOptions& options) : m_context(EglOptions{options.allow_software}) {
+  const EglContext::Current current(m_context);
+  m_raster = m_context.gl_version() >= 43 && !options.force_fallback
+                 ? make_compute_raster()
+                 : make_blend_raster(options.resolution);
+  const std::size_t needed = m_raster->num_bytes();
+  if (needed > options.memory_bytes) {
+    m_raster.reset();
+    throw Error(Error::Kind::Environment,
+                "z-lists of " + std::to_string(options.resolution) + " pixels need " +
+                    std::to_string(needed >> 10) + " KiB of graphics memory, more than the " +
+                    std::to_string(options.memory_bytes >> 10) + " KiB that are allowed");
+  }
+  m_meshes = std::make_unique<ZListMeshCache>(options.memory_bytes - needed);
+}
 
 GpuLists::~GpuLists() {
   try {
@@ -70,23 +103,41 @@ Proposal gives_up(const std::string& why) {
   return out;
 }
 
-std::optional<Proposal> GpuLists::propose(const FirstContactQuery& query, const ZListFrame& frame,
-                                          double horizon) {
+Proposal nothing_touches(double horizon) {
+  Proposal out;
+  out.usable = true;
+  out.lower = horizon;
+  return out;
+}
+
+Answer answer_of(const Ask& ask, const ZListView& view, ZLists& lists) {
+  if (lists.overflow) return {Trouble::Entries, {}};
+  Answer out;
+  Proposal& p = out.proposal;
+  if (!make_pairs(view, lists, ask.frame, p.pairs)) return {Trouble::Pairs, {}};
+  p.usable = true;
+  p.lower = std::min(ask.frame.time_before(lists.lower), ask.horizon);
+  if (lists.upper < view.horizon) p.upper = ask.frame.time_after(lists.upper);
+  p.work.body_pairs = static_cast<std::int64_t>(ask.frame.pairs.size());
+  p.work.pixels = lists.num_pixels;
+  p.work.doubtful_pixels = lists.num_doubtful;
+  p.work.face_pairs = static_cast<std::int64_t>(p.pairs.size());
+  p.work.bytes_read_back = lists.bytes_read_back;
+  return out;
+}
+
+std::vector<Answer> GpuLists::propose(std::span<const Ask> asks) {
   const EglContext::Current current(m_context);
   m_meshes->begin_query();
-  const ZListView view = make_view(query, frame, *m_meshes);
-  if (view.fixed.empty()) return gives_up("the meshes do not fit into the graphics memory");
-  ZLists lists = m_raster->rasterise(view);
-  Proposal out;
-  if (lists.overflow || !make_pairs(view, lists, frame, out.pairs)) return std::nullopt;
-  out.usable = true;
-  out.lower = std::min(frame.time_before(lists.lower), horizon);
-  if (lists.upper < view.horizon) out.upper = frame.time_after(lists.upper);
-  out.work.body_pairs = static_cast<std::int64_t>(frame.pairs.size());
-  out.work.pixels = lists.num_pixels;
-  out.work.doubtful_pixels = lists.num_doubtful;
-  out.work.face_pairs = static_cast<std::int64_t>(out.pairs.size());
-  out.work.bytes_read_back = lists.bytes_read_back;
+  std::vector<ZListView> views;
+  for (const Ask& ask : asks) {
+    views.push_back(make_view(*ask.query, ask.frame, *m_meshes));
+    if (views.back().fixed.empty()) return std::vector<Answer>(asks.size(), {Trouble::Meshes, {}});
+  }
+  std::vector<ZLists> lists = m_raster->rasterise(views);
+  std::vector<Answer> out;
+  for (std::size_t i = 0; i < asks.size(); ++i)
+    out.push_back(answer_of(asks[i], views[i], lists[i]));
   return out;
 }
 
@@ -97,10 +148,14 @@ class GpuZListStage : public ZListStage {
 
   std::string name() const override { return m_name; }
   Proposal propose(const FirstContactQuery& query, double horizon) override;
+  std::vector<Proposal> propose_many(std::span<const FirstContactQuery> queries,
+                                     std::span<const double> horizons) override;
 
  private:
-  std::optional<Proposal> try_propose(const FirstContactQuery& query, const ZListFrame& frame,
-                                      double horizon);
+  int other_resolution(Trouble trouble) const;
+  std::optional<std::vector<Answer>> try_asking(std::span<const Ask> asks);
+  void ask_together(std::vector<Ask>& asks, std::span<const FirstContactQuery> queries,
+                    std::vector<Proposal>& out);
 
   GpuZListOptions m_options;
   std::unique_ptr<GpuLists> m_lists;  // null after an error
@@ -108,26 +163,12 @@ class GpuZListStage : public ZListStage {
   std::string m_name, m_last_error;
 };
 
-Proposal GpuZListStage::propose(const FirstContactQuery& query, double horizon) {
-  for (const int resolution : {m_options.resolution, m_options.resolution / kCoarser}) {
-    const ZListFrame frame = make_zlist_frame(query, horizon, resolution);
-    if (frame.empty()) {
-      Proposal nothing_touches;
-      nothing_touches.usable = true;
-      nothing_touches.lower = horizon;
-      return nothing_touches;
-    }
-    if (std::optional<Proposal> out = try_propose(query, frame, horizon)) return *std::move(out);
-  }
-  return gives_up("too many faces are in doubtful pixels");
-}
-
-// A lost context is made again, and the query asked again.
-std::optional<Proposal> GpuZListStage::try_propose(const FirstContactQuery& query,
-                                                   const ZListFrame& frame, double horizon) {
-  while (m_num_errors < kMostErrors) try {
+// A lost context is made again, and asked again.
+std::optional<std::vector<Answer>> GpuZListStage::try_asking(std::span<const Ask> asks) {
+  while (m_num_errors < kMostErrors) {
+    try {
       if (!m_lists) m_lists = std::make_unique<GpuLists>(m_options);
-      const auto out = m_lists->propose(query, frame, horizon);
+      auto out = m_lists->propose(asks);
       m_num_errors = 0;
       return out;
     } catch (const Error& error) {
@@ -135,13 +176,79 @@ std::optional<Proposal> GpuZListStage::try_propose(const FirstContactQuery& quer
       m_last_error = error.what();
       ++m_num_errors;
     }
-  return gives_up(m_last_error);
+  }
+  return std::nullopt;
+}
+
+// Larger pixels have fewer entries, smaller ones fewer pairs. 0: nothing helps.
+int GpuZListStage::other_resolution(Trouble trouble) const {
+  if (trouble == Trouble::Entries) return std::max(1, m_options.resolution / kOtherPixels);
+  const int finer = m_options.resolution * kOtherPixels;
+  const bool may_be_finer = trouble == Trouble::Pairs && finer <= kLargestResolution;
+  return may_be_finer && !m_options.force_fallback ? finer : 0;
+}
+
+Proposal GpuZListStage::propose(const FirstContactQuery& query, double horizon) {
+  Trouble trouble = Trouble::None;
+  for (int resolution = m_options.resolution, tries = 0; resolution > 0 && tries < 2; ++tries) {
+    const Ask ask{&query, horizon, make_zlist_frame(query, horizon, resolution)};
+    if (ask.frame.empty()) return nothing_touches(horizon);
+    auto answers = try_asking({&ask, 1});
+    if (!answers) return gives_up(m_last_error);
+    trouble = answers->front().trouble;
+    if (trouble == Trouble::None) return std::move(answers->front().proposal);
+    resolution = other_resolution(trouble);
+  }
+  return gives_up(to_string(trouble));
+}
+
+// Empties `asks`. Who has trouble, perhaps that of another, is asked alone.
+void GpuZListStage::ask_together(std::vector<Ask>& asks, std::span<const FirstContactQuery> queries,
+                                 std::vector<Proposal>& out) {
+  if (asks.empty()) return;
+  auto answers = try_asking(asks);
+  for (std::size_t i = 0; i < asks.size(); ++i) {
+    Proposal& proposal = out[static_cast<std::size_t>(asks[i].query - queries.data())];
+    if (!answers)
+      proposal = gives_up(m_last_error);
+    else if ((*answers)[i].trouble == Trouble::None)
+      proposal = std::move((*answers)[i].proposal);
+    else
+      proposal = propose(*asks[i].query, asks[i].horizon);
+  }
+  asks.clear();
+}
+
+std::vector<Proposal> GpuZListStage::propose_many(std::span<const FirstContactQuery> queries,
+                                                  std::span<const double> horizons) {
+  std::vector<Proposal> out(queries.size());
+  for (const auto kind : {Motion::Kind::Translation, Motion::Kind::Rotation}) {
+    std::vector<Ask> asks;
+    std::size_t largest = 0;
+    for (std::size_t i = 0; i < queries.size(); ++i) {
+      if (queries[i].motion.kind != kind) continue;
+      Ask ask{&queries[i], horizons[i],
+              make_zlist_frame(queries[i], horizons[i], m_options.resolution)};
+      if (ask.frame.empty()) {
+        out[i] = nothing_touches(horizons[i]);
+        continue;
+      }
+      largest = std::max(largest, num_pixels(ask.frame));
+      if (!m_lists || !m_lists->has_room(asks.size() + 1, largest)) {
+        ask_together(asks, queries, out);
+        largest = num_pixels(ask.frame);
+      }
+      asks.push_back(std::move(ask));
+    }
+    ask_together(asks, queries, out);
+  }
+  return out;
 }
 
 }  // namespace
 
 std::unique_ptr<ZListStage> make_gpu_zlist_stage(const GpuZListOptions& options) {
-  if (options.resolution < 16 || options.resolution > 1024)
+  if (options.resolution < kLeastResolution || options.resolution > kLargestResolution)
     throw Error(Error::Kind::BadInput, "the resolution of z-lists is " +
                                            std::to_string(options.resolution) +
                                            "; it can be 16 to 1024 pixels");

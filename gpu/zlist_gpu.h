@@ -17,7 +17,9 @@ struct GpuZListOptions {
 
 /// A stage with a context of its own, made current only while it works. Meshes stay in graphics
 /// memory, up to the limit, by the identity that make_shape() gave them. A context that is lost is
-/// made again; after three errors of OpenGL in a row no query is usable. One thread at a time.
+/// made again; after three errors of OpenGL in a row no query is usable. With OpenGL 4.3,
+/// propose_many() draws as many queries together as there is room for, as layers of one image: 64
+/// of 128 pixels. One thread at a time.
 /// @throws Error (Environment) that says what is missing: EGL, OpenGL 3.3, or how much memory;
 ///   (BadInput) for an option out of range.
 std::unique_ptr<ZListStage> make_gpu_zlist_stage(const GpuZListOptions& options = {});

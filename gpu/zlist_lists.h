@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "core/contact/zlist_stage.h"
@@ -55,20 +56,20 @@ class ZListRaster {
   virtual ~ZListRaster() = default;
   virtual const char* method() const = 0;     // for people
   virtual std::size_t num_bytes() const = 0;  // of graphics memory, meshes apart
+  /// Whether there is room for this many views, the largest of that many pixels.
+  virtual bool has_room(std::size_t num_views, std::size_t num_pixels) const = 0;
+  /// Draws views of one kind of motion together; when the lists of all are too long, none has any.
   /// @throws Error (Environment) when OpenGL fails.
-  virtual ZLists rasterise(const ZListView& view) = 0;
+  virtual std::vector<ZLists> rasterise(std::span<const ZListView> views) = 0;
 };
 
 /// Entries that there is room for.
 inline constexpr int kMaxZListEntries = 1 << 20;
 
-/// OpenGL 4.3: compute shaders. @param resolution  of the largest view, both ways.
-std::unique_ptr<ZListRaster> make_compute_raster(int resolution);
+/// OpenGL 4.3: compute shaders.
+std::unique_ptr<ZListRaster> make_compute_raster();
 /// OpenGL 3.3: framebuffers that blend maxima, transform feedback.
+/// @param resolution  of the largest view, both ways.
 std::unique_ptr<ZListRaster> make_blend_raster(int resolution);
-
-/// Sets what all shaders of a view, and of one of its bodies, have in common.
-void set_view_uniforms(const GlProgram& program, const ZListView& view);
-void set_body_uniforms(const GlProgram& program, const ZListBody& body);
 
 }  // namespace trivet

@@ -3,19 +3,23 @@
 namespace trivet::zlist_shaders {
 namespace {
 
+// What a face and its view are: uniforms, or set for each face.
+const char* const kInputs = R"(
+QUALIFIER vec4 rows[3];        // pixels from object
+QUALIFIER float blur;          // how far a true point may be from where it is computed, pixels
+QUALIFIER float depth_blur;    // the same along a straight motion
+QUALIFIER uint first_face;     // number of the body's first face in the query
+QUALIFIER ivec2 size;          // of the image
+QUALIFIER float first_radius;  // of the image of a turn, pixels
+QUALIFIER float sample_error;  // samples less certain than this are not taken
+QUALIFIER float period;        // of depth: a whole turn, or 0
+QUALIFIER float first_depth;   // angles are counted from there
+)";
+
 // Each error bound counts roundings of at most kRound, relative; the factors leave a reserve.
 const char* const kCommon = R"(
 const float kRound = 1.2e-7;     // twice what float32 promises: drivers may be a little worse
 const float kFlattest = 64.0;    // squared extent over area of faces whose plane is of use
-
-uniform vec4 rows[3];        // pixels from object
-uniform float blur;          // how far a true point may be from where it is computed, pixels
-uniform float depth_blur;    // the same along a straight motion
-uniform ivec2 size;          // of the image
-uniform float first_radius;  // of the image of a turn, pixels
-uniform float sample_error;  // samples less certain than this are not taken
-uniform float period;        // of depth: a whole turn, or 0
-uniform float first_depth;   // angles are counted from there
 
 // What a face shows in a pixel: intervals of depth that hold all of it, and samples: intervals that
 // hold the depth of one of its points, on the line through the pixel's centre.
@@ -82,6 +86,11 @@ struct Face {
   float slope_error;  // of each component; negative: the plane is of no use
 };
 
+// Rows that a face may cover, lowest and highest.
+vec2 rows_of(vec3 a, vec3 b, vec3 c) {
+  return vec2(min(a.y, min(b.y, c.y)) - blur, max(a.y, max(b.y, c.y)) + blur);
+}
+
 Face make_face(vec3 a, vec3 b, vec3 c) {
   Face f;
   f.a = a, f.b = b, f.c = c;
@@ -141,10 +150,12 @@ Cell look(Face f, ivec2 pixel) {
 
 }  // namespace
 
-std::string translation_model() { return std::string(kCommon) + kTranslation; }
+std::string inputs(const char* qualifier) {
+  return std::string("#define QUALIFIER ") + qualifier + "\n" + kInputs;
+}
 
 std::string model(Motion::Kind kind) {
-  return kind == Motion::Kind::Translation ? translation_model() : kCommon + rotation_model();
+  return kCommon + (kind == Motion::Kind::Translation ? kTranslation : rotation_model());
 }
 
 }  // namespace trivet::zlist_shaders

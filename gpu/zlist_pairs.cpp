@@ -9,7 +9,7 @@ namespace trivet {
 namespace {
 
 /// Pairs that may be written down before equal ones are merged, and that may be left then.
-constexpr std::size_t kMaxPairsWritten = 1 << 23, kMaxPairs = 1 << 21;
+constexpr std::size_t kMaxPairsWritten = 1 << 22, kMaxPairs = 1 << 20;
 
 struct Pair {
   std::uint32_t moving, fixed;

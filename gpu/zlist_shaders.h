@@ -5,6 +5,7 @@
 // All lengths are in pixels, also along a straight motion; along a turn, depth is the angle.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "core/motion/motion.h"
@@ -19,10 +20,11 @@ enum class Pass {
   FixedLists,
 };
 
-/// GLSL without version: constants, uniforms, `Cell look(Face, ivec2 pixel)` and what it needs.
+/// GLSL without version: what the model needs to know, and `Cell look(Face, ivec2 pixel)`.
+/// @param qualifier  "uniform", or nothing for variables.
+std::string inputs(const char* qualifier);
 std::string model(Motion::Kind kind);
-std::string translation_model();
-std::string rotation_model();
+std::string rotation_model();  // a part of it
 
 /// OpenGL 4.3.
 std::string compute(Motion::Kind kind, Pass pass);
@@ -32,10 +34,13 @@ std::string reduction();  // bounds, doubtful pixels
 std::string face_vertex(Motion::Kind kind);
 std::string quad_geometry(Motion::Kind kind);
 std::string depth_fragment(Motion::Kind kind, Pass pass);
-/// A point for each list entry, for transform feedback of `record`.
+/// A point for each list entry, for transform feedback of `record`. A run of it looks at some
+/// doubtful pixels; one that has more entries than it may write ends with pixel kTooMany.
 std::string list_geometry(Motion::Kind kind, Pass pass);
 
-/// Doubtful pixels that one run of list_geometry() looks at.
-inline constexpr int kPixelsPerRun = 32;
+inline constexpr int kRecordsPerRun = 128;
+inline constexpr int kManyPixelsPerRun = 512;                    // fast
+inline constexpr int kFewPixelsPerRun = kRecordsPerRun / 2 - 2;  // never too many
+inline constexpr std::uint32_t kTooMany = 0xffffffffu;
 
 }  // namespace trivet::zlist_shaders

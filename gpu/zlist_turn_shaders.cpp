@@ -106,6 +106,11 @@ void set_plane(inout Face f) {
                   16.0 * kRound * (f.radii.y + max(abs(f.heights.x), abs(f.heights.y)));
 }
 
+// Rows that a face may cover, lowest and highest.
+vec2 rows_of(vec3 a, vec3 b, vec3 c) {
+  return vec2(min(a.z, min(b.z, c.z)) - blur, max(a.z, max(b.z, c.z)) + blur);
+}
+
 Face make_face(vec3 a, vec3 b, vec3 c) {
   Face f;
   f.a = a, f.b = b, f.c = c;

@@ -24,11 +24,12 @@ void decide_pairs(const FirstContactQuery& query, const std::vector<FacePair>& p
   }
 }
 
-}  // namespace
+double horizon_of(const FirstContactQuery& query, const FirstContact& floor_contact) {
+  return std::min(floor_contact.time, query.motion.limit);
+}
 
-FirstContact first_contact(const FirstContactQuery& query, ZListStage& stage, Proposal* proposal) {
-  FirstContact best = first_floor_contact_of(query);
-  Proposal found = stage.propose(query, std::min(best.time, query.motion.limit));
+// `best` is the contact with the floor. Sets `found` to be not usable where it cannot be right.
+FirstContact decide(const FirstContactQuery& query, FirstContact best, Proposal& found) {
   if (found.usable) {
     decide_pairs(query, found.pairs, best);
     // A stage's upper bound only filters: where no pair keeps it, the stage was wrong.
@@ -37,9 +38,38 @@ FirstContact first_contact(const FirstContactQuery& query, ZListStage& stage, Pr
       found.why = "no proposed pair touches by the upper bound";
     }
   }
-  if (!found.usable) best = first_contact(query);
+  return found.usable ? best : first_contact(query);
+}
+
+}  // namespace
+
+std::vector<Proposal> ZListStage::propose_many(std::span<const FirstContactQuery> queries,
+                                               std::span<const double> horizons) {
+  std::vector<Proposal> out;
+  for (std::size_t i = 0; i < queries.size(); ++i) out.push_back(propose(queries[i], horizons[i]));
+  return out;
+}
+
+FirstContact first_contact(const FirstContactQuery& query, ZListStage& stage, Proposal* proposal) {
+  const FirstContact floor = first_floor_contact_of(query);
+  Proposal found = stage.propose(query, horizon_of(query, floor));
+  const FirstContact out = decide(query, floor, found);
   if (proposal) *proposal = std::move(found);
-  return best;
+  return out;
+}
+
+std::vector<FirstContact> first_contacts(std::span<const FirstContactQuery> queries,
+                                         ZListStage& stage, std::vector<Proposal>* proposals) {
+  std::vector<FirstContact> out;
+  std::vector<double> horizons;
+  for (const FirstContactQuery& query : queries) {
+    out.push_back(first_floor_contact_of(query));
+    horizons.push_back(horizon_of(query, out.back()));
+  }
+  std::vector<Proposal> found = stage.propose_many(queries, horizons);
+  for (std::size_t i = 0; i < queries.size(); ++i) out[i] = decide(queries[i], out[i], found[i]);
+  if (proposals) *proposals = std::move(found);
+  return out;
 }
 
 }  // namespace trivet

@@ -49,6 +49,11 @@ class ZListStage {
   /// @param horizon  contacts later than this do not matter; at most query.motion.limit.
   /// Pairs stop at distances of up to query.clearance.largest_stop(): "touch" above means that.
   virtual Proposal propose(const FirstContactQuery& query, double horizon) = 0;
+
+  /// The same for many queries (candidate places, axes of a turn): one by one, unless a stage knows
+  /// better. @param horizons  of each query.
+  virtual std::vector<Proposal> propose_many(std::span<const FirstContactQuery> queries,
+                                             std::span<const double> horizons);
 };
 
 /// The same bits as first_contact(query), with pairs from `stage`; where the stage gives up or
@@ -56,5 +61,10 @@ class ZListStage {
 /// @param proposal  if not null, what the stage said; not usable when the box trees had to answer.
 FirstContact first_contact(const FirstContactQuery& query, ZListStage& stage,
                            Proposal* proposal = nullptr);
+
+/// The same for many queries, which the stage sees together.
+std::vector<FirstContact> first_contacts(std::span<const FirstContactQuery> queries,
+                                         ZListStage& stage,
+                                         std::vector<Proposal>* proposals = nullptr);
 
 }  // namespace trivet

@@ -108,6 +108,41 @@ TEST_P(ZListGpuBothWays, RingsAboutTheAxis) {
   EXPECT_GT(num_contacts, 4);
 }
 
+/// Queries of all kinds, drawn together.
+TEST_P(ZListGpuBothWays, ManyTogether) {
+  const auto stage = make_stage({.resolution = 64, .force_fallback = GetParam()});
+  TRIVET_SKIP_WITHOUT_EGL(stage);
+  const test::MeshPool pool(kSeed, 8);
+  const int num = test::with_effort(GetParam() ? 200 : 1000);
+  std::vector<test::RandomQuery> cases;
+  std::vector<std::vector<Body>> bodies;
+  std::vector<FirstContactQuery> queries;
+  for (int i = 0; i < num; ++i)
+    cases.push_back(i % 4 == 0 ? test::random_group_query(pool, kSeed, i)
+                               : test::random_query(pool, kSeed, i));
+  for (const test::RandomQuery& q : cases) {
+    for (const auto* side : {&q.moving, &q.fixed}) {
+      bodies.emplace_back();
+      for (const test::PosedShape& b : *side) bodies.back().push_back(b.body());
+    }
+    const std::size_t n = bodies.size();
+    queries.push_back({bodies[n - 2], bodies[n - 1], q.floor, q.motion, q.clearance});
+  }
+  std::vector<Proposal> proposals;
+  const std::vector<FirstContact> found = first_contacts(queries, *stage, &proposals);
+  int num_contacts = 0;
+  for (int i = 0; i < num; ++i) {
+    EXPECT_TRUE(test::same_answer(found[i], cases[i].fast())) << cases[i].describe();
+    EXPECT_TRUE(proposals[i].usable) << proposals[i].why;
+    Proposal alone;
+    cases[i].with_stage(*stage, &alone);
+    EXPECT_EQ(alone.pairs.size(), proposals[i].pairs.size()) << cases[i].describe();
+    EXPECT_EQ(alone.work.doubtful_pixels, proposals[i].work.doubtful_pixels);
+    num_contacts += found[i].status == FirstContact::Status::Contact;
+  }
+  EXPECT_GT(num_contacts, num / 4);
+}
+
 std::string why_refused(const GpuZListOptions& options) {
   try {
     make_gpu_zlist_stage(options);
