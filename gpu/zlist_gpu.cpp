@@ -6,6 +6,7 @@
 #include "core/base/error.h"
 #include "gpu/egl_context.h"
 #include "gpu/zlist_pairs.h"
+#include "gpu/zlist_self_test.h"
 #include "gpu/zlist_view.h"
 
 namespace trivet {
@@ -16,6 +17,9 @@ constexpr int kOtherPixels = 4;
 constexpr int kLeastResolution = 16, kLargestResolution = 1024;
 /// Errors of OpenGL in a row after which it is left alone.
 constexpr int kMostErrors = 3;
+
+/// Of graphics memory that meshes must have at least.
+constexpr std::size_t kLeastMeshBytes = 8 << 10;
 
 /// A query, and where its lists are drawn.
 struct Ask {
@@ -74,7 +78,7 @@ GpuLists::GpuLists(const GpuZListOptions& options) : m_context(EglOptions{option
   m_raster = m_context.gl_version() >= 43 && !options.force_fallback
                  ? make_compute_raster()
                  : make_blend_raster(options.resolution);
-  const std::size_t needed = m_raster->num_bytes();
+  const std::size_t needed = m_raster->num_bytes() + kLeastMeshBytes;
   if (needed > options.memory_bytes) {
     m_raster.reset();
     throw Error(Error::Kind::Environment,
@@ -82,7 +86,7 @@ GpuLists::GpuLists(const GpuZListOptions& options) : m_context(EglOptions{option
                     std::to_string(needed >> 10) + " KiB of graphics memory, more than the " +
                     std::to_string(options.memory_bytes >> 10) + " KiB that are allowed");
   }
-  m_meshes = std::make_unique<ZListMeshCache>(options.memory_bytes - needed);
+  m_meshes = std::make_unique<ZListMeshCache>(options.memory_bytes - m_raster->num_bytes());
 }
 
 GpuLists::~GpuLists() {
@@ -252,7 +256,12 @@ std::unique_ptr<ZListStage> make_gpu_zlist_stage(const GpuZListOptions& options)
     throw Error(Error::Kind::BadInput, "the resolution of z-lists is " +
                                            std::to_string(options.resolution) +
                                            "; it can be 16 to 1024 pixels");
-  return std::make_unique<GpuZListStage>(options);
+  auto stage = std::make_unique<GpuZListStage>(options);
+  const std::string what = test_zlist_stage(*stage);
+  if (!what.empty())
+    throw Error(Error::Kind::Environment,
+                stage->name() + " makes mistakes in z-lists and is not used; " + what);
+  return stage;
 }
 
 }  // namespace trivet

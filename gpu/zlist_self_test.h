@@ -1,0 +1,13 @@
+// Private to gpu: does this driver do what the shaders say?
+#pragma once
+
+#include "core/contact/zlist_stage.h"
+
+namespace trivet {
+
+/// Asks a stage some small queries, half of them turns, and compares with the box trees. A stage
+/// can lose no contact by being wrong only where somebody looks, and drivers do have bugs.
+/// @return what is wrong, with the number of the query; empty if nothing is.
+std::string test_zlist_stage(ZListStage& stage);
+
+}  // namespace trivet
