@@ -68,4 +68,13 @@ inline constexpr double kLargestClearance = 1e-3;
 /// Wall of objects without volume, of their size: what a sheet, a shell or an open mesh weighs.
 inline constexpr double kWallThickness = 0.01;
 
+// --- places --------------------------------------------------------------------------------------
+
+/// Pixels across an object, and places across its support, when a free place is looked for. More
+/// find tighter places and cost their square.
+inline constexpr double kPlacePixelsAcross = 40;
+inline constexpr double kPlacesAcross = 256;
+/// Places at which PUT is tried before it is refused: where the object tips over, for example.
+inline constexpr int kPlaceTrials = 48;
+
 }  // namespace trivet

@@ -1,0 +1,143 @@
+#include "raster/height_map.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "raster/triangle_raster.h"
+
+namespace trivet {
+namespace {
+
+constexpr float kNothingBelow = static_cast<float>(kInfinity);
+// float32 rounding of a sum and a product of heights, relative.
+constexpr float kRounding = 4e-7F;
+
+ZListFrame frame_of(const MapGrid& grid, double growth) {
+  ZListFrame frame;
+  frame.width = grid.width;
+  frame.height = grid.height;
+  frame.pixel = grid.pixel;
+  frame.growth = growth / grid.pixel;
+  frame.origin = Vec3(grid.corner.x(), grid.corner.y(), grid.level);
+  return frame;
+}
+
+// Outwards by what rounding may have taken, in metres.
+float lowered(float height) { return height - kRounding * std::abs(height); }
+float raised(float height) { return height + kRounding * std::abs(height); }
+
+class UndersideSink final : public SpanSink {
+ public:
+  UndersideSink(HeightMap& map, double pixel) : m_map(map), m_pixel(static_cast<float>(pixel)) {}
+  void span(const Span& s) override {
+    for (int i = 0; i < s.count; ++i) {
+      if (s.lower[i] > s.upper[i]) continue;
+      const size_t at = m_map.index(s.first + i, s.row);
+      m_map.bound[at] = std::min(m_map.bound[at], lowered(m_pixel * s.lower[i]));
+      const float sample = raised(m_pixel * (s.centre[i] + s.centre_error));
+      if (sample < m_map.sample[at]) m_map.sample[at] = sample;  // not for NaN
+    }
+  }
+
+ private:
+  HeightMap& m_map;
+  float m_pixel;
+};
+
+class TopSink final : public SpanSink {
+ public:
+  TopSink(HeightMap& map, double pixel) : m_map(map), m_pixel(static_cast<float>(pixel)) {}
+  void span(const Span& s) override {
+    for (int i = 0; i < s.count; ++i) {
+      if (s.lower[i] > s.upper[i]) continue;
+      const size_t at = m_map.index(s.first + i, s.row);
+      m_map.bound[at] = std::max(m_map.bound[at], raised(m_pixel * s.upper[i]));
+      const float sample = lowered(m_pixel * (s.centre[i] - s.centre_error));
+      if (sample > m_map.sample[at]) m_map.sample[at] = sample;
+    }
+  }
+
+ private:
+  HeightMap& m_map;
+  float m_pixel;
+};
+
+bool beside(const Aabb& box, const MapGrid& grid) {
+  const Vec2 end = grid.corner + grid.pixel * Vec2(grid.width + 1, grid.height + 1);
+  const Vec2 start = grid.corner - Vec2::Constant(grid.pixel);
+  return (box.upper.head<2>().array() < start.array()).any() ||
+         (box.lower.head<2>().array() > end.array()).any();
+}
+
+void draw(std::span<const Body> bodies, const MapGrid& grid, const View& view, double ceiling,
+          SpanSink& sink) {
+  TriangleRaster raster(view);
+  const double highest = (ceiling - grid.level) / grid.pixel;
+  for (const Body& body : bodies) {
+    if (beside(body.world_box, grid) || body.world_box.lower.z() > ceiling) continue;
+    const Affine pixels = view.frame->pixels_from_object(body);
+    std::vector<Vec3> corners;
+    for (const Vec3& v : body.shape->mesh.vertices) corners.push_back(pixels.apply(v));
+    for (const Index3& t : body.shape->mesh.triangles) {
+      const Triangle triangle{corners[t[0]], corners[t[1]], corners[t[2]]};
+      if (std::min({triangle[0].z(), triangle[1].z(), triangle[2].z()}) > highest) continue;
+      raster.draw(triangle, sink);
+    }
+  }
+}
+
+}  // namespace
+
+MapGrid MapGrid::about(const Aabb& box, double pixel, double level) {
+  MapGrid out;
+  const Vec2 size = (box.upper - box.lower).head<2>();
+  out.pixel = pixel;
+  out.level = level;
+  out.width = static_cast<int>(std::ceil(size.x() / pixel)) + 2;
+  out.height = static_cast<int>(std::ceil(size.y() / pixel)) + 2;
+  out.corner = box.centre().head<2>() - 0.5 * pixel * Vec2(out.width, out.height);
+  return out;
+}
+
+HeightMap draw_underside(std::span<const Body> bodies, const MapGrid& grid, double growth) {
+  HeightMap map(grid.width, grid.height, kNothingBelow);
+  const ZListFrame frame = frame_of(grid, growth);
+  UndersideSink sink(map, grid.pixel);
+  draw(bodies, grid, View::whole(frame, true), kInfinity, sink);
+  return map;
+}
+
+HeightMap draw_top(std::span<const Body> bodies, const MapGrid& grid, bool floor, double ceiling) {
+  HeightMap map(grid.width, grid.height, -kNothingBelow);
+  if (floor) {
+    const auto height = static_cast<float>(-grid.level);
+    std::fill(map.bound.begin(), map.bound.end(), raised(height));
+    std::fill(map.sample.begin(), map.sample.end(), lowered(height));
+  }
+  const ZListFrame frame = frame_of(grid, 0);
+  TopSink sink(map, grid.pixel);
+  draw(bodies, grid, View::whole(frame, false), ceiling, sink);
+  return map;
+}
+
+HeightMap widened_underside(const HeightMap& map, double pixels) {
+  // Two pixels may hold points that are closer than their centres by a pixel's diagonal.
+  const double reach = pixels > 0 ? pixels + 1.5 : 0;
+  const int r = static_cast<int>(reach);
+  HeightMap out(map.width + 2 * r, map.height + 2 * r, kNothingBelow);
+  for (int dy = -r; dy <= r; ++dy)
+    for (int dx = -r; dx <= r; ++dx) {
+      if (dx * dx + dy * dy > reach * reach) continue;
+      for (int y = 0; y < map.height; ++y)
+        for (int x = 0; x < map.width; ++x) {
+          float& bound = out.bound[out.index(x + r + dx, y + r + dy)];
+          bound = std::min(bound, map.bound[map.index(x, y)]);
+        }
+    }
+  for (int y = 0; y < map.height; ++y)
+    for (int x = 0; x < map.width; ++x)
+      out.sample[out.index(x + r, y + r)] = map.sample[map.index(x, y)];
+  return out;
+}
+
+}  // namespace trivet

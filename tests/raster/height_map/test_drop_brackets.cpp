@@ -1,0 +1,135 @@
+// Brackets of falls: the correlation against plain loops, and the brackets against exact falls.
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <cstdio>
+
+#include "raster/height_map.h"
+#include "support/effort.h"
+#include "support/random_queries.h"
+
+namespace trivet {
+namespace {
+
+constexpr float kInf = static_cast<float>(kInfinity);
+
+HeightMap random_map(int width, int height, float nothing, test::Random& random) {
+  HeightMap map(width, height, nothing);
+  for (size_t i = 0; i < map.bound.size(); ++i) {
+    if (random.integer(0, 3) == 0) continue;
+    map.bound[i] = static_cast<float>(random.uniform(-1, 1));
+    if (random.integer(0, 3)) map.sample[i] = map.bound[i];
+  }
+  return map;
+}
+
+DropBracket by_loops(const HeightMap& object, const HeightMap& scene, int column, int row) {
+  DropBracket out{kInf, kInf};
+  for (int y = 0; y < object.height; ++y)
+    for (int x = 0; x < object.width; ++x) {
+      const size_t a = object.index(x, y), b = scene.index(x + column, y + row);
+      out.lower = std::min(out.lower, object.bound[a] - scene.bound[b]);
+      out.upper = std::min(out.upper, object.sample[a] - scene.sample[b]);
+    }
+  return out;
+}
+
+TEST(DropBrackets, EqualPlainLoopsAtOddSizes) {
+  test::Random random(11);
+  for (const int width : {1, 2, 7, 8, 9, 17, 40})
+    for (const int height : {1, 3, 16}) {
+      const int columns = random.integer(1, 20), rows = random.integer(1, 20);
+      const HeightMap object = random_map(width, height, kInf, random);
+      const HeightMap scene = random_map(columns + width - 1, rows + height + 2, -kInf, random);
+      for (const size_t threads : {1, 2, 8}) {
+        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+        const auto found = drop_brackets(object, scene, columns, rows);
+        for (int i = 0; i < columns * rows; ++i) {
+          const DropBracket truth = by_loops(object, scene, i % columns, i / columns);
+          ASSERT_EQ(found[i].lower, truth.lower);
+          ASSERT_EQ(found[i].upper, truth.upper);
+        }
+      }
+    }
+}
+
+// An object over a scene, and a grid of places for it.
+struct Falls {
+  Body object, scene;
+  MapGrid grid;
+  Vec2 first;
+  double start_z;
+  static constexpr int kPlaces = 12;
+
+  Falls(const test::RandomQuery& q, double pixels_across) {
+    object = q.moving[0].body();
+    object.world_box = Aabb();
+    for (size_t v = 0; v < q.moving[0].shape->mesh.vertices.size(); ++v)
+      object.world_box.extend(object.vertex(static_cast<Index>(v)));
+    scene = q.fixed[0].body();
+    start_z = scene.world_box.upper.z() + 0.01;
+    const double size = std::max(object.world_box.diagonal(), scene.world_box.diagonal());
+    grid = MapGrid::about(object.world_box, size / pixels_across, object.world_box.lower.z());
+    first = (scene.world_box.centre() - object.world_box.centre()).head<2>() -
+            Vec2::Constant(0.5 * kPlaces * grid.pixel);
+  }
+  MapGrid scene_grid() const {
+    MapGrid out = grid;
+    out.corner += first;
+    out.width += kPlaces - 1;
+    out.height += kPlaces - 1;
+    out.level = start_z;
+    return out;
+  }
+  Body at(int column, int row) const {
+    Body out = object;
+    const Vec2 by = first + grid.pixel * Vec2(column, row);
+    const Vec3 shift(by.x(), by.y(), start_z - object.world_box.lower.z());
+    out.world_from_object.translation += shift;
+    out.world_box.lower += shift;
+    out.world_box.upper += shift;
+    return out;
+  }
+};
+
+TEST(DropBrackets, HoldTheExactFall) {
+  constexpr unsigned kSeed = 31;
+  const test::MeshPool pool(kSeed, 8);
+  const int num_scenes = test::with_effort(60);
+  int num_places = 0, num_hits = 0, num_bracketed = 0;
+  double width = 0;
+  for (int i = 0; i < num_scenes; ++i) {
+    const test::RandomQuery q = test::random_query(pool, kSeed, i);
+    const Falls falls(q, i % 3 == 0 ? 16 : i % 3 == 1 ? 61 : 200);
+    const double clearance = 1e-6 * falls.scene.world_box.diagonal();
+    const HeightMap underside = draw_underside({&falls.object, 1}, falls.grid, 1.01 * clearance);
+    const HeightMap top = draw_top({&falls.scene, 1}, falls.scene_grid(), false);
+    const auto brackets = drop_brackets(underside, top, falls.kPlaces, falls.kPlaces);
+    for (int k = 0; k < falls.kPlaces * falls.kPlaces; k += 5) {
+      const Body body = falls.at(k % falls.kPlaces, k / falls.kPlaces);
+      FirstContactQuery query;
+      query.moving = {&body, 1};
+      query.fixed = {&falls.scene, 1};
+      query.motion = Motion::translation(-Vec3::UnitZ(), 100 * falls.scene.world_box.diagonal());
+      query.clearance.distance = clearance;
+      const double exact = first_contact(query).time;
+      EXPECT_LE(brackets[k].lower, exact) << q.describe() << " place " << k;
+      EXPECT_GE(brackets[k].upper, exact) << q.describe() << " place " << k;
+      ++num_places;
+      if (exact == kInfinity) continue;
+      ++num_hits;
+      if (brackets[k].upper == kInf) continue;
+      ++num_bracketed;
+      width += (brackets[k].upper - brackets[k].lower) / falls.grid.pixel;
+    }
+  }
+  std::printf("%d places, %d falls end, %d have both bounds, mean width %.2f pixels\n", num_places,
+              num_hits, num_bracketed, width / num_bracketed);
+  EXPECT_GT(num_hits, 0.3 * num_places);
+  EXPECT_GT(num_bracketed, 0.25 * num_hits);
+  EXPECT_LT(width / num_bracketed, 20);
+}
+
+}  // namespace
+}  // namespace trivet
