@@ -35,8 +35,8 @@ struct Bounds {
 };
 layout(std430, binding = 0) readonly buffer Vertices { float vertices[]; };
 layout(std430, binding = 1) readonly buffer Corners { uint corners[]; };
-layout(std430, binding = 2) coherent buffer Image { uint image[]; };
-layout(std430, binding = 3) coherent buffer Counters {
+layout(std430, binding = 2) buffer Image { uint image[]; };
+layout(std430, binding = 3) buffer Counters {
   uint num_entries, num_large;
   uint large_groups[3];  // for the second dispatch
 };
@@ -44,7 +44,7 @@ layout(std430, binding = 4) writeonly buffer Entries { uvec4 entries[]; };
 layout(std430, binding = 5) buffer Large { uvec2 large[]; };  // instance, face
 layout(std430, binding = 6) readonly buffer Instances { Instance instances[]; };
 layout(std430, binding = 7) readonly buffer Views { View views[]; };
-layout(std430, binding = 8) coherent buffer Layers { Bounds bounds[]; };
+layout(std430, binding = 8) buffer Layers { Bounds bounds[]; };
 
 uniform uint num_layers, layer_pixels;
 uint layer;

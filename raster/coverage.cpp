@@ -6,6 +6,9 @@
 namespace trivet {
 namespace {
 
+// Twice the area, of the longest edge squared, below which its sign may be rounding.
+constexpr double kNoInside = 1e-9;
+
 int clamped(double x, int low, int high) {
   return static_cast<int>(std::clamp(x, static_cast<double>(low), static_cast<double>(high)));
 }
@@ -24,12 +27,28 @@ Coverage::Coverage(const std::array<Vec2, 3>& p, double half_x, double half_y, i
     m_edges[k] = {-d.y(), d.x(), p[k]};
     m_reach[k] = std::abs(d.y()) * half_x + std::abs(d.x()) * half_y;
   }
+  if (m_area2 <= kNoInside * m_squared_size) use_longest_edge();
   // Pixel i has its centre at i + 1/2.
   const Vec2 low = p[0].cwiseMin(p[1]).cwiseMin(p[2]), high = p[0].cwiseMax(p[1]).cwiseMax(p[2]);
   m_first_column = clamped(std::ceil(low.x() - half_x - 0.5), 0, width);
   m_last_column = clamped(std::floor(high.x() + half_x - 0.5), -1, width - 1);
   m_first_row = clamped(std::ceil(low.y() - half_y - 0.5), 0, height);
   m_last_row = clamped(std::floor(high.y() + half_y - 0.5), -1, height - 1);
+}
+
+// Rounding may have turned a triangle without inside over, and an edge of it anywhere: a band about
+// the longest edge, which holds the third corner.
+void Coverage::use_longest_edge() {
+  int longest = 0;
+  const auto squared = [&](int k) {
+    return m_edges[k].a * m_edges[k].a + m_edges[k].b * m_edges[k].b;
+  };
+  for (int k = 1; k < 3; ++k)
+    if (squared(k) > squared(longest)) longest = k;
+  const Edge e = m_edges[longest];
+  const double reach = m_reach[longest] + 2 * kNoInside * m_squared_size;
+  m_edges = {e, Edge{-e.a, -e.b, e.p}, Edge{0, 0, e.p}};
+  m_reach = {reach, reach, 0};
 }
 
 Coverage::Columns Coverage::columns(int row, const std::array<double, 3>& reach) const {

@@ -36,6 +36,7 @@ class Coverage {
     double a, b;  // a x + b y grows inwards
     Vec2 p;       // on the edge
   };
+  void use_longest_edge();
   Columns columns(int row, const std::array<double, 3>& reach) const;
 
   std::array<Edge, 3> m_edges;

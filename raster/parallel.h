@@ -22,7 +22,8 @@ void for_each_part(size_t count, int num_threads, F f) {
   const size_t parts = num_parts(count, num_threads);
   const auto run = [&](size_t i) { f(i, count * i / parts, count * (i + 1) / parts); };
   if (parts == 1) return run(0);
-  tbb::task_arena(num_threads).execute([&] { tbb::parallel_for(size_t{0}, parts, run); });
+  const int cores = std::min(num_threads, tbb::this_task_arena::max_concurrency());
+  tbb::task_arena(cores).execute([&] { tbb::parallel_for(size_t{0}, parts, run); });
 }
 
 }  // namespace trivet

@@ -35,7 +35,7 @@ class TurningPlane {
     const double squared = std::max(
         {(c[1] - c[0]).squaredNorm(), (c[2] - c[0]).squaredNorm(), (c[2] - c[1]).squaredNorm()});
     const double across = n.head<2>().norm();
-    m_usable = n.norm() > 1e-5 * squared && across > 1e-5 * n.norm();
+    m_usable = n.norm() > 1e-5 * squared && across > 1e-4 * n.norm();
     if (!m_usable) return;
     m_normal_angle = fast_atan2(n.y(), n.x());
     m_slope = -n.z() / across;
