@@ -100,7 +100,7 @@ test::RandomQuery flat_landing(int number) {
   q.fixed.push_back({test::shape_of(test::terrain(4, 1, 0, kSeed)), {frame, Vec3::Zero()}, scale});
   const Vec3 place = random.uniform(-0.5, 0.5) * scale * axes.col(0);
   q.moving.push_back({test::shape_of(test::terrain(3, 1, 0, kSeed)), {frame, place}});
-  q.clearance.distance = 1e-9 * scale;
+  q.clearance.distance = std::pow(10.0, random.uniform(-9, -4)) * scale;
   Pose& pose = q.moving[0].pose;
   if (number % 2 == 0) {
     q.motion = Motion::translation(-axes.col(2), 8);
