@@ -26,12 +26,14 @@ constexpr GLintptr kNumLargeOffset = 4, kLargeGroupsOffset = 8;
 static_assert(offsetof(Counters, num_large) == kNumLargeOffset);
 static_assert(offsetof(Counters, large_groups) == kLargeGroupsOffset);
 
-struct Bounds {
+struct Layer {
+  std::int32_t width, height;
+  float first_radius, sample_error, period, first_depth;
   std::uint32_t upper, lower;
   std::uint32_t num_pixels = 0, num_doubtful = 0;
   std::uint32_t low_x = 0x7fffffff, low_y = 0x7fffffff, high_x = 0, high_y = 0;
 };
-static_assert(sizeof(Bounds) == 32);
+static_assert(sizeof(Layer) == 56);
 
 struct Instance {
   std::array<float, 12> rows;
@@ -39,12 +41,6 @@ struct Instance {
   std::uint32_t first_face, layer;
 };
 static_assert(sizeof(Instance) == 64);
-
-struct View {
-  std::int32_t width, height;
-  float first_radius, sample_error, period, first_depth;
-};
-static_assert(sizeof(View) == 24);
 
 std::uint32_t ordered(float x) {
   const auto bits = std::bit_cast<std::uint32_t>(x);
@@ -83,12 +79,11 @@ struct Job {
   GLuint first_instance = 0, num_instances = 0;
 };
 
-/// What a batch sends: jobs of the moving and of the fixed bodies, instances, views.
+/// What a batch sends: jobs of the moving and of the fixed bodies, instances, layers.
 struct Batch {
   std::vector<Job> moving, fixed;
   std::vector<Instance> instances;
-  std::vector<View> views;
-  std::vector<Bounds> bounds;
+  std::vector<Layer> layers;
   GLuint layer_pixels = 1, width = 1, height = 1;  // of the largest
 };
 
@@ -112,9 +107,8 @@ Batch make_batch(std::span<const ZListView> views) {
   out.moving = add_jobs(views, &ZListView::moving, out.instances);
   out.fixed = add_jobs(views, &ZListView::fixed, out.instances);
   for (const ZListView& v : views) {
-    out.views.push_back(
-        {v.width, v.height, v.first_radius, v.sample_error, v.period, v.first_depth});
-    out.bounds.push_back({ordered(v.horizon), ordered(v.horizon)});
+    out.layers.push_back({v.width, v.height, v.first_radius, v.sample_error, v.period,
+                          v.first_depth, ordered(v.horizon), ordered(v.horizon)});
     out.width = std::max(out.width, static_cast<GLuint>(v.width));
     out.height = std::max(out.height, static_cast<GLuint>(v.height));
     out.layer_pixels = std::max(out.layer_pixels, static_cast<GLuint>(v.width * v.height));
@@ -130,8 +124,7 @@ class ComputeRaster : public ZListRaster {
         m_entries(make_storage(kEntriesBytes)),
         m_large(make_storage(kLargeBytes)),
         m_instances(GlBuffer::create()),
-        m_views(GlBuffer::create()),
-        m_bounds(GlBuffer::create()),
+        m_layers(GlBuffer::create()),
         m_reduction("z-list reduction", {{GL_COMPUTE_SHADER, zlist_shaders::reduction()}}) {}
 
   const char* method() const override { return "compute shaders"; }
@@ -153,7 +146,7 @@ class ComputeRaster : public ZListRaster {
   void reduce(const Batch& batch);
   std::vector<ZLists> read_back(const Batch& batch);
 
-  GlBuffer m_image, m_counters, m_entries, m_large, m_instances, m_views, m_bounds;
+  GlBuffer m_image, m_counters, m_entries, m_large, m_instances, m_layers;
   GlProgram m_reduction;
   std::map<std::pair<Motion::Kind, Pass>, GlProgram> m_programs;
 };
@@ -168,25 +161,24 @@ const GlProgram& ComputeRaster::program(Motion::Kind kind, Pass pass) {
 }
 
 void set_layers(const GlProgram& program, const Batch& batch) {
-  glUniform1ui(program.uniform("num_layers"), static_cast<GLuint>(batch.views.size()));
+  glUniform1ui(program.uniform("num_layers"), static_cast<GLuint>(batch.layers.size()));
   glUniform1ui(program.uniform("layer_pixels"), batch.layer_pixels);
 }
 
 void ComputeRaster::start(const Batch& batch) {
   send(m_instances, batch.instances);
-  send(m_views, batch.views);
-  send(m_bounds, batch.bounds);
+  send(m_layers, batch.layers);
   send(m_counters, std::vector<Counters>(1));
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, m_image.id());
-  const std::size_t plane = sizeof(std::uint32_t) * batch.views.size() * batch.layer_pixels;
+  const std::size_t plane = sizeof(std::uint32_t) * batch.layers.size() * batch.layer_pixels;
   const std::uint32_t lowest = 0, highest = 0xffffffffu;
   const std::uint32_t first[4] = {lowest, highest, lowest, highest};
   for (int i = 0; i < 4; ++i)
     glClearBufferSubData(GL_SHADER_STORAGE_BUFFER, GL_R32UI, static_cast<GLintptr>(i * plane),
                          static_cast<GLsizeiptr>(plane), GL_RED_INTEGER, GL_UNSIGNED_INT,
                          &first[i]);
-  const GLuint buffers[] = {m_image.id(),     m_counters.id(), m_entries.id(), m_large.id(),
-                            m_instances.id(), m_views.id(),    m_bounds.id()};
+  const GLuint buffers[] = {m_image.id(), m_counters.id(),  m_entries.id(),
+                            m_large.id(), m_instances.id(), m_layers.id()};
   for (GLuint i = 0; i < std::size(buffers); ++i)
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 2 + i, buffers[i]);
   glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, m_counters.id());
@@ -226,17 +218,17 @@ void ComputeRaster::reduce(const Batch& batch) {
   m_reduction.use();
   set_layers(m_reduction, batch);
   glDispatchCompute((batch.width + 7) / 8, (batch.height + 7) / 8,
-                    static_cast<GLuint>(batch.views.size()));
+                    static_cast<GLuint>(batch.layers.size()));
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
 std::vector<ZLists> ComputeRaster::read_back(const Batch& batch) {
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   std::vector<Counters> counters(1);
-  std::vector<Bounds> bounds(batch.bounds);
+  std::vector<Layer> layers(batch.layers);
   std::vector<ZListEntry> entries;
   read(m_counters, counters);
-  read(m_bounds, bounds);
+  read(m_layers, layers);
   const bool overflow = counters[0].num_entries > kMaxZListEntries;
   if (!overflow && counters[0].num_entries > 0) {
     entries.resize(counters[0].num_entries);
@@ -244,14 +236,14 @@ std::vector<ZLists> ComputeRaster::read_back(const Batch& batch) {
   }
   check_gl("reading z-lists back");
   std::vector<ZLists> out;
-  for (const Bounds& b : bounds) {
+  for (const Layer& b : layers) {
     ZLists lists;
     lists.overflow = overflow;
     lists.upper = unordered(b.upper);
     lists.lower = unordered(b.lower);
     lists.num_pixels = b.num_pixels;
     lists.num_doubtful = b.num_doubtful;
-    lists.bytes_read_back = sizeof(Counters) + sizeof(Bounds);
+    lists.bytes_read_back = sizeof(Counters) + sizeof(Layer);
     out.push_back(lists);
   }
   for (const ZListEntry& e : entries) out[e.pixel / batch.layer_pixels].entries.push_back(e);

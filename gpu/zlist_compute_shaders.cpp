@@ -24,11 +24,9 @@ struct Instance {
   float blur, depth_blur;
   uint first_face, layer;
 };
-struct View {
+struct Layer {
   ivec2 size;
   float first_radius, sample_error, period, first_depth;
-};
-struct Bounds {
   uint upper, lower;  // ordered depths
   uint num_pixels, num_doubtful;
   uint low_x, low_y, high_x, high_y;  // of the doubtful pixels
@@ -43,19 +41,18 @@ layout(std430, binding = 3) buffer Counters {
 layout(std430, binding = 4) writeonly buffer Entries { uvec4 entries[]; };
 layout(std430, binding = 5) buffer Large { uvec2 large[]; };  // instance, face
 layout(std430, binding = 6) readonly buffer Instances { Instance instances[]; };
-layout(std430, binding = 7) readonly buffer Views { View views[]; };
-layout(std430, binding = 8) buffer Layers { Bounds bounds[]; };
+layout(std430, binding = 7) buffer Layers { Layer layers[]; };
 
 uniform uint num_layers, layer_pixels;
 uint layer;
 
 void load_view(uint i) {
   layer = i;
-  size = views[i].size;
-  first_radius = views[i].first_radius;
-  sample_error = views[i].sample_error;
-  period = views[i].period;
-  first_depth = views[i].first_depth;
+  size = layers[i].size;
+  first_radius = layers[i].first_radius;
+  sample_error = layers[i].sample_error;
+  period = layers[i].period;
+  first_depth = layers[i].first_depth;
 }
 
 void load_instance(uint i) {
@@ -76,7 +73,7 @@ const char* const kDoubtful = R"(
 bool is_doubtful(ivec2 pixel) {
   uint nearest = image[at(3u, pixel)];
   if (nearest == 0xffffffffu) return false;
-  return below(unordered(nearest) - unordered(image[at(0u, pixel)])) <= unordered(bounds[layer].upper);
+  return below(unordered(nearest) - unordered(image[at(0u, pixel)])) <= unordered(layers[layer].upper);
 }
 )";
 
@@ -101,7 +98,7 @@ const bool kOnlyDoubtful = false;
 void meet_sample(vec2 fixed_sample, uint moving_key) {
   float time;
   if (moving_key == 0u || !meet(fixed_sample, unordered(moving_key), time)) return;
-  if (bounds[layer].upper > ordered(time)) atomicMin(bounds[layer].upper, ordered(time));
+  if (layers[layer].upper > ordered(time)) atomicMin(layers[layer].upper, ordered(time));
 }
 
 void visit(Face face, ivec2 pixel, uint id) {
@@ -137,7 +134,7 @@ void visit(Face face, ivec2 pixel, uint id) {
   Cell cell = look(face, pixel);
   float nearest = unordered(image[at(3u, pixel)]);
   for (int i = 0; i < cell.num_spans; ++i)
-    if (below(nearest - cell.span[i].y) <= unordered(bounds[layer].upper)) add_entry(pixel, cell.span[i], id);
+    if (below(nearest - cell.span[i].y) <= unordered(layers[layer].upper)) add_entry(pixel, cell.span[i], id);
 }
 )";
 
@@ -149,7 +146,7 @@ void visit(Face face, ivec2 pixel, uint id) {
   for (int i = 0; i < cell.num_spans; ++i) {
     float shift = next_turn(cell.span[i].y, rear);
     if (is_behind(cell.span[i].y, rear)) continue;
-    if (below(cell.span[i].x + shift - front) <= unordered(bounds[layer].upper))
+    if (below(cell.span[i].x + shift - front) <= unordered(layers[layer].upper))
       add_entry(pixel, cell.span[i], id);
   }
 }
@@ -168,7 +165,7 @@ vec3 corner(uint face, uint k) {
 
 ivec4 cropped(ivec4 box) {
   if (!kOnlyDoubtful) return box;
-  Bounds b = bounds[layer];
+  Layer b = layers[layer];
   return ivec4(max(box.xy, ivec2(b.low_x, b.low_y)), min(box.zw, ivec2(b.high_x, b.high_y)));
 }
 
@@ -190,7 +187,7 @@ void main() {
   uvec2 id = instance_and_face();
   if (id.y >= num_faces) return;
   load_instance(id.x);
-  if (kOnlyDoubtful && bounds[layer].num_doubtful == 0u) return;
+  if (kOnlyDoubtful && layers[layer].num_doubtful == 0u) return;
   Face face = make_face(corner(id.y, 0u), corner(id.y, 1u), corner(id.y, 2u));
   ivec4 box = cropped(face.box);
   if (is_empty(box)) return;
@@ -212,15 +209,15 @@ void main() {
   if (any(greaterThanEqual(pixel, size))) return;
   uint nearest = image[at(3u, pixel)];
   if (nearest == 0xffffffffu) return;
-  atomicAdd(bounds[layer].num_pixels, 1u);
+  atomicAdd(layers[layer].num_pixels, 1u);
   uint gap = ordered(below(max(0.0, unordered(nearest) - unordered(image[at(0u, pixel)]))));
-  if (bounds[layer].lower > gap) atomicMin(bounds[layer].lower, gap);
+  if (layers[layer].lower > gap) atomicMin(layers[layer].lower, gap);
   if (!is_doubtful(pixel)) return;
-  atomicAdd(bounds[layer].num_doubtful, 1u);
-  atomicMin(bounds[layer].low_x, uint(pixel.x));
-  atomicMin(bounds[layer].low_y, uint(pixel.y));
-  atomicMax(bounds[layer].high_x, uint(pixel.x));
-  atomicMax(bounds[layer].high_y, uint(pixel.y));
+  atomicAdd(layers[layer].num_doubtful, 1u);
+  atomicMin(layers[layer].low_x, uint(pixel.x));
+  atomicMin(layers[layer].low_y, uint(pixel.y));
+  atomicMax(layers[layer].high_x, uint(pixel.x));
+  atomicMax(layers[layer].high_y, uint(pixel.y));
 }
 )";
 

@@ -1,6 +1,7 @@
 #include "gpu/zlist_gpu.h"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 
 #include "core/base/error.h"
@@ -75,9 +76,8 @@ class GpuLists {
 
 GpuLists::GpuLists(const GpuZListOptions& options) : m_context(EglOptions{options.allow_software}) {
   const EglContext::Current current(m_context);
-  m_raster = m_context.gl_version() >= 43 && !options.force_fallback
-                 ? make_compute_raster()
-                 : make_blend_raster(options.resolution);
+  const bool computes = m_context.gl_version() >= 43 && !options.force_fallback;
+  m_raster = computes ? make_compute_raster() : make_blend_raster(options.resolution);
   const std::size_t needed = m_raster->num_bytes() + kLeastMeshBytes;
   if (needed > options.memory_bytes) {
     m_raster.reset();
@@ -86,7 +86,10 @@ GpuLists::GpuLists(const GpuZListOptions& options) : m_context(EglOptions{option
                     std::to_string(needed >> 10) + " KiB of graphics memory, more than the " +
                     std::to_string(options.memory_bytes >> 10) + " KiB that are allowed");
   }
-  m_meshes = std::make_unique<ZListMeshCache>(options.memory_bytes - m_raster->num_bytes());
+  GLint64 max_buffer_bytes = std::numeric_limits<GLint64>::max();
+  if (computes) glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &max_buffer_bytes);
+  m_meshes = std::make_unique<ZListMeshCache>(options.memory_bytes - m_raster->num_bytes(),
+                                              static_cast<std::size_t>(max_buffer_bytes));
 }
 
 GpuLists::~GpuLists() {

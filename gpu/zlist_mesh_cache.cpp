@@ -6,8 +6,10 @@
 namespace trivet {
 namespace {
 
+constexpr std::size_t kItemBytes = 12;  // of a vertex, and of a face
+
 std::size_t bytes_of(const Mesh& mesh) {
-  return 12 * (mesh.vertices.size() + mesh.triangles.size());
+  return kItemBytes * (mesh.vertices.size() + mesh.triangles.size());
 }
 
 GpuMesh send(const Shape& shape) {
@@ -52,6 +54,8 @@ const GpuMesh* ZListMeshCache::get(const Shape& shape) {
     known->second.last_query = m_query;
     return &known->second.mesh;
   }
+  const std::size_t num_items = std::max(shape.mesh.vertices.size(), shape.mesh.triangles.size());
+  if (kItemBytes * num_items > m_max_buffer_bytes) return nullptr;
   if (!make_room(bytes_of(shape.mesh))) return nullptr;
   Slot& slot = m_meshes[shape.id];
   slot = {send(shape), m_query};

@@ -21,11 +21,13 @@ struct GpuMesh {
 /// a current context.
 class ZListMeshCache {
  public:
-  explicit ZListMeshCache(std::size_t max_bytes) : m_max_bytes(max_bytes) {}
+  /// @param max_buffer_bytes  of the vertices, or of the faces, of one mesh.
+  ZListMeshCache(std::size_t max_bytes, std::size_t max_buffer_bytes)
+      : m_max_bytes(max_bytes), m_max_buffer_bytes(max_buffer_bytes) {}
 
   /// What is used from now on stays until the next call.
   void begin_query() { ++m_query; }
-  /// @return null when the meshes of this query alone do not fit.
+  /// @return null when the meshes of this query alone do not fit, or this one does not.
   /// @throws Error (Environment) when OpenGL fails.
   const GpuMesh* get(const Shape& shape);
   std::size_t num_bytes() const { return m_bytes; }
@@ -39,7 +41,7 @@ class ZListMeshCache {
   bool make_room(std::size_t bytes);
 
   std::map<std::uint64_t, Slot> m_meshes;  // by Shape::id
-  std::size_t m_max_bytes, m_bytes = 0;
+  std::size_t m_max_bytes, m_max_buffer_bytes, m_bytes = 0;
   std::uint64_t m_query = 0;
 };
 

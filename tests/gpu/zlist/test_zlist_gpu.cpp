@@ -33,6 +33,9 @@ std::unique_ptr<ZListStage> make_stage(const GpuZListOptions& options) {
 #define TRIVET_SKIP_WITHOUT_EGL(stage) \
   if (!(stage)) GTEST_SKIP() << "this machine has no OpenGL through EGL"
 
+/// A band for the number of hits among `num`, with room for chance.
+double at_least(int num, double part) { return part * num - 2 * std::sqrt(num); }
+
 struct Case {
   int resolution;
   bool fallback;
@@ -54,8 +57,8 @@ TEST_P(ZListGpu, AnswersLikeBruteForce) {
   const test::StageCheck check = test::check_stage(*stage, pool, kSeed + c.resolution, 0, num);
   EXPECT_TRUE(check.failures.empty()) << check.describe();
   EXPECT_EQ(check.num_unusable, 0) << check.describe();
-  EXPECT_GT(check.num_contacts, num / 4) << check.describe();
-  EXPECT_GT(check.num_upper, num / 12) << check.describe();
+  EXPECT_GT(check.num_contacts, at_least(num, 0.25)) << check.describe();
+  EXPECT_GT(check.num_upper, at_least(num, 0.08)) << check.describe();
   EXPECT_LT(check.num_pairs, check.num_all_pairs / 8) << check.describe();
 }
 
@@ -126,7 +129,7 @@ TEST_P(ZListGpuBothWays, FlatLandings) {
     EXPECT_TRUE(proposal.usable) << proposal.why;
     num_contacts += truth.status == FirstContact::Status::Contact;
   }
-  EXPECT_GT(num_contacts, num / 2);
+  EXPECT_GT(num_contacts, at_least(num, 0.7));
 }
 
 /// Everything turns about an axis that it surrounds: no line of sight is free of moving faces.
@@ -182,7 +185,7 @@ TEST_P(ZListGpuBothWays, ManyTogether) {
     EXPECT_EQ(alone.work.doubtful_pixels, proposals[i].work.doubtful_pixels);
     num_contacts += found[i].status == FirstContact::Status::Contact;
   }
-  EXPECT_GT(num_contacts, num / 4);
+  EXPECT_GT(num_contacts, at_least(num, 0.25));
 }
 
 std::string why_refused(const GpuZListOptions& options) {
