@@ -49,7 +49,8 @@ bool ZListMeshCache::make_room(std::size_t bytes) {
 }
 
 const GpuMesh* ZListMeshCache::get(const Shape& shape) {
-  const auto known = m_meshes.find(shape.id);
+  const std::uint64_t id = shape.id != 0 ? shape.id : m_next_unnamed--;
+  const auto known = m_meshes.find(id);
   if (known != m_meshes.end()) {
     known->second.last_query = m_query;
     return &known->second.mesh;
@@ -57,7 +58,7 @@ const GpuMesh* ZListMeshCache::get(const Shape& shape) {
   const std::size_t num_items = std::max(shape.mesh.vertices.size(), shape.mesh.triangles.size());
   if (kItemBytes * num_items > m_max_buffer_bytes) return nullptr;
   if (!make_room(bytes_of(shape.mesh))) return nullptr;
-  Slot& slot = m_meshes[shape.id];
+  Slot& slot = m_meshes[id];
   slot = {send(shape), m_query};
   m_bytes += slot.mesh.bytes;
   return &slot.mesh;

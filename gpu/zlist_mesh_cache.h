@@ -17,8 +17,8 @@ struct GpuMesh {
   std::size_t bytes = 0;
 };
 
-/// Meshes by the identity of their shapes; the ones that were not used for longest go first. Needs
-/// a current context.
+/// Meshes by the identity of their shapes; the ones that were not used for longest go first. Shapes
+/// without identity are sent every time. Needs a current context.
 class ZListMeshCache {
  public:
   /// @param max_buffer_bytes  of the vertices, or of the faces, of one mesh.
@@ -43,6 +43,7 @@ class ZListMeshCache {
   std::map<std::uint64_t, Slot> m_meshes;  // by Shape::id
   std::size_t m_max_bytes, m_max_buffer_bytes, m_bytes = 0;
   std::uint64_t m_query = 0;
+  std::uint64_t m_next_unnamed = ~std::uint64_t{0};  // downwards; for shapes without identity
 };
 
 }  // namespace trivet
