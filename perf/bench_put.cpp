@@ -11,9 +11,9 @@ namespace {
 
 void put_last_object(benchmark::State& state, const std::string& name, int splits) {
   DemoScene demo = make_demo_scene(name, splits);
-  const LayoutOperation last = demo.operations.back();
+  const PutOperation last = demo.operations.back();
   demo.operations.pop_back();
-  for (const LayoutOperation& o : demo.operations)
+  for (const PutOperation& o : demo.operations)
     if (!put(demo.scene, *demo.scene.find(o.object), o.start).ok())
       throw std::runtime_error(o.object + " cannot be put");
   const ObjectId id = *demo.scene.find(last.object);

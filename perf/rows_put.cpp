@@ -67,7 +67,7 @@ void measure_demo(DemoScene demo, const DemoMeasure& what, Report& report) {
   ResultHash hash;
   test::Random random(5);
   Puts own, any;
-  for (const LayoutOperation& operation : demo.operations) {
+  for (const PutOperation& operation : demo.operations) {
     const ObjectId id = *demo.scene.find(operation.object);
     Puts of_object;
     for (int i = 0; i < what.num_random; ++i)

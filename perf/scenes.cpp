@@ -57,7 +57,9 @@ DemoScene make_demo_scene(const std::string& name, int splits) {
   const ModelSource source = [&](const std::string& file) {
     return splits == 1 ? demo.model(file) : refined_model(demo.model(file), splits);
   };
-  DemoScene out{make_scene(demo.layout, source, RunOptions{}), demo.layout.operations, 0};
+  DemoScene out{make_scene(demo.layout, source, RunOptions{}), {}, 0};
+  for (const Operation& operation : demo.layout.operations)
+    out.operations.push_back(std::get<PutOperation>(operation));
   for (const LayoutObject& object : demo.layout.objects) {
     const ObjectId id = *out.scene.find(object.name);
     out.num_triangles += static_cast<std::int64_t>(out.scene.at(id).shape->mesh.triangles.size());

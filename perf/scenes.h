@@ -13,7 +13,7 @@ namespace trivet::perf {
 /// A demo before its first operation: fixed objects stand, the others are out of the scene.
 struct DemoScene {
   Scene scene;
-  std::vector<LayoutOperation> operations;
+  std::vector<PutOperation> operations;
   std::int64_t num_triangles = 0;  // of all objects; those that share a model count, too
 };
 

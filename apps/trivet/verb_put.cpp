@@ -92,7 +92,7 @@ int put(const PutArguments& arguments, const CommonOptions& common) {
   for (const std::string& note : file.notes) print_note(common, note);
   Layout addition;
   addition.objects.push_back(layout_object(arguments, file));
-  addition.operations.push_back({LayoutOperation::Kind::Put, addition.objects.back().name, start});
+  addition.operations.push_back(PutOperation{{addition.objects.back().name}, start});
   RunOptions options = run_options(common, arguments.settle);
   if (!(options.settle.clearance > 0)) options.settle.clearance = file.clearance;
 

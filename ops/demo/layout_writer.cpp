@@ -26,7 +26,7 @@ void LayoutWriter::put(const std::string& object, const std::string& model, cons
                        const Rotation& rotation) {
   add_object(object, model);
   const Pose start{rotation.normalized(), position};
-  m_demo.layout.operations.push_back({LayoutOperation::Kind::Put, object, start});
+  m_demo.layout.operations.push_back(PutOperation{{object}, start});
 }
 
 void LayoutWriter::add_object(const std::string& object, const std::string& model) {

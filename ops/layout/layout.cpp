@@ -13,31 +13,10 @@ namespace {
 constexpr int kVersion = 1;
 constexpr double kUnitTolerance = 4e-15;
 
-// In the contract, but of a later release.
-constexpr const char* kLaterOperations[] = {"push", "turn", "pick_up", "translate", "rotate"};
-
 UpAxis read_up(const JsonPlace& place) {
   if (place.value() == "y") return UpAxis::Y;
   if (place.value() == "z") return UpAxis::Z;
   place.refuse("\"y\" or \"z\"");
-}
-
-Vec3 read_position(const JsonPlace& place) {
-  const std::vector<double> p = place.numbers(3, -kMaxLength, kMaxLength);
-  return {p[0], p[1], p[2]};
-}
-
-Rotation read_rotation(const JsonPlace& place) {
-  const std::vector<double> q = place.numbers(4, -kMaxQuaternionComponent, kMaxQuaternionComponent);
-  if (const auto rotation = unit_rotation({q[0], q[1], q[2], q[3]})) return *rotation;
-  place.refuse("a quaternion [w, x, y, z] whose length is not zero");
-}
-
-Pose read_pose(const JsonPlace& place) {
-  Pose pose;
-  pose.translation = read_position(place.at("position"));
-  if (const auto rotation = place.find("rotation")) pose.rotation = read_rotation(*rotation);
-  return pose;
 }
 
 LayoutObject read_object(const JsonPlace& place) {
@@ -70,38 +49,14 @@ std::vector<LayoutObject> read_objects(const JsonPlace& place) {
   return objects;
 }
 
-// Which operation an entry asks for, before its other keys are looked at.
-LayoutOperation::Kind read_kind(const JsonPlace& place) {
-  if (!place.value().is_object()) place.refuse("an object with the keys op, object, ...");
-  const JsonPlace op = place.at("op");
-  if (op.value() == "put") return LayoutOperation::Kind::Put;
-  for (const char* later : kLaterOperations)
-    if (op.value() == later)
-      op.fail(op.value().dump() + " is not available in this version; accepted: \"put\"");
-  op.refuse("\"put\"");
-}
-
-LayoutOperation read_operation(const JsonPlace& place, const std::set<std::string>& names) {
-  LayoutOperation operation;
-  operation.kind = read_kind(place);
-  place.expect_object({"op", "object", "position"}, {"rotation"});
-  operation.object = place.at("object").text();
-  if (!names.count(operation.object)) place.at("object").refuse("the name of one of /objects");
-  operation.start = read_pose(place);
+Operation read_known(const JsonPlace& place, const std::set<std::string>& names) {
+  Operation operation = read_operation(place);
+  if (!names.count(object_name(operation)))
+    place.at("object").refuse("the name of one of /objects");
   return operation;
 }
 
-nlohmann::ordered_json pose_json(const Pose& pose, nlohmann::ordered_json json) {
-  const Rotation& r = pose.rotation;
-  const Vec3& t = pose.translation;
-  json["position"] = {t.x(), t.y(), t.z()};
-  json["rotation"] = {r.w, r.x, r.y, r.z};
-  return json;
-}
-
 }  // namespace
-
-const char* to_string(LayoutOperation::Kind) { return "put"; }
 
 bool is_object_name(const std::string& name) {
   try {
@@ -137,7 +92,7 @@ Layout parse_layout(const std::string& text, const std::string& file) {
   for (const LayoutObject& object : layout.objects) names.insert(object.name);
   if (const auto operations = root.find("operations"))
     for (const JsonPlace& item : operations->items())
-      layout.operations.push_back(read_operation(item, names));
+      layout.operations.push_back(read_known(item, names));
   return layout;
 }
 
@@ -153,12 +108,11 @@ std::string write_layout(const Layout& layout) {
     Json entry = {{"name", o.name}, {"model", o.model}, {"scale", o.scale}};
     if (o.up) entry["up"] = *o.up == UpAxis::Y ? "y" : "z";
     if (o.fixed) entry["fixed"] = true;
-    json["objects"].push_back(o.pose ? pose_json(*o.pose, entry) : entry);
+    if (o.pose) write_pose(*o.pose, entry);
+    json["objects"].push_back(std::move(entry));
   }
   json["operations"] = Json::array();
-  for (const LayoutOperation& o : layout.operations)
-    json["operations"].push_back(
-        pose_json(o.start, {{"op", to_string(o.kind)}, {"object", o.object}}));
+  for (const Operation& o : layout.operations) json["operations"].push_back(operation_json(o));
   return readable_json(json);
 }
 

@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "core/motion/pose.h"
+#include "ops/layout/operation_json.h"
 
 namespace trivet {
 
-/// Lengths in a layout, metres, and scales: what float32 export and exact predicates can bear.
-inline constexpr double kMaxLength = 1e15;
+/// Scales: what float32 export and exact predicates can bear; lengths: see kMaxLength.
 inline constexpr double kMinScale = 1e-15, kMaxScale = 1e15;
 /// A quaternion needs one component of at least this magnitude; it is scaled to unit length.
 inline constexpr double kMinQuaternionComponent = 1e-6, kMaxQuaternionComponent = 1e6;
@@ -27,18 +27,10 @@ struct LayoutObject {
       pose;  // stands there from the start; nothing: out of the scene until it is put
 };
 
-struct LayoutOperation {
-  enum class Kind { Put };
-  Kind kind = Kind::Put;
-  std::string object;  // name of one of the objects
-  Pose start;
-};
-const char* to_string(LayoutOperation::Kind kind);  // "put"
-
 struct Layout {
   bool floor = true;
   std::vector<LayoutObject> objects;
-  std::vector<LayoutOperation> operations;
+  std::vector<Operation> operations;  // on objects of these names
 };
 
 /// What an object may be called: UTF-8, not empty, no control characters, not "floor".

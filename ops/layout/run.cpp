@@ -103,13 +103,12 @@ void run_operations(const Layout& layout, const RunOptions& options, LayoutRun& 
 
   note_refusal();
   for (size_t i = 0; i < layout.operations.size(); ++i) {
-    const LayoutOperation& operation = layout.operations[i];
-    report_progress(options, to_string(operation.kind), operation.object, i,
-                    layout.operations.size());
-    OperationResult result = stopped_at ? not_tried(*stopped_at)
-                                        : put(run.scene, *run.scene.find(operation.object),
-                                              operation.start, options.settle);
-    run.operations.push_back({to_string(operation.kind), operation.object, std::move(result)});
+    const Operation& operation = layout.operations[i];
+    const std::string op = op_name(operation), &object = object_name(operation);
+    report_progress(options, op, object, i, layout.operations.size());
+    OperationResult result =
+        stopped_at ? not_tried(*stopped_at) : perform(run.scene, operation, options.settle);
+    run.operations.push_back({op, object, std::move(result)});
     note_refusal();
   }
 }

@@ -45,7 +45,7 @@ TEST(Demo, PutsEachMovableObjectJustOnce) {
   for (const std::string& name : demo_names()) {
     const DemoLayout demo = make_demo(name);
     std::map<std::string, int> puts;
-    for (const LayoutOperation& op : demo.layout.operations) ++puts[op.object];
+    for (const Operation& op : demo.layout.operations) ++puts[object_name(op)];
     std::set<std::string> names;
     for (const LayoutObject& o : demo.layout.objects) {
       EXPECT_TRUE(names.insert(o.name).second) << o.name;
@@ -63,7 +63,8 @@ TEST(Demo, StartsAboveTheTable) {
     double ground = 0;
     for (const LayoutObject& o : demo.layout.objects)
       if (o.fixed) ground = box_at(demo, o.name, *o.pose).upper.z();
-    for (const LayoutOperation& op : demo.layout.operations) {
+    for (const Operation& operation : demo.layout.operations) {
+      const auto& op = std::get<PutOperation>(operation);
       const Aabb box = box_at(demo, op.object, op.start);
       EXPECT_GT(box.lower.z(), ground + 0.25) << op.object;
       EXPECT_LT(box.upper.z() - box.lower.z(), 0.2) << op.object;
@@ -83,9 +84,7 @@ TEST(Demo, WritesALayoutThatReadsBack) {
       EXPECT_EQ(read.objects[i].fixed, demo.layout.objects[i].fixed);
     }
     for (size_t i = 0; i < read.operations.size(); ++i) {
-      const Pose &a = read.operations[i].start, &b = demo.layout.operations[i].start;
-      EXPECT_EQ(a.translation, b.translation);
-      EXPECT_EQ(a.rotation.matrix(), b.rotation.matrix());
+      EXPECT_EQ(operation_json(read.operations[i]), operation_json(demo.layout.operations[i]));
     }
   }
 }

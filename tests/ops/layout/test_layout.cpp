@@ -78,15 +78,18 @@ TEST(Layout, values_arrive) {
   EXPECT_FALSE(spoon.fixed);
   EXPECT_FALSE(spoon.pose);
   ASSERT_EQ(layout.operations.size(), 1u);
-  EXPECT_EQ(layout.operations[0].object, "spoon");
-  EXPECT_EQ(layout.operations[0].start.translation, Vec3(0.1, 0.2, 1.5));
-  EXPECT_EQ(layout.operations[0].start.rotation.w, 1);
+  const auto& put = std::get<PutOperation>(layout.operations[0]);
+  EXPECT_EQ(put.object, "spoon");
+  EXPECT_FALSE(put.settle_left);
+  EXPECT_EQ(put.start.translation, Vec3(0.1, 0.2, 1.5));
+  EXPECT_EQ(put.start.rotation.w, 1);
 }
 
 TEST(Layout, quaternions_get_unit_length) {
   json base = read_corpus()["base"];
   base["operations"][0]["rotation"] = {2, 0, 0, -2};
-  const Rotation r = parse_layout(base.dump(), "a.json").operations[0].start.rotation;
+  const Layout layout = parse_layout(base.dump(), "a.json");
+  const Rotation r = std::get<PutOperation>(layout.operations[0]).start.rotation;
   EXPECT_NEAR(r.w, std::sqrt(0.5), 1e-15);
   EXPECT_NEAR(r.z, -std::sqrt(0.5), 1e-15);
 }
@@ -105,19 +108,54 @@ TEST(Layout, written_and_read_to_the_same_bits) {
     const Pose pose{r, {normal(rng), normal(rng), normal(rng)}};
     if (i % 5) o.pose = pose;
     layout.objects.push_back(o);
-    layout.operations.push_back({LayoutOperation::Kind::Put, o.name, pose});
+    layout.operations.push_back(PutOperation{{o.name}, pose});
   }
   const std::string text = write_layout(layout);
   const Layout back = parse_layout(text, "a.json");
   EXPECT_EQ(write_layout(back), text);
   for (int i = 0; i < 1000; ++i) {
-    const Pose &a = layout.operations[i].start, &b = back.operations[i].start;
+    const Pose& a = std::get<PutOperation>(layout.operations[i]).start;
+    const Pose& b = std::get<PutOperation>(back.operations[i]).start;
     EXPECT_EQ(a.translation, b.translation);
     EXPECT_TRUE(a.rotation.w == b.rotation.w && a.rotation.x == b.rotation.x);
     EXPECT_TRUE(a.rotation.y == b.rotation.y && a.rotation.z == b.rotation.z);
     EXPECT_EQ(layout.objects[i].pose.has_value(), back.objects[i].pose.has_value());
     EXPECT_EQ(layout.objects[i].up, back.objects[i].up);
   }
+}
+
+// Every option away from its default; some whose bits need all digits.
+std::vector<Operation> all_operations() {
+  const Vec3 v(0.1, -1.0 / 3, 1e-7);
+  using About = TurnOperation::About;
+  return {PutOperation{{"a", true}, Pose{{0, 1, 0, 0}, v}},
+          PushOperation{{"a", true}, Vec2(1, 1.0 / 3), 0.1, {}, 0.02, 0.03, false, false},
+          PushOperation{{"a"}, Vec2(1, 0), 0, Vec2(0.1, 1.0 / 3)},
+          TurnOperation{{"a"}, About::Normal, "floor", {}, v, {}, 1.0 / 3, true},
+          TurnOperation{{"a"}, About::Line, "b", v, {}, v, -30, false},
+          TurnOperation{{"a", true}, About::Point, {}, v, {}, v, 0.1, true},
+          PickUpOperation{{"a", true}, 1.0 / 3, "b"},
+          TranslateOperation{{"a", true}, v, true, true},
+          RotateOperation{{"a", true}, v, 1.0 / 3, v, true, true}};
+}
+
+TEST(Layout, operations_are_written_and_read_to_the_same_bits) {
+  for (const Operation& operation : all_operations()) {
+    const std::string text = operation_json(operation).dump();
+    const json document = parse_json(text, "a.json");
+    const Operation back = read_operation(JsonPlace(document, "a.json"));
+    EXPECT_EQ(back.index(), operation.index()) << text;
+    EXPECT_EQ(operation_json(back).dump(), text);
+  }
+  const auto push = std::get<PushOperation>(all_operations()[1]);
+  const json document = parse_json(operation_json(push).dump(), "a.json");
+  const auto back = std::get<PushOperation>(read_operation(JsonPlace(document, "a.json")));
+  EXPECT_EQ(back.direction, push.direction);
+  EXPECT_EQ(back.distance, push.distance);
+  EXPECT_EQ(back.step_up, push.step_up);
+  EXPECT_EQ(back.step_down, push.step_down);
+  EXPECT_FALSE(back.slide || back.settle);
+  EXPECT_TRUE(back.settle_left);
 }
 
 TEST(Layout, long_values_are_cut_in_messages) {

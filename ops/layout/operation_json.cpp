@@ -1,0 +1,271 @@
+#include "ops/layout/operation_json.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ops/layout/layout.h"
+
+namespace trivet {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// --- reading -----------------------------------------------------------------------------------
+
+Vec2 read_vec2(const JsonPlace& place, double limit) {
+  const std::vector<double> p = place.numbers(2, -limit, limit);
+  return {p[0], p[1]};
+}
+
+Vec3 read_vec3(const JsonPlace& place, double limit) {
+  const std::vector<double> p = place.numbers(3, -limit, limit);
+  return {p[0], p[1], p[2]};
+}
+
+Rotation read_rotation(const JsonPlace& place) {
+  const std::vector<double> q = place.numbers(4, -kMaxQuaternionComponent, kMaxQuaternionComponent);
+  if (const auto rotation = unit_rotation({q[0], q[1], q[2], q[3]})) return *rotation;
+  place.refuse("a quaternion [w, x, y, z] whose length is not zero");
+}
+
+template <class Vec>
+Vec direction(const JsonPlace& place, const Vec& v) {
+  if (v.cwiseAbs().maxCoeff() < kMinDirectionComponent)
+    place.refuse("a direction whose length is not zero");
+  return v;
+}
+
+void read_to(const JsonPlace& place, const char* key, bool& out) {
+  if (const auto found = place.find(key)) out = found->boolean();
+}
+
+void read_to(const JsonPlace& place, const char* key, double lower, double upper, double& out) {
+  if (const auto found = place.find(key)) out = found->number(lower, upper);
+}
+
+void read_to(const JsonPlace& place, const char* key, std::optional<Vec3>& out) {
+  if (const auto found = place.find(key)) out = read_vec3(*found, kMaxLength);
+}
+
+void read_to(const JsonPlace& place, const char* key, std::optional<std::string>& out) {
+  if (const auto found = place.find(key)) out = found->text();
+}
+
+void read_common(const JsonPlace& place, MoveOptions& move) {
+  move.object = place.at("object").text();
+  read_to(place, "settle_left", move.settle_left);
+}
+
+PutOperation read_put(const JsonPlace& place) {
+  place.expect_object({"op", "object", "position"}, {"rotation", "settle_left"});
+  PutOperation put;
+  read_common(place, put);
+  put.start = read_pose(place);
+  return put;
+}
+
+PushOperation read_push(const JsonPlace& place) {
+  PushOperation push;
+  if (place.find("to")) {
+    place.expect_object({"op", "object", "to"},
+                        {"step_up", "step_down", "slide", "settle", "settle_left"});
+    push.to = read_vec2(place.at("to"), kMaxLength);
+  } else {
+    place.expect_object({"op", "object", "direction", "distance"},
+                        {"step_up", "step_down", "slide", "settle", "settle_left"});
+    const JsonPlace towards = place.at("direction");
+    push.direction = direction(towards, read_vec2(towards, kMaxDirectionComponent));
+    push.distance = place.at("distance").number(0, kMaxLength);
+  }
+  read_common(place, push);
+  read_to(place, "step_up", 0, kMaxLength, push.step_up);
+  read_to(place, "step_down", 0, kMaxLength, push.step_down);
+  read_to(place, "slide", push.slide);
+  read_to(place, "settle", push.settle);
+  return push;
+}
+
+TurnOperation::About read_about(const JsonPlace& place) {
+  if (place.value() == "normal") return TurnOperation::About::Normal;
+  if (place.value() == "line") return TurnOperation::About::Line;
+  if (place.value() == "point") return TurnOperation::About::Point;
+  place.refuse("\"normal\", \"line\" or \"point\"");
+}
+
+// An axis that an operation may do without.
+void read_axis(const JsonPlace& place, std::optional<Vec3>& out) {
+  if (const auto axis = place.find("axis"))
+    out = direction(*axis, read_vec3(*axis, kMaxDirectionComponent));
+}
+
+TurnOperation read_turn(const JsonPlace& place) {
+  TurnOperation turn;
+  if (place.find("about")) turn.about = read_about(place.at("about"));
+  switch (turn.about) {
+    case TurnOperation::About::Normal:
+      place.expect_object({"op", "object", "angle_deg"},
+                          {"about", "with", "centre", "settle", "settle_left"});
+      read_to(place, "centre", turn.centre);
+      break;
+    case TurnOperation::About::Line:
+    case TurnOperation::About::Point:
+      place.expect_object({"op", "object", "about", "angle_deg"},
+                          {"with", "point", "axis", "settle", "settle_left"});
+      read_to(place, "point", turn.point);
+      read_axis(place, turn.axis);
+      break;
+  }
+  read_common(place, turn);
+  read_to(place, "with", turn.with);
+  turn.angle_deg = place.at("angle_deg").number(-kMaxAngleDeg, kMaxAngleDeg);
+  read_to(place, "settle", turn.settle);
+  return turn;
+}
+
+PickUpOperation read_pick_up(const JsonPlace& place) {
+  place.expect_object({"op", "object", "distance"}, {"with", "settle_left"});
+  PickUpOperation pick_up;
+  read_common(place, pick_up);
+  pick_up.distance = place.at("distance").number(0, kMaxLength);
+  read_to(place, "with", pick_up.with);
+  return pick_up;
+}
+
+TranslateOperation read_translate(const JsonPlace& place) {
+  place.expect_object({"op", "object", "by"}, {"free", "settle", "settle_left"});
+  TranslateOperation translate;
+  read_common(place, translate);
+  translate.by = read_vec3(place.at("by"), kMaxLength);
+  read_to(place, "free", translate.free);
+  read_to(place, "settle", translate.settle);
+  return translate;
+}
+
+RotateOperation read_rotate(const JsonPlace& place) {
+  place.expect_object({"op", "object", "axis", "angle_deg"},
+                      {"centre", "free", "settle", "settle_left"});
+  RotateOperation rotate;
+  read_common(place, rotate);
+  rotate.axis = direction(place.at("axis"), read_vec3(place.at("axis"), kMaxDirectionComponent));
+  rotate.angle_deg = place.at("angle_deg").number(-kMaxAngleDeg, kMaxAngleDeg);
+  read_to(place, "centre", rotate.centre);
+  read_to(place, "free", rotate.free);
+  read_to(place, "settle", rotate.settle);
+  return rotate;
+}
+
+// --- writing -----------------------------------------------------------------------------------
+
+template <class T>
+void write_if(bool wanted, const char* key, const T& value, Json& json) {
+  if (wanted) json[key] = value;
+}
+
+Json array(const Vec2& v) { return {v.x(), v.y()}; }
+Json array(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+
+void write_if(const char* key, const std::optional<Vec3>& value, Json& json) {
+  if (value) json[key] = array(*value);
+}
+
+void write_if(const char* key, const std::optional<std::string>& value, Json& json) {
+  if (value) json[key] = *value;
+}
+
+const char* to_string(TurnOperation::About about) {
+  switch (about) {
+    case TurnOperation::About::Normal:
+      return "normal";
+    case TurnOperation::About::Line:
+      return "line";
+    case TurnOperation::About::Point:
+      return "point";
+  }
+  return "?";
+}
+
+void write(const PutOperation& put, Json& json) { write_pose(put.start, json); }
+
+void write(const PushOperation& push, Json& json) {
+  if (push.to) {
+    json["to"] = array(*push.to);
+  } else {
+    json["direction"] = array(push.direction);
+    json["distance"] = push.distance;
+  }
+  const PushOperation usual;
+  write_if(push.step_up != usual.step_up, "step_up", push.step_up, json);
+  write_if(push.step_down != usual.step_down, "step_down", push.step_down, json);
+  write_if(!push.slide, "slide", false, json);
+  write_if(!push.settle, "settle", false, json);
+}
+
+void write(const TurnOperation& turn, Json& json) {
+  json["about"] = to_string(turn.about);
+  write_if("with", turn.with, json);
+  const bool normal = turn.about == TurnOperation::About::Normal;
+  write_if("centre", normal ? turn.centre : std::nullopt, json);
+  write_if("point", normal ? std::nullopt : turn.point, json);
+  write_if("axis", normal ? std::nullopt : turn.axis, json);
+  json["angle_deg"] = turn.angle_deg;
+  write_if(turn.settle, "settle", true, json);
+}
+
+void write(const PickUpOperation& pick_up, Json& json) {
+  json["distance"] = pick_up.distance;
+  write_if("with", pick_up.with, json);
+}
+
+void write(const TranslateOperation& translate, Json& json) {
+  json["by"] = array(translate.by);
+  write_if(translate.free, "free", true, json);
+  write_if(translate.settle, "settle", true, json);
+}
+
+void write(const RotateOperation& rotate, Json& json) {
+  json["axis"] = array(rotate.axis);
+  json["angle_deg"] = rotate.angle_deg;
+  write_if("centre", rotate.centre, json);
+  write_if(rotate.free, "free", true, json);
+  write_if(rotate.settle, "settle", true, json);
+}
+
+}  // namespace
+
+Operation read_operation(const JsonPlace& place) {
+  if (!place.value().is_object()) place.refuse("an object with the keys op, object, ...");
+  const JsonPlace op = place.at("op");
+  if (op.value() == "put") return read_put(place);
+  if (op.value() == "push") return read_push(place);
+  if (op.value() == "turn") return read_turn(place);
+  if (op.value() == "pick_up") return read_pick_up(place);
+  if (op.value() == "translate") return read_translate(place);
+  if (op.value() == "rotate") return read_rotate(place);
+  op.refuse("\"put\", \"push\", \"turn\", \"pick_up\", \"translate\" or \"rotate\"");
+}
+
+nlohmann::ordered_json operation_json(const Operation& operation) {
+  Json json = {{"op", op_name(operation)}, {"object", object_name(operation)}};
+  std::visit(
+      [&](const auto& o) {
+        write(o, json);
+        write_if(o.settle_left, "settle_left", true, json);
+      },
+      operation);
+  return json;
+}
+
+Pose read_pose(const JsonPlace& place) {
+  Pose pose;
+  pose.translation = read_vec3(place.at("position"), kMaxLength);
+  if (const auto rotation = place.find("rotation")) pose.rotation = read_rotation(*rotation);
+  return pose;
+}
+
+void write_pose(const Pose& pose, nlohmann::ordered_json& json) {
+  const Rotation& r = pose.rotation;
+  json["position"] = array(pose.translation);
+  json["rotation"] = {r.w, r.x, r.y, r.z};
+}
+
+}  // namespace trivet

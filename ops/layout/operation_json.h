@@ -1,0 +1,27 @@
+// One operation as JSON: for layouts, and for whoever else writes operations down.
+#pragma once
+
+#include "ops/layout/json_text.h"
+#include "ops/operation.h"
+
+namespace trivet {
+
+/// Lengths, metres, and scales: what float32 export and exact predicates can bear.
+inline constexpr double kMaxLength = 1e15;
+/// A direction needs one component of at least this magnitude, and none beyond the largest.
+inline constexpr double kMinDirectionComponent = 1e-6, kMaxDirectionComponent = 1e6;
+inline constexpr double kMaxAngleDeg = 3600;
+
+/// Reads strictly what layout.schema.json says of an operation. Whether there is such an object is
+/// for the caller to see.
+/// @throws Error (BadInput) with the place, the value and what is accepted.
+Operation read_operation(const JsonPlace& place);
+
+/// That read_operation() reads to the same bits; what has its default is left out.
+nlohmann::ordered_json operation_json(const Operation& operation);
+
+/// "position" and "rotation" (optional, the identity) of an object. See unit_rotation().
+Pose read_pose(const JsonPlace& place);
+void write_pose(const Pose& pose, nlohmann::ordered_json& json);
+
+}  // namespace trivet

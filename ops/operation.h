@@ -1,0 +1,89 @@
+// The operations as data [Shinya 1995, 4.1], so that layouts, journals and programs hold the same.
+// Objects by name. Metres, degrees; world: z up. What they do is said where they are implemented.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "core/motion/pose.h"
+#include "ops/put.h"
+
+namespace trivet {
+
+/// What all operations that move an object have in common. The object carries its loads.
+struct MoveOptions {
+  std::string object;
+  /// What the move leaves without support is let go, in order, and settles. Otherwise it is named
+  /// in OperationResult::unsupported and stays where it is, ObjectState::Unsupported.
+  bool settle_left = false;
+};
+
+/// From a start pose down along gravity to the first contact, then settle. "put"
+struct PutOperation : MoveOptions {
+  Pose start;
+};
+
+/// Along the surface on which the object lies; see push.h. "push"
+struct PushOperation : MoveOptions {
+  Vec2 direction = Vec2::UnitX();  // seen from above, of any length but zero
+  double distance = 0;             // metres along `direction`, seen from above
+  std::optional<Vec2> to;          // instead: where the object's position shall be, seen from above
+  double step_up = 0.01;           // metres; higher steps stop it
+  double step_down = 0.01;         // metres; from higher edges it is pulled back
+  bool slide = true;               // along walls; otherwise they stop it
+  bool settle = true;              // let go at the end; otherwise held as it is
+};
+
+/// About a contact that is held; see turn.h. "turn"
+struct TurnOperation : MoveOptions {
+  enum class About {
+    Normal,  // of the contact
+    Line,    // a line contact, or the edge of an area contact nearest to `point`
+    Point,   // any axis through the contact point nearest to `point`
+  };
+  About about = About::Normal;
+  std::optional<std::string> with;  // whose contact, "floor" too; nothing: the support's that has
+                                    // the most contact (area before line before point)
+  std::optional<Vec3> point;        // nothing: the contact's centre
+  std::optional<Vec3> centre;       // Normal: a point on the axis; nothing: the contact's centre
+  std::optional<Vec3> axis;         // Point: nothing: the contact's normal. Line: which of its two
+                                    // directions; nothing: in which the object's centre rises
+  double angle_deg = 0;             // right-handed
+  bool settle = false;              // let go at the end
+};
+
+/// Away along the contact normal; deletes the links; the object is held then. "pick_up"
+struct PickUpOperation : MoveOptions {
+  double distance = 0;              // metres
+  std::optional<std::string> with;  // whose contact, "floor" too; nothing: all that support it
+};
+
+/// A straight way. Stops at collision. "translate"
+struct TranslateOperation : MoveOptions {
+  Vec3 by = Vec3::Zero();  // metres
+  bool free = false;       // as in a modeller: through everything; see ObjectState::Invalid
+  bool settle = false;     // let go at the end
+};
+
+/// About an axis. Stops at collision. "rotate"
+struct RotateOperation : MoveOptions {
+  Vec3 axis = Vec3::UnitZ();   // of any length but zero
+  double angle_deg = 0;        // right-handed
+  std::optional<Vec3> centre;  // a point on the axis; nothing: the centre of mass
+  bool free = false;           // as for TranslateOperation
+  bool settle = false;         // let go at the end
+};
+
+using Operation = std::variant<PutOperation, PushOperation, TurnOperation, PickUpOperation,
+                               TranslateOperation, RotateOperation>;
+
+/// "put", "push", "turn", "pick_up", "translate", "rotate"
+const char* op_name(const Operation& operation);
+const std::string& object_name(const Operation& operation);
+
+/// The whole operation or nothing: when refused, the scene is as it was.
+OperationResult perform(Scene& scene, const Operation& operation,
+                        const SettleOptions& options = {});
+
+}  // namespace trivet
