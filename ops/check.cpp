@@ -107,16 +107,29 @@ SceneCheck check_scene(const Scene& scene, int num_threads, double clearance) {
   return check;
 }
 
+namespace {
+
+// Of a free object, from how it lies; what nobody can see of it stays.
+ObjectState state_as_it_lies(const Scene& scene, ObjectId id, const Surroundings& others,
+                             double clearance) {
+  const Object& object = scene.at(id);
+  const ObjectState was = object.state;
+  if (was == ObjectState::Invalid && !why_invalid(scene, id, object.pose, true).empty()) return was;
+  if (rests_at(scene, object, object.pose, others, clearance)) return ObjectState::Stable;
+  if (was == ObjectState::Held || was == ObjectState::Invalid) return ObjectState::Held;
+  return was == ObjectState::Unsupported ? was : ObjectState::Wedged;
+}
+
+}  // namespace
+
 void update_contacts(Scene& scene, double clearance) {
   clearance = believable_clearance(scene, clearance);
   for (const ObjectId id : scene.ids()) {
     const Object& object = scene.at(id);
     if (!object.placed) continue;
     const Surroundings others(scene, id);
-    ObjectState state = ObjectState::Fixed;
-    if (!object.fixed)
-      state = rests_at(scene, object, object.pose, others, clearance) ? ObjectState::Stable
-                                                                      : ObjectState::Wedged;
+    const ObjectState state =
+        object.fixed ? ObjectState::Fixed : state_as_it_lies(scene, id, others, clearance);
     const auto contacts = touching(scene, object, object.pose, others, clearance);
     commit(scene, id, object.pose, state, others, contacts, clearance);
   }

@@ -1,20 +1,49 @@
 #include "ops/operation.h"
 
+#include "ops/move/moves.h"
+
 namespace trivet {
 namespace {
 
-OperationResult perform(Scene& scene, ObjectId object, const PutOperation& o,
-                        const SettleOptions& options) {
-  return put(scene, object, o.start, options);
-}
+struct Performer {
+  Scene& scene;
+  ObjectId id;
+  const SettleOptions& options;
 
-template <class Other>
-OperationResult perform(Scene&, ObjectId, const Other& o, const SettleOptions&) {
-  OperationResult result;
-  result.status = OperationResult::Status::Refused;
-  result.reason = std::string(op_name(o)) + " is not available in this version";
-  return result;
-}
+  OperationResult operator()(const PutOperation& o) { return perform_put(scene, id, o, options); }
+  OperationResult operator()(const PushOperation& o) { return perform_push(scene, id, o, options); }
+  OperationResult operator()(const TurnOperation& o) { return perform_turn(scene, id, o, options); }
+  OperationResult operator()(const PickUpOperation& o) {
+    return perform_pick_up(scene, id, o, options);
+  }
+  OperationResult operator()(const TranslateOperation& o) {
+    return perform_translate(scene, id, o, options);
+  }
+  OperationResult operator()(const RotateOperation& o) {
+    return perform_rotate(scene, id, o, options);
+  }
+};
+
+/// Takes back what was done unless it is kept, whatever happens; nothing to do for a scene that
+/// somebody else records.
+class Recording {
+ public:
+  explicit Recording(Scene& scene) : m_scene(scene), m_own(!scene.is_recording()) {
+    if (m_own) m_scene.start_recording();
+  }
+  ~Recording() {
+    if (!m_own) return;
+    SceneChange change = m_scene.stop_recording();
+    if (!m_kept) m_scene.exchange(change);
+  }
+  Recording(const Recording&) = delete;
+  Recording& operator=(const Recording&) = delete;
+  void keep() { m_kept = true; }
+
+ private:
+  Scene& m_scene;
+  bool m_own, m_kept = false;
+};
 
 OperationResult unknown(const std::string& name) {
   OperationResult result;
@@ -44,7 +73,10 @@ const std::string& object_name(const Operation& operation) {
 OperationResult perform(Scene& scene, const Operation& operation, const SettleOptions& options) {
   const std::optional<ObjectId> object = scene.find(object_name(operation));
   if (!object) return unknown(object_name(operation));
-  return std::visit([&](const auto& o) { return perform(scene, *object, o, options); }, operation);
+  Recording recording(scene);
+  OperationResult result = std::visit(Performer{scene, *object, options}, operation);
+  if (result.ok()) recording.keep();
+  return result;
 }
 
 }  // namespace trivet

@@ -34,7 +34,17 @@ struct SettleOptions {
 
 /// One executed motion of a settling, for those who want to watch.
 struct SettleStep {
-  enum class Kind { Fall, TurnAboutPoint, TurnAboutLine, Lift };
+  enum class Kind {
+    Fall,  // settling
+    TurnAboutPoint,
+    TurnAboutLine,
+    Lift,
+    Slide,  // along a surface
+    StepUp,
+    StepDown,
+    Move,  // through the air
+    Turn,  // as the operation says
+  };
   Kind kind;
   Pose pose_after;
   double energy_drop;  // metres that the centre of mass went down; negative for Lift
@@ -54,10 +64,30 @@ struct OperationResult {
   std::int64_t num_queries = 0, num_face_pairs = 0;  // first-contact queries, exact pairs
   std::vector<SettleStep> steps;
 
+  /// Why it ended; means nothing when refused.
+  enum class End {
+    AtRest,   // PUT: it settled
+    Reached,  // as far as was asked for
+    Blocked,  // by `blocked_by` at `blocked_at`
+    Step,     // the same, by a step higher than step_up
+    Edge,     // before an edge deeper than step_down; pulled back
+  };
+  End end = End::AtRest;
+  std::string blocked_by;                    // an object, or "floor"
+  Vec3 blocked_at = Vec3::Zero();            // world
+  double moved = 0;                          // metres from where its position was
+  double turned_deg = 0;                     // by TURN and ROTATE
+  std::vector<std::string> carried;          // what moved with it
+  std::vector<std::string> unsupported;      // free objects that nothing holds any more
+  std::vector<std::string> settled;          // that were let go, in order
+  std::vector<std::string> interpenetrates;  // after a free move; "floor" too
+
   bool ok() const { return status == Status::Ok; }
 };
 
-/// The whole operation or nothing: when refused, the scene is as it was.
+const char* to_string(OperationResult::End end);  // "at_rest", "reached", "blocked", "step", "edge"
+
+/// The whole operation or nothing: when refused, the scene is as it was. Loads are carried along.
 /// Refused: the start pose crosses, contains or is inside another object or reaches below the
 /// floor; nothing is below it; it wedges; a limit is reached; the exact check of the end pose
 /// fails.

@@ -1,5 +1,7 @@
 #include "ops/rest.h"
 
+#include <algorithm>
+
 #include "core/base/tunables.h"
 #include "core/contact/contact_points.h"
 #include "ops/settle/equilibrium.h"
@@ -12,6 +14,8 @@ Body body_at(const Object& object, const Pose& pose) {
 }
 
 double size_of(const Object& object) { return object.scale * object.shape->box.diagonal(); }
+
+}  // namespace
 
 std::vector<Link> links_of(const Object& object, const Pose& pose, const Surroundings& others,
                            const std::vector<ContactsWith>& contacts, double clearance) {
@@ -29,12 +33,13 @@ std::vector<Link> links_of(const Object& object, const Pose& pose, const Surroun
   return links;
 }
 
-}  // namespace
+Surroundings::Surroundings(const Scene& scene, ObjectId except)
+    : Surroundings(scene, std::span<const ObjectId>(&except, 1)) {}
 
-Surroundings::Surroundings(const Scene& scene, ObjectId except) {
+Surroundings::Surroundings(const Scene& scene, std::span<const ObjectId> except) {
   for (const ObjectId id : scene.ids()) {
     const Object& object = scene.at(id);
-    if (id == except || !object.placed) continue;
+    if (!object.placed || std::find(except.begin(), except.end(), id) != except.end()) continue;
     ids.push_back(id);
     bodies.emplace_back(*object.shape, object.world_from_object());
   }
@@ -57,21 +62,27 @@ bool rests_at(const Scene& scene, const Object& object, const Pose& pose,
   return is_at_rest(problem);
 }
 
+RestRating rate_rest(const Object& object, const Pose& pose,
+                     const std::vector<ContactsWith>& contacts, double clearance) {
+  const auto points = all_points(contacts, kContactTolerance * clearance);
+  const Vec3 centre = body_at(object, pose).world_from_object.apply(object.shape->mass.centre);
+  const double size = size_of(object);
+  return {carrying_margin(points, centre),
+          least_friction(points, centre, size, residual_tolerance(size, clearance))};
+}
+
 void commit(Scene& scene, ObjectId id, const Pose& pose, ObjectState state,
             const Surroundings& others, const std::vector<ContactsWith>& contacts,
             double clearance) {
   Object& object = scene.at(id);
-  const auto points = all_points(contacts, kContactTolerance * clearance);
-  const Vec3 centre = body_at(object, pose).world_from_object.apply(object.shape->mass.centre);
-  const double size = size_of(object), margin = carrying_margin(points, centre);
-  const double friction = least_friction(points, centre, size, residual_tolerance(size, clearance));
+  const RestRating rating = rate_rest(object, pose, contacts, clearance);
   scene.link(id, links_of(object, pose, others, contacts, clearance));
   // Nothing below can fail.
   object.pose = pose;
   object.placed = true;
   object.state = state;
-  object.stability_margin = margin;
-  object.least_friction = friction;
+  object.stability_margin = rating.stability_margin;
+  object.least_friction = rating.least_friction;
 }
 
 }  // namespace trivet

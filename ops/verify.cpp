@@ -23,6 +23,15 @@ std::string describe(const PairVerdict& v, const std::string& a, const std::stri
   return "\"" + a + "\" would touch \"" + b + "\" in the float32 values of an exported file";
 }
 
+std::string why_below_floor(const ObjectInWorld& here, bool floats) {
+  if (here.box.lower.z() >= 0) return "";
+  const std::string name = "\"" + here.object->name + "\"";
+  if (num_below_floor(here.doubles)) return name + " reaches below the floor";
+  if (floats && num_below_floor(here.floats))
+    return name + " would reach below the floor in an exported file";
+  return "";
+}
+
 }  // namespace
 
 double default_clearance(const Scene& scene, const Aabb& extra) {
@@ -77,22 +86,52 @@ PairVerdict verify_pair(const ObjectInWorld& a, const ObjectInWorld& b, bool flo
   return out;
 }
 
-std::string why_invalid(const Scene& scene, ObjectId id, const Pose& pose, bool floats) {
-  const Object& object = scene.at(id);
-  const ObjectInWorld here = in_world(object, pose);
-  if (scene.floor && here.box.lower.z() < 0) {
-    if (num_below_floor(here.doubles)) return "\"" + object.name + "\" reaches below the floor";
-    if (floats && num_below_floor(here.floats))
-      return "\"" + object.name + "\" would reach below the floor in an exported file";
+std::vector<Interpenetration> interpenetrations(const Scene& scene,
+                                                std::span<const Placement> moved, bool floats,
+                                                size_t limit) {
+  std::vector<Interpenetration> out;
+  const auto is_moved = [&](ObjectId id) {
+    return std::any_of(moved.begin(), moved.end(), [&](const Placement& p) { return p.id == id; });
+  };
+  std::vector<std::pair<ObjectId, Aabb>> others;
+  for (const ObjectId id : scene.ids())
+    if (const Object& other = scene.at(id); other.placed && !is_moved(id))
+      others.emplace_back(id, body_of(other, other.pose).world_box);
+  for (const Placement& placement : moved) {
+    const Object& object = scene.at(placement.id);
+    const ObjectInWorld here = in_world(object, placement.pose);
+    const std::string floor = scene.floor ? why_below_floor(here, floats) : "";
+    if (!floor.empty() && out.size() < limit) out.push_back({placement.id, std::nullopt, floor});
+    for (const auto& [id, box] : others) {
+      if (out.size() >= limit) return out;
+      if (!overlaps(here.box, box, here.floats.slack)) continue;
+      const Object& other = scene.at(id);
+      const PairVerdict v = verify_pair(here, in_world(other, other.pose), floats, 1);
+      if (!v.clear()) out.push_back({placement.id, id, describe(v, object.name, other.name)});
+    }
   }
-  for (const ObjectId other_id : scene.ids()) {
-    const Object& other = scene.at(other_id);
-    if (other_id == id || !other.placed) continue;
-    if (!overlaps(here.box, body_of(other, other.pose).world_box, here.floats.slack)) continue;
-    const PairVerdict v = verify_pair(here, in_world(other, other.pose), floats, 1);
-    if (!v.clear()) return describe(v, object.name, other.name);
-  }
+  return out;
+}
+
+std::string why_invalid(const Scene& scene, std::span<const Placement> moved, bool floats) {
+  const std::vector<Interpenetration> found = interpenetrations(scene, moved, floats, 1);
+  if (!found.empty()) return found.front().what;
+  if (!floats || moved.size() < 2) return "";
+  std::vector<ObjectInWorld> here;
+  for (const Placement& p : moved) here.push_back(in_world(scene.at(p.id), p.pose));
+  for (size_t i = 0; i < here.size(); ++i)
+    for (size_t j = i + 1; j < here.size(); ++j) {
+      if (!overlaps(here[i].box, here[j].box)) continue;
+      PairVerdict v;
+      v.float_crossings = count_crossings(here[i].floats, here[j].floats, 1);
+      if (!v.clear()) return describe(v, here[i].object->name, here[j].object->name);
+    }
   return "";
+}
+
+std::string why_invalid(const Scene& scene, ObjectId id, const Pose& pose, bool floats) {
+  const Placement moved{id, pose};
+  return why_invalid(scene, {&moved, 1}, floats);
 }
 
 }  // namespace trivet

@@ -1,7 +1,10 @@
 // The exact test that every pose passes before it is committed.
 #pragma once
 
+#include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "core/exact/interpenetration.h"
 #include "core/scene/scene.h"
@@ -38,6 +41,28 @@ struct PairVerdict {
 /// @param floats  the exported floats, too. @param limit  counting stops there.
 PairVerdict verify_pair(const ObjectInWorld& a, const ObjectInWorld& b, bool floats,
                         std::int64_t limit);
+
+/// An object, and where it shall be.
+struct Placement {
+  ObjectId id;
+  Pose pose;
+};
+
+/// The other placed objects that each of these would interpenetrate (and the floor, as no id), in
+/// doubles or, if asked for, in the exported floats; sorted. Empty: none.
+struct Interpenetration {
+  ObjectId id;
+  std::optional<ObjectId> with;
+  std::string what;  // "\"a\" passes through \"b\""
+};
+/// @param limit  no more than this many are looked for.
+std::vector<Interpenetration> interpenetrations(const Scene& scene,
+                                                std::span<const Placement> moved, bool floats,
+                                                size_t limit);
+
+/// Why these, which keep their places among each other, may not be there all together; empty: they
+/// may. Among each other only the exported floats are tested.
+std::string why_invalid(const Scene& scene, std::span<const Placement> moved, bool floats);
 
 /// Why `id` may not be at `pose`, among the other placed objects and over the floor: names them.
 /// Empty: it may. @param floats  the exported floats, too.

@@ -82,6 +82,25 @@ void append_findings(std::ostringstream& out, const std::vector<SceneCheck::Pair
     out << "  \"" << f.a << "\" and \"" << f.b << "\": " << f.count << " " << what << "\n";
 }
 
+std::string quoted_list(const std::vector<std::string>& names) {
+  std::string out;
+  for (const std::string& name : names) out += (out.empty() ? "\"" : ", \"") + name + "\"";
+  return out;
+}
+
+// What people want to know of a move that was done: a line, or nothing when all is as asked for.
+std::string end_of(const OperationRecord& record) {
+  const OperationResult& r = record.result;
+  using End = OperationResult::End;
+  std::string out;
+  if (r.end == End::Blocked) out += ": blocked by \"" + r.blocked_by + "\"";
+  if (r.end == End::Step) out += ": stopped by a step, \"" + r.blocked_by + "\"";
+  if (r.end == End::Edge) out += ": stopped at an edge";
+  if (!r.interpenetrates.empty()) out += "; passes through " + quoted_list(r.interpenetrates);
+  if (!r.unsupported.empty()) out += "; leaves unsupported: " + quoted_list(r.unsupported);
+  return out.empty() ? "" : record.op + " \"" + record.object + "\"" + out + "\n";
+}
+
 std::string check_summary(const SceneCheck& check) {
   std::ostringstream out;
   out << "check: " << (check.ok() ? "ok" : "failed") << ", " << check.interpenetrating_pairs()
@@ -145,7 +164,10 @@ std::string summary(const LayoutRun& run) {
   std::ostringstream out;
   size_t num_refused = 0;
   for (const OperationRecord& record : run.operations) {
-    if (record.result.ok()) continue;
+    if (record.result.ok()) {
+      out << end_of(record);
+      continue;
+    }
     ++num_refused;
     out << record.op << " \"" << record.object << "\": refused: " << record.result.reason << "\n";
   }

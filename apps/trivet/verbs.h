@@ -17,6 +17,11 @@ struct Verb {
 Verb add_info(CLI::App& app, const CommonOptions& common);
 Verb add_run(CLI::App& app, const CommonOptions& common);
 Verb add_put(CLI::App& app, const CommonOptions& common);
+Verb add_push(CLI::App& app, const CommonOptions& common);
+Verb add_turn(CLI::App& app, const CommonOptions& common);
+Verb add_pick_up(CLI::App& app, const CommonOptions& common);
+Verb add_translate(CLI::App& app, const CommonOptions& common);
+Verb add_rotate(CLI::App& app, const CommonOptions& common);
 Verb add_check(CLI::App& app, const CommonOptions& common);
 Verb add_render(CLI::App& app, const CommonOptions& common);
 Verb add_demo(CLI::App& app, const CommonOptions& common);

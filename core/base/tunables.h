@@ -37,6 +37,15 @@ inline constexpr double kFootSlack = 0.05;
 /// Principal extents below this part of the object's size count as nothing: point, line or area.
 inline constexpr double kContactExtent = 1e-4;
 
+// --- moves along contacts
+// -------------------------------------------------------------------------
+
+/// Before something slides, gaps (in clearances) below the first are opened to the second: faces
+/// that come near on the way stop it at up to 1 + kTargetSlack, and what it slides on is to be none
+/// of them. Below kContactTolerance, so that contacts stay contacts.
+inline constexpr double kSlideBelow = 1.15;
+inline constexpr double kSlideGap = 1.3;
+
 // --- settling ------------------------------------------------------------------------------------
 
 /// Clearances by which every executed motion must lower the centre of mass. 0 never ends, 10 gets

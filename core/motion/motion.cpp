@@ -28,6 +28,27 @@ double compose_turns(double s_first, double s_second) {
   return denominator > 0 ? (s_first + s_second) / denominator : kInfinity;
 }
 
+double turn_time(double angle_deg) {
+  if (std::abs(angle_deg) == 90) return angle_deg > 0 ? 1 : -1;
+  const double x = angle_deg * (3.14159265358979323846 / 360);
+  // Taylor series of sine and cosine for |x| <= pi / 4: the first term left out is below 1e-19.
+  double sine = 0, cosine = 0;
+  for (int k = 16; k >= 2; k -= 2) {
+    sine = -(1 + sine) * x * x / (k * (k + 1));
+    cosine = -(1 + cosine) * x * x / (k * (k - 1));
+  }
+  return x * (1 + sine) / (1 + cosine);
+}
+
+double turned_deg(double time) {
+  double angle = 90 * time;  // Newton's method; it doubles the digits each time
+  for (int i = 0; i < 6; ++i) {
+    const double s = turn_time(angle);
+    angle += (time - s) / (1 + s * s) * (360 / 3.14159265358979323846);
+  }
+  return angle;
+}
+
 HeightFunction turning_product(double f0, const Vec3& axis, const Vec3& p, const Vec3& q) {
   return {f0, p.dot(q) - axis.dot(p) * axis.dot(q), p.dot(axis.cross(q))};
 }

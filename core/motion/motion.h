@@ -33,6 +33,11 @@ Pose moved_pose(const Pose& pose, const Motion& motion, double time);
 /// half a turn on.
 double compose_turns(double s_first, double s_second);
 
+/// tan(angle / 2) of an angle of at most a quarter turn either way, and back (of |s| <= 1). By
+/// series in a fixed order, no libm: the same bits on every machine.
+double turn_time(double angle_deg);
+double turned_deg(double time);
+
 /// f0 + A (cos - 1) + B sin for a rotation, f0 + B t for a translation: how the height of a point
 /// over a plane changes during a motion, when the plane stands still or moves along.
 struct HeightFunction {

@@ -19,6 +19,12 @@ const char* to_string(ObjectState state) {
       return "stable";
     case ObjectState::Wedged:
       return "wedged";
+    case ObjectState::Held:
+      return "held";
+    case ObjectState::Unsupported:
+      return "unsupported";
+    case ObjectState::Invalid:
+      return "invalid";
   }
   return "?";
 }
@@ -162,13 +168,19 @@ Contact reversed(const Contact& contact) {
   return out;
 }
 
-namespace {
-
 bool holds_up(const Contact& contact) {
   return contact.normal.z() > kSupportNormalZ ||
          std::any_of(contact.points.begin(), contact.points.end(),
                      [](const ContactPoint& p) { return p.normal.z() > kSupportNormalZ; });
 }
+
+bool weighs_on(const Contact& contact) {
+  return contact.normal.z() < -kSupportNormalZ ||
+         std::any_of(contact.points.begin(), contact.points.end(),
+                     [](const ContactPoint& p) { return p.normal.z() < -kSupportNormalZ; });
+}
+
+namespace {
 
 void sort_by_slot(std::vector<ObjectId>& ids) {
   std::sort(ids.begin(), ids.end(), [](ObjectId a, ObjectId b) { return a.index < b.index; });
@@ -189,7 +201,7 @@ LoadSupport load_support(const Scene& scene) {
         else
           entry.on_floor = true;
       }
-      if (l.with && holds_up(reversed(l.contact))) entry.loads.push_back(*l.with);
+      if (l.with && weighs_on(l.contact)) entry.loads.push_back(*l.with);
     }
     sort_by_slot(entry.supports);
     sort_by_slot(entry.loads);

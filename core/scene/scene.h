@@ -21,12 +21,15 @@ struct ObjectId {
 };
 
 enum class ObjectState {
-  Unplaced,  // known, but not in the scene yet
-  Fixed,     // never moves, carries everything
-  Stable,    // at rest: contact forces balance its weight
-  Wedged,    // can neither move nor be shown to be supported
+  Unplaced,     // known, but not in the scene yet
+  Fixed,        // never moves, carries everything
+  Stable,       // at rest: contact forces balance its weight
+  Wedged,       // can neither move nor be shown to be supported
+  Held,         // where a hand holds it: let go, it would move
+  Unsupported,  // what held it was taken away: let go, it would move
+  Invalid,      // moved freely into others: nothing else holds until that is resolved
 };
-const char* to_string(ObjectState state);  // "unplaced", "fixed", "stable", "wedged"
+const char* to_string(ObjectState state);  // "unplaced", "fixed", "stable", ...
 
 /// Contact with another object or the floor, seen from one object.
 struct Link {
@@ -134,6 +137,11 @@ struct LoadSupport {
   };
   std::vector<Entry> entries;  // placed objects, in the order of Scene::ids()
 };
+
+/// Whether a contact, seen from one object, may carry it; and whether it may lie on the other.
+/// Of an uneven contact both may be true.
+bool holds_up(const Contact& contact);
+bool weighs_on(const Contact& contact);
 
 /// A supports B when B touches A and the contact's normal points up from A to B (normal.z of the
 /// contact, or of one of its points, above kSupportNormalZ).

@@ -29,4 +29,8 @@ FirstContact Detector::first_contact(const FirstContactQuery& query) {
   return found;
 }
 
+FirstContact first_contact(const FirstContactQuery& query, Detector* detector) {
+  return detector ? detector->first_contact(query) : first_contact(query);
+}
+
 }  // namespace trivet

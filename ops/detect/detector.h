@@ -35,4 +35,7 @@ class Detector {
   DetectionWork m_work;
 };
 
+/// By `detector`, or by box trees when it is null.
+FirstContact first_contact(const FirstContactQuery& query, Detector* detector);
+
 }  // namespace trivet

@@ -73,9 +73,11 @@ ExtrasModel read_model_entry(const JsonPlace& place) {
 
 ObjectState read_state(const JsonPlace& place) {
   for (const ObjectState state :
-       {ObjectState::Unplaced, ObjectState::Fixed, ObjectState::Stable, ObjectState::Wedged})
+       {ObjectState::Unplaced, ObjectState::Fixed, ObjectState::Stable, ObjectState::Wedged,
+        ObjectState::Held, ObjectState::Unsupported, ObjectState::Invalid})
     if (place.value() == to_string(state)) return state;
-  place.refuse("\"unplaced\", \"fixed\", \"stable\" or \"wedged\"");
+  place.refuse(
+      "\"unplaced\", \"fixed\", \"stable\", \"wedged\", \"held\", \"unsupported\" or \"invalid\"");
 }
 
 // Poses come from Trivet and are taken as they are: no bit may change.

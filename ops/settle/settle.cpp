@@ -18,6 +18,7 @@ class Settling {
  public:
   explicit Settling(const SettleProblem& problem) : m_problem(problem) {
     m_out.pose = problem.start;
+    for (const CarriedShape& c : problem.carried) m_out.carried.push_back(c.start);
     const Shape& shape = *problem.shape;
     m_object.size = problem.scale * shape.box.diagonal();
     m_object.radius_squared = problem.scale * problem.scale * shape.mass.radius_squared;
@@ -67,23 +68,42 @@ class Settling {
 
   // Body, centre and contacts at the present pose.
   std::vector<ContactPoint> look_around() {
-    m_body = Body(*m_problem.shape, world_from_object(m_out.pose, m_problem.up, m_problem.scale));
-    m_object.centre = m_body.world_from_object.apply(m_problem.shape->mass.centre);
+    m_bodies = {
+        Body(*m_problem.shape, world_from_object(m_out.pose, m_problem.up, m_problem.scale))};
+    for (size_t i = 0; i < m_problem.carried.size(); ++i) {
+      const CarriedShape& c = m_problem.carried[i];
+      m_bodies.emplace_back(*c.shape, world_from_object(m_out.carried[i], c.up, c.scale));
+    }
+    m_object.centre = m_bodies[0].world_from_object.apply(m_problem.shape->mass.centre);
     const double tolerance = kContactTolerance * clearance();
-    m_out.contacts = contacts_with(m_body, m_problem.fixed, m_problem.floor, tolerance,
-                                   kFootSlack * clearance());
-    return all_points(m_out.contacts, tolerance);
+    m_out.contacts = contacts_of(0, tolerance);
+    return all_points_with(m_out.contacts, tolerance);
+  }
+
+  std::vector<ContactsWith> contacts_of(size_t body, double tolerance) const {
+    return contacts_with(m_bodies[body], m_problem.fixed, m_problem.floor, tolerance,
+                         kFootSlack * clearance());
+  }
+
+  // Of all bodies, when those of the object are known.
+  std::vector<ContactPoint> all_points_with(const std::vector<ContactsWith>& of_object,
+                                            double tolerance) const {
+    std::vector<ContactPoint> points = all_points(of_object, tolerance);
+    for (size_t i = 1; i < m_bodies.size(); ++i) {
+      const auto more = all_points(contacts_of(i, tolerance), tolerance);
+      points.insert(points.end(), more.begin(), more.end());
+    }
+    return points;
   }
 
   FirstContact query(const Motion& motion) {
     FirstContactQuery q;
-    q.moving = {&m_body, 1};
+    q.moving = m_bodies;
     q.fixed = m_problem.fixed;
     q.floor = m_problem.floor;
     q.motion = motion;
     q.clearance.distance = clearance();
-    Detector* detector = m_problem.options.detector;
-    const FirstContact found = detector ? detector->first_contact(q) : first_contact(q);
+    const FirstContact found = first_contact(q, m_problem.options.detector);
     ++m_out.num_queries;
     m_out.num_face_pairs += found.work.face_pairs;
     return found;
@@ -92,7 +112,9 @@ class Settling {
   double fall_limit() const {
     double lowest = m_problem.floor ? 0.0 : kInfinity;
     for (const Body& b : m_problem.fixed) lowest = std::min(lowest, b.world_box.lower.z());
-    const double depth = m_body.world_box.upper.z() - lowest;
+    Aabb box;
+    for (const Body& b : m_bodies) box.extend(b.world_box);
+    const double depth = box.upper.z() - lowest;
     return std::isfinite(depth) && depth > 0 ? depth : 0;
   }
 
@@ -102,6 +124,7 @@ class Settling {
 
   void execute(SettleStep::Kind kind, const Motion& motion, double time, double drop) {
     m_out.pose = moved_pose(m_out.pose, motion, time);
+    for (Pose& pose : m_out.carried) pose = moved_pose(pose, motion, time);
     m_out.steps.push_back({kind, m_out.pose, drop});
   }
 
@@ -133,7 +156,7 @@ class Settling {
     for (const ContactPoint& c : points) smallest = std::min(smallest, c.gap);
     if (smallest >= kLiftBelow * clearance() || m_num_lifts >= kMaxLifts) return false;
     ++m_num_lifts;
-    const Vec3 d = smallest_lift(points);
+    const Vec3 d = smallest_lift(points, clearance());
     const double length = d.norm();
     if (!(length > 0) || length > kLargestLift * clearance()) return false;
     const Motion motion = Motion::translation(d / length, length);
@@ -143,26 +166,10 @@ class Settling {
     return true;
   }
 
-  // The least |d| with normal . d >= clearance - gap for all contacts [Hildreth 1957].
-  Vec3 smallest_lift(const std::vector<ContactPoint>& points) const {
-    std::vector<double> weights(points.size(), 0.0);
-    Vec3 d = Vec3::Zero();
-    for (int sweep = 0; sweep < kLiftSweeps; ++sweep)
-      for (size_t i = 0; i < points.size(); ++i) {
-        const double missing = clearance() - points[i].gap - points[i].normal.dot(d);
-        const double change = std::max(-weights[i], missing);
-        weights[i] += change;
-        d += change * points[i].normal;
-      }
-    return d;
-  }
-
   // Contacts that a last closing motion, too short to be executed, would close count as well.
   bool is_balanced() const {
     const double tolerance = kBalanceTolerance * clearance();
-    const auto near = all_points(contacts_with(m_body, m_problem.fixed, m_problem.floor, tolerance,
-                                               kFootSlack * clearance()),
-                                 tolerance);
+    const std::vector<ContactPoint> near = all_points_with(contacts_of(0, tolerance), tolerance);
     const bool touches = std::any_of(near.begin(), near.end(), [&](const ContactPoint& c) {
       return c.gap <= kHoverTolerance * clearance();
     });
@@ -177,7 +184,7 @@ class Settling {
   const SettleProblem& m_problem;
   SettleOutcome m_out;
   SettlingObject m_object;
-  Body m_body;
+  std::vector<Body> m_bodies;  // the object, then what it carries
   int m_num_lifts = 0;
 };
 
@@ -195,6 +202,19 @@ std::vector<ContactsWith> contacts_with(const Body& body, std::span<const Body> 
     if (!points.empty()) out.push_back({i, std::move(points)});
   }
   return out;
+}
+
+Vec3 smallest_lift(const std::vector<ContactPoint>& points, double clearance) {
+  std::vector<double> weights(points.size(), 0.0);
+  Vec3 d = Vec3::Zero();
+  for (int sweep = 0; sweep < kLiftSweeps; ++sweep)
+    for (size_t i = 0; i < points.size(); ++i) {
+      const double missing = clearance - points[i].gap - points[i].normal.dot(d);
+      const double change = std::max(-weights[i], missing);
+      weights[i] += change;
+      d += change * points[i].normal;
+    }
+  return d;
 }
 
 std::vector<ContactPoint> all_points(const std::vector<ContactsWith>& contacts, double distance) {

@@ -19,6 +19,15 @@
 
 namespace trivet {
 
+/// What lies on the object and moves with it as one rigid body. It collides, but weighs nothing:
+/// the object is judged as if it were alone.
+struct CarriedShape {
+  const Shape* shape = nullptr;
+  UpAxis up = UpAxis::Z;
+  double scale = 1;
+  Pose start;
+};
+
 struct SettleProblem {
   const Shape* shape = nullptr;
   UpAxis up = UpAxis::Z;
@@ -29,6 +38,7 @@ struct SettleProblem {
   double clearance = 0;  // metres, > 0
   SettleOptions options;
   Interrupt* interrupt = nullptr;  // asked before every motion; null: never stops
+  std::span<const CarriedShape> carried = {};
 };
 
 /// Contact points with one of the fixed bodies, or with the floor (kFloor).
@@ -49,7 +59,8 @@ struct SettleOutcome {
   };
   Status status = Status::AtRest;
   Pose pose;
-  std::vector<ContactsWith> contacts;  // by fixed index, the floor first; none empty
+  std::vector<Pose> carried;           // of the problem's carried shapes
+  std::vector<ContactsWith> contacts;  // of the object; by fixed index, the floor first; none empty
   std::vector<SettleStep> steps;
   std::int64_t num_queries = 0, num_face_pairs = 0;
 };
@@ -59,6 +70,9 @@ SettleOutcome settle(const SettleProblem& problem);
 /// Everything that `body` touches, within `tolerance`.
 std::vector<ContactsWith> contacts_with(const Body& body, std::span<const Body> fixed, bool floor,
                                         double tolerance, double slack);
+
+/// The least translation d with normal . d >= clearance - gap for all contacts [Hildreth 1957].
+Vec3 smallest_lift(const std::vector<ContactPoint>& points, double clearance);
 
 /// All points together, those at one place merged.
 std::vector<ContactPoint> all_points(const std::vector<ContactsWith>& contacts, double distance);

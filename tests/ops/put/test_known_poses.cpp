@@ -353,10 +353,12 @@ TEST(PutRefuses, AFixedObject) {
   room.expect_refused(room.table, {{}, Vec3(0, 0, 5)}, {"\"table\" is fixed"});
 }
 
-TEST(PutRefuses, AnObjectThatCarriesAnother) {
+TEST(PutRefuses, AnObjectWhoseLoadMayNotMove) {
   Room room;
   ASSERT_TRUE(put(room.scene, room.object, {{}, Vec3(0, 0, 3)}).ok());  // onto the box
-  room.expect_refused(room.box, {{}, Vec3(5, 0, 3)}, {"\"box\" carries \"object\""});
+  room.scene.at(room.object).locked = true;
+  room.expect_refused(room.box, {{}, Vec3(5, 0, 3)},
+                      {"\"object\" is locked and would have to move along"});
 }
 
 TEST(PutRefuses, AClearanceThatMakesNoSense) {

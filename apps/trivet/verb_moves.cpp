@@ -1,0 +1,244 @@
+// The verbs that move one object of a scene: push, turn, pick-up, translate, rotate.
+#include "apps/trivet/outputs.h"
+#include "apps/trivet/verbs.h"
+#include "core/base/error.h"
+#include "ops/check.h"
+
+namespace trivet::apps {
+namespace {
+
+/// What all of them are told, and how the operation's own options become it.
+struct MoveArguments {
+  std::string scene;
+  MoveOptions move;
+  OutputPaths outputs;
+  SettleOptions settle;
+};
+
+std::optional<Vec3> vec3(const std::vector<double>& v) {
+  if (v.empty()) return std::nullopt;
+  return Vec3(v[0], v[1], v[2]);
+}
+
+std::optional<Vec2> vec2(const std::vector<double>& v) {
+  if (v.empty()) return std::nullopt;
+  return Vec2(v[0], v[1]);
+}
+
+// Read as a layout's operation is: with the same limits and the same messages.
+Operation checked(const Operation& operation) {
+  const nlohmann::json json = operation_json(operation);
+  return read_operation(JsonPlace(json, std::string("options of ") + op_name(operation)));
+}
+
+int move(const MoveArguments& arguments, const Operation& asked, const CommonOptions& common) {
+  const Operation operation = checked(asked);
+  Outputs outputs(arguments.outputs, {}, common);
+  SceneFile file = read_scene_file(arguments.scene, common.limits());
+  for (const std::string& note : file.notes) print_note(common, note);
+  if (!file.scene.find(arguments.move.object))
+    throw Error(Error::Kind::BadInput, arguments.scene + ": there is no object \"" +
+                                           arguments.move.object +
+                                           "\"; accepted: the name of one of its objects");
+  RunOptions options = run_options(common, arguments.settle);
+  if (!(options.settle.clearance > 0)) options.settle.clearance = file.clearance;
+  update_contacts(file.scene, options.settle.clearance);
+  LayoutRun run;
+  run.scene = std::move(file.scene);
+  Layout addition;
+  addition.operations.push_back(operation);
+  run_operations(addition, options, run);
+  if (run.operations.back().result.ok()) file.layout.operations.push_back(operation);
+  finish_run(options, run);
+  const std::string folder = folder_of(arguments.scene);
+  const OutputPaths& paths = arguments.outputs;
+  return outputs.write(run, file.layout, options.settle,
+                       {folder_from(paths.scene, folder), folder_from(paths.report, folder)});
+}
+
+/// A verb with the arguments of all; the operation is made of `Own` when the command line is read.
+template <class Own>
+struct MoveVerb {
+  CLI::App* app;
+  std::shared_ptr<MoveArguments> arguments = std::make_shared<MoveArguments>();
+  std::shared_ptr<Own> own = std::make_shared<Own>();
+
+  MoveVerb(CLI::App& program, const char* name, const char* what)
+      : app(program.add_subcommand(name, what)) {
+    app->add_option("scene", arguments->scene, "A scene that trivet wrote")
+        ->required()
+        ->type_name("SCENE.glb");
+    app->add_option("object", arguments->move.object, "Which object")
+        ->required()
+        ->type_name("OBJECT");
+    app->add_flag("--settle-left", arguments->move.settle_left,
+                  "Let what is left without support settle");
+  }
+
+  CLI::Option* numbers(const char* option, std::vector<double>& values, int count, const char* type,
+                       const char* what) {
+    return app->add_option(option, values, what)
+        ->expected(count)
+        ->type_name(type)
+        ->check(number_from(-kMaxLength, kMaxLength));
+  }
+  CLI::Option* axis(std::vector<double>& values, const char* what) {
+    return app->add_option("--axis", values, what)
+        ->expected(3)
+        ->type_name("X Y Z")
+        ->check(number_from(-kMaxDirectionComponent, kMaxDirectionComponent));
+  }
+  CLI::Option* angle(double& value) {
+    return app->add_option("--angle-deg", value, "Degrees, right-handed")
+        ->required()
+        ->check(number_from(-kMaxAngleDeg, kMaxAngleDeg));
+  }
+  CLI::Option* length(const char* option, double& value, const char* what) {
+    return app->add_option(option, value, what)->check(number_from(0, kMaxLength));
+  }
+
+  Verb done(const CommonOptions& common, std::function<Operation(const Own&)> operation) {
+    add_output_options(*app, arguments->outputs);
+    app->get_option("--output")->required();
+    add_settle_options(*app, arguments->settle);
+    return {app, [a = arguments, o = own, operation, &common] {
+              Operation wanted = operation(*o);
+              std::visit([&](MoveOptions& m) { m = a->move; }, wanted);
+              return move(*a, wanted, common);
+            }};
+  }
+};
+
+struct PushArguments {
+  PushOperation operation;
+  std::vector<double> direction, to;
+  bool no_slide = false, no_settle = false;
+};
+
+struct TurnArguments {
+  TurnOperation operation;
+  std::string about = "normal", with;
+  std::vector<double> point, centre, axis;
+};
+
+struct PickUpArguments {
+  PickUpOperation operation;
+  std::string with;
+};
+
+struct FreeArguments {
+  std::vector<double> by, axis, centre;
+  double angle_deg = 0;
+  bool free = false, settle = false;
+};
+
+std::optional<std::string> text(const std::string& value) {
+  if (value.empty()) return std::nullopt;
+  return value;
+}
+
+Operation turn_of(const TurnArguments& a) {
+  TurnOperation o = a.operation;
+  o.about = a.about == "line"    ? TurnOperation::About::Line
+            : a.about == "point" ? TurnOperation::About::Point
+                                 : TurnOperation::About::Normal;
+  o.with = text(a.with);
+  o.point = vec3(a.point), o.centre = vec3(a.centre), o.axis = vec3(a.axis);
+  const bool normal = o.about == TurnOperation::About::Normal;
+  if (normal ? o.point || o.axis : o.centre.has_value())
+    throw Error(Error::Kind::BadInput,
+                normal ? "--point and --axis are not accepted with --about normal; accepted: "
+                         "--centre"
+                       : "--centre is not accepted with --about " + a.about +
+                             "; accepted: --point, --axis");
+  return o;
+}
+
+template <class Own>
+void add_free_flags(MoveVerb<Own>& verb) {
+  verb.app->add_flag("--free", verb.own->free, "Through everything, as in a modeller");
+  verb.app->add_flag("--settle", verb.own->settle, "Let it go at the end");
+}
+
+}  // namespace
+
+Verb add_push(CLI::App& app, const CommonOptions& common) {
+  MoveVerb<PushArguments> verb(app, "push", "Pushes an object along what it lies on");
+  PushArguments& a = *verb.own;
+  CLI::Option* const direction =
+      verb.app->add_option("--direction", a.direction, "Seen from above")
+          ->expected(2)
+          ->type_name("X Y")
+          ->check(number_from(-kMaxDirectionComponent, kMaxDirectionComponent));
+  CLI::Option* const distance =
+      verb.length("--distance", a.operation.distance, "Metres in that direction");
+  CLI::Option* const to =
+      verb.numbers("--to", a.to, 2, "X Y", "Instead: where its position shall be, seen from above");
+  direction->needs(distance)->excludes(to);
+  distance->needs(direction)->excludes(to);
+  verb.length("--step-up", a.operation.step_up, "Metres; higher steps stop it; default 0.01");
+  verb.length("--step-down", a.operation.step_down, "Metres; deeper edges stop it; default 0.01");
+  verb.app->add_flag("--no-slide", a.no_slide, "Walls stop it; otherwise it slides along them");
+  verb.app->add_flag("--no-settle", a.no_settle, "Held as it is at the end; otherwise let go");
+  return verb.done(common, [](const PushArguments& given) -> Operation {
+    if (given.direction.empty() && given.to.empty())
+      throw Error(Error::Kind::BadInput,
+                  "push: it is missing where to; accepted: --direction X Y --distance D, or --to "
+                  "X Y");
+    PushOperation o = given.operation;
+    if (!given.to.empty()) o.to = vec2(given.to);
+    if (!given.direction.empty()) o.direction = *vec2(given.direction);
+    o.slide = !given.no_slide, o.settle = !given.no_settle;
+    return o;
+  });
+}
+
+Verb add_turn(CLI::App& app, const CommonOptions& common) {
+  MoveVerb<TurnArguments> verb(app, "turn", "Turns an object about a contact that is held");
+  TurnArguments& a = *verb.own;
+  verb.angle(a.operation.angle_deg);
+  verb.app->add_option("--about", a.about, "normal, line or point of the contact; default normal")
+      ->check(one_of({"normal", "line", "point"}));
+  verb.app->add_option("--with", a.with, "Whose contact; default: what supports it most");
+  verb.numbers("--point", a.point, 3, "X Y Z", "Which line or point: the nearest");
+  verb.numbers("--centre", a.centre, 3, "X Y Z", "A point on the axis; default: the contact's");
+  verb.axis(a.axis, "Through the point, or which way along the line");
+  verb.app->add_flag("--settle", a.operation.settle, "Let it go at the end");
+  return verb.done(common, turn_of);
+}
+
+Verb add_pick_up(CLI::App& app, const CommonOptions& common) {
+  MoveVerb<PickUpArguments> verb(app, "pick-up", "Takes an object off what it lies on");
+  PickUpArguments& a = *verb.own;
+  verb.length("--distance", a.operation.distance, "Metres along the contact normal")->required();
+  verb.app->add_option("--with", a.with, "Whose contact; default: all that support it");
+  return verb.done(common, [](const PickUpArguments& given) -> Operation {
+    PickUpOperation o = given.operation;
+    o.with = text(given.with);
+    return o;
+  });
+}
+
+Verb add_translate(CLI::App& app, const CommonOptions& common) {
+  MoveVerb<FreeArguments> verb(app, "translate", "Moves an object straight on");
+  verb.numbers("--by", verb.own->by, 3, "X Y Z", "Metres")->required();
+  add_free_flags(verb);
+  return verb.done(common, [](const FreeArguments& given) -> Operation {
+    return TranslateOperation{{}, *vec3(given.by), given.free, given.settle};
+  });
+}
+
+Verb add_rotate(CLI::App& app, const CommonOptions& common) {
+  MoveVerb<FreeArguments> verb(app, "rotate", "Turns an object about any axis");
+  verb.axis(verb.own->axis, "The axis")->required();
+  verb.angle(verb.own->angle_deg);
+  verb.numbers("--centre", verb.own->centre, 3, "X Y Z",
+               "A point on the axis; default: the centre of mass");
+  add_free_flags(verb);
+  return verb.done(common, [](const FreeArguments& given) -> Operation {
+    return RotateOperation{{},         *vec3(given.axis), given.angle_deg, vec3(given.centre),
+                           given.free, given.settle};
+  });
+}
+
+}  // namespace trivet::apps

@@ -1,0 +1,159 @@
+#include "ops/move/attempt.h"
+
+#include <sstream>
+#include <utility>
+
+#include "core/base/tunables.h"
+
+namespace trivet {
+namespace {
+
+std::string list_of(const MovingGroup& group, const std::vector<ContactsWith>& contacts) {
+  std::string out;
+  for (const ContactsWith& c : contacts)
+    out += (out.empty() ? "" : " and ") + group.outside().name(group.scene(), c.fixed);
+  return out.empty() ? "nothing" : out;
+}
+
+std::string why_not_settled(const std::string& name, const MovingGroup& group,
+                            const SettleOutcome& outcome, const SettleOptions& options) {
+  switch (outcome.status) {
+    case SettleOutcome::Status::AtRest:
+    case SettleOutcome::Status::Interrupted:
+      return "";
+    case SettleOutcome::Status::Wedged:
+      if (options.accept_wedged) return "";
+      return name + " is wedged between " + list_of(group, outcome.contacts) +
+             ": it can neither sink further nor be held there";
+    case SettleOutcome::Status::FallsOut:
+      return "nothing is below " + name + ": it would fall for ever";
+    case SettleOutcome::Status::TooManyMotions:
+      return name + " did not come to rest within " + std::to_string(options.max_motions) +
+             " motions";
+    case SettleOutcome::Status::Crossing:
+      return name + " touches something at its start";
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string why_not_clearance(double clearance, double usual) {
+  const double size = usual / kRelativeClearance;
+  if (clearance >= kSmallestClearance * size && clearance <= kLargestClearance * size) return "";
+  std::ostringstream out;
+  out << "a clearance of " << clearance << " m is not between " << kSmallestClearance * size
+      << " and " << kLargestClearance * size << " m, " << kSmallestClearance << " and "
+      << kLargestClearance << " of the scene's size";
+  return out.str();
+}
+
+Attempt::Attempt(Scene& scene, ObjectId id, const MoveOptions& move, const char* op,
+                 const SettleOptions& options, bool free, const Pose* start)
+    : m_scene(scene),
+      m_move(move),
+      m_op(op),
+      m_options(options),
+      m_interrupt(options),
+      m_is_put(start != nullptr) {
+  const Object& object = std::as_const(scene).at(id);
+  const double usual =
+      default_clearance(scene, start ? expected_box(scene, object, *start) : Aabb{});
+  const double clearance = options.clearance > 0 ? options.clearance : usual;
+  m_group.emplace(scene, id, clearance, options);
+  std::string why = why_not_movable(scene, m_group->ids());
+  if (why.empty()) why = why_not_clearance(clearance, usual);
+  if (why.empty() && !start) why = why_not_startable(free);
+  if (!why.empty()) refuse(why);
+}
+
+std::string Attempt::why_not_startable(bool free) const {
+  const Object& object = m_group->object();
+  if (!object.placed) return name() + " is not in the scene: put it there first";
+  if (free || object.state != ObjectState::Invalid) return "";
+  const std::string why = why_invalid(m_scene, m_group->placements(), false);
+  return why.empty() ? "" : why + ": move it out freely first";
+}
+
+std::string Attempt::name() const { return "\"" + m_group->object().name + "\""; }
+
+void Attempt::refuse(const std::string& reason) {
+  m_result.status = OperationResult::Status::Refused;
+  m_result.reason = reason;
+}
+
+bool Attempt::interrupted() {
+  if (!m_interrupt.reason()) return false;
+  m_interrupt.refuse(std::string(m_op) + " of " + name(), m_result);
+  return true;
+}
+
+double Attempt::advance(const Motion& motion, SettleStep::Kind kind) {
+  m_group->float_off(m_group->touches());
+  const FirstContact found = m_group->first_contact(motion);
+  if (found.status == FirstContact::Status::Crossing) {
+    refuse(name() + " touches " + m_group->outside().name(m_scene, found.fixed) + " already");
+    return 0;
+  }
+  const double time = std::min(found.time, motion.limit);
+  m_group->advance(motion, time);
+  note_step(kind);
+  if (found.status == FirstContact::Status::Contact) note_blocked(found);
+  return time;
+}
+
+void Attempt::note_step(SettleStep::Kind kind) {
+  m_result.steps.push_back({kind, m_group->pose(), 0});
+}
+
+void Attempt::note_blocked(const FirstContact& found) { note_blocked(found.fixed, found.point); }
+
+void Attempt::note_blocked(Index outside, const Vec3& point) {
+  m_result.end = OperationResult::End::Blocked;
+  m_result.blocked_by = outside == ContactsWith::kFloor
+                            ? "floor"
+                            : std::as_const(m_scene).at(m_group->outside().ids[outside]).name;
+  m_result.blocked_at = point;
+}
+
+void Attempt::let_go() {
+  SettleOutcome outcome = m_group->settle(&m_interrupt);
+  m_result.steps.insert(m_result.steps.end(), outcome.steps.begin(), outcome.steps.end());
+  if (interrupted()) return;
+  const std::string why = why_not_settled(name(), *m_group, outcome, m_options);
+  if (!why.empty()) return refuse(why);
+  m_let_go = true;
+  m_wedged = outcome.status == SettleOutcome::Status::Wedged;
+}
+
+OperationResult Attempt::finish(ObjectState otherwise) {
+  if (refused()) return done();
+  if (m_let_go) otherwise = m_wedged ? ObjectState::Wedged : ObjectState::Stable;
+  if (!m_is_put && !m_group->has_moved()) return done();
+  if (m_group->object().placed)
+    m_result.moved = (m_group->pose().translation - m_group->object().pose.translation).norm();
+  const std::string why = commit_group(m_scene, *m_group, otherwise, m_let_go, m_result);
+  if (!why.empty()) refuse(why);
+  return done();
+}
+
+OperationResult Attempt::finish_freely() {
+  if (refused() || !m_group->has_moved()) return done();
+  m_result.moved = (m_group->pose().translation - m_group->object().pose.translation).norm();
+  commit_freely(m_scene, *m_group, m_result);
+  return done();
+}
+
+OperationResult Attempt::done() {
+  m_result.num_motions = static_cast<int>(m_result.steps.size());
+  m_result.num_queries = m_group->num_queries();
+  m_result.num_face_pairs = m_group->num_face_pairs();
+  if (m_result.ok() && m_move.settle_left && !m_result.unsupported.empty()) {
+    settle_unsupported(m_scene, m_options, m_group->clearance(), m_interrupt, m_result);
+    interrupted();
+  }
+  m_result.milliseconds = m_stopwatch.milliseconds();
+  return std::move(m_result);
+}
+
+}  // namespace trivet

@@ -1,0 +1,65 @@
+// What all operations share that move a group: refusals, motions that stop at collision, letting
+// go, and the commit.
+#pragma once
+
+#include <optional>
+
+#include "ops/move/commit_group.h"
+#include "ops/operation.h"
+#include "ops/stopwatch.h"
+
+namespace trivet {
+
+/// Why motions may not keep that far apart in this scene; empty: they may.
+/// @param usual  the default clearance.
+std::string why_not_clearance(double clearance, double usual);
+
+/// One operation on its way: first refused() or moved, then finish().
+class Attempt {
+ public:
+  /// Refused at once: an object (or what it carries) that is fixed or locked; a clearance that is
+  /// none; for all but PUT, an object that is out of the scene or interpenetrates (`free` may).
+  /// @param op  its name. @param start  of a PUT, else null.
+  Attempt(Scene& scene, ObjectId id, const MoveOptions& move, const char* op,
+          const SettleOptions& options, bool free = false, const Pose* start = nullptr);
+
+  bool refused() const { return !m_result.ok(); }
+  void refuse(const std::string& reason);
+  /// Refused when the operation is to stop; asked between motions.
+  bool interrupted();
+
+  const Scene& scene() const { return m_scene; }
+  MovingGroup& group() { return *m_group; }
+  OperationResult& result() { return m_result; }
+  const SettleOptions& options() const { return m_options; }
+  std::string name() const;  // quoted
+
+  /// Goes as far as collision allows; what stopped it is noted.
+  /// @return the time; below the motion's limit when something is in the way.
+  double advance(const Motion& motion, SettleStep::Kind kind);
+  void note_step(SettleStep::Kind kind);
+  void note_blocked(const FirstContact& found);
+  void note_blocked(Index outside, const Vec3& point);
+
+  /// Settles from where the group is. Refused when it cannot come to rest.
+  void let_go();
+  /// Commits and does what MoveOptions ask for. @param otherwise  the state when it does not rest.
+  OperationResult finish(ObjectState otherwise);
+  OperationResult finish_freely();
+
+ private:
+  std::string why_not_startable(bool free) const;
+  OperationResult done();
+
+  Scene& m_scene;
+  const MoveOptions& m_move;
+  const char* m_op;
+  const SettleOptions& m_options;
+  Interrupt m_interrupt;
+  OperationResult m_result;
+  std::optional<MovingGroup> m_group;
+  bool m_is_put, m_let_go = false, m_wedged = false;
+  Stopwatch m_stopwatch;
+};
+
+}  // namespace trivet

@@ -1,0 +1,208 @@
+#include "ops/move/commit_group.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace trivet {
+namespace {
+
+constexpr int kMaxLettingsGo = 8;     // of one object, by settle_unsupported()
+constexpr double kLevelTurn = 1e-12;  // a turn about a vertical axis has no larger x and y
+
+/// From where a group was to where it is.
+class RigidMove {
+ public:
+  RigidMove(const Pose& from, const Pose& to) : m_from(from.translation), m_to(to.translation) {
+    const Rotation &p = from.rotation, &q = to.rotation;
+    m_turned = p.w != q.w || p.x != q.x || p.y != q.y || p.z != q.z;
+    if (!m_turned) return;
+    const Rotation turn = (q * Rotation{p.w, -p.x, -p.y, -p.z}).normalized();
+    m_matrix = turn.matrix();
+    m_tilted = std::max(std::abs(turn.x), std::abs(turn.y)) > kLevelTurn;
+  }
+
+  bool tilted() const { return m_tilted; }
+  Vec3 point(const Vec3& p) const {
+    return m_turned ? Vec3(m_to + m_matrix * (p - m_from)) : Vec3(p + (m_to - m_from));
+  }
+  Contact contact(Contact c) const {
+    for (ContactPoint& p : c.points) p.point = point(p.point), p.normal = direction(p.normal);
+    for (Vec3& p : c.hull) p = point(p);
+    c.normal = direction(c.normal);
+    return c;
+  }
+
+ private:
+  Vec3 direction(const Vec3& d) const { return m_turned ? Vec3(m_matrix * d) : d; }
+
+  Vec3 m_from, m_to;
+  Mat3 m_matrix = Mat3::Identity();
+  bool m_turned = false, m_tilted = false;
+};
+
+bool has(const std::vector<ObjectId>& ids, ObjectId id) {
+  return std::find(ids.begin(), ids.end(), id) != ids.end();
+}
+
+void add_name(std::vector<std::string>& names, const std::string& name) {
+  if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+}
+
+class GroupCommit {
+ public:
+  GroupCommit(Scene& scene, const MovingGroup& group, OperationResult& result)
+      : m_scene(scene), m_group(group), m_result(result) {}
+
+  /// @param crossed  pairs that interpenetrate: their contacts mean nothing.
+  void run(ObjectState otherwise, bool settled, const std::vector<Interpenetration>& crossed) {
+    const RigidMove move(std::as_const(m_scene).at(m_group.ids()[0]).pose, m_group.pose());
+    for (Index i = 0; i < static_cast<Index>(m_group.ids().size()); ++i) prepare(i, move, crossed);
+    for (Index i = 0; i < static_cast<Index>(m_group.ids().size()); ++i) {
+      Object& object = m_scene.at(m_group.ids()[i]);
+      m_scene.link(m_group.ids()[i], std::move(m_links[i]));
+      object.pose = m_group.pose(i);
+      object.placed = true;
+    }
+    for (const ObjectId id : m_to_rate) rate(id, otherwise, settled, crossed);
+    for (const ObjectId id : m_group.ids())
+      if (id != m_group.ids()[0]) add_name(m_result.carried, std::as_const(m_scene).at(id).name);
+  }
+
+ private:
+  void touch(const std::vector<Link>& links) {
+    for (const Link& link : links)
+      if (link.with && !has(m_group.ids(), *link.with) && !has(m_partners, *link.with))
+        m_partners.push_back(*link.with);
+  }
+
+  // Links of a member, and whether it has to be rated again.
+  void prepare(Index i, const RigidMove& move, const std::vector<Interpenetration>& crossed) {
+    const ObjectId id = m_group.ids()[i];
+    const Object& object = std::as_const(m_scene).at(id);
+    std::vector<ContactsWith> contacts =
+        touching(m_scene, object, m_group.pose(i), m_group.outside(), m_group.clearance());
+    std::erase_if(contacts, [&](const ContactsWith& c) {
+      return std::any_of(crossed.begin(), crossed.end(), [&](const Interpenetration& x) {
+        return x.id == id && (x.with ? c.fixed >= 0 && m_group.outside().ids[c.fixed] == *x.with
+                                     : c.fixed == ContactsWith::kFloor);
+      });
+    });
+    std::vector<Link> links =
+        links_of(object, m_group.pose(i), m_group.outside(), contacts, m_group.clearance());
+    touch(links);
+    touch(object.links);
+    bool rated_again = i == 0 || move.tilted() || !links.empty();
+    for (const Link& link : object.links)
+      if (link.with && has(m_group.ids(), *link.with))
+        links.push_back({link.with, move.contact(link.contact)});
+      else
+        rated_again = true;
+    if (rated_again) m_to_rate.push_back(id);
+    m_links.push_back(std::move(links));
+    if (i + 1 == static_cast<Index>(m_group.ids().size()))
+      m_to_rate.insert(m_to_rate.end(), m_partners.begin(), m_partners.end());
+  }
+
+  void rate(ObjectId id, ObjectState otherwise, bool settled,
+            const std::vector<Interpenetration>& crossed) {
+    const Object& seen = std::as_const(m_scene).at(id);
+    if (seen.fixed || !seen.placed) return;
+    const Surroundings others(m_scene, id);
+    const double clearance = m_group.clearance();
+    const auto contacts = touching(m_scene, seen, seen.pose, others, clearance);
+    const RestRating rating = rate_rest(seen, seen.pose, contacts, clearance);
+    const bool crosses = std::any_of(crossed.begin(), crossed.end(),
+                                     [&](const Interpenetration& x) { return x.id == id; });
+    ObjectState state = ObjectState::Stable;
+    const bool is_object = id == m_group.ids()[0];
+    if (crosses)
+      state = ObjectState::Invalid;
+    else if (is_object && settled)
+      state = otherwise;
+    else if (!rests_at(m_scene, seen, seen.pose, others, clearance))
+      state = is_object ? otherwise : unsupported(seen);
+    Object& object = m_scene.at(id);
+    object.state = state;
+    object.stability_margin = rating.stability_margin;
+    object.least_friction = rating.least_friction;
+  }
+
+  // Neither at rest now nor moved by hand.
+  ObjectState unsupported(const Object& object) {
+    const ObjectState was = object.state;
+    if (was != ObjectState::Stable && was != ObjectState::Unsupported) return was;
+    add_name(m_result.unsupported, object.name);
+    return ObjectState::Unsupported;
+  }
+
+  Scene& m_scene;
+  const MovingGroup& m_group;
+  OperationResult& m_result;
+  std::vector<std::vector<Link>> m_links;
+  std::vector<ObjectId> m_partners, m_to_rate;
+};
+
+// The lowest of the unsupported objects that may still be let go.
+std::optional<ObjectId> lowest(const Scene& scene, const std::vector<std::string>& names,
+                               const std::map<std::string, int>& lettings_go) {
+  std::optional<ObjectId> best;
+  double best_z = kInfinity;
+  for (const std::string& name : names) {
+    const auto known = lettings_go.find(name);
+    if (known != lettings_go.end() && known->second >= kMaxLettingsGo) continue;
+    const std::optional<ObjectId> id = scene.find(name);
+    if (!id || scene.at(*id).state != ObjectState::Unsupported) continue;
+    const Object& object = scene.at(*id);
+    const double z = Body(*object.shape, object.world_from_object()).world_box.lower.z();
+    if (z < best_z) best_z = z, best = id;
+  }
+  return best;
+}
+
+}  // namespace
+
+std::string commit_group(Scene& scene, const MovingGroup& group, ObjectState otherwise,
+                         bool settled, OperationResult& result) {
+  const std::string why = why_invalid(scene, group.placements(), true);
+  if (why.empty()) GroupCommit(scene, group, result).run(otherwise, settled, {});
+  return why;
+}
+
+void commit_freely(Scene& scene, const MovingGroup& group, OperationResult& result) {
+  const std::vector<Interpenetration> crossed =
+      interpenetrations(scene, group.placements(), true, std::numeric_limits<size_t>::max());
+  for (const Interpenetration& c : crossed)
+    add_name(result.interpenetrates, c.with ? std::as_const(scene).at(*c.with).name : "floor");
+  GroupCommit(scene, group, result).run(ObjectState::Held, false, crossed);
+}
+
+void settle_unsupported(Scene& scene, const SettleOptions& options, double clearance,
+                        Interrupt& interrupt, OperationResult& result) {
+  std::map<std::string, int> lettings_go;
+  while (const auto id = lowest(scene, result.unsupported, lettings_go)) {
+    const std::string name = std::as_const(scene).at(*id).name;
+    ++lettings_go[name];
+    MovingGroup group(scene, *id, clearance, options);
+    if (!why_not_movable(scene, group.ids()).empty()) continue;
+    const SettleOutcome outcome = group.settle(&interrupt);
+    if (interrupt.reason()) return;
+    const bool rests = outcome.status == SettleOutcome::Status::AtRest;
+    if (!rests && !(outcome.status == SettleOutcome::Status::Wedged && options.accept_wedged))
+      continue;
+    OperationResult of_this;
+    if (!commit_group(scene, group, rests ? ObjectState::Stable : ObjectState::Wedged, true,
+                      of_this)
+             .empty())
+      continue;
+    result.num_motions += static_cast<int>(outcome.steps.size());
+    result.settled.push_back(name);
+    for (const std::string& left : of_this.unsupported) add_name(result.unsupported, left);
+  }
+  std::erase_if(result.unsupported, [&](const std::string& name) {
+    return scene.at(*scene.find(name)).state != ObjectState::Unsupported;
+  });
+}
+
+}  // namespace trivet

@@ -1,0 +1,221 @@
+#include "ops/move/moving_group.h"
+
+#include <algorithm>
+
+#include "core/base/tunables.h"
+#include "core/contact/contact_points.h"
+#include "ops/detect/detector.h"
+
+namespace trivet {
+namespace {
+
+bool has(const std::vector<ObjectId>& ids, ObjectId id) {
+  return std::find(ids.begin(), ids.end(), id) != ids.end();
+}
+
+void append_loads(const Scene& scene, ObjectId id, std::vector<ObjectId>& ids) {
+  for (const Link& link : scene.at(id).links)
+    if (link.with && weighs_on(link.contact) && !scene.at(*link.with).fixed &&
+        !has(ids, *link.with))
+      ids.push_back(*link.with);
+}
+
+void append_mates(const Scene& scene, ObjectId id, std::vector<ObjectId>& ids) {
+  const std::string& group = scene.at(id).group;
+  if (group.empty()) return;
+  for (const ObjectId other : scene.ids())
+    if (scene.at(other).placed && scene.at(other).group == group && !has(ids, other))
+      ids.push_back(other);
+}
+
+// Everything that a motion may come near.
+Aabb swept_box(Aabb box, const Motion& motion, double margin) {
+  if (motion.kind == Motion::Kind::Translation) {
+    const Vec3 way = motion.limit * motion.axis;
+    box.extend(Aabb{box.lower + way, box.upper + way});
+  } else {
+    const Vec3 far = (box.centre() - motion.centre).cwiseAbs() + box.half_extent();
+    const Vec3 reach = Vec3::Constant(far.norm() * (1 + 1e-14));
+    box = {motion.centre - reach, motion.centre + reach};
+  }
+  box.lower -= Vec3::Constant(margin), box.upper += Vec3::Constant(margin);
+  return box;
+}
+
+}  // namespace
+
+std::vector<ObjectId> carried_with(const Scene& scene, ObjectId object) {
+  std::vector<ObjectId> ids{object};
+  if (!scene.at(object).placed) return ids;
+  for (size_t i = 0; i < ids.size(); ++i) {
+    append_loads(scene, ids[i], ids);
+    append_mates(scene, ids[i], ids);
+  }
+  std::sort(ids.begin() + 1, ids.end(), [](ObjectId a, ObjectId b) { return a.index < b.index; });
+  return ids;
+}
+
+std::string why_not_movable(const Scene& scene, std::span<const ObjectId> ids) {
+  for (const ObjectId id : ids) {
+    const Object& object = scene.at(id);
+    if (!object.fixed && !object.locked) continue;
+    const std::string what = "\"" + object.name + "\" is " + (object.fixed ? "fixed" : "locked");
+    return id == ids[0] ? what : what + " and would have to move along";
+  }
+  return "";
+}
+
+MovingGroup::MovingGroup(const Scene& scene, ObjectId object, double clearance,
+                         const SettleOptions& options)
+    : m_scene(&scene),
+      m_ids(carried_with(scene, object)),
+      m_outside(scene, m_ids),
+      m_clearance(clearance),
+      m_options(options) {
+  for (const ObjectId id : m_ids) m_origins.push_back(scene.at(id).pose);
+  update();
+}
+
+void MovingGroup::update() {
+  m_poses = m_origins;
+  m_bodies.clear();
+  for (size_t i = 0; i < m_ids.size(); ++i) {
+    m_poses[i].translation += m_offset;
+    const Object& object = m_scene->at(m_ids[i]);
+    m_bodies.emplace_back(*object.shape, world_from_object(m_poses[i], object.up, object.scale));
+  }
+}
+
+std::vector<Placement> MovingGroup::placements() const {
+  std::vector<Placement> out;
+  for (size_t i = 0; i < m_ids.size(); ++i) out.push_back({m_ids[i], m_poses[i]});
+  return out;
+}
+
+Aabb MovingGroup::box() const {
+  Aabb box;
+  for (const Body& body : m_bodies) box.extend(body.world_box);
+  return box;
+}
+
+Vec3 MovingGroup::centre() const {
+  return m_bodies[0].world_from_object.apply(object().shape->mass.centre);
+}
+
+double MovingGroup::size() const { return object().scale * object().shape->box.diagonal(); }
+
+void MovingGroup::place(const Pose& pose) {
+  const Pose from = m_poses[0];
+  const Rotation& r = from.rotation;
+  const Rotation turn = (pose.rotation * Rotation{r.w, -r.x, -r.y, -r.z}).normalized();
+  const Mat3 matrix = turn.matrix();
+  for (size_t i = 0; i < m_ids.size(); ++i)
+    m_origins[i] = {(turn * m_poses[i].rotation).normalized(),
+                    Vec3(pose.translation + matrix * (m_poses[i].translation - from.translation))};
+  m_origins[0] = pose;
+  m_offset.setZero();
+  update();
+}
+
+void MovingGroup::advance(const Motion& motion, double time) {
+  if (motion.kind == Motion::Kind::Translation) {
+    m_offset += time * motion.axis;
+  } else {
+    for (size_t i = 0; i < m_ids.size(); ++i) m_origins[i] = moved_pose(m_poses[i], motion, time);
+    m_offset.setZero();
+  }
+  update();
+}
+
+void MovingGroup::go_back(const Place& place) {
+  m_origins = place.origins;
+  m_offset = place.offset;
+  update();
+}
+
+bool MovingGroup::has_moved() const {
+  for (size_t i = 0; i < m_ids.size(); ++i) {
+    const Pose &a = m_poses[i], &b = m_scene->at(m_ids[i]).pose;
+    const Rotation &p = a.rotation, &q = b.rotation;
+    if (a.translation != b.translation || p.w != q.w || p.x != q.x || p.y != q.y || p.z != q.z)
+      return true;
+  }
+  return false;
+}
+
+std::vector<Index> MovingGroup::near(const Aabb& swept) const {
+  std::vector<Index> out;
+  for (Index i = 0; i < static_cast<Index>(m_outside.bodies.size()); ++i)
+    if (overlaps(swept, m_outside.bodies[i].world_box)) out.push_back(i);
+  return out;
+}
+
+FirstContact MovingGroup::first_contact(const Motion& motion) {
+  FirstContactQuery query;
+  query.clearance.distance = m_clearance;
+  const double reach = query.clearance.largest_stop();
+  const double margin = 1.01 * reach + 1e-13 * box().max_abs_coordinate();
+  const std::vector<Index> fixed = near(swept_box(box(), motion, margin));
+  std::vector<Body> bodies;
+  for (const Index i : fixed) bodies.push_back(m_outside.bodies[i]);
+  query.moving = m_bodies;
+  query.fixed = bodies;
+  query.floor = m_scene->floor;
+  query.motion = motion;
+  FirstContact found = trivet::first_contact(query, m_options.detector);
+  if (found.status != FirstContact::Status::Free && found.fixed != FirstContact::kFloor)
+    found.fixed = fixed[found.fixed];
+  ++m_num_queries;
+  m_num_face_pairs += found.work.face_pairs;
+  return found;
+}
+
+std::vector<Touch> MovingGroup::touches() const {
+  const double tolerance = kContactTolerance * m_clearance;
+  std::vector<Touch> out;
+  for (Index m = 0; m < static_cast<Index>(m_bodies.size()); ++m)
+    for (const ContactsWith& c : contacts_with(m_bodies[m], m_outside.bodies, m_scene->floor,
+                                               tolerance, kFootSlack * m_clearance))
+      for (const ContactPoint& p : merged(c.points, tolerance)) out.push_back({m, c.fixed, p});
+  return out;
+}
+
+bool MovingGroup::float_off(const std::vector<Touch>& touches) {
+  std::vector<ContactPoint> points;
+  for (const Touch& t : touches) points.push_back(t.point);
+  const bool needed = std::any_of(points.begin(), points.end(), [&](const ContactPoint& p) {
+    return p.gap < kSlideBelow * m_clearance;
+  });
+  if (!needed) return false;
+  const Vec3 d = smallest_lift(points, kSlideGap * m_clearance);
+  const double length = d.norm();
+  if (!(length > 0) || length > kLargestLift * m_clearance) return false;
+  const Motion motion = Motion::translation(d / length, length);
+  const double time = std::min(first_contact(motion).time, length);
+  if (time < 0.1 * length) return false;
+  advance(motion, time);
+  return true;
+}
+
+SettleOutcome MovingGroup::settle(Interrupt* interrupt) {
+  std::vector<CarriedShape> carried;
+  for (size_t i = 1; i < m_ids.size(); ++i) {
+    const Object& load = m_scene->at(m_ids[i]);
+    carried.push_back({load.shape.get(), load.up, load.scale, m_poses[i]});
+  }
+  const SettleProblem problem{
+      object().shape.get(), object().up, object().scale, m_poses[0], m_outside.bodies,
+      m_scene->floor,       m_clearance, m_options,      interrupt,  carried};
+  SettleOutcome outcome = trivet::settle(problem);
+  if (!outcome.steps.empty()) {
+    m_origins = {outcome.pose};
+    m_origins.insert(m_origins.end(), outcome.carried.begin(), outcome.carried.end());
+    m_offset.setZero();
+    update();
+  }
+  m_num_queries += outcome.num_queries;
+  m_num_face_pairs += outcome.num_face_pairs;
+  return outcome;
+}
+
+}  // namespace trivet

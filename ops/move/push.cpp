@@ -1,0 +1,316 @@
+#include "ops/move/push.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/tunables.h"
+#include "ops/move/contact_end.h"
+#include "ops/move/moves.h"
+
+namespace trivet {
+namespace {
+
+constexpr double kShortest = 0.5;      // clearances
+constexpr double kStepOn = 6;          // clearances by which a step is entered: more than gaps
+constexpr double kLeastCosine = 0.02;  // of the push to a wall, for how far is stepped onto it
+constexpr double kUnknownEnd = 100;    // clearances until obstacles are looked at again
+constexpr int kMaxStalls = 12;         // events in a row without a way
+
+Vec3 level(const Vec2& v) { return {v.x(), v.y(), 0}; }
+
+}  // namespace
+
+Push::Push(Attempt& attempt, const PushOperation& o)
+    : m_attempt(attempt),
+      m_group(attempt.group()),
+      m_options(o),
+      m_shortest(kShortest * attempt.group().clearance()) {
+  look_around();
+  note_way(false);
+}
+
+bool Push::carried() const {
+  return std::any_of(m_touches.begin(), m_touches.end(),
+                     [](const Touch& t) { return t.point.normal.z() > kSupportNormalZ; });
+}
+
+void Push::look_around() {
+  m_touches = m_group.touches();
+  m_normals.clear();
+  for (const Touch& t : m_touches) m_normals.push_back(t.point.normal);
+  for (const Obstacle& o : m_obstacles) m_normals.push_back(o.normal);
+}
+
+Vec2 Push::way_left() const { return m_goal - Vec2(m_group.pose().translation.head<2>()); }
+
+void Push::push_to(const Vec2& goal) {
+  m_goal = goal;
+  m_num_stalls = 0;
+  m_climb = true;
+  m_attempt.result().end = OperationResult::End::Reached;
+  const auto max_events = static_cast<size_t>(m_attempt.options().max_motions);
+  while (event() == Next::GoOn) {
+    if (m_attempt.refused() || m_attempt.interrupted()) return;
+    if (m_attempt.result().steps.size() > max_events)
+      return m_attempt.refuse(m_attempt.name() + " did not get to the end of its way within " +
+                              std::to_string(m_attempt.options().max_motions) + " motions");
+  }
+}
+
+Push::Next Push::event() {
+  look_around();
+  if (!m_floats && m_group.float_off(m_touches)) look_around();
+  m_floats = true;
+  const Vec2 left = way_left();
+  const double length = left.norm();
+  if (length <= m_shortest) return stop(OperationResult::End::Reached);
+  const Vec3 direction = level(left / length);
+  const SlidePlan way = plan(direction);
+  switch (way.kind) {
+    case SlidePlan::Kind::Go:
+      return go(way, length);
+    case SlidePlan::Kind::Blocked:
+      return pass_wall(way, direction, length);
+    case SlidePlan::Kind::NoSupport:
+      break;
+  }
+  return step_down(direction) ? Next::GoOn : stop(OperationResult::End::Edge);
+}
+
+SlidePlan Push::plan(const Vec3& direction) const {
+  return plan_slide(
+      m_normals, direction, [&](size_t i, const Vec3& velocity) { return end_of(i, velocity); },
+      m_shortest, m_climb);
+}
+
+double Push::end_of(size_t contact, const Vec3& velocity) const {
+  if (contact >= m_touches.size()) return kUnknownEnd * m_group.clearance();
+  const Touch& t = m_touches[contact];
+  return contact_end(
+      m_group.bodies()[t.member],
+      t.outside == ContactsWith::kFloor ? nullptr : &m_group.outside().bodies[t.outside], t.point,
+      velocity, kContactTolerance * m_group.clearance());
+}
+
+// --- going on --------------------------------------------------------------------------------
+
+Push::Next Push::go(const SlidePlan& plan, double length) {
+  double way = std::min(length, plan.lasts);
+  const std::optional<double> allowance = steep_allowance(plan);
+  if (allowance) {
+    if (*allowance <= m_shortest) return give_up_steep(plan);
+    way = std::min(way, *allowance);
+  }
+  const double speed = plan.velocity.norm();
+  const Motion motion = Motion::translation(plan.velocity / speed, way * speed);
+  const FirstContact found = m_group.first_contact(motion);
+  if (found.status == FirstContact::Status::Crossing) {
+    m_attempt.refuse(m_attempt.name() + " touches " +
+                     m_group.outside().name(m_group.scene(), found.fixed) + " already");
+    return Next::Stop;
+  }
+  const double time = std::min(found.time, motion.limit);
+  const bool gets_on = time > m_shortest;
+  if (gets_on) {
+    m_group.advance(motion, time);
+    m_attempt.note_step(SettleStep::Kind::Slide);
+    note_way(true);
+    m_obstacles.clear();
+    m_num_stalls = 0;
+    if (!allowance) m_steep.reset(), m_climb = true;
+  }
+  if (found.status == FirstContact::Status::Contact)
+    m_obstacles.push_back({found.normal, found.point, found.fixed});
+  if (!gets_on && ++m_num_stalls > kMaxStalls) {
+    m_attempt.note_blocked(found);
+    return Next::Stop;
+  }
+  return Next::GoOn;
+}
+
+// How far a steep rise or drop may still be followed; nothing: the plan's is not steep.
+std::optional<double> Push::steep_allowance(const SlidePlan& plan) {
+  const double rise = plan.velocity.z(), z = m_group.pose().translation.z();
+  if (std::abs(rise) <= kSteepRise) return std::nullopt;
+  if (!m_steep) m_steep = Steep{m_group.here(), z, m_way.size()};
+  const double done = rise > 0 ? z - m_steep->z : m_steep->z - z;
+  return ((rise > 0 ? m_options.step_up : m_options.step_down) - done) / std::abs(rise);
+}
+
+// Back to where it began; from there it is an edge, or a wall.
+Push::Next Push::give_up_steep(const SlidePlan& plan) {
+  m_group.go_back(m_steep->start);
+  m_way.resize(m_steep->way_length);
+  m_steep.reset();
+  if (plan.velocity.z() < 0) return stop(OperationResult::End::Edge);
+  m_climb = false;
+  // What was in the way up there is not here; the steep surface itself is.
+  const size_t i = plan.blocker;
+  const Obstacle steep =
+      i < m_touches.size() ? Obstacle{m_normals[i], m_touches[i].point.point, m_touches[i].outside}
+                           : m_obstacles[i - m_touches.size()];
+  m_obstacles = {steep};
+  return Next::GoOn;
+}
+
+// --- walls, steps and edges ------------------------------------------------------------------
+
+Push::Next Push::pass_wall(const SlidePlan& blocked, const Vec3& direction, double length) {
+  const Vec3 wall = m_normals[blocked.blocker];
+  if (++m_num_stalls > kMaxStalls) return stop_blocked(blocked.blocker);
+  if (m_options.step_up > 0 && step_up(direction, wall, m_options.step_up)) return Next::GoOn;
+  if (m_options.slide)
+    if (const auto along = slide_direction(m_normals, direction, blocked.blocker, m_climb)) {
+      const SlidePlan aside = plan(*along);
+      const double gain = length * along->dot(direction);
+      if (gain > m_shortest && aside.kind == SlidePlan::Kind::Go) return go(aside, gain);
+      if (gain > m_shortest && aside.kind == SlidePlan::Kind::NoSupport && step_down(*along))
+        return Next::GoOn;
+    }
+  return stop_blocked(blocked.blocker);
+}
+
+// Up, a little forward, and down onto it. @return the rise; nothing: it is higher, and the object
+// is where it was.
+std::optional<double> Push::step_up(const Vec3& direction, const Vec3& wall, double highest) {
+  const Place before = m_group.here();
+  const double z = m_group.pose().translation.z(), clearance = m_group.clearance();
+  const auto give_up = [&]() -> std::optional<double> {
+    m_group.go_back(before);
+    return std::nullopt;
+  };
+  const auto move = [&](const Vec3& way, double length) {
+    const Motion motion = Motion::translation(way, length);
+    const FirstContact found = m_group.first_contact(motion);
+    if (found.status == FirstContact::Status::Crossing) return 0.0;
+    const double time = std::min(found.time, length);
+    m_group.advance(motion, time);
+    return time;
+  };
+  const double up = move(Vec3::UnitZ(), highest + clearance);
+  const double cosine = std::max(kLeastCosine, -direction.dot(wall));
+  const double forward = std::min(kStepOn * clearance / cosine, way_left().norm());
+  if (up < clearance || move(direction, forward) < 0.9 * forward) return give_up();
+  const double down = up + clearance + m_options.step_down;
+  if (move(-Vec3::UnitZ(), down) >= down) return give_up();
+  const double rise = m_group.pose().translation.z() - z;
+  if (rise > highest + 0.5 * clearance) return give_up();
+  m_attempt.note_step(SettleStep::Kind::StepUp);
+  note_way(false);
+  if (rise > 2 * clearance) m_num_stalls = 0;
+  m_obstacles.clear();
+  m_steep.reset();
+  return rise;
+}
+
+bool Push::step_down(const Vec3& direction) {
+  const Place before = m_group.here();
+  const double clearance = m_group.clearance();
+  const double forward = std::min(kStepOn * clearance, way_left().norm());
+  const Motion over = Motion::translation(direction, forward);
+  const FirstContact ahead = m_group.first_contact(over);
+  m_group.advance(over, std::min(ahead.time, forward));
+  const Motion fall = Motion::translation(-Vec3::UnitZ(), m_options.step_down + clearance);
+  const FirstContact below = m_group.first_contact(fall);
+  if (below.status != FirstContact::Status::Contact) {
+    m_group.go_back(before);
+    return false;
+  }
+  m_group.advance(fall, below.time);
+  m_attempt.note_step(SettleStep::Kind::StepDown);
+  note_way(false);
+  m_obstacles = {{below.normal, below.point, below.fixed}};
+  if (ahead.status == FirstContact::Status::Contact)
+    m_obstacles.push_back({ahead.normal, ahead.point, ahead.fixed});
+  const bool stands_still = ahead.time < m_shortest && below.time < m_shortest;
+  m_num_stalls = stands_still ? m_num_stalls + 1 : 0;
+  return m_num_stalls <= kMaxStalls;
+}
+
+// --- the end ---------------------------------------------------------------------------------
+
+Push::Next Push::stop(OperationResult::End end) {
+  m_attempt.result().end = end;
+  return Next::Stop;
+}
+
+// A step is what could be climbed if it were allowed to: up to the object's own height.
+Push::Next Push::stop_blocked(size_t contact) {
+  const bool touch = contact < m_touches.size();
+  const Index outside =
+      touch ? m_touches[contact].outside : m_obstacles[contact - m_touches.size()].outside;
+  const Vec3 point =
+      touch ? m_touches[contact].point.point : m_obstacles[contact - m_touches.size()].point;
+  m_attempt.note_blocked(outside, point);
+  const Vec2 left = way_left();
+  const Place here = m_group.here();
+  const size_t num_steps = m_attempt.result().steps.size();
+  const double height = 2 * m_group.bodies()[0].world_box.half_extent().z();
+  if (left.norm() > m_shortest && height > m_options.step_up &&
+      step_up(level(left.normalized()), m_normals[contact], height)) {
+    m_group.go_back(here);
+    m_attempt.result().steps.resize(num_steps);
+    m_attempt.result().end = OperationResult::End::Step;
+  }
+  return Next::Stop;
+}
+
+void Push::note_way(bool straight) {
+  m_way.push_back({m_group.here().offset, straight});
+  m_floats = false;
+}
+
+// Whether the object, let go there, sinks no deeper than step_down.
+bool Push::holds_at(const Vec3& offset) {
+  Place place = m_group.here();
+  place.offset = offset;
+  m_group.go_back(place);
+  const double z = m_group.centre().z();
+  const SettleOutcome outcome = m_group.settle(nullptr);
+  const double sinks = z - m_group.centre().z();
+  m_group.go_back(place);
+  return outcome.status == SettleOutcome::Status::AtRest &&
+         sinks <= m_options.step_down + m_group.clearance();
+}
+
+void Push::let_go() {
+  const Place end = m_group.here();
+  if (!holds_at(end.offset) && m_way.size() > 1 && holds_at(m_way[0].offset)) {
+    size_t good = 0, bad = m_way.size() - 1;
+    while (bad - good > 1) {
+      const size_t middle = (good + bad) / 2;
+      (holds_at(m_way[middle].offset) ? good : bad) = middle;
+    }
+    Vec3 last = m_way[good].offset, beyond = m_way[bad].offset;
+    while (m_way[bad].straight && (beyond - last).norm() > 2 * m_shortest) {
+      const Vec3 middle = 0.5 * (last + beyond);
+      (holds_at(middle) ? last : beyond) = middle;
+    }
+    Place place = end;
+    place.offset = last;
+    m_group.go_back(place);
+    m_attempt.note_step(SettleStep::Kind::Slide);
+    m_attempt.result().end = OperationResult::End::Edge;
+  } else {
+    m_group.go_back(end);
+  }
+  m_attempt.let_go();
+}
+
+OperationResult perform_push(Scene& scene, ObjectId id, const PushOperation& o,
+                             const SettleOptions& options) {
+  Attempt attempt(scene, id, o, "push", options);
+  if (attempt.refused()) return attempt.finish(ObjectState::Held);
+  MovingGroup& group = attempt.group();
+  Push push(attempt, o);
+  if (!push.carried()) {
+    attempt.refuse(attempt.name() + " lies on nothing along which it could be pushed");
+    return attempt.finish(ObjectState::Held);
+  }
+  const Vec2 start = group.pose().translation.head<2>();
+  push.push_to(o.to.value_or(start + o.distance * o.direction.normalized()));
+  if (o.settle && !attempt.refused() && group.has_moved()) push.let_go();
+  return attempt.finish(ObjectState::Held);
+}
+
+}  // namespace trivet

@@ -1,0 +1,143 @@
+#include <stdexcept>
+
+#include "ops/check.h"
+#include "ops/operation.h"
+#include "ops/verify.h"
+#include "perf/result_hash.h"
+#include "perf/rows.h"
+#include "perf/scenes.h"
+
+namespace trivet::perf {
+namespace {
+
+constexpr double kStep = 0.005;        // metres: what a mouse moves between two frames
+constexpr int kTables = 67;            // of BREAKFAST: 1M triangles
+constexpr double kTableSpacing = 2.5;  // metres
+constexpr double kHalf = 0.70710678118654752;
+
+const Vec2 kDirections[] = {{1, 0},  {kHalf, kHalf},   {0, 1},  {-kHalf, kHalf},
+                            {-1, 0}, {-kHalf, -kHalf}, {0, -1}, {kHalf, -kHalf}};
+
+Scene laid_out_breakfast() {
+  DemoScene demo = make_demo_scene("breakfast");
+  for (const PutOperation& o : demo.operations)
+    if (!perform(demo.scene, o).ok()) throw std::runtime_error(o.object + " cannot be put");
+  return std::move(demo.scene);
+}
+
+/// The same table again and again, in rows; names get a number.
+Scene many_tables(const Scene& one, double clearance) {
+  Scene out;
+  for (int i = 0; i < kTables; ++i)
+    for (const ObjectId id : one.ids()) {
+      Object object = one.at(id);
+      object.name += "_" + std::to_string(i);
+      object.pose.translation += kTableSpacing * Vec3(i % 8, i / 8, 0);
+      object.links.clear();
+      out.add(std::move(object));
+    }
+  update_contacts(out, clearance);
+  return out;
+}
+
+/// One step of every free object of the first table in 8 directions, each from the same scene.
+Samples push_steps(Scene& scene, const std::vector<std::string>& names, bool settle,
+                   double clearance, ResultHash* hash, size_t* refused) {
+  SettleOptions options;
+  options.clearance = clearance;
+  Samples samples;
+  for (const std::string& name : names)
+    for (const Vec2& direction : kDirections) {
+      PushOperation push;
+      push.object = name, push.direction = direction, push.distance = kStep, push.settle = settle;
+      scene.start_recording();
+      OperationResult result;
+      const Took took = timed([&] { result = perform(scene, push, options); });
+      SceneChange change = scene.stop_recording();
+      hash->add(scene.at(*scene.find(name)).pose);
+      scene.exchange(change);
+      if (result.ok())
+        samples.add(took);
+      else
+        ++*refused;
+    }
+  return samples;
+}
+
+void add_push_rows(Scene scene, const std::vector<std::string>& names, double clearance,
+                   double goal_ms, Report& report) {
+  ResultHash hash;
+  for (const bool settle : {false, true}) {
+    size_t refused = 0;
+    const Samples samples = push_steps(scene, names, settle, clearance, &hash, &refused);
+    report.add({settle ? "the same, let go at the end" : "PUSH by 5 mm, held at the end", samples,
+                goal_ms, 0, text("refused %zu", refused)});
+  }
+  report.remark("hash of these results",
+                text("%016llx", static_cast<unsigned long long>(hash.value())));
+  report.mix(hash.value());
+}
+
+std::vector<std::string> free_objects(const Scene& scene, const std::string& suffix) {
+  std::vector<std::string> names;
+  for (const ObjectId id : scene.ids())
+    if (!scene.at(id).fixed) names.push_back(scene.at(id).name + suffix);
+  return names;
+}
+
+// How far anything has shifted relative to the table.
+double largest_shift(const Scene& before, const Scene& after, ObjectId table) {
+  const Vec3 by = after.at(table).pose.translation - before.at(table).pose.translation;
+  double largest = 0;
+  for (const ObjectId id : before.ids()) {
+    const Vec3 own = after.at(id).pose.translation - before.at(id).pose.translation;
+    largest = std::max(largest, (own - by).cwiseAbs().maxCoeff());
+  }
+  return largest;
+}
+
+void add_table_rows(Scene scene, Report& report) {
+  const ObjectId table = *scene.find("table");
+  scene.at(table).fixed = false;
+  if (!put(scene, table, scene.at(table).pose).ok())
+    throw std::runtime_error("the table cannot be put");
+  PushOperation push;
+  push.object = "table", push.distance = 0.1;
+  const TranslateOperation lift{{"table"}, Vec3(0.1, -0.05, 0.2)};
+  for (const Operation& operation : {Operation(push), Operation(lift)}) {
+    Samples samples;
+    double shift = 0;
+    size_t carried = 0;
+    for (int i = 0; i < 9; ++i) {
+      Scene after = scene;
+      OperationResult result;
+      samples.add(timed([&] { result = perform(after, operation); }));
+      if (!result.ok()) throw std::runtime_error(result.reason);
+      carried = result.carried.size();
+      shift = largest_shift(scene, after, table);
+    }
+    report.add(
+        {text("%s of the table by 0.1 m and more", op_name(operation)), samples, 10, 0,
+         text("%zu objects carried; largest shift relative to the table %.2g m", carried, shift)});
+  }
+}
+
+}  // namespace
+
+void push_rows(Report& report) {
+  const Scene breakfast = laid_out_breakfast();
+  const double clearance = default_clearance(breakfast);
+  report.section("PUSH in BREAKFAST: every object, in 8 directions");
+  add_push_rows(breakfast, free_objects(breakfast, ""), clearance, 2, report);
+  add_table_rows(breakfast, report);
+
+  Scene many = many_tables(breakfast, clearance);
+  std::int64_t num_triangles = 0;
+  for (const ObjectId id : many.ids())
+    num_triangles += static_cast<std::int64_t>(many.at(id).shape->mesh.triangles.size());
+  report.section(text("PUSH among %zu objects, %s triangles: the objects of one table",
+                      many.ids().size(), short_count(num_triangles).c_str()));
+  add_push_rows(std::move(many), free_objects(breakfast, "_0"), clearance, 10, report);
+}
+
+}  // namespace trivet::perf

@@ -1,0 +1,120 @@
+// A scene for operations, and what must hold after each of them.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "ops/check.h"
+#include "ops/layout/operation_json.h"
+#include "ops/operation.h"
+#include "ops/verify.h"
+#include "support/solids.h"
+
+namespace trivet::test {
+
+/// Poses, states and links of all objects, to the bit.
+inline std::string snapshot(const Scene& scene) {
+  std::string out;
+  const auto add = [&](const auto& value) { out += nlohmann::json(value).dump() + " "; };
+  for (const ObjectId id : scene.ids()) {
+    const Object& o = scene.at(id);
+    const Vec3& t = o.pose.translation;
+    const Rotation& r = o.pose.rotation;
+    out += "\n" + o.name + " " + to_string(o.state) + " ";
+    for (const double x : {t.x(), t.y(), t.z(), r.w, r.x, r.y, r.z, o.stability_margin}) add(x);
+    for (const Link& link : o.links) {
+      out += (link.with ? scene.at(*link.with).name : "floor") + " ";
+      for (const ContactPoint& p : link.contact.points)
+        for (const double x : {p.point.x(), p.point.y(), p.point.z(), p.normal.z(), p.gap}) add(x);
+    }
+  }
+  return out;
+}
+
+/// Who lies on whom.
+inline std::string loads_text(const Scene& scene) {
+  std::string out;
+  for (const LoadSupport::Entry& e : load_support(scene).entries) {
+    out += scene.at(e.object).name + (e.on_floor ? " on floor" : "");
+    for (const ObjectId id : e.supports) out += " on " + scene.at(id).name;
+    for (const ObjectId id : e.loads) out += " under " + scene.at(id).name;
+    out += "; ";
+  }
+  return out;
+}
+
+class Stage {
+ public:
+  Scene scene;
+
+  /// Stands there, fixed.
+  ObjectId fix(const std::string& name, const Triangles& triangles, const Vec3& at = Vec3::Zero()) {
+    const ObjectId id = scene.add(object_of(name, triangles, true));
+    const OperationResult result = stand(scene, id, {{}, at});
+    EXPECT_TRUE(result.ok()) << result.reason;
+    return id;
+  }
+
+  ObjectId put(const std::string& name, const Triangles& triangles, const Vec3& from,
+               const Rotation& rotation = {}) {
+    const ObjectId id = scene.add(object_of(name, triangles));
+    const OperationResult result = trivet::put(scene, id, {rotation, from});
+    EXPECT_TRUE(result.ok()) << result.reason;
+    return id;
+  }
+
+  const Object& at(const std::string& name) const { return scene.at(*scene.find(name)); }
+  Vec3 position(const std::string& name) const { return at(name).pose.translation; }
+  double clearance() const { return default_clearance(scene); }
+
+  /// Performs it and checks all that must hold whatever it is: refused, nothing has changed; done,
+  /// nothing interpenetrates, what is not at rest is said to be so, and the contacts are those
+  /// found anew.
+  OperationResult run(const Operation& operation) {
+    const std::string before = snapshot(scene);
+    const OperationResult result = perform(scene, operation);
+    if (!result.ok()) {
+      EXPECT_NE(result.reason, "");
+      EXPECT_EQ(snapshot(scene), before);
+      return result;
+    }
+    check(result);
+    return result;
+  }
+
+  OperationResult refused(const Operation& operation, const std::string& reason) {
+    const OperationResult result = run(operation);
+    EXPECT_FALSE(result.ok());
+    EXPECT_NE(result.reason.find(reason), std::string::npos) << result.reason;
+    return result;
+  }
+
+ private:
+  void check(const OperationResult& result) const {
+    const SceneCheck found = check_scene(scene, 1);
+    if (result.interpenetrates.empty()) {
+      EXPECT_EQ(found.interpenetrating_pairs(), 0);
+      EXPECT_TRUE(found.float32_crossings.empty() && found.contained.empty());
+    }
+    for (const ObjectId id : scene.ids()) {
+      const Object& o = scene.at(id);
+      const bool rests = std::find(found.not_at_rest.begin(), found.not_at_rest.end(), o.name) ==
+                         found.not_at_rest.end();
+      if (!o.placed || o.fixed) continue;
+      if (o.state == ObjectState::Stable) {
+        EXPECT_TRUE(rests) << o.name;
+      }
+      if (o.state == ObjectState::Unsupported || o.state == ObjectState::Held) {
+        EXPECT_FALSE(rests) << o.name;
+      }
+    }
+    if (!result.interpenetrates.empty()) return;
+    Scene anew = scene;
+    update_contacts(anew);
+    EXPECT_EQ(loads_text(scene), loads_text(anew));
+  }
+};
+
+}  // namespace trivet::test

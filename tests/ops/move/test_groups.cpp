@@ -1,0 +1,159 @@
+// What lies on an object moves with it; what it leaves behind is named: the paper's Fig. 6.
+#include <algorithm>
+
+#include "stage.h"
+
+namespace trivet {
+namespace {
+
+using test::box_triangles;
+using test::Stage;
+using End = OperationResult::End;
+
+/// Fig. 6: a table with two objects on it, one of which carries a third; and a box beside it.
+struct Pile : Stage {
+  Pile() {
+    put("table", box_triangles(Vec3(0.5, 0.5, 0.25)), {0, 0, 1});
+    put("a", box_triangles(Vec3(0.1, 0.1, 0.1)), {-0.2, 0, 1});
+    put("b", box_triangles(Vec3(0.1, 0.1, 0.1)), {0.2, 0, 1});
+    put("c", box_triangles(Vec3(0.05, 0.05, 0.05)), {0.2, 0.05, 1});
+    put("beside", box_triangles(Vec3(0.1, 0.1, 0.1)), {1, 0, 1});
+  }
+};
+
+TEST(Group, Figure6LoadSupportList) {
+  Pile s;
+  EXPECT_EQ(test::loads_text(s.scene),
+            "table on floor under a under b; a on table; b on table under c; c on b; "
+            "beside on floor; ");
+}
+
+// Fig. 1: the table moves, and everything on it stays in its place.
+TEST(Group, Figure1MovesWithWhatItCarries) {
+  Pile s;
+  const Scene before = s.scene;
+  const OperationResult result = s.run(TranslateOperation{{"table"}, Vec3(-1.0 / 3, 0.1, 0.7)});
+  ASSERT_TRUE(result.ok()) << result.reason;
+  EXPECT_EQ(result.carried, (std::vector<std::string>{"a", "b", "c"}));
+  const Vec3 by = s.position("table") - before.at(*before.find("table")).pose.translation;
+  for (const char* name : {"a", "b", "c"}) {
+    const Vec3 shift = s.position(name) - before.at(*before.find(name)).pose.translation - by;
+    EXPECT_LE(shift.cwiseAbs().maxCoeff(), 3e-16) << name;
+    EXPECT_EQ(s.at(name).state, ObjectState::Stable) << name;
+  }
+  EXPECT_EQ(s.at("table").state, ObjectState::Held);
+  EXPECT_EQ(s.position("beside"), before.at(*before.find("beside")).pose.translation);
+}
+
+TEST(Group, TurnsWithWhatItCarries) {
+  Pile s;
+  TurnOperation o;
+  o.object = "table", o.angle_deg = 90;
+  const OperationResult result = s.run(o);
+  ASSERT_TRUE(result.ok()) << result.reason;
+  EXPECT_NEAR((s.position("b").head<2>() - Vec2(0, 0.2)).norm(), 0, s.clearance());
+  EXPECT_NEAR((s.position("c").head<2>() - Vec2(-0.05, 0.2)).norm(), 0, s.clearance());
+  EXPECT_EQ(s.at("c").state, ObjectState::Stable);
+}
+
+// A load that sticks out collides first.
+TEST(Group, CollidesAsAWhole) {
+  Pile s;
+  s.fix("lamp", box_triangles(Vec3(0.01, 0.01, 0.5)), {0.2, 2, 0.5 + 0.6});
+  s.scene.remove(*s.scene.find("beside"));
+  // Below the lamp the table passes; b (top at 0.7) does not.
+  PushOperation o;
+  o.object = "table", o.direction = Vec2(0, 1), o.distance = 3, o.slide = false;
+  const OperationResult result = s.run(o);
+  ASSERT_TRUE(result.ok()) << result.reason;
+  EXPECT_EQ(result.blocked_by, "lamp");
+  EXPECT_NEAR(s.position("b").y(), 2 - 0.01 - 0.1, 1e-5);
+  EXPECT_NEAR(s.position("table").y(), 2 - 0.01 - 0.1, 1e-5);
+}
+
+TEST(Group, PutCarriesLoads) {
+  Pile s;
+  const Vec3 a = s.position("a") - s.position("table");
+  const OperationResult result = s.run(PutOperation{{"table"}, Pose{{}, Vec3(5, 5, 2)}});
+  ASSERT_TRUE(result.ok()) << result.reason;
+  EXPECT_NEAR((s.position("a") - s.position("table") - a).norm(), 0, 1e-13);
+  EXPECT_EQ(s.at("a").state, ObjectState::Stable);
+  EXPECT_NEAR(s.position("table").z(), 0.25, 1e-5);
+}
+
+TEST(Group, FixedAndLockedDoNotMove) {
+  Pile s;
+  s.scene.at(*s.scene.find("c")).locked = true;
+  s.refused(TranslateOperation{{"table"}, Vec3(0, 0, 1)}, "\"c\" is locked");
+  s.refused(PickUpOperation{{"c"}, 1, {}}, "\"c\" is locked");
+  EXPECT_TRUE(s.run(PickUpOperation{{"a"}, 0.1, {}}).ok());
+}
+
+// Objects of one group move as one, even if they do not touch.
+TEST(Group, MatesMoveAlong) {
+  Pile s;
+  s.scene.at(*s.scene.find("a")).group = "g";
+  s.scene.at(*s.scene.find("beside")).group = "g";
+  const OperationResult result = s.run(TranslateOperation{{"a"}, Vec3(0, 1, 0.2)});
+  EXPECT_EQ(result.carried, std::vector<std::string>{"beside"});
+  EXPECT_NEAR(s.position("beside").y(), 1, 1e-12);
+}
+
+/// A plank on two posts, with a box on its middle.
+struct Bridge : Stage {
+  Bridge() {
+    put("left", box_triangles(Vec3(0.1, 0.1, 0.25)), {-0.4, 0, 1});
+    put("right", box_triangles(Vec3(0.1, 0.1, 0.25)), {0.4, 0, 1});
+    put("plank", box_triangles(Vec3(0.6, 0.1, 0.02)), {0, 0, 1});
+    put("box", box_triangles(Vec3(0.05, 0.05, 0.05)), {0, 0, 1});
+  }
+};
+
+// Taking a support away: the plank goes with the post that moves, off the other one.
+TEST(Group, NamesWhatIsLeftUnsupported) {
+  for (const bool settle_left : {false, true}) {
+    Bridge s;
+    const OperationResult result = s.run(TranslateOperation{{"left", settle_left}, Vec3(-1, 0, 0)});
+    ASSERT_TRUE(result.ok()) << result.reason;
+    EXPECT_EQ(result.end, End::Reached);
+    EXPECT_EQ(result.carried, (std::vector<std::string>{"plank", "box"}));
+    if (!settle_left) {
+      EXPECT_EQ(result.unsupported, std::vector<std::string>{"plank"});
+      EXPECT_EQ(s.at("plank").state, ObjectState::Unsupported);
+      EXPECT_EQ(s.at("box").state, ObjectState::Stable);
+      continue;
+    }
+    EXPECT_TRUE(result.unsupported.empty());
+    ASSERT_FALSE(result.settled.empty());
+    EXPECT_EQ(result.settled[0], "plank");
+    for (const char* name : {"left", "right", "plank", "box"})
+      EXPECT_EQ(s.at(name).state, ObjectState::Stable) << name;
+  }
+}
+
+// A tilted table lets its load go: named, or settled when asked for.
+TEST(Group, WhatATiltedSupportCarriesIsNamedOrSettles) {
+  for (const bool settle_left : {false, true}) {
+    Stage s;
+    s.put("tray", box_triangles(Vec3(0.5, 0.3, 0.02)), {0, 0, 1});
+    s.put("ball", box_triangles(Vec3(0.02, 0.02, 0.2)), {0.3, 0, 1});
+    TurnOperation o;
+    o.object = "tray", o.about = TurnOperation::About::Line, o.angle_deg = 40;
+    o.point = Vec3(-0.5, 0, 0);
+    o.settle_left = settle_left;
+    const OperationResult result = s.run(o);
+    ASSERT_TRUE(result.ok()) << result.reason;
+    EXPECT_EQ(result.carried, std::vector<std::string>{"ball"});
+    if (settle_left) {
+      EXPECT_TRUE(result.unsupported.empty());
+      EXPECT_EQ(result.settled, std::vector<std::string>{"ball"});
+      EXPECT_EQ(s.at("ball").state, ObjectState::Stable);
+    } else {
+      EXPECT_EQ(result.unsupported, std::vector<std::string>{"ball"});
+      EXPECT_EQ(s.at("ball").state, ObjectState::Unsupported);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace trivet

@@ -1,0 +1,217 @@
+// TURN, PICK-UP, TRANSLATE and ROTATE: the paper's Fig. 5, 16 and 18, and what stops them.
+#include "stage.h"
+
+namespace trivet {
+namespace {
+
+using test::box_triangles;
+using test::Stage;
+using End = OperationResult::End;
+
+/// A box of half extents 0.2, 0.1, 0.3 on the floor.
+struct BoxOnFloor : Stage {
+  BoxOnFloor() { put("box", box_triangles(Vec3(0.2, 0.1, 0.3)), {0, 0, 1}); }
+};
+
+TurnOperation turn(TurnOperation::About about, double angle_deg) {
+  TurnOperation o;
+  o.object = "box";
+  o.about = about;
+  o.angle_deg = angle_deg;
+  return o;
+}
+
+double cosine(const Rotation& r) { return r.matrix()(0, 0); }
+
+// Fig. 5, example 1: an area contact, the axis is its normal.
+TEST(Turn, Figure5AreaAboutItsNormal) {
+  BoxOnFloor s;
+  const Vec3 before = s.position("box");
+  TurnOperation o = turn(TurnOperation::About::Normal, 30);
+  OperationResult result = s.run(o);
+  ASSERT_TRUE(result.ok()) << result.reason;
+  EXPECT_EQ(result.end, End::Reached);
+  EXPECT_EQ(result.turned_deg, 30);
+  EXPECT_NEAR((s.position("box") - before).norm(), 0, s.clearance());  // about the contact's centre
+  EXPECT_NEAR(cosine(s.at("box").pose.rotation), std::cos(M_PI / 6), 1e-14);
+  EXPECT_EQ(s.at("box").state, ObjectState::Stable);
+
+  o.centre = Vec3(1, 0, 0);
+  o.angle_deg = 180;
+  result = s.run(o);
+  EXPECT_EQ(result.end, End::Reached);
+  EXPECT_EQ(result.num_motions, 2);
+  EXPECT_NEAR((s.position("box") - Vec3(2, 0, before.z())).norm(), 0, s.clearance());
+}
+
+// Fig. 5, example 2, and Fig. 18: a line, an edge of the contact; let go it falls back.
+TEST(Turn, Figure5LineAboutItsEdge) {
+  BoxOnFloor s;
+  TurnOperation o = turn(TurnOperation::About::Line, 30);
+  o.point = Vec3(0.2, 0, 0);
+  const double clearance = s.position("box").z() - 0.3;
+  OperationResult result = s.run(o);
+  ASSERT_TRUE(result.ok()) << result.reason;
+  EXPECT_EQ(result.end, End::Reached);
+  // About the edge x = 0.2: the box tilts towards +x, and its centre rises.
+  const double c = std::cos(M_PI / 6), si = 0.5;
+  EXPECT_NEAR(s.position("box").x(), 0.2 - 0.2 * c + 0.3 * si, 2 * s.clearance());
+  EXPECT_NEAR(s.position("box").z(), clearance + 0.2 * si + 0.3 * c, 2 * s.clearance());
+  EXPECT_EQ(s.at("box").state, ObjectState::Held);
+  ASSERT_EQ(s.at("box").links.size(), 1u);
+  EXPECT_EQ(s.at("box").links[0].contact.type, ContactType::Line);
+
+  // A line contact: on by 30 degrees, past its balance (33.7), and let go: it falls on its side.
+  o.point.reset();
+  o.axis = Vec3::UnitY();
+  o.settle = true;
+  result = s.run(o);
+  ASSERT_TRUE(result.ok()) << result.reason;
+  EXPECT_NEAR(s.position("box").z(), 0.2, 1e-5);
+  EXPECT_EQ(s.at("box").state, ObjectState::Stable);
+}
+
+// The other way round the edge would go into the floor.
+TEST(Turn, StopsAtOnceAgainstTheFloor) {
+  BoxOnFloor s;
+  TurnOperation o = turn(TurnOperation::About::Line, -30);
+  o.point = Vec3(0.2, 0, 0);
+  const OperationResult result = s.run(o);
+  EXPECT_EQ(result.end, End::Blocked);
+  EXPECT_EQ(result.blocked_by, "floor");
+  EXPECT_NEAR(result.turned_deg, 0, 1e-3);
+}
+
+// Fig. 5, example 3: a point, and any axis through it.
+TEST(Turn, Figure5PointAboutAnyAxis) {
+  BoxOnFloor s;
+  const double clearance = s.position("box").z() - 0.3;
+  TurnOperation o = turn(TurnOperation::About::Point, 20);
+  o.point = Vec3(0.2, 0.1, 0);
+  o.axis = Vec3(-1, 1, 0);  // tilts it towards (1, 1)
+  const OperationResult result = s.run(o);
+  ASSERT_TRUE(result.ok()) << result.reason;
+  EXPECT_EQ(result.end, End::Reached);
+  const Vec3 corner = s.at("box").world_from_object().apply(Vec3(0.2f, 0.1f, -0.3f));
+  EXPECT_NEAR((corner - Vec3(0.2f, 0.1f, clearance)).norm(), 0, 2 * s.clearance());
+  ASSERT_EQ(s.at("box").links.size(), 1u);
+  EXPECT_EQ(s.at("box").links[0].contact.type, ContactType::Point);
+  EXPECT_EQ(s.at("box").state, ObjectState::Held);
+}
+
+// A wall at x = 0.21: the corner at distance sqrt(0.05) from the axis meets it at
+// cos(a + atan(1 / 2)) = 0.21 / sqrt(0.05).
+TEST(Turn, StopsAtAWall) {
+  BoxOnFloor s;
+  s.fix("wall", box_triangles(Vec3(0.05, 1, 1)), {0.26, 0, 1 + 1e-5});
+  const OperationResult result = s.run(turn(TurnOperation::About::Normal, 90));
+  EXPECT_EQ(result.end, End::Blocked);
+  EXPECT_EQ(result.blocked_by, "wall");
+  // The corner at (0.2, -0.1) goes towards the wall first.
+  const double expected = std::atan(0.5) - std::acos(0.21 / std::sqrt(0.05));
+  EXPECT_NEAR(result.turned_deg, expected * 180 / M_PI, 0.01);
+  EXPECT_NEAR(result.blocked_at.x(), 0.21, 1e-5);
+}
+
+TEST(Turn, RefusesWhatIsNotHeld) {
+  BoxOnFloor s;
+  TurnOperation o = turn(TurnOperation::About::Normal, 10);
+  o.with = "shelf";
+  s.refused(o, "\"box\" does not touch \"shelf\"");
+  s.put("ball", test::ball(0.1, 9, 12), {1, 1, 1}, Rotation::about_axis(Vec3::UnitX(), 0.1));
+  o.with.reset();
+  o.about = TurnOperation::About::Line;
+  ASSERT_TRUE(s.run(TranslateOperation{{"box"}, Vec3(0, 0, 0.1)}).ok());
+  s.refused(o, "does not touch anything");
+}
+
+TEST(PickUp, GoesAlongTheNormalAndDropsTheLinks) {
+  BoxOnFloor s;
+  const double z = s.position("box").z();
+  const OperationResult result = s.run(PickUpOperation{{"box"}, 0.25, {}});
+  ASSERT_TRUE(result.ok()) << result.reason;
+  EXPECT_EQ(result.end, End::Reached);
+  EXPECT_NEAR((s.position("box") - Vec3(0, 0, z + 0.25)).norm(), 0, s.clearance());
+  EXPECT_TRUE(s.at("box").links.empty());
+  EXPECT_EQ(s.at("box").state, ObjectState::Held);
+  EXPECT_FALSE(check_scene(s.scene, 1).ok());  // a hand is no support
+  s.refused(PickUpOperation{{"box"}, 0.25, {}}, "lies on nothing");
+  ASSERT_TRUE(s.run(PutOperation{{"box"}, s.at("box").pose}).ok());
+  EXPECT_EQ(s.at("box").state, ObjectState::Stable);
+  EXPECT_NEAR(s.position("box").z(), z, s.clearance());
+}
+
+TEST(PickUp, StopsBelowAShelf) {
+  BoxOnFloor s;
+  s.fix("shelf", box_triangles(Vec3(1, 1, 0.01)), {0, 0, 0.81});
+  const OperationResult result = s.run(PickUpOperation{{"box"}, 0.25, "floor"});
+  EXPECT_EQ(result.end, End::Blocked);
+  EXPECT_EQ(result.blocked_by, "shelf");
+  EXPECT_NEAR(s.position("box").z(), 0.5, 2 * s.clearance());
+}
+
+TEST(Translate, StopsAtCollisionOrGoesThrough) {
+  BoxOnFloor s;
+  s.fix("wall", box_triangles(Vec3(0.05, 1, 1)), {1, 0, 1 + 1e-5});
+  TranslateOperation o{{"box"}, Vec3(0.9, 0, 0.1)};
+  OperationResult result = s.run(o);
+  EXPECT_EQ(result.end, End::Blocked);
+  EXPECT_EQ(result.blocked_by, "wall");
+  EXPECT_NEAR(s.position("box").x(), 0.75, 2 * s.clearance());
+  EXPECT_EQ(s.at("box").state, ObjectState::Held);
+
+  o.by = Vec3(0.2, 0, 0);
+  o.free = true;
+  result = s.run(o);
+  ASSERT_TRUE(result.ok());
+  EXPECT_EQ(result.interpenetrates, std::vector<std::string>{"wall"});
+  EXPECT_EQ(s.at("box").state, ObjectState::Invalid);
+  EXPECT_GT(check_scene(s.scene, 1).interpenetrating_pairs(), 0);
+  // Nothing else goes until that is resolved.
+  s.refused(TranslateOperation{{"box"}, Vec3(0.5, 0, 0)}, "passes through \"wall\"");
+  s.refused(PickUpOperation{{"box"}, 0.1, {}}, "passes through \"wall\"");
+  o.by = Vec3(1, 0, 0);
+  o.settle = true;
+  result = s.run(o);
+  EXPECT_TRUE(result.interpenetrates.empty());
+  EXPECT_EQ(s.at("box").state, ObjectState::Stable);
+  EXPECT_TRUE(check_scene(s.scene, 1).ok());
+}
+
+TEST(Translate, FreelyBelowTheFloor) {
+  BoxOnFloor s;
+  TranslateOperation o{{"box"}, Vec3(0, 0, -0.1), false, true};
+  o.free = true, o.settle = false;
+  EXPECT_EQ(s.run(o).interpenetrates, std::vector<std::string>{"floor"});
+  EXPECT_EQ(s.at("box").state, ObjectState::Invalid);
+}
+
+TEST(Rotate, ManyTurnsAboutTheCentreOfMass) {
+  BoxOnFloor s;
+  ASSERT_TRUE(s.run(TranslateOperation{{"box"}, Vec3(0, 0, 1)}).ok());
+  const Vec3 before = s.position("box");
+  const OperationResult result = s.run(RotateOperation{{"box"}, Vec3(0, 3, 0), 3600 + 45, {}});
+  EXPECT_EQ(result.end, End::Reached);
+  EXPECT_EQ(result.num_motions, 41);
+  EXPECT_NEAR((s.position("box") - before).norm(), 0, 1e-12);
+  EXPECT_NEAR(cosine(s.at("box").pose.rotation), std::sqrt(0.5), 1e-12);
+}
+
+TEST(Rotate, StopsAtTheFloor) {
+  BoxOnFloor s;
+  const OperationResult result = s.run(RotateOperation{{"box"}, Vec3(0, 1, 0), 90, {}});
+  EXPECT_EQ(result.end, End::Blocked);
+  EXPECT_EQ(result.blocked_by, "floor");
+}
+
+TEST(Motion, TurnTimesAreTangents) {
+  for (double angle = -90; angle <= 90; angle += 0.37) {
+    EXPECT_NEAR(turn_time(angle), std::tan(angle * M_PI / 360), 1e-15) << angle;
+    EXPECT_NEAR(turned_deg(turn_time(angle)), angle, 1e-13) << angle;
+  }
+  EXPECT_EQ(turn_time(90), 1);
+  EXPECT_EQ(turn_time(0), 0);
+}
+
+}  // namespace
+}  // namespace trivet

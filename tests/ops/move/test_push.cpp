@@ -1,0 +1,255 @@
+// PUSH: the paper's Fig. 4, and what it says about steps, edges, walls and curved surfaces.
+#include <algorithm>
+
+#include "stage.h"
+
+namespace trivet {
+namespace {
+
+using test::box_triangles;
+using test::Stage;
+using End = OperationResult::End;
+
+/// A box of half extents 0.1 on a table whose top is at z = 0.5.
+struct Table : Stage {
+  explicit Table(bool slab = false) {
+    fix("table", box_triangles(Vec3(1, 1, 0.25)), {0, 0, 0.25 + 1e-5});
+    if (slab) fix("slab", box_triangles(Vec3(0.2, 0.5, 0.01)), {-0.7, 0, top() + 0.01 + 1e-5});
+    put("box", box_triangles(Vec3(0.1, 0.1, 0.1)), {-0.5, 0, 1});
+  }
+  double top() const { return 0.5 + 1e-5; }
+};
+
+PushOperation push(double x, double y, double distance) {
+  PushOperation o;
+  o.object = "box";
+  o.direction = Vec2(x, y);
+  o.distance = distance;
+  return o;
+}
+
+// Fig. 4a: still in contact, the push goes on.
+TEST(Push, Figure4aGoesOnInContact) {
+  Table t;
+  const double z = t.position("box").z();
+  const OperationResult result = t.run(push(3, 4, 0.5));
+  ASSERT_TRUE(result.ok()) << result.reason;
+  EXPECT_EQ(result.end, End::Reached);
+  EXPECT_NEAR((t.position("box") - Vec3(-0.2, 0.4, z)).norm(), 0, 1.1 * t.clearance());
+  EXPECT_NEAR(result.moved, 0.5, 1.1 * t.clearance());
+  EXPECT_EQ(t.at("box").state, ObjectState::Stable);
+  EXPECT_LE(result.num_motions, 4);
+}
+
+// Fig. 4b: the step is higher than the threshold: back to the point of collision.
+TEST(Push, Figure4bStopsAtAHighStep) {
+  Table t;
+  t.fix("step", box_triangles(Vec3(0.2, 0.5, 0.01)), {0.2, 0, t.top() + 0.01 + 1e-5});
+  PushOperation o = push(1, 0, 0.5);
+  o.step_up = 0.019;
+  const OperationResult result = t.run(o);
+  ASSERT_TRUE(result.ok()) << result.reason;
+  EXPECT_EQ(result.end, End::Step);
+  EXPECT_EQ(result.blocked_by, "step");
+  EXPECT_NEAR(result.blocked_at.x(), 0, 2 * t.clearance());
+  EXPECT_NEAR(t.position("box").x(), -0.1, 2.1 * t.clearance());
+  EXPECT_EQ(t.at("box").state, ObjectState::Stable);
+}
+
+// Fig. 4c: lower than the threshold: lifted onto it, and on.
+TEST(Push, Figure4cClimbsALowStep) {
+  Table t;
+  t.fix("step", box_triangles(Vec3(0.2, 0.5, 0.01)), {0.2, 0, t.top() + 0.01 + 1e-5});
+  const double z = t.position("box").z();
+  PushOperation o = push(1, 0, 0.7);
+  o.step_up = 0.021;
+  const OperationResult result = t.run(o);
+  ASSERT_TRUE(result.ok()) << result.reason;
+  EXPECT_EQ(result.end, End::Reached);
+  EXPECT_NEAR(t.position("box").x(), 0.2, 2 * t.clearance());
+  EXPECT_NEAR(t.position("box").z(), z + 0.02 + 1e-5, 2 * t.clearance());
+  EXPECT_EQ(test::loads_text(t.scene), "table; box on step; step under box; ");
+}
+
+// A step of just the threshold is climbed; one by a few clearances higher is not.
+TEST(Push, ClimbsUpToTheThreshold) {
+  for (const double excess : {-4.0, 4.0}) {
+    Table t;
+    t.fix("step", box_triangles(Vec3(0.2, 0.5, 0.0078125)), {0.2, 0, t.top() + 0.0078125 + 1e-5});
+    PushOperation o = push(1, 0, 0.7);
+    o.step_up = 0.015625 + 1e-5 - excess * t.clearance();
+    const OperationResult result = t.run(o);
+    EXPECT_EQ(result.end, excess < 0 ? End::Reached : End::Step) << excess;
+  }
+}
+
+// Fig. 4d: contact lost by less than the threshold: down until there is contact.
+TEST(Push, Figure4dGoesDownALowEdge) {
+  Table t(true);
+  ASSERT_TRUE(t.run(PutOperation{{"box"}, Pose{{}, Vec3(-0.65, 0, 1)}}).ok());
+  const double z = t.position("box").z();
+  PushOperation o = push(1, 0, 0.8);
+  o.step_down = 0.021;
+  const OperationResult result = t.run(o);
+  ASSERT_TRUE(result.ok()) << result.reason;
+  EXPECT_EQ(result.end, End::Reached);
+  EXPECT_NEAR(t.position("box").x(), 0.15, 2 * t.clearance());
+  EXPECT_NEAR(t.position("box").z(), z - 0.02 - 1e-5, 2 * t.clearance());
+}
+
+// Fig. 4e: by more: pulled back to where the contact ends.
+TEST(Push, Figure4eStaysWhereTheContactEnds) {
+  Table t;
+  PushOperation o = push(1, 0, 3);
+  o.settle = false;
+  const OperationResult result = t.run(o);
+  ASSERT_TRUE(result.ok()) << result.reason;
+  EXPECT_EQ(result.end, End::Edge);
+  EXPECT_NEAR(t.position("box").x(), 1.1, 10 * t.clearance());  // its last edge on the table's
+  EXPECT_EQ(t.at("box").state, ObjectState::Held);              // nothing else would keep it there
+}
+
+// Let go there it would fall: it is pulled back on, to where its centre is over the edge.
+TEST(Push, StaysOnTheTable) {
+  for (const double distance : {3.0, 1.55}) {
+    Table t;
+    const OperationResult result = t.run(push(1, 0, distance));
+    ASSERT_TRUE(result.ok()) << result.reason;
+    EXPECT_EQ(result.end, End::Edge);
+    EXPECT_NEAR(t.position("box").x(), 1, 1e-5);
+    EXPECT_EQ(t.at("box").state, ObjectState::Stable);
+  }
+}
+
+// No obstacle and no gap is too small to be seen: a needle of 0.1 mm, a slit of 0.1 mm.
+TEST(Push, SeesWhatIsSmall) {
+  Table t;
+  t.fix("needle", box_triangles(Vec3(5e-5, 5e-5, 0.05)), {0.3, 0.02, t.top() + 0.05 + 1e-5});
+  OperationResult result = t.run(push(1, 0, 1));
+  EXPECT_EQ(result.end, End::Blocked == result.end ? End::Blocked : End::Step);
+  EXPECT_EQ(result.blocked_by, "needle");
+  EXPECT_NEAR(t.position("box").x(), 0.3 - 5e-5 - 0.1, 2.1 * t.clearance());
+
+  // A needle that is pushed over a slit between two tables, deeper than step_down, stops there.
+  Stage slit;
+  slit.fix("left", box_triangles(Vec3(0.5, 0.5, 0.25)), {-0.5, 0, 0.25 + 1e-5});
+  slit.fix("right", box_triangles(Vec3(0.5, 0.5, 0.25)), {0.501, 0, 0.25 + 1e-5});
+  slit.put("box", box_triangles(Vec3(1e-4, 1e-4, 1e-4)), {-0.3, 0, 0.6});
+  result = slit.run(push(1, 0, 0.6));
+  EXPECT_EQ(result.end, End::Edge);
+  EXPECT_NEAR(slit.position("box").x(), 0, 1e-5);
+}
+
+TEST(Push, SlidesAlongAWallAndPastItsEnd) {
+  Table t;
+  // A wall along x + y = 0.2, turned by 45 degrees.
+  const ObjectId wall =
+      t.scene.add(test::object_of("wall", box_triangles(Vec3(0.01, 2, 0.2)), true));
+  const double r = 0.01;
+  const Vec3 n(std::sqrt(0.5), std::sqrt(0.5), 0);
+  const Pose pose{Rotation::about_axis(Vec3::UnitZ(), std::tan(M_PI / 8)),
+                  Vec3(0.1, 0.1, t.top() + 0.2 + 1e-5) + r * n};
+  ASSERT_TRUE(stand(t.scene, wall, pose).ok());
+  PushOperation o = push(1, 0, 0.8);
+  OperationResult result = t.run(o);
+  ASSERT_TRUE(result.ok()) << result.reason;
+  EXPECT_EQ(result.end, End::Blocked);
+  EXPECT_EQ(result.blocked_by, "wall");
+  // The foot of the goal (0.3, 0) on the line that the box's corner keeps it from: x + y = 0.
+  EXPECT_NEAR(t.position("box").x(), 0.15, 1e-5);
+  EXPECT_NEAR(t.position("box").y(), -0.15, 1e-5);
+
+  Table still;
+  const ObjectId other =
+      still.scene.add(test::object_of("wall", box_triangles(Vec3(0.01, 2, 0.2)), true));
+  ASSERT_TRUE(stand(still.scene, other, pose).ok());
+  o.slide = false;
+  result = still.run(o);
+  EXPECT_EQ(result.end, End::Blocked);
+  EXPECT_NEAR(still.position("box").x(), 0, 1e-5);
+  EXPECT_NEAR(still.position("box").y(), 0, 1e-5);
+}
+
+TEST(Push, StopsInACorner) {
+  Table t;
+  t.fix("wall_x", box_triangles(Vec3(0.01, 0.5, 0.2)), {0.01, 0, t.top() + 0.2 + 1e-5});
+  t.fix("wall_y", box_triangles(Vec3(0.3, 0.01, 0.2)), {-0.31, 0.21, t.top() + 0.2 + 1e-5});
+  const OperationResult result = t.run(push(1, 1, 1));
+  EXPECT_EQ(result.end, End::Blocked);
+  EXPECT_NEAR(t.position("box").x(), -0.1, 1e-5);
+  EXPECT_NEAR(t.position("box").y(), 0.1, 1e-5);
+}
+
+TEST(Push, ToAPoint) {
+  Table t;
+  PushOperation o;
+  o.object = "box";
+  o.to = Vec2(0.25, -0.5);
+  EXPECT_EQ(t.run(o).end, End::Reached);
+  EXPECT_NEAR((t.position("box").head<2>() - Vec2(0.25, -0.5)).norm(), 0, t.clearance());
+}
+
+// Up a slope of 20 degrees and over its ridge: the height is that of the surface at every end.
+TEST(Push, FollowsSlopes) {
+  const double slope = std::tan(20 * M_PI / 180);
+  for (const double end : {0.3, 0.5, 0.8}) {
+    Stage s;
+    s.fix("roof", test::prism({{0, 0}, {1, 0}, {0.5, 0.5 * slope}}, 0.5), {0, 0, 1e-5});
+    s.put("box", test::ball(0.02, 16, 24), {0.1, 0, 0.5});
+    PushOperation o;
+    o.object = "box";
+    o.to = Vec2(end, 0);
+    o.settle = false;
+    const OperationResult result = s.run(o);
+    ASSERT_TRUE(result.ok()) << result.reason;
+    EXPECT_EQ(result.end, End::Reached);
+    // Brute force: from high above, how far does it fall in this orientation?
+    Scene copy = s.scene;
+    const ObjectId id = *copy.find("box");
+    TranslateOperation up{{"box"}, Vec3(0, 0, 0.5)}, down{{"box"}, Vec3(0, 0, -1)};
+    ASSERT_TRUE(perform(copy, up).ok());
+    ASSERT_TRUE(perform(copy, down).ok());
+    EXPECT_NEAR(s.position("box").z(), copy.at(id).pose.translation.z(), 3 * s.clearance()) << end;
+  }
+}
+
+// Fig. 17: a spoon on a saucer; the direction has two dimensions, the way three.
+TEST(Push, Figure17SpoonOnASaucer) {
+  Stage s;
+  s.fix("saucer", test::dish(0.08, 0.02, 0.004, 2, 48), {0, 0, 1e-5});
+  s.put("box", test::stick(0.1), {0.01, 0, 0.1});
+  for (const bool settle : {false, true}) {
+    PushOperation o;
+    o.object = "box";
+    o.to = Vec2(0.02, 0.015);
+    o.settle = settle;
+    Stage t = s;
+    const OperationResult result = t.run(o);
+    ASSERT_TRUE(result.ok()) << result.reason;
+    EXPECT_EQ(result.end, End::Reached);
+    EXPECT_GT(result.num_motions, 1);
+    if (!settle) {
+      EXPECT_NEAR((t.position("box").head<2>() - Vec2(0.02, 0.015)).norm(), 0, 2 * t.clearance());
+      EXPECT_FALSE(t.at("box").links.empty());
+    } else {
+      EXPECT_EQ(t.at("box").state, ObjectState::Stable);
+    }
+  }
+}
+
+TEST(Push, RefusesWhatCannotBePushed) {
+  Table t;
+  t.scene.add(test::object_of("apple", box_triangles(Vec3(0.1, 0.1, 0.1))));
+  PushOperation o = push(1, 0, 1);
+  o.object = "table";
+  t.refused(o, "\"table\" is fixed");
+  o.object = "apple";
+  t.refused(o, "\"apple\" is not in the scene");
+  o.object = "pear";
+  t.refused(o, "there is no object \"pear\"");
+  ASSERT_TRUE(t.run(TranslateOperation{{"box"}, Vec3(0, 0, 0.1)}).ok());
+  t.refused(push(1, 0, 1), "\"box\" lies on nothing");
+}
+
+}  // namespace
+}  // namespace trivet
