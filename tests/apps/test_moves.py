@@ -1,0 +1,101 @@
+"""The verbs that move an object of a scene, and the same operations in a layout."""
+import unittest
+
+from program import SLAB, Case, main, put
+
+
+class Moves(Case):
+    def setUp(self):
+        super().setUp()
+        layout = self.layout([SLAB, {"name": "a", "model": "cube.obj"},
+                              {"name": "b", "model": "cube.obj"},
+                              {"name": "on_a", "model": "cube.obj", "scale": 0.5}],
+                             [put("a", 0, 0, 1), put("b", 0.3, 0, 1), put("on_a", 0, 0, 1)])
+        self.trivet("run", layout, "-o", "s.glb")
+
+    def move(self, *arguments, status=0):
+        """What the report says of the operation, and where objects are."""
+        verb, scene, *rest = arguments
+        out, _ = self.trivet(verb, scene, *rest, "-o", "t.glb", "--report", "t.json", status=status)
+        report = self.read_json("t.json")
+        places = {o["name"]: [o["world_from_file"][i] for i in (3, 7, 11)]
+                  for o in report["objects"]}
+        return report["operations"][0], places, report, out
+
+    def test_push_into_another_and_back(self):
+        operation, places, _, out = self.move("push", "s.glb", "a", "--direction", 1, 0,
+                                              "--distance", 0.4, "--no-slide", "--step-up", 0)
+        self.assertEqual((operation["op"], operation["status"]), ("push", "ok"))
+        self.assertIn(operation["ended"], ("blocked", "step"))
+        self.assertEqual(operation["blocked_by"], "b")
+        self.assertEqual(operation["carried"], ["on_a"])
+        self.assertAlmostEqual(places["a"][0], 0.2, 5)
+        self.assertAlmostEqual(places["on_a"][0], 0.2, 5)
+        self.assertIn('"b"', out)
+        operation, places, report, _ = self.move("push", "t.glb", "a", "--to", -0.1, 0.2)
+        self.assertEqual(operation["ended"], "reached")
+        self.assertAlmostEqual(places["on_a"][1], 0.2, 5)
+        self.assertTrue(report["check"]["all_at_rest"])
+        self.trivet("check", "t.glb")
+
+    def test_turn(self):
+        operation, _, report, _ = self.move("turn", "s.glb", "a", "--angle-deg", -30)
+        self.assertEqual((operation["ended"], operation["turned_deg"]), ("reached", -30))
+        self.assertTrue(report["check"]["all_at_rest"])
+
+    def test_pick_up_is_held(self):
+        operation, places, report, out = self.move("pick-up", "s.glb", "b", "--distance", 0.2,
+                                                   status=1)
+        self.assertEqual((operation["op"], operation["ended"]), ("pick_up", "reached"))
+        states = {o["name"]: o["state"] for o in report["objects"]}
+        self.assertEqual(states["b"], "held")
+        self.assertEqual(report["check"]["not_at_rest"], ["b"])
+        self.trivet("check", "t.glb", status=1)
+        operation, places, report, _ = self.move("translate", "t.glb", "b", "--by", 0, 0.2, 0,
+                                                 "--settle")
+        self.assertAlmostEqual(places["b"][1], 0.2, 5)
+        self.assertTrue(report["check"]["all_at_rest"])
+
+    def test_free_moves_are_marked(self):
+        operation, _, report, out = self.move("rotate", "s.glb", "a", "--axis", 0, 1, 0,
+                                              "--angle-deg", 30, "--free", status=1)
+        self.assertEqual(operation["interpenetrates"], ["slab"])
+        states = {o["name"]: o["state"] for o in report["objects"]}
+        self.assertEqual(states["a"], "invalid")
+        self.assertIn("passes through", out)
+
+    def test_refusals_leave_the_scene_as_it_was(self):
+        _, _, _, out = self.move("translate", "s.glb", "slab", "--by", 1, 0, 0, status=1)
+        self.assertIn('"slab" is fixed', out)
+        self.assertEqual(self.read("t.glb"), self.read("s.glb"))
+
+    def test_wrong_usage(self):
+        for arguments, says in (
+                (("push", "s.glb", "a"), "--direction X Y --distance D, or --to X Y"),
+                (("push", "s.glb", "a", "--direction", 0, 0, "--distance", 1),
+                 "a direction whose length is not zero"),
+                (("push", "s.glb", "c", "--to", 0, 0), 'there is no object "c"'),
+                (("turn", "s.glb", "a", "--angle-deg", 4000), "accepted: numbers from -3600"),
+                (("turn", "s.glb", "a", "--angle-deg", 1, "--axis", 0, 0, 1), "--about normal"),
+                (("rotate", "s.glb", "a", "--axis", 0, 0, 0, "--angle-deg", 1),
+                 "a direction whose length is not zero"),
+                (("pick-up", "s.glb", "a"), "--distance"),
+                (("translate", "s.glb", "a"), "--by")):
+            self.refused(*arguments, "-o", "t.glb", says=says)
+
+    def test_a_layout_of_all_operations(self):
+        layout = self.layout(
+            [SLAB, {"name": "a", "model": "cube.obj"}, {"name": "b", "model": "cube.obj"}],
+            [put("a", 0, 0, 1), put("b", 0.3, 0, 1),
+             {"op": "push", "object": "a", "direction": [0, 1], "distance": 0.1},
+             {"op": "turn", "object": "a", "about": "normal", "angle_deg": 30},
+             {"op": "pick_up", "object": "b", "distance": 0.1},
+             {"op": "translate", "object": "b", "by": [0, -0.2, 0.1]},
+             {"op": "rotate", "object": "b", "axis": [0, 0, 1], "angle_deg": 45, "settle": True}])
+        self.trivet("run", layout, "-o", "all.glb", "--report", "all.json")
+        operations = self.read_json("all.json")["operations"]
+        self.assertEqual([o["ended"] for o in operations], ["at_rest"] * 2 + ["reached"] * 5)
+
+
+if __name__ == "__main__":
+    main()
