@@ -55,10 +55,10 @@ void bind_texture(int unit, GLenum target, GLuint id) {
 
 class BlendRaster : public ZListRaster {
  public:
-  explicit BlendRaster(int resolution);
+  BlendRaster(int resolution, std::uint32_t max_entries);
   const char* method() const override { return "blended framebuffers"; }
   std::size_t num_bytes() const override {
-    return 2 * sizeof(Texel) * m_resolution * m_resolution + m_record_bytes;
+    return 2 * sizeof(Texel) * m_resolution * m_resolution + m_max_entries * sizeof(ZListEntry);
   }
   bool has_room(std::size_t /*num_views*/, std::size_t num_pixels) const override {
     return num_pixels <= m_resolution * m_resolution;
@@ -76,7 +76,7 @@ class BlendRaster : public ZListRaster {
   bool list(const ZListView& view, Pass pass, int pixels_per_run, ZLists& lists);
 
   std::size_t m_resolution;
-  static constexpr std::size_t m_record_bytes = kMaxZListEntries * sizeof(ZListEntry);
+  std::size_t m_max_entries;
   GlTexture m_moving, m_nearest, m_nothing;
   GlFramebuffer m_moving_target, m_nearest_target;
   GlFramebuffer m_no_target;  // complete, so that one may draw though nothing is drawn
@@ -86,15 +86,17 @@ class BlendRaster : public ZListRaster {
   std::map<std::pair<Motion::Kind, Pass>, GlProgram> m_programs;
 };
 
-BlendRaster::BlendRaster(int resolution)
+BlendRaster::BlendRaster(int resolution, std::uint32_t max_entries)
     : m_resolution(resolution),
+      m_max_entries(max_entries),
       m_moving(make_texture_2d(GL_RGBA32F, resolution, resolution)),
       m_nearest(make_texture_2d(GL_RGBA32F, resolution, resolution)),
       m_nothing(make_texture_2d(GL_RGBA32F, 1, 1)),
       m_moving_target(make_framebuffer({m_moving.id()}, 0)),
       m_nearest_target(make_framebuffer({m_nearest.id()}, 0)),
       m_no_target(make_framebuffer({m_nothing.id()}, 0)),
-      m_records(make_buffer(GL_TRANSFORM_FEEDBACK_BUFFER, nullptr, m_record_bytes)),
+      m_records(
+          make_buffer(GL_TRANSFORM_FEEDBACK_BUFFER, nullptr, max_entries * sizeof(ZListEntry))),
       m_doubtful(make_buffer(GL_TEXTURE_BUFFER, nullptr, 4 * kMaxDoubtful)),
       m_doubtful_texture(GlTexture::create()),
       m_generated(GlHandle<GlQueryKind>::create()) {
@@ -228,7 +230,7 @@ GLuint BlendRaster::draw_lists(const ZListView& view, Pass pass, int pixels_per_
 // Adds the entries of a pass; false if a run had too many, or all have.
 bool BlendRaster::list(const ZListView& view, Pass pass, int pixels_per_run, ZLists& lists) {
   const GLuint num_records = draw_lists(view, pass, pixels_per_run, lists);
-  if (num_records > kMaxZListEntries) return false;
+  if (num_records > m_max_entries) return false;
   if (num_records == 0) return true;
   const std::size_t before = lists.entries.size();
   lists.entries.resize(before + num_records);
@@ -273,8 +275,8 @@ std::vector<ZLists> BlendRaster::rasterise(std::span<const ZListView> views) {
 
 }  // namespace
 
-std::unique_ptr<ZListRaster> make_blend_raster(int resolution) {
-  return std::make_unique<BlendRaster>(resolution);
+std::unique_ptr<ZListRaster> make_blend_raster(int resolution, std::uint32_t max_entries) {
+  return std::make_unique<BlendRaster>(resolution, max_entries);
 }
 
 }  // namespace trivet

@@ -118,17 +118,20 @@ Batch make_batch(std::span<const ZListView> views) {
 
 class ComputeRaster : public ZListRaster {
  public:
-  ComputeRaster()
-      : m_image(make_storage(kImageBytes)),
+  explicit ComputeRaster(std::uint32_t max_entries)
+      : m_max_entries(max_entries),
+        m_image(make_storage(kImageBytes)),
         m_counters(make_storage(sizeof(Counters))),
-        m_entries(make_storage(kEntriesBytes)),
+        m_entries(make_storage(max_entries * sizeof(ZListEntry))),
         m_large(make_storage(kLargeBytes)),
         m_instances(GlBuffer::create()),
         m_layers(GlBuffer::create()),
         m_reduction("z-list reduction", {{GL_COMPUTE_SHADER, zlist_shaders::reduction()}}) {}
 
   const char* method() const override { return "compute shaders"; }
-  std::size_t num_bytes() const override { return kImageBytes + kEntriesBytes + kLargeBytes; }
+  std::size_t num_bytes() const override {
+    return kImageBytes + kLargeBytes + m_max_entries * sizeof(ZListEntry);
+  }
   bool has_room(std::size_t num_views, std::size_t num_pixels) const override {
     return num_views <= kMaxLayers && num_views * num_pixels <= kMaxPixels;
   }
@@ -136,7 +139,6 @@ class ComputeRaster : public ZListRaster {
 
  private:
   static constexpr std::size_t kImageBytes = 4 * sizeof(std::uint32_t) * kMaxPixels;
-  static constexpr std::size_t kEntriesBytes = kMaxZListEntries * sizeof(ZListEntry);
   static constexpr std::size_t kLargeBytes = 2 * sizeof(std::uint32_t) * kMaxLarge;
 
   const GlProgram& program(Motion::Kind kind, Pass pass);
@@ -146,6 +148,7 @@ class ComputeRaster : public ZListRaster {
   void reduce(const Batch& batch);
   std::vector<ZLists> read_back(const Batch& batch);
 
+  std::uint32_t m_max_entries;
   GlBuffer m_image, m_counters, m_entries, m_large, m_instances, m_layers;
   GlProgram m_reduction;
   std::map<std::pair<Motion::Kind, Pass>, GlProgram> m_programs;
@@ -188,7 +191,7 @@ void ComputeRaster::run(Motion::Kind kind, const Batch& batch, Pass pass) {
   const GlProgram& p = program(kind, pass);
   p.use();
   set_layers(p, batch);
-  glUniform1ui(p.uniform("max_entries"), kMaxZListEntries);
+  glUniform1ui(p.uniform("max_entries"), m_max_entries);
   glUniform1ui(p.uniform("max_large"), kMaxLarge);
   const bool moves = pass == Pass::Moving || pass == Pass::MovingLists;
   for (const Job& job : moves ? batch.moving : batch.fixed) run_job(p, job);
@@ -229,7 +232,7 @@ std::vector<ZLists> ComputeRaster::read_back(const Batch& batch) {
   std::vector<ZListEntry> entries;
   read(m_counters, counters);
   read(m_layers, layers);
-  const bool overflow = counters[0].num_entries > kMaxZListEntries;
+  const bool overflow = counters[0].num_entries > m_max_entries;
   if (!overflow && counters[0].num_entries > 0) {
     entries.resize(counters[0].num_entries);
     read(m_entries, entries);
@@ -266,6 +269,8 @@ std::vector<ZLists> ComputeRaster::rasterise(std::span<const ZListView> views) {
 
 }  // namespace
 
-std::unique_ptr<ZListRaster> make_compute_raster() { return std::make_unique<ComputeRaster>(); }
+std::unique_ptr<ZListRaster> make_compute_raster(std::uint32_t max_entries) {
+  return std::make_unique<ComputeRaster>(max_entries);
+}
 
 }  // namespace trivet

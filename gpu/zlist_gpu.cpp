@@ -16,6 +16,8 @@ namespace {
 /// What is tried when the lists do not fit: pixels larger or smaller by this factor.
 constexpr int kOtherPixels = 4;
 constexpr int kLeastResolution = 16, kLargestResolution = 1024;
+constexpr int kLeastEntries = 1 << 14;
+constexpr int kMostEntries = 1 << 20;  // 16 MiB: all drivers have storage buffers of that size
 /// Errors of OpenGL in a row after which it is left alone.
 constexpr int kMostErrors = 3;
 
@@ -76,8 +78,10 @@ class GpuLists {
 
 GpuLists::GpuLists(const GpuZListOptions& options) : m_context(EglOptions{options.allow_software}) {
   const EglContext::Current current(m_context);
+  const auto max_entries = static_cast<std::uint32_t>(options.max_list_entries);
   const bool computes = m_context.gl_version() >= 43 && !options.force_fallback;
-  m_raster = computes ? make_compute_raster() : make_blend_raster(options.resolution);
+  m_raster = computes ? make_compute_raster(max_entries)
+                      : make_blend_raster(options.resolution, max_entries);
   const std::size_t needed = m_raster->num_bytes() + kLeastMeshBytes;
   if (needed > options.memory_bytes) {
     m_raster.reset();
@@ -252,13 +256,18 @@ std::vector<Proposal> GpuZListStage::propose_many(std::span<const FirstContactQu
   return out;
 }
 
+void check_range(const char* what, int value, int least, int largest) {
+  if (value < least || value > largest)
+    throw Error(Error::Kind::BadInput,
+                std::string("the ") + what + " of z-lists is " + std::to_string(value) +
+                    "; it can be " + std::to_string(least) + " to " + std::to_string(largest));
+}
+
 }  // namespace
 
 std::unique_ptr<ZListStage> make_gpu_zlist_stage(const GpuZListOptions& options) {
-  if (options.resolution < kLeastResolution || options.resolution > kLargestResolution)
-    throw Error(Error::Kind::BadInput, "the resolution of z-lists is " +
-                                           std::to_string(options.resolution) +
-                                           "; it can be 16 to 1024 pixels");
+  check_range("resolution", options.resolution, kLeastResolution, kLargestResolution);
+  check_range("largest number of entries", options.max_list_entries, kLeastEntries, kMostEntries);
   auto stage = std::make_unique<GpuZListStage>(options);
   const std::string what = test_zlist_stage(*stage);
   if (!what.empty())

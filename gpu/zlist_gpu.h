@@ -11,6 +11,7 @@ namespace trivet {
 struct GpuZListOptions {
   int resolution = 128;                   // pixels along the longer side, 16 to 1024
   std::size_t memory_bytes = 512u << 20;  // of graphics memory, meshes included
+  int max_list_entries = 1 << 20;         // faces in doubtful pixels, 16384 to 1048576
   bool allow_software = true;             // false: refuse renderers that run on the CPU
   bool force_fallback = false;            // do without OpenGL 4.3, as on old drivers
 };

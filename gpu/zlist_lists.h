@@ -63,13 +63,11 @@ class ZListRaster {
   virtual std::vector<ZLists> rasterise(std::span<const ZListView> views) = 0;
 };
 
-/// Entries that there is room for.
-inline constexpr int kMaxZListEntries = 1 << 20;
-
-/// OpenGL 4.3: compute shaders.
-std::unique_ptr<ZListRaster> make_compute_raster();
+/// OpenGL 4.3: compute shaders. @param max_entries  of the lists of all views of a batch.
+std::unique_ptr<ZListRaster> make_compute_raster(std::uint32_t max_entries);
 /// OpenGL 3.3: framebuffers that blend maxima, transform feedback.
-/// @param resolution  of the largest view, both ways.
-std::unique_ptr<ZListRaster> make_blend_raster(int resolution);
+/// @param resolution  of the largest view, both ways. @param max_entries  of moving, or fixed,
+/// faces.
+std::unique_ptr<ZListRaster> make_blend_raster(int resolution, std::uint32_t max_entries);
 
 }  // namespace trivet

@@ -81,7 +81,7 @@ test::RandomQuery flat_contact(int divisions, double gap) {
   return q;
 }
 
-TEST_P(ZListGpuBothWays, FlatContactsAreDecidedOrGivenUp) {
+TEST_P(ZListGpuBothWays, FlatContacts) {
   const auto stage = make_stage({.resolution = 128, .force_fallback = GetParam()});
   TRIVET_SKIP_WITHOUT_EGL(stage);
   for (const double gap : {1e-6, 0.3}) {
@@ -90,6 +90,21 @@ TEST_P(ZListGpuBothWays, FlatContactsAreDecidedOrGivenUp) {
     EXPECT_TRUE(test::same_answer(q.with_stage(*stage, &proposal), q.fast()));
     EXPECT_TRUE(proposal.usable) << proposal.why;
   }
+}
+
+/// With larger pixels there are fewer entries, but not fewer than faces.
+TEST_P(ZListGpuBothWays, TooLongListsAreTriedWithLargerPixels) {
+  const auto stage =
+      make_stage({.resolution = 128, .max_list_entries = 1 << 14, .force_fallback = GetParam()});
+  TRIVET_SKIP_WITHOUT_EGL(stage);
+  const test::RandomQuery coarse = flat_contact(24, 0.3), fine = flat_contact(96, 0.3);
+  Proposal proposal;
+  EXPECT_TRUE(test::same_answer(coarse.with_stage(*stage, &proposal), coarse.fast()));
+  EXPECT_TRUE(proposal.usable) << proposal.why;
+  EXPECT_LE(proposal.work.pixels, 32 * 32);
+  EXPECT_TRUE(test::same_answer(fine.with_stage(*stage, &proposal), fine.fast()));
+  EXPECT_FALSE(proposal.usable);
+  EXPECT_NE(proposal.why.find("lists"), std::string::npos) << proposal.why;
 }
 
 /// A plate that comes down on a larger one, straight or on a hinge, all over at the same time: what
@@ -319,9 +334,10 @@ TEST_P(ZListGpuBothWays, SelfTestFindsMistakes) {
   EXPECT_NE(test_zlist_stage(forgetful).find("missing"), std::string::npos);
 }
 
-TEST(ZListGpuOptions, ResolutionHasLimits) {
+TEST(ZListGpuOptions, HaveLimits) {
   const std::string why = why_refused({.resolution = 2000});
-  EXPECT_NE(why.find("2000"), std::string::npos) << why;
+  EXPECT_NE(why.find("2000; it can be 16 to 1024"), std::string::npos) << why;
+  EXPECT_NE(why_refused({.max_list_entries = 5}).find("5; it can be"), std::string::npos);
 }
 
 }  // namespace
