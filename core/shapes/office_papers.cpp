@@ -156,7 +156,7 @@ Model sheet(const std::string& name, double thickness, const std::vector<double>
 
 Model make_letter() {
   return sheet("letter", 0.0006,
-               {-1,   -1,   -0.01, -0.04, -1, 0.06, 0.08, 0.08, 0.08, -0.02, -1,    0.08,
+               {-1,   -1,   -0.02, -0.04, -1, 0.06, 0.08, 0.08, 0.08, -0.02, -1,    0.08,
                 0.08, 0.06, 0.08,  0.02,  -1, 0.08, 0.08, -1,   -1,   -0.04, -0.02, -1},
                {white_paper(), make_material("ink", 0.12f, 0.12f, 0.14f, 0.8f)});
 }

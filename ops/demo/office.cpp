@@ -75,7 +75,7 @@ DemoLayout make_office2() {
   w.put("pen", "pen", above_desk(0.47, -0.13, 0.08), about_z(70));
   w.put("cup", "cup", above_desk(-0.60, -0.10, 0.08), about_z(200));
   w.put("plant", "plant", above(kBookcaseHeight, kBookcase.x() + 0.12, kBookcase.y()));
-  w.put("binder", "binder", in_bookcase(1, 0.16), about_y(9));
+  w.put("binder", "binder", in_bookcase(1, 0.195), about_y(15));
   w.put("paper_ball_1", "paper_ball", above(0.3, -0.93, -0.14), about_x(30));
   w.put("paper_ball_2", "paper_ball", above(0, -0.78, -0.45), about_x(100));
   return w.take();
