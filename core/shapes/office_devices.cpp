@@ -16,10 +16,10 @@ Surface key_cap(const Vec2& size, double height) {
   return skin({rectangle(h, -kIn), rectangle(h - Vec2(0.0015, 0.0015), height)});
 }
 
-// A rectangle of the picture on the screen, which stands out by a tenth of a millimetre per layer.
+// A rectangle of the picture on the screen, which stands out by half a millimetre per layer.
 void add_pixels(const Vec2& lower, const Vec2& upper, int layer, Index material,
                 std::vector<Part>* parts) {
-  const double front = -0.0002 * layer, back = kIn + 0.0002 * layer;
+  const double front = -0.0005 * layer, back = kIn + 0.0002 * layer;
   parts->push_back(
       {painted(box({lower.x(), front, lower.y()}, {upper.x(), back, upper.y()}), material)});
 }

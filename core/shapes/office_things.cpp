@@ -64,14 +64,14 @@ Model make_pen() {
 Model make_waste_basket() {
   const auto profile =
       flatten({corner({0, 0}), corner({0.1050, 0}), smooth({0.1090, 0.0030}),
-               corner({0.1110, 0.0120}), corner({0.1390, 0.2860}), smooth({0.1440, 0.2900}),
-               smooth({0.1450, 0.2960}), smooth({0.1400, 0.3000}), corner({0.1360, 0.2960}),
+               corner({0.1110, 0.0120}), corner({0.1390, 0.2360}), smooth({0.1440, 0.2400}),
+               smooth({0.1450, 0.2460}), smooth({0.1400, 0.2500}), corner({0.1360, 0.2460}),
                corner({0.1075, 0.0100}), corner({0.1000, 0.0050}), corner({0, 0.0050})},
               0.0008);
   // The wall is ribbed, inside and outside alike.
   auto rings = revolve(profile, {48, 48, 0});
   deform(&rings, [](const Vec3& p) -> Vec3 {
-    const bool wall = p.z() > 0.008 && p.z() < 0.288 && std::hypot(p.x(), p.y()) > 0.09;
+    const bool wall = p.z() > 0.008 && p.z() < 0.238 && std::hypot(p.x(), p.y()) > 0.09;
     const double rib = wall ? 0.015 * std::cos(12 * std::atan2(p.y(), p.x())) : 0;
     return {p.x() * (1 + rib), p.y() * (1 + rib), p.z()};
   });

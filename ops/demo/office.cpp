@@ -56,7 +56,7 @@ void put_desk_things(LayoutWriter* w) {
 
 LayoutWriter write_office1(const std::string& name) {
   LayoutWriter w(name);
-  w.look({Vec3(-1.62, -3.24, 2.15), Vec3(0.25, 0, 0.57), 32});
+  w.look({Vec3(-1.62, -3.24, 2.15), Vec3(0.23, 0, 0.505), 33.5});
   put_furniture(&w);
   put_desk_things(&w);
   put_books(&w);
@@ -71,12 +71,12 @@ DemoLayout make_office2() {
   LayoutWriter w = write_office1("office2");
   put_pencil(&w, "pencil_2", 20, 0.012);
   w.put("letter_1", "letter", above_desk(0.50, -0.12, 0.05), about_z(17));
-  w.put("letter_2", "letter", above_desk(-0.54, -0.17, 0.05), about_z(-31));
+  w.put("letter_2", "letter", above_desk(-0.57, -0.15, 0.05), about_z(-31));
   w.put("pen", "pen", above_desk(0.47, -0.13, 0.08), about_z(70));
-  w.put("cup", "cup", above_desk(-0.60, -0.10, 0.08), about_z(200));
+  w.put("cup", "cup", above_desk(-0.62, -0.08, 0.08), about_z(200));
   w.put("plant", "plant", above(kBookcaseHeight, kBookcase.x() + 0.12, kBookcase.y()));
   w.put("binder", "binder", in_bookcase(1, 0.195), about_y(15));
-  w.put("paper_ball_1", "paper_ball", above(0.3, -0.93, -0.14), about_x(30));
+  w.put("paper_ball_1", "paper_ball", above(0.26, -0.93, -0.10), about_x(30));
   w.put("paper_ball_2", "paper_ball", above(0, -0.78, -0.45), about_x(100));
   return w.take();
 }

@@ -32,6 +32,12 @@ class Pictures(Case):
         self.trivet("demo", "spoon-saucer", "-o", "d.glb", "--picture", "d.png")
         self.assertEqual(self.size_of("d.png"), (1280, 720))
 
+    def test_a_demo_is_seen_from_where_it_looks_best(self):
+        self.trivet("demo", "spoon-saucer", "-o", "d.glb", "--picture", "d.png")
+        self.trivet("render", "d.glb", "-o", "p.png", "--fov", 29,
+                    "--camera", 0.10, -0.27, 0.25, 0.012, 0, 0.008)
+        self.assertEqual(self.read("d.png"), self.read("p.png"))
+
     def test_a_bad_camera(self):
         self.refused("render", "cube.obj", "-o", "p.png", "--camera", 0, 0, 0, 0, 0, 0, says="camera")
 
