@@ -29,6 +29,33 @@ void LayoutWriter::put(const std::string& object, const std::string& model, cons
   m_demo.layout.operations.push_back(PutOperation{{object}, start});
 }
 
+void LayoutWriter::push(const std::string& object, const Vec2& direction, double distance) {
+  PushOperation push;
+  push.object = object;
+  push.direction = direction;
+  push.distance = distance;
+  add(push);
+}
+
+void LayoutWriter::push_to(const std::string& object, const Vec2& goal) {
+  PushOperation push;
+  push.object = object;
+  push.to = goal;
+  add(push);
+}
+
+void LayoutWriter::turn(const std::string& object, double angle_deg) {
+  TurnOperation turn;
+  turn.object = object;
+  turn.angle_deg = angle_deg;
+  turn.settle = true;
+  add(turn);
+}
+
+void LayoutWriter::add(Operation operation) {
+  m_demo.layout.operations.push_back(std::move(operation));
+}
+
 void LayoutWriter::add_object(const std::string& object, const std::string& model) {
   const std::string file = model + ".glb";
   const auto known = [&](const DemoModel& m) { return m.file == file; };

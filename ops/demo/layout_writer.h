@@ -22,6 +22,12 @@ class LayoutWriter {
   void put(const std::string& object, const std::string& model, const Vec3& position,
            const Rotation& rotation = {});
 
+  /// What is done next, with an object that has been put; see operation.h.
+  void push(const std::string& object, const Vec2& direction, double distance);
+  void push_to(const std::string& object, const Vec2& goal);
+  void turn(const std::string& object, double angle_deg);  // where it stands
+  void add(Operation operation);
+
   void look(const DemoView& view) { m_demo.view = view; }
 
   DemoLayout take() { return std::move(m_demo); }

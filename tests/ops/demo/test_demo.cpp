@@ -45,7 +45,12 @@ TEST(Demo, PutsEachMovableObjectJustOnce) {
   for (const std::string& name : demo_names()) {
     const DemoLayout demo = make_demo(name);
     std::map<std::string, int> puts;
-    for (const Operation& op : demo.layout.operations) ++puts[object_name(op)];
+    for (const Operation& op : demo.layout.operations)
+      if (std::holds_alternative<PutOperation>(op)) {
+        ++puts[object_name(op)];
+      } else {
+        EXPECT_EQ(puts[object_name(op)], 1) << object_name(op) << " is moved before it is put";
+      }
     std::set<std::string> names;
     for (const LayoutObject& o : demo.layout.objects) {
       EXPECT_TRUE(names.insert(o.name).second) << o.name;
@@ -158,6 +163,14 @@ std::set<std::string> touched_by(const Scene& scene, const std::string& object) 
   return out;
 }
 
+// How the first push of an object went.
+OperationResult push_of(const LayoutRun& run, const std::string& object) {
+  for (const OperationRecord& record : run.operations)
+    if (record.op == std::string("push") && record.object == object) return record.result;
+  ADD_FAILURE() << object << " is not pushed";
+  return {};
+}
+
 TEST(Demo, FurnishesTheOffice) {
   const LayoutRun result = run(make_demo("office1"));
   const Supports supports = supports_of(result.scene);
@@ -167,6 +180,18 @@ TEST(Demo, FurnishesTheOffice) {
   expect_supports(supports, {"pencil"}, {"mug"});
   EXPECT_EQ(touched_by(result.scene, "book_yellow"),
             (std::set<std::string>{"bookcase", "book_blue"}));
+  // The books stand together, for each was pushed until it met the next; the mug took the pencil
+  // with it.
+  EXPECT_EQ(push_of(result, "book_green").blocked_by, "bookcase");
+  EXPECT_EQ(push_of(result, "book_red").blocked_by, "book_green");
+  EXPECT_EQ(push_of(result, "book_blue").blocked_by, "book_red");
+  EXPECT_EQ(push_of(result, "mug").carried, std::vector<std::string>{"pencil"});
+}
+
+TEST(Demo, FurnishesTheOfficeWithAllSixOperations) {
+  std::set<std::string> used;
+  for (const Operation& op : make_demo("office2").layout.operations) used.insert(op_name(op));
+  EXPECT_EQ(used, (std::set<std::string>{"put", "push", "turn", "pick_up", "translate", "rotate"}));
 }
 
 // OFFICE2 is OFFICE1 and nine more objects.
@@ -181,6 +206,8 @@ TEST(Demo, UntidiesTheOffice) {
   expect_supports(supports, {"pen"}, {"letter_1"});
   expect_supports(supports, {"cup"}, {"letter_2"});
   expect_supports(supports, {"paper_ball_1"}, {"waste_basket"});
+  expect_supports(supports, {"keyboard", "book_yellow", "mouse"}, {"desk"});
+  EXPECT_EQ(touched_by(result.scene, "binder"), (std::set<std::string>{"bookcase"}));
 }
 
 TEST(Demo, IsTheSameWithAnyNumberOfThreads) {
