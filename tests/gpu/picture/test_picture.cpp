@@ -9,6 +9,7 @@
 
 #include "core/base/error.h"
 #include "gpu/picture.h"
+#include "support/mesa_leaks.h"
 
 namespace trivet {
 namespace {

@@ -13,6 +13,7 @@
 #include "gpu/zlist_self_test.h"
 #include "support/check_stage.h"
 #include "support/effort.h"
+#include "support/mesa_leaks.h"
 
 namespace trivet {
 namespace {
@@ -32,6 +33,13 @@ std::unique_ptr<ZListStage> make_stage(const GpuZListOptions& options) {
 
 #define TRIVET_SKIP_WITHOUT_EGL(stage) \
   if (!(stage)) GTEST_SKIP() << "this machine has no OpenGL through EGL"
+
+// The address sanitizer does not use freed memory again.
+#ifdef __SANITIZE_ADDRESS__
+constexpr bool kAddressesStay = true;
+#else
+constexpr bool kAddressesStay = false;
+#endif
 
 /// A band for the number of hits among `num`, with room for chance.
 double at_least(int num, double part) { return part * num - 2 * std::sqrt(num); }
@@ -263,7 +271,7 @@ TEST_P(ZListGpuBothWays, MeshesAreNotMistakenForOthers) {
     EXPECT_TRUE(test::same_answer(q.with_stage(*stage, &proposal), q.fast())) << q.describe();
     EXPECT_TRUE(proposal.usable) << proposal.why;
   }
-  EXPECT_LT(places.size(), 40u) << "no address was used twice: this tests nothing";
+  EXPECT_TRUE(kAddressesStay || places.size() < 40) << "no address came twice: nothing is tested";
 }
 
 /// Whoever calls eglTerminate() takes all contexts of the display from everybody.
@@ -298,6 +306,7 @@ long resident_memory() {
 TEST_P(ZListGpuBothWays, DoesNotLeak) {
   const auto stage = make_stage({.resolution = 16, .force_fallback = GetParam()});
   TRIVET_SKIP_WITHOUT_EGL(stage);
+  if (kAddressesStay) GTEST_SKIP() << "memory always grows with this sanitizer";
   const test::MeshPool pool(kSeed, 4);
   const auto ask = [&](int num) {
     for (int i = 0; i < num; ++i) test::random_query(pool, kSeed, i % 500).with_stage(*stage);
