@@ -71,7 +71,7 @@ void put_desk_things(LayoutWriter* w) {
 
 LayoutWriter write_office1(const std::string& name) {
   LayoutWriter w(name);
-  w.look({Vec3(-1.62, -3.24, 2.15), Vec3(0.23, 0, 0.505), 33.5});
+  w.look({Vec3(-1.62, -3.24, 2.15), Vec3(0.23, 0, 0.50), 33.5});
   put_furniture(&w);
   put_desk_things(&w);
   put_books(&w);
@@ -114,7 +114,7 @@ void take_book_to_desk(LayoutWriter* w, const std::string& book) {
   pick_up.distance = 0.03;
   w->add(pick_up);
   translate(w, book, Vec3(0, -0.42, 0));
-  translate(w, book, Vec3(-1.27, 0, 0.15));
+  translate(w, book, Vec3(-1.35, 0, 0.15));
   RotateOperation rotate;
   rotate.object = book;
   rotate.axis = Vec3(0, 1, 0.2);
@@ -130,11 +130,11 @@ DemoLayout make_office1() { return write_office1("office1").take(); }
 
 DemoLayout make_office2() {
   LayoutWriter w = write_office1("office2");
-  w.push("chair", Vec2(-0.4, -1), 0.22);
+  w.push("chair", Vec2(-0.5, -1), 0.17);
   w.turn("chair", 75);
   w.turn("keyboard", 8);
   push_until_blocked(&w, "keyboard", Vec2(0, 1), 0.20);
-  w.push("mouse", Vec2(1, 0.4), 0.10);
+  w.push("mouse", Vec2(0.4, 1), 0.09);
   w.turn("mouse", 35);
   w.turn("lamp", -25);
   put_pencil(&w, "pencil_2", kMug, 20, 0.012);
