@@ -5,6 +5,9 @@
 #include <map>
 #include <utility>
 
+#include "core/base/tunables.h"
+#include "ops/settle/equilibrium.h"
+
 namespace trivet {
 namespace {
 
@@ -50,6 +53,13 @@ void add_name(std::vector<std::string>& names, const std::string& name) {
   if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
 }
 
+// Of what contacts do not hold: no friction is enough, and none has to be looked for.
+RestRating rate_unheld(const Object& object, const std::vector<ContactsWith>& contacts,
+                       double clearance) {
+  const auto points = all_points(contacts, kContactTolerance * clearance);
+  return {carrying_margin(points, object.centre_of_mass()), kInfinity};
+}
+
 class GroupCommit {
  public:
   GroupCommit(Scene& scene, const MovingGroup& group, OperationResult& result)
@@ -71,10 +81,17 @@ class GroupCommit {
   }
 
  private:
+  // What the links are with is to be rated, too, unless it rests on its own contacts whatever the
+  // member does on it or beside it.
   void touch(const std::vector<Link>& links) {
-    for (const Link& link : links)
-      if (link.with && !has(m_group.ids(), *link.with) && !has(m_partners, *link.with))
-        m_partners.push_back(*link.with);
+    for (const Link& link : links) {
+      if (!link.with || has(m_group.ids(), *link.with) || has(m_partners, *link.with)) continue;
+      const Object& partner = std::as_const(m_scene).at(*link.with);
+      const double enough = kRestMargin * partner.scale * partner.shape->box.diagonal();
+      const bool on_its_own =
+          partner.state == ObjectState::Stable && partner.stability_margin >= enough;
+      if (!on_its_own || weighs_on(link.contact)) m_partners.push_back(*link.with);
+    }
   }
 
   // Links of a member, and whether it has to be rated again.
@@ -112,7 +129,6 @@ class GroupCommit {
     const Surroundings others(m_scene, id);
     const double clearance = m_group.clearance();
     const auto contacts = touching(m_scene, seen, seen.pose, others, clearance);
-    const RestRating rating = rate_rest(seen, seen.pose, contacts, clearance);
     const bool crosses = std::any_of(crossed.begin(), crossed.end(),
                                      [&](const Interpenetration& x) { return x.id == id; });
     ObjectState state = ObjectState::Stable;
@@ -123,6 +139,9 @@ class GroupCommit {
       state = otherwise;
     else if (!rests_at(m_scene, seen, seen.pose, others, clearance))
       state = is_object ? otherwise : unsupported(seen);
+    const bool rests = state == ObjectState::Stable || state == ObjectState::Wedged;
+    const RestRating rating = rests ? rate_rest(seen, seen.pose, contacts, clearance)
+                                    : rate_unheld(seen, contacts, clearance);
     Object& object = m_scene.at(id);
     object.state = state;
     object.stability_margin = rating.stability_margin;
