@@ -110,6 +110,7 @@ class GroupCommit {
         links_of(object, m_group.pose(i), m_group.outside(), contacts, m_group.clearance());
     touch(links);
     touch(object.links);
+    if (m_group.ids().size() == 1) m_contacts = contacts;
     bool rated_again = i == 0 || move.tilted() || !links.empty();
     for (const Link& link : object.links)
       if (link.with && has(m_group.ids(), *link.with))
@@ -128,7 +129,9 @@ class GroupCommit {
     if (seen.fixed || !seen.placed) return;
     const Surroundings others(m_scene, id);
     const double clearance = m_group.clearance();
-    const auto contacts = touching(m_scene, seen, seen.pose, others, clearance);
+    const bool known = m_contacts && id == m_group.ids()[0];
+    const std::vector<ContactsWith> contacts =
+        known ? *m_contacts : touching(m_scene, seen, seen.pose, others, clearance);
     const bool crosses = std::any_of(crossed.begin(), crossed.end(),
                                      [&](const Interpenetration& x) { return x.id == id; });
     ObjectState state = ObjectState::Stable;
@@ -161,6 +164,7 @@ class GroupCommit {
   OperationResult& m_result;
   std::vector<std::vector<Link>> m_links;
   std::vector<ObjectId> m_partners, m_to_rate;
+  std::optional<std::vector<ContactsWith>> m_contacts;  // of an object that moves alone
 };
 
 // The lowest of the unsupported objects that may still be let go.

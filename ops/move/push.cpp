@@ -35,7 +35,8 @@ bool Push::carried() const {
 }
 
 void Push::look_around() {
-  m_touches = m_group.touches();
+  const Vec3 offset = m_group.here().offset;
+  if (m_seen_at != offset) m_touches = m_group.touches(), m_seen_at = offset;
   m_normals.clear();
   for (const Touch& t : m_touches) m_normals.push_back(t.point.normal);
   for (const Obstacle& o : m_obstacles) m_normals.push_back(o.normal);
@@ -58,12 +59,13 @@ void Push::push_to(const Vec2& goal) {
 }
 
 Push::Next Push::event() {
-  look_around();
-  if (!m_floats && m_group.float_off(m_touches)) look_around();
-  m_floats = true;
   const Vec2 left = way_left();
   const double length = left.norm();
   if (length <= m_shortest) return stop(OperationResult::End::Reached);
+  look_around();
+  // The contacts stay the same but for their gaps.
+  if (!m_floats && m_group.float_off(m_touches)) m_seen_at = m_group.here().offset;
+  m_floats = true;
   const Vec3 direction = level(left / length);
   const SlidePlan way = plan(direction);
   switch (way.kind) {

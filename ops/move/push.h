@@ -77,7 +77,8 @@ class Push {
   double m_shortest;  // metres, a few clearances: shorter ways are none
   Vec2 m_goal = Vec2::Zero();
   std::vector<Touch> m_touches;
-  std::vector<Vec3> m_normals;  // of the touches, then of the obstacles
+  std::optional<Vec3> m_seen_at;  // the offset at which m_touches were found
+  std::vector<Vec3> m_normals;    // of the touches, then of the obstacles
   std::vector<Obstacle> m_obstacles;
   std::optional<Steep> m_steep;
   bool m_climb = true;  // steep surfaces may be tried
