@@ -60,6 +60,12 @@ RestRating rate_unheld(const Object& object, const std::vector<ContactsWith>& co
   return {carrying_margin(points, object.centre_of_mass()), kInfinity};
 }
 
+// Whether the centre is inside the hull of the contacts that carry: at rest, without more ado.
+bool stands_on(const Object& object, const std::vector<ContactsWith>& contacts, double clearance) {
+  return rate_unheld(object, contacts, clearance).stability_margin >=
+         kRestMargin * object.scale * object.shape->box.diagonal();
+}
+
 class GroupCommit {
  public:
   GroupCommit(Scene& scene, const MovingGroup& group, OperationResult& result)
@@ -140,7 +146,8 @@ class GroupCommit {
       state = ObjectState::Invalid;
     else if (is_object && settled)
       state = otherwise;
-    else if (!rests_at(m_scene, seen, seen.pose, others, clearance))
+    else if (!stands_on(seen, contacts, clearance) &&
+             !rests_at(m_scene, seen, seen.pose, others, clearance))
       state = is_object ? otherwise : unsupported(seen);
     const bool rests = state == ObjectState::Stable || state == ObjectState::Wedged;
     const RestRating rating = rests ? rate_rest(seen, seen.pose, contacts, clearance)

@@ -6,6 +6,7 @@
 #include "core/base/tunables.h"
 #include "ops/move/contact_end.h"
 #include "ops/move/moves.h"
+#include "ops/settle/equilibrium.h"
 
 namespace trivet {
 namespace {
@@ -276,6 +277,12 @@ bool Push::holds_at(const Vec3& offset) {
 }
 
 void Push::let_go() {
+  look_around();
+  std::vector<ContactPoint> points;
+  for (const Touch& t : m_touches)
+    if (t.member == 0) points.push_back(t.point);
+  if (carrying_margin(points, m_group.centre()) >= kRestMargin * m_group.size())
+    return m_attempt.let_go();  // it stands there
   const Place end = m_group.here();
   if (!holds_at(end.offset) && m_way.size() > 1 && holds_at(m_way[0].offset)) {
     size_t good = 0, bad = m_way.size() - 1;

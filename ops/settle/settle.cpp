@@ -48,8 +48,8 @@ class Settling {
 
   bool is_at_rest() {
     std::vector<ContactPoint> points = look_around();
-    if (!is_balanced()) return false;
     if (carrying_margin(points, m_object.centre) >= kRestMargin * m_object.size) return true;
+    if (!is_balanced()) return false;
     // What lies on the object is no pivot for it.
     std::erase_if(points, [](const ContactPoint& c) { return c.normal.z() < -kSupportNormalZ; });
     const double tolerance = kBalanceTolerance * clearance();
