@@ -1,5 +1,6 @@
 #include "ops/operation.h"
 
+#include "ops/edit.h"
 #include "ops/move/moves.h"
 
 namespace trivet {
@@ -22,6 +23,11 @@ struct Performer {
   OperationResult operator()(const RotateOperation& o) {
     return perform_rotate(scene, id, o, options);
   }
+  OperationResult operator()(const AppendOperation& o) { return append(scene, o); }
+  OperationResult operator()(const DuplicateOperation& o) { return duplicate(scene, o); }
+  OperationResult operator()(const DeleteOperation& o) { return remove(scene, o, options); }
+  OperationResult operator()(const LockOperation& o) { return lock(scene, o); }
+  OperationResult operator()(const GroupOperation& o) { return group(scene, o); }
 };
 
 /// Takes back what was done unless it is kept, whatever happens; nothing to do for a scene that
@@ -62,6 +68,13 @@ const char* op_name(const Operation& operation) {
     const char* operator()(const PickUpOperation&) { return "pick_up"; }
     const char* operator()(const TranslateOperation&) { return "translate"; }
     const char* operator()(const RotateOperation&) { return "rotate"; }
+    const char* operator()(const AppendOperation&) { return "append"; }
+    const char* operator()(const DuplicateOperation&) { return "duplicate"; }
+    const char* operator()(const DeleteOperation&) { return "delete"; }
+    const char* operator()(const LockOperation& o) { return o.locked ? "lock" : "unlock"; }
+    const char* operator()(const GroupOperation& o) {
+      return o.group.empty() ? "ungroup" : "group";
+    }
   };
   return std::visit(Name{}, operation);
 }
@@ -71,10 +84,12 @@ const std::string& object_name(const Operation& operation) {
 }
 
 OperationResult perform(Scene& scene, const Operation& operation, const SettleOptions& options) {
+  const bool is_new = std::holds_alternative<AppendOperation>(operation);
   const std::optional<ObjectId> object = scene.find(object_name(operation));
-  if (!object) return unknown(object_name(operation));
+  if (!object && !is_new) return unknown(object_name(operation));
   Recording recording(scene);
-  OperationResult result = std::visit(Performer{scene, *object, options}, operation);
+  OperationResult result =
+      std::visit(Performer{scene, object.value_or(ObjectId{}), options}, operation);
   if (result.ok()) recording.keep();
   return result;
 }

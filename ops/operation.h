@@ -2,6 +2,7 @@
 // Objects by name. Metres, degrees; world: z up. What they do is said where they are implemented.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -75,10 +76,45 @@ struct RotateOperation : MoveOptions {
   bool settle = false;         // let go at the end
 };
 
-using Operation = std::variant<PutOperation, PushOperation, TurnOperation, PickUpOperation,
-                               TranslateOperation, RotateOperation>;
+// What is done to the list of objects; see edit.h.
 
-/// "put", "push", "turn", "pick_up", "translate", "rotate"
+/// A new object, out of the scene until it is put. "append"
+struct AppendOperation {
+  std::string object;        // its name
+  std::string model;         // path as the scene's models have theirs
+  double scale = 1;          // metres per unit of the file
+  std::optional<UpAxis> up;  // nothing: as the model's format says, else z
+  bool fixed = false;
+  std::shared_ptr<const Model> model_data;  // filled by load_model(); not written down
+  std::shared_ptr<const Shape> shape;
+};
+
+/// A new object of the same model, out of the scene until it is put. "duplicate"
+struct DuplicateOperation {
+  std::string object, as;
+};
+
+/// "delete"
+struct DeleteOperation : MoveOptions {};
+
+/// No operation moves it. "lock", "unlock"
+struct LockOperation {
+  std::string object;
+  bool locked = true;
+};
+
+/// What moves one of a group moves all. "group", "ungroup"
+struct GroupOperation {
+  std::string object;
+  std::string group;  // empty: taken out of its group
+};
+
+using Operation = std::variant<PutOperation, PushOperation, TurnOperation, PickUpOperation,
+                               TranslateOperation, RotateOperation, AppendOperation,
+                               DuplicateOperation, DeleteOperation, LockOperation, GroupOperation>;
+
+/// "put", "push", "turn", "pick_up", "translate", "rotate", "append", "duplicate", "delete",
+/// "lock", "unlock", "group", "ungroup"
 const char* op_name(const Operation& operation);
 const std::string& object_name(const Operation& operation);
 

@@ -114,6 +114,18 @@ std::string check_summary(const SceneCheck& check) {
   return out.str();
 }
 
+std::string stability_summary(const LayoutRun& run) {
+  const Stability& found = run.stability;
+  std::ostringstream out;
+  out << "stability: " << to_string(found.status) << " at friction " << found.friction;
+  if (found.stable() && found.margin < kInfinity) out << ", margin " << found.margin << " m";
+  if (found.status == Stability::Status::Unknown) out << ", too large for a proof";
+  out << "\n";
+  for (const ObjectStability& o : found.objects)
+    if (o.topples) out << "  \"" << run.scene.at(o.object).name << "\" would topple\n";
+  return out.str();
+}
+
 }  // namespace
 
 void add_output_options(CLI::App& app, OutputPaths& paths) {
@@ -176,7 +188,7 @@ std::string summary(const LayoutRun& run) {
   for (const ObjectId id : ids) num_placed += run.scene.at(id).placed;
   out << count_of(ids.size(), "object") << ", " << num_placed << " in the scene; "
       << count_of(run.operations.size(), "operation") << ", " << num_refused << " refused\n"
-      << check_summary(run.check);
+      << check_summary(run.check) << stability_summary(run);
   return out.str();
 }
 
@@ -185,17 +197,6 @@ std::string extension_of(const std::string& file) {
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return extension;
-}
-
-std::string folder_of(const std::string& file) { return fs::path(file).parent_path().string(); }
-
-std::string folder_from(const std::string& from_file, const std::string& to_folder) {
-  const auto whole = [](const fs::path& folder) {  // without a slash at the end
-    return (fs::absolute(folder.empty() ? "." : folder) / "").lexically_normal().parent_path();
-  };
-  const fs::path way =
-      whole(to_folder).lexically_proximate(whole(fs::path(from_file).parent_path()));
-  return way == "." ? "" : way.generic_string();
 }
 
 }  // namespace trivet::apps

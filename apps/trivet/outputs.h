@@ -7,6 +7,7 @@
 
 #include "apps/trivet/common.h"
 #include "apps/trivet/picture.h"
+#include "ops/layout/paths.h"
 #include "ops/layout/run.h"
 #include "ops/report/scene_file.h"
 
@@ -47,9 +48,6 @@ class Outputs {
 /// What was refused and what the check found, for people.
 std::string summary(const LayoutRun& run);
 
-/// The way from a file's folder to another folder; "" for the same one.
-std::string folder_from(const std::string& from_file, const std::string& to_folder);
-std::string folder_of(const std::string& file);
 /// ".glb" of "a.GLB".
 std::string extension_of(const std::string& file);
 

@@ -3,21 +3,30 @@
 
 #include "apps/trivet/outputs.h"
 #include "apps/trivet/verbs.h"
+#include "core/base/error.h"
 #include "core/io/export.h"
+#include "ops/report/queries.h"
 #include "ops/report/report.h"
 
 namespace trivet::apps {
 namespace {
 
 struct CheckArguments {
-  std::string file, report;
+  std::string file, report, object;
   SettleOptions settle;
+  StabilityOptions stability;
 };
+
+RunOptions options_of(const CheckArguments& arguments, const CommonOptions& common) {
+  RunOptions options = run_options(common, arguments.settle);
+  options.stability = arguments.stability;
+  return options;
+}
 
 LayoutRun check_scene_file(const CheckArguments& arguments, const CommonOptions& common) {
   SceneFile file = read_scene_file(arguments.file, common.limits());
   for (const std::string& note : file.notes) print_note(common, note);
-  RunOptions options = run_options(common, arguments.settle);
+  RunOptions options = options_of(arguments, common);
   if (!(options.settle.clearance > 0)) options.settle.clearance = file.clearance;
   LayoutRun run;
   run.scene = std::move(file.scene);
@@ -28,7 +37,7 @@ LayoutRun check_scene_file(const CheckArguments& arguments, const CommonOptions&
 // What stands from the start is judged as it stands; if that is clean the operations are tried.
 LayoutRun check_layout(const CheckArguments& arguments, const CommonOptions& common) {
   const Layout layout = read_layout(arguments.file, common.limits().max_file_bytes);
-  RunOptions options = run_options(common, arguments.settle);
+  RunOptions options = options_of(arguments, common);
   options.layout_file = arguments.file;
   const ModelSource models = models_in_folder(folder_of(arguments.file), common.limits());
   const auto stands = [](const LayoutObject& o) { return o.pose.has_value(); };
@@ -38,6 +47,22 @@ LayoutRun check_layout(const CheckArguments& arguments, const CommonOptions& com
     if (layout.operations.empty() || !start.ok()) return start;
   }
   return run_layout(layout, models, options);
+}
+
+// One object of the scene, instead of all.
+int tell_of_object(const CheckArguments& arguments, const CommonOptions& common,
+                   const LayoutRun& run) {
+  const auto id = run.scene.find(arguments.object);
+  if (!id)
+    throw Error(Error::Kind::BadInput, "--object: \"" + arguments.object +
+                                           "\" is not accepted; accepted: the name of an object");
+  StabilityOptions options = arguments.stability;
+  options.clearance = arguments.settle.clearance;
+  if (common.json)
+    std::cout << object_query_json(run.scene, *id, options) << "\n";
+  else
+    std::cout << object_query_text(run.scene, *id, options);
+  return run.ok() && run.stability.status != Stability::Status::Unstable ? 0 : 1;
 }
 
 int check(const CheckArguments& arguments, const CommonOptions& common) {
@@ -52,11 +77,12 @@ int check(const CheckArguments& arguments, const CommonOptions& common) {
     options.model_folder = folder_from(arguments.report, folder_of(arguments.file));
   const std::string report = report_json(run, options);
   if (!arguments.report.empty()) write_file_atomically(arguments.report, report);
+  if (!arguments.object.empty()) return tell_of_object(arguments, common, run);
   if (common.json)
     std::cout << report;
   else if (!common.quiet)
     std::cout << summary(run);
-  return run.ok() ? 0 : 1;
+  return run.ok() && run.stability.status != Stability::Status::Unstable ? 0 : 1;
 }
 
 }  // namespace
@@ -70,6 +96,13 @@ Verb add_check(CLI::App& app, const CommonOptions& common) {
       ->required()
       ->type_name("SCENE.glb|LAYOUT.json");
   verb->add_option("--report", arguments->report, "The report, JSON");
+  verb->add_option("--object", arguments->object,
+                   "Tell of this object: what holds it, what lies on it, is it stable, by what "
+                   "margin");
+  verb->add_option("--friction", arguments->stability.friction,
+                   "Coulomb's coefficient with which the scene must stand as a whole; default: 5, "
+                   "as settling assumes")
+      ->check(number_from(0, 1e3));
   add_settle_options(*verb, arguments->settle);
   return {verb, [arguments, &common] { return check(*arguments, common); }};
 }

@@ -103,7 +103,12 @@ struct MoveVerb {
     add_settle_options(*app, arguments->settle);
     return {app, [a = arguments, o = own, operation, &common] {
               Operation wanted = operation(*o);
-              std::visit([&](MoveOptions& m) { m = a->move; }, wanted);
+              std::visit(
+                  [&](auto& m) {
+                    if constexpr (std::is_base_of_v<MoveOptions, std::decay_t<decltype(m)>>)
+                      static_cast<MoveOptions&>(m) = a->move;
+                  },
+                  wanted);
               return move(*a, wanted, common);
             }};
   }

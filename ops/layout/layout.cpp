@@ -13,12 +13,6 @@ namespace {
 constexpr int kVersion = 1;
 constexpr double kUnitTolerance = 4e-15;
 
-UpAxis read_up(const JsonPlace& place) {
-  if (place.value() == "y") return UpAxis::Y;
-  if (place.value() == "z") return UpAxis::Z;
-  place.refuse("\"y\" or \"z\"");
-}
-
 LayoutObject read_object(const JsonPlace& place) {
   place.expect_object({"name", "model"}, {"scale", "up", "fixed", "position", "rotation"});
   LayoutObject object;
@@ -49,10 +43,20 @@ std::vector<LayoutObject> read_objects(const JsonPlace& place) {
   return objects;
 }
 
-Operation read_known(const JsonPlace& place, const std::set<std::string>& names) {
+// @param names  of the objects at this point; brought up to date.
+Operation read_known(const JsonPlace& place, std::set<std::string>& names) {
   Operation operation = read_operation(place);
-  if (!names.count(object_name(operation)))
-    place.at("object").refuse("the name of one of /objects");
+  const std::string& name = object_name(operation);
+  const auto add = [&](const char* key, const std::string& new_name) {
+    if (!names.insert(new_name).second) place.at(key).refuse("a name that no object has");
+  };
+  if (std::holds_alternative<AppendOperation>(operation)) {
+    add("object", name);
+    return operation;
+  }
+  if (!names.count(name)) place.at("object").refuse("the name of one of /objects");
+  if (const auto* o = std::get_if<DuplicateOperation>(&operation)) add("as", o->as);
+  if (std::holds_alternative<DeleteOperation>(operation)) names.erase(name);
   return operation;
 }
 

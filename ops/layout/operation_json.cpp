@@ -51,6 +51,12 @@ void read_to(const JsonPlace& place, const char* key, std::optional<std::string>
   if (const auto found = place.find(key)) out = found->text();
 }
 
+std::string read_new_name(const JsonPlace& place) {
+  const std::string name = place.text();
+  if (name == "floor") place.refuse("any name but \"floor\", which is the floor");
+  return name;
+}
+
 void read_common(const JsonPlace& place, MoveOptions& move) {
   move.object = place.at("object").text();
   read_to(place, "settle_left", move.settle_left);
@@ -154,6 +160,44 @@ RotateOperation read_rotate(const JsonPlace& place) {
   return rotate;
 }
 
+AppendOperation read_append(const JsonPlace& place) {
+  place.expect_object({"op", "object", "model"}, {"scale", "up", "fixed"});
+  AppendOperation append;
+  append.object = read_new_name(place.at("object"));
+  append.model = place.at("model").text();
+  read_to(place, "scale", kMinScale, kMaxScale, append.scale);
+  if (const auto up = place.find("up")) append.up = read_up(*up);
+  read_to(place, "fixed", append.fixed);
+  return append;
+}
+
+DuplicateOperation read_duplicate(const JsonPlace& place) {
+  place.expect_object({"op", "object", "as"}, {});
+  return {place.at("object").text(), read_new_name(place.at("as"))};
+}
+
+DeleteOperation read_delete(const JsonPlace& place) {
+  place.expect_object({"op", "object"}, {"settle_left"});
+  DeleteOperation operation;
+  read_common(place, operation);
+  return operation;
+}
+
+LockOperation read_lock(const JsonPlace& place, bool locked) {
+  place.expect_object({"op", "object"}, {});
+  return {place.at("object").text(), locked};
+}
+
+GroupOperation read_group(const JsonPlace& place) {
+  place.expect_object({"op", "object", "group"}, {});
+  return {place.at("object").text(), place.at("group").text()};
+}
+
+GroupOperation read_ungroup(const JsonPlace& place) {
+  place.expect_object({"op", "object"}, {});
+  return {place.at("object").text(), ""};
+}
+
 // --- writing -----------------------------------------------------------------------------------
 
 template <class T>
@@ -230,6 +274,23 @@ void write(const RotateOperation& rotate, Json& json) {
   write_if(rotate.settle, "settle", true, json);
 }
 
+void write(const AppendOperation& append, Json& json) {
+  json["model"] = append.model;
+  write_if(append.scale != 1, "scale", append.scale, json);
+  if (append.up) json["up"] = *append.up == UpAxis::Y ? "y" : "z";
+  write_if(append.fixed, "fixed", true, json);
+}
+
+void write(const DuplicateOperation& duplicate, Json& json) { json["as"] = duplicate.as; }
+
+void write(const DeleteOperation&, Json&) {}
+
+void write(const LockOperation&, Json&) {}
+
+void write(const GroupOperation& group, Json& json) {
+  write_if(!group.group.empty(), "group", group.group, json);
+}
+
 }  // namespace
 
 Operation read_operation(const JsonPlace& place) {
@@ -241,7 +302,16 @@ Operation read_operation(const JsonPlace& place) {
   if (op.value() == "pick_up") return read_pick_up(place);
   if (op.value() == "translate") return read_translate(place);
   if (op.value() == "rotate") return read_rotate(place);
-  op.refuse("\"put\", \"push\", \"turn\", \"pick_up\", \"translate\" or \"rotate\"");
+  if (op.value() == "append") return read_append(place);
+  if (op.value() == "duplicate") return read_duplicate(place);
+  if (op.value() == "delete") return read_delete(place);
+  if (op.value() == "lock") return read_lock(place, true);
+  if (op.value() == "unlock") return read_lock(place, false);
+  if (op.value() == "group") return read_group(place);
+  if (op.value() == "ungroup") return read_ungroup(place);
+  op.refuse(
+      "\"put\", \"push\", \"turn\", \"pick_up\", \"translate\", \"rotate\", \"append\", "
+      "\"duplicate\", \"delete\", \"lock\", \"unlock\", \"group\" or \"ungroup\"");
 }
 
 nlohmann::ordered_json operation_json(const Operation& operation) {
@@ -249,10 +319,17 @@ nlohmann::ordered_json operation_json(const Operation& operation) {
   std::visit(
       [&](const auto& o) {
         write(o, json);
-        write_if(o.settle_left, "settle_left", true, json);
+        if constexpr (std::is_base_of_v<MoveOptions, std::decay_t<decltype(o)>>)
+          write_if(o.settle_left, "settle_left", true, json);
       },
       operation);
   return json;
+}
+
+UpAxis read_up(const JsonPlace& place) {
+  if (place.value() == "y") return UpAxis::Y;
+  if (place.value() == "z") return UpAxis::Z;
+  place.refuse("\"y\" or \"z\"");
 }
 
 Pose read_pose(const JsonPlace& place) {

@@ -20,6 +20,9 @@ Operation read_operation(const JsonPlace& place);
 /// That read_operation() reads to the same bits; what has its default is left out.
 nlohmann::ordered_json operation_json(const Operation& operation);
 
+/// "y" or "z".
+UpAxis read_up(const JsonPlace& place);
+
 /// "position" and "rotation" (optional, the identity) of an object. See unit_rotation().
 Pose read_pose(const JsonPlace& place);
 void write_pose(const Pose& pose, nlohmann::ordered_json& json);

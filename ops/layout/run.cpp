@@ -5,6 +5,7 @@
 #include <map>
 
 #include "core/base/error.h"
+#include "ops/edit.h"
 #include "ops/layout/json_text.h"
 
 namespace trivet {
@@ -117,6 +118,9 @@ void finish_run(const RunOptions& options, LayoutRun& run) {
   report_progress(options, "check", "", 0, 1);
   update_contacts(run.scene, options.settle.clearance);
   run.check = check_scene(run.scene, options.num_threads, options.settle.clearance);
+  StabilityOptions stability_options = options.stability;
+  stability_options.clearance = options.settle.clearance;
+  run.stability = stability(run.scene, stability_options);
   report_progress(options, "check", "", 1, 1);
 }
 
@@ -145,9 +149,14 @@ Scene make_scene(const Layout& layout, const ModelSource& models, const RunOptio
   return scene;
 }
 
-LayoutRun run_layout(const Layout& layout, const ModelSource& models, const RunOptions& options) {
+LayoutRun run_layout(const Layout& without_models, const ModelSource& models,
+                     const RunOptions& options) {
   LayoutRun run;
-  run.scene = make_scene(layout, models, options);
+  run.scene = make_scene(without_models, models, options);
+  Layout layout = without_models;
+  for (Operation& operation : layout.operations)
+    if (auto* append = std::get_if<AppendOperation>(&operation))
+      load_model(run.scene, models, *append);
   stand_objects(layout, options, run);
   run_operations(layout, options, run);
   finish_run(options, run);

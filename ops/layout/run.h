@@ -8,11 +8,13 @@
 #include "ops/layout/layout.h"
 #include "ops/layout/load.h"
 #include "ops/put.h"
+#include "ops/stability/stability.h"
 
 namespace trivet {
 
 struct RunOptions {
   SettleOptions settle;
+  StabilityOptions stability;    // of the scene as a whole, at the end
   int num_threads = 0;           // 0: all cores; results do not depend on it
   bool stop_at_refusal = false;  // else a refusal is recorded, and the next operation done
   ProgressCallback progress;     // may be empty
@@ -30,8 +32,9 @@ struct LayoutRun {
   Scene scene;
   std::vector<OperationRecord> operations;
   SceneCheck check;
+  Stability stability;
 
-  bool ok() const;  // no refusal, and the check passed
+  bool ok() const;  // no refusal, and the check passed; it says nothing of the stability
 };
 
 /// Objects of the layout, all of them out of the scene yet; one Model and one Shape per model.
@@ -42,7 +45,7 @@ Scene make_scene(const Layout& layout, const ModelSource& models, const RunOptio
 /// Does the operations of the layout on a scene that has its objects.
 void run_operations(const Layout& layout, const RunOptions& options, LayoutRun& run);
 
-/// Brings contacts and states up to date with the poses, and checks the scene.
+/// Brings contacts and states up to date with the poses, checks the scene and judges its stability.
 void finish_run(const RunOptions& options, LayoutRun& run);
 
 /// Stands objects in the order of the layout, then does the operations, then checks the scene.

@@ -66,6 +66,37 @@ bool stands_on(const Object& object, const std::vector<ContactsWith>& contacts, 
          kRestMargin * object.scale * object.shape->box.diagonal();
 }
 
+// The state of an object that is not at rest and was not moved by hand.
+ObjectState left_alone(const Scene& scene, ObjectId id, OperationResult& result) {
+  const Object& object = scene.at(id);
+  if (object.state != ObjectState::Stable && object.state != ObjectState::Unsupported)
+    return object.state;
+  add_name(result.unsupported, object.name);
+  return ObjectState::Unsupported;
+}
+
+/// @param known  its contacts, if they are. @param state  asks its argument whether it is at rest.
+template <class State>
+void rate_as(Scene& scene, ObjectId id, double clearance, const std::vector<ContactsWith>* known,
+             const State& state) {
+  const Object& seen = std::as_const(scene).at(id);
+  if (seen.fixed || !seen.placed) return;
+  const Surroundings others(scene, id);
+  const std::vector<ContactsWith> contacts =
+      known ? *known : touching(scene, seen, seen.pose, others, clearance);
+  const ObjectState now = state([&] {
+    return stands_on(seen, contacts, clearance) ||
+           rests_at(scene, seen, seen.pose, others, clearance);
+  });
+  const bool rests = now == ObjectState::Stable || now == ObjectState::Wedged;
+  const RestRating rating = rests ? rate_rest(seen, seen.pose, contacts, clearance)
+                                  : rate_unheld(seen, contacts, clearance);
+  Object& object = scene.at(id);
+  object.state = now;
+  object.stability_margin = rating.stability_margin;
+  object.least_friction = rating.least_friction;
+}
+
 class GroupCommit {
  public:
   GroupCommit(Scene& scene, const MovingGroup& group, OperationResult& result)
@@ -117,7 +148,9 @@ class GroupCommit {
     touch(links);
     touch(object.links);
     if (m_group.ids().size() == 1) m_contacts = contacts;
-    bool rated_again = i == 0 || move.tilted() || !links.empty();
+    // Without friction that would do, what it touches does not hold it: something near did.
+    bool rated_again =
+        i == 0 || move.tilted() || !links.empty() || !std::isfinite(object.least_friction);
     for (const Link& link : object.links)
       if (link.with && has(m_group.ids(), *link.with))
         links.push_back({link.with, move.contact(link.contact)});
@@ -131,39 +164,19 @@ class GroupCommit {
 
   void rate(ObjectId id, ObjectState otherwise, bool settled,
             const std::vector<Interpenetration>& crossed) {
-    const Object& seen = std::as_const(m_scene).at(id);
-    if (seen.fixed || !seen.placed) return;
-    const Surroundings others(m_scene, id);
-    const double clearance = m_group.clearance();
-    const bool known = m_contacts && id == m_group.ids()[0];
-    const std::vector<ContactsWith> contacts =
-        known ? *m_contacts : touching(m_scene, seen, seen.pose, others, clearance);
     const bool crosses = std::any_of(crossed.begin(), crossed.end(),
                                      [&](const Interpenetration& x) { return x.id == id; });
-    ObjectState state = ObjectState::Stable;
     const bool is_object = id == m_group.ids()[0];
-    if (crosses)
-      state = ObjectState::Invalid;
-    else if (is_object && settled)
-      state = otherwise;
-    else if (!stands_on(seen, contacts, clearance) &&
-             !rests_at(m_scene, seen, seen.pose, others, clearance))
-      state = is_object ? otherwise : unsupported(seen);
-    const bool rests = state == ObjectState::Stable || state == ObjectState::Wedged;
-    const RestRating rating = rests ? rate_rest(seen, seen.pose, contacts, clearance)
-                                    : rate_unheld(seen, contacts, clearance);
-    Object& object = m_scene.at(id);
-    object.state = state;
-    object.stability_margin = rating.stability_margin;
-    object.least_friction = rating.least_friction;
-  }
-
-  // Neither at rest now nor moved by hand.
-  ObjectState unsupported(const Object& object) {
-    const ObjectState was = object.state;
-    if (was != ObjectState::Stable && was != ObjectState::Unsupported) return was;
-    add_name(m_result.unsupported, object.name);
-    return ObjectState::Unsupported;
+    const auto state = [&](const auto& rests) {
+      if (crosses) return ObjectState::Invalid;
+      // What settles together may not rest alone.
+      if (is_object && settled && m_group.ids().size() == 1) return otherwise;
+      if (rests()) return ObjectState::Stable;
+      return is_object && otherwise != ObjectState::Stable ? otherwise
+                                                           : left_alone(m_scene, id, m_result);
+    };
+    rate_as(m_scene, id, m_group.clearance(), is_object && m_contacts ? &*m_contacts : nullptr,
+            state);
   }
 
   Scene& m_scene;
@@ -206,6 +219,12 @@ void commit_freely(Scene& scene, const MovingGroup& group, OperationResult& resu
   for (const Interpenetration& c : crossed)
     add_name(result.interpenetrates, c.with ? std::as_const(scene).at(*c.with).name : "floor");
   GroupCommit(scene, group, result).run(ObjectState::Held, false, crossed);
+}
+
+void rate_left_alone(Scene& scene, ObjectId id, double clearance, OperationResult& result) {
+  rate_as(scene, id, clearance, nullptr, [&](const auto& rests) {
+    return rests() ? ObjectState::Stable : left_alone(scene, id, result);
+  });
 }
 
 void settle_unsupported(Scene& scene, const SettleOptions& options, double clearance,

@@ -21,6 +21,10 @@ std::string commit_group(Scene& scene, const MovingGroup& group, ObjectState oth
 /// what they interpenetrate is named in result.interpenetrates.
 void commit_freely(Scene& scene, const MovingGroup& group, OperationResult& result);
 
+/// Rates an object again that touched something that is gone; when it is not at rest any more, it
+/// becomes ObjectState::Unsupported and is named in result.unsupported.
+void rate_left_alone(Scene& scene, ObjectId id, double clearance, OperationResult& result);
+
 /// Lets the objects of result.unsupported settle, the lowest first, and those that this leaves
 /// without support; result.settled says which. What cannot come to rest stays where it is, and in
 /// result.unsupported.

@@ -26,6 +26,8 @@ OrderedJson stored_object_json(const Object& object, size_t model) {
   OrderedJson json = {
       {"name", object.name},   {"model", model},        {"up", object.up == UpAxis::Y ? "y" : "z"},
       {"scale", object.scale}, {"fixed", object.fixed}, {"state", to_string(object.state)}};
+  if (object.locked) json["locked"] = true;
+  if (!object.group.empty()) json["group"] = object.group;
   if (!object.placed) return json;
   const Rotation& r = object.pose.rotation;
   json["position"] = to_json(object.pose.translation);
@@ -82,7 +84,8 @@ ObjectState read_state(const JsonPlace& place) {
 
 // Poses come from Trivet and are taken as they are: no bit may change.
 ExtrasObject read_object_entry(const JsonPlace& place, size_t num_models) {
-  place.expect_object({"name", "model", "up", "scale", "fixed", "state"}, {"position", "rotation"});
+  place.expect_object({"name", "model", "up", "scale", "fixed", "state"},
+                      {"position", "rotation", "locked", "group"});
   ExtrasObject object;
   object.name = place.at("name").text();
   const double last_model = static_cast<double>(num_models) - 1;
@@ -91,6 +94,8 @@ ExtrasObject read_object_entry(const JsonPlace& place, size_t num_models) {
   object.scale = place.at("scale").number(kMinScale, kMaxScale);
   object.fixed = place.at("fixed").boolean();
   object.state = read_state(place.at("state"));
+  if (const auto locked = place.find("locked")) object.locked = locked->boolean();
+  if (const auto group = place.find("group")) object.group = group->text();
   if (!place.find("position")) return object;
   const std::vector<double> t = place.at("position").numbers(3, -kMaxLength, kMaxLength);
   const std::vector<double> r = place.at("rotation").numbers(4, -2, 2);

@@ -4,7 +4,8 @@
 //     "models":  [{"path", "triangles", "fingerprint", "stored_fingerprint", "centre",
 //                  "face_order"}],                       see geometry.h
 //     "objects": [{"name", "model": index, "up", "scale", "fixed", "state",
-//                  "position", "rotation"}],             no position: out of the scene
+//                  "position", "rotation",               no position: out of the scene
+//                  "locked", "group"}],                  if it is
 //     "load_support": [{"object", "supports", "loads"}], "floor" is the floor
 //     "layout":  {...}}                                  as a layout file, of what made the scene
 //   node.extras.trivet: the object's entry of a report
@@ -36,6 +37,8 @@ struct ExtrasObject {
   UpAxis up = UpAxis::Z;
   double scale = 1;
   bool fixed = false;
+  bool locked = false;
+  std::string group;
   ObjectState state = ObjectState::Unplaced;
   std::optional<Pose> pose;
 };

@@ -1,11 +1,10 @@
 #include "ops/report/geometry.h"
 
-#include <bit>
-#include <cstdio>
 #include <map>
 #include <numeric>
 
 #include "core/base/error.h"
+#include "core/base/hash.h"
 #include "core/io/appearance.h"
 #include "core/io/float_export.h"
 #include "ops/report/glb_nodes.h"
@@ -85,17 +84,11 @@ Model part_of(const Model& all, size_t first, size_t count) {
 }  // namespace
 
 std::string geometry_fingerprint(const Mesh& mesh) {
-  constexpr std::uint64_t kPrime = 0x9E3779B97F4A7C15u;  // odd, 2^64 / golden ratio
-  std::uint64_t hash = mesh.triangles.size();
+  Hash hash(mesh.triangles.size());
   for (const Index3& triangle : mesh.triangles)
     for (const Index v : triangle)
-      for (int i = 0; i < 3; ++i) {
-        hash = (hash ^ std::bit_cast<std::uint64_t>(mesh.vertices[v][i] + 0.0)) * kPrime;
-        hash ^= hash >> 32;
-      }
-  char text[17];
-  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
-  return text;
+      for (int i = 0; i < 3; ++i) hash.add(mesh.vertices[v][i]);
+  return hash.text();
 }
 
 StoredGeometry stored_geometry(const Model& model) {

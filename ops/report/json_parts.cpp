@@ -21,6 +21,29 @@ OrderedJson supports_json(const Scene& scene, const LoadSupport::Entry& entry) {
   return json;
 }
 
+OrderedJson stability_json(const Scene& scene, const Stability& stability) {
+  OrderedJson topples = OrderedJson::array(), objects = OrderedJson::array(),
+              forces = OrderedJson::array();
+  for (const ObjectStability& o : stability.objects) {
+    const std::string& name = scene.at(o.object).name;
+    if (o.topples) topples.push_back(name);
+    objects.push_back({{"name", name}, {"weight", o.weight}, {"margin", o.margin}});
+  }
+  for (const ContactForce& f : stability.forces)
+    forces.push_back({{"on", scene.at(f.on).name},
+                      {"from", f.from ? scene.at(*f.from).name : "floor"},
+                      {"point", to_json(f.point)},
+                      {"force", to_json(f.force)}});
+  return {{"status", to_string(stability.status)},
+          {"method", to_string(stability.method)},
+          {"friction", stability.friction},
+          {"residual", stability.residual},
+          {"margin", stability.margin},
+          {"topples", std::move(topples)},
+          {"objects", std::move(objects)},
+          {"forces", std::move(forces)}};
+}
+
 OrderedJson contacts_json(const Scene& scene, const Object& object) {
   OrderedJson json = OrderedJson::array();
   for (const Link& link : object.links) {

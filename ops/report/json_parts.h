@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/scene/scene.h"
+#include "ops/stability/stability.h"
 
 namespace trivet {
 
@@ -15,6 +16,8 @@ OrderedJson to_json(const Vec3& v);
 OrderedJson to_json(const Affine& affine);
 /// "floor" or the names, in the order of the scene.
 OrderedJson supports_json(const Scene& scene, const LoadSupport::Entry& entry);
+/// The scene as a whole.
+OrderedJson stability_json(const Scene& scene, const Stability& stability);
 /// What the object touches.
 OrderedJson contacts_json(const Scene& scene, const Object& object);
 

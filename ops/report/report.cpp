@@ -87,6 +87,7 @@ std::string report_json(const LayoutRun& run, const ReportOptions& options) {
   json["objects"] = objects_json(run.scene, options);
   json["operations"] = operations_json(run.operations);
   json["check"] = check_json(run.check);
+  json["stability"] = stability_json(run.scene, run.stability);
   return readable_json(json);
 }
 

@@ -45,8 +45,9 @@ std::vector<std::string> nodes_of_models(const TrivetExtras& extras) {
 
 class SceneReader {
  public:
-  SceneReader(const std::string& path, const ImportLimits& limits)
+  SceneReader(const std::string& path, const ImportLimits& limits, const std::string& folder)
       : m_path(path),
+        m_folder(folder.empty() ? std::filesystem::path(path).parent_path().string() : folder),
         m_limits(limits),
         m_extras(parse_scene_extras(read_scene_extras(path).scene_json, path)) {}
 
@@ -98,8 +99,8 @@ class SceneReader {
 
   std::shared_ptr<Model> own_file(const ExtrasModel& entry) const {
     try {
-      const auto folder = std::filesystem::path(m_path).parent_path();
-      auto model = std::make_shared<Model>(read_model((folder / entry.path).string(), m_limits));
+      const auto path = std::filesystem::path(m_folder) / entry.path;
+      auto model = std::make_shared<Model>(read_model(path.string(), m_limits));
       if (geometry_fingerprint(model->mesh) == entry.geometry.fingerprint) return model;
     } catch (const Error&) {
       // As good as missing.
@@ -124,6 +125,7 @@ class SceneReader {
     object.placed = entry.pose.has_value();
     if (entry.pose) object.pose = *entry.pose;
     object.state = entry.state;
+    object.locked = entry.locked, object.group = entry.group;
     m_file.scene.add(std::move(object));
   }
 
@@ -145,7 +147,7 @@ class SceneReader {
     }
   }
 
-  const std::string m_path;
+  const std::string m_path, m_folder;
   const ImportLimits m_limits;
   TrivetExtras m_extras;
   SceneFile m_file;
@@ -163,8 +165,9 @@ void write_scene_file(const Scene& scene, const Layout& layout, const SceneFileO
   write_scene(out, path);
 }
 
-SceneFile read_scene_file(const std::string& path, const ImportLimits& limits) {
-  return SceneReader(path, limits).read();
+SceneFile read_scene_file(const std::string& path, const ImportLimits& limits,
+                          const std::string& folder) {
+  return SceneReader(path, limits, folder).read();
 }
 
 bool is_scene_file(const std::string& path) {

@@ -36,7 +36,9 @@ struct SceneFile {
 /// unchanged; else the float32 positions of the scene file are taken, and a note says so.
 /// @throws Error (BadInput): no glTF, not by Trivet, changed by another program since (geometry or
 ///   poses), of another version.
-SceneFile read_scene_file(const std::string& path, const ImportLimits& limits = {});
+/// @param folder  where relative model paths start; empty: that of the file.
+SceneFile read_scene_file(const std::string& path, const ImportLimits& limits = {},
+                          const std::string& folder = {});
 
 /// Whether the file is a .glb with Trivet's data. @throws Error (BadInput) when it is no glTF.
 bool is_scene_file(const std::string& path);

@@ -35,8 +35,12 @@ class Settling {
       const Candidates candidates = candidate_motions(points);
       Outcome outcome = give_way(candidates.sticking, kEnergyDrop);
       if (outcome == Outcome::Stuck) {
-        if (is_balanced()) return finish(SettleOutcome::Status::AtRest);
-        outcome = give_way(candidates.last_resorts, kEnergyDrop);
+        const bool balanced = is_balanced();
+        const std::vector<Candidate> motions =
+            balanced ? carrying_motions(points) : candidates.last_resorts;
+        if (balanced && (m_problem.options.literal_paper_rules || none_sinks(motions)))
+          return finish(SettleOutcome::Status::AtRest);
+        outcome = give_way(motions, kEnergyDrop);
         if (outcome == Outcome::Stuck) outcome = give_way(candidates.sticking, kLastEnergyDrop);
       }
       if (outcome == Outcome::FallsOut) return finish(SettleOutcome::Status::FallsOut);
@@ -47,18 +51,10 @@ class Settling {
   }
 
   bool is_at_rest() {
-    std::vector<ContactPoint> points = look_around();
+    const std::vector<ContactPoint> points = look_around();
     if (carrying_margin(points, m_object.centre) >= kRestMargin * m_object.size) return true;
     if (!is_balanced()) return false;
-    // What lies on the object is no pivot for it.
-    std::erase_if(points, [](const ContactPoint& c) { return c.normal.z() < -kSupportNormalZ; });
-    const double tolerance = kBalanceTolerance * clearance();
-    const std::vector<Candidate> motions =
-        gauss_candidates(points, m_object, fall_limit()).sticking;
-    return std::none_of(motions.begin(), motions.end(), [&](const Candidate& c) {
-      const double time = std::min(query(c.motion).time, c.motion.limit);
-      return sinks_by(c.motion, time) > tolerance;
-    });
+    return none_sinks(carrying_motions(points));
   }
 
  private:
@@ -116,6 +112,21 @@ class Settling {
     for (const Body& b : m_bodies) box.extend(b.world_box);
     const double depth = box.upper.z() - lowest;
     return std::isfinite(depth) && depth > 0 ? depth : 0;
+  }
+
+  // What lies on the object is no pivot for it.
+  std::vector<Candidate> carrying_motions(std::vector<ContactPoint> points) const {
+    std::erase_if(points, [](const ContactPoint& c) { return c.normal.z() < -kSupportNormalZ; });
+    return gauss_candidates(points, m_object, fall_limit()).sticking;
+  }
+
+  // By more than the contacts' tolerance.
+  bool none_sinks(const std::vector<Candidate>& motions) {
+    const double tolerance = kBalanceTolerance * clearance();
+    return std::none_of(motions.begin(), motions.end(), [&](const Candidate& c) {
+      const double time = std::min(query(c.motion).time, c.motion.limit);
+      return sinks_by(c.motion, time) > tolerance;
+    });
   }
 
   double sinks_by(const Motion& motion, double time) const {

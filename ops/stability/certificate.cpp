@@ -69,12 +69,12 @@ Sides sides_of(const FreeBodies& all, double friction) {
   sides.below.resize(all.bodies.size());
   sides.above.resize(all.bodies.size());
   for (size_t i = 0; i < all.touches.size(); ++i) {
-    const Touch& t = all.touches[i];
+    const BodyContact& t = all.touches[i];
     const double z = t.contact.normal.z();
     if (z >= least_z) {
       sides.below[t.on].push_back({i, t.from});
-      if (t.from != Touch::kGround) sides.above[t.from].push_back({i, t.on});
-    } else if (-z >= least_z && t.from != Touch::kGround) {
+      if (t.from != BodyContact::kGround) sides.above[t.from].push_back({i, t.on});
+    } else if (-z >= least_z && t.from != BodyContact::kGround) {
       sides.below[t.from].push_back({i, t.on});
       sides.above[t.on].push_back({i, t.from});
     }
@@ -102,7 +102,8 @@ class Descent {
       ready.pop_back();
       visit(body);
       for (const Sides::Side& s : m_sides.below[body])
-        if (s.other != Touch::kGround && --m_waiting_for[s.other] == 0) ready.push_back(s.other);
+        if (s.other != BodyContact::kGround && --m_waiting_for[s.other] == 0)
+          ready.push_back(s.other);
     }
     return std::move(m_out);
   }

@@ -22,7 +22,7 @@ class ForceProgram {
   ForceProgram(const FreeBodies& part, double friction)
       : m_part(part), m_friction(friction), m_carried(carried_weights(part)) {
     add_rows();
-    for (const Touch& t : m_part.touches) add_touch(t);
+    for (const BodyContact& t : m_part.touches) add_touch(t);
     m_first_missing = m_num_columns;
   }
 
@@ -85,8 +85,8 @@ class ForceProgram {
   static std::vector<double> carried_weights(const FreeBodies& part) {
     const size_t n = part.bodies.size();
     std::vector<std::vector<Index>> loads(n);
-    for (const Touch& t : part.touches) {
-      if (t.from == Touch::kGround) continue;
+    for (const BodyContact& t : part.touches) {
+      if (t.from == BodyContact::kGround) continue;
       if (t.contact.normal.z() > kSupportNormalZ) loads[t.from].push_back(t.on);
       if (t.contact.normal.z() < -kSupportNormalZ) loads[t.on].push_back(t.from);
     }
@@ -115,8 +115,8 @@ class ForceProgram {
     }
   }
 
-  void add_touch(const Touch& t) {
-    const bool ground = t.from == Touch::kGround;
+  void add_touch(const BodyContact& t) {
+    const bool ground = t.from == BodyContact::kGround;
     const double unit = ground ? m_carried[t.on] : std::min(m_carried[t.on], m_carried[t.from]);
     Spanned spanned{m_num_columns, unit, {t.contact.normal}};
     if (m_friction > 0)

@@ -19,8 +19,8 @@ FreeBodies free_bodies(const Scene& scene, double density) {
   for (Index i = 0; i < static_cast<Index>(out.bodies.size()); ++i)
     for (const Link& link : scene.at(out.bodies[i].id).links) {
       const auto other = link.with ? body_of.find(link.with->index) : body_of.end();
-      const Index from = other == body_of.end() ? Touch::kGround : other->second;
-      if (from != Touch::kGround && from < i) continue;  // seen from the other side already
+      const Index from = other == body_of.end() ? BodyContact::kGround : other->second;
+      if (from != BodyContact::kGround && from < i) continue;  // seen from the other side already
       for (const ContactPoint& p : link.contact.points)
         out.touches.push_back({i, from, link.with, p});
     }
@@ -34,8 +34,8 @@ std::vector<Index> connected_parts(const FreeBodies& all) {
     while (root[i] != i) i = root[i] = root[root[i]];
     return i;
   };
-  for (const Touch& t : all.touches) {
-    if (t.from == Touch::kGround) continue;
+  for (const BodyContact& t : all.touches) {
+    if (t.from == BodyContact::kGround) continue;
     const Index a = find(t.on), b = find(t.from);
     root[std::max(a, b)] = std::min(a, b);
   }

@@ -15,7 +15,7 @@ struct FreeBody {
 };
 
 /// A contact point of body `on`; its normal points to it.
-struct Touch {
+struct BodyContact {
   static constexpr Index kGround = -1;  // the floor or a fixed object
   Index on = 0, from = kGround;         // bodies
   std::optional<ObjectId> from_id;      // nothing: the floor
@@ -24,8 +24,8 @@ struct Touch {
 
 /// Every contact point once.
 struct FreeBodies {
-  std::vector<FreeBody> bodies;  // in the order of Scene::ids()
-  std::vector<Touch> touches;    // sorted by `on`
+  std::vector<FreeBody> bodies;      // in the order of Scene::ids()
+  std::vector<BodyContact> touches;  // sorted by `on`
 };
 
 FreeBodies free_bodies(const Scene& scene, double density);

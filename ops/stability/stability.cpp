@@ -47,16 +47,16 @@ class StabilityCheck {
     for (size_t i = 0; i < part_of.size(); ++i)
       if (!failed[part_of[i]]) m_out.objects[i].margin = certificate.bodies[i].margin;
     for (size_t i = 0; i < m_all.touches.size(); ++i) {
-      const Touch& t = m_all.touches[i];
+      const BodyContact& t = m_all.touches[i];
       if (!failed[part_of[t.on]]) add_force(m_all, t, Vec3(0, 0, certificate.forces[i]));
     }
   }
 
-  void add_force(const FreeBodies& bodies, const Touch& t, const Vec3& force) {
+  void add_force(const FreeBodies& bodies, const BodyContact& t, const Vec3& force) {
     if (force.isZero(0)) return;
     const ObjectId on = bodies.bodies[t.on].id;
     m_out.forces.push_back({on, t.from_id, t.contact.point, force});
-    if (t.from != Touch::kGround)
+    if (t.from != BodyContact::kGround)
       m_out.forces.push_back({bodies.bodies[t.from].id, on, t.contact.point, -force});
   }
 
@@ -72,7 +72,7 @@ class StabilityCheck {
     const auto find = [&](ObjectId id) {
       const auto it =
           std::lower_bound(index_of.begin(), index_of.end(), std::make_pair(id.index, Index{0}));
-      return it != index_of.end() && it->first == id.index ? it->second : Touch::kGround;
+      return it != index_of.end() && it->first == id.index ? it->second : BodyContact::kGround;
     };
     for (Index i = 0; i < static_cast<Index>(part.bodies.size()); ++i)
       append_touches(part, i, find);
@@ -89,11 +89,12 @@ class StabilityCheck {
     for (const ContactsWith& c :
          contacts_with(body, others.bodies, m_scene.floor, tolerance, kFootSlack * m_clearance)) {
       const bool floor = c.fixed == ContactsWith::kFloor;
-      const Index from = floor ? Touch::kGround : find(others.ids[c.fixed]);
-      if (from != Touch::kGround && from <= i) continue;
-      if (!floor && from == Touch::kGround && !m_scene.at(others.ids[c.fixed]).fixed) continue;
+      const Index from = floor ? BodyContact::kGround : find(others.ids[c.fixed]);
+      if (from != BodyContact::kGround && from <= i) continue;
+      if (!floor && from == BodyContact::kGround && !m_scene.at(others.ids[c.fixed]).fixed)
+        continue;
       for (const ContactPoint& p : reduced(merged(c.points, tolerance), kPairContacts)) {
-        Touch touch{i, from, std::nullopt, p};
+        BodyContact touch{i, from, std::nullopt, p};
         if (!floor) touch.from_id = others.ids[c.fixed];
         part.touches.push_back(touch);
       }

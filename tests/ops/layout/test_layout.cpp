@@ -141,7 +141,16 @@ constexpr const char* kAllOperations[] = {
     R"({"op":"translate","object":"a","by":[0.1,0.2,0.3],"free":true,"settle":true,)"
     R"("settle_left":true})",
     R"({"op":"rotate","object":"a","axis":[0.1,0.2,0.3],"angle_deg":0.1,"centre":[0.1,0.2,0.3],)"
-    R"("free":true,"settle":true,"settle_left":true})"};
+    R"("free":true,"settle":true,"settle_left":true})",
+    R"({"op":"append","object":"a","model":"m.obj","scale":0.3333333333333333,"up":"y",)"
+    R"("fixed":true})",
+    R"({"op":"append","object":"a","model":"m.obj"})",
+    R"({"op":"duplicate","object":"a","as":"b"})",
+    R"({"op":"delete","object":"a","settle_left":true})",
+    R"({"op":"lock","object":"a"})",
+    R"({"op":"unlock","object":"a"})",
+    R"({"op":"group","object":"a","group":"set"})",
+    R"({"op":"ungroup","object":"a"})"};
 
 TEST(Layout, operations_are_written_and_read_to_the_same_bits) {
   for (const char* text : kAllOperations) {

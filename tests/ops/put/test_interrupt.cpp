@@ -3,8 +3,8 @@
 
 #include <thread>
 
-#include "ops/interrupt.h"
 #include "arrangements.h"
+#include "ops/interrupt.h"
 
 namespace trivet::test {
 namespace {

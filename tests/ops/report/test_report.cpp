@@ -38,8 +38,9 @@ TEST(Report, has_the_keys_of_the_contract_in_its_order) {
   ReportOptions options;
   options.version = "1.2.3";
   const Json report = Json::parse(report_json(run_boxes(), options));
-  EXPECT_EQ(keys(report), (std::vector<std::string>{"trivet", "version", "backend", "device",
-                                                    "objects", "operations", "check"}));
+  EXPECT_EQ(keys(report),
+            (std::vector<std::string>{"trivet", "version", "backend", "device", "objects",
+                                      "operations", "check", "stability"}));
   EXPECT_EQ(report["trivet"], 1);
   EXPECT_EQ(report["version"], "1.2.3");
   ASSERT_EQ(report["objects"].size(), 4u);

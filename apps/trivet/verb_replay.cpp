@@ -1,0 +1,47 @@
+#include "apps/trivet/outputs.h"
+#include "apps/trivet/verbs.h"
+#include "ops/session/restore.h"
+
+namespace trivet::apps {
+namespace {
+
+struct ReplayArguments {
+  std::string journal;
+  OutputPaths outputs;
+};
+
+int replay(const ReplayArguments& arguments, const CommonOptions& common) {
+  Outputs outputs(arguments.outputs, {arguments.journal}, common);
+  RunOptions options = run_options(common, {});
+  RestoredSession restored = restore_session(arguments.journal, options, common.limits(), false);
+  OpenedSession& opened = restored.opened;
+  clear_progress_line(common);
+  for (const std::string& note : opened.notes) print_note(common, note);
+  LayoutRun run;
+  run.scene = opened.session.scene();
+  for (size_t i = 0; i < opened.session.num_done(); ++i) {
+    const Operation& operation = opened.session.steps()[i].operation;
+    run.operations.push_back({op_name(operation), object_name(operation), {}});
+  }
+  options.settle.clearance = opened.clearance;
+  finish_run(options, run);
+  const OutputPaths& paths = arguments.outputs;
+  const int status = outputs.write(run, opened.session.layout(), options.settle,
+                                   {folder_from(paths.scene, opened.model_folder),
+                                    folder_from(paths.report, opened.model_folder)});
+  return restored.exact ? status : 1;
+}
+
+}  // namespace
+
+Verb add_replay(CLI::App& app, const CommonOptions& common) {
+  CLI::App* const verb = app.add_subcommand(
+      "replay", "Restores the scene of a session from its journal, up to the last committed step");
+  const auto arguments = std::make_shared<ReplayArguments>();
+  verb->add_option("journal", arguments->journal, "The journal")->required()->type_name("JOURNAL");
+  add_output_options(*verb, arguments->outputs);
+  verb->get_option("--output")->required();
+  return {verb, [arguments, &common] { return replay(*arguments, common); }};
+}
+
+}  // namespace trivet::apps

@@ -1,0 +1,149 @@
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "apps/trivet/outputs.h"
+#include "apps/trivet/verbs.h"
+#include "core/base/error.h"
+#include "core/base/hash.h"
+#include "core/scene/fingerprint.h"
+#include "ops/layout/json_text.h"
+#include "ops/report/queries.h"
+#include "ops/session/journal.h"
+#include "ops/session/restore.h"
+
+namespace trivet::apps {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct SessionArguments {
+  std::string start, journal;
+  SettleOptions settle;
+};
+
+constexpr const char* kAccepted =
+    "an operation {\"op\": ...}, {\"undo\": true}, {\"redo\": true}, {\"save\": FILE} or "
+    "{\"query\": OBJECT}";
+
+OpenedSession open(const SessionArguments& arguments, const CommonOptions& common) {
+  RunOptions options = run_options(common, arguments.settle);
+  if (!arguments.start.empty())
+    return open_session(arguments.start, options, common.limits(), arguments.journal);
+  if (arguments.journal.empty())
+    throw Error(Error::Kind::BadInput,
+                "a start is missing; accepted: a layout, a scene, or --journal to restore");
+  RestoredSession restored = restore_session(arguments.journal, options, common.limits(), true);
+  if (!restored.exact) throw Error(Error::Kind::BadInput, restored.opened.notes.back());
+  return std::move(restored.opened);
+}
+
+const char* to_string(OperationResult::Status status) {
+  switch (status) {
+    case OperationResult::Status::Ok:
+      return "ok";
+    case OperationResult::Status::Refused:
+      return "refused";
+    case OperationResult::Status::Cancelled:
+      return "cancelled";
+    case OperationResult::Status::OutOfTime:
+      return "out of time";
+  }
+  return "?";
+}
+
+class Dialogue {
+ public:
+  Dialogue(OpenedSession& opened, const SessionArguments& arguments)
+      : m_opened(opened), m_session(opened.session), m_settle(arguments.settle) {
+    if (!(m_settle.clearance > 0)) m_settle.clearance = opened.clearance;
+  }
+
+  Json state() const {
+    Json json = {{"status", "ok"}};
+    json["done"] = m_session.num_done();
+    json["steps"] = m_session.steps().size();
+    json["state"] = hash_text(fingerprint(m_session.scene()));
+    json["modified"] = m_session.is_modified();
+    return json;
+  }
+
+  // One line in, one line out; what is wrong with a line is its answer.
+  Json answer(const std::string& line) {
+    try {
+      const nlohmann::json document = parse_json(line, "standard input");
+      const JsonPlace place(document, "standard input");
+      if (place.find("op")) return perform(read_operation(place));
+      if (place.find("undo")) return step(m_session.undo(), "there is nothing to undo");
+      if (place.find("redo")) return step(m_session.redo(), "there is nothing to redo");
+      if (const auto file = place.find("save")) return save(file->text());
+      if (const auto object = place.find("query")) return query(object->text());
+      place.refuse(kAccepted);
+    } catch (const Error& e) {
+      return {{"status", "error"}, {"reason", e.what()}};
+    }
+  }
+
+ private:
+  Json perform(const Operation& operation) {
+    const OperationResult result = m_session.perform(operation, m_settle);
+    if (!result.ok()) return {{"status", to_string(result.status)}, {"reason", result.reason}};
+    return state();
+  }
+
+  Json step(bool done, const char* otherwise) const {
+    if (done) return state();
+    return {{"status", "refused"}, {"reason", otherwise}};
+  }
+
+  Json save(const std::string& file) {
+    if (extension_of(file) != ".glb")
+      throw Error(Error::Kind::BadInput, file + ": accepted: a file that ends in .glb");
+    save_session(m_opened, TRIVET_VERSION, file);
+    return state();
+  }
+
+  Json query(const std::string& name) const {
+    const auto id = m_session.scene().find(name);
+    if (!id) return {{"status", "refused"}, {"reason", "there is no object \"" + name + "\""}};
+    Json json = Json::parse(object_query_json(m_session.scene(), *id, {}));
+    json["status"] = "ok";
+    return json;
+  }
+
+  OpenedSession& m_opened;
+  Session& m_session;
+  SettleOptions m_settle;
+};
+
+int session(const SessionArguments& arguments, const CommonOptions& common) {
+  OpenedSession opened = open(arguments, common);
+  clear_progress_line(common);
+  for (const std::string& note : opened.notes) print_note(common, note);
+  Dialogue dialogue(opened, arguments);
+  const auto tell = [](const Json& json) {
+    std::cout << json.dump(-1, ' ', false, Json::error_handler_t::replace) << std::endl;
+  };
+  tell(dialogue.state());
+  for (std::string line; std::getline(std::cin, line);)
+    if (line.find_first_not_of(" \t\r") != std::string::npos) tell(dialogue.answer(line));
+  return 0;
+}
+
+}  // namespace
+
+Verb add_session(CLI::App& app, const CommonOptions& common) {
+  CLI::App* const verb = app.add_subcommand(
+      "session",
+      "Does operations as they come: a line of JSON each on standard input, answered by a line on "
+      "standard output. A line is an operation as in a layout, {\"undo\": true}, {\"redo\": true}, "
+      "{\"save\": \"x.glb\"} or {\"query\": \"object\"}");
+  const auto arguments = std::make_shared<SessionArguments>();
+  verb->add_option("start", arguments->start, "What to start with; nothing: restore the journal")
+      ->type_name("SCENE.glb|LAYOUT.json");
+  verb->add_option("--journal", arguments->journal,
+                   "Keeps every step on disk, so that a session that crashed can be restored");
+  add_settle_options(*verb, arguments->settle);
+  return {verb, [arguments, &common] { return session(*arguments, common); }};
+}
+
+}  // namespace trivet::apps

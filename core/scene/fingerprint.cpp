@@ -1,0 +1,67 @@
+#include "core/scene/fingerprint.h"
+
+namespace trivet {
+namespace {
+
+void add_to(Hash& hash, const Vec3& v) {
+  for (int i = 0; i < 3; ++i) hash.add(v[i]);
+}
+
+void add_to(Hash& hash, const std::vector<Index>& ids) {
+  hash.add(std::uint64_t{ids.size()});
+  for (const Index id : ids) hash.add(static_cast<std::uint64_t>(id));
+}
+
+void add_to(Hash& hash, const ContactPoint& p) {
+  add_to(hash, p.point);
+  add_to(hash, p.normal);
+  hash.add(p.gap);
+  hash.add(static_cast<std::uint64_t>(p.features));
+  hash.add(static_cast<std::uint64_t>(p.feature_object));
+  hash.add(static_cast<std::uint64_t>(p.feature_support));
+}
+
+void add_to(Hash& hash, const Link& link) {
+  const Contact& c = link.contact;
+  hash.add(link.with ? std::uint64_t{link.with->index} : ~std::uint64_t{0});
+  hash.add(static_cast<std::uint64_t>(c.type));
+  hash.add(std::uint64_t{c.points.size()});
+  for (const ContactPoint& p : c.points) add_to(hash, p);
+  hash.add(std::uint64_t{c.hull.size()});
+  for (const Vec3& p : c.hull) add_to(hash, p);
+  add_to(hash, c.normal);
+  hash.add(c.gap);
+  add_to(hash, c.faces_object);
+  add_to(hash, c.faces_support);
+}
+
+}  // namespace
+
+void add_to(Hash& hash, const Object& object) {
+  hash.add(object.name).add(object.scale).add(object.group);
+  hash.add(static_cast<std::uint64_t>(object.up));
+  hash.add(static_cast<std::uint64_t>(object.state));
+  hash.add(std::uint64_t{object.fixed} | std::uint64_t{object.placed} << 1 |
+           std::uint64_t{object.locked} << 2);
+  const Rotation& r = object.pose.rotation;
+  hash.add(r.w).add(r.x).add(r.y).add(r.z);
+  add_to(hash, object.pose.translation);
+  hash.add(object.stability_margin).add(object.least_friction);
+  hash.add(std::uint64_t{object.links.size()});
+  for (const Link& link : object.links) add_to(hash, link);
+}
+
+std::uint64_t fingerprint(const Scene& scene, std::span<const ObjectId> ids) {
+  Hash hash(ids.size());
+  for (const ObjectId id : ids) {
+    hash.add(std::uint64_t{id.index});
+    if (scene.contains(id)) add_to(hash, scene.at(id));
+  }
+  return hash.value();
+}
+
+std::uint64_t fingerprint(const Scene& scene) {
+  return Hash(fingerprint(scene, scene.ids())).add(std::uint64_t{scene.floor}).value();
+}
+
+}  // namespace trivet

@@ -1,0 +1,100 @@
+#include "ops/edit.h"
+
+#include <utility>
+
+#include "ops/layout/layout.h"
+#include "ops/move/commit_group.h"
+
+namespace trivet {
+namespace {
+
+OperationResult refused(const std::string& reason) {
+  OperationResult result;
+  result.status = OperationResult::Status::Refused;
+  result.reason = reason;
+  return result;
+}
+
+std::string why_not_name(const Scene& scene, const std::string& name) {
+  if (!is_object_name(name))
+    return "\"" + name + "\" is no name; accepted: UTF-8 without control characters, not \"floor\"";
+  if (scene.find(name)) return "there is an object \"" + name + "\" already";
+  return "";
+}
+
+}  // namespace
+
+OperationResult append(Scene& scene, const AppendOperation& operation) {
+  if (const std::string why = why_not_name(scene, operation.object); !why.empty())
+    return refused(why);
+  if (!operation.shape)
+    return refused("the model \"" + operation.model + "\" of \"" + operation.object +
+                   "\" was not loaded");
+  Object object;
+  object.name = operation.object;
+  object.model = operation.model_data;
+  object.shape = operation.shape;
+  object.up = operation.up.value_or(object.model->up);
+  object.scale = operation.scale;
+  object.fixed = operation.fixed;
+  scene.add(std::move(object));
+  return {};
+}
+
+OperationResult duplicate(Scene& scene, const DuplicateOperation& operation) {
+  if (const std::string why = why_not_name(scene, operation.as); !why.empty()) return refused(why);
+  const Object& original = std::as_const(scene).at(*scene.find(operation.object));
+  Object object;
+  object.name = operation.as;
+  object.model = original.model;
+  object.shape = original.shape;
+  object.up = original.up;
+  object.scale = original.scale;
+  scene.add(std::move(object));
+  return {};
+}
+
+OperationResult remove(Scene& scene, const DeleteOperation& operation,
+                       const SettleOptions& options) {
+  const ObjectId id = *scene.find(operation.object);
+  const Object& object = std::as_const(scene).at(id);
+  if (object.locked) return refused("\"" + operation.object + "\" is locked");
+  Interrupt interrupt(options);
+  const double clearance = options.clearance > 0 ? options.clearance : default_clearance(scene);
+  std::vector<ObjectId> neighbours;
+  for (const Link& link : object.links)
+    if (link.with) neighbours.push_back(*link.with);
+  scene.remove(id);
+  OperationResult result;
+  for (const ObjectId neighbour : neighbours) rate_left_alone(scene, neighbour, clearance, result);
+  if (operation.settle_left) settle_unsupported(scene, options, clearance, interrupt, result);
+  if (interrupt.reason()) interrupt.refuse("delete of \"" + operation.object + "\"", result);
+  return result;
+}
+
+OperationResult lock(Scene& scene, const LockOperation& operation) {
+  scene.at(*scene.find(operation.object)).locked = operation.locked;
+  return {};
+}
+
+OperationResult group(Scene& scene, const GroupOperation& operation) {
+  scene.at(*scene.find(operation.object)).group = operation.group;
+  return {};
+}
+
+void load_model(const Scene& scene, const ModelSource& models, AppendOperation& operation) {
+  if (operation.shape) return;
+  for (const ObjectId id : scene.ids()) {
+    const Object& object = scene.at(id);
+    if (object.model->path != operation.model) continue;
+    operation.model_data = object.model;
+    operation.shape = object.shape;
+    return;
+  }
+  if (!models) return;
+  const LoadedModel loaded = load_models({operation.model}, models, 1, {}).front();
+  operation.model_data = loaded.model;
+  operation.shape = loaded.shape;
+}
+
+}  // namespace trivet

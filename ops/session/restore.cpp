@@ -1,0 +1,143 @@
+#include "ops/session/restore.h"
+
+#include <filesystem>
+
+#include "core/base/error.h"
+#include "core/scene/fingerprint.h"
+#include "ops/layout/paths.h"
+#include "ops/report/scene_file.h"
+#include "ops/session/journal.h"
+
+namespace trivet {
+namespace {
+
+namespace fs = std::filesystem;
+
+// @param content  the file to read; `file` says what it is and where its models are.
+OpenedSession open_start(const std::string& content, const std::string& file,
+                         const RunOptions& options, const ImportLimits& limits) {
+  const std::string folder = folder_of(file);
+  const ModelSource models = models_in_folder(folder, limits);
+  if (fs::path(file).extension() != ".json") {
+    SceneFile scene = read_scene_file(content, limits, folder.empty() ? "." : folder);
+    update_contacts(scene.scene, scene.clearance);
+    return {Session(std::move(scene.scene), std::move(scene.layout), models), file, folder,
+            scene.clearance, std::move(scene.notes)};
+  }
+  const Layout layout = read_layout(content, limits.max_file_bytes);
+  LayoutRun run = run_layout(layout, models, options);
+  std::vector<std::string> notes;
+  for (const OperationRecord& record : run.operations)
+    if (!record.result.ok())
+      notes.push_back(record.op + " \"" + record.object + "\": refused: " + record.result.reason);
+  return {Session(std::move(run.scene), layout, models), file, folder, options.settle.clearance,
+          std::move(notes)};
+}
+
+// The start file under one of its names.
+std::string find_start(const std::string& journal, const JournalStart& start,
+                       const std::string& file) {
+  for (const std::string& name : {file, start_copy_of(journal)}) {
+    std::uintmax_t bytes = 0;
+    std::error_code ignored;
+    if (!fs::is_regular_file(name, ignored)) continue;
+    if (hash_of_file(name, bytes) == start.hash && bytes == start.bytes) return name;
+  }
+  throw Error(Error::Kind::BadInput,
+              journal + ": neither \"" + file + "\" nor \"" + start_copy_of(journal) +
+                  "\" is the file that the session began with; accepted: the same bytes");
+}
+
+// One line of the journal done again. @return whether it gave the same bits.
+bool replay(const JournalRecord& record, const RunOptions& options, Session& session,
+            std::string& why) {
+  std::vector<ObjectId> changed;
+  OperationResult result;
+  session.on_event([&](const SessionEvent& event) { changed = event.changed; });
+  bool done = true;
+  switch (record.kind) {
+    case JournalRecord::Kind::Saved:
+      session.mark_saved(record.file);
+      break;
+    case JournalRecord::Kind::Undo:
+      done = session.undo();
+      break;
+    case JournalRecord::Kind::Redo:
+      done = session.redo();
+      break;
+    case JournalRecord::Kind::Step: {
+      SettleOptions settle = record.settle;
+      settle.detector = options.settle.detector;
+      result = session.perform(*record.operation, settle);
+      done = result.ok();
+      break;
+    }
+  }
+  session.on_event({});
+  if (!done) {
+    why = result.reason.empty() ? "there is nothing to undo or redo" : result.reason;
+    return false;
+  }
+  if (record.kind == JournalRecord::Kind::Saved) return true;
+  if (fingerprint(session.scene(), changed) == record.state) return true;
+  why = "the result is not the same to the bit";
+  if (record.kind == JournalRecord::Kind::Redo)
+    session.undo();
+  else if (record.kind == JournalRecord::Kind::Undo)
+    session.redo();
+  else
+    session.undo();
+  return false;
+}
+
+}  // namespace
+
+OpenedSession open_session(const std::string& file, const RunOptions& options,
+                           const ImportLimits& limits, const std::string& journal) {
+  OpenedSession opened = open_start(file, file, options, limits);
+  if (!journal.empty())
+    opened.session.keep_journal(
+        Journal::create(journal, file, options.settle, fingerprint(opened.session.scene())));
+  return opened;
+}
+
+RestoredSession restore_session(const std::string& journal, const RunOptions& options,
+                                const ImportLimits& limits, bool go_on) {
+  const JournalContent content = read_journal(journal);
+  std::unique_ptr<Journal> reopened = go_on ? Journal::reopen(journal, content) : nullptr;
+  const std::string file =
+      (fs::path(folder_of(journal)) / content.start.file).lexically_normal().string();
+  const std::string start = find_start(journal, content.start, file);
+  RunOptions start_options = options;
+  start_options.settle = content.start.settle;
+  start_options.settle.detector = options.settle.detector;
+  RestoredSession restored{open_start(start, file, start_options, limits), true};
+  OpenedSession& opened = restored.opened;
+  if (content.torn())
+    opened.notes.push_back("the last line of \"" + journal +
+                           "\" is torn: its operation was never committed, and is left out");
+  std::string why;
+  restored.exact = fingerprint(opened.session.scene()) == content.start.state;
+  if (!restored.exact) why = "\"" + file + "\" does not give the same scene to the bit";
+  for (size_t i = 0; restored.exact && i < content.records.size(); ++i) {
+    if (options.progress) options.progress({"replay", journal, i, content.records.size()});
+    restored.exact = replay(content.records[i], options, opened.session, why);
+    if (!restored.exact) why = "line " + std::to_string(i + 2) + ": " + why;
+  }
+  if (restored.exact)
+    opened.session.keep_journal(std::move(reopened));
+  else
+    opened.notes.push_back("\"" + journal + "\" is restored up to here: " + why);
+  return restored;
+}
+
+void save_session(OpenedSession& opened, const std::string& version, const std::string& path) {
+  SceneFileOptions options;
+  options.version = version;
+  options.clearance = opened.clearance;
+  options.model_folder = folder_from(path, opened.model_folder);
+  write_scene_file(opened.session.scene(), opened.session.layout(), options, path);
+  opened.session.mark_saved(path);
+}
+
+}  // namespace trivet

@@ -1,0 +1,44 @@
+// Sessions from files: opened from a layout or a scene, restored from a journal, saved.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ops/layout/run.h"
+#include "ops/session/session.h"
+
+namespace trivet {
+
+struct OpenedSession {
+  Session session;
+  std::string start_file;          // layout or scene
+  std::string model_folder;        // where relative model paths start: the start file's
+  double clearance = 0;            // that a scene file was settled with; 0: the default
+  std::vector<std::string> notes;  // refused operations of a layout, what a scene file lost
+};
+
+/// A layout (.json) is run; a scene (.glb) is read, and its contacts are brought up to date.
+/// @param options  `settle` is for the layout's operations.
+/// @param journal  a new file that keeps the steps; empty: none.
+/// @throws Error: what reading throws; Journal::create().
+OpenedSession open_session(const std::string& file, const RunOptions& options,
+                           const ImportLimits& limits, const std::string& journal = {});
+
+struct RestoredSession {
+  OpenedSession opened;  // notes: also what was dropped
+  bool exact = true;     // all steps gave the same bits; otherwise the session ends before the
+                         // first that did not, and its journal is not kept any further
+};
+
+/// The session that a journal kept, up to the last committed step, undone steps and all. The start
+/// file is found by its content: under its own name or, when that was saved over, as JOURNAL.start.
+/// @param go_on  the session keeps the journal from here on.
+/// @throws Error (BadInput): read_journal(); the start file is gone or has changed.
+RestoredSession restore_session(const std::string& journal, const RunOptions& options,
+                                const ImportLimits& limits, bool go_on);
+
+/// Writes the scene atomically, then notes in the session that it is saved.
+/// @throws Error as write_scene_file().
+void save_session(OpenedSession& opened, const std::string& version, const std::string& path);
+
+}  // namespace trivet

@@ -1,0 +1,169 @@
+#include "ops/session/session.h"
+
+#include <algorithm>
+
+#include "core/scene/fingerprint.h"
+#include "ops/edit.h"
+#include "ops/session/journal.h"
+
+namespace trivet {
+namespace {
+
+std::string name_of(const Operation& operation) {
+  return std::string(op_name(operation)) + " \"" + object_name(operation) + "\"";
+}
+
+bool by_slot(ObjectId a, ObjectId b) {
+  return std::make_pair(a.index, a.generation) < std::make_pair(b.index, b.generation);
+}
+
+std::vector<ObjectId> united(std::vector<ObjectId> a, const std::vector<ObjectId>& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  std::sort(a.begin(), a.end(), by_slot);
+  a.erase(std::unique(a.begin(), a.end()), a.end());
+  return a;
+}
+
+// What a journal keeps of the options, and what results depend on.
+SettleOptions kept(SettleOptions options) {
+  options.detector = nullptr;
+  options.cancel = nullptr;
+  options.time_budget_s = 0;
+  return options;
+}
+
+// So that nothing is left to fail once the journal has the step.
+template <class T>
+void make_room(std::vector<T>& items, size_t count) {
+  if (items.capacity() < count) items.reserve(std::max(count, 2 * items.capacity()));
+}
+
+}  // namespace
+
+Session::Session(Scene scene, Layout layout, ModelSource models)
+    : m_scene(std::move(scene)), m_layout(std::move(layout)), m_models(std::move(models)) {}
+Session::~Session() = default;
+Session::Session(Session&&) noexcept = default;
+Session& Session::operator=(Session&&) noexcept = default;
+
+// Whatever happens, the scene is as it was unless the operation was done.
+OperationResult Session::run(const Operation& operation, const SettleOptions& options) {
+  m_scene.start_recording();
+  OperationResult result;
+  try {
+    result = trivet::perform(m_scene, operation, options);
+  } catch (...) {
+    SceneChange change = m_scene.stop_recording();
+    m_scene.exchange(change);
+    throw;
+  }
+  Done done{m_scene.stop_recording(), {}};
+  if (!result.ok()) {
+    m_scene.exchange(done.change);
+    return result;
+  }
+  SessionStep step{name_of(operation), operation, kept(options), 0};
+  done.touched = done.change.ids();  // before
+  m_scene.exchange(done.change);
+  done.touched = united(std::move(done.touched), done.change.ids());  // after
+  m_scene.exchange(done.change);
+  step.fingerprint = fingerprint(m_scene, done.touched);
+  try {
+    make_room(m_steps, m_position + 1);
+    make_room(m_done, m_position + 1);
+    if (m_journal) m_journal->append_step(step);
+  } catch (...) {
+    m_scene.exchange(done.change);
+    throw;
+  }
+  forget_undone();
+  m_steps.push_back(std::move(step));
+  m_done.push_back(std::move(done));
+  ++m_position;
+  return result;
+}
+
+OperationResult Session::perform(const Operation& operation, const SettleOptions& options) {
+  Operation loaded = operation;
+  if (auto* const append = std::get_if<AppendOperation>(&loaded))
+    load_model(m_scene, m_models, *append);
+  const OperationResult result = run(loaded, options);
+  SessionEvent event{SessionEvent::Kind::Refused, name_of(operation), {}, &result};
+  if (result.ok()) {
+    event.kind = SessionEvent::Kind::Performed;
+    event.changed = m_done.back().touched;
+  }
+  tell(event);
+  return result;
+}
+
+void Session::forget_undone() {
+  if (m_saved > m_position) {
+    for (size_t i = m_position; i < m_saved; ++i)
+      m_changed_aside = united(std::move(m_changed_aside), m_done[i].touched);
+    m_saved = m_position;
+  }
+  m_steps.erase(m_steps.begin() + static_cast<long>(m_position), m_steps.end());
+  m_done.erase(m_done.begin() + static_cast<long>(m_position), m_done.end());
+}
+
+void Session::step_over(size_t step, SessionEvent::Kind kind) {
+  Done& done = m_done[step];
+  const bool undone = kind == SessionEvent::Kind::Undone;
+  m_scene.exchange(done.change);
+  try {
+    const std::uint64_t state = fingerprint(m_scene, done.touched);
+    if (m_journal) undone ? m_journal->append_undo(state) : m_journal->append_redo(state);
+  } catch (...) {
+    m_scene.exchange(done.change);
+    throw;
+  }
+  m_position = undone ? step : step + 1;
+  tell({kind, m_steps[step].name, done.touched, nullptr});
+}
+
+bool Session::undo() {
+  if (!can_undo()) return false;
+  step_over(m_position - 1, SessionEvent::Kind::Undone);
+  return true;
+}
+
+bool Session::redo() {
+  if (!can_redo()) return false;
+  step_over(m_position, SessionEvent::Kind::Redone);
+  return true;
+}
+
+Layout Session::layout() const {
+  Layout out = m_layout;
+  for (size_t i = 0; i < m_position; ++i) out.operations.push_back(m_steps[i].operation);
+  return out;
+}
+
+void Session::mark_saved(const std::string& file) {
+  if (m_journal) m_journal->append_saved(file);
+  m_saved = m_position;
+  m_changed_aside.clear();
+  tell({SessionEvent::Kind::Saved, file, {}, nullptr});
+}
+
+bool Session::is_modified() const { return m_position != m_saved || !m_changed_aside.empty(); }
+
+std::vector<ObjectId> Session::changed_since_saving() const {
+  std::vector<ObjectId> out = m_changed_aside;
+  for (size_t i = std::min(m_saved, m_position); i < std::max(m_saved, m_position); ++i)
+    out = united(std::move(out), m_done[i].touched);
+  return out;
+}
+
+void Session::on_event(std::function<void(const SessionEvent&)> callback) {
+  m_callback = std::move(callback);
+}
+
+void Session::keep_journal(std::unique_ptr<Journal> journal) { m_journal = std::move(journal); }
+
+void Session::tell(const SessionEvent& event) const {
+  if (m_callback) m_callback(event);
+}
+
+}  // namespace trivet

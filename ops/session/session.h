@@ -1,0 +1,106 @@
+// A session: every operation is a step that can be undone and redone, without limit and to the bit;
+// a journal keeps the steps on disk. Start here; journal.h is the file, restore.h opens and
+// restores sessions.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "ops/layout/layout.h"
+#include "ops/layout/load.h"
+#include "ops/operation.h"
+
+namespace trivet {
+
+class Journal;
+
+/// One operation that was done.
+struct SessionStep {
+  std::string name;  // "put \"cup\""
+  Operation operation;
+  SettleOptions settle;           // it was done with; without detector, cancel and budget
+  std::uint64_t fingerprint = 0;  // of the objects it changed, as it left them
+};
+
+/// What an editor shows anew.
+struct SessionEvent {
+  enum class Kind { Performed, Refused, Undone, Redone, Saved };
+  Kind kind;
+  std::string step;                         // its name; of Saved: the file
+  std::vector<ObjectId> changed;            // objects that came, went or look otherwise
+  const OperationResult* result = nullptr;  // of Performed and Refused
+};
+
+/// One thread at a time; only SettleOptions::cancel may be set from another.
+class Session {
+ public:
+  /// @param layout  what made the scene, as SceneFile::layout.
+  /// @param models  where appended objects come from; may be empty, then append is refused.
+  Session(Scene scene, Layout layout, ModelSource models);
+  ~Session();
+  Session(Session&&) noexcept;
+  Session& operator=(Session&&) noexcept;
+
+  const Scene& scene() const { return m_scene; }
+
+  /// The whole operation or nothing; when done it is the next step, steps that were undone are
+  /// forgotten, and the journal has it on disk before this returns.
+  /// @throws Error: BadInput when an appended model cannot be read; Environment when the journal
+  ///   cannot be written. The scene is then as it was.
+  OperationResult perform(const Operation& operation, const SettleOptions& options = {});
+
+  /// @return whether there was something to undo (redo). @throws Error (Environment) as perform().
+  bool undo();
+  bool redo();
+  bool can_undo() const { return m_position > 0; }
+  bool can_redo() const { return m_position < m_steps.size(); }
+
+  /// All steps, those that can be redone last; the first num_done() of them are done.
+  const std::vector<SessionStep>& steps() const { return m_steps; }
+  size_t num_done() const { return m_position; }
+
+  /// What makes this scene: the first layout and the operations that were done since.
+  Layout layout() const;
+
+  /// The scene as it is now is what the file has.
+  void mark_saved(const std::string& file);
+  /// Whether steps were done or undone since then.
+  bool is_modified() const;
+  /// The objects that those steps touched; those that are gone too. Sorted by slot.
+  std::vector<ObjectId> changed_since_saving() const;
+
+  /// Told after every step, and of refusals. It must not call the session's non-const functions.
+  void on_event(std::function<void(const SessionEvent&)> callback);
+
+  /// From now on every step is on disk before it counts.
+  void keep_journal(std::unique_ptr<Journal> journal);
+  const Journal* journal() const { return m_journal.get(); }
+
+ private:
+  struct Done {
+    SceneChange change;             // undoes it, or redoes it
+    std::vector<ObjectId> touched;  // before and after it
+  };
+
+  OperationResult run(const Operation& operation, const SettleOptions& options);
+  void forget_undone();
+  void step_over(size_t step, SessionEvent::Kind kind);
+  void tell(const SessionEvent& event) const;
+
+  Scene m_scene;
+  Layout m_layout;
+  ModelSource m_models;
+  std::vector<SessionStep> m_steps;
+  std::vector<Done> m_done;  // of each step
+  size_t m_position = 0;
+  size_t m_saved = 0;                     // how many steps were done when it was saved
+  std::vector<ObjectId> m_changed_aside;  // by steps between the saved state and m_saved that were
+                                          // undone and forgotten
+  std::unique_ptr<Journal> m_journal;
+  std::function<void(const SessionEvent&)> m_callback;
+};
+
+}  // namespace trivet

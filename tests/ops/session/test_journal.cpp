@@ -1,0 +1,220 @@
+// Journals: restored to the last committed step, whatever the last line looks like.
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "core/base/error.h"
+#include "core/io/export.h"
+#include "ops/layout/json_text.h"
+#include "ops/report/scene_file.h"
+#include "ops/session/journal.h"
+#include "ops/session/restore.h"
+#include "session_testing.h"
+
+namespace trivet::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class JournalFiles : public testing::Test {
+ protected:
+  void SetUp() override {
+    m_folder = fs::temp_directory_path() / ("trivet_journal_" + std::to_string(getpid()));
+    fs::create_directories(m_folder);
+    write("box.obj",
+          "v 0 0 0\nv 0.2 0 0\nv 0 0.2 0\nv 0 0 0.2\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
+    write("layout.json",
+          R"({"trivet": 1, "objects": [{"name": "a", "model": "box.obj"},
+              {"name": "b", "model": "box.obj"}],
+              "operations": [{"op": "put", "object": "a", "position": [0, 0, 1]}]})");
+  }
+  void TearDown() override { fs::remove_all(m_folder); }
+
+  std::string path(const std::string& name) const { return (m_folder / name).string(); }
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(path(name), std::ios::binary) << text;
+  }
+  std::string read(const std::string& name) const { return read_text_file(path(name), 1 << 30); }
+  OpenedSession open(const std::string& start = "layout.json") const {
+    return open_session(path(start), {}, {}, path("j"));
+  }
+  RestoredSession restore(bool go_on = false) const {
+    return restore_session(path("j"), {}, {}, go_on);
+  }
+  std::string complaint() const {
+    try {
+      restore();
+    } catch (const Error& e) {
+      return e.what();
+    }
+    return "";
+  }
+
+  // Three steps, an undo, a redo, an undo.
+  static void work(Session& session) {
+    EXPECT_TRUE(session.perform(put_at("b", 0.05, 0.02)).ok());
+    EXPECT_TRUE(session.perform(append_of("c", "box.obj")).ok());
+    EXPECT_TRUE(session.perform(put_at("c", 1, 1)).ok());
+    EXPECT_TRUE(session.undo());
+    EXPECT_TRUE(session.redo());
+    EXPECT_TRUE(session.undo());
+  }
+
+  fs::path m_folder;
+};
+
+void expect_same_session(const Session& a, const Session& b) {
+  EXPECT_EQ(fingerprint(a.scene()), fingerprint(b.scene()));
+  EXPECT_EQ(a.scene().ids(), b.scene().ids());
+  EXPECT_EQ(a.num_done(), b.num_done());
+  ASSERT_EQ(a.steps().size(), b.steps().size());
+  for (size_t i = 0; i < a.steps().size(); ++i) {
+    EXPECT_EQ(a.steps()[i].name, b.steps()[i].name);
+    EXPECT_EQ(a.steps()[i].fingerprint, b.steps()[i].fingerprint);
+  }
+  EXPECT_EQ(write_layout(a.layout()), write_layout(b.layout()));
+  EXPECT_EQ(a.is_modified(), b.is_modified());
+  EXPECT_EQ(a.changed_since_saving(), b.changed_since_saving());
+}
+
+TEST_F(JournalFiles, ASessionIsRestoredWithItsHistory) {
+  OpenedSession opened = open();
+  work(opened.session);
+  RestoredSession restored = restore();
+  EXPECT_TRUE(restored.exact);
+  EXPECT_TRUE(restored.opened.notes.empty());
+  expect_same_session(restored.opened.session, opened.session);
+  EXPECT_TRUE(restored.opened.session.redo());  // what was undone is there
+}
+
+TEST_F(JournalFiles, EveryTornLastLineIsDropped) {
+  {
+    OpenedSession opened = open();
+    work(opened.session);
+  }
+  const std::string whole = read("j");
+  const size_t last = whole.rfind('\n', whole.size() - 2) + 1;
+  for (size_t size = last; size < whole.size(); ++size) {
+    write("j", whole.substr(0, size));
+    const RestoredSession restored = restore();
+    EXPECT_TRUE(restored.exact);
+    EXPECT_EQ(restored.opened.session.num_done(), 3u) << size;  // the last undo is missing
+    EXPECT_EQ(restored.opened.notes.empty(), size == last);
+  }
+  // Blocks of zeros after a power cut.
+  write("j", whole.substr(0, last) + std::string(100, '\0') + "\n");
+  EXPECT_EQ(restore().opened.session.num_done(), 3u);
+}
+
+TEST_F(JournalFiles, GoesOnAfterATornLine) {
+  {
+    OpenedSession opened = open();
+    work(opened.session);
+  }
+  write("j", read("j") + "{\"do\": {\"op\": \"put\"");
+  {
+    RestoredSession restored = restore(true);
+    EXPECT_EQ(restored.opened.notes.size(), 1u);
+    EXPECT_TRUE(restored.opened.session.perform(put_at("c", 2, 2)).ok());
+  }
+  const RestoredSession again = restore();
+  EXPECT_TRUE(again.opened.notes.empty());
+  EXPECT_EQ(again.opened.session.num_done(), 3u);
+  EXPECT_EQ(again.opened.session.steps().back().name, "put \"c\"");
+}
+
+TEST_F(JournalFiles, DamageBeforeTheLastLineIsTold) {
+  {
+    OpenedSession opened = open();
+    work(opened.session);
+  }
+  std::string text = read("j");
+  const size_t second = text.find('\n') + 10;
+  text[second] ^= 1;
+  write("j", text);
+  EXPECT_NE(complaint().find("line 2 is damaged"), std::string::npos) << complaint();
+  write("j", "no journal\n");
+  EXPECT_NE(complaint().find("is no journal"), std::string::npos);
+  write("j", "");
+  EXPECT_NE(complaint().find("is no journal"), std::string::npos);
+}
+
+TEST_F(JournalFiles, SavingOverTheStartLosesNothing) {
+  {
+    OpenedSession opened = open();
+    work(opened.session);
+    opened.session.perform(LockOperation{"a", true});
+    opened.session.perform(GroupOperation{"b", "set"});
+    save_session(opened, "1", path("scene.glb"));
+  }
+  fs::remove(path("j"));
+  OpenedSession opened = open("scene.glb");
+  EXPECT_TRUE(opened.session.scene().at(*opened.session.scene().find("a")).locked);
+  EXPECT_EQ(opened.session.scene().at(*opened.session.scene().find("b")).group, "set");
+  EXPECT_TRUE(opened.session.perform(put_at("c", 1, 1)).ok());
+  save_session(opened, "1", path("scene.glb"));  // the start file is another one now
+  EXPECT_FALSE(opened.session.is_modified());
+  EXPECT_TRUE(opened.session.perform(put_at("b", 2, 1)).ok());
+  const RestoredSession restored = restore();
+  EXPECT_TRUE(restored.exact);
+  expect_same_session(restored.opened.session, opened.session);
+  EXPECT_EQ(restored.opened.session.layout().operations.size(), 7u);
+}
+
+TEST_F(JournalFiles, AStartFileThatIsGoneIsTold) {
+  { open(); }
+  fs::remove(path("layout.json"));
+  EXPECT_TRUE(restore().exact);  // under its second name
+  fs::remove(path("j.start"));
+  EXPECT_NE(complaint().find("layout.json"), std::string::npos) << complaint();
+}
+
+TEST_F(JournalFiles, AChangedModelIsTold) {
+  {
+    OpenedSession opened = open();
+    work(opened.session);
+  }
+  write("box.obj",
+        "v 0 0 0\nv 0.2 0 0\nv 0 0.3 0\nv 0 0 0.2\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
+  const RestoredSession restored = restore(true);
+  EXPECT_FALSE(restored.exact);
+  EXPECT_EQ(restored.opened.notes.size(), 1u);
+  EXPECT_EQ(restored.opened.session.num_done(), 0u);
+  EXPECT_EQ(restored.opened.session.journal(), nullptr);
+}
+
+TEST_F(JournalFiles, TwoSessionsDoNotShareAJournal) {
+  const OpenedSession opened = open();
+  EXPECT_THROW(open(), Error);         // there is one already
+  EXPECT_THROW(restore(true), Error);  // it is in use
+  EXPECT_NO_THROW(restore());
+}
+
+TEST_F(JournalFiles, AStepThatCannotBeWrittenIsNotDone) {
+  OpenedSession opened = open();
+  ASSERT_TRUE(opened.session.perform(put_at("b", 1, 0)).ok());
+  const Scene before = opened.session.scene();
+  const std::string journal = read("j");
+  // No byte more may be written to any file.
+  struct rlimit old {};
+  getrlimit(RLIMIT_FSIZE, &old);
+  signal(SIGXFSZ, SIG_IGN);
+  struct rlimit none = old;
+  none.rlim_cur = journal.size() + 10;
+  setrlimit(RLIMIT_FSIZE, &none);
+  EXPECT_THROW(opened.session.perform(put_at("b", 2, 0)), Error);
+  EXPECT_THROW(opened.session.undo(), Error);
+  setrlimit(RLIMIT_FSIZE, &old);
+  EXPECT_EQ(difference(opened.session.scene(), before), "");
+  EXPECT_EQ(opened.session.num_done(), 1u);
+  EXPECT_EQ(read("j"), journal);
+  EXPECT_TRUE(opened.session.perform(put_at("b", 2, 0)).ok());  // there is space again
+  EXPECT_EQ(restore().opened.session.num_done(), 2u);
+}
+
+}  // namespace
+}  // namespace trivet::test
