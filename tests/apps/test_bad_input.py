@@ -128,10 +128,15 @@ class BadLayouts(Case):
                             '"scale": %s}]}' % number, "line 1, column")
 
     def test_operations(self):
-        for op in ("push", "turn", "pick_up", "translate", "rotate"):
+        self.check_text(json.dumps({"trivet": 1, "objects": [SLAB],
+                                    "operations": [{"op": "throw", "object": "slab"}]}),
+                        '/operations/0/op: "throw" is not accepted; accepted: "put", "push"')
+        for op, key in (("push", "direction"), ("turn", "angle_deg"), ("pick_up", "distance"),
+                        ("translate", "by"), ("rotate", "axis"), ("append", "model"),
+                        ("duplicate", "as"), ("group", "group")):
             self.check_text(json.dumps({"trivet": 1, "objects": [SLAB],
                                         "operations": [{"op": op, "object": "slab"}]}),
-                            '/operations/0/op: "%s" is not available' % op)
+                            '/operations/0: the key "%s" is missing' % key)
         self.check_text(json.dumps({"trivet": 1, "objects": [SLAB],
                                     "operations": [put("spoon", 0, 0, 1)]}),
                         '/operations/0/object: "spoon" is not accepted')
