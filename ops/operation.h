@@ -2,6 +2,7 @@
 // Objects by name. Metres, degrees; world: z up. What they do is said where they are implemented.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -20,9 +21,19 @@ struct MoveOptions {
   bool settle_left = false;
 };
 
+/// Where there is room: see places.h.
+struct PlaceOptions {
+  std::string on;              // the object it shall lie on, or "floor"
+  std::optional<Vec2> near;    // the free place nearest to it, metres; nothing: anywhere
+  std::uint64_t seed = 0;      // anywhere: which place
+  double keep = 0;             // metres to everything but what it lies on
+  std::optional<double> from;  // height z from which it falls; nothing: just above the support
+};
+
 /// From a start pose down along gravity to the first contact, then settle. "put"
 struct PutOperation : MoveOptions {
-  Pose start;
+  Pose start;                              // with a place: its rotation only
+  std::optional<PlaceOptions> place = {};  // a start is looked for so that it lies on this alone
 };
 
 /// Along the surface on which the object lies; see push.h. "push"

@@ -25,8 +25,8 @@ Pose clear_of_floor(const Scene& scene, const Object& object, Pose pose, double 
 
 }  // namespace
 
-OperationResult perform_put(Scene& scene, ObjectId id, const PutOperation& o,
-                            const SettleOptions& options) {
+OperationResult put_from_start(Scene& scene, ObjectId id, const PutOperation& o,
+                               const SettleOptions& options, const EndCondition& why_not) {
   Attempt attempt(scene, id, o, "put", options, false, &o.start);
   if (attempt.refused()) return attempt.finish(ObjectState::Stable);
   MovingGroup& group = attempt.group();
@@ -37,12 +37,20 @@ OperationResult perform_put(Scene& scene, ObjectId id, const PutOperation& o,
   } else {
     group.place(clear_of_floor(scene, group.object(), o.start, group.clearance()));
     attempt.let_go();
+    const std::string wrong = attempt.refused() || !why_not ? "" : why_not(group);
+    if (!wrong.empty()) attempt.refuse(wrong);
   }
   return attempt.finish(ObjectState::Stable);
 }
 
+OperationResult perform_put(Scene& scene, ObjectId id, const PutOperation& o,
+                            const SettleOptions& options) {
+  return o.place ? put_somewhere(scene, id, o, options) : put_from_start(scene, id, o, options, {});
+}
+
 OperationResult put(Scene& scene, ObjectId id, const Pose& start, const SettleOptions& options) {
-  return perform_put(scene, id, PutOperation{{std::as_const(scene).at(id).name}, start}, options);
+  return perform_put(scene, id, PutOperation{{std::as_const(scene).at(id).name}, start, {}},
+                     options);
 }
 
 OperationResult stand(Scene& scene, ObjectId id, const Pose& pose, const SettleOptions& options) {

@@ -57,6 +57,9 @@ Operation read_known(const JsonPlace& place, std::set<std::string>& names) {
   if (!names.count(name)) place.at("object").refuse("the name of one of /objects");
   if (const auto* o = std::get_if<DuplicateOperation>(&operation)) add("as", o->as);
   if (std::holds_alternative<DeleteOperation>(operation)) names.erase(name);
+  if (const auto* put = std::get_if<PutOperation>(&operation))
+    if (put->place && put->place->on != "floor" && !names.count(put->place->on))
+      place.at("on").refuse("\"floor\" or the name of one of /objects");
   return operation;
 }
 

@@ -62,7 +62,35 @@ void read_common(const JsonPlace& place, MoveOptions& move) {
   read_to(place, "settle_left", move.settle_left);
 }
 
+PlaceOptions read_place(const JsonPlace& place) {
+  place.expect_object({"op", "object", "on"},
+                      {"at", "seed", "keep", "from", "rotation", "settle_left"});
+  PlaceOptions out;
+  out.on = place.at("on").text();
+  if (const auto at = place.find("at")) {
+    if (at->value().is_array())
+      out.near = read_vec2(*at, kMaxLength);
+    else if (at->value() != "anywhere")
+      at->refuse("\"anywhere\" or a point [x, y]");
+  }
+  if (const auto seed = place.find("seed")) {
+    if (!seed->value().is_number_unsigned() || seed->value().get<std::uint64_t>() > kMaxSeed)
+      seed->refuse("a whole number from 0 to 2^53");
+    out.seed = seed->value().get<std::uint64_t>();
+  }
+  read_to(place, "keep", 0, kMaxLength, out.keep);
+  if (const auto from = place.find("from")) out.from = from->number(-kMaxLength, kMaxLength);
+  return out;
+}
+
 PutOperation read_put(const JsonPlace& place) {
+  if (place.find("on")) {
+    PutOperation put;
+    put.place = read_place(place);
+    read_common(place, put);
+    if (const auto rotation = place.find("rotation")) put.start.rotation = read_rotation(*rotation);
+    return put;
+  }
   place.expect_object({"op", "object", "position"}, {"rotation", "settle_left"});
   PutOperation put;
   read_common(place, put);
@@ -228,7 +256,20 @@ const char* to_string(TurnOperation::About about) {
   return "?";
 }
 
-void write(const PutOperation& put, Json& json) { write_pose(put.start, json); }
+void write(const PutOperation& put, Json& json) {
+  if (!put.place) return write_pose(put.start, json);
+  const PlaceOptions& place = *put.place;
+  json["on"] = place.on;
+  if (place.near)
+    json["at"] = array(*place.near);
+  else
+    json["at"] = "anywhere";
+  if (place.seed != 0) json["seed"] = place.seed;
+  if (place.keep != 0) json["keep"] = place.keep;
+  if (place.from) json["from"] = *place.from;
+  const Rotation& q = put.start.rotation;
+  json["rotation"] = {q.w, q.x, q.y, q.z};
+}
 
 void write(const PushOperation& push, Json& json) {
   if (push.to) {

@@ -11,6 +11,7 @@ inline constexpr double kMaxLength = 1e15;
 /// A direction needs one component of at least this magnitude, and none beyond the largest.
 inline constexpr double kMinDirectionComponent = 1e-6, kMaxDirectionComponent = 1e6;
 inline constexpr double kMaxAngleDeg = 3600;
+inline constexpr std::uint64_t kMaxSeed = std::uint64_t{1} << 53;
 
 /// Reads strictly what layout.schema.json says of an operation. Whether there is such an object is
 /// for the caller to see.

@@ -5,6 +5,7 @@
 
 #include "core/base/tunables.h"
 #include "core/contact/pair_contact.h"
+#include "ops/move/moving_group.h"
 #include "raster/height_map.h"
 
 namespace trivet {
@@ -39,9 +40,10 @@ class PlaceSearch {
         m_body(*m_object.shape,
                world_from_object({request.rotation, Vec3::Zero()}, m_object.up, m_object.scale)),
         m_centre(m_body.world_from_object.apply(m_object.shape->mass.centre)) {
+    const std::vector<ObjectId> carried = carried_with(scene, id);
     for (const ObjectId other : scene.ids()) {
       const Object& o = scene.at(other);
-      if (other == id || !o.placed) continue;
+      if (!o.placed || std::find(carried.begin(), carried.end(), other) != carried.end()) continue;
       auto& bodies = request.on == other ? m_support : m_others;
       bodies.emplace_back(*o.shape, o.world_from_object());
     }

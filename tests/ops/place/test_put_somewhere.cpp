@@ -1,0 +1,122 @@
+// PUT where there is room: what is asked for holds at the end, whatever the shape.
+
+#include <gtest/gtest.h>
+
+#include "core/contact/contact_points.h"
+#include "ops/check.h"
+#include "ops/operation.h"
+#include "support/solids.h"
+
+namespace trivet {
+namespace {
+
+Object box(const std::string& name, const Vec3& half) {
+  return test::object_of(name, test::box_triangles(half));
+}
+
+/// A table on the floor, and things to put on it.
+struct Room {
+  Scene scene;
+  Room() {
+    const ObjectId table = scene.add(box("table", Vec3(0.6, 0.4, 0.35)));
+    EXPECT_TRUE(put(scene, table, {{}, Vec3(0, 0, 0.5)}).ok());
+  }
+  OperationResult put_on(const std::string& name, const PlaceOptions& place,
+                         const Rotation& rotation = {}) {
+    PutOperation o;
+    o.object = name;
+    o.start.rotation = rotation;
+    o.place = place;
+    return perform(scene, o);
+  }
+  const Object& at(const std::string& name) { return std::as_const(scene).at(*scene.find(name)); }
+};
+
+TEST(PutSomewhere, FillsATableWithoutTouchingWhatIsThere) {
+  test::Random random(5);
+  Room room;
+  PlaceOptions place;
+  place.on = "table";
+  place.keep = 0.02;
+  int num_placed = 0;
+  for (int i = 0; i < 40; ++i) {
+    const std::string name = "thing" + std::to_string(i);
+    room.scene.add(i % 3 == 0   ? test::object_of(name, test::cylinder(0.05, 0.12, 24))
+                   : i % 3 == 1 ? box(name, Vec3(0.06, 0.09, 0.02))
+                                : test::object_of(name, test::torus(0.06, 0.015, 20, 8)));
+    place.seed = static_cast<std::uint64_t>(i);
+    const OperationResult result = room.put_on(name, place, random.rotation());
+    if (!result.ok()) {
+      EXPECT_NE(result.reason.find("no free place"), std::string::npos) << result.reason;
+      continue;
+    }
+    ++num_placed;
+    ASSERT_EQ(room.at(name).links.size(), 1u);
+    EXPECT_EQ(room.scene.at(*room.at(name).links[0].with).name, "table");
+  }
+  EXPECT_GT(num_placed, 12);
+  EXPECT_TRUE(check_scene(room.scene).ok());
+  // What was asked for: at least 2 cm between any two.
+  std::vector<Body> bodies;
+  for (const ObjectId id : room.scene.ids()) {
+    const Object& o = std::as_const(room.scene).at(id);
+    if (o.placed && o.name != "table") bodies.emplace_back(*o.shape, o.world_from_object());
+  }
+  for (size_t i = 0; i < bodies.size(); ++i)
+    for (size_t j = 0; j < i; ++j)
+      EXPECT_TRUE(contact_points(bodies[i], bodies[j], 0.0199, 0).empty());
+}
+
+TEST(PutSomewhere, NearestToAPointOnTheFloor) {
+  Room room;
+  room.scene.add(box("crate", Vec3(0.2, 0.2, 0.2)));
+  PlaceOptions place;
+  place.on = "floor";
+  place.near = Vec2(0, 0);
+  ASSERT_TRUE(room.put_on("crate", place).ok());
+  const Vec3 at = room.at("crate").pose.translation;
+  EXPECT_NEAR(at.z(), 0.2, 1e-4);
+  EXPECT_GE(std::abs(at.y()), 0.6);  // the table is narrow that way
+  EXPECT_LE(at.head<2>().norm(), 0.65);
+}
+
+TEST(PutSomewhere, TheSameSeedGivesTheSameBits) {
+  Vec3 first;
+  for (int run = 0; run < 2; ++run) {
+    Room room;
+    room.scene.add(box("crate", Vec3(0.1, 0.1, 0.1)));
+    PlaceOptions place;
+    place.on = "table";
+    place.seed = 77;
+    ASSERT_TRUE(room.put_on("crate", place).ok());
+    if (run == 0) first = room.at("crate").pose.translation;
+    EXPECT_EQ(room.at("crate").pose.translation, first);
+  }
+}
+
+TEST(PutSomewhere, RefusedWithAReason) {
+  Room room;
+  room.scene.add(box("slab", Vec3(0.61, 0.41, 0.1)));
+  PlaceOptions place;
+  place.on = "table";
+  place.near = Vec2(0, 0);
+  ASSERT_TRUE(room.put_on("slab", place).ok());  // overhangs a little, all around
+  room.scene.add(box("cup", Vec3(0.04, 0.04, 0.05)));
+  const auto reason_of = [&](const std::string& name, const std::string& on) {
+    place.on = on;
+    const OperationResult result = room.put_on(name, place);
+    EXPECT_FALSE(result.ok());
+    return result.reason;
+  };
+  EXPECT_NE(reason_of("cup", "table").find("no free place for \"cup\" on \"table\""),
+            std::string::npos);
+  EXPECT_NE(reason_of("cup", "moon").find("no object \"moon\""), std::string::npos);
+  EXPECT_NE(reason_of("cup", "cup").find("on itself"), std::string::npos);
+  EXPECT_NE(reason_of("table", "slab").find("what it carries"), std::string::npos);
+  EXPECT_FALSE(room.at("cup").placed);
+  room.scene.floor = false;
+  EXPECT_NE(reason_of("cup", "floor").find("no floor"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace trivet
