@@ -45,6 +45,8 @@ class ZListStage {
  public:
   virtual ~ZListStage() = default;
   virtual std::string name() const = 0;  // "software", "gpu (llvmpipe ...)"
+  /// What it runs on: "cpu", or the renderer of OpenGL.
+  virtual std::string device() const { return "cpu"; }
 
   /// @param horizon  contacts later than this do not matter; at most query.motion.limit.
   /// Pairs stop at distances of up to query.clearance.largest_stop(): "touch" above means that.

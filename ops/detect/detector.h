@@ -23,15 +23,19 @@ class Detector {
  public:
   /// Box trees alone.
   Detector() = default;
-  explicit Detector(std::unique_ptr<ZListStage> stage) : m_stage(std::move(stage)) {}
+  Detector(std::unique_ptr<ZListStage> stage, std::string name)
+      : m_stage(std::move(stage)), m_name(std::move(name)) {}
 
   FirstContact first_contact(const FirstContactQuery& query);
   const DetectionWork& work() const { return m_work; }
-  /// "bvh", or the stage's name.
-  std::string name() const { return m_stage ? m_stage->name() : "bvh"; }
+  /// "bvh", "software" or "gpu".
+  const std::string& name() const { return m_name; }
+  /// What it runs on: "cpu", or the renderer of OpenGL.
+  std::string device() const { return m_stage ? m_stage->device() : "cpu"; }
 
  private:
   std::unique_ptr<ZListStage> m_stage;
+  std::string m_name = "bvh";
   DetectionWork m_work;
 };
 

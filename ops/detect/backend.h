@@ -1,0 +1,41 @@
+// Which source of candidates answers queries, and what happens when it cannot.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "ops/detect/detector.h"
+
+namespace trivet {
+
+/// Answers are the same bits with all of them; they differ in time (perf/README.md).
+enum class Backend {
+  Auto,      // the fastest for single queries, as measured: box trees
+  Gpu,       // z-lists on the graphics hardware
+  Software,  // z-lists in memory
+  Bvh,       // box trees alone
+};
+
+/// From "auto", "gpu", "software" or "bvh". @throws Error (BadInput) for anything else.
+Backend backend_from_name(const std::string& name);
+
+struct BackendOptions {
+  Backend backend = Backend::Auto;
+  int num_threads = 0;  // of software z-lists; 0: all cores
+  /// Makes the stage for Backend::Gpu, such as make_gpu_zlist_stage(); empty: a build without.
+  std::function<std::unique_ptr<ZListStage>()> make_gpu_stage;
+  /// Told, once, why another source answers than was asked for. May be empty.
+  std::function<void(const std::string&)> note;
+};
+
+/// A GPU that cannot be had (the factory throws), or that fails self_test(), is replaced by software
+/// z-lists.
+std::unique_ptr<Detector> make_detector(const BackendOptions& options);
+
+/// Some built-in queries, translations and rotations, against box trees: the answers must be the same
+/// bits and the proposals usable. Takes some ten milliseconds on a GPU.
+/// @return what is wrong with the stage; empty: nothing.
+std::string self_test(ZListStage& stage);
+
+}  // namespace trivet
