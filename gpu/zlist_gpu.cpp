@@ -66,9 +66,7 @@ class GpuLists {
   bool has_room(std::size_t num_asks, std::size_t largest) const {
     return m_raster->has_room(num_asks, largest);
   }
-  std::string name() const {
-    return "gpu (" + m_context.renderer() + ", " + m_raster->method() + ")";
-  }
+  std::string device() const { return m_context.renderer() + ", " + m_raster->method(); }
 
  private:
   EglContext m_context;
@@ -155,9 +153,12 @@ std::vector<Answer> GpuLists::propose(std::span<const Ask> asks) {
 class GpuZListStage : public ZListStage {
  public:
   explicit GpuZListStage(const GpuZListOptions& options)
-      : m_options(options), m_lists(std::make_unique<GpuLists>(options)), m_name(m_lists->name()) {}
+      : m_options(options),
+        m_lists(std::make_unique<GpuLists>(options)),
+        m_device(m_lists->device()) {}
 
-  std::string name() const override { return m_name; }
+  std::string name() const override { return "gpu (" + m_device + ")"; }
+  std::string device() const override { return m_device; }
   Proposal propose(const FirstContactQuery& query, double horizon) override;
   std::vector<Proposal> propose_many(std::span<const FirstContactQuery> queries,
                                      std::span<const double> horizons) override;
@@ -171,7 +172,7 @@ class GpuZListStage : public ZListStage {
   GpuZListOptions m_options;
   std::unique_ptr<GpuLists> m_lists;  // null after an error
   int m_num_errors = 0;               // since something last worked
-  std::string m_name, m_last_error;
+  std::string m_device, m_last_error;
 };
 
 // A lost context is made again, and asked again.

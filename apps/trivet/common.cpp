@@ -15,18 +15,6 @@ std::string quoted(const std::string& text) { return "\"" + text + "\" is not ac
 
 bool shows_progress(const CommonOptions& common) { return !common.quiet && isatty(STDERR_FILENO); }
 
-CLI::Validator backend_validator() {
-  return CLI::Validator(
-      [](const std::string& name) -> std::string {
-        const std::string accepted = "; accepted: auto, bvh";
-        if (name == "auto" || name == "bvh") return "";
-        if (name == "gpu" || name == "software")
-          return "\"" + name + "\" is not available in this version" + accepted;
-        return quoted(name) + accepted;
-      },
-      "auto|bvh");
-}
-
 }  // namespace
 
 ImportLimits CommonOptions::limits() const {
@@ -38,7 +26,7 @@ ImportLimits CommonOptions::limits() const {
 void add_common_options(CLI::App& app, CommonOptions& common) {
   const char* const group = "Options of all verbs";
   app.add_option("--backend", common.backend, "What proposes candidates; the result is the same")
-      ->check(backend_validator())
+      ->check(one_of({"auto", "gpu", "software", "bvh"}))
       ->group(group);
   app.add_option("--threads", common.num_threads, "0: all cores; the result is the same")
       ->check(integer_from(0, 4096))
@@ -48,6 +36,8 @@ void add_common_options(CLI::App& app, CommonOptions& common) {
       ->group(group);
   app.add_flag("--json", common.json, "JSON on standard output, errors too")->group(group);
   app.add_flag("--quiet", common.quiet, "Nothing but results and errors")->group(group);
+  app.add_flag("--verbose", common.verbose, "Says on standard error what each stage left over")
+      ->group(group);
   app.set_version_flag("--version", "trivet " TRIVET_VERSION)->group(group);
   app.get_help_ptr()->group(group);
 }
@@ -69,9 +59,20 @@ void add_settle_options(CLI::App& app, SettleOptions& settle) {
       ->group(group);
 }
 
-RunOptions run_options(const CommonOptions& common, const SettleOptions& settle) {
+std::unique_ptr<Detector> make_detector(const CommonOptions& common) {
+  BackendOptions options;
+  options.backend = backend_from_name(common.backend);
+  options.num_threads = common.num_threads;
+  options.make_gpu_stage = make_gpu_stage;
+  options.note = [&common](const std::string& note) { print_note(common, note); };
+  return make_detector(options);
+}
+
+RunOptions run_options(const CommonOptions& common, const SettleOptions& settle,
+                       Detector* detector) {
   RunOptions options;
   options.settle = settle;
+  options.settle.detector = detector;
   options.num_threads = common.num_threads;
   options.progress = terminal_progress(common);
   return options;

@@ -3,10 +3,12 @@
 
 #include <CLI/CLI.hpp>
 #include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "core/io/model.h"
+#include "ops/detect/backend.h"
 #include "ops/layout/run.h"
 
 namespace trivet::apps {
@@ -17,6 +19,7 @@ struct CommonOptions {
   int num_threads = 0;  // 0: all cores
   bool json = false;
   bool quiet = false;
+  bool verbose = false;
   double max_file_mb = 4096;
 
   ImportLimits limits() const;
@@ -25,8 +28,16 @@ void add_common_options(CLI::App& app, CommonOptions& common);
 
 void add_settle_options(CLI::App& app, SettleOptions& settle);
 
-/// Everything that a run of operations needs.
-RunOptions run_options(const CommonOptions& common, const SettleOptions& settle);
+/// As --backend says; a note on standard error when that cannot be had.
+std::unique_ptr<Detector> make_detector(const CommonOptions& common);
+
+/// z-lists on the GPU. @throws Error (Environment) where they cannot be had, and in a build
+/// without.
+std::unique_ptr<ZListStage> make_gpu_stage();
+
+/// Everything that a run of operations needs. The detector is not owned; null: box trees.
+RunOptions run_options(const CommonOptions& common, const SettleOptions& settle,
+                       Detector* detector = nullptr);
 
 /// Validators whose complaints name what is accepted.
 CLI::Validator integer_from(long lower, long upper);

@@ -126,6 +126,24 @@ std::string stability_summary(const LayoutRun& run) {
   return out.str();
 }
 
+// The paper's three stages, and the exact decision; for people.
+std::string work_summary(const Detector& detector) {
+  const DetectionWork& work = detector.work();
+  std::ostringstream out;
+  out << "work of " << detector.name() << " (" << detector.device() << "): " << work.num_queries
+      << " queries\n";
+  if (detector.name() != "bvh")
+    out << "  stage 1, boxes: " << work.zlist.body_pairs << " pairs of objects left\n"
+        << "  stage 2, depths: " << work.zlist.pixels << " pixels with both sides\n"
+        << "  stage 3, lists: " << work.zlist.doubtful_pixels << " pixels in doubt, "
+        << work.zlist.face_pairs << " pairs of faces left, " << work.zlist.bytes_read_back
+        << " bytes read back\n"
+        << "  given up, answered by box trees: " << work.fallbacks << " queries\n";
+  out << "  box trees: " << work.node_pairs << " pairs of boxes\n"
+      << "  decided: " << work.face_pairs << " pairs of faces\n";
+  return out.str();
+}
+
 }  // namespace
 
 void add_output_options(CLI::App& app, OutputPaths& paths) {
@@ -156,6 +174,12 @@ int Outputs::write(const LayoutRun& run, const Layout& layout, const SettleOptio
   ReportOptions report_options;
   report_options.version = TRIVET_VERSION;
   report_options.model_folder = folders.in_report;
+  if (const Detector* detector = settle.detector) {
+    report_options.backend = detector->name();
+    report_options.device = detector->device();
+    report_options.work = detector->work();
+    if (m_common.verbose) std::cerr << work_summary(*detector);
+  }
   const std::string report = report_json(run, report_options);
   // All that can fail but the disk comes first.
   const std::string png = m_picture ? m_picture->png(run.scene) : "";

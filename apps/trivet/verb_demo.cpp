@@ -72,13 +72,14 @@ int run_demo(const DemoArguments& arguments, const CommonOptions& common) {
   const DemoFolder folder(arguments.folder);
   write_demo(demo, folder);
   const Layout layout = read_layout(folder.file("layout.json"));
-  RunOptions options = run_options(common, arguments.settle);
+  const std::unique_ptr<Detector> detector = make_detector(common);
+  RunOptions options = run_options(common, arguments.settle, detector.get());
   options.layout_file = folder.file("layout.json");
   const LayoutRun result =
       run_layout(layout, models_in_folder(folder.path(), common.limits()), options);
   const std::string& scene = arguments.outputs.scene;
   const std::string in_scene = arguments.folder.empty() ? "" : folder_from(scene, folder.path());
-  return outputs.write(result, layout, arguments.settle, {in_scene, ""});
+  return outputs.write(result, layout, options.settle, {in_scene, ""});
 }
 
 }  // namespace

@@ -40,7 +40,8 @@ int move(const MoveArguments& arguments, const Operation& asked, const CommonOpt
     throw Error(Error::Kind::BadInput, arguments.scene + ": there is no object \"" +
                                            arguments.move.object +
                                            "\"; accepted: the name of one of its objects");
-  RunOptions options = run_options(common, arguments.settle);
+  const std::unique_ptr<Detector> detector = make_detector(common);
+  RunOptions options = run_options(common, arguments.settle, detector.get());
   if (!(options.settle.clearance > 0)) options.settle.clearance = file.clearance;
   update_contacts(file.scene, options.settle.clearance);
   LayoutRun run;

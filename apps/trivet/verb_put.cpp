@@ -93,7 +93,8 @@ int put(const PutArguments& arguments, const CommonOptions& common) {
   Layout addition;
   addition.objects.push_back(layout_object(arguments, file));
   addition.operations.push_back(PutOperation{{addition.objects.back().name}, start});
-  RunOptions options = run_options(common, arguments.settle);
+  const std::unique_ptr<Detector> detector = make_detector(common);
+  RunOptions options = run_options(common, arguments.settle, detector.get());
   if (!(options.settle.clearance > 0)) options.settle.clearance = file.clearance;
 
   Object object = load_object(arguments, addition, file.scene, common, options);

@@ -14,12 +14,13 @@ struct RunArguments {
 int run(const RunArguments& arguments, const CommonOptions& common) {
   const Layout layout = read_layout(arguments.layout, common.limits().max_file_bytes);
   Outputs outputs(arguments.outputs, {arguments.layout}, common);
-  RunOptions options = run_options(common, arguments.settle);
+  const std::unique_ptr<Detector> detector = make_detector(common);
+  RunOptions options = run_options(common, arguments.settle, detector.get());
   options.stop_at_refusal = arguments.stop_at_refusal;
   options.layout_file = arguments.layout;
   const std::string folder = folder_of(arguments.layout);
   const LayoutRun result = run_layout(layout, models_in_folder(folder, common.limits()), options);
-  return outputs.write(result, layout, arguments.settle,
+  return outputs.write(result, layout, options.settle,
                        {folder_from(arguments.outputs.scene, folder), ""});
 }
 

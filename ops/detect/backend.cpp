@@ -8,8 +8,8 @@
 namespace trivet {
 namespace {
 
-// A wavy closed surface of rings x segments about the origin; made with libm, which decides nothing:
-// both sides of the comparison see the same vertices.
+// A wavy closed surface of rings x segments about the origin; made with libm, which decides
+// nothing: both sides of the comparison see the same vertices.
 std::shared_ptr<const Shape> wavy_shape(int rings, int segments, double wave) {
   const auto at = [&](int i, int j) -> Vec3 {
     const double t = M_PI * i / rings, p = 2 * M_PI * (j % segments) / segments;

@@ -29,12 +29,12 @@ struct BackendOptions {
   std::function<void(const std::string&)> note;
 };
 
-/// A GPU that cannot be had (the factory throws), or that fails self_test(), is replaced by software
-/// z-lists.
+/// A GPU that cannot be had (the factory throws), or that fails self_test(), is replaced by
+/// software z-lists.
 std::unique_ptr<Detector> make_detector(const BackendOptions& options);
 
-/// Some built-in queries, translations and rotations, against box trees: the answers must be the same
-/// bits and the proposals usable. Takes some ten milliseconds on a GPU.
+/// Some built-in queries, translations and rotations, against box trees: the answers must be the
+/// same bits and the proposals usable. Takes some ten milliseconds on a GPU.
 /// @return what is wrong with the stage; empty: nothing.
 std::string self_test(ZListStage& stage);
 

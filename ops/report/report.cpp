@@ -77,6 +77,18 @@ OrderedJson check_json(const SceneCheck& check) {
           {"not_at_rest", check.not_at_rest}};
 }
 
+OrderedJson work_json(const DetectionWork& work) {
+  return {{"queries", work.num_queries},
+          {"body_pairs", work.zlist.body_pairs},
+          {"pixels", work.zlist.pixels},
+          {"doubtful_pixels", work.zlist.doubtful_pixels},
+          {"proposed_face_pairs", work.zlist.face_pairs},
+          {"bytes_read_back", work.zlist.bytes_read_back},
+          {"fallbacks", work.fallbacks},
+          {"node_pairs", work.node_pairs},
+          {"decided_face_pairs", work.face_pairs}};
+}
+
 }  // namespace
 
 std::string report_json(const LayoutRun& run, const ReportOptions& options) {
@@ -84,6 +96,7 @@ std::string report_json(const LayoutRun& run, const ReportOptions& options) {
                       {"version", options.version},
                       {"backend", options.backend},
                       {"device", options.device}};
+  if (options.work) json["work"] = work_json(*options.work);
   json["objects"] = objects_json(run.scene, options);
   json["operations"] = operations_json(run.operations);
   json["check"] = check_json(run.check);

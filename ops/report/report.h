@@ -1,9 +1,11 @@
 // The report of a run: where everything is to the last bit, what holds it, and what was refused.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "ops/detect/detector.h"
 #include "ops/layout/run.h"
 
 namespace trivet {
@@ -13,13 +15,14 @@ struct ReportOptions {
   std::string version;
   std::string backend = "bvh";
   std::string device = "cpu";
+  std::optional<DetectionWork> work;  // what the stages of the queries left over; none: left out
   /// Put before relative model paths; empty: paths as the scene has them.
   std::string model_folder;
 };
 
 /// The report as JSON text, as DESIGN.md has it. Two runs of one input differ in nothing but
-/// "milliseconds". Beside the contract's keys, "check" names what it found: "pairs" of objects
-/// that interpenetrate (in double, in float32, or one inside the other) and objects "not_at_rest".
+/// "milliseconds"; two backends also in "backend", "device" and "work". Beside the contract's keys,
+/// "check" names what it found: "pairs" of objects that interpenetrate (in double, in float32, or one inside the other) and objects "not_at_rest".
 /// "stability" is of the scene as a whole, as struct Stability has it; newtons, metres.
 /// Null: a number that is infinite; pose, centre and margins of an object that is not in the
 /// scene; margins of a fixed one.

@@ -1,0 +1,101 @@
+// Which source of candidates is taken, what replaces it, and what is counted.
+#include <gtest/gtest.h>
+
+#include "core/base/error.h"
+#include "ops/detect/backend.h"
+#include "raster/software_zlists.h"
+#include "support/random_queries.h"
+
+namespace trivet {
+namespace {
+
+/// Software z-lists that leave out every second face.
+class ForgetfulStage : public ZListStage {
+ public:
+  std::string name() const override { return "forgetful"; }
+  Proposal propose(const FirstContactQuery& query, double horizon) override {
+    Proposal out = m_stage.propose(query, horizon);
+    std::erase_if(out.pairs, [](const FacePair& p) { return p.face_moving % 2 == 0; });
+    return out;
+  }
+
+ private:
+  SoftwareZLists m_stage;
+};
+
+class StageThatGivesUp : public ZListStage {
+ public:
+  std::string name() const override { return "lazy"; }
+  Proposal propose(const FirstContactQuery&, double) override { return {}; }
+};
+
+TEST(Backend, NamesAreThoseOfTheCommandLine) {
+  EXPECT_EQ(backend_from_name("auto"), Backend::Auto);
+  EXPECT_EQ(backend_from_name("gpu"), Backend::Gpu);
+  EXPECT_EQ(backend_from_name("software"), Backend::Software);
+  EXPECT_EQ(backend_from_name("bvh"), Backend::Bvh);
+  EXPECT_THROW(backend_from_name("GPU"), Error);
+}
+
+TEST(Backend, SelfTestTellsGoodStagesFromBad) {
+  SoftwareZLists good;
+  EXPECT_EQ(self_test(good), "");
+  ForgetfulStage forgetful;
+  EXPECT_NE(self_test(forgetful), "");
+  StageThatGivesUp lazy;
+  EXPECT_NE(self_test(lazy), "");
+}
+
+TEST(Backend, SoftwareReplacesAGpuThatCannotBeHad) {
+  std::vector<std::string> notes;
+  BackendOptions options;
+  options.backend = Backend::Gpu;
+  options.note = [&](const std::string& note) { notes.push_back(note); };
+  EXPECT_EQ(make_detector(options)->name(), "software");  // a build without
+  options.make_gpu_stage = []() -> std::unique_ptr<ZListStage> {
+    throw Error(Error::Kind::Environment, "no EGL here");
+  };
+  EXPECT_EQ(make_detector(options)->name(), "software");
+  options.make_gpu_stage = [] { return std::make_unique<ForgetfulStage>(); };
+  EXPECT_EQ(make_detector(options)->name(), "software");
+  ASSERT_EQ(notes.size(), 3u);
+  EXPECT_NE(notes[1].find("no EGL here"), std::string::npos);
+  EXPECT_NE(notes[2].find("forgetful fails its self-test"), std::string::npos);
+  options.make_gpu_stage = [] { return std::make_unique<SoftwareZLists>(); };
+  EXPECT_EQ(make_detector(options)->name(), "gpu");
+  EXPECT_EQ(notes.size(), 3u);
+  options.backend = Backend::Auto;
+  EXPECT_EQ(make_detector(options)->name(), "bvh");
+}
+
+TEST(Backend, CountsTheWorkOfEveryStage) {
+  const test::MeshPool pool(5, 8);
+  BackendOptions options;
+  options.backend = Backend::Software;
+  const std::unique_ptr<Detector> software = make_detector(options);
+  Detector trees, lazy(std::make_unique<StageThatGivesUp>(), "lazy");
+  constexpr int kNum = 200;
+  for (int i = 0; i < kNum; ++i) {
+    const test::RandomQuery q = test::random_query(pool, 5, i);
+    q.ask([&](const FirstContactQuery& query) {
+      const FirstContact truth = trees.first_contact(query);
+      EXPECT_TRUE(test::same_answer(software->first_contact(query), truth));
+      EXPECT_TRUE(test::same_answer(lazy.first_contact(query), truth));
+      return 0;
+    });
+  }
+  const DetectionWork& work = software->work();
+  EXPECT_EQ(work.num_queries, kNum);
+  EXPECT_EQ(work.fallbacks, 0);
+  EXPECT_EQ(work.node_pairs, 0);
+  EXPECT_GT(work.zlist.body_pairs, kNum / 4);
+  EXPECT_GT(work.zlist.pixels, work.zlist.doubtful_pixels);
+  EXPECT_GT(work.zlist.doubtful_pixels, kNum);
+  EXPECT_GE(work.zlist.face_pairs, work.face_pairs);
+  EXPECT_GT(work.face_pairs, kNum / 4);
+  EXPECT_EQ(lazy.work().fallbacks, kNum);
+  EXPECT_EQ(lazy.work().node_pairs, trees.work().node_pairs);
+}
+
+}  // namespace
+}  // namespace trivet
