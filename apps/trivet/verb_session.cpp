@@ -7,6 +7,7 @@
 #include "core/base/hash.h"
 #include "core/scene/fingerprint.h"
 #include "ops/layout/json_text.h"
+#include "ops/layout/operation_json.h"
 #include "ops/report/queries.h"
 #include "ops/session/journal.h"
 #include "ops/session/restore.h"

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "ops/layout/json_text.h"
+#include "ops/layout/operation_json.h"
 
 namespace trivet {
 namespace {

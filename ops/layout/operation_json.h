@@ -1,17 +1,10 @@
-// One operation as JSON: for layouts, and for whoever else writes operations down.
+// Private. One operation as JSON: for layouts, and for whoever else writes operations down.
 #pragma once
 
 #include "ops/layout/json_text.h"
 #include "ops/operation.h"
 
 namespace trivet {
-
-/// Lengths, metres, and scales: what float32 export and exact predicates can bear.
-inline constexpr double kMaxLength = 1e15;
-/// A direction needs one component of at least this magnitude, and none beyond the largest.
-inline constexpr double kMinDirectionComponent = 1e-6, kMaxDirectionComponent = 1e6;
-inline constexpr double kMaxAngleDeg = 3600;
-inline constexpr std::uint64_t kMaxSeed = std::uint64_t{1} << 53;
 
 /// Reads strictly what layout.schema.json says of an operation. Whether there is such an object is
 /// for the caller to see.

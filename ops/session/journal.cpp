@@ -13,6 +13,7 @@
 #include "core/base/error.h"
 #include "core/base/hash.h"
 #include "core/io/export.h"
+#include "ops/layout/operation_json.h"
 #include "ops/layout/paths.h"
 #include "ops/session/journal_text.h"
 #include "ops/session/session.h"

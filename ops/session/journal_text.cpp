@@ -2,6 +2,7 @@
 
 #include "core/base/hash.h"
 #include "ops/layout/layout.h"
+#include "ops/layout/operation_json.h"
 
 namespace trivet {
 namespace {

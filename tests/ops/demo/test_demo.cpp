@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "ops/demo/demo.h"
+#include "ops/layout/operation_json.h"
 #include "ops/layout/run.h"
 
 namespace trivet {

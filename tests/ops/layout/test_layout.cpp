@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "ops/layout/json_text.h"
 #include "ops/layout/layout.h"
+#include "ops/layout/operation_json.h"
 
 namespace trivet {
 namespace {

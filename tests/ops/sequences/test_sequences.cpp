@@ -310,7 +310,7 @@ void run_all(bool of_real, int count) {
       software.num_threads = seed % 8 == 0 ? 1 : 3;
       const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
                                         software.num_threads);
-      Detector detector(std::make_unique<SoftwareZLists>(software));
+      Detector detector(std::make_unique<SoftwareZLists>(software), "software");
       EXPECT_EQ(run_sequence(seed, of_real, false, &detector, false).hash, one.hash);
     }
   }
