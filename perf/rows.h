@@ -8,6 +8,7 @@ namespace trivet::perf {
 void first_contact_rows(Report& report);  // ours and FCL's, on the same motions
 void put_rows(Report& report);            // the demos, also refined
 void push_rows(Report& report);           // one step of a PUSH, and a table with all on it
+void zlist_rows(Report& report);          // z-lists and box trees, same motions; free places
 void settling_rows(Report& report);       // ours, Bullet's and MuJoCo's, from the same starts
 void shape_rows(Report& report);          // memory, index, import
 

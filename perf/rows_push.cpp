@@ -31,7 +31,7 @@ Scene many_tables(const Scene& one, double clearance) {
   for (int i = 0; i < kTables; ++i)
     for (const ObjectId id : one.ids()) {
       Object object = one.at(id);
-      object.name += "_" + std::to_string(i);
+      object.name += text("_%d", i);
       object.pose.translation += kTableSpacing * Vec3(i % 8, i / 8, 0);
       object.links.clear();
       out.add(std::move(object));

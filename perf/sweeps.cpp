@@ -14,8 +14,13 @@ constexpr double kBump = 0.15;
 struct Grid {
   int num_triangles, rings, segments;  // 2 x segments x (rings - 1) triangles
 };
-constexpr std::array<Grid, 3> kGrids{
-    {{10'000, 41, 125}, {100'000, 126, 400}, {1'000'000, 401, 1250}}};
+constexpr std::array<Grid, 7> kGrids{{{1'000, 21, 25},
+                                      {10'000, 41, 125},
+                                      {15'000, 51, 150},
+                                      {100'000, 126, 400},
+                                      {150'000, 151, 500},
+                                      {1'000'000, 401, 1250},
+                                      {1'500'000, 501, 1500}}};
 
 Clearance clearance_of(const Sweep& sweep) {
   Aabb box = sweep.moving().world_box;

@@ -14,7 +14,7 @@ struct SpherePair {
   std::shared_ptr<const Shape> moving, fixed;
 };
 
-/// @param num_triangles  10'000, 100'000 or 1'000'000.
+/// @param num_triangles  1, 10, 15, 100, 150 thousand, 1 or 1.5 million.
 SpherePair make_sphere_pair(int num_triangles);
 Mesh make_sphere_mesh(int num_triangles, unsigned seed);
 

@@ -18,7 +18,7 @@ namespace trivet::perf {
 namespace {
 
 constexpr const char* kUsage =
-    "usage: trivet_perf [--out FOLDER] [--only first-contact|put|push|settling|shapes]\n"
+    "usage: trivet_perf [--out FOLDER] [--only first-contact|put|push|zlists|settling|shapes]\n"
     "Prints the table; with --out also writes FOLDER/<date>-<n>core.md.\n";
 
 struct Part {
@@ -28,6 +28,7 @@ struct Part {
 constexpr Part kParts[] = {{"first-contact", first_contact_rows},
                            {"put", put_rows},
                            {"push", push_rows},
+                           {"zlists", zlist_rows},
                            {"settling", settling_rows},
                            {"shapes", shape_rows}};
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kLargestResolution = 4096;
 
-// A pixel of one to three edges of the faces is best, measured (perf/README.md); the zoom does the
+// A pixel of one to three edges of the faces is best, by the measurements of a prototype; the zoom does the
 // rest.
 int resolution_for(const FirstContactQuery& query) {
   size_t num_faces = 0;
