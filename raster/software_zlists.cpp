@@ -13,8 +13,8 @@ namespace {
 
 constexpr int kLargestResolution = 4096;
 
-// A pixel of one to three edges of the faces is best, by the measurements of a prototype; the zoom does the
-// rest.
+// A pixel of one to three edges of the faces is best, by the measurements of a prototype; the zoom
+// does the rest.
 int resolution_for(const FirstContactQuery& query) {
   size_t num_faces = 0;
   for (const Body& body : query.moving) num_faces += body.shape->mesh.triangles.size();
