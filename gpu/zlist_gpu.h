@@ -21,9 +21,10 @@ struct GpuZListOptions {
 /// made again; after three errors of OpenGL in a row no query is usable. With OpenGL 4.3,
 /// propose_many() draws as many queries together as there is room for, as layers of one image: 64
 /// of 128 pixels. One thread at a time.
-/// At the start it is asked some queries whose answers are known.
-/// @throws Error (Environment) that says what is missing: EGL, OpenGL 3.3, or how much memory; or
-///   that the driver makes mistakes; (BadInput) for an option out of range.
+/// Drivers do have bugs: ask self_test() of core/contact/zlist_self_test.h before trusting it, as
+/// make_detector() of ops does.
+/// @throws Error (Environment) that says what is missing: EGL, OpenGL 3.3, or how much memory;
+///   (BadInput) for an option out of range.
 std::unique_ptr<ZListStage> make_gpu_zlist_stage(const GpuZListOptions& options = {});
 
 }  // namespace trivet

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "core/contact/zlist_self_test.h"
 #include "ops/detect/detector.h"
 
 namespace trivet {
@@ -32,10 +33,5 @@ struct BackendOptions {
 /// A GPU that cannot be had (the factory throws), or that fails self_test(), is replaced by
 /// software z-lists.
 std::unique_ptr<Detector> make_detector(const BackendOptions& options);
-
-/// Some built-in queries, translations and rotations, against box trees: the answers must be the
-/// same bits and the proposals usable. Takes some ten milliseconds on a GPU.
-/// @return what is wrong with the stage; empty: nothing.
-std::string self_test(ZListStage& stage);
 
 }  // namespace trivet

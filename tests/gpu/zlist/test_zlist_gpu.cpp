@@ -8,9 +8,9 @@
 #include <set>
 
 #include "core/base/error.h"
+#include "core/contact/zlist_self_test.h"
 #include "gpu/egl_context.h"
 #include "gpu/zlist_gpu.h"
-#include "gpu/zlist_self_test.h"
 #include "support/check_stage.h"
 #include "support/effort.h"
 #include "support/mesa_leaks.h"
@@ -338,9 +338,9 @@ class Forgetful : public ZListStage {
 TEST_P(ZListGpuBothWays, SelfTestFindsMistakes) {
   const auto stage = make_stage({.resolution = 64, .force_fallback = GetParam()});
   TRIVET_SKIP_WITHOUT_EGL(stage);
-  EXPECT_EQ(test_zlist_stage(*stage), "");
+  EXPECT_EQ(self_test(*stage), "");
   Forgetful forgetful(*stage);
-  EXPECT_NE(test_zlist_stage(forgetful).find("missing"), std::string::npos);
+  EXPECT_NE(self_test(forgetful).find("missing"), std::string::npos);
 }
 
 TEST(ZListGpuOptions, HaveLimits) {

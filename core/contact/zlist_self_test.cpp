@@ -1,4 +1,4 @@
-#include "gpu/zlist_self_test.h"
+#include "core/contact/zlist_self_test.h"
 
 #include <algorithm>
 #include <memory>
@@ -56,7 +56,7 @@ bool contains(const Proposal& proposal, const FirstContact& truth) {
 
 std::string wrong(const Proposal& proposal, const FirstContact& truth) {
   const double time = truth.status == FirstContact::Status::Free ? kInfinity : truth.time;
-  if (!proposal.usable) return proposal.why;
+  if (!proposal.usable) return "no proposal: " + proposal.why;
   if (proposal.upper < time) return "the upper bound is too early";
   if (time == kInfinity) return "";
   if (proposal.lower > time) return "the lower bound is too late";
@@ -65,7 +65,7 @@ std::string wrong(const Proposal& proposal, const FirstContact& truth) {
 
 }  // namespace
 
-std::string test_zlist_stage(ZListStage& stage) {
+std::string self_test(ZListStage& stage) {
   Numbers numbers;
   const std::shared_ptr<const Shape> shapes[] = {make_faces(numbers), make_faces(numbers)};
   for (int i = 0; i < kNumQueries; ++i) {

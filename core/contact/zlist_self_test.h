@@ -1,4 +1,4 @@
-// Private to gpu: does this driver do what the shaders say?
+// Does a z-list stage, and the driver below it, do what it says?
 #pragma once
 
 #include "core/contact/zlist_stage.h"
@@ -8,6 +8,6 @@ namespace trivet {
 /// Asks a stage some small queries, half of them turns, and compares with the box trees. A stage
 /// can lose no contact by being wrong only where somebody looks, and drivers do have bugs.
 /// @return what is wrong, with the number of the query; empty if nothing is.
-std::string test_zlist_stage(ZListStage& stage);
+std::string self_test(ZListStage& stage);
 
 }  // namespace trivet
