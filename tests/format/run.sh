@@ -1,9 +1,15 @@
 #!/usr/bin/env bash
-# Are all sources as .clang-format says?   tests/format/run.sh [--fix]
+# Are all sources as .clang-format says, and all files free of a merge's markers?
+#   tests/format/run.sh [--fix]
 # Versions of clang-format disagree: one is decisive, without it the test is skipped (status 77).
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 version=14
+
+if git grep -nE '^(<{7}|>{7}) ' 2>/dev/null; then
+  echo "these lines are what a merge left"
+  exit 1
+fi
 
 for program in "clang-format-$version" clang-format; do
   if "$program" --version 2>/dev/null | grep -q "version $version\."; then
