@@ -1,9 +1,11 @@
 #include "ops/edit.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "ops/layout/layout.h"
 #include "ops/move/commit_group.h"
+#include "ops/move/leaning.h"
 
 namespace trivet {
 namespace {
@@ -64,6 +66,9 @@ OperationResult remove(Scene& scene, const DeleteOperation& operation,
   std::vector<ObjectId> neighbours;
   for (const Link& link : object.links)
     if (link.with) neighbours.push_back(*link.with);
+  for (const ObjectId other : leaning_on(scene, object, Surroundings(scene, id)))
+    if (std::find(neighbours.begin(), neighbours.end(), other) == neighbours.end())
+      neighbours.push_back(other);
   scene.remove(id);
   OperationResult result;
   for (const ObjectId neighbour : neighbours) rate_left_alone(scene, neighbour, clearance, result);

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "core/base/tunables.h"
+#include "ops/move/leaning.h"
 #include "ops/settle/equilibrium.h"
 
 namespace trivet {
@@ -123,12 +125,17 @@ class GroupCommit {
   void touch(const std::vector<Link>& links) {
     for (const Link& link : links) {
       if (!link.with || has(m_group.ids(), *link.with) || has(m_partners, *link.with)) continue;
-      const Object& partner = std::as_const(m_scene).at(*link.with);
-      const double enough = kRestMargin * partner.scale * partner.shape->box.diagonal();
-      const bool on_its_own =
-          partner.state == ObjectState::Stable && partner.stability_margin >= enough;
-      if (!on_its_own || weighs_on(link.contact)) m_partners.push_back(*link.with);
+      if (!stands_on_its_own(std::as_const(m_scene).at(*link.with)) || weighs_on(link.contact))
+        m_partners.push_back(*link.with);
     }
+  }
+
+  // The member leaves its neighbours: those that may lean on it are to be rated, too.
+  // @return whether it may lean on one of them.
+  bool leave(const Object& member) {
+    for (const ObjectId id : leaning_on(m_scene, member, m_group.outside()))
+      if (!has(m_partners, id)) m_partners.push_back(id);
+    return leans_on_any(m_scene, member, m_group.outside());
   }
 
   // Links of a member, and whether it has to be rated again.
@@ -147,10 +154,9 @@ class GroupCommit {
         links_of(object, m_group.pose(i), m_group.outside(), contacts, m_group.clearance());
     touch(links);
     touch(object.links);
+    const bool leans = leave(object);
     if (m_group.ids().size() == 1) m_contacts = contacts;
-    // Without friction that would do, what it touches does not hold it: something near did.
-    bool rated_again =
-        i == 0 || move.tilted() || !links.empty() || !std::isfinite(object.least_friction);
+    bool rated_again = i == 0 || move.tilted() || !links.empty() || leans;
     for (const Link& link : object.links)
       if (link.with && has(m_group.ids(), *link.with))
         links.push_back({link.with, move.contact(link.contact)});
@@ -187,22 +193,80 @@ class GroupCommit {
   std::optional<std::vector<ContactsWith>> m_contacts;  // of an object that moves alone
 };
 
-// The lowest of the unsupported objects that may still be let go.
-std::optional<ObjectId> lowest(const Scene& scene, const std::vector<std::string>& names,
-                               const std::map<std::string, int>& lettings_go) {
-  std::optional<ObjectId> best;
-  double best_z = kInfinity;
-  for (const std::string& name : names) {
-    const auto known = lettings_go.find(name);
-    if (known != lettings_go.end() && known->second >= kMaxLettingsGo) continue;
-    const std::optional<ObjectId> id = scene.find(name);
-    if (!id || scene.at(*id).state != ObjectState::Unsupported) continue;
-    const Object& object = scene.at(*id);
-    const double z = Body(*object.shape, object.world_from_object()).world_box.lower.z();
-    if (z < best_z) best_z = z, best = id;
+// Lets unsupported objects settle, the lowest first.
+class Settling {
+ public:
+  Settling(Scene& scene, const SettleOptions& options, double clearance, Interrupt& interrupt,
+           OperationResult& result)
+      : m_scene(scene),
+        m_options(options),
+        m_clearance(clearance),
+        m_interrupt(interrupt),
+        m_result(result) {}
+
+  void run() {
+    while (const auto id = lowest()) {
+      const std::string name = std::as_const(m_scene).at(*id).name;
+      ++m_tries[name];
+      m_stuck.insert(name);
+      if (let_go(*id)) m_stuck.clear(), add_name(m_result.settled, name);
+      if (m_interrupt.reason()) return;
+    }
+    const auto still_waits = [&](const std::string& name) {
+      return std::as_const(m_scene).at(*m_scene.find(name)).state == ObjectState::Unsupported;
+    };
+    std::erase_if(m_result.unsupported, [&](const std::string& n) { return !still_waits(n); });
+    std::erase_if(m_result.settled, still_waits);
   }
-  return best;
-}
+
+ private:
+  bool may_be_let_go(const std::string& name) const {
+    const auto tries = m_tries.find(name);
+    return !m_stuck.contains(name) && (tries == m_tries.end() || tries->second < kMaxLettingsGo);
+  }
+
+  std::optional<ObjectId> lowest() const {
+    std::optional<ObjectId> best;
+    double best_z = kInfinity;
+    for (const std::string& name : m_result.unsupported) {
+      const std::optional<ObjectId> id = m_scene.find(name);
+      if (!id || !may_be_let_go(name)) continue;
+      const Object& object = std::as_const(m_scene).at(*id);
+      if (object.state != ObjectState::Unsupported) continue;
+      const double z = Body(*object.shape, object.world_from_object()).world_box.lower.z();
+      if (z < best_z) best_z = z, best = id;
+    }
+    return best;
+  }
+
+  /// @return whether anything has changed.
+  bool let_go(ObjectId id) {
+    MovingGroup group(m_scene, id, m_clearance, m_options);
+    if (!why_not_movable(m_scene, group.ids()).empty()) return false;
+    const SettleOutcome outcome = group.settle(&m_interrupt);
+    if (m_interrupt.reason()) return false;
+    const bool rests = outcome.status == SettleOutcome::Status::AtRest;
+    if (!rests && !(outcome.status == SettleOutcome::Status::Wedged && m_options.accept_wedged))
+      return false;
+    OperationResult of_this;
+    if (!commit_group(m_scene, group, rests ? ObjectState::Stable : ObjectState::Wedged, true,
+                      of_this)
+             .empty())
+      return false;
+    m_result.num_motions += static_cast<int>(outcome.steps.size());
+    for (const std::string& left : of_this.unsupported) add_name(m_result.unsupported, left);
+    return !outcome.steps.empty() ||
+           std::as_const(m_scene).at(id).state != ObjectState::Unsupported;
+  }
+
+  Scene& m_scene;
+  const SettleOptions& m_options;
+  double m_clearance;
+  Interrupt& m_interrupt;
+  OperationResult& m_result;
+  std::map<std::string, int> m_tries;
+  std::set<std::string> m_stuck;  // that cannot settle as long as nothing else does
+};
 
 }  // namespace
 
@@ -229,29 +293,7 @@ void rate_left_alone(Scene& scene, ObjectId id, double clearance, OperationResul
 
 void settle_unsupported(Scene& scene, const SettleOptions& options, double clearance,
                         Interrupt& interrupt, OperationResult& result) {
-  std::map<std::string, int> lettings_go;
-  while (const auto id = lowest(scene, result.unsupported, lettings_go)) {
-    const std::string name = std::as_const(scene).at(*id).name;
-    ++lettings_go[name];
-    MovingGroup group(scene, *id, clearance, options);
-    if (!why_not_movable(scene, group.ids()).empty()) continue;
-    const SettleOutcome outcome = group.settle(&interrupt);
-    if (interrupt.reason()) return;
-    const bool rests = outcome.status == SettleOutcome::Status::AtRest;
-    if (!rests && !(outcome.status == SettleOutcome::Status::Wedged && options.accept_wedged))
-      continue;
-    OperationResult of_this;
-    if (!commit_group(scene, group, rests ? ObjectState::Stable : ObjectState::Wedged, true,
-                      of_this)
-             .empty())
-      continue;
-    result.num_motions += static_cast<int>(outcome.steps.size());
-    result.settled.push_back(name);
-    for (const std::string& left : of_this.unsupported) add_name(result.unsupported, left);
-  }
-  std::erase_if(result.unsupported, [&](const std::string& name) {
-    return scene.at(*scene.find(name)).state != ObjectState::Unsupported;
-  });
+  Settling(scene, options, clearance, interrupt, result).run();
 }
 
 }  // namespace trivet

@@ -155,5 +155,61 @@ TEST(Group, WhatATiltedSupportCarriesIsNamedOrSettles) {
   }
 }
 
+/// A plank that hangs over the end of a table, above a post that it does not touch: the post is
+/// nearer than kBalanceTolerance clearances, and the plank would hardly sink.
+struct Propped : Stage {
+  Propped() {
+    put("table", box_triangles(Vec3(0.25, 0.25, 0.125)), {0, 0, 0.5});
+    put("post", box_triangles(Vec3(0.0625, 0.0625, 0.125)), {0.5, 0, 0.5});
+    const double e = clearance();
+    scene.unlink(*scene.find("table"));
+    Object& table = scene.at(*scene.find("table"));
+    table.pose.translation.z() += 14 * e;
+    table.fixed = true, table.state = ObjectState::Fixed;
+    const ObjectId plank =
+        scene.add(test::object_of("plank", box_triangles(Vec3(0.375, 0.0625, 0.03125))));
+    const OperationResult result = stand(scene, plank, {{}, Vec3(0.3125, 0, 0.28125 + 16 * e)});
+    EXPECT_TRUE(result.ok()) << result.reason;
+    EXPECT_EQ(at("plank").state, ObjectState::Stable);
+    EXPECT_EQ(at("plank").links.size(), 1u);
+    EXPECT_LT(at("plank").stability_margin, 0);
+  }
+};
+
+// Sequence 76: what holds an object without touching it goes away.
+TEST(Group, NamesWhatLeanedOnSomethingNear) {
+  for (const bool settle_left : {false, true}) {
+    for (const Operation& operation :
+         {Operation{TranslateOperation{{"post", settle_left}, Vec3(0, 0.5, 0)}},
+          Operation{DeleteOperation{{"post", settle_left}}},
+          Operation{TranslateOperation{{"plank", settle_left}, Vec3(0, 0.1875, 0)}}}) {
+      Propped s;
+      const OperationResult result = s.run(operation);
+      ASSERT_TRUE(result.ok()) << result.reason;
+      if (object_name(operation) == "plank") {
+        EXPECT_EQ(s.at("plank").state, ObjectState::Held);
+      } else if (settle_left) {
+        EXPECT_EQ(result.settled, std::vector<std::string>{"plank"});
+        EXPECT_EQ(s.at("plank").state, ObjectState::Stable);
+        EXPECT_LT(s.position("plank").z(), 0.28);
+      } else {
+        EXPECT_EQ(result.unsupported, std::vector<std::string>{"plank"});
+        EXPECT_EQ(s.at("plank").state, ObjectState::Unsupported);
+      }
+    }
+  }
+}
+
+// The same when the plank moves along with the table, and the post stays.
+TEST(Group, NamesACarriedObjectThatLeanedOnSomethingNear) {
+  Propped s;
+  Object& table = s.scene.at(*s.scene.find("table"));
+  table.fixed = false, table.state = ObjectState::Held;
+  const OperationResult result = s.run(TranslateOperation{{"table"}, Vec3(-0.5, 0, 0)});
+  ASSERT_TRUE(result.ok()) << result.reason;
+  EXPECT_EQ(result.carried, std::vector<std::string>{"plank"});
+  EXPECT_EQ(result.unsupported, std::vector<std::string>{"plank"});
+}
+
 }  // namespace
 }  // namespace trivet

@@ -1,0 +1,280 @@
+#include "random_sequence.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <map>
+
+#include "core/scene/fingerprint.h"
+#include "core/shapes/models.h"
+#include "ops/layout/operation_json.h"
+#include "ops/stopwatch.h"
+#include "support/same_scene.h"
+#include "support/shared_data.h"
+#include "support/solids.h"
+
+namespace trivet::test {
+namespace {
+
+// --- models ------------------------------------------------------------------------------------
+
+struct RealModel {
+  const char* file;
+  double scale;
+  UpAxis up;
+};
+constexpr RealModel kRealModels[] = {{"sh3d_by_choppingBoard.obj", 0.00998942, UpAxis::Y},
+                                     {"contactdb_bowl.stl", 1, UpAxis::Z},
+                                     {"gazebo_plastic_cup.obj", 1, UpAxis::Z},
+                                     {"sh3d_by_spoon.obj", 0.00998615, UpAxis::Y},
+                                     {"sh3d_s_toaster.obj", 0.00999713, UpAxis::Y},
+                                     {"gso_silver_tape.obj", 1, UpAxis::Z},
+                                     {"sh3d_s_bandeja.obj", 0.00998825, UpAxis::Y},
+                                     {"ripc_nut-big.obj", 0.004, UpAxis::Y},
+                                     {"sh3d_c0_bread.obj", 0.00999396, UpAxis::Y},
+                                     {"sh3d_s_marteau.obj", 0.0100125, UpAxis::Y}};
+constexpr const char* kMadeModels[] = {"saucer", "plate", "cup",   "glass", "bowl", "spoon",
+                                       "knife",  "apple", "toast", "loaf",  "egg"};
+
+// Loaded once.
+const Object& stored(const std::string& key, const std::function<Object()>& make) {
+  static std::map<std::string, Object> objects;
+  const auto it = objects.find(key);
+  return it != objects.end() ? it->second : objects.emplace(key, make()).first->second;
+}
+
+Object object_with(Model loaded, double scale, UpAxis up) {
+  Object object;
+  object.shape = make_shape(loaded.mesh);
+  object.model = std::make_shared<const Model>(std::move(loaded));
+  object.scale = scale;
+  object.up = up;
+  return object;
+}
+
+Object made(const std::string& name) {
+  return stored(name, [&] { return object_with(shapes::make_model(name), 1, UpAxis::Z); });
+}
+
+Object real(const RealModel& m) {
+  return stored(m.file, [&] {
+    return object_with(read_model(shared_data("models/") + m.file), m.scale, m.up);
+  });
+}
+
+void add(Scene& scene, Object object, const std::string& name) {
+  object.name = name;
+  scene.add(std::move(object));
+}
+
+// A board that does not move, somewhat above the floor, and `count` objects out of the scene.
+Scene start_scene(Random& random, ModelKind kind, int count) {
+  Scene scene;
+  Object board = object_of("board", box_triangles(Vec3(0.35, 0.3, 0.01)), true);
+  const ObjectId id = scene.add(std::move(board));
+  EXPECT_TRUE(stand(scene, id, {{}, Vec3(0, 0, 0.05)}).ok());
+  for (int i = 0; i < count; ++i) {
+    const std::string name = std::string("o").append(std::to_string(i));
+    if (kind == ModelKind::Real)
+      add(scene, real(kRealModels[random.integer(0, std::size(kRealModels) - 1)]), name);
+    else
+      add(scene, made(kMadeModels[random.integer(0, std::size(kMadeModels) - 1)]), name);
+  }
+  return scene;
+}
+
+// --- operations --------------------------------------------------------------------------------
+
+Operation random_put(Random& random, const std::string& name) {
+  PutOperation put;
+  put.object = name;
+  put.settle_left = random.integer(0, 1);
+  put.start.translation = random.beside(0.3, 0.5);
+  if (random.integer(0, 2) == 0) put.start.rotation = random.rotation();
+  return put;
+}
+
+Operation random_push(Random& random, const std::string& name) {
+  PushOperation push;
+  push.object = name;
+  push.settle_left = random.integer(0, 1);
+  const double x = random.uniform(-1, 1), y = random.uniform(-1, 1);
+  push.direction = Vec2(x, y);
+  push.distance = random.uniform(0.01, 0.3);
+  push.slide = random.integer(0, 1);
+  return push;
+}
+
+Operation random_turn(Random& random, const std::string& name) {
+  TurnOperation turn;
+  turn.object = name;
+  turn.settle_left = random.integer(0, 1);
+  const int about = random.integer(0, 2);
+  turn.about = about == 0   ? TurnOperation::About::Normal
+               : about == 1 ? TurnOperation::About::Line
+                            : TurnOperation::About::Point;
+  turn.angle_deg = random.uniform(-60, 60);
+  turn.settle = random.integer(0, 1);
+  return turn;
+}
+
+Operation random_pick_up(Random& random, const std::string& name) {
+  PickUpOperation pick_up;
+  pick_up.object = name;
+  pick_up.settle_left = random.integer(0, 1);
+  pick_up.distance = random.uniform(0.01, 0.2);
+  return pick_up;
+}
+
+Operation random_translate(Random& random, const std::string& name) {
+  TranslateOperation translate;
+  translate.object = name;
+  translate.settle_left = random.integer(0, 1);
+  translate.by = random.in_cube(0.2);
+  translate.settle = random.integer(0, 1);
+  return translate;
+}
+
+Operation random_rotate(Random& random, const std::string& name) {
+  RotateOperation rotate;
+  rotate.object = name;
+  rotate.settle_left = random.integer(0, 1);
+  rotate.axis = random.direction();
+  rotate.angle_deg = random.uniform(-90, 90);
+  rotate.settle = random.integer(0, 1);
+  return rotate;
+}
+
+Operation random_edit(Random& random, const std::string& name, int number) {
+  switch (random.integer(0, 4)) {
+    case 0: {
+      DeleteOperation remove;
+      remove.object = name;
+      remove.settle_left = random.integer(0, 1);
+      return remove;
+    }
+    case 1:
+      return DuplicateOperation{name, std::string("copy").append(std::to_string(number))};
+    case 2:
+      return LockOperation{name, true};
+    case 3:
+      return LockOperation{name, false};
+    default:
+      return GroupOperation{name, random.integer(0, 1) ? "group" : ""};
+  }
+}
+
+Operation random_operation(Random& random, const Scene& scene, int number) {
+  const std::vector<ObjectId> ids = scene.ids();
+  const Object& object = scene.at(ids[random.integer(1, static_cast<int>(ids.size()) - 1)]);
+  const int kind = object.placed ? random.integer(0, 9) : random.integer(0, 12) == 12 ? 9 : 0;
+  switch (kind) {
+    case 0:
+    case 1:
+      return random_put(random, object.name);
+    case 2:
+    case 3:
+      return random_push(random, object.name);
+    case 4:
+      return random_turn(random, object.name);
+    case 5:
+      return random_pick_up(random, object.name);
+    case 6:
+    case 7:
+      return random_translate(random, object.name);
+    case 8:
+      return random_rotate(random, object.name);
+    default:
+      return random_edit(random, object.name, number);
+  }
+}
+
+// --- a whole sequence --------------------------------------------------------------------------
+
+class Sequence {
+ public:
+  Sequence(unsigned seed, ModelKind kind, const SequenceOptions& options)
+      : m_random(seed),
+        m_session(start_scene(m_random, kind, kind == ModelKind::Real ? 6 : 7), {}, {}),
+        m_options(options),
+        m_start(m_session.scene()) {
+    m_settle.clearance = kSequenceClearance;
+    m_settle.detector = options.detector;
+    m_states.push_back(fingerprint(m_session.scene()));
+  }
+
+  Outcome run() {
+    for (int i = 0; i < kOperations; ++i)
+      if (!do_one(i)) break;
+    go_back_and_forth();
+    Hash hash;
+    for (const std::uint64_t state : m_states) hash.add(state);
+    m_outcome.hash = hash.value();
+    return m_outcome;
+  }
+
+ private:
+  /// @return whether to go on.
+  bool do_one(int i) {
+    const Operation operation = random_operation(m_random, m_session.scene(), i);
+    const Stopwatch stopwatch;
+    const OperationResult result = m_session.perform(operation, m_settle);
+    m_outcome.seconds += stopwatch.milliseconds() / 1000;
+    const std::string text = operation_json(operation).dump();
+    SCOPED_TRACE("operation " + std::to_string(i) + ": " + text);
+    if (m_options.tell)
+      std::printf("%2d %s: %s\n", i, text.c_str(), result.ok() ? "ok" : result.reason.c_str());
+    if (!result.ok()) {
+      EXPECT_FALSE(result.reason.empty());
+      EXPECT_EQ(fingerprint(m_session.scene()), m_states.back());
+      return true;
+    }
+    ++m_outcome.num_done;
+    m_states.push_back(fingerprint(m_session.scene()));
+    return !m_options.holds || m_options.holds(m_session.scene());
+  }
+
+  void go_back_and_forth() {
+    for (size_t i = m_states.size() - 1; i-- > 0;) {
+      EXPECT_TRUE(m_session.undo());
+      EXPECT_EQ(fingerprint(m_session.scene()), m_states[i]);
+    }
+    EXPECT_EQ(difference(m_session.scene(), m_start), "");
+    for (size_t i = 1; i < m_states.size(); ++i) {
+      EXPECT_TRUE(m_session.redo());
+      EXPECT_EQ(fingerprint(m_session.scene()), m_states[i]);
+    }
+  }
+
+  Random m_random;
+  Session m_session;
+  const SequenceOptions& m_options;
+  const Scene m_start;
+  SettleOptions m_settle;
+  std::vector<std::uint64_t> m_states;
+  Outcome m_outcome;
+};
+
+}  // namespace
+
+Outcome run_sequence(unsigned seed, ModelKind kind, const SequenceOptions& options) {
+  return Sequence(seed, kind, options).run();
+}
+
+std::vector<unsigned> chosen_seeds(int count) {
+  unsigned first = 0, last = static_cast<unsigned>(count) - 1;
+  if (const char* text = std::getenv("TRIVET_SEQUENCE")) {
+    char* end = nullptr;
+    first = last = static_cast<unsigned>(std::strtoul(text, &end, 10));
+    if (*end == '-') last = static_cast<unsigned>(std::strtoul(end + 1, nullptr, 10));
+  }
+  std::vector<unsigned> out;
+  for (unsigned seed = first; seed <= last; ++seed) out.push_back(seed);
+  return out;
+}
+
+bool is_one_seed() {
+  return std::getenv("TRIVET_SEQUENCE") != nullptr && chosen_seeds(1).size() == 1;
+}
+
+}  // namespace trivet::test
