@@ -1,0 +1,199 @@
+#include "apps/edit/document/document.h"
+
+#include <QElapsedTimer>
+#include <QEventLoop>
+#include <QTimer>
+#include <algorithm>
+
+#include "apps/edit/document/engine.h"
+#include "apps/edit/document/recovery.h"
+
+namespace trivet::edit {
+
+Document::Document(DocumentOptions options, QObject* parent)
+    : QObject(parent), m_options(std::move(options)) {
+  auto empty = std::make_shared<SceneSnapshot>();
+  empty->support = std::make_shared<const LoadSupport>();
+  m_snapshot = std::move(empty);
+  m_title = "Untitled";
+  m_engine = std::make_unique<Engine>(*this, m_options);
+  new_scene();
+}
+
+Document::~Document() = default;
+
+// --- jobs --------------------------------------------------------------------------------------
+
+Document::Job Document::start(const std::string& what, std::function<bool(Engine&)> work) {
+  ++m_num_jobs;
+  const Job job = ++m_last_job;
+  m_engine->post(job, what, std::move(work));
+  if (m_num_jobs == 1) Q_EMIT busy_changed();
+  return job;
+}
+
+void Document::end(Job job, bool ok) {
+  --m_num_jobs;
+  m_busy_with.clear();
+  Q_EMIT finished(job, ok);
+  Q_EMIT busy_changed();
+}
+
+void Document::show(State state) {
+  m_snapshot = std::move(state.snapshot);
+  m_history = std::move(state.history);
+  const bool renamed = m_file != state.file || m_title != state.title;
+  m_file = std::move(state.file);
+  m_title = std::move(state.title);
+  m_modified = state.modified;
+  Q_EMIT snapshot_changed();
+  Q_EMIT history_changed();
+  if (renamed) Q_EMIT file_changed();
+  set_selection(m_selection);
+}
+
+void Document::cancel() {
+  if (m_dragging) cancel_drag();
+  m_engine->cancel();
+}
+
+// --- files -------------------------------------------------------------------------------------
+
+Document::Job Document::new_scene() {
+  return start("new scene", [](Engine& engine) { return engine.new_scene(); });
+}
+
+Document::Job Document::open(const std::string& file) {
+  return start("open \"" + file + "\"", [file](Engine& engine) { return engine.open(file); });
+}
+
+Document::Job Document::open_demo(const std::string& name) {
+  return start("demo \"" + name + "\"", [name](Engine& engine) { return engine.open_demo(name); });
+}
+
+Document::Job Document::save() {
+  return start("save", [](Engine& engine) { return engine.save_as(engine.file()); });
+}
+
+Document::Job Document::save_as(const std::string& file) {
+  return start("save \"" + file + "\"", [file](Engine& engine) { return engine.save_as(file); });
+}
+
+Document::Job Document::export_to(const std::string& file) {
+  return start("export \"" + file + "\"",
+               [file](Engine& engine) { return engine.export_to(file); });
+}
+
+Document::Job Document::close() {
+  return start("close", [](Engine& engine) { return engine.close(); });
+}
+
+std::vector<Recoverable> Document::recoverable() const {
+  return recoverable_sessions(m_options.recovery_folder);
+}
+
+Document::Job Document::restore(const std::string& journal) {
+  return start("restore", [journal](Engine& engine) { return engine.restore(journal); });
+}
+
+void Document::discard(const std::string& journal) { discard_session(journal); }
+
+// --- operations --------------------------------------------------------------------------------
+
+Document::Job Document::perform(const Operation& operation) {
+  std::string what = op_name(operation);
+  what.append(" \"").append(object_name(operation)).append("\"");
+  return start(what, [operation](Engine& engine) { return engine.perform(operation); });
+}
+
+Document::Job Document::perform_all(const std::string& name, std::vector<Operation> operations) {
+  return start(name, [operations = std::move(operations)](Engine& engine) {
+    return engine.perform_all(operations);
+  });
+}
+
+Document::Job Document::import_model(const ImportModel& model) {
+  return start("import \"" + model.file + "\"",
+               [model](Engine& engine) { return engine.import_model(model); });
+}
+
+Document::Job Document::undo() {
+  return start("undo", [](Engine& engine) {
+    return engine.num_done() > 0 && engine.go_to_step(engine.num_done() - 1);
+  });
+}
+
+Document::Job Document::redo() {
+  return start("redo", [](Engine& engine) { return engine.go_to_step(engine.num_done() + 1); });
+}
+
+Document::Job Document::go_to_step(size_t num_done) {
+  return start("history", [num_done](Engine& engine) { return engine.go_to_step(num_done); });
+}
+
+// --- selection ---------------------------------------------------------------------------------
+
+void Document::set_selection(Selection selection) {
+  selection = pruned(std::move(selection), *m_snapshot);
+  if (selection == m_selection) return;
+  m_selection = std::move(selection);
+  Q_EMIT selection_changed();
+}
+
+void Document::select(Selection selection) { set_selection(std::move(selection)); }
+
+void Document::select_only(std::optional<ObjectId> id) {
+  Selection selection;
+  if (id) selection.objects.push_back(*id);
+  set_selection(std::move(selection));
+}
+
+// --- drags -------------------------------------------------------------------------------------
+
+void Document::begin_drag(const Operation& operation) {
+  m_drag = operation;
+  m_dragging = true;
+}
+
+void Document::drag_to(const Vec3& goal) {
+  if (!m_drag) return;
+  if (auto* const push = std::get_if<PushOperation>(&*m_drag)) push->to = Vec2(goal.head<2>());
+  if (auto* const move = std::get_if<TranslateOperation>(&*m_drag)) move->by = goal;
+}
+
+void Document::drag_by(double amount) {
+  if (!m_drag) return;
+  if (auto* const turn = std::get_if<TurnOperation>(&*m_drag)) turn->angle_deg = amount;
+  if (auto* const turn = std::get_if<RotateOperation>(&*m_drag)) turn->angle_deg = amount;
+  if (auto* const pick = std::get_if<PickUpOperation>(&*m_drag)) pick->distance = amount;
+}
+
+Document::Job Document::end_drag() {
+  if (!m_drag) return 0;
+  const Operation operation = *m_drag;
+  cancel_drag();
+  return perform(operation);
+}
+
+void Document::cancel_drag() {
+  m_drag.reset();
+  m_dragging = false;
+}
+
+// --- ghost -------------------------------------------------------------------------------------
+
+void Document::request_ghost(const Operation&) {}
+void Document::clear_ghost() { m_ghost.reset(); }
+
+bool Document::wait_until_idle(int timeout_ms) {
+  QElapsedTimer timer;
+  timer.start();
+  QEventLoop loop;
+  while (is_busy() && timer.elapsed() < timeout_ms) {
+    QTimer::singleShot(20, &loop, &QEventLoop::quit);
+    loop.exec();
+  }
+  return !is_busy();
+}
+
+}  // namespace trivet::edit

@@ -1,0 +1,85 @@
+// What the document does on its own thread: the session, its files, its journal. Private.
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <mutex>
+#include <thread>
+
+#include "apps/edit/document/document.h"
+#include "apps/edit/document/file_lock.h"
+#include "apps/edit/document/snapshot_maker.h"
+#include "ops/session/restore.h"
+
+namespace trivet::edit {
+
+/// Public functions above the line are for the document's thread, those below for jobs.
+class Engine {
+ public:
+  Engine(Document& document, DocumentOptions options);
+  ~Engine();
+
+  using Work = std::function<bool(Engine&)>;
+  /// @param work  @return whether it did what it should.
+  void post(Document::Job job, const std::string& what, Work work);
+  void cancel();
+
+  // ---------------------------------------------------------------------------------------------
+
+  bool new_scene();
+  bool open(const std::string& file);
+  bool open_demo(const std::string& name);
+  bool save_as(const std::string& file);
+  bool export_to(const std::string& file);
+  bool close();
+  bool restore(const std::string& journal);
+  bool perform(const Operation& operation);
+  bool perform_all(const std::vector<Operation>& operations);
+  bool import_model(const ImportModel& model);
+  bool go_to_step(size_t num_done);
+  size_t num_done() const { return m_opened->session.num_done(); }
+  const std::string& file() const { return m_file; }
+
+ private:
+  struct Item {
+    Document::Job job;
+    std::string what;
+    Work work;
+    std::uint64_t generation;
+  };
+  void run();
+  bool run(const Item& item);
+  void tell(std::function<void(Document&)> what);
+  void tell(Message message);
+  void tell(const OperationResult& result, const Operation& operation);
+
+  RunOptions run_options();
+  void adopt(OpenedSession opened, const std::string& file, const std::string& title,
+             std::unique_ptr<FileLock> lock);
+  void leave_session();
+  std::string new_journal() const;
+  std::unique_ptr<FileLock> locked(const std::string& file) const;
+  std::string model_path(const std::string& file) const;
+  OpenedSession opened_from(const std::string& file);
+  void publish();
+
+  Document& m_document;
+  DocumentOptions m_options;
+  std::atomic<bool> m_cancel = false;
+
+  std::optional<OpenedSession> m_opened;  // never nothing while jobs run
+  std::string m_file, m_title;
+  std::unique_ptr<FileLock> m_lock;
+  SnapshotMaker m_snapshots;
+
+  std::mutex m_mutex;  // of what is below
+  std::condition_variable m_wake;
+  std::deque<Item> m_items;
+  std::uint64_t m_generation = 0;
+  bool m_stop = false;
+  std::thread m_thread;
+};
+
+}  // namespace trivet::edit

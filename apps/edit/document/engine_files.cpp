@@ -1,0 +1,214 @@
+// What the document's thread does with files.
+#include <unistd.h>
+
+#include <atomic>
+#include <chrono>
+#include <filesystem>
+
+#include "apps/edit/document/engine.h"
+#include "apps/edit/document/layout_paths.h"
+#include "core/base/error.h"
+#include "core/io/export.h"
+#include "ops/demo/demo.h"
+#include "ops/layout/paths.h"
+#include "ops/report/scene_file.h"
+#include "ops/session/journal.h"
+
+namespace trivet::edit {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string extension_of(const std::string& file) {
+  std::string out = fs::path(file).extension().string();
+  for (char& c : out) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return out;
+}
+
+void make_folder(const std::string& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw Error(Error::Kind::Environment, folder + ": cannot be made: " + error.message());
+}
+
+void write_demo(const DemoLayout& demo, const std::string& folder) {
+  for (const DemoModel& made : demo.models) {
+    ExportScene scene;
+    scene.objects.push_back({fs::path(made.file).stem().string(),
+                             std::make_shared<const Model>(made.model), Affine{}, ""});
+    write_scene(scene, (fs::path(folder) / made.file).string());
+  }
+  write_file_atomically((fs::path(folder) / "layout.json").string(), layout_json(demo));
+}
+
+// Of a model's file, made so that no object of the scene has it.
+std::string new_name(const Scene& scene, const std::string& wanted) {
+  std::string name = is_object_name(wanted) ? wanted : "object";
+  for (int i = 2; scene.find(name); ++i)
+    name = (is_object_name(wanted) ? wanted : "object") + "_" + std::to_string(i);
+  return name;
+}
+
+}  // namespace
+
+// A name that no other session has had.
+std::string Engine::new_journal() const {
+  if (m_options.recovery_folder.empty()) return "";
+  make_folder(m_options.recovery_folder);
+  static std::atomic<int> counter = 0;
+  const auto now = std::chrono::system_clock::now().time_since_epoch().count();
+  std::string name = "session-" + std::to_string(now) + "-" + std::to_string(getpid());
+  name.append("-").append(std::to_string(++counter)).append(".journal");
+  return (fs::path(m_options.recovery_folder) / name).string();
+}
+
+std::unique_ptr<FileLock> Engine::locked(const std::string& file) const {
+  if (m_options.recovery_folder.empty()) return nullptr;
+  if (m_lock && m_lock->file() == file) return nullptr;  // by this document already
+  return std::make_unique<FileLock>((fs::path(m_options.recovery_folder) / "locks").string(), file);
+}
+
+void Engine::adopt(OpenedSession opened, const std::string& file, const std::string& title,
+                   std::unique_ptr<FileLock> lock) {
+  leave_session();
+  m_opened.emplace(std::move(opened));
+  m_opened->session.on_event(
+      [this](const SessionEvent& event) { m_snapshots.note_changed(event.changed); });
+  m_file = file;
+  m_title = title;
+  m_lock = std::move(lock);
+  m_snapshots.forget();
+  publish();
+  for (const std::string& note : m_opened->notes) tell(Message{Message::Kind::Info, note, {}, {}});
+}
+
+// What was kept in case of a crash is not needed any more.
+void Engine::leave_session() {
+  if (!m_opened) return;
+  std::string journal;
+  if (const Journal* const kept = m_opened->session.journal()) journal = kept->path();
+  m_opened.reset();
+  if (!journal.empty()) remove_recovery_files(journal);
+}
+
+bool Engine::new_scene() {
+  const std::string journal = new_journal();
+  OpenedSession opened{Session(Scene(), Layout(), models_in_folder("")), "", "", 0, {}};
+  if (!journal.empty()) {
+    const std::string start = journal + ".json";
+    write_file_atomically(start, write_layout(Layout()));
+    opened = open_session(start, run_options(), m_options.limits, journal);
+  }
+  adopt(std::move(opened), "", "Untitled", nullptr);
+  return true;
+}
+
+bool Engine::open(const std::string& file) {
+  auto lock = locked(file);
+  if (!lock && m_lock && m_lock->file() == file) lock = std::move(m_lock);
+  const std::string extension = extension_of(file);
+  try {
+    if (extension != ".glb" && extension != ".json")
+      throw Error(Error::Kind::BadInput,
+                  file + ": accepted: a scene (.glb) that Trivet wrote, or a layout (.json)");
+    OpenedSession opened = open_session(file, run_options(), m_options.limits, new_journal());
+    adopt(std::move(opened), extension == ".glb" ? file : "", fs::path(file).filename().string(),
+          std::move(lock));
+  } catch (...) {
+    if (lock && m_file == file) m_lock = std::move(lock);
+    throw;
+  }
+  return true;
+}
+
+bool Engine::open_demo(const std::string& name) {
+  const DemoLayout demo = make_demo(name);
+  if (m_options.recovery_folder.empty())
+    throw Error(Error::Kind::Environment,
+                "demos need a folder for their files; accepted: an "
+                "editor that keeps what a crash must not lose");
+  const std::string folder = (fs::path(m_options.recovery_folder) / "demos" / name).string();
+  make_folder(folder);
+  write_demo(demo, folder);
+  const std::string layout = (fs::path(folder) / "layout.json").string();
+  adopt(open_session(layout, run_options(), m_options.limits, new_journal()), "", name, nullptr);
+  return true;
+}
+
+bool Engine::save_as(const std::string& file) {
+  const std::string extension = extension_of(file);
+  if (extension == ".json") {
+    write_file_atomically(file,
+                          write_layout(moved_layout(m_opened->session.layout(),
+                                                    folder_from(file, m_opened->model_folder))));
+    return true;
+  }
+  if (extension != ".glb")
+    throw Error(Error::Kind::BadInput, file + ": accepted: a file that ends in .glb or .json");
+  auto lock = locked(file);
+  save_session(*m_opened, m_options.version, file);
+  if (lock) m_lock = std::move(lock);
+  m_file = file;
+  m_title = fs::path(file).filename().string();
+  publish();
+  return true;
+}
+
+bool Engine::export_to(const std::string& file) {
+  SceneFileOptions options;
+  options.version = m_options.version;
+  options.clearance = m_opened->clearance;
+  options.model_folder = folder_from(file, m_opened->model_folder);
+  write_scene_file(m_opened->session.scene(), m_opened->session.layout(), options, file);
+  return true;
+}
+
+bool Engine::close() {
+  leave_session();
+  m_lock.reset();
+  OpenedSession opened{Session(Scene(), Layout(), models_in_folder("")), "", "", 0, {}};
+  adopt(std::move(opened), "", "Untitled", nullptr);
+  return true;
+}
+
+bool Engine::restore(const std::string& journal) {
+  RestoredSession restored = restore_session(journal, run_options(), m_options.limits, true);
+  const JournalContent content = read_journal(journal);
+  std::string file = saved_file_of(journal, content);
+  std::unique_ptr<FileLock> lock;
+  if (!file.empty()) lock = locked(file);
+  adopt(std::move(restored.opened), file,
+        file.empty() ? "Untitled" : fs::path(file).filename().string(), std::move(lock));
+  return restored.exact;
+}
+
+// As the scene's own models have theirs: relative where the file lies below their folder.
+std::string Engine::model_path(const std::string& file) const {
+  const std::string folder = m_opened->model_folder;
+  const fs::path whole = fs::absolute(file).lexically_normal();
+  const fs::path way =
+      whole.lexically_relative(fs::absolute(folder.empty() ? "." : folder).lexically_normal());
+  if (way.empty() || *way.begin() == "..") return whole.generic_string();
+  return way.generic_string();
+}
+
+bool Engine::import_model(const ImportModel& model) {
+  const Scene& scene = m_opened->session.scene();
+  AppendOperation append;
+  append.object =
+      new_name(scene, model.name.empty() ? fs::path(model.file).stem().string() : model.name);
+  append.model = model_path(model.file);
+  append.scale = model.scale;
+  append.up = model.up;
+  append.fixed = model.fixed;
+  if (!perform(append)) return false;
+  const ObjectId id = *scene.find(append.object);
+  tell([id](Document& document) { document.select_only(id); });
+  if (!model.put) return true;
+  PutOperation put;
+  put.object = append.object;
+  put.start = *model.put;
+  return perform(put);
+}
+
+}  // namespace trivet::edit

@@ -1,0 +1,23 @@
+// What the editor says to the user: never a silent nothing.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/scene/scene.h"
+
+namespace trivet::edit {
+
+struct Message {
+  enum class Kind {
+    Info,     // done, with something to say: what was carried, left without support, blocked by
+    Refused,  // an operation, by the geometry: the scene is as it was
+    Error,    // a file, the disk: names what, the value and what is accepted
+  };
+  Kind kind = Kind::Info;
+  std::string text;
+  std::vector<ObjectId> objects;  // to be lit in the scene
+  std::vector<Vec3> points;       // to be marked there, world
+};
+
+}  // namespace trivet::edit

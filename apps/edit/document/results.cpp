@@ -1,0 +1,79 @@
+#include "apps/edit/document/results.h"
+
+#include <algorithm>
+
+namespace trivet::edit {
+namespace {
+
+void add(std::vector<ObjectId>& ids, std::optional<ObjectId> id) {
+  if (id && std::find(ids.begin(), ids.end(), *id) == ids.end()) ids.push_back(*id);
+}
+
+// Reasons quote the names of objects.
+void add_quoted(const Scene& scene, const std::string& text, std::vector<ObjectId>& ids) {
+  for (const ObjectId id : scene.ids())
+    if (text.find("\"" + scene.at(id).name + "\"") != std::string::npos) add(ids, id);
+}
+
+std::string quoted(const std::vector<std::string>& names) {
+  std::string out;
+  for (size_t i = 0; i < names.size(); ++i) {
+    if (i > 0) out.append(i + 1 < names.size() ? ", " : " and ");
+    out.append("\"").append(names[i]).append("\"");
+  }
+  return out;
+}
+
+std::string why_it_ended(const OperationResult& result) {
+  const std::string by =
+      result.blocked_by == "floor" ? std::string("the floor") : quoted({result.blocked_by});
+  switch (result.end) {
+    case OperationResult::End::Blocked:
+      return "stopped by " + by;
+    case OperationResult::End::Step:
+      return "stopped by a step of " + by + " that is higher than allowed";
+    case OperationResult::End::Edge:
+      return "stopped before an edge that is deeper than allowed";
+    case OperationResult::End::AtRest:
+    case OperationResult::End::Reached:
+      break;
+  }
+  return "";
+}
+
+void add_sentence(std::string& text, const std::string& sentence) {
+  if (!text.empty()) text.append("; ");
+  text.append(sentence);
+}
+
+}  // namespace
+
+std::optional<Message> message_of(const Scene& scene, const Operation& operation,
+                                  const OperationResult& result) {
+  Message message;
+  std::string name = "\"";
+  name.append(object_name(operation)).append("\"");
+  if (!result.ok()) {
+    message.kind = Message::Kind::Refused;
+    message.text = result.reason;
+    add(message.objects, scene.find(object_name(operation)));
+    add_quoted(scene, result.reason, message.objects);
+    return message;
+  }
+  std::string what = why_it_ended(result);
+  if (!what.empty()) {
+    add(message.objects, scene.find(result.blocked_by));
+    if (result.end != OperationResult::End::Edge) message.points.push_back(result.blocked_at);
+  }
+  if (!result.unsupported.empty())
+    add_sentence(what, quoted(result.unsupported) + " left without support");
+  if (!result.interpenetrates.empty())
+    add_sentence(what, "interpenetrates " + quoted(result.interpenetrates));
+  if (what.empty()) return std::nullopt;
+  for (const auto* const names : {&result.unsupported, &result.interpenetrates})
+    for (const std::string& other : *names) add(message.objects, scene.find(other));
+  message.text = name.append(": ").append(what);
+  return message;
+}
+
+}  // namespace trivet::edit

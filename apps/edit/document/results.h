@@ -1,0 +1,15 @@
+// Results of operations as messages. Private.
+#pragma once
+
+#include <optional>
+
+#include "apps/edit/document/message.h"
+#include "ops/operation.h"
+
+namespace trivet::edit {
+
+/// What there is to say; nothing: it went as was asked for.
+std::optional<Message> message_of(const Scene& scene, const Operation& operation,
+                                  const OperationResult& result);
+
+}  // namespace trivet::edit

@@ -1,0 +1,43 @@
+#include "apps/edit/document/selection.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace trivet::edit {
+
+bool Selection::contains(ObjectId id) const {
+  return std::find(objects.begin(), objects.end(), id) != objects.end();
+}
+
+std::optional<ObjectId> Selection::active() const {
+  if (objects.empty()) return std::nullopt;
+  return objects.back();
+}
+
+Selection pruned(Selection selection, const SceneSnapshot& scene) {
+  std::erase_if(selection.objects, [&](ObjectId id) { return !scene.find(id); });
+  if (!selection.contact) return selection;
+  const auto active = selection.active();
+  const ObjectSnapshot* const object = active ? scene.find(*active) : nullptr;
+  const auto still = [&](const Link& link) { return link.with == selection.contact->with; };
+  if (!object || std::none_of((*object)->links.begin(), (*object)->links.end(), still))
+    selection.contact.reset();
+  return selection;
+}
+
+const Link* active_link(const Selection& selection, const SceneSnapshot& scene) {
+  const auto active = selection.active();
+  const ObjectSnapshot* const object = active ? scene.find(*active) : nullptr;
+  if (!object) return nullptr;
+  const auto rank = [](const Link& link) {
+    return std::make_tuple(holds_up(link.contact), link.contact.type, link.contact.normal.z());
+  };
+  const Link* best = nullptr;
+  for (const Link& link : (*object)->links) {
+    if (selection.contact && link.with == selection.contact->with) return &link;
+    if (!best || rank(link) > rank(*best)) best = &link;
+  }
+  return best;
+}
+
+}  // namespace trivet::edit

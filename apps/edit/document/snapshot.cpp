@@ -1,0 +1,32 @@
+#include "apps/edit/document/snapshot.h"
+
+#include <algorithm>
+
+#include "core/contact/body.h"
+
+namespace trivet::edit {
+
+const ObjectSnapshot* SceneSnapshot::find(ObjectId id) const {
+  const auto found = std::find_if(objects.begin(), objects.end(),
+                                  [&](const ObjectSnapshot& o) { return o.id == id; });
+  return found == objects.end() ? nullptr : &*found;
+}
+
+const ObjectSnapshot* SceneSnapshot::find(const std::string& name) const {
+  const auto found = std::find_if(objects.begin(), objects.end(),
+                                  [&](const ObjectSnapshot& o) { return o->name == name; });
+  return found == objects.end() ? nullptr : &*found;
+}
+
+Aabb SceneSnapshot::box() const {
+  Aabb box;
+  for (const ObjectSnapshot& o : objects)
+    if (o->placed) box.extend(world_box(*o.object));
+  return box;
+}
+
+Aabb world_box(const Object& object) {
+  return Body(*object.shape, object.world_from_object()).world_box;
+}
+
+}  // namespace trivet::edit

@@ -1,0 +1,26 @@
+// Makes snapshots that share what has not changed. Private.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "apps/edit/document/snapshot.h"
+
+namespace trivet::edit {
+
+class SnapshotMaker {
+ public:
+  /// Another scene: nothing is shared.
+  void forget();
+  /// Since the last snapshot; objects that are gone, too.
+  void note_changed(std::span<const ObjectId> ids);
+  std::shared_ptr<const SceneSnapshot> make(const Scene& scene, double clearance);
+
+ private:
+  std::shared_ptr<const SceneSnapshot> m_last;
+  std::vector<ObjectId> m_changed;
+  std::uint64_t m_revision = 0, m_committed = 0;
+};
+
+}  // namespace trivet::edit

@@ -1,0 +1,36 @@
+// What the mouse and the keyboard do in a window, free of Qt's widgets.
+#pragma once
+
+#include "apps/edit/tools/view.h"
+
+namespace trivet::edit {
+
+enum class WindowKind { Perspective, Constraint, ThreeView };
+
+enum class MouseButton { None, Left, Middle, Right };
+
+struct Modifiers {
+  bool shift = false, control = false, alt = false;
+};
+
+struct PointerEvent {
+  enum class Kind { Press, Move, Release, DoubleClick, Leave };
+  Kind kind = Kind::Move;
+  Vec2 px = Vec2::Zero();                  // see View
+  MouseButton button = MouseButton::None;  // of Press, Release and DoubleClick
+  bool left_is_down = false;
+  Modifiers modifiers;
+  WindowKind window = WindowKind::Perspective;
+  View view;  // of that window, now
+
+  Ray ray() const { return view.ray(px); }
+};
+
+struct KeyEvent {
+  enum class Key { Escape, Return, Delete, Character };
+  Key key = Key::Character;
+  char character = 0;  // lower case, of Character
+  Modifiers modifiers;
+};
+
+}  // namespace trivet::edit

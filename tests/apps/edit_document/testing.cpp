@@ -1,0 +1,58 @@
+#include "apps/edit_document/testing.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <stdexcept>
+
+namespace trivet::edit::test {
+
+namespace fs = std::filesystem;
+
+TemporaryFolder::TemporaryFolder() {
+  std::string name = (fs::temp_directory_path() / "trivet_edit_XXXXXX").string();
+  if (!mkdtemp(name.data())) throw std::runtime_error("no temporary folder");
+  m_path = name;
+}
+
+TemporaryFolder::~TemporaryFolder() {
+  std::error_code ignored;
+  fs::remove_all(m_path, ignored);
+}
+
+Recorder::Recorder(const std::string& recovery_folder) {
+  DocumentOptions options;
+  options.recovery_folder = recovery_folder;
+  options.version = "test";
+  m_document = std::make_unique<Document>(options);
+  QObject::connect(m_document.get(), &Document::message,
+                   [this](const Message& message) { m_messages.push_back(message); });
+  QObject::connect(m_document.get(), &Document::finished, [this](quint64 job, bool ok) {
+    m_finished.push_back({job, ok});
+  });
+}
+
+bool Recorder::done(Document::Job job) {
+  if (!m_document->wait_until_idle())
+    throw std::runtime_error("the document does not come to rest");
+  return std::find(m_finished.begin(), m_finished.end(), std::pair(job, true)) != m_finished.end();
+}
+
+const Object& Recorder::object(const std::string& name) const {
+  const ObjectSnapshot* const found = m_document->snapshot()->find(name);
+  if (!found) throw std::runtime_error("no object " + name);
+  return *found->object;
+}
+
+ObjectId Recorder::id(const std::string& name) const {
+  const ObjectSnapshot* const found = m_document->snapshot()->find(name);
+  if (!found) throw std::runtime_error("no object " + name);
+  return found->id;
+}
+
+}  // namespace trivet::edit::test
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  QCoreApplication application(argc, argv);
+  return RUN_ALL_TESTS();
+}

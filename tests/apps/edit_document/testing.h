@@ -1,0 +1,45 @@
+// A document without windows.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "apps/edit/document/document.h"
+
+namespace trivet::edit::test {
+
+/// A folder that vanishes.
+class TemporaryFolder {
+ public:
+  TemporaryFolder();
+  ~TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  std::string file(const std::string& name) const { return (m_path / name).string(); }
+
+ private:
+  std::filesystem::path m_path;
+};
+
+/// A document, and what it said.
+class Recorder {
+ public:
+  explicit Recorder(const std::string& recovery_folder);
+
+  Document& document() { return *m_document; }
+  Document* operator->() { return m_document.get(); }
+  /// Waits until all is done. @return whether the last job did what it should.
+  bool done(Document::Job job);
+  const std::vector<Message>& messages() const { return m_messages; }
+  std::string last_text() const { return m_messages.empty() ? "" : m_messages.back().text; }
+  const Object& object(const std::string& name) const;
+  ObjectId id(const std::string& name) const;
+
+ private:
+  std::unique_ptr<Document> m_document;
+  std::vector<Message> m_messages;
+  std::vector<std::pair<quint64, bool>> m_finished;
+};
+
+}  // namespace trivet::edit::test
