@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/scene/scene.h"
+#include "gpu/image.h"
 
 namespace trivet::apps {
 
@@ -35,5 +36,9 @@ class PictureMaker {
   struct State;
   std::unique_ptr<State> m_state;
 };
+
+/// The bytes of a PNG file. @throws Error (Environment) in a build without pictures, whatever the
+/// image: an empty one asks before the work.
+std::string png_of(const Image& image);
 
 }  // namespace trivet::apps

@@ -45,4 +45,6 @@ std::string PictureMaker::png(const Scene& scene) {
 
 std::string PictureMaker::device() const { return m_state->context.description(); }
 
+std::string png_of(const Image& image) { return image.rgba.empty() ? "" : encode_png(image); }
+
 }  // namespace trivet::apps

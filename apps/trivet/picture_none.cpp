@@ -2,15 +2,22 @@
 #include "core/base/error.h"
 
 namespace trivet::apps {
+namespace {
 
-struct PictureMaker::State {};
-
-PictureMaker::PictureMaker(const PictureRequest&) {
+[[noreturn]] void refuse() {
   throw Error(Error::Kind::Environment,
               "this build of trivet makes no pictures; it was configured without EGL");
 }
+
+}  // namespace
+
+struct PictureMaker::State {};
+
+PictureMaker::PictureMaker(const PictureRequest&) { refuse(); }
 PictureMaker::~PictureMaker() = default;
 std::string PictureMaker::png(const Scene&) { return ""; }
 std::string PictureMaker::device() const { return ""; }
+
+std::string png_of(const Image&) { refuse(); }
 
 }  // namespace trivet::apps

@@ -1,6 +1,7 @@
 #include <iostream>
 
 #include "apps/trivet/outputs.h"
+#include "apps/trivet/scene_input.h"
 #include "apps/trivet/verbs.h"
 #include "core/io/export.h"
 
@@ -12,34 +13,10 @@ struct RenderArguments {
   PictureRequest request;
 };
 
-// Models of other programs are shown as they are, without a floor.
-Scene scene_of_model(const std::string& path, const CommonOptions& common) {
-  Layout layout;
-  layout.floor = false;
-  LayoutObject object;
-  object.name = object.model = path;
-  object.pose = Pose{};
-  layout.objects.push_back(object);
-  const ModelSource source = [&](const std::string& name) {
-    return read_model(name, common.limits());
-  };
-  Scene scene = make_scene(layout, source, run_options(common, {}));
-  Object& placed = scene.at(scene.ids().front());
-  placed.placed = true;
-  return scene;
-}
-
-Scene read_scene(const std::string& path, const CommonOptions& common) {
-  if (extension_of(path) != ".glb" || !is_scene_file(path)) return scene_of_model(path, common);
-  SceneFile file = read_scene_file(path, common.limits());
-  for (const std::string& note : file.notes) print_note(common, note);
-  return std::move(file.scene);
-}
-
 int render(const RenderArguments& arguments, const CommonOptions& common) {
   check_outputs({"", "", arguments.picture}, {arguments.scene});
   PictureMaker maker(arguments.request);
-  const Scene scene = read_scene(arguments.scene, common);
+  const Scene scene = read_scene_or_model(arguments.scene, common);
   clear_progress_line(common);
   write_file_atomically(arguments.picture, maker.png(scene));
   if (common.json)

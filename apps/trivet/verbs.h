@@ -27,6 +27,7 @@ Verb add_render(CLI::App& app, const CommonOptions& common);
 Verb add_demo(CLI::App& app, const CommonOptions& common);
 Verb add_session(CLI::App& app, const CommonOptions& common);
 Verb add_replay(CLI::App& app, const CommonOptions& common);
+Verb add_zlist(CLI::App& app, const CommonOptions& common);
 Verb add_schema(CLI::App& app, const CommonOptions& common);
 
 extern const char* const kLayoutSchema;  // the text of ops/layout/layout.schema.json

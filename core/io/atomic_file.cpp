@@ -76,11 +76,11 @@ void sync_folder(const fs::path& folder) {
 }
 
 // Devices and pipes cannot be replaced: /dev/stdout, /dev/null, a FIFO.
-void write_through(const std::string& path, const std::string& bytes) {
+void write_through(const std::string& path, const FileContent& content) {
   const int descriptor = open(path.c_str(), O_WRONLY | O_CLOEXEC);
   if (descriptor < 0) fail(path, errno);
   try {
-    write_all(descriptor, bytes, path);
+    content([&](const std::string& bytes) { write_all(descriptor, bytes, path); });
   } catch (...) {
     close(descriptor);
     throw;
@@ -91,10 +91,14 @@ void write_through(const std::string& path, const std::string& bytes) {
 }  // namespace
 
 void write_file_atomically(const std::string& path, const std::string& bytes) {
+  write_file_atomically(path, [&](const ByteSink& write) { write(bytes); });
+}
+
+void write_file_atomically(const std::string& path, const FileContent& content) {
   struct stat old {};
   const bool exists = stat(path.c_str(), &old) == 0;
   if (exists && S_ISDIR(old.st_mode)) fail(path, EISDIR);
-  if (exists && !S_ISREG(old.st_mode)) return write_through(path, bytes);
+  if (exists && !S_ISREG(old.st_mode)) return write_through(path, content);
   if (exists && faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) != 0) fail(path, errno);
 
   // Through a symbolic link, so that the link stays one.
@@ -102,7 +106,7 @@ void write_file_atomically(const std::string& path, const std::string& bytes) {
   fs::path target = exists ? fs::canonical(path, error) : fs::absolute(path, error);
   if (error) fail(path, error.value());
   TemporaryFile temporary(target);
-  write_all(temporary.descriptor(), bytes, path);
+  content([&](const std::string& bytes) { write_all(temporary.descriptor(), bytes, path); });
   if (exists) fchmod(temporary.descriptor(), old.st_mode & 07777);
   if (fsync(temporary.descriptor()) != 0) fail(path, errno);
   temporary.close_and_rename(target);

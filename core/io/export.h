@@ -1,6 +1,7 @@
 // Scenes to files: binary glTF 2.0, OBJ, PLY, STL. Files are replaced atomically.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -49,6 +50,10 @@ void write_scene(const ExportScene& scene, const std::string& path);
 /// Writes bytes atomically: temporary file in the same folder, fsync, rename.
 /// @throws Error (Environment) naming the path and the system's reason; no partial output is left.
 void write_file_atomically(const std::string& path, const std::string& bytes);
+/// The same for what is too large to be held: `content` hands it over piece by piece.
+using ByteSink = std::function<void(const std::string& bytes)>;
+using FileContent = std::function<void(const ByteSink& write)>;
+void write_file_atomically(const std::string& path, const FileContent& content);
 
 /// The extras of a .glb as JSON text: of the scene (empty: none), and of each node that has some,
 /// by the node's name.

@@ -3,13 +3,16 @@
 
     tests/referee/campaign.py --trivet build/release/apps/trivet --referee PATH/referee \\
         --shared ../shared [--set floor,pair,pile] [--out DIR] [--same-as OTHER_TRIVET] [--threads 1,2]
+        [--backends software,gpu]
 
 floor: every model in 5 random orientations, put onto the floor.
 pair:  every model in 5 random orientations, put onto one of 10 other models that stand there fixed.
 pile:  4 heaps of 50 objects.
---same-as and --threads run each layout again, by another build or with other numbers of threads:
-reports (apart from milliseconds) and scenes must be the same bytes.
-Prints a table; exit status 1 if a scene is not true, a result differs or under 98 % end ok.
+--same-as, --threads and --backends run each layout again, by another build, with other numbers of
+threads or other sources of candidates: reports (apart from milliseconds, and what a backend says of
+itself) and scenes must be the same bytes. Without --referee, that is all that is asked.
+Prints a table; exit status 1 if a scene is not true, a result differs, a backend is not the one asked
+for, or under 98 % end ok.
 """
 import argparse
 import concurrent.futures
@@ -19,6 +22,7 @@ import random
 import statistics
 import subprocess
 import sys
+import threading
 import types
 
 
@@ -67,12 +71,18 @@ def pile_layouts(layouts, models, args):
         yield f"pile_{k}", layout.json
 
 
-def without_times(path):
+def read_report(path):
     with open(path) as file:
-        report = json.load(file)
-    for operation in report["operations"]:
-        operation.pop("milliseconds", None)
-    return json.dumps(report, sort_keys=True)
+        return json.load(file)
+
+
+def comparable(report):
+    """What must be the same whoever runs it."""
+    report = {key: value for key, value in report.items()
+              if key not in ("backend", "device", "work")}
+    report["operations"] = [{key: value for key, value in operation.items()
+                             if key != "milliseconds"} for operation in report["operations"]]
+    return json.dumps(report)
 
 
 def run_trivet(trivet, base, suffix, *options):
@@ -84,36 +94,65 @@ def run_trivet(trivet, base, suffix, *options):
     return scene, report
 
 
+class BackendWork:
+    """What the sources of candidates did in all runs together."""
+    def __init__(self):
+        self.lock, self.sums, self.devices = threading.Lock(), {}, {}
+
+    def add(self, backend, report):
+        with self.lock:
+            self.devices[backend] = report["device"]
+            sums = self.sums.setdefault(backend, {})
+            for key, value in report["work"].items():
+                sums[key] = sums.get(key, 0) + value
+
+    def print(self):
+        for backend, sums in sorted(self.sums.items()):
+            print(f"{backend} ({self.devices[backend]}): " +
+                  ", ".join(f"{value} {key}" for key, value in sums.items()))
+
+
 def differences(options, base, scene, report):
     """What else ran, and did not give the same bytes."""
-    others = [(options.trivet, f"-{n}-threads", ["--threads", n])
+    others = [(options.trivet, f"-{n}-threads", ["--threads", n], "")
               for n in filter(None, options.threads.split(","))]
+    others += [(options.trivet, f"-{name}", ["--backend", name], name)
+               for name in filter(None, options.backends.split(","))]
     if options.same_as:
-        others.append((options.same_as, "-other-build", []))
+        others.append((options.same_as, "-other-build", [], ""))
     found = []
-    for trivet, suffix, arguments in others:
-        other_scene, other_report = run_trivet(trivet, base, suffix, *arguments)
+    for trivet, suffix, arguments, backend in others:
+        other_scene, path = run_trivet(trivet, base, suffix, *arguments)
+        other = read_report(path)
         with open(scene, "rb") as a, open(other_scene, "rb") as b:
-            same = a.read() == b.read() and without_times(report) == without_times(other_report)
+            same = a.read() == b.read() and comparable(report) == comparable(other)
+        if backend:
+            options.work.add(backend, other)
+            same = same and other["backend"] == backend
         if not same:
             found.append(os.path.basename(base) + suffix)
         os.remove(other_scene)
     return found
 
 
+def verdict_of(options, base, scene, report):
+    if not options.referee:
+        return {"verdict": True}
+    done = subprocess.run([options.referee, report, "--layout", base + ".json", "--scene",
+                           scene, "--json"], capture_output=True, text=True)
+    return json.loads(done.stdout) if done.returncode in (0, 1) else {}
+
+
 def judge(options, name, layout):
     base = os.path.join(options.out, name)
     with open(base + ".json", "w") as file:
         json.dump(layout, file)
-    scene, report = run_trivet(options.trivet, base, "")
-    with open(report) as file:
-        operations = json.load(file)["operations"]
-    verdict = subprocess.run([options.referee, report, "--layout", base + ".json", "--scene",
-                              scene, "--json"], capture_output=True, text=True)
-    totals = json.loads(verdict.stdout) if verdict.returncode in (0, 1) else {}
+    scene, path = run_trivet(options.trivet, base, "")
+    report = read_report(path)
+    totals = verdict_of(options, base, scene, path)
     different = differences(options, base, scene, report)
     os.remove(scene)
-    return name, operations, totals, different
+    return name, report["operations"], totals, different
 
 
 TOTALS = ["interpenetrating_pairs", "float32_interpenetrating_pairs", "below_floor",
@@ -149,14 +188,16 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--trivet", required=True)
-    parser.add_argument("--referee", required=True)
+    parser.add_argument("--referee", help="that of ../shared; without: nobody judges the scenes")
     parser.add_argument("--shared", required=True)
     parser.add_argument("--set", default="floor,pair,pile")
     parser.add_argument("--out", default="out/campaign")
     parser.add_argument("--jobs", type=int, default=1, help="at a time; 1 for fair times")
     parser.add_argument("--same-as", help="another build of trivet")
     parser.add_argument("--threads", default="", help="numbers of threads, with commas")
+    parser.add_argument("--backends", default="", help="bvh, software, gpu, with commas")
     options = parser.parse_args()
+    options.work = BackendWork()
     options.shared, options.out = os.path.abspath(options.shared), os.path.abspath(options.out)
     os.makedirs(options.out, exist_ok=True)
     layouts, models, args = read_models(options.shared, options.out)
@@ -168,6 +209,7 @@ def main():
     print("| scenes | number | PUTs ok | true | findings | PUT ms median | p95 | max | differ |\n"
           "|---|---|---|---|---|---|---|---|---|")
     ok = [run_set(options, titles[name], sets[name]()) for name in options.set.split(",")]
+    options.work.print()
     sys.exit(0 if all(ok) else 1)
 
 

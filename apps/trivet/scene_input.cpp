@@ -1,0 +1,33 @@
+#include "apps/trivet/scene_input.h"
+
+#include "apps/trivet/outputs.h"
+
+namespace trivet::apps {
+namespace {
+
+Scene scene_of_model(const std::string& path, const CommonOptions& common) {
+  Layout layout;
+  layout.floor = false;
+  LayoutObject object;
+  object.name = object.model = path;
+  object.pose = Pose{};
+  layout.objects.push_back(object);
+  const ModelSource source = [&](const std::string& name) {
+    return read_model(name, common.limits());
+  };
+  Scene scene = make_scene(layout, source, run_options(common, {}));
+  Object& placed = scene.at(scene.ids().front());
+  placed.placed = true;
+  return scene;
+}
+
+}  // namespace
+
+Scene read_scene_or_model(const std::string& path, const CommonOptions& common) {
+  if (extension_of(path) != ".glb" || !is_scene_file(path)) return scene_of_model(path, common);
+  SceneFile file = read_scene_file(path, common.limits());
+  for (const std::string& note : file.notes) print_note(common, note);
+  return std::move(file.scene);
+}
+
+}  // namespace trivet::apps

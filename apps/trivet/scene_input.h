@@ -1,0 +1,13 @@
+// A scene to look at, from whatever file there is.
+#pragma once
+
+#include <string>
+
+#include "apps/trivet/common.h"
+
+namespace trivet::apps {
+
+/// A scene that trivet wrote; else any model, alone, as it is and without a floor.
+Scene read_scene_or_model(const std::string& path, const CommonOptions& common);
+
+}  // namespace trivet::apps

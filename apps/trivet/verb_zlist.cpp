@@ -1,0 +1,141 @@
+#include <iostream>
+
+#include "apps/trivet/outputs.h"
+#include "apps/trivet/scene_input.h"
+#include "apps/trivet/verbs.h"
+#include "apps/trivet/zlist_picture.h"
+#include "core/base/error.h"
+#include "ops/stopwatch.h"
+
+namespace trivet::apps {
+namespace {
+
+struct ZListArguments {
+  std::string input, picture, dump, show = "length";
+  std::vector<double> direction{0, 0, -1}, region;
+  std::vector<int> pixel;
+  int resolution = 256;
+  double max_memory_mb = 1024;
+  SettleOptions settle;
+};
+
+// A layout is laid out first, as `run` would.
+Scene scene_of(const ZListArguments& arguments, const CommonOptions& common, int& status) {
+  if (extension_of(arguments.input) != ".json") return read_scene_or_model(arguments.input, common);
+  const Layout layout = read_layout(arguments.input, common.limits().max_file_bytes);
+  const std::unique_ptr<Detector> detector = make_detector(common);
+  RunOptions options = run_options(common, arguments.settle, detector.get());
+  options.layout_file = arguments.input;
+  LayoutRun run =
+      run_layout(layout, models_in_folder(folder_of(arguments.input), common.limits()), options);
+  for (const OperationRecord& record : run.operations) {
+    if (record.result.ok()) continue;
+    print_note(common, record.op + " \"" + record.object + "\": refused: " + record.result.reason);
+    status = 1;
+  }
+  return std::move(run.scene);
+}
+
+ProjectionOptions projection_of(const ZListArguments& arguments, const CommonOptions& common) {
+  ProjectionOptions out;
+  out.direction = Vec3(arguments.direction[0], arguments.direction[1], arguments.direction[2]);
+  out.resolution = arguments.resolution;
+  out.num_threads = common.num_threads;
+  out.most_bytes = static_cast<std::size_t>(arguments.max_memory_mb * 1e6);
+  if (const std::vector<double>& r = arguments.region; !r.empty())
+    out.region = {Vec2(r[0], r[1]), Vec2(r[2], r[3])};
+  return out;
+}
+
+std::optional<ImagePixel> pixel_of(const ZListArguments& arguments, const Projection& view) {
+  if (arguments.pixel.empty()) return std::nullopt;
+  const int column = arguments.pixel[0], row = arguments.pixel[1];
+  if (column < view.width && row < view.height) return ImagePixel{column, row};
+  throw Error(Error::Kind::BadInput,
+              "--pixel: " + std::to_string(column) + " " + std::to_string(row) +
+                  " is not accepted; accepted: less than " + std::to_string(view.width) + " " +
+                  std::to_string(view.height) + ", the size of the image");
+}
+
+ZListShow show_of(const std::string& name) {
+  if (name == "depth") return ZListShow::Depth;
+  return name == "objects" ? ZListShow::Objects : ZListShow::Length;
+}
+
+// What the numbers in the picture mean.
+void print_names(const ZListsOf& what) {
+  std::cout << "  objects:";
+  for (size_t i = 0; i < what.names.size(); ++i) std::cout << " " << i << " " << what.names[i];
+  std::cout << "\n";
+}
+
+int zlist(const ZListArguments& arguments, const CommonOptions& common) {
+  check_outputs({"", arguments.dump, arguments.picture}, {arguments.input});
+  if (!arguments.picture.empty()) png_of({});
+  int status = 0;
+  const Scene scene = scene_of(arguments, common, status);
+  ZListsOf what;
+  for (const ObjectId id : scene.ids()) {
+    const Object& object = scene.at(id);
+    if (!object.placed) continue;
+    what.names.push_back(object.name);
+    what.bodies.emplace_back(*object.shape, object.world_from_object());
+  }
+  const Stopwatch stopwatch;
+  const CompleteZLists lists(what.bodies, projection_of(arguments, common));
+  what.milliseconds = stopwatch.milliseconds();
+  what.lists = &lists;
+  const std::optional<ImagePixel> pixel = pixel_of(arguments, lists.projection());
+  clear_progress_line(common);
+  if (!arguments.picture.empty())
+    write_file_atomically(arguments.picture, png_of(zlists_picture(what, show_of(arguments.show))));
+  if (!arguments.dump.empty())
+    write_file_atomically(arguments.dump,
+                          [&](const ByteSink& write) { write_zlists(what, write); });
+  if (common.json)
+    std::cout << zlists_json(what, pixel);
+  else if (!common.quiet || pixel)
+    std::cout << zlists_text(what, pixel);
+  if (!common.json && !common.quiet && show_of(arguments.show) == ZListShow::Objects)
+    print_names(what);
+  return status;
+}
+
+}  // namespace
+
+Verb add_zlist(CLI::App& app, const CommonOptions& common) {
+  CLI::App* const verb = app.add_subcommand(
+      "zlist",
+      "The z-lists of a scene along a direction: in every pixel all faces, sorted by depth. The "
+      "floor is no face");
+  const auto arguments = std::make_shared<ZListArguments>();
+  verb->add_option("input", arguments->input,
+                   "A scene that trivet wrote, a layout (it is laid out first), or any model")
+      ->required()
+      ->type_name("SCENE.glb|LAYOUT.json|MODEL");
+  verb->add_option("--direction", arguments->direction, "Of sight; default: down")
+      ->expected(3)
+      ->type_name("X Y Z")
+      ->check(number_from(-kMaxLength, kMaxLength));
+  verb->add_option("--resolution", arguments->resolution, "Pixels along the longer side")
+      ->check(integer_from(1, 8192));
+  verb->add_option("--region", arguments->region,
+                   "Zooms in: metres to the right and up, of two corners; default: everything")
+      ->expected(4)
+      ->type_name("LEFT BOTTOM RIGHT TOP")
+      ->check(number_from(-kMaxLength, kMaxLength));
+  verb->add_option("--pixel", arguments->pixel, "Tells the list of this pixel, counted from above")
+      ->expected(2)
+      ->type_name("COLUMN ROW")
+      ->check(integer_from(0, 8191));
+  verb->add_option("-o,--output", arguments->picture, "A picture of all lists, .png");
+  verb->add_option("--show", arguments->show, "What the picture shows: length, depth or objects")
+      ->check(one_of({"length", "depth", "objects"}));
+  verb->add_option("--dump", arguments->dump, "All lists, as JSON lines");
+  verb->add_option("--max-memory-mb", arguments->max_memory_mb, "Longer lists are refused")
+      ->check(number_from(1, 1e6));
+  add_settle_options(*verb, arguments->settle);
+  return {verb, [arguments, &common] { return zlist(*arguments, common); }};
+}
+
+}  // namespace trivet::apps
