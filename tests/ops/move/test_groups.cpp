@@ -1,35 +1,19 @@
-// What lies on an object moves with it; what it leaves behind is named: the paper's Fig. 6.
+// What lies on an object moves with it; what it leaves behind is named. The paper's Fig. 6: see
+// figures/.
 #include <algorithm>
 
-#include "stage.h"
+#include "pile.h"
 
 namespace trivet {
 namespace {
 
 using test::box_triangles;
+using test::Pile;
 using test::Stage;
 using End = OperationResult::End;
 
-/// Fig. 6: a table with two objects on it, one of which carries a third; and a box beside it.
-struct Pile : Stage {
-  Pile() {
-    put("table", box_triangles(Vec3(0.5, 0.5, 0.25)), {0, 0, 1});
-    put("a", box_triangles(Vec3(0.1, 0.1, 0.1)), {-0.2, 0, 1});
-    put("b", box_triangles(Vec3(0.1, 0.1, 0.1)), {0.2, 0, 1});
-    put("c", box_triangles(Vec3(0.05, 0.05, 0.05)), {0.2, 0.05, 1});
-    put("beside", box_triangles(Vec3(0.1, 0.1, 0.1)), {1, 0, 1});
-  }
-};
-
-TEST(Group, Figure6LoadSupportList) {
-  Pile s;
-  EXPECT_EQ(test::loads_text(s.scene),
-            "table on floor under a under b; a on table; b on table under c; c on b; "
-            "beside on floor; ");
-}
-
-// Fig. 1: the table moves, and everything on it stays in its place.
-TEST(Group, Figure1MovesWithWhatItCarries) {
+// The table moves, and everything on it stays in its place.
+TEST(Group, MovesWithWhatItCarries) {
   Pile s;
   const Scene before = s.scene;
   const OperationResult result = s.run(TranslateOperation{{"table"}, Vec3(-1.0 / 3, 0.1, 0.7)});

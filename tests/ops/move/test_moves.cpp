@@ -1,75 +1,16 @@
-// TURN, PICK-UP, TRANSLATE and ROTATE: the paper's Fig. 5, 16 and 18, and what stops them.
-#include "stage.h"
+// TURN, PICK-UP, TRANSLATE and ROTATE, and what stops them. The paper's Fig. 5: see figures/.
+#include "turn_stage.h"
 
 namespace trivet {
 namespace {
 
 using test::box_triangles;
+using test::BoxOnFloor;
 using test::Stage;
+using test::turn;
 using End = OperationResult::End;
 
-/// A box of half extents 0.2, 0.1, 0.3 on the floor.
-struct BoxOnFloor : Stage {
-  BoxOnFloor() { put("box", box_triangles(Vec3(0.2, 0.1, 0.3)), {0, 0, 1}); }
-};
-
-TurnOperation turn(TurnOperation::About about, double angle_deg) {
-  TurnOperation o;
-  o.object = "box";
-  o.about = about;
-  o.angle_deg = angle_deg;
-  return o;
-}
-
 double cosine(const Rotation& r) { return r.matrix()(0, 0); }
-
-// Fig. 5, example 1: an area contact, the axis is its normal.
-TEST(Turn, Figure5AreaAboutItsNormal) {
-  BoxOnFloor s;
-  const Vec3 before = s.position("box");
-  TurnOperation o = turn(TurnOperation::About::Normal, 30);
-  OperationResult result = s.run(o);
-  ASSERT_TRUE(result.ok()) << result.reason;
-  EXPECT_EQ(result.end, End::Reached);
-  EXPECT_EQ(result.turned_deg, 30);
-  EXPECT_NEAR((s.position("box") - before).norm(), 0, s.clearance());  // about the contact's centre
-  EXPECT_NEAR(cosine(s.at("box").pose.rotation), std::cos(M_PI / 6), 1e-14);
-  EXPECT_EQ(s.at("box").state, ObjectState::Stable);
-
-  o.centre = Vec3(1, 0, 0);
-  o.angle_deg = 180;
-  result = s.run(o);
-  EXPECT_EQ(result.end, End::Reached);
-  EXPECT_EQ(result.num_motions, 2);
-  EXPECT_NEAR((s.position("box") - Vec3(2, 0, before.z())).norm(), 0, s.clearance());
-}
-
-// Fig. 5, example 2, and Fig. 18: a line, an edge of the contact; let go it falls back.
-TEST(Turn, Figure5LineAboutItsEdge) {
-  BoxOnFloor s;
-  TurnOperation o = turn(TurnOperation::About::Line, 30);
-  o.point = Vec3(0.2, 0, 0);
-  const double clearance = s.position("box").z() - 0.3;
-  OperationResult result = s.run(o);
-  ASSERT_TRUE(result.ok()) << result.reason;
-  EXPECT_EQ(result.end, End::Reached);
-  // About the edge x = 0.2: the box tilts towards +x, and its centre rises.
-  const double c = std::cos(M_PI / 6), si = 0.5;
-  EXPECT_NEAR(s.position("box").x(), 0.2 - 0.2 * c + 0.3 * si, 2 * s.clearance());
-  EXPECT_NEAR(s.position("box").z(), clearance + 0.2 * si + 0.3 * c, 2 * s.clearance());
-  EXPECT_EQ(s.at("box").state, ObjectState::Held);
-  ASSERT_EQ(s.at("box").links.size(), 1u);
-  EXPECT_EQ(s.at("box").links[0].contact.type, ContactType::Line);
-
-  // A line contact: on by 30 degrees, past its balance (33.7), and let go: it falls on its side.
-  o.point.reset();
-  o.axis = Vec3::UnitY();
-  o.settle = true;
-  result = s.run(o);
-  ASSERT_TRUE(result.ok()) << result.reason;
-  EXPECT_NEAR(s.position("box").z(), 0.2, 1e-5);
-  EXPECT_EQ(s.at("box").state, ObjectState::Stable);
-}
 
 // The other way round the edge would go into the floor.
 TEST(Turn, StopsAtOnceAgainstTheFloor) {
@@ -80,23 +21,6 @@ TEST(Turn, StopsAtOnceAgainstTheFloor) {
   EXPECT_EQ(result.end, End::Blocked);
   EXPECT_EQ(result.blocked_by, "floor");
   EXPECT_NEAR(result.turned_deg, 0, 1e-3);
-}
-
-// Fig. 5, example 3: a point, and any axis through it.
-TEST(Turn, Figure5PointAboutAnyAxis) {
-  BoxOnFloor s;
-  const double clearance = s.position("box").z() - 0.3;
-  TurnOperation o = turn(TurnOperation::About::Point, 20);
-  o.point = Vec3(0.2, 0.1, 0);
-  o.axis = Vec3(-1, 1, 0);  // tilts it towards (1, 1)
-  const OperationResult result = s.run(o);
-  ASSERT_TRUE(result.ok()) << result.reason;
-  EXPECT_EQ(result.end, End::Reached);
-  const Vec3 corner = s.at("box").world_from_object().apply(Vec3(0.2f, 0.1f, -0.3f));
-  EXPECT_NEAR((corner - Vec3(0.2f, 0.1f, clearance)).norm(), 0, 2 * s.clearance());
-  ASSERT_EQ(s.at("box").links.size(), 1u);
-  EXPECT_EQ(s.at("box").links[0].contact.type, ContactType::Point);
-  EXPECT_EQ(s.at("box").state, ObjectState::Held);
 }
 
 // A wall at x = 0.21: the corner at distance sqrt(0.05) from the axis meets it at

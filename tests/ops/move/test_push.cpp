@@ -1,75 +1,17 @@
-// PUSH: the paper's Fig. 4, and what it says about steps, edges, walls and curved surfaces.
+// PUSH: what the paper says about steps, edges, walls and curved surfaces. Its Fig. 4: see
+// figures/.
 #include <algorithm>
 
-#include "stage.h"
+#include "push_stage.h"
 
 namespace trivet {
 namespace {
 
 using test::box_triangles;
+using test::push;
 using test::Stage;
+using test::Table;
 using End = OperationResult::End;
-
-/// A box of half extents 0.1 on a table whose top is at z = 0.5.
-struct Table : Stage {
-  explicit Table(bool slab = false) {
-    fix("table", box_triangles(Vec3(1, 1, 0.25)), {0, 0, 0.25 + 1e-5});
-    if (slab) fix("slab", box_triangles(Vec3(0.2, 0.5, 0.01)), {-0.7, 0, top() + 0.01 + 1e-5});
-    put("box", box_triangles(Vec3(0.1, 0.1, 0.1)), {-0.5, 0, 1});
-  }
-  double top() const { return 0.5 + 1e-5; }
-};
-
-PushOperation push(double x, double y, double distance) {
-  PushOperation o;
-  o.object = "box";
-  o.direction = Vec2(x, y);
-  o.distance = distance;
-  return o;
-}
-
-// Fig. 4a: still in contact, the push goes on.
-TEST(Push, Figure4aGoesOnInContact) {
-  Table t;
-  const double z = t.position("box").z();
-  const OperationResult result = t.run(push(3, 4, 0.5));
-  ASSERT_TRUE(result.ok()) << result.reason;
-  EXPECT_EQ(result.end, End::Reached);
-  EXPECT_NEAR((t.position("box") - Vec3(-0.2, 0.4, z)).norm(), 0, 1.1 * t.clearance());
-  EXPECT_NEAR(result.moved, 0.5, 1.1 * t.clearance());
-  EXPECT_EQ(t.at("box").state, ObjectState::Stable);
-  EXPECT_LE(result.num_motions, 4);
-}
-
-// Fig. 4b: the step is higher than the threshold: back to the point of collision.
-TEST(Push, Figure4bStopsAtAHighStep) {
-  Table t;
-  t.fix("step", box_triangles(Vec3(0.2, 0.5, 0.01)), {0.2, 0, t.top() + 0.01 + 1e-5});
-  PushOperation o = push(1, 0, 0.5);
-  o.step_up = 0.019;
-  const OperationResult result = t.run(o);
-  ASSERT_TRUE(result.ok()) << result.reason;
-  EXPECT_EQ(result.end, End::Step);
-  EXPECT_EQ(result.blocked_by, "step");
-  EXPECT_NEAR(result.blocked_at.x(), 0, 2 * t.clearance());
-  EXPECT_NEAR(t.position("box").x(), -0.1, 2.1 * t.clearance());
-  EXPECT_EQ(t.at("box").state, ObjectState::Stable);
-}
-
-// Fig. 4c: lower than the threshold: lifted onto it, and on.
-TEST(Push, Figure4cClimbsALowStep) {
-  Table t;
-  t.fix("step", box_triangles(Vec3(0.2, 0.5, 0.01)), {0.2, 0, t.top() + 0.01 + 1e-5});
-  const double z = t.position("box").z();
-  PushOperation o = push(1, 0, 0.7);
-  o.step_up = 0.021;
-  const OperationResult result = t.run(o);
-  ASSERT_TRUE(result.ok()) << result.reason;
-  EXPECT_EQ(result.end, End::Reached);
-  EXPECT_NEAR(t.position("box").x(), 0.2, 2 * t.clearance());
-  EXPECT_NEAR(t.position("box").z(), z + 0.02 + 1e-5, 2 * t.clearance());
-  EXPECT_EQ(test::loads_text(t.scene), "table; box on step; step under box; ");
-}
 
 // A step of just the threshold is climbed; one by a few clearances higher is not.
 TEST(Push, ClimbsUpToTheThreshold) {
@@ -81,32 +23,6 @@ TEST(Push, ClimbsUpToTheThreshold) {
     const OperationResult result = t.run(o);
     EXPECT_EQ(result.end, excess < 0 ? End::Reached : End::Step) << excess;
   }
-}
-
-// Fig. 4d: contact lost by less than the threshold: down until there is contact.
-TEST(Push, Figure4dGoesDownALowEdge) {
-  Table t(true);
-  ASSERT_TRUE(t.run(PutOperation{{"box"}, Pose{{}, Vec3(-0.65, 0, 1)}}).ok());
-  const double z = t.position("box").z();
-  PushOperation o = push(1, 0, 0.8);
-  o.step_down = 0.021;
-  const OperationResult result = t.run(o);
-  ASSERT_TRUE(result.ok()) << result.reason;
-  EXPECT_EQ(result.end, End::Reached);
-  EXPECT_NEAR(t.position("box").x(), 0.15, 2 * t.clearance());
-  EXPECT_NEAR(t.position("box").z(), z - 0.02 - 1e-5, 2 * t.clearance());
-}
-
-// Fig. 4e: by more: pulled back to where the contact ends.
-TEST(Push, Figure4eStaysWhereTheContactEnds) {
-  Table t;
-  PushOperation o = push(1, 0, 3);
-  o.settle = false;
-  const OperationResult result = t.run(o);
-  ASSERT_TRUE(result.ok()) << result.reason;
-  EXPECT_EQ(result.end, End::Edge);
-  EXPECT_NEAR(t.position("box").x(), 1.1, 10 * t.clearance());  // its last edge on the table's
-  EXPECT_EQ(t.at("box").state, ObjectState::Held);              // nothing else would keep it there
 }
 
 // Let go there it would fall: it is pulled back on, to where its centre is over the edge.
@@ -210,30 +126,6 @@ TEST(Push, FollowsSlopes) {
     ASSERT_TRUE(perform(copy, up).ok());
     ASSERT_TRUE(perform(copy, down).ok());
     EXPECT_NEAR(s.position("box").z(), copy.at(id).pose.translation.z(), 3 * s.clearance()) << end;
-  }
-}
-
-// Fig. 17: a spoon on a saucer; the direction has two dimensions, the way three.
-TEST(Push, Figure17SpoonOnASaucer) {
-  Stage s;
-  s.fix("saucer", test::dish(0.08, 0.02, 0.004, 2, 48), {0, 0, 1e-5});
-  s.put("box", test::stick(0.1), {0.01, 0, 0.1});
-  for (const bool settle : {false, true}) {
-    PushOperation o;
-    o.object = "box";
-    o.to = Vec2(0.02, 0.015);
-    o.settle = settle;
-    Stage t = s;
-    const OperationResult result = t.run(o);
-    ASSERT_TRUE(result.ok()) << result.reason;
-    EXPECT_EQ(result.end, End::Reached);
-    EXPECT_GT(result.num_motions, 1);
-    if (!settle) {
-      EXPECT_NEAR((t.position("box").head<2>() - Vec2(0.02, 0.015)).norm(), 0, 2 * t.clearance());
-      EXPECT_FALSE(t.at("box").links.empty());
-    } else {
-      EXPECT_EQ(t.at("box").state, ObjectState::Stable);
-    }
   }
 }
 
