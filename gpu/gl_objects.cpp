@@ -2,6 +2,7 @@
 
 #include <epoxy/egl.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <vector>
 
@@ -100,6 +101,13 @@ GLuint GlFramebufferKind::create() {
 }
 void GlFramebufferKind::destroy(GLuint id) { glDeleteFramebuffers(1, &id); }
 
+GLuint GlRenderbufferKind::create() {
+  GLuint id = 0;
+  glGenRenderbuffers(1, &id);
+  return id;
+}
+void GlRenderbufferKind::destroy(GLuint id) { glDeleteRenderbuffers(1, &id); }
+
 GLuint GlVertexArrayKind::create() {
   GLuint id = 0;
   glGenVertexArrays(1, &id);
@@ -131,6 +139,24 @@ GlProgram::GlProgram(const char* name, std::initializer_list<GlShaderSource> sha
   glGetProgramInfoLog(id(), length, nullptr, log.data());
   throw environment(std::string("the shaders of ") + name +
                     " do not link with this driver: " + log.data());
+}
+
+void set_uniform(const GlProgram& program, const char* name, float value) {
+  glUniform1f(program.uniform(name), value);
+}
+void set_uniform(const GlProgram& program, const char* name, int value) {
+  glUniform1i(program.uniform(name), value);
+}
+void set_uniform(const GlProgram& program, const char* name, const Vec3& v) {
+  const Eigen::Vector3f f = v.cast<float>();
+  glUniform3fv(program.uniform(name), 1, f.data());
+}
+void set_uniform(const GlProgram& program, const char* name, const std::array<float, 4>& v) {
+  glUniform4fv(program.uniform(name), 1, v.data());
+}
+void set_uniform(const GlProgram& program, const char* name, const Eigen::Matrix4d& m) {
+  const Eigen::Matrix4f f = m.cast<float>();
+  glUniformMatrix4fv(program.uniform(name), 1, GL_FALSE, f.data());
 }
 
 GlBuffer make_buffer(GLenum target, const void* data, std::size_t bytes) {
@@ -182,6 +208,23 @@ GlFramebuffer make_framebuffer(std::initializer_list<GLuint> colours, GLuint dep
   return framebuffer;
 }
 
+GlRenderbuffer make_renderbuffer(GLenum internal_format, int width, int height, int samples) {
+  GlRenderbuffer buffer = GlRenderbuffer::create();
+  glBindRenderbuffer(GL_RENDERBUFFER, buffer.id());
+  glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, internal_format, width, height);
+  check_gl("making a target to draw to");
+  return buffer;
+}
+
+GlFramebuffer make_framebuffer(const GlRenderbuffer& colour, const GlRenderbuffer& depth) {
+  GlFramebuffer framebuffer = GlFramebuffer::create();
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colour.id());
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth.id());
+  check_framebuffer();
+  return framebuffer;
+}
+
 GlFramebuffer make_depth_framebuffer(GLuint depth_array, int layer) {
   GlFramebuffer framebuffer = GlFramebuffer::create();
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
@@ -190,6 +233,20 @@ GlFramebuffer make_depth_framebuffer(GLuint depth_array, int layer) {
   glReadBuffer(GL_NONE);
   check_framebuffer();
   return framebuffer;
+}
+
+Image read_picture(int width, int height) {
+  Image image{width, height, {}};
+  const std::size_t row = std::size_t{4} * width;
+  std::vector<std::uint8_t> rows(row * height);
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, rows.data());
+  check_gl("reading a picture back");
+  // OpenGL counts rows from below, pictures from above.
+  image.rgba.resize(rows.size());
+  for (int y = 0; y < height; ++y)
+    std::copy_n(rows.data() + row * y, row, image.rgba.data() + row * (height - 1 - y));
+  return image;
 }
 
 void check_gl(const char* stage) {

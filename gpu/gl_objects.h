@@ -4,10 +4,14 @@
 
 #include <epoxy/gl.h>
 
+#include <array>
 #include <cstddef>
 #include <initializer_list>
 #include <string>
 #include <utility>
+
+#include "core/base/types.h"
+#include "gpu/image.h"
 
 namespace trivet {
 
@@ -47,6 +51,10 @@ struct GlFramebufferKind {
   static GLuint create();
   static void destroy(GLuint id);
 };
+struct GlRenderbufferKind {
+  static GLuint create();
+  static void destroy(GLuint id);
+};
 struct GlVertexArrayKind {
   static GLuint create();
   static void destroy(GLuint id);
@@ -60,6 +68,7 @@ struct GlProgramKind {
 using GlBuffer = GlHandle<GlBufferKind>;
 using GlTexture = GlHandle<GlTextureKind>;
 using GlFramebuffer = GlHandle<GlFramebufferKind>;
+using GlRenderbuffer = GlHandle<GlRenderbufferKind>;
 using GlVertexArray = GlHandle<GlVertexArrayKind>;
 
 struct GlShaderSource {
@@ -85,6 +94,13 @@ class GlProgram {
   GlHandle<GlProgramKind> m_program;
 };
 
+/// Sets a uniform of the program in use.
+void set_uniform(const GlProgram& program, const char* name, float value);
+void set_uniform(const GlProgram& program, const char* name, int value);
+void set_uniform(const GlProgram& program, const char* name, const Vec3& v);
+void set_uniform(const GlProgram& program, const char* name, const std::array<float, 4>& v);
+void set_uniform(const GlProgram& program, const char* name, const Eigen::Matrix4d& m);
+
 /// A buffer that is written once.
 GlBuffer make_buffer(GLenum target, const void* data, std::size_t bytes);
 
@@ -101,8 +117,17 @@ GlTexture make_depth_array(int size, int layers);
 /// @throws Error (Environment) when the driver cannot draw to them.
 GlFramebuffer make_framebuffer(std::initializer_list<GLuint> colours, GLuint depth);
 
+/// What can be drawn to with several samples per pixel (0: one), but not read as a texture.
+GlRenderbuffer make_renderbuffer(GLenum internal_format, int width, int height, int samples);
+
+/// A framebuffer of a colour and a depth renderbuffer.
+GlFramebuffer make_framebuffer(const GlRenderbuffer& colour, const GlRenderbuffer& depth);
+
 /// A framebuffer of one layer of a depth array and no colour.
 GlFramebuffer make_depth_framebuffer(GLuint depth_array, int layer);
+
+/// The lower left part of the current framebuffer, rows from top to bottom.
+Image read_picture(int width, int height);
 
 /// Looks for what went wrong since the last look.
 /// @throws Error (Environment) naming `stage` and the OpenGL error.

@@ -14,6 +14,8 @@ constexpr double kAutomaticElevationDeg = 27;
 constexpr double kAutomaticAzimuthDeg = -62;  // from +x towards +y: front, a little from the right
 constexpr double kMargin = 0.10;              // of the picture stays free at each edge
 
+const Aabb kUnitCube{Vec3(-0.5, -0.5, 0), Vec3(0.5, 0.5, 1)};
+
 double radians(double deg) { return deg * std::numbers::pi / 180; }
 
 /// Calls visit(world position) for every finite vertex of the scene.
@@ -27,8 +29,7 @@ void for_each_vertex(const PictureScene& scene, const Visit& visit) {
 Aabb world_box(const PictureScene& scene) {
   Aabb box;
   for_each_vertex(scene, [&](const Vec3& p) { box.extend(p); });
-  if (box.empty()) box = {Vec3(-0.5, -0.5, 0), Vec3(0.5, 0.5, 1)};
-  return box;
+  return box.empty() ? kUnitCube : box;
 }
 
 /// Right, up and backward of a view, unit vectors in the columns.
@@ -58,8 +59,12 @@ struct PyramidSupport {
 }  // namespace
 
 PictureFrame make_picture_frame(const PictureScene& scene) {
+  return frame_of_box(world_box(scene));
+}
+
+PictureFrame frame_of_box(const Aabb& world_box) {
   PictureFrame frame;
-  frame.world_box = world_box(scene);
+  frame.world_box = world_box.empty() ? kUnitCube : world_box;
   frame.centre = frame.world_box.centre();
   const double diagonal = frame.world_box.diagonal();
   // One point, or so small that its inverse overflows float32: a metre is as good as any size.

@@ -21,6 +21,8 @@ struct PictureFrame {
 };
 
 PictureFrame make_picture_frame(const PictureScene& scene);
+/// The frame of a scene with that box; of a unit cube when it is empty.
+PictureFrame frame_of_box(const Aabb& world_box);
 
 /// A camera in the picture frame. A point p is at ndc (x, y) where
 /// p - eye is a multiple of forward + x * right + y * up.

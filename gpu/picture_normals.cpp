@@ -1,7 +1,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "gpu/picture_geometry.h"
+#include "gpu/picture_mesh.h"
 
 namespace trivet {
 namespace {

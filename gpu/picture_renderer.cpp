@@ -16,15 +16,6 @@ constexpr int kFloorLightPx = 128, kFloorLightViews = 12, kFloorLightMap = 256;
 constexpr double kFadeBegin = 1.0, kFadeEnd = 3.2;  // of the floor, in radii of the scene
 constexpr float kExposure = 1.0f;
 
-void set(const GlProgram& program, const char* name, float value) {
-  glUniform1f(program.uniform(name), value);
-}
-
-void set(const GlProgram& program, const char* name, const Vec3& v) {
-  const Eigen::Vector3f f = v.cast<float>();
-  glUniform3fv(program.uniform(name), 1, f.data());
-}
-
 void bind_texture(int unit, GLenum target, const GlTexture& texture) {
   glActiveTexture(GL_TEXTURE0 + unit);
   glBindTexture(target, texture.id());
@@ -160,7 +151,7 @@ void PictureRenderer::measure_floor_light() {
     add_to_target();
     m_programs.floor_light.use();
     set_light_uniforms(m_programs.floor_light, lights);
-    set(m_programs.floor_light, "floor_light_px", float(kFloorLightPx));
+    set_uniform(m_programs.floor_light, "floor_light_px", float(kFloorLightPx));
     glBindVertexArray(m_no_attributes.id());
     glDrawArrays(GL_TRIANGLES, 0, 3);
   }
@@ -210,7 +201,7 @@ void PictureRenderer::draw_geometry(const GlProgram& opaque, const GlProgram& se
     glUniform1i(program.uniform("corners"), 1);
     glUniform1ui(program.uniform("view"), static_cast<GLuint>(view));
     glUniform2i(program.uniform("tile"), tile.x, tile.y);
-    set(program, "eye", m_camera.eye);
+    set_uniform(program, "eye", m_camera.eye);
     m_geometry.draw(program, part);
   };
   draw(opaque, PictureGeometry::Part::Opaque);
@@ -239,10 +230,10 @@ void PictureRenderer::set_view_uniforms(int view, const PictureTile& tile) {
   glUniform1i(program.uniform("floor_light"), 2);
   glUniform4f(program.uniform("ndc_from_pixel"), float(2 / w), float(2 / h),
               float(2 * (tile.x + jitter.x()) / w - 1), float(2 * (tile.y + jitter.y()) / h - 1));
-  set(program, "eye", m_camera.eye);
-  set(program, "forward", m_camera.forward);
-  set(program, "right", m_camera.right);
-  set(program, "up", m_camera.up);
+  set_uniform(program, "eye", m_camera.eye);
+  set_uniform(program, "forward", m_camera.forward);
+  set_uniform(program, "right", m_camera.right);
+  set_uniform(program, "up", m_camera.up);
   glUniform1i(program.uniform("has_floor"), m_has_floor ? 1 : 0);
   glUniform2f(program.uniform("floor_fade"), float(kFadeBegin * floor_radius()),
               float(kFadeEnd * floor_radius()));
@@ -256,8 +247,8 @@ void PictureRenderer::set_view_uniforms(int view, const PictureTile& tile) {
 void PictureRenderer::set_light_uniforms(const GlProgram& program, const Lights& lights) {
   bind_texture(1, GL_TEXTURE_2D_ARRAY, m_targets.maps);
   glUniform1i(program.uniform("shadow_maps"), 1);
-  set(program, "floor_z", static_cast<float>(m_frame.floor_z));
-  set(program, "floor_extent", static_cast<float>(kFadeEnd * floor_radius()));
+  set_uniform(program, "floor_z", static_cast<float>(m_frame.floor_z));
+  set_uniform(program, "floor_extent", static_cast<float>(kFadeEnd * floor_radius()));
   // Clip coordinates are -1 to 1, the map's and its depth's 0 to 1.
   Eigen::Matrix4f map_from_clip = Eigen::Matrix4f::Identity() * 0.5f;
   map_from_clip.col(3) << 0.5f, 0.5f, 0.5f, 1.0f;
@@ -288,19 +279,15 @@ void PictureRenderer::develop(const PictureTile& tile, Image& image) {
   m_programs.develop.use();
   bind_texture(0, GL_TEXTURE_2D, m_targets.sums);
   glUniform1i(m_programs.develop.uniform("sums"), 0);
-  set(m_programs.develop, "num_views", static_cast<float>(m_options.samples));
-  set(m_programs.develop, "exposure", kExposure);
+  set_uniform(m_programs.develop, "num_views", static_cast<float>(m_options.samples));
+  set_uniform(m_programs.develop, "exposure", kExposure);
   glUniform4fv(m_programs.develop.uniform("background"), 1, m_options.background.data());
   glBindVertexArray(m_no_attributes.id());
   glDrawArrays(GL_TRIANGLES, 0, 3);
-  // OpenGL counts rows from below, pictures from above.
-  glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  std::vector<std::uint8_t> rows(std::size_t{4} * tile.width * tile.height);
-  glReadPixels(0, 0, tile.width, tile.height, GL_RGBA, GL_UNSIGNED_BYTE, rows.data());
-  check_gl("reading a picture back");
+  const Image part = read_picture(tile.width, tile.height);
   for (int y = 0; y < tile.height; ++y) {
-    const std::size_t row = image.height - 1 - (tile.y + y);
-    std::copy_n(rows.data() + std::size_t{4} * y * tile.width, std::size_t{4} * tile.width,
+    const std::size_t row = image.height - tile.y - tile.height + y;
+    std::copy_n(part.pixel(0, y), std::size_t{4} * tile.width,
                 image.rgba.data() + 4 * (row * image.width + tile.x));
   }
 }

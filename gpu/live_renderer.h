@@ -1,0 +1,140 @@
+// Private to gpu: draws live views; what it keeps from picture to picture.
+//
+// Backdrop, opaque objects, floor, see-through parts, ghosts, overlays, into a target with several
+// samples per pixel; then the outlines, found in a mask.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "gpu/gl_objects.h"
+#include "gpu/image.h"
+#include "gpu/live_camera.h"
+#include "gpu/live_overlay.h"
+#include "gpu/live_view.h"
+#include "gpu/picture_mesh.h"
+
+namespace trivet {
+
+/// A program that draws meshes, with the places of what is set for each of them.
+struct MeshProgram {
+  MeshProgram(const char* name, const std::string& vertex, const std::string& fragment);
+  GlProgram program;
+  GLint frame_from_object, frame_from_normal, tint, opacity;
+};
+
+struct LivePrograms {
+  LivePrograms();
+  MeshProgram object, shadow, mask;
+  GlProgram floor, backdrop, outline, overlay;
+};
+
+inline constexpr int kLiveShadowMapPx = 2048;   // side
+inline constexpr int kDraftShadowMapPx = 1024;  // the part of it that drafts use
+extern const Vec3 kLiveLight;                   // towards it, unit, world
+
+/// For all that is solid: both sides, nearest first.
+void prepare_to_draw_solids();
+/// For what is laid over it; the picture itself stays opaque.
+void blend_over();
+Eigen::Matrix4d world_from_frame(const PictureFrame& frame);
+
+/// What one view draws to.
+struct LiveTargets {
+  LiveTargets(int width, int height, int samples);
+  int width, height;
+  GlRenderbuffer colour, depth;
+  GlTexture picture, mask;
+  GlFramebuffer draw, draw_picture, draw_mask;
+};
+
+/// The objects that stand still, drawn.
+struct LiveStill {
+  LiveStill(int width, int height);
+  int width, height;
+  GlRenderbuffer colour, depth;
+  GlFramebuffer draw;
+  std::string key;  // what it shows
+  double near_depth = 0, far_depth = 0;
+};
+
+class LiveRenderer {
+ public:
+  /// @param many_triangles  scenes of more get drafts in which only what moves is drawn anew.
+  explicit LiveRenderer(std::int64_t many_triangles);
+
+  Image draw(const LiveScene& scene, const LiveCamera& camera, const LiveOptions& options);
+  const LiveView::Work& work() const { return m_work; }
+
+ private:
+  struct Kept {  // of a view
+    std::optional<LiveTargets> full, draft;
+    std::optional<LiveStill> still;
+  };
+  struct KnownMesh {
+    std::weak_ptr<const Model> model;
+    UploadedMesh mesh;
+  };
+  struct Instance {
+    const LiveObject* object = nullptr;
+    const UploadedMesh* mesh = nullptr;
+    std::array<Vec3, 8> corners;  // of its box, world
+    MeshPlacement placement;
+    double depth = 0;  // of its middle
+    bool seen = true;
+  };
+  struct View {  // the picture that is drawn
+    const LiveScene& scene;
+    const LiveCamera& camera;
+    const LiveOptions& options;
+    ViewAxes axes;
+    Vec3 floor_centre = Vec3::Zero();
+    double floor_radius = 1;  // world
+    double near_depth = 0, far_depth = 1;
+    Eigen::Matrix4d clip_from_world = {};
+
+    /// How far the camera is from what it looks at, or how much it shows.
+    double reach() const {
+      return camera.height ? *camera.height : (camera.eye - camera.target).norm();
+    }
+  };
+  enum class Part { Opaque, SeeThrough, All };
+
+  const UploadedMesh& mesh_of(const std::shared_ptr<const Model>& model);
+  void place_instances(const LiveScene& scene);
+  void find_depth_range(View& view) const;
+  void cull(const View& view);
+  void draw_shadow_map(const View& view, bool of_moving);
+  void draw_all(View& view, const LiveTargets& targets);
+  void draw_draft(View& view, Kept& kept);
+  void draw_backdrop(const View& view);
+  void draw_floor(const View& view);
+  void prepare_objects(const View& view, const MeshProgram& program) const;
+  void draw_one(const MeshProgram& program, const Instance& instance, Part part) const;
+  void draw_solid(const View& view, bool still, bool moving);
+  void draw_translucent(const View& view);
+  void draw_overlay(const View& view);
+  void draw_outlines(const View& view, const LiveTargets& targets);
+  void set_shadow_uniforms(const GlProgram& program, const View& view) const;
+  Image read(const LiveTargets& targets) const;
+
+  std::int64_t m_many_triangles;
+  LivePrograms m_programs;
+  GlVertexArray m_no_attributes, m_overlay_array;
+  GlBuffer m_overlay_buffer;
+  GlTexture m_shadow_map;
+  GlFramebuffer m_draw_shadow_map;
+  std::optional<std::string> m_shadow_key;  // what it holds
+  Eigen::Matrix4d m_map_from_world = Eigen::Matrix4d::Identity();
+  double m_shadow_texel = 0;  // world
+  int m_shadow_px = kLiveShadowMapPx;
+  std::map<const Model*, KnownMesh> m_meshes;
+  std::map<int, Kept> m_views;
+  PictureFrame m_frame;
+  std::vector<Instance> m_instances;
+  std::int64_t m_num_triangles = 0;
+  LiveView::Work m_work;
+};
+
+}  // namespace trivet
