@@ -59,7 +59,7 @@ LiveTheme LiveTheme::dark() {
   theme.axis_y = {0.45f, 0.70f, 0.35f, 0.8f};
   theme.outline = {1.0f, 0.62f, 0.16f, 1};
   theme.exposure = 0.86f;
-  theme.shadow_on_floor = 0.60f;
+  theme.shadow_on_floor = 0.45f;
   return theme;
 }
 

@@ -1,16 +1,41 @@
 // The editor trivet-edit.
 #include <QApplication>
-#include <QMainWindow>
+#include <QCommandLineParser>
+#include <QDir>
+#include <QStandardPaths>
+#include <iostream>
 
-#include "apps/edit/document/document.h"
+#include "apps/edit/window/main_window.h"
 
 int main(int argc, char** argv) {
   QApplication application(argc, argv);
+  QCoreApplication::setOrganizationName("trivet");
   QCoreApplication::setApplicationName("trivet-edit");
   QCoreApplication::setApplicationVersion(TRIVET_VERSION);
-  trivet::edit::Document document({});
-  QMainWindow window;
-  window.resize(1280, 720);
-  window.show();
-  return QApplication::exec();
+  QCommandLineParser parser;
+  parser.setApplicationDescription("Lays out objects that never interpenetrate and always rest.");
+  parser.addHelpOption();
+  parser.addVersionOption();
+  parser.addPositionalArgument("file", "A scene (.glb), a layout (.json), or a model to import",
+                               "[FILE]");
+  parser.addOption({"demo", "Opens a demo: spoon-saucer, breakfast, office1, office2", "name"});
+  parser.process(application);
+  try {
+    trivet::edit::DocumentOptions options;
+    options.version = TRIVET_VERSION;
+    options.recovery_folder =
+        QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation).toStdString();
+    QDir().mkpath(QString::fromStdString(options.recovery_folder));
+    trivet::edit::Document document(options);
+    trivet::edit::MainWindow window(document);
+    window.show();
+    if (parser.isSet("demo"))
+      window.open_demo(parser.value("demo"));
+    else if (!parser.positionalArguments().isEmpty())
+      window.open_file(parser.positionalArguments().front());
+    return QApplication::exec();
+  } catch (const std::exception& error) {
+    std::cerr << "trivet-edit: " << error.what() << "\n";
+    return 3;
+  }
 }

@@ -1,0 +1,109 @@
+// What menus do to the selection.
+#include <algorithm>
+#include <set>
+
+#include "apps/edit/window/main_window.h"
+
+namespace trivet::edit {
+namespace {
+
+/// "cup", "cup 2", "cup 3", ...
+std::string free_name(const SceneSnapshot& scene, const std::string& like,
+                      const std::set<std::string>& taken) {
+  std::string stem = like;
+  const size_t space = stem.find_last_of(' ');
+  if (space != std::string::npos && space + 1 < stem.size() &&
+      std::all_of(stem.begin() + static_cast<std::ptrdiff_t>(space) + 1, stem.end(),
+                  [](char c) { return c >= '0' && c <= '9'; }))
+    stem.resize(space);
+  for (int i = 2;; ++i) {
+    std::string name = stem;
+    name.append(" ").append(std::to_string(i));
+    if (!scene.find(name) && !taken.count(name)) return name;
+  }
+}
+
+}  // namespace
+
+void MainWindow::perform_on_selection(const QString& name,
+                                      const std::function<Operation(const std::string&)>& make) {
+  const auto snapshot = m_document.snapshot();
+  std::vector<Operation> operations;
+  for (const ObjectId id : m_document.selection().objects)
+    if (const ObjectSnapshot* const object = snapshot->find(id))
+      operations.push_back(make((*object)->name));
+  if (operations.size() == 1)
+    m_document.perform(operations.front());
+  else if (!operations.empty())
+    m_document.perform_all(name.toStdString(), std::move(operations));
+}
+
+void MainWindow::duplicate() {
+  const auto snapshot = m_document.snapshot();
+  std::set<std::string> names;
+  std::vector<Operation> operations;
+  for (const ObjectId id : m_document.selection().objects) {
+    const ObjectSnapshot* const object = snapshot->find(id);
+    if (!object) continue;
+    DuplicateOperation operation;
+    operation.object = (*object)->name;
+    operation.as = free_name(*snapshot, (*object)->name, names);
+    names.insert(operation.as);
+    operations.push_back(operation);
+  }
+  if (operations.empty()) return;
+  const Document::Job job = operations.size() == 1
+                                ? m_document.perform(operations.front())
+                                : m_document.perform_all("duplicate", std::move(operations));
+  when_finished(job, [this, names](bool ok) {
+    if (!ok) return;
+    Selection selection;
+    for (const std::string& name : names)
+      if (const ObjectSnapshot* const object = m_document.snapshot()->find(name))
+        selection.objects.push_back(object->id);
+    m_document.select(selection);
+    take_tool(ToolKind::Put);
+  });
+}
+
+void MainWindow::delete_selected() {
+  perform_on_selection(tr("delete"), [](const std::string& object) {
+    DeleteOperation operation;
+    operation.object = object;
+    return Operation(operation);
+  });
+}
+
+void MainWindow::lock_selected(bool locked) {
+  perform_on_selection(locked ? tr("lock") : tr("unlock"), [locked](const std::string& object) {
+    LockOperation operation;
+    operation.object = object;
+    operation.locked = locked;
+    return Operation(operation);
+  });
+}
+
+void MainWindow::group_selected(bool together) {
+  std::string group;
+  if (together) {
+    std::set<std::string> taken;
+    for (const ObjectSnapshot& object : m_document.snapshot()->objects) taken.insert(object->group);
+    for (int i = 1; group.empty() || taken.count(group); ++i)
+      group = tr("group %1").arg(i).toStdString();
+  }
+  perform_on_selection(together ? tr("group") : tr("ungroup"), [&](const std::string& object) {
+    GroupOperation operation;
+    operation.object = object;
+    operation.group = group;
+    return Operation(operation);
+  });
+}
+
+void MainWindow::select_all() {
+  Selection selection;
+  for (const ObjectSnapshot& object : m_document.snapshot()->objects)
+    selection.objects.push_back(object.id);
+  m_document.select(std::move(selection));
+}
+
+}  // namespace trivet::edit

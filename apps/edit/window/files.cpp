@@ -1,0 +1,211 @@
+// What the main window opens, saves, imports and makes.
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMenu>
+#include <QMessageBox>
+#include <QSettings>
+
+#include "apps/edit/window/import_dialog.h"
+#include "apps/edit/window/main_window.h"
+#include "ops/report/scene_file.h"
+
+namespace trivet::edit {
+namespace {
+
+constexpr int kMostRecent = 10;
+
+bool is_scene_or_layout(const QString& file) {
+  if (file.endsWith(".json", Qt::CaseInsensitive)) return true;
+  if (!file.endsWith(".glb", Qt::CaseInsensitive)) return false;
+  try {
+    return is_scene_file(file.toStdString());
+  } catch (const std::exception&) {
+    return true;  // opening it says what is wrong
+  }
+}
+
+}  // namespace
+
+void MainWindow::when_finished(Document::Job job, std::function<void(bool)> then) {
+  m_waiting[job] = std::move(then);
+}
+
+void MainWindow::say(Message::Kind kind, const QString& text) {
+  Message message;
+  message.kind = kind;
+  message.text = text.toStdString();
+  show_workspace();
+  m_message_bar->show_message(message);
+  place_message_bar();
+}
+
+/// @return whether the user was asked, or nothing had to be asked: then(), now or later.
+bool MainWindow::may_lose_work(std::function<void()> then) {
+  if (!m_document.is_modified()) {
+    then();
+    return true;
+  }
+  QMessageBox box(QMessageBox::Question, tr("Unsaved work"),
+                  tr("Save the changes to %1?").arg(QString::fromStdString(m_document.title())),
+                  QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
+  box.setDefaultButton(QMessageBox::Save);
+  switch (box.exec()) {
+    case QMessageBox::Save:
+      save(std::move(then));
+      return true;
+    case QMessageBox::Discard:
+      then();
+      return true;
+    default:
+      return false;
+  }
+}
+
+void MainWindow::new_scene() {
+  may_lose_work([this] {
+    when_finished(m_document.new_scene(), [this](bool) {
+      m_framed_title.reset();
+      show_workspace();
+    });
+  });
+}
+
+void MainWindow::open_file(const QString& file) {
+  if (!is_scene_or_layout(file)) return import_files({file});
+  may_lose_work([this, file] {
+    show_workspace();
+    when_finished(m_document.open(file.toStdString()), [this, file](bool ok) {
+      if (ok) remember_file(file);
+    });
+  });
+}
+
+void MainWindow::open_demo(const QString& name) {
+  may_lose_work([this, name] {
+    show_workspace();
+    m_document.open_demo(name.toStdString());
+  });
+}
+
+void MainWindow::ask_open() {
+  const QString file =
+      QFileDialog::getOpenFileName(this, tr("Open"), QSettings().value("files/folder").toString(),
+                                   tr("Scenes and layouts (*.glb *.json);;All files (*)"));
+  if (!file.isEmpty()) open_file(file);
+}
+
+void MainWindow::save(std::function<void()> then) {
+  if (m_document.file().empty()) return save_as(std::move(then));
+  when_finished(m_document.save(), [this, then = std::move(then)](bool ok) {
+    if (ok && !then)
+      say(Message::Kind::Info, tr("Saved: %1").arg(QString::fromStdString(m_document.file())));
+    if (ok && then) then();
+  });
+}
+
+void MainWindow::save_as(std::function<void()> then) {
+  QString file = QFileDialog::getSaveFileName(
+      this, tr("Save as"), QSettings().value("files/folder").toString() + "/scene.glb",
+      tr("Scene (*.glb);;Layout (*.json)"));
+  if (file.isEmpty()) return;
+  if (QFileInfo(file).suffix().isEmpty()) file += ".glb";
+  when_finished(m_document.save_as(file.toStdString()),
+                [this, file, then = std::move(then)](bool ok) {
+                  if (!ok) return;
+                  remember_file(file);
+                  if (then)
+                    then();
+                  else
+                    say(Message::Kind::Info, tr("Saved: %1").arg(file));
+                });
+}
+
+void MainWindow::ask_export() {
+  QString file = QFileDialog::getSaveFileName(
+      this, tr("Export"), QSettings().value("files/folder").toString() + "/scene.obj",
+      tr("Meshes (*.obj *.ply *.stl *.glb)"));
+  if (file.isEmpty()) return;
+  if (QFileInfo(file).suffix().isEmpty()) file += ".obj";
+  when_finished(m_document.export_to(file.toStdString()), [this, file](bool ok) {
+    if (ok) say(Message::Kind::Info, tr("Exported: %1").arg(file));
+  });
+}
+
+void MainWindow::ask_import() {
+  const QStringList files = QFileDialog::getOpenFileNames(
+      this, tr("Import models"), QSettings().value("files/models").toString(),
+      ImportDialog::filter());
+  if (files.isEmpty()) return;
+  QSettings().setValue("files/models", QFileInfo(files.front()).path());
+  import_files(files);
+}
+
+void MainWindow::import_files(const QStringList& files) {
+  ImportDialog dialog(files, this);
+  if (dialog.exec() != QDialog::Accepted) return;
+  show_workspace();
+  for (ImportModel& model : dialog.models()) m_imports.push_back(std::move(model));
+  import_next();
+}
+
+void MainWindow::import_next() {
+  if (m_imports.empty()) return;
+  const ImportModel model = std::move(m_imports.front());
+  m_imports.pop_front();
+  when_finished(m_document.import_model(model), [this](bool ok) {
+    if (ok && m_imports.empty()) take_tool(ToolKind::Put);
+    import_next();
+  });
+}
+
+void MainWindow::ask_picture() {
+  const auto wish = ask_for_picture(this, QSettings().value("files/folder").toString());
+  if (!wish || m_picture) return;
+  PictureOptions options;
+  options.width = wish->width, options.height = wish->height, options.samples = wish->samples;
+  if (wish->transparent) options.background = {1, 1, 1, 0};
+  m_picture =
+      std::make_unique<PictureJob>(m_drawing.scene(m_perspective->view()),
+                                   m_perspective->camera().camera(), options, wish->file, nullptr);
+  m_busy->setText(tr("Picture"));
+  show_busy();
+  connect(m_picture.get(), &PictureJob::progressed, this, [this](int percent) {
+    m_progress->setRange(0, 100);
+    m_progress->setValue(percent);
+  });
+  connect(m_picture.get(), &PictureJob::done, this, [this](bool ok, const QString& text) {
+    m_picture.reset();
+    show_busy();
+    if (!text.isEmpty()) say(ok ? Message::Kind::Info : Message::Kind::Error, text);
+  });
+}
+
+// --- recent files ------------------------------------------------------------------------------
+
+void MainWindow::remember_file(const QString& file) {
+  QSettings settings;
+  const QString whole = QFileInfo(file).absoluteFilePath();
+  QStringList files = settings.value("files/recent").toStringList();
+  files.removeAll(whole);
+  files.prepend(whole);
+  settings.setValue("files/recent", QStringList(files.mid(0, kMostRecent)));
+  settings.setValue("files/folder", QFileInfo(whole).path());
+  m_control->show_files(recent_files());
+}
+
+QStringList MainWindow::recent_files() const {
+  QStringList there;
+  for (const QString& file : QSettings().value("files/recent").toStringList())
+    if (QFileInfo::exists(file)) there << file;
+  return there;
+}
+
+void MainWindow::fill_recent_menu() {
+  m_recent_menu->clear();
+  for (const QString& file : recent_files())
+    m_recent_menu->addAction(QDir::toNativeSeparators(file), [this, file] { open_file(file); });
+  if (m_recent_menu->isEmpty()) m_recent_menu->addAction(tr("None"))->setEnabled(false);
+}
+
+}  // namespace trivet::edit

@@ -1,0 +1,75 @@
+#include "apps/edit/window/help.h"
+
+#include <QDialog>
+#include <QTextBrowser>
+#include <QVBoxLayout>
+#include <vector>
+
+namespace trivet::edit {
+namespace {
+
+QString tr(const char* text) { return QObject::tr(text); }
+
+void show_text(QWidget* parent, const QString& title, const QString& html) {
+  auto* const dialog = new QDialog(parent);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setWindowTitle(title);
+  dialog->resize(640, 560);
+  auto* const column = new QVBoxLayout(dialog);
+  column->setContentsMargins(0, 0, 0, 0);
+  auto* const text = new QTextBrowser;
+  text->setFrameStyle(QFrame::NoFrame);
+  text->document()->setDocumentMargin(20);
+  text->setHtml(html);
+  column->addWidget(text);
+  dialog->show();
+}
+
+QString table(const QString& heading, const std::vector<ShortcutRow>& rows) {
+  QString html = "<h3>" + heading + "</h3><table cellspacing=\"0\" cellpadding=\"3\">";
+  for (const ShortcutRow& row : rows)
+    html += "<tr><td width=\"210\"><b>" + row.keys.toHtmlEscaped() + "</b></td><td>" +
+            row.what.toHtmlEscaped() + "</td></tr>";
+  return html + "</table>";
+}
+
+}  // namespace
+
+void show_shortcuts(QWidget* parent, const std::vector<ShortcutRow>& menu_shortcuts) {
+  const std::vector<ShortcutRow> mouse = {
+      {tr("Left"), tr("The tool: select, put, push, turn, ...")},
+      {tr("Middle, or Alt + Left"), tr("Orbit (perspective), pan (other windows)")},
+      {tr("Shift + Middle, or Right"), tr("Pan")},
+      {tr("Wheel, or Control + Middle"), tr("Zoom, to where the mouse points")},
+      {tr("Right click"), tr("What can be done with the selection")},
+      {tr("Double click on a title"), tr("That window alone, and back")},
+      {tr("Escape"), tr("Ends what is half done: all is as before; closes messages")},
+  };
+  show_text(parent, tr("Mouse and keys"),
+            table(tr("Mouse"), mouse) + table(tr("Keys"), menu_shortcuts));
+}
+
+void show_two_minutes(QWidget* parent) {
+  show_text(
+      parent, tr("A table in two minutes"),
+      tr("<h2>A table in two minutes</h2><ol>"
+         "<li><b>File, Import models…</b> (or drop files onto the window): choose the table, its "
+         "unit, and <i>fixed</i>. Click on the floor where it shall stand.</li>"
+         "<li>Import plates, cups and spoons in the same way. Each is in your hand after the "
+         "import: a ghost shows where it would come to rest. Click on the table: it falls, "
+         "settles, and lies at rest.</li>"
+         "<li>Something else in the hand? Choose it in the tree, then <b>P</b> (Put).</li>"
+         "<li><b>W</b> (Push): drag a cup along the table. It stays on the surface, goes up "
+         "onto saucers and over low steps, and stops at walls.</li>"
+         "<li><b>T</b> (Turn): click a contact point, edge or area in the constraint window "
+         "and drag about it; or drag to turn about the contact's normal.</li>"
+         "<li><b>U</b> (Pick up), <b>G</b> (Move) and <b>R</b> (Rotate) take it into the air.</li>"
+         "<li><b>Control+D</b> makes another one of the same kind. <b>Control+Z</b> takes back "
+         "any number of steps; the History tab goes to any of them.</li>"
+         "<li><b>Control+S</b> saves the scene as .glb, which every other program reads. "
+         "<b>File, Picture…</b> makes a picture of what you see.</li></ol>"
+         "<p>When something cannot be done, a bar says why, and what is in the way is lit red. "
+         "The scene is as it was.</p>"));
+}
+
+}  // namespace trivet::edit

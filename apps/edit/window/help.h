@@ -1,0 +1,19 @@
+// The built-in help: what to press, and a table in two minutes.
+#pragma once
+
+#include <QString>
+#include <vector>
+
+class QWidget;
+
+namespace trivet::edit {
+
+struct ShortcutRow {
+  QString keys, what;
+};
+
+/// Windows that stay open beside the work.
+void show_shortcuts(QWidget* parent, const std::vector<ShortcutRow>& menu_shortcuts);
+void show_two_minutes(QWidget* parent);
+
+}  // namespace trivet::edit

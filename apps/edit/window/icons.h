@@ -1,0 +1,37 @@
+// The icons, drawn from paths in the colour of the text: sharp at every size, in both themes.
+#pragma once
+
+#include <QColor>
+#include <QIcon>
+
+namespace trivet::edit {
+
+enum class Icon {
+  Select,
+  Put,
+  Push,
+  Turn,
+  PickUp,
+  Move,
+  Rotate,  // tools, in the order of ToolKind
+  New,
+  Open,
+  Save,
+  Import,
+  Picture,
+  Undo,
+  Redo,
+  Frame,
+  Maximise,
+  Stable,
+  Fixed,
+  Held,
+  Unsupported,
+  Invalid,
+  Unplaced,
+  Wedged,  // states
+};
+
+QIcon make_icon(Icon icon, const QColor& colour);
+
+}  // namespace trivet::edit

@@ -1,0 +1,34 @@
+// How models come in: their size, which way is up, whether they are fixed.
+#pragma once
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialog>
+#include <QDoubleSpinBox>
+#include <QStringList>
+
+#include "apps/edit/document/document.h"
+
+namespace trivet::edit {
+
+class ImportDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  explicit ImportDialog(const QStringList& files, QWidget* parent = nullptr);
+
+  /// One for each file, as chosen.
+  std::vector<ImportModel> models() const;
+
+  /// Of file dialogs.
+  static QString filter();
+
+ private:
+  QStringList m_files;
+  QComboBox* m_unit;
+  QDoubleSpinBox* m_scale;
+  QComboBox* m_up;
+  QCheckBox* m_fixed;
+};
+
+}  // namespace trivet::edit

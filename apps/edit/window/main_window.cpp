@@ -1,0 +1,385 @@
+#include "apps/edit/window/main_window.h"
+
+#include <QApplication>
+#include <QCloseEvent>
+#include <QKeyEvent>
+#include <QMimeData>
+#include <QSettings>
+#include <QStatusBar>
+#include <algorithm>
+
+namespace trivet::edit {
+namespace {
+
+constexpr int kBusyAfterMs = 250;  // what is quicker shows no progress
+
+QString settings_key(const char* what) { return QString("window/") + what; }
+
+}  // namespace
+
+MainWindow::MainWindow(Document& document)
+    : m_document(document), m_toolbox(document), m_drawing(document, m_toolbox) {
+  setObjectName("trivet-edit");
+  setAcceptDrops(true);
+  make_views();
+  make_actions();
+  make_status_bar();
+  connect_document();
+  restore_layout();
+  show_start_page();
+  take_tool(ToolKind::Select);
+  follow_scene();
+}
+
+MainWindow::~MainWindow() { m_toolbox.changed = nullptr; }
+
+void MainWindow::make_views() {
+  const auto make = [this](WindowKind kind) {
+    auto* const view = new SceneView(kind, m_document, m_toolbox, m_drawing, m_painter);
+    connect(view, &SceneView::pointed, this, &MainWindow::update_status);
+    connect(view, &SceneView::context_menu_wanted, this, &MainWindow::show_context_menu);
+    return view;
+  };
+  m_control = new ControlWindow(m_document, m_toolbox);
+  m_perspective = make(WindowKind::Perspective);
+  m_three = make(WindowKind::ThreeView);
+  m_constraint = make(WindowKind::Constraint);
+  m_constraint->set_camera(ViewCamera::orthographic(-Vec3::UnitZ(), Vec3::UnitY()));
+  connect(m_constraint, &SceneView::camera_moved, this, [this] { m_constraint_is_free = true; });
+  m_frames = {new ViewFrame(tr("Control"), m_control),
+              new ViewFrame(tr("Perspective"), m_perspective), new ViewFrame(tr("Top"), m_three),
+              new ViewFrame(tr("Constraint"), m_constraint)};
+  for (ViewFrame* const frame : m_frames)
+    connect(frame, &ViewFrame::maximise_wanted, this, [this, frame] { toggle_maximised(frame); });
+  m_left = new QSplitter(Qt::Vertical);
+  m_left->addWidget(m_frames[0]), m_left->addWidget(m_frames[2]);
+  m_right = new QSplitter(Qt::Vertical);
+  m_right->addWidget(m_frames[1]), m_right->addWidget(m_frames[3]);
+  m_columns = new QSplitter(Qt::Horizontal);
+  m_columns->addWidget(m_left), m_columns->addWidget(m_right);
+  for (QSplitter* const splitter : {m_left, m_right, m_columns}) {
+    splitter->setHandleWidth(3);
+    splitter->setChildrenCollapsible(false);
+  }
+  m_workspace = new QWidget;
+  auto* const column = new QVBoxLayout(m_workspace);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(m_columns);
+  m_message_bar = new MessageBar(m_workspace);
+  connect(m_message_bar, &MessageBar::dismissed, &m_drawing, &SceneDrawing::put_out_lights);
+  m_start_page = new StartPage;
+  m_pages = new QStackedWidget;
+  m_pages->addWidget(m_start_page), m_pages->addWidget(m_workspace);
+  setCentralWidget(m_pages);
+  connect(m_control, &ControlWindow::demo_wanted, this, &MainWindow::open_demo);
+  connect(m_control, &ControlWindow::file_wanted, this, &MainWindow::open_file);
+  connect(&m_control->outliner(), &Outliner::put_wanted, this,
+          [this] { take_tool(ToolKind::Put); });
+  connect(&m_control->outliner(), &Outliner::frame_wanted, this,
+          [this] { action("frame")->trigger(); });
+  connect(&m_control->operations(), &OperationPanel::tool_wanted, this, &MainWindow::take_tool);
+}
+
+void MainWindow::make_status_bar() {
+  m_hint = new QLabel, m_count = new QLabel, m_busy = new QLabel;
+  m_hint->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  m_hint->setIndent(8);
+  m_count->setObjectName("faint");
+  m_count->setContentsMargins(8, 0, 8, 0);
+  m_progress = new QProgressBar;
+  m_progress->setFixedSize(140, 12);
+  m_progress->setTextVisible(false);
+  m_cancel = new QToolButton;
+  m_cancel->setText(tr("Cancel"));
+  m_cancel->setToolTip(tr("Stops what is running; the scene is as before (Escape)"));
+  statusBar()->addWidget(m_hint, 1);
+  for (QWidget* const widget :
+       std::initializer_list<QWidget*>{m_busy, m_progress, m_cancel, m_count})
+    statusBar()->addPermanentWidget(widget);
+  statusBar()->setSizeGripEnabled(false);
+  for (QWidget* const widget : std::initializer_list<QWidget*>{m_busy, m_progress, m_cancel})
+    widget->hide();
+  connect(m_cancel, &QToolButton::clicked, this, [this] {
+    m_document.cancel();
+    if (m_picture) m_picture->cancel();
+  });
+  m_busy_for_long.setSingleShot(true);
+  m_busy_for_long.setInterval(kBusyAfterMs);
+  connect(&m_busy_for_long, &QTimer::timeout, this, &MainWindow::show_busy);
+}
+
+void MainWindow::connect_document() {
+  m_toolbox.changed = [this] {
+    for (SceneView* const view : {m_perspective, m_three, m_constraint}) view->redraw();
+    update_status();
+  };
+  connect(&m_document, &Document::snapshot_changed, this, &MainWindow::follow_scene);
+  connect(&m_document, &Document::selection_changed, this, &MainWindow::follow_scene);
+  connect(&m_document, &Document::history_changed, this, &MainWindow::update_title);
+  connect(&m_document, &Document::file_changed, this, &MainWindow::update_title);
+  connect(&m_document, &Document::ghost_changed, this, &MainWindow::update_status);
+  connect(&m_document, &Document::busy_changed, this, [this] {
+    if (m_document.is_busy())
+      m_busy_for_long.start();
+    else
+      m_busy_for_long.stop(), show_busy();
+    update_actions();
+  });
+  connect(&m_document, &Document::progressed, this,
+          [this](const QString& what, int done, int total) {
+            m_busy->setText(what);
+            m_progress->setRange(0, total);
+            m_progress->setValue(done);
+          });
+  connect(&m_document, &Document::message, this, [this](const Message& message) {
+    m_message_bar->show_message(message);
+    place_message_bar();
+  });
+  connect(&m_document, &Document::finished, this, [this](quint64 job, bool ok) {
+    const auto waiting = m_waiting.extract(job);
+    if (!waiting.empty()) waiting.mapped()(ok);
+  });
+}
+
+// --- what is shown -----------------------------------------------------------------------------
+
+void MainWindow::show_start_page() {
+  m_start_page->show_choices(recent_files(), m_document.recoverable());
+  m_control->show_files(recent_files());
+  m_pages->setCurrentWidget(m_start_page);
+}
+
+void MainWindow::show_workspace() {
+  if (m_pages->currentWidget() == m_workspace) return;
+  m_pages->setCurrentWidget(m_workspace);
+  m_perspective->setFocus();
+}
+
+void MainWindow::toggle_maximised(ViewFrame* frame) {
+  m_maximised = m_maximised == frame ? nullptr : frame;
+  for (ViewFrame* const other : m_frames) other->setVisible(!m_maximised || other == m_maximised);
+  m_left->setVisible(!m_maximised || m_left->indexOf(m_maximised) >= 0);
+  m_right->setVisible(!m_maximised || m_right->indexOf(m_maximised) >= 0);
+  place_message_bar();
+}
+
+void MainWindow::place_message_bar() {
+  if (!m_message_bar->isVisibleTo(m_workspace)) return;
+  constexpr int kWidest = 760, kMargin = 12;
+  QWidget* const over = m_maximised ? static_cast<QWidget*>(m_maximised) : m_frames[1];
+  const QPoint corner = over->mapTo(m_workspace, QPoint(0, 26));
+  const int width = std::min(kWidest, over->width() - 2 * kMargin);
+  m_message_bar->setFixedWidth(std::max(width, 200));
+  m_message_bar->adjustSize();
+  m_message_bar->move(corner + QPoint((over->width() - m_message_bar->width()) / 2, kMargin));
+  m_message_bar->raise();
+}
+
+void MainWindow::update_title() {
+  setWindowTitle(QString::fromStdString(m_document.title()) + "[*] – Trivet");
+  setWindowModified(m_document.is_modified());
+  update_actions();
+}
+
+void MainWindow::show_busy() {
+  const bool busy = m_document.is_busy() || m_picture;
+  if (busy && m_document.is_busy()) m_busy->setText(QString::fromStdString(m_document.busy_with()));
+  if (!busy) m_progress->setRange(0, 0);
+  for (QWidget* const widget : std::initializer_list<QWidget*>{m_busy, m_progress, m_cancel})
+    widget->setVisible(busy);
+}
+
+void MainWindow::update_status() {
+  QString hint = QString::fromStdString(m_toolbox.hint());
+  const auto& ghost = m_document.ghost();
+  if (ghost && !ghost->ok && !ghost->text.empty()) hint = QString::fromStdString(ghost->text);
+  m_hint->setText(hint);
+  m_hint->setToolTip(hint);
+  const auto snapshot = m_document.snapshot();
+  const int selected = static_cast<int>(m_document.selection().objects.size());
+  QString count = tr("Objects: %1").arg(snapshot->objects.size());
+  if (selected > 0) count += tr(", selected: %1").arg(selected);
+  m_count->setText(count);
+}
+
+void MainWindow::update_actions() {
+  const bool idle = !m_document.is_busy();
+  const bool selected = !m_document.selection().objects.empty();
+  action("undo")->setEnabled(idle && m_document.can_undo());
+  action("redo")->setEnabled(idle && m_document.can_redo());
+  for (const char* const name : {"duplicate", "delete", "lock", "unlock", "group", "ungroup"})
+    action(name)->setEnabled(idle && selected);
+  for (const char* const name : {"save", "save as", "export", "picture"})
+    action(name)->setEnabled(idle);
+}
+
+void MainWindow::take_tool(ToolKind kind) {
+  if (m_toolbox.current() != kind || kind == ToolKind::Select) m_toolbox.take(kind);
+  static const char* const kActions[] = {"select",  "put",  "push",  "turn",
+                                         "pick up", "move", "rotate"};
+  action(kActions[static_cast<int>(kind)])->setChecked(true);
+  m_control->operations().show_tool(kind);
+  if (kind != ToolKind::Select) m_control->show_operations();
+  update_status();
+}
+
+void MainWindow::follow_scene() {
+  const auto snapshot = m_document.snapshot();
+  const bool is_empty = snapshot->objects.empty();
+  if (!is_empty || m_document.is_modified()) show_workspace();
+  // A scene that was just opened, or the first object of an empty one, is framed.
+  const Aabb box = snapshot->box();
+  if ((m_framed_title != m_document.title() || m_is_empty) && !box.empty() && !snapshot->drag) {
+    m_framed_title = m_document.title();
+    for (SceneView* const view : {m_perspective, m_three, m_constraint}) view->frame(box);
+  }
+  m_is_empty = box.empty();
+  aim_constraint_window();
+  update_actions();
+  update_status();
+}
+
+void MainWindow::aim_constraint_window() {
+  const auto snapshot = m_document.snapshot();
+  if (snapshot->drag) return;
+  const auto active = m_document.selection().active();
+  if (active != m_aimed_at) m_constraint_is_free = false;
+  m_aimed_at = active;
+  if (m_constraint_is_free) return;
+  const Link* const link = active_link(m_document.selection(), *snapshot);
+  ViewCamera camera = m_constraint->camera();
+  const Vec3 normal = link ? link->contact.normal : Vec3(Vec3::UnitZ());
+  const bool is_upright = std::abs(normal.z()) > 0.99;
+  camera.look_along(-normal, is_upright ? Vec3::UnitY() : Vec3::UnitZ());
+  if (const ObjectSnapshot* const object = active ? snapshot->find(*active) : nullptr;
+      object && (*object)->placed)
+    camera.look_at(world_box(*object->object).centre());
+  m_constraint->set_camera(camera);
+  const ObjectSnapshot* const with = link && link->with ? snapshot->find(*link->with) : nullptr;
+  m_frames[3]->set_note(
+      !link ? tr("from above")
+            : tr("along the normal of its contact with %1")
+                  .arg(with ? QString::fromStdString((*with)->name) : tr("the floor")));
+}
+
+void MainWindow::aim_three_view(const QString& name) {
+  ViewCamera camera = m_three->camera();
+  const Vec3 target = camera.camera().target;
+  const double shown = camera.camera().height.value_or(2);
+  const Vec3 direction = name == "top"    ? Vec3(-Vec3::UnitZ())
+                         : name == "side" ? Vec3(-Vec3::UnitX())
+                                          : Vec3(Vec3::UnitY());
+  camera = ViewCamera::orthographic(direction, name == "top" ? Vec3::UnitY() : Vec3::UnitZ());
+  camera.look_at(target);
+  camera.set_height(shown);
+  m_three->set_camera(camera);
+  action(name)->setChecked(true);
+  m_frames[2]->set_title(name == "top" ? tr("Top") : name == "side" ? tr("Side") : tr("Front"));
+}
+
+SceneView& MainWindow::view(WindowKind kind) {
+  return kind == WindowKind::Perspective  ? *m_perspective
+         : kind == WindowKind::Constraint ? *m_constraint
+                                          : *m_three;
+}
+
+SceneView* MainWindow::active_view() const {
+  for (SceneView* const view : {m_three, m_constraint, m_perspective})
+    if (view->underMouse()) return view;
+  for (SceneView* const view : {m_three, m_constraint})
+    if (view->hasFocus()) return view;
+  return m_perspective;
+}
+
+// --- layout, theme, keys -----------------------------------------------------------------------
+
+void MainWindow::restore_layout() {
+  const QSettings settings;
+  if (!restoreGeometry(settings.value(settings_key("geometry")).toByteArray())) resize(1280, 720);
+  m_columns->setSizes({340, 940});
+  m_left->setSizes({430, 230});
+  m_right->setSizes({400, 260});
+  m_columns->restoreState(settings.value(settings_key("columns")).toByteArray());
+  m_left->restoreState(settings.value(settings_key("left")).toByteArray());
+  m_right->restoreState(settings.value(settings_key("right")).toByteArray());
+  DrawingOptions options;
+  options.shadows = settings.value("view/shadows", options.shadows).toBool();
+  options.contacts = settings.value("view/contacts", options.contacts).toBool();
+  options.watch_settling = settings.value("view/watch_settling", options.watch_settling).toBool();
+  m_drawing.set_options(options);
+  action("shadows")->setChecked(options.shadows);
+  action("contacts")->setChecked(options.contacts);
+  action("watch settling")->setChecked(options.watch_settling);
+  aim_three_view("top");
+  set_dark(settings.value("view/dark", true).toBool());
+}
+
+void MainWindow::save_layout() const {
+  QSettings settings;
+  settings.setValue(settings_key("geometry"), saveGeometry());
+  settings.setValue(settings_key("columns"), m_columns->saveState());
+  settings.setValue(settings_key("left"), m_left->saveState());
+  settings.setValue(settings_key("right"), m_right->saveState());
+  settings.setValue("view/shadows", m_drawing.options().shadows);
+  settings.setValue("view/contacts", m_drawing.options().contacts);
+  settings.setValue("view/watch_settling", m_drawing.options().watch_settling);
+  settings.setValue("view/dark", m_drawing.theme().dark);
+}
+
+void MainWindow::set_dark(bool dark) {
+  Theme theme;
+  theme.dark = dark;
+  theme.apply(*qApp);
+  m_drawing.set_theme(theme);
+  m_message_bar->set_theme(theme);
+  m_control->set_theme(theme);
+  action("dark")->setChecked(dark);
+  dress_actions();
+}
+
+void MainWindow::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Escape) {
+    if (m_message_bar->isVisible())
+      m_message_bar->dismiss();
+    else if (m_document.is_busy())
+      m_document.cancel();
+    else
+      take_tool(ToolKind::Select);
+    return;
+  }
+  QMainWindow::keyPressEvent(event);
+}
+
+void MainWindow::resizeEvent(QResizeEvent* event) {
+  QMainWindow::resizeEvent(event);
+  place_message_bar();
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  if (m_may_close || !may_lose_work([this] {
+        m_may_close = true;
+        when_finished(m_document.close(), [this](bool) { close(); });
+      })) {
+    event->setAccepted(m_may_close);
+    if (m_may_close) save_layout();
+    return;
+  }
+  event->ignore();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  if (event->mimeData()->hasUrls()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  QStringList models;
+  for (const QUrl& url : event->mimeData()->urls()) {
+    const QString file = url.toLocalFile();
+    if (file.endsWith(".json", Qt::CaseInsensitive) || event->mimeData()->urls().size() == 1)
+      return open_file(file);
+    if (!file.isEmpty()) models << file;
+  }
+  if (!models.isEmpty()) import_files(models);
+}
+
+}  // namespace trivet::edit

@@ -1,0 +1,142 @@
+// The window of the editor: four views, menus, message bar, status. Start here for what is shown
+// when; menus.cpp has the actions, files.cpp what opens and saves.
+#pragma once
+
+#include <QAction>
+#include <QLabel>
+#include <QMainWindow>
+#include <QProgressBar>
+#include <QSplitter>
+#include <QStackedWidget>
+#include <QToolButton>
+#include <functional>
+#include <map>
+
+#include "apps/edit/window/control_window.h"
+#include "apps/edit/window/help.h"
+#include "apps/edit/window/icons.h"
+#include "apps/edit/window/message_bar.h"
+#include "apps/edit/window/picture_dialog.h"
+#include "apps/edit/window/scene_view.h"
+#include "apps/edit/window/start_page.h"
+#include "apps/edit/window/view_frame.h"
+
+namespace trivet::edit {
+
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+
+ public:
+  explicit MainWindow(Document& document);
+  ~MainWindow() override;
+
+  // For the command line, and for tests.
+  void open_file(const QString& file);  // scene, layout, or a model to import
+  void open_demo(const QString& name);
+  SceneView& view(WindowKind kind);
+  Toolbox& toolbox() { return m_toolbox; }
+  MessageBar& message_bar() { return *m_message_bar; }
+  ControlWindow& control() { return *m_control; }
+  QAction* action(const QString& name) const { return m_actions.at(name); }
+  void set_dark(bool dark);
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  using ViewFrames = std::array<ViewFrame*, 4>;  // control, perspective, three-view, constraint
+
+  // main_window.cpp
+  void make_views();
+  void make_status_bar();
+  void connect_document();
+  void toggle_maximised(ViewFrame* frame);
+  void show_workspace();
+  void show_start_page();
+  void place_message_bar();
+  void update_title();
+  void update_actions();
+  void update_status();
+  void show_busy();
+  void take_tool(ToolKind kind);
+  void follow_scene();
+  void aim_constraint_window();
+  void aim_three_view(const QString& name);
+  SceneView* active_view() const;
+  void restore_layout();
+  void save_layout() const;
+
+  // menus.cpp
+  QAction* add_action(const QString& name, const QString& text, const QKeySequence& keys,
+                      std::function<void()> done, const QString& tip = {});
+  void make_actions();
+  void make_file_actions();
+  void make_edit_actions();
+  void make_tool_actions();
+  void make_view_actions();
+  void make_menus();
+  void make_tool_bar();
+  void dress_actions();
+  void show_context_menu(const QPoint& global);
+  std::vector<ShortcutRow> shortcut_rows() const;
+
+  // edits.cpp: what menus do to the selection
+  void duplicate();
+  void delete_selected();
+  void perform_on_selection(const QString& name,
+                            const std::function<Operation(const std::string&)>& make);
+  void lock_selected(bool locked);
+  void group_selected(bool together);
+  void select_all();
+
+  // files.cpp
+  bool may_lose_work(std::function<void()> then);
+  void new_scene();
+  void ask_open();
+  void save(std::function<void()> then);
+  void save_as(std::function<void()> then);
+  void ask_export();
+  void ask_import();
+  void import_files(const QStringList& files);
+  void import_next();
+  void ask_picture();
+  void remember_file(const QString& file);
+  QStringList recent_files() const;
+  void fill_recent_menu();
+  void when_finished(Document::Job job, std::function<void(bool)> then);
+  void say(Message::Kind kind, const QString& text);
+
+  Document& m_document;
+  Toolbox m_toolbox;
+  SceneDrawing m_drawing;
+  Painter m_painter;
+  std::map<QString, QAction*> m_actions;
+  std::map<QAction*, Icon> m_icons;
+  QMenu* m_recent_menu = nullptr;
+  QMenu* m_context_menu = nullptr;
+  QStackedWidget* m_pages = nullptr;
+  StartPage* m_start_page = nullptr;
+  QWidget* m_workspace = nullptr;
+  QSplitter *m_columns = nullptr, *m_left = nullptr, *m_right = nullptr;
+  ControlWindow* m_control = nullptr;
+  SceneView *m_perspective = nullptr, *m_three = nullptr, *m_constraint = nullptr;
+  ViewFrames m_frames = {};
+  ViewFrame* m_maximised = nullptr;
+  MessageBar* m_message_bar = nullptr;
+  QLabel *m_hint = nullptr, *m_count = nullptr, *m_busy = nullptr;
+  QProgressBar* m_progress = nullptr;
+  QToolButton* m_cancel = nullptr;
+  QTimer m_busy_for_long;
+  std::map<Document::Job, std::function<void(bool)>> m_waiting;
+  std::deque<ImportModel> m_imports;
+  std::unique_ptr<PictureJob> m_picture;
+  std::optional<std::string> m_framed_title;
+  std::optional<ObjectId> m_aimed_at;
+  bool m_is_empty = true, m_may_close = false, m_constraint_is_free = false;
+};
+
+}  // namespace trivet::edit

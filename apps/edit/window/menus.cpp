@@ -1,0 +1,250 @@
+// The actions of the main window: every one is in a menu, with its keys.
+#include <QActionGroup>
+#include <QApplication>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QToolBar>
+
+#include "apps/edit/window/main_window.h"
+#include "ops/demo/demo.h"
+
+namespace trivet::edit {
+
+QAction* MainWindow::add_action(const QString& name, const QString& text, const QKeySequence& keys,
+                                std::function<void()> done, const QString& tip) {
+  auto* const action = new QAction(text, this);
+  action->setObjectName(name);
+  action->setShortcut(keys);
+  QString shown = tip.isEmpty() ? QString(text).remove('&').remove("…") : tip;
+  if (!keys.isEmpty()) shown += "  (" + keys.toString(QKeySequence::NativeText) + ")";
+  action->setToolTip(shown);
+  connect(action, &QAction::triggered, this, [done = std::move(done)] { done(); });
+  addAction(action);
+  m_actions[name] = action;
+  return action;
+}
+
+void MainWindow::make_actions() {
+  make_file_actions();
+  make_edit_actions();
+  make_tool_actions();
+  make_view_actions();
+  add_action("two minutes", tr("A table in &two minutes"), {}, [this] { show_two_minutes(this); });
+  add_action("shortcuts", tr("&Mouse and keys"), Qt::Key_F1,
+             [this] { show_shortcuts(this, shortcut_rows()); });
+  add_action("about", tr("&About Trivet"), {}, [this] {
+    QMessageBox::about(
+        this, tr("About Trivet"),
+        tr("<b>Trivet %1</b><p>Lays out objects with geometric and physical constraints, after "
+           "Shinya and Forgue (1995).</p><p>MIT licence. Pictures: %2</p>")
+            .arg(QApplication::applicationVersion(), m_painter.device().toHtmlEscaped()));
+  });
+  make_menus();
+  make_tool_bar();
+  connect(m_start_page, &StartPage::new_wanted, this, &MainWindow::new_scene);
+  connect(m_start_page, &StartPage::open_wanted, this, &MainWindow::ask_open);
+  connect(m_start_page, &StartPage::import_wanted, this, &MainWindow::ask_import);
+  connect(m_start_page, &StartPage::help_wanted, this, [this] { show_two_minutes(this); });
+  connect(m_start_page, &StartPage::file_wanted, this, &MainWindow::open_file);
+  connect(m_start_page, &StartPage::demo_wanted, this, &MainWindow::open_demo);
+  connect(m_start_page, &StartPage::recovery_wanted, this, [this](const QString& journal) {
+    when_finished(m_document.restore(journal.toStdString()), [this](bool ok) {
+      if (ok) show_workspace();
+    });
+  });
+  connect(m_start_page, &StartPage::discard_wanted, this, [this](const QString& journal) {
+    m_document.discard(journal.toStdString());
+    show_start_page();
+  });
+}
+
+void MainWindow::make_file_actions() {
+  m_icons[add_action(
+      "new", tr("&New"), QKeySequence::New, [this] { new_scene(); },
+      tr("New scene: an empty floor"))] = Icon::New;
+  m_icons[add_action(
+      "open", tr("&Open…"), QKeySequence::Open, [this] { ask_open(); },
+      tr("Open a scene or a layout"))] = Icon::Open;
+  m_icons[add_action(
+      "import", tr("&Import models…"), tr("Ctrl+I"), [this] { ask_import(); },
+      tr("Import models"))] = Icon::Import;
+  m_icons[add_action("save", tr("&Save"), QKeySequence::Save, [this] { save({}); })] = Icon::Save;
+  add_action("save as", tr("Save &as…"), tr("Ctrl+Shift+S"), [this] { save_as({}); });
+  add_action(
+      "export", tr("&Export…"), tr("Ctrl+E"), [this] { ask_export(); },
+      tr("Export as .glb, .obj, .ply or .stl"));
+  m_icons[add_action(
+      "picture", tr("&Picture…"), tr("Ctrl+P"), [this] { ask_picture(); },
+      tr("Picture of what the perspective window shows"))] = Icon::Picture;
+  add_action("start page", tr("Start pa&ge"), {}, [this] { show_start_page(); });
+  add_action("quit", tr("&Quit"), QKeySequence::Quit, [this] { close(); });
+}
+
+void MainWindow::make_edit_actions() {
+  m_icons[add_action("undo", tr("&Undo"), QKeySequence::Undo, [this] { m_document.undo(); })] =
+      Icon::Undo;
+  m_icons[add_action("redo", tr("&Redo"), tr("Ctrl+Shift+Z"), [this] { m_document.redo(); })] =
+      Icon::Redo;
+  add_action(
+      "duplicate", tr("&Duplicate"), tr("Ctrl+D"), [this] { duplicate(); },
+      tr("Another one of the same model, to be put"));
+  add_action("delete", tr("De&lete"), QKeySequence::Delete, [this] { delete_selected(); });
+  add_action("select all", tr("Select &all"), QKeySequence::SelectAll, [this] { select_all(); });
+  add_action("select none", tr("Select &none"), tr("Ctrl+Shift+A"),
+             [this] { m_document.select({}); });
+  add_action(
+      "lock", tr("Loc&k"), tr("Ctrl+L"), [this] { lock_selected(true); },
+      tr("No operation may move it; it may still topple"));
+  add_action("unlock", tr("Unlock"), tr("Ctrl+Shift+L"), [this] { lock_selected(false); });
+  add_action(
+      "group", tr("&Group"), tr("Ctrl+G"), [this] { group_selected(true); },
+      tr("What moves one of a group moves all"));
+  add_action("ungroup", tr("Ungroup"), tr("Ctrl+Shift+G"), [this] { group_selected(false); });
+}
+
+void MainWindow::make_tool_actions() {
+  auto* const group = new QActionGroup(this);
+  const auto tool = [&](const char* name, const QString& text, const char* key, ToolKind kind,
+                        const QString& tip) {
+    QAction* const action = add_action(
+        name, text, QKeySequence(key), [this, kind] { take_tool(kind); }, tip);
+    action->setCheckable(true);
+    group->addAction(action);
+    m_icons[action] = static_cast<Icon>(kind);
+  };
+  tool("select", tr("&Select"), "Q", ToolKind::Select, tr("Select: click, or a box"));
+  tool("put", tr("&Put"), "P", ToolKind::Put, tr("Put: it falls where you click, and settles"));
+  tool("push", tr("Push (&W)"), "W", ToolKind::Push, tr("Push: along the surface it lies on"));
+  tool("turn", tr("&Turn"), "T", ToolKind::Turn,
+       tr("Turn: about a contact's normal, edge or point"));
+  tool("pick up", tr("Pick &up"), "U", ToolKind::PickUp, tr("Pick up: away from what it lies on"));
+  tool("move", tr("&Move (G)"), "G", ToolKind::Move, tr("Move: through the air, by its handles"));
+  tool("rotate", tr("&Rotate"), "R", ToolKind::Rotate, tr("Rotate: in the air, by its handles"));
+}
+
+void MainWindow::make_view_actions() {
+  m_icons[add_action("frame", tr("&Frame selected"), tr("F"), [this] {
+    active_view()->frame(active_view()->selected_box());
+  })] = Icon::Frame;
+  add_action("frame all", tr("Frame &all"), tr("Home"),
+             [this] { active_view()->frame(m_document.snapshot()->box()); });
+  auto* const group = new QActionGroup(this);
+  int key = Qt::Key_1;
+  for (const char* const name : {"top", "side", "front"}) {
+    const QString text = name == QString("top")    ? tr("&Top")
+                         : name == QString("side") ? tr("&Side")
+                                                   : tr("Fr&ont");
+    QAction* const action = add_action(
+        name, text, QKeySequence(key++), [this, name] { aim_three_view(name); },
+        tr("What the three-view window shows"));
+    action->setCheckable(true);
+    group->addAction(action);
+  }
+  add_action("follow contact", tr("&Constraint window follows the contact"), tr("C"), [this] {
+    m_constraint_is_free = false;
+    aim_constraint_window();
+  });
+  m_icons[add_action(
+      "maximise", tr("&Maximise window"), tr("Ctrl+Space"),
+      [this] {
+        ViewFrame* frame = m_frames[0];
+        for (ViewFrame* const other : m_frames)
+          if (other->content() == active_view()) frame = other;
+        toggle_maximised(m_maximised ? m_maximised : frame);
+      },
+      tr("The window under the mouse alone, and back"))] = Icon::Maximise;
+  add_action("reset layout", tr("&Reset layout"), {}, [this] {
+    if (m_maximised) toggle_maximised(m_maximised);
+    m_columns->setSizes({340, 940}), m_left->setSizes({430, 230}), m_right->setSizes({400, 260});
+  });
+  const auto option = [&](const char* name, const QString& text, bool DrawingOptions::*field) {
+    QAction* const action = add_action(name, text, {}, [this, name, field] {
+      DrawingOptions options = m_drawing.options();
+      options.*field = m_actions.at(name)->isChecked();
+      m_drawing.set_options(options);
+    });
+    action->setCheckable(true);
+  };
+  option("shadows", tr("S&hadows"), &DrawingOptions::shadows);
+  option("contacts", tr("C&ontacts of the active object"), &DrawingOptions::contacts);
+  option("watch settling", tr("&Watch settling"), &DrawingOptions::watch_settling);
+  add_action("dark", tr("&Dark theme"), {}, [this] {
+    set_dark(action("dark")->isChecked());
+  })->setCheckable(true);
+}
+
+void MainWindow::make_menus() {
+  const auto menu = [this](const QString& title, std::initializer_list<const char*> names) {
+    QMenu* const out = menuBar()->addMenu(title);
+    for (const char* const name : names) {
+      if (*name == '\0')
+        out->addSeparator();
+      else
+        out->addAction(action(name));
+    }
+    return out;
+  };
+  QMenu* const file = menu(tr("&File"), {"new", "open"});
+  m_recent_menu = file->addMenu(tr("Open &recent"));
+  connect(m_recent_menu, &QMenu::aboutToShow, this, &MainWindow::fill_recent_menu);
+  QMenu* const demos = file->addMenu(tr("Open &demo"));
+  for (const std::string& name : demo_names())
+    demos->addAction(QString::fromStdString(name),
+                     [this, name] { open_demo(QString::fromStdString(name)); });
+  for (const char* const name :
+       {"import", "save", "save as", "export", "picture", "start page", "quit"}) {
+    if (name == QString("import") || name == QString("save") || name == QString("export") ||
+        name == QString("start page"))
+      file->addSeparator();
+    file->addAction(action(name));
+  }
+  menu(tr("&Edit"), {"undo", "redo", "", "duplicate", "delete", "", "select all", "select none", "",
+                     "lock", "unlock", "group", "ungroup"});
+  menu(tr("&Object"), {"select", "put", "push", "turn", "pick up", "move", "rotate"});
+  menu(tr("&View"),
+       {"frame", "frame all", "", "top", "side", "front", "follow contact", "", "maximise",
+        "reset layout", "", "shadows", "contacts", "watch settling", "dark"});
+  menu(tr("&Help"), {"two minutes", "shortcuts", "about"});
+  m_context_menu = new QMenu(this);
+  for (const char* const name : {"put", "push", "turn", "pick up", "move", "rotate", "",
+                                 "duplicate", "delete", "lock", "unlock", "", "frame"}) {
+    if (*name == '\0')
+      m_context_menu->addSeparator();
+    else
+      m_context_menu->addAction(action(name));
+  }
+}
+
+void MainWindow::make_tool_bar() {
+  QToolBar* const bar = addToolBar(tr("Tools"));
+  bar->setObjectName("tools");
+  bar->setMovable(false);
+  bar->setIconSize(QSize(20, 20));
+  bar->setContextMenuPolicy(Qt::PreventContextMenu);
+  for (const char* const name :
+       {"new", "open", "save", "import", "", "undo", "redo", "", "select", "put", "push", "turn",
+        "pick up", "move", "rotate", "", "frame", "maximise", "picture"}) {
+    if (*name == '\0')
+      bar->addSeparator();
+    else
+      bar->addAction(action(name));
+  }
+}
+
+void MainWindow::dress_actions() {
+  for (const auto& [action, icon] : m_icons)
+    action->setIcon(make_icon(icon, m_drawing.theme().text()));
+}
+
+void MainWindow::show_context_menu(const QPoint& global) { m_context_menu->popup(global); }
+
+std::vector<ShortcutRow> MainWindow::shortcut_rows() const {
+  std::vector<ShortcutRow> rows;
+  for (const QAction* const action : actions())
+    if (!action->shortcut().isEmpty())
+      rows.push_back({action->shortcut().toString(QKeySequence::NativeText),
+                      QString(action->toolTip()).section("  (", 0, 0)});
+  return rows;
+}
+
+}  // namespace trivet::edit

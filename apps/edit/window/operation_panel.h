@@ -1,0 +1,61 @@
+// The operations as forms: with numbers instead of the mouse, and with their thresholds.
+#pragma once
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QPushButton>
+#include <QStackedWidget>
+#include <functional>
+
+#include "apps/edit/document/document.h"
+#include "apps/edit/tools/toolbox.h"
+
+namespace trivet::edit {
+
+class OperationPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  OperationPanel(Document& document, Toolbox& toolbox, QWidget* parent = nullptr);
+
+  /// The form of that tool.
+  void show_tool(ToolKind kind);
+
+ Q_SIGNALS:
+  void tool_wanted(trivet::edit::ToolKind kind);
+
+ private:
+  struct Page;
+  QWidget* make_page(ToolKind kind);
+  void add_put(QFormLayout& form);
+  void add_push(QFormLayout& form);
+  void add_turn(QFormLayout& form);
+  void add_pick_up(QFormLayout& form);
+  void add_move(QFormLayout& form);
+  void add_rotate(QFormLayout& form);
+  QDoubleSpinBox* length(QFormLayout& form, const QString& name, double value,
+                         const QString& tip = {});
+  QDoubleSpinBox* angle(QFormLayout& form, const QString& name, double value,
+                        const QString& tip = {});
+  QDoubleSpinBox* threshold(QFormLayout& form, const QString& name, double ToolOptions::*option,
+                            const QString& tip);
+  QCheckBox* choice(QFormLayout& form, const QString& name, bool ToolOptions::*option,
+                    const QString& tip);
+  QPushButton* apply(QFormLayout& form, const QString& name,
+                     std::function<Operation(const std::string& object)> make);
+  void follow_document();
+  void refresh_choices();
+
+  Document& m_document;
+  Toolbox& m_toolbox;
+  QComboBox* m_tools;
+  QStackedWidget* m_pages;
+  std::vector<QPushButton*> m_buttons;
+  std::vector<std::function<void()>> m_refresh;
+  QComboBox* m_put_on = nullptr;
+  QDoubleSpinBox* m_put_at[3] = {};
+};
+
+}  // namespace trivet::edit

@@ -1,0 +1,172 @@
+#include "apps/edit/window/outliner.h"
+
+#include <QHeaderView>
+#include <QSignalBlocker>
+#include <algorithm>
+#include <map>
+
+#include "apps/edit/window/icons.h"
+
+namespace trivet::edit {
+namespace {
+
+constexpr int kIdRole = Qt::UserRole;
+
+QVariant data_of(ObjectId id) {
+  return QVariant::fromValue((quint64{id.generation} << 32) | id.index);
+}
+
+std::optional<ObjectId> id_of(const QTreeWidgetItem& item) {
+  const QVariant data = item.data(0, kIdRole);
+  if (!data.isValid()) return std::nullopt;
+  const quint64 bits = data.toULongLong();
+  return ObjectId{static_cast<std::uint32_t>(bits), static_cast<std::uint32_t>(bits >> 32)};
+}
+
+}  // namespace
+
+QIcon state_icon(ObjectState state, const Theme& theme) {
+  switch (state) {
+    case ObjectState::Unplaced:
+      return make_icon(Icon::Unplaced, theme.faint_text());
+    case ObjectState::Fixed:
+      return make_icon(Icon::Fixed, theme.faint_text());
+    case ObjectState::Stable:
+      return make_icon(Icon::Stable, QColor(88, 160, 92));
+    case ObjectState::Wedged:
+      return make_icon(Icon::Wedged, QColor(206, 160, 40));
+    case ObjectState::Held:
+      return make_icon(Icon::Held, theme.accent());
+    case ObjectState::Unsupported:
+      return make_icon(Icon::Unsupported, QColor(224, 128, 40));
+    case ObjectState::Invalid:
+      return make_icon(Icon::Invalid, theme.refused());
+  }
+  return {};
+}
+
+Outliner::Outliner(Document& document, QWidget* parent)
+    : QTreeWidget(parent), m_document(document) {
+  setColumnCount(2);
+  setHeaderHidden(true);
+  setSelectionMode(QAbstractItemView::ExtendedSelection);
+  setUniformRowHeights(true);
+  setIndentation(14);
+  header()->setStretchLastSection(false);
+  header()->setSectionResizeMode(0, QHeaderView::Stretch);
+  header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+  setToolTip(tr("What rests on what. Double click: frame it, or put what is not placed yet"));
+  connect(&m_document, &Document::snapshot_changed, this, &Outliner::rebuild);
+  connect(&m_document, &Document::selection_changed, this, &Outliner::show_selection);
+  connect(this, &QTreeWidget::itemSelectionChanged, this, &Outliner::take_selection);
+  connect(this, &QTreeWidget::itemDoubleClicked, this, [this](QTreeWidgetItem* item) {
+    const auto id = id_of(*item);
+    const ObjectSnapshot* const object = id ? m_document.snapshot()->find(*id) : nullptr;
+    if (!object) return;
+    if ((*object)->placed)
+      Q_EMIT frame_wanted();
+    else
+      Q_EMIT put_wanted();
+  });
+}
+
+void Outliner::set_theme(const Theme& theme) {
+  m_theme = theme;
+  m_committed = 0;
+  rebuild();
+}
+
+QTreeWidgetItem* Outliner::add(QTreeWidgetItem* parent, const ObjectSnapshot& object) {
+  auto* const item = new QTreeWidgetItem(parent);
+  item->setText(0, QString::fromStdString(object->name));
+  item->setData(0, kIdRole, data_of(object.id));
+  item->setIcon(0, state_icon(object->state, m_theme));
+  QStringList notes;
+  if (object->locked) notes << tr("locked");
+  if (!object->group.empty()) notes << QString::fromStdString(object->group);
+  if (object->state != ObjectState::Stable && object->state != ObjectState::Fixed &&
+      object->state != ObjectState::Unplaced)
+    notes << to_string(object->state);
+  item->setText(1, notes.join(", "));
+  item->setForeground(1, m_theme.faint_text());
+  return item;
+}
+
+void Outliner::rebuild() {
+  const auto snapshot = m_document.snapshot();
+  if (snapshot->committed == m_committed) return;
+  m_committed = snapshot->committed;
+  const QSignalBlocker blocker(this);
+  clear();
+  auto* const floor = new QTreeWidgetItem(this);
+  floor->setText(0, snapshot->floor ? tr("Floor") : tr("Scene"));
+  floor->setForeground(0, m_theme.faint_text());
+  // Under the first of those that hold it; supports are never below what they hold.
+  std::map<std::uint32_t, std::uint32_t> support_of;
+  for (const LoadSupport::Entry& entry : snapshot->support->entries)
+    if (!entry.on_floor && !entry.supports.empty())
+      support_of[entry.object.index] = entry.supports.front().index;
+  std::map<std::uint32_t, const ObjectSnapshot*> waiting;
+  for (const ObjectSnapshot& object : snapshot->objects)
+    if (object->placed) waiting[object.id.index] = &object;
+  std::map<std::uint32_t, QTreeWidgetItem*> items;
+  // What leans on each other in a ring is listed under the floor.
+  for (bool ring = false; !waiting.empty();) {
+    const size_t before = waiting.size();
+    for (const ObjectSnapshot& object : snapshot->objects) {
+      if (!waiting.count(object.id.index)) continue;
+      const auto support = support_of.find(object.id.index);
+      const bool on_other = support != support_of.end() && !ring;
+      const auto parent = on_other ? items.find(support->second) : items.end();
+      if (on_other && parent == items.end()) continue;
+      items[object.id.index] = add(on_other ? parent->second : floor, object);
+      waiting.erase(object.id.index);
+      ring = false;
+    }
+    if (waiting.size() == before) ring = true;
+  }
+  QTreeWidgetItem* unplaced = nullptr;
+  for (const ObjectSnapshot& object : snapshot->objects) {
+    if (object->placed) continue;
+    if (!unplaced) {
+      unplaced = new QTreeWidgetItem(this);
+      unplaced->setText(0, tr("Not placed yet"));
+      unplaced->setForeground(0, m_theme.faint_text());
+    }
+    add(unplaced, object);
+  }
+  for (QTreeWidgetItem* item : {floor, unplaced})
+    if (item) item->setFlags(Qt::ItemIsEnabled);
+  expandAll();
+  show_selection();
+}
+
+void Outliner::show_selection() {
+  if (m_is_showing) return;
+  const QSignalBlocker blocker(this);
+  clearSelection();
+  const auto active = m_document.selection().active();
+  for (QTreeWidgetItemIterator it(this); *it; ++it) {
+    const auto id = id_of(**it);
+    if (!id || !m_document.selection().contains(*id)) continue;
+    (*it)->setSelected(true);
+    if (active == id) scrollToItem(*it);
+  }
+  viewport()->update();
+}
+
+void Outliner::take_selection() {
+  Selection selection;
+  for (const QTreeWidgetItem* item : selectedItems())
+    if (const auto id = id_of(*item)) selection.objects.push_back(*id);
+  // The one that was clicked last is active.
+  if (const auto current = currentItem() ? id_of(*currentItem()) : std::nullopt)
+    if (const auto it = std::find(selection.objects.begin(), selection.objects.end(), *current);
+        it != selection.objects.end())
+      std::rotate(it, it + 1, selection.objects.end());
+  m_is_showing = true;
+  m_document.select(std::move(selection));
+  m_is_showing = false;
+}
+
+}  // namespace trivet::edit

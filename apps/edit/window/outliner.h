@@ -1,0 +1,38 @@
+// All objects as a tree: what rests on what.
+#pragma once
+
+#include <QTreeWidget>
+
+#include "apps/edit/document/document.h"
+#include "apps/edit/window/theme.h"
+
+namespace trivet::edit {
+
+/// "stable", "held", ..., in the colour of its importance.
+QIcon state_icon(ObjectState state, const Theme& theme);
+
+class Outliner : public QTreeWidget {
+  Q_OBJECT
+
+ public:
+  explicit Outliner(Document& document, QWidget* parent = nullptr);
+  void set_theme(const Theme& theme);
+
+ Q_SIGNALS:
+  /// An object that is not in the scene yet was double clicked.
+  void put_wanted();
+  void frame_wanted();
+
+ private:
+  void rebuild();
+  void show_selection();
+  void take_selection();
+  QTreeWidgetItem* add(QTreeWidgetItem* parent, const ObjectSnapshot& object);
+
+  Document& m_document;
+  Theme m_theme;
+  std::uint64_t m_committed = 0;
+  bool m_is_showing = false;  // changes of its selection are its own
+};
+
+}  // namespace trivet::edit

@@ -1,0 +1,54 @@
+// Draws the views on a thread of its own, so that no window waits for a slow graphics card.
+#pragma once
+
+#include <QImage>
+#include <QObject>
+#include <condition_variable>
+#include <deque>
+#include <map>
+#include <mutex>
+#include <thread>
+
+#include "gpu/live_scene.h"
+
+namespace trivet::edit {
+
+/// What one view wants to see. Of requests for one view that wait, only the last is drawn.
+struct PaintRequest {
+  int view = 0;
+  quint64 number = 0;  // comes back with the picture
+  LiveScene scene;
+  LiveCamera camera;
+  LiveOptions options;
+};
+
+class Painter : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit Painter(QObject* parent = nullptr);
+  ~Painter() override;
+
+  void paint(PaintRequest request);
+  /// What it draws with; empty until the first picture.
+  QString device() const { return m_device; }
+
+ Q_SIGNALS:
+  void painted(int view, quint64 number, const QImage& image, double milliseconds);
+  /// There will be no pictures: no graphics driver can be had.
+  void failed(const QString& why);
+
+ private:
+  void run();
+  std::optional<PaintRequest> next();
+
+  std::mutex m_mutex;  // of what is below
+  std::condition_variable m_wake;
+  std::map<int, PaintRequest> m_waiting;  // by view
+  std::deque<int> m_order;
+  bool m_stop = false;
+  QString m_device;
+  std::thread m_thread;
+};
+
+}  // namespace trivet::edit

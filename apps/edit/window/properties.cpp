@@ -1,0 +1,149 @@
+#include "apps/edit/window/properties.h"
+
+#include <QLocale>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+namespace trivet::edit {
+namespace {
+
+QString number(double x, int decimals) {
+  QString text = QString::number(x, 'f', decimals);
+  return text == "-" + QString::number(0.0, 'f', decimals) ? text.mid(1) : text;
+}
+
+QString vector_text(const Vec3& v) {
+  return QString("%1  %2  %3 m").arg(number(v.x(), 4), number(v.y(), 4), number(v.z(), 4));
+}
+
+/// Turns about x, then y, then z, as most programs show them.
+QString rotation_text(const Rotation& rotation) {
+  const Mat3 m = rotation.matrix();
+  const double deg = 180 / 3.14159265358979323846;
+  const double y = std::asin(std::clamp(-m(2, 0), -1.0, 1.0));
+  const double x = std::atan2(m(2, 1), m(2, 2)), z = std::atan2(m(1, 0), m(0, 0));
+  return QString("%1°  %2°  %3°").arg(number(x * deg, 1), number(y * deg, 1), number(z * deg, 1));
+}
+
+QString contacts_text(const Object& object, const SceneSnapshot& scene) {
+  QStringList lines;
+  for (const Link& link : object.links) {
+    const ObjectSnapshot* const with = link.with ? scene.find(*link.with) : nullptr;
+    const QString name = with ? QString::fromStdString((*with)->name) : Properties::tr("floor");
+    lines << Properties::tr("%1: %2 (%3)")
+                 .arg(name, QString::fromUtf8(to_string(link.contact.type)))
+                 .arg(link.contact.points.size());
+  }
+  return lines.isEmpty() ? Properties::tr("none") : lines.join("\n");
+}
+
+QString mass_text(const Object& object) {
+  const MassProperties& mass = object.shape->mass;
+  const double square = object.scale * object.scale;
+  if (mass.rule == MassRule::Surface)
+    return Properties::tr("surface, %1 m²").arg(number(square * mass.area, 4));
+  const QString litres = number(1000 * square * object.scale * std::abs(mass.volume), 3);
+  return mass.rule == MassRule::Hull ? Properties::tr("convex hull, %1 litres").arg(litres)
+                                     : Properties::tr("volume, %1 litres").arg(litres);
+}
+
+}  // namespace
+
+QString length_text(double metres) {
+  const double size = std::abs(metres);
+  if (!std::isfinite(metres)) return QStringLiteral("–");
+  if (size >= 1) return number(metres, 3) + " m";
+  if (size >= 0.1) return number(100 * metres, 2) + " cm";
+  return number(1000 * metres, 2) + " mm";
+}
+
+Properties::Properties(Document& document, QWidget* parent)
+    : QScrollArea(parent),
+      m_document(document),
+      m_name(new QLabel),
+      m_empty(new QLabel(tr("Select an object to see where it is, what it touches, and how firmly "
+                            "it rests."))),
+      m_form(new QFormLayout),
+      m_content(new QWidget) {
+  auto* const inside = new QWidget;
+  auto* const column = new QVBoxLayout(inside);
+  column->setContentsMargins(10, 8, 10, 8);
+  column->setSpacing(6);
+  m_empty->setWordWrap(true);
+  m_empty->setObjectName("faint");
+  QFont bold = m_name->font();
+  bold.setBold(true);
+  m_name->setFont(bold);
+  m_form->setContentsMargins(0, 0, 0, 0);
+  m_form->setHorizontalSpacing(14);
+  m_form->setVerticalSpacing(4);
+  m_form->setLabelAlignment(Qt::AlignLeft | Qt::AlignTop);
+  m_content->setLayout(m_form);
+  column->addWidget(m_empty);
+  column->addWidget(m_name);
+  column->addWidget(m_content);
+  column->addStretch(1);
+  setWidget(inside);
+  setWidgetResizable(true);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  connect(&m_document, &Document::snapshot_changed, this, &Properties::show_object);
+  connect(&m_document, &Document::selection_changed, this, &Properties::show_object);
+  show_object();
+}
+
+void Properties::set(const QString& name, const QString& value, const QString& tip) {
+  QLabel*& label = m_values[name];
+  if (!label) {
+    label = new QLabel;
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    label->setWordWrap(true);
+    auto* const title = new QLabel(name);
+    title->setObjectName("faint");
+    title->setToolTip(tip);
+    m_form->addRow(title, label);
+  }
+  label->setToolTip(tip);
+  label->setText(value);
+}
+
+void Properties::show_object() {
+  const auto snapshot = m_document.snapshot();
+  const Selection& selection = m_document.selection();
+  const ObjectSnapshot* const found =
+      selection.active() ? snapshot->find(*selection.active()) : nullptr;
+  m_empty->setVisible(!found);
+  m_name->setVisible(found);
+  m_content->setVisible(found);
+  if (!found) return;
+  const Object& object = *found->object;
+  QString name = QString::fromStdString(object.name);
+  if (selection.objects.size() > 1) name += tr("  and %1 more").arg(selection.objects.size() - 1);
+  m_name->setText(name);
+  set(tr("State"), QString::fromUtf8(to_string(object.state)));
+  const bool placed = object.placed;
+  const QString none = QStringLiteral("–");
+  set(tr("Position"), placed ? vector_text(object.pose.translation) : none);
+  set(tr("Rotation"), placed ? rotation_text(object.pose.rotation) : none,
+      tr("About x, then y, then z"));
+  const Vec3 size = placed ? Vec3(2 * world_box(object).half_extent())
+                           : Vec3(2 * object.scale * object.shape->box.half_extent());
+  set(tr("Size"), QString("%1 × %2 × %3")
+                      .arg(length_text(size.x()), length_text(size.y()), length_text(size.z())));
+  const bool rests = placed && !object.fixed;
+  set(tr("To tipping"), rests ? length_text(object.stability_margin) : none,
+      tr("How far the centre of mass is inside the hull of the contacts that carry, seen from "
+         "above; negative: outside"));
+  set(tr("Least friction"),
+      !rests                                 ? none
+      : std::isfinite(object.least_friction) ? number(object.least_friction, 3)
+                                             : tr("none holds it"),
+      tr("The smallest Coulomb coefficient that holds it"));
+  set(tr("Mass by"), mass_text(object), tr("Objects are of uniform density"));
+  set(tr("Touches"), contacts_text(object, *snapshot));
+  set(tr("Triangles"),
+      QLocale().toString(static_cast<qlonglong>(object.shape->mesh.triangles.size())));
+  set(tr("Model"), QString::fromStdString(object.model ? object.model->path : std::string()));
+}
+
+}  // namespace trivet::edit

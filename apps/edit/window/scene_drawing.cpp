@@ -1,0 +1,261 @@
+#include "apps/edit/window/scene_drawing.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace trivet::edit {
+namespace {
+
+constexpr double kSettlingMs = 320;  // that a way from rest to rest takes on the screen
+constexpr int kTickMs = 16;
+constexpr double kNormalPx = 26;
+const LiveColour kContactRed{0.92f, 0.20f, 0.18f, 1};
+const LiveColour kGravityLine{0.30f, 0.55f, 0.95f, 1};
+const LiveColour kBox{0.55f, 0.62f, 0.72f, 0.8f};
+const LiveColour kAxes[4] = {{0.86f, 0.27f, 0.27f, 1},
+                             {0.35f, 0.68f, 0.25f, 1},
+                             {0.25f, 0.45f, 0.90f, 1},
+                             {0.75f, 0.75f, 0.75f, 1}};
+
+LiveColour with_alpha(LiveColour colour, float alpha) {
+  colour[3] = alpha;
+  return colour;
+}
+
+Pose between(const Pose& from, const Pose& to, double t) {
+  const Rotation &a = from.rotation, &b = to.rotation;
+  const double side = a.w * b.w + a.x * b.x + a.y * b.y + a.z * b.z < 0 ? -1 : 1;
+  const double u = 1 - t, v = side * t;
+  Pose out;
+  out.rotation =
+      Rotation{u * a.w + v * b.w, u * a.x + v * b.x, u * a.y + v * b.y, u * a.z + v * b.z}
+          .normalized();
+  out.translation = u * from.translation + t * to.translation;
+  return out;
+}
+
+bool same_pose(const Pose& a, const Pose& b) {
+  return a.translation == b.translation && a.rotation.w == b.rotation.w &&
+         a.rotation.x == b.rotation.x && a.rotation.y == b.rotation.y &&
+         a.rotation.z == b.rotation.z;
+}
+
+LiveObject live_object(const Object& object, const Pose& pose) {
+  LiveObject out;
+  out.model = object.model;
+  out.world_from_object = world_from_object(pose, object.up, object.scale);
+  return out;
+}
+
+/// How low the gravity line goes: to the floor, or as far as the scene does.
+double foot_height(const SceneSnapshot& scene) {
+  if (scene.floor) return 0;
+  const Aabb box = scene.box();
+  return box.empty() ? 0 : box.lower.z();
+}
+
+}  // namespace
+
+SceneDrawing::SceneDrawing(Document& document, Toolbox& toolbox, QObject* parent)
+    : QObject(parent), m_document(document), m_toolbox(toolbox), m_before(document.snapshot()) {
+  connect(&m_document, &Document::snapshot_changed, this, &SceneDrawing::follow_document);
+  connect(&m_document, &Document::selection_changed, this, &SceneDrawing::changed);
+  connect(&m_document, &Document::ghost_changed, this, &SceneDrawing::changed);
+  connect(&m_document, &Document::message, this, &SceneDrawing::light);
+  m_tick.setInterval(kTickMs);
+  connect(&m_tick, &QTimer::timeout, this, &SceneDrawing::move_on);
+}
+
+void SceneDrawing::set_theme(const Theme& theme) {
+  m_theme = theme;
+  Q_EMIT changed();
+}
+
+void SceneDrawing::set_options(const DrawingOptions& options) {
+  m_options = options;
+  Q_EMIT changed();
+}
+
+void SceneDrawing::light(const Message& message) {
+  m_lit = message;
+  Q_EMIT changed();
+}
+
+void SceneDrawing::put_out_lights() {
+  if (m_lit.objects.empty() && m_lit.points.empty()) return;
+  light({});
+}
+
+void SceneDrawing::follow_document() {
+  const auto now = m_document.snapshot();
+  const bool was_dragged = m_before->drag.has_value();
+  if (now->committed != m_before->committed) {
+    m_ways.clear();
+    put_out_lights();
+    for (const ObjectSnapshot& object : now->objects) {
+      const ObjectSnapshot* const before = m_before->find(object.id);
+      if (!m_options.watch_settling || !before || before->revision == object.revision) continue;
+      if (!(*before)->placed || !object->placed || same_pose((*before)->pose, object->pose))
+        continue;
+      m_ways[object.id.index] = {(*before)->pose, object->pose};
+    }
+    m_was_dragged = was_dragged;
+    m_since.start();
+    if (m_ways.empty())
+      m_tick.stop();
+    else
+      m_tick.start();
+  }
+  m_before = now;
+  Q_EMIT changed();
+}
+
+double SceneDrawing::progress() const {
+  const double t = std::min(double(m_since.elapsed()) / kSettlingMs, 1.0);
+  return t * t * (3 - 2 * t);
+}
+
+void SceneDrawing::move_on() {
+  if (progress() >= 1) {
+    m_ways.clear();
+    m_tick.stop();
+  }
+  Q_EMIT changed();
+}
+
+Pose SceneDrawing::shown_pose(const ObjectSnapshot& object) const {
+  const auto way = m_ways.find(object.id.index);
+  if (way == m_ways.end()) return object->pose;
+  return between(way->second.from, way->second.to, progress());
+}
+
+LiveColour SceneDrawing::tint_of(const ObjectSnapshot& object) const {
+  if (std::find(m_lit.objects.begin(), m_lit.objects.end(), object.id) != m_lit.objects.end())
+    return m_lit.kind == Message::Kind::Info ? live_colour(m_theme.information(), 0.35f)
+                                             : live_colour(m_theme.refused(), 0.5f);
+  switch (object->state) {
+    case ObjectState::Invalid:
+      return {0.9f, 0.1f, 0.15f, 0.55f};
+    case ObjectState::Unsupported:
+      return {0.95f, 0.55f, 0.1f, 0.45f};
+    case ObjectState::Wedged:
+      return {0.9f, 0.8f, 0.2f, 0.25f};
+    default:
+      return {};
+  }
+}
+
+LiveScene SceneDrawing::scene(const View& view) const {
+  const auto snapshot = m_document.snapshot();
+  LiveScene out;
+  out.floor = snapshot->floor;
+  for (const ObjectSnapshot& object : snapshot->objects) {
+    if (!object->placed) continue;
+    LiveObject live = live_object(*object.object, shown_pose(object));
+    live.tint = tint_of(object);
+    live.outlined = m_document.selection().contains(object.id);
+    live.moving = m_ways.count(object.id.index) > 0;
+    if (snapshot->drag) {
+      const auto& moving = snapshot->drag->moving;
+      live.moving =
+          live.moving || std::find(moving.begin(), moving.end(), object.id) != moving.end();
+    }
+    out.objects.push_back(std::move(live));
+  }
+  add_ghost(out);
+  add_active(out, view);
+  add_drag(out);
+  add_tool(out.overlay, view);
+  for (const Vec3& point : m_lit.points)
+    out.overlay.points.push_back({point, live_colour(m_theme.refused()), 6, Hidden::Shown});
+  return out;
+}
+
+void SceneDrawing::add_ghost(LiveScene& scene) const {
+  if (!m_document.ghost()) return;
+  const Ghost& ghost = *m_document.ghost();
+  const auto snapshot = m_document.snapshot();
+  for (const Ghost::Member& member : ghost.members) {
+    const ObjectSnapshot* const object = snapshot->find(member.id);
+    if (!object) continue;
+    LiveObject live = live_object(*object->object, member.pose);
+    live.opacity = 0.55f;
+    live.tint = live_colour(m_theme.accent(), 0.45f);
+    live.moving = true;
+    scene.objects.push_back(std::move(live));
+  }
+  if (ghost.ok) return;
+  for (const Vec3& point : ghost.points)
+    scene.overlay.points.push_back({point, live_colour(m_theme.refused()), 6, Hidden::Shown});
+}
+
+void SceneDrawing::add_active(LiveScene& scene, const View& view) const {
+  const auto active = m_document.selection().active();
+  const auto snapshot = m_document.snapshot();
+  const ObjectSnapshot* const object = active ? snapshot->find(*active) : nullptr;
+  if (!object || !(*object)->placed || !m_options.contacts || !m_ways.empty()) return;
+  LiveOverlay& overlay = scene.overlay;
+  if (!(*object)->fixed) {
+    const Vec3 centre = (*object)->centre_of_mass();
+    const Vec3 foot(centre.x(), centre.y(), std::min(foot_height(*snapshot), centre.z()));
+    overlay.lines.push_back({centre, foot, kGravityLine, 1.5f, Hidden::Faint});
+    overlay.points.push_back({centre, kGravityLine, 4, Hidden::Shown});
+    overlay.points.push_back({centre, {1, 1, 1, 1}, 1.8f, Hidden::Shown});
+  }
+  if (!snapshot->drag) add_contacts(overlay, *object->object, view);
+}
+
+void SceneDrawing::add_contacts(LiveOverlay& overlay, const Object& object,
+                                const View& view) const {
+  for (const Link& link : object.links) {
+    overlay.add_polygon(link.contact.hull, with_alpha(kContactRed, 0.30f), Hidden::Faint);
+    if (link.contact.hull.size() > 1)
+      overlay.add_loop(link.contact.hull, kContactRed, 1.8f, Hidden::Faint);
+    for (const ContactPoint& point : link.contact.points) {
+      overlay.points.push_back({point.point, kContactRed, 3, Hidden::Faint});
+      const double metres = view.metres_per_px(std::max(view.depth(point.point), 0.0));
+      overlay.lines.push_back({point.point, point.point + kNormalPx * metres * point.normal,
+                               with_alpha(kContactRed, 0.75f), 1.2f, Hidden::Faint});
+    }
+  }
+}
+
+void SceneDrawing::add_drag(LiveScene& scene) const {
+  const auto snapshot = m_document.snapshot();
+  if (!snapshot->drag) return;
+  const DragSnapshot& drag = *snapshot->drag;
+  Aabb box;
+  for (const ObjectId id : drag.moving)
+    if (const ObjectSnapshot* const object = snapshot->find(id))
+      box.extend(world_box(*object->object));
+  if (!box.empty()) scene.overlay.add_box(box, kBox, 1, Hidden::Faint);
+  for (const ContactPoint& point : drag.contacts)
+    scene.overlay.points.push_back({point.point, kContactRed, 3, Hidden::Faint});
+  if (!drag.blocked) return;
+  if (drag.end != OperationResult::End::Edge)
+    scene.overlay.points.push_back(
+        {drag.blocked_at, live_colour(m_theme.refused()), 7, Hidden::Shown});
+  const ObjectSnapshot* const by = snapshot->find(drag.blocked_by);
+  if (!by) return;
+  for (LiveObject& live : scene.objects)
+    if (live.model == (*by)->model && live.opacity >= 1 &&
+        live.world_from_object.translation == (*by)->world_from_object().translation)
+      live.tint = live_colour(m_theme.refused(), 0.45f);
+}
+
+void SceneDrawing::add_tool(LiveOverlay& overlay, const View& view) const {
+  for (const edit::Overlay::Line& line : m_toolbox.overlay(view).lines) {
+    LiveColour colour = line.axis >= 0 && line.axis < 4 ? kAxes[line.axis] : kGravityLine;
+    float width = 2.5f;
+    if (line.role == Overlay::Role::HotHandle) colour = {1, 0.85f, 0.25f, 1}, width = 3.5f;
+    if (line.role == Overlay::Role::HoverEdge) colour = {1, 0.65f, 0.1f, 1}, width = 4;
+    if (line.role == Overlay::Role::Hint) width = 1.5f;
+    const Hidden hidden = line.role == Overlay::Role::Hint ? Hidden::Faint : Hidden::Shown;
+    if ((line.a - line.b).norm() > 0)
+      overlay.lines.push_back({line.a, line.b, colour, width, hidden});
+    else
+      overlay.points.push_back({line.a, colour, 2 * width, hidden});
+  }
+}
+
+}  // namespace trivet::edit

@@ -1,0 +1,86 @@
+// A window onto the scene: shows what the painter draws, moves its camera, gives the rest of the
+// mouse to the tools.
+#pragma once
+
+#include <QElapsedTimer>
+#include <QImage>
+#include <QTimer>
+#include <QWidget>
+
+#include "apps/edit/tools/toolbox.h"
+#include "apps/edit/window/painter.h"
+#include "apps/edit/window/scene_drawing.h"
+#include "apps/edit/window/view_camera.h"
+
+namespace trivet::edit {
+
+class SceneView : public QWidget {
+  Q_OBJECT
+
+ public:
+  SceneView(WindowKind kind, Document& document, Toolbox& toolbox, SceneDrawing& drawing,
+            Painter& painter, QWidget* parent = nullptr);
+
+  WindowKind kind() const { return m_kind; }
+  const ViewCamera& camera() const { return m_camera; }
+  void set_camera(const ViewCamera& camera);
+  View view() const { return m_camera.view(size()); }
+  void frame(const Aabb& box);
+  /// What is framed when nothing is: of the selection, else of the scene.
+  Aabb selected_box() const;
+  void redraw();
+  /// Nothing is left to be drawn: what is seen is the document, in full quality. For tests.
+  bool is_up_to_date() const { return m_shown == m_wanted && !m_shown_is_draft; }
+  double last_picture_ms() const { return m_picture_ms; }
+
+ Q_SIGNALS:
+  void pointed();       // an event went to the tools
+  void camera_moved();  // by the user
+  void context_menu_wanted(const QPoint& global);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  bool event(QEvent* event) override;
+
+ private:
+  enum class CameraDrag { None, Orbit, Pan, Zoom };
+  CameraDrag camera_drag_of(const QMouseEvent& event) const;
+  void move_camera(const QPointF& moved_px);
+  bool is_in_motion() const;
+  void request();
+  void take(int view, quint64 number, const QImage& image, double milliseconds);
+  bool send(PointerEvent::Kind kind, const QMouseEvent& event);
+  void paint_label(QPainter& painter, const QRectF& box, int flags, const QString& text,
+                   const QColor& colour) const;
+  void paint_axes(QPainter& painter) const;
+  void paint_scale(QPainter& painter) const;
+  void paint_rubber_band(QPainter& painter) const;
+  void update_cursor();
+
+  WindowKind m_kind;
+  Document& m_document;
+  Toolbox& m_toolbox;
+  SceneDrawing& m_drawing;
+  Painter& m_painter;
+  ViewCamera m_camera;
+  QImage m_image;
+  QString m_failure;
+  quint64 m_wanted = 0, m_requested = 0, m_shown = 0;  // numbers of what is to be seen
+  bool m_waiting = false, m_requested_draft = false, m_shown_is_draft = true;
+  int m_coarseness = 1;  // of drafts: pixels of the screen per pixel
+  double m_picture_ms = 0;
+  CameraDrag m_camera_drag = CameraDrag::None;
+  QPointF m_last_position, m_pressed_at;
+  QElapsedTimer m_camera_moved;
+  QTimer m_calm;  // ends drafts
+};
+
+}  // namespace trivet::edit

@@ -1,0 +1,135 @@
+#include "apps/edit/window/start_page.h"
+
+#include <QCommandLinkButton>
+#include <QFileInfo>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+
+#include "apps/edit/window/icons.h"
+#include "ops/demo/demo.h"
+
+namespace trivet::edit {
+namespace {
+
+constexpr int kWidth = 720;
+constexpr int kMostRecent = 6;
+
+QString description_of(const std::string& demo) {
+  if (demo == "spoon-saucer") return StartPage::tr("A cup, a saucer and a spoon: the first steps");
+  if (demo == "breakfast") return StartPage::tr("A breakfast table of 24 objects");
+  if (demo == "office1") return StartPage::tr("A tidy office of 16 objects");
+  if (demo == "office2") return StartPage::tr("The same office, untidied, and 9 objects more");
+  return {};
+}
+
+QLabel* heading(const QString& text) {
+  auto* const label = new QLabel(text);
+  label->setObjectName("title");
+  return label;
+}
+
+}  // namespace
+
+StartPage::StartPage(QWidget* parent) : QWidget(parent), m_column(new QVBoxLayout) {
+  auto* const inside = new QWidget;
+  auto* const row = new QHBoxLayout(inside);
+  row->setContentsMargins(24, 24, 24, 24);
+  row->addStretch(1);
+  row->addLayout(m_column, 100);
+  row->addStretch(1);
+  auto* const scroll = new QScrollArea;
+  scroll->setWidget(inside);
+  scroll->setWidgetResizable(true);
+  auto* const all = new QVBoxLayout(this);
+  all->setContentsMargins(0, 0, 0, 0);
+  all->addWidget(scroll);
+}
+
+void StartPage::show_choices(const QStringList& recent,
+                             const std::vector<Recoverable>& recoverable) {
+  delete m_content;
+  m_content = new QWidget;
+  m_content->setMaximumWidth(kWidth);
+  auto* const column = new QVBoxLayout(m_content);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(10);
+  auto* const title = new QLabel("Trivet");
+  QFont large = title->font();
+  large.setPointSizeF(2.2 * large.pointSizeF());
+  large.setBold(true);
+  title->setFont(large);
+  auto* const what =
+      new QLabel(tr("Lays out objects that never pass through each other and always lie at rest."));
+  what->setObjectName("faint");
+  what->setWordWrap(true);
+  column->addWidget(title);
+  column->addWidget(what);
+  for (const Recoverable& session : recoverable) add_recoverable(*column, session);
+  auto* const grid = new QGridLayout;
+  grid->setHorizontalSpacing(24);
+  grid->setVerticalSpacing(4);
+  grid->setColumnStretch(0, 1);
+  grid->setColumnStretch(1, 1);
+  grid->addWidget(heading(tr("Begin")), 0, 0);
+  grid->addWidget(heading(tr("Demos")), 0, 1);
+  int line[2] = {1, 1};
+  const auto add = [&](int side, Icon icon, const QString& name, const QString& text,
+                       auto&& clicked) {
+    auto* const button = new QCommandLinkButton(name, text);
+    button->setIcon(make_icon(icon, palette().color(QPalette::Highlight)));
+    grid->addWidget(button, line[side]++, side);
+    connect(button, &QCommandLinkButton::clicked, this, clicked);
+  };
+  add(0, Icon::New, tr("New scene"), tr("An empty floor"), [this] { Q_EMIT new_wanted(); });
+  add(0, Icon::Open, tr("Open…"), tr("A scene (.glb) or a layout (.json)"),
+      [this] { Q_EMIT open_wanted(); });
+  add(0, Icon::Import, tr("Import models…"), tr("Any mesh; or drop files onto this window"),
+      [this] { Q_EMIT import_wanted(); });
+  add(0, Icon::Put, tr("A table in two minutes"), tr("How it goes, in eight steps"),
+      [this] { Q_EMIT help_wanted(); });
+  for (const std::string& demo : demo_names()) {
+    const QString name = QString::fromStdString(demo);
+    add(1, Icon::Picture, name, description_of(demo), [this, name] { Q_EMIT demo_wanted(name); });
+  }
+  column->addLayout(grid);
+  if (!recent.isEmpty()) column->addWidget(heading(tr("Recent files")));
+  for (const QString& file : recent.mid(0, kMostRecent)) {
+    auto* const link =
+        new QLabel(QString("<a href=\"%1\">%2</a>&nbsp;&nbsp; %3")
+                       .arg(file.toHtmlEscaped(), QFileInfo(file).fileName().toHtmlEscaped(),
+                            QFileInfo(file).path().toHtmlEscaped()));
+    link->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
+    column->addWidget(link);
+    connect(link, &QLabel::linkActivated, this, &StartPage::file_wanted);
+  }
+  column->addStretch(1);
+  m_column->addWidget(m_content);
+}
+
+void StartPage::add_recoverable(QVBoxLayout& column, const Recoverable& session) {
+  auto* const card = new QFrame;
+  card->setObjectName("card");
+  card->setStyleSheet("#card { border: 1px solid palette(highlight); border-radius: 4px; }");
+  auto* const row = new QHBoxLayout(card);
+  const QString name = session.file.empty() ? tr("A scene that was never saved")
+                                            : QString::fromStdString(session.file);
+  auto* const text = new QLabel(tr("%1 was not closed properly; %n step(s), the last on %2",
+                                   nullptr, static_cast<int>(session.num_steps))
+                                    .arg(name, QString::fromStdString(session.when)));
+  text->setWordWrap(true);
+  auto* const recover = new QPushButton(tr("Recover"));
+  auto* const discard = new QPushButton(tr("Discard"));
+  row->addWidget(text, 1);
+  row->addWidget(recover);
+  row->addWidget(discard);
+  column.addWidget(card);
+  const QString journal = QString::fromStdString(session.journal);
+  connect(recover, &QPushButton::clicked, this,
+          [this, journal] { Q_EMIT recovery_wanted(journal); });
+  connect(discard, &QPushButton::clicked, this,
+          [this, journal] { Q_EMIT discard_wanted(journal); });
+}
+
+}  // namespace trivet::edit

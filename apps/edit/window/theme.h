@@ -1,0 +1,33 @@
+// Light or dark: colours of the windows and of what is drawn in the scene.
+#pragma once
+
+#include <QColor>
+#include <QString>
+
+#include "gpu/live_scene.h"
+
+class QApplication;
+
+namespace trivet::edit {
+
+struct Theme {
+  bool dark = true;
+
+  LiveTheme scene() const { return dark ? LiveTheme::dark() : LiveTheme::light(); }
+  QColor text() const { return dark ? QColor(222, 224, 228) : QColor(32, 35, 40); }
+  QColor faint_text() const { return dark ? QColor(150, 155, 163) : QColor(104, 110, 120); }
+  QColor window() const { return dark ? QColor(43, 45, 49) : QColor(238, 239, 241); }
+  QColor base() const { return dark ? QColor(33, 35, 38) : QColor(252, 252, 253); }
+  QColor line() const { return dark ? QColor(28, 29, 32) : QColor(205, 208, 213); }
+  QColor accent() const { return dark ? QColor(86, 146, 226) : QColor(38, 108, 200); }
+  QColor refused() const { return dark ? QColor(224, 96, 84) : QColor(196, 52, 40); }
+  QColor information() const { return accent(); }
+
+  /// Style, palette and style sheet of the whole program.
+  void apply(QApplication& application) const;
+};
+
+/// With alpha, for the scene.
+LiveColour live_colour(const QColor& colour, float alpha = 1);
+
+}  // namespace trivet::edit

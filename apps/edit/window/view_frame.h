@@ -1,0 +1,34 @@
+// A view with its title, which is double clicked to maximise it.
+#pragma once
+
+#include <QFrame>
+#include <QLabel>
+
+namespace trivet::edit {
+
+/// Any of the four windows.
+class ViewFrame : public QFrame {
+  Q_OBJECT
+
+ public:
+  ViewFrame(const QString& title, QWidget* content, QWidget* parent = nullptr);
+
+  QWidget* content() const { return m_content; }
+  /// At the right end of the title.
+  void add_to_title(QWidget* widget);
+  void set_title(const QString& title) { m_title->setText(title); }
+  void set_note(const QString& note);  // beside the title: "along the contact's normal"
+
+ Q_SIGNALS:
+  void maximise_wanted();
+
+ protected:
+  bool eventFilter(QObject* object, QEvent* event) override;
+
+ private:
+  QWidget* m_bar;
+  QWidget* m_content;
+  QLabel *m_title, *m_note;
+};
+
+}  // namespace trivet::edit
