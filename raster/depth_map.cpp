@@ -11,8 +11,11 @@ namespace {
 constexpr float kInf = std::numeric_limits<float>::infinity();
 
 struct MapSink final : SpanSink {
+  static constexpr bool kCentres = true;
   DepthMap* map = nullptr;
   void span(const Span& s) override { map->add(s); }
+  void small(const SmallFace& f) { map->add(f); }
+  void sample(int pixel, float depth, float error) { map->add_sample(pixel, depth, error); }
 };
 
 template <bool kTurning>
@@ -20,8 +23,7 @@ bool draw_part(const Layer& layer, const View& view, size_t first, size_t last, 
   TriangleRaster raster(view);
   MapSink sink;
   sink.map = &out;
-  return draw_faces<kTurning>(layer, view, first, last, 1, raster, sink,
-                              [&](const SmallFace& f) { out.add(f); });
+  return draw_faces<kTurning>(layer, view, Wanted::all_of(view), first, last, 1, raster, sink);
 }
 
 }  // namespace
@@ -50,13 +52,9 @@ void DepthMap::add(const Span& s) {
   }
 }
 
-void DepthMap::add(const SmallFace& f) {
-  for (int y = f.y0; y <= f.y1; ++y)
-    for (int x = f.x0; x <= f.x1; ++x) {
-      const int at = y * width + x;
-      lower[at] = std::min(lower[at], f.lower);
-      upper[at] = std::max(upper[at], f.upper);
-    }
+void DepthMap::add_sample(int pixel, float depth, float error) {
+  lowest_centre[pixel] = std::min(lowest_centre[pixel], depth + error);
+  highest_centre[pixel] = std::max(highest_centre[pixel], depth - error);
 }
 
 void DepthMap::add(const DepthMap& other) {

@@ -7,9 +7,6 @@
 
 namespace trivet {
 
-/// Centres whose depth is less certain than this (pixels or radians) are not used.
-inline constexpr float kLargestCentreError = 0.02F;
-
 /// Bounds of depths in each pixel, row by row. Where nothing was drawn: +infinity and -infinity.
 struct DepthMap {
   int width = 0, height = 0;
@@ -23,7 +20,16 @@ struct DepthMap {
   bool empty_at(int pixel) const { return lower[pixel] > upper[pixel]; }
 
   void add(const Span& span);
-  void add(const SmallFace& face);
+  void add(const SmallFace& f) {
+    for (int y = f.y0; y <= f.y1; ++y)
+      for (int x = f.x0; x <= f.x1; ++x) {
+        const int at = y * width + x;
+        if (f.lower < lower[at]) lower[at] = f.lower;
+        if (f.upper > upper[at]) upper[at] = f.upper;
+      }
+  }
+  /// The line through the pixel's centre meets a face at `depth`, give or take `error`.
+  void add_sample(int pixel, float depth, float error);
   void add(const DepthMap& other);
 };
 

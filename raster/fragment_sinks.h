@@ -8,6 +8,7 @@ namespace trivet {
 /// Fixed faces against the depth map of the moving ones: keeps what may be first, lowers the bound.
 class FixedSink final : public SpanSink {
  public:
+  static constexpr bool kCentres = true;
   FixedSink(const DepthMap& map, SharedMinimum& upper) : m_map(map), m_upper(upper) {}
 
   bool keep = true;  // false: only the upper bound is wanted
@@ -15,6 +16,13 @@ class FixedSink final : public SpanSink {
   std::vector<char> covered;  // pixels that both sides touch; empty: not asked for
   std::size_t most = 0;       // fragments
   bool overflow = false;
+
+  // The line through the centre meets both: they touch when it says, unless they have before.
+  void sample(int pixel, float centre, float error) {
+    const float moving = m_map.highest_centre[pixel];
+    const bool certainly_ahead = centre - error >= moving + 2 * kLargestCentreError;
+    if (certainly_ahead) m_upper.lower_to((centre + error - moving) * 1.000001F);
+  }
 
   void span(const Span& s) override {
     const int at = s.row * m_map.width + s.first;
@@ -51,13 +59,6 @@ class FixedSink final : public SpanSink {
     found.push_back({pixel, id, lower, upper});
   }
 
-  // The line through the centre meets both: they touch when it says, unless they have before.
-  void sample(int pixel, float centre, float error) {
-    const float moving = m_map.highest_centre[pixel];
-    const bool certainly_ahead = centre - error >= moving + 2 * kLargestCentreError;
-    if (certainly_ahead) m_upper.lower_to((centre + error - moving) * 1.000001F);
-  }
-
   const DepthMap& m_map;
   SharedMinimum& m_upper;
 };
@@ -65,6 +66,7 @@ class FixedSink final : public SpanSink {
 /// Moving faces in the pixels where fixed ones are left.
 class MovingSink final : public SpanSink {
  public:
+  static constexpr bool kCentres = false;
   struct Limits {
     std::vector<float> lower, upper;  // per pixel: a moving face must reach this, begin before that
   };

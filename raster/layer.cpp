@@ -12,11 +12,22 @@ namespace {
 // A vertex is rounded to float32 once: half an ulp, with reserve.
 constexpr double kFloatError = 1.2e-7;
 
-ImageVertex straight(const Vec3& p) {
-  return {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z()), 0};
-}
+// An affine map, four rows at once.
+class Map {
+ public:
+  explicit Map(const Affine& m) {
+    for (int k = 0; k < 3; ++k) m_columns[k] << m.linear.col(k).array(), 0;
+    m_columns[3] << m.translation.array(), 0;
+  }
+  Eigen::Array4d operator()(const Vec3& p) const {
+    return p.x() * m_columns[0] + p.y() * m_columns[1] + (p.z() * m_columns[2] + m_columns[3]);
+  }
 
-ImageVertex turning(const Vec3& p, double first_radius, double low) {
+ private:
+  std::array<Eigen::Array4d, 4> m_columns;
+};
+
+ImageVertex turning(const Eigen::Array4d& p, double first_radius, double low) {
   const double angle = wrapped(fast_atan2(p.y(), p.x()), low);
   return {static_cast<float>(std::sqrt(p.x() * p.x() + p.y() * p.y()) - first_radius),
           static_cast<float>(p.z()), static_cast<float>(angle), 0};
@@ -41,9 +52,10 @@ void Layer::project(int num_threads) {
     std::vector<ImageVertex> largest(num_parts(from.size(), num_threads), ImageVertex::Zero());
     for_each_part(from.size(), num_threads, [&](size_t part, size_t first, size_t last) {
       ImageVertex high = ImageVertex::Zero();
+      const Map map(m.pixels_from_object);
       for (size_t i = first; i < last; ++i) {
-        const Vec3 p = m.pixels_from_object.apply(from[i]);
-        m.vertices[i] = is_turn ? turning(p, m_frame.first_radius, low) : straight(p);
+        const Eigen::Array4d p = map(from[i]);
+        m.vertices[i] = is_turn ? turning(p, m_frame.first_radius, low) : p.cast<float>();
         high = high.max(m.vertices[i].abs());
       }
       largest[part] = high;

@@ -28,21 +28,39 @@ float rounded_up(double x) { return static_cast<float>(x) * 1.000001F; }
 
 // Every part of a layer with a sink of its own.
 template <class Sink, class Make, class Done>
-bool draw_parts(const Layer& layer, const View& view, size_t stride, int num_threads, Make make,
-                Done done) {
+bool draw_parts(const Layer& layer, const View& view, const Wanted& wanted, size_t stride,
+                int num_threads, Make make, Done done) {
   const size_t count = layer.num_faces(), parts = num_parts(count / stride, num_threads);
   std::vector<Sink> sinks(parts, make());
   std::vector<char> complete(parts);
   for_each_part(count, static_cast<int>(parts), [&](size_t part, size_t first, size_t last) {
     Sink& sink = sinks[part];
     TriangleRaster raster(view);
-    const auto small = [&](const SmallFace& f) { sink.small(f); };
-    complete[part] = view.turning()
-                         ? draw_faces<true>(layer, view, first, last, stride, raster, sink, small)
-                         : draw_faces<false>(layer, view, first, last, stride, raster, sink, small);
+    complete[part] =
+        view.turning() ? draw_faces<true>(layer, view, wanted, first, last, stride, raster, sink)
+                       : draw_faces<false>(layer, view, wanted, first, last, stride, raster, sink);
   });
   for (Sink& sink : sinks) done(sink);
   return std::find(complete.begin(), complete.end(), 0) == complete.end();
+}
+
+// The pixels in [0, width) x ... whose intervals are not empty, and the hull of the intervals,
+// grown by `later` at the upper end.
+Wanted wanted_of(const std::vector<float>& lower, const std::vector<float>& upper, int width,
+                 float later) {
+  Wanted out{kInf, -kInf, width, std::numeric_limits<int>::max(), -1, -1};
+  for (size_t i = 0; i < lower.size(); ++i) {
+    if (!(lower[i] <= upper[i])) continue;
+    const int x = static_cast<int>(i) % width, y = static_cast<int>(i) / width;
+    out.x0 = std::min(out.x0, x);
+    out.x1 = std::max(out.x1, x);
+    out.y0 = std::min(out.y0, y);
+    out.y1 = std::max(out.y1, y);
+    out.lower = std::min(out.lower, lower[i]);
+    out.upper = std::max(out.upper, upper[i]);
+  }
+  out.upper = out.upper + later + 1e-6F * (std::abs(out.upper) + later);
+  return out;
 }
 
 // Sorted by pixel and face; pieces of one face of a turn become one fragment.
@@ -118,7 +136,8 @@ void ZListSearch::sample_upper_bound(const View& view, const DepthMap& map) {
     sink.keep = false;
     return sink;
   };
-  draw_parts<FixedSink>(m_fixed, view, kStride, m_options.num_threads, make, [](FixedSink&) {});
+  draw_parts<FixedSink>(m_fixed, view, wanted_of(map.lower, map.upper, map.width, m_upper.get()),
+                        kStride, m_options.num_threads, make, [](FixedSink&) {});
 }
 
 bool ZListSearch::collect_fixed(const View& view, const DepthMap& map, std::vector<Fragment>& out) {
@@ -130,13 +149,15 @@ bool ZListSearch::collect_fixed(const View& view, const DepthMap& map, std::vect
     sink.most = m_options.most_fragments / static_cast<size_t>(m_options.num_threads);
     return sink;
   };
+  const Wanted wanted = wanted_of(map.lower, map.upper, map.width, m_upper.get());
+  const auto done = [&](FixedSink& sink) {
+    sink.compact();
+    overflow |= sink.overflow;
+    out.insert(out.end(), sink.found.begin(), sink.found.end());
+    for (size_t i = 0; i < covered.size(); ++i) covered[i] |= sink.covered[i];
+  };
   const bool complete =
-      draw_parts<FixedSink>(m_fixed, view, 1, m_options.num_threads, make, [&](FixedSink& sink) {
-        sink.compact();
-        overflow |= sink.overflow;
-        out.insert(out.end(), sink.found.begin(), sink.found.end());
-        for (size_t i = 0; i < covered.size(); ++i) covered[i] |= sink.covered[i];
-      });
+      draw_parts<FixedSink>(m_fixed, view, wanted, 1, m_options.num_threads, make, done);
   m_work.pixels = std::count(covered.begin(), covered.end(), 1);
   if (!complete) return give_up("a fixed face has too many pieces near the axis");
   return overflow ? give_up("too many fixed faces are in doubt") : true;
@@ -159,11 +180,13 @@ bool ZListSearch::collect_moving(const View& view, const std::vector<Fragment>& 
     sink.most = m_options.most_fragments / static_cast<size_t>(m_options.num_threads);
     return sink;
   };
+  const Wanted wanted = wanted_of(limits.lower, limits.upper, view.width, 0);
+  const auto done = [&](MovingSink& sink) {
+    overflow |= sink.overflow;
+    out.insert(out.end(), sink.found.begin(), sink.found.end());
+  };
   const bool complete =
-      draw_parts<MovingSink>(m_moving, view, 1, m_options.num_threads, make, [&](MovingSink& s) {
-        overflow |= s.overflow;
-        out.insert(out.end(), s.found.begin(), s.found.end());
-      });
+      draw_parts<MovingSink>(m_moving, view, wanted, 1, m_options.num_threads, make, done);
   if (!complete) return give_up("a moving face has too many pieces near the axis");
   return overflow ? give_up("too many moving faces are in doubt") : true;
 }

@@ -22,7 +22,7 @@ struct FacePair {
 /// What the stages of a query left over, and what they read back; counts.
 struct ZListWork {
   std::int64_t body_pairs = 0;       // stage 1: boxes meet during the motion
-  std::int64_t pixels = 0;           // stage 2: that a moving and a fixed face cover
+  std::int64_t pixels = 0;           // stage 2: with moving faces, and fixed ones not ruled out
   std::int64_t doubtful_pixels = 0;  // stage 3: in which the first contact may be
   std::int64_t face_pairs = 0;       // proposed
   std::int64_t bytes_read_back = 0;  // from a GPU
