@@ -63,10 +63,10 @@ class BlendRaster : public ZListRaster {
   bool has_room(std::size_t /*num_views*/, std::size_t num_pixels) const override {
     return num_pixels <= m_resolution * m_resolution;
   }
-  std::vector<ZLists> rasterise(std::span<const ZListView> views) override;
+  std::vector<ZLists> rasterise(std::span<const ZListView> views, bool bounds_alone) override;
 
  private:
-  ZLists rasterise(const ZListView& view);
+  ZLists rasterise(const ZListView& view, bool bounds_alone);
   const GlProgram& program(Motion::Kind kind, Pass pass);
   void draw(const ZListView& view, Pass pass, const GlFramebuffer& target);
   std::vector<Texel> read(const ZListView& view, const GlFramebuffer& target, ZLists& lists);
@@ -248,13 +248,13 @@ bool BlendRaster::list(const ZListView& view, Pass pass, int pixels_per_run, ZLi
   return complete;
 }
 
-ZLists BlendRaster::rasterise(const ZListView& view) {
+ZLists BlendRaster::rasterise(const ZListView& view, bool bounds_alone) {
   const BlendState state;
   draw(view, Pass::Moving, m_moving_target);
   draw(view, Pass::Fixed, m_nearest_target);
   ZLists lists;
   const std::vector<std::uint16_t> doubtful = find_doubtful(view, lists);
-  if (doubtful.empty()) return lists;
+  if (doubtful.empty() || bounds_alone) return lists;
   lists.overflow = doubtful.size() / 2 > kMaxDoubtful;
   if (lists.overflow) return lists;
   send_doubtful(doubtful);
@@ -267,9 +267,9 @@ ZLists BlendRaster::rasterise(const ZListView& view) {
   return lists;
 }
 
-std::vector<ZLists> BlendRaster::rasterise(std::span<const ZListView> views) {
+std::vector<ZLists> BlendRaster::rasterise(std::span<const ZListView> views, bool bounds_alone) {
   std::vector<ZLists> out;
-  for (const ZListView& view : views) out.push_back(rasterise(view));
+  for (const ZListView& view : views) out.push_back(rasterise(view, bounds_alone));
   return out;
 }
 

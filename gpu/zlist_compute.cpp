@@ -135,7 +135,7 @@ class ComputeRaster : public ZListRaster {
   bool has_room(std::size_t num_views, std::size_t num_pixels) const override {
     return num_views <= kMaxLayers && num_views * num_pixels <= kMaxPixels;
   }
-  std::vector<ZLists> rasterise(std::span<const ZListView> views) override;
+  std::vector<ZLists> rasterise(std::span<const ZListView> views, bool bounds_alone) override;
 
  private:
   static constexpr std::size_t kImageBytes = 4 * sizeof(std::uint32_t) * kMaxPixels;
@@ -255,15 +255,17 @@ std::vector<ZLists> ComputeRaster::read_back(const Batch& batch) {
   return out;
 }
 
-std::vector<ZLists> ComputeRaster::rasterise(std::span<const ZListView> views) {
+std::vector<ZLists> ComputeRaster::rasterise(std::span<const ZListView> views, bool bounds_alone) {
   const Motion::Kind kind = views.front().kind;
   const Batch batch = make_batch(views);
   start(batch);
   run(kind, batch, Pass::Moving);
   run(kind, batch, Pass::Fixed);
   reduce(batch);
-  run(kind, batch, Pass::MovingLists);
-  run(kind, batch, Pass::FixedLists);
+  if (!bounds_alone) {
+    run(kind, batch, Pass::MovingLists);
+    run(kind, batch, Pass::FixedLists);
+  }
   return read_back(batch);
 }
 

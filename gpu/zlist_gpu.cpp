@@ -69,11 +69,13 @@ class GpuLists {
 
  private:
   EglContext m_context;
+  bool m_bounds_alone;
   std::unique_ptr<ZListRaster> m_raster;
   std::unique_ptr<ZListMeshCache> m_meshes;
 };
 
-GpuLists::GpuLists(const GpuZListOptions& options) : m_context(EglOptions{options.allow_software}) {
+GpuLists::GpuLists(const GpuZListOptions& options)
+    : m_context(EglOptions{options.allow_software}), m_bounds_alone(options.bounds_alone) {
   const EglContext::Current current(m_context);
   const auto max_entries = static_cast<std::uint32_t>(options.max_list_entries);
   const bool computes = m_context.gl_version() >= 43 && !options.force_fallback;
@@ -118,12 +120,15 @@ Proposal nothing_touches(double horizon) {
   return out;
 }
 
-Answer answer_of(const Ask& ask, const ZListView& view, ZLists& lists) {
+Answer answer_of(const Ask& ask, const ZListView& view, bool bounds_alone, ZLists& lists) {
   if (lists.overflow) return {Trouble::Entries, {}};
   Answer out;
   Proposal& p = out.proposal;
-  if (!make_pairs(view, lists, ask.frame, p.pairs)) return {Trouble::Pairs, {}};
-  p.usable = true;
+  if (bounds_alone)
+    p.why = "bounds alone were asked for";
+  else if (!make_pairs(view, lists, ask.frame, p.pairs))
+    return {Trouble::Pairs, {}};
+  p.usable = !bounds_alone;
   p.lower = std::min(ask.frame.time_before(lists.lower), ask.horizon);
   if (lists.upper < view.horizon) p.upper = ask.frame.time_after(lists.upper);
   p.work.body_pairs = static_cast<std::int64_t>(ask.frame.pairs.size());
@@ -142,10 +147,10 @@ std::vector<Answer> GpuLists::propose(std::span<const Ask> asks) {
     views.push_back(make_view(*ask.query, ask.frame, *m_meshes));
     if (views.back().fixed.empty()) return std::vector<Answer>(asks.size(), {Trouble::Meshes, {}});
   }
-  std::vector<ZLists> lists = m_raster->rasterise(views);
+  std::vector<ZLists> lists = m_raster->rasterise(views, m_bounds_alone);
   std::vector<Answer> out;
   for (std::size_t i = 0; i < asks.size(); ++i)
-    out.push_back(answer_of(asks[i], views[i], lists[i]));
+    out.push_back(answer_of(asks[i], views[i], m_bounds_alone, lists[i]));
   return out;
 }
 

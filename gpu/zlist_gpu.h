@@ -14,6 +14,8 @@ struct GpuZListOptions {
   int max_list_entries = 1 << 20;         // faces in doubtful pixels, 16384 to 1048576
   bool allow_software = true;             // false: refuse renderers that run on the CPU
   bool force_fallback = false;            // do without OpenGL 4.3, as on old drivers
+  bool bounds_alone = false;              // to measure: no lists, so no proposal is usable, but
+                                          // `lower`, `upper` and the work up to there are true
 };
 
 /// A stage with a context of its own, made current only while it works. Meshes stay in graphics

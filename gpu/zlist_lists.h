@@ -59,8 +59,9 @@ class ZListRaster {
   /// Whether there is room for this many views, the largest of that many pixels.
   virtual bool has_room(std::size_t num_views, std::size_t num_pixels) const = 0;
   /// Draws views of one kind of motion together; when the lists of all are too long, none has any.
+  /// @param bounds_alone  nobody wants lists.
   /// @throws Error (Environment) when OpenGL fails.
-  virtual std::vector<ZLists> rasterise(std::span<const ZListView> views) = 0;
+  virtual std::vector<ZLists> rasterise(std::span<const ZListView> views, bool bounds_alone) = 0;
 };
 
 /// OpenGL 4.3: compute shaders. @param max_entries  of the lists of all views of a batch.

@@ -8,8 +8,9 @@
 namespace trivet {
 namespace {
 
-/// Pairs that may be written down before equal ones are merged, and that may be left then.
-constexpr std::size_t kMaxPairsWritten = 1 << 22, kMaxPairs = 1 << 20;
+/// Pairs that may be looked at; beyond, box trees are faster. They are counted before any is
+/// written: the lists of a large flat contact have hundreds of millions.
+constexpr std::size_t kMaxPairs = 1 << 21;
 
 struct Pair {
   std::uint32_t moving, fixed;
@@ -38,6 +39,18 @@ double gap_between(const ZListEntry& a, const ZListEntry& b, double period) {
   return b.low + period * std::ceil((rear - b.high) / period - 1e-6) - front;
 }
 
+/// How many of them add_pairs() looks at.
+std::size_t num_pairs(Entries moving, Entries fixed, const ZListView& view, double upper) {
+  if (view.period != 0) return moving.size() * fixed.size();
+  std::size_t out = 0;
+  for (const ZListEntry& a : moving)
+    out += static_cast<std::size_t>(
+        std::partition_point(fixed.begin(), fixed.end(),
+                             [&](const ZListEntry& b) { return double(b.low) - a.high <= upper; }) -
+        fixed.begin());
+  return out;
+}
+
 /// One pixel: moving entries, and fixed ones by their nearest depth.
 void add_pairs(Entries moving, Entries fixed, const ZListView& view, double upper,
                std::vector<Pair>& pairs) {
@@ -47,6 +60,24 @@ void add_pairs(Entries moving, Entries fixed, const ZListView& view, double uppe
       const double gap = gap_between(a, b, view.period);
       if (gap <= upper) pairs.push_back({a.face, b.face, std::max(0.0, gap)});
     }
+}
+
+struct Pixel {
+  Entries moving, fixed;
+};
+
+std::vector<Pixel> pixels_of(Entries all, std::uint32_t first_fixed) {
+  std::vector<Pixel> out;
+  for (std::size_t first = 0, fixed = 0, end = 0; first < all.size(); first = end) {
+    const auto in_pixel = [&](std::size_t i) {
+      return i < all.size() && all[i].pixel == all[first].pixel;
+    };
+    for (fixed = first; in_pixel(fixed) && all[fixed].face < first_fixed;) ++fixed;
+    for (end = fixed; in_pixel(end);) ++end;
+    if (first < fixed && fixed < end)
+      out.push_back({all.subspan(first, fixed - first), all.subspan(fixed, end - fixed)});
+  }
+  return out;
 }
 
 /// The body that a face belongs to, and its number there.
@@ -92,23 +123,15 @@ bool make_pairs(const ZListView& view, ZLists& lists, const ZListFrame& frame,
   };
   std::sort(lists.entries.begin(), lists.entries.end(),
             [&](const ZListEntry& a, const ZListEntry& b) { return key(a) < key(b); });
-  std::vector<Pair> found;
-  const Entries all = lists.entries;
-  for (std::size_t first = 0, fixed = 0, end = 0; first < all.size(); first = end) {
-    const auto in_pixel = [&](std::size_t i) {
-      return i < all.size() && all[i].pixel == all[first].pixel;
-    };
-    for (fixed = first; in_pixel(fixed) && all[fixed].face < first_fixed;) ++fixed;
-    for (end = fixed; in_pixel(end);) ++end;
-    if ((fixed - first) * (end - fixed) > kMaxPairsWritten) return false;
-    add_pairs(all.subspan(first, fixed - first), all.subspan(fixed, end - fixed), view, lists.upper,
-              found);
-    if (found.size() <= kMaxPairsWritten) continue;
-    merge(found);
-    if (found.size() > kMaxPairs) return false;
+  const std::vector<Pixel> pixels = pixels_of(lists.entries, first_fixed);
+  std::size_t count = 0;
+  for (const Pixel& p : pixels) {
+    count += num_pairs(p.moving, p.fixed, view, lists.upper);
+    if (count > kMaxPairs) return false;
   }
+  std::vector<Pair> found;
+  for (const Pixel& p : pixels) add_pairs(p.moving, p.fixed, view, lists.upper, found);
   merge(found);
-  if (found.size() > kMaxPairs) return false;
   pairs = named(view, found, frame);
   return true;
 }

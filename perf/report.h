@@ -34,6 +34,9 @@ class Report {
   void remark(const std::string& what, const std::string& outcome) {
     add({what, {}, 0, 0, outcome});
   }
+  /// A line of comma-separated values for those who plot; the first names the columns.
+  void add_data(const std::string& line) { m_data += line + "\n"; }
+  const std::string& data() const { return m_data; }
   /// Takes part in the hash of the run.
   void mix(std::uint64_t section_hash) { m_hash = (m_hash ^ section_hash) * 0x100000001b3; }
   std::uint64_t hash() const { return m_hash; }
@@ -46,6 +49,7 @@ class Report {
     Row row;
   };
   std::vector<Line> m_rows;
+  std::string m_data;
   std::uint64_t m_hash = 0xcbf29ce484222325;
 };
 

@@ -15,26 +15,38 @@ namespace trivet::perf {
 namespace {
 
 constexpr int kSweeps = 12;
-constexpr double kBudget_ms = 5000;  // for a row; then the rest of the sweeps is left out
-constexpr int kPlaces = 64;          // by 64
+constexpr double kBudget_ms = 2000;  // for a row; then the rest of the sweeps is left out
+constexpr double kTooLong_ms = 600;  // a query; then finer images are left out
+constexpr int kResolutions[] = {128, 256, 512, 1024};
+constexpr int kPlaces = 64;  // by 64
+
+constexpr const char* kColumns =
+    "motion,triangles,method,resolution,median_ms,p95_ms,cpu_ms,queries,pixels,doubtful_pixels,"
+    "pairs,bytes_read_back,given_up";
 
 struct Asked {
   Sweep sweep;
   FirstContact truth;
 };
 
-std::vector<Asked> sweeps_of(const SpherePair& spheres, Motion::Kind kind, Row& row) {
-  test::Random random(23);
-  std::vector<Asked> out;
-  for (int i = 0; i < kSweeps; ++i) {
-    Asked a{kind == Motion::Kind::Translation ? random_drop(spheres, random)
-                                              : random_turn(spheres, random),
-            {}};
-    row.samples.add(timed_warm([&] { a.truth = a.sweep.first_contact(); }));
-    out.push_back(a);
-  }
-  return out;
-}
+// All queries of one size and motion, and where their rows go.
+struct Cases {
+  int num_triangles = 0;
+  Motion::Kind kind = Motion::Kind::Translation;
+  std::vector<Asked> sweeps;
+  double bvh_cpu_ms = 0;
+  Report* report = nullptr;
+};
+
+// A source of candidates.
+struct Method {
+  std::string name;    // of a series in the plot
+  std::string what;    // of a row
+  int resolution = 0;  // 0: its own choice
+  double goal_ms = 0;
+  bool compares = true;       // with the CPU time of box trees
+  bool bounds_alone = false;  // it answers nothing
+};
 
 bool same(const FirstContact& a, const FirstContact& b) {
   return a.status == b.status && a.time == b.time && a.face_moving == b.face_moving &&
@@ -55,76 +67,173 @@ struct Left {
     pairs += static_cast<double>(p.work.face_pairs);
     bytes += static_cast<double>(p.work.bytes_read_back);
   }
-  std::string text_of() const {
-    std::string out = text("means: %.0f pixels, %.0f doubtful, %.0f pairs left", pixels / count,
-                           doubtful / count, pairs / count);
+  std::string text_of(bool bounds_alone) const {
+    std::string out = text("means: %.0f pixels, %.0f doubtful", pixels / count, doubtful / count);
+    if (!bounds_alone) out += text(", %.0f pairs left", pairs / count);
     if (bytes > 0) out += text(", %.0f bytes read back", bytes / count);
-    if (unusable > 0) out += text("; gave up %d of %d", unusable, count);
-    return out + (wrong > 0 ? text("; WRONG %d", wrong) : "; the same bits");
+    if (unusable > 0 && !bounds_alone) out += text("; gave up %d of %d", unusable, count);
+    if (wrong > 0) return out + text("; WRONG %d", wrong);
+    return out + (bounds_alone ? "; the bounds hold" : "; the same bits");
   }
 };
 
-void add_stage(const std::string& what, const std::vector<Asked>& sweeps, ZListStage& stage,
-               double goal_ms, double bvh_cpu_ms, Report& report) {
-  Row row{what, {}, goal_ms, 0, ""};
+void add_data(const Cases& cases, const Method& method, const Samples& samples, const Left& left) {
+  const double count = std::max(1, left.count);
+  cases.report->add_data(text("%s,%d,%s,%d,%.5g,%.5g,%.5g,%zu,%.6g,%.6g,%.6g,%.6g,%d",
+                              cases.kind == Motion::Kind::Translation ? "drop" : "turn",
+                              cases.num_triangles, method.name.c_str(), method.resolution,
+                              samples.median_ms(), samples.p95_ms(), samples.median_cpu_ms(),
+                              samples.count(), left.pixels / count, left.doubtful / count,
+                              left.pairs / count, left.bytes / count, left.unusable));
+}
+
+void ask_box_trees(const SpherePair& spheres, Cases& cases) {
+  Row row{"box trees", {}, 0, 0, "prepared once per mesh; the others ask nothing of a mesh"};
+  test::Random random(23);
   Left left;
-  double spent_ms = 0;
-  for (const Asked& a : sweeps) {
-    if (spent_ms > kBudget_ms) break;
+  for (int i = 0; i < kSweeps; ++i) {
+    Asked a{cases.kind == Motion::Kind::Translation ? random_drop(spheres, random)
+                                                    : random_turn(spheres, random),
+            {}};
+    row.samples.add(timed_warm([&] { a.truth = a.sweep.first_contact(); }));
+    left.pairs += static_cast<double>(a.truth.work.face_pairs);
+    ++left.count;
+    cases.sweeps.push_back(a);
+  }
+  cases.bvh_cpu_ms = row.samples.median_cpu_ms();
+  add_data(cases, {"box trees", "", 0}, row.samples, left);
+  cases.report->add(std::move(row));
+}
+
+// CPU times are of all threads: a driver may have its own.
+bool ask_stage(ZListStage& stage, const FirstContactQuery& query, const Method& method,
+               const FirstContact& truth, Samples& samples, Proposal& proposal) {
+  FirstContact found;
+  const auto ask = [&] {
+    if (method.bounds_alone)
+      proposal = stage.propose(query, query.motion.limit);
+    else
+      found = first_contact(query, stage, &proposal);
+  };
+  const Took first = timed(ask, CLOCK_PROCESS_CPUTIME_ID);
+  samples.add(first.wall_ms > kTooLong_ms / 4 ? first : timed(ask, CLOCK_PROCESS_CPUTIME_ID));
+  if (!method.bounds_alone) return same(found, truth);
+  const double time = truth.status == FirstContact::Status::Free ? kInfinity : truth.time;
+  return proposal.lower <= time && (time <= proposal.upper || proposal.upper == kInfinity);
+}
+
+// @return the median, ms.
+double add_stage(const Cases& cases, const Method& method, ZListStage& stage) {
+  Row row{method.what, {}, method.goal_ms, method.compares ? cases.bvh_cpu_ms : 0, ""};
+  Left left;
+  const Stopwatch stopwatch;
+  for (const Asked& a : cases.sweeps) {
+    if (stopwatch.elapsed().wall_ms > kBudget_ms) break;
     const Body moving = a.sweep.moving(), fixed = a.sweep.fixed();
     const FirstContactQuery query{
         {&moving, 1}, {&fixed, 1}, false, a.sweep.motion, a.sweep.clearance};
-    FirstContact found;
     Proposal proposal;
-    const Took took = timed_warm([&] { found = first_contact(query, stage, &proposal); });
-    row.samples.add(took);
-    spent_ms += 2 * took.wall_ms;
-    left.add(proposal, same(found, a.truth));
+    const bool right = ask_stage(stage, query, method, a.truth, row.samples, proposal);
+    left.add(proposal, right);
   }
-  row.ours_ms = bvh_cpu_ms;
-  row.outcome = left.text_of();
-  report.add(std::move(row));
+  add_data(cases, method, row.samples, left);
+  row.outcome = left.text_of(method.bounds_alone);
+  const double median_ms = row.samples.median_ms();
+  cases.report->add(std::move(row));
+  return median_ms;
 }
 
-double software_goal_ms(int num_triangles, Motion::Kind kind) {
-  if (kind != Motion::Kind::Translation) return 0;
-  return num_triangles == 15'000 ? 1.5 : num_triangles == 1'000'000 ? 35 : 0;
+double software_goal_ms(const Cases& cases) {
+  if (cases.kind != Motion::Kind::Translation) return 0;
+  return cases.num_triangles == 15'000 ? 1.5 : cases.num_triangles == 1'000'000 ? 35 : 0;
 }
 
-void software_rows(const std::vector<Asked>& sweeps, int num_triangles, double bvh_ms,
-                   Report& report) {
-  const double goal = software_goal_ms(num_triangles, sweeps[0].sweep.motion.kind);
-  for (const int resolution : {0, 128, 512, 1024})
-    for (const int threads : {1, 2}) {
-      if (threads == 2 && resolution != 0) continue;
-      const tbb::global_control cores(tbb::global_control::max_allowed_parallelism, threads);
+void software_rows(const Cases& cases) {
+  for (const int threads : {1, 2}) {
+    const tbb::global_control cores(tbb::global_control::max_allowed_parallelism, threads);
+    const std::string suffix = text("%d thread%s", threads, threads > 1 ? "s" : "");
+    double median_ms = 0;
+    for (const int resolution : {0, 128, 256, 512, 1024}) {
+      if (median_ms > kTooLong_ms) break;
       SoftwareZListOptions options;
       options.resolution = resolution;
       options.num_threads = threads;
       SoftwareZLists stage(options);
-      const std::string pixels = resolution == 0 ? "own choice of" : std::to_string(resolution);
-      add_stage(text("software z-lists, %s pixels, %d thread%s", pixels.c_str(), threads,
-                     threads > 1 ? "s" : ""),
-                sweeps, stage, resolution == 0 && threads == 1 ? goal : 0, bvh_ms, report);
+      Method method{"software, " + suffix, "", resolution};
+      method.what = "software z-lists, ";
+      method.what += resolution == 0 ? "own choice of" : std::to_string(resolution);
+      method.what += " pixels, " + suffix;
+      if (resolution == 0 && threads == 1) method.goal_ms = software_goal_ms(cases);
+      median_ms = add_stage(cases, method, stage);
+    }
+  }
+}
+
+#ifdef TRIVET_PERF_GPU
+void gpu_row(const Cases& cases, GpuZListOptions options, double& median_ms) {
+  const auto stage = make_gpu_zlist_stage(options);
+  Method method{options.bounds_alone ? "GPU min/max" : "GPU lists", stage->name(),
+                options.resolution};
+  if (options.force_fallback) method.name += ", OpenGL 3.3";
+  method.what += text(", %d pixels, ", options.resolution);
+  method.what += options.bounds_alone ? "min/max alone" : "complete";
+  method.compares = false;
+  method.bounds_alone = options.bounds_alone;
+  median_ms = add_stage(cases, method, *stage);
+}
+
+void gpu_rows(const Cases& cases) {
+  for (const bool fallback : {false, true})
+    for (const bool bounds_alone : {true, false}) {
+      double median_ms = 0;
+      for (const int resolution : kResolutions) try {
+          if (median_ms > kTooLong_ms || (fallback && cases.num_triangles > 150'000)) break;
+          GpuZListOptions options;
+          options.resolution = resolution;
+          options.force_fallback = fallback;
+          options.bounds_alone = bounds_alone;
+          gpu_row(cases, options, median_ms);
+        } catch (const Error& e) {
+          cases.report->remark("z-lists on the GPU", e.what());
+        }
     }
 }
 
-void gpu_rows([[maybe_unused]] const std::vector<Asked>& sweeps, [[maybe_unused]] Report& report) {
-#ifdef TRIVET_PERF_GPU
-  for (const bool fallback : {false, true})
-    for (const int resolution : {128, 512}) try {
-        GpuZListOptions options;
-        options.resolution = resolution;
-        options.force_fallback = fallback;
-        const auto stage = make_gpu_zlist_stage(options);
-        // No ratio: the calling thread's CPU time is not what a GPU, or llvmpipe's threads, take.
-        add_stage(stage->name() + ", " + std::to_string(resolution) + " pixels", sweeps, *stage, 0,
-                  0, report);
-      } catch (const Error& e) {
-        report.remark("z-lists on the GPU", e.what());
-      }
-#endif
+// All sweeps in one pass, as layers of one image.
+void gpu_batch_row(const Cases& cases) try {
+  if (cases.num_triangles > 15'000) return;
+  const auto stage = make_gpu_zlist_stage();
+  std::vector<Body> bodies;
+  for (const Asked& a : cases.sweeps) {
+    bodies.push_back(a.sweep.moving());
+    bodies.push_back(a.sweep.fixed());
+  }
+  std::vector<FirstContactQuery> queries;
+  for (size_t i = 0; i < cases.sweeps.size(); ++i)
+    queries.push_back({{&bodies[2 * i], 1},
+                       {&bodies[2 * i + 1], 1},
+                       false,
+                       cases.sweeps[i].sweep.motion,
+                       cases.sweeps[i].sweep.clearance});
+  Row row{stage->name() + text(", 128 pixels, all %zu together", queries.size()), {}, 0, 0, ""};
+  std::vector<FirstContact> found;
+  std::vector<Proposal> proposals;
+  for (int i = 0; i < 5; ++i) {
+    const auto ask = [&] { found = first_contacts(queries, *stage, &proposals); };
+    const Took took = timed(ask, CLOCK_PROCESS_CPUTIME_ID);
+    if (i > 0) row.samples.add(took);
+  }
+  Left left;
+  for (size_t i = 0; i < queries.size(); ++i)
+    left.add(proposals[i], same(found[i], cases.sweeps[i].truth));
+  row.outcome =
+      text("%.3g ms a query; ", row.samples.median_ms() / static_cast<double>(queries.size())) +
+      left.text_of(false);
+  cases.report->add(std::move(row));
+} catch (const Error& e) {
+  cases.report->remark("z-lists on the GPU", e.what());
 }
+#endif
 
 void rows_of(int num_triangles, Report& report) {
   const SpherePair spheres = make_sphere_pair(num_triangles);
@@ -132,12 +241,14 @@ void rows_of(int num_triangles, Report& report) {
     const std::string size = short_count(num_triangles);
     report.section("Sources of candidates, " + size + " triangles against " + size + ", " +
                    (kind == Motion::Kind::Translation ? "drop" : "quarter turn"));
-    Row row{"box trees", {}, 0, 0, "prepared once per mesh; the others ask nothing of a mesh"};
-    const std::vector<Asked> sweeps = sweeps_of(spheres, kind, row);
-    const double bvh_ms = row.samples.median_cpu_ms();
-    report.add(std::move(row));
-    software_rows(sweeps, num_triangles, bvh_ms, report);
-    if (num_triangles <= 150'000) gpu_rows(sweeps, report);
+    Cases cases{num_triangles, kind, {}, 0, &report};
+    ask_box_trees(spheres, cases);
+    software_rows(cases);
+#ifdef TRIVET_PERF_GPU
+    if (num_triangles == 1'000'000) continue;  // 150K and 1.5M tell enough, and it takes long
+    gpu_rows(cases);
+    gpu_batch_row(cases);
+#endif
   }
 }
 
@@ -189,6 +300,7 @@ void place_rows(Report& report) {
 }  // namespace
 
 void zlist_rows(Report& report) {
+  report.add_data(kColumns);
   for (const int num_triangles : {1'000, 15'000, 150'000, 1'000'000, 1'500'000})
     rows_of(num_triangles, report);
   place_rows(report);

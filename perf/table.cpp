@@ -19,7 +19,8 @@ namespace {
 
 constexpr const char* kUsage =
     "usage: trivet_perf [--out FOLDER] [--only first-contact|put|push|zlists|settling|shapes]\n"
-    "Prints the table; with --out also writes FOLDER/<date>-<n>core.md.\n";
+    "Prints the table; with --out also writes FOLDER/<date>-<n>core.md (with --only PART:\n"
+    "-<n>core-PART.md), and of z-lists a .csv beside it, for plot_zlists.py.\n";
 
 struct Part {
   const char* name;
@@ -101,8 +102,10 @@ int run(const Arguments& arguments) {
   std::fputs(page.c_str(), stdout);
   if (!arguments.folder.empty()) {
     std::filesystem::create_directories(arguments.folder);
-    write_file_atomically(arguments.folder + text("/%s-%ucore.md", date().c_str(), num_cores()),
-                          page);
+    std::string name = arguments.folder + text("/%s-%ucore", date().c_str(), num_cores());
+    if (!arguments.only.empty()) name += "-" + arguments.only;
+    write_file_atomically(name + ".md", page);
+    if (!report.data().empty()) write_file_atomically(name + ".csv", report.data());
   }
   return 0;
 }

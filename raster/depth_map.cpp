@@ -10,19 +10,10 @@ namespace {
 
 constexpr float kInf = std::numeric_limits<float>::infinity();
 
-struct MapSink final : SpanSink {
-  static constexpr bool kCentres = true;
-  DepthMap* map = nullptr;
-  void span(const Span& s) override { map->add(s); }
-  void small(const SmallFace& f) { map->add(f); }
-  void sample(int pixel, float depth, float error) { map->add_sample(pixel, depth, error); }
-};
-
 template <bool kTurning>
 bool draw_part(const Layer& layer, const View& view, size_t first, size_t last, DepthMap& out) {
   TriangleRaster raster(view);
-  MapSink sink;
-  sink.map = &out;
+  DepthMapSink sink(out);
   return draw_faces<kTurning>(layer, view, Wanted::all_of(view), first, last, 1, raster, sink);
 }
 

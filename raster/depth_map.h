@@ -33,6 +33,19 @@ struct DepthMap {
   void add(const DepthMap& other);
 };
 
+/// Draws into a map.
+class DepthMapSink final : public SpanSink {
+ public:
+  static constexpr bool kCentres = true;
+  explicit DepthMapSink(DepthMap& map) : m_map(map) {}
+  void span(const Span& s) override { m_map.add(s); }
+  void small(const SmallFace& f) { m_map.add(f); }
+  void sample(int pixel, float depth, float error) { m_map.add_sample(pixel, depth, error); }
+
+ private:
+  DepthMap& m_map;
+};
+
 /// Draws all faces of a projected layer.
 /// @return false when a face had too many pieces: the map is not complete.
 bool draw_depth_map(const Layer& layer, const View& view, int num_threads, DepthMap& out);

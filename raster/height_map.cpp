@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "raster/triangle_raster.h"
+#include "raster/depth_map.h"
 
 namespace trivet {
 namespace {
@@ -26,42 +26,6 @@ ZListFrame frame_of(const MapGrid& grid, double growth) {
 float lowered(float height) { return height - kRounding * std::abs(height); }
 float raised(float height) { return height + kRounding * std::abs(height); }
 
-class UndersideSink final : public SpanSink {
- public:
-  UndersideSink(HeightMap& map, double pixel) : m_map(map), m_pixel(static_cast<float>(pixel)) {}
-  void span(const Span& s) override {
-    for (int i = 0; i < s.count; ++i) {
-      if (s.lower[i] > s.upper[i]) continue;
-      const size_t at = m_map.index(s.first + i, s.row);
-      m_map.bound[at] = std::min(m_map.bound[at], lowered(m_pixel * s.lower[i]));
-      const float sample = raised(m_pixel * (s.centre[i] + s.centre_error));
-      if (sample < m_map.sample[at]) m_map.sample[at] = sample;  // not for NaN
-    }
-  }
-
- private:
-  HeightMap& m_map;
-  float m_pixel;
-};
-
-class TopSink final : public SpanSink {
- public:
-  TopSink(HeightMap& map, double pixel) : m_map(map), m_pixel(static_cast<float>(pixel)) {}
-  void span(const Span& s) override {
-    for (int i = 0; i < s.count; ++i) {
-      if (s.lower[i] > s.upper[i]) continue;
-      const size_t at = m_map.index(s.first + i, s.row);
-      m_map.bound[at] = std::max(m_map.bound[at], raised(m_pixel * s.upper[i]));
-      const float sample = lowered(m_pixel * (s.centre[i] - s.centre_error));
-      if (sample > m_map.sample[at]) m_map.sample[at] = sample;
-    }
-  }
-
- private:
-  HeightMap& m_map;
-  float m_pixel;
-};
-
 bool beside(const Aabb& box, const MapGrid& grid) {
   const Vec2 end = grid.corner + grid.pixel * Vec2(grid.width + 1, grid.height + 1);
   const Vec2 start = grid.corner - Vec2::Constant(grid.pixel);
@@ -69,8 +33,9 @@ bool beside(const Aabb& box, const MapGrid& grid) {
          (box.lower.head<2>().array() > end.array()).any();
 }
 
-void draw(std::span<const Body> bodies, const MapGrid& grid, const View& view, double ceiling,
-          SpanSink& sink) {
+DepthMap draw(std::span<const Body> bodies, const MapGrid& grid, const View& view, double ceiling) {
+  DepthMap map(grid.width, grid.height);
+  DepthMapSink sink(map);
   TriangleRaster raster(view);
   const double highest = (ceiling - grid.level) / grid.pixel;
   for (const Body& body : bodies) {
@@ -84,6 +49,7 @@ void draw(std::span<const Body> bodies, const MapGrid& grid, const View& view, d
       raster.draw(triangle, sink);
     }
   }
+  return map;
 }
 
 }  // namespace
@@ -100,24 +66,34 @@ MapGrid MapGrid::about(const Aabb& box, double pixel, double level) {
 }
 
 HeightMap draw_underside(std::span<const Body> bodies, const MapGrid& grid, double growth) {
-  HeightMap map(grid.width, grid.height, kNothingBelow);
+  HeightMap out(grid.width, grid.height, kNothingBelow);
   const ZListFrame frame = frame_of(grid, growth);
-  UndersideSink sink(map, grid.pixel);
-  draw(bodies, grid, View::whole(frame, true), kInfinity, sink);
-  return map;
+  const DepthMap map = draw(bodies, grid, View::whole(frame, true), kInfinity);
+  const auto pixel = static_cast<float>(grid.pixel);
+  for (size_t i = 0; i < out.bound.size(); ++i) {
+    if (map.lower[i] < kNothingBelow) out.bound[i] = lowered(pixel * map.lower[i]);
+    if (map.lowest_centre[i] < kNothingBelow) out.sample[i] = raised(pixel * map.lowest_centre[i]);
+  }
+  return out;
 }
 
 HeightMap draw_top(std::span<const Body> bodies, const MapGrid& grid, bool floor, double ceiling) {
-  HeightMap map(grid.width, grid.height, -kNothingBelow);
+  HeightMap out(grid.width, grid.height, -kNothingBelow);
   if (floor) {
     const auto height = static_cast<float>(-grid.level);
-    std::fill(map.bound.begin(), map.bound.end(), raised(height));
-    std::fill(map.sample.begin(), map.sample.end(), lowered(height));
+    std::fill(out.bound.begin(), out.bound.end(), raised(height));
+    std::fill(out.sample.begin(), out.sample.end(), lowered(height));
   }
   const ZListFrame frame = frame_of(grid, 0);
-  TopSink sink(map, grid.pixel);
-  draw(bodies, grid, View::whole(frame, false), ceiling, sink);
-  return map;
+  const DepthMap map = draw(bodies, grid, View::whole(frame, false), ceiling);
+  const auto pixel = static_cast<float>(grid.pixel);
+  for (size_t i = 0; i < out.bound.size(); ++i) {
+    if (map.upper[i] > -kNothingBelow)
+      out.bound[i] = std::max(out.bound[i], raised(pixel * map.upper[i]));
+    if (map.highest_centre[i] > -kNothingBelow)
+      out.sample[i] = std::max(out.sample[i], lowered(pixel * map.highest_centre[i]));
+  }
+  return out;
 }
 
 HeightMap widened_underside(const HeightMap& map, double pixels) {

@@ -64,6 +64,7 @@ std::unique_ptr<Detector> make_detector(const CommonOptions& common) {
   options.backend = backend_from_name(common.backend);
   options.num_threads = common.num_threads;
   options.make_gpu_stage = make_gpu_stage;
+  options.make_gpu_brackets = make_gpu_brackets;
   options.note = [&common](const std::string& note) { print_note(common, note); };
   return make_detector(options);
 }

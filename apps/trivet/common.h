@@ -34,6 +34,8 @@ std::unique_ptr<Detector> make_detector(const CommonOptions& common);
 /// z-lists on the GPU. @throws Error (Environment) where they cannot be had, and in a build
 /// without.
 std::unique_ptr<ZListStage> make_gpu_stage();
+/// How far things fall at many places, on the GPU. @throws Error (Environment) likewise.
+DropBracketFunction make_gpu_brackets();
 
 /// Everything that a run of operations needs. The detector is not owned; null: box trees.
 RunOptions run_options(const CommonOptions& common, const SettleOptions& settle,

@@ -1,8 +1,16 @@
 #include "apps/trivet/common.h"
+#include "gpu/drop_brackets_gpu.h"
 #include "gpu/zlist_gpu.h"
 
 namespace trivet::apps {
 
 std::unique_ptr<ZListStage> make_gpu_stage() { return make_gpu_zlist_stage(); }
+
+DropBracketFunction make_gpu_brackets() {
+  return [gpu = std::make_shared<GpuDropBrackets>()](
+             const HeightMap& object, const HeightMap& scene, int columns, int rows) {
+    return (*gpu)(object, scene, columns, rows);
+  };
+}
 
 }  // namespace trivet::apps

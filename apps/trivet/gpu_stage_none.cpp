@@ -3,9 +3,16 @@
 
 namespace trivet::apps {
 
-std::unique_ptr<ZListStage> make_gpu_stage() {
+namespace {
+
+[[noreturn]] void refuse() {
   throw Error(Error::Kind::Environment,
               "this build of trivet has no GPU support; it was configured without EGL");
 }
+
+}  // namespace
+
+std::unique_ptr<ZListStage> make_gpu_stage() { refuse(); }
+DropBracketFunction make_gpu_brackets() { refuse(); }
 
 }  // namespace trivet::apps

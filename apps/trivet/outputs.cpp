@@ -13,7 +13,6 @@
 
 #include "core/base/error.h"
 #include "core/io/export.h"
-#include "ops/report/report.h"
 
 namespace trivet::apps {
 namespace {
@@ -139,12 +138,22 @@ std::string work_summary(const Detector& detector) {
         << work.zlist.face_pairs << " pairs of faces left, " << work.zlist.bytes_read_back
         << " bytes read back\n"
         << "  given up, answered by box trees: " << work.fallbacks << " queries\n";
+  if (work.places > 0)
+    out << "  places judged: " << work.places << ", on the GPU " << work.places_on_gpu << "\n";
   out << "  box trees: " << work.node_pairs << " pairs of boxes\n"
       << "  decided: " << work.face_pairs << " pairs of faces\n";
   return out.str();
 }
 
 }  // namespace
+
+void tell_work(const Detector& detector, const CommonOptions& common, ReportOptions* report) {
+  if (common.verbose) std::cerr << work_summary(detector);
+  if (!report) return;
+  report->backend = detector.name();
+  report->device = detector.device();
+  report->work = detector.work();
+}
 
 void add_output_options(CLI::App& app, OutputPaths& paths) {
   app.add_option("-o,--output", paths.scene, "The scene: .glb, .obj, .ply or .stl");
@@ -174,12 +183,7 @@ int Outputs::write(const LayoutRun& run, const Layout& layout, const SettleOptio
   ReportOptions report_options;
   report_options.version = TRIVET_VERSION;
   report_options.model_folder = folders.in_report;
-  if (const Detector* detector = settle.detector) {
-    report_options.backend = detector->name();
-    report_options.device = detector->device();
-    report_options.work = detector->work();
-    if (m_common.verbose) std::cerr << work_summary(*detector);
-  }
+  if (settle.detector) tell_work(*settle.detector, m_common, &report_options);
   const std::string report = report_json(run, report_options);
   // All that can fail but the disk comes first.
   const std::string png = m_picture ? m_picture->png(run.scene) : "";

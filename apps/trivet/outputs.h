@@ -9,6 +9,7 @@
 #include "apps/trivet/picture.h"
 #include "ops/layout/paths.h"
 #include "ops/layout/run.h"
+#include "ops/report/report.h"
 #include "ops/report/scene_file.h"
 
 namespace trivet::apps {
@@ -44,6 +45,10 @@ class Outputs {
   const CommonOptions& m_common;
   std::unique_ptr<PictureMaker> m_picture;
 };
+
+/// Who answered queries and what it took: with --verbose to standard error, and into the report.
+/// @param report  may be null.
+void tell_work(const Detector& detector, const CommonOptions& common, ReportOptions* report);
 
 /// What was refused and what the check found, for people.
 std::string summary(const LayoutRun& run);

@@ -17,16 +17,18 @@ struct CheckArguments {
   StabilityOptions stability;
 };
 
-RunOptions options_of(const CheckArguments& arguments, const CommonOptions& common) {
-  RunOptions options = run_options(common, arguments.settle);
+RunOptions options_of(const CheckArguments& arguments, const CommonOptions& common,
+                      Detector& detector) {
+  RunOptions options = run_options(common, arguments.settle, &detector);
   options.stability = arguments.stability;
   return options;
 }
 
-LayoutRun check_scene_file(const CheckArguments& arguments, const CommonOptions& common) {
+LayoutRun check_scene_file(const CheckArguments& arguments, const CommonOptions& common,
+                           Detector& detector) {
   SceneFile file = read_scene_file(arguments.file, common.limits());
   for (const std::string& note : file.notes) print_note(common, note);
-  RunOptions options = options_of(arguments, common);
+  RunOptions options = options_of(arguments, common, detector);
   if (!(options.settle.clearance > 0)) options.settle.clearance = file.clearance;
   LayoutRun run;
   run.scene = std::move(file.scene);
@@ -35,9 +37,10 @@ LayoutRun check_scene_file(const CheckArguments& arguments, const CommonOptions&
 }
 
 // What stands from the start is judged as it stands; if that is clean the operations are tried.
-LayoutRun check_layout(const CheckArguments& arguments, const CommonOptions& common) {
+LayoutRun check_layout(const CheckArguments& arguments, const CommonOptions& common,
+                       Detector& detector) {
   const Layout layout = read_layout(arguments.file, common.limits().max_file_bytes);
-  RunOptions options = options_of(arguments, common);
+  RunOptions options = options_of(arguments, common, detector);
   options.layout_file = arguments.file;
   const ModelSource models = models_in_folder(folder_of(arguments.file), common.limits());
   const auto stands = [](const LayoutObject& o) { return o.pose.has_value(); };
@@ -68,11 +71,13 @@ int tell_of_object(const CheckArguments& arguments, const CommonOptions& common,
 int check(const CheckArguments& arguments, const CommonOptions& common) {
   const bool layout = extension_of(arguments.file) == ".json";
   check_outputs({"", arguments.report, ""}, {arguments.file});
-  const LayoutRun run =
-      layout ? check_layout(arguments, common) : check_scene_file(arguments, common);
+  const std::unique_ptr<Detector> detector = make_detector(common);
+  const LayoutRun run = layout ? check_layout(arguments, common, *detector)
+                               : check_scene_file(arguments, common, *detector);
   clear_progress_line(common);
   ReportOptions options;
   options.version = TRIVET_VERSION;
+  tell_work(*detector, common, &options);
   if (!layout && !arguments.report.empty())
     options.model_folder = folder_from(arguments.report, folder_of(arguments.file));
   const std::string report = report_json(run, options);

@@ -12,7 +12,8 @@ struct ReplayArguments {
 
 int replay(const ReplayArguments& arguments, const CommonOptions& common) {
   Outputs outputs(arguments.outputs, {arguments.journal}, common);
-  RunOptions options = run_options(common, {});
+  const std::unique_ptr<Detector> detector = make_detector(common);
+  RunOptions options = run_options(common, {}, detector.get());
   RestoredSession restored = restore_session(arguments.journal, options, common.limits(), false);
   OpenedSession& opened = restored.opened;
   clear_progress_line(common);

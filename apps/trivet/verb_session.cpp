@@ -26,8 +26,9 @@ constexpr const char* kAccepted =
     "an operation {\"op\": ...}, {\"undo\": true}, {\"redo\": true}, {\"save\": FILE} or "
     "{\"query\": OBJECT}";
 
-OpenedSession open(const SessionArguments& arguments, const CommonOptions& common) {
-  RunOptions options = run_options(common, arguments.settle);
+OpenedSession open(const SessionArguments& arguments, const CommonOptions& common,
+                   Detector& detector) {
+  RunOptions options = run_options(common, arguments.settle, &detector);
   if (!arguments.start.empty())
     return open_session(arguments.start, options, common.limits(), arguments.journal);
   if (arguments.journal.empty())
@@ -54,8 +55,9 @@ const char* to_string(OperationResult::Status status) {
 
 class Dialogue {
  public:
-  Dialogue(OpenedSession& opened, const SessionArguments& arguments)
+  Dialogue(OpenedSession& opened, const SessionArguments& arguments, Detector& detector)
       : m_opened(opened), m_session(opened.session), m_settle(arguments.settle) {
+    m_settle.detector = &detector;
     if (!(m_settle.clearance > 0)) m_settle.clearance = opened.clearance;
   }
 
@@ -117,16 +119,18 @@ class Dialogue {
 };
 
 int session(const SessionArguments& arguments, const CommonOptions& common) {
-  OpenedSession opened = open(arguments, common);
+  const std::unique_ptr<Detector> detector = make_detector(common);
+  OpenedSession opened = open(arguments, common, *detector);
   clear_progress_line(common);
   for (const std::string& note : opened.notes) print_note(common, note);
-  Dialogue dialogue(opened, arguments);
+  Dialogue dialogue(opened, arguments, *detector);
   const auto tell = [](const Json& json) {
     std::cout << json.dump(-1, ' ', false, Json::error_handler_t::replace) << std::endl;
   };
   tell(dialogue.state());
   for (std::string line; std::getline(std::cin, line);)
     if (line.find_first_not_of(" \t\r") != std::string::npos) tell(dialogue.answer(line));
+  tell_work(*detector, common, nullptr);
   return 0;
 }
 

@@ -41,8 +41,11 @@ Backend backend_from_name(const std::string& name) {
 
 std::unique_ptr<Detector> make_detector(const BackendOptions& options) {
   if (options.backend == Backend::Gpu)
-    if (std::unique_ptr<ZListStage> stage = gpu_stage(options))
-      return std::make_unique<Detector>(std::move(stage), "gpu");
+    if (std::unique_ptr<ZListStage> stage = gpu_stage(options)) {
+      auto detector = std::make_unique<Detector>(std::move(stage), "gpu");
+      detector->use_gpu_brackets(options.make_gpu_brackets, options.note);
+      return detector;
+    }
   if (options.backend == Backend::Gpu || options.backend == Backend::Software)
     return std::make_unique<Detector>(software_stage(options), "software");
   return std::make_unique<Detector>();

@@ -26,6 +26,9 @@ struct BackendOptions {
   int num_threads = 0;  // of software z-lists; 0: all cores
   /// Makes the stage for Backend::Gpu, such as make_gpu_zlist_stage(); empty: a build without.
   std::function<std::unique_ptr<ZListStage>()> make_gpu_stage;
+  /// Makes what computes brackets of falls for Backend::Gpu, such as a GpuDropBrackets; empty:
+  /// software.
+  std::function<DropBracketFunction()> make_gpu_brackets;
   /// Told, once, why another source answers than was asked for. May be empty.
   std::function<void(const std::string&)> note;
 };

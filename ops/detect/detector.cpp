@@ -1,5 +1,10 @@
 #include "ops/detect/detector.h"
 
+#include <utility>
+
+#include "core/base/error.h"
+#include "raster/drop_brackets.h"
+
 namespace trivet {
 namespace {
 
@@ -29,8 +34,39 @@ FirstContact Detector::first_contact(const FirstContactQuery& query) {
   return found;
 }
 
+void Detector::use_gpu_brackets(std::function<DropBracketFunction()> make,
+                                std::function<void(const std::string&)> note) {
+  m_make_brackets = std::move(make);
+  m_note = std::move(note);
+}
+
+std::vector<DropBracket> Detector::drop_brackets(const HeightMap& object, const HeightMap& scene,
+                                                 int columns, int rows) {
+  const auto num_places = static_cast<std::int64_t>(columns) * rows;
+  m_work.places += num_places;
+  try {
+    if (m_make_brackets) m_gpu_brackets = std::exchange(m_make_brackets, {})();
+    if (m_gpu_brackets) {
+      std::vector<DropBracket> found = m_gpu_brackets(object, scene, columns, rows);
+      m_work.places_on_gpu += num_places;
+      return found;
+    }
+  } catch (const Error& error) {
+    m_gpu_brackets = {};
+    if (m_note) m_note(std::string(error.what()) + "; places are judged in software instead");
+  }
+  return trivet::drop_brackets(object, scene, columns, rows);
+}
+
 FirstContact first_contact(const FirstContactQuery& query, Detector* detector) {
   return detector ? detector->first_contact(query) : first_contact(query);
+}
+
+DropBracketFunction drop_brackets_of(Detector* detector) {
+  if (!detector) return drop_brackets;
+  return [detector](const HeightMap& object, const HeightMap& scene, int columns, int rows) {
+    return detector->drop_brackets(object, scene, columns, rows);
+  };
 }
 
 }  // namespace trivet

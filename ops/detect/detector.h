@@ -2,9 +2,11 @@
 // candidates there is; what all operations ask.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 
+#include "core/contact/height_map.h"
 #include "core/contact/zlist_stage.h"
 
 namespace trivet {
@@ -12,9 +14,11 @@ namespace trivet {
 /// What queries cost, added up.
 struct DetectionWork {
   std::int64_t num_queries = 0;
-  std::int64_t node_pairs = 0;  // of box trees
-  std::int64_t face_pairs = 0;  // decided exactly
-  std::int64_t fallbacks = 0;   // queries that a z-list stage gave up; box trees answered
+  std::int64_t node_pairs = 0;     // of box trees
+  std::int64_t face_pairs = 0;     // decided exactly
+  std::int64_t fallbacks = 0;      // queries that a z-list stage gave up; box trees answered
+  std::int64_t places = 0;         // judged by height maps, see drop_brackets()
+  std::int64_t places_on_gpu = 0;  // of these
   ZListWork zlist;
 };
 
@@ -27,6 +31,16 @@ class Detector {
       : m_stage(std::move(stage)), m_name(std::move(name)) {}
 
   FirstContact first_contact(const FirstContactQuery& query);
+
+  /// Computes brackets on a GPU from now on, if `make` can; see DropBracketFunction. It is called
+  /// when they are first asked for.
+  /// @param note  told, once, when software does it instead. May be empty.
+  void use_gpu_brackets(std::function<DropBracketFunction()> make,
+                        std::function<void(const std::string&)> note);
+  /// How far an object falls at many places; the same bits from software and GPU.
+  std::vector<DropBracket> drop_brackets(const HeightMap& object, const HeightMap& scene,
+                                         int columns, int rows);
+
   const DetectionWork& work() const { return m_work; }
   /// "bvh", "software" or "gpu".
   const std::string& name() const { return m_name; }
@@ -36,10 +50,15 @@ class Detector {
  private:
   std::unique_ptr<ZListStage> m_stage;
   std::string m_name = "bvh";
+  std::function<DropBracketFunction()> m_make_brackets;
+  std::function<void(const std::string&)> m_note;
+  DropBracketFunction m_gpu_brackets;  // empty: not made yet, or software does it
   DetectionWork m_work;
 };
 
 /// By `detector`, or by box trees when it is null.
 FirstContact first_contact(const FirstContactQuery& query, Detector* detector);
+/// By `detector`, or in software when it is null.
+DropBracketFunction drop_brackets_of(Detector* detector);
 
 }  // namespace trivet

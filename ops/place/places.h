@@ -35,7 +35,7 @@ struct Places {
 };
 
 /// @param clearance  metres, of the motions.
-/// @param brackets  who computes the brackets: the software, or a GpuDropBrackets.
+/// @param brackets  who computes the brackets: the software, or drop_brackets_of() a detector.
 Places find_places(const Scene& scene, ObjectId object, const PlaceRequest& request,
                    double clearance, const DropBracketFunction& brackets = drop_brackets);
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/base/tunables.h"
+#include "ops/detect/detector.h"
 #include "ops/move/moves.h"
 #include "ops/place/places.h"
 #include "ops/stopwatch.h"
@@ -37,7 +38,8 @@ class Somewhere {
   OperationResult run() {
     const std::string why = why_not_support();
     if (!why.empty()) return refused(why);
-    const Places places = find_places(m_scene, m_id, request(), clearance());
+    const Places places =
+        find_places(m_scene, m_id, request(), clearance(), drop_brackets_of(m_options.detector));
     OperationResult first;
     int num_trials = 0;
     for (const Pose& start : places.starts) {

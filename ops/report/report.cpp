@@ -85,6 +85,8 @@ OrderedJson work_json(const DetectionWork& work) {
           {"proposed_face_pairs", work.zlist.face_pairs},
           {"bytes_read_back", work.zlist.bytes_read_back},
           {"fallbacks", work.fallbacks},
+          {"places", work.places},
+          {"places_on_gpu", work.places_on_gpu},
           {"node_pairs", work.node_pairs},
           {"decided_face_pairs", work.face_pairs}};
 }

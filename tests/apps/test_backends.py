@@ -1,9 +1,10 @@
 """Every backend gives the same report, apart from what it says about itself."""
 import json
 import os
+import subprocess
 import unittest
 
-from program import SOURCE_DIR, Case, main, put
+from program import PROGRAM, SLAB, SOURCE_DIR, Case, main, put
 
 MODELS = os.path.join(SOURCE_DIR, "..", "shared", "data", "models")
 OWN_KEYS = ("backend", "device", "work")
@@ -16,22 +17,37 @@ def common_part(report):
     return json.dumps(report)
 
 
+BACKENDS = ("bvh", "software", "gpu")
+
+
 class Backends(Case):
-    def reports(self, *arguments, statuses=(0,)):
+    @classmethod
+    def setUpClass(cls):
+        """Where pictures can be made there is a GPU, or what stands in for it, and it must be used."""
+        case = cls("test_cubes")
+        case.setUp()
+        out, _ = case.trivet("render", "cube.obj", "-o", "p.png", "--samples", 1, status=(0, 3))
+        case.doCleanups()
+        cls.has_gpu = out == ""
+
+    def reports(self, *arguments, statuses=(0,), scenes=True):
         """What each backend reports; the common part must be the same."""
         found, texts = {}, set()
-        for backend in ("bvh", "software", "gpu"):
-            _, err = self.trivet(*arguments, "-o", backend + ".glb", "--report", "r.json", "--backend",
-                                 backend, status=statuses)
+        for backend in BACKENDS:
+            output = ["-o", backend + ".glb"] if scenes else []
+            _, err = self.trivet(*arguments, *output, "--report", "r.json", "--backend", backend,
+                                 status=statuses)
             report = self.read_json("r.json")
             found[backend] = {key: report[key] for key in OWN_KEYS}
             texts.add(common_part(report))
-            if backend == "gpu" and report["backend"] != "gpu":
+            if backend == "gpu" and not self.has_gpu:
                 self.assertEqual(report["backend"], "software")
                 self.assertIn("used instead of the GPU", err)
             else:
                 self.assertEqual(report["backend"], backend)
         self.assertEqual(len(texts), 1)
+        if not scenes:
+            return found
         self.assertEqual(self.read("bvh.glb"), self.read("software.glb"))
         self.assertEqual(self.read("bvh.glb"), self.read("gpu.glb"))
         return found
@@ -46,9 +62,97 @@ class Backends(Case):
         self.assertGreater(found["software"]["work"]["doubtful_pixels"], 0)
         queries = {f["work"]["queries"] for f in found.values()}
         self.assertEqual(len(queries), 1)
+        if self.has_gpu:
+            self.assert_ran_on_gpu(found["gpu"])
+
+    def assert_ran_on_gpu(self, found):
+        for key in ("body_pairs", "pixels", "doubtful_pixels", "proposed_face_pairs",
+                    "bytes_read_back"):
+            self.assertGreater(found["work"][key], 0, key)
+        self.assertEqual(found["work"]["fallbacks"], 0)
+        self.assertNotEqual(found["device"], "cpu")
 
     def test_cubes(self):
-        self.reports("run", self.two_cubes())
+        found = self.reports("run", self.two_cubes())
+        if self.has_gpu:
+            self.assert_ran_on_gpu(found["gpu"])
+
+    def test_check(self):
+        layout = self.two_cubes()
+        found = self.reports("check", layout, scenes=False)
+        self.assertGreater(found["software"]["work"]["pixels"], 0)
+        self.trivet("run", layout, "-o", "s.glb")
+        self.reports("check", "s.glb", scenes=False)
+
+    def test_session_and_replay(self):
+        """A journal that one backend wrote is replayed by all."""
+        self.two_cubes()
+        lines = [json.dumps(put("a", 0.2, 0.2, 0.6)), json.dumps(put("b", -0.2, -0.1, 0.9)),
+                 json.dumps({"undo": True}), json.dumps({"redo": True})]
+        answers = set()
+        for backend in BACKENDS:
+            result = subprocess.run(
+                [PROGRAM, "session", "layout.json", "--journal", backend + ".journal", "--backend",
+                 backend, "--verbose"], cwd=self.folder, input="\n".join(lines), text=True,
+                capture_output=True, timeout=300)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            self.assertIn("work of ", result.stderr)
+            if backend != "gpu" or self.has_gpu:
+                self.assertIn("work of " + backend, result.stderr)
+            answers.add(result.stdout)
+        self.assertEqual(len(answers), 1)
+        found = self.reports("replay", "software.journal")
+        if self.has_gpu:
+            self.assert_ran_on_gpu(found["gpu"])
+
+    def places_layout(self):
+        cube = {"op": "put", "rotation": [1, 0, 0, 0], "on": "slab"}
+        return self.layout(
+            [SLAB] + [{"name": name, "model": "cube.obj"} for name in "abcd"],
+            [{**cube, "object": "a", "at": "anywhere", "seed": 3},
+             {**cube, "object": "b", "at": "anywhere", "seed": 4, "keep": 0.1},
+             {**cube, "object": "c", "at": "anywhere", "seed": 5, "keep": 0.05},
+             {**cube, "object": "d", "at": [0.1, -0.2]}])
+
+    def on_gpu_with(self, **env):
+        """Asks for the GPU where this is set: the report, and what is said; results are as ever."""
+        layout = self.places_layout()
+        self.trivet("run", layout, "-o", "bvh.glb", "--report", "bvh.json")
+        _, err = self.trivet("run", layout, "-o", "gpu.glb", "--report", "gpu.json", "--backend",
+                             "gpu", env=env)
+        report = self.read_json("gpu.json")
+        self.assertEqual(common_part(self.read_json("bvh.json")), common_part(dict(report)))
+        self.assertEqual(self.read("bvh.glb"), self.read("gpu.glb"))
+        return report, err
+
+    def test_without_egl(self):
+        report, err = self.on_gpu_with(__EGL_VENDOR_LIBRARY_FILENAMES="/nonexistent")
+        if report["backend"] == "gpu":
+            self.skipTest("the drivers cannot be hidden here")
+        self.assertEqual(report["backend"], "software")
+        self.assertEqual(err.count("trivet: note:"), 1, err)
+        self.assertIn("used instead of the GPU", err)
+
+    def test_without_opengl_4_3(self):
+        """Framebuffers that blend do for the z-lists; places need compute shaders."""
+        report, err = self.on_gpu_with(MESA_GL_VERSION_OVERRIDE="3.3")
+        if not self.has_gpu or "blended framebuffers" not in report["device"]:
+            self.skipTest("no GPU here, or its driver does not obey MESA_GL_VERSION_OVERRIDE")
+        self.assertEqual(report["backend"], "gpu")
+        self.assertGreater(report["work"]["pixels"], 0)
+        self.assertEqual(report["work"]["places_on_gpu"], 0)
+        self.assertEqual(err.count("trivet: note:"), 1, err)
+        self.assertIn("places are judged in software instead", err)
+
+    def test_places(self):
+        """Who judges places is chosen by --backend; where things go does not depend on it."""
+        found = self.reports("run", self.places_layout())
+        places = {f["work"]["places"] for f in found.values()}
+        self.assertEqual(len(places), 1)
+        self.assertGreater(min(places), 1000)
+        self.assertEqual(found["software"]["work"]["places_on_gpu"], 0)
+        if self.has_gpu:
+            self.assertEqual(found["gpu"]["work"]["places_on_gpu"], min(places))
 
     @unittest.skipUnless(os.path.isdir(MODELS), "the models beside the project are not there")
     def test_real_models(self):

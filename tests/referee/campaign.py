@@ -3,7 +3,7 @@
 
     tests/referee/campaign.py --trivet build/release/apps/trivet --referee PATH/referee \\
         --shared ../shared [--set floor,pair,pile] [--out DIR] [--same-as OTHER_TRIVET] [--threads 1,2]
-        [--backends software,gpu]
+        [--backends software,gpu] [--match REGEX]
 
 floor: every model in 5 random orientations, put onto the floor.
 pair:  every model in 5 random orientations, put onto one of 10 other models that stand there fixed.
@@ -19,6 +19,7 @@ import concurrent.futures
 import json
 import os
 import random
+import re
 import statistics
 import subprocess
 import sys
@@ -162,7 +163,8 @@ TOTALS = ["interpenetrating_pairs", "float32_interpenetrating_pairs", "below_flo
 
 def run_set(options, title, layouts):
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
-        results = list(pool.map(lambda item: judge(options, *item), layouts))
+        chosen = (item for item in layouts if re.search(options.match, item[0]))
+        results = list(pool.map(lambda item: judge(options, *item), chosen))
     operations = [o for _, ops, _, _ in results for o in ops]
     done = [o for o in operations if o["status"] == "ok"]
     times = sorted(o["milliseconds"] for o in done)
@@ -193,6 +195,8 @@ def main():
     parser.add_argument("--set", default="floor,pair,pile")
     parser.add_argument("--out", default="out/campaign")
     parser.add_argument("--jobs", type=int, default=1, help="at a time; 1 for fair times")
+    parser.add_argument("--match", default="", help="a regular expression: only scenes whose names "
+                        "have it, such as pair_6[89]")
     parser.add_argument("--same-as", help="another build of trivet")
     parser.add_argument("--threads", default="", help="numbers of threads, with commas")
     parser.add_argument("--backends", default="", help="bvh, software, gpu, with commas")

@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "ops/detect/backend.h"
+#include "raster/drop_brackets.h"
 #include "raster/software_zlists.h"
 #include "support/random_queries.h"
 
@@ -95,6 +96,57 @@ TEST(Backend, CountsTheWorkOfEveryStage) {
   EXPECT_GT(work.face_pairs, kNum / 4);
   EXPECT_EQ(lazy.work().fallbacks, kNum);
   EXPECT_EQ(lazy.work().node_pairs, trees.work().node_pairs);
+}
+
+// Brackets on a GPU that cannot be had, or breaks down, are those of the software.
+TEST(Backend, JudgesPlacesWithWhatWorks) {
+  HeightMap object(2, 2, 0.5F), scene(4, 3, 0.125F);
+  scene.bound[5] = 0.25F;
+  const auto truth = drop_brackets(object, scene, 3, 2);
+  int num_made = 0, num_asked = 0;
+  BackendOptions options;
+  std::vector<std::string> notes;
+  options.note = [&](const std::string& note) { notes.push_back(note); };
+  options.backend = Backend::Gpu;
+  options.make_gpu_stage = [] { return std::make_unique<SoftwareZLists>(); };
+  const auto ask = [&](Detector& detector) {
+    const auto found = drop_brackets_of(&detector)(object, scene, 3, 2);
+    ASSERT_EQ(found.size(), truth.size());
+    for (size_t i = 0; i < truth.size(); ++i) {
+      EXPECT_EQ(found[i].lower, truth[i].lower);
+      EXPECT_EQ(found[i].upper, truth[i].upper);
+    }
+  };
+  // Works once.
+  options.make_gpu_brackets = [&]() -> DropBracketFunction {
+    ++num_made;
+    return [&](const HeightMap& o, const HeightMap& s, int columns, int rows) {
+      if (++num_asked > 1) throw Error(Error::Kind::Environment, "context lost");
+      return drop_brackets(o, s, columns, rows);
+    };
+  };
+  const auto breaks = make_detector(options);
+  EXPECT_EQ(num_made, 0);
+  for (int i = 0; i < 3; ++i) ask(*breaks);
+  EXPECT_EQ(num_made, 1);
+  EXPECT_EQ(num_asked, 2);
+  EXPECT_EQ(breaks->work().places, 18);
+  EXPECT_EQ(breaks->work().places_on_gpu, 6);
+  ASSERT_EQ(notes.size(), 1u);
+  EXPECT_NE(notes[0].find("context lost; places are judged in software"), std::string::npos);
+  // Cannot be had.
+  options.make_gpu_brackets = []() -> DropBracketFunction {
+    throw Error(Error::Kind::Environment, "no OpenGL 4.3");
+  };
+  const auto without = make_detector(options);
+  ask(*without);
+  ask(*without);
+  EXPECT_EQ(without->work().places_on_gpu, 0);
+  EXPECT_EQ(notes.size(), 2u);
+  // Nobody asks a GPU that was not chosen.
+  options.backend = Backend::Software;
+  ask(*make_detector(options));
+  EXPECT_EQ(notes.size(), 2u);
 }
 
 }  // namespace
