@@ -104,7 +104,7 @@ TEST_P(ZListGpuBothWays, FlatContacts) {
 TEST_P(ZListGpuBothWays, LargeFlatContactsAreGivenUp) {
   const auto stage = make_stage({.resolution = 32, .force_fallback = GetParam()});
   TRIVET_SKIP_WITHOUT_EGL(stage);
-  const test::RandomQuery q = flat_contact(150, 0.3);
+  const test::RandomQuery q = flat_contact(250, 0.3);
   Proposal proposal;
   EXPECT_TRUE(test::same_answer(q.with_stage(*stage, &proposal), q.fast()));
   EXPECT_FALSE(proposal.usable);
