@@ -111,6 +111,7 @@ void MainWindow::make_status_bar() {
 void MainWindow::connect_document() {
   m_toolbox.changed = [this] {
     for (SceneView* const view : {m_perspective, m_three, m_constraint}) view->redraw();
+    show_tool();
     update_status();
   };
   connect(&m_document, &Document::snapshot_changed, this, &MainWindow::follow_scene);
@@ -214,13 +215,21 @@ void MainWindow::update_actions() {
 }
 
 void MainWindow::take_tool(ToolKind kind) {
-  if (m_toolbox.current() != kind || kind == ToolKind::Select) m_toolbox.take(kind);
+  m_toolbox.take(kind);
+  show_tool();
+  if (kind != ToolKind::Select) m_control->show_operations();
+}
+
+/// Keys of the toolbox take tools, too.
+void MainWindow::show_tool() {
+  const ToolKind kind = m_toolbox.current();
   static const char* const kActions[] = {"select",  "put",  "push",  "turn",
                                          "pick up", "move", "rotate"};
-  action(kActions[static_cast<int>(kind)])->setChecked(true);
+  QAction* const shown = action(kActions[static_cast<int>(kind)]);
+  if (shown->isChecked() && kind == m_shown_tool) return;
+  m_shown_tool = kind;
+  shown->setChecked(true);
   m_control->operations().show_tool(kind);
-  if (kind != ToolKind::Select) m_control->show_operations();
-  update_status();
 }
 
 void MainWindow::follow_scene() {

@@ -63,6 +63,7 @@ class MainWindow : public QMainWindow {
   void update_status();
   void show_busy();
   void take_tool(ToolKind kind);
+  void show_tool();
   void follow_scene();
   void aim_constraint_window();
   void aim_three_view(const QString& name);
@@ -136,6 +137,7 @@ class MainWindow : public QMainWindow {
   std::unique_ptr<PictureJob> m_picture;
   std::optional<std::string> m_framed_title;
   std::optional<ObjectId> m_aimed_at;
+  ToolKind m_shown_tool = ToolKind::Select;
   bool m_is_empty = true, m_may_close = false, m_constraint_is_free = false;
 };
 

@@ -8,7 +8,8 @@ namespace {
 
 constexpr double kSettlingMs = 320;  // that a way from rest to rest takes on the screen
 constexpr int kTickMs = 16;
-constexpr double kNormalPx = 26;
+constexpr double kNormalPx = 26, kNormalOfObject = 0.15;  // the shorter: how long normals are
+constexpr size_t kManyPoints = 12;                        // of a contact
 const LiveColour kContactRed{0.92f, 0.20f, 0.18f, 1};
 const LiveColour kGravityLine{0.30f, 0.55f, 0.95f, 1};
 const LiveColour kBox{0.55f, 0.62f, 0.72f, 0.8f};
@@ -88,7 +89,6 @@ void SceneDrawing::put_out_lights() {
 
 void SceneDrawing::follow_document() {
   const auto now = m_document.snapshot();
-  const bool was_dragged = m_before->drag.has_value();
   if (now->committed != m_before->committed) {
     m_ways.clear();
     put_out_lights();
@@ -99,7 +99,6 @@ void SceneDrawing::follow_document() {
         continue;
       m_ways[object.id.index] = {(*before)->pose, object->pose};
     }
-    m_was_dragged = was_dragged;
     m_since.start();
     if (m_ways.empty())
       m_tick.stop();
@@ -207,16 +206,26 @@ void SceneDrawing::add_active(LiveScene& scene, const View& view) const {
 
 void SceneDrawing::add_contacts(LiveOverlay& overlay, const Object& object,
                                 const View& view) const {
+  const Aabb box = world_box(object);
+  const double metres = view.metres_per_px(std::max(view.depth(box.centre()), 0.0));
+  const double length = std::min(kNormalPx * metres, kNormalOfObject * box.diagonal());
   for (const Link& link : object.links) {
-    overlay.add_polygon(link.contact.hull, with_alpha(kContactRed, 0.30f), Hidden::Faint);
-    if (link.contact.hull.size() > 1)
-      overlay.add_loop(link.contact.hull, kContactRed, 1.8f, Hidden::Faint);
-    for (const ContactPoint& point : link.contact.points) {
-      overlay.points.push_back({point.point, kContactRed, 3, Hidden::Faint});
-      const double metres = view.metres_per_px(std::max(view.depth(point.point), 0.0));
-      overlay.lines.push_back({point.point, point.point + kNormalPx * metres * point.normal,
-                               with_alpha(kContactRed, 0.75f), 1.2f, Hidden::Faint});
+    const Contact& contact = link.contact;
+    overlay.add_polygon(contact.hull, with_alpha(kContactRed, 0.30f), Hidden::Faint);
+    if (contact.hull.size() > 1) overlay.add_loop(contact.hull, kContactRed, 1.8f, Hidden::Faint);
+    // Of many points, those of the hull are the corners, and one normal speaks for all.
+    const bool many = contact.points.size() > kManyPoints;
+    Vec3 middle = Vec3::Zero();
+    for (const ContactPoint& point : contact.points) {
+      middle += point.point / double(contact.points.size());
+      overlay.points.push_back({point.point, kContactRed, many ? 1.5f : 3, Hidden::Faint});
+      if (!many)
+        overlay.lines.push_back({point.point, point.point + length * point.normal,
+                                 with_alpha(kContactRed, 0.75f), 1.2f, Hidden::Faint});
     }
+    if (many)
+      overlay.lines.push_back(
+          {middle, middle + length * contact.normal, kContactRed, 1.8f, Hidden::Faint});
   }
 }
 

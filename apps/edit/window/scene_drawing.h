@@ -64,7 +64,6 @@ class SceneDrawing : public QObject {
   std::map<std::uint32_t, Way> m_ways;  // by the object's slot
   QElapsedTimer m_since;
   QTimer m_tick;
-  bool m_was_dragged = false;
 };
 
 }  // namespace trivet::edit

@@ -48,6 +48,7 @@ void Theme::apply(QApplication& application) const {
     QStatusBar::item { border: none; }
     QTreeWidget, QListWidget, QScrollArea, QTableWidget { border: none; }
     QTabWidget::pane { border: none; border-top: 1px solid %1; }
+    QTabBar { qproperty-drawBase: 0; }
     QTabBar::tab { padding: 5px 9px; border: none; color: %3; }
     QTabBar::tab:selected { color: %4; border-bottom: 2px solid %2; }
     #title { color: %3; font-weight: bold; }
