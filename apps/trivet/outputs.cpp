@@ -13,20 +13,12 @@
 
 #include "core/base/error.h"
 #include "core/io/export.h"
+#include "ops/simulation/simulation.h"
 
 namespace trivet::apps {
 namespace {
 
 namespace fs = std::filesystem;
-
-void check_extension(const std::string& path, const std::vector<std::string>& accepted) {
-  const std::string extension = extension_of(path);
-  if (std::find(accepted.begin(), accepted.end(), extension) != accepted.end()) return;
-  std::string list;
-  for (const std::string& e : accepted) list += (list.empty() ? "" : ", ") + e;
-  throw Error(Error::Kind::BadInput,
-              path + ": the extension \"" + extension + "\" is not accepted; accepted: " + list);
-}
 
 [[noreturn]] void fail_write(const std::string& path) {
   throw Error(Error::Kind::Environment, path + ": cannot be written: " + std::strerror(errno));
@@ -156,16 +148,33 @@ void tell_work(const Detector& detector, const CommonOptions& common, ReportOpti
 }
 
 void add_output_options(CLI::App& app, OutputPaths& paths) {
-  app.add_option("-o,--output", paths.scene, "The scene: .glb, .obj, .ply or .stl");
+  app.add_option(
+      "-o,--output", paths.scene,
+      "The scene: .glb, .obj, .ply, .stl, or for simulators, as trivet export writes it");
   app.add_option("--report", paths.report, "The report, JSON");
   app.add_option("--picture", paths.picture, "A picture, .png");
 }
 
+void check_extension(const std::string& path, const std::vector<std::string>& accepted) {
+  const std::string extension = extension_of(path);
+  if (std::find(accepted.begin(), accepted.end(), extension) != accepted.end()) return;
+  std::string list;
+  for (const std::string& e : accepted) list += (list.empty() ? "" : ", ") + e;
+  throw Error(Error::Kind::BadInput,
+              path + ": the extension \"" + extension + "\" is not accepted; accepted: " + list);
+}
+
 void check_outputs(const OutputPaths& paths, const std::vector<std::string>& inputs) {
-  if (!paths.scene.empty()) check_extension(paths.scene, {".glb", ".obj", ".ply", ".stl"});
+  std::vector<std::string> accepted = {".glb", ".obj", ".ply", ".stl"};
+  for (const std::string& extension : simulation_extensions()) accepted.push_back(extension);
+  if (!paths.scene.empty()) check_extension(paths.scene, accepted);
   if (!paths.picture.empty()) check_extension(paths.picture, {".png"});
+  check_files({paths.scene, paths.report, paths.picture}, inputs);
+}
+
+void check_files(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs) {
   std::vector<std::string> wanted;
-  for (const std::string& path : {paths.scene, paths.report, paths.picture})
+  for (const std::string& path : outputs)
     if (!path.empty()) wanted.push_back(path);
   check_distinct(wanted, inputs);
   for (const std::string& path : wanted) check_writable(path);
@@ -188,7 +197,9 @@ int Outputs::write(const LayoutRun& run, const Layout& layout, const SettleOptio
   // All that can fail but the disk comes first.
   const std::string png = m_picture ? m_picture->png(run.scene) : "";
   clear_progress_line(m_common);
-  if (!m_paths.scene.empty())
+  if (is_simulation_extension(extension_of(m_paths.scene)))
+    export_simulation(run.scene, m_paths.scene);
+  else if (!m_paths.scene.empty())
     write_scene_file(run.scene, layout, {TRIVET_VERSION, folders.in_scene, settle.clearance},
                      m_paths.scene);
   if (!m_paths.report.empty()) write_file_atomically(m_paths.report, report);

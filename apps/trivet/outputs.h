@@ -28,6 +28,12 @@ void add_output_options(CLI::App& app, OutputPaths& paths);
 /// @param inputs  files that must not be overwritten.
 void check_outputs(const OutputPaths& paths, const std::vector<std::string>& inputs);
 
+/// @throws Error (BadInput) naming those that are accepted.
+void check_extension(const std::string& path, const std::vector<std::string>& accepted);
+
+/// check_outputs() without the extensions; empty paths are none.
+void check_files(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs);
+
 /// The outputs of a run. Made before the work.
 class Outputs {
  public:

@@ -23,6 +23,7 @@ Verb add_pick_up(CLI::App& app, const CommonOptions& common);
 Verb add_translate(CLI::App& app, const CommonOptions& common);
 Verb add_rotate(CLI::App& app, const CommonOptions& common);
 Verb add_check(CLI::App& app, const CommonOptions& common);
+Verb add_export(CLI::App& app, const CommonOptions& common);
 Verb add_render(CLI::App& app, const CommonOptions& common);
 Verb add_demo(CLI::App& app, const CommonOptions& common);
 Verb add_session(CLI::App& app, const CommonOptions& common);

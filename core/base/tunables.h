@@ -2,6 +2,8 @@
 // are changed. SETTLING means the measurements of the settling prototype.
 #pragma once
 
+#include <cstddef>
+
 namespace trivet {
 
 // --- clearance -----------------------------------------------------------------------------------
@@ -76,6 +78,20 @@ inline constexpr double kLargestClearance = 1e-3;
 
 /// Wall of objects without volume, of their size: what a sheet, a shell or an open mesh weighs.
 inline constexpr double kWallThickness = 0.01;
+
+// --- export to simulators ------------------------------------------------------------------------
+
+/// Thickness of convex parts that are flat, of their size: simulators need a volume. Larger
+/// overlaps what the part lies on, smaller is lost in float32.
+inline constexpr double kFlatPartThickness = 1e-4;
+/// Meshes of more components become one hull: simulators test all pairs of parts.
+inline constexpr size_t kMaxParts = 64;
+/// Part of its hull's volume by which a component may differ and still counts as convex.
+inline constexpr double kConvexEnough = 0.02;
+/// Depth of the dents that a decomposition leaves, of the object's size.
+inline constexpr double kDecompositionConcavity = 0.02;
+/// Components with more faces are not decomposed, as it would take minutes.
+inline constexpr size_t kMaxDecomposedFaces = 20'000;
 
 // --- places --------------------------------------------------------------------------------------
 

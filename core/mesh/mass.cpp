@@ -13,11 +13,12 @@ namespace {
 /// A volume below this part of area x box diagonal is rounding, not substance.
 constexpr double kLeastVolume = 1e-9;
 
-/// Integrals of 1, x and |x|^2 over a body, where x is relative to an origin.
+/// Integrals of 1, x, |x|^2 and x x^T over a body, where x is relative to an origin.
 struct Moments {
   double measure = 0;
   Vec3 first = Vec3::Zero();
   double second = 0;
+  Mat3 products = Mat3::Zero();
 
   /// Adds a simplex with these corners and, if it is a tetrahedron, with the origin.
   void add(double size, const Triangle& corners, int num_corners) {
@@ -26,12 +27,16 @@ struct Moments {
         corners[0].squaredNorm() + corners[1].squaredNorm() + corners[2].squaredNorm();
     measure += size;
     first += size / num_corners * sum;
-    second += size / (num_corners * (num_corners + 1)) * (squares + sum.squaredNorm());
+    const double weight = size / (num_corners * (num_corners + 1));
+    second += weight * (squares + sum.squaredNorm());
+    products += weight * sum * sum.transpose();
+    for (const Vec3& c : corners) products += weight * c * c.transpose();
   }
 
   Vec3 centre() const { return first / measure; }
   /// Mean squared distance from the centre.
   double spread() const { return second / measure - centre().squaredNorm(); }
+  Mat3 covariance() const { return products / measure - centre() * centre().transpose(); }
 };
 
 struct MeshMoments {
@@ -92,6 +97,7 @@ Moments point_moments(const std::vector<Vec3>& points, const Vec3& origin) {
     out.measure += 1;
     out.first += x;
     out.second += x.squaredNorm();
+    out.products += x * x.transpose();
   }
   return out;
 }
@@ -107,6 +113,7 @@ void set_centre(MassProperties& out, MassRule rule, const Moments& moments, cons
   out.rule = rule;
   out.centre = origin + moments.centre();
   out.radius_squared = moments.spread();
+  out.covariance = moments.covariance();
 }
 
 /// For meshes without area.
@@ -155,9 +162,16 @@ MassProperties mass_properties(const Mesh& mesh, const Adjacency& adjacency) {
   } else {
     set_hull(out, mesh, origin);
   }
-  if (!(out.radius_squared > 0) || !std::isfinite(out.radius_squared))
+  if (!(out.radius_squared > 0) || !std::isfinite(out.radius_squared)) {
+    const Vec3 size = 2 * box.half_extent();
     out.radius_squared = box.diagonal() * box.diagonal() / 12;  // that of a box full of mass
+    out.covariance = (size.cwiseProduct(size) / 12).asDiagonal();
+  }
   return out;
+}
+
+Mat3 inertia_per_mass(const Mat3& covariance) {
+  return covariance.trace() * Mat3::Identity() - covariance;
 }
 
 std::vector<Index> convex_hull_vertices(const Mesh& mesh) {

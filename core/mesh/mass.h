@@ -17,11 +17,16 @@ const char* to_string(MassRule rule);  // "volume", "surface", "hull"
 struct MassProperties {
   MassRule rule = MassRule::Volume;
   Vec3 centre = Vec3::Zero();
-  double volume = 0;          // of the solid or the hull; 0 with MassRule::Surface
-  double area = 0;            // of all faces
-  double radius_squared = 0;  // mean squared distance of the mass from `centre` (gyration); if
-                              // that is 0, of a solid box of the mesh's size
+  double volume = 0;               // of the solid or the hull; 0 with MassRule::Surface
+  double area = 0;                 // of all faces
+  double radius_squared = 0;       // mean squared distance of the mass from `centre` (gyration); if
+                                   // that is 0, of a solid box of the mesh's size
+  Mat3 covariance = Mat3::Zero();  // mean of (x - centre)(x - centre)^T over the mass; symmetric,
+                                   // its trace is radius_squared to rounding
 };
+
+/// Inertia tensor about the centre, of a mass of 1: trace(covariance) I - covariance.
+Mat3 inertia_per_mass(const Mat3& covariance);
 
 /// Sums signed tetrahedra about the box's centre, so that an offset costs no digits.
 /// By volume if every edge is balanced, the total is more than rounding, the centre is in the box,

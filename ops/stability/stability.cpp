@@ -174,7 +174,6 @@ Stability stability(const Scene& scene, const StabilityOptions& options) {
 }
 
 double weight_of(const Object& object, double density) {
-  constexpr double kGravity = 9.80665;
   const MassProperties& mass = object.shape->mass;
   const double wall = kWallThickness * object.shape->box.diagonal();
   const double volume = mass.volume != 0 ? std::abs(mass.volume) : mass.area * wall;

@@ -70,6 +70,7 @@ const char* to_string(Stability::Method method);  // "certificate", "linear prog
 /// are looked for again, within kBalanceTolerance clearances, as settling does.
 Stability stability(const Scene& scene, const StabilityOptions& options = {});
 
+inline constexpr double kGravity = 9.80665;  // m/s^2
 /// Newtons. By volume, or by area and kWallThickness where there is none.
 double weight_of(const Object& object, double density);
 

@@ -1,0 +1,112 @@
+#include <iostream>
+
+#include "apps/trivet/outputs.h"
+#include "apps/trivet/verbs.h"
+#include "core/base/error.h"
+#include "core/io/export.h"
+#include "ops/report/tables.h"
+#include "ops/simulation/simulation.h"
+
+namespace trivet::apps {
+namespace {
+
+const std::string kSimulators = "Simulators", kTables = "Tables";
+
+struct ExportArguments {
+  std::string scene, output, report;
+  std::string collision = "components", table = "poses";
+  SimulationOptions options;
+  double clearance = 0;
+};
+
+Scene scene_of(const ExportArguments& arguments, const CommonOptions& common) {
+  SceneFile file = read_scene_file(arguments.scene, common.limits());
+  for (const std::string& note : file.notes) print_note(common, note);
+  const double clearance = arguments.clearance > 0 ? arguments.clearance : file.clearance;
+  update_contacts(file.scene, clearance);
+  return std::move(file.scene);
+}
+
+int export_table(const ExportArguments& arguments, const CommonOptions& common) {
+  const Table table = arguments.table == "contacts" ? Table::Contacts : Table::Poses;
+  write_table(scene_of(arguments, common), table, arguments.output);
+  return 0;
+}
+
+int export_for_simulator(const ExportArguments& arguments, const CommonOptions& common) {
+  SimulationOptions options = arguments.options;
+  options.collision = collision_rule_from_name(arguments.collision);
+  check_collision_rule(options.collision, arguments.output);
+  const SimulationExport done =
+      export_simulation(scene_of(arguments, common), arguments.output, options);
+  const std::string report = simulation_json(done, options);
+  if (!arguments.report.empty()) write_file_atomically(arguments.report, report);
+  if (common.json)
+    std::cout << report;
+  else if (!common.quiet)
+    std::cout << simulation_text(done);
+  return 0;
+}
+
+int export_scene(const ExportArguments& arguments, const CommonOptions& common,
+                 const CLI::App& verb) {
+  std::vector<std::string> accepted = simulation_extensions();
+  accepted.insert(accepted.end(), {".csv", ".jsonl"});
+  check_extension(arguments.output, accepted);
+  const bool is_table = is_table_extension(extension_of(arguments.output));
+  for (const CLI::Option* option : verb.get_options())
+    if (option->count() > 0 && option->get_group() == (is_table ? kSimulators : kTables))
+      throw Error(Error::Kind::BadInput,
+                  option->get_name() + " has no meaning for " + arguments.output);
+  check_files({arguments.output, arguments.report}, {arguments.scene});
+  return is_table ? export_table(arguments, common) : export_for_simulator(arguments, common);
+}
+
+}  // namespace
+
+Verb add_export(CLI::App& app, const CommonOptions& common) {
+  CLI::App* const verb =
+      app.add_subcommand("export", "Writes a scene for a physics simulator, or as tables");
+  const auto arguments = std::make_shared<ExportArguments>();
+  SimulationOptions& options = arguments->options;
+  verb->add_option("scene", arguments->scene, "A scene that trivet wrote")
+      ->required()
+      ->type_name("SCENE.glb");
+  verb->add_option(
+          "-o,--output", arguments->output,
+          "MuJoCo: .xml or .mjcf; .urdf; .sdf or .world; USD: .usda; a table: .csv or .jsonl")
+      ->required();
+  verb->add_option("--report", arguments->report,
+                   "What was written, JSON: names, masses, which convex parts overlap")
+      ->group(kSimulators);
+  verb->add_option("--table", arguments->table,
+                   "poses (default): a row per object; contacts: a row per contact point")
+      ->check(one_of({"poses", "contacts"}))
+      ->group(kTables);
+  verb->add_option("--density", options.density, "kg/m^3; default: 1000")
+      ->check(number_from(1e-6, 1e6))
+      ->group(kSimulators);
+  verb->add_option("--friction", options.friction,
+                   "Coulomb's coefficient, more where an object needs more; default: 0.6")
+      ->check(number_from(0, 1e3))
+      ->group(kSimulators);
+  verb->add_option("--collision", arguments->collision,
+                   "What collides: one hull per object, a hull per component (default), pieces of "
+                   "a convex decomposition, or the mesh itself")
+      ->check(one_of(collision_rule_names()))
+      ->group(kSimulators);
+  verb->add_option("--hull-clearance", options.hull_clearance,
+                   "Metres by which the faces of hulls are moved inwards; default: 0")
+      ->check(number_from(0, 1e3))
+      ->group(kSimulators);
+  verb->add_option("--meshes", options.files.mesh_folder,
+                   "Folder for the meshes, which scenes may share; default: beside the file")
+      ->type_name("DIR")
+      ->group(kSimulators);
+  verb->add_option("--mesh-prefix", options.files.mesh_prefix,
+                   "Put before the meshes' paths in URDF and SDF, such as package://my_scenes/")
+      ->group(kSimulators);
+  return {verb, [arguments, verb, &common] { return export_scene(*arguments, common, *verb); }};
+}
+
+}  // namespace trivet::apps

@@ -1,0 +1,128 @@
+// MuJoCo's MJCF, for version 2.2 and later.
+#include "core/io/simulators/simulation_files.h"
+
+namespace trivet {
+namespace {
+
+using Element = tinyxml2::XMLElement;
+
+std::string quaternion_text(const Rotation& r) { return numbers_text({r.w, r.x, r.y, r.z}); }
+
+/// A part of a mesh's file name that names the mesh in MuJoCo, too.
+std::string stem(const std::string& file) { return file.substr(0, file.rfind('.')); }
+
+class MjcfWriter {
+ public:
+  MjcfWriter(const SimulationScene& scene, const MeshFiles& meshes, const std::string& folder)
+      : m_scene(scene), m_meshes(meshes), m_folder(folder) {}
+
+  std::string text() {
+    m_document.InsertEndChild(m_document.NewComment(kMadeBy));
+    Element* const root = add_child(&m_document, "mujoco", {{"model", m_scene.name}});
+    add_child(root, "compiler",
+              {{"angle", "radian"}, {"meshdir", m_folder}, {"inertiafromgeom", "false"}});
+    // Without several points of contact for a pair of meshes, MuJoCo 2 has one: boxes rock on it
+    // and wander off. Elliptic cones with stiff friction: else what lies on a slope creeps.
+    Element* const option = add_child(root, "option",
+                                      {{"timestep", "0.002"},
+                                       {"gravity", "0 0 " + number_text(-m_scene.gravity)},
+                                       {"cone", "elliptic"},
+                                       {"impratio", "10"},
+                                       {"noslip_iterations", "5"}});
+    add_child(option, "flag", {{"multiccd", "enable"}});
+    add_defaults(root);
+    add_assets(root);
+    Element* const world = add_child(root, "worldbody");
+    add_child(world, "light", {{"pos", "0 0 3"}, {"dir", "0 0 -1"}, {"directional", "true"}});
+    if (m_scene.floor)
+      add_child(world, "geom",
+                {{"name", "floor"},
+                 {"class", "collision"},
+                 {"type", "plane"},
+                 {"group", "2"},
+                 {"size", "0 0 1"},
+                 {"friction", friction_text(m_scene.floor_friction)}});
+    for (const SimulationBody& body : m_scene.bodies) add_body(world, body);
+    return xml_text(m_document);
+  }
+
+ private:
+  void add_defaults(Element* root) {
+    Element* const all = add_child(root, "default");
+    // A contact gives way by micrometres under its load instead of MuJoCo's tenths of a millimetre.
+    add_child(add_child(all, "default", {{"class", "collision"}}), "geom",
+              {{"type", "mesh"},
+               {"group", "3"},
+               {"condim", "4"},
+               {"solref", "0.004 1"},
+               {"solimp", "0.95 0.99 0.0001"}});
+    add_child(add_child(all, "default", {{"class", "visual"}}), "geom",
+              {{"type", "mesh"}, {"group", "2"}, {"contype", "0"}, {"conaffinity", "0"}});
+  }
+
+  void add_assets(Element* root) {
+    Element* const assets = add_child(root, "asset");
+    std::set<std::string> known;  // models may share pieces
+    const auto add_mesh = [&](const std::string& file) {
+      if (known.insert(file).second)
+        add_child(assets, "mesh", {{"name", stem(file)}, {"file", file}});
+    };
+    for (size_t i = 0; i < m_scene.models.size(); ++i) {
+      const ModelFiles& files = m_meshes.of_model(i);
+      for (const VisualMesh& visual : files.visuals) {
+        if (known.count(visual.file)) continue;
+        add_mesh(visual.file);
+        const Material& m = visual.material;
+        add_child(assets, "material",
+                  {{"name", stem(visual.file)},
+                   {"rgba", numbers_text({m.base_colour[0], m.base_colour[1], m.base_colour[2],
+                                          m.base_colour[3]})},
+                   {"shininess", number_text(1 - m.roughness)}});
+      }
+      for (const std::string& part : files.parts) add_mesh(part);
+    }
+  }
+
+  static std::string friction_text(double sliding) {
+    return number_text(sliding) + " 0.005 0.0001";  // metres: MuJoCo's own for turning, rolling
+  }
+
+  void add_body(Element* world, const SimulationBody& body) {
+    const Pose& pose = body.world_from_link;
+    Element* const element = add_child(world, "body",
+                                       {{"name", body.file_name},
+                                        {"pos", vector_text(pose.translation)},
+                                        {"quat", quaternion_text(pose.rotation)}});
+    if (!body.fixed) add_child(element, "freejoint", {{"name", body.file_name}});
+    const Mat3& i = body.inertia;
+    add_child(
+        element, "inertial",
+        {{"pos", vector_text(body.centre)},
+         {"mass", number_text(body.mass)},
+         {"fullinertia", numbers_text({i(0, 0), i(1, 1), i(2, 2), i(0, 1), i(0, 2), i(1, 2)})}});
+    const ModelFiles& files = m_meshes.of_model(body.model);
+    for (const VisualMesh& visual : files.visuals)
+      add_child(
+          element, "geom",
+          {{"class", "visual"}, {"mesh", stem(visual.file)}, {"material", stem(visual.file)}});
+    for (const std::string& part : files.parts)
+      add_child(element, "geom",
+                {{"class", "collision"},
+                 {"mesh", stem(part)},
+                 {"friction", friction_text(body.friction)}});
+  }
+
+  const SimulationScene& m_scene;
+  const MeshFiles& m_meshes;
+  const std::string m_folder;
+  tinyxml2::XMLDocument m_document;
+};
+
+}  // namespace
+
+std::string mjcf_text(const SimulationScene& scene, const MeshFiles& meshes,
+                      const std::string& folder) {
+  return MjcfWriter(scene, meshes, folder).text();
+}
+
+}  // namespace trivet

@@ -1,0 +1,93 @@
+// SDFormat 1.9 worlds, for Gazebo and all that read SDF.
+#include "core/io/simulators/simulation_files.h"
+
+namespace trivet {
+namespace {
+
+using Element = tinyxml2::XMLElement;
+
+std::string pose_text(const Vec3& p, const Rotation& r) {
+  return numbers_text({p.x(), p.y(), p.z(), r.x, r.y, r.z, r.w});
+}
+
+void add_friction(Element* collision, double friction) {
+  Element* const both = add_child(add_child(collision, "surface"), "friction");
+  Element* const ode = add_child(both, "ode");  // Gazebo's DART reads this one, too
+  Element* const bullet = add_child(both, "bullet");
+  add_text(ode, "mu", number_text(friction));
+  add_text(ode, "mu2", number_text(friction));
+  add_text(bullet, "friction", number_text(friction));
+  add_text(bullet, "friction2", number_text(friction));
+}
+
+void add_mesh(Element* parent, const std::string& uri) {
+  add_text(add_child(add_child(parent, "geometry"), "mesh"), "uri", uri);
+}
+
+void add_inertial(Element* link, const SimulationBody& body) {
+  Element* const inertial = add_child(link, "inertial");
+  add_text(inertial, "pose", vector_text(body.centre) + " 0 0 0");
+  add_text(inertial, "mass", number_text(body.mass));
+  Element* const inertia = add_child(inertial, "inertia");
+  const Mat3& i = body.inertia;
+  add_text(inertia, "ixx", number_text(i(0, 0)));
+  add_text(inertia, "ixy", number_text(i(0, 1)));
+  add_text(inertia, "ixz", number_text(i(0, 2)));
+  add_text(inertia, "iyy", number_text(i(1, 1)));
+  add_text(inertia, "iyz", number_text(i(1, 2)));
+  add_text(inertia, "izz", number_text(i(2, 2)));
+}
+
+void add_floor(Element* world, double friction) {
+  Element* const model = add_child(world, "model", {{"name", "floor"}});
+  add_text(model, "static", "true");
+  Element* const link = add_child(model, "link", {{"name", "link"}});
+  for (const char* tag : {"collision", "visual"}) {
+    Element* const shape = add_child(link, tag, {{"name", tag}});
+    Element* const plane = add_child(add_child(shape, "geometry"), "plane");
+    add_text(plane, "normal", "0 0 1");
+    add_text(plane, "size", "100 100");
+    if (std::string(tag) == "collision") add_friction(shape, friction);
+  }
+}
+
+void add_model(Element* world, const SimulationBody& body, const ModelFiles& files,
+               const std::string& folder) {
+  Element* const model = add_child(world, "model", {{"name", body.file_name}});
+  Element* const pose = add_text(
+      model, "pose", pose_text(body.world_from_link.translation, body.world_from_link.rotation));
+  pose->SetAttribute("rotation_format", "quat_xyzw");
+  add_text(model, "static", body.fixed ? "true" : "false");
+  add_text(model, "allow_auto_disable", "true");  // may sleep: it is at rest
+  Element* const link = add_child(model, "link", {{"name", "link"}});
+  add_inertial(link, body);
+  int count = 0;
+  for (const std::string& part : files.parts) {
+    Element* const collision =
+        add_child(link, "collision", {{"name", "collision_" + std::to_string(count++)}});
+    add_mesh(collision, folder + part);
+    add_friction(collision, body.friction);
+  }
+  add_mesh(add_child(link, "visual", {{"name", "visual"}}), folder + files.whole);
+}
+
+}  // namespace
+
+std::string sdf_text(const SimulationScene& scene, const MeshFiles& meshes,
+                     const std::string& folder) {
+  tinyxml2::XMLDocument document;
+  document.InsertEndChild(document.NewDeclaration());
+  document.InsertEndChild(document.NewComment(kMadeBy));
+  Element* const root = add_child(&document, "sdf", {{"version", "1.9"}});
+  Element* const world = add_child(root, "world", {{"name", scene.name}});
+  add_text(world, "gravity", "0 0 " + number_text(-scene.gravity));
+  Element* const light = add_child(world, "light", {{"name", "sun"}, {"type", "directional"}});
+  add_text(light, "pose", "0 0 10 0 0 0");
+  add_text(light, "direction", "-0.3 0.2 -0.9");
+  if (scene.floor) add_floor(world, scene.floor_friction);
+  for (const SimulationBody& body : scene.bodies)
+    add_model(world, body, meshes.of_model(body.model), folder);
+  return xml_text(document);
+}
+
+}  // namespace trivet

@@ -1,0 +1,80 @@
+// Private. What the writers of the formats share: mesh files, numbers as text, XML.
+#pragma once
+
+#include <tinyxml2.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/io/simulators/simulation_scene.h"
+
+namespace trivet {
+
+/// A file to be written: where, as the scene file names it, and what is in it.
+struct MeshFile {
+  std::string name;  // without folder
+  std::string bytes;
+};
+
+/// One visible piece of a model: all of it, or the faces of one material.
+struct VisualMesh {
+  std::string file;  // name of a MeshFile
+  Material material;
+};
+
+struct ModelFiles {
+  std::string whole;                // all faces, with materials
+  std::vector<VisualMesh> visuals;  // by material; formats with one material per mesh
+  std::vector<std::string> parts;   // what collides; the whole when the model has no parts
+};
+
+/// OBJ files of all models, metres, link frame.
+class MeshFiles {
+ public:
+  /// @param by_material  whether `visuals` are wanted; else they are empty.
+  MeshFiles(const SimulationScene& scene, bool by_material);
+
+  const std::vector<MeshFile>& files() const { return m_files; }
+  const ModelFiles& of_model(size_t model) const { return m_models[model]; }
+
+ private:
+  std::string add_obj(const std::string& stem, const std::shared_ptr<const Model>& model,
+                      const Affine& link_from_object, bool with_materials);
+  void add_model(const SimulationModel& model, bool by_material);
+
+  std::vector<MeshFile> m_files;
+  std::vector<ModelFiles> m_models;
+};
+
+/// As few digits as give the number back, 17 at most.
+std::string number_text(double value);
+std::string numbers_text(std::initializer_list<double> values, const char* separator = " ");
+std::string vector_text(const Vec3& v);
+
+/// A child with attributes, in this order.
+tinyxml2::XMLElement* add_child(
+    tinyxml2::XMLNode* parent, const char* tag,
+    std::initializer_list<std::pair<const char*, std::string>> attributes = {});
+/// A child with a text: <tag>text</tag>.
+tinyxml2::XMLElement* add_text(tinyxml2::XMLNode* parent, const char* tag, const std::string& text);
+std::string xml_text(const tinyxml2::XMLDocument& document);
+
+/// A comment for people, ahead of everything.
+inline constexpr const char* kMadeBy =
+    " Trivet: metres, kilograms, seconds, radians, z up. Made to be simulated; edit the layout "
+    "instead. ";
+
+// The formats. `folder` is what comes before names of meshes, with a slash at its end.
+std::string mjcf_text(const SimulationScene& scene, const MeshFiles& meshes,
+                      const std::string& folder);
+std::string urdf_text(const SimulationScene& scene, const MeshFiles& meshes,
+                      const std::string& folder);
+std::string sdf_text(const SimulationScene& scene, const MeshFiles& meshes,
+                     const std::string& folder);
+/// Meshes are layers of their own, see usda_meshes().
+std::string usda_text(const SimulationScene& scene, const std::vector<std::string>& layers,
+                      const std::string& folder);
+std::vector<MeshFile> usda_meshes(const SimulationScene& scene);
+
+}  // namespace trivet

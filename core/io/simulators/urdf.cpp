@@ -1,0 +1,97 @@
+// URDF: a robot whose root link "world" has a child link for each object, by a fixed joint or, if
+// the object is free, by a floating one.
+#include <cmath>
+
+#include "core/io/simulators/simulation_files.h"
+
+namespace trivet {
+namespace {
+
+using Element = tinyxml2::XMLElement;
+
+constexpr double kFloorSize = 100, kFloorThickness = 1;  // metres; URDF has no planes
+
+/// Roll, pitch and yaw about fixed x, y, z. The only rotation that URDF has; the digits beyond the
+/// 15th may differ between C libraries.
+Vec3 rpy_of(const Rotation& rotation) {
+  const Mat3 m = rotation.matrix();
+  const double across = std::hypot(m(0, 0), m(1, 0));
+  const double pitch = std::atan2(-m(2, 0), across);
+  if (across < 1e-9) return {0, pitch, std::atan2(-m(0, 1), m(1, 1))};
+  return {std::atan2(m(2, 1), m(2, 2)), pitch, std::atan2(m(1, 0), m(0, 0))};
+}
+
+void add_origin(Element* parent, const Vec3& xyz, const Vec3& rpy) {
+  add_child(parent, "origin", {{"xyz", vector_text(xyz)}, {"rpy", vector_text(rpy)}});
+}
+
+void add_mesh(Element* parent, const std::string& uri) {
+  add_child(add_child(parent, "geometry"), "mesh", {{"filename", uri}});
+}
+
+void add_inertial(Element* link, const SimulationBody& body) {
+  Element* const inertial = add_child(link, "inertial");
+  add_origin(inertial, body.centre, Vec3::Zero());
+  add_child(inertial, "mass", {{"value", number_text(body.mass)}});
+  const Mat3& i = body.inertia;
+  add_child(inertial, "inertia",
+            {{"ixx", number_text(i(0, 0))},
+             {"ixy", number_text(i(0, 1))},
+             {"ixz", number_text(i(0, 2))},
+             {"iyy", number_text(i(1, 1))},
+             {"iyz", number_text(i(1, 2))},
+             {"izz", number_text(i(2, 2))}});
+}
+
+/// What URDF itself has no word for, as Bullet and Gazebo read it.
+void add_friction(Element* robot, Element* link, const std::string& name, double friction) {
+  const std::string mu = number_text(friction);
+  add_child(add_child(link, "contact"), "lateral_friction", {{"value", mu}});
+  Element* const gazebo = add_child(robot, "gazebo", {{"reference", name}});
+  add_text(gazebo, "mu1", mu);
+  add_text(gazebo, "mu2", mu);
+}
+
+void add_joint(Element* robot, const std::string& child, bool fixed, const Pose& pose) {
+  Element* const joint = add_child(
+      robot, "joint", {{"name", child + "_joint"}, {"type", fixed ? "fixed" : "floating"}});
+  add_child(joint, "parent", {{"link", "world"}});
+  add_child(joint, "child", {{"link", child}});
+  add_origin(joint, pose.translation, rpy_of(pose.rotation));
+}
+
+void add_floor(Element* robot, double friction) {
+  Element* const link = add_child(robot, "link", {{"name", "floor"}});
+  for (const char* tag : {"visual", "collision"})
+    add_child(add_child(add_child(link, tag), "geometry"), "box",
+              {{"size", numbers_text({kFloorSize, kFloorSize, kFloorThickness})}});
+  add_friction(robot, link, "floor", friction);
+  add_joint(robot, "floor", true, {{}, Vec3(0, 0, -kFloorThickness / 2)});
+}
+
+void add_body(Element* robot, const SimulationBody& body, const ModelFiles& files,
+              const std::string& folder) {
+  Element* const link = add_child(robot, "link", {{"name", body.file_name}});
+  add_inertial(link, body);
+  add_mesh(add_child(link, "visual"), folder + files.whole);
+  for (const std::string& part : files.parts) add_mesh(add_child(link, "collision"), folder + part);
+  add_friction(robot, link, body.file_name, body.friction);
+  add_joint(robot, body.file_name, body.fixed, body.world_from_link);
+}
+
+}  // namespace
+
+std::string urdf_text(const SimulationScene& scene, const MeshFiles& meshes,
+                      const std::string& folder) {
+  tinyxml2::XMLDocument document;
+  document.InsertEndChild(document.NewDeclaration());
+  document.InsertEndChild(document.NewComment(kMadeBy));
+  Element* const robot = add_child(&document, "robot", {{"name", scene.name}});
+  add_child(robot, "link", {{"name", "world"}});
+  if (scene.floor) add_floor(robot, scene.floor_friction);
+  for (const SimulationBody& body : scene.bodies)
+    add_body(robot, body, meshes.of_model(body.model), folder);
+  return xml_text(document);
+}
+
+}  // namespace trivet

@@ -1,0 +1,124 @@
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "core/base/error.h"
+#include "core/io/export.h"
+#include "core/io/simulators/simulation_files.h"
+
+namespace trivet {
+namespace {
+
+namespace fs = std::filesystem;
+
+enum class Format { Mjcf, Urdf, Sdf, Usda };
+
+Format format_of(const std::string& path) {
+  std::string extension = fs::path(path).extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  if (extension == ".xml" || extension == ".mjcf") return Format::Mjcf;
+  if (extension == ".urdf") return Format::Urdf;
+  if (extension == ".sdf" || extension == ".world") return Format::Sdf;
+  if (extension == ".usda") return Format::Usda;
+  std::string accepted;
+  for (const std::string& e : simulation_extensions())
+    accepted += (accepted.empty() ? "" : ", ") + e;
+  throw Error(Error::Kind::BadInput,
+              path + ": cannot write \"" + extension + "\"; accepted are " + accepted);
+}
+
+/// Names that the format has for itself.
+std::set<std::string> reserved_names(Format format) {
+  if (format == Format::Usda) return {"World", "Looks", "floor", "PhysicsScene", "FloorMaterial"};
+  return {"world", "floor"};
+}
+
+void set_names(SimulationScene& scene, Format format) {
+  std::vector<std::string> names;
+  for (const SimulationBody& body : scene.bodies) names.push_back(body.name);
+  const bool dashes = format != Format::Usda;
+  names = valid_names(names, dashes, reserved_names(format));
+  for (size_t i = 0; i < names.size(); ++i) scene.bodies[i].file_name = names[i];
+  names.clear();
+  for (const SimulationModel& model : scene.models) names.push_back(model.name);
+  names = valid_names(names, false, {});
+  for (size_t i = 0; i < names.size(); ++i) scene.models[i].name = names[i];
+  scene.name = valid_names({scene.name}, dashes, {}).front();
+}
+
+/// Whether the file is there already, whole: its name says what is in it.
+bool is_written(const fs::path& path, const std::string& bytes) {
+  std::error_code error;
+  if (fs::file_size(path, error) != bytes.size() || error) return false;
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream content;
+  content << file.rdbuf();
+  return file && content.str() == bytes;
+}
+
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error)
+    throw Error(Error::Kind::Environment, folder.string() + ": cannot be made: " + error.message());
+}
+
+/// Meshes and the scene file, in memory: all that can fail but the disk comes first.
+struct SimulationText {
+  std::vector<MeshFile> meshes;
+  std::string scene;
+};
+
+SimulationText text_of(const SimulationScene& scene, Format format, const std::string& folder,
+                       const std::string& prefix) {
+  SimulationText out;
+  if (format == Format::Usda) {
+    out.meshes = usda_meshes(scene);
+    std::vector<std::string> layers;
+    for (const MeshFile& file : out.meshes) layers.push_back(file.name);
+    out.scene = usda_text(scene, layers, folder);
+    return out;
+  }
+  const MeshFiles meshes(scene, format == Format::Mjcf);
+  out.meshes = meshes.files();
+  if (format == Format::Mjcf) out.scene = mjcf_text(scene, meshes, folder);
+  if (format == Format::Urdf) out.scene = urdf_text(scene, meshes, prefix + folder);
+  if (format == Format::Sdf) out.scene = sdf_text(scene, meshes, prefix + folder);
+  return out;
+}
+
+}  // namespace
+
+const std::vector<std::string>& simulation_extensions() {
+  static const std::vector<std::string> all = {".xml", ".mjcf", ".urdf", ".sdf", ".world", ".usda"};
+  return all;
+}
+
+bool is_simulation_extension(const std::string& extension) {
+  const std::vector<std::string>& all = simulation_extensions();
+  return std::find(all.begin(), all.end(), extension) != all.end();
+}
+
+std::vector<std::string> write_simulation(SimulationScene& scene, const std::string& path,
+                                          const SimulationFileOptions& options) {
+  const Format format = format_of(path);
+  const fs::path file(path);
+  set_names(scene, format);
+  const fs::path wanted = options.mesh_folder.empty() ? fs::path(file.stem().string() + "_meshes")
+                                                      : fs::path(options.mesh_folder);
+  const fs::path folder = wanted.is_absolute() ? wanted : file.parent_path() / wanted;
+  const SimulationText text =
+      text_of(scene, format, wanted.generic_string() + "/", options.mesh_prefix);
+  std::vector<std::string> written{path};
+  if (!text.meshes.empty()) make_folder(folder);
+  for (const MeshFile& mesh : text.meshes) {
+    const std::string target = (folder / mesh.name).string();
+    if (!is_written(target, mesh.bytes)) write_file_atomically(target, mesh.bytes);
+    written.push_back(target);
+  }
+  write_file_atomically(path, text.scene);
+  return written;
+}
+
+}  // namespace trivet

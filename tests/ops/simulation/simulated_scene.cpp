@@ -1,0 +1,94 @@
+#include "ops/simulation/simulated_scene.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "core/shapes/models.h"
+#include "ops/check.h"
+#include "ops/layout/boxes.h"
+#include "ops/put.h"
+
+namespace trivet::test {
+namespace {
+
+class Maker {
+ public:
+  ObjectId add(const std::string& name, const Model& model) {
+    Object object;
+    object.name = name;
+    object.model = std::make_shared<const Model>(model);
+    object.shape = make_shape(model.mesh);
+    return m_out.scene.add(std::move(object));
+  }
+
+  void stand(const std::string& name, const Model& model, const Vec3& at) {
+    const ObjectId id = add(name, model);
+    Object& object = m_out.scene.at(id);
+    object.fixed = true;
+    EXPECT_TRUE(trivet::stand(m_out.scene, id, {{}, at}).ok());
+  }
+
+  void put(const std::string& name, const Model& model, const Pose& start) {
+    const OperationResult result = trivet::put(m_out.scene, add(name, model), start);
+    EXPECT_TRUE(result.ok()) << result.reason;
+    m_out.starts.push_back({name, start});
+  }
+
+  LaidOut take() {
+    update_contacts(m_out.scene);
+    return std::move(m_out);
+  }
+
+ private:
+  LaidOut m_out;
+};
+
+}  // namespace
+
+TemporaryFolder::TemporaryFolder() {
+  std::string path = (std::filesystem::temp_directory_path() / "trivet_test_XXXXXX").string();
+  if (!mkdtemp(path.data())) ADD_FAILURE() << "no temporary folder";
+  m_path = path;
+}
+
+TemporaryFolder::~TemporaryFolder() {
+  std::error_code ignored;
+  std::filesystem::remove_all(m_path, ignored);
+}
+
+Model hull_model(const Model& model) {
+  ConvexPart part;
+  solid_hull(model.mesh.vertices, part);
+  Model out;
+  out.mesh.vertices = part.vertices;
+  out.mesh.triangles = part.triangles;
+  out.materials = {model.materials.at(0)};
+  return out;
+}
+
+LaidOut convex_objects() {
+  Maker maker;
+  maker.stand("table", box_model(0.6, 0.4, 0.02), Vec3(0, 0, 0.5));
+  const Rotation turned = Rotation::about_axis(Vec3::UnitZ(), 0.2);
+  const Rotation tilted = Rotation::about_axis(Vec3::UnitX(), 0.1) * turned;
+  const char* const books[] = {"book_red", "book_blue", "book_green", "book_yellow"};
+  double height = 0.7;
+  for (const char* book : books) {
+    maker.put(book, hull_model(shapes::make_model(book)), {turned, Vec3(-0.35, 0, height)});
+    height += 0.4;
+  }
+  const Model plate = hull_model(shapes::make_plate());
+  for (int i = 0; i < 3; ++i)
+    maker.put("plate " + std::to_string(i), plate, {{}, Vec3(0.1, 0.02 * i - 0.1, 0.8 + 0.1 * i)});
+  for (int i = 0; i < 3; ++i)  // a tower
+    maker.put("box " + std::to_string(i), box_model(0.06, 0.05, 0.04),
+              {i == 1 ? turned : Rotation{}, Vec3(0.4, 0.15, 0.8 + 0.1 * i)});
+  // From the edge of a box down to the table.
+  maker.put("leaning", box_model(0.12, 0.03, 0.004), {tilted, Vec3(0.4, 0.05, 0.9)});
+  maker.put("on floor", box_model(0.1, 0.2, 0.15), {tilted, Vec3(1, 0, 1)});
+  maker.put("on floor, too", box_model(0.1, 0.1, 0.1), {tilted, Vec3(1.02, 0.1, 1)});
+  maker.put("plate on floor", plate, {tilted, Vec3(0, 1, 1)});
+  return maker.take();
+}
+
+}  // namespace trivet::test

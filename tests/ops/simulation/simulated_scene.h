@@ -1,0 +1,43 @@
+// Scenes to be simulated, laid out by Trivet, and a folder for their files.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "core/convex/convex_parts.h"
+#include "core/scene/scene.h"
+
+namespace trivet::test {
+
+/// A folder that vanishes.
+class TemporaryFolder {
+ public:
+  TemporaryFolder();
+  ~TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  std::string file(const std::string& name) const { return (m_path / name).string(); }
+
+ private:
+  std::filesystem::path m_path;
+};
+
+/// What was let go, and where: the start of an object's PUT.
+struct LetGo {
+  std::string name;
+  Pose pose;
+};
+
+struct LaidOut {
+  Scene scene;  // at rest, contacts up to date
+  std::vector<LetGo> starts;
+};
+
+/// A fixed table of boxes; on it and on the floor boxes, books and plates, each the convex hull of
+/// its model, stacked and leaning: 14 free objects, put down by Trivet.
+LaidOut convex_objects();
+
+/// The convex hull of a model as a model.
+Model hull_model(const Model& model);
+
+}  // namespace trivet::test

@@ -1,0 +1,276 @@
+// What is the same for all formats: names, parts, overlaps, friction, files.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include "core/base/error.h"
+#include "core/convex/hull_overlap.h"
+#include "ops/check.h"
+#include "ops/layout/boxes.h"
+#include "ops/simulation/simulated_scene.h"
+#include "ops/simulation/simulation.h"
+#include "support/solids.h"
+
+namespace trivet {
+namespace {
+
+using namespace trivet::test;
+
+ObjectId add(Scene& scene, const std::string& name, const Model& model, const Pose& pose) {
+  Object object;
+  object.name = name;
+  object.model = std::make_shared<const Model>(model);
+  object.shape = make_shape(model.mesh);
+  object.pose = pose, object.placed = true, object.state = ObjectState::Stable;
+  return scene.add(std::move(object));
+}
+
+std::string content(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+ConvexPart part_of(const Model& model) {
+  ConvexPart part;
+  solid_hull(model.mesh.vertices, part);
+  return part;
+}
+
+TEST(Names, are_valid_and_unique) {
+  EXPECT_EQ(valid_names({"a", "a b", "a_b", "2", "", "\xc3\xa4", "world"}, true, {"world"}),
+            (std::vector<std::string>{"a", "a_b_2", "a_b", "_2", "_", "__", "world_2"}));
+  EXPECT_EQ(valid_names({"x.y-z"}, true, {})[0], "x.y-z");
+  EXPECT_EQ(valid_names({"x.y-z"}, false, {})[0], "x_y_z");
+}
+
+// An L of two boxes: one component, not convex.
+Model l_shape() {
+  Model model = box_model(0.1, 0.1, 0.1);
+  std::vector<Triangle> triangles;
+  const auto add_quad = [&](Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
+    triangles.push_back({a, b, c}), triangles.push_back({a, c, d});
+  };
+  const Vec2 outline[] = {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
+  const auto at = [&](int i, double z) { return Vec3(outline[i % 6].x(), outline[i % 6].y(), z); };
+  for (int i = 0; i < 6; ++i) add_quad(at(i, 0), at(i + 1, 0), at(i + 1, 1), at(i, 1));
+  for (const double z : {0.0, 1.0}) {
+    add_quad(at(0, z), at(1, z), at(2, z), at(3, z));
+    add_quad(at(0, z), at(3, z), at(4, z), at(5, z));
+    if (z == 0)
+      for (size_t i = triangles.size() - 4; i < triangles.size(); ++i)
+        std::swap(triangles[i][1], triangles[i][2]);
+  }
+  model.mesh = weld(triangles);
+  model.face_material.assign(triangles.size(), 0);
+  return model;
+}
+
+TEST(ConvexParts, hold_the_mesh) {
+  const Mesh mesh = l_shape().mesh;
+  const Adjacency adjacency = make_adjacency(mesh);
+  ASSERT_EQ(adjacency.components.size(), 1u);
+  ASSERT_TRUE(adjacency.components[0].manifold);
+  const ConvexParts hull = convex_parts(mesh, adjacency, PartRule::Hull);
+  ASSERT_EQ(hull.parts.size(), 1u);
+  EXPECT_NEAR(volume_of(hull.parts[0]), 3.5, 1e-6);
+  EXPECT_NEAR(volume_of(convex_parts(mesh, adjacency, PartRule::Components).parts.at(0)), 3.5,
+              1e-6);
+  if (!can_decompose()) GTEST_SKIP() << "this build has no HACD (Debian: libbullet-extras-dev)";
+  const ConvexParts pieces = convex_parts(mesh, adjacency, PartRule::Decomposition);
+  EXPECT_GE(pieces.parts.size(), 2u);
+  double volume = 0;
+  for (const ConvexPart& part : pieces.parts) volume += volume_of(part);
+  EXPECT_LT(volume, 3.3);  // the mesh has 3
+}
+
+TEST(ConvexParts, of_flat_meshes_have_a_thickness) {
+  Mesh mesh = weld({{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)}});
+  const ConvexParts flat = convex_parts(mesh, make_adjacency(mesh), PartRule::Components);
+  ASSERT_EQ(flat.parts.size(), 1u);
+  EXPECT_GT(volume_of(flat.parts[0]), 0);
+  EXPECT_EQ(flat.notes.size(), 1u);
+  mesh = weld({{Vec3(1, 2, 3), Vec3(1, 2, 3), Vec3(2, 2, 3)}});
+  EXPECT_GT(volume_of(convex_parts(mesh, make_adjacency(mesh), PartRule::Hull).parts.at(0)), 0);
+}
+
+TEST(ConvexParts, shrink_by_the_clearance) {
+  const ConvexPart box = part_of(box_model(0.3, 0.2, 0.1));
+  Aabb bounds;
+  for (const Vec3& v : shrunk(box, 0.01).vertices) bounds.extend(v);
+  EXPECT_LE((bounds.upper - Vec3(0.29, 0.19, 0.09)).norm(), 1e-6);
+  EXPECT_LE((bounds.lower + Vec3(0.29, 0.19, 0.09)).norm(), 1e-6);
+  bounds = {};  // no more than half of what there is
+  for (const Vec3& v : shrunk(box, 5).vertices) bounds.extend(v);
+  EXPECT_LE((bounds.upper - Vec3(0.25, 0.15, 0.05)).norm(), 1e-6);
+}
+
+TEST(ConvexParts, shrunk_ones_are_inside_by_the_clearance_for_random_hulls) {
+  Random random(7);
+  for (int trial = 0; trial < 50; ++trial) {
+    std::vector<Vec3> points;
+    for (int i = 0; i < 8 + trial; ++i) points.push_back(random.in_cube(1));
+    ConvexPart part;
+    solid_hull(points, part);
+    const double by = 1e-3;
+    const ConvexPart inner = shrunk(part, by);
+    for (const Index3& t : part.triangles) {
+      const Vec3 a = part.vertices[t[0]];
+      const Vec3 normal = (part.vertices[t[1]] - a).cross(part.vertices[t[2]] - a).normalized();
+      if (!normal.allFinite()) continue;
+      for (const Vec3& v : inner.vertices) ASSERT_LE(normal.dot(v - a), -by * 0.9) << trial;
+    }
+    EXPECT_GT(volume_of(inner), 0.95 * volume_of(part) - 0.05) << trial;
+  }
+}
+
+TEST(Overlap, of_boxes_is_known) {
+  const ConvexPart box = part_of(box_model(0.5, 0.5, 0.5));
+  const auto depth = [&](const Vec3& at) {
+    return penetration_depth(PlacedPart(box, {}), PlacedPart(box, {Mat3::Identity(), at}));
+  };
+  EXPECT_NEAR(depth(Vec3(0.9, 0.1, 0.2)), 0.1, 1e-5);
+  EXPECT_NEAR(depth(Vec3(0.1, -0.99, 0)), 0.01, 1e-5);
+  EXPECT_NEAR(depth(Vec3(0.1, 0.2, 0.999)), 1e-3, 1e-5);
+  EXPECT_EQ(depth(Vec3(0, 0, 1 + 1e-6)), 0);
+  EXPECT_EQ(depth(Vec3(1.1, 0, 0)), 0);
+}
+
+// Against brute force: the least depth over all face normals and pairs of edges.
+double brute_depth(const PlacedPart& a, const PlacedPart& b, const ConvexPart& of_a,
+                   const ConvexPart& of_b) {
+  double least = kInfinity;
+  const auto try_direction = [&](const Vec3& d) {
+    if (!(d.norm() > 1e-9)) return;
+    const Vec3 n = d.normalized();
+    double max_a = -kInfinity, min_b = kInfinity, min_a = kInfinity, max_b = -kInfinity;
+    for (const Vec3& v : a.vertices)
+      max_a = std::max(max_a, n.dot(v)), min_a = std::min(min_a, n.dot(v));
+    for (const Vec3& v : b.vertices)
+      max_b = std::max(max_b, n.dot(v)), min_b = std::min(min_b, n.dot(v));
+    least = std::min({least, max_a - min_b, max_b - min_a});
+  };
+  const auto edges = [](const PlacedPart& p, const ConvexPart& of) {
+    std::vector<Vec3> out;
+    for (const Index3& t : of.triangles)
+      for (int k = 0; k < 3; ++k) out.push_back(p.vertices[t[(k + 1) % 3]] - p.vertices[t[k]]);
+    return out;
+  };
+  for (const auto& [part, of] : {std::pair(&a, &of_a), std::pair(&b, &of_b)})
+    for (const Index3& t : of->triangles)
+      try_direction((part->vertices[t[1]] - part->vertices[t[0]])
+                        .cross(part->vertices[t[2]] - part->vertices[t[0]]));
+  for (const Vec3& e : edges(a, of_a))
+    for (const Vec3& f : edges(b, of_b)) try_direction(e.cross(f));
+  return std::max(0.0, least);
+}
+
+TEST(Overlap, is_that_of_brute_force) {
+  Random random(11);
+  int num_hits = 0;
+  for (int trial = 0; trial < 300; ++trial) {
+    ConvexPart parts[2];
+    for (ConvexPart& part : parts) {
+      std::vector<Vec3> points;
+      for (int i = 0; i < 10; ++i) points.push_back(random.in_cube(0.5));
+      solid_hull(points, part);
+    }
+    const PlacedPart a(parts[0], {}), b(parts[1], {Mat3::Identity(), random.in_cube(1.0)});
+    const double expected = brute_depth(a, b, parts[0], parts[1]);
+    const double depth = penetration_depth(a, b);
+    EXPECT_GE(depth, expected - 1e-9) << trial;
+    EXPECT_LE(depth, 1.01 * expected + 1e-9) << trial;
+    num_hits += expected > 0;
+  }
+  EXPECT_GT(num_hits, 60);
+  EXPECT_LT(num_hits, 290);
+}
+
+TEST(Simulation, says_which_hulls_overlap_and_a_clearance_takes_them_apart) {
+  Scene scene;
+  scene.floor = false;
+  // A small box in the notch of an L: only its hull is in the way.
+  add(scene, "l", l_shape(), {});
+  add(scene, "in notch", box_model(0.2, 0.2, 0.2), {{}, Vec3(1.25, 1.25, 0.5)});
+  const SimulationExport all = simulation_of(scene, "s", {});
+  ASSERT_EQ(all.overlaps.size(), 1u);
+  EXPECT_EQ(all.overlaps[0].a, "l");
+  EXPECT_EQ(all.overlaps[0].b, "in notch");
+  EXPECT_GT(all.overlaps[0].depth, 0.3);
+  Scene boxes;
+  add(boxes, "a", box_model(0.1, 0.1, 0.1), {{}, Vec3(0, 0, 0.1)});
+  add(boxes, "b", box_model(0.1, 0.1, 0.1), {{}, Vec3(0, 0, 0.2999)});
+  SimulationOptions options;
+  ASSERT_EQ(simulation_of(boxes, "s", options).overlaps.size(), 1u);
+  EXPECT_NEAR(simulation_of(boxes, "s", options).overlaps[0].depth, 1e-4, 1e-6);
+  options.hull_clearance = 6e-5;
+  EXPECT_EQ(simulation_of(boxes, "s", options).overlaps.size(), 0u);
+}
+
+TEST(Simulation, friction_is_what_an_object_or_its_loads_need) {
+  Scene scene;
+  const ObjectId a = add(scene, "a", box_model(0.1, 0.1, 0.1), {{}, Vec3(0, 0, 0.1)});
+  const ObjectId b = add(scene, "b", box_model(0.1, 0.1, 0.1), {{}, Vec3(0, 0, 0.30001)});
+  add(scene, "c", box_model(0.1, 0.1, 0.1), {{}, Vec3(1, 0, 0.1)});
+  update_contacts(scene, 1e-4);
+  scene.at(b).least_friction = 0.8;
+  const SimulationExport done = simulation_of(scene, "s", {});
+  EXPECT_EQ(scene.at(a).links.size(), 2u);
+  EXPECT_DOUBLE_EQ(done.scene.bodies[0].friction, 1.0);  // carries b
+  EXPECT_DOUBLE_EQ(done.scene.bodies[1].friction, 1.0);
+  EXPECT_DOUBLE_EQ(done.scene.bodies[2].friction, 0.6);
+}
+
+TEST(Simulation, inertia_of_a_box) {
+  Scene scene;
+  add(scene, "a", box_model(0.1, 0.2, 0.3), {});
+  SimulationOptions options;
+  options.density = 500;
+  const SimulationBody body = simulation_of(scene, "s", options).scene.bodies[0];
+  const double mass = 500 * 0.2 * 0.4 * 0.6;
+  EXPECT_NEAR(body.mass, mass, 1e-12);
+  const Vec3 expected = mass / 12 * Vec3(0.16 + 0.36, 0.04 + 0.36, 0.04 + 0.16);
+  EXPECT_LE((body.inertia - Mat3(expected.asDiagonal())).norm(), 1e-12);
+}
+
+TEST(Simulation, objects_of_one_model_share_its_files_and_scenes_a_folder) {
+  const TemporaryFolder folder;
+  Scene scene;
+  const ObjectId first = add(scene, "a", box_model(0.1, 0.1, 0.1), {{}, Vec3(0, 0, 0.1)});
+  Object copy = scene.at(first);
+  copy.name = "b", copy.pose.translation.x() = 1;
+  scene.add(copy);
+  SimulationOptions options;
+  options.files.mesh_folder = "shared";
+  const SimulationExport one = export_simulation(scene, folder.file("one.sdf"), options);
+  ASSERT_EQ(one.scene.models.size(), 1u);
+  EXPECT_EQ(one.files.size(), 4u);  // scene, OBJ, MTL, hull
+  const auto time = std::filesystem::last_write_time(one.files[1]);
+  const SimulationExport two = export_simulation(scene, folder.file("two.sdf"), options);
+  EXPECT_TRUE(std::equal(one.files.begin() + 1, one.files.end(), two.files.begin() + 1));
+  EXPECT_EQ(std::filesystem::last_write_time(two.files[1]), time);  // not written again
+  EXPECT_EQ(content(one.files[0]).substr(0, 20), content(two.files[0]).substr(0, 20));
+}
+
+TEST(Simulation, what_cannot_be_written_leaves_the_old_file) {
+  const TemporaryFolder folder;
+  Scene scene;
+  add(scene, "a", box_model(0.1, 0.1, 0.1), {{}, Vec3(0, 0, 0.1)});
+  export_simulation(scene, folder.file("s.xml"));
+  const std::string before = content(folder.file("s.xml"));
+  std::ofstream(folder.file("in_the_way")) << "a file";
+  SimulationOptions options;
+  options.density = 1;
+  options.files.mesh_folder = "in_the_way";
+  EXPECT_THROW(export_simulation(scene, folder.file("s.xml"), options), Error);
+  EXPECT_EQ(content(folder.file("s.xml")), before);
+  EXPECT_THROW(export_simulation(scene, folder.file("s.abc")), Error);
+  options.collision = CollisionRule::Mesh;
+  EXPECT_THROW(export_simulation(scene, folder.file("s.xml"), options), Error);
+}
+
+}  // namespace
+}  // namespace trivet
