@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """Plots the z-lists' part of trivet_perf: time over triangles, and over the resolution of the image.
 
-    trivet_perf --only zlists --out FOLDER && perf/plot_zlists.py FOLDER/<date>-<n>core-zlists.csv
+    trivet_perf --only zlists --out FOLDER && python3 perf/plot_zlists.py FOLDER/*-zlists.csv
 
-Writes the .svg beside the .csv. Needs python3-matplotlib.
+Writes the .svg beside the .csv. With --cpu, processor times (of all threads) instead of those on the
+wall: for runs on a machine that had other work. Needs python3-matplotlib.
 """
 import csv
 import os
@@ -33,7 +34,7 @@ def read(path):
 
 
 def series(rows, x, **wanted):
-    found = sorted((row[x], row["median_ms"]) for row in rows
+    found = sorted((row[x], row["time"]) for row in rows
                    if all(row[key] == value for key, value in wanted.items()))
     return [p[0] for p in found], [p[1] for p in found]
 
@@ -76,8 +77,10 @@ def over_resolution(axes, rows, motion, triangles):
                     "(dashed: box trees, and software with its own choice of pixels)")
 
 
-def main(path):
+def main(path, cpu):
     rows = read(path)
+    for row in rows:
+        row["time"] = row["cpu_ms" if cpu else "median_ms"]
     plt.rcParams.update({"svg.fonttype": "none", "svg.hashsalt": "trivet", "font.size": 9,
                          "axes.grid": True, "grid.color": "#dddddd", "grid.linewidth": 0.6})
     figure, grid = plt.subplots(2, 2, figsize=(9.5, 8.6), sharey=True)
@@ -88,7 +91,7 @@ def main(path):
         axes.set_yscale("log")
         axes.set_axisbelow(True)
     for row in grid:
-        row[0].set_ylabel("median ms of a query")
+        row[0].set_ylabel("median CPU ms of a query, all threads" if cpu else "median ms of a query")
     handles, labels = grid[0][0].get_legend_handles_labels()
     figure.legend(handles, labels, loc="lower center", ncol=3, frameon=False, fontsize=8)
     figure.suptitle("First contact: where candidates come from, and what that costs", fontsize=12)
@@ -97,6 +100,7 @@ def main(path):
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 2:
+    arguments = [a for a in sys.argv[1:] if a != "--cpu"]
+    if len(arguments) != 1:
         sys.exit(__doc__)
-    main(sys.argv[1])
+    main(arguments[0], "--cpu" in sys.argv)

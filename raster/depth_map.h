@@ -1,6 +1,7 @@
 // Per pixel, the smallest and the largest depth of everything drawn: the paper's second stage.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "raster/draw_faces.h"
@@ -24,8 +25,8 @@ struct DepthMap {
     for (int y = f.y0; y <= f.y1; ++y)
       for (int x = f.x0; x <= f.x1; ++x) {
         const int at = y * width + x;
-        if (f.lower < lower[at]) lower[at] = f.lower;
-        if (f.upper > upper[at]) upper[at] = f.upper;
+        lower[at] = std::min(lower[at], f.lower);  // no branch: which it is cannot be foreseen
+        upper[at] = std::max(upper[at], f.upper);
       }
   }
   /// The line through the pixel's centre meets a face at `depth`, give or take `error`.
