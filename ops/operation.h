@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "core/motion/pose.h"
 #include "ops/put.h"
@@ -45,6 +46,7 @@ struct PushOperation : MoveOptions {
   double step_down = 0.01;         // metres; from higher edges it is pulled back
   bool slide = true;               // along walls; otherwise they stop it
   bool settle = true;              // let go at the end; otherwise held as it is
+  std::vector<Vec2> via = {};      // as `to`, for places on the way, one after another
 };
 
 /// About a contact that is held; see turn.h. "turn"
@@ -71,11 +73,12 @@ struct PickUpOperation : MoveOptions {
   std::optional<std::string> with;  // whose contact, "floor" too; nothing: all that support it
 };
 
-/// A straight way. Stops at collision. "translate"
+/// A straight way, or several. Stops at collision. "translate"
 struct TranslateOperation : MoveOptions {
-  Vec3 by = Vec3::Zero();  // metres
-  bool free = false;       // as in a modeller: through everything; see ObjectState::Invalid
-  bool settle = false;     // let go at the end
+  Vec3 by = Vec3::Zero();      // metres
+  bool free = false;           // as in a modeller: through everything; see ObjectState::Invalid
+  bool settle = false;         // let go at the end
+  std::vector<Vec3> via = {};  // as `by`, for places on the way, one after another
 };
 
 /// About an axis. Stops at collision. "rotate"

@@ -21,8 +21,8 @@ int replay(const ReplayArguments& arguments, const CommonOptions& common) {
   LayoutRun run;
   run.scene = opened.session.scene();
   for (size_t i = 0; i < opened.session.num_done(); ++i) {
-    const Operation& operation = opened.session.steps()[i].operation;
-    run.operations.push_back({op_name(operation), object_name(operation), {}});
+    for (const Operation& operation : opened.session.steps()[i].operations)
+      run.operations.push_back({op_name(operation), object_name(operation), {}});
   }
   options.settle.clearance = opened.clearance;
   finish_run(options, run);

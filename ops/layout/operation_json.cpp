@@ -22,6 +22,15 @@ Vec3 read_vec3(const JsonPlace& place, double limit) {
   return {p[0], p[1], p[2]};
 }
 
+Vec2 read_vector(const JsonPlace& place, const Vec2&) { return read_vec2(place, kMaxLength); }
+Vec3 read_vector(const JsonPlace& place, const Vec3&) { return read_vec3(place, kMaxLength); }
+
+template <class Vec>
+void read_via(const JsonPlace& place, std::vector<Vec>& out) {
+  if (const auto via = place.find("via"))
+    for (const JsonPlace& item : via->items()) out.push_back(read_vector(item, Vec()));
+}
+
 Rotation read_rotation(const JsonPlace& place) {
   const std::vector<double> q = place.numbers(4, -kMaxQuaternionComponent, kMaxQuaternionComponent);
   if (const auto rotation = unit_rotation({q[0], q[1], q[2], q[3]})) return *rotation;
@@ -102,8 +111,9 @@ PushOperation read_push(const JsonPlace& place) {
   PushOperation push;
   if (place.find("to")) {
     place.expect_object({"op", "object", "to"},
-                        {"step_up", "step_down", "slide", "settle", "settle_left"});
+                        {"via", "step_up", "step_down", "slide", "settle", "settle_left"});
     push.to = read_vec2(place.at("to"), kMaxLength);
+    read_via(place, push.via);
   } else {
     place.expect_object({"op", "object", "direction", "distance"},
                         {"step_up", "step_down", "slide", "settle", "settle_left"});
@@ -166,10 +176,11 @@ PickUpOperation read_pick_up(const JsonPlace& place) {
 }
 
 TranslateOperation read_translate(const JsonPlace& place) {
-  place.expect_object({"op", "object", "by"}, {"free", "settle", "settle_left"});
+  place.expect_object({"op", "object", "by"}, {"via", "free", "settle", "settle_left"});
   TranslateOperation translate;
   read_common(place, translate);
   translate.by = read_vec3(place.at("by"), kMaxLength);
+  read_via(place, translate.via);
   read_to(place, "free", translate.free);
   read_to(place, "settle", translate.settle);
   return translate;
@@ -236,6 +247,11 @@ void write_if(bool wanted, const char* key, const T& value, Json& json) {
 Json array(const Vec2& v) { return {v.x(), v.y()}; }
 Json array(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
+template <class Vec>
+void write_via(const std::vector<Vec>& via, Json& json) {
+  for (const Vec& v : via) json["via"].push_back(array(v));
+}
+
 void write_if(const char* key, const std::optional<Vec3>& value, Json& json) {
   if (value) json[key] = array(*value);
 }
@@ -274,6 +290,7 @@ void write(const PutOperation& put, Json& json) {
 void write(const PushOperation& push, Json& json) {
   if (push.to) {
     json["to"] = array(*push.to);
+    write_via(push.via, json);
   } else {
     json["direction"] = array(push.direction);
     json["distance"] = push.distance;
@@ -303,6 +320,7 @@ void write(const PickUpOperation& pick_up, Json& json) {
 
 void write(const TranslateOperation& translate, Json& json) {
   json["by"] = array(translate.by);
+  write_via(translate.via, json);
   write_if(translate.free, "free", true, json);
   write_if(translate.settle, "settle", true, json);
 }

@@ -30,7 +30,9 @@ class Attempt {
 
   const Scene& scene() const { return m_scene; }
   MovingGroup& group() { return *m_group; }
+  const MovingGroup& group() const { return *m_group; }
   OperationResult& result() { return m_result; }
+  const OperationResult& result() const { return m_result; }
   const SettleOptions& options() const { return m_options; }
   std::string name() const;  // quoted
 

@@ -28,11 +28,11 @@ Push::Push(Attempt& attempt, const PushOperation& o)
       m_shortest(kShortest * attempt.group().clearance()) {
   look_around();
   note_way(false);
-}
-
-bool Push::carried() const {
-  return std::any_of(m_touches.begin(), m_touches.end(),
-                     [](const Touch& t) { return t.point.normal.z() > kSupportNormalZ; });
+  const bool carried = std::any_of(m_touches.begin(), m_touches.end(), [](const Touch& t) {
+    return t.point.normal.z() > kSupportNormalZ;
+  });
+  if (!carried)
+    m_attempt.refuse(m_attempt.name() + " lies on nothing along which it could be pushed");
 }
 
 void Push::look_around() {
@@ -50,7 +50,8 @@ void Push::push_to(const Vec2& goal) {
   m_num_stalls = 0;
   m_climb = true;
   m_attempt.result().end = OperationResult::End::Reached;
-  const auto max_events = static_cast<size_t>(m_attempt.options().max_motions);
+  const auto max_events =
+      m_attempt.result().steps.size() + static_cast<size_t>(m_attempt.options().max_motions);
   while (event() == Next::GoOn) {
     if (m_attempt.refused() || m_attempt.interrupted()) return;
     if (m_attempt.result().steps.size() > max_events)
@@ -306,20 +307,23 @@ void Push::let_go() {
   m_attempt.let_go();
 }
 
+OperationResult Push::finish() {
+  if (m_options.settle && !m_attempt.refused() && m_group.has_moved()) let_go();
+  return m_attempt.finish(ObjectState::Held);
+}
+
 OperationResult perform_push(Scene& scene, ObjectId id, const PushOperation& o,
                              const SettleOptions& options) {
   Attempt attempt(scene, id, o, "push", options);
   if (attempt.refused()) return attempt.finish(ObjectState::Held);
   MovingGroup& group = attempt.group();
   Push push(attempt, o);
-  if (!push.carried()) {
-    attempt.refuse(attempt.name() + " lies on nothing along which it could be pushed");
-    return attempt.finish(ObjectState::Held);
-  }
+  if (attempt.refused()) return attempt.finish(ObjectState::Held);
   const Vec2 start = group.pose().translation.head<2>();
-  push.push_to(o.to.value_or(start + o.distance * o.direction.normalized()));
-  if (o.settle && !attempt.refused() && group.has_moved()) push.let_go();
-  return attempt.finish(ObjectState::Held);
+  const Vec2 goal = o.to.value_or(start + o.distance * o.direction.normalized());
+  for (size_t i = 0; i <= o.via.size() && !attempt.refused(); ++i)
+    push.push_to(i < o.via.size() ? o.via[i] : goal);
+  return push.finish();
 }
 
 }  // namespace trivet

@@ -23,17 +23,18 @@ namespace trivet {
 /// A push that goes on and on: for editors that drag. Nothing is committed here.
 class Push {
  public:
+  /// Refuses when nothing carries the object.
   /// @param attempt  not refused. @param o  its thresholds; direction and distance do not matter.
   Push(Attempt& attempt, const PushOperation& o);
 
-  /// Whether something carries the object; else it cannot be pushed.
-  bool carried() const;
   /// Pushes until the object's position is at `goal`, seen from above, or stopped; attempt.result()
   /// says why.
   void push_to(const Vec2& goal);
   /// Lets the object go, from the last place on the way where it does not sink deeper than
   /// step_down; if there is none, from where it is.
   void let_go();
+  /// Lets it go if that is asked for, and commits.
+  OperationResult finish();
 
  private:
   using Place = MovingGroup::Place;

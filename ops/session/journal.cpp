@@ -146,7 +146,10 @@ void Journal::append_line(const std::string& line) {
 }
 
 void Journal::append_step(const SessionStep& step) {
-  append_line(journal_line({{"do", operation_json(step.operation)},
+  JournalJson operations = JournalJson::array();
+  for (const Operation& operation : step.operations)
+    operations.push_back(operation_json(operation));
+  append_line(journal_line({{"do", operations.size() == 1 ? operations[0] : operations},
                             {"settle", settle_json(step.settle)},
                             {"state", hash_text(step.fingerprint)}}));
 }

@@ -3,6 +3,7 @@
 //
 //   {"trivet_journal": 1, "start": {"file", "bytes", "hash"}, "settle", "state", "sum"}
 //   {"do": {operation as in a layout}, "settle": {what is not default}, "state": hash, "sum"}
+//   (or "do": [operations of one step])
 //   {"undo": true, "state", "sum"}, {"redo": true, "state", "sum"}, {"saved": file, "sum"}
 //
 // "state" is of the objects that the line changed (of the whole scene in the first line), "sum" of
@@ -34,10 +35,10 @@ struct JournalStart {
 struct JournalRecord {
   enum class Kind { Step, Undo, Redo, Saved };
   Kind kind;
-  std::optional<Operation> operation;  // of Step
-  SettleOptions settle;                // of Step
-  std::uint64_t state = 0;             // not of Saved
-  std::string file;                    // of Saved
+  std::vector<Operation> operations;  // of Step
+  SettleOptions settle;               // of Step
+  std::uint64_t state = 0;            // not of Saved
+  std::string file;                   // of Saved
 };
 
 struct JournalContent {

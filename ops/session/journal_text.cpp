@@ -97,7 +97,12 @@ JournalRecord read_record(const JsonPlace& place) {
   if (const auto operation = place.find("do")) {
     place.expect_object({"do", "settle", "state"}, {});
     record.kind = JournalRecord::Kind::Step;
-    record.operation = read_operation(*operation);
+    if (!operation->value().is_array())
+      record.operations.push_back(read_operation(*operation));
+    else
+      for (const JsonPlace& item : operation->items())
+        record.operations.push_back(read_operation(item));
+    if (record.operations.empty()) operation->refuse("an operation or several");
     record.settle = read_settle(place.at("settle"));
   } else {
     const bool undo = place.find("undo").has_value();

@@ -68,7 +68,7 @@ bool replay(const JournalRecord& record, const RunOptions& options, Session& ses
     case JournalRecord::Kind::Step: {
       SettleOptions settle = record.settle;
       settle.detector = options.settle.detector;
-      result = session.perform(*record.operation, settle);
+      result = session.perform_all(record.operations, settle);
       done = result.ok();
       break;
     }

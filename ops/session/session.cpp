@@ -4,13 +4,23 @@
 
 #include "core/scene/fingerprint.h"
 #include "ops/edit.h"
+#include "ops/move/live_move.h"
 #include "ops/session/journal.h"
 
 namespace trivet {
 namespace {
 
-std::string name_of(const Operation& operation) {
-  return std::string(op_name(operation)) + " \"" + object_name(operation) + "\"";
+std::string name_of(const std::vector<Operation>& operations) {
+  const Operation& first = operations.front();
+  std::string name = op_name(first);
+  const bool same = std::all_of(operations.begin(), operations.end(), [&](const Operation& o) {
+    return op_name(o) == std::string(op_name(first));
+  });
+  if (same && operations.size() > 1)
+    return name.append(" ").append(std::to_string(operations.size())).append(" objects");
+  name.append(" \"").append(object_name(first)).append("\"");
+  if (!same) name.append(" and ").append(op_name(operations.back()));
+  return name;
 }
 
 bool by_slot(ObjectId a, ObjectId b) {
@@ -47,11 +57,11 @@ Session::Session(Session&&) noexcept = default;
 Session& Session::operator=(Session&&) noexcept = default;
 
 // Whatever happens, the scene is as it was unless the operation was done.
-OperationResult Session::run(const Operation& operation, const SettleOptions& options) {
+OperationResult Session::run(SessionStep step, const std::function<OperationResult()>& work) {
   m_scene.start_recording();
   OperationResult result;
   try {
-    result = trivet::perform(m_scene, operation, options);
+    result = work();
   } catch (...) {
     SceneChange change = m_scene.stop_recording();
     m_scene.exchange(change);
@@ -60,9 +70,9 @@ OperationResult Session::run(const Operation& operation, const SettleOptions& op
   Done done{m_scene.stop_recording(), {}};
   if (!result.ok()) {
     m_scene.exchange(done.change);
+    tell({SessionEvent::Kind::Refused, step.name, {}, &result});
     return result;
   }
-  SessionStep step{name_of(operation), operation, kept(options), 0};
   done.touched = done.change.ids();  // before
   m_scene.exchange(done.change);
   done.touched = united(std::move(done.touched), done.change.ids());  // after
@@ -80,21 +90,36 @@ OperationResult Session::run(const Operation& operation, const SettleOptions& op
   m_steps.push_back(std::move(step));
   m_done.push_back(std::move(done));
   ++m_position;
+  tell({SessionEvent::Kind::Performed, m_steps.back().name, m_done.back().touched, &result});
   return result;
 }
 
 OperationResult Session::perform(const Operation& operation, const SettleOptions& options) {
-  Operation loaded = operation;
-  if (auto* const append = std::get_if<AppendOperation>(&loaded))
-    load_model(m_scene, m_models, *append);
-  const OperationResult result = run(loaded, options);
-  SessionEvent event{SessionEvent::Kind::Refused, name_of(operation), {}, &result};
-  if (result.ok()) {
-    event.kind = SessionEvent::Kind::Performed;
-    event.changed = m_done.back().touched;
-  }
-  tell(event);
-  return result;
+  return perform_all({operation}, options);
+}
+
+OperationResult Session::perform_all(const std::vector<Operation>& operations,
+                                     const SettleOptions& options) {
+  std::vector<Operation> loaded = operations;
+  for (Operation& operation : loaded)
+    if (auto* const append = std::get_if<AppendOperation>(&operation))
+      load_model(m_scene, m_models, *append);
+  return run({name_of(operations), loaded, kept(options), 0}, [&] {
+    OperationResult result;
+    for (size_t i = 0; i < loaded.size() && result.ok(); ++i)
+      result = trivet::perform(m_scene, loaded[i], options);
+    return result;
+  });
+}
+
+LiveMove Session::begin_live(const Operation& operation, const SettleOptions& options) {
+  return LiveMove(m_scene, operation, options);
+}
+
+OperationResult Session::finish(LiveMove& live) {
+  const std::vector<Operation> operations{live.operation()};
+  return run({name_of(operations), operations, kept(live.options()), 0},
+             [&] { return live.finish(); });
 }
 
 void Session::forget_undone() {
@@ -136,7 +161,9 @@ bool Session::redo() {
 
 Layout Session::layout() const {
   Layout out = m_layout;
-  for (size_t i = 0; i < m_position; ++i) out.operations.push_back(m_steps[i].operation);
+  for (size_t i = 0; i < m_position; ++i)
+    out.operations.insert(out.operations.end(), m_steps[i].operations.begin(),
+                          m_steps[i].operations.end());
   return out;
 }
 

@@ -16,13 +16,14 @@
 namespace trivet {
 
 class Journal;
+class LiveMove;
 
-/// One operation that was done.
+/// What was done and is undone as one.
 struct SessionStep {
-  std::string name;  // "put \"cup\""
-  Operation operation;
-  SettleOptions settle;           // it was done with; without detector, cancel and budget
-  std::uint64_t fingerprint = 0;  // of the objects it changed, as it left them
+  std::string name;                   // "put \"cup\"", "delete 3 objects"
+  std::vector<Operation> operations;  // one, but for perform_all()
+  SettleOptions settle;               // it was done with; without detector, cancel and budget
+  std::uint64_t fingerprint = 0;      // of the objects it changed, as it left them
 };
 
 /// What an editor shows anew.
@@ -51,6 +52,17 @@ class Session {
   /// @throws Error: BadInput when an appended model cannot be read; Environment when the journal
   ///   cannot be written. The scene is then as it was.
   OperationResult perform(const Operation& operation, const SettleOptions& options = {});
+
+  /// Several operations as one step; when one is refused, none is done, and its result comes back.
+  /// Else the last one's. @param operations  one at least. @throws Error  as perform().
+  OperationResult perform_all(const std::vector<Operation>& operations,
+                              const SettleOptions& options = {});
+
+  /// A move that follows a hand; see ops/move/live_move.h. While it lives, this session is neither
+  /// moved nor are its other non-const functions called, but for finish().
+  LiveMove begin_live(const Operation& operation, const SettleOptions& options = {});
+  /// Ends it: as perform() of its operation, to the bit, but without going the way again.
+  OperationResult finish(LiveMove& live);
 
   /// @return whether there was something to undo (redo). @throws Error (Environment) as perform().
   bool undo();
@@ -85,7 +97,7 @@ class Session {
     std::vector<ObjectId> touched;  // before and after it
   };
 
-  OperationResult run(const Operation& operation, const SettleOptions& options);
+  OperationResult run(SessionStep step, const std::function<OperationResult()>& work);
   void forget_undone();
   void step_over(size_t step, SessionEvent::Kind kind);
   void tell(const SessionEvent& event) const;

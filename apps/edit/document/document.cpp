@@ -25,6 +25,7 @@ Document::~Document() = default;
 // --- jobs --------------------------------------------------------------------------------------
 
 Document::Job Document::start(const std::string& what, std::function<bool(Engine&)> work) {
+  if (m_dragging) cancel_drag();
   ++m_num_jobs;
   const Job job = ++m_last_job;
   m_engine->post(job, what, std::move(work));
@@ -41,6 +42,7 @@ void Document::end(Job job, bool ok) {
 
 void Document::show(State state) {
   m_snapshot = std::move(state.snapshot);
+  clear_ghost();
   m_history = std::move(state.history);
   const bool renamed = m_file != state.file || m_title != state.title;
   m_file = std::move(state.file);
@@ -50,6 +52,11 @@ void Document::show(State state) {
   Q_EMIT history_changed();
   if (renamed) Q_EMIT file_changed();
   set_selection(m_selection);
+}
+
+void Document::show_scene(std::shared_ptr<const SceneSnapshot> snapshot) {
+  m_snapshot = std::move(snapshot);
+  Q_EMIT snapshot_changed();
 }
 
 void Document::cancel() {
@@ -106,10 +113,18 @@ Document::Job Document::perform(const Operation& operation) {
   return start(what, [operation](Engine& engine) { return engine.perform(operation); });
 }
 
-Document::Job Document::perform_all(const std::string& name, std::vector<Operation> operations) {
-  return start(name, [operations = std::move(operations)](Engine& engine) {
-    return engine.perform_all(operations);
-  });
+Document::Job Document::perform_all(const std::string& name, std::vector<Operation> operations,
+                                    std::vector<std::string> select) {
+  return start(name, [operations = std::move(operations), select = std::move(select)](
+                         Engine& engine) { return engine.perform_all(operations, select); });
+}
+
+void Document::select_named(const std::vector<std::string>& names) {
+  Selection selection;
+  for (const std::string& name : names)
+    if (const ObjectSnapshot* const found = m_snapshot->find(name))
+      selection.objects.push_back(found->id);
+  set_selection(std::move(selection));
 }
 
 Document::Job Document::import_model(const ImportModel& model) {
@@ -151,49 +166,73 @@ void Document::select_only(std::optional<ObjectId> id) {
 // --- drags -------------------------------------------------------------------------------------
 
 void Document::begin_drag(const Operation& operation) {
-  m_drag = operation;
+  if (m_dragging) cancel_drag();
   m_dragging = true;
+  m_drag_milliseconds.clear();
+  m_engine->begin_drag(++m_drag, operation);
 }
 
-void Document::drag_to(const Vec3& goal) {
-  if (!m_drag) return;
-  if (auto* const push = std::get_if<PushOperation>(&*m_drag)) push->to = Vec2(goal.head<2>());
-  if (auto* const move = std::get_if<TranslateOperation>(&*m_drag)) move->by = goal;
+void Document::steer(DragGoal goal) {
+  if (m_dragging) m_engine->steer(goal);
 }
 
-void Document::drag_by(double amount) {
-  if (!m_drag) return;
-  if (auto* const turn = std::get_if<TurnOperation>(&*m_drag)) turn->angle_deg = amount;
-  if (auto* const turn = std::get_if<RotateOperation>(&*m_drag)) turn->angle_deg = amount;
-  if (auto* const pick = std::get_if<PickUpOperation>(&*m_drag)) pick->distance = amount;
-}
+void Document::drag_to(const Vec3& goal) { steer({goal, 0, DragGoal::Clock::now()}); }
+
+void Document::drag_by(double amount) { steer({std::nullopt, amount, DragGoal::Clock::now()}); }
 
 Document::Job Document::end_drag() {
-  if (!m_drag) return 0;
-  const Operation operation = *m_drag;
-  cancel_drag();
-  return perform(operation);
+  if (!m_dragging) return 0;
+  m_dragging = false;
+  return start("drag", [drag = m_drag](Engine& engine) { return engine.end_drag(drag); });
 }
 
 void Document::cancel_drag() {
-  m_drag.reset();
+  if (!m_dragging) return;
   m_dragging = false;
+  m_engine->cancel_drag(m_drag);
+}
+
+void Document::show_drag(std::shared_ptr<const SceneSnapshot> snapshot, std::uint64_t drag,
+                         double ms) {
+  if (drag != m_drag) return;
+  m_snapshot = std::move(snapshot);
+  m_drag_milliseconds.push_back(ms);
+  Q_EMIT snapshot_changed();
+}
+
+void Document::drag_refused(std::uint64_t drag) {
+  if (drag == m_drag) m_dragging = false;
+  Q_EMIT drag_ended(false);
 }
 
 // --- ghost -------------------------------------------------------------------------------------
 
-void Document::request_ghost(const Operation&) {}
-void Document::clear_ghost() { m_ghost.reset(); }
+void Document::request_ghost(const Operation& operation) {
+  m_engine->request_ghost(++m_ghost_request, operation);
+}
+
+void Document::clear_ghost() {
+  ++m_ghost_request;
+  if (!m_ghost) return;
+  m_ghost.reset();
+  Q_EMIT ghost_changed();
+}
+
+void Document::show_ghost(std::uint64_t request, Ghost ghost) {
+  if (request != m_ghost_request) return;
+  m_ghost = std::move(ghost);
+  Q_EMIT ghost_changed();
+}
 
 bool Document::wait_until_idle(int timeout_ms) {
   QElapsedTimer timer;
   timer.start();
   QEventLoop loop;
-  while (is_busy() && timer.elapsed() < timeout_ms) {
-    QTimer::singleShot(20, &loop, &QEventLoop::quit);
+  while (!m_engine->is_idle() && timer.elapsed() < timeout_ms) {
+    QTimer::singleShot(2, &loop, &QEventLoop::quit);
     loop.exec();
   }
-  return !is_busy();
+  return m_engine->is_idle();
 }
 
 }  // namespace trivet::edit

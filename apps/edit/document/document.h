@@ -7,7 +7,7 @@
 //
 //   tools and menus -> Document -> jobs -> Session (ops/session) -> snapshot -> signals -> windows
 //
-// Start here; snapshot.h is what windows read, drag.h what tools do while the mouse is down.
+// Start here; snapshot.h is what windows read.
 #pragma once
 
 #include <QObject>
@@ -28,6 +28,7 @@
 namespace trivet::edit {
 
 class Engine;
+struct DragGoal;
 
 struct DocumentOptions {
   /// Where what a crash must not lose is kept: journals, demos, locks. Empty: nothing is kept.
@@ -87,6 +88,9 @@ class Document : public QObject {
   /// Whether a job is waiting or running. Drags are none.
   bool is_busy() const { return m_num_jobs > 0; }
   const std::string& busy_with() const { return m_busy_with; }  // "open \"x.glb\""
+  /// Where the hand last was and what followed it: milliseconds from drag_to() or drag_by() to
+  /// snapshot_changed(), of the last drag.
+  const std::vector<double>& drag_milliseconds() const { return m_drag_milliseconds; }
 
   // --- files -----------------------------------------------------------------------------------
   // Nobody is asked whether unsaved work may be lost: that is for the caller, before. When opening
@@ -111,10 +115,13 @@ class Document : public QObject {
   // --- operations ------------------------------------------------------------------------------
 
   Job perform(const Operation& operation);
-  /// One after the other, undone as one; those after a refused one are not done, and those before
-  /// it are taken back.
-  Job perform_all(const std::string& name, std::vector<Operation> operations);
-  /// The new objects are selected when it is done.
+  /// One after the other, undone as one; when one is refused, none is done.
+  /// @param name  what windows call it while it is busy. @param select  objects that are selected
+  /// when it is done; empty: the selection stays.
+  Job perform_all(const std::string& name, std::vector<Operation> operations,
+                  std::vector<std::string> select = {});
+  /// One step; the new object is selected when it is done. Where it cannot be put it is out of the
+  /// scene all the same.
   Job import_model(const ImportModel& model);
   Job undo();
   Job redo();
@@ -130,7 +137,7 @@ class Document : public QObject {
   void select(Selection selection);
   void select_only(std::optional<ObjectId> id);
 
-  // --- drags: see drag.h -----------------------------------------------------------------------
+  // --- drags ----------------------------------------------------------------------------------
 
   /// A move that follows the hand from now on. @param operation  PUSH, TURN, PICK-UP, TRANSLATE or
   /// ROTATE; how far does not matter.
@@ -180,9 +187,15 @@ class Document : public QObject {
   };
   friend class Engine;
   Job start(const std::string& what, std::function<bool(Engine&)> work);
+  void steer(DragGoal goal);
   void end(Job job, bool ok);
   void show(State state);
+  void show_scene(std::shared_ptr<const SceneSnapshot> snapshot);
+  void show_drag(std::shared_ptr<const SceneSnapshot> snapshot, std::uint64_t drag, double ms);
+  void show_ghost(std::uint64_t request, Ghost ghost);
+  void drag_refused(std::uint64_t drag);
   void set_selection(Selection selection);
+  void select_named(const std::vector<std::string>& names);
 
   DocumentOptions m_options;
   std::shared_ptr<const SceneSnapshot> m_snapshot;
@@ -190,7 +203,8 @@ class Document : public QObject {
   History m_history;
   std::string m_file, m_title, m_busy_with;
   std::optional<Ghost> m_ghost;
-  std::optional<Operation> m_drag;
+  std::uint64_t m_drag = 0, m_ghost_request = 0;  // the last ones
+  std::vector<double> m_drag_milliseconds;
   bool m_modified = false, m_dragging = false;
   int m_num_jobs = 0;
   Job m_last_job = 0;

@@ -13,7 +13,14 @@ struct Cancelled {};
 }  // namespace
 
 Engine::Engine(Document& document, DocumentOptions options)
-    : m_document(document), m_options(std::move(options)), m_thread([this] { run(); }) {}
+    : m_document(document),
+      m_options(std::move(options)),
+      m_ghosts([this](std::uint64_t request, Ghost ghost) {
+        tell([request, ghost = std::move(ghost)](Document& shown) {
+          shown.show_ghost(request, ghost);
+        });
+      }),
+      m_thread([this] { run(); }) {}
 
 Engine::~Engine() {
   {
@@ -27,9 +34,15 @@ Engine::~Engine() {
 }
 
 void Engine::post(Document::Job job, const std::string& what, Work work) {
+  post({job, what, std::move(work), 0});
+}
+
+void Engine::post(Item item) {
+  ++m_num_open;
   {
     const std::lock_guard lock(m_mutex);
-    m_items.push_back({job, what, std::move(work), m_generation});
+    item.generation = m_generation;
+    m_items.push_back(std::move(item));
   }
   m_wake.notify_all();
 }
@@ -50,19 +63,21 @@ void Engine::run() {
       if (m_stop) return;
       item = std::move(m_items.front());
       m_items.pop_front();
-      forgotten = item.generation < m_generation;
-      if (!forgotten) m_cancel = false;
+      forgotten = item.job != 0 && item.generation < m_generation;
+      if (item.generation == m_generation) m_cancel = false;
     }
     const bool ok = !forgotten && run(item);
-    tell([job = item.job, ok](Document& document) { document.end(job, ok); });
+    if (item.job != 0) tell([job = item.job, ok](Document& shown) { shown.end(job, ok); });
+    --m_num_open;
   }
 }
 
 bool Engine::run(const Item& item) {
-  tell([what = item.what](Document& document) {
-    document.m_busy_with = what;
-    Q_EMIT document.busy_changed();
-  });
+  if (item.job != 0)
+    tell([what = item.what](Document& shown) {
+      shown.m_busy_with = what;
+      Q_EMIT shown.busy_changed();
+    });
   try {
     return item.work(*this);
   } catch (const Cancelled&) {
@@ -78,13 +93,18 @@ bool Engine::run(const Item& item) {
 }
 
 void Engine::tell(std::function<void(Document&)> what) {
+  ++m_num_open;
   QMetaObject::invokeMethod(
-      &m_document, [&document = m_document, what = std::move(what)] { what(document); },
+      &m_document,
+      [this, what = std::move(what)] {
+        --m_num_open;
+        what(m_document);
+      },
       Qt::QueuedConnection);
 }
 
 void Engine::tell(Message message) {
-  tell([message = std::move(message)](Document& document) { Q_EMIT document.message(message); });
+  tell([message = std::move(message)](Document& shown) { Q_EMIT shown.message(message); });
 }
 
 void Engine::tell(const OperationResult& result, const Operation& operation) {
@@ -100,9 +120,9 @@ RunOptions Engine::run_options() {
     if (m_cancel) throw Cancelled();
     std::string what = progress.stage;
     what.append(" ").append(progress.item);
-    tell([what, progress](Document& document) {
-      Q_EMIT document.progressed(QString::fromStdString(what), static_cast<int>(progress.done),
-                                 static_cast<int>(progress.total));
+    tell([what, progress](Document& shown) {
+      Q_EMIT shown.progressed(QString::fromStdString(what), static_cast<int>(progress.done),
+                              static_cast<int>(progress.total));
     });
   };
   return options;
@@ -119,25 +139,30 @@ void Engine::publish() {
   state.file = m_file;
   state.title = m_title;
   state.modified = session.is_modified();
-  tell([state](Document& document) { document.show(state); });
+  m_ghosts_know = false;
+  tell([state](Document& shown) { shown.show(state); });
 }
 
 // --- operations --------------------------------------------------------------------------------
 
-bool Engine::perform(const Operation& operation) {
+SettleOptions Engine::settle_options() const {
   SettleOptions options = m_options.settle;
   options.cancel = &m_cancel;
   if (!(options.clearance > 0)) options.clearance = m_opened->clearance;
-  const OperationResult result = m_opened->session.perform(operation, options);
-  if (result.ok()) publish();
-  tell(result, operation);
-  return result.ok();
+  return options;
 }
 
-bool Engine::perform_all(const std::vector<Operation>& operations) {
-  for (const Operation& operation : operations)
-    if (!perform(operation)) return false;
-  return true;
+bool Engine::perform(const Operation& operation) { return perform_all({operation}); }
+
+bool Engine::perform_all(const std::vector<Operation>& operations,
+                         const std::vector<std::string>& select) {
+  if (operations.empty()) return true;
+  const OperationResult result = m_opened->session.perform_all(operations, settle_options());
+  if (result.ok()) publish();
+  if (result.ok() && !select.empty())
+    tell([select](Document& shown) { shown.select_named(select); });
+  tell(result, operations.back());
+  return result.ok();
 }
 
 bool Engine::go_to_step(size_t num_done) {
@@ -148,6 +173,98 @@ bool Engine::go_to_step(size_t num_done) {
   }
   publish();
   return session.num_done() == num_done;
+}
+
+// --- drags -------------------------------------------------------------------------------------
+
+void Engine::begin_drag(std::uint64_t drag, const Operation& operation) {
+  post({0, "drag", [drag, operation](Engine& engine) {
+          engine.m_drag = drag;
+          Engine& e = engine;
+          e.m_live.emplace(e.m_opened->session.begin_live(operation, e.settle_options()));
+          if (!e.m_live->refused()) return true;
+          e.tell(e.m_live->result(), operation);
+          e.m_live.reset();
+          e.tell([drag](Document& shown) { shown.drag_refused(drag); });
+          return false;
+        }});
+}
+
+void Engine::steer(const DragGoal& goal) {
+  {
+    const std::lock_guard lock(m_mutex);
+    const bool waits = m_goal.has_value();
+    m_goal = goal;
+    if (waits) return;
+  }
+  post({0, "drag", [](Engine& engine) {
+          engine.follow();
+          return true;
+        }});
+}
+
+void Engine::follow() {
+  std::optional<DragGoal> goal;
+  {
+    const std::lock_guard lock(m_mutex);
+    goal.swap(m_goal);
+  }
+  if (!m_live || !goal) return;
+  if (goal->to)
+    m_live->follow(*goal->to);
+  else
+    m_live->follow(goal->by);
+  if (m_live->refused()) return;  // end_drag() says why
+  tell([snapshot = m_snapshots.make_drag(*m_live), drag = m_drag,
+        when = goal->when](Document& shown) {
+    const std::chrono::duration<double, std::milli> took = DragGoal::Clock::now() - when;
+    shown.show_drag(snapshot, drag, took.count());
+  });
+}
+
+bool Engine::end_drag(std::uint64_t drag) {
+  if (!m_live || drag != m_drag) return false;
+  const Operation operation = m_live->operation();
+  const bool moves = m_live->has_moved() || m_live->refused();
+  OperationResult result;
+  if (moves) result = m_opened->session.finish(*m_live);
+  m_live.reset();
+  const bool committed = moves && result.ok();
+  if (committed)
+    publish();
+  else
+    show_again();
+  tell([committed](Document& shown) { Q_EMIT shown.drag_ended(committed); });
+  tell(result, operation);
+  return result.ok();
+}
+
+void Engine::cancel_drag(std::uint64_t drag) {
+  post({0, "drag", [drag](Engine& engine) {
+          if (!engine.m_live || drag != engine.m_drag) return false;
+          engine.m_live.reset();
+          engine.show_again();
+          engine.tell([](Document& shown) { Q_EMIT shown.drag_ended(false); });
+          return true;
+        }});
+}
+
+// The scene as it is, without what a hand had.
+void Engine::show_again() {
+  tell([snapshot = m_snapshots.make_again()](Document& shown) { shown.show_scene(snapshot); });
+}
+
+// --- ghost -------------------------------------------------------------------------------------
+
+void Engine::request_ghost(std::uint64_t request, const Operation& operation) {
+  post({0, "ghost", [request, operation](Engine& engine) {
+          std::unique_ptr<Scene> scene;
+          if (!engine.m_ghosts_know)
+            scene = std::make_unique<Scene>(engine.m_opened->session.scene());
+          engine.m_ghosts_know = true;
+          engine.m_ghosts.request(request, operation, engine.settle_options(), std::move(scene));
+          return true;
+        }});
 }
 
 }  // namespace trivet::edit

@@ -9,8 +9,11 @@
 #include <thread>
 
 #include "apps/edit/document/document.h"
+#include "apps/edit/document/drag_goal.h"
 #include "apps/edit/document/file_lock.h"
+#include "apps/edit/document/ghost_worker.h"
 #include "apps/edit/document/snapshot_maker.h"
+#include "ops/move/live_move.h"
 #include "ops/session/restore.h"
 
 namespace trivet::edit {
@@ -25,6 +28,13 @@ class Engine {
   /// @param work  @return whether it did what it should.
   void post(Document::Job job, const std::string& what, Work work);
   void cancel();
+  void begin_drag(std::uint64_t drag, const Operation& operation);
+  /// The latest goal wins.
+  void steer(const DragGoal& goal);
+  void cancel_drag(std::uint64_t drag);
+  void request_ghost(std::uint64_t request, const Operation& operation);
+  /// Whether nothing is waiting, running or on its way to the document.
+  bool is_idle() const { return m_num_open == 0 && m_ghosts.is_idle(); }
 
   // ---------------------------------------------------------------------------------------------
 
@@ -36,21 +46,27 @@ class Engine {
   bool close();
   bool restore(const std::string& journal);
   bool perform(const Operation& operation);
-  bool perform_all(const std::vector<Operation>& operations);
+  bool perform_all(const std::vector<Operation>& operations,
+                   const std::vector<std::string>& select = {});
   bool import_model(const ImportModel& model);
   bool go_to_step(size_t num_done);
+  bool end_drag(std::uint64_t drag);
   size_t num_done() const { return m_opened->session.num_done(); }
   const std::string& file() const { return m_file; }
 
  private:
   struct Item {
-    Document::Job job;
+    Document::Job job = 0;  // 0: a part of a drag, or of a ghost
     std::string what;
     Work work;
-    std::uint64_t generation;
+    std::uint64_t generation = 0;
   };
+  void post(Item item);
   void run();
   bool run(const Item& item);
+  void follow();
+  void show_again();
+  SettleOptions settle_options() const;
   void tell(std::function<void(Document&)> what);
   void tell(Message message);
   void tell(const OperationResult& result, const Operation& operation);
@@ -73,12 +89,19 @@ class Engine {
   std::string m_file, m_title;
   std::unique_ptr<FileLock> m_lock;
   SnapshotMaker m_snapshots;
+  std::optional<LiveMove> m_live;
+  std::uint64_t m_drag = 0;
+  bool m_ghosts_know = false;  // the scene as it is
+
+  std::atomic<int> m_num_open = 0;  // posts and tellings that have not come through
 
   std::mutex m_mutex;  // of what is below
   std::condition_variable m_wake;
   std::deque<Item> m_items;
   std::uint64_t m_generation = 0;
+  std::optional<DragGoal> m_goal;
   bool m_stop = false;
+  GhostWorker m_ghosts;
   std::thread m_thread;
 };
 

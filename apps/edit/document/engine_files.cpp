@@ -70,6 +70,7 @@ std::unique_ptr<FileLock> Engine::locked(const std::string& file) const {
 
 void Engine::adopt(OpenedSession opened, const std::string& file, const std::string& title,
                    std::unique_ptr<FileLock> lock) {
+  m_live.reset();
   leave_session();
   m_opened.emplace(std::move(opened));
   m_opened->session.on_event(
@@ -201,14 +202,12 @@ bool Engine::import_model(const ImportModel& model) {
   append.scale = model.scale;
   append.up = model.up;
   append.fixed = model.fixed;
-  if (!perform(append)) return false;
-  const ObjectId id = *scene.find(append.object);
-  tell([id](Document& document) { document.select_only(id); });
-  if (!model.put) return true;
+  const std::vector<std::string> select{append.object};
+  if (!model.put) return perform_all({append}, select);
   PutOperation put;
   put.object = append.object;
   put.start = *model.put;
-  return perform(put);
+  return perform_all({append, put}, select) || perform_all({append}, select);
 }
 
 }  // namespace trivet::edit

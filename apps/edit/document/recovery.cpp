@@ -31,6 +31,16 @@ size_t num_steps(const JournalContent& content) {
                     [](const JournalRecord& r) { return r.kind == JournalRecord::Kind::Step; }));
 }
 
+// Nothing was done, or nothing since it was saved.
+bool is_of_no_use(const JournalContent& content) {
+  return num_steps(content) == 0 || content.records.back().kind == JournalRecord::Kind::Saved;
+}
+
+// A journal that another editor makes at this moment may not be locked yet.
+bool is_old(fs::file_time_type when) {
+  return fs::file_time_type::clock::now() - when > std::chrono::minutes(1);
+}
+
 }  // namespace
 
 std::vector<Recoverable> recoverable_sessions(const std::string& folder) {
@@ -41,11 +51,11 @@ std::vector<Recoverable> recoverable_sessions(const std::string& folder) {
     if (entry.path().extension() != ".journal" || is_locked(journal)) continue;
     try {
       const JournalContent content = read_journal(journal);
-      if (num_steps(content) == 0) {
-        remove_recovery_files(journal);
+      const auto when = entry.last_write_time();
+      if (is_of_no_use(content)) {
+        if (is_old(when)) remove_recovery_files(journal);
         continue;
       }
-      const auto when = entry.last_write_time();
       found.push_back(
           {when, {journal, saved_file_of(journal, content), local_time(when), num_steps(content)}});
     } catch (const Error&) {

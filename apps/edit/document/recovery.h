@@ -5,8 +5,8 @@
 
 namespace trivet::edit {
 
-/// Newest first. Those that another editor is writing and those in which nothing was done are left
-/// out; the files of the latter are removed.
+/// Newest first. Those that another editor is writing are left out, and those in which nothing was
+/// done since they were saved; the files of the latter are removed.
 std::vector<Recoverable> recoverable_sessions(const std::string& folder);
 void discard_session(const std::string& journal);
 

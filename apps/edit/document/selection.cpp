@@ -1,7 +1,8 @@
 #include "apps/edit/document/selection.h"
 
 #include <algorithm>
-#include <tuple>
+
+#include "ops/move/turn_axis.h"
 
 namespace trivet::edit {
 
@@ -29,13 +30,10 @@ const Link* active_link(const Selection& selection, const SceneSnapshot& scene) 
   const auto active = selection.active();
   const ObjectSnapshot* const object = active ? scene.find(*active) : nullptr;
   if (!object) return nullptr;
-  const auto rank = [](const Link& link) {
-    return std::make_tuple(holds_up(link.contact), link.contact.type, link.contact.normal.z());
-  };
   const Link* best = nullptr;
   for (const Link& link : (*object)->links) {
     if (selection.contact && link.with == selection.contact->with) return &link;
-    if (!best || rank(link) > rank(*best)) best = &link;
+    if (!best || holds_more(link, *best)) best = &link;
   }
   return best;
 }

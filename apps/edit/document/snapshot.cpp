@@ -7,9 +7,9 @@
 namespace trivet::edit {
 
 const ObjectSnapshot* SceneSnapshot::find(ObjectId id) const {
-  const auto found = std::find_if(objects.begin(), objects.end(),
-                                  [&](const ObjectSnapshot& o) { return o.id == id; });
-  return found == objects.end() ? nullptr : &*found;
+  if (id.index >= position_of_slot.size()) return nullptr;
+  const std::uint32_t position = position_of_slot[id.index];
+  return position < objects.size() && objects[position].id == id ? &objects[position] : nullptr;
 }
 
 const ObjectSnapshot* SceneSnapshot::find(const std::string& name) const {

@@ -35,9 +35,10 @@ struct SceneSnapshot {
   std::uint64_t revision = 0;   // grows with every change of what is seen, drags too
   std::uint64_t committed = 0;  // grows with every change of the scene: steps, undo, files
   bool floor = true;
-  double clearance = 0;                        // metres, of the scene's operations
-  std::vector<ObjectSnapshot> objects;         // in the order of Scene::ids(); unplaced ones too
-  std::shared_ptr<const LoadSupport> support;  // of the committed scene; never null
+  double clearance = 0;                         // metres, of the scene's operations
+  std::vector<ObjectSnapshot> objects;          // in the order of Scene::ids(); unplaced ones too
+  std::vector<std::uint32_t> position_of_slot;  // in `objects`, by ObjectId::index; see find()
+  std::shared_ptr<const LoadSupport> support;   // of the committed scene; never null
   std::optional<DragSnapshot> drag;  // then the poses of what moves are those in the hand, and
                                      // the links of these objects are as before the drag
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "apps/edit/document/snapshot.h"
+#include "ops/move/live_move.h"
 
 namespace trivet::edit {
 
@@ -16,6 +17,10 @@ class SnapshotMaker {
   /// Since the last snapshot; objects that are gone, too.
   void note_changed(std::span<const ObjectId> ids);
   std::shared_ptr<const SceneSnapshot> make(const Scene& scene, double clearance);
+  /// The last one, with what moves where the hand has it.
+  std::shared_ptr<const SceneSnapshot> make_drag(const LiveMove& live);
+  /// The last one as it was before drags.
+  std::shared_ptr<const SceneSnapshot> make_again();
 
  private:
   std::shared_ptr<const SceneSnapshot> m_last;

@@ -15,12 +15,14 @@ enum class ToolKind { Select, Put, Push, Turn, PickUp, Move, Rotate };
 struct ToolOptions {
   double step_up = 0.01, step_down = 0.01;  // PUSH
   bool slide = true;                        // PUSH: along walls
-  bool settle = true;                       // PUSH, TURN, MOVE, ROTATE: let go at the end
+  bool settle = true;                       // PUSH: let go at the end
+  bool let_go = false;                      // TURN, MOVE, ROTATE: the same
   bool settle_left = false;                 // what is left without support is let go, too
   bool free = false;                        // MOVE, ROTATE: through everything
-  double drop_height = 0.3;                 // PUT: above the highest point below the object
-  double pick_up_distance = 0.1;            // PICK-UP by key or click
-  double angle_snap_deg = 0;                // TURN, ROTATE with Control: 15 unless set
+  double drop_height = 0.02;      // PUT: above what is highest below the object; with Alt, above
+                                  // the point under the mouse
+  double pick_up_distance = 0.1;  // PICK-UP by key or click
+  double angle_step_deg = 15;     // TURN, ROTATE with Control
 };
 
 /// What a tool draws over the scene.

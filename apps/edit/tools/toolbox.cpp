@@ -1,17 +1,65 @@
 #include "apps/edit/tools/toolbox.h"
 
+#include "apps/edit/tools/gizmo_tool.h"
+#include "apps/edit/tools/move_tools.h"
+#include "apps/edit/tools/placing.h"
 #include "apps/edit/tools/select_tool.h"
+#include "apps/edit/tools/turn_tool.h"
 
 namespace trivet::edit {
+namespace {
+
+std::unique_ptr<Tool> make_tool(ToolKind kind, Document& document, const ToolOptions& options) {
+  switch (kind) {
+    case ToolKind::Select:
+      break;
+    case ToolKind::Put:
+      return std::make_unique<PutTool>(document, options);
+    case ToolKind::Push:
+      return std::make_unique<PushTool>(document, options);
+    case ToolKind::Turn:
+      return std::make_unique<TurnTool>(document, options);
+    case ToolKind::PickUp:
+      return std::make_unique<PickUpTool>(document, options);
+    case ToolKind::Move:
+      return std::make_unique<GizmoTool>(document, options, false);
+    case ToolKind::Rotate:
+      return std::make_unique<GizmoTool>(document, options, true);
+  }
+  return std::make_unique<SelectTool>(document);
+}
+
+std::optional<ToolKind> kind_of(char key) {
+  switch (key) {
+    case 'q':
+      return ToolKind::Select;
+    case 'w':
+      return ToolKind::Put;
+    case 'e':
+      return ToolKind::Push;
+    case 'r':
+      return ToolKind::Turn;
+    case 't':
+      return ToolKind::PickUp;
+    case 'g':
+      return ToolKind::Move;
+    case 'h':
+      return ToolKind::Rotate;
+    default:
+      return std::nullopt;
+  }
+}
+
+}  // namespace
 
 Toolbox::Toolbox(Document& document)
-    : m_document(document), m_tool(std::make_unique<SelectTool>(document)) {}
+    : m_document(document), m_tool(make_tool(ToolKind::Select, document, m_options)) {}
 Toolbox::~Toolbox() = default;
 
 void Toolbox::take(ToolKind kind) {
   m_tool->cancel();
   m_current = kind;
-  m_tool = std::make_unique<SelectTool>(m_document);
+  m_tool = make_tool(kind, m_document, m_options);
   if (changed) changed();
 }
 
@@ -22,12 +70,69 @@ bool Toolbox::pointer(const PointerEvent& event) {
   return taken;
 }
 
+bool Toolbox::put_at_pointer() {
+  if (!m_last || m_document.is_busy() || m_document.is_dragging()) return false;
+  return PutTool(m_document, m_options).put(*m_last);
+}
+
+bool Toolbox::pick_up() {
+  if (m_document.is_busy() || m_document.is_dragging()) return false;
+  return PickUpTool(m_document, m_options).pick_up();
+}
+
+bool Toolbox::erase_selected() {
+  if (m_document.is_busy() || m_document.is_dragging()) return false;
+  std::vector<Operation> operations;
+  for (const ObjectId id : m_document.selection().objects) {
+    DeleteOperation erase;
+    erase.object = (*m_document.snapshot()->find(id))->name;
+    erase.settle_left = m_options.settle_left;
+    operations.push_back(erase);
+  }
+  if (operations.empty()) return false;
+  m_document.perform_all("delete", std::move(operations));
+  return true;
+}
+
+bool Toolbox::duplicate_selected() {
+  if (m_document.is_busy() || m_document.is_dragging()) return false;
+  const SceneSnapshot& scene = *m_document.snapshot();
+  std::vector<Operation> operations;
+  std::vector<std::string> names;
+  for (const ObjectId id : m_document.selection().objects) {
+    const Object& object = *scene.find(id)->object;
+    std::string name;
+    for (int i = 2; name.empty() || scene.find(name); ++i)
+      name = std::string(object.name).append("_").append(std::to_string(i));
+    operations.push_back(DuplicateOperation{object.name, name});
+    names.push_back(name);
+    if (!object.placed) continue;
+    const Aabb box = world_box(object);
+    const Vec3 beside = object.centre_of_mass() + 2.2 * box.half_extent().x() * Vec3::UnitX();
+    PutOperation put;
+    put.object = name;
+    put.start = put_start(scene, object, {}, beside, m_options.drop_height, false);
+    operations.push_back(put);
+  }
+  if (operations.empty()) return false;
+  m_document.perform_all("duplicate", std::move(operations), std::move(names));
+  return true;
+}
+
 bool Toolbox::key(const KeyEvent& event) {
-  const bool taken = m_tool->key(event);
+  bool taken = m_tool->key(event);
+  const bool plain = !event.modifiers.control && !event.modifiers.alt;
+  if (!taken && event.key == KeyEvent::Key::Delete) taken = erase_selected();
+  if (!taken && event.key == KeyEvent::Key::Character && plain) {
+    const auto kind = kind_of(event.character);
+    if (kind) take(*kind);
+    taken = kind || (event.character == 'd' && event.modifiers.shift && duplicate_selected()) ||
+            (event.character == 'p' && put_at_pointer()) || (event.character == 'u' && pick_up());
+  }
   if (taken && changed) changed();
   return taken;
 }
 
-Cursor Toolbox::cursor() const { return m_tool->cursor(); }
+Cursor Toolbox::cursor() const { return m_document.is_busy() ? Cursor::Busy : m_tool->cursor(); }
 
 }  // namespace trivet::edit

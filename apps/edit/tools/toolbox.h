@@ -21,8 +21,14 @@ class Toolbox {
 
   /// @return whether it was taken; else it is the window's (its camera's).
   bool pointer(const PointerEvent& event);
-  /// Escape cancels; letters take tools and do what needs no mouse, see README.
+  /// Escape cancels, Delete deletes; letters take tools and do what needs no mouse, see README.
   bool key(const KeyEvent& event);
+
+  // What keys and menus do; false: there is nothing to do it with.
+  bool put_at_pointer();  // the active object, where the mouse was last
+  bool pick_up();         // the active object, by ToolOptions::pick_up_distance
+  bool erase_selected();
+  bool duplicate_selected();  // beside the originals, to the right; the copies are selected
 
   Overlay overlay(const View& view) const { return m_tool->overlay(view); }
   Cursor cursor() const;

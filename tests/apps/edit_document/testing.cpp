@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "core/io/export.h"
+#include "ops/demo/demo.h"
+
 namespace trivet::edit::test {
 
 namespace fs = std::filesystem;
@@ -17,6 +20,14 @@ TemporaryFolder::TemporaryFolder() {
 TemporaryFolder::~TemporaryFolder() {
   std::error_code ignored;
   fs::remove_all(m_path, ignored);
+}
+
+void write_models(const std::string& demo, const TemporaryFolder& folder) {
+  for (const DemoModel& made : make_demo(demo).models) {
+    ExportScene scene;
+    scene.objects.push_back({"model", std::make_shared<const Model>(made.model), Affine{}, ""});
+    write_scene(scene, folder.file(made.file));
+  }
 }
 
 Recorder::Recorder(const std::string& recovery_folder) {

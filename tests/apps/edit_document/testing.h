@@ -22,13 +22,16 @@ class TemporaryFolder {
   std::filesystem::path m_path;
 };
 
+/// The models of a demo as files, in this folder.
+void write_models(const std::string& demo, const TemporaryFolder& folder);
+
 /// A document, and what it said.
 class Recorder {
  public:
   explicit Recorder(const std::string& recovery_folder);
 
-  Document& document() { return *m_document; }
-  Document* operator->() { return m_document.get(); }
+  Document& operator*() const { return *m_document; }
+  Document* operator->() const { return m_document.get(); }
   /// Waits until all is done. @return whether the last job did what it should.
   bool done(Document::Job job);
   const std::vector<Message>& messages() const { return m_messages; }

@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/io/export.h"
 #include "ops/layout/json_text.h"
+#include "ops/move/live_move.h"
 #include "ops/report/scene_file.h"
 #include "ops/session/journal.h"
 #include "ops/session/restore.h"
@@ -89,6 +90,23 @@ TEST_F(JournalFiles, ASessionIsRestoredWithItsHistory) {
   EXPECT_TRUE(restored.opened.notes.empty());
   expect_same_session(restored.opened.session, opened.session);
   EXPECT_TRUE(restored.opened.session.redo());  // what was undone is there
+}
+
+TEST_F(JournalFiles, StepsOfSeveralOperationsAndByHandAreRestored) {
+  OpenedSession opened = open();
+  Session& session = opened.session;
+  EXPECT_TRUE(session.perform_all({append_of("d", "box.obj"), put_at("d", 2, 1)}).ok());
+  PushOperation push;
+  push.object = "d";
+  {
+    LiveMove live = session.begin_live(push);
+    for (const double x : {2.1, 2.125, 2.3}) live.follow(Vec3(x, 1 / x, 0));
+    EXPECT_TRUE(session.finish(live).ok());
+  }
+  RestoredSession restored = restore();
+  EXPECT_TRUE(restored.exact);
+  EXPECT_EQ(restored.opened.session.num_done(), 2u);
+  expect_same_session(restored.opened.session, session);
 }
 
 TEST_F(JournalFiles, EveryTornLastLineIsDropped) {

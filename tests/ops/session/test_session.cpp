@@ -1,6 +1,7 @@
 // Undo, redo, history, what changed since saving, events.
 #include <gtest/gtest.h>
 
+#include "ops/move/live_move.h"
 #include "session_testing.h"
 
 namespace trivet::test {
@@ -54,6 +55,47 @@ TEST(Session, UndoesToTheStartAndRedoesToTheEndToTheBit) {
     }
     EXPECT_FALSE(session.redo());
   }
+}
+
+TEST(Session, SeveralOperationsAreOneStep) {
+  Session session = small_session();
+  const Scene start = session.scene();
+  ASSERT_TRUE(session.perform_all({put_at("a", 0, 0), put_at("b", 1, 0)}).ok());
+  ASSERT_EQ(session.steps().size(), 1u);
+  EXPECT_EQ(session.steps()[0].name, "put 2 objects");
+  EXPECT_EQ(session.layout().operations.size(), 2u);
+  const Scene after = session.scene();
+  ASSERT_TRUE(session.undo());
+  EXPECT_EQ(difference(session.scene(), start), "");
+  ASSERT_TRUE(session.redo());
+  EXPECT_EQ(difference(session.scene(), after), "");
+
+  // All or none.
+  EXPECT_FALSE(session.perform_all({delete_of("a"), put_at("c", 1, 0, 0.05)}).ok());
+  EXPECT_EQ(difference(session.scene(), after), "");
+  EXPECT_EQ(session.steps().size(), 1u);
+}
+
+TEST(Session, AMoveThatFollowsAHandIsOneStep) {
+  Session session = small_session();
+  session.perform(put_at("a", 0, 0));
+  const Scene start = session.scene();
+  PushOperation push;
+  push.object = "a";
+  {
+    LiveMove live = session.begin_live(push);
+    live.follow(Vec3(0.1, 0, 0));
+    EXPECT_EQ(difference(session.scene(), start), "");
+  }
+  LiveMove live = session.begin_live(push);
+  for (const double x : {0.1, 0.2, 0.25}) live.follow(Vec3(x, x, 0));
+  ASSERT_TRUE(session.finish(live).ok());
+  EXPECT_EQ(session.steps().size(), 2u);
+  Session again = small_session();
+  for (const Operation& operation : session.layout().operations) again.perform(operation);
+  EXPECT_EQ(fingerprint(session.scene()), fingerprint(again.scene()));
+  ASSERT_TRUE(session.undo());
+  EXPECT_EQ(difference(session.scene(), start), "");
 }
 
 TEST(Session, ANewStepForgetsWhatWasUndone) {

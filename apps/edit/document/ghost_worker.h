@@ -1,0 +1,49 @@
+// Tries operations on a copy of the scene, on a thread of its own; the latest request wins.
+// Private.
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+#include "apps/edit/document/ghost.h"
+
+namespace trivet::edit {
+
+class GhostWorker {
+ public:
+  using Answer = std::function<void(std::uint64_t request, Ghost ghost)>;
+  /// @param answer  called on the worker's thread; not for requests that were overtaken.
+  explicit GhostWorker(Answer answer);
+  ~GhostWorker();
+
+  /// @param scene  null: the one of the last request.
+  void request(std::uint64_t number, const Operation& operation, const SettleOptions& options,
+               std::unique_ptr<Scene> scene);
+  bool is_idle() const;
+
+ private:
+  struct Request {
+    std::uint64_t number = 0;
+    Operation operation;
+    SettleOptions options;
+    std::chrono::steady_clock::time_point when;
+  };
+  void run();
+  Ghost answer_to(const Request& request);
+
+  Answer m_answer;
+  std::unique_ptr<Scene> m_scene;  // the thread's
+  std::atomic<bool> m_cancel = false;
+  mutable std::mutex m_mutex;  // of what is below
+  std::condition_variable m_wake;
+  std::optional<Request> m_next;
+  std::unique_ptr<Scene> m_next_scene;
+  bool m_works = false, m_stop = false;
+  std::thread m_thread;
+};
+
+}  // namespace trivet::edit

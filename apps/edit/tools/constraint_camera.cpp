@@ -1,0 +1,55 @@
+#include "apps/edit/tools/constraint_camera.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "ops/move/turn_axis.h"
+
+namespace trivet::edit {
+namespace {
+
+constexpr double kFrame = 2.5;      // of the object's size: there is room to push it about
+constexpr double kSmallest = 1e-3;  // metres that are framed at least
+constexpr double kAlongZ = 0.9;
+
+// Towards the viewer, unit.
+Vec3 direction(const Link* link, const Selection& selection, const std::optional<Vec3>& axis) {
+  if (axis && axis->norm() > 0) return axis->normalized();
+  if (!link) return Vec3::UnitZ();
+  const bool edge = selection.contact && selection.contact->part == ActiveContact::Part::Edge;
+  if (edge && link->contact.hull.size() > 1) {
+    const auto [a, b] = held_line(link->contact, selection.contact->near);
+    const Vec3 along = (b - a).normalized();
+    // From the side from which one usually looks: the front, the right, above.
+    const double side = along.dot(Vec3(0.1, -1, 0.3));
+    return side < 0 ? Vec3(-along) : along;
+  }
+  return link->contact.normal;
+}
+
+}  // namespace
+
+View constraint_view(const SceneSnapshot& scene, const Selection& selection,
+                     const std::optional<Vec3>& axis, int width_px, int height_px) {
+  const auto id = selection.active();
+  const ObjectSnapshot* const object = id ? scene.find(*id) : nullptr;
+  const bool placed = object && (*object)->placed;
+  Aabb box = placed ? world_box(*object->object) : scene.box();
+  if (box.empty()) box = {Vec3::Constant(-0.5), Vec3::Constant(0.5)};
+  const Link* const link = placed ? active_link(selection, scene) : nullptr;
+  const Vec3 back = direction(link, selection, axis);
+  const double size = std::max(kSmallest, box.diagonal()) * (placed ? kFrame : 1.1);
+  Aabb everything = scene.box();
+  everything.extend(box);
+  View view;
+  view.orthographic = true;
+  view.target = box.centre();
+  view.eye = view.target + (everything.diagonal() + size) * back;
+  view.up = std::abs(back.z()) > kAlongZ ? Vec3(Vec3::UnitY()) : Vec3(Vec3::UnitZ());
+  view.width_px = width_px;
+  view.height_px = height_px;
+  view.height = width_px >= height_px ? size : size * height_px / width_px;
+  return view;
+}
+
+}  // namespace trivet::edit

@@ -1,0 +1,80 @@
+#include "apps/edit/tools/drag_tool.h"
+
+namespace trivet::edit {
+namespace {
+
+constexpr double kClickPx = 3;  // a press that moves less is a click
+
+}  // namespace
+
+bool DragTool::pointer(const PointerEvent& event) {
+  using Kind = PointerEvent::Kind;
+  if (event.kind == Kind::Press) {
+    if (m_pressed) return true;
+    if (event.button != MouseButton::Left || m_document.is_busy() || !grab(event)) return false;
+    m_pressed = event;
+    m_is_drag = false;
+    return true;
+  }
+  if (!m_pressed) {
+    if (event.kind == Kind::Move) hover(event);
+    return false;
+  }
+  if (event.kind == Kind::Move) {
+    if (!m_is_drag && (event.px - m_pressed->px).norm() > kClickPx) {
+      if (const auto operation = begin()) {
+        m_document.begin_drag(*operation);
+        m_is_drag = true;
+      }
+    }
+    if (m_is_drag && m_document.is_dragging()) steer(event);
+    return true;
+  }
+  if (event.kind != Kind::Release || event.button != MouseButton::Left) return true;
+  const bool was_drag = m_is_drag;
+  m_is_drag = false;
+  if (was_drag)
+    m_document.end_drag();
+  else if (!m_document.is_busy())
+    click(event);
+  m_pressed.reset();
+  return true;
+}
+
+bool DragTool::key(const KeyEvent& event) {
+  if (event.key != KeyEvent::Key::Escape) return false;
+  if (m_pressed) {
+    cancel();
+    return true;
+  }
+  if (m_document.selection() == Selection()) return false;
+  m_document.select({});
+  return true;
+}
+
+void DragTool::cancel() {
+  if (m_is_drag) m_document.cancel_drag();
+  m_is_drag = false;
+  m_pressed.reset();
+}
+
+Cursor DragTool::cursor() const {
+  if (!m_pressed) return Cursor::OpenHand;
+  const auto& drag = scene().drag;
+  return m_is_drag && drag && drag->blocked ? Cursor::Forbidden : Cursor::ClosedHand;
+}
+
+const ObjectSnapshot* DragTool::active() const {
+  const auto id = m_document.selection().active();
+  return id ? scene().find(*id) : nullptr;
+}
+
+const ObjectSnapshot* DragTool::grab_object(const PointerEvent& event) {
+  const auto picked = pick(scene(), event.ray());
+  if (!picked || !picked->object) return nullptr;
+  if (m_document.selection().active() != picked->object) m_document.select_only(picked->object);
+  m_grabbed_at = picked->point;
+  return active();
+}
+
+}  // namespace trivet::edit

@@ -1,0 +1,50 @@
+// What all tools share that drag: press, pull, release; Escape takes it back.
+#pragma once
+
+#include "apps/edit/tools/picking.h"
+#include "apps/edit/tools/tool.h"
+
+namespace trivet::edit {
+
+class DragTool : public Tool {
+ public:
+  DragTool(Document& document, const ToolOptions& options)
+      : m_document(document), m_options(options) {}
+
+  bool pointer(const PointerEvent& event) final;
+  bool key(const KeyEvent& event) override;
+  void cancel() override;
+  bool is_active() const override { return m_pressed.has_value(); }
+  Overlay overlay(const View&) const override { return {}; }
+  Cursor cursor() const override;
+
+ protected:
+  /// The left button went down. @return whether there is something to pull or to click.
+  virtual bool grab(const PointerEvent& event) = 0;
+  /// What the drag does; nothing: it is none.
+  virtual std::optional<Operation> begin() = 0;
+  /// Where the hand is now.
+  virtual void steer(const PointerEvent& event) = 0;
+  virtual void click(const PointerEvent&) {}
+  virtual void hover(const PointerEvent&) {}
+
+  const SceneSnapshot& scene() const { return *m_document.snapshot(); }
+  /// The object under the mouse becomes the active one; with its group of selected ones.
+  const ObjectSnapshot* grab_object(const PointerEvent& event);
+  const ObjectSnapshot* active() const;
+  template <class T>
+  T operation_of(const Object& object) const {
+    T operation;
+    operation.object = object.name;
+    operation.settle_left = m_options.settle_left;
+    return operation;
+  }
+
+  Document& m_document;
+  const ToolOptions& m_options;
+  std::optional<PointerEvent> m_pressed;
+  Vec3 m_grabbed_at = Vec3::Zero();  // world, where the object was pressed
+  bool m_is_drag = false;
+};
+
+}  // namespace trivet::edit

@@ -1,0 +1,107 @@
+#include "apps/edit/tools/gizmo_tool.h"
+
+#include "apps/edit/tools/placing.h"
+
+namespace trivet::edit {
+namespace {
+
+constexpr double kGoalsPerPx = 4;  // goals are rounded to less than this part of a pixel
+
+}  // namespace
+
+std::optional<Gizmo> GizmoTool::gizmo() const {
+  const ObjectSnapshot* const object = active();
+  if (!object || !(*object)->placed) return std::nullopt;
+  return Gizmo{(*object)->centre_of_mass(), m_turns};
+}
+
+bool GizmoTool::grab(const PointerEvent& event) {
+  if (const auto shown = gizmo()) {
+    m_hot = shown->hit(event.view, event.px);
+    if (m_hot) {
+      m_grabbed_at = shown->centre;
+      m_axis = shown->axis(*m_hot, event.view);
+      return true;
+    }
+  }
+  m_hot.reset();
+  m_axis = event.view.axes().back;
+  return grab_object(event) != nullptr;
+}
+
+std::optional<Operation> GizmoTool::begin() {
+  const ObjectSnapshot* const object = active();
+  if (!object) return std::nullopt;
+  if (!m_turns) {
+    auto move = operation_of<TranslateOperation>(*object->object);
+    move.free = m_options.free;
+    move.settle = m_options.let_go;
+    return move;
+  }
+  auto rotate = operation_of<RotateOperation>(*object->object);
+  for (int k = 0; k < 3; ++k) rotate.axis[k] = rounded(m_axis[k], 1e-6);
+  rotate.free = m_options.free;
+  rotate.settle = m_options.let_go;
+  m_turning = Turning(*m_pressed, (*object)->centre_of_mass(), m_axis);
+  return rotate;
+}
+
+Vec3 GizmoTool::way(const PointerEvent& event) const {
+  const bool line = m_hot && m_hot->kind == GizmoHandle::Kind::Arrow;
+  const auto at = [&](const PointerEvent& e) {
+    return line ? on_line(e.ray(), m_grabbed_at, m_axis) : on_plane(e.ray(), m_grabbed_at, m_axis);
+  };
+  const auto a = at(*m_pressed), b = at(event);
+  return a && b ? Vec3(*b - *a) : Vec3(Vec3::Zero());
+}
+
+void GizmoTool::steer(const PointerEvent& event) {
+  if (m_turns) {
+    m_document.drag_by(
+        m_turning.follow(event, event.modifiers.control ? m_options.angle_step_deg : 0));
+  } else {
+    Vec3 goal = way(event);
+    const double step = event.view.metres_per_px(event.view.depth(m_grabbed_at)) / kGoalsPerPx;
+    for (int k = 0; k < 3; ++k) goal[k] = rounded(goal[k], step);
+    m_document.drag_to(goal);
+  }
+  show_ghost();
+}
+
+// Where it would land, were it let go where the hand has it.
+void GizmoTool::show_ghost() {
+  const ObjectSnapshot* const object = active();
+  if (!object || m_options.free) return;
+  auto put = operation_of<PutOperation>(*object->object);
+  put.start = (*object)->pose;
+  m_document.request_ghost(put);
+}
+
+void GizmoTool::hover(const PointerEvent& event) {
+  const auto shown = gizmo();
+  m_hot = shown ? shown->hit(event.view, event.px) : std::nullopt;
+}
+
+void GizmoTool::cancel() {
+  DragTool::cancel();
+  m_document.clear_ghost();
+  m_hot.reset();
+}
+
+Overlay GizmoTool::overlay(const View& view) const {
+  Overlay overlay;
+  const auto shown = gizmo();
+  if (!shown) return overlay;
+  for (const GizmoHandle& handle : shown->handles())
+    for (const auto& [a, b] : shown->lines(handle, view))
+      overlay.lines.push_back(
+          {m_hot == handle ? Overlay::Role::HotHandle : Overlay::Role::Handle, a, b, handle.axis});
+  return overlay;
+}
+
+std::string GizmoTool::hint() const {
+  return m_turns ? "Drag a ring to turn the object; Control: in steps"
+                 : "Drag an arrow, a square, or the object itself";
+}
+
+}  // namespace trivet::edit

@@ -1,0 +1,36 @@
+// TRANSLATE and ROTATE by the gizmo; an object that is pulled itself goes along the view's plane.
+#pragma once
+
+#include "apps/edit/tools/drag_tool.h"
+#include "apps/edit/tools/gizmo.h"
+#include "apps/edit/tools/turning.h"
+
+namespace trivet::edit {
+
+class GizmoTool : public DragTool {
+ public:
+  GizmoTool(Document& document, const ToolOptions& options, bool turns)
+      : DragTool(document, options), m_turns(turns) {}
+  ToolKind kind() const override { return m_turns ? ToolKind::Rotate : ToolKind::Move; }
+  std::string hint() const override;
+  Overlay overlay(const View& view) const override;
+  void cancel() override;
+
+ protected:
+  bool grab(const PointerEvent& event) override;
+  std::optional<Operation> begin() override;
+  void steer(const PointerEvent& event) override;
+  void hover(const PointerEvent& event) override;
+
+ private:
+  std::optional<Gizmo> gizmo() const;
+  Vec3 way(const PointerEvent& event) const;
+  void show_ghost();
+
+  bool m_turns;
+  std::optional<GizmoHandle> m_hot;  // under the mouse, or in the hand
+  Vec3 m_axis = Vec3::UnitZ();       // of the handle in the hand
+  Turning m_turning;
+};
+
+}  // namespace trivet::edit

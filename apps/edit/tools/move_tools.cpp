@@ -1,0 +1,155 @@
+#include "apps/edit/tools/move_tools.h"
+
+#include <cmath>
+
+#include "apps/edit/tools/placing.h"
+
+namespace trivet::edit {
+namespace {
+
+constexpr double kEdgeOn = 0.12;   // sine: planes seen flatter are followed across the view
+constexpr double kGoalsPerPx = 4;  // goals are rounded to less than this part of a pixel
+
+std::vector<ObjectId> moving_with(const SceneSnapshot& scene, ObjectId object) {
+  std::vector<ObjectId> out{object};
+  for (size_t i = 0; i < out.size(); ++i)
+    for (const LoadSupport::Entry& e : scene.support->entries) {
+      if (!(e.object == out[i])) continue;
+      for (const ObjectId load : e.loads)
+        if (std::find(out.begin(), out.end(), load) == out.end()) out.push_back(load);
+    }
+  return out;
+}
+
+// How far the mouse has gone on a plane through `from`; seen edge-on, across the view.
+Vec3 way_on_plane(const PointerEvent& pressed, const PointerEvent& now, const Vec3& from,
+                  const Vec3& normal) {
+  const bool edge_on = std::abs(normal.dot(pressed.ray().direction.normalized())) < kEdgeOn;
+  const Vec3 plane = edge_on ? pressed.view.axes().back : normal;
+  const auto a = on_plane(pressed.ray(), from, plane), b = on_plane(now.ray(), from, plane);
+  return a && b ? Vec3(*b - *a) : Vec3(Vec3::Zero());
+}
+
+}  // namespace
+
+// --- PUT ---------------------------------------------------------------------------------------
+
+bool PutTool::grab(const PointerEvent& event) {
+  if (active()) return true;
+  return grab_object(event) != nullptr;
+}
+
+std::optional<Operation> PutTool::operation_at(const PointerEvent& event) const {
+  const ObjectSnapshot* const object = active();
+  if (!object) return std::nullopt;
+  const std::vector<ObjectId> moving = moving_with(scene(), object->id);
+  const auto picked = pick(scene(), event.ray(), moving);
+  if (!picked) return std::nullopt;
+  const double step = event.view.metres_per_px(event.view.depth(picked->point)) / kGoalsPerPx;
+  Vec3 point = picked->point;
+  for (int k = 0; k < 2; ++k) point[k] = rounded(point[k], step);
+  auto put = operation_of<PutOperation>(*object->object);
+  put.start = put_start(scene(), *object->object, moving, point, m_options.drop_height,
+                        event.modifiers.alt);
+  return put;
+}
+
+bool PutTool::put(const PointerEvent& event) {
+  const auto operation = operation_at(event);
+  if (!operation) return false;
+  m_document.clear_ghost();
+  m_document.perform(*operation);
+  return true;
+}
+
+void PutTool::hover(const PointerEvent& event) {
+  if (m_document.is_busy()) return;
+  if (const auto operation = operation_at(event))
+    m_document.request_ghost(*operation);
+  else
+    m_document.clear_ghost();
+}
+
+void PutTool::cancel() {
+  DragTool::cancel();
+  m_document.clear_ghost();
+}
+
+std::string PutTool::hint() const {
+  return active() ? "Click where the object shall lie; Alt: drop it from just above that point"
+                  : "Select the object that you want to put down";
+}
+
+// --- PUSH --------------------------------------------------------------------------------------
+
+bool PushTool::grab(const PointerEvent& event) {
+  const ObjectSnapshot* const object = grab_object(event);
+  if (!object) return false;
+  const Link* const link = active_link(m_document.selection(), scene());
+  m_normal = link && link->contact.normal.z() > 0.1 ? link->contact.normal : Vec3(Vec3::UnitZ());
+  m_start = (*object)->pose.translation;
+  return true;
+}
+
+std::optional<Operation> PushTool::begin() {
+  const ObjectSnapshot* const object = active();
+  if (!object) return std::nullopt;
+  auto push = operation_of<PushOperation>(*object->object);
+  push.step_up = m_options.step_up;
+  push.step_down = m_options.step_down;
+  push.slide = m_options.slide;
+  push.settle = m_options.settle;
+  return push;
+}
+
+void PushTool::steer(const PointerEvent& event) {
+  Vec3 goal = m_start + way_on_plane(*m_pressed, event, m_grabbed_at, m_normal);
+  const double step = event.view.metres_per_px(event.view.depth(m_grabbed_at)) / kGoalsPerPx;
+  for (int k = 0; k < 2; ++k) goal[k] = rounded(goal[k], step);
+  m_document.drag_to(goal);
+}
+
+std::string PushTool::hint() const {
+  return "Drag an object along the surface on which it lies; Escape takes it back";
+}
+
+// --- PICK-UP -----------------------------------------------------------------------------------
+
+bool PickUpTool::grab(const PointerEvent& event) {
+  if (!grab_object(event)) return false;
+  const Link* const link = active_link(m_document.selection(), scene());
+  m_direction = link ? link->contact.normal : Vec3(Vec3::UnitZ());
+  return true;
+}
+
+std::optional<Operation> PickUpTool::begin() {
+  const ObjectSnapshot* const object = active();
+  if (!object) return std::nullopt;
+  return operation_of<PickUpOperation>(*object->object);
+}
+
+void PickUpTool::steer(const PointerEvent& event) {
+  const double metres = event.view.metres_per_px(event.view.depth(m_grabbed_at));
+  const auto a = on_line(m_pressed->ray(), m_grabbed_at, m_direction);
+  const auto b = on_line(event.ray(), m_grabbed_at, m_direction);
+  // Along the view, upwards on the screen is away.
+  double distance = metres * (m_pressed->px.y() - event.px.y());
+  if (a && b && std::abs(m_direction.dot(event.view.forward())) < 0.95)
+    distance = (*b - *a).dot(m_direction);
+  m_document.drag_by(std::max(0.0, rounded(distance, metres / kGoalsPerPx)));
+}
+
+bool PickUpTool::pick_up() {
+  const ObjectSnapshot* const object = active();
+  if (!object) return false;
+  auto pick_up = operation_of<PickUpOperation>(*object->object);
+  pick_up.distance = m_options.pick_up_distance;
+  m_document.perform(pick_up);
+  return true;
+}
+
+std::string PickUpTool::hint() const {
+  return "Click an object to pick it up, or pull it away from what it lies on";
+}
+
+}  // namespace trivet::edit

@@ -1,0 +1,89 @@
+#include "apps/edit/tools/turn_tool.h"
+
+#include "apps/edit/tools/contact_picking.h"
+#include "apps/edit/tools/placing.h"
+
+namespace trivet::edit {
+namespace {
+
+constexpr double kCrossPx = 12;
+constexpr double kAxisPx = 60;
+
+}  // namespace
+
+TurnOperation turn_about(const SceneSnapshot& scene, const Selection& selection,
+                         const Vec3& view_axis) {
+  TurnOperation turn;
+  const Link* const link = active_link(selection, scene);
+  if (!link) return turn;
+  turn.with = link->with ? (*scene.find(*link->with))->name : "floor";
+  if (!selection.contact || selection.contact->part == ActiveContact::Part::Area) return turn;
+  turn.point = selection.contact->near;
+  const bool edge =
+      selection.contact->part == ActiveContact::Part::Edge && link->contact.hull.size() > 1;
+  turn.about = edge ? TurnOperation::About::Line : TurnOperation::About::Point;
+  if (!edge)
+    turn.axis = Vec3(rounded(view_axis.x(), 1e-6), rounded(view_axis.y(), 1e-6),
+                     rounded(view_axis.z(), 1e-6));
+  return turn;
+}
+
+bool TurnTool::grab(const PointerEvent& event) {
+  if (const auto contact = pick_contact(scene(), m_document.selection(), event.view, event.px)) {
+    Selection selection = m_document.selection();
+    selection.contact = contact;
+    m_document.select(std::move(selection));
+    return true;
+  }
+  return grab_object(event) != nullptr;
+}
+
+std::optional<Operation> TurnTool::begin() {
+  const ObjectSnapshot* const object = active();
+  const Link* const link = active_link(m_document.selection(), scene());
+  if (!object) return std::nullopt;
+  TurnOperation turn = turn_about(scene(), m_document.selection(), m_pressed->view.axes().back);
+  turn.object = (*object)->name;
+  turn.settle = m_options.let_go;
+  turn.settle_left = m_options.settle_left;
+  if (link) {
+    m_axis = turn_axis(*object->object, link->contact, turn);
+    // Which of its directions is told, so that what turns goes with the mouse.
+    if (turn.about == TurnOperation::About::Line) turn.axis = m_axis->direction;
+    m_turning = Turning(*m_pressed, m_axis->centre, m_axis->direction);
+  }
+  return turn;
+}
+
+void TurnTool::steer(const PointerEvent& event) {
+  m_document.drag_by(
+      m_turning.follow(event, event.modifiers.control ? m_options.angle_step_deg : 0));
+}
+
+void TurnTool::hover(const PointerEvent& event) {
+  m_axis.reset();
+  m_hovered = pick_contact(scene(), m_document.selection(), event.view, event.px);
+}
+
+Overlay TurnTool::overlay(const View& view) const {
+  Overlay overlay;
+  if (m_axis && m_is_drag) {
+    const Vec3 arm = kAxisPx * view.metres_per_px(view.depth(m_axis->centre)) * m_axis->direction;
+    overlay.lines.push_back({Overlay::Role::Hint, m_axis->centre - arm, m_axis->centre + arm});
+    return overlay;
+  }
+  Selection shown = m_document.selection();
+  if (m_hovered) shown.contact = m_hovered;
+  const Link* const link = active_link(shown, scene());
+  if (!link || !shown.contact) return overlay;
+  const double size = kCrossPx * view.metres_per_px(view.depth(shown.contact->near));
+  for (const auto& [a, b] : contact_lines(link->contact, *shown.contact, size))
+    overlay.lines.push_back({Overlay::Role::HoverEdge, a, b});
+  return overlay;
+}
+
+std::string TurnTool::hint() const {
+  return "Click a contact's point, edge or area, then drag to turn about it; Control: in steps";
+}
+
+}  // namespace trivet::edit
