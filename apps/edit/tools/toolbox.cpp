@@ -2,7 +2,6 @@
 
 #include "apps/edit/tools/gizmo_tool.h"
 #include "apps/edit/tools/move_tools.h"
-#include "apps/edit/tools/placing.h"
 #include "apps/edit/tools/select_tool.h"
 #include "apps/edit/tools/turn_tool.h"
 
@@ -94,31 +93,6 @@ bool Toolbox::erase_selected() {
   return true;
 }
 
-bool Toolbox::duplicate_selected() {
-  if (m_document.is_busy() || m_document.is_dragging()) return false;
-  const SceneSnapshot& scene = *m_document.snapshot();
-  std::vector<Operation> operations;
-  std::vector<std::string> names;
-  for (const ObjectId id : m_document.selection().objects) {
-    const Object& object = *scene.find(id)->object;
-    std::string name;
-    for (int i = 2; name.empty() || scene.find(name); ++i)
-      name = std::string(object.name).append("_").append(std::to_string(i));
-    operations.push_back(DuplicateOperation{object.name, name});
-    names.push_back(name);
-    if (!object.placed) continue;
-    const Aabb box = world_box(object);
-    const Vec3 beside = object.centre_of_mass() + 2.2 * box.half_extent().x() * Vec3::UnitX();
-    PutOperation put;
-    put.object = name;
-    put.start = put_start(scene, object, {}, beside, m_options.drop_height, false);
-    operations.push_back(put);
-  }
-  if (operations.empty()) return false;
-  m_document.perform_all("duplicate", std::move(operations), std::move(names));
-  return true;
-}
-
 bool Toolbox::key(const KeyEvent& event) {
   bool taken = m_tool->key(event);
   const bool plain = !event.modifiers.control && !event.modifiers.alt;
@@ -126,8 +100,8 @@ bool Toolbox::key(const KeyEvent& event) {
   if (!taken && event.key == KeyEvent::Key::Character && plain) {
     const auto kind = kind_of(event.character);
     if (kind) take(*kind);
-    taken = kind || (event.character == 'd' && event.modifiers.shift && duplicate_selected()) ||
-            (event.character == 'p' && put_at_pointer()) || (event.character == 'u' && pick_up());
+    taken = kind || (event.character == 'p' && put_at_pointer()) ||
+            (event.character == 'u' && pick_up());
   }
   if (taken && changed) changed();
   return taken;

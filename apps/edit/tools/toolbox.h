@@ -28,7 +28,6 @@ class Toolbox {
   bool put_at_pointer();  // the active object, where the mouse was last
   bool pick_up();         // the active object, by ToolOptions::pick_up_distance
   bool erase_selected();
-  bool duplicate_selected();  // beside the originals, to the right; the copies are selected
 
   Overlay overlay(const View& view) const { return m_tool->overlay(view); }
   Cursor cursor() const;
