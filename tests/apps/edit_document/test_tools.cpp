@@ -76,12 +76,16 @@ TEST_F(Tools, LayOutSpoonSaucerFromNothing) {
   ASSERT_FALSE(saucer.links.empty());
   const std::vector<Vec3>& hull = saucer.links[0].contact.hull;
   ASSERT_GE(hull.size(), 3u);
-  hand.look_down({Vec3(-0.1, -0.1, 0), Vec3(0.1, 0.1, 0.02)});
   const Vec3 middle = 0.5 * (hull[0] + hull[1]);
+  const Vec3 room = Vec3::Constant((hull[1] - hull[0]).norm());
+  hand.look_down({middle - room, middle + room});
   hand.click(hand.px(middle));
   ASSERT_TRUE(document->selection().contact);
-  EXPECT_NE(document->selection().contact->part, ActiveContact::Part::Area);
-  hand.drag(hand.px(middle), hand.px(middle) + Vec2(30, 30), 6);
+  EXPECT_EQ(document->selection().contact->part, ActiveContact::Part::Edge);
+  // Outwards: over the edge.
+  const Vec3 outwards = (middle - saucer.centre_of_mass()).cwiseProduct(Vec3(1, 1, 0));
+  const Vec2 way = 24 * (hand.px(middle + outwards) - hand.px(middle)).normalized();
+  hand.drag(hand.px(middle), hand.px(middle) + way, 6);
   EXPECT_EQ(document->history().num_done, steps + 1) << document.last_text();
   EXPECT_EQ(document.object("saucer").state, ObjectState::Held);
   expect_sound();
