@@ -59,7 +59,7 @@ Wanted wanted_of(const std::vector<float>& lower, const std::vector<float>& uppe
     out.lower = std::min(out.lower, lower[i]);
     out.upper = std::max(out.upper, upper[i]);
   }
-  out.upper = out.upper + later + 1e-6F * (std::abs(out.upper) + later);
+  if (out.x1 >= 0) out.upper += later + 1e-6F * (std::abs(out.upper) + later);
   return out;
 }
 
