@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <iostream>
 
+#include "core/base/error.h"
+#include "core/io/isolated.h"
 #include "ops/layout/json_text.h"
 
 namespace trivet::apps {
@@ -20,6 +22,14 @@ bool shows_progress(const CommonOptions& common) { return !common.quiet && isatt
 ImportLimits CommonOptions::limits() const {
   ImportLimits limits;
   limits.max_file_bytes = static_cast<std::uintmax_t>(max_file_mb * 1e6);
+  limits.max_seconds = import_seconds;
+  limits.max_memory_bytes = static_cast<std::uintmax_t>(import_memory_mb * 1e6);
+  if (import_in_process) return limits;
+  limits.importer = find_importer();
+  if (limits.importer.empty())
+    throw Error(Error::Kind::Environment,
+                "the program trivet-import, in which models are read, is not beside this one; "
+                "accepted: --import-in-process");
   return limits;
 }
 
@@ -33,6 +43,17 @@ void add_common_options(CLI::App& app, CommonOptions& common) {
       ->group(group);
   app.add_option("--max-file-mb", common.max_file_mb, "Larger input files are refused")
       ->check(number_from(0, 1e9))
+      ->group(group);
+  app.add_flag("--import-in-process", common.import_in_process,
+               "Read models in this process, not in one of their own that may crash")
+      ->group(group);
+  app.add_option("--import-seconds", common.import_seconds,
+                 "For one model; 0: 60, and one for each MB of the file")
+      ->check(number_from(0, 1e6))
+      ->group(group);
+  app.add_option("--import-memory-mb", common.import_memory_mb,
+                 "For one model; 0: 1024, and 64 for each MB of the file")
+      ->check(number_from(0, 1e7))
       ->group(group);
   app.add_flag("--json", common.json, "JSON on standard output, errors too")->group(group);
   app.add_flag("--quiet", common.quiet, "Nothing but results and errors")->group(group);

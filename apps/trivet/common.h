@@ -21,7 +21,11 @@ struct CommonOptions {
   bool quiet = false;
   bool verbose = false;
   double max_file_mb = 4096;
+  bool import_in_process = false;
+  double import_seconds = 0;    // 0: 60, and one for each MB
+  double import_memory_mb = 0;  // 0: 1024, and 64 for each MB
 
+  /// @throws Error (Environment) when the program trivet-import is wanted and missing.
   ImportLimits limits() const;
 };
 void add_common_options(CLI::App& app, CommonOptions& common);

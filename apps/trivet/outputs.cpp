@@ -150,7 +150,7 @@ void tell_work(const Detector& detector, const CommonOptions& common, ReportOpti
 void add_output_options(CLI::App& app, OutputPaths& paths) {
   app.add_option(
       "-o,--output", paths.scene,
-      "The scene: .glb, .obj, .ply, .stl, or for simulators, as trivet export writes it");
+      "The scene: .glb, .gltf, .obj, .ply, .stl, or for simulators, as trivet export writes it");
   app.add_option("--report", paths.report, "The report, JSON");
   app.add_option("--picture", paths.picture, "A picture, .png");
 }
@@ -165,7 +165,7 @@ void check_extension(const std::string& path, const std::vector<std::string>& ac
 }
 
 void check_outputs(const OutputPaths& paths, const std::vector<std::string>& inputs) {
-  std::vector<std::string> accepted = {".glb", ".obj", ".ply", ".stl"};
+  std::vector<std::string> accepted = {".glb", ".gltf", ".obj", ".ply", ".stl"};
   for (const std::string& extension : simulation_extensions()) accepted.push_back(extension);
   if (!paths.scene.empty()) check_extension(paths.scene, accepted);
   if (!paths.picture.empty()) check_extension(paths.picture, {".png"});
@@ -188,7 +188,7 @@ Outputs::Outputs(const OutputPaths& paths, const std::vector<std::string>& input
 }
 
 int Outputs::write(const LayoutRun& run, const Layout& layout, const SettleOptions& settle,
-                   const ModelFolders& folders) {
+                   const ModelFolders& folders, const GltfScene* in_place) {
   ReportOptions report_options;
   report_options.version = TRIVET_VERSION;
   report_options.model_folder = folders.in_report;
@@ -197,8 +197,11 @@ int Outputs::write(const LayoutRun& run, const Layout& layout, const SettleOptio
   // All that can fail but the disk comes first.
   const std::string png = m_picture ? m_picture->png(run.scene) : "";
   clear_progress_line(m_common);
-  if (is_simulation_extension(extension_of(m_paths.scene)))
+  const std::string extension = extension_of(m_paths.scene);
+  if (is_simulation_extension(extension))
     export_simulation(run.scene, m_paths.scene);
+  else if (in_place && (extension == ".glb" || extension == ".gltf"))
+    in_place->write(m_paths.scene);
   else if (!m_paths.scene.empty())
     write_scene_file(run.scene, layout, {TRIVET_VERSION, folders.in_scene, settle.clearance},
                      m_paths.scene);

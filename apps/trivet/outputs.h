@@ -7,6 +7,7 @@
 
 #include "apps/trivet/common.h"
 #include "apps/trivet/picture.h"
+#include "ops/inplace/scene_objects.h"
 #include "ops/layout/paths.h"
 #include "ops/layout/run.h"
 #include "ops/report/report.h"
@@ -43,8 +44,9 @@ class Outputs {
 
   /// Writes all files and says on standard output what was done; the report itself with --json.
   /// @return the exit status: 1 when an operation was refused or the check failed.
+  /// @param in_place  the scene whose nodes were moved: .glb and .gltf are that scene.
   int write(const LayoutRun& run, const Layout& layout, const SettleOptions& settle,
-            const ModelFolders& folders);
+            const ModelFolders& folders, const GltfScene* in_place = nullptr);
 
  private:
   OutputPaths m_paths;

@@ -1,6 +1,7 @@
 #include "apps/trivet/scene_input.h"
 
 #include "apps/trivet/outputs.h"
+#include "core/io/isolated.h"
 
 namespace trivet::apps {
 namespace {
@@ -13,7 +14,7 @@ Scene scene_of_model(const std::string& path, const CommonOptions& common) {
   object.pose = Pose{};
   layout.objects.push_back(object);
   const ModelSource source = [&](const std::string& name) {
-    return read_model(name, common.limits());
+    return import_model(name, common.limits());
   };
   Scene scene = make_scene(layout, source, run_options(common, {}));
   Object& placed = scene.at(scene.ids().front());
@@ -24,7 +25,9 @@ Scene scene_of_model(const std::string& path, const CommonOptions& common) {
 }  // namespace
 
 Scene read_scene_or_model(const std::string& path, const CommonOptions& common) {
-  if (extension_of(path) != ".glb" || !is_scene_file(path)) return scene_of_model(path, common);
+  const std::string extension = extension_of(path);
+  if ((extension != ".glb" && extension != ".gltf") || !is_scene_file(path))
+    return scene_of_model(path, common);
   SceneFile file = read_scene_file(path, common.limits());
   for (const std::string& note : file.notes) print_note(common, note);
   return std::move(file.scene);

@@ -2,6 +2,7 @@
 
 #include "apps/trivet/verbs.h"
 #include "core/index/shape.h"
+#include "core/io/isolated.h"
 #include "ops/report/model_info.h"
 
 namespace trivet::apps {
@@ -11,7 +12,7 @@ Verb add_info(CLI::App& app, const CommonOptions& common) {
   const auto path = std::make_shared<std::string>();
   verb->add_option("model", *path, "The model file")->required()->type_name("MODEL");
   return {verb, [path, &common] {
-            const Model model = read_model(*path, common.limits());
+            const Model model = import_model(*path, common.limits());
             const auto shape = make_shape(model.mesh);
             std::cout << (common.json ? model_info_json(model, *shape)
                                       : model_info_text(model, *shape));

@@ -4,6 +4,7 @@
 #include "apps/trivet/outputs.h"
 #include "apps/trivet/verbs.h"
 #include "core/base/error.h"
+#include "core/io/isolated.h"
 #include "ops/report/geometry.h"
 
 namespace trivet::apps {
@@ -77,7 +78,7 @@ LayoutObject layout_object(const PutArguments& arguments, const SceneFile& file)
 Object load_object(const PutArguments& arguments, const Layout& addition, const Scene& scene,
                    const CommonOptions& common, const RunOptions& options) {
   const ModelSource source = [&](const std::string&) {
-    return read_model(arguments.model, common.limits());
+    return import_model(arguments.model, common.limits());
   };
   const Scene single = make_scene(addition, source, options);
   Object object = single.at(single.ids().front());

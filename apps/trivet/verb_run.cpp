@@ -1,5 +1,9 @@
+#include <filesystem>
+
 #include "apps/trivet/outputs.h"
 #include "apps/trivet/verbs.h"
+#include "core/base/error.h"
+#include "ops/inplace/run_in_scene.h"
 
 namespace trivet::apps {
 namespace {
@@ -11,17 +15,35 @@ struct RunArguments {
   bool stop_at_refusal = false;
 };
 
+// A scene in place stays what it is.
+void check_kind(const std::string& output, const std::string& scene) {
+  const std::string wanted = extension_of(output), is = extension_of(scene);
+  if ((wanted == ".glb" || wanted == ".gltf") && wanted != is)
+    throw Error(Error::Kind::BadInput, output + ": the scene " + scene +
+                                           " is written as what it is; accepted: " + is +
+                                           ", .obj, .ply, .stl");
+}
+
 int run(const RunArguments& arguments, const CommonOptions& common) {
   const Layout layout = read_layout(arguments.layout, common.limits().max_file_bytes);
-  Outputs outputs(arguments.outputs, {arguments.layout}, common);
+  const std::string folder = folder_of(arguments.layout);
+  std::unique_ptr<GltfScene> scene;
+  std::vector<std::string> inputs{arguments.layout};
+  if (!layout.scene.empty()) {
+    inputs.push_back((std::filesystem::path(folder) / layout.scene).string());
+    scene = std::make_unique<GltfScene>(inputs.back(), layout.scene_rule, common.limits());
+    check_kind(arguments.outputs.scene, inputs.back());
+  }
+  Outputs outputs(arguments.outputs, inputs, common);
   const std::unique_ptr<Detector> detector = make_detector(common);
   RunOptions options = run_options(common, arguments.settle, detector.get());
   options.stop_at_refusal = arguments.stop_at_refusal;
   options.layout_file = arguments.layout;
-  const std::string folder = folder_of(arguments.layout);
-  const LayoutRun result = run_layout(layout, models_in_folder(folder, common.limits()), options);
+  const LayoutRun result =
+      scene ? run_in_scene(layout, *scene, options)
+            : run_layout(layout, models_in_folder(folder, common.limits()), options);
   return outputs.write(result, layout, options.settle,
-                       {folder_from(arguments.outputs.scene, folder), ""});
+                       {folder_from(arguments.outputs.scene, folder), ""}, scene.get());
 }
 
 }  // namespace

@@ -58,7 +58,7 @@ struct Instance {
 /// What is in the file and not in the model.
 struct LeftOut {
   std::int64_t points = 0, lines = 0, polygons = 0;
-  int textured = 0, coloured = 0, skinned = 0, mirrored = 0;
+  int skinned = 0, mirrored = 0;
 };
 
 // Depth first, children in order; no recursion, as a hostile file may be deep.
@@ -135,8 +135,6 @@ class Reader {
   }
 
   void survey(const aiMesh& mesh, bool mirrored) {
-    m_left_out.textured += mesh.HasTextureCoords(0);
-    m_left_out.coloured += mesh.HasVertexColors(0);
     m_left_out.skinned += mesh.HasBones();
     m_left_out.mirrored += mirrored;
   }
@@ -193,8 +191,6 @@ class Reader {
     note("points left out", m_left_out.points);
     note("lines left out", m_left_out.lines);
     note("polygons left out, as they could not be triangulated", m_left_out.polygons);
-    note("meshes whose texture coordinates are left out", m_left_out.textured);
-    note("meshes whose vertex colours are left out", m_left_out.coloured);
     note("meshes with bones, read in their bind pose", m_left_out.skinned);
     note("meshes that their nodes mirror, winding kept as in the file", m_left_out.mirrored);
   }

@@ -1,4 +1,4 @@
-// Scenes to files: binary glTF 2.0, OBJ, PLY, STL. Files are replaced atomically.
+// Scenes to files: glTF 2.0, OBJ, PLY, STL. Files are replaced atomically.
 #pragma once
 
 #include <functional>
@@ -23,9 +23,10 @@ struct ExportScene {
   std::string extras_json;  // glTF `extras` of the scene; empty: none
 };
 
-/// Where a reader of the glTF sees a vertex, as doubles (world, z up): float32 node matrix times
-/// float32 vertex in double, rounded to float32. This is what the exact check of a float32 export
-/// looks at, and it is computed by the code that writes the file.
+/// Where a reader of the glTF sees a vertex, as doubles (world, z up): float32 vertex, in double
+/// through the nodes below the object's own as read_model() does it, then through the object's
+/// float32 matrix, rounded to float32. This is what the exact check of a float32 export looks at,
+/// and it is computed by the code that writes the file.
 class ExportedPlacement {
  public:
   /// @param mesh_box  of object.model->mesh.
@@ -35,15 +36,18 @@ class ExportedPlacement {
 
  private:
   Vec3 m_centre;
+  bool m_has_look;
   Affine m_y_up_from_local;  // float32 entries
 };
 
 /// All vertices of the mesh through ExportedPlacement.
 std::vector<Eigen::Vector3f> exported_positions(const ExportObject& object);
 
-/// By extension: .glb, .obj (with .mtl beside it), .ply, .stl; the last three hold the coordinates
-/// of exported_positions(). Objects without triangles stay as empty nodes. Writes beside the target
-/// and renames, so that the target is either the old file or the whole new one.
+/// By extension: .glb; .gltf (with .bin and pictures beside it); .obj (with .mtl beside it), .ply
+/// and .stl, which hold the coordinates of exported_positions(). glTF holds a model with all its
+/// look (Model::look), once however many objects show it. Objects without triangles stay as empty
+/// nodes. Writes beside the target and renames, so that the target is either the old file or the
+/// whole new one.
 /// @throws Error: BadInput for an unknown extension, Environment when it cannot be written.
 void write_scene(const ExportScene& scene, const std::string& path);
 

@@ -41,11 +41,16 @@ float finite_float(double value, const ExportObject& object) {
 
 }  // namespace
 
-LocalVertices local_vertices(const Mesh& mesh) {
+Vec3 export_centre(const Model& model, const Aabb& mesh_box) {
+  const Vec3 centre = local_centre(mesh_box);
+  return model.look ? Vec3(centre.cast<float>().cast<double>()) : centre;
+}
+
+LocalVertices local_vertices(const Model& model) {
   LocalVertices out;
-  out.centre = local_centre(mesh.box());
-  out.positions.reserve(mesh.vertices.size());
-  for (const Vec3& p : mesh.vertices) out.positions.push_back((p - out.centre).cast<float>());
+  out.centre = export_centre(model, model.mesh.box());
+  out.positions.reserve(model.mesh.vertices.size());
+  for (const Vec3& p : model.mesh.vertices) out.positions.push_back((p - out.centre).cast<float>());
   return out;
 }
 
@@ -60,7 +65,7 @@ NodeMatrix node_matrix(const ExportObject& object, const Vec3& centre) {
 }
 
 ExportedPlacement::ExportedPlacement(const ExportObject& object, const Aabb& mesh_box)
-    : m_centre(local_centre(mesh_box)) {
+    : m_centre(export_centre(*object.model, mesh_box)), m_has_look(object.model->look != nullptr) {
   const NodeMatrix rows = node_matrix(object, m_centre);
   for (int r = 0; r < 3; ++r) {
     for (int c = 0; c < 3; ++c) m_y_up_from_local.linear(r, c) = rows[r][c];
@@ -69,8 +74,10 @@ ExportedPlacement::ExportedPlacement(const ExportObject& object, const Aabb& mes
 }
 
 Vec3 ExportedPlacement::operator()(const Vec3& vertex) const {
-  const Eigen::Vector3f local = (vertex - m_centre).cast<float>();
-  const Eigen::Vector3f y_up = m_y_up_from_local.apply(local.cast<double>()).cast<float>();
+  Vec3 local = vertex - m_centre;
+  // A look's float32 vertices come through its own nodes, in double, as they did at import.
+  if (!m_has_look) local = local.cast<float>().cast<double>();
+  const Eigen::Vector3f y_up = m_y_up_from_local.apply(local).cast<float>();
   return {y_up.x(), -y_up.z(), y_up.y()};
 }
 

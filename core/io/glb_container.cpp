@@ -1,5 +1,6 @@
 #include "core/io/glb_container.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdint>
 #include <cstring>
@@ -81,6 +82,20 @@ std::string read_glb_json(const std::string& path) {
   std::string json(header.json_bytes, '\0');
   if (!in.read(json.data(), header.json_bytes)) fail(path, "cannot be read to the end");
   return json;
+}
+
+std::string read_glb_binary(const std::string& path, size_t json_bytes) {
+  std::ifstream file(path, std::ios::binary);
+  file.seekg(static_cast<std::streamoff>(sizeof(Header) + json_bytes));
+  std::uint32_t header[2] = {0, 0};
+  if (!file.read(reinterpret_cast<char*>(header), kChunkHeaderBytes) || header[1] != kBinaryChunk)
+    return "";
+  std::error_code error;
+  std::string bytes(std::min<std::uintmax_t>(header[0], std::filesystem::file_size(path, error)),
+                    '\0');
+  file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  bytes.resize(static_cast<size_t>(file.gcount()));
+  return bytes;
 }
 
 }  // namespace trivet

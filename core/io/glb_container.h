@@ -12,4 +12,7 @@ std::string pack_glb(std::string json, const std::string& binary);
 /// The JSON chunk of a file. @throws Error (BadInput) naming the file when it is no whole GLB.
 std::string read_glb_json(const std::string& path);
 
+/// The binary chunk behind a JSON chunk of that length; empty when there is none.
+std::string read_glb_binary(const std::string& path, size_t json_bytes);
+
 }  // namespace trivet

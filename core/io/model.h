@@ -1,6 +1,7 @@
 // Models as files have them: triangles for geometry, appearance for pictures and export.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,6 +19,8 @@ struct Material {
   float roughness = 0.6f;
 };
 
+struct Look;
+
 /// Everything read from one file. Geometry is exact: float32 positions of the file, node matrices
 /// (float32) multiplied in double, row by row.
 struct Model {
@@ -33,12 +36,18 @@ struct Model {
   std::optional<double> metres_per_unit;  // what the file says, if it does (reported, not applied)
   std::vector<std::string> notes;         // what was found and left out: lines, points, empty nodes
   int num_nodes = 0;
+  // Hierarchy, texture coordinates, textures, cameras, lights: what goes along to glTF. Null where
+  // the members above say it all.
+  std::shared_ptr<const Look> look;
 };
 
-/// Limits for untrusted files.
+/// Limits for untrusted files. The last three hold for import_model() (isolated.h).
 struct ImportLimits {
   std::uintmax_t max_file_bytes = std::uintmax_t{4} << 30;
   std::int64_t max_triangles = 50'000'000;
+  std::string importer;                 // the program trivet-import; empty: in this process
+  double max_seconds = 0;               // 0: 60, and one for each MB of the file
+  std::uintmax_t max_memory_bytes = 0;  // 0: 1 GiB, and 64 times the file's size
 };
 
 /// Reads a model with assimp. Polygons are triangulated; points and lines are left out and noted.

@@ -10,6 +10,8 @@
 #include "core/base/error.h"
 #include "core/io/assimp_appearance.h"
 #include "core/io/assimp_geometry.h"
+#include "core/io/assimp_look.h"
+#include "core/io/gltf_document.h"
 #include "core/io/model.h"
 #include "core/io/preflight.h"
 
@@ -56,9 +58,25 @@ const aiScene& import_scene(Assimp::Importer& importer, const std::string& path)
     check_faces(path, *scene);
     scene = importer.ApplyPostProcessing(aiProcess_Triangulate);
   }
+  if (!scene && std::string(importer.GetErrorString()).find("bad_alloc") != std::string::npos)
+    throw std::bad_alloc();
   if (!scene || !scene->mRootNode)
     fail(path, "cannot be read as a model: " + printable(importer.GetErrorString()));
   return *scene;
+}
+
+// glTF from the file itself: nothing that it says gets lost on the way.
+void read_look(const aiScene& scene, const ImportLimits& limits, Model& model) {
+  if (model.format != "gltf2") {
+    model.look = look_of_assimp(scene, limits, model);
+    return;
+  }
+  try {
+    const GltfDocument document = read_gltf_document(model.path, limits);
+    model.look = look_of_gltf(document, scene_roots(document.json), model.notes);
+  } catch (const Error& e) {
+    model.notes.push_back(std::string("hierarchy and textures left out: ") + e.what());
+  }
 }
 
 }  // namespace
@@ -75,6 +93,7 @@ Model read_model(const std::string& path, const ImportLimits& limits) {
     read_materials(scene, model);
     read_frame(scene, model);
     read_geometry(scene, limits, model);
+    read_look(scene, limits, model);
     return model;
   } catch (const Error&) {
     throw;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/io/export.h"
+#include "core/io/gltf_document.h"
 
 namespace trivet {
 
@@ -17,9 +18,11 @@ void append_bytes(std::string& out, const T& value) {
   out.append(reinterpret_cast<const char*>(&value), sizeof value);
 }
 
-/// Binary glTF 2.0: a node per object, a mesh per model, a primitive per material.
-/// @throws Error (BadInput): extras that are no JSON, poses beyond float32, more than 4 GiB.
-std::string glb_bytes(const ExportScene& scene);
+/// glTF 2.0: a node per object; below it the model's look, else a mesh with a primitive per
+/// material.
+/// @throws Error (BadInput): extras that are no JSON, poses beyond float32.
+GltfDocument gltf_document(const ExportScene& scene);
+GltfJson material_json(const Material& material);
 
 /// World coordinates, z up: the float32 of exported_positions(), nine significant digits.
 struct ObjText {

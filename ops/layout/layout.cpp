@@ -14,11 +14,34 @@ namespace {
 constexpr int kVersion = 1;
 constexpr double kUnitTolerance = 4e-15;
 
+constexpr std::pair<const char*, SceneRule> kSceneRules[] = {
+    {"roots", SceneRule::Roots}, {"groups", SceneRule::Groups}, {"meshes", SceneRule::Meshes}};
+
+SceneRule read_scene_rule(const JsonPlace& place) {
+  for (const auto& [name, rule] : kSceneRules)
+    if (place.value() == name) return rule;
+  place.refuse("\"roots\", \"groups\" or \"meshes\"");
+}
+
+std::string read_name(const JsonPlace& place) {
+  const std::string name = place.text();
+  if (name == "floor") place.refuse("any name but \"floor\", which is the floor");
+  return name;
+}
+
+// One that the scene has, where the scene has it.
+LayoutObject read_scene_object(const JsonPlace& place) {
+  place.expect_object({"name"}, {"fixed"});
+  LayoutObject object;
+  object.name = read_name(place.at("name"));
+  if (const auto fixed = place.find("fixed")) object.fixed = fixed->boolean();
+  return object;
+}
+
 LayoutObject read_object(const JsonPlace& place) {
   place.expect_object({"name", "model"}, {"scale", "up", "fixed", "position", "rotation"});
   LayoutObject object;
-  object.name = place.at("name").text();
-  if (object.name == "floor") place.at("name").refuse("any name but \"floor\", which is the floor");
+  object.name = read_name(place.at("name"));
   object.model = place.at("model").text();
   if (const auto scale = place.find("scale")) object.scale = scale->number(kMinScale, kMaxScale);
   if (const auto up = place.find("up")) object.up = read_up(*up);
@@ -31,11 +54,11 @@ LayoutObject read_object(const JsonPlace& place) {
   return object;
 }
 
-std::vector<LayoutObject> read_objects(const JsonPlace& place) {
+std::vector<LayoutObject> read_objects(const JsonPlace& place, bool of_scene) {
   std::vector<LayoutObject> objects;
   std::map<std::string, size_t> index_of;
   for (const JsonPlace& item : place.items()) {
-    objects.push_back(read_object(item));
+    objects.push_back(of_scene ? read_scene_object(item) : read_object(item));
     const auto [it, is_new] = index_of.emplace(objects.back().name, objects.size() - 1);
     if (!is_new)
       item.at("name").fail(item.at("name").value().dump() + " is already the name of /objects/" +
@@ -88,14 +111,20 @@ std::optional<Rotation> unit_rotation(const std::array<double, 4>& q) {
 Layout parse_layout(const std::string& text, const std::string& file) {
   const nlohmann::json document = parse_json(text, file);
   const JsonPlace root(document, file);
-  root.expect_object({"trivet", "objects"}, {"floor", "operations"});
+  root.expect_object({"trivet", "objects"}, {"floor", "scene", "scene_objects", "operations"});
   const JsonPlace version = root.at("trivet");
   if (!version.value().is_number() || version.value() != kVersion)
     version.refuse(std::to_string(kVersion) + ", the version of the layout format");
 
   Layout layout;
+  if (const auto scene = root.find("scene")) layout.scene = scene->text();
+  if (const auto rule = root.find("scene_objects")) {
+    if (layout.scene.empty()) rule->fail("there is no \"scene\" for it");
+    layout.scene_rule = read_scene_rule(*rule);
+  }
+  layout.floor = layout.scene.empty();  // a scene has its own
   if (const auto floor = root.find("floor")) layout.floor = floor->boolean();
-  layout.objects = read_objects(root.at("objects"));
+  layout.objects = read_objects(root.at("objects"), !layout.scene.empty());
   std::set<std::string> names;
   for (const LayoutObject& object : layout.objects) names.insert(object.name);
   if (const auto operations = root.find("operations"))
@@ -111,9 +140,15 @@ Layout read_layout(const std::string& path, std::uintmax_t max_bytes) {
 std::string write_layout(const Layout& layout) {
   using Json = nlohmann::ordered_json;
   Json json = {{"trivet", kVersion}, {"floor", layout.floor}};
+  if (!layout.scene.empty()) {
+    json["scene"] = layout.scene;
+    for (const auto& [name, rule] : kSceneRules)
+      if (rule == layout.scene_rule) json["scene_objects"] = name;
+  }
   json["objects"] = Json::array();
   for (const LayoutObject& o : layout.objects) {
-    Json entry = {{"name", o.name}, {"model", o.model}, {"scale", o.scale}};
+    Json entry = {{"name", o.name}};
+    if (layout.scene.empty()) entry.update({{"model", o.model}, {"scale", o.scale}});
     if (o.up) entry["up"] = *o.up == UpAxis::Y ? "y" : "z";
     if (o.fixed) entry["fixed"] = true;
     if (o.pose) write_pose(*o.pose, entry);

@@ -22,9 +22,16 @@ inline constexpr double kMinDirectionComponent = 1e-6, kMaxDirectionComponent = 
 inline constexpr double kMaxAngleDeg = 3600;
 inline constexpr std::uint64_t kMaxSeed = std::uint64_t{1} << 53;
 
+/// Which nodes of a glTF scene are objects, each with all below it.
+enum class SceneRule {
+  Roots,   // those at the top, or in the one node at the top that holds them all
+  Groups,  // the first on the way down that has a mesh, or only children with meshes of their own
+  Meshes,  // every node with a mesh, its own mesh alone
+};
+
 struct LayoutObject {
-  std::string name;          // unique, not "floor"
-  std::string model;         // path relative to the layout file
+  std::string name;          // unique, not "floor"; of Layout::scene, if there is one
+  std::string model;         // path relative to the layout file; empty: of the scene
   double scale = 1;          // metres per file unit
   std::optional<UpAxis> up;  // nothing: as the model's format says, else z
   bool fixed = false;
@@ -34,6 +41,8 @@ struct LayoutObject {
 
 struct Layout {
   bool floor = true;
+  std::string scene;  // a glTF file whose objects are picked, relative to the layout; empty: none
+  SceneRule scene_rule = SceneRule::Roots;
   std::vector<LayoutObject> objects;
   std::vector<Operation> operations;  // on objects of these names
 };

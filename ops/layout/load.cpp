@@ -7,6 +7,8 @@
 #include <mutex>
 #include <thread>
 
+#include "core/io/isolated.h"
+
 namespace trivet {
 namespace {
 
@@ -21,7 +23,7 @@ LoadedModel load_model(const std::string& name, const ModelSource& source) {
 
 ModelSource models_in_folder(const std::string& folder, const ImportLimits& limits) {
   return [folder, limits](const std::string& name) {
-    return read_model((std::filesystem::path(folder) / name).string(), limits);
+    return import_model((std::filesystem::path(folder) / name).string(), limits);
   };
 }
 

@@ -130,6 +130,10 @@ bool LayoutRun::ok() const {
 }
 
 Scene make_scene(const Layout& layout, const ModelSource& models, const RunOptions& options) {
+  if (!layout.scene.empty())
+    throw Error(Error::Kind::BadInput, options.layout_file +
+                                           ": /scene: is not accepted here; accepted: layouts of "
+                                           "models. Scenes in place are laid out by trivet run");
   const std::map<std::string, SizedModel> by_name = load_all(layout, models, options);
   Scene scene;
   scene.floor = layout.floor;

@@ -14,12 +14,14 @@ constexpr double kMaxCount = 1e15;
 
 OrderedJson model_json(const Model& model, const SceneFileOptions& options) {
   const StoredGeometry stored = stored_geometry(model);
-  return {{"path", joined_path(options.model_folder, model.path)},
-          {"triangles", stored.num_triangles},
-          {"fingerprint", stored.fingerprint},
-          {"stored_fingerprint", stored.stored_fingerprint},
-          {"centre", to_json(stored.centre)},
-          {"face_order", stored.face_order}};
+  OrderedJson json = {{"path", joined_path(options.model_folder, model.path)},
+                      {"triangles", stored.num_triangles},
+                      {"fingerprint", stored.fingerprint},
+                      {"stored_fingerprint", stored.stored_fingerprint},
+                      {"centre", to_json(stored.centre)},
+                      {"face_order", stored.face_order}};
+  if (stored.own_nodes) json["own_nodes"] = true;
+  return json;
 }
 
 OrderedJson stored_object_json(const Object& object, size_t model) {
@@ -55,7 +57,7 @@ OrderedJson layout_json(Layout layout, const SceneFileOptions& options) {
 
 ExtrasModel read_model_entry(const JsonPlace& place) {
   place.expect_object({"path", "triangles", "fingerprint", "stored_fingerprint", "centre"},
-                      {"face_order"});
+                      {"face_order", "own_nodes"});
   ExtrasModel model;
   model.path = place.at("path").text();
   StoredGeometry& stored = model.geometry;
@@ -64,6 +66,7 @@ ExtrasModel read_model_entry(const JsonPlace& place) {
   stored.stored_fingerprint = place.at("stored_fingerprint").text();
   const std::vector<double> centre = place.at("centre").numbers(3, -1e300, 1e300);
   stored.centre = {centre[0], centre[1], centre[2]};
+  if (const auto own = place.find("own_nodes")) stored.own_nodes = own->boolean();
   if (const auto order = place.find("face_order"))
     for (const JsonPlace& run : order->items()) {
       const std::vector<double> entry = run.numbers(2, 0, kMaxCount);

@@ -2,7 +2,7 @@
 //
 //   scene.extras.trivet: {"trivet": 1, "version", "floor", "clearance",
 //     "models":  [{"path", "triangles", "fingerprint", "stored_fingerprint", "centre",
-//                  "face_order"}],                       see geometry.h
+//                  "face_order", "own_nodes"}],          see geometry.h
 //     "objects": [{"name", "model": index, "up", "scale", "fixed", "state",
 //                  "position", "rotation",               no position: out of the scene
 //                  "locked", "group"}],                  if it is

@@ -7,6 +7,7 @@
 #include "core/base/hash.h"
 #include "core/io/appearance.h"
 #include "core/io/float_export.h"
+#include "core/io/isolated.h"
 #include "ops/report/glb_nodes.h"
 
 namespace trivet {
@@ -95,7 +96,13 @@ StoredGeometry stored_geometry(const Model& model) {
   StoredGeometry out;
   out.num_triangles = static_cast<std::int64_t>(model.mesh.triangles.size());
   out.fingerprint = geometry_fingerprint(model.mesh);
-  const LocalVertices local = local_vertices(model.mesh);
+  if (model.look) {
+    out.stored_fingerprint = out.fingerprint;
+    out.centre = export_centre(model, model.mesh.box());
+    out.own_nodes = true;
+    return out;
+  }
+  const LocalVertices local = local_vertices(model);
   Mesh stored{{}, model.mesh.triangles};
   stored.vertices.reserve(local.positions.size());
   for (const Eigen::Vector3f& p : local.positions)
@@ -106,13 +113,18 @@ StoredGeometry stored_geometry(const Model& model) {
   return out;
 }
 
-std::vector<Model> read_node_models(const std::string& path, const std::vector<std::string>& nodes,
-                                    const std::vector<std::int64_t>& num_triangles,
-                                    const ImportLimits& limits) {
+std::vector<Model> read_node_models(
+    const std::string& path, const std::vector<std::pair<std::string, StoredGeometry>>& nodes,
+    const ImportLimits& limits) {
   if (nodes.empty()) return {};
-  const TemporaryGlb file(path, nodes);
-  Model all = read_model(file.path(), limits);
-  const auto total = std::accumulate(num_triangles.begin(), num_triangles.end(), std::int64_t{0});
+  std::vector<ModelNode> wanted;
+  std::int64_t total = 0;
+  for (const auto& [name, stored] : nodes) {
+    wanted.push_back({name, stored.own_nodes, stored.own_nodes && !stored.centre.isZero()});
+    total += stored.num_triangles;
+  }
+  NodeModels parts(path, wanted, limits);
+  Model all = import_model(parts.path(), limits);
   if (static_cast<std::int64_t>(all.mesh.triangles.size()) != total)
     throw Error(Error::Kind::BadInput, path + ": has " + std::to_string(all.mesh.triangles.size()) +
                                            " triangles, not " + std::to_string(total) +
@@ -120,14 +132,17 @@ std::vector<Model> read_node_models(const std::string& path, const std::vector<s
   all.path = path;
   std::vector<Model> models;
   size_t first = 0;
-  for (const std::int64_t count : num_triangles) {
-    models.push_back(part_of(all, first, static_cast<size_t>(count)));
-    first += static_cast<size_t>(count);
+  for (size_t i = 0; i < nodes.size(); ++i) {
+    const auto count = static_cast<size_t>(nodes[i].second.num_triangles);
+    models.push_back(part_of(all, first, count));
+    models.back().look = parts.look(i);
+    first += count;
   }
   return models;
 }
 
 Model restored(Model model, const StoredGeometry& stored) {
+  if (stored.own_nodes) return model;
   std::vector<Triangle> triangles;
   triangles.reserve(model.mesh.triangles.size());
   for (size_t f = 0; f < model.mesh.triangles.size(); ++f) {

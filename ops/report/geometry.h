@@ -21,6 +21,9 @@ struct StoredGeometry {
   std::string fingerprint;         // of the model's triangles, in double
   std::string stored_fingerprint;  // of what the file gives back; the same when nothing is lost
   Vec3 centre = Vec3::Zero();      // what the file's positions are about
+  // The file has the model's own nodes: positions are those of the model's file, and come back to
+  // the bit in its order; `centre` is a node's.
+  bool own_nodes = false;
   // Runs of (group of equal material, number of triangles) in the model's order; empty: the file
   // has the model's order.
   std::vector<std::array<std::int64_t, 2>> face_order;
@@ -31,13 +34,12 @@ std::string geometry_fingerprint(const Mesh& mesh);
 
 StoredGeometry stored_geometry(const Model& model);
 
-/// The models of a .glb as Trivet wrote it, one for each of `nodes`, in their mesh's coordinates
-/// and the file's order of triangles.
-/// @param num_triangles  that each must have.
+/// The models of a scene file as Trivet wrote it, in their mesh's coordinates and the file's order
+/// of triangles, one for each pair of a node's name and what is known about its model.
 /// @throws Error (BadInput) when nodes are missing or have other numbers of triangles.
-std::vector<Model> read_node_models(const std::string& path, const std::vector<std::string>& nodes,
-                                    const std::vector<std::int64_t>& num_triangles,
-                                    const ImportLimits& limits);
+std::vector<Model> read_node_models(
+    const std::string& path, const std::vector<std::pair<std::string, StoredGeometry>>& nodes,
+    const ImportLimits& limits);
 
 /// The model in its own order and about its own origin. An order that does not fit is left alone:
 /// the fingerprint shows it.

@@ -1,99 +1,54 @@
 #include "ops/report/glb_nodes.h"
 
-#include <unistd.h>
-
-#include <cerrno>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <map>
 
 #include "core/base/error.h"
-#include "core/io/glb_container.h"
-#include "ops/layout/json_text.h"
+#include "core/io/gltf_builder.h"
 
 namespace trivet {
 namespace {
 
-using nlohmann::json;
-
-// Where the JSON chunk's text begins, and what a chunk has before its bytes.
-constexpr std::streamoff kJsonStart = 20, kChunkHeader = 8;
-
-json read_document(const std::string& path) { return parse_json(read_glb_json(path), path); }
-
-// The second chunk; empty when there is none.
-std::string read_binary(const std::string& path, size_t json_bytes) {
-  std::ifstream file(path, std::ios::binary);
-  file.seekg(kJsonStart + static_cast<std::streamoff>(json_bytes));
-  std::uint32_t header[2] = {0, 0};
-  if (!file.read(reinterpret_cast<char*>(header), kChunkHeader)) return "";
-  std::error_code error;
-  std::string bytes(std::min<std::uintmax_t>(header[0], std::filesystem::file_size(path, error)),
-                    '\0');
-  file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  bytes.resize(static_cast<size_t>(file.gcount()));
-  return bytes;
+// Names of the scene's own nodes; a model's nodes below them may be called the same.
+std::map<std::string, int> roots_by_name(const GltfJson& root) {
+  std::map<std::string, int> out;
+  if (member(root, "nodes").empty()) return out;
+  for (const int node : scene_roots(root))
+    out.emplace(name_of(element(root, "nodes", GltfJson(static_cast<unsigned>(node)))), node);
+  return out;
 }
 
-const json* member(const json& object, const char* key) {
-  if (!object.is_object()) return nullptr;
-  const auto it = object.find(key);
-  return it == object.end() ? nullptr : &*it;
-}
-
-std::string name_of(const json& node) {
-  const json* name = member(node, "name");
-  return name && name->is_string() ? name->get<std::string>() : "";
-}
-
-// One node per wanted one, with nothing but its mesh.
-json reduced(json document, const std::string& path, const std::vector<std::string>& wanted) {
-  std::map<std::string, json> mesh_of;
-  if (const json* nodes = member(document, "nodes"); nodes && nodes->is_array())
-    for (const json& node : *nodes)
-      if (const json* mesh = member(node, "mesh")) mesh_of.emplace(name_of(node), *mesh);
-  json nodes = json::array(), ids = json::array();
-  for (const std::string& name : wanted) {
-    const auto it = mesh_of.find(name);
-    if (it == mesh_of.end())
-      throw Error(Error::Kind::BadInput,
-                  path + ": has no mesh for \"" + name + "\"; another program has changed it");
-    ids.push_back(nodes.size());
-    nodes.push_back({{"mesh", it->second}});
+// A node like the object's own, but with nothing of its pose and of Trivet's data.
+GltfJson bare_node(const GltfJson& root, const GltfJson& node, const ModelNode& wanted) {
+  GltfJson out = GltfJson::object();
+  if (const GltfJson& mesh = member(node, "mesh"); !mesh.is_null()) {
+    out["mesh"] = mesh;
+    const std::string name = name_of(element(root, "meshes", mesh));
+    if (wanted.own_nodes && !name.empty()) out["name"] = name;
   }
-  document["nodes"] = std::move(nodes);
-  document["scenes"] = json::array({{{"nodes", std::move(ids)}}});
-  document["scene"] = 0;
-  return document;
+  const GltfJson* children = &member(node, "children");
+  if (wanted.pivot && children->size() == 1)
+    children = &member(element(root, "nodes", children->front()), "children");
+  if (wanted.own_nodes && !children->empty()) out["children"] = *children;
+  return out;
 }
 
-std::string write_temporary(const std::string& bytes) {
-  const char* const suffix = ".glb";
-  std::error_code error;
-  std::filesystem::path folder = std::filesystem::temp_directory_path(error);
-  if (error) folder = "/tmp";
-  std::string path = (folder / "trivet_XXXXXX").string() + suffix;
-  const int descriptor = mkstemps(path.data(), static_cast<int>(std::strlen(suffix)));
-  if (descriptor < 0)
-    throw Error(Error::Kind::Environment,
-                path + ": a temporary file cannot be written: " + std::strerror(errno));
-  close(descriptor);
-  std::ofstream file(path, std::ios::binary);
-  file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  file.close();
-  if (file) return path;
-  const std::string reason = std::strerror(errno);
-  std::filesystem::remove(path, error);
-  throw Error(Error::Kind::Environment, path + ": a temporary file cannot be written: " + reason);
+// What the model's look begins with: the nodes below, or the mesh alone.
+std::vector<int> look_roots(const GltfJson& node, int id) {
+  std::vector<int> out;
+  for (const GltfJson& child : member(node, "children"))
+    out.push_back(static_cast<int>(index_from(child)));
+  if (out.empty()) out.push_back(id);
+  return out;
 }
 
-std::vector<double> matrix_of(const json& node) {
+std::vector<double> matrix_of(const GltfJson& node) {
   std::vector<double> matrix;
-  const json* given = member(node, "matrix");
-  if (given && given->is_array()) {
-    for (const json& entry : *given) matrix.push_back(entry.is_number() ? entry.get<double>() : 0);
-  } else if (!member(node, "translation") && !member(node, "rotation") && !member(node, "scale")) {
+  const GltfJson& given = member(node, "matrix");
+  if (given.is_array()) {
+    for (const GltfJson& entry : given)
+      matrix.push_back(entry.is_number() ? entry.get<double>() : 0);
+  } else if (!node.contains("translation") && !node.contains("rotation") &&
+             !node.contains("scale")) {
     for (int i = 0; i < 16; ++i) matrix.push_back(i % 5 == 0 ? 1 : 0);
   }
   return matrix;
@@ -101,24 +56,39 @@ std::vector<double> matrix_of(const json& node) {
 
 }  // namespace
 
-TemporaryGlb::TemporaryGlb(const std::string& path, const std::vector<std::string>& nodes) {
-  const std::string text = read_glb_json(path);
-  const json document = reduced(parse_json(text, path), path, nodes);
-  const std::string dumped = document.dump(-1, ' ', false, json::error_handler_t::replace);
-  m_path = write_temporary(pack_glb(dumped, read_binary(path, text.size())));
-}
-
-TemporaryGlb::~TemporaryGlb() {
-  std::error_code ignored;
-  std::filesystem::remove(m_path, ignored);
+NodeModels::NodeModels(const std::string& path, const std::vector<ModelNode>& nodes,
+                       const ImportLimits& limits) {
+  GltfDocument document = read_gltf_document(path, limits);
+  const std::map<std::string, int> roots = roots_by_name(document.json);
+  GltfJson ids = GltfJson::array();
+  std::vector<std::string> notes;
+  for (const ModelNode& wanted : nodes) {
+    const auto found = roots.find(wanted.name);
+    const GltfJson bare =
+        found == roots.end()
+            ? GltfJson::object()
+            : bare_node(document.json, document.json["nodes"][found->second], wanted);
+    if (bare.empty())
+      throw Error(Error::Kind::BadInput, path + ": has no mesh for \"" + wanted.name +
+                                             "\"; another program has changed it");
+    const size_t id = document.json["nodes"].size();
+    ids.push_back(id);
+    document.json["nodes"].push_back(bare);
+    m_looks.push_back(wanted.own_nodes
+                          ? look_of_gltf(document, look_roots(bare, static_cast<int>(id)), notes)
+                          : nullptr);
+  }
+  for (const auto& [name, node] : roots) document.json["nodes"][node].erase("children");
+  document.json["scenes"] = GltfJson::array({{{"nodes", std::move(ids)}}});
+  document.json["scene"] = 0;
+  m_file = std::make_unique<TemporaryFile>(glb_bytes(std::move(document)), ".glb");
 }
 
 std::vector<NodePose> read_node_poses(const std::string& path) {
-  const json document = read_document(path);
+  const GltfJson root = parse_gltf_json(path, read_gltf_text(path));
   std::vector<NodePose> poses;
-  const json* nodes = member(document, "nodes");
-  if (nodes && nodes->is_array())
-    for (const json& node : *nodes) poses.push_back({name_of(node), matrix_of(node)});
+  for (const auto& [name, node] : roots_by_name(root))
+    poses.push_back({name, matrix_of(root["nodes"][node])});
   return poses;
 }
 

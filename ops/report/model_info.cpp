@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "core/io/look.h"
 #include "ops/layout/json_text.h"
 #include "ops/report/json_parts.h"
 
@@ -15,6 +16,25 @@ const char* up_reason(const Model& model) {
 }
 
 std::string yes_no(bool value) { return value ? "yes" : "no"; }
+
+// What goes along with the geometry to glTF; null: nothing but materials and normals.
+OrderedJson look_json(const Model& model) {
+  if (!model.look) return nullptr;
+  const LookCounts c = count(*model.look);
+  return {{"nodes", c.nodes},       {"meshes", c.meshes}, {"materials", c.materials},
+          {"textures", c.textures}, {"images", c.images}, {"image_bytes", c.image_bytes},
+          {"cameras", c.cameras},   {"lights", c.lights}};
+}
+
+std::string look_text(const Model& model) {
+  if (!model.look) return "";
+  const LookCounts c = count(*model.look);
+  std::ostringstream out;
+  out << "  look        nodes " << c.nodes << ", meshes " << c.meshes << ", materials "
+      << c.materials << ", textures " << c.textures << " of " << c.images << " images ("
+      << c.image_bytes << " bytes), cameras " << c.cameras << ", lights " << c.lights << "\n";
+  return out.str();
+}
 
 std::string vector_text(const Vec3& v) {
   std::ostringstream out;
@@ -48,6 +68,7 @@ std::string model_info_json(const Model& model, const Shape& shape) {
                       {"format", model.format},
                       {"nodes", model.num_nodes},
                       {"materials", model.materials.size()},
+                      {"look", look_json(model)},
                       {"triangles", shape.mesh.triangles.size()},
                       {"vertices", shape.mesh.vertices.size()},
                       {"edges", t.num_edges},
@@ -80,7 +101,7 @@ std::string model_info_text(const Model& model, const Shape& shape) {
   out << model.path << "\n"
       << "  format      " << model.format << ", nodes " << model.num_nodes << ", materials "
       << model.materials.size() << "\n"
-      << "  triangles   " << shape.mesh.triangles.size() << ", vertices "
+      << look_text(model) << "  triangles   " << shape.mesh.triangles.size() << ", vertices "
       << shape.mesh.vertices.size() << ", components " << shape.adjacency.components.size() << "\n"
       << "  closed      " << yes_no(t.closed) << ", oriented " << yes_no(t.oriented)
       << ", manifold " << yes_no(t.manifold) << "\n"

@@ -6,6 +6,7 @@
 #include "core/base/error.h"
 #include "core/io/export.h"
 #include "core/io/float_export.h"
+#include "core/io/isolated.h"
 #include "ops/report/extras.h"
 #include "ops/report/glb_nodes.h"
 #include "ops/report/report.h"
@@ -64,14 +65,10 @@ class SceneReader {
  private:
   void read_models() {
     const std::vector<std::string> nodes = nodes_of_models(m_extras);
-    std::vector<std::string> wanted;
-    std::vector<std::int64_t> num_triangles;
+    std::vector<std::pair<std::string, StoredGeometry>> wanted;
     for (size_t i = 0; i < nodes.size(); ++i)
-      if (!nodes[i].empty()) {
-        wanted.push_back(nodes[i]);
-        num_triangles.push_back(m_extras.models[i].geometry.num_triangles);
-      }
-    std::vector<Model> stored = read_node_models(m_path, wanted, num_triangles, m_limits);
+      if (!nodes[i].empty()) wanted.emplace_back(nodes[i], m_extras.models[i].geometry);
+    std::vector<Model> stored = read_node_models(m_path, wanted, m_limits);
     size_t next = 0;
     for (size_t i = 0; i < nodes.size(); ++i) {
       const ExtrasModel& entry = m_extras.models[i];
@@ -100,7 +97,7 @@ class SceneReader {
   std::shared_ptr<Model> own_file(const ExtrasModel& entry) const {
     try {
       const auto path = std::filesystem::path(m_folder) / entry.path;
-      auto model = std::make_shared<Model>(read_model(path.string(), m_limits));
+      auto model = std::make_shared<Model>(import_model(path.string(), m_limits));
       if (geometry_fingerprint(model->mesh) == entry.geometry.fingerprint) return model;
     } catch (const Error&) {
       // As good as missing.

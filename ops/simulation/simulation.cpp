@@ -108,7 +108,8 @@ class SceneMaker {
     model.name = std::filesystem::path(object.model->path).stem().string();
     model.model = object.model;
     model.link_from_object = world_from_object({}, object.up, object.scale);
-    const Vec3 shift = model.link_from_object.apply(local_vertices(object.shape->mesh).centre);
+    const Vec3 shift =
+        model.link_from_object.apply(export_centre(*object.model, object.shape->box));
     model.link_from_object.translation = -shift;
     m_shifts.push_back(shift);
     if (m_options.collision != CollisionRule::Mesh) {

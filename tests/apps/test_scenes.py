@@ -84,7 +84,7 @@ class Outputs(Case):
 
     def test_wrong_names(self):
         layout = self.two_cubes()
-        self.refused("run", layout, "-o", "s.xyz", says=[".xyz", "accepted: .glb, .obj, .ply, .stl"])
+        self.refused("run", layout, "-o", "s.xyz", says=[".xyz", "accepted: .glb, .gltf, .obj, .ply, .stl"])
         self.refused("run", layout, "-o", "scene", says="accepted: .glb")
         self.refused("run", layout, "-o", "s.glb", "--picture", "p.bmp", says="accepted: .png")
         self.refused("run", layout, "-o", "s.glb", "--report", "./s.glb", says="two outputs")

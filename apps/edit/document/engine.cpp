@@ -2,6 +2,7 @@
 
 #include "apps/edit/document/results.h"
 #include "core/base/error.h"
+#include "core/io/isolated.h"
 #include "ops/verify.h"
 
 namespace trivet::edit {
@@ -10,11 +11,17 @@ namespace {
 /// Thrown out of progress callbacks when the user has cancelled.
 struct Cancelled {};
 
+// A file that crashes the import library must not take the editor along.
+DocumentOptions with_importer(DocumentOptions options) {
+  if (options.limits.importer.empty()) options.limits.importer = find_importer();
+  return options;
+}
+
 }  // namespace
 
 Engine::Engine(Document& document, DocumentOptions options)
     : m_document(document),
-      m_options(std::move(options)),
+      m_options(with_importer(std::move(options))),
       m_ghosts([this](std::uint64_t request, Ghost ghost) {
         tell([request, ghost = std::move(ghost)](Document& shown) {
           shown.show_ghost(request, ghost);

@@ -1,0 +1,16 @@
+// The look of models in formats other than glTF.
+#pragma once
+
+#include "core/io/look.h"
+
+struct aiScene;
+
+namespace trivet {
+
+/// Reads path, format, materials and mesh of `model`; adds notes. Null when the model has nothing
+/// that its geometry, normals and materials do not say: one node without a transform, no texture
+/// coordinates, no vertex colours.
+std::shared_ptr<const Look> look_of_assimp(const aiScene& scene, const ImportLimits& limits,
+                                           Model& model);
+
+}  // namespace trivet

@@ -1,0 +1,36 @@
+// Materials of an assimp scene as glTF has them, with their textures. Private: it shows the JSON
+// library.
+#pragma once
+
+#include "core/io/gltf_builder.h"
+
+struct aiScene;
+struct aiMaterial;
+
+namespace trivet {
+
+/// Adds materials to a glTF asset, each when it is first used.
+class MaterialConverter {
+ public:
+  MaterialConverter(const aiScene& scene, const ImportLimits& limits, Model& model,
+                    GltfBuilder& builder);
+  size_t material(unsigned id);
+
+ private:
+  GltfJson converted(unsigned id);
+  /// The reference to a texture of that kind (aiTextureType); null when there is none.
+  GltfJson texture(const aiMaterial& material, int kind);
+  SharedBytes image_bytes(const std::string& path);
+  SharedBytes file_bytes(const std::string& path) const;
+  void note(const std::string& text);
+
+  const aiScene& m_scene;
+  const ImportLimits& m_limits;
+  Model& m_model;
+  GltfBuilder& m_builder;
+  std::map<unsigned, size_t> m_materials;
+  std::map<std::string, SharedBytes> m_images;
+  std::map<GltfJson, size_t> m_samplers, m_textures;
+};
+
+}  // namespace trivet

@@ -1,0 +1,211 @@
+#include "core/io/isolated.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <new>
+
+#include "core/io/model_bytes.h"
+#include "core/io/preflight.h"
+
+extern char** environ;
+
+namespace trivet {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+constexpr double kBaseSeconds = 60, kSecondsPerByte = 1e-6;
+constexpr std::uintmax_t kBaseMemory = std::uintmax_t{1} << 30, kMemoryPerByte = 64;
+constexpr int kOutput = 3;  // the descriptor on which trivet-import answers
+
+[[noreturn]] void fail(const std::string& path, const std::string& reason) {
+  throw Error(Error::Kind::BadInput, path + ": " + reason);
+}
+
+[[noreturn]] void fail_environment(const std::string& what, int error) {
+  throw Error(Error::Kind::Environment, what + ": " + std::strerror(error));
+}
+
+ImportLimits with_defaults(ImportLimits limits, const std::string& path) {
+  std::error_code error;
+  const std::uintmax_t bytes = fs::file_size(path, error);
+  const std::uintmax_t size = error ? 0 : bytes;
+  if (!(limits.max_seconds > 0))
+    limits.max_seconds = kBaseSeconds + kSecondsPerByte * static_cast<double>(size);
+  if (limits.max_memory_bytes == 0) limits.max_memory_bytes = kBaseMemory + kMemoryPerByte * size;
+  return limits;
+}
+
+/// A descriptor that closes itself.
+class Descriptor {
+ public:
+  explicit Descriptor(int number) : m_number(number) {}
+  ~Descriptor() { reset(); }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  int number() const { return m_number; }
+  void reset() {
+    if (m_number >= 0) close(m_number);
+    m_number = -1;
+  }
+
+ private:
+  int m_number;
+};
+
+/// A running trivet-import; killed and collected at the end at the latest.
+class Child {
+ public:
+  Child(const std::string& path, const ImportLimits& limits, int output) {
+    const std::string numbers[] = {
+        std::to_string(limits.max_file_bytes), std::to_string(limits.max_triangles),
+        std::to_string(limits.max_memory_bytes), std::to_string(std::ceil(limits.max_seconds) + 1)};
+    std::vector<char*> arguments;
+    for (const std::string* text :
+         {&limits.importer, &path, &numbers[0], &numbers[1], &numbers[2], &numbers[3]})
+      arguments.push_back(const_cast<char*>(text->c_str()));
+    arguments.push_back(nullptr);
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_adddup2(&actions, output, kOutput);
+    posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_addopen(&actions, 1, "/dev/null", O_WRONLY, 0);
+    posix_spawn_file_actions_addopen(&actions, 2, "/dev/null", O_WRONLY, 0);
+    const int error =
+        posix_spawn(&m_id, limits.importer.c_str(), &actions, nullptr, arguments.data(), environ);
+    posix_spawn_file_actions_destroy(&actions);
+    if (error != 0) fail_environment(limits.importer + ": cannot be started", error);
+  }
+  ~Child() {
+    if (m_id <= 0) return;
+    kill(m_id, SIGKILL);
+    wait();
+  }
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+
+  int wait() {
+    int status = 0;
+    while (waitpid(m_id, &status, 0) < 0 && errno == EINTR) {
+    }
+    m_id = -1;
+    return status;
+  }
+
+ private:
+  pid_t m_id = -1;
+};
+
+/// Everything that comes before the deadline. @throws Error (BadInput) at the deadline, and for
+/// more than the limit.
+std::string received(int descriptor, const std::string& path, const ImportLimits& limits) {
+  const auto deadline = Clock::now() + std::chrono::duration<double>(limits.max_seconds);
+  std::string out;
+  std::string block(1 << 20, '\0');
+  while (true) {
+    const double left = std::chrono::duration<double>(deadline - Clock::now()).count();
+    if (left <= 0)
+      fail(path, "reading it took longer than the limit of " +
+                     std::to_string(static_cast<long>(std::ceil(limits.max_seconds))) + " s");
+    pollfd waiting{descriptor, POLLIN, 0};
+    const int ready = poll(&waiting, 1, static_cast<int>(std::min(left * 1e3 + 1, 1e6)));
+    if (ready < 0 && errno != EINTR) fail_environment(path + ": cannot be awaited", errno);
+    if (ready <= 0) continue;
+    const ssize_t count = read(descriptor, block.data(), block.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) fail_environment(path + ": cannot be received", errno);
+    if (count == 0) return out;
+    out.append(block, 0, static_cast<size_t>(count));
+    if (out.size() > limits.max_memory_bytes) fail(path, "needs more memory than the limit");
+  }
+}
+
+void check_end(int status, const std::string& path, const ImportLimits& limits) {
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return;
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 127)
+    throw Error(Error::Kind::Environment, limits.importer + ": cannot be started");
+  const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+  if (signal == SIGXCPU)
+    fail(path, "reading it took longer than the limit of " +
+                   std::to_string(static_cast<long>(std::ceil(limits.max_seconds))) + " s");
+  fail(path, "cannot be read as a model: the importer ended with " +
+                 (signal ? std::string(strsignal(signal))
+                         : "status " + std::to_string(WEXITSTATUS(status))) +
+                 "; the file is broken, or needs more memory than the limit of " +
+                 std::to_string(limits.max_memory_bytes >> 20) + " MiB");
+}
+
+bool write_all(int descriptor, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t count = write(descriptor, bytes.data(), bytes.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) return false;
+    bytes.remove_prefix(static_cast<size_t>(count));
+  }
+  return true;
+}
+
+}  // namespace
+
+Model read_model_isolated(const std::string& path, const ImportLimits& given) {
+  check_file(path, given);  // what needs no other process to be told
+  const ImportLimits limits = with_defaults(given, path);
+  int ends[2];
+  if (pipe2(ends, O_CLOEXEC) != 0) fail_environment(path + ": no pipe", errno);
+  const Descriptor input(ends[0]);
+  Descriptor output(ends[1]);
+  Child child(path, limits, output.number());
+  output.reset();
+  const std::string bytes = received(input.number(), path, limits);
+  check_end(child.wait(), path, limits);
+  try {
+    return model_from_bytes(bytes, path, limits);
+  } catch (const Error& e) {
+    const std::string message = e.what();
+    if (message.rfind(path, 0) == 0 || e.kind() != Error::Kind::BadInput) throw;
+    fail(path, message);
+  }
+}
+
+Model import_model(const std::string& path, const ImportLimits& limits) {
+  return limits.importer.empty() ? read_model(path, limits) : read_model_isolated(path, limits);
+}
+
+std::string find_importer() {
+  if (const char* named = std::getenv("TRIVET_IMPORTER")) return named;
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  if (error) return "";
+  for (const fs::path& folder : {program.parent_path(), program.parent_path().parent_path()})
+    if (const fs::path importer = folder / "trivet-import"; access(importer.c_str(), X_OK) == 0)
+      return importer.string();
+  return "";
+}
+
+int serve_import(const std::string& path, const ImportLimits& limits, int descriptor) {
+  const auto answer = [&](const std::string& bytes) {
+    return write_all(descriptor, bytes) ? 0 : 1;
+  };
+  try {
+    return answer(bytes_of_model(read_model(path, limits)));
+  } catch (const Error& e) {
+    return answer(bytes_of_error(e.kind(), e.what()));
+  } catch (const std::bad_alloc&) {
+    return answer(bytes_of_error(Error::Kind::BadInput,
+                                 path + ": needs more memory than the limit of " +
+                                     std::to_string(limits.max_memory_bytes >> 20) + " MiB"));
+  }
+}
+
+}  // namespace trivet

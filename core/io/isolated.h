@@ -1,0 +1,28 @@
+// Models from files that nobody vouches for: read in a process of their own, within limits.
+#pragma once
+
+#include <string>
+
+#include "core/io/model.h"
+
+namespace trivet {
+
+/// As read_model(), but by the program limits.importer: a file on which the import library crashes,
+/// hangs or fills the memory gives an Error, and this process lives on. What comes back is checked
+/// as if it were a file. Thread-safe.
+/// @throws Error: BadInput as read_model(), and for a crash or a limit passed; Environment when the
+///   program cannot be started.
+Model read_model_isolated(const std::string& path, const ImportLimits& limits);
+
+/// read_model_isolated() if limits.importer names a program, else read_model().
+Model import_model(const std::string& path, const ImportLimits& limits);
+
+/// What the environment variable TRIVET_IMPORTER names, else trivet-import beside the running
+/// program or in the folder above; empty: not found.
+std::string find_importer();
+
+/// The other side: reads the model and writes it to a descriptor. What trivet-import does.
+/// @return the exit status.
+int serve_import(const std::string& path, const ImportLimits& limits, int descriptor);
+
+}  // namespace trivet

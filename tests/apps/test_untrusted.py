@@ -1,0 +1,134 @@
+"""Files that nobody vouches for: no crash of the program, no hang, a clear message.
+
+The second part reads every file of Debian's assimp-testmodels, broken ones included; set
+TRIVET_ASSIMP_MODELS to another folder to do it there."""
+import json
+import os
+import resource
+import subprocess
+import time
+import unittest
+from collections import Counter
+from concurrent.futures import ThreadPoolExecutor
+
+from program import PROGRAM, SLAB, Case, main, put
+
+MODELS = os.environ.get("TRIVET_ASSIMP_MODELS", "/usr/share/assimp/models")
+SECONDS = 20
+MEMORY_MB = 2000
+
+
+class Importer(Case):
+    """What the process that reads a model may do, done by a script in its place."""
+
+    def importer(self, script):
+        self.write("importer", "#!/bin/sh\n" + script + "\n")
+        os.chmod(self.path("importer"), 0o755)
+        return {"TRIVET_IMPORTER": self.path("importer")}
+
+    def info_fails(self, script, *says, status=2):
+        env = self.importer(script)
+        out, err = self.trivet("info", "cube.obj", "--import-seconds", "1", status=status, env=env)
+        self.assertEqual(out, "")
+        self.assertEqual(err.count("\n"), 1, err)
+        for part in ("trivet: ", *says):
+            self.assertIn(part, err)
+
+    def test_crash(self):
+        self.info_fails("kill -SEGV $$", "cube.obj", "Segmentation fault")
+
+    def test_abort(self):
+        self.info_fails("kill -ABRT $$", "cube.obj", "Aborted")
+
+    def test_status(self):
+        self.info_fails("exit 5", "cube.obj", "status 5")
+
+    def test_hang(self):
+        begin = time.monotonic()
+        self.info_fails("exec sleep 100", "cube.obj", "longer than the limit of 1 s")
+        self.assertLess(time.monotonic() - begin, 20)
+
+    def test_nonsense(self):
+        self.info_fails("echo nonsense >&3", "cube.obj", "not whole")
+        self.info_fails("true", "cube.obj", "not whole")
+        self.info_fails("printf 'TRIVET-MODEL-1\\n\\000aaaaaaaaaaaaaaaaaaaaaaaa' >&3", "not whole")
+
+    def test_endless_answer(self):
+        self.info_fails("exec cat /dev/zero >&3", "cube.obj", "limit")
+
+    def test_missing_importer(self):
+        out, err = self.trivet("info", "cube.obj", status=3, env={"TRIVET_IMPORTER": "/nowhere/x"})
+        self.assertIn("cannot be started", err)
+
+    def test_in_process(self):
+        env = self.importer("kill -SEGV $$")
+        self.trivet("info", "cube.obj", "--import-in-process", env=env)
+
+    def test_same_answer_in_both(self):
+        isolated, _ = self.trivet("info", "cube.obj", "--json")
+        in_process, _ = self.trivet("info", "cube.obj", "--json", "--import-in-process")
+        self.assertEqual(isolated, in_process)
+
+    def test_a_layout_names_the_model(self):
+        layout = self.layout([SLAB, {"name": "bad", "model": "cube.obj"}], [put("bad", 0, 0, 1)])
+        script = 'case "$1" in *cube*) kill -SEGV $$;; esac; exec "$REAL" "$@"'
+        env = {**self.importer(script),
+               "REAL": os.path.join(os.path.dirname(PROGRAM), "trivet-import")}
+        out, err = self.trivet("run", layout, "-o", "s.glb", status=2, env=env)
+        self.assertIn("/objects/1/model: cube.obj: ", err)
+        self.assertNotIn("s.glb", self.files())
+
+    def test_memory(self):
+        self.write("big.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n" + "f 1 2 3\n" * 1000000)
+        out, err = self.trivet("info", "big.obj", "--import-memory-mb", "150", status=2)
+        self.assertIn("big.obj", err)
+        self.assertIn("memory", err)
+
+
+@unittest.skipUnless(os.path.isdir(MODELS), "no assimp-testmodels (Debian package)")
+class AssimpModels(unittest.TestCase):
+    def read(self, path):
+        begin = time.monotonic()
+        result = subprocess.run(
+            [PROGRAM, "info", path, "--json", "--import-seconds", str(SECONDS),
+             "--import-memory-mb", str(MEMORY_MB)],
+            stdin=subprocess.DEVNULL, capture_output=True, timeout=10 * SECONDS)
+        seconds = time.monotonic() - begin
+        return path, result.returncode, result.stdout, result.stderr.decode(), seconds
+
+    def test_every_file(self):
+        paths = sorted(os.path.join(folder, name) for folder, _, names in os.walk(MODELS)
+                       for name in names)
+        with ThreadPoolExecutor(os.cpu_count()) as pool:
+            results = list(pool.map(self.read, paths))
+        outcomes, slowest = Counter(), 0
+        for path, status, out, err, seconds in results:
+            with self.subTest(path):
+                self.assertIn(status, (0, 2), err)
+                self.assertEqual(err, "")
+                answer = json.loads(out)
+                # The machine may be busy; beyond the limit only starting and sending is left.
+                self.assertLess(seconds, 3 * SECONDS)
+                if status == 0:
+                    self.assertGreater(answer["triangles"], 0)
+                    outcomes["read"] += 1
+                else:
+                    message = answer["error"]["message"]
+                    self.assertIn(os.path.basename(path), message)
+                    self.assertEqual(answer["error"]["kind"], "bad input", message)
+                    kind = ("importer crashed" if "importer ended" in message else
+                            "too slow" if "longer than" in message else
+                            "too large" if "memory" in message else "refused")
+                    outcomes[kind] += 1
+                    if kind != "refused":
+                        print(message)
+                slowest = max(slowest, seconds)
+        peak = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / 1024
+        print(f"{len(paths)} files: {dict(outcomes)}; slowest {slowest:.1f} s, "
+              f"largest process {peak:.0f} MiB")
+        self.assertLess(peak, 2 * MEMORY_MB)
+        self.assertGreater(outcomes["read"], len(paths) // 4)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,130 @@
+"""Small models in many formats, for fuzzing: make_corpus.py FOLDER"""
+import base64
+import struct
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "interop"))
+import make_models  # noqa: E402
+
+V = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
+F = [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)]
+
+
+def obj():
+    return ("mtllib x.mtl\no a\n" + "".join("v %g %g %g\n" % v for v in V) +
+            "vt 0 0\nvt 1 0\nvt 0 1\nvn 0 0 1\nusemtl m\ns 1\n" +
+            "".join("f %d/1/1 %d/2/1 %d/3/1\n" % tuple(i + 1 for i in f) for f in F) +
+            "g b\nf 1 2 3 4\nl 1 2\n")
+
+
+def ply(binary):
+    head = ("ply\nformat %s 1.0\ncomment x\nelement vertex 4\nproperty float x\nproperty float y\n"
+            "property float z\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n"
+            "element face 4\nproperty list uchar int vertex_indices\nend_header\n")
+    if not binary:
+        return (head % "ascii" + "".join("%g %g %g 9 99 255\n" % v for v in V) +
+                "".join("3 %d %d %d\n" % f for f in F)).encode()
+    return (head % "binary_little_endian").encode() + b"".join(
+        struct.pack("<fffBBB", *v, 9, 99, 255) for v in V) + b"".join(
+        struct.pack("<Biii", 3, *f) for f in F)
+
+
+def stl(binary):
+    if binary:
+        return b"x" * 80 + struct.pack("<I", 4) + b"".join(
+            struct.pack("<12f", 0, 0, 1, *V[a], *V[b], *V[c]) + b"\0\0" for a, b, c in F)
+    facets = "".join("facet normal 0 0 1\nouter loop\n" +
+                     "".join("vertex %g %g %g\n" % V[i] for i in f) + "endloop\nendfacet\n" for f in F)
+    return ("solid a\n" + facets + "endsolid a\n").encode()
+
+
+def glb():
+    binary = struct.pack("<12f", *sum(V, ())) + struct.pack("<12H", *sum(F, ()))
+    text = ('{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0,'
+            '"scale":[1,2,3],"name":"n"}],"meshes":[{"primitives":[{"attributes":{"POSITION":0},'
+            '"indices":1}]}],"accessors":[{"bufferView":0,"componentType":5126,"count":4,"type":'
+            '"VEC3","min":[0,0,0],"max":[1,1,1]},{"bufferView":1,"componentType":5123,"count":12,'
+            '"type":"SCALAR"}],"bufferViews":[{"buffer":0,"byteLength":48},{"buffer":0,"byteOffset"'
+            ':48,"byteLength":24}],"buffers":[{"byteLength":72}]}').encode()
+    text += b" " * (-len(text) % 4)
+    return (b"glTF" + struct.pack("<II", 2, 28 + len(text) + len(binary)) +
+            struct.pack("<I", len(text)) + b"JSON" + text + struct.pack("<I", len(binary)) +
+            b"BIN\0" + binary)
+
+
+def chunk(kind, data):
+    return struct.pack("<HI", kind, 6 + len(data)) + data
+
+
+def three_ds():
+    mesh = chunk(0x4110, struct.pack("<H12f", 4, *sum(V, ()))) + \
+        chunk(0x4120, struct.pack("<H", 4) + b"".join(struct.pack("<4H", *f, 7) for f in F))
+    return chunk(0x4D4D, chunk(0x3D3D, chunk(0x4000, b"tetra\0" + chunk(0x4100, mesh))))
+
+
+def fbx():
+    faces = ",".join("%d,%d,%d" % (a, b, ~c) for a, b, c in F)
+    return f"""; FBX 7.4.0 project file
+FBXHeaderExtension:  {{
+	FBXHeaderVersion: 1003
+	FBXVersion: 7400
+}}
+Objects:  {{
+	Geometry: 1001, "Geometry::g", "Mesh" {{
+		Vertices: *12 {{
+			a: {",".join("%g" % x for v in V for x in v)}
+		}}
+		PolygonVertexIndex: *12 {{
+			a: {faces}
+		}}
+		GeometryVersion: 124
+	}}
+	Model: 1002, "Model::n", "Mesh" {{
+		Version: 232
+	}}
+}}
+Connections:  {{
+	C: "OO",1002,0
+	C: "OO",1001,1002
+}}
+"""
+
+
+def off():
+    return "OFF\n4 4 6\n" + "".join("%g %g %g\n" % v for v in V) + "".join("3 %d %d %d\n" % f for f in F)
+
+
+def x3d():
+    index = " ".join("%d %d %d -1" % f for f in F)
+    points = " ".join("%g %g %g" % v for v in V)
+    return (f'<?xml version="1.0"?><X3D version="3.0"><Scene><Transform translation="1 0 0"><Shape>'
+            f'<IndexedFaceSet coordIndex="{index}"><Coordinate point="{points}"/></IndexedFaceSet>'
+            f'</Shape></Transform></Scene></X3D>')
+
+
+def main():
+    folder = Path(sys.argv[1])
+    folder.mkdir(parents=True, exist_ok=True)
+    made = {"t.obj": obj(), "ascii.ply": ply(False), "binary.ply": ply(True), "ascii.stl": stl(False),
+            "binary.stl": stl(True), "t.glb": glb(), "t.3ds": three_ds(), "t.fbx": fbx(),
+            "t.off": off(), "t.x3d": x3d()}
+    for name, content in made.items():
+        (folder / name).write_bytes(content if isinstance(content, bytes) else content.encode())
+    models = folder / "models"
+    models.mkdir(exist_ok=True)
+    make_models.lamp(models)
+    make_models.shelf(models)
+    (models / "shelf.dae").rename(folder / "shelf.dae")
+    # A mutated copy lies elsewhere: its buffer has to be in it.
+    text = (models / "lamp.gltf").read_text()
+    data = base64.b64encode((models / "lamp.bin").read_bytes()).decode()
+    (folder / "lamp.gltf").write_text(
+        text.replace('"lamp.bin"', '"data:application/octet-stream;base64,' + data + '"'))
+    for left in models.iterdir():
+        left.unlink()
+    models.rmdir()
+
+
+if __name__ == "__main__":
+    main()

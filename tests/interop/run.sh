@@ -1,0 +1,56 @@
+#!/usr/bin/env bash
+# What other programs see of Trivet's scenes.
+#   run.sh validator|three|blender TRIVET WORK_FOLDER
+# Makes models with everything in them, lays them out with TRIVET, and BREAKFAST too; then opens the
+# scenes. Status 77: the program of others is not there.
+set -euo pipefail
+here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
+job="$1" trivet="$2" work="$3/$1"
+
+skip() {
+  echo "skipped: $*"
+  exit 77
+}
+
+command -v python3 >/dev/null || skip "no python3"
+if [ "$job" = blender ]; then
+  command -v blender >/dev/null || skip "no blender (Debian: blender)"
+else
+  command -v node >/dev/null && command -v npm >/dev/null || skip "no node, no npm (Debian: nodejs, npm)"
+fi
+
+rm -rf "$work"
+mkdir -p "$work"
+export PYTHONDONTWRITEBYTECODE=1
+python3 "$here/make_models.py" "$work/models"
+for kind in glb gltf; do
+  "$trivet" run "$work/models/layout.json" -o "$work/scene.$kind" --report "$work/scene.json" --quiet
+done
+"$trivet" demo breakfast -o "$work/breakfast.glb" --report "$work/breakfast.json" --quiet
+"$trivet" put "$work/scene.glb" "$work/models/lamp.gltf" --position 2 2 1 --name "lamp 3" \
+  -o "$work/put.glb" --report "$work/put.json" --quiet
+for scene in scene breakfast put; do
+  "$trivet" check "$work/$scene.glb" --quiet
+  python3 "$here/expected.py" "$work/$scene.glb" "$work/$scene.json" > "$work/$scene.expected"
+done
+
+if [ "$job" = blender ]; then
+  for scene in scene breakfast put; do
+    blender -b --factory-startup --python-exit-code 1 -P "$here/blender_check.py" -- \
+      "$work/$scene.glb" "$work/$scene.expected" > "$work/blender.log" 2>&1 ||
+      { cat "$work/blender.log"; exit 1; }
+    grep -h "Blender .*objects" "$work/blender.log"
+  done
+  exit 0
+fi
+
+# Modules are resolved from where the scripts lie.
+cp "$here"/package*.json "$here"/*.mjs "$work"
+cd "$work"
+npm ci --no-audit --no-fund --ignore-scripts > npm.log 2>&1 ||
+  { cat npm.log; skip "the packages of package.json cannot be had"; }
+case "$job" in
+  validator) node validate.mjs scene.glb scene.gltf put.glb breakfast.glb ;;
+  three)
+    for scene in scene breakfast put; do node three_check.mjs "$scene.glb" "$scene.expected"; done ;;
+esac
