@@ -52,26 +52,11 @@ void MainWindow::duplicate() {
     operations.push_back(operation);
   }
   if (operations.empty()) return;
-  const Document::Job job = operations.size() == 1
-                                ? m_document.perform(operations.front())
-                                : m_document.perform_all("duplicate", std::move(operations));
-  when_finished(job, [this, names](bool ok) {
-    if (!ok) return;
-    Selection selection;
-    for (const std::string& name : names)
-      if (const ObjectSnapshot* const object = m_document.snapshot()->find(name))
-        selection.objects.push_back(object->id);
-    m_document.select(selection);
-    take_tool(ToolKind::Put);
-  });
-}
-
-void MainWindow::delete_selected() {
-  perform_on_selection(tr("delete"), [](const std::string& object) {
-    DeleteOperation operation;
-    operation.object = object;
-    return Operation(operation);
-  });
+  when_finished(
+      m_document.perform_all("duplicate", std::move(operations), {names.begin(), names.end()}),
+      [this](bool ok) {
+        if (ok) take_tool(ToolKind::Put);
+      });
 }
 
 void MainWindow::lock_selected(bool locked) {

@@ -8,12 +8,26 @@
 #include <QStatusBar>
 #include <algorithm>
 
+#include "apps/edit/tools/constraint_camera.h"
+
 namespace trivet::edit {
 namespace {
 
 constexpr int kBusyAfterMs = 250;  // what is quicker shows no progress
 
 QString settings_key(const char* what) { return QString("window/") + what; }
+
+QString aim_note(const Selection& selection) {
+  switch (selection.contact ? selection.contact->part : ActiveContact::Part::Area) {
+    case ActiveContact::Part::Edge:
+      return MainWindow::tr("along the held edge of its contact with %1");
+    case ActiveContact::Part::Point:
+      return MainWindow::tr("along the normal at the held point of its contact with %1");
+    case ActiveContact::Part::Area:
+      break;
+  }
+  return MainWindow::tr("along the normal of its contact with %1");
+}
 
 }  // namespace
 
@@ -31,7 +45,11 @@ MainWindow::MainWindow(Document& document)
   follow_scene();
 }
 
-MainWindow::~MainWindow() { m_toolbox.changed = nullptr; }
+MainWindow::~MainWindow() {
+  m_toolbox.changed = nullptr;
+  m_document.disconnect(this);
+  delete takeCentralWidget();  // views use what is destroyed now
+}
 
 void MainWindow::make_views() {
   const auto make = [this](WindowKind kind) {
@@ -110,7 +128,7 @@ void MainWindow::make_status_bar() {
 
 void MainWindow::connect_document() {
   m_toolbox.changed = [this] {
-    for (SceneView* const view : {m_perspective, m_three, m_constraint}) view->redraw();
+    for (SceneView* const view : {m_perspective, m_three, m_constraint}) view->follow_tool();
     show_tool();
     update_status();
   };
@@ -255,19 +273,14 @@ void MainWindow::aim_constraint_window() {
   if (active != m_aimed_at) m_constraint_is_free = false;
   m_aimed_at = active;
   if (m_constraint_is_free) return;
+  const View view = constraint_view(*snapshot, m_document.selection(), std::nullopt,
+                                    m_constraint->width(), m_constraint->height());
+  m_constraint->set_camera(ViewCamera::of(view));
   const Link* const link = active_link(m_document.selection(), *snapshot);
-  ViewCamera camera = m_constraint->camera();
-  const Vec3 normal = link ? link->contact.normal : Vec3(Vec3::UnitZ());
-  const bool is_upright = std::abs(normal.z()) > 0.99;
-  camera.look_along(-normal, is_upright ? Vec3::UnitY() : Vec3::UnitZ());
-  if (const ObjectSnapshot* const object = active ? snapshot->find(*active) : nullptr;
-      object && (*object)->placed)
-    camera.look_at(world_box(*object->object).centre());
-  m_constraint->set_camera(camera);
   const ObjectSnapshot* const with = link && link->with ? snapshot->find(*link->with) : nullptr;
   m_frames[3]->set_note(
       !link ? tr("from above")
-            : tr("along the normal of its contact with %1")
+            : aim_note(m_document.selection())
                   .arg(with ? QString::fromStdString((*with)->name) : tr("the floor")));
 }
 

@@ -78,6 +78,7 @@ class MainWindow : public QMainWindow {
   void make_file_actions();
   void make_edit_actions();
   void make_tool_actions();
+  void make_hand_actions();
   void make_view_actions();
   void make_menus();
   void make_tool_bar();
@@ -87,7 +88,6 @@ class MainWindow : public QMainWindow {
 
   // edits.cpp: what menus do to the selection
   void duplicate();
-  void delete_selected();
   void perform_on_selection(const QString& name,
                             const std::function<Operation(const std::string&)>& make);
   void lock_selected(bool locked);

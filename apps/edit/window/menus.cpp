@@ -28,6 +28,7 @@ void MainWindow::make_actions() {
   make_file_actions();
   make_edit_actions();
   make_tool_actions();
+  make_hand_actions();
   make_view_actions();
   add_action("two minutes", tr("A table in &two minutes"), {}, [this] { show_two_minutes(this); });
   add_action("shortcuts", tr("&Mouse and keys"), Qt::Key_F1,
@@ -88,7 +89,7 @@ void MainWindow::make_edit_actions() {
   add_action(
       "duplicate", tr("&Duplicate"), tr("Ctrl+D"), [this] { duplicate(); },
       tr("Another one of the same model, to be put"));
-  add_action("delete", tr("De&lete"), QKeySequence::Delete, [this] { delete_selected(); });
+  add_action("delete", tr("De&lete"), QKeySequence::Delete, [this] { m_toolbox.erase_selected(); });
   add_action("select all", tr("Select &all"), QKeySequence::SelectAll, [this] { select_all(); });
   add_action("select none", tr("Select &none"), tr("Ctrl+Shift+A"),
              [this] { m_document.select({}); });
@@ -113,13 +114,22 @@ void MainWindow::make_tool_actions() {
     m_icons[action] = static_cast<Icon>(kind);
   };
   tool("select", tr("&Select"), "Q", ToolKind::Select, tr("Select: click, or a box"));
-  tool("put", tr("&Put"), "P", ToolKind::Put, tr("Put: it falls where you click, and settles"));
-  tool("push", tr("Push (&W)"), "W", ToolKind::Push, tr("Push: along the surface it lies on"));
-  tool("turn", tr("&Turn"), "T", ToolKind::Turn,
+  tool("put", tr("&Put"), "W", ToolKind::Put, tr("Put: it falls where you click, and settles"));
+  tool("push", tr("Pus&h"), "E", ToolKind::Push, tr("Push: along the surface it lies on"));
+  tool("turn", tr("&Turn"), "R", ToolKind::Turn,
        tr("Turn: about a contact's normal, edge or point"));
-  tool("pick up", tr("Pick &up"), "U", ToolKind::PickUp, tr("Pick up: away from what it lies on"));
-  tool("move", tr("&Move (G)"), "G", ToolKind::Move, tr("Move: through the air, by its handles"));
-  tool("rotate", tr("&Rotate"), "R", ToolKind::Rotate, tr("Rotate: in the air, by its handles"));
+  tool("pick up", tr("Pick &up"), "T", ToolKind::PickUp, tr("Pick up: away from what it lies on"));
+  tool("move", tr("&Move"), "G", ToolKind::Move, tr("Move: through the air, by its handles"));
+  tool("rotate", tr("&Rotate"), "H", ToolKind::Rotate, tr("Rotate: in the air, by its handles"));
+}
+
+void MainWindow::make_hand_actions() {
+  add_action(
+      "put here", tr("Put where the mouse &points"), tr("P"),
+      [this] { m_toolbox.put_at_pointer(); }, tr("The active object falls where the mouse points"));
+  add_action(
+      "pick up now", tr("Pick up &now"), tr("U"), [this] { m_toolbox.pick_up(); },
+      tr("The active object, by the distance of the operation panel"));
 }
 
 void MainWindow::make_view_actions() {
@@ -200,7 +210,8 @@ void MainWindow::make_menus() {
   }
   menu(tr("&Edit"), {"undo", "redo", "", "duplicate", "delete", "", "select all", "select none", "",
                      "lock", "unlock", "group", "ungroup"});
-  menu(tr("&Object"), {"select", "put", "push", "turn", "pick up", "move", "rotate"});
+  menu(tr("&Object"), {"select", "put", "push", "turn", "pick up", "move", "rotate", "", "put here",
+                       "pick up now"});
   menu(tr("&View"),
        {"frame", "frame all", "", "top", "side", "front", "follow contact", "", "maximise",
         "reset layout", "", "shadows", "contacts", "watch settling", "dark"});

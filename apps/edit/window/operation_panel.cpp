@@ -239,7 +239,7 @@ void OperationPanel::add_turn(QFormLayout& form) {
   about->setToolTip(tr("Click a contact point, edge or area in a view to choose which"));
   form.addRow(tr("About"), about);
   auto* const by = angle(form, tr("Angle"), 15);
-  choice(form, tr("Let go at the end"), &ToolOptions::settle, tr("Otherwise it is held"));
+  choice(form, tr("Let go at the end"), &ToolOptions::let_go, tr("Otherwise it is held"));
   apply(form, tr("Turn"), [this, about, by](const std::string& object) {
     TurnOperation turn;
     turn.object = object;
@@ -252,7 +252,7 @@ void OperationPanel::add_turn(QFormLayout& form) {
       turn.with = with ? (*with)->name : std::string("floor");
     }
     turn.angle_deg = by->value();
-    turn.settle = m_toolbox.options().settle;
+    turn.settle = m_toolbox.options().let_go;
     return Operation(turn);
   });
 }
@@ -274,14 +274,14 @@ void OperationPanel::add_move(QFormLayout& form) {
   auto* const z = length(form, tr("Z"), 0.1);
   choice(form, tr("Through everything"), &ToolOptions::free,
          tr("As in a modeller; objects that interpenetrate are marked until that is resolved"));
-  choice(form, tr("Let go at the end"), &ToolOptions::settle, tr("Otherwise it is held"));
+  choice(form, tr("Let go at the end"), &ToolOptions::let_go, tr("Otherwise it is held"));
   apply(form, tr("Move"), [this, x, y, z](const std::string& object) {
     TranslateOperation move;
     move.object = object;
     move.settle_left = m_toolbox.options().settle_left;
     move.by = Vec3(x->value(), y->value(), z->value());
     move.free = m_toolbox.options().free;
-    move.settle = m_toolbox.options().settle && !move.free;
+    move.settle = m_toolbox.options().let_go && !move.free;
     return Operation(move);
   });
 }
@@ -294,7 +294,7 @@ void OperationPanel::add_rotate(QFormLayout& form) {
   auto* const by = angle(form, tr("Angle"), 15, tr("About the centre of mass"));
   choice(form, tr("Through everything"), &ToolOptions::free,
          tr("As in a modeller; objects that interpenetrate are marked until that is resolved"));
-  choice(form, tr("Let go at the end"), &ToolOptions::settle, tr("Otherwise it is held"));
+  choice(form, tr("Let go at the end"), &ToolOptions::let_go, tr("Otherwise it is held"));
   apply(form, tr("Rotate"), [this, axis, by](const std::string& object) {
     RotateOperation rotate;
     rotate.object = object;
@@ -302,7 +302,7 @@ void OperationPanel::add_rotate(QFormLayout& form) {
     rotate.axis = Vec3::Unit(axis->currentIndex());
     rotate.angle_deg = by->value();
     rotate.free = m_toolbox.options().free;
-    rotate.settle = m_toolbox.options().settle && !rotate.free;
+    rotate.settle = m_toolbox.options().let_go && !rotate.free;
     return Operation(rotate);
   });
 }

@@ -8,6 +8,7 @@ namespace {
 
 constexpr double kSettlingMs = 320;  // that a way from rest to rest takes on the screen
 constexpr int kTickMs = 16;
+constexpr int kGhostRestsMs = 120;                        // after that it counts as still
 constexpr double kNormalPx = 26, kNormalOfObject = 0.15;  // the shorter: how long normals are
 constexpr size_t kManyPoints = 12;                        // of a contact
 const LiveColour kContactRed{0.92f, 0.20f, 0.18f, 1};
@@ -61,10 +62,18 @@ SceneDrawing::SceneDrawing(Document& document, Toolbox& toolbox, QObject* parent
     : QObject(parent), m_document(document), m_toolbox(toolbox), m_before(document.snapshot()) {
   connect(&m_document, &Document::snapshot_changed, this, &SceneDrawing::follow_document);
   connect(&m_document, &Document::selection_changed, this, &SceneDrawing::changed);
-  connect(&m_document, &Document::ghost_changed, this, &SceneDrawing::changed);
+  connect(&m_document, &Document::ghost_changed, this, [this] {
+    m_ghost_moved.start();
+    Q_EMIT changed();
+  });
   connect(&m_document, &Document::message, this, &SceneDrawing::light);
   m_tick.setInterval(kTickMs);
   connect(&m_tick, &QTimer::timeout, this, &SceneDrawing::move_on);
+}
+
+bool SceneDrawing::is_moving() const {
+  return !m_ways.empty() || m_document.snapshot()->drag ||
+         (m_ghost_moved.isValid() && m_ghost_moved.elapsed() < kGhostRestsMs);
 }
 
 void SceneDrawing::set_theme(const Theme& theme) {

@@ -32,7 +32,7 @@ class SceneDrawing : public QObject {
   void set_options(const DrawingOptions& options);
 
   /// Something moves: drafts will do.
-  bool is_moving() const { return !m_ways.empty() || m_document.snapshot()->drag.has_value(); }
+  bool is_moving() const;
   /// Objects and points that a message is about, lit until the next.
   void light(const Message& message);
   void put_out_lights();
@@ -62,7 +62,7 @@ class SceneDrawing : public QObject {
   Message m_lit;
   std::shared_ptr<const SceneSnapshot> m_before;
   std::map<std::uint32_t, Way> m_ways;  // by the object's slot
-  QElapsedTimer m_since;
+  QElapsedTimer m_since, m_ghost_moved;
   QTimer m_tick;
 };
 

@@ -93,13 +93,25 @@ Aabb SceneView::selected_box() const {
 }
 
 bool SceneView::is_in_motion() const {
-  return m_camera_drag != CameraDrag::None || m_drawing.is_moving() || m_document.ghost() ||
+  return m_camera_drag != CameraDrag::None || m_drawing.is_moving() ||
          (m_camera_moved.isValid() && m_camera_moved.elapsed() < kCalmMs);
 }
 
 void SceneView::redraw() {
   ++m_wanted;
   request();
+}
+
+void SceneView::follow_tool() {
+  std::vector<double> lines;
+  for (const Overlay::Line& line : m_toolbox.overlay(view()).lines) {
+    lines.insert(lines.end(), {double(line.role), double(line.axis)});
+    lines.insert(lines.end(), line.a.begin(), line.a.end());
+    lines.insert(lines.end(), line.b.begin(), line.b.end());
+  }
+  if (lines == m_tool_lines) return update();  // rubber bands are painted over the picture
+  m_tool_lines = std::move(lines);
+  redraw();
 }
 
 void SceneView::request() {
@@ -304,8 +316,13 @@ void SceneView::mouseReleaseEvent(QMouseEvent* event) {
     return;
   }
   const QPointF moved = event->position() - m_pressed_at;
-  if (event->button() == Qt::RightButton && std::hypot(moved.x(), moved.y()) <= kClickPx)
+  const bool is_click = std::hypot(moved.x(), moved.y()) <= kClickPx;
+  if (is_click && event->button() == Qt::RightButton)
     Q_EMIT context_menu_wanted(event->globalPosition().toPoint());
+  if (is_click && event->button() == Qt::LeftButton) {  // Alt and a click is the tool's
+    send(PointerEvent::Kind::Press, *event);
+    send(PointerEvent::Kind::Release, *event);
+  }
   redraw();
 }
 

@@ -29,6 +29,8 @@ class SceneView : public QWidget {
   /// What is framed when nothing is: of the selection, else of the scene.
   Aabb selected_box() const;
   void redraw();
+  /// The tool may draw other things over the scene now.
+  void follow_tool();
   /// Nothing is left to be drawn: what is seen is the document, in full quality. For tests.
   bool is_up_to_date() const { return m_shown == m_wanted && !m_shown_is_draft; }
   double last_picture_ms() const { return m_picture_ms; }
@@ -79,6 +81,7 @@ class SceneView : public QWidget {
   double m_picture_ms = 0;
   CameraDrag m_camera_drag = CameraDrag::None;
   QPointF m_last_position, m_pressed_at;
+  std::vector<double> m_tool_lines;  // that were drawn last
   QElapsedTimer m_camera_moved;
   QTimer m_calm;  // ends drafts
 };

@@ -25,6 +25,15 @@ View ViewCamera::view(const QSize& size) const {
   return view;
 }
 
+ViewCamera ViewCamera::of(const View& view) {
+  ViewCamera out;
+  LiveCamera& camera = out.m_camera;
+  camera.eye = view.eye, camera.target = view.target, camera.up = view.up;
+  camera.fov_deg = view.fov_deg;
+  if (view.orthographic) camera.height = view.height;
+  return out;
+}
+
 ViewCamera ViewCamera::perspective() {
   ViewCamera out;
   out.m_camera.eye = Vec3(1.6, -2.6, 1.7);

@@ -15,6 +15,7 @@ class ViewCamera {
   bool is_orthographic() const { return m_camera.height.has_value(); }
   View view(const QSize& size) const;
 
+  static ViewCamera of(const View& view);
   /// Perspective, three quarters from above.
   static ViewCamera perspective();
   /// Orthographic, along `direction`, `up` upwards in the picture.
