@@ -16,6 +16,15 @@ Body body_of(const Object& object, const Pose& pose) {
   return {*object.shape, world_from_object(pose, object.up, object.scale)};
 }
 
+// Holds the object whatever its rotation, and costs no matrix.
+Aabb any_rotation_box(const Object& object) {
+  const Aabb& box = object.shape->box;
+  const double reach =
+      1.001 * object.scale * box.lower.cwiseAbs().cwiseMax(box.upper.cwiseAbs()).norm();
+  return {object.pose.translation - Vec3::Constant(reach),
+          object.pose.translation + Vec3::Constant(reach)};
+}
+
 std::string describe(const PairVerdict& v, const std::string& a, const std::string& b) {
   if (v.crossings) return "\"" + a + "\" passes through \"" + b + "\"";
   if (v.a_inside_b) return "\"" + a + "\" is inside \"" + b + "\"";
@@ -93,13 +102,23 @@ std::vector<Interpenetration> interpenetrations(const Scene& scene,
   const auto is_moved = [&](ObjectId id) {
     return std::any_of(moved.begin(), moved.end(), [&](const Placement& p) { return p.id == id; });
   };
+  std::vector<ObjectInWorld> all_here;
+  Aabb box_here;
+  for (const Placement& p : moved) {
+    all_here.push_back(in_world(scene.at(p.id), p.pose));
+    const Aabb& box = all_here.back().box;
+    const Vec3 slack = Vec3::Constant(all_here.back().floats.slack);
+    box_here.extend(Aabb{box.lower - slack, box.upper + slack});
+  }
   std::vector<std::pair<ObjectId, Aabb>> others;
   for (const ObjectId id : scene.ids())
-    if (const Object& other = scene.at(id); other.placed && !is_moved(id))
+    if (const Object& other = scene.at(id);
+        other.placed && overlaps(any_rotation_box(other), box_here) && !is_moved(id))
       others.emplace_back(id, body_of(other, other.pose).world_box);
-  for (const Placement& placement : moved) {
+  for (size_t i = 0; i < moved.size(); ++i) {
+    const Placement& placement = moved[i];
     const Object& object = scene.at(placement.id);
-    const ObjectInWorld here = in_world(object, placement.pose);
+    const ObjectInWorld& here = all_here[i];
     const std::string floor = scene.floor ? why_below_floor(here, floats) : "";
     if (!floor.empty() && out.size() < limit) out.push_back({placement.id, std::nullopt, floor});
     for (const auto& [id, box] : others) {

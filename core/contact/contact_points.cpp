@@ -7,14 +7,15 @@
 #include <tuple>
 
 #include "core/base/tunables.h"
+#include "core/contact/contact_face.h"
 #include "core/contact/leaf_box.h"
+#include "core/contact/pair_set.h"
 #include "core/contact/triangle_distance.h"
 
 namespace trivet {
 namespace {
 
 constexpr double kParallelSine = 1e-6;  // edges closer to parallel than this do not cross
-constexpr double kFlatFace = 1e-9;      // height over length below which a face has no normal
 
 auto features_of(const ContactPoint& c) {
   return std::tie(c.features, c.feature_object, c.feature_support);
@@ -26,23 +27,23 @@ auto order_of(const ContactPoint& c) {
   return std::make_tuple(features_of(c), c.gap, c.point.x(), c.point.y(), c.point.z());
 }
 
-struct FacePlane {
-  Vec3 normal;                  // unit
-  std::array<Vec3, 3> outward;  // unit, in the plane, away from each edge
-  bool valid = false;
+// Sorted, every pair of features once.
+std::vector<ContactPoint> first_of_each(const std::vector<ContactPoint>& points) {
+  std::vector<const ContactPoint*> order;
+  for (const ContactPoint& p : points) order.push_back(&p);
+  std::sort(order.begin(), order.end(), [](const ContactPoint* a, const ContactPoint* b) {
+    if (features_of(*a) != features_of(*b)) return features_of(*a) < features_of(*b);
+    return std::make_tuple(order_of(*a), a) < std::make_tuple(order_of(*b), b);
+  });
+  std::vector<ContactPoint> out;
+  for (const ContactPoint* p : order)
+    if (out.empty() || features_of(out.back()) != features_of(*p)) out.push_back(*p);
+  return out;
+}
 
-  explicit FacePlane(const Triangle& t) {
-    const std::array<Vec3, 3> edge{t[1] - t[0], t[2] - t[1], t[0] - t[2]};
-    const Vec3 n = edge[0].cross(edge[1]);
-    const double area = n.norm();
-    const double longest =
-        std::max({edge[0].squaredNorm(), edge[1].squaredNorm(), edge[2].squaredNorm()});
-    if (area <= kFlatFace * longest) return;
-    valid = true;
-    normal = n / area;
-    for (int k = 0; k < 3; ++k) outward[k] = edge[k].cross(normal).normalized();
-  }
-};
+Aabb box_of(const Triangle& t) {
+  return {t[0].cwiseMin(t[1]).cwiseMin(t[2]), t[0].cwiseMax(t[1]).cwiseMax(t[2])};
+}
 
 class ContactSearch {
  public:
@@ -62,16 +63,7 @@ class ContactSearch {
   std::vector<ContactPoint> run() {
     if (!m_object.shape->bvh.nodes.empty() && !m_support.shape->bvh.nodes.empty())
       visit(0, 0, m_tree_object.box(0), m_tree_support.box(0), nullptr);
-    std::vector<ContactPoint>& out = m_found.empty() ? m_fallback : m_found;
-    std::stable_sort(out.begin(), out.end(), [](const ContactPoint& a, const ContactPoint& b) {
-      return order_of(a) < order_of(b);
-    });
-    const auto last =
-        std::unique(out.begin(), out.end(), [](const ContactPoint& a, const ContactPoint& b) {
-          return features_of(a) == features_of(b);
-        });
-    out.erase(last, out.end());
-    return std::move(out);
+    return first_of_each(m_found.empty() ? m_fallback : m_found);
   }
 
  private:
@@ -107,75 +99,78 @@ class ContactSearch {
   }
 
   void try_leaves(const BvhNode& a, const BvhNode& b) {
-    for (Index i = 0; i < a.num_faces; ++i)
-      for (Index j = 0; j < b.num_faces; ++j)
-        try_faces(m_tree_object.bvh.faces[a.second_child + i],
-                  m_tree_support.bvh.faces[b.second_child + j]);
+    for (Index i = 0; i < a.num_faces; ++i) {
+      const Index face_a = m_tree_object.bvh.faces[a.second_child + i];
+      const Triangle ta = m_object.triangle(face_a);
+      const Aabb box_a = box_of(ta);
+      for (Index j = 0; j < b.num_faces; ++j) {
+        const Index face_b = m_tree_support.bvh.faces[b.second_child + j];
+        const Triangle tb = m_support.triangle(face_b);
+        if (!overlaps(box_a, box_of(tb), m_reach)) continue;
+        const PlainFace fa(ta), fb(tb);
+        if (!fb.clearly_separates(ta, m_tolerance) && !fa.clearly_separates(tb, m_tolerance))
+          try_faces(ContactFace(fa), face_a, ContactFace(fb), face_b);
+      }
+    }
   }
 
-  // One side of the plane, and farther than the tolerance.
-  bool separated(const Triangle& t, const Triangle& face, const FacePlane& plane) const {
-    if (!plane.valid) return false;
-    const double h[3] = {plane.normal.dot(t[0] - face[0]), plane.normal.dot(t[1] - face[0]),
-                         plane.normal.dot(t[2] - face[0])};
-    return std::min({h[0], h[1], h[2]}) > m_tolerance ||
-           std::max({h[0], h[1], h[2]}) < -m_tolerance;
-  }
-
-  void try_faces(Index face_a, Index face_b) {
-    const Triangle a = m_object.triangle(face_a), b = m_support.triangle(face_b);
-    const FacePlane plane_a(a), plane_b(b);
-    if (separated(a, b, plane_b) || separated(b, a, plane_a)) return;
+  void try_faces(const ContactFace& a, Index face_a, const ContactFace& b, Index face_b) {
+    if (b.separates(a.corners, m_tolerance) || a.separates(b.corners, m_tolerance)) return;
     const Index3 &va = m_object.shape->mesh.triangles[face_a],
                  &vb = m_support.shape->mesh.triangles[face_b];
     for (int k = 0; k < 3; ++k) {
-      if (plane_b.valid) try_vertex_face(a[k], va[k], b, plane_b, face_b);
-      if (plane_a.valid) try_face_vertex(b[k], vb[k], a, plane_a, face_a);
+      if (b.valid) try_vertex_face(a.corners[k], va[k], b, face_b);
+      if (a.valid) try_face_vertex(b.corners[k], vb[k], a, face_a);
     }
     const Index3 &ea = m_object.shape->adjacency.face_edges[face_a],
                  &eb = m_support.shape->adjacency.face_edges[face_b];
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j)
-        if (ea[i] >= 0 && eb[j] >= 0) try_edges(a, i, ea[i], b, j, eb[j]);
-    if (m_found.empty()) try_closest(a, face_a, b, face_b);
+        if (ea[i] >= 0 && eb[j] >= 0 && overlaps(a.edge_box[i], b.edge_box[j], m_reach))
+          try_edges(a, i, ea[i], b, j, eb[j]);
+    if (m_found.empty()) try_closest(a.corners, face_a, b.corners, face_b);
   }
 
-  bool over(const Vec3& p, const Triangle& face, const FacePlane& plane) const {
-    for (int k = 0; k < 3; ++k)
-      if (plane.outward[k].dot(p - face[k]) > m_slack) return false;
-    return true;
-  }
-
-  void try_vertex_face(const Vec3& p, Index vertex, const Triangle& b, const FacePlane& plane,
-                       Index face) {
-    const double height = plane.normal.dot(p - b[0]);
-    if (std::abs(height) > m_tolerance || !over(p, b, plane)) return;
-    const Vec3 normal = height < 0 ? Vec3(-plane.normal) : plane.normal;
+  void try_vertex_face(const Vec3& p, Index vertex, const ContactFace& b, Index face) {
+    const double height = b.normal.dot(p - b.corners[0]);
+    if (std::abs(height) > m_tolerance || !m_tried_vertices.insert(vertex, face)) return;
+    if (!b.is_below(p, m_slack)) return;
+    const Vec3 normal = height < 0 ? Vec3(-b.normal) : b.normal;
     if (vertex_dips(m_object, vertex, p, normal)) return;
     m_found.push_back({p, normal, std::abs(height), ContactFeatures::VertexFace, vertex, face});
   }
 
-  void try_face_vertex(const Vec3& q, Index vertex, const Triangle& a, const FacePlane& plane,
-                       Index face) {
-    const double height = plane.normal.dot(q - a[0]);
-    if (std::abs(height) > m_tolerance || !over(q, a, plane)) return;
-    const Vec3 normal = height > 0 ? Vec3(-plane.normal) : plane.normal;
+  void try_face_vertex(const Vec3& q, Index vertex, const ContactFace& a, Index face) {
+    const double height = a.normal.dot(q - a.corners[0]);
+    if (std::abs(height) > m_tolerance || !m_tried_faces.insert(face, vertex)) return;
+    if (!a.is_below(q, m_slack)) return;
+    const Vec3 normal = height > 0 ? Vec3(-a.normal) : a.normal;
     if (vertex_dips(m_support, vertex, q, -normal)) return;
     m_found.push_back({q, normal, std::abs(height), ContactFeatures::FaceVertex, face, vertex});
   }
 
-  void try_edges(const Triangle& a, int i, Index edge_a, const Triangle& b, int j, Index edge_b) {
-    const Vec3 u = a[(i + 1) % 3] - a[i], v = b[(j + 1) % 3] - b[j];
-    const Vec3 n = u.cross(v);
-    const double length_n = n.norm(), length_u = u.norm(), length_v = v.norm();
-    if (length_n <= kParallelSine * length_u * length_v) return;
-    const Vec3 unit = n / length_n, r = b[j] - a[i];
+  bool past_end(double s, const Vec3& edge) const {
+    if (s >= 0 && s <= 1) return false;
+    const double slack = m_slack / edge.norm();
+    return s < -slack || s > 1 + slack;
+  }
+
+  void try_edges(const ContactFace& a, int i, Index edge_a, const ContactFace& b, int j,
+                 Index edge_b) {
+    const Vec3 &u = a.edge[i], &v = b.edge[j];
+    const Vec3 n = u.cross(v), r = b.corners[j] - a.corners[i];
+    const double squared = n.squaredNorm(), along = n.dot(r);
+    if (along * along > 1.001 * m_tolerance * m_tolerance * squared) return;  // too far, no root
+    const double length_n = std::sqrt(squared);
+    if (length_n <= kParallelSine * u.norm() * v.norm()) return;
+    const Vec3 unit = n / length_n;
     const double height = -unit.dot(r);  // of a over b
     if (std::abs(height) > m_tolerance) return;
-    const double s = r.cross(v).dot(unit) / length_n, t = r.cross(u).dot(unit) / length_n;
-    const double slack_s = m_slack / length_u, slack_t = m_slack / length_v;
-    if (s < -slack_s || s > 1 + slack_s || t < -slack_t || t > 1 + slack_t) return;
-    const Vec3 pa = a[i] + s * u, pb = b[j] + t * v;
+    const double s = r.cross(v).dot(unit) / length_n;
+    if (past_end(s, u)) return;
+    const double t = r.cross(u).dot(unit) / length_n;
+    if (past_end(t, v)) return;
+    const Vec3 pa = a.corners[i] + s * u, pb = b.corners[j] + t * v;
     const Vec3 normal = height < 0 ? Vec3(-unit) : unit;
     if (edge_dips(m_object, edge_a, pa, normal) || edge_dips(m_support, edge_b, pb, -normal))
       return;
@@ -215,6 +210,7 @@ class ContactSearch {
   BoxTree m_tree_object, m_tree_support;
   std::array<Vec3, 3> m_own_axis;  // of the object
   std::vector<ContactPoint> m_found, m_fallback;
+  PairSet m_tried_vertices, m_tried_faces;  // of the object and the support, one of them a face
 };
 
 void collect_floor_vertices(const Body& object, const BoxTree& tree, Index node, double tolerance,

@@ -84,9 +84,10 @@ std::vector<ObjectId> Scene::ids() const {
   std::vector<ObjectId> out;
   for (size_t i = 0; i < m_slots.size(); ++i)
     if (m_slots[i].object) out.push_back({static_cast<std::uint32_t>(i), m_slots[i].generation});
-  std::sort(out.begin(), out.end(), [&](ObjectId a, ObjectId b) {
+  const auto earlier = [&](ObjectId a, ObjectId b) {
     return m_slots[a.index].order < m_slots[b.index].order;
-  });
+  };
+  if (!std::is_sorted(out.begin(), out.end(), earlier)) std::sort(out.begin(), out.end(), earlier);
   return out;
 }
 

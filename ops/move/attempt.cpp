@@ -116,8 +116,7 @@ void Attempt::note_blocked(Index outside, const Vec3& point) {
   m_result.blocked_at = point;
 }
 
-void Attempt::let_go() {
-  SettleOutcome outcome = m_group->settle(&m_interrupt);
+void Attempt::end_settled(const SettleOutcome& outcome) {
   m_result.steps.insert(m_result.steps.end(), outcome.steps.begin(), outcome.steps.end());
   if (interrupted()) return;
   const std::string why = why_not_settled(name(), *m_group, outcome, m_options);

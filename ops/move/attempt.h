@@ -44,7 +44,10 @@ class Attempt {
   void note_blocked(Index outside, const Vec3& point);
 
   /// Settles from where the group is. Refused when it cannot come to rest.
-  void let_go();
+  void let_go() { end_settled(settle()); }
+  /// The same in two steps: the group is where it settled, and may go back.
+  SettleOutcome settle() { return m_group->settle(&m_interrupt); }
+  void end_settled(const SettleOutcome& outcome);
   /// Commits and does what MoveOptions ask for. @param otherwise  the state when it does not rest.
   OperationResult finish(ObjectState otherwise);
   OperationResult finish_freely();

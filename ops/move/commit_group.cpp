@@ -142,8 +142,7 @@ class GroupCommit {
   void prepare(Index i, const RigidMove& move, const std::vector<Interpenetration>& crossed) {
     const ObjectId id = m_group.ids()[i];
     const Object& object = std::as_const(m_scene).at(id);
-    std::vector<ContactsWith> contacts =
-        touching(m_scene, object, m_group.pose(i), m_group.outside(), m_group.clearance());
+    std::vector<ContactsWith> contacts = m_group.contacts(i);
     std::erase_if(contacts, [&](const ContactsWith& c) {
       return std::any_of(crossed.begin(), crossed.end(), [&](const Interpenetration& x) {
         return x.id == id && (x.with ? c.fixed >= 0 && m_group.outside().ids[c.fixed] == *x.with

@@ -28,20 +28,6 @@ void append_mates(const Scene& scene, ObjectId id, std::vector<ObjectId>& ids) {
       ids.push_back(other);
 }
 
-// Everything that a motion may come near.
-Aabb swept_box(Aabb box, const Motion& motion, double margin) {
-  if (motion.kind == Motion::Kind::Translation) {
-    const Vec3 way = motion.limit * motion.axis;
-    box.extend(Aabb{box.lower + way, box.upper + way});
-  } else {
-    const Vec3 far = (box.centre() - motion.centre).cwiseAbs() + box.half_extent();
-    const Vec3 reach = Vec3::Constant(far.norm() * (1 + 1e-14));
-    box = {motion.centre - reach, motion.centre + reach};
-  }
-  box.lower -= Vec3::Constant(margin), box.upper += Vec3::Constant(margin);
-  return box;
-}
-
 }  // namespace
 
 std::vector<ObjectId> carried_with(const Scene& scene, ObjectId object) {
@@ -79,6 +65,7 @@ MovingGroup::MovingGroup(const Scene& scene, ObjectId object, double clearance,
 void MovingGroup::update() {
   m_poses = m_origins;
   m_bodies.clear();
+  m_contacts.assign(m_ids.size(), std::nullopt);
   for (size_t i = 0; i < m_ids.size(); ++i) {
     m_poses[i].translation += m_offset;
     const Object& object = m_scene->at(m_ids[i]);
@@ -143,40 +130,33 @@ bool MovingGroup::has_moved() const {
   return false;
 }
 
-std::vector<Index> MovingGroup::near(const Aabb& swept) const {
-  std::vector<Index> out;
-  for (Index i = 0; i < static_cast<Index>(m_outside.bodies.size()); ++i)
-    if (overlaps(swept, m_outside.bodies[i].world_box)) out.push_back(i);
-  return out;
-}
-
 FirstContact MovingGroup::first_contact(const Motion& motion) {
   FirstContactQuery query;
   query.clearance.distance = m_clearance;
-  const double reach = query.clearance.largest_stop();
-  const double margin = 1.01 * reach + 1e-13 * box().max_abs_coordinate();
-  const std::vector<Index> fixed = near(swept_box(box(), motion, margin));
-  std::vector<Body> bodies;
-  for (const Index i : fixed) bodies.push_back(m_outside.bodies[i]);
   query.moving = m_bodies;
-  query.fixed = bodies;
+  query.fixed = m_outside.bodies;
   query.floor = m_scene->floor;
   query.motion = motion;
-  FirstContact found = trivet::first_contact(query, m_options.detector);
-  if (found.status != FirstContact::Status::Free && found.fixed != FirstContact::kFloor)
-    found.fixed = fixed[found.fixed];
+  const FirstContact found = trivet::first_contact(query, m_options.detector);
   ++m_num_queries;
   m_num_face_pairs += found.work.face_pairs;
   return found;
 }
 
+const std::vector<ContactsWith>& MovingGroup::contacts(Index member) const {
+  std::optional<std::vector<ContactsWith>>& known = m_contacts[member];
+  if (!known)
+    known = contacts_with(m_bodies[member], m_outside.bodies, m_scene->floor,
+                          kContactTolerance * m_clearance, kFootSlack * m_clearance);
+  return *known;
+}
+
 std::vector<Touch> MovingGroup::touches() const {
-  const double tolerance = kContactTolerance * m_clearance;
   std::vector<Touch> out;
   for (Index m = 0; m < static_cast<Index>(m_bodies.size()); ++m)
-    for (const ContactsWith& c : contacts_with(m_bodies[m], m_outside.bodies, m_scene->floor,
-                                               tolerance, kFootSlack * m_clearance))
-      for (const ContactPoint& p : merged(c.points, tolerance)) out.push_back({m, c.fixed, p});
+    for (const ContactsWith& c : contacts(m))
+      for (const ContactPoint& p : merged(c.points, kContactTolerance * m_clearance))
+        out.push_back({m, c.fixed, p});
   return out;
 }
 
@@ -205,13 +185,15 @@ SettleOutcome MovingGroup::settle(Interrupt* interrupt) {
   }
   const SettleProblem problem{
       object().shape.get(), object().up, object().scale, m_poses[0], m_outside.bodies,
-      m_scene->floor,       m_clearance, m_options,      interrupt,  carried};
+      m_scene->floor,       m_clearance, m_options,      interrupt,  carried,
+      &contacts(0)};
   SettleOutcome outcome = trivet::settle(problem);
   if (!outcome.steps.empty()) {
     m_origins = {outcome.pose};
     m_origins.insert(m_origins.end(), outcome.carried.begin(), outcome.carried.end());
     m_offset.setZero();
     update();
+    if (outcome.status == SettleOutcome::Status::AtRest) m_contacts[0] = outcome.contacts;
   }
   m_num_queries += outcome.num_queries;
   m_num_face_pairs += outcome.num_face_pairs;

@@ -1,6 +1,7 @@
 // What moves as one rigid body, among the others, which stand still.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -50,6 +51,8 @@ class MovingGroup {
   void advance(const Motion& motion, double time);
   /// First contact with what is outside, from where the group is. Costs what is near the way.
   FirstContact first_contact(const Motion& motion);
+  /// What a member touches outside, within kContactTolerance clearances; kept until it moves.
+  const std::vector<ContactsWith>& contacts(Index member) const;
   std::vector<Touch> touches() const;
   /// Opens gaps a little, so that the group can slide along what it touches; see kSlideGap.
   /// @return whether it has moved.
@@ -72,7 +75,6 @@ class MovingGroup {
 
  private:
   void update();
-  std::vector<Index> near(const Aabb& swept) const;
 
   const Scene* m_scene;
   std::vector<ObjectId> m_ids;
@@ -85,6 +87,7 @@ class MovingGroup {
   Vec3 m_offset = Vec3::Zero();
   std::vector<Pose> m_poses;
   std::vector<Body> m_bodies;
+  mutable std::vector<std::optional<std::vector<ContactsWith>>> m_contacts;  // those asked for
   std::int64_t m_num_queries = 0, m_num_face_pairs = 0;
 };
 

@@ -264,17 +264,43 @@ void Push::note_way(bool straight) {
   m_floats = false;
 }
 
-// Whether the object, let go there, sinks no deeper than step_down.
-bool Push::holds_at(const Vec3& offset) {
+// Lets the object go there. @return how it settled; nothing: it sinks deeper than step_down, or
+// does not come to rest.
+std::optional<SettleOutcome> Push::settled_from(const Vec3& offset) {
   Place place = m_group.here();
   place.offset = offset;
   m_group.go_back(place);
   const double z = m_group.centre().z();
-  const SettleOutcome outcome = m_group.settle(nullptr);
+  SettleOutcome outcome = m_attempt.settle();
   const double sinks = z - m_group.centre().z();
-  m_group.go_back(place);
-  return outcome.status == SettleOutcome::Status::AtRest &&
-         sinks <= m_options.step_down + m_group.clearance();
+  if (outcome.status != SettleOutcome::Status::AtRest ||
+      sinks > m_options.step_down + m_group.clearance())
+    return std::nullopt;
+  return outcome;
+}
+
+bool Push::holds_at(const Vec3& offset) {
+  const Place here = m_group.here();
+  const bool holds = settled_from(offset).has_value();
+  m_group.go_back(here);
+  return holds;
+}
+
+// The last place on the way from where it holds, if it does so at the start.
+std::optional<Vec3> Push::last_place_that_holds() {
+  if (m_way.size() < 2 || !holds_at(m_way[0].offset)) return std::nullopt;
+  size_t good = 0, bad = m_way.size() - 1;
+  while (bad - good > 1 && !m_attempt.interrupted()) {
+    const size_t middle = (good + bad) / 2;
+    (holds_at(m_way[middle].offset) ? good : bad) = middle;
+  }
+  Vec3 last = m_way[good].offset, beyond = m_way[bad].offset;
+  while (m_way[bad].straight && (beyond - last).norm() > 2 * m_shortest &&
+         !m_attempt.interrupted()) {
+    const Vec3 middle = 0.5 * (last + beyond);
+    (holds_at(middle) ? last : beyond) = middle;
+  }
+  return last;
 }
 
 void Push::let_go() {
@@ -284,27 +310,16 @@ void Push::let_go() {
     if (t.member == 0) points.push_back(t.point);
   if (carrying_margin(points, m_group.centre()) >= kRestMargin * m_group.size())
     return m_attempt.let_go();  // it stands there
-  const Place end = m_group.here();
-  if (!holds_at(end.offset) && m_way.size() > 1 && holds_at(m_way[0].offset)) {
-    size_t good = 0, bad = m_way.size() - 1;
-    while (bad - good > 1) {
-      const size_t middle = (good + bad) / 2;
-      (holds_at(m_way[middle].offset) ? good : bad) = middle;
-    }
-    Vec3 last = m_way[good].offset, beyond = m_way[bad].offset;
-    while (m_way[bad].straight && (beyond - last).norm() > 2 * m_shortest) {
-      const Vec3 middle = 0.5 * (last + beyond);
-      (holds_at(middle) ? last : beyond) = middle;
-    }
-    Place place = end;
-    place.offset = last;
-    m_group.go_back(place);
+  Place end = m_group.here();
+  if (const auto outcome = settled_from(end.offset)) return m_attempt.end_settled(*outcome);
+  m_group.go_back(end);
+  if (const std::optional<Vec3> last = last_place_that_holds()) {
+    end.offset = *last;
+    m_group.go_back(end);
     m_attempt.note_step(SettleStep::Kind::Slide);
     m_attempt.result().end = OperationResult::End::Edge;
-  } else {
-    m_group.go_back(end);
   }
-  m_attempt.let_go();
+  if (!m_attempt.interrupted()) m_attempt.let_go();
 }
 
 OperationResult Push::finish() {

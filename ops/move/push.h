@@ -58,7 +58,9 @@ class Push {
 
   void look_around();
   void note_way(bool straight);
+  std::optional<SettleOutcome> settled_from(const Vec3& offset);
   bool holds_at(const Vec3& offset);
+  std::optional<Vec3> last_place_that_holds();
   Vec2 way_left() const;
   SlidePlan plan(const Vec3& direction) const;
   double end_of(size_t contact, const Vec3& velocity) const;

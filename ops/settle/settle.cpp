@@ -72,7 +72,9 @@ class Settling {
     }
     m_object.centre = m_bodies[0].world_from_object.apply(m_problem.shape->mass.centre);
     const double tolerance = kContactTolerance * clearance();
-    m_out.contacts = contacts_of(0, tolerance);
+    m_out.contacts = m_problem.contacts_at_start && m_out.steps.empty()
+                         ? *m_problem.contacts_at_start
+                         : contacts_of(0, tolerance);
     return all_points_with(m_out.contacts, tolerance);
   }
 

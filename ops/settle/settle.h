@@ -28,6 +28,13 @@ struct CarriedShape {
   Pose start;
 };
 
+/// Contact points with one of the fixed bodies, or with the floor (kFloor).
+struct ContactsWith {
+  static constexpr Index kFloor = -1;
+  Index fixed = kFloor;
+  std::vector<ContactPoint> points;
+};
+
 struct SettleProblem {
   const Shape* shape = nullptr;
   UpAxis up = UpAxis::Z;
@@ -39,13 +46,7 @@ struct SettleProblem {
   SettleOptions options;
   Interrupt* interrupt = nullptr;  // asked before every motion; null: never stops
   std::span<const CarriedShape> carried = {};
-};
-
-/// Contact points with one of the fixed bodies, or with the floor (kFloor).
-struct ContactsWith {
-  static constexpr Index kFloor = -1;
-  Index fixed = kFloor;
-  std::vector<ContactPoint> points;
+  const std::vector<ContactsWith>* contacts_at_start = nullptr;  // of the object, if they are known
 };
 
 struct SettleOutcome {
