@@ -9,6 +9,11 @@
 namespace trivet {
 namespace {
 
+// Where opposite contacts leave no room for kSlideGap, motions keep the first of these parts of the
+// clearance for which there is room. A quarter is 4 half-ulps of float32; below, the exact test of
+// the exported values would refuse what was reached.
+constexpr double kTightParts[] = {0.85, 0.7, 0.5, 0.35, 0.25};
+
 bool has(const std::vector<ObjectId>& ids, ObjectId id) {
   return std::find(ids.begin(), ids.end(), id) != ids.end();
 }
@@ -57,6 +62,7 @@ MovingGroup::MovingGroup(const Scene& scene, ObjectId object, double clearance,
       m_ids(carried_with(scene, object)),
       m_outside(scene, m_ids),
       m_clearance(clearance),
+      m_motion_clearance(clearance),
       m_options(options) {
   for (const ObjectId id : m_ids) m_origins.push_back(scene.at(id).pose);
   update();
@@ -132,7 +138,7 @@ bool MovingGroup::has_moved() const {
 
 FirstContact MovingGroup::first_contact(const Motion& motion) {
   FirstContactQuery query;
-  query.clearance.distance = m_clearance;
+  query.clearance.distance = m_motion_clearance;
   query.moving = m_bodies;
   query.fixed = m_outside.bodies;
   query.floor = m_scene->floor;
@@ -160,17 +166,39 @@ std::vector<Touch> MovingGroup::touches() const {
   return out;
 }
 
+std::optional<Vec3> MovingGroup::lift_for_sliding(const std::vector<ContactPoint>& points,
+                                                  double part) const {
+  const Vec3 d = smallest_lift(points, part * kSlideGap * m_clearance);
+  if (!(d.norm() > 0) || d.norm() > kLargestLift * m_clearance) return std::nullopt;
+  const bool opens_all = std::all_of(points.begin(), points.end(), [&](const ContactPoint& p) {
+    return p.gap + p.normal.dot(d) >= part * kSlideBelow * m_clearance;
+  });
+  return opens_all ? std::optional(d) : std::nullopt;
+}
+
 bool MovingGroup::float_off(const std::vector<Touch>& touches) {
+  m_motion_clearance = m_clearance;
   std::vector<ContactPoint> points;
   for (const Touch& t : touches) points.push_back(t.point);
-  const bool needed = std::any_of(points.begin(), points.end(), [&](const ContactPoint& p) {
-    return p.gap < kSlideBelow * m_clearance;
-  });
-  if (!needed) return false;
-  const Vec3 d = smallest_lift(points, kSlideGap * m_clearance);
-  const double length = d.norm();
-  if (!(length > 0) || length > kLargestLift * m_clearance) return false;
-  const Motion motion = Motion::translation(d / length, length);
+  const auto is_open = [&](double part) {
+    return std::all_of(points.begin(), points.end(), [&](const ContactPoint& p) {
+      return p.gap >= part * kSlideBelow * m_clearance;
+    });
+  };
+  if (is_open(1)) return false;
+  std::optional<Vec3> d = lift_for_sliding(points, 1);
+  for (const double part : kTightParts) {
+    if (d) break;
+    m_motion_clearance = part * m_clearance;
+    if (is_open(part)) return false;
+    d = lift_for_sliding(points, part);
+  }
+  if (!d) {
+    m_motion_clearance = m_clearance;
+    return false;
+  }
+  const double length = d->norm();
+  const Motion motion = Motion::translation(*d / length, length);
   const double time = std::min(first_contact(motion).time, length);
   if (time < 0.1 * length) return false;
   advance(motion, time);

@@ -54,7 +54,9 @@ class MovingGroup {
   /// What a member touches outside, within kContactTolerance clearances; kept until it moves.
   const std::vector<ContactsWith>& contacts(Index member) const;
   std::vector<Touch> touches() const;
-  /// Opens gaps a little, so that the group can slide along what it touches; see kSlideGap.
+  /// Opens gaps a little, so that the group can slide along what it touches; see kSlideGap. Between
+  /// contacts that face each other there may be no room for that: the group goes to the middle, and
+  /// motions keep a part of the clearance only, until the next float_off().
   /// @return whether it has moved.
   bool float_off(const std::vector<Touch>& touches);
   /// Settles from where the group is; the group then is where it ended.
@@ -75,11 +77,12 @@ class MovingGroup {
 
  private:
   void update();
+  std::optional<Vec3> lift_for_sliding(const std::vector<ContactPoint>& points, double part) const;
 
   const Scene* m_scene;
   std::vector<ObjectId> m_ids;
   Surroundings m_outside;
-  double m_clearance;
+  double m_clearance, m_motion_clearance;
   SettleOptions m_options;
   // Translations are summed up before they are added: members shift among each other by no more
   // than one rounding, however long the way.
