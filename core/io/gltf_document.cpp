@@ -1,9 +1,11 @@
 #include "core/io/gltf_document.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <filesystem>
 #include <fstream>
+#include <string_view>
 
 #include "core/base/error.h"
 #include "core/io/glb_container.h"
@@ -43,6 +45,7 @@ std::string decoded_base64(const std::string& text, size_t start) {
 
 std::string whole_file(const fs::path& path, std::uintmax_t max_bytes) {
   std::error_code error;
+  if (fs::is_directory(path, error)) fail(path.string() + ": is a folder, not a file");
   const auto bytes = fs::is_regular_file(path, error) ? fs::file_size(path, error) : 0;
   if (error || bytes == 0) fail(path.string() + ": is missing or empty");
   if (bytes > max_bytes)
@@ -54,10 +57,14 @@ std::string whole_file(const fs::path& path, std::uintmax_t max_bytes) {
   return out;
 }
 
+// By its content too: a session keeps its start under a name of its own.
 bool is_glb(const std::string& path) {
   std::string extension = fs::path(path).extension().string();
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension == ".glb";
+  if (extension == ".glb") return true;
+  std::array<char, 4> begin{};
+  std::ifstream in(path, std::ios::binary);
+  return in.read(begin.data(), begin.size()) && std::string_view(begin.data(), 4) == "glTF";
 }
 
 class DocumentReader {

@@ -164,7 +164,13 @@ void write_scene_file(const Scene& scene, const Layout& layout, const SceneFileO
 
 SceneFile read_scene_file(const std::string& path, const ImportLimits& limits,
                           const std::string& folder) {
-  return SceneReader(path, limits, folder).read();
+  try {
+    return SceneReader(path, limits, folder).read();
+  } catch (const Error& e) {
+    const std::string message = e.what();
+    if (message.find(path) != std::string::npos) throw;
+    throw Error(e.kind(), path + ": " + message);
+  }
 }
 
 bool is_scene_file(const std::string& path) {

@@ -1,0 +1,337 @@
+// The editor from end to end, in a real window under a window system: the layout SPOON-SAUCER from
+// an empty floor, by mouse only; and what goes wrong. What the screen shows is kept as pictures.
+#include <QApplication>
+#include <QCommandLinkButton>
+#include <QDialogButtonBox>
+#include <QFileDialog>
+#include <QLineEdit>
+#include <QMessageBox>
+#include <QProcess>
+#include <QPushButton>
+#include <QSettings>
+#include <QTemporaryDir>
+
+#include "apps/edit_window/user.h"
+#include "core/io/export.h"
+#include "ops/demo/demo.h"
+
+namespace trivet::edit::test {
+namespace {
+
+using Window = WindowKind;
+
+/// The models of the demo as files.
+QStringList export_models(const QString& folder) {
+  QStringList files;
+  for (const DemoModel& model : make_demo("spoon-saucer").models) {
+    ExportObject object;
+    object.name = QFileInfo(QString::fromStdString(model.file)).baseName().toStdString();
+    object.model = std::make_shared<Model>(model.model);
+    const QString file = folder + "/" + QString::fromStdString(object.name) + ".glb";
+    write_scene({{object}, {}}, file.toStdString());
+    files << file;
+  }
+  return files;
+}
+
+void press(QWidget& dialog, QDialogButtonBox::StandardButton which) {
+  auto* const box = dialog.findChild<QDialogButtonBox*>();
+  QTest::mouseClick(box->button(which), Qt::LeftButton);
+}
+
+Aabb box_of(const Object& object) { return world_box(object); }
+
+}  // namespace
+
+class TestWindow : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void initTestCase();
+  void cleanupTestCase();
+  void begins_with_the_start_page();
+  void imports_by_dropping_files();
+  void puts_by_clicking();
+  void pushes_over_the_saucer();
+  void turns_about_an_edge();
+  void picks_up();
+  void goes_through_the_history();
+  void saves_and_opens();
+  void says_why_it_refuses();
+  void asks_before_work_is_lost();
+  void shows_full_scenes_at_every_size();
+
+ private:
+  void open_window();
+  void select_and(const std::string& name, const QString& tool);
+
+  QTemporaryDir m_folder;
+  std::unique_ptr<Document> m_document;
+  std::unique_ptr<MainWindow> m_window;
+  std::unique_ptr<User> m_user;
+  std::map<std::string, Pose> m_laid_out;
+};
+
+void TestWindow::initTestCase() {
+  QVERIFY(m_folder.isValid());
+  QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_folder.path());
+  QCoreApplication::setOrganizationName("trivet");
+  QCoreApplication::setApplicationName("trivet-edit-test");
+  open_window();
+}
+
+void TestWindow::open_window() {
+  DocumentOptions options;
+  options.version = "test";
+  options.recovery_folder = m_folder.filePath("recovery").toStdString();
+  QDir().mkpath(m_folder.filePath("recovery"));
+  m_document = std::make_unique<Document>(options);
+  m_window = std::make_unique<MainWindow>(*m_document);
+  m_window->resize(1280, 720);
+  m_window->show();
+  m_window->move(0, 0);
+  QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+  m_user = std::make_unique<User>(*m_document, *m_window,
+                                  QDir::current().filePath("edit_window_pictures"));
+}
+
+void TestWindow::cleanupTestCase() {
+  m_user.reset();
+  m_window.reset();
+  m_document.reset();
+}
+
+void TestWindow::select_and(const std::string& name, const QString& tool) {
+  m_user->select(name);
+  m_user->take(tool);
+}
+
+void TestWindow::begins_with_the_start_page() {
+  QVERIFY(m_user->wait());
+  m_user->look("start_page");
+  for (QCommandLinkButton* const button : m_window->findChildren<QCommandLinkButton*>())
+    if (button->text() == "New scene") {
+      m_user->click(*button);
+      break;
+    }
+  QVERIFY(m_user->wait());
+  QVERIFY(m_window->view(Window::Perspective).isVisible());
+  m_user->look("empty");
+}
+
+void TestWindow::imports_by_dropping_files() {
+  const QStringList files = export_models(m_folder.path());
+  bool looked = false;
+  m_user->drop(files, [&](QWidget& dialog) {
+    m_user->look("import_dialog");
+    looked = true;
+    press(dialog, QDialogButtonBox::Ok);
+  });
+  QVERIFY(looked);
+  QVERIFY(m_user->wait());
+  QTRY_COMPARE(m_document->snapshot()->objects.size(), static_cast<size_t>(files.size()));
+  QVERIFY(m_window->toolbox().current() == ToolKind::Put);
+  m_user->look("imported");
+}
+
+void TestWindow::puts_by_clicking() {
+  select_and("saucer", "put");
+  m_user->move_to(m_window->view(Window::Perspective),
+                  m_user->pixel(Window::Perspective, Vec3::Zero()));
+  QTRY_VERIFY(m_document->ghost().has_value());
+  m_user->look("ghost");
+  m_user->click(Window::Perspective, Vec3::Zero());
+  QVERIFY(m_user->wait());
+  QVERIFY(m_user->object("saucer").state == ObjectState::Stable);
+  QVERIFY(box_of(m_user->object("saucer")).centre().head<2>().norm() < 0.02);
+  m_user->look("saucer");
+  select_and("spoon", "put");
+  const Vec3 onto = box_of(m_user->object("saucer")).centre() + Vec3(0.03, 0, 0);
+  m_user->click(Window::ThreeView, onto);
+  QVERIFY(m_user->wait());
+  const Object& spoon = m_user->object("spoon");
+  QVERIFY(spoon.state == ObjectState::Stable);
+  bool on_saucer = false;
+  for (const Link& link : spoon.links)
+    on_saucer = on_saucer ||
+                (link.with && m_document->snapshot()->find(*link.with)->object->name == "saucer");
+  QVERIFY2(on_saucer, "the spoon lies on the saucer");
+  m_user->look("spoon_on_saucer");
+}
+
+void TestWindow::pushes_over_the_saucer() {
+  select_and("spoon", "push");
+  QVERIFY(m_user->wait());
+  const Pose before = m_user->object("spoon").pose;
+  const Vec3 from = m_user->object("spoon").centre_of_mass();
+  m_user->drag(Window::Constraint, from, from + Vec3(-0.02, 0.015, 0));
+  QVERIFY(m_user->wait());
+  const Object& spoon = m_user->object("spoon");
+  QVERIFY2((spoon.pose.translation - before.translation).head<2>().norm() > 0.005,
+           qPrintable(m_window->message_bar().text()));
+  QVERIFY(spoon.state == ObjectState::Stable);
+  m_user->look("pushed");
+}
+
+void TestWindow::turns_about_an_edge() {
+  select_and("spoon", "turn");
+  QVERIFY(m_user->wait());
+  const Rotation before = m_user->object("spoon").pose.rotation;
+  const Link* const link = active_link(m_document->selection(), *m_document->snapshot());
+  QVERIFY(link && !link->contact.points.empty());
+  const auto& hull = link->contact.hull;
+  const Vec3 edge =
+      hull.size() > 1 ? Vec3(0.5 * (hull[0] + hull[1])) : link->contact.points[0].point;
+  m_user->click(Window::Constraint, edge);
+  QVERIFY(m_user->wait());
+  m_user->look("edge");
+  QVERIFY(m_document->selection().contact.has_value());
+  SceneView& view = m_window->view(Window::Constraint);
+  const QPoint centre = m_user->pixel(Window::Constraint, edge);
+  m_user->drag(view, centre + QPoint(60, 0), centre + QPoint(52, -30));
+  QVERIFY(m_user->wait());
+  const Rotation after = m_user->object("spoon").pose.rotation;
+  QVERIFY2(std::abs(before.w * after.w + before.x * after.x + before.y * after.y +
+                    before.z * after.z) < 1 - 1e-6,
+           qPrintable(m_window->message_bar().text()));
+  m_user->look("turned");
+}
+
+void TestWindow::picks_up() {
+  select_and("spoon", "pick up");
+  const double before = m_user->object("spoon").centre_of_mass().z();
+  m_user->press_key(Qt::Key_U);
+  QVERIFY(m_user->wait());
+  QVERIFY(m_user->object("spoon").centre_of_mass().z() > before + 0.01);
+  QVERIFY(m_user->object("spoon").state == ObjectState::Held);
+  m_user->look("picked_up");
+  m_user->take("put");
+  m_user->click(Window::ThreeView, box_of(m_user->object("saucer")).centre() + Vec3(0.02, 0.01, 0));
+  QVERIFY(m_user->wait());
+  QVERIFY(m_user->object("spoon").state == ObjectState::Stable);
+}
+
+void TestWindow::goes_through_the_history() {
+  m_user->take("select");
+  for (const ObjectSnapshot& object : m_document->snapshot()->objects)
+    m_laid_out[object->name] = object->pose;
+  const size_t num_steps = m_document->history().num_done;
+  QVERIFY(num_steps >= 7);
+  m_user->show_tab("History");
+  auto* const list = m_window->control().findChild<QListWidget*>("history");
+  QVERIFY(list);
+  list->scrollToTop();
+  m_user->click(*list->viewport(), list->visualItemRect(list->item(0)).center());
+  QVERIFY(m_user->wait());
+  QCOMPARE(m_document->snapshot()->objects.size(), size_t{0});
+  m_user->look("all_undone");
+  for (size_t i = 0; i < num_steps; ++i) {
+    m_user->press_key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    QVERIFY(m_user->wait());
+  }
+  QCOMPARE(m_document->history().num_done, num_steps);
+  for (const auto& [name, pose] : m_laid_out) {
+    QVERIFY(m_user->object(name).pose.translation == pose.translation);
+    QVERIFY(m_user->object(name).pose.rotation.w == pose.rotation.w);
+  }
+  m_user->look("all_redone");
+}
+
+void TestWindow::saves_and_opens() {
+  const QString file = m_folder.filePath("scene.glb");
+  m_user->with_dialog([this] { m_user->press_key(Qt::Key_S, Qt::ControlModifier); },
+                      [&](QWidget& dialog) {
+                        auto* const files = qobject_cast<QFileDialog*>(&dialog);
+                        QVERIFY(files);
+                        m_user->look("save_dialog");
+                        files->selectFile(file);
+                        QTest::keyClick(files->findChild<QLineEdit*>(), Qt::Key_Return);
+                      });
+  QVERIFY(m_user->wait());
+  QVERIFY(QFile::exists(file));
+  QVERIFY(!m_document->is_modified());
+  m_user->look("saved");
+  QProcess check;
+  check.start(TRIVET_PROGRAM, {"check", file});
+  QVERIFY(check.waitForFinished(120000));
+  QVERIFY2(check.exitCode() == 0, check.readAllStandardError() + check.readAllStandardOutput());
+  m_window->action("new")->trigger();
+  QVERIFY(m_user->wait());
+  QCOMPARE(m_document->snapshot()->objects.size(), size_t{0});
+  m_window->open_file(file);
+  QVERIFY(m_user->wait());
+  for (const auto& [name, pose] : m_laid_out)
+    QVERIFY(m_user->object(name).pose.translation == pose.translation);
+  m_user->look("reopened");
+}
+
+void TestWindow::says_why_it_refuses() {
+  m_user->select("spoon");
+  TranslateOperation down;
+  down.object = "spoon";
+  down.by = Vec3(0, 0, -0.2);
+  m_document->perform(down);
+  QVERIFY(m_user->wait());
+  QVERIFY(m_window->message_bar().isVisible());
+  QVERIFY2(!m_window->message_bar().text().isEmpty(), "with the reason");
+  m_user->look("refused");
+  m_user->click(m_window->view(Window::Perspective), QPoint(20, 20));
+  m_window->open_file(m_folder.filePath("no such file.json"));
+  QVERIFY(m_user->wait());
+  QVERIFY(m_window->message_bar().text().contains("no such file"));
+  m_user->look("no_such_file");
+}
+
+void TestWindow::asks_before_work_is_lost() {
+  LockOperation lock;
+  lock.object = "saucer";
+  m_document->perform(lock);
+  QVERIFY(m_user->wait());
+  QVERIFY(m_document->is_modified());
+  bool asked = false;
+  const auto answer = [&](QMessageBox::StandardButton button) {
+    return [&asked, button, this](QWidget& dialog) {
+      auto* const box = qobject_cast<QMessageBox*>(&dialog);
+      asked = box != nullptr;
+      if (!box) return dialog.close(), void();
+      if (button == QMessageBox::Cancel) m_user->look("question");
+      QTest::mouseClick(box->button(button), Qt::LeftButton);
+    };
+  };
+  m_user->with_dialog([this] { m_window->close(); }, answer(QMessageBox::Cancel));
+  QVERIFY(asked);
+  QVERIFY(m_window->isVisible());
+  QVERIFY(m_document->is_modified());
+  m_user->with_dialog([this] { m_window->open_demo("breakfast"); }, answer(QMessageBox::Discard));
+  QVERIFY(m_user->wait());
+  QVERIFY(m_document->snapshot()->objects.size() > 20);
+}
+
+void TestWindow::shows_full_scenes_at_every_size() {
+  const auto snapshot = m_document->snapshot();
+  m_document->select_only(snapshot->find("cup_front")->id);
+  for (const QSize& size : {QSize(1280, 720), QSize(2560, 1440)}) {
+    m_window->resize(size);
+    for (const bool dark : {true, false}) {
+      m_window->set_dark(dark);
+      QVERIFY(m_user->wait());
+      m_user->look(QString("breakfast_%1_%2").arg(size.width()).arg(dark ? "dark" : "light"));
+    }
+    m_window->action("start page")->trigger();
+    m_user->look(QString("start_%1").arg(size.width()));
+    m_document->select_only(snapshot->find("saucer_front")->id);
+    QVERIFY(m_user->wait());
+  }
+  m_window->resize(1280, 720);
+}
+
+}  // namespace trivet::edit::test
+
+int main(int argc, char** argv) {
+  QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+  QApplication application(argc, argv);
+  trivet::edit::test::TestWindow test;
+  return QTest::qExec(&test, argc, argv);
+}
+
+#include "test_window.moc"

@@ -1,0 +1,141 @@
+#include "apps/edit_window/user.h"
+
+#include <QApplication>
+#include <QDropEvent>
+#include <QMimeData>
+#include <QScreen>
+#include <QToolBar>
+#include <QTreeWidgetItemIterator>
+
+namespace trivet::edit::test {
+namespace {
+
+constexpr int kDragSteps = 12, kStepMs = 15;
+
+}  // namespace
+
+User::User(Document& document, MainWindow& window, const QString& pictures)
+    : m_document(document), m_window(window), m_pictures(pictures) {
+  m_pictures.mkpath(".");
+}
+
+void User::press_key(Qt::Key key, Qt::KeyboardModifiers modifiers) {
+  QTest::keyClick(m_window.windowHandle(), key, modifiers);
+}
+
+void User::move_to(QWidget& widget, const QPoint& at) {
+  QTest::mouseMove(m_window.windowHandle(), in_window(widget, at));
+  QTest::qWait(kStepMs);
+}
+
+void User::click(QWidget& widget, const QPoint& at, Qt::KeyboardModifiers modifiers) {
+  move_to(widget, at);
+  QTest::mouseClick(m_window.windowHandle(), Qt::LeftButton, modifiers, in_window(widget, at));
+  QTest::qWait(kStepMs);
+}
+
+void User::drag(QWidget& widget, const QPoint& from, const QPoint& to) {
+  move_to(widget, from);
+  QTest::mousePress(m_window.windowHandle(), Qt::LeftButton, {}, in_window(widget, from));
+  for (int i = 1; i <= kDragSteps; ++i) move_to(widget, from + (to - from) * i / kDragSteps);
+  QTest::qWait(20 * kStepMs);  // until what is dragged has followed
+  QTest::mouseRelease(m_window.windowHandle(), Qt::LeftButton, {}, in_window(widget, to));
+}
+
+QPoint User::pixel(WindowKind kind, const Vec3& world) {
+  const auto px = m_window.view(kind).view().project(world);
+  return px ? QPoint(static_cast<int>(std::lround(px->x())), static_cast<int>(std::lround(px->y())))
+            : QPoint(-1, -1);
+}
+
+void User::click(WindowKind kind, const Vec3& world) {
+  click(m_window.view(kind), pixel(kind, world));
+}
+
+void User::drag(WindowKind kind, const Vec3& from, const Vec3& to) {
+  drag(m_window.view(kind), pixel(kind, from), pixel(kind, to));
+}
+
+void User::take(const QString& tool) {
+  auto* const bar = m_window.findChild<QToolBar*>("tools");
+  click(*bar->widgetForAction(m_window.action(tool)));
+}
+
+void User::select(const std::string& name) {
+  Outliner& outliner = m_window.control().outliner();
+  for (QTreeWidgetItemIterator it(&outliner); *it; ++it) {
+    if ((*it)->text(0).toStdString() != name) continue;
+    outliner.scrollToItem(*it);
+    click(*outliner.viewport(), outliner.visualItemRect(*it).center());
+    return;
+  }
+  QFAIL(qPrintable(QString("no \"%1\" in the outliner").arg(QString::fromStdString(name))));
+}
+
+void User::show_tab(const QString& title) {
+  auto* const tabs = m_window.control().findChild<QTabWidget*>();
+  for (int i = 0; i < tabs->count(); ++i)
+    if (tabs->tabText(i) == title) click(*tabs->tabBar(), tabs->tabBar()->tabRect(i).center());
+}
+
+bool User::wait(int timeout_ms) {
+  const auto is_done = [this] {
+    if (m_document.is_busy() || m_document.is_dragging()) return false;
+    for (const WindowKind kind :
+         {WindowKind::Perspective, WindowKind::ThreeView, WindowKind::Constraint}) {
+      const SceneView& view = m_window.view(kind);
+      if (view.isVisible() && !view.is_up_to_date()) return false;
+    }
+    return true;
+  };
+  QTest::qWait(2 * kStepMs);
+  return QTest::qWaitFor(is_done, timeout_ms);
+}
+
+QImage User::look(const QString& name) {
+  QTest::qWait(4 * kStepMs);
+  const QString file = QString("%1_%2.png").arg(++m_number, 2, 10, QChar('0')).arg(name);
+  const QPoint corner = m_window.mapToGlobal(QPoint());
+  const QImage image =
+      m_window.screen()
+          ->grabWindow(0, corner.x(), corner.y(), m_window.width(), m_window.height())
+          .toImage();
+  image.save(m_pictures.filePath(file));
+  return image;
+}
+
+void User::with_dialog(std::function<void()> open, std::function<void(QWidget&)> then) {
+  QTimer timer;
+  timer.setInterval(10 * kStepMs);
+  QObject::connect(&timer, &QTimer::timeout, &timer, [&] {
+    QWidget* const dialog = QApplication::activeModalWidget();
+    if (!dialog || !dialog->isVisible()) return;
+    timer.stop();
+    then(*dialog);
+  });
+  timer.start();
+  open();
+}
+
+void User::drop(const QStringList& files, std::function<void(QWidget&)> then) {
+  with_dialog(
+      [&] {
+        QMimeData data;
+        QList<QUrl> urls;
+        for (const QString& file : files) urls << QUrl::fromLocalFile(file);
+        data.setUrls(urls);
+        QDragEnterEvent enter(m_window.rect().center(), Qt::CopyAction, &data, Qt::LeftButton, {});
+        QApplication::sendEvent(&m_window, &enter);
+        QDropEvent event(m_window.rect().center(), Qt::CopyAction, &data, Qt::LeftButton, {});
+        QApplication::sendEvent(&m_window, &event);
+      },
+      std::move(then));
+}
+
+const Object& User::object(const std::string& name) {
+  const ObjectSnapshot* const found = m_document.snapshot()->find(name);
+  if (!found) qFatal("there is no \"%s\"", name.c_str());
+  return *found->object;
+}
+
+}  // namespace trivet::edit::test
