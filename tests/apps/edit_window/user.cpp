@@ -7,6 +7,8 @@
 #include <QToolBar>
 #include <QTreeWidgetItemIterator>
 
+#include "apps/edit/tools/picking.h"
+
 namespace trivet::edit::test {
 namespace {
 
@@ -20,7 +22,9 @@ User::User(Document& document, MainWindow& window, const QString& pictures)
 }
 
 void User::press_key(Qt::Key key, Qt::KeyboardModifiers modifiers) {
-  QTest::keyClick(m_window.windowHandle(), key, modifiers);
+  QApplication::setActiveWindow(&m_window);  // no window manager does it here
+  QWidget* const focus = m_window.focusWidget();
+  QTest::keyClick(focus ? focus : &m_window, key, modifiers);
 }
 
 void User::move_to(QWidget& widget, const QPoint& at) {
@@ -46,6 +50,22 @@ QPoint User::pixel(WindowKind kind, const Vec3& world) {
   const auto px = m_window.view(kind).view().project(world);
   return px ? QPoint(static_cast<int>(std::lround(px->x())), static_cast<int>(std::lround(px->y())))
             : QPoint(-1, -1);
+}
+
+QPoint User::pixel_on(const std::string& name, WindowKind kind) {
+  const auto snapshot = m_document.snapshot();
+  const View view = m_window.view(kind).view();
+  const QPoint centre = pixel(kind, object(name).centre_of_mass());
+  QPoint best = centre;
+  constexpr int kStepPx = 4;
+  for (int y = 0; y < view.height_px; y += kStepPx)
+    for (int x = 0; x < view.width_px; x += kStepPx) {
+      const auto seen = pick(*snapshot, view.ray(Vec2(x + 0.5, y + 0.5)));
+      const QPoint at(x, y);
+      if (!seen || !seen->object || snapshot->find(*seen->object)->object->name != name) continue;
+      if ((at - centre).manhattanLength() > (best - centre).manhattanLength()) best = at;
+    }
+  return best;
 }
 
 void User::click(WindowKind kind, const Vec3& world) {

@@ -22,6 +22,8 @@ class User {
   void move_to(QWidget& widget, const QPoint& at);
   /// In a view, where a point of the world is seen.
   QPoint pixel(WindowKind kind, const Vec3& world);
+  /// In a view, where an object is seen, far from its centre of mass.
+  QPoint pixel_on(const std::string& name, WindowKind kind);
   void click(WindowKind kind, const Vec3& world);
   void drag(WindowKind kind, const Vec3& from, const Vec3& to);
   void take(const QString& tool);        // a button of the tool bar
