@@ -144,6 +144,21 @@ TEST_F(SceneFileTest, geometry_under_turned_nodes_comes_back_to_the_bit) {
   EXPECT_EQ(state_of(alone.scene), state_of(made.scene));
 }
 
+TEST_F(SceneFileTest, geometry_that_float32_cannot_hold_is_told_when_its_file_is_gone) {
+  m_layout = R"({"trivet": 1, "objects": [{"name": "a", "model": "cube.obj"}],
+    "operations": [{"op": "put", "object": "a", "position": [0, 0, 1]}]})";
+  const Layout layout = parse_layout(m_layout, "a.json");
+  const LayoutRun made =
+      run_layout(layout, [](const std::string&) { return box_model(0.1, 0.2, 1.0 / 3); }, {});
+  ASSERT_TRUE(made.ok());
+  write_scene_file(made.scene, layout, {}, file("scene.glb"));
+  const SceneFile rounded = read_scene_file(file("scene.glb"));
+  ASSERT_EQ(rounded.notes.size(), 1u);
+  EXPECT_NE(rounded.notes[0].find("\"cube.obj\""), std::string::npos);
+  EXPECT_NE(rounded.notes[0].find("float32"), std::string::npos);
+  EXPECT_EQ(check_scene(rounded.scene).interpenetrating_pairs(), 0);
+}
+
 TEST_F(SceneFileTest, a_model_file_that_has_changed_is_not_taken) {
   write_boxes(turned());
   write_model("cube.glb", Vec3(0.06, 0.05, 0.05), turned());
