@@ -15,6 +15,7 @@ namespace {
 /// What is tried when the lists do not fit: pixels larger or smaller by this factor.
 constexpr int kOtherPixels = 4;
 constexpr int kLeastResolution = 16, kLargestResolution = 1024;
+constexpr int kResolutionOfHardware = 128;
 constexpr int kLeastEntries = 1 << 14;
 constexpr int kMostEntries = 1 << 20;  // 16 MiB: all drivers have storage buffers of that size
 /// Errors of OpenGL in a row after which it is left alone.
@@ -52,6 +53,10 @@ const char* to_string(Trouble trouble) {
   }
 }
 
+int largest_resolution(const GpuZListOptions& options) {
+  return options.resolution ? options.resolution : kResolutionOfHardware;
+}
+
 /// All that lives in one context.
 class GpuLists {
  public:
@@ -66,6 +71,7 @@ class GpuLists {
     return m_raster->has_room(num_asks, largest);
   }
   std::string device() const { return m_context.renderer() + ", " + m_raster->method(); }
+  bool is_software() const { return m_context.is_software(); }
 
  private:
   EglContext m_context;
@@ -80,12 +86,12 @@ GpuLists::GpuLists(const GpuZListOptions& options)
   const auto max_entries = static_cast<std::uint32_t>(options.max_list_entries);
   const bool computes = m_context.gl_version() >= 43 && !options.force_fallback;
   m_raster = computes ? make_compute_raster(max_entries)
-                      : make_blend_raster(options.resolution, max_entries);
+                      : make_blend_raster(largest_resolution(options), max_entries);
   const std::size_t needed = m_raster->num_bytes() + kLeastMeshBytes;
   if (needed > options.memory_bytes) {
     m_raster.reset();
     throw Error(Error::Kind::Environment,
-                "z-lists of " + std::to_string(options.resolution) + " pixels need " +
+                "z-lists of " + std::to_string(largest_resolution(options)) + " pixels need " +
                     std::to_string(needed >> 10) + " KiB of graphics memory, more than the " +
                     std::to_string(options.memory_bytes >> 10) + " KiB that are allowed");
   }
@@ -159,6 +165,7 @@ class GpuZListStage : public ZListStage {
   explicit GpuZListStage(const GpuZListOptions& options)
       : m_options(options),
         m_lists(std::make_unique<GpuLists>(options)),
+        m_is_software(m_lists->is_software()),
         m_device(m_lists->device()) {}
 
   std::string name() const override { return "gpu (" + m_device + ")"; }
@@ -168,14 +175,16 @@ class GpuZListStage : public ZListStage {
                                      std::span<const double> horizons) override;
 
  private:
-  int other_resolution(Trouble trouble) const;
+  int resolution_of(const FirstContactQuery& query) const;
+  int other_resolution(Trouble trouble, int resolution) const;
   std::optional<std::vector<Answer>> try_asking(std::span<const Ask> asks);
   void ask_together(std::vector<Ask>& asks, std::span<const FirstContactQuery> queries,
                     std::vector<Proposal>& out);
 
   GpuZListOptions m_options;
   std::unique_ptr<GpuLists> m_lists;  // null after an error
-  int m_num_errors = 0;               // since something last worked
+  bool m_is_software;
+  int m_num_errors = 0;  // since something last worked
   std::string m_device, m_last_error;
 };
 
@@ -196,24 +205,29 @@ std::optional<std::vector<Answer>> GpuZListStage::try_asking(std::span<const Ask
   return std::nullopt;
 }
 
+int GpuZListStage::resolution_of(const FirstContactQuery& query) const {
+  if (m_options.resolution == 0 && m_is_software) return zlist_resolution_of_processors(query);
+  return largest_resolution(m_options);
+}
+
 // Larger pixels have fewer entries, smaller ones fewer pairs. 0: nothing helps.
-int GpuZListStage::other_resolution(Trouble trouble) const {
-  if (trouble == Trouble::Entries) return std::max(1, m_options.resolution / kOtherPixels);
-  const int finer = m_options.resolution * kOtherPixels;
+int GpuZListStage::other_resolution(Trouble trouble, int resolution) const {
+  if (trouble == Trouble::Entries) return std::max(1, resolution / kOtherPixels);
+  const int finer = resolution * kOtherPixels;
   const bool may_be_finer = trouble == Trouble::Pairs && finer <= kLargestResolution;
   return may_be_finer && !m_options.force_fallback ? finer : 0;
 }
 
 Proposal GpuZListStage::propose(const FirstContactQuery& query, double horizon) {
   Trouble trouble = Trouble::None;
-  for (int resolution = m_options.resolution, tries = 0; resolution > 0 && tries < 2; ++tries) {
+  for (int resolution = resolution_of(query), tries = 0; resolution > 0 && tries < 2; ++tries) {
     const Ask ask{&query, horizon, make_zlist_frame(query, horizon, resolution)};
     if (ask.frame.empty()) return nothing_touches(horizon);
     auto answers = try_asking({&ask, 1});
     if (!answers) return gives_up(m_last_error);
     trouble = answers->front().trouble;
     if (trouble == Trouble::None) return std::move(answers->front().proposal);
-    resolution = other_resolution(trouble);
+    resolution = other_resolution(trouble, resolution);
   }
   return gives_up(to_string(trouble));
 }
@@ -244,7 +258,7 @@ std::vector<Proposal> GpuZListStage::propose_many(std::span<const FirstContactQu
     for (std::size_t i = 0; i < queries.size(); ++i) {
       if (queries[i].motion.kind != kind) continue;
       Ask ask{&queries[i], horizons[i],
-              make_zlist_frame(queries[i], horizons[i], m_options.resolution)};
+              make_zlist_frame(queries[i], horizons[i], resolution_of(queries[i]))};
       if (ask.frame.empty()) {
         out[i] = nothing_touches(horizons[i]);
         continue;
@@ -271,7 +285,8 @@ void check_range(const char* what, int value, int least, int largest) {
 }  // namespace
 
 std::unique_ptr<ZListStage> make_gpu_zlist_stage(const GpuZListOptions& options) {
-  check_range("resolution", options.resolution, kLeastResolution, kLargestResolution);
+  if (options.resolution != 0)
+    check_range("resolution", options.resolution, kLeastResolution, kLargestResolution);
   check_range("largest number of entries", options.max_list_entries, kLeastEntries, kMostEntries);
   return std::make_unique<GpuZListStage>(options);
 }

@@ -9,7 +9,8 @@
 namespace trivet {
 
 struct GpuZListOptions {
-  int resolution = 128;                   // pixels along the longer side, 16 to 1024
+  int resolution = 0;                     // pixels along the longer side, 16 to 1024; 0: 128,
+                                          // or less on renderers that run on the CPU
   std::size_t memory_bytes = 512u << 20;  // of graphics memory, meshes included
   int max_list_entries = 1 << 20;         // faces in doubtful pixels, 16384 to 1048576
   bool allow_software = true;             // false: refuse renderers that run on the CPU

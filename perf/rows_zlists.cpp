@@ -17,8 +17,8 @@ namespace {
 constexpr int kSweeps = 12;
 constexpr double kBudget_ms = 2000;   // for a row; then the rest of the sweeps is left out
 constexpr double kTooLong_ms = 1500;  // a query; then finer images are left out
-constexpr int kResolutions[] = {128, 256, 512, 1024};
-constexpr int kPlaces = 64;  // by 64
+constexpr int kResolutions[] = {0, 128, 256, 512, 1024};  // 0: the stage chooses
+constexpr int kPlaces = 64;                               // by 64
 
 constexpr const char* kColumns =
     "motion,triangles,method,resolution,median_ms,p95_ms,cpu_ms,queries,pixels,doubtful_pixels,"
@@ -175,7 +175,8 @@ void gpu_row(const Cases& cases, GpuZListOptions options, double& median_ms) {
   Method method{options.bounds_alone ? "GPU min/max" : "GPU lists", stage->name(),
                 options.resolution};
   if (options.force_fallback) method.name += ", OpenGL 3.3";
-  method.what += text(", %d pixels, ", options.resolution);
+  method.what += options.resolution == 0 ? ", own choice of pixels, "
+                                         : text(", %d pixels, ", options.resolution);
   method.what += options.bounds_alone ? "min/max alone" : "complete";
   method.compares = false;
   method.bounds_alone = options.bounds_alone;

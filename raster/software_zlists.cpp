@@ -13,15 +13,6 @@ namespace {
 
 constexpr int kLargestResolution = 4096;
 
-// A pixel of one to three edges of the faces is best, by the measurements of a prototype; the zoom
-// does the rest.
-int resolution_for(const FirstContactQuery& query) {
-  size_t num_faces = 0;
-  for (const Body& body : query.moving) num_faces += body.shape->mesh.triangles.size();
-  for (const Body& body : query.fixed) num_faces += body.shape->mesh.triangles.size();
-  return num_faces < 200000 ? 32 : 64;
-}
-
 }  // namespace
 
 SoftwareZLists::SoftwareZLists(const SoftwareZListOptions& options) : m_options(options) {
@@ -42,7 +33,8 @@ SoftwareZLists::SoftwareZLists(const SoftwareZListOptions& options) : m_options(
 }
 
 Proposal SoftwareZLists::propose(const FirstContactQuery& query, double horizon) {
-  const int resolution = m_options.resolution ? m_options.resolution : resolution_for(query);
+  const int resolution =
+      m_options.resolution ? m_options.resolution : zlist_resolution_of_processors(query);
   const ZListFrame frame = make_zlist_frame(query, horizon, resolution);
   if (!frame.empty()) return ZListSearch(query, frame, m_options).run();
   Proposal nothing;

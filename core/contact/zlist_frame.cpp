@@ -250,4 +250,13 @@ ZListFrame make_zlist_frame(const FirstContactQuery& query, double horizon, int 
   return FrameMaker(query, horizon, resolution).make();
 }
 
+// Measured by perf/zlists, for software z-lists as for Mesa's renderer.
+int zlist_resolution_of_processors(const FirstContactQuery& query) {
+  constexpr size_t kManyFaces = 200'000;
+  size_t num_faces = 0;
+  for (const Body& body : query.moving) num_faces += body.shape->mesh.triangles.size();
+  for (const Body& body : query.fixed) num_faces += body.shape->mesh.triangles.size();
+  return num_faces < kManyFaces ? 32 : 64;
+}
+
 }  // namespace trivet

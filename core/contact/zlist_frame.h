@@ -59,4 +59,8 @@ struct ZListFrame {
 ///   smaller than the clearance, or too small for float32.
 ZListFrame make_zlist_frame(const FirstContactQuery& query, double horizon, int resolution);
 
+/// The resolution at which a processor draws and pairs the query's faces fastest. (Graphics
+/// hardware likes smaller pixels: it draws for nearly nothing, and pairs cost it the same.)
+int zlist_resolution_of_processors(const FirstContactQuery& query);
+
 }  // namespace trivet
