@@ -72,6 +72,11 @@ void add_settle_options(CLI::App& app, SettleOptions& settle) {
   app.add_option("--max-motions", settle.max_motions, "More motions than this: refused")
       ->check(integer_from(1, 1'000'000'000))
       ->group(group);
+  app.add_option(
+         "--operation-seconds", settle.time_budget_s,
+         "An operation that takes longer leaves the scene as it was; 0: as long as it needs")
+      ->check(number_from(0, 1e9))
+      ->group(group);
   app.add_flag("--accept-wedged", settle.accept_wedged,
                "Accept objects that can neither move nor be shown to be supported")
       ->group(group);

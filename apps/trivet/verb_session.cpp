@@ -1,6 +1,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "apps/trivet/cancellable_lines.h"
 #include "apps/trivet/outputs.h"
 #include "apps/trivet/verbs.h"
 #include "core/base/error.h"
@@ -23,8 +24,8 @@ struct SessionArguments {
 };
 
 constexpr const char* kAccepted =
-    "an operation {\"op\": ...}, {\"undo\": true}, {\"redo\": true}, {\"save\": FILE} or "
-    "{\"query\": OBJECT}";
+    "an operation {\"op\": ...}, {\"undo\": true}, {\"redo\": true}, {\"save\": FILE}, "
+    "{\"query\": OBJECT} or {\"cancel\": true}";
 
 OpenedSession open(const SessionArguments& arguments, const CommonOptions& common,
                    Detector& detector) {
@@ -71,15 +72,17 @@ class Dialogue {
   }
 
   // One line in, one line out; what is wrong with a line is its answer.
-  Json answer(const std::string& line) {
+  Json answer(const InputLine& line) {
+    m_settle.cancel = &line.cancelled;
     try {
-      const nlohmann::json document = parse_json(line, "standard input");
+      const nlohmann::json document = parse_json(line.text, "standard input");
       const JsonPlace place(document, "standard input");
       if (place.find("op")) return perform(read_operation(place));
       if (place.find("undo")) return step(m_session.undo(), "there is nothing to undo");
       if (place.find("redo")) return step(m_session.redo(), "there is nothing to redo");
       if (const auto file = place.find("save")) return save(file->text());
       if (const auto object = place.find("query")) return query(object->text());
+      if (place.find("cancel")) return state();  // has cancelled already, when it was read
       place.refuse(kAccepted);
     } catch (const Error& e) {
       return {{"status", "error"}, {"reason", e.what()}};
@@ -118,6 +121,15 @@ class Dialogue {
   SettleOptions m_settle;
 };
 
+bool is_cancel(const std::string& line) {
+  constexpr size_t kLongest = 100;  // others are not worth parsing twice
+  if (line.size() > kLongest) return false;
+  const auto document = nlohmann::json::parse(line, nullptr, false);
+  return document.is_object() && document.contains("cancel");
+}
+
+bool is_blank(const std::string& line) { return line.find_first_not_of(" \t\r") == line.npos; }
+
 int session(const SessionArguments& arguments, const CommonOptions& common) {
   const std::unique_ptr<Detector> detector = make_detector(common);
   OpenedSession opened = open(arguments, common, *detector);
@@ -128,8 +140,9 @@ int session(const SessionArguments& arguments, const CommonOptions& common) {
     std::cout << json.dump(-1, ' ', false, Json::error_handler_t::replace) << std::endl;
   };
   tell(dialogue.state());
-  for (std::string line; std::getline(std::cin, line);)
-    if (line.find_first_not_of(" \t\r") != std::string::npos) tell(dialogue.answer(line));
+  CancellableLines lines(std::cin, is_cancel);
+  while (const auto line = lines.next())
+    if (!is_blank(line->text)) tell(dialogue.answer(*line));
   tell_work(*detector, common, nullptr);
   return 0;
 }
@@ -141,7 +154,8 @@ Verb add_session(CLI::App& app, const CommonOptions& common) {
       "session",
       "Does operations as they come: a line of JSON each on standard input, answered by a line on "
       "standard output. A line is an operation as in a layout, {\"undo\": true}, {\"redo\": true}, "
-      "{\"save\": \"x.glb\"} or {\"query\": \"object\"}");
+      "{\"save\": \"x.glb\"}, {\"query\": \"object\"} or "
+      "{\"cancel\": true}, which stops the operations before it that are not done");
   const auto arguments = std::make_shared<SessionArguments>();
   verb->add_option("start", arguments->start, "What to start with; nothing: restore the journal")
       ->type_name("SCENE.glb|LAYOUT.json");

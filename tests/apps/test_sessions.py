@@ -74,6 +74,33 @@ class Sessions(Case):
         self.assertEqual(again.ask(redo=True)["done"], 4)
         self.assertEqual(again.end(), 0)
 
+    def test_what_takes_too_long_leaves_all_as_it_was(self):
+        live = Live(self.folder, self.start_layout(), "--operation-seconds", "1e-9")
+        answer = live.ask(**put("b", 0.01, 0.02, 1))
+        self.assertEqual(answer["status"], "out of time")
+        self.assertIn('put of "b" did not end within 1e-09 s', answer["reason"])
+        now = live.ask(query="a")
+        self.assertEqual(now["status"], "ok")
+        self.assertEqual(live.ask(cancel=True)["state"], live.start["state"])
+        self.assertEqual(live.end(), 0)
+        self.refused("session", "layout.json", "--operation-seconds", "-1",
+                     says='"-1" is not accepted')
+
+    def test_a_later_line_cancels(self):
+        live = Live(self.folder, self.start_layout())
+        # Pushed back and forth, which takes far longer than reading the line behind it.
+        ways = [[0.2 * (-1) ** i, 0.3] for i in range(20000)]
+        push = {"op": "push", "object": "a", "to": [0, 0.3], "via": ways}
+        for line in (push, put("b", 0, 0, 1), {"cancel": True}, put("b", 0.2, 0.2, 1)):
+            live.process.stdin.write(json.dumps(line) + "\n")
+        live.process.stdin.flush()
+        answers = [json.loads(live.process.stdout.readline()) for _ in range(4)]
+        self.assertEqual([a["status"] for a in answers], ["cancelled", "cancelled", "ok", "ok"])
+        self.assertIn('push of "a" was cancelled', answers[0]["reason"])
+        self.assertEqual(answers[2]["state"], live.start["state"])
+        self.assertEqual(answers[3]["done"], 1)
+        self.assertEqual(live.end(), 0)
+
     def test_bad_starts(self):
         self.refused("session", says="a start is missing")
         self.refused("session", "none.json", says="none.json")
