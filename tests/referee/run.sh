@@ -1,16 +1,18 @@
 #!/usr/bin/env bash
 # The verdict of the independent referee, which shares no code with Trivet, on what Trivet lays out.
-#   tests/referee/run.sh build|demos|layouts TRIVET WORK_DIR SHARED_DIR
+#   tests/referee/run.sh build|demos|layouts|edited TRIVET WORK_DIR SHARED_DIR [EDITED_DIR]
 # build:    builds the referee from a copy of SHARED_DIR/tools/referee
 # demos:    our own demos
 # layouts:  models of SHARED_DIR/data PUT on the floor, on another model and in a pile
 #           (campaign.py beside this file does it by the hundred)
+# edited:   what the test of the editor's window laid out by mouse and saved in EDITED_DIR
 # Skipped (status 77) without SHARED_DIR or without what the referee is built with.
 set -euo pipefail
 job="$1"
 trivet="$2"
 work_dir="$3"
 shared_dir="$4"
+edited_dir="${5-}"
 referee="$work_dir/referee/referee"
 
 skip() {
@@ -32,6 +34,11 @@ build_referee() {
   cp --update --preserve=timestamps "$shared_dir"/tools/referee/{Makefile,*.cpp,*.h} \
     "$work_dir/referee"
   make -C "$work_dir/referee" -j"$(nproc)" CXX="$compiler"
+}
+
+judge_edited() {
+  [ -f "$edited_dir/report.json" ] || skip "the test of the editor's window saved nothing"
+  "$referee" "$edited_dir/report.json" --scene "$edited_dir/scene.glb"
 }
 
 # judge LAYOUT SCENE REPORT: prints one line; fails if the scene is not true.
@@ -98,12 +105,12 @@ judge_layouts() {
 
 case "$job" in
   build) build_referee ;;
-  demos | layouts)
+  demos | layouts | edited)
     [ -x "$referee" ] || skip "the referee is not built"
     "judge_$job"
     ;;
   *)
-    echo "$0: '$job'? build, demos or layouts" >&2
+    echo "$0: '$job'? build, demos, layouts or edited" >&2
     exit 2
     ;;
 esac

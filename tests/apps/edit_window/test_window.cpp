@@ -66,6 +66,7 @@ class TestWindow : public QObject {
   void select_and(const std::string& name, const QString& tool);
 
   QTemporaryDir m_folder;
+  QDir m_saved;  // what is saved, and the models: for the referee
   std::unique_ptr<Document> m_document;
   std::unique_ptr<MainWindow> m_window;
   std::unique_ptr<User> m_user;
@@ -74,6 +75,9 @@ class TestWindow : public QObject {
 
 void TestWindow::initTestCase() {
   QVERIFY(m_folder.isValid());
+  m_saved = QDir(QDir::current().filePath("edit_window_saved"));
+  m_saved.removeRecursively();
+  QVERIFY(m_saved.mkpath("."));
   QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_folder.path());
   QCoreApplication::setOrganizationName("trivet");
   QCoreApplication::setApplicationName("trivet-edit-test");
@@ -120,7 +124,7 @@ void TestWindow::begins_with_the_start_page() {
 }
 
 void TestWindow::imports_by_dropping_files() {
-  const QStringList files = export_models(m_folder.path());
+  const QStringList files = export_models(m_saved.path());
   bool looked = false;
   m_user->drop(files, [&](QWidget& dialog) {
     m_user->look("import_dialog");
@@ -241,7 +245,7 @@ void TestWindow::goes_through_the_history() {
 }
 
 void TestWindow::saves_and_opens() {
-  const QString file = m_folder.filePath("scene.glb");
+  const QString file = m_saved.filePath("scene.glb");
   m_user->with_dialog([this] { m_user->press_key(Qt::Key_S, Qt::ControlModifier); },
                       [&](QWidget& dialog) {
                         auto* const files = qobject_cast<QFileDialog*>(&dialog);
@@ -255,7 +259,7 @@ void TestWindow::saves_and_opens() {
   QVERIFY(!m_document->is_modified());
   m_user->look("saved");
   QProcess check;
-  check.start(TRIVET_PROGRAM, {"check", file});
+  check.start(TRIVET_PROGRAM, {"check", file, "--report", m_saved.filePath("report.json")});
   QVERIFY(check.waitForFinished(120000));
   QVERIFY2(check.exitCode() == 0, check.readAllStandardError() + check.readAllStandardOutput());
   m_window->action("new")->trigger();
