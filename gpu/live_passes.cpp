@@ -189,17 +189,21 @@ void LiveRenderer::draw_outlines(const View& view, const LiveTargets& targets) {
   if (outlined.empty()) return;
   const Eigen::Array2d size(targets.width, targets.height);
   const float reach = kOutlinePx * static_cast<float>(view.options.pixel_ratio);
-  const Eigen::Array2i first = (0.5 * (lower.max(-1) + 1) * size - reach - 1).floor().cast<int>();
-  const Eigen::Array2i end = (0.5 * (upper.min(1) + 1) * size + reach + 1).ceil().cast<int>();
+  const Eigen::Array2d first = (0.5 * (lower.max(-1) + 1) * size - reach - 1).floor();
+  const Eigen::Array2d end = (0.5 * (upper.min(1) + 1) * size + reach + 1).ceil();
+  const auto restrict_to = [&](double room) {
+    const Eigen::Array2i a = (first - room).cast<int>(), b = (end + room).cast<int>();
+    glScissor(a.x(), a.y(), std::max(b.x() - a.x(), 0), std::max(b.y() - a.y(), 0));
+  };
   prepare_to_draw_solids();
   glDisable(GL_DEPTH_TEST);
   glEnable(GL_SCISSOR_TEST);
-  glScissor(first.x(), first.y(), std::max(end.x() - first.x(), 0),
-            std::max(end.y() - first.y(), 0));
+  restrict_to(std::ceil(reach) + 1);  // outlines look as far beside themselves
   glBindFramebuffer(GL_FRAMEBUFFER, targets.draw_mask.id());
   glClearBufferfv(GL_COLOR, 0, LiveColour{}.data());
   prepare_objects(view, m_programs.mask);
   for (const Instance* instance : outlined) draw_one(m_programs.mask, *instance, Part::All);
+  restrict_to(0);
   glBindFramebuffer(GL_FRAMEBUFFER, targets.draw_picture.id());
   blend_over();
   m_programs.outline.use();

@@ -183,9 +183,10 @@ std::optional<double> Push::step_up(const Vec3& direction, const Vec3& wall, dou
     m_group.go_back(before);
     return std::nullopt;
   };
+  FirstContact found;
   const auto move = [&](const Vec3& way, double length) {
     const Motion motion = Motion::translation(way, length);
-    const FirstContact found = m_group.first_contact(motion);
+    found = m_group.first_contact(motion);
     if (found.status == FirstContact::Status::Crossing) return 0.0;
     const double time = std::min(found.time, length);
     m_group.advance(motion, time);
@@ -199,6 +200,8 @@ std::optional<double> Push::step_up(const Vec3& direction, const Vec3& wall, dou
   if (move(-Vec3::UnitZ(), down) >= down) return give_up();
   const double rise = m_group.pose().translation.z() - z;
   if (rise > highest + 0.5 * clearance) return give_up();
+  // Steep surfaces were followed before, and found to be higher: this is the same one, not its top.
+  if (!m_climb && is_steep(found.normal, direction)) return give_up();
   m_attempt.note_step(SettleStep::Kind::StepUp);
   note_way(false);
   if (rise > 2 * clearance) m_num_stalls = 0;
@@ -250,6 +253,7 @@ Push::Next Push::stop_blocked(size_t contact) {
   const Place here = m_group.here();
   const size_t num_steps = m_attempt.result().steps.size();
   const double height = 2 * m_group.bodies()[0].world_box.half_extent().z();
+  m_climb = true;  // if it were allowed to
   if (left.norm() > m_shortest && height > m_options.step_up &&
       step_up(level(left.normalized()), m_normals[contact], height)) {
     m_group.go_back(here);

@@ -22,7 +22,7 @@ double rise(const Vec3& normal, const Vec3& direction) {
 
 bool is_wall(const Vec3& normal, const Vec3& direction, bool climb) {
   if (std::abs(normal.z()) <= kWallNormalZ) return true;
-  return !climb && normal.z() > 0 && rise(normal, direction) > kSteepRise;
+  return !climb && is_steep(normal, direction);
 }
 
 // The largest rise of the contacts that still last a little.
@@ -50,6 +50,10 @@ SlidePlan follow(const std::vector<Vec3>& normals, const Vec3& direction,
 }
 
 }  // namespace
+
+bool is_steep(const Vec3& normal, const Vec3& direction) {
+  return normal.z() > 0 && rise(normal, direction) > kSteepRise;
+}
 
 SlidePlan plan_slide(const std::vector<Vec3>& normals, const Vec3& direction,
                      const std::function<double(size_t, const Vec3&)>& ends, double shortest,

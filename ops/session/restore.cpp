@@ -7,6 +7,7 @@
 #include "ops/layout/paths.h"
 #include "ops/report/scene_file.h"
 #include "ops/session/journal.h"
+#include "ops/verify.h"
 
 namespace trivet {
 namespace {
@@ -131,10 +132,16 @@ RestoredSession restore_session(const std::string& journal, const RunOptions& op
   return restored;
 }
 
+double settled_clearance(const OpenedSession& opened) {
+  if (opened.clearance > 0) return opened.clearance;
+  const double largest = opened.session.largest_clearance();
+  return largest > default_clearance(opened.session.scene()) ? largest : 0;
+}
+
 void save_session(OpenedSession& opened, const std::string& version, const std::string& path) {
   SceneFileOptions options;
   options.version = version;
-  options.clearance = opened.clearance;
+  options.clearance = settled_clearance(opened);
   options.model_folder = folder_from(path, opened.model_folder);
   write_scene_file(opened.session.scene(), opened.session.layout(), options, path);
   opened.session.mark_saved(path);

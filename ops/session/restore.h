@@ -37,6 +37,9 @@ struct RestoredSession {
 RestoredSession restore_session(const std::string& journal, const RunOptions& options,
                                 const ImportLimits& limits, bool go_on);
 
+/// What a file of the scene says that it was settled with; 0: the default.
+double settled_clearance(const OpenedSession& opened);
+
 /// Writes the scene atomically, then notes in the session that it is saved.
 /// @throws Error as write_scene_file().
 void save_session(OpenedSession& opened, const std::string& version, const std::string& path);

@@ -6,6 +6,7 @@
 #include "ops/edit.h"
 #include "ops/move/live_move.h"
 #include "ops/session/journal.h"
+#include "ops/verify.h"
 
 namespace trivet {
 namespace {
@@ -51,7 +52,10 @@ void make_room(std::vector<T>& items, size_t count) {
 }  // namespace
 
 Session::Session(Scene scene, Layout layout, ModelSource models)
-    : m_scene(std::move(scene)), m_layout(std::move(layout)), m_models(std::move(models)) {}
+    : m_scene(std::move(scene)),
+      m_layout(std::move(layout)),
+      m_models(std::move(models)),
+      m_largest_clearance(default_clearance(m_scene)) {}
 Session::~Session() = default;
 Session::Session(Session&&) noexcept = default;
 Session& Session::operator=(Session&&) noexcept = default;
@@ -90,6 +94,7 @@ OperationResult Session::run(SessionStep step, const std::function<OperationResu
   m_steps.push_back(std::move(step));
   m_done.push_back(std::move(done));
   ++m_position;
+  m_largest_clearance = std::max(m_largest_clearance, default_clearance(m_scene));
   tell({SessionEvent::Kind::Performed, m_steps.back().name, m_done.back().touched, &result});
   return result;
 }

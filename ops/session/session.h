@@ -77,6 +77,10 @@ class Session {
   /// What makes this scene: the first layout and the operations that were done since.
   Layout layout() const;
 
+  /// Metres: the largest default clearance that the scene has had. What was at rest by it when the
+  /// scene was larger is no less so when it has shrunk: the scene is to be judged by this.
+  double largest_clearance() const { return m_largest_clearance; }
+
   /// The scene as it is now is what the file has.
   void mark_saved(const std::string& file);
   /// Whether steps were done or undone since then.
@@ -108,6 +112,7 @@ class Session {
   std::vector<SessionStep> m_steps;
   std::vector<Done> m_done;  // of each step
   size_t m_position = 0;
+  double m_largest_clearance = 0;
   size_t m_saved = 0;                     // how many steps were done when it was saved
   std::vector<ObjectId> m_changed_aside;  // by steps between the saved state and m_saved that were
                                           // undone and forgotten

@@ -3,7 +3,6 @@
 #include "apps/edit/document/results.h"
 #include "core/base/error.h"
 #include "core/io/isolated.h"
-#include "ops/verify.h"
 
 namespace trivet::edit {
 namespace {
@@ -138,9 +137,7 @@ RunOptions Engine::run_options() {
 void Engine::publish() {
   const Session& session = m_opened->session;
   Document::State state;
-  const double clearance =
-      m_opened->clearance > 0 ? m_opened->clearance : default_clearance(session.scene());
-  state.snapshot = m_snapshots.make(session.scene(), clearance);
+  state.snapshot = m_snapshots.make(session.scene(), settled_clearance(*m_opened));
   for (const SessionStep& step : session.steps()) state.history.steps.push_back(step.name);
   state.history.num_done = session.num_done();
   state.file = m_file;

@@ -158,7 +158,7 @@ bool Engine::save_as(const std::string& file) {
 bool Engine::export_to(const std::string& file) {
   SceneFileOptions options;
   options.version = m_options.version;
-  options.clearance = m_opened->clearance;
+  options.clearance = settled_clearance(*m_opened);
   options.model_folder = folder_from(file, m_opened->model_folder);
   write_scene_file(m_opened->session.scene(), m_opened->session.layout(), options, file);
   return true;

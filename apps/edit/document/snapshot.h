@@ -35,7 +35,7 @@ struct SceneSnapshot {
   std::uint64_t revision = 0;   // grows with every change of what is seen, drags too
   std::uint64_t committed = 0;  // grows with every change of the scene: steps, undo, files
   bool floor = true;
-  double clearance = 0;                         // metres, of the scene's operations
+  double clearance = 0;                         // metres, by which it is judged; 0: the default
   std::vector<ObjectSnapshot> objects;          // in the order of Scene::ids(); unplaced ones too
   std::vector<std::uint32_t> position_of_slot;  // in `objects`, by ObjectId::index; see find()
   std::shared_ptr<const LoadSupport> support;   // of the committed scene; never null

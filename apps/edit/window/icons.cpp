@@ -161,23 +161,28 @@ QIcon make_icon(Icon icon, const QColor& colour) {
                                                    : state_drawing(icon);
   QIcon out;
   for (const int size : {20, 40, 60}) {
-    for (const bool enabled : {true, false}) {
+    // On the accent's colour: selected rows, and tools in the hand.
+    const auto draw = [&](const QColor& shown, QIcon::Mode mode, QIcon::State state) {
       QPixmap pixmap(size, size);
       pixmap.fill(Qt::transparent);
       QPainter painter(&pixmap);
       painter.setRenderHint(QPainter::Antialiasing);
       painter.scale(size / 20.0, size / 20.0);
       if (icon == Icon::Redo) painter.translate(20, 0), painter.scale(-1, 1);
-      QColor shown = colour;
-      if (!enabled) shown.setAlpha(80);
       painter.setPen(QPen(shown, 1.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
       painter.drawPath(drawing.stroke);
       painter.setPen(Qt::NoPen);
       painter.setBrush(shown);
       painter.drawPath(drawing.area);
       painter.end();
-      out.addPixmap(pixmap, enabled ? QIcon::Normal : QIcon::Disabled);
-    }
+      out.addPixmap(pixmap, mode, state);
+    };
+    QColor faint = colour;
+    faint.setAlpha(80);
+    draw(colour, QIcon::Normal, QIcon::Off);
+    draw(faint, QIcon::Disabled, QIcon::Off);
+    draw(Qt::white, QIcon::Selected, QIcon::Off);
+    draw(Qt::white, QIcon::Normal, QIcon::On);
   }
   return out;
 }

@@ -4,7 +4,6 @@
 #include <QCloseEvent>
 #include <QKeyEvent>
 #include <QMimeData>
-#include <QSettings>
 #include <QStatusBar>
 #include <algorithm>
 
@@ -14,8 +13,6 @@ namespace trivet::edit {
 namespace {
 
 constexpr int kBusyAfterMs = 250;  // what is quicker shows no progress
-
-QString settings_key(const char* what) { return QString("window/") + what; }
 
 QString aim_note(const Selection& selection) {
   switch (selection.contact ? selection.contact->part : ActiveContact::Part::Area) {
@@ -64,9 +61,9 @@ void MainWindow::make_views() {
   m_constraint = make(WindowKind::Constraint);
   m_constraint->set_camera(ViewCamera::orthographic(-Vec3::UnitZ(), Vec3::UnitY()));
   connect(m_constraint, &SceneView::camera_moved, this, [this] { m_constraint_is_free = true; });
-  m_frames = {new ViewFrame(tr("Control"), m_control),
-              new ViewFrame(tr("Perspective"), m_perspective), new ViewFrame(tr("Top"), m_three),
-              new ViewFrame(tr("Constraint"), m_constraint)};
+  m_frames = {
+      new ViewFrame(tr("Control"), m_control), new ViewFrame(tr("Perspective"), m_perspective),
+      new ViewFrame(tr("Three-view"), m_three), new ViewFrame(tr("Constraint"), m_constraint)};
   for (ViewFrame* const frame : m_frames)
     connect(frame, &ViewFrame::maximise_wanted, this, [this, frame] { toggle_maximised(frame); });
   m_left = new QSplitter(Qt::Vertical);
@@ -138,6 +135,9 @@ void MainWindow::connect_document() {
   connect(&m_document, &Document::file_changed, this, &MainWindow::update_title);
   connect(&m_document, &Document::ghost_changed, this, &MainWindow::update_status);
   connect(&m_document, &Document::busy_changed, this, [this] {
+    // What was said of what was done before is over.
+    if (m_document.is_busy() && !m_was_busy) m_message_bar->dismiss();
+    m_was_busy = m_document.is_busy();
     if (m_document.is_busy())
       m_busy_for_long.start();
     else
@@ -172,26 +172,6 @@ void MainWindow::show_workspace() {
   if (m_pages->currentWidget() == m_workspace) return;
   m_pages->setCurrentWidget(m_workspace);
   m_perspective->setFocus();
-}
-
-void MainWindow::toggle_maximised(ViewFrame* frame) {
-  m_maximised = m_maximised == frame ? nullptr : frame;
-  for (ViewFrame* const other : m_frames) other->setVisible(!m_maximised || other == m_maximised);
-  m_left->setVisible(!m_maximised || m_left->indexOf(m_maximised) >= 0);
-  m_right->setVisible(!m_maximised || m_right->indexOf(m_maximised) >= 0);
-  place_message_bar();
-}
-
-void MainWindow::place_message_bar() {
-  if (!m_message_bar->isVisibleTo(m_workspace)) return;
-  constexpr int kWidest = 760, kMargin = 12;
-  QWidget* const over = m_maximised ? static_cast<QWidget*>(m_maximised) : m_frames[1];
-  const QPoint corner = over->mapTo(m_workspace, QPoint(0, 26));
-  const int width = std::min(kWidest, over->width() - 2 * kMargin);
-  m_message_bar->setFixedWidth(std::max(width, 200));
-  m_message_bar->adjustSize();
-  m_message_bar->move(corner + QPoint((over->width() - m_message_bar->width()) / 2, kMargin));
-  m_message_bar->raise();
 }
 
 void MainWindow::update_title() {
@@ -284,21 +264,6 @@ void MainWindow::aim_constraint_window() {
                   .arg(with ? QString::fromStdString((*with)->name) : tr("the floor")));
 }
 
-void MainWindow::aim_three_view(const QString& name) {
-  ViewCamera camera = m_three->camera();
-  const Vec3 target = camera.camera().target;
-  const double shown = camera.camera().height.value_or(2);
-  const Vec3 direction = name == "top"    ? Vec3(-Vec3::UnitZ())
-                         : name == "side" ? Vec3(-Vec3::UnitX())
-                                          : Vec3(Vec3::UnitY());
-  camera = ViewCamera::orthographic(direction, name == "top" ? Vec3::UnitY() : Vec3::UnitZ());
-  camera.look_at(target);
-  camera.set_height(shown);
-  m_three->set_camera(camera);
-  action(name)->setChecked(true);
-  m_frames[2]->set_title(name == "top" ? tr("Top") : name == "side" ? tr("Side") : tr("Front"));
-}
-
 SceneView& MainWindow::view(WindowKind kind) {
   return kind == WindowKind::Perspective  ? *m_perspective
          : kind == WindowKind::Constraint ? *m_constraint
@@ -313,51 +278,7 @@ SceneView* MainWindow::active_view() const {
   return m_perspective;
 }
 
-// --- layout, theme, keys -----------------------------------------------------------------------
-
-void MainWindow::restore_layout() {
-  const QSettings settings;
-  if (!restoreGeometry(settings.value(settings_key("geometry")).toByteArray())) resize(1280, 720);
-  m_columns->setSizes({340, 940});
-  m_left->setSizes({430, 230});
-  m_right->setSizes({400, 260});
-  m_columns->restoreState(settings.value(settings_key("columns")).toByteArray());
-  m_left->restoreState(settings.value(settings_key("left")).toByteArray());
-  m_right->restoreState(settings.value(settings_key("right")).toByteArray());
-  DrawingOptions options;
-  options.shadows = settings.value("view/shadows", options.shadows).toBool();
-  options.contacts = settings.value("view/contacts", options.contacts).toBool();
-  options.watch_settling = settings.value("view/watch_settling", options.watch_settling).toBool();
-  m_drawing.set_options(options);
-  action("shadows")->setChecked(options.shadows);
-  action("contacts")->setChecked(options.contacts);
-  action("watch settling")->setChecked(options.watch_settling);
-  aim_three_view("top");
-  set_dark(settings.value("view/dark", true).toBool());
-}
-
-void MainWindow::save_layout() const {
-  QSettings settings;
-  settings.setValue(settings_key("geometry"), saveGeometry());
-  settings.setValue(settings_key("columns"), m_columns->saveState());
-  settings.setValue(settings_key("left"), m_left->saveState());
-  settings.setValue(settings_key("right"), m_right->saveState());
-  settings.setValue("view/shadows", m_drawing.options().shadows);
-  settings.setValue("view/contacts", m_drawing.options().contacts);
-  settings.setValue("view/watch_settling", m_drawing.options().watch_settling);
-  settings.setValue("view/dark", m_drawing.theme().dark);
-}
-
-void MainWindow::set_dark(bool dark) {
-  Theme theme;
-  theme.dark = dark;
-  theme.apply(*qApp);
-  m_drawing.set_theme(theme);
-  m_message_bar->set_theme(theme);
-  m_control->set_theme(theme);
-  action("dark")->setChecked(dark);
-  dress_actions();
-}
+// --- keys and files -----------------------------------------------------------------------------
 
 void MainWindow::keyPressEvent(QKeyEvent* event) {
   if (event->key() == Qt::Key_Escape) {

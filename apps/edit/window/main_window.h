@@ -54,10 +54,8 @@ class MainWindow : public QMainWindow {
   void make_views();
   void make_status_bar();
   void connect_document();
-  void toggle_maximised(ViewFrame* frame);
   void show_workspace();
   void show_start_page();
-  void place_message_bar();
   void update_title();
   void update_actions();
   void update_status();
@@ -66,8 +64,13 @@ class MainWindow : public QMainWindow {
   void show_tool();
   void follow_scene();
   void aim_constraint_window();
-  void aim_three_view(const QString& name);
   SceneView* active_view() const;
+
+  // arrangement.cpp
+  void toggle_maximised(ViewFrame* frame);
+  void place_message_bar();
+  void aim_three_view(const QString& name);
+  void reset_layout();
   void restore_layout();
   void save_layout() const;
 
@@ -138,7 +141,8 @@ class MainWindow : public QMainWindow {
   std::optional<std::string> m_framed_title;
   std::optional<ObjectId> m_aimed_at;
   ToolKind m_shown_tool = ToolKind::Select;
-  bool m_is_empty = true, m_may_close = false, m_constraint_is_free = false;
+  QString m_three_shows;
+  bool m_was_busy = false, m_is_empty = true, m_may_close = false, m_constraint_is_free = false;
 };
 
 }  // namespace trivet::edit

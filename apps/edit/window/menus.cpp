@@ -149,6 +149,11 @@ void MainWindow::make_view_actions() {
         tr("What the three-view window shows"));
     action->setCheckable(true);
     group->addAction(action);
+    auto* const button = new QToolButton;
+    button->setDefaultAction(action);
+    button->setAutoRaise(true);
+    button->setFocusPolicy(Qt::NoFocus);
+    m_frames[2]->add_to_title(button);
   }
   add_action("follow contact", tr("&Constraint window follows the contact"), tr("C"), [this] {
     m_constraint_is_free = false;
@@ -163,10 +168,7 @@ void MainWindow::make_view_actions() {
         toggle_maximised(m_maximised ? m_maximised : frame);
       },
       tr("The window under the mouse alone, and back"))] = Icon::Maximise;
-  add_action("reset layout", tr("&Reset layout"), {}, [this] {
-    if (m_maximised) toggle_maximised(m_maximised);
-    m_columns->setSizes({340, 940}), m_left->setSizes({430, 230}), m_right->setSizes({400, 260});
-  });
+  add_action("reset layout", tr("&Reset layout"), {}, [this] { reset_layout(); });
   const auto option = [&](const char* name, const QString& text, bool DrawingOptions::*field) {
     QAction* const action = add_action(name, text, {}, [this, name, field] {
       DrawingOptions options = m_drawing.options();

@@ -59,6 +59,8 @@ void MessageBar::show_message(const Message& message) {
     m_leave.stop();
 }
 
+void MessageBar::set_width(int width) { resize(width, layout()->totalHeightForWidth(width)); }
+
 void MessageBar::dismiss() {
   if (isHidden()) return;
   hide();

@@ -22,6 +22,8 @@ class MessageBar : public QFrame {
   /// something is done.
   void show_message(const Message& message);
   void dismiss();
+  /// As high as its text then needs.
+  void set_width(int width);
   QString text() const { return m_text->text(); }
 
  Q_SIGNALS:

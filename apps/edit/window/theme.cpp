@@ -39,6 +39,7 @@ void Theme::apply(QApplication& application) const {
   application.setStyleSheet(
       QString(R"(
     QToolTip { border: 1px solid %1; padding: 4px; }
+    QToolButton:checked { color: %2; }
     QMainWindow::separator, QSplitter::handle { background: %1; }
     QToolBar { border: none; border-bottom: 1px solid %1; padding: 2px 4px; spacing: 2px; }
     QToolBar QToolButton { padding: 3px; border: none; border-radius: 4px; }
@@ -47,6 +48,8 @@ void Theme::apply(QApplication& application) const {
     QStatusBar { border-top: 1px solid %1; }
     QStatusBar::item { border: none; }
     QTreeWidget, QListWidget, QScrollArea, QTableWidget { border: none; }
+    QTreeView::item, QListView::item { padding: 2px 0; }
+    QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
     QTabWidget::pane { border: none; border-top: 1px solid %1; }
     QTabBar { qproperty-drawBase: 0; }
     QTabBar::tab { padding: 5px 9px; border: none; color: %3; }

@@ -16,7 +16,6 @@ class ViewFrame : public QFrame {
   QWidget* content() const { return m_content; }
   /// At the right end of the title.
   void add_to_title(QWidget* widget);
-  void set_title(const QString& title) { m_title->setText(title); }
   void set_note(const QString& note);  // beside the title: "along the contact's normal"
 
  Q_SIGNALS:

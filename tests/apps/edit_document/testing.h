@@ -36,6 +36,7 @@ class Recorder {
   bool done(Document::Job job);
   const std::vector<Message>& messages() const { return m_messages; }
   std::string last_text() const { return m_messages.empty() ? "" : m_messages.back().text; }
+  void forget() { m_messages = {}, m_finished = {}; }
   const Object& object(const std::string& name) const;
   ObjectId id(const std::string& name) const;
 

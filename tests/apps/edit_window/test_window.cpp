@@ -5,6 +5,7 @@
 #include <QDialogButtonBox>
 #include <QFileDialog>
 #include <QLineEdit>
+#include <QMenuBar>
 #include <QMessageBox>
 #include <QProcess>
 #include <QPushButton>
@@ -60,10 +61,13 @@ class TestWindow : public QObject {
   void says_why_it_refuses();
   void asks_before_work_is_lost();
   void shows_full_scenes_at_every_size();
+  void shows_dialogs_and_menus();
 
  private:
   void open_window();
   void select_and(const std::string& name, const QString& tool);
+  void lock_by_keyboard(const std::string& name);
+  void look_at_tabs(const QString& when);
 
   QTemporaryDir m_folder;
   QDir m_saved;  // what is saved, and the models: for the referee
@@ -108,6 +112,20 @@ void TestWindow::cleanupTestCase() {
 void TestWindow::select_and(const std::string& name, const QString& tool) {
   m_user->select(name);
   m_user->take(tool);
+}
+
+void TestWindow::lock_by_keyboard(const std::string& name) {
+  m_user->select(name);
+  m_user->press_key(Qt::Key_L, Qt::ControlModifier);
+  QVERIFY(m_user->wait());
+  QVERIFY(m_user->object(name).locked);
+}
+
+void TestWindow::look_at_tabs(const QString& when) {
+  for (const char* const tab : {"History", "Files", "Operation", "Properties"}) {
+    m_user->show_tab(tab);
+    m_user->look(when + "_" + QString(tab).toLower());
+  }
 }
 
 void TestWindow::begins_with_the_start_page() {
@@ -273,16 +291,17 @@ void TestWindow::saves_and_opens() {
 }
 
 void TestWindow::says_why_it_refuses() {
-  m_user->select("spoon");
-  TranslateOperation down;
-  down.object = "spoon";
-  down.by = Vec3(0, 0, -0.2);
-  m_document->perform(down);
+  lock_by_keyboard("saucer");
+  const auto before = m_document->snapshot();
+  m_user->take("push");
+  const QPoint rim = m_user->pixel_on("saucer", Window::Perspective);
+  m_user->drag(m_window->view(Window::Perspective), rim, rim + QPoint(60, 0));
   QVERIFY(m_user->wait());
   QVERIFY(m_window->message_bar().isVisible());
-  QVERIFY2(!m_window->message_bar().text().isEmpty(), "with the reason");
+  QVERIFY2(m_window->message_bar().text().contains("locked"),
+           qPrintable(m_window->message_bar().text()));
+  QCOMPARE(m_document->snapshot()->committed, before->committed);
   m_user->look("refused");
-  m_user->click(m_window->view(Window::Perspective), QPoint(20, 20));
   m_user->press_key(Qt::Key_Z, Qt::ControlModifier);
   QVERIFY(m_user->wait());
   QVERIFY(!m_document->is_modified());
@@ -293,10 +312,7 @@ void TestWindow::says_why_it_refuses() {
 }
 
 void TestWindow::asks_before_work_is_lost() {
-  LockOperation lock;
-  lock.object = "saucer";
-  m_document->perform(lock);
-  QVERIFY(m_user->wait());
+  lock_by_keyboard("saucer");
   QVERIFY(m_document->is_modified());
   bool asked = false;
   const auto answer = [&](QMessageBox::StandardButton button) {
@@ -327,12 +343,45 @@ void TestWindow::shows_full_scenes_at_every_size() {
       QVERIFY(m_user->wait());
       m_user->look(QString("breakfast_%1_%2").arg(size.width()).arg(dark ? "dark" : "light"));
     }
+    look_at_tabs(QString("breakfast_%1").arg(size.width()));
     m_window->action("start page")->trigger();
     m_user->look(QString("start_%1").arg(size.width()));
     m_document->select_only(snapshot->find("saucer_front")->id);
     QVERIFY(m_user->wait());
   }
   m_window->resize(1280, 720);
+}
+
+void TestWindow::shows_dialogs_and_menus() {
+  QVERIFY(m_user->wait());
+  m_user->press_key(Qt::Key_W);  // from the start page to the scene
+  m_window->open_demo("spoon-saucer");
+  QVERIFY(m_user->wait());
+  m_user->select("spoon");
+  look_at_tabs("spoon");
+  for (const char* const tool : {"push", "turn", "pick up", "move", "rotate"}) {
+    m_user->take(tool);
+    QVERIFY(m_user->wait());
+    m_user->look(QString("tool_") + QString(tool).replace(' ', '_'));
+  }
+  for (const char* const name :
+       {"picture", "shortcuts", "two minutes", "about", "open", "export"}) {
+    bool seen = false;
+    m_user->with_dialog([&] { m_window->action(name)->trigger(); },
+                        [&](QWidget& dialog) {
+                          m_user->look(QString("dialog_") + QString(name).replace(' ', '_'));
+                          seen = true;
+                          QTest::keyClick(&dialog, Qt::Key_Escape);
+                        });
+    QVERIFY2(seen, name);
+  }
+  QMenuBar* const bar = m_window->menuBar();
+  for (QAction* const menu : bar->actions()) {
+    m_user->click(*bar, bar->actionGeometry(menu).center());
+    QVERIFY(QTest::qWaitFor([] { return QApplication::activePopupWidget() != nullptr; }, 2000));
+    m_user->look("menu_" + menu->text().remove('&').toLower());
+    QTest::keyClick(QApplication::activePopupWidget(), Qt::Key_Escape);
+  }
 }
 
 }  // namespace trivet::edit::test

@@ -1,6 +1,7 @@
 #include "apps/edit_window/user.h"
 
 #include <QApplication>
+#include <QDialog>
 #include <QDropEvent>
 #include <QMimeData>
 #include <QScreen>
@@ -12,7 +13,13 @@
 namespace trivet::edit::test {
 namespace {
 
-constexpr int kDragSteps = 12, kStepMs = 15;
+constexpr int kDragSteps = 12, kStepMs = 15, kDialogMs = 3000;
+
+QWidget* open_dialog() {
+  for (QWidget* const widget : QApplication::topLevelWidgets())
+    if (widget->isVisible() && qobject_cast<QDialog*>(widget)) return widget;
+  return nullptr;
+}
 
 }  // namespace
 
@@ -128,13 +135,15 @@ void User::with_dialog(std::function<void()> open, std::function<void(QWidget&)>
   QTimer timer;
   timer.setInterval(10 * kStepMs);
   QObject::connect(&timer, &QTimer::timeout, &timer, [&] {
-    QWidget* const dialog = QApplication::activeModalWidget();
-    if (!dialog || !dialog->isVisible()) return;
+    QWidget* const dialog = open_dialog();
+    if (!dialog) return;
     timer.stop();
     then(*dialog);
   });
   timer.start();
   open();
+  // Those that are not modal are still open.
+  QVERIFY(QTest::qWaitFor([&] { return !timer.isActive(); }, kDialogMs));
 }
 
 void User::drop(const QStringList& files, std::function<void(QWidget&)> then) {

@@ -225,6 +225,17 @@ TEST_F(Live, OutlinesWhatIsSelectedThroughWhatHidesIt) {
   EXPECT_NEAR(brightness(image, side(-0.9, 1)), brightness(plain, side(-0.9, 1)), 1) << "outside";
 }
 
+// What is left of other pictures is not outlined.
+TEST_F(Live, OutlinesDoNotDependOnEarlierPictures) {
+  LiveScene large = cube_scene(), small_one = cube_scene();
+  large.objects[0].outlined = true;
+  small_one.objects = {placed(box_model(Vec3(-0.3, -0.3, 0), Vec3(0.3, 0.3, 1), kGrey))};
+  small_one.objects[0].outlined = true;
+  const Image fresh = draw(small_one, from_above());
+  draw(large, from_above());
+  EXPECT_EQ(draw(small_one, from_above()).rgba, fresh.rgba);
+}
+
 TEST_F(Live, GhostsShowWhatIsBehind) {
   LiveScene scene = cube_scene();
   const Image plain = draw(scene, from_above());

@@ -129,6 +129,27 @@ TEST(Push, FollowsSlopes) {
   }
 }
 
+// A steep slope that is higher than step_up is a wall: it is not crept up in small steps.
+TEST(Push, DoesNotCreepUpSteepSlopes) {
+  for (const double deg : {70.0, 76.0, 84.0, 89.0}) {
+    const double slope = std::tan(deg * M_PI / 180), height = 0.04, foot = height / slope;
+    Table t;
+    t.fix("slope", test::prism({{0, 0}, {0.2, 0}, {0.2, height}, {foot, height}}, 0.5),
+          {0, 0, t.top() + 1e-5});
+    const double before = t.position("box").z();
+    PushOperation o = push(1, 0, 0.5);
+    o.step_up = 0.01;
+    o.settle = false;
+    const OperationResult result = t.run(o);
+    ASSERT_TRUE(result.ok()) << result.reason;
+    EXPECT_EQ(result.blocked_by, "slope") << deg;
+    // Its foot is a little above the table: that is one step, of a few clearances.
+    EXPECT_NEAR(t.position("box").z(), before, 8 * slope * t.clearance()) << deg;
+    EXPECT_NEAR(t.position("box").x(), -0.1, 1e-4) << deg;
+    EXPECT_LT(result.steps.size(), 12u) << deg;
+  }
+}
+
 TEST(Push, RefusesWhatCannotBePushed) {
   Table t;
   t.scene.add(test::object_of("apple", box_triangles(Vec3(0.1, 0.1, 0.1))));

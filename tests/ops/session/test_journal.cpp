@@ -14,6 +14,7 @@
 #include "ops/report/scene_file.h"
 #include "ops/session/journal.h"
 #include "ops/session/restore.h"
+#include "ops/verify.h"
 #include "session_testing.h"
 
 namespace trivet::test {
@@ -159,6 +160,20 @@ TEST_F(JournalFiles, DamageBeforeTheLastLineIsTold) {
   EXPECT_NE(complaint().find("is no journal"), std::string::npos);
   write("j", "");
   EXPECT_NE(complaint().find("is no journal"), std::string::npos);
+}
+
+// What rested when the scene was large rests by the same measure when it has become small.
+TEST_F(JournalFiles, TheFileSaysTheLargestClearanceThatTheSceneHad) {
+  OpenedSession opened = open();
+  EXPECT_EQ(settled_clearance(opened), 0);
+  ASSERT_TRUE(opened.session.perform(put_at("b", 8, 8)).ok());
+  const double large = default_clearance(opened.session.scene());
+  EXPECT_EQ(settled_clearance(opened), 0);  // it is the default
+  ASSERT_TRUE(opened.session.perform(put_at("b", 0.05, 0.02)).ok());
+  EXPECT_LT(default_clearance(opened.session.scene()), 0.5 * large);
+  EXPECT_EQ(settled_clearance(opened), large);
+  save_session(opened, "1", path("scene.glb"));
+  EXPECT_EQ(read_scene_file(path("scene.glb"), {}).clearance, large);
 }
 
 TEST_F(JournalFiles, SavingOverTheStartLosesNothing) {
