@@ -11,10 +11,12 @@ namespace {
 constexpr float kInf = std::numeric_limits<float>::infinity();
 
 template <bool kTurning>
-bool draw_part(const Layer& layer, const View& view, size_t first, size_t last, DepthMap& out) {
+bool draw_part(const Layer& layer, const View& view, size_t first, size_t last, DepthMap& out,
+               FaceBoxes* boxes) {
   TriangleRaster raster(view);
   DepthMapSink sink(out);
-  return draw_faces<kTurning>(layer, view, Wanted::all_of(view), first, last, 1, raster, sink);
+  return draw_faces<kTurning>(layer, view, Wanted::all_of(view), first, last, 1, raster, sink,
+                              boxes);
 }
 
 }  // namespace
@@ -57,14 +59,16 @@ void DepthMap::add(const DepthMap& other) {
   }
 }
 
-bool draw_depth_map(const Layer& layer, const View& view, int num_threads, DepthMap& out) {
+bool draw_depth_map(const Layer& layer, const View& view, int num_threads, DepthMap& out,
+                    FaceBoxes* boxes) {
   const size_t count = layer.num_faces(), parts = num_parts(count, num_threads);
   std::vector<DepthMap> maps(parts, DepthMap(view.width, view.height));
   std::vector<char> complete(parts);
   for_each_part(count, num_threads, [&](size_t part, size_t first, size_t last) {
-    complete[part] = view.turning() ? draw_part<true>(layer, view, first, last, maps[part])
-                                    : draw_part<false>(layer, view, first, last, maps[part]);
+    complete[part] = view.turning() ? draw_part<true>(layer, view, first, last, maps[part], nullptr)
+                                    : draw_part<false>(layer, view, first, last, maps[part], boxes);
   });
+  if (boxes && !view.turning()) boxes->noted = true;
   out = std::move(maps[0]);
   for (size_t i = 1; i < parts; ++i) out.add(maps[i]);
   return std::find(complete.begin(), complete.end(), 0) == complete.end();

@@ -48,7 +48,9 @@ class DepthMapSink final : public SpanSink {
 };
 
 /// Draws all faces of a projected layer.
+/// @param boxes  are noted, along a direction; null: nobody asks for them.
 /// @return false when a face had too many pieces: the map is not complete.
-bool draw_depth_map(const Layer& layer, const View& view, int num_threads, DepthMap& out);
+bool draw_depth_map(const Layer& layer, const View& view, int num_threads, DepthMap& out,
+                    FaceBoxes* boxes = nullptr);
 
 }  // namespace trivet

@@ -6,6 +6,7 @@
 
 #include "raster/angles.h"
 #include "raster/layer.h"
+#include "raster/parallel.h"
 #include "raster/triangle_raster.h"
 
 namespace trivet {
@@ -67,6 +68,17 @@ class SmallFaces {
     const ImageVertex low = a.min(b).min(c) - m_margin, high = a.max(b).max(c) + m_margin;
     if ((high - m_low).min(m_high - low).minCoeff() < 0) return Kind::Outside;
     return small_box(low, high, out) ? Kind::Small : Kind::Large;
+  }
+
+  /// Along a direction, of faces whose vertices are in this box.
+  bool is_outside(const ImageVertex& low, const ImageVertex& high) const {
+    return (high + m_margin - m_low).min(m_high - low + m_margin).minCoeff() < 0;
+  }
+  /// Grows a box to hold the face.
+  void note(const Index3& t, ImageVertex& low, ImageVertex& high) const {
+    const ImageVertex &a = m_vertices[t[0]], &b = m_vertices[t[1]], &c = m_vertices[t[2]];
+    low = low.min(a.min(b).min(c));
+    high = high.max(a.max(b).max(c));
   }
 
   /// The same of a turn. @param centres  faces that may hold a pixel's centre are not small.
@@ -156,45 +168,83 @@ class SmallFaces {
   Eigen::Array4i m_first, m_last;
 };
 
+/// Boxes of runs of faces along a direction, of vertices without margins: the first pass over all
+/// faces notes them, later ones leave out at once the runs that lie beyond what they want.
+struct FaceBoxes {
+  static constexpr size_t kRun = kPartStep;  // faces
+  static constexpr float kInf = std::numeric_limits<float>::infinity();
+  bool noted = false;
+  std::vector<ImageVertex> low, high;
+
+  explicit FaceBoxes(size_t num_faces)
+      : low(num_faces / kRun + 1, ImageVertex::Constant(kInf)), high(low.size(), -low.front()) {}
+  void add(size_t run, const ImageVertex& from, const ImageVertex& to) {
+    low[run] = low[run].min(from);
+    high[run] = high[run].max(to);
+  }
+};
+
+/// Draws one face; see draw_faces().
+template <bool kTurning, class Sink>
+bool draw_face(const Layer& layer, const SmallFaces& finder, const Wanted& wanted, const Index3& t,
+               SmallFace& found, TriangleRaster& raster, Sink& sink) {
+  const auto kind =
+      kTurning ? finder.classify_turning(t, Sink::kCentres, found) : finder.classify(t, found);
+  if (kind == SmallFaces::Kind::Outside) return true;
+  if (kind == SmallFaces::Kind::Large) {
+    sink.face = found.face;
+    return raster.draw(layer.corners(found.face), sink);
+  }
+  if constexpr (kTurning) {
+    raster.for_each_copy(found.lower - kCopyMargin, found.upper + kCopyMargin, [&](double shift) {
+      SmallFace copy = found;
+      copy.lower += static_cast<float>(shift);
+      copy.upper += static_cast<float>(shift);
+      if (wanted.has_depths(copy.lower, copy.upper)) sink.small(copy);
+    });
+  } else {
+    sink.small(found);
+    if constexpr (Sink::kCentres)
+      if (found.centres)
+        finder.sample_centres(t, found, [&](int pixel, float depth, float error) {
+          sink.sample(pixel, depth, error);
+        });
+  }
+  return true;
+}
+
 /// Draws every `stride`-th face in [first, last) of a projected layer that is wanted, in a view of
 /// the whole image. A sink takes small(SmallFace) of small faces and, if it has kCentres,
 /// sample(pixel, depth, error) on lines through centres that meet them; and, as a SpanSink, the
 /// others. A small fixed face of a turn may come several times, once per angle.
+/// @param boxes  of the layer's faces, noted or to be noted; null: without.
 /// @return false when a face had too many pieces.
 template <bool kTurning, class Sink>
 bool draw_faces(const Layer& layer, const View& view, const Wanted& wanted, size_t first,
-                size_t last, size_t stride, TriangleRaster& raster, Sink& sink) {
+                size_t last, size_t stride, TriangleRaster& raster, Sink& sink,
+                FaceBoxes* boxes = nullptr) {
   bool complete = true;
   for (const Layer::Member& m : layer.members()) {
     const std::vector<Index3>& faces = m.source->shape->mesh.triangles;
     const SmallFaces finder(m, view, wanted);
-    const size_t begin = std::max<size_t>(first, m.first_face);
     const size_t end = std::min<size_t>(last, m.first_face + faces.size());
     SmallFace found{};
-    for (size_t f = begin; f < end; f += stride) {
-      const Index3& t = faces[f - m.first_face];
-      found.face = static_cast<std::uint32_t>(f);
-      const auto kind =
-          kTurning ? finder.classify_turning(t, Sink::kCentres, found) : finder.classify(t, found);
-      if (kind == SmallFaces::Kind::Outside) continue;
-      if (kind == SmallFaces::Kind::Large) {
-        sink.face = found.face;
-        complete &= raster.draw(layer.corners(found.face), sink);
-      } else if constexpr (kTurning) {
-        raster.for_each_copy(found.lower - kCopyMargin, found.upper + kCopyMargin,
-                             [&](double shift) {
-                               SmallFace copy = found;
-                               copy.lower += static_cast<float>(shift);
-                               copy.upper += static_cast<float>(shift);
-                               if (wanted.has_depths(copy.lower, copy.upper)) sink.small(copy);
-                             });
-      } else {
-        sink.small(found);
-        if (Sink::kCentres && found.centres)
-          finder.sample_centres(t, found, [&](int pixel, float depth, float error) {
-            if constexpr (Sink::kCentres) sink.sample(pixel, depth, error);
-          });
+    for (size_t f = std::max<size_t>(first, m.first_face); f < end;) {
+      const size_t run = f / FaceBoxes::kRun;
+      const size_t run_end = boxes ? std::min(end, (run + 1) * FaceBoxes::kRun) : end;
+      if (boxes && boxes->noted && finder.is_outside(boxes->low[run], boxes->high[run])) {
+        f = run_end;
+        continue;
       }
+      const bool notes = boxes && !boxes->noted;
+      ImageVertex low = ImageVertex::Constant(FaceBoxes::kInf), high = -low;
+      for (; f < run_end; f += stride) {
+        const Index3& t = faces[f - m.first_face];
+        if (notes) finder.note(t, low, high);
+        found.face = static_cast<std::uint32_t>(f);
+        complete &= draw_face<kTurning>(layer, finder, wanted, t, found, raster, sink);
+      }
+      if (notes) boxes->add(run, low, high);
     }
   }
   return complete;

@@ -16,11 +16,17 @@ inline size_t num_parts(size_t count, int num_threads) {
   return std::clamp<size_t>(count / kSmallestPart, 1, static_cast<size_t>(num_threads));
 }
 
+/// Parts begin at multiples of this.
+inline constexpr size_t kPartStep = 64;
+
 /// f(part, first, last) for each of num_parts() parts.
 template <class F>
 void for_each_part(size_t count, int num_threads, F f) {
   const size_t parts = num_parts(count, num_threads);
-  const auto run = [&](size_t i) { f(i, count * i / parts, count * (i + 1) / parts); };
+  const auto begin = [&](size_t i) {
+    return i == parts ? count : count * i / parts / kPartStep * kPartStep;
+  };
+  const auto run = [&](size_t i) { f(i, begin(i), begin(i + 1)); };
   if (parts == 1) return run(0);
   const int cores = std::min(num_threads, tbb::this_task_arena::max_concurrency());
   tbb::task_arena(cores).execute([&] { tbb::parallel_for(size_t{0}, parts, run); });

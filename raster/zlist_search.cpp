@@ -29,7 +29,7 @@ float rounded_up(double x) { return static_cast<float>(x) * 1.000001F; }
 // Every part of a layer with a sink of its own.
 template <class Sink, class Make, class Done>
 bool draw_parts(const Layer& layer, const View& view, const Wanted& wanted, size_t stride,
-                int num_threads, Make make, Done done) {
+                int num_threads, Make make, Done done, FaceBoxes* boxes = nullptr) {
   const size_t count = layer.num_faces(), parts = num_parts(count / stride, num_threads);
   std::vector<Sink> sinks(parts, make());
   std::vector<char> complete(parts);
@@ -37,8 +37,9 @@ bool draw_parts(const Layer& layer, const View& view, const Wanted& wanted, size
     Sink& sink = sinks[part];
     TriangleRaster raster(view);
     complete[part] =
-        view.turning() ? draw_faces<true>(layer, view, wanted, first, last, stride, raster, sink)
-                       : draw_faces<false>(layer, view, wanted, first, last, stride, raster, sink);
+        view.turning()
+            ? draw_faces<true>(layer, view, wanted, first, last, stride, raster, sink)
+            : draw_faces<false>(layer, view, wanted, first, last, stride, raster, sink, boxes);
   });
   for (Sink& sink : sinks) done(sink);
   return std::find(complete.begin(), complete.end(), 0) == complete.end();
@@ -96,6 +97,7 @@ ZListSearch::ZListSearch(const FirstContactQuery& query, const ZListFrame& frame
       m_options(options),
       m_moving(frame, query.moving, frame.moving),
       m_fixed(frame, query.fixed, frame.fixed),
+      m_moving_boxes(m_moving.num_faces()),
       m_reach(rounded_up(std::min(frame.reach, 1e30))),
       m_tie(frame.kind == Motion::Kind::Rotation
                 ? 1e-5F
@@ -123,7 +125,7 @@ bool ZListSearch::draw_base(Lists& lists) {
   m_fixed.project(m_options.num_threads);
   const View moving = View::whole(m_frame, true), fixed = View::whole(m_frame, false);
   DepthMap map;
-  if (!draw_depth_map(m_moving, moving, m_options.num_threads, map))
+  if (!draw_depth_map(m_moving, moving, m_options.num_threads, map, &m_moving_boxes))
     return give_up("a moving face has too many pieces near the axis");
   if (m_fixed.num_faces() >= kManyFaces) sample_upper_bound(fixed, map);
   return collect_fixed(fixed, map, lists.fixed) &&
@@ -185,8 +187,8 @@ bool ZListSearch::collect_moving(const View& view, const std::vector<Fragment>& 
     overflow |= sink.overflow;
     out.insert(out.end(), sink.found.begin(), sink.found.end());
   };
-  const bool complete =
-      draw_parts<MovingSink>(m_moving, view, wanted, 1, m_options.num_threads, make, done);
+  const bool complete = draw_parts<MovingSink>(m_moving, view, wanted, 1, m_options.num_threads,
+                                               make, done, &m_moving_boxes);
   if (!complete) return give_up("a moving face has too many pieces near the axis");
   return overflow ? give_up("too many moving faces are in doubt") : true;
 }

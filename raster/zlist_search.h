@@ -69,6 +69,7 @@ class ZListSearch {
   const ZListFrame& m_frame;
   SoftwareZListOptions m_options;
   Layer m_moving, m_fixed;
+  FaceBoxes m_moving_boxes;
   float m_reach, m_tie;
   SharedMinimum m_upper;  // of the difference of depths; m_reach when nothing is known
   std::vector<Candidate> m_candidates;
