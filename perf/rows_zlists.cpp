@@ -15,8 +15,8 @@ namespace trivet::perf {
 namespace {
 
 constexpr int kSweeps = 12;
-constexpr double kBudget_ms = 2000;   // for a row; then the rest of the sweeps is left out
-constexpr double kTooLong_ms = 1500;  // a query; then finer images are left out
+constexpr double kBudget_ms = 2000;  // for a row; then the rest of the sweeps is left out
+constexpr double kLong_ms = 400;     // a query that is not asked again to be timed warm
 constexpr int kResolutions[] = {0, 128, 256, 512, 1024};  // 0: the stage chooses
 constexpr int kPlaces = 64;                               // by 64
 
@@ -116,14 +116,13 @@ bool ask_stage(ZListStage& stage, const FirstContactQuery& query, const Method& 
       found = first_contact(query, stage, &proposal);
   };
   const Took first = timed(ask, CLOCK_PROCESS_CPUTIME_ID);
-  samples.add(first.wall_ms > kTooLong_ms / 4 ? first : timed(ask, CLOCK_PROCESS_CPUTIME_ID));
+  samples.add(first.wall_ms > kLong_ms ? first : timed(ask, CLOCK_PROCESS_CPUTIME_ID));
   if (!method.bounds_alone) return same(found, truth);
   const double time = truth.status == FirstContact::Status::Free ? kInfinity : truth.time;
   return proposal.lower <= time && (time <= proposal.upper || proposal.upper == kInfinity);
 }
 
-// @return the median, ms.
-double add_stage(const Cases& cases, const Method& method, ZListStage& stage) {
+void add_stage(const Cases& cases, const Method& method, ZListStage& stage) {
   Row row{method.what, {}, method.goal_ms, method.compares ? cases.bvh_cpu_ms : 0, ""};
   Left left;
   const Stopwatch stopwatch;
@@ -138,9 +137,7 @@ double add_stage(const Cases& cases, const Method& method, ZListStage& stage) {
   }
   add_data(cases, method, row.samples, left);
   row.outcome = left.text_of(method.bounds_alone);
-  const double median_ms = row.samples.median_ms();
   cases.report->add(std::move(row));
-  return median_ms;
 }
 
 double software_goal_ms(const Cases& cases) {
@@ -152,9 +149,7 @@ void software_rows(const Cases& cases) {
   for (const int threads : {1, 2}) {
     const tbb::global_control cores(tbb::global_control::max_allowed_parallelism, threads);
     const std::string suffix = text("%d thread%s", threads, threads > 1 ? "s" : "");
-    double median_ms = 0;
-    for (const int resolution : {0, 128, 256, 512, 1024}) {
-      if (median_ms > kTooLong_ms) break;
+    for (const int resolution : kResolutions) {
       SoftwareZListOptions options;
       options.resolution = resolution;
       options.num_threads = threads;
@@ -164,13 +159,13 @@ void software_rows(const Cases& cases) {
       method.what += resolution == 0 ? "own choice of" : std::to_string(resolution);
       method.what += " pixels, " + suffix;
       if (resolution == 0 && threads == 1) method.goal_ms = software_goal_ms(cases);
-      median_ms = add_stage(cases, method, stage);
+      add_stage(cases, method, stage);
     }
   }
 }
 
 #ifdef TRIVET_PERF_GPU
-void gpu_row(const Cases& cases, GpuZListOptions options, double& median_ms) {
+void gpu_row(const Cases& cases, GpuZListOptions options) {
   const auto stage = make_gpu_zlist_stage(options);
   Method method{options.bounds_alone ? "GPU min/max" : "GPU lists", stage->name(),
                 options.resolution};
@@ -180,30 +175,28 @@ void gpu_row(const Cases& cases, GpuZListOptions options, double& median_ms) {
   method.what += options.bounds_alone ? "min/max alone" : "complete";
   method.compares = false;
   method.bounds_alone = options.bounds_alone;
-  median_ms = add_stage(cases, method, *stage);
+  add_stage(cases, method, *stage);
 }
 
 void gpu_rows(const Cases& cases) {
   for (const bool fallback : {false, true})
-    for (const bool bounds_alone : {true, false}) {
-      double median_ms = 0;
+    for (const bool bounds_alone : {true, false})
       for (const int resolution : kResolutions) try {
-          if (median_ms > kTooLong_ms || (fallback && cases.num_triangles > 150'000)) break;
+          if (fallback && cases.num_triangles > 150'000) break;
           GpuZListOptions options;
           options.resolution = resolution;
           options.force_fallback = fallback;
           options.bounds_alone = bounds_alone;
-          gpu_row(cases, options, median_ms);
+          gpu_row(cases, options);
         } catch (const Error& e) {
           cases.report->remark("z-lists on the GPU", e.what());
         }
-    }
 }
 
 // All sweeps in one pass, as layers of one image.
 void gpu_batch_row(const Cases& cases) try {
   if (cases.num_triangles > 15'000) return;
-  const auto stage = make_gpu_zlist_stage();
+  const auto stage = make_gpu_zlist_stage({.resolution = 128});
   std::vector<Body> bodies;
   for (const Asked& a : cases.sweeps) {
     bodies.push_back(a.sweep.moving());
