@@ -61,7 +61,9 @@ Attempt::Attempt(Scene& scene, ObjectId id, const MoveOptions& move, const char*
       default_clearance(scene, start ? expected_box(scene, object, *start) : Aabb{});
   const double clearance = options.clearance > 0 ? options.clearance : usual;
   m_group.emplace(scene, id, clearance, options);
-  std::string why = why_not_movable(scene, m_group->ids());
+  // What is fixed comes in once, and then stands there.
+  const bool comes_in = start && object.fixed && !object.placed;
+  std::string why = comes_in ? "" : why_not_movable(scene, m_group->ids());
   if (why.empty()) why = why_not_clearance(clearance, usual);
   if (why.empty() && !start) why = why_not_startable(free);
   if (!why.empty()) refuse(why);

@@ -113,6 +113,7 @@ class GroupCommit {
       m_scene.link(m_group.ids()[i], std::move(m_links[i]));
       object.pose = m_group.pose(i);
       object.placed = true;
+      if (object.fixed) object.state = ObjectState::Fixed;
     }
     for (const ObjectId id : m_to_rate) rate(id, otherwise, settled, crossed);
     for (const ObjectId id : m_group.ids())

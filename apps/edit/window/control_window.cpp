@@ -34,6 +34,7 @@ ControlWindow::ControlWindow(Document& document, Toolbox& toolbox, QWidget* pare
   setChildrenCollapsible(false);
   setHandleWidth(1);
   setSizes({165, 265});
+  setStretchFactor(0, 2), setStretchFactor(1, 1);
   setMinimumWidth(250);
   connect(&m_document, &Document::history_changed, this, &ControlWindow::show_history);
   const auto go_to = [this](QListWidgetItem* item) {

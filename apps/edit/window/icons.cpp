@@ -161,8 +161,7 @@ QIcon make_icon(Icon icon, const QColor& colour) {
                                                    : state_drawing(icon);
   QIcon out;
   for (const int size : {20, 40, 60}) {
-    // On the accent's colour: selected rows, and tools in the hand.
-    const auto draw = [&](const QColor& shown, QIcon::Mode mode, QIcon::State state) {
+    const auto draw = [&](const QColor& shown, QIcon::Mode mode) {
       QPixmap pixmap(size, size);
       pixmap.fill(Qt::transparent);
       QPainter painter(&pixmap);
@@ -175,14 +174,13 @@ QIcon make_icon(Icon icon, const QColor& colour) {
       painter.setBrush(shown);
       painter.drawPath(drawing.area);
       painter.end();
-      out.addPixmap(pixmap, mode, state);
+      out.addPixmap(pixmap, mode);
     };
     QColor faint = colour;
     faint.setAlpha(80);
-    draw(colour, QIcon::Normal, QIcon::Off);
-    draw(faint, QIcon::Disabled, QIcon::Off);
-    draw(Qt::white, QIcon::Selected, QIcon::Off);
-    draw(Qt::white, QIcon::Normal, QIcon::On);
+    draw(colour, QIcon::Normal);
+    draw(faint, QIcon::Disabled);
+    draw(Qt::white, QIcon::Selected);  // on the accent's colour
   }
   return out;
 }

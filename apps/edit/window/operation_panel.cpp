@@ -161,6 +161,20 @@ QCheckBox* OperationPanel::choice(QFormLayout& form, const QString& name, bool T
   return box;
 }
 
+void OperationPanel::add_angle_step(QFormLayout& form) {
+  auto* const box = angle(form, tr("Steps"), 0, tr("By mouse, while Control is held"));
+  box->setMinimum(0.01);
+  m_refresh.push_back([this, box] {
+    const QSignalBlocker blocker(box);
+    box->setValue(m_toolbox.options().angle_step_deg);
+  });
+  m_refresh.back()();
+  connect(box, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+    m_toolbox.options().angle_step_deg = value;
+    for (const auto& refresh : m_refresh) refresh();
+  });
+}
+
 QPushButton* OperationPanel::apply(QFormLayout& form, const QString& name,
                                    std::function<Operation(const std::string&)> make) {
   auto* const button = new QPushButton(name);
@@ -239,6 +253,7 @@ void OperationPanel::add_turn(QFormLayout& form) {
   about->setToolTip(tr("Click a contact point, edge or area in a view to choose which"));
   form.addRow(tr("About"), about);
   auto* const by = angle(form, tr("Angle"), 15);
+  add_angle_step(form);
   choice(form, tr("Let go at the end"), &ToolOptions::let_go, tr("Otherwise it is held"));
   apply(form, tr("Turn"), [this, about, by](const std::string& object) {
     TurnOperation turn;
@@ -292,6 +307,7 @@ void OperationPanel::add_rotate(QFormLayout& form) {
   axis->setCurrentIndex(2);
   form.addRow(tr("Axis"), axis);
   auto* const by = angle(form, tr("Angle"), 15, tr("About the centre of mass"));
+  add_angle_step(form);
   choice(form, tr("Through everything"), &ToolOptions::free,
          tr("As in a modeller; objects that interpenetrate are marked until that is resolved"));
   choice(form, tr("Let go at the end"), &ToolOptions::let_go, tr("Otherwise it is held"));

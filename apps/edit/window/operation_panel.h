@@ -43,6 +43,7 @@ class OperationPanel : public QWidget {
                             const QString& tip);
   QCheckBox* choice(QFormLayout& form, const QString& name, bool ToolOptions::*option,
                     const QString& tip);
+  void add_angle_step(QFormLayout& form);
   QPushButton* apply(QFormLayout& form, const QString& name,
                      std::function<Operation(const std::string& object)> make);
   void follow_document();

@@ -32,7 +32,9 @@ class SceneView : public QWidget {
   /// The tool may draw other things over the scene now.
   void follow_tool();
   /// Nothing is left to be drawn: what is seen is the document, in full quality. For tests.
-  bool is_up_to_date() const { return m_shown == m_wanted && !m_shown_is_draft; }
+  bool is_up_to_date() const { return shows_latest() && !m_shown_is_draft; }
+  /// The same, but a draft will do.
+  bool shows_latest() const { return m_shown == m_wanted; }
   double last_picture_ms() const { return m_picture_ms; }
 
  Q_SIGNALS:

@@ -36,15 +36,14 @@ void Theme::apply(QApplication& application) const {
   if (application.style()->objectName() != "fusion")
     QApplication::setStyle(QStyleFactory::create("Fusion"));
   QApplication::setPalette(palette_of(*this));
-  application.setStyleSheet(
-      QString(R"(
+  application.setStyleSheet(QString(R"(
     QToolTip { border: 1px solid %1; padding: 4px; }
     QToolButton:checked { color: %2; }
     QMainWindow::separator, QSplitter::handle { background: %1; }
     QToolBar { border: none; border-bottom: 1px solid %1; padding: 2px 4px; spacing: 2px; }
     QToolBar QToolButton { padding: 3px; border: none; border-radius: 4px; }
     QToolBar QToolButton:hover { background: rgba(128, 128, 128, 60); }
-    QToolBar QToolButton:checked { background: %2; }
+    QToolBar QToolButton:checked { background: %5; }
     QStatusBar { border-top: 1px solid %1; }
     QStatusBar::item { border: none; }
     QTreeWidget, QListWidget, QScrollArea, QTableWidget { border: none; }
@@ -57,7 +56,12 @@ void Theme::apply(QApplication& application) const {
     #title { color: %3; font-weight: bold; }
     #faint { color: %3; }
   )")
-          .arg(line().name(), accent().name(), faint_text().name(), text().name()));
+                                .arg(line().name(), accent().name(), faint_text().name(),
+                                     text().name(),
+                                     QString("rgba(%1, %2, %3, 110)")
+                                         .arg(accent().red())
+                                         .arg(accent().green())
+                                         .arg(accent().blue())));
 }
 
 LiveColour live_colour(const QColor& colour, float alpha) {

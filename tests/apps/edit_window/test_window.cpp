@@ -12,9 +12,12 @@
 #include <QSettings>
 #include <QTemporaryDir>
 
+#include "apps/edit_window/breakfast_table.h"
+#include "apps/edit_window/large_scene.h"
 #include "apps/edit_window/user.h"
 #include "core/io/export.h"
 #include "ops/demo/demo.h"
+#include "support/effort.h"
 
 namespace trivet::edit::test {
 namespace {
@@ -59,9 +62,11 @@ class TestWindow : public QObject {
   void goes_through_the_history();
   void saves_and_opens();
   void says_why_it_refuses();
+  void lays_a_breakfast_table();
   void asks_before_work_is_lost();
   void shows_full_scenes_at_every_size();
   void shows_dialogs_and_menus();
+  void stays_usable_with_a_thousand_objects();
 
  private:
   void open_window();
@@ -311,6 +316,14 @@ void TestWindow::says_why_it_refuses() {
   m_user->look("no_such_file");
 }
 
+void TestWindow::lays_a_breakfast_table() {
+  QVERIFY(!m_document->is_modified());
+  lay_breakfast_table(*m_document, *m_window, *m_user, m_folder.filePath("breakfast"));
+  m_document->go_to_step(0);
+  m_document->open(m_saved.filePath("scene.glb").toStdString());
+  QVERIFY(m_user->wait());
+}
+
 void TestWindow::asks_before_work_is_lost() {
   lock_by_keyboard("saucer");
   QVERIFY(m_document->is_modified());
@@ -382,6 +395,12 @@ void TestWindow::shows_dialogs_and_menus() {
     m_user->look("menu_" + menu->text().remove('&').toLower());
     QTest::keyClick(QApplication::activePopupWidget(), Qt::Key_Escape);
   }
+}
+
+// Prints figures: TRIVET_TEST_EFFORT=2 or more, on a machine that does nothing else.
+void TestWindow::stays_usable_with_a_thousand_objects() {
+  if (trivet::test::with_effort(100) < 200) QSKIP("figures: with TRIVET_TEST_EFFORT=2");
+  measure_large_scene(*m_document, *m_window, *m_user, m_saved.path());
 }
 
 }  // namespace trivet::edit::test

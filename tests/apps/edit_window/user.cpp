@@ -39,6 +39,19 @@ void User::move_to(QWidget& widget, const QPoint& at) {
   QTest::qWait(kStepMs);
 }
 
+void User::press(QWidget& widget, const QPoint& at, Qt::MouseButton button) {
+  move_to(widget, at);
+  QTest::mousePress(m_window.windowHandle(), button, {}, in_window(widget, at));
+}
+
+void User::send_move(QWidget& widget, const QPoint& at) {
+  QTest::mouseMove(m_window.windowHandle(), in_window(widget, at));
+}
+
+void User::release(QWidget& widget, const QPoint& at, Qt::MouseButton button) {
+  QTest::mouseRelease(m_window.windowHandle(), button, {}, in_window(widget, at));
+}
+
 void User::click(QWidget& widget, const QPoint& at, Qt::KeyboardModifiers modifiers) {
   move_to(widget, at);
   QTest::mouseClick(m_window.windowHandle(), Qt::LeftButton, modifiers, in_window(widget, at));

@@ -20,6 +20,10 @@ class User {
   /// The left button, in small steps.
   void drag(QWidget& widget, const QPoint& from, const QPoint& to);
   void move_to(QWidget& widget, const QPoint& at);
+  // The same, one by one, without waiting.
+  void press(QWidget& widget, const QPoint& at, Qt::MouseButton button);
+  void send_move(QWidget& widget, const QPoint& at);
+  void release(QWidget& widget, const QPoint& at, Qt::MouseButton button);
   /// In a view, where a point of the world is seen.
   QPoint pixel(WindowKind kind, const Vec3& world);
   /// In a view, where an object is seen, far from its centre of mass.

@@ -348,6 +348,18 @@ TEST(PutRefuses, WhatWouldFallForEver) {
   room.expect_refused(room.object, {{}, Vec3(1.1, 0, 3)}, {"nothing is below \"object\""});
 }
 
+TEST(Put, AFixedObjectComesInOnceAndStandsThere) {
+  Room room;
+  const ObjectId id =
+      room.scene.add(test::object_of("shelf", test::box_triangles(Vec3(0.1, 0.1, 0.1)), true));
+  const OperationResult result = put(room.scene, id, {{}, Vec3(5, 0, 3)});
+  ASSERT_TRUE(result.ok()) << result.reason;
+  EXPECT_TRUE(room.scene.at(id).placed);
+  EXPECT_EQ(room.scene.at(id).state, ObjectState::Fixed);
+  EXPECT_NEAR(room.scene.at(id).pose.translation.z(), 0.1, 1e-4);
+  room.expect_refused(id, {{}, Vec3(0, 0, 5)}, {"\"shelf\" is fixed"});
+}
+
 TEST(PutRefuses, AFixedObject) {
   Room room;
   room.expect_refused(room.table, {{}, Vec3(0, 0, 5)}, {"\"table\" is fixed"});

@@ -1,0 +1,12 @@
+// apps/README.md, "A breakfast table in two minutes", step by step, by mouse and keyboard.
+#pragma once
+
+#include "apps/edit_window/user.h"
+
+namespace trivet::edit::test {
+
+/// Pictures "table_...": those of that page. The document has nothing unsaved.
+/// @param folder  for the models.
+void lay_breakfast_table(Document& document, MainWindow& window, User& user, const QString& folder);
+
+}  // namespace trivet::edit::test
