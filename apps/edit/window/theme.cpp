@@ -49,6 +49,8 @@ void Theme::apply(QApplication& application) const {
     QTreeWidget, QListWidget, QScrollArea, QTableWidget { border: none; }
     QTreeView::item, QListView::item { padding: 2px 0; }
     QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
+    QCheckBox::indicator:unchecked { border: 1px solid %3; border-radius: 2px;
+      background: transparent; width: 11px; height: 11px; }
     QTabWidget::pane { border: none; border-top: 1px solid %1; }
     QTabBar { qproperty-drawBase: 0; }
     QTabBar::tab { padding: 5px 9px; border: none; color: %3; }

@@ -77,13 +77,20 @@ QPoint User::pixel_on(const std::string& name, WindowKind kind) {
   const View view = m_window.view(kind).view();
   const QPoint centre = pixel(kind, object(name).centre_of_mass());
   QPoint best = centre;
-  constexpr int kStepPx = 4;
+  constexpr int kStepPx = 4, kRoomPx = 2;
+  const auto is_seen = [&](const QPoint& at) {
+    const auto seen = pick(*snapshot, view.ray(Vec2(at.x(), at.y())));
+    return seen && seen->object && snapshot->find(*seen->object)->object->name == name;
+  };
   for (int y = 0; y < view.height_px; y += kStepPx)
     for (int x = 0; x < view.width_px; x += kStepPx) {
-      const auto seen = pick(*snapshot, view.ray(Vec2(x + 0.5, y + 0.5)));
       const QPoint at(x, y);
-      if (!seen || !seen->object || snapshot->find(*seen->object)->object->name != name) continue;
-      if ((at - centre).manhattanLength() > (best - centre).manhattanLength()) best = at;
+      if ((at - centre).manhattanLength() <= (best - centre).manhattanLength()) continue;
+      const bool room = is_seen(at) && is_seen(at + QPoint(kRoomPx, kRoomPx)) &&
+                        is_seen(at - QPoint(kRoomPx, kRoomPx)) &&
+                        is_seen(at + QPoint(kRoomPx, -kRoomPx)) &&
+                        is_seen(at - QPoint(kRoomPx, -kRoomPx));
+      if (room) best = at;
     }
   return best;
 }
