@@ -10,15 +10,6 @@ namespace {
 constexpr float kOutlinePx = 2.2f;
 constexpr double kFinestCellPx = 6, kClearCellPx = 20;  // where the finest grid lines come and are
 
-float linear_from_srgb(float x) {
-  return x > 0.04045f ? std::pow((x + 0.055f) / 1.055f, 2.4f) : x / 12.92f;
-}
-
-LiveColour linear_from_srgb(const LiveColour& colour) {
-  return {linear_from_srgb(colour[0]), linear_from_srgb(colour[1]), linear_from_srgb(colour[2]),
-          colour[3]};
-}
-
 }  // namespace
 
 void LiveRenderer::draw_backdrop(const View& view) {
@@ -72,8 +63,7 @@ void LiveRenderer::draw_one(const MeshProgram& program, const Instance& instance
                      instance.placement.frame_from_object.data());
   glUniformMatrix3fv(program.frame_from_normal, 1, GL_FALSE,
                      instance.placement.frame_from_normal.data());
-  const LiveColour tint = linear_from_srgb(instance.object->tint);
-  glUniform4fv(program.tint, 1, tint.data());
+  glUniform4fv(program.tint, 1, instance.tint.data());
   glUniform1f(program.opacity, instance.object->opacity);
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_BUFFER, mesh.material_texture.id());

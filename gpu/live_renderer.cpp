@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <tuple>
 
 #include "gpu/live_shaders.h"
 #include "gpu/picture_lights.h"
@@ -17,6 +18,15 @@ namespace shaders = live_shaders;
 constexpr int kSamples = 4;                  // per pixel
 constexpr double kNearestOfFarthest = 2e-4;  // what is nearer to the eye is cut away
 constexpr double kSmallest = 0.5;            // px; smaller objects are left out
+
+float linear_from_srgb(float x) {
+  return x > 0.04045f ? std::pow((x + 0.055f) / 1.055f, 2.4f) : x / 12.92f;
+}
+
+LiveColour linear_from_srgb(const LiveColour& colour) {
+  return {linear_from_srgb(colour[0]), linear_from_srgb(colour[1]), linear_from_srgb(colour[2]),
+          colour[3]};
+}
 
 template <typename T>
 void append(std::string& key, const T& value) {
@@ -48,6 +58,22 @@ GlTexture make_shadow_texture() {
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
   return texture;
+}
+
+PictureMesh box_mesh() {
+  static const auto vertices = [] {
+    std::array<Vec3, 8> all;
+    for (int i = 0; i < 8; ++i) all[i] = box_corner({Vec3::Constant(-1), Vec3::Constant(1)}, i);
+    return all;
+  }();
+  static const std::array<Index3, 12> triangles{Index3{0, 2, 3}, Index3{0, 3, 1}, Index3{4, 5, 7},
+                                                Index3{4, 7, 6}, Index3{0, 1, 5}, Index3{0, 5, 4},
+                                                Index3{2, 6, 7}, Index3{2, 7, 3}, Index3{0, 4, 6},
+                                                Index3{0, 6, 2}, Index3{1, 3, 7}, Index3{1, 7, 5}};
+  PictureMesh mesh;
+  mesh.vertices = vertices;
+  mesh.triangles = triangles;
+  return mesh;
 }
 
 void describe_overlay_vertices() {
@@ -129,6 +155,7 @@ LiveRenderer::LiveRenderer(std::int64_t many_triangles)
       m_overlay_buffer(GlBuffer::create()),
       m_shadow_map(make_shadow_texture()),
       m_draw_shadow_map(GlFramebuffer::create()) {
+  m_box = upload_mesh(box_mesh());
   glBindFramebuffer(GL_FRAMEBUFFER, m_draw_shadow_map.id());
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, m_shadow_map.id(), 0);
   glDrawBuffer(GL_NONE);
@@ -159,6 +186,7 @@ void LiveRenderer::place_instances(const LiveScene& scene) {
     if (mesh.empty() || !pose.linear.allFinite() || !pose.translation.allFinite()) continue;
     Instance instance;
     instance.object = &object, instance.mesh = &mesh;
+    instance.tint = linear_from_srgb(object.tint);
     for (int i = 0; i < 8; ++i) {
       instance.corners[i] = pose.apply(box_corner(mesh.box, i));
       box.extend(instance.corners[i]);
@@ -209,20 +237,61 @@ void LiveRenderer::cull(const View& view) {
                    [](const Instance& a, const Instance& b) { return a.depth < b.depth; });
 }
 
+// What is outlined or looks largest is drawn as it is, as many triangles as can be drawn quickly.
+void LiveRenderer::coarsen(const View& view) {
+  struct Candidate {
+    bool outlined;
+    double size;
+    Instance* instance;
+  };
+  std::vector<Candidate> candidates;
+  for (Instance& instance : m_instances) {
+    if (!instance.seen || instance.object->moving || instance.object->opacity < 1) continue;
+    const double size = (instance.corners[7] - instance.corners[0]).norm();
+    const double depth = view.camera.height ? 1 : std::max(instance.depth, 1e-3 * size);
+    candidates.push_back({instance.object->outlined, size / depth, &instance});
+  }
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const Candidate& a, const Candidate& b) {
+                     return std::tie(b.outlined, b.size) < std::tie(a.outlined, a.size);
+                   });
+  std::int64_t num_triangles = 0;
+  for (const Candidate& candidate : candidates) {
+    const UploadedMesh& mesh = *candidate.instance->mesh;
+    num_triangles += (mesh.num_opaque + mesh.num_see_through) / 3;
+    if (num_triangles > m_many_triangles) draw_as_box(*candidate.instance);
+  }
+}
+
+void LiveRenderer::draw_as_box(Instance& instance) {
+  const UploadedMesh& mesh = *instance.mesh;
+  Affine pose = instance.object->world_from_object;
+  pose.translation = pose.apply(mesh.box.centre());
+  pose.linear = pose.linear * mesh.box.half_extent().asDiagonal();
+  LiveColour& tint = instance.tint;
+  for (std::size_t i = 0; i < 3; ++i)
+    tint[i] = (1 - tint[3]) * mesh.mean_colour[i] + tint[3] * tint[i];
+  tint[3] = 1;
+  instance.placement = place_mesh(m_box, pose, m_frame);
+  instance.mesh = &m_box;
+  ++m_work.objects_as_boxes;
+}
+
 void LiveRenderer::draw_shadow_map(const View& view, bool of_moving) {
   std::vector<const Instance*> casters;
   for (const Instance& instance : m_instances)
     if (instance.object->opacity >= 1 && (of_moving || !instance.object->moving))
       casters.push_back(&instance);
+  std::sort(casters.begin(), casters.end(),  // in the scene's order, from wherever it is seen
+            [](const Instance* a, const Instance* b) { return a->object < b->object; });
   const int size_px = view.options.draft ? kDraftShadowMapPx : kLiveShadowMapPx;
   std::string key;
-  append(key, size_px);
   std::vector<Vec3> hull;
   for (const Instance* caster : casters) {
     append_object(key, *caster->object);
     for (const Vec3& corner : caster->corners) hull.push_back(m_frame.apply(corner));
   }
-  if (m_shadow_key == key) return;
+  if (m_shadow_key == key && m_shadow_px >= size_px) return;
   m_shadow_key = std::move(key);
   m_work.shadow_map_drawn = true;
   const ShadowMap map = fit_shadow_map(kLiveLight, hull, size_px, Vec2::Zero());
@@ -285,6 +354,7 @@ void LiveRenderer::draw_draft(View& view, Kept& kept) {
   std::string key;
   append(key, view.options.shadows);
   append(key, view.scene.floor);
+  append(key, view.options.coarse);
   for (const Vec3& v : {view.camera.eye, view.camera.target, view.camera.up})
     for (int i = 0; i < 3; ++i) append(key, v[i]);
   append(key, view.camera.fov_deg);
@@ -312,6 +382,7 @@ void LiveRenderer::draw_draft(View& view, Kept& kept) {
   cull(view);
   if (!m_work.still_reused) {
     if (view.options.shadows) draw_shadow_map(view, false);
+    if (view.options.coarse) coarsen(view);
     prepare_to_draw_solids();
     bind_target(kept.still->draw, width, height);
     draw_backdrop(view);

@@ -83,6 +83,7 @@ class LiveRenderer {
     MeshPlacement placement;
     double depth = 0;  // of its middle
     bool seen = true;
+    LiveColour tint = {};  // linear
   };
   struct View {  // the picture that is drawn
     const LiveScene& scene;
@@ -105,6 +106,8 @@ class LiveRenderer {
   void place_instances(const LiveScene& scene);
   void find_depth_range(View& view) const;
   void cull(const View& view);
+  void coarsen(const View& view);
+  void draw_as_box(Instance& instance);
   void draw_shadow_map(const View& view, bool of_moving);
   void draw_all(View& view, const LiveTargets& targets);
   void draw_draft(View& view, Kept& kept);
@@ -121,11 +124,12 @@ class LiveRenderer {
 
   std::int64_t m_many_triangles;
   LivePrograms m_programs;
+  UploadedMesh m_box;  // from -1 to 1 each way
   GlVertexArray m_no_attributes, m_overlay_array;
   GlBuffer m_overlay_buffer;
   GlTexture m_shadow_map;
   GlFramebuffer m_draw_shadow_map;
-  std::optional<std::string> m_shadow_key;  // what it holds
+  std::optional<std::string> m_shadow_key;  // whose it holds
   Eigen::Matrix4d m_map_from_world = Eigen::Matrix4d::Identity();
   double m_shadow_texel = 0;  // world
   int m_shadow_px = kLiveShadowMapPx;

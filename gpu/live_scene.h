@@ -99,7 +99,9 @@ struct LiveOptions {
   bool shadows = true;
   bool draft = false;  // something is dragged: be quick. No anti-aliasing, and where the camera and
                        // all that is not `moving` are those of the last draft, only the rest anew
-  int view = 0;        // which of several views this is, for what is kept from draft to draft
+  bool coarse = false;  // with `draft`, while the camera moves: in scenes that are too large to be
+                        // drawn quickly, what looks small is drawn as its box
+  int view = 0;         // which of several views this is, for what is kept from draft to draft
 };
 
 /// Metres that a pixel is wide at a point.

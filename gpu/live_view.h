@@ -33,6 +33,7 @@ class LiveView {
     bool shadow_map_drawn = false;
     bool still_reused = false;  // a draft drew only what moves
     int meshes_sent = 0;
+    int objects_as_boxes = 0;
   };
   const Work& work() const;
 

@@ -89,6 +89,25 @@ Aabb finite_box(const PictureMesh& mesh) {
   return box;
 }
 
+std::array<float, 3> mean_colour(const PictureMesh& mesh) {
+  Vec3 sum = Vec3::Zero();
+  double weight = 0;
+  const Material plain;
+  for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
+    const Index3& t = mesh.triangles[f];
+    const Vec3 &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
+    const double area = (b - a).cross(c - a).norm();
+    if (!std::isfinite(area)) continue;
+    const std::size_t m = mesh.face_material.empty() ? 0 : mesh.face_material[f];
+    const Material& material = m < mesh.materials.size() ? mesh.materials[m] : plain;
+    for (int i = 0; i < 3; ++i) sum[i] += area * unit_or(material.base_colour[i], 1.0f);
+    weight += area;
+  }
+  if (!(weight > 0)) return {1, 1, 1};
+  const Vec3 mean = sum / weight;
+  return {float(mean.x()), float(mean.y()), float(mean.z())};
+}
+
 /// The inverse transpose up to a factor, which exists for singular matrices too.
 Mat3 cofactors(const Mat3& m) {
   Mat3 out;
@@ -104,6 +123,7 @@ UploadedMesh upload_mesh(const PictureMesh& mesh) {
   out.box = finite_box(mesh);
   if (!out.box.empty()) out.centre = out.box.centre();
   if (const double size = out.box.diagonal(); size > 0) out.scale = 1 / size;
+  out.mean_colour = mean_colour(mesh);
   const auto normals = picture_normals(mesh);
   std::vector<Corner> corners;
   append_corners(mesh, false, out.centre, out.scale, normals, corners);

@@ -23,7 +23,8 @@ struct UploadedMesh {
   // Corners are stored as (position - centre) * scale, so that float32 holds any mesh.
   Vec3 centre = Vec3::Zero();
   double scale = 1;
-  Aabb box;  // object frame
+  Aabb box;                            // object frame
+  std::array<float, 3> mean_colour{};  // of its faces, linear RGB, by area
 
   bool empty() const { return num_opaque + num_see_through == 0; }
 };

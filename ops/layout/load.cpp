@@ -12,10 +12,9 @@
 namespace trivet {
 namespace {
 
-LoadedModel load_model(const ModelRequest& request, const ModelSource& source) {
-  Model model = source(request.name, request.tessellation);
-  model.path = request.name;
-  model.tessellation = request.tessellation;
+LoadedModel load_model(const std::string& name, const ModelSource& source) {
+  Model model = source(name);
+  model.path = name;
   auto shape = make_shape(model.mesh);
   return {std::make_shared<const Model>(std::move(model)), std::move(shape)};
 }
@@ -23,27 +22,27 @@ LoadedModel load_model(const ModelRequest& request, const ModelSource& source) {
 }  // namespace
 
 ModelSource models_in_folder(const std::string& folder, const ImportLimits& limits) {
-  return [folder, limits](const std::string& name, const Tessellation& tessellation) {
-    return import_model((std::filesystem::path(folder) / name).string(), limits, tessellation);
+  return [folder, limits](const std::string& name) {
+    return import_model((std::filesystem::path(folder) / name).string(), limits);
   };
 }
 
-std::vector<LoadedModel> load_models(const std::vector<ModelRequest>& requests,
+std::vector<LoadedModel> load_models(const std::vector<std::string>& names,
                                      const ModelSource& source, int num_threads,
                                      const ProgressCallback& progress) {
-  std::vector<LoadedModel> loaded(requests.size());
-  std::vector<std::exception_ptr> errors(requests.size());
+  std::vector<LoadedModel> loaded(names.size());
+  std::vector<std::exception_ptr> errors(names.size());
   std::atomic<size_t> next = 0;
   std::atomic<bool> failed = false;
   std::mutex mutex;
   size_t num_done = 0;
   const auto work = [&] {
-    // Requests are taken in order, and what is begun is finished: the first error is always found.
-    for (size_t i; !failed && (i = next++) < requests.size();) {
+    // Names are taken in order, and what is begun is finished: the first error is always found.
+    for (size_t i; !failed && (i = next++) < names.size();) {
       try {
-        loaded[i] = load_model(requests[i], source);
+        loaded[i] = load_model(names[i], source);
         const std::lock_guard lock(mutex);
-        if (progress) progress({"load", requests[i].name, ++num_done, requests.size()});
+        if (progress) progress({"load", names[i], ++num_done, names.size()});
       } catch (...) {
         errors[i] = std::current_exception();
         failed = true;
@@ -53,7 +52,7 @@ std::vector<LoadedModel> load_models(const std::vector<ModelRequest>& requests,
 
   const size_t num_cores = std::max(1u, std::thread::hardware_concurrency());
   const size_t num_workers =
-      std::min(requests.size(), num_threads > 0 ? static_cast<size_t>(num_threads) : num_cores);
+      std::min(names.size(), num_threads > 0 ? static_cast<size_t>(num_threads) : num_cores);
   std::vector<std::jthread> helpers;
   for (size_t k = 1; k < num_workers; ++k) helpers.emplace_back(work);
   work();

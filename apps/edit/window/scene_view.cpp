@@ -92,10 +92,12 @@ Aabb SceneView::selected_box() const {
   return box.empty() ? snapshot->box() : box;
 }
 
-bool SceneView::is_in_motion() const {
-  return m_camera_drag != CameraDrag::None || m_drawing.is_moving() ||
+bool SceneView::camera_moves() const {
+  return m_camera_drag != CameraDrag::None ||
          (m_camera_moved.isValid() && m_camera_moved.elapsed() < kCalmMs);
 }
+
+bool SceneView::is_in_motion() const { return camera_moves() || m_drawing.is_moving(); }
 
 void SceneView::redraw() {
   ++m_wanted;
@@ -123,6 +125,7 @@ void SceneView::request() {
   request.camera = m_camera.camera();
   LiveOptions& options = request.options;
   options.draft = m_requested_draft = is_in_motion();
+  options.coarse = options.draft && camera_moves();
   const int coarse = options.draft ? m_coarseness : 1;
   const double ratio = devicePixelRatioF() / coarse;
   options.width = std::max(static_cast<int>(std::lround(width() * ratio)), 1);

@@ -58,6 +58,7 @@ class SceneView : public QWidget {
   enum class CameraDrag { None, Orbit, Pan, Zoom };
   CameraDrag camera_drag_of(const QMouseEvent& event) const;
   void move_camera(const QPointF& moved_px);
+  bool camera_moves() const;
   bool is_in_motion() const;
   void request();
   void take(int view, quint64 number, const QImage& image, double milliseconds);

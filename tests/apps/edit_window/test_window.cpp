@@ -400,6 +400,9 @@ void TestWindow::shows_dialogs_and_menus() {
 // Prints figures: TRIVET_TEST_EFFORT=2 or more, on a machine that does nothing else.
 void TestWindow::stays_usable_with_a_thousand_objects() {
   if (trivet::test::with_effort(100) < 200) QSKIP("figures: with TRIVET_TEST_EFFORT=2");
+  export_models(m_saved.path());
+  m_window->open_demo("spoon-saucer");
+  QVERIFY(m_user->wait());
   measure_large_scene(*m_document, *m_window, *m_user, m_saved.path());
 }
 
