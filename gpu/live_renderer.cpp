@@ -18,6 +18,7 @@ namespace shaders = live_shaders;
 constexpr int kSamples = 4;                  // per pixel
 constexpr double kNearestOfFarthest = 2e-4;  // what is nearer to the eye is cut away
 constexpr double kSmallest = 0.5;            // px; smaller objects are left out
+constexpr int kManyToCoarse = 2;  // many triangles, to those of objects that are no boxes
 
 float linear_from_srgb(float x) {
   return x > 0.04045f ? std::pow((x + 0.055f) / 1.055f, 2.4f) : x / 12.92f;
@@ -237,7 +238,7 @@ void LiveRenderer::cull(const View& view) {
                    [](const Instance& a, const Instance& b) { return a.depth < b.depth; });
 }
 
-// What is outlined or looks largest is drawn as it is, as many triangles as can be drawn quickly.
+// What is outlined or looks largest is drawn as it is, as long as that is quick.
 void LiveRenderer::coarsen(const View& view) {
   struct Candidate {
     bool outlined;
@@ -259,7 +260,7 @@ void LiveRenderer::coarsen(const View& view) {
   for (const Candidate& candidate : candidates) {
     const UploadedMesh& mesh = *candidate.instance->mesh;
     num_triangles += (mesh.num_opaque + mesh.num_see_through) / 3;
-    if (num_triangles > m_many_triangles) draw_as_box(*candidate.instance);
+    if (num_triangles > m_many_triangles / kManyToCoarse) draw_as_box(*candidate.instance);
   }
 }
 
@@ -368,6 +369,7 @@ void LiveRenderer::draw_draft(View& view, Kept& kept) {
     append(key, object.outlined);
   }
   m_work.still_reused = kept.still && kept.still->key == key;
+  m_work.still_kept = !m_work.still_reused;
   if (!m_work.still_reused) {
     if (!kept.still || kept.still->width != width || kept.still->height != height)
       kept.still.emplace(width, height);

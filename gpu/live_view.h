@@ -32,6 +32,7 @@ class LiveView {
     int objects_drawn = 0, objects_culled = 0;
     bool shadow_map_drawn = false;
     bool still_reused = false;  // a draft drew only what moves
+    bool still_kept = false;    // a draft drew all; those that follow reuse most of it
     int meshes_sent = 0;
     int objects_as_boxes = 0;
   };

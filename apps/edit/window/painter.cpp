@@ -57,7 +57,9 @@ void Painter::run() {
       QElapsedTimer timer;
       timer.start();
       const QImage image = qt_image(live.draw(request->scene, request->camera, request->options));
-      Q_EMIT painted(request->view, request->number, image, 1e-6 * double(timer.nsecsElapsed()));
+      const bool once = live.work().still_kept && !request->options.coarse;
+      Q_EMIT painted(request->view, request->number, image, 1e-6 * double(timer.nsecsElapsed()),
+                     once);
     }
   } catch (const std::exception& error) {
     Q_EMIT failed(QString::fromUtf8(error.what()));

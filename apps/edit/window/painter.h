@@ -34,7 +34,8 @@ class Painter : public QObject {
   QString device() const { return m_device; }
 
  Q_SIGNALS:
-  void painted(int view, quint64 number, const QImage& image, double milliseconds);
+  /// @param once  a draft that those that follow reuse: they take less, until the camera moves.
+  void painted(int view, quint64 number, const QImage& image, double milliseconds, bool once);
   /// There will be no pictures: no graphics driver can be had.
   void failed(const QString& why);
 

@@ -138,7 +138,8 @@ void SceneView::request() {
   m_painter.paint(std::move(request));
 }
 
-void SceneView::take(int view, quint64 number, const QImage& image, double milliseconds) {
+void SceneView::take(int view, quint64 number, const QImage& image, double milliseconds,
+                     bool once) {
   if (view != static_cast<int>(m_kind)) return;
   m_waiting = false;
   m_image = image;
@@ -146,7 +147,7 @@ void SceneView::take(int view, quint64 number, const QImage& image, double milli
   m_shown_is_draft = m_requested_draft;
   m_picture_ms = milliseconds;
   if (m_shown_is_draft) {
-    if (milliseconds > kSlowDraftMs) m_coarseness = std::min(m_coarseness + 1, kCoarsest);
+    if (milliseconds > kSlowDraftMs && !once) m_coarseness = std::min(m_coarseness + 1, kCoarsest);
     if (milliseconds < kQuickDraftMs) m_coarseness = std::max(m_coarseness - 1, 1);
     m_calm.start();
   }

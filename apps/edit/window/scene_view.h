@@ -61,7 +61,7 @@ class SceneView : public QWidget {
   bool camera_moves() const;
   bool is_in_motion() const;
   void request();
-  void take(int view, quint64 number, const QImage& image, double milliseconds);
+  void take(int view, quint64 number, const QImage& image, double milliseconds, bool once);
   bool send(PointerEvent::Kind kind, const QMouseEvent& event);
   void paint_label(QPainter& painter, const QRectF& box, int flags, const QString& text,
                    const QColor& colour) const;
