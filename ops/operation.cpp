@@ -23,11 +23,17 @@ struct Performer {
   OperationResult operator()(const RotateOperation& o) {
     return perform_rotate(scene, id, o, options);
   }
-  OperationResult operator()(const AppendOperation& o) { return append(scene, o); }
-  OperationResult operator()(const DuplicateOperation& o) { return duplicate(scene, o); }
-  OperationResult operator()(const DeleteOperation& o) { return remove(scene, o, options); }
-  OperationResult operator()(const LockOperation& o) { return lock(scene, o); }
-  OperationResult operator()(const GroupOperation& o) { return group(scene, o); }
+  OperationResult operator()(const AppendOperation& o) { return done(append(scene, o)); }
+  OperationResult operator()(const DuplicateOperation& o) { return done(duplicate(scene, o)); }
+  OperationResult operator()(const DeleteOperation& o) { return done(remove(scene, o, options)); }
+  OperationResult operator()(const LockOperation& o) { return done(lock(scene, o)); }
+  OperationResult operator()(const GroupOperation& o) { return done(group(scene, o)); }
+
+  // The object itself goes nowhere.
+  static OperationResult done(OperationResult result) {
+    result.end = OperationResult::End::Done;
+    return result;
+  }
 };
 
 /// Takes back what was done unless it is kept, whatever happens; nothing to do for a scene that

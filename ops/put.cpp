@@ -82,6 +82,8 @@ OperationResult stand(Scene& scene, ObjectId id, const Pose& pose, const SettleO
 
 const char* to_string(OperationResult::End end) {
   switch (end) {
+    case OperationResult::End::Done:
+      return "done";
     case OperationResult::End::AtRest:
       return "at_rest";
     case OperationResult::End::Reached:

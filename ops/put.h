@@ -66,6 +66,7 @@ struct OperationResult {
 
   /// Why it ended; means nothing when refused.
   enum class End {
+    Done,     // nothing moves: append, delete, lock, ...
     AtRest,   // PUT: it settled
     Reached,  // as far as was asked for
     Blocked,  // by `blocked_by` at `blocked_at`
@@ -85,7 +86,8 @@ struct OperationResult {
   bool ok() const { return status == Status::Ok; }
 };
 
-const char* to_string(OperationResult::End end);  // "at_rest", "reached", "blocked", "step", "edge"
+const char* to_string(
+    OperationResult::End end);  // "done", "at_rest", "reached", "blocked", "step", "edge"
 
 /// The whole operation or nothing: when refused, the scene is as it was. Loads are carried along.
 /// Refused: the start pose crosses, contains or is inside another object or reaches below the

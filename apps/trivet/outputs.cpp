@@ -110,7 +110,7 @@ std::string stability_summary(const LayoutRun& run) {
   std::ostringstream out;
   out << "stability: " << to_string(found.status) << " at friction " << found.friction;
   if (found.stable() && found.margin < kInfinity) out << ", margin " << found.margin << " m";
-  if (found.status == Stability::Status::Unknown) out << ", too large for a proof";
+  if (found.status == Stability::Status::Unknown) out << ": " << found.why_unknown;
   out << "\n";
   for (const ObjectStability& o : found.objects)
     if (o.topples) out << "  \"" << run.scene.at(o.object).name << "\" would topple\n";

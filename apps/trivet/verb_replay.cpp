@@ -21,8 +21,10 @@ int replay(const ReplayArguments& arguments, const CommonOptions& common) {
   LayoutRun run;
   run.scene = opened.session.scene();
   for (size_t i = 0; i < opened.session.num_done(); ++i) {
-    for (const Operation& operation : opened.session.steps()[i].operations)
-      run.operations.push_back({op_name(operation), object_name(operation), {}});
+    const SessionStep& step = opened.session.steps()[i];
+    for (size_t k = 0; k < step.operations.size(); ++k)
+      run.operations.push_back(
+          {op_name(step.operations[k]), object_name(step.operations[k]), step.results[k]});
   }
   options.settle.clearance = opened.clearance;
   finish_run(options, run);

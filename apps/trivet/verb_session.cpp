@@ -9,6 +9,7 @@
 #include "core/scene/fingerprint.h"
 #include "ops/layout/json_text.h"
 #include "ops/layout/operation_json.h"
+#include "ops/report/json_parts.h"
 #include "ops/report/queries.h"
 #include "ops/session/journal.h"
 #include "ops/session/restore.h"
@@ -78,11 +79,12 @@ class Dialogue {
       const nlohmann::json document = parse_json(line.text, "standard input");
       const JsonPlace place(document, "standard input");
       if (place.find("op")) return perform(read_operation(place));
-      if (place.find("undo")) return step(m_session.undo(), "there is nothing to undo");
-      if (place.find("redo")) return step(m_session.redo(), "there is nothing to redo");
+      if (document.size() != 1) place.refuse(kAccepted);
+      if (is_asked(place, "undo")) return step(m_session.undo(), "there is nothing to undo");
+      if (is_asked(place, "redo")) return step(m_session.redo(), "there is nothing to redo");
+      if (is_asked(place, "cancel")) return state();  // it has cancelled when it was read
       if (const auto file = place.find("save")) return save(file->text());
       if (const auto object = place.find("query")) return query(object->text());
-      if (place.find("cancel")) return state();  // has cancelled already, when it was read
       place.refuse(kAccepted);
     } catch (const Error& e) {
       return {{"status", "error"}, {"reason", e.what()}};
@@ -93,7 +95,15 @@ class Dialogue {
   Json perform(const Operation& operation) {
     const OperationResult result = m_session.perform(operation, m_settle);
     if (!result.ok()) return {{"status", to_string(result.status)}, {"reason", result.reason}};
-    return state();
+    Json json = state();
+    add_outcome(result, json);
+    return json;
+  }
+
+  static bool is_asked(const JsonPlace& place, const char* key) {
+    const auto value = place.find(key);
+    if (value && value->value() != true) value->refuse("true");
+    return value.has_value();
   }
 
   Json step(bool done, const char* otherwise) const {
@@ -125,7 +135,7 @@ bool is_cancel(const std::string& line) {
   constexpr size_t kLongest = 100;  // others are not worth parsing twice
   if (line.size() > kLongest) return false;
   const auto document = nlohmann::json::parse(line, nullptr, false);
-  return document.is_object() && document.contains("cancel");
+  return document == nlohmann::json{{"cancel", true}};
 }
 
 bool is_blank(const std::string& line) { return line.find_first_not_of(" \t\r") == line.npos; }

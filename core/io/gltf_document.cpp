@@ -180,6 +180,9 @@ GltfJson parse_gltf_json(const std::string& path, const std::string& text) {
            " levels");
     return true;
   };
+  const size_t first = text.find_first_not_of(" \t\r\n");
+  if (first == text.npos || text[first] != '{')
+    fail(path + ": is no glTF, neither binary nor JSON; accepted: .glb and .gltf");
   try {
     return GltfJson::parse(text, check_depth);
   } catch (const GltfJson::exception& e) {

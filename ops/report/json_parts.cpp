@@ -34,14 +34,33 @@ OrderedJson stability_json(const Scene& scene, const Stability& stability) {
                       {"from", f.from ? scene.at(*f.from).name : "floor"},
                       {"point", to_json(f.point)},
                       {"force", to_json(f.force)}});
-  return {{"status", to_string(stability.status)},
-          {"method", to_string(stability.method)},
-          {"friction", stability.friction},
-          {"residual", stability.residual},
-          {"margin", stability.margin},
-          {"topples", std::move(topples)},
-          {"objects", std::move(objects)},
-          {"forces", std::move(forces)}};
+  OrderedJson json = {{"status", to_string(stability.status)},
+                      {"method", to_string(stability.method)},
+                      {"friction", stability.friction},
+                      {"residual", stability.residual},
+                      {"margin", stability.margin},
+                      {"topples", std::move(topples)},
+                      {"objects", std::move(objects)},
+                      {"forces", std::move(forces)}};
+  if (!stability.why_unknown.empty()) json["why_unknown"] = stability.why_unknown;
+  return json;
+}
+
+void add_outcome(const OperationResult& result, OrderedJson& json) {
+  json["ended"] = to_string(result.end);
+  if (!result.blocked_by.empty()) {
+    json["blocked_by"] = result.blocked_by;
+    json["blocked_at"] = to_json(result.blocked_at);
+  }
+  json["moved"] = result.moved;
+  if (result.turned_deg != 0) json["turned_deg"] = result.turned_deg;
+  const auto add = [&](const char* key, const std::vector<std::string>& names) {
+    if (!names.empty()) json[key] = names;
+  };
+  add("carried", result.carried);
+  add("unsupported", result.unsupported);
+  add("settled", result.settled);
+  add("interpenetrates", result.interpenetrates);
 }
 
 OrderedJson contacts_json(const Scene& scene, const Object& object) {

@@ -99,6 +99,7 @@ std::string object_query_text(const Scene& scene, ObjectId id, const StabilityOp
       << "  lying on it: " << names_of(scene, lying_on(scene, id)) << "\n"
       << "  carries: " << carried_with(scene, id).size() - 1 << "\n";
   if (!object.placed || object.fixed) return out.str();
+  if (object.state == ObjectState::Invalid) return out.str() + "  interpenetrates something\n";
   out << "  margin to tipping: " << object.stability_margin
       << " m; least friction: " << object.least_friction << "\n";
   const Stability all = stability(scene, options);

@@ -26,7 +26,6 @@ OrderedJson objects_json(const Scene& scene, const ReportOptions& options) {
   return json;
 }
 
-// Why it ended and what became of others; of a refused one nothing.
 OrderedJson operation_json(const OperationRecord& record) {
   const OperationResult& result = record.result;
   OrderedJson json = {{"op", record.op},
@@ -35,21 +34,7 @@ OrderedJson operation_json(const OperationRecord& record) {
                       {"reason", result.reason},
                       {"motions", result.num_motions},
                       {"milliseconds", result.milliseconds}};
-  if (!result.ok()) return json;
-  json["ended"] = to_string(result.end);
-  if (!result.blocked_by.empty()) {
-    json["blocked_by"] = result.blocked_by;
-    json["blocked_at"] = to_json(result.blocked_at);
-  }
-  json["moved"] = result.moved;
-  if (result.turned_deg != 0) json["turned_deg"] = result.turned_deg;
-  const auto add = [&](const char* key, const std::vector<std::string>& names) {
-    if (!names.empty()) json[key] = names;
-  };
-  add("carried", result.carried);
-  add("unsupported", result.unsupported);
-  add("settled", result.settled);
-  add("interpenetrates", result.interpenetrates);
+  if (result.ok()) add_outcome(result, json);
   return json;
 }
 

@@ -103,6 +103,10 @@ std::unique_ptr<Journal> Journal::create(const std::string& path, const std::str
   if (fs::exists(path, ignored))
     throw Error(Error::Kind::BadInput,
                 path + ": there is a journal already; accepted: a new name, or restore this one");
+  const fs::path folder = fs::path(path).parent_path();
+  if (!folder.empty() && !fs::is_directory(folder, ignored))
+    throw Error(Error::Kind::Environment,
+                path + ": there is no folder \"" + folder.string() + "\" for the journal");
   JournalStart start;
   start.file =
       (fs::path(folder_from(path, folder_of(start_file))) / fs::path(start_file).filename())

@@ -61,17 +61,17 @@ Session::Session(Session&&) noexcept = default;
 Session& Session::operator=(Session&&) noexcept = default;
 
 // Whatever happens, the scene is as it was unless the operation was done.
-OperationResult Session::run(SessionStep step, const std::function<OperationResult()>& work) {
+OperationResult Session::run(SessionStep step, const std::function<Results()>& work) {
   m_scene.start_recording();
-  OperationResult result;
   try {
-    result = work();
+    step.results = work();
   } catch (...) {
     SceneChange change = m_scene.stop_recording();
     m_scene.exchange(change);
     throw;
   }
   Done done{m_scene.stop_recording(), {}};
+  const OperationResult result = step.results.back();
   if (!result.ok()) {
     m_scene.exchange(done.change);
     tell({SessionEvent::Kind::Refused, step.name, {}, &result});
@@ -82,6 +82,7 @@ OperationResult Session::run(SessionStep step, const std::function<OperationResu
   done.touched = united(std::move(done.touched), done.change.ids());  // after
   m_scene.exchange(done.change);
   step.fingerprint = fingerprint(m_scene, done.touched);
+  for (OperationResult& kept : step.results) kept.steps = {};
   try {
     make_room(m_steps, m_position + 1);
     make_room(m_done, m_position + 1);
@@ -110,10 +111,12 @@ OperationResult Session::perform_all(const std::vector<Operation>& operations,
     if (auto* const append = std::get_if<AppendOperation>(&operation))
       load_model(m_scene, m_models, *append);
   return run({name_of(operations), loaded, kept(options), 0}, [&] {
-    OperationResult result;
-    for (size_t i = 0; i < loaded.size() && result.ok(); ++i)
-      result = trivet::perform(m_scene, loaded[i], options);
-    return result;
+    Results results;
+    for (const Operation& operation : loaded) {
+      results.push_back(trivet::perform(m_scene, operation, options));
+      if (!results.back().ok()) break;
+    }
+    return results;
   });
 }
 
@@ -124,7 +127,7 @@ LiveMove Session::begin_live(const Operation& operation, const SettleOptions& op
 OperationResult Session::finish(LiveMove& live) {
   const std::vector<Operation> operations{live.operation()};
   return run({name_of(operations), operations, kept(live.options()), 0},
-             [&] { return live.finish(); });
+             [&] { return Results{live.finish()}; });
 }
 
 void Session::forget_undone() {

@@ -24,6 +24,7 @@ struct SessionStep {
   std::vector<Operation> operations;  // one, but for perform_all()
   SettleOptions settle;               // it was done with; without detector, cancel and budget
   std::uint64_t fingerprint = 0;      // of the objects it changed, as it left them
+  std::vector<OperationResult> results = {};  // of the operations, without their steps to watch
 };
 
 /// What an editor shows anew.
@@ -101,7 +102,8 @@ class Session {
     std::vector<ObjectId> touched;  // before and after it
   };
 
-  OperationResult run(SessionStep step, const std::function<OperationResult()>& work);
+  using Results = std::vector<OperationResult>;
+  OperationResult run(SessionStep step, const std::function<Results()>& work);
   void forget_undone();
   void step_over(size_t step, SessionEvent::Kind kind);
   void tell(const SessionEvent& event) const;

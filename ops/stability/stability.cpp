@@ -25,6 +25,7 @@ class StabilityCheck {
 
   Stability run() {
     m_out.friction = m_options.friction;
+    if (const Object* invalid = first_invalid()) return not_judged(*invalid);
     const Certificate certificate = vertical_certificate(m_all, m_options.friction);
     const std::vector<Index> part_of = connected_parts(m_all);
     const Index num_parts =
@@ -42,6 +43,21 @@ class StabilityCheck {
   }
 
  private:
+  // Contacts of what interpenetrates mean nothing.
+  const Object* first_invalid() const {
+    for (const ObjectId id : m_scene.ids())
+      if (m_scene.at(id).placed && m_scene.at(id).state == ObjectState::Invalid)
+        return &m_scene.at(id);
+    return nullptr;
+  }
+  Stability not_judged(const Object& invalid) {
+    for (const FreeBody& body : m_all.bodies)
+      m_out.objects.push_back({body.id, body.weight, false, 0});
+    worsen("\"" + invalid.name + "\" interpenetrates something");
+    m_out.margin = 0;
+    return std::move(m_out);
+  }
+
   void take_certified(const Certificate& certificate, const std::vector<Index>& part_of,
                       const std::vector<char>& failed) {
     for (size_t i = 0; i < part_of.size(); ++i)
@@ -112,10 +128,12 @@ class StabilityCheck {
     std::vector<Index> members;
     for (Index i = 0; i < static_cast<Index>(part_of.size()); ++i)
       if (part_of[i] == p) members.push_back(i);
-    if (static_cast<int>(members.size()) > m_options.max_program_objects) return worsen();
+    if (static_cast<int>(members.size()) > m_options.max_program_objects)
+      return worsen("a part of " + std::to_string(members.size()) +
+                    " objects is too large for a proof");
     const FreeBodies part = bodies_of_part(members);
     const PartForces found = contact_forces(part, m_options.friction);
-    if (!found.solved) return worsen();
+    if (!found.solved) return worsen("the linear program was not solved");
     const double tolerance = tolerance_of(part);
     m_out.residual = std::max(m_out.residual, found.residual);
     const bool balanced = found.residual <= tolerance;
@@ -130,8 +148,10 @@ class StabilityCheck {
       add_force(part, part.touches[k], found.forces[k]);
   }
 
-  void worsen() {
-    if (m_out.status == Stability::Status::Stable) m_out.status = Stability::Status::Unknown;
+  void worsen(const std::string& why) {
+    if (m_out.status != Stability::Status::Stable) return;
+    m_out.status = Stability::Status::Unknown;
+    m_out.why_unknown = why;
   }
 
   void finish() {

@@ -49,11 +49,12 @@ struct Stability {
   enum class Status {
     Stable,    // forces inside the friction cones balance all weights
     Unstable,  // none do: proven by a motion that nothing stops
-    Unknown,   // not certified, and too large for the linear program
+    Unknown,   // see why_unknown
   };
   enum class Method { Certificate, LinearProgram };
   Status status = Status::Stable;
   Method method = Method::Certificate;  // LinearProgram: of a part at least
+  std::string why_unknown;
   double friction = 0;
   double residual = 0;  // force and torque (over the object's size) that is missing, in parts of
                         // the weight that the object and its loads have; the largest sum of a part

@@ -51,7 +51,11 @@ class Sessions(Case):
         self.assertEqual(live.ask(query="slab")["carries"], ["a", "b"])
         self.assertTrue(held["with_all_free"]["stable"])
         self.assertEqual(live.ask(save="s.glb")["modified"], False)
-        self.assertIn("accepted", live.ask(nonsense=1)["reason"])
+        for line in ({"nonsense": 1}, {"undo": False}, {"cancel": False},
+                     {"undo": True, "redo": True}):
+            answer = live.ask(**line)
+            self.assertEqual(answer["status"], "error", line)
+            self.assertIn("accepted", answer["reason"])
         self.assertEqual(live.ask(save="s.txt")["status"], "error")
         self.assertIn("reaches below", live.ask(**put("b", 0, 0, -1))["reason"])
         self.assertEqual(live.end(), 0)
@@ -68,11 +72,30 @@ class Sessions(Case):
         self.assertEqual(live.end(), 0)
         self.trivet("replay", "j", "-o", "t.glb", "--report", "t.json")
         self.assertEqual(self.read("t.glb"), self.read("s.glb"))
+        operations = self.read_json("t.json")["operations"]
+        self.assertEqual([(o["op"], o["ended"]) for o in operations],
+                         [("put", "at_rest"), ("append", "done"), ("put", "at_rest")])
+        self.assertGreater(operations[0]["motions"], 0)
         again = Live(self.folder, "--journal", "j")
         self.assertEqual(again.start["state"], last["state"])
         self.assertEqual((again.start["done"], again.start["steps"]), (3, 4))
         self.assertEqual(again.ask(redo=True)["done"], 4)
         self.assertEqual(again.end(), 0)
+
+    def test_answers_say_what_became_of_it(self):
+        live = Live(self.folder, self.start_layout())
+        answer = live.ask(**put("b", 0.01, 0.02, 1))
+        self.assertEqual(answer["ended"], "at_rest")
+        answer = live.ask(op="push", object="a", to=[0.3, 0])
+        self.assertEqual((answer["ended"], answer["carried"]), ("reached", ["b"]))
+        self.assertAlmostEqual(answer["moved"], 0.3, places=4)
+        answer = live.ask(op="pick_up", object="slab", distance=1)
+        self.assertEqual(answer["status"], "refused")
+        answer = live.ask(op="translate", object="b", by=[0, 0, -0.02], free=True)
+        self.assertEqual(answer["interpenetrates"], ["a"])
+        answer = live.ask(op="delete", object="a")
+        self.assertEqual((answer["ended"], answer.get("unsupported")), ("done", ["b"]))
+        self.assertEqual(live.end(), 0)
 
     def test_what_takes_too_long_leaves_all_as_it_was(self):
         live = Live(self.folder, self.start_layout(), "--operation-seconds", "1e-9")
@@ -104,6 +127,9 @@ class Sessions(Case):
     def test_bad_starts(self):
         self.refused("session", says="a start is missing")
         self.refused("session", "none.json", says="none.json")
+        self.refused("session", "cube.obj", says=("cube.obj: is no glTF", "accepted"))
+        self.refused("session", self.start_layout(), "--journal", "nowhere/j", status=3,
+                     says='nowhere/j: there is no folder "nowhere"')
         self.refused("session", "--journal", "none", says="none")
         self.refused("replay", "cube.obj", "-o", "s.glb", says="is no journal")
         self.refused("replay", "none", "-o", "s.glb", says="none")

@@ -34,6 +34,7 @@ std::string why_it_ended(const OperationResult& result) {
       return "stopped by a step of " + by + " that is higher than allowed";
     case OperationResult::End::Edge:
       return "stopped before an edge that is deeper than allowed";
+    case OperationResult::End::Done:
     case OperationResult::End::AtRest:
     case OperationResult::End::Reached:
       break;
