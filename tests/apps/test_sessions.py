@@ -93,6 +93,7 @@ class Sessions(Case):
         self.assertEqual(answer["status"], "refused")
         answer = live.ask(op="translate", object="b", by=[0, 0, -0.02], free=True)
         self.assertEqual(answer["interpenetrates"], ["a"])
+        live.ask(undo=True)
         answer = live.ask(op="delete", object="a")
         self.assertEqual((answer["ended"], answer.get("unsupported")), ("done", ["b"]))
         self.assertEqual(live.end(), 0)
