@@ -1,6 +1,7 @@
 #include "raster/height_map.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "raster/depth_map.h"
@@ -52,6 +53,21 @@ DepthMap draw(std::span<const Body> bodies, const MapGrid& grid, const View& vie
   return map;
 }
 
+// out[x] = max(out[x], the highest of row[x - half .. x + half]); linear, whatever `half`: maxima
+// from the left and from the right ends of blocks of that length [van Herk 1992].
+void take_highest_in_reach(const float* row, int half, std::span<float> out) {
+  const int length = 2 * half + 1, count = static_cast<int>(out.size()) + 2 * half;
+  std::vector<float> from_left(count), from_right(count);
+  const float* first = row - half;
+  for (int i = 0; i < count; ++i)
+    from_left[i] = i % length == 0 ? first[i] : std::max(from_left[i - 1], first[i]);
+  for (int i = count - 1; i >= 0; --i)
+    from_right[i] =
+        i + 1 == count || (i + 1) % length == 0 ? first[i] : std::max(from_right[i + 1], first[i]);
+  for (size_t x = 0; x < out.size(); ++x)
+    out[x] = std::max({out[x], from_right[x], from_left[x + 2 * half]});
+}
+
 }  // namespace
 
 MapGrid MapGrid::about(const Aabb& box, double pixel, double level) {
@@ -96,23 +112,16 @@ HeightMap draw_top(std::span<const Body> bodies, const MapGrid& grid, bool floor
   return out;
 }
 
-HeightMap widened_underside(const HeightMap& map, double pixels) {
-  // Two pixels may hold points that are closer than their centres by a pixel's diagonal.
-  const double reach = pixels > 0 ? pixels + 1.5 : 0;
-  const int r = static_cast<int>(reach);
-  HeightMap out(map.width + 2 * r, map.height + 2 * r, kNothingBelow);
-  for (int dy = -r; dy <= r; ++dy)
-    for (int dx = -r; dx <= r; ++dx) {
-      if (dx * dx + dy * dy > reach * reach) continue;
-      for (int y = 0; y < map.height; ++y)
-        for (int x = 0; x < map.width; ++x) {
-          float& bound = out.bound[out.index(x + r + dx, y + r + dy)];
-          bound = std::min(bound, map.bound[map.index(x, y)]);
-        }
-    }
-  for (int y = 0; y < map.height; ++y)
-    for (int x = 0; x < map.width; ++x)
-      out.sample[out.index(x + r, y + r)] = map.sample[map.index(x, y)];
+HeightMap widened_top(const HeightMap& map, double pixels, int border) {
+  HeightMap out(map.width - 2 * border, map.height - 2 * border, -kNothingBelow);
+  const auto r = static_cast<int>(pixels);
+  assert(r <= border);
+  for (int dy = -r; dy <= r; ++dy) {
+    const auto half = static_cast<int>(std::sqrt(pixels * pixels - dy * dy));
+    for (int y = 0; y < out.height; ++y)
+      take_highest_in_reach(&map.bound[map.index(border, y + border + dy)], half,
+                            {&out.bound[out.index(0, y)], size_t(out.width)});
+  }
   return out;
 }
 

@@ -28,7 +28,8 @@ HeightMap draw_underside(std::span<const Body> bodies, const MapGrid& grid, doub
 HeightMap draw_top(std::span<const Body> bodies, const MapGrid& grid, bool floor,
                    double ceiling = kInfinity);
 
-/// The underside of an object that keeps `pixels` pixels away from things beside it.
-HeightMap widened_underside(const HeightMap& map, double pixels);
+/// The bounds of tops widened: the highest within so many pixels of each, centre to centre.
+/// @param border  pixels at each side of `map` that the result does not have; >= pixels.
+HeightMap widened_top(const HeightMap& map, double pixels, int border);
 
 }  // namespace trivet

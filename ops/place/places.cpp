@@ -5,7 +5,7 @@
 
 #include "core/base/tunables.h"
 #include "core/contact/pair_contact.h"
-#include "ops/move/moving_group.h"
+#include "ops/place/place_setting.h"
 #include "raster/height_map.h"
 
 namespace trivet {
@@ -30,132 +30,236 @@ class Shuffler {
   std::uint64_t m_state;
 };
 
+double pixel_of(const PlaceSetting& setting, const Vec2& window_size) {
+  return std::max({setting.width() / kPlacePixelsAcross, window_size.maxCoeff() / kPlacesAcross,
+                   16 * setting.clearance});
+}
+
+// Seen from above: what the centre of mass must be over, `more` metres beyond all things on the
+// floor.
+PlaceWindow area_of(const PlaceSetting& setting, const PlaceRequest& request, double more) {
+  Aabb box;
+  for (const Body& body : setting.on_floor ? setting.others : setting.support)
+    box.extend(body.world_box);
+  if (setting.on_floor) {
+    if (request.near) box.extend(Vec3(request.near->x(), request.near->y(), 0));
+    if (box.empty()) box = setting.body.world_box;
+    Vec2 about = 2 * setting.body.world_box.half_extent().head<2>() + Vec2::Constant(more);
+    // And a little, as the maps leave out what is nearer than pixels to being blocked.
+    const double pixel = pixel_of(setting, 2 * box.half_extent().head<2>() + 2 * about);
+    about += Vec2::Constant(8 * pixel + 4 / kPlaceKeepPixels * more);
+    box.lower.head<2>() -= about;
+    box.upper.head<2>() += about;
+  }
+  return {box.lower.head<2>(), box.upper.head<2>()};
+}
+
+// Seen from above.
+Vec2 inside_largest_face(const Body& body) {
+  Vec2 out = Vec2::Zero();
+  double largest = -1;
+  for (Index f = 0; f < static_cast<Index>(body.shape->mesh.triangles.size()); ++f) {
+    const Triangle t = body.triangle(f);
+    const Vec3 a = t[1] - t[0], b = t[2] - t[0];
+    const double area = std::abs(a.x() * b.y() - a.y() * b.x());
+    if (!(area > largest)) continue;
+    largest = area;
+    out = (t[0] + t[1] + t[2]).head<2>() / 3;
+  }
+  return out;
+}
+
 class PlaceSearch {
  public:
   PlaceSearch(const Scene& scene, ObjectId id, const PlaceRequest& request, double clearance)
-      : m_scene(scene),
-        m_request(request),
-        m_clearance(clearance),
-        m_object(scene.at(id)),
-        m_body(*m_object.shape,
-               world_from_object({request.rotation, Vec3::Zero()}, m_object.up, m_object.scale)),
-        m_centre(m_body.world_from_object.apply(m_object.shape->mass.centre)) {
-    const std::vector<ObjectId> carried = carried_with(scene, id);
-    for (const ObjectId other : scene.ids()) {
-      const Object& o = scene.at(other);
-      if (!o.placed || std::find(carried.begin(), carried.end(), other) != carried.end()) continue;
-      auto& bodies = request.on == other ? m_support : m_others;
-      bodies.emplace_back(*o.shape, o.world_from_object());
-    }
+      : m_setting(scene, id, request, clearance), m_request(request) {
     set_grid();
   }
 
   Places run(const DropBracketFunction& brackets) {
-    const HeightMap underside = draw_underside({&m_body, 1}, m_grid, 1.002 * grown());
-    const HeightMap wide = widened_underside(underside, m_request.keep / m_grid.pixel);
-    const HeightMap support = top_of(m_support, underside, !m_request.on);
+    const HeightMap underside = underside_on_grid();
+    const HeightMap support = top_of(m_setting.support, underside, m_setting.on_floor);
     const auto on = brackets(underside, support, m_columns, m_rows);
-    const HeightMap rest = top_of(m_others, wide, m_scene.floor && m_request.on);
-    const auto others = brackets(wide, rest, m_columns, m_rows);
-    sort_out(support, on, others);
+    HeightMap rest = top_of(m_setting.others, underside, m_setting.floor && !m_setting.on_floor);
+    if (!(m_keep > 0)) {
+      sort_out(support, on, brackets(underside, rest, m_columns, m_rows));
+      return std::move(m_out);
+    }
+    const HeightMap wide = top_about(rest);
+    // Two pixels may hold points that are closer or farther than their centres by a diagonal.
+    const double reach = m_keep / (m_coarse * m_grid.pixel);
+    HeightMap narrow = rest;
+    take_higher(widened_top(wide, reach + kDiagonal, m_border), rest);
+    sort_out(support, on, brackets(underside, rest, m_columns, m_rows));
+    if (m_out.starts.empty()) {
+      take_higher(widened_top(wide, std::max(reach - kDiagonal, 0.0), m_border), narrow);
+      find_doubtful(support, on, brackets(underside, narrow, m_columns, m_rows));
+    }
     return std::move(m_out);
   }
 
  private:
-  double grown() const { return Clearance{m_clearance}.largest_stop(); }
+  using Brackets = std::vector<DropBracket>;
+  static constexpr double kDiagonal = 1.5;  // of a pixel, and a little
 
-  // What the centre of mass must be over.
-  Aabb target() const {
-    if (m_request.on) return m_support.front().world_box;
-    Aabb box = m_body.world_box;
-    const Vec3 size = 2 * box.half_extent();
-    const Aabb all = m_scene.box();
-    if (!all.empty()) box = all;
-    if (m_request.near) box.extend(Vec3(m_request.near->x(), m_request.near->y(), 0));
-    box.lower.head<2>() -= size.head<2>();
-    box.upper.head<2>() += size.head<2>();
-    return {Vec3(box.lower.x(), box.lower.y(), 0), Vec3(box.upper.x(), box.upper.y(), 0)};
-  }
+  double grown() const { return Clearance{m_setting.clearance}.largest_stop(); }
 
   void set_grid() {
-    const Aabb to = target();
-    const Vec2 object_size = 2 * m_body.world_box.half_extent().head<2>();
-    const Vec2 size = 2 * to.half_extent().head<2>();
-    const double pixel =
-        std::max({object_size.maxCoeff() / kPlacePixelsAcross, size.maxCoeff() / kPlacesAcross,
-                  m_request.keep / kPlacePixelsAcross, 16 * m_clearance});
-    m_start_z = m_request.from.value_or(to.upper.z() + 4 * m_clearance);
-    m_grid = MapGrid::about(m_body.world_box, pixel, m_body.world_box.lower.z());
+    const PlaceWindow area = area_of(m_setting, m_request, m_request.keep);
+    const PlaceWindow to = m_request.within.value_or(area);
+    const Vec2 size = to.upper - to.lower;
+    const double pixel = pixel_of(m_setting, size);
+    // Beyond that everything is too near.
+    m_keep = std::min(m_request.keep, span_of_all(area));
+    m_coarse = static_cast<int>(std::max(1.0, std::ceil(m_keep / (kPlaceKeepPixels * pixel))));
+    m_border = static_cast<int>(m_keep / (m_coarse * pixel) + kDiagonal);
+    m_grid = MapGrid::about(m_setting.body.world_box, pixel, m_setting.body.world_box.lower.z());
     m_columns = static_cast<int>(std::ceil(size.x() / pixel)) + 1;
     m_rows = static_cast<int>(std::ceil(size.y() / pixel)) + 1;
     const Vec2 span = pixel * Vec2(m_columns - 1, m_rows - 1);
-    m_first = to.centre().head<2>() - 0.5 * span - m_centre.head<2>();
+    m_first = 0.5 * (to.lower + to.upper) - 0.5 * span - m_setting.centre.head<2>();
     m_out.spacing = pixel;
+    m_out.doubt = m_keep > 0 ? 2 * (kDiagonal + 1) * m_coarse * pixel : 0;
+  }
+
+  // An object that is small for the pixels may miss all their centres: the largest of its faces is
+  // shifted onto one.
+  HeightMap underside_on_grid() {
+    HeightMap out = draw_underside({&m_setting.body, 1}, m_grid, 1.002 * grown());
+    const auto met = [](float height) { return height < kInfinity; };
+    if (std::any_of(out.sample.begin(), out.sample.end(), met)) return out;
+    const Vec2 at = (inside_largest_face(m_setting.body) - m_grid.corner) / m_grid.pixel;
+    for (int k = 0; k < 2; ++k)
+      m_grid.corner[k] += m_grid.pixel * (at[k] - std::floor(at[k]) - 0.5);
+    return draw_underside({&m_setting.body, 1}, m_grid, 1.002 * grown());
+  }
+
+  double span_of_all(const PlaceWindow& area) const {
+    Aabb box{Vec3(area.lower.x(), area.lower.y(), 0), Vec3(area.upper.x(), area.upper.y(), 0)};
+    for (const Body& body : m_setting.others) box.extend(body.world_box);
+    return 2 * box.half_extent().head<2>().norm() + 2 * m_setting.width();
+  }
+
+  double ceiling() const {
+    return m_setting.start_z + 2 * m_setting.body.world_box.half_extent().z() + grown();
   }
 
   // Under all places of a map of the object's underside.
-  HeightMap top_of(const std::vector<Body>& bodies, const HeightMap& underside, bool floor) const {
+  MapGrid grid_under(int width, int height) const {
     MapGrid grid = m_grid;
-    const double wider = 0.5 * (underside.width - m_grid.width);
-    grid.corner += m_first - Vec2::Constant(wider * grid.pixel);
-    grid.width = m_columns + underside.width - 1;
-    grid.height = m_rows + underside.height - 1;
-    grid.level = m_start_z;
-    const double top = m_start_z + 2 * m_body.world_box.half_extent().z() + grown();
-    return draw_top(bodies, grid, floor, top);
+    grid.corner += m_first;
+    grid.width = m_columns + width - 1;
+    grid.height = m_rows + height - 1;
+    grid.level = m_setting.start_z;
+    return grid;
   }
 
-  Pose start(int column, int row) const {
-    const Vec2 at = m_first + m_grid.pixel * Vec2(column, row);
-    return {m_request.rotation,
-            Vec3(at.x(), at.y(), m_start_z - m_body.world_box.lower.z() + m_clearance)};
+  HeightMap top_of(const std::vector<Body>& bodies, const HeightMap& underside, bool floor) const {
+    return draw_top(bodies, grid_under(underside.width, underside.height), floor, ceiling());
   }
 
-  void sort_out(const HeightMap& support, const std::vector<DropBracket>& on,
-                const std::vector<DropBracket>& others) {
-    const Vec2 centre = (m_centre.head<2>() - m_grid.corner) / m_grid.pixel;
+  // Everything else in coarse pixels, under all places and as far about them as is to be kept.
+  HeightMap top_about(const HeightMap& rest) const {
+    MapGrid grid = grid_under(m_grid.width, m_grid.height);
+    grid.pixel *= m_coarse;
+    grid.corner -= Vec2::Constant(m_border * grid.pixel);
+    grid.width = (rest.width + m_coarse - 1) / m_coarse + 2 * m_border;
+    grid.height = (rest.height + m_coarse - 1) / m_coarse + 2 * m_border;
+    return draw_top(m_setting.others, grid, false, ceiling());
+  }
+
+  void take_higher(const HeightMap& coarse, HeightMap& fine) const {
+    for (int y = 0; y < fine.height; ++y)
+      for (int x = 0; x < fine.width; ++x) {
+        float& bound = fine.bound[fine.index(x, y)];
+        bound = std::max(bound, coarse.bound[coarse.index(x / m_coarse, y / m_coarse)]);
+      }
+  }
+
+  Vec2 centre_at(int place) const {
+    return m_first + m_grid.pixel * Vec2(place % m_columns, place / m_columns) +
+           m_setting.centre.head<2>();
+  }
+
+  bool is_over(const HeightMap& support, const Brackets& on, int place) const {
+    const Vec2 centre = (m_setting.centre.head<2>() - m_grid.corner) / m_grid.pixel;
     const int centre_x = static_cast<int>(centre.x()), centre_y = static_cast<int>(centre.y());
+    const size_t under = support.index(place % m_columns + centre_x, place / m_columns + centre_y);
+    return support.bound[under] > -kInfinity && on[place].upper < kInfinity;
+  }
+
+  void sort_out(const HeightMap& support, const Brackets& on, const Brackets& others) {
     std::vector<int> fitting;
     m_out.num_judged = static_cast<std::int64_t>(on.size());
     for (int i = 0; i < static_cast<int>(on.size()); ++i) {
-      const size_t under = support.index(i % m_columns + centre_x, i / m_columns + centre_y);
-      if (!(support.bound[under] > -kInfinity) || !(on[i].upper < kInfinity))
+      if (!is_over(support, on, i))
         ++m_out.num_beside;
       else if (!(on[i].upper < others[i].lower) || on[i].lower < 0)
         ++m_out.num_blocked;
       else
         fitting.push_back(i);
     }
-    rank(fitting);
-    for (const int i : fitting) m_out.starts.push_back(start(i % m_columns, i / m_columns));
+    m_out.starts = ranked(fitting);
   }
 
-  void rank(std::vector<int>& places) const {
-    if (!m_request.near) return Shuffler(m_request.seed).shuffle(places);
-    std::vector<std::pair<double, int>> order;
-    for (const int i : places) {
-      const Vec3 at = start(i % m_columns, i / m_columns).translation + m_centre;
-      order.emplace_back((at.head<2>() - *m_request.near).squaredNorm(), i);
+  void find_doubtful(const HeightMap& support, const Brackets& on, const Brackets& others) {
+    std::vector<int> doubtful;
+    for (int i = 0; i < static_cast<int>(on.size()); ++i)
+      if (is_over(support, on, i) && on[i].lower >= 0 && on[i].upper < others[i].lower)
+        doubtful.push_back(i);
+    m_out.doubtful = ranked(doubtful);
+  }
+
+  std::vector<Pose> ranked(std::vector<int>& places) const {
+    if (m_request.near) {
+      std::vector<std::pair<double, int>> order;
+      for (const int i : places)
+        order.emplace_back((centre_at(i) - *m_request.near).squaredNorm(), i);
+      std::sort(order.begin(), order.end());
+      for (size_t k = 0; k < places.size(); ++k) places[k] = order[k].second;
+    } else {
+      Shuffler(m_request.seed).shuffle(places);
     }
-    std::sort(order.begin(), order.end());
-    for (size_t k = 0; k < places.size(); ++k) places[k] = order[k].second;
+    std::vector<Pose> out;
+    for (const int i : places) out.push_back(m_setting.start(m_request.rotation, centre_at(i)));
+    return out;
   }
 
-  const Scene& m_scene;
+  PlaceSetting m_setting;
   const PlaceRequest& m_request;
-  double m_clearance;
-  const Object& m_object;
-  Body m_body;  // with its origin at the world's
-  Vec3 m_centre;
-  std::vector<Body> m_support, m_others;
+  double m_keep = 0;
   MapGrid m_grid;  // of the body
-  double m_start_z = 0;
   int m_columns = 0, m_rows = 0;
-  Vec2 m_first;  // the object's position at place (0, 0)
+  int m_coarse = 1;  // pixels in a coarse one
+  int m_border = 0;  // coarse pixels about the maps: as far as is to be kept
+  Vec2 m_first;      // the object's position at place (0, 0)
   Places m_out;
 };
 
 }  // namespace
+
+std::vector<PlaceWindow> place_windows(const Scene& scene, ObjectId object,
+                                       const PlaceRequest& request, double clearance) {
+  const PlaceSetting setting(scene, object, request, clearance);
+  const PlaceWindow all = area_of(setting, request, request.keep);
+  std::vector<PlaceWindow> out;
+  if (request.near) {
+    const Vec2 nearest = request.near->cwiseMax(all.lower).cwiseMin(all.upper);
+    const double fine = std::max(setting.width() / kPlacePixelsAcross, 16 * clearance);
+    const double all_in = std::max((all.upper - *request.near).cwiseAbs().maxCoeff(),
+                                   (all.lower - *request.near).cwiseAbs().maxCoeff());
+    for (double half = (nearest - *request.near).norm() + kPlacesAcross / 4 * fine; half < all_in;
+         half *= 2) {
+      const Vec2 extent = Vec2::Constant(half);
+      out.push_back({(*request.near - extent).cwiseMax(all.lower),
+                     (*request.near + extent).cwiseMin(all.upper), half});
+    }
+  } else if (setting.on_floor && request.keep > 0) {
+    out.push_back(area_of(setting, request, 0));
+  }
+  out.push_back(all);
+  return out;
+}
 
 Places find_places(const Scene& scene, ObjectId object, const PlaceRequest& request,
                    double clearance, const DropBracketFunction& brackets) {

@@ -3,7 +3,9 @@
 // The object's underside and the tops of the support and of everything else are drawn once; each
 // place is a shift by whole pixels and costs microseconds (raster/drop_brackets.h). A place fits
 // when the object certainly meets the support before it can meet anything else. So no place that is
-// offered is blocked, and what is decided there is decided by PUT, exactly.
+// offered is blocked, and what is decided there is decided by PUT, exactly. A distance to keep
+// widens everything else; it makes neither the places coarser nor the maps larger, but where it is
+// many pixels the edge of what is blocked is known less exactly, and places there are doubtful.
 #pragma once
 
 #include <cstdint>
@@ -15,6 +17,13 @@
 
 namespace trivet {
 
+/// Where the centre of mass is looked for, seen from above.
+struct PlaceWindow {
+  Vec2 lower, upper;
+  double reach = kInfinity;  // metres from PlaceRequest::near: whatever lies outside and could be
+                             // the nearest is farther than this
+};
+
 struct PlaceRequest {
   std::optional<ObjectId> on;  // nothing: the floor
   Rotation rotation;           // of the object when it is let go
@@ -24,15 +33,24 @@ struct PlaceRequest {
   double keep = 0;             // metres to stay away from everything but the support, sideways
   std::optional<double> from;  // height z of the underside at the start; what is above the object
                                // there does not matter; nothing: just above the support's top
+  std::optional<PlaceWindow> within = {};  // nothing: the last of place_windows()
 };
 
 struct Places {
-  std::vector<Pose> starts;  // of fitting places, best first; PUT lets the object fall from there
+  std::vector<Pose> starts;    // of fitting places, best first; PUT lets the object fall from there
+  std::vector<Pose> doubtful;  // if none fits; best first: the distance has to be measured there
   std::int64_t num_judged = 0;
   std::int64_t num_beside = 0;   // the centre of mass is over no part of the support
-  std::int64_t num_blocked = 0;  // something else is or may be met first, or at the start
+  std::int64_t num_blocked = 0;  // something else is or may be met first, or at the start, or is
+                                 // too near; doubtful places among them
   double spacing = 0;            // metres between neighbouring places
+  double doubt = 0;              // metres by which more than `keep` may have been kept
 };
+
+/// The windows to search one after another: from small ones about the point to the whole support;
+/// on the floor the last reaches so far beyond everything that there is room.
+std::vector<PlaceWindow> place_windows(const Scene& scene, ObjectId object,
+                                       const PlaceRequest& request, double clearance);
 
 /// @param clearance  metres, of the motions.
 /// @param brackets  who computes the brackets: the software, or drop_brackets_of() a detector.

@@ -6,13 +6,15 @@
 #include "core/base/tunables.h"
 #include "ops/detect/detector.h"
 #include "ops/move/moves.h"
-#include "ops/place/places.h"
+#include "ops/place/exact_places.h"
+#include "ops/place/nearer.h"
 #include "ops/stopwatch.h"
 
 namespace trivet {
 namespace {
 
 constexpr const char* kFloorName = "floor";
+constexpr size_t kMaxDoubtful = 1024;  // places at which the distance is measured
 
 OperationResult refused(const std::string& reason) {
   OperationResult result;
@@ -36,26 +38,29 @@ class Somewhere {
         m_on(scene.find(o.place->on)) {}
 
   OperationResult run() {
-    const std::string why = why_not_support();
+    const std::string why = why_not();
     if (!why.empty()) return refused(why);
-    const Places places =
-        find_places(m_scene, m_id, request(), clearance(), drop_brackets_of(m_options.detector));
-    OperationResult first;
-    int num_trials = 0;
-    for (const Pose& start : places.starts) {
-      if (num_trials == kPlaceTrials) break;
-      if (near_a_failure(start, places.spacing)) continue;
-      OperationResult result = try_at(start);
-      result.milliseconds = m_stopwatch.milliseconds();
-      if (result.status != OperationResult::Status::Refused) return result;
-      if (num_trials++ == 0) first = std::move(result);
-      m_failures.push_back(start.translation.head<2>());
+    PlaceRequest request = this->request();
+    const ExactPlaces exact(m_scene, m_id, request, clearance());
+    if (request.near && exact.fits(*request.near))
+      if (auto done = try_here(exact.start(*request.near))) return *done;
+    Places places;
+    for (const PlaceWindow& window : place_windows(m_scene, m_id, request, clearance())) {
+      if (m_num_trials >= kPlaceTrials) break;
+      request.within = window;
+      places =
+          find_places(m_scene, m_id, request, clearance(), drop_brackets_of(m_options.detector));
+      auto done = request.near ? try_nearest(places, exact, *request.near, window.reach)
+                               : try_all(places, exact);
+      if (done) return *done;
     }
-    return refused(why_nowhere(places, num_trials, first.reason));
+    return refused(why_nowhere(places));
   }
 
  private:
-  std::string why_not_support() const {
+  std::string why_not() const {
+    const std::string why = why_not_movable(m_scene, carried_with(m_scene, m_id));
+    if (!why.empty()) return why;
     const std::string& on = m_operation.place->on;
     if (on == kFloorName) return m_scene.floor ? "" : "there is no floor to put " + m_name + " on";
     if (!m_on) return "there is no object " + quoted(on) + " to put " + m_name + " on";
@@ -87,7 +92,7 @@ class Somewhere {
     return false;
   }
 
-  OperationResult try_at(const Pose& start) {
+  OperationResult put_at(Scene& scene, const Pose& start) const {
     PutOperation put = m_operation;
     put.place.reset();
     put.start = start;
@@ -95,8 +100,64 @@ class Somewhere {
     if (options.time_budget_s > 0)
       options.time_budget_s =
           std::max(1e-9, options.time_budget_s - 1e-3 * m_stopwatch.milliseconds());
-    return put_from_start(m_scene, m_id, put, options,
+    return put_from_start(scene, m_id, put, options,
                           [this](const MovingGroup& group) { return why_not_there(group); });
+  }
+
+  // Nothing: refused there.
+  std::optional<OperationResult> try_here(const Pose& start) {
+    OperationResult result = put_at(m_scene, start);
+    result.milliseconds = m_stopwatch.milliseconds();
+    if (result.status != OperationResult::Status::Refused) return result;
+    if (m_num_trials++ == 0) m_first_reason = result.reason;
+    return std::nullopt;
+  }
+
+  std::optional<OperationResult> try_all(const Places& places, const ExactPlaces& exact) {
+    const size_t num_doubtful = std::min(places.doubtful.size(), kMaxDoubtful);
+    for (size_t k = 0; k < places.starts.size() + num_doubtful; ++k) {
+      if (m_num_trials >= kPlaceTrials) break;
+      const bool doubtful = k >= places.starts.size();
+      const Pose& start = doubtful ? places.doubtful[k - places.starts.size()] : places.starts[k];
+      if (near_a_failure(start, places.spacing)) continue;
+      if (doubtful && !exact.fits(exact.centre_at(start))) continue;
+      if (auto done = try_here(start)) return done;
+      m_failures.push_back(start.translation.head<2>());
+    }
+    return std::nullopt;
+  }
+
+  // Where the object can be set down nearest to the point, or, if it does not stay there (it tips
+  // over an edge, for example), where it stays.
+  std::optional<OperationResult> try_nearest(const Places& places, const ExactPlaces& exact,
+                                             const Vec2& near, double reach) {
+    const std::optional<Vec2> nearest = exact.nearest(places);
+    if (!nearest || (*nearest - near).norm() > reach) return std::nullopt;
+    if (auto done = try_here(exact.start(*nearest))) return done;
+    for (const Pose& start : places.starts.empty() ? places.doubtful : places.starts) {
+      const Vec2 at = exact.centre_at(start);
+      if (m_num_trials >= kPlaceTrials || (at - near).norm() > reach) break;
+      if (near_a_failure(start, places.spacing) || !exact.fits(at)) continue;
+      if (stays_at(start)) return try_here(exact.start(last_to_stay(exact, at, near)));
+      ++m_num_trials;
+      m_failures.push_back(start.translation.head<2>());
+    }
+    return std::nullopt;
+  }
+
+  bool stays_at(const Pose& start) const {
+    Scene scene = m_scene;
+    return put_at(scene, start).status != OperationResult::Status::Refused;
+  }
+
+  // On the line from a place where it stays towards the point.
+  Vec2 last_to_stay(const ExactPlaces& exact, const Vec2& from, const Vec2& towards) const {
+    Vec2 stays = from, leaves = towards;
+    while ((stays - leaves).norm() > exact.tolerance()) {
+      const Vec2 middle = 0.5 * (stays + leaves);
+      (exact.fits(middle) && stays_at(exact.start(middle)) ? stays : leaves) = middle;
+    }
+    return stays;
   }
 
   // After it has settled: on the support alone, and as far from everything else as asked for.
@@ -110,18 +171,20 @@ class Somewhere {
     const double keep = m_operation.place->keep;
     if (!(keep > 0)) return "";
     for (const Body& body : group.bodies())
-      for (const ContactsWith& c : contacts_with(body, outside.bodies, false, keep, 0))
-        if (m_on != outside.ids[c.fixed])
-          return m_name + " would come to rest too near to " + outside.name(m_scene, c.fixed);
+      for (size_t k = 0; k < outside.bodies.size(); ++k)
+        if (m_on != outside.ids[k] && nearer_than(keep, body, outside.bodies[k]))
+          return m_name + " would come to rest too near to " +
+                 outside.name(m_scene, static_cast<Index>(k));
     return "";
   }
 
-  std::string why_nowhere(const Places& places, int num_trials, const std::string& first) const {
+  std::string why_nowhere(const Places& places) const {
     std::ostringstream out;
     out << "no free place for " << m_name << " on " << quoted(m_operation.place->on) << ": of "
         << places.num_judged << " places, every " << places.spacing << " m, " << places.num_beside
         << " are over no part of it and " << places.num_blocked << " are blocked by other things";
-    if (num_trials > 0) out << "; it was tried at " << num_trials << " others: first " << first;
+    if (m_num_trials > 0)
+      out << "; it was tried at " << m_num_trials << " others: first " << m_first_reason;
     return out.str();
   }
 
@@ -132,6 +195,8 @@ class Somewhere {
   std::string m_name;
   std::optional<ObjectId> m_on;
   std::vector<Vec2> m_failures;
+  int m_num_trials = 0;
+  std::string m_first_reason;
   Stopwatch m_stopwatch;
 };
 

@@ -131,5 +131,30 @@ TEST(DropBrackets, HoldTheExactFall) {
   EXPECT_LT(width / num_bracketed, 20);
 }
 
+TEST(WidenedTop, IsTheHighestWithinReach) {
+  test::Random random(8);
+  for (const double pixels : {0.0, 1.0, 1.5, 3.7, 9.2}) {
+    for (const int border : {static_cast<int>(pixels), 12}) {
+      HeightMap map(17 + 2 * border, 5 + 2 * border, -static_cast<float>(kInfinity));
+      for (float& height : map.bound)
+        if (random.uniform(0, 1) < 0.3) height = static_cast<float>(random.uniform(-1, 1));
+      const HeightMap found = widened_top(map, pixels, border);
+      ASSERT_EQ(found.width, 17);
+      ASSERT_EQ(found.height, 5);
+      for (int y = 0; y < 5; ++y)
+        for (int x = 0; x < 17; ++x) {
+          float truth = -static_cast<float>(kInfinity);
+          for (int j = 0; j < map.height; ++j)
+            for (int i = 0; i < map.width; ++i) {
+              const int dx = i - x - border, dy = j - y - border;
+              if (dx * dx + dy * dy <= pixels * pixels)
+                truth = std::max(truth, map.bound[map.index(i, j)]);
+            }
+          ASSERT_EQ(found.bound[found.index(x, y)], truth);
+        }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace trivet
