@@ -59,7 +59,10 @@ class Somewhere {
 
  private:
   std::string why_not() const {
-    const std::string why = why_not_movable(m_scene, carried_with(m_scene, m_id));
+    // What is fixed comes in once, and then stands there.
+    const Object& object = std::as_const(m_scene).at(m_id);
+    const std::string why =
+        object.fixed && !object.placed ? "" : why_not_movable(m_scene, carried_with(m_scene, m_id));
     if (!why.empty()) return why;
     const std::string& on = m_operation.place->on;
     if (on == kFloorName) return m_scene.floor ? "" : "there is no floor to put " + m_name + " on";
