@@ -59,7 +59,9 @@ OperationResult stand(Scene& scene, ObjectId id, const Pose& pose, const SettleO
   const Object& object = std::as_const(scene).at(id);
   const double usual = default_clearance(scene, expected_box(scene, object, pose));
   const double clearance = options.clearance > 0 ? options.clearance : usual;
-  std::string why = why_not_clearance(clearance, usual);
+  const Placement stands{id, pose};
+  std::string why = why_too_coarse(scene, {&stands, 1}, options.clearance);
+  if (why.empty()) why = why_not_clearance(clearance, usual);
   if (why.empty()) {
     why = why_invalid(scene, id, pose, true);
     if (!why.empty()) why = "at its position " + why;

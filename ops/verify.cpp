@@ -1,6 +1,7 @@
 #include "ops/verify.h"
 
 #include <algorithm>
+#include <sstream>
 
 #include "core/base/tunables.h"
 #include "core/contact/body.h"
@@ -11,6 +12,11 @@ namespace {
 
 // float32 rounding of vertices and matrices, of the largest number in them.
 constexpr double kFloatSlack = 1.0 / (1 << 20);
+
+// Default clearance, of the smallest object's diagonal, beyond which a scene is refused: there
+// kHoverTolerance is an eighth of that object, and all its faces soon are in contact with all that
+// are near. Larger takes minutes for nothing; smaller refuses a cup of 10 cm on a floor of 1 km.
+constexpr double kCoarsestClearance = 1.0 / 64;
 
 Body body_of(const Object& object, const Pose& pose) {
   return {*object.shape, world_from_object(pose, object.up, object.scale)};
@@ -41,12 +47,71 @@ std::string why_below_floor(const ObjectInWorld& here, bool floats) {
   return "";
 }
 
+double clearance_of(const Aabb& box) {
+  return kRelativeClearance * std::max(box.diagonal(), box.max_abs_coordinate());
+}
+
+/// The placed objects, some of them elsewhere: what is far out, and what is small.
+struct Extents {
+  Aabb box;
+  const Object *farthest = nullptr, *smallest = nullptr;
+  double coordinate = 0, smallest_diagonal = kInfinity;
+
+  /// @param rough  the others' boxes are too large, and cost no matrix.
+  Extents(const Scene& scene, std::span<const PlacedBox> moved, bool rough) {
+    const auto moves = [&](ObjectId id) {
+      return std::any_of(moved.begin(), moved.end(),
+                         [&](const PlacedBox& m) { return m.id == id; });
+    };
+    for (const ObjectId id : scene.ids())
+      if (const Object& object = scene.at(id); object.placed && !moves(id))
+        add(object, rough ? any_rotation_box(object) : body_of(object, object.pose).world_box);
+    for (const PlacedBox& m : moved) add(scene.at(m.id), m.box);
+  }
+
+ private:
+  void add(const Object& object, const Aabb& where) {
+    box.extend(where);
+    const double reach = where.max_abs_coordinate();
+    if (!farthest || reach > coordinate) farthest = &object, coordinate = reach;
+    const double diagonal = object.scale * object.shape->box.diagonal();
+    if (diagonal > 0 && diagonal < smallest_diagonal)
+      smallest = &object, smallest_diagonal = diagonal;
+  }
+};
+
 }  // namespace
 
 double default_clearance(const Scene& scene, const Aabb& extra) {
   Aabb box = scene.box();
   box.extend(extra);
-  return kRelativeClearance * std::max(box.diagonal(), box.max_abs_coordinate());
+  return clearance_of(box);
+}
+
+std::string why_too_coarse(const Scene& scene, std::span<const PlacedBox> moved, double clearance) {
+  const Extents rough(scene, moved, true);
+  const double accepted = kCoarsestClearance * rough.smallest_diagonal;
+  if (clearance_of(rough.box) <= accepted || (clearance > 0 && clearance <= accepted)) return "";
+  const Extents extents(scene, moved, false);
+  const double usual = clearance_of(extents.box);
+  if (usual <= accepted) return "";
+  std::ostringstream out;
+  out.precision(4);
+  out << "\"" << extents.farthest->name << "\" reaches a coordinate of " << extents.coordinate
+      << " m: the clearance there, " << usual << " m, is too coarse for \""
+      << extents.smallest->name << "\" of " << extents.smallest_diagonal
+      << " m; accepted: coordinates and sizes of scenes up to " << accepted / kRelativeClearance
+      << " m";
+  if (accepted > kSmallestClearance * usual / kRelativeClearance)
+    out << ", or a clearance that is asked for, up to " << accepted << " m";
+  return out.str();
+}
+
+std::string why_too_coarse(const Scene& scene, std::span<const Placement> moved, double clearance) {
+  std::vector<PlacedBox> boxes;
+  for (const Placement& p : moved)
+    boxes.push_back({p.id, body_of(scene.at(p.id), p.pose).world_box});
+  return why_too_coarse(scene, boxes, clearance);
 }
 
 Aabb expected_box(const Scene& scene, const Object& object, const Pose& start) {

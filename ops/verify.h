@@ -19,6 +19,25 @@ double default_clearance(const Scene& scene, const Aabb& extra = {});
 /// is there than it is high. (Its start may be far above the scene.)
 Aabb expected_box(const Scene& scene, const Object& object, const Pose& start);
 
+/// An object, and where it shall be.
+struct Placement {
+  ObjectId id;
+  Pose pose;
+};
+
+/// An object, and what it shall fill.
+struct PlacedBox {
+  ObjectId id;
+  Aabb box;
+};
+
+/// Why the placed objects cannot be told apart with these there: the default clearance would be
+/// larger than 1/64 of the smallest object's diagonal, because something is far out
+/// or very large. Names both objects, the coordinate, and what is accepted. Empty: they can.
+/// @param clearance  one that was asked for and is small enough is as good; 0: none was.
+std::string why_too_coarse(const Scene& scene, std::span<const PlacedBox> moved, double clearance);
+std::string why_too_coarse(const Scene& scene, std::span<const Placement> moved, double clearance);
+
 /// An object somewhere: its vertices as stored, and as a reader of the exported file sees them.
 struct ObjectInWorld {
   const Object* object = nullptr;
@@ -41,12 +60,6 @@ struct PairVerdict {
 /// @param floats  the exported floats, too. @param limit  counting stops there.
 PairVerdict verify_pair(const ObjectInWorld& a, const ObjectInWorld& b, bool floats,
                         std::int64_t limit);
-
-/// An object, and where it shall be.
-struct Placement {
-  ObjectId id;
-  Pose pose;
-};
 
 /// The other placed objects that each of these would interpenetrate (and the floor, as no id), in
 /// doubles or, if asked for, in the exported floats; sorted. Empty: none.

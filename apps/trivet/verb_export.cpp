@@ -62,13 +62,42 @@ int export_scene(const ExportArguments& arguments, const CommonOptions& common,
   return is_table ? export_table(arguments, common) : export_for_simulator(arguments, common);
 }
 
+void add_simulator_options(CLI::App& verb, ExportArguments& arguments) {
+  SimulationOptions& options = arguments.options;
+  verb.add_option("--report", arguments.report,
+                  "What was written, JSON: names, masses, which convex parts overlap")
+      ->group(kSimulators);
+  verb.add_option("--density", options.density, "kg/m^3; default: 1000")
+      ->check(number_from(1e-6, 1e6))
+      ->group(kSimulators);
+  verb.add_option("--friction", options.friction,
+                  "Coulomb's coefficient, more where an object needs more; default: 0.6")
+      ->check(number_from(0, 1e3))
+      ->group(kSimulators);
+  verb.add_option("--collision", arguments.collision,
+                  "What collides: one hull per object, a hull per component (default), pieces of "
+                  "a convex decomposition, or the mesh itself")
+      ->check(one_of(collision_rule_names()))
+      ->group(kSimulators);
+  verb.add_option("--hull-clearance", options.hull_clearance,
+                  "Metres by which the faces of hulls are moved inwards; default: 0")
+      ->check(number_from(0, 1e3))
+      ->group(kSimulators);
+  verb.add_option("--meshes", options.files.mesh_folder,
+                  "Folder for the meshes, which scenes may share; default: beside the file")
+      ->type_name("DIR")
+      ->group(kSimulators);
+  verb.add_option("--mesh-prefix", options.files.mesh_prefix,
+                  "Put before the meshes' paths in URDF and SDF, such as package://my_scenes/")
+      ->group(kSimulators);
+}
+
 }  // namespace
 
 Verb add_export(CLI::App& app, const CommonOptions& common) {
   CLI::App* const verb =
       app.add_subcommand("export", "Writes a scene for a physics simulator, or as tables");
   const auto arguments = std::make_shared<ExportArguments>();
-  SimulationOptions& options = arguments->options;
   verb->add_option("scene", arguments->scene, "A scene that trivet wrote")
       ->required()
       ->type_name("SCENE.glb");
@@ -76,36 +105,11 @@ Verb add_export(CLI::App& app, const CommonOptions& common) {
           "-o,--output", arguments->output,
           "MuJoCo: .xml or .mjcf; .urdf; .sdf or .world; USD: .usda; a table: .csv or .jsonl")
       ->required();
-  verb->add_option("--report", arguments->report,
-                   "What was written, JSON: names, masses, which convex parts overlap")
-      ->group(kSimulators);
   verb->add_option("--table", arguments->table,
                    "poses (default): a row per object; contacts: a row per contact point")
       ->check(one_of({"poses", "contacts"}))
       ->group(kTables);
-  verb->add_option("--density", options.density, "kg/m^3; default: 1000")
-      ->check(number_from(1e-6, 1e6))
-      ->group(kSimulators);
-  verb->add_option("--friction", options.friction,
-                   "Coulomb's coefficient, more where an object needs more; default: 0.6")
-      ->check(number_from(0, 1e3))
-      ->group(kSimulators);
-  verb->add_option("--collision", arguments->collision,
-                   "What collides: one hull per object, a hull per component (default), pieces of "
-                   "a convex decomposition, or the mesh itself")
-      ->check(one_of(collision_rule_names()))
-      ->group(kSimulators);
-  verb->add_option("--hull-clearance", options.hull_clearance,
-                   "Metres by which the faces of hulls are moved inwards; default: 0")
-      ->check(number_from(0, 1e3))
-      ->group(kSimulators);
-  verb->add_option("--meshes", options.files.mesh_folder,
-                   "Folder for the meshes, which scenes may share; default: beside the file")
-      ->type_name("DIR")
-      ->group(kSimulators);
-  verb->add_option("--mesh-prefix", options.files.mesh_prefix,
-                   "Put before the meshes' paths in URDF and SDF, such as package://my_scenes/")
-      ->group(kSimulators);
+  add_simulator_options(*verb, *arguments);
   return {verb, [arguments, verb, &common] { return export_scene(*arguments, common, *verb); }};
 }
 

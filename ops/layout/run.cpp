@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "ops/edit.h"
 #include "ops/layout/json_text.h"
+#include "ops/verify.h"
 
 namespace trivet {
 namespace {
@@ -177,6 +178,9 @@ LayoutRun run_start_only(const Layout& layout, const ModelSource& models,
     object.pose = *wanted.pose;
     object.placed = true;
   }
+  const std::string why =
+      why_too_coarse(run.scene, std::span<const PlacedBox>(), options.settle.clearance);
+  if (!why.empty()) throw Error(Error::Kind::BadInput, options.layout_file + ": " + why);
   finish_run(options, run);
   return run;
 }

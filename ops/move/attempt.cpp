@@ -1,5 +1,6 @@
 #include "ops/move/attempt.h"
 
+#include <algorithm>
 #include <sstream>
 #include <utility>
 
@@ -8,11 +9,21 @@
 namespace trivet {
 namespace {
 
-std::string list_of(const MovingGroup& group, const std::vector<ContactsWith>& contacts) {
-  std::string out;
+// "between the floor and \"a\"", "against the floor"; members of a group may touch the same.
+std::string where_wedged(const MovingGroup& group, const std::vector<ContactsWith>& contacts) {
+  std::vector<std::string> names;
   for (const ContactsWith& c : contacts)
-    out += (out.empty() ? "" : " and ") + group.outside().name(group.scene(), c.fixed);
-  return out.empty() ? "nothing" : out;
+    if (std::string name = group.outside().name(group.scene(), c.fixed);
+        std::find(names.begin(), names.end(), name) == names.end())
+      names.push_back(std::move(name));
+  if (names.empty()) return "in the air";
+  std::string out = (names.size() == 1 ? "against " : "between ") + names[0];
+  for (size_t i = 1; i < names.size(); ++i) out.append(" and ").append(names[i]);
+  return out;
+}
+
+std::string why_too_far(const MovingGroup& group, const SettleOptions& options) {
+  return why_too_coarse(group.scene(), group.placements(), options.clearance);
 }
 
 std::string why_not_settled(const std::string& name, const MovingGroup& group,
@@ -23,7 +34,7 @@ std::string why_not_settled(const std::string& name, const MovingGroup& group,
       return "";
     case SettleOutcome::Status::Wedged:
       if (options.accept_wedged) return "";
-      return name + " is wedged between " + list_of(group, outcome.contacts) +
+      return name + " is wedged " + where_wedged(group, outcome.contacts) +
              ": it can neither sink further nor be held there";
     case SettleOutcome::Status::FallsOut:
       return "nothing is below " + name + ": it would fall for ever";
@@ -57,13 +68,15 @@ Attempt::Attempt(Scene& scene, ObjectId id, const MoveOptions& move, const char*
       m_interrupt(options),
       m_is_put(start != nullptr) {
   const Object& object = std::as_const(scene).at(id);
-  const double usual =
-      default_clearance(scene, start ? expected_box(scene, object, *start) : Aabb{});
+  std::vector<PlacedBox> started;
+  if (start) started.push_back({id, expected_box(scene, object, *start)});
+  const double usual = default_clearance(scene, start ? started.front().box : Aabb{});
   const double clearance = options.clearance > 0 ? options.clearance : usual;
   m_group.emplace(scene, id, clearance, options);
   // What is fixed comes in once, and then stands there.
   const bool comes_in = start && object.fixed && !object.placed;
   std::string why = comes_in ? "" : why_not_movable(scene, m_group->ids());
+  if (why.empty()) why = why_too_coarse(scene, started, options.clearance);
   if (why.empty()) why = why_not_clearance(clearance, usual);
   if (why.empty() && !start) why = why_not_startable(free);
   if (!why.empty()) refuse(why);
@@ -122,7 +135,8 @@ void Attempt::end_settled(const SettleOutcome& outcome) {
   m_result.steps.insert(m_result.steps.end(), outcome.steps.begin(), outcome.steps.end());
   if (interrupted()) return;
   const std::string why = why_not_settled(name(), *m_group, outcome, m_options);
-  if (!why.empty()) return refuse(why);
+  const std::string far = why.empty() ? "" : why_too_far(*m_group, m_options);
+  if (!why.empty()) return refuse(far.empty() ? why : far);
   m_let_go = true;
   m_wedged = outcome.status == SettleOutcome::Status::Wedged;
 }
@@ -133,7 +147,8 @@ OperationResult Attempt::finish(ObjectState otherwise) {
   if (!m_is_put && !m_group->has_moved()) return done();
   if (m_group->object().placed)
     m_result.moved = (m_group->pose().translation - m_group->object().pose.translation).norm();
-  const std::string why = commit_group(m_scene, *m_group, otherwise, m_let_go, m_result);
+  std::string why = why_too_far(*m_group, m_options);
+  if (why.empty()) why = commit_group(m_scene, *m_group, otherwise, m_let_go, m_result);
   if (!why.empty()) refuse(why);
   return done();
 }
@@ -141,7 +156,9 @@ OperationResult Attempt::finish(ObjectState otherwise) {
 OperationResult Attempt::finish_freely() {
   if (refused() || !m_group->has_moved()) return done();
   m_result.moved = (m_group->pose().translation - m_group->object().pose.translation).norm();
-  commit_freely(m_scene, *m_group, m_result);
+  const std::string why = why_too_far(*m_group, m_options);
+  if (!why.empty()) refuse(why);
+  if (!refused()) commit_freely(m_scene, *m_group, m_result);
   return done();
 }
 
