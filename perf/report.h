@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,8 +39,16 @@ class Report {
   void add_data(const std::string& line) { m_data += line + "\n"; }
   const std::string& data() const { return m_data; }
   /// Takes part in the hash of the run.
-  void mix(std::uint64_t section_hash) { m_hash = (m_hash ^ section_hash) * 0x100000001b3; }
-  std::uint64_t hash() const { return m_hash; }
+  void mix(std::uint64_t section_hash) {
+    m_hash = (m_hash.value_or(0xcbf29ce484222325) ^ section_hash) * 0x100000001b3;
+  }
+  /// The same, and a row of its own.
+  void add_hash(std::uint64_t section_hash) {
+    remark("hash of these results", text("%016llx", static_cast<unsigned long long>(section_hash)));
+    mix(section_hash);
+  }
+  /// Nothing when nothing took part.
+  std::optional<std::uint64_t> hash() const { return m_hash; }
 
   std::string markdown() const;
 
@@ -50,7 +59,7 @@ class Report {
   };
   std::vector<Line> m_rows;
   std::string m_data;
-  std::uint64_t m_hash = 0xcbf29ce484222325;
+  std::optional<std::uint64_t> m_hash;
 };
 
 }  // namespace trivet::perf

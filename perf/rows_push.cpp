@@ -73,9 +73,7 @@ void add_push_rows(Scene scene, const std::vector<std::string>& names, double cl
     report.add({settle ? "the same, let go at the end" : "PUSH by 5 mm, held at the end", samples,
                 goal_ms, 0, text("refused %zu", refused)});
   }
-  report.remark("hash of these results",
-                text("%016llx", static_cast<unsigned long long>(hash.value())));
-  report.mix(hash.value());
+  report.add_hash(hash.value());
 }
 
 std::vector<std::string> free_objects(const Scene& scene, const std::string& suffix) {

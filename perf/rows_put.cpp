@@ -82,9 +82,7 @@ void measure_demo(DemoScene demo, const DemoMeasure& what, Report& report) {
   report.add(own.row("the same from the layout's own starts", what.goal_ms));
   if (what.paper)
     report.remark("one movement in [Shinya and Forgue 1995], IRIS 4D/310 VGX", what.paper);
-  report.remark("hash of these results",
-                text("%016llx", static_cast<unsigned long long>(hash.value())));
-  report.mix(hash.value());
+  report.add_hash(hash.value());
 }
 
 std::string title(const char* name, const DemoScene& demo) {

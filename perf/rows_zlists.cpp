@@ -2,6 +2,7 @@
 #include <tbb/global_control.h>
 
 #include "core/base/error.h"
+#include "perf/result_hash.h"
 #include "perf/rows.h"
 #include "perf/sweeps.h"
 #include "raster/height_map.h"
@@ -36,6 +37,9 @@ struct Cases {
   std::vector<Asked> sweeps;
   double bvh_cpu_ms = 0;
   Report* report = nullptr;
+  /// Of the box trees' answers, and of all others that are not the same: how many are asked for
+  /// depends on the time they take.
+  ResultHash* hash = nullptr;
 };
 
 // A source of candidates.
@@ -96,6 +100,7 @@ void ask_box_trees(const SpherePair& spheres, Cases& cases) {
                                                     : random_turn(spheres, random),
             {}};
     row.samples.add(timed_warm([&] { a.truth = a.sweep.first_contact(); }));
+    cases.hash->add(a.truth);
     left.pairs += static_cast<double>(a.truth.work.face_pairs);
     ++left.count;
     cases.sweeps.push_back(a);
@@ -105,9 +110,24 @@ void ask_box_trees(const SpherePair& spheres, Cases& cases) {
   cases.report->add(std::move(row));
 }
 
+// Whether a stage's answer is that of the box trees; if not, it is hashed.
+bool is_right(const FirstContact& found, const FirstContact& truth, ResultHash& hash) {
+  const bool right = same(found, truth);
+  if (!right) hash.add(found);
+  return right;
+}
+
+bool holds(const Proposal& proposal, const FirstContact& truth, ResultHash& hash) {
+  const double time = truth.status == FirstContact::Status::Free ? kInfinity : truth.time;
+  const bool right =
+      proposal.lower <= time && (time <= proposal.upper || proposal.upper == kInfinity);
+  if (!right) hash.add(proposal.lower), hash.add(proposal.upper);
+  return right;
+}
+
 // CPU times are of all threads: a driver may have its own.
 bool ask_stage(ZListStage& stage, const FirstContactQuery& query, const Method& method,
-               const FirstContact& truth, Samples& samples, Proposal& proposal) {
+               const Asked& asked, const Cases& cases, Samples& samples, Proposal& proposal) {
   FirstContact found;
   const auto ask = [&] {
     if (method.bounds_alone)
@@ -117,9 +137,8 @@ bool ask_stage(ZListStage& stage, const FirstContactQuery& query, const Method& 
   };
   const Took first = timed(ask, CLOCK_PROCESS_CPUTIME_ID);
   samples.add(first.wall_ms > kLong_ms ? first : timed(ask, CLOCK_PROCESS_CPUTIME_ID));
-  if (!method.bounds_alone) return same(found, truth);
-  const double time = truth.status == FirstContact::Status::Free ? kInfinity : truth.time;
-  return proposal.lower <= time && (time <= proposal.upper || proposal.upper == kInfinity);
+  return method.bounds_alone ? holds(proposal, asked.truth, *cases.hash)
+                             : is_right(found, asked.truth, *cases.hash);
 }
 
 void add_stage(const Cases& cases, const Method& method, ZListStage& stage) {
@@ -132,7 +151,7 @@ void add_stage(const Cases& cases, const Method& method, ZListStage& stage) {
     const FirstContactQuery query{
         {&moving, 1}, {&fixed, 1}, false, a.sweep.motion, a.sweep.clearance};
     Proposal proposal;
-    const bool right = ask_stage(stage, query, method, a.truth, row.samples, proposal);
+    const bool right = ask_stage(stage, query, method, a, cases, row.samples, proposal);
     left.add(proposal, right);
   }
   add_data(cases, method, row.samples, left);
@@ -219,7 +238,7 @@ void gpu_batch_row(const Cases& cases) try {
   }
   Left left;
   for (size_t i = 0; i < queries.size(); ++i)
-    left.add(proposals[i], same(found[i], cases.sweeps[i].truth));
+    left.add(proposals[i], is_right(found[i], cases.sweeps[i].truth, *cases.hash));
   row.outcome =
       text("%.3g ms a query; ", row.samples.median_ms() / static_cast<double>(queries.size())) +
       left.text_of(false);
@@ -235,16 +254,40 @@ void rows_of(int num_triangles, Report& report) {
     const std::string size = short_count(num_triangles);
     report.section("Sources of candidates, " + size + " triangles against " + size + ", " +
                    (kind == Motion::Kind::Translation ? "drop" : "quarter turn"));
-    Cases cases{num_triangles, kind, {}, 0, &report};
+    ResultHash hash;
+    Cases cases{num_triangles, kind, {}, 0, &report, &hash};
     ask_box_trees(spheres, cases);
     software_rows(cases);
 #ifdef TRIVET_PERF_GPU
-    if (num_triangles == 1'000'000) continue;  // 150K and 1.5M tell enough, and it takes long
-    gpu_rows(cases);
-    gpu_batch_row(cases);
+    if (num_triangles != 1'000'000) {  // 150K and 1.5M tell enough, and it takes long
+      gpu_rows(cases);
+      gpu_batch_row(cases);
+    }
 #endif
+    report.add_hash(hash.value());
   }
 }
+
+#ifdef TRIVET_PERF_GPU
+void gpu_place_row(const HeightMap& underside, const HeightMap& top,
+                   const std::vector<DropBracket>& truth, Report& report, ResultHash& hash) try {
+  GpuDropBrackets gpu;
+  Row row{"gpu (" + gpu.name() + "), all places, maps sent and brackets read", {}, 0, 0, ""};
+  std::vector<DropBracket> found;
+  for (int i = 0; i < 20; ++i)
+    row.samples.add(timed_warm([&] { found = gpu(underside, top, kPlaces, kPlaces); }));
+  size_t different = 0;
+  for (size_t i = 0; i < truth.size(); ++i) {
+    if (found[i].lower == truth[i].lower && found[i].upper == truth[i].upper) continue;
+    ++different;
+    hash.add(found[i].lower), hash.add(found[i].upper);
+  }
+  row.outcome = different > 0 ? text("WRONG %zu", different) : "the same bits";
+  report.add(std::move(row));
+} catch (const Error& e) {
+  report.remark("places on the GPU", e.what());
+}
+#endif
 
 // The maps of a bumpy sphere of 15K triangles over another, at 64 x 64 places.
 void place_rows(Report& report) {
@@ -273,22 +316,12 @@ void place_rows(Report& report) {
       text("%.2f microseconds a place", 1e3 * software.samples.median_cpu_ms() / truth.size());
   report.add(std::move(rasters));
   report.add(std::move(software));
+  ResultHash hash;
+  for (const DropBracket& b : truth) hash.add(b.lower), hash.add(b.upper);
 #ifdef TRIVET_PERF_GPU
-  try {
-    GpuDropBrackets gpu;
-    Row row{"gpu (" + gpu.name() + "), all places, maps sent and brackets read", {}, 0, 0, ""};
-    std::vector<DropBracket> found;
-    for (int i = 0; i < 20; ++i)
-      row.samples.add(timed_warm([&] { found = gpu(underside, top, kPlaces, kPlaces); }));
-    size_t different = 0;
-    for (size_t i = 0; i < truth.size(); ++i)
-      different += found[i].lower != truth[i].lower || found[i].upper != truth[i].upper;
-    row.outcome = different > 0 ? text("WRONG %zu", different) : "the same bits";
-    report.add(std::move(row));
-  } catch (const Error& e) {
-    report.remark("places on the GPU", e.what());
-  }
+  gpu_place_row(underside, top, truth, report, hash);
 #endif
+  report.add_hash(hash.value());
 }
 
 }  // namespace
