@@ -6,7 +6,6 @@
 
 #include "raster/angles.h"
 #include "raster/layer.h"
-#include "raster/parallel.h"
 #include "raster/triangle_raster.h"
 
 namespace trivet {
@@ -171,7 +170,7 @@ class SmallFaces {
 /// Boxes of runs of faces along a direction, of vertices without margins: the first pass over all
 /// faces notes them, later ones leave out at once the runs that lie beyond what they want.
 struct FaceBoxes {
-  static constexpr size_t kRun = kPartStep;  // faces
+  static constexpr size_t kRun = 64;  // faces; parts of a pass begin at multiples of it
   static constexpr float kInf = std::numeric_limits<float>::infinity();
   bool noted = false;
   std::vector<ImageVertex> low, high;

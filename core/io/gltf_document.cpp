@@ -180,9 +180,6 @@ GltfJson parse_gltf_json(const std::string& path, const std::string& text) {
            " levels");
     return true;
   };
-  const size_t first = text.find_first_not_of(" \t\r\n");
-  if (first == text.npos || text[first] != '{')
-    fail(path + ": is no glTF, neither binary nor JSON; accepted: .glb and .gltf");
   try {
     return GltfJson::parse(text, check_depth);
   } catch (const GltfJson::exception& e) {
@@ -192,7 +189,12 @@ GltfJson parse_gltf_json(const std::string& path, const std::string& text) {
 
 std::string read_gltf_text(const std::string& path) {
   constexpr std::uintmax_t kMaxJson = std::uintmax_t{4} << 30;
-  return is_glb(path) ? read_glb_json(path) : whole_file(path, kMaxJson);
+  if (is_glb(path)) return read_glb_json(path);
+  std::string text = whole_file(path, kMaxJson);
+  const size_t first = text.find_first_not_of(" \t\r\n");
+  if (first == text.npos || text[first] != '{')
+    fail(path + ": is no glTF, neither binary nor JSON; accepted: .glb and .gltf");
+  return text;
 }
 
 GltfDocument read_gltf_document(const std::string& path, const ImportLimits& limits) {
