@@ -91,13 +91,16 @@ void load_model(const Scene& scene, const ModelSource& models, AppendOperation& 
   if (operation.shape) return;
   for (const ObjectId id : scene.ids()) {
     const Object& object = scene.at(id);
-    if (object.model->path != operation.model) continue;
+    if (object.model->path != operation.model ||
+        object.model->tessellation != operation.tessellation)
+      continue;
     operation.model_data = object.model;
     operation.shape = object.shape;
     return;
   }
   if (!models) return;
-  const LoadedModel loaded = load_models({operation.model}, models, 1, {}).front();
+  const LoadedModel loaded =
+      load_models({{operation.model, operation.tessellation}}, models, 1, {}).front();
   operation.model_data = loaded.model;
   operation.shape = loaded.shape;
 }

@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/io/tessellation.h"
 #include "core/motion/pose.h"
 #include "ops/put.h"
 
@@ -101,6 +102,7 @@ struct AppendOperation {
   bool fixed = false;
   std::shared_ptr<const Model> model_data;  // filled by load_model(); not written down
   std::shared_ptr<const Shape> shape;
+  Tessellation tessellation = {};  // of a model with curved surfaces
 };
 
 /// A new object of the same model, out of the scene until it is put. "duplicate"

@@ -54,7 +54,7 @@ Mesh refined(const Mesh& mesh, int splits) {
 
 DemoScene make_demo_scene(const std::string& name, int splits) {
   const DemoLayout demo = make_demo(name);
-  const ModelSource source = [&](const std::string& file) {
+  const ModelSource source = [&](const std::string& file, const Tessellation&) {
     return splits == 1 ? demo.model(file) : refined_model(demo.model(file), splits);
   };
   DemoScene out{make_scene(demo.layout, source, RunOptions{}), {}, 0};

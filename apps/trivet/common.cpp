@@ -85,6 +85,27 @@ void add_settle_options(CLI::App& app, SettleOptions& settle) {
       ->group(group);
 }
 
+void add_tessellation_options(CLI::App& app, Tessellation& tessellation) {
+  const char* const group = "Curved surfaces: STEP, IGES, BREP";
+  app.add_option("--chord", tessellation.chord,
+                 "Metres of the model, before scale, from surface to triangles; default: 1/1000 of "
+                 "its size")
+      ->check(number_from(kMinChord, kMaxChord))
+      ->group(group);
+  app.add_option("--facet-angle-deg", tessellation.facet_angle_deg,
+                 "Degrees between neighbouring segments, and facets; default: 20")
+      ->check(number_from(kMinFacetAngleDeg, kMaxFacetAngleDeg))
+      ->group(group);
+}
+
+void check_tessellation(const Tessellation& tessellation, const std::string& model) {
+  if (tessellation == Tessellation{} || !cad_format(model).empty()) return;
+  throw Error(Error::Kind::BadInput,
+              "--chord, --facet-angle-deg: \"" + model +
+                  "\" has no curved surfaces; accepted: with models in STEP, IGES or BREP (.step "
+                  ".stp .iges .igs .brep .brp)");
+}
+
 std::unique_ptr<Detector> make_detector(const CommonOptions& common) {
   BackendOptions options;
   options.backend = backend_from_name(common.backend);

@@ -32,6 +32,11 @@ void add_common_options(CLI::App& app, CommonOptions& common);
 
 void add_settle_options(CLI::App& app, SettleOptions& settle);
 
+/// --chord and --facet-angle-deg, of models with curved surfaces.
+void add_tessellation_options(CLI::App& app, Tessellation& tessellation);
+/// @throws Error (BadInput) when they were given for a format of triangles.
+void check_tessellation(const Tessellation& tessellation, const std::string& model);
+
 /// As --backend says; a note on standard error when that cannot be had.
 std::unique_ptr<Detector> make_detector(const CommonOptions& common);
 

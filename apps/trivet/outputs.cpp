@@ -170,6 +170,7 @@ void check_outputs(const OutputPaths& paths, const std::vector<std::string>& inp
   if (!paths.scene.empty()) check_extension(paths.scene, accepted);
   if (!paths.picture.empty()) check_extension(paths.picture, {".png"});
   check_files({paths.scene, paths.report, paths.picture}, inputs);
+  check_files_beside(paths.scene);
 }
 
 void check_files(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs) {

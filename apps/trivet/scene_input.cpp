@@ -13,8 +13,8 @@ Scene scene_of_model(const std::string& path, const CommonOptions& common) {
   object.name = object.model = path;
   object.pose = Pose{};
   layout.objects.push_back(object);
-  const ModelSource source = [&](const std::string& name) {
-    return import_model(name, common.limits());
+  const ModelSource source = [&](const std::string& name, const Tessellation& tessellation) {
+    return import_model(name, common.limits(), tessellation);
   };
   Scene scene = make_scene(layout, source, run_options(common, {}));
   Object& placed = scene.at(scene.ids().front());

@@ -9,10 +9,17 @@ namespace trivet::apps {
 
 Verb add_info(CLI::App& app, const CommonOptions& common) {
   CLI::App* const verb = app.add_subcommand("info", "Says what is in a model file");
-  const auto path = std::make_shared<std::string>();
-  verb->add_option("model", *path, "The model file")->required()->type_name("MODEL");
-  return {verb, [path, &common] {
-            const Model model = import_model(*path, common.limits());
+  struct Arguments {
+    std::string path;
+    Tessellation tessellation;
+  };
+  const auto arguments = std::make_shared<Arguments>();
+  verb->add_option("model", arguments->path, "The model file")->required()->type_name("MODEL");
+  add_tessellation_options(*verb, arguments->tessellation);
+  return {verb, [arguments, &common] {
+            check_tessellation(arguments->tessellation, arguments->path);
+            const Model model =
+                import_model(arguments->path, common.limits(), arguments->tessellation);
             const auto shape = make_shape(model.mesh);
             std::cout << (common.json ? model_info_json(model, *shape)
                                       : model_info_text(model, *shape));

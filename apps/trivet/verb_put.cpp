@@ -14,6 +14,7 @@ struct PutArguments {
   std::string scene, model, name, up;
   std::vector<double> position, rotation{1, 0, 0, 0};
   double scale = 1;
+  Tessellation tessellation;
   OutputPaths outputs;
   SettleOptions settle;
 };
@@ -70,6 +71,7 @@ LayoutObject layout_object(const PutArguments& arguments, const SceneFile& file)
              model.filename())
                 .generic_string();
   object.scale = arguments.scale;
+  object.tessellation = arguments.tessellation;
   if (!arguments.up.empty()) object.up = arguments.up == "y" ? UpAxis::Y : UpAxis::Z;
   return object;
 }
@@ -77,8 +79,8 @@ LayoutObject layout_object(const PutArguments& arguments, const SceneFile& file)
 // The object, loaded as a layout of its own is.
 Object load_object(const PutArguments& arguments, const Layout& addition, const Scene& scene,
                    const CommonOptions& common, const RunOptions& options) {
-  const ModelSource source = [&](const std::string&) {
-    return import_model(arguments.model, common.limits());
+  const ModelSource source = [&](const std::string&, const Tessellation& tessellation) {
+    return import_model(arguments.model, common.limits(), tessellation);
   };
   const Scene single = make_scene(addition, source, options);
   Object object = single.at(single.ids().front());
@@ -88,6 +90,7 @@ Object load_object(const PutArguments& arguments, const Layout& addition, const 
 
 int put(const PutArguments& arguments, const CommonOptions& common) {
   const Pose start = start_pose(arguments);
+  check_tessellation(arguments.tessellation, arguments.model);
   Outputs outputs(arguments.outputs, {arguments.model}, common);
   SceneFile file = read_scene_file(arguments.scene, common.limits());
   for (const std::string& note : file.notes) print_note(common, note);
@@ -140,6 +143,7 @@ Verb add_put(CLI::App& app, const CommonOptions& common) {
   verb->add_option("--up", arguments->up,
                    "Up axis of the file; default: as its format says, else z")
       ->check(one_of({"y", "z"}));
+  add_tessellation_options(*verb, arguments->tessellation);
   add_output_options(*verb, arguments->outputs);
   verb->get_option("--output")->required();
   add_settle_options(*verb, arguments->settle);

@@ -93,6 +93,18 @@ inline constexpr double kDecompositionConcavity = 0.02;
 /// Components with more faces are not decomposed, as it would take minutes.
 inline constexpr size_t kMaxDecomposedFaces = 20'000;
 
+// --- curved surfaces -----------------------------------------------------------------------------
+
+/// Default distance of triangles from a curved surface, of the model's size; the smallest that may
+/// be asked for, as float32 rounds to about that.
+inline constexpr double kRelativeChord = 1e-3;
+inline constexpr double kSmallestRelativeChord = 1e-6;
+/// How often a part is polygonised with a smaller tolerance when the result is measured to be worse
+/// than asked for.
+inline constexpr int kMaxPolygonisations = 6;
+/// Faces whose edges are within this part of the model's size are joined along them.
+inline constexpr double kSewingTolerance = 1e-5;
+
 // --- places --------------------------------------------------------------------------------------
 
 /// Pixels across an object, and places across its support, when a free place is looked for. More

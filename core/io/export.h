@@ -47,9 +47,18 @@ std::vector<Eigen::Vector3f> exported_positions(const ExportObject& object);
 /// and .stl, which hold the coordinates of exported_positions(). glTF holds a model with all its
 /// look (Model::look), once however many objects show it. Objects without triangles stay as empty
 /// nodes. Writes beside the target and renames, so that the target is either the old file or the
-/// whole new one.
-/// @throws Error: BadInput for an unknown extension, Environment when it cannot be written.
+/// whole new one. Files beside it are replaced only if the old target names them.
+/// @throws Error: BadInput for an unknown extension, and when a file beside it would be another's;
+///   Environment when it cannot be written.
 void write_scene(const ExportScene& scene, const std::string& path);
+
+/// The part of that which can be told without a scene: of the .bin of a .gltf, the .mtl of an .obj.
+/// @throws Error (BadInput) naming the file in the way.
+void check_files_beside(const std::string& path);
+
+/// Whether the file `beside`, in the folder of the glTF or OBJ `path`, may be written with it: there
+/// is none, or `path` is there and names it. @throws Error (BadInput) if not.
+void check_file_beside(const std::string& path, const std::string& beside);
 
 /// Writes bytes atomically: temporary file in the same folder, fsync, rename.
 /// @throws Error (Environment) naming the path and the system's reason; no partial output is left.

@@ -146,6 +146,8 @@ std::string glb_bytes(GltfDocument document) {
   return pack_glb(dumped(document.json), binary);
 }
 
+std::string binary_name(const std::string& stem) { return stem + ".bin"; }
+
 GltfFiles gltf_files(GltfDocument document, const std::string& stem) {
   GltfFiles out;
   std::set<std::string> taken;
@@ -163,7 +165,7 @@ GltfFiles gltf_files(GltfDocument document, const std::string& stem) {
     out.images.emplace_back(name, document.images[i]);
   }
   out.binary = std::move(document.binary);
-  out.binary_name = stem + ".bin";
+  out.binary_name = binary_name(stem);
   if (!out.binary.empty())
     document.json["buffers"] =
         GltfJson::array({{{"uri", out.binary_name}, {"byteLength", out.binary.size()}}});

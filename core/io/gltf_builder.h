@@ -57,5 +57,7 @@ struct GltfFiles {
 };
 /// @param stem  of all files' names.
 GltfFiles gltf_files(GltfDocument document, const std::string& stem);
+/// What the file of the buffer is called.
+std::string binary_name(const std::string& stem);
 
 }  // namespace trivet

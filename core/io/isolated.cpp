@@ -7,11 +7,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <iterator>
 #include <new>
 
 #include "core/io/model_bytes.h"
@@ -47,6 +49,24 @@ ImportLimits with_defaults(ImportLimits limits, const std::string& path) {
   return limits;
 }
 
+std::string all_digits(double value) {
+  char text[32];
+  return {text, std::to_chars(std::begin(text), std::end(text), value).ptr};
+}
+
+/// The program for this file. @throws Error (Environment) when there is none for its format.
+std::string importer_of(const std::string& path, const ImportLimits& limits) {
+  const std::string format = cad_format(path);
+  if (format.empty()) return limits.importer;
+  std::string importer = limits.importer + "-cad";
+  if (access(importer.c_str(), X_OK) == 0) return importer;
+  throw Error(
+      Error::Kind::Environment,
+      path + ": " + format + " files need " + importer +
+          ", which is missing: this build of Trivet is without Open CASCADE; accepted: a "
+          "build with it (Debian: libocct-data-exchange-dev libocct-ocaf-dev; TRIVET_OCCT)");
+}
+
 /// A descriptor that closes itself.
 class Descriptor {
  public:
@@ -67,14 +87,18 @@ class Descriptor {
 /// A running trivet-import; killed and collected at the end at the latest.
 class Child {
  public:
-  Child(const std::string& path, const ImportLimits& limits, int output) {
-    const std::string numbers[] = {
-        std::to_string(limits.max_file_bytes), std::to_string(limits.max_triangles),
-        std::to_string(limits.max_memory_bytes), std::to_string(std::ceil(limits.max_seconds) + 1)};
+  Child(const std::string& importer, const std::string& path, const ImportLimits& limits,
+        const Tessellation& tessellation, int output) {
+    std::string texts[] = {importer,
+                           path,
+                           std::to_string(limits.max_file_bytes),
+                           std::to_string(limits.max_triangles),
+                           std::to_string(limits.max_memory_bytes),
+                           std::to_string(std::ceil(limits.max_seconds) + 1),
+                           all_digits(tessellation.chord),
+                           all_digits(tessellation.facet_angle_deg)};
     std::vector<char*> arguments;
-    for (const std::string* text :
-         {&limits.importer, &path, &numbers[0], &numbers[1], &numbers[2], &numbers[3]})
-      arguments.push_back(const_cast<char*>(text->c_str()));
+    for (std::string& text : texts) arguments.push_back(text.data());
     arguments.push_back(nullptr);
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
@@ -83,9 +107,9 @@ class Child {
     posix_spawn_file_actions_addopen(&actions, 1, "/dev/null", O_WRONLY, 0);
     posix_spawn_file_actions_addopen(&actions, 2, "/dev/null", O_WRONLY, 0);
     const int error =
-        posix_spawn(&m_id, limits.importer.c_str(), &actions, nullptr, arguments.data(), environ);
+        posix_spawn(&m_id, importer.c_str(), &actions, nullptr, arguments.data(), environ);
     posix_spawn_file_actions_destroy(&actions);
-    if (error != 0) fail_environment(limits.importer + ": cannot be started", error);
+    if (error != 0) fail_environment(importer + ": cannot be started", error);
   }
   ~Child() {
     if (m_id <= 0) return;
@@ -131,10 +155,11 @@ std::string received(int descriptor, const std::string& path, const ImportLimits
   }
 }
 
-void check_end(int status, const std::string& path, const ImportLimits& limits) {
+void check_end(int status, const std::string& importer, const std::string& path,
+               const ImportLimits& limits) {
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return;
   if (WIFEXITED(status) && WEXITSTATUS(status) == 127)
-    throw Error(Error::Kind::Environment, limits.importer + ": cannot be started");
+    throw Error(Error::Kind::Environment, importer + ": cannot be started");
   const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
   if (signal == SIGXCPU)
     fail(path, "reading it took longer than the limit of " +
@@ -158,19 +183,23 @@ bool write_all(int descriptor, std::string_view bytes) {
 
 }  // namespace
 
-Model read_model_isolated(const std::string& path, const ImportLimits& given) {
+Model read_model_isolated(const std::string& path, const ImportLimits& given,
+                          const Tessellation& tessellation) {
   check_file(path, given);  // what needs no other process to be told
+  const std::string importer = importer_of(path, given);
   const ImportLimits limits = with_defaults(given, path);
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0) fail_environment(path + ": no pipe", errno);
   const Descriptor input(ends[0]);
   Descriptor output(ends[1]);
-  Child child(path, limits, output.number());
+  Child child(importer, path, limits, tessellation, output.number());
   output.reset();
   const std::string bytes = received(input.number(), path, limits);
-  check_end(child.wait(), path, limits);
+  check_end(child.wait(), importer, path, limits);
   try {
-    return model_from_bytes(bytes, path, limits);
+    Model model = model_from_bytes(bytes, path, limits);
+    if (model.polygonised) model.tessellation = tessellation;
+    return model;
   } catch (const Error& e) {
     const std::string message = e.what();
     if (message.rfind(path, 0) == 0 || e.kind() != Error::Kind::BadInput) throw;
@@ -178,8 +207,10 @@ Model read_model_isolated(const std::string& path, const ImportLimits& given) {
   }
 }
 
-Model import_model(const std::string& path, const ImportLimits& limits) {
-  return limits.importer.empty() ? read_model(path, limits) : read_model_isolated(path, limits);
+Model import_model(const std::string& path, const ImportLimits& limits,
+                   const Tessellation& tessellation) {
+  return limits.importer.empty() ? read_model(path, limits)
+                                 : read_model_isolated(path, limits, tessellation);
 }
 
 std::string find_importer() {
@@ -193,12 +224,13 @@ std::string find_importer() {
   return "";
 }
 
-int serve_import(const std::string& path, const ImportLimits& limits, int descriptor) {
+int serve_import(const std::function<Model()>& read, const std::string& path,
+                 const ImportLimits& limits, int descriptor) {
   const auto answer = [&](const std::string& bytes) {
     return write_all(descriptor, bytes) ? 0 : 1;
   };
   try {
-    return answer(bytes_of_model(read_model(path, limits)));
+    return answer(bytes_of_model(read()));
   } catch (const Error& e) {
     return answer(bytes_of_error(e.kind(), e.what()));
   } catch (const std::bad_alloc&) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/io/tessellation.h"
 #include "core/mesh/mesh.h"
 #include "core/motion/pose.h"
 
@@ -39,18 +40,25 @@ struct Model {
   // Hierarchy, texture coordinates, textures, cameras, lights: what goes along to glTF. Null where
   // the members above say it all.
   std::shared_ptr<const Look> look;
+  // Of formats with curved surfaces: what was asked for, and what came of it when the file was
+  // read.
+  Tessellation tessellation;
+  std::optional<Polygonisation> polygonised;
 };
 
 /// Limits for untrusted files. The last three hold for import_model() (isolated.h).
 struct ImportLimits {
   std::uintmax_t max_file_bytes = std::uintmax_t{4} << 30;
   std::int64_t max_triangles = 50'000'000;
-  std::string importer;                 // the program trivet-import; empty: in this process
+  // The program trivet-import; empty: in this process. Beside it lies trivet-import-cad, for STEP,
+  // IGES and BREP, in builds with Open CASCADE.
+  std::string importer;
   double max_seconds = 0;               // 0: 60, and one for each MB of the file
   std::uintmax_t max_memory_bytes = 0;  // 0: 1 GiB, and 64 times the file's size
 };
 
 /// Reads a model with assimp. Polygons are triangulated; points and lines are left out and noted.
+/// STEP, IGES and BREP are for import_model() alone.
 /// @throws Error (BadInput) naming the file: missing, unreadable, empty, no triangle, coordinates
 ///   that are not finite (or beyond 1e30), index out of range, larger than the limits.
 Model read_model(const std::string& path, const ImportLimits& limits = {});

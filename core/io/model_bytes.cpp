@@ -39,6 +39,13 @@ void put_look(std::string& out, const Look& look) {
   put_list(out, look.roots);
 }
 
+void put_polygonisation(std::string& out, const Polygonisation& p) {
+  append_bytes(out, p.chord);
+  append_bytes(out, p.deviation);
+  for (const int count : {p.num_faces, p.num_failed_faces, p.num_edges})
+    append_bytes(out, std::int32_t{count});
+}
+
 class ByteReader {
  public:
   explicit ByteReader(std::string_view bytes) : m_rest(bytes) {}
@@ -119,6 +126,16 @@ void get_appearance(ByteReader& in, Model& model) {
     for (const Eigen::Vector3f& n : face) in.expect(n.allFinite());
 }
 
+void get_polygonisation(ByteReader& in, Model& model) {
+  if (!in.get<std::uint8_t>()) return;
+  Polygonisation& p = model.polygonised.emplace();
+  p.chord = in.get<double>();
+  p.deviation = in.get<double>();
+  for (int* const count : {&p.num_faces, &p.num_failed_faces, &p.num_edges})
+    *count = in.get<std::int32_t>();
+  in.expect(std::isfinite(p.chord) && std::isfinite(p.deviation));
+}
+
 // Copied as from a file: whatever the look refers to is there afterwards.
 std::shared_ptr<const Look> get_look(ByteReader& in) {
   GltfDocument document;
@@ -146,6 +163,7 @@ Model get_model(ByteReader& in, const ImportLimits& limits) {
   model.num_nodes = in.get<std::int32_t>();
   const std::uint64_t num_notes = in.count();
   for (std::uint64_t i = 0; i < num_notes; ++i) model.notes.emplace_back(in.text());
+  get_polygonisation(in, model);
   if (in.get<std::uint8_t>()) model.look = get_look(in);
   in.expect(in.at_end());
   return model;
@@ -174,6 +192,8 @@ std::string bytes_of_model(const Model& model) {
   append_bytes(out, std::int32_t{model.num_nodes});
   append_bytes(out, std::uint64_t{model.notes.size()});
   for (const std::string& note : model.notes) put(out, note);
+  append_bytes(out, std::uint8_t{model.polygonised.has_value()});
+  if (model.polygonised) put_polygonisation(out, *model.polygonised);
   append_bytes(out, std::uint8_t{model.look != nullptr});
   if (model.look) put_look(out, *model.look);
   return out;

@@ -28,7 +28,8 @@ void check_extension(const Assimp::Importer& importer, const std::string& path) 
   const std::string extension = fs::path(path).extension().string();
   if (!extension.empty() && importer.IsExtensionSupported(extension)) return;
   fail(path, (extension.empty() ? "has no file extension" : "no importer for " + extension) +
-                 ("; accepted are .obj, .ply, .stl, .gltf, .glb, .fbx, .dae, .3ds and others"));
+                 ("; accepted are .obj, .ply, .stl, .gltf, .glb, .fbx, .dae, .3ds, .step, .iges, "
+                  ".brep and others"));
 }
 
 // The first extension that the importer lists; glTF 1 and 2 share theirs and differ in the name.
@@ -83,6 +84,8 @@ void read_look(const aiScene& scene, const ImportLimits& limits, Model& model) {
 
 Model read_model(const std::string& path, const ImportLimits& limits) {
   check_file(path, limits);
+  if (const std::string format = cad_format(path); !format.empty())
+    fail(path, format + " files are read by the program trivet-import-cad, never in this process");
   try {
     Assimp::Importer importer;
     check_extension(importer, path);

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 
 #include "core/base/error.h"
 #include "core/io/gltf_builder.h"
@@ -9,10 +11,38 @@
 namespace trivet {
 namespace {
 
+namespace fs = std::filesystem;
+
+std::string extension_of(const fs::path& target) {
+  std::string extension = target.extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension;
+}
+
+std::string text_of(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// Whether the file that is there now, a glTF or OBJ, names this one as its own.
+bool names(const fs::path& target, const std::string& beside) {
+  const std::string text = text_of(target);
+  if (extension_of(target) == ".gltf") return text.find('"' + beside + '"') != std::string::npos;
+  for (const char* const end : {"\n", "\r"})
+    if (text.find("mtllib " + beside + end) != std::string::npos) return true;
+  return false;
+}
+
+std::string mtl_name(const fs::path& target) {
+  return fs::path(target).replace_extension(".mtl").filename().string();
+}
+
 // What the JSON names comes first: a glTF in place never names a file that is not there.
-void write_gltf(const ExportScene& scene, const std::filesystem::path& target) {
+void write_gltf(const ExportScene& scene, const fs::path& target) {
   const GltfFiles files = gltf_files(gltf_document(scene), target.stem().string());
-  const std::filesystem::path folder = target.parent_path();
+  const fs::path folder = target.parent_path();
+  for (const auto& [name, bytes] : files.images) check_file_beside(target.string(), name);
+  if (!files.binary.empty()) check_file_beside(target.string(), files.binary_name);
   for (const auto& [name, bytes] : files.images)
     write_file_atomically((folder / name).string(), *bytes);
   if (!files.binary.empty())
@@ -20,22 +50,43 @@ void write_gltf(const ExportScene& scene, const std::filesystem::path& target) {
   write_file_atomically(target.string(), files.json);
 }
 
+// The materials first: an OBJ in place never names a file that is not there.
+void write_obj(const ExportScene& scene, const fs::path& target) {
+  const std::string mtl = mtl_name(target);
+  check_file_beside(target.string(), mtl);
+  const ObjText text = obj_text(scene, mtl);
+  write_file_atomically((target.parent_path() / mtl).string(), text.mtl);
+  write_file_atomically(target.string(), text.obj);
+}
+
 }  // namespace
 
+void check_file_beside(const std::string& path, const std::string& beside) {
+  const fs::path target(path), file = target.parent_path() / beside;
+  std::error_code ignored;
+  if (!fs::exists(file, ignored) || names(target, beside)) return;
+  throw Error(Error::Kind::BadInput,
+              file.string() + ": is there, is not of " + path +
+                  " and would be overwritten with it; accepted: another name or folder, or a "
+                  "format of one file, such as .glb");
+}
+
+void check_files_beside(const std::string& path) {
+  const fs::path target(path);
+  const std::string extension = extension_of(target);
+  if (extension == ".gltf") check_file_beside(target.string(), binary_name(target.stem().string()));
+  if (extension == ".obj") check_file_beside(target.string(), mtl_name(target));
+}
+
 void write_scene(const ExportScene& scene, const std::string& path) {
-  const std::filesystem::path target(path);
-  std::string extension = target.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const fs::path target(path);
+  const std::string extension = extension_of(target);
   if (extension == ".glb") {
     write_file_atomically(path, glb_bytes(gltf_document(scene)));
   } else if (extension == ".gltf") {
     write_gltf(scene, target);
   } else if (extension == ".obj") {
-    const std::filesystem::path mtl = std::filesystem::path(target).replace_extension(".mtl");
-    const ObjText text = obj_text(scene, mtl.filename().string());
-    // The materials first: an OBJ in place never names a file that is not there.
-    write_file_atomically(mtl.string(), text.mtl);
-    write_file_atomically(path, text.obj);
+    write_obj(scene, target);
   } else if (extension == ".ply") {
     write_file_atomically(path, ply_bytes(scene));
   } else if (extension == ".stl") {

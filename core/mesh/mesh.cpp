@@ -1,6 +1,9 @@
 #include "core/mesh/mesh.h"
 
 #include <bit>
+#include <sstream>
+
+#include "core/base/error.h"
 
 namespace trivet {
 namespace {
@@ -20,6 +23,13 @@ std::uint64_t hash(const Key& key) {
   return h;
 }
 
+[[noreturn]] void fail_not_finite(const Vec3& p) {
+  std::ostringstream out;
+  out << "a mesh has a vertex (" << p.x() << ", " << p.y() << ", " << p.z()
+      << "); accepted: finite coordinates";
+  throw Error(Error::Kind::BadInput, out.str());
+}
+
 /// Open addressing; a slot holds a vertex id, whose coordinates are the key.
 class VertexTable {
  public:
@@ -29,6 +39,7 @@ class VertexTable {
     const Vec3 point = corner.array() + 0.0;  // -0 becomes 0
     Index& slot = slot_of(key_of(point));
     if (slot >= 0) return slot;
+    if (!point.allFinite()) fail_not_finite(point);
     const Index id = static_cast<Index>(m_vertices.size());
     slot = id;
     m_vertices.push_back(point);

@@ -23,6 +23,7 @@ struct Mesh {
 
 /// Merges corners with equal coordinates (-0 equals 0). Triangles keep their order and number;
 /// vertices are numbered in the order in which the triangles use them.
+/// @throws Error (BadInput) when a corner is not finite.
 Mesh weld(const std::vector<Triangle>& triangles);
 
 }  // namespace trivet

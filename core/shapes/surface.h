@@ -48,6 +48,7 @@ std::vector<Ring> sweep(const std::vector<CurveSample>& path, int segments);
 void sink_into(const std::vector<CurveSample>& profile, double depth, Ring* ring);
 
 /// Rectangle with round corners about the z axis; `corner_segments` pieces per corner.
+/// @throws Error (BadInput) when that is less than 1.
 Ring rounded_rectangle(double half_x, double half_y, double radius, int corner_segments, double z);
 
 /// Upright slab from z_low to z_high with round corners (seen from above) and bevelled rims.

@@ -66,13 +66,13 @@ void check_operations(const Layout& layout, const RunOptions& options) {
 
 Scene make_scene(const Layout& layout, const GltfScene& source,
                  const std::map<size_t, const LayoutObject*>& picked, const RunOptions& options) {
-  std::vector<std::string> names;
+  std::vector<ModelRequest> requests;
   std::map<std::string, size_t> index_of;
   for (size_t i = 0; i < source.objects().size(); ++i)
-    if (index_of.emplace(source.model_name(i), names.size()).second)
-      names.push_back(source.model_name(i));
+    if (index_of.emplace(source.model_name(i), requests.size()).second)
+      requests.push_back({source.model_name(i)});
   std::vector<LoadedModel> models =
-      load_models(names, source.models(), options.num_threads, options.progress);
+      load_models(requests, source.models(), options.num_threads, options.progress);
   for (LoadedModel& loaded : models) {  // the name was for us alone
     Model model = *loaded.model;
     model.path = source.path();

@@ -240,7 +240,7 @@ const std::string& GltfScene::model_name(size_t object) const { return m_documen
 bool GltfScene::is_moved(size_t object) const { return m_document->moved[object]; }
 
 ModelSource GltfScene::models() const {
-  return [this](const std::string& name) {
+  return [this](const std::string& name, const Tessellation&) {
     return m_document->read(m_document->first_of_key.at(name));
   };
 }
@@ -305,8 +305,10 @@ std::vector<Vec3> GltfScene::written_positions(size_t object, const Mesh& mesh) 
 namespace {
 
 // Files that the scene names go along to another folder.
-void copy_companions(const GltfJson& root, const fs::path& from, const fs::path& to) {
+void copy_companions(const GltfJson& root, const fs::path& from, const fs::path& target) {
+  const fs::path to = target.parent_path();
   if (fs::weakly_canonical(from / ".") == fs::weakly_canonical(to / ".")) return;
+  std::vector<std::string> wanted;
   for (const char* list : {"buffers", "images"})
     for (const GltfJson& item : member(root, list)) {
       const GltfJson& uri = member(item, "uri");
@@ -317,11 +319,18 @@ void copy_companions(const GltfJson& root, const fs::path& from, const fs::path&
         throw Error(Error::Kind::BadInput, "the scene names \"" + uri.get<std::string>() +
                                                "\", which lies outside its folder; accepted: an "
                                                "output in the scene's own folder");
-      std::error_code ignored;
-      fs::create_directories((to / file).parent_path(), ignored);
-      if (fs::exists(from / file))
-        write_file_atomically((to / file).string(), whole_file((from / file).string()));
+      if (fs::exists(from / file)) wanted.push_back(file.string());
     }
+  std::erase_if(wanted, [&](const std::string& file) {
+    return fs::exists(to / file) &&
+           whole_file((to / file).string()) == whole_file((from / file).string());
+  });
+  for (const std::string& file : wanted) check_file_beside(target.string(), file);
+  for (const std::string& file : wanted) {
+    std::error_code ignored;
+    fs::create_directories((to / file).parent_path(), ignored);
+    write_file_atomically((to / file).string(), whole_file((from / file).string()));
+  }
 }
 
 // The same container with another JSON chunk; all other chunks byte for byte.
@@ -346,11 +355,11 @@ void GltfScene::write(const std::string& path) const {
   if (extension_of(path) != extension_of(d.path))
     throw Error(Error::Kind::BadInput,
                 path + ": the scene stays what it is; accepted: " + extension_of(d.path));
-  const fs::path from = fs::path(d.path).parent_path(), to = fs::path(path).parent_path();
+  const fs::path from = fs::path(d.path).parent_path();
   const bool glb = extension_of(path) == ".glb";
   const std::string json =
       d.json.dump(glb ? -1 : 1, ' ', false, GltfJson::error_handler_t::replace);
-  copy_companions(d.original, from, to);
+  copy_companions(d.original, from, path);
   write_file_atomically(path, glb ? with_json(whole_file(d.path), json) : json);
 }
 

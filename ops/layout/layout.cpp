@@ -39,13 +39,15 @@ LayoutObject read_scene_object(const JsonPlace& place) {
 }
 
 LayoutObject read_object(const JsonPlace& place) {
-  place.expect_object({"name", "model"}, {"scale", "up", "fixed", "position", "rotation"});
+  place.expect_object({"name", "model"},
+                      {"scale", "up", "fixed", "chord", "facet_angle_deg", "position", "rotation"});
   LayoutObject object;
   object.name = read_name(place.at("name"));
   object.model = place.at("model").text();
   if (const auto scale = place.find("scale")) object.scale = scale->number(kMinScale, kMaxScale);
   if (const auto up = place.find("up")) object.up = read_up(*up);
   if (const auto fixed = place.find("fixed")) object.fixed = fixed->boolean();
+  object.tessellation = read_tessellation(place, object.model);
   if (place.find("position")) object.pose = read_pose(place);
   if (const auto rotation = place.find("rotation"); rotation && !object.pose)
     rotation->fail(
@@ -151,6 +153,7 @@ std::string write_layout(const Layout& layout) {
     if (layout.scene.empty()) entry.update({{"model", o.model}, {"scale", o.scale}});
     if (o.up) entry["up"] = *o.up == UpAxis::Y ? "y" : "z";
     if (o.fixed) entry["fixed"] = true;
+    write_tessellation(o.tessellation, entry);
     if (o.pose) write_pose(*o.pose, entry);
     json["objects"].push_back(std::move(entry));
   }

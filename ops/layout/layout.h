@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/io/tessellation.h"
 #include "core/motion/pose.h"
 #include "ops/operation.h"
 
@@ -37,6 +38,7 @@ struct LayoutObject {
   bool fixed = false;
   std::optional<Pose>
       pose;  // stands there from the start; nothing: out of the scene until it is put
+  Tessellation tessellation = {};  // of a model with curved surfaces
 };
 
 struct Layout {

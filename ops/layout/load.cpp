@@ -12,9 +12,10 @@
 namespace trivet {
 namespace {
 
-LoadedModel load_model(const std::string& name, const ModelSource& source) {
-  Model model = source(name);
-  model.path = name;
+LoadedModel load_model(const ModelRequest& request, const ModelSource& source) {
+  Model model = source(request.name, request.tessellation);
+  model.path = request.name;
+  model.tessellation = request.tessellation;
   auto shape = make_shape(model.mesh);
   return {std::make_shared<const Model>(std::move(model)), std::move(shape)};
 }
@@ -22,27 +23,27 @@ LoadedModel load_model(const std::string& name, const ModelSource& source) {
 }  // namespace
 
 ModelSource models_in_folder(const std::string& folder, const ImportLimits& limits) {
-  return [folder, limits](const std::string& name) {
-    return import_model((std::filesystem::path(folder) / name).string(), limits);
+  return [folder, limits](const std::string& name, const Tessellation& tessellation) {
+    return import_model((std::filesystem::path(folder) / name).string(), limits, tessellation);
   };
 }
 
-std::vector<LoadedModel> load_models(const std::vector<std::string>& names,
+std::vector<LoadedModel> load_models(const std::vector<ModelRequest>& requests,
                                      const ModelSource& source, int num_threads,
                                      const ProgressCallback& progress) {
-  std::vector<LoadedModel> loaded(names.size());
-  std::vector<std::exception_ptr> errors(names.size());
+  std::vector<LoadedModel> loaded(requests.size());
+  std::vector<std::exception_ptr> errors(requests.size());
   std::atomic<size_t> next = 0;
   std::atomic<bool> failed = false;
   std::mutex mutex;
   size_t num_done = 0;
   const auto work = [&] {
-    // Names are taken in order, and what is begun is finished: the first error is always found.
-    for (size_t i; !failed && (i = next++) < names.size();) {
+    // Requests are taken in order, and what is begun is finished: the first error is always found.
+    for (size_t i; !failed && (i = next++) < requests.size();) {
       try {
-        loaded[i] = load_model(names[i], source);
+        loaded[i] = load_model(requests[i], source);
         const std::lock_guard lock(mutex);
-        if (progress) progress({"load", names[i], ++num_done, names.size()});
+        if (progress) progress({"load", requests[i].name, ++num_done, requests.size()});
       } catch (...) {
         errors[i] = std::current_exception();
         failed = true;
@@ -52,7 +53,7 @@ std::vector<LoadedModel> load_models(const std::vector<std::string>& names,
 
   const size_t num_cores = std::max(1u, std::thread::hardware_concurrency());
   const size_t num_workers =
-      std::min(names.size(), num_threads > 0 ? static_cast<size_t>(num_threads) : num_cores);
+      std::min(requests.size(), num_threads > 0 ? static_cast<size_t>(num_threads) : num_cores);
   std::vector<std::jthread> helpers;
   for (size_t k = 1; k < num_workers; ++k) helpers.emplace_back(work);
   work();

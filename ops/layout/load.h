@@ -20,21 +20,29 @@ struct Progress {
 using ProgressCallback = std::function<void(const Progress&)>;
 
 /// Gives the model of that name, or throws an Error. Called from several threads at a time.
-using ModelSource = std::function<Model(const std::string& name)>;
+using ModelSource = std::function<Model(const std::string& name, const Tessellation& tessellation)>;
 
 /// Models from files, with paths relative to `folder`.
 ModelSource models_in_folder(const std::string& folder, const ImportLimits& limits = {});
+
+/// A model as objects ask for it: whoever asks for the same gets the same.
+struct ModelRequest {
+  std::string name;
+  Tessellation tessellation = {};
+
+  friend auto operator<=>(const ModelRequest&, const ModelRequest&) = default;
+};
 
 struct LoadedModel {
   std::shared_ptr<const Model> model;  // its path is the name it was asked for by
   std::shared_ptr<const Shape> shape;
 };
 
-/// Loads the models of these names and makes their shapes. The result does not depend on the number
-/// of threads; of several errors the one of the first name is thrown.
+/// Loads these models and makes their shapes. The result does not depend on the number of threads;
+/// of several errors the one of the first request is thrown.
 /// @param num_threads  0: all cores.
 /// @param progress  may be empty; called from one thread at a time.
-std::vector<LoadedModel> load_models(const std::vector<std::string>& names,
+std::vector<LoadedModel> load_models(const std::vector<ModelRequest>& requests,
                                      const ModelSource& source, int num_threads,
                                      const ProgressCallback& progress);
 

@@ -196,13 +196,15 @@ RotateOperation read_rotate(const JsonPlace& place) {
 }
 
 AppendOperation read_append(const JsonPlace& place) {
-  place.expect_object({"op", "object", "model"}, {"scale", "up", "fixed"});
+  place.expect_object({"op", "object", "model"},
+                      {"scale", "up", "fixed", "chord", "facet_angle_deg"});
   AppendOperation append;
   append.object = read_new_name(place.at("object"));
   append.model = place.at("model").text();
   read_to(place, "scale", kMinScale, kMaxScale, append.scale);
   if (const auto up = place.find("up")) append.up = read_up(*up);
   read_to(place, "fixed", append.fixed);
+  append.tessellation = read_tessellation(place, append.model);
   return append;
 }
 
@@ -260,6 +262,18 @@ UpAxis read_up(const JsonPlace& place) {
   if (place.value() == "y") return UpAxis::Y;
   if (place.value() == "z") return UpAxis::Z;
   place.refuse("\"y\" or \"z\"");
+}
+
+Tessellation read_tessellation(const JsonPlace& place, const std::string& model) {
+  Tessellation out;
+  read_to(place, "chord", kMinChord, kMaxChord, out.chord);
+  read_to(place, "facet_angle_deg", kMinFacetAngleDeg, kMaxFacetAngleDeg, out.facet_angle_deg);
+  for (const char* const key : {"chord", "facet_angle_deg"})
+    if (const auto found = place.find(key); found && cad_format(model).empty())
+      found->fail("\"" + model +
+                  "\" has no curved surfaces; accepted: with models in STEP, IGES or BREP (.step "
+                  ".stp .iges .igs .brep .brp)");
+  return out;
 }
 
 Pose read_pose(const JsonPlace& place) {

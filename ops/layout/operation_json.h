@@ -17,6 +17,11 @@ nlohmann::ordered_json operation_json(const Operation& operation);
 /// "y" or "z".
 UpAxis read_up(const JsonPlace& place);
 
+/// "chord" and "facet_angle_deg" of a model; refused for formats of triangles.
+Tessellation read_tessellation(const JsonPlace& place, const std::string& model);
+/// What is not the default.
+void write_tessellation(const Tessellation& tessellation, nlohmann::ordered_json& json);
+
 /// "position" and "rotation" (optional, the identity) of an object. See unit_rotation().
 Pose read_pose(const JsonPlace& place);
 void write_pose(const Pose& pose, nlohmann::ordered_json& json);

@@ -107,6 +107,7 @@ void write(const AppendOperation& append, Json& json) {
   write_if(append.scale != 1, "scale", append.scale, json);
   if (append.up) json["up"] = *append.up == UpAxis::Y ? "y" : "z";
   write_if(append.fixed, "fixed", true, json);
+  write_tessellation(append.tessellation, json);
 }
 
 void write(const DuplicateOperation& duplicate, Json& json) { json["as"] = duplicate.as; }
@@ -131,6 +132,13 @@ nlohmann::ordered_json operation_json(const Operation& operation) {
       },
       operation);
   return json;
+}
+
+void write_tessellation(const Tessellation& tessellation, nlohmann::ordered_json& json) {
+  const Tessellation standard;
+  const auto& [chord, angle] = tessellation;
+  write_if(chord != standard.chord, "chord", chord, json);
+  write_if(angle != standard.facet_angle_deg, "facet_angle_deg", angle, json);
 }
 
 void write_pose(const Pose& pose, nlohmann::ordered_json& json) {

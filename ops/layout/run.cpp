@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "core/base/error.h"
 #include "ops/edit.h"
@@ -17,22 +18,26 @@ std::string place(const RunOptions& options, size_t object, const std::string& k
 }
 
 // The models in the order in which objects first name them.
-std::vector<std::string> model_names(const Layout& layout) {
-  std::vector<std::string> names;
-  std::map<std::string, bool> seen;
-  for (const LayoutObject& object : layout.objects)
-    if (seen.emplace(object.model, true).second) names.push_back(object.model);
-  return names;
+std::vector<ModelRequest> model_requests(const Layout& layout) {
+  std::vector<ModelRequest> requests;
+  std::set<ModelRequest> seen;
+  for (const LayoutObject& object : layout.objects) {
+    const ModelRequest request{object.model, object.tessellation};
+    if (seen.insert(request).second) requests.push_back(request);
+  }
+  return requests;
 }
 
 // A model's error gets the place that asked for it.
 ModelSource with_place(const Layout& layout, const ModelSource& models, const RunOptions& options) {
   if (options.layout_file.empty()) return models;
-  return [&](const std::string& name) {
+  return [&](const std::string& name, const Tessellation& tessellation) {
     try {
-      return models(name);
+      return models(name, tessellation);
     } catch (const Error& e) {
-      const auto asks = [&](const LayoutObject& o) { return o.model == name; };
+      const auto asks = [&](const LayoutObject& o) {
+        return o.model == name && o.tessellation == tessellation;
+      };
       const auto it = std::find_if(layout.objects.begin(), layout.objects.end(), asks);
       const auto index = static_cast<size_t>(it - layout.objects.begin());
       throw Error(e.kind(), place(options, index, "/model: ") + e.what());
@@ -56,16 +61,16 @@ void check_reach(const LayoutObject& object, double reach, size_t index,
                                          short_number(kMaxLength));
 }
 
-std::map<std::string, SizedModel> load_all(const Layout& layout, const ModelSource& models,
-                                           const RunOptions& options) {
-  const std::vector<std::string> names = model_names(layout);
-  const std::vector<LoadedModel> loaded = load_models(names, with_place(layout, models, options),
+std::map<ModelRequest, SizedModel> load_all(const Layout& layout, const ModelSource& models,
+                                            const RunOptions& options) {
+  const std::vector<ModelRequest> requests = model_requests(layout);
+  const std::vector<LoadedModel> loaded = load_models(requests, with_place(layout, models, options),
                                                       options.num_threads, options.progress);
-  std::map<std::string, SizedModel> by_name;
-  for (size_t i = 0; i < names.size(); ++i)
-    by_name[names[i]] = {loaded[i],
-                         loaded[i].model->mesh.box().max_abs_coordinate() * std::sqrt(3.0)};
-  return by_name;
+  std::map<ModelRequest, SizedModel> by_request;
+  for (size_t i = 0; i < requests.size(); ++i)
+    by_request[requests[i]] = {loaded[i],
+                               loaded[i].model->mesh.box().max_abs_coordinate() * std::sqrt(3.0)};
+  return by_request;
 }
 
 void report_progress(const RunOptions& options, const std::string& stage, const std::string& item,
@@ -135,12 +140,12 @@ Scene make_scene(const Layout& layout, const ModelSource& models, const RunOptio
     throw Error(Error::Kind::BadInput, options.layout_file +
                                            ": /scene: is not accepted here; accepted: layouts of "
                                            "models. Scenes in place are laid out by trivet run");
-  const std::map<std::string, SizedModel> by_name = load_all(layout, models, options);
+  const std::map<ModelRequest, SizedModel> by_request = load_all(layout, models, options);
   Scene scene;
   scene.floor = layout.floor;
   for (size_t i = 0; i < layout.objects.size(); ++i) {
     const LayoutObject& wanted = layout.objects[i];
-    const SizedModel& sized = by_name.at(wanted.model);
+    const SizedModel& sized = by_request.at({wanted.model, wanted.tessellation});
     check_reach(wanted, sized.reach, i, options);
     Object object;
     object.name = wanted.name;

@@ -3,6 +3,7 @@
 #include <map>
 
 #include "ops/layout/json_text.h"
+#include "ops/layout/operation_json.h"
 #include "ops/report/json_parts.h"
 #include "ops/report/report.h"
 
@@ -21,6 +22,7 @@ OrderedJson model_json(const Model& model, const SceneFileOptions& options) {
                       {"centre", to_json(stored.centre)},
                       {"face_order", stored.face_order}};
   if (stored.own_nodes) json["own_nodes"] = true;
+  write_tessellation(model.tessellation, json);
   return json;
 }
 
@@ -57,9 +59,10 @@ OrderedJson layout_json(Layout layout, const SceneFileOptions& options) {
 
 ExtrasModel read_model_entry(const JsonPlace& place) {
   place.expect_object({"path", "triangles", "fingerprint", "stored_fingerprint", "centre"},
-                      {"face_order", "own_nodes"});
+                      {"face_order", "own_nodes", "chord", "facet_angle_deg"});
   ExtrasModel model;
   model.path = place.at("path").text();
+  model.tessellation = read_tessellation(place, model.path);
   StoredGeometry& stored = model.geometry;
   stored.num_triangles = static_cast<std::int64_t>(place.at("triangles").number(0, kMaxCount));
   stored.fingerprint = place.at("fingerprint").text();

@@ -2,7 +2,8 @@
 //
 //   scene.extras.trivet: {"trivet": 1, "version", "floor", "clearance",
 //     "models":  [{"path", "triangles", "fingerprint", "stored_fingerprint", "centre",
-//                  "face_order", "own_nodes"}],          see geometry.h
+//                  "face_order", "own_nodes",            see geometry.h
+//                  "chord", "facet_angle_deg"}],               as a layout has them
 //     "objects": [{"name", "model": index, "up", "scale", "fixed", "state",
 //                  "position", "rotation",               no position: out of the scene
 //                  "locked", "group"}],                  if it is
@@ -28,6 +29,7 @@ std::string node_extras(const Scene& scene, const Object& object, const LoadSupp
 
 struct ExtrasModel {
   std::string path;
+  Tessellation tessellation;  // of a model with curved surfaces
   StoredGeometry geometry;
 };
 

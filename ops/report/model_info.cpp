@@ -36,6 +36,31 @@ std::string look_text(const Model& model) {
   return out.str();
 }
 
+// How curved surfaces became triangles; null: there were none.
+OrderedJson polygonised_json(const Model& model) {
+  if (!model.polygonised) return nullptr;
+  const Polygonisation& p = *model.polygonised;
+  return {{"faces", p.num_faces},
+          {"edges", p.num_edges},
+          {"failed_faces", p.num_failed_faces},
+          {"chord", p.chord},
+          {"facet_angle_deg", model.tessellation.facet_angle_deg},
+          {"deviation", p.deviation},
+          {"within_chord", p.deviation <= p.chord}};
+}
+
+std::string polygonised_text(const Model& model) {
+  if (!model.polygonised) return "";
+  const Polygonisation& p = *model.polygonised;
+  std::ostringstream out;
+  out.precision(3);
+  out << "  polygonised " << p.num_faces << " faces, " << p.num_edges << " edges, left out "
+      << p.num_failed_faces << " faces; chord " << p.chord << " m, angle "
+      << model.tessellation.facet_angle_deg << " degrees; largest deviation measured "
+      << p.deviation << " m" << (p.deviation <= p.chord ? "" : ", NOT within the chord") << "\n";
+  return out.str();
+}
+
 std::string vector_text(const Vec3& v) {
   std::ostringstream out;
   out << v.x() << " " << v.y() << " " << v.z();
@@ -69,6 +94,7 @@ std::string model_info_json(const Model& model, const Shape& shape) {
                       {"nodes", model.num_nodes},
                       {"materials", model.materials.size()},
                       {"look", look_json(model)},
+                      {"polygonised", polygonised_json(model)},
                       {"triangles", shape.mesh.triangles.size()},
                       {"vertices", shape.mesh.vertices.size()},
                       {"edges", t.num_edges},
@@ -101,8 +127,9 @@ std::string model_info_text(const Model& model, const Shape& shape) {
   out << model.path << "\n"
       << "  format      " << model.format << ", nodes " << model.num_nodes << ", materials "
       << model.materials.size() << "\n"
-      << look_text(model) << "  triangles   " << shape.mesh.triangles.size() << ", vertices "
-      << shape.mesh.vertices.size() << ", components " << shape.adjacency.components.size() << "\n"
+      << look_text(model) << polygonised_text(model) << "  triangles   "
+      << shape.mesh.triangles.size() << ", vertices " << shape.mesh.vertices.size()
+      << ", components " << shape.adjacency.components.size() << "\n"
       << "  closed      " << yes_no(t.closed) << ", oriented " << yes_no(t.oriented)
       << ", manifold " << yes_no(t.manifold) << "\n"
       << "  edges       " << t.num_edges << ", at the boundary " << t.boundary_edges

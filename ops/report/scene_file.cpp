@@ -79,6 +79,7 @@ class SceneReader {
       m_models.push_back(nodes[i].empty() ? own_file(entry) : best_of(entry, stored[next++]));
       if (!m_models.back()) continue;
       m_models.back()->path = entry.path;
+      m_models.back()->tessellation = entry.tessellation;
       m_centre_of[m_models.back().get()] = entry.geometry.centre;
     }
     m_shapes.resize(nodes.size());
@@ -101,7 +102,8 @@ class SceneReader {
   std::shared_ptr<Model> own_file(const ExtrasModel& entry) const {
     try {
       const auto path = std::filesystem::path(m_folder) / entry.path;
-      auto model = std::make_shared<Model>(import_model(path.string(), m_limits));
+      auto model =
+          std::make_shared<Model>(import_model(path.string(), m_limits, entry.tessellation));
       if (geometry_fingerprint(model->mesh) == entry.geometry.fingerprint) return model;
     } catch (const Error&) {
       // As good as missing.

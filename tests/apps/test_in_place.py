@@ -1,6 +1,7 @@
 """Scenes of other programs, laid out in place: nothing but transforms of nodes is changed."""
 import copy
 import json
+import os
 import struct
 import sys
 import unittest
@@ -176,7 +177,13 @@ class InPlace(Case):
         (Path(self.folder) / "in").mkdir()
         (Path(self.folder) / "out").mkdir()
         g.write(Path(self.path("in/room.gltf")), "room.bin")
-        self.run_scene("in/room.gltf", ["cup"], [put("cup", 0.1, 0.1, 1.5)], output="out/room.gltf")
+        way = ("in/room.gltf", ["cup"], [put("cup", 0.1, 0.1, 1.5)])
+        self.write("out/room.bin", "somebody's")
+        self.says(*way, "out/room.bin", "accepted: another name", output="out/room.gltf")
+        self.assertEqual(self.read("out/room.bin"), b"somebody's")
+        os.remove(self.path("out/room.bin"))
+        for _ in range(2):  # the second time over its own
+            self.run_scene(*way, output="out/room.gltf")
         self.assertEqual(self.read("in/room.bin"), self.read("out/room.bin"))
         self.assertEqual(self.changed_nodes(self.read_json("in/room.gltf"),
                                             self.read_json("out/room.gltf")), [3])

@@ -60,6 +60,15 @@ class Importer(Case):
         out, err = self.trivet("info", "cube.obj", status=3, env={"TRIVET_IMPORTER": "/nowhere/x"})
         self.assertIn("cannot be started", err)
 
+    def test_without_open_cascade(self):
+        env = self.importer("exit 0")  # there is no "importer-cad" beside it
+        for name, kind in (("a.step", "STEP"), ("b.IGS", "IGES"), ("c.brep", "BREP")):
+            self.write(name, "something\n")
+            out, err = self.trivet("info", name, status=3, env=env)
+            for part in (name, kind + " files need", "importer-cad", "without Open CASCADE",
+                         "libocct-data-exchange-dev", "TRIVET_OCCT"):
+                self.assertIn(part, err)
+
     def test_in_process(self):
         env = self.importer("kill -SEGV $$")
         self.trivet("info", "cube.obj", "--import-in-process", env=env)
@@ -85,7 +94,7 @@ class Importer(Case):
         self.assertIn("memory", err)
 
 
-@unittest.skipUnless(os.path.isdir(MODELS), "no assimp-testmodels (Debian package)")
+@unittest.skipUnless(os.path.isdir(MODELS), MODELS + " is not there (Debian: assimp-testmodels)")
 class AssimpModels(unittest.TestCase):
     def read(self, path):
         begin = time.monotonic()
@@ -99,6 +108,7 @@ class AssimpModels(unittest.TestCase):
     def test_every_file(self):
         paths = sorted(os.path.join(folder, name) for folder, _, names in os.walk(MODELS)
                        for name in names)
+        self.assertGreater(len(paths), 500, "this is not the package")
         with ThreadPoolExecutor(os.cpu_count()) as pool:
             results = list(pool.map(self.read, paths))
         outcomes, slowest = Counter(), 0

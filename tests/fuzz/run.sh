@@ -1,7 +1,16 @@
 #!/usr/bin/env bash
-# Mutated model files: run.sh FUZZ_IMPORT TRIVET_IMPORT WORK_FOLDER [COUNT [SEED]]
+# Mutated model files: run.sh FUZZ_IMPORT TRIVET_IMPORT WORK_FOLDER [COUNT [SEED [MAKE_CAD]]]
+# With MAKE_CAD the files are STEP, IGES and BREP, which that program makes; "none": it was not built.
 set -euo pipefail
 here="$(dirname "${BASH_SOURCE[0]}")"
-command -v python3 >/dev/null || { echo "skipped: no python3"; exit 77; }
-python3 -B "$here/make_corpus.py" "$3/corpus"
+mkdir -p "$3/corpus"
+if [ "${6:-}" = none ]; then
+  echo "skipped: this build has no Open CASCADE"
+  exit 77
+elif [ -n "${6:-}" ]; then
+  "$6" "$3/corpus"
+else
+  command -v python3 >/dev/null || { echo "skipped: no python3"; exit 77; }
+  python3 -B "$here/make_corpus.py" "$3/corpus"
+fi
 "$1" "$2" "$3/corpus" "${4:-300}" "${5:-1}" "$3/kept"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # What other programs see of Trivet's scenes.
-#   run.sh validator|three|blender TRIVET WORK_FOLDER
+#   run.sh validator|three|usd|blender TRIVET WORK_FOLDER
 # Makes models with everything in them, lays them out with TRIVET, and BREAKFAST too; then opens the
 # scenes. Status 77: the program of others is not there.
 set -euo pipefail
@@ -19,8 +19,21 @@ else
   command -v node >/dev/null && command -v npm >/dev/null || skip "no node, no npm (Debian: nodejs, npm)"
 fi
 
+# Modules are resolved from where the scripts lie.
+install_modules() {
+  cp "$here"/package*.json "$here"/*.mjs "$work"
+  (cd "$work" && npm ci --no-audit --no-fund --ignore-scripts > npm.log 2>&1) ||
+    { cat "$work/npm.log"; skip "the packages of package.json cannot be had"; }
+}
+
 rm -rf "$work"
 mkdir -p "$work"
+if [ "$job" = usd ]; then
+  install_modules
+  TRIVET_PROGRAM="$trivet" TRIVET_NODE_MODULES="$work/node_modules" \
+    python3 -B "$here/../apps/test_export.py" Usd
+  exit
+fi
 export PYTHONDONTWRITEBYTECODE=1
 python3 "$here/make_models.py" "$work/models"
 for kind in glb gltf; do
@@ -44,11 +57,8 @@ if [ "$job" = blender ]; then
   exit 0
 fi
 
-# Modules are resolved from where the scripts lie.
-cp "$here"/package*.json "$here"/*.mjs "$work"
+install_modules
 cd "$work"
-npm ci --no-audit --no-fund --ignore-scripts > npm.log 2>&1 ||
-  { cat npm.log; skip "the packages of package.json cannot be had"; }
 case "$job" in
   validator) node validate.mjs scene.glb scene.gltf put.glb breakfast.glb ;;
   three)

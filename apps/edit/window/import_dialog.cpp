@@ -74,7 +74,8 @@ std::vector<ImportModel> ImportDialog::models() const {
 
 QString ImportDialog::filter() {
   return tr(
-      "Models (*.obj *.glb *.gltf *.ply *.stl *.fbx *.dae *.3ds *.off *.blend *.x3d);;All files "
+      "Models (*.obj *.glb *.gltf *.ply *.stl *.fbx *.dae *.3ds *.off *.blend *.x3d *.step *.stp "
+      "*.iges *.igs *.brep);;All files "
       "(*)");
 }
 

@@ -189,6 +189,22 @@ TEST_F(LookTest, WrittenModelsAreReadToTheSameBits) {
 }
 
 // A reader that multiplies all matrices first differs in the last bit of a double, before rounding.
+TEST_F(LookTest, PicturesOfOthersAreNotOverwritten) {
+  const Model model = read_model(write_lamp(folder()));
+  std::filesystem::create_directory(path("out"));
+  write("out/again_c.jpg", "somebody's");
+  write("out/again_see.jpg", "somebody's");
+  testing::expect_parts(
+      testing::error_of([&] { write_scene(two_of(model), path("out/again.gltf")); }),
+      {"out/again_", ".jpg", "accepted: another name"});
+  size_t num_files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(path("out"))) {
+    EXPECT_EQ(testing::read_bytes(entry.path().string()), "somebody's");
+    ++num_files;
+  }
+  EXPECT_EQ(num_files, 2u);
+}
+
 TEST_F(LookTest, PositionsAreThoseOfExportedPositions) {
   const Model model = read_model(write_lamp(folder()));
   const ExportScene scene = two_of(model);

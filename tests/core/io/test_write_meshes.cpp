@@ -104,6 +104,32 @@ TEST_F(WriteMeshes, HandMadeModelsWithoutMaterials) {
   }
 }
 
+// What lies beside a target belongs to it, or is left alone and nothing is written.
+TEST_F(WriteMeshes, FilesOfOthersAreNotOverwritten) {
+  const ExportScene scene = scene_of_two();
+  for (const auto& [target, beside] : {std::pair("s.gltf", "s.bin"), std::pair("t.obj", "t.mtl")}) {
+    write(beside, "somebody's");
+    const std::string message = testing::error_of([&] { write_scene(scene, path(target)); });
+    testing::expect_parts(message, {path(beside), path(target), "accepted: another name"});
+    EXPECT_EQ(testing::error_of([&] { check_files_beside(path(target)); }), message);
+    EXPECT_EQ(testing::read_bytes(path(beside)), "somebody's");
+    EXPECT_FALSE(std::filesystem::exists(path(target)));
+
+    std::filesystem::remove(path(beside));
+    write_scene(scene, path(target));
+    const std::string whole = testing::read_bytes(path(beside));
+    write(beside, "of an older version");
+    check_files_beside(path(target));
+    write_scene(scene, path(target));  // its own
+    EXPECT_EQ(testing::read_bytes(path(beside)), whole);
+
+    write(target, "another scene, with files of other names");
+    testing::error_of([&] { write_scene(scene, path(target)); });
+    EXPECT_EQ(testing::read_bytes(path(beside)), whole);
+  }
+  check_files_beside(path("s.glb"));
+}
+
 TEST_F(WriteMeshes, SameBytesEveryTime) {
   for (const char* name : {"s.obj", "s.ply", "s.stl"}) {
     write_scene(scene_of_two(), path(name));

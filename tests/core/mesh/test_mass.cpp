@@ -64,6 +64,79 @@ TEST(Mass, sphere) {
   EXPECT_NEAR(mass.radius_squared, 0.6 * 4, 1e-3 * 0.6 * 4);
 }
 
+void expect_near(const Mat3& a, const Mat3& b, double tolerance) {
+  EXPECT_LE((a - b).cwiseAbs().maxCoeff(), tolerance) << a << "\nis not\n" << b;
+}
+
+Triangles turned(Triangles triangles, const Mat3& by) {
+  for (Triangle& t : triangles)
+    for (Vec3& p : t) p = by * p;
+  return triangles;
+}
+
+const Mat3 kSomeRotation =
+    (Eigen::AngleAxisd(0.7, Vec3::UnitZ()) * Eigen::AngleAxisd(-1.9, Vec3(1, 2, 2) / 3))
+        .toRotationMatrix();
+
+TEST(Covariance, box) {
+  const Vec3 size(3, 0.5, 0.25);
+  const Mat3 expected = (size.cwiseProduct(size) / 12).asDiagonal();
+  const MassProperties mass = mass_of(make_box(Vec3::Zero(), size));
+  expect_near(mass.covariance, expected, 1e-15);
+  const Vec3 inertia(0.25 + 0.0625, 9 + 0.0625, 9 + 0.25);  // of a mass of 12
+  expect_near(inertia_per_mass(mass.covariance), Mat3((inertia / 12).asDiagonal()), 2e-15);
+}
+
+TEST(Covariance, moved_and_turned_box) {
+  const Vec3 size(3, 0.5, 0.25), by(40, -7, 11);
+  const Mat3 diagonal = (size.cwiseProduct(size) / 12).asDiagonal();
+  const Triangles box = make_box(-size / 2, size / 2);
+  for (const Triangles& triangles : {box, inside_out(box)}) {
+    const MassProperties mass = mass_of(moved(turned(triangles, kSomeRotation), by));
+    EXPECT_EQ(mass.rule, MassRule::Volume);
+    expect_near(mass.covariance, Mat3(kSomeRotation * diagonal * kSomeRotation.transpose()), 1e-13);
+    EXPECT_NEAR(mass.covariance.trace(), mass.radius_squared, 1e-15);
+    EXPECT_EQ(mass.covariance, mass.covariance.transpose());
+  }
+}
+
+TEST(Covariance, tetrahedra) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> coordinate(-1, 1);
+  for (int i = 0; i < 100; ++i) {
+    Mat3 edges;
+    for (int k = 0; k < 9; ++k) edges(k / 3, k % 3) = coordinate(random);
+    if (std::abs(edges.determinant()) < 0.02) continue;
+    const Vec3 offset(10, coordinate(random), -20);
+    const std::array<Vec3, 4> p{offset, offset + edges.col(0), offset + edges.col(1),
+                                offset + edges.col(2)};
+    const Vec3 centre = (p[0] + p[1] + p[2] + p[3]) / 4;
+    Mat3 expected = Mat3::Zero();
+    for (const Vec3& corner : p) expected += (corner - centre) * (corner - centre).transpose() / 20;
+    const MassProperties mass = mass_of(make_tetrahedron(p[0], p[1], p[2], p[3]));
+    EXPECT_EQ(mass.rule, MassRule::Volume);
+    expect_near(mass.covariance, expected, 1e-12);
+  }
+}
+
+TEST(Covariance, spheres_and_ellipsoids) {
+  const Mat3 stretch = Vec3(1, 2, 0.5).asDiagonal();
+  const Triangles sphere = make_sphere(2, 6);
+  expect_near(mass_of(moved(sphere, {5, 5, 5})).covariance, Mat3(Mat3::Identity() * 4 / 5),
+              1e-3 * 0.8);
+  expect_near(mass_of(turned(sphere, stretch)).covariance, Mat3(stretch * stretch * 4 / 5), 4e-3);
+}
+
+TEST(Covariance, of_a_surface) {
+  // A rectangle without a back: no thickness, edges as of a rod.
+  Triangles sheet;
+  add_quad(sheet, {0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0});
+  const MassProperties mass = mass_of(moved(turned(sheet, kSomeRotation), {1, 2, 3}));
+  EXPECT_EQ(mass.rule, MassRule::Surface);
+  const Mat3 flat = (Vec3(4, 1, 0) / 12).asDiagonal();
+  expect_near(mass.covariance, Mat3(kSomeRotation * flat * kSomeRotation.transpose()), 1e-14);
+}
+
 TEST(Mass, hollow_sphere_has_a_cavity) {
   const MassProperties full = mass_of(make_sphere(1, 4));
   const Triangles outer = make_sphere(2, 4), inner = make_sphere(1, 4);

@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 
+#include "core/base/error.h"
 #include "core/mesh/made_meshes.h"
 #include "core/mesh/mesh.h"
 
@@ -43,6 +45,21 @@ TEST(Weld, neighbouring_doubles_stay_apart) {
   const double next = std::nextafter(1.0, 2.0);
   const Mesh mesh = weld({{Vec3(1, 1, 1), Vec3(next, 1, 1), Vec3(1, 1, next)}});
   EXPECT_EQ(mesh.vertices.size(), 3u);
+}
+
+TEST(Weld, what_is_not_finite_is_refused) {
+  for (const double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL})
+    for (int axis = 0; axis < 3; ++axis) {
+      Triangles cube = make_cube();
+      cube[7][1][axis] = bad;
+      try {
+        weld(cube);
+        FAIL() << "welded " << bad;
+      } catch (const Error& e) {
+        EXPECT_EQ(e.kind(), Error::Kind::BadInput);
+        EXPECT_NE(std::string(e.what()).find("accepted: finite coordinates"), std::string::npos);
+      }
+    }
 }
 
 TEST(Weld, degenerate_and_equal_triangles_are_kept) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/error.h"
 #include "core/mesh/mass.h"
 #include "core/shapes/assemble.h"
 
@@ -50,6 +51,14 @@ TEST(Surfaces, OfSlabsAndSweepsHaveTheirVolume) {
   EXPECT_NEAR(volume(slab({2, 1}, 1e-4, 1e-5, 0, 0.5, 1)), 4, 1e-3);
   const auto path = flatten({corner({0, 0, 0.1, 0.2}), corner({0, 2, 0.1, 0.2})}, 1e-3);
   EXPECT_NEAR(volume(sweep(path, 128)), 2 * std::numbers::pi * 0.02, 1e-4);
+}
+
+TEST(Surfaces, RoundedRectanglesNeedASegmentPerCorner) {
+  EXPECT_THROW(rounded_rectangle(2, 1, 0.1, 0, 0), Error);
+  EXPECT_THROW(slab({2, 1}, 0.1, 0.01, 0, 1, -3), Error);
+  const Ring ring = rounded_rectangle(2, 1, 0.1, 1, 0);
+  ASSERT_EQ(ring.points.size(), 8u);
+  for (const Vec3& p : ring.points) EXPECT_TRUE(p.allFinite());
 }
 
 TEST(Surfaces, WithUnequalRingsAreClosed) {

@@ -15,7 +15,7 @@ namespace {
 class BoxSource {
  public:
   ModelSource source() {
-    return [this](const std::string& name) {
+    return [this](const std::string& name, const Tessellation&) {
       {
         const std::lock_guard lock(m_mutex);
         ++m_reads[name];
@@ -179,7 +179,7 @@ TEST(RunLayout, progress_tells_every_step_in_order) {
 }
 
 TEST(RunLayout, up_follows_the_model_unless_the_layout_says) {
-  const ModelSource source = [](const std::string& name) {
+  const ModelSource source = [](const std::string& name, const Tessellation&) {
     Model model = box_model(0.1, 0.2, 0.3);
     model.up = name == "y.glb" ? UpAxis::Y : UpAxis::Z;
     return model;

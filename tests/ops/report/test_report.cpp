@@ -26,7 +26,7 @@ LayoutRun run_boxes(int num_threads = 0) {
       {"op": "put", "object": "b", "position": [0.13, 0.2, 1], "rotation": [3, 1, 0, 2]},
       {"op": "put", "object": "out", "position": [0.1, 0.2, 0.05]}]})",
                                      "a.json");
-  const ModelSource source = [](const std::string& name) {
+  const ModelSource source = [](const std::string& name, const Tessellation&) {
     return name == "slab.obj" ? box_model(0.5, 0.5, 0.05) : box_model(0.05, 0.05, 0.05);
   };
   RunOptions options;

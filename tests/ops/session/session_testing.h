@@ -13,7 +13,7 @@ inline Session small_session() {
   Scene scene;
   for (const char* name : {"a", "b", "c"})
     scene.add(object_of(name, box_triangles(Vec3(0.1, 0.1, 0.05))));
-  const ModelSource models = [](const std::string& name) {
+  const ModelSource models = [](const std::string& name, const Tessellation&) {
     return Model(*object_of(name, box_triangles(Vec3(0.2, 0.1, 0.1))).model);
   };
   return Session(std::move(scene), {}, models);
