@@ -419,7 +419,8 @@ TEST_F(Live, RefusesWhatItCannotDraw) {
 LiveScene demo_scene(const std::string& name) {
   const DemoLayout demo = make_demo(name);
   const LayoutRun run = run_layout(
-      demo.layout, [&](const std::string& file) { return demo.model(file); }, RunOptions{});
+      demo.layout, [&](const std::string& file, const Tessellation&) { return demo.model(file); },
+      RunOptions{});
   LiveScene scene;
   for (const ObjectId id : run.scene.ids()) {
     const Object& object = run.scene.at(id);

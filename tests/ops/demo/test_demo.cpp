@@ -110,7 +110,8 @@ LayoutRun run(const DemoLayout& demo, int num_threads = 0) {
   RunOptions options;
   options.num_threads = num_threads;
   return run_layout(
-      demo.layout, [&](const std::string& file) { return demo.model(file); }, options);
+      demo.layout, [&](const std::string& file, const Tessellation&) { return demo.model(file); },
+      options);
 }
 
 TEST(Demo, ComesToRestWithoutInterpenetration) {

@@ -114,8 +114,9 @@ TEST_F(SceneFileTest, look_and_order_of_the_faces_come_back_too) {
   m_layout = R"({"trivet": 1, "objects": [{"name": "a", "model": "cube.obj"}],
     "operations": [{"op": "put", "object": "a", "position": [0, 0, 1], "rotation": [3, 1, 0, 2]}]})";
   const Layout layout = parse_layout(m_layout, "a.json");
-  const LayoutRun made =
-      run_layout(layout, [](const std::string&) { return box_model(0.25, 0.125, 0.0625); }, {});
+  const LayoutRun made = run_layout(
+      layout,
+      [](const std::string&, const Tessellation&) { return box_model(0.25, 0.125, 0.0625); }, {});
   ASSERT_TRUE(made.ok());
   write_scene_file(made.scene, layout, {}, file("scene.glb"));
 
@@ -148,8 +149,9 @@ TEST_F(SceneFileTest, geometry_that_float32_cannot_hold_is_told_when_its_file_is
   m_layout = R"({"trivet": 1, "objects": [{"name": "a", "model": "cube.obj"}],
     "operations": [{"op": "put", "object": "a", "position": [0, 0, 1]}]})";
   const Layout layout = parse_layout(m_layout, "a.json");
-  const LayoutRun made =
-      run_layout(layout, [](const std::string&) { return box_model(0.1, 0.2, 1.0 / 3); }, {});
+  const LayoutRun made = run_layout(
+      layout, [](const std::string&, const Tessellation&) { return box_model(0.1, 0.2, 1.0 / 3); },
+      {});
   ASSERT_TRUE(made.ok());
   write_scene_file(made.scene, layout, {}, file("scene.glb"));
   const SceneFile rounded = read_scene_file(file("scene.glb"));
