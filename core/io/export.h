@@ -56,8 +56,8 @@ void write_scene(const ExportScene& scene, const std::string& path);
 /// @throws Error (BadInput) naming the file in the way.
 void check_files_beside(const std::string& path);
 
-/// Whether the file `beside`, in the folder of the glTF or OBJ `path`, may be written with it: there
-/// is none, or `path` is there and names it. @throws Error (BadInput) if not.
+/// Whether the file `beside`, in the folder of the glTF or OBJ `path`, may be written with it:
+/// there is none, or `path` is there and names it. @throws Error (BadInput) if not.
 void check_file_beside(const std::string& path, const std::string& beside);
 
 /// Writes bytes atomically: temporary file in the same folder, fsync, rename.

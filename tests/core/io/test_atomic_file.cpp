@@ -116,14 +116,15 @@ TEST_F(AtomicFile, ManyWritersOneWholeFile) {
 
 TEST_F(AtomicFile, AFailedObjLeavesTheOldOne) {
   const auto model = std::make_shared<const Model>(testing::tetrahedron_model());
-  write("s.obj", "old");
+  const std::string old = "mtllib s.mtl\n";  // else s.mtl would not be its to overwrite
+  write("s.obj", old);
   std::filesystem::create_directory(path("s.mtl"));  // in the way
   error_of(
       [&] {
         write_scene({{{"t", model, {}, ""}}, ""}, path("s.obj"));
       },
       Error::Kind::Environment);
-  EXPECT_EQ(read_bytes(path("s.obj")), "old");
+  EXPECT_EQ(read_bytes(path("s.obj")), old);
 }
 
 }  // namespace
