@@ -62,7 +62,7 @@ void add_rest_findings(const Scene& scene, const PlacedObject& o, double clearan
   const auto contacts = touching(scene, o.object(), o.object().pose, others, clearance);
   for (const ContactsWith& c : contacts)
     for (const ContactPoint& p : c.points) check.smallest_gap = std::min(check.smallest_gap, p.gap);
-  if (!o.object().fixed && !is_held(scene, o.id, others, contacts, clearance))
+  if (!o.object().fixed && !rests_at(scene, o.object(), o.object().pose, others, clearance))
     check.not_at_rest.push_back(o.object().name);
 }
 
@@ -112,11 +112,11 @@ namespace {
 
 // Of a free object, from how it lies; what nobody can see of it stays.
 ObjectState state_as_it_lies(const Scene& scene, ObjectId id, const Surroundings& others,
-                             const std::vector<ContactsWith>& contacts, double clearance) {
+                             double clearance) {
   const Object& object = scene.at(id);
   const ObjectState was = object.state;
   if (was == ObjectState::Invalid && !why_invalid(scene, id, object.pose, true).empty()) return was;
-  if (is_held(scene, id, others, contacts, clearance)) return ObjectState::Stable;
+  if (rests_at(scene, object, object.pose, others, clearance)) return ObjectState::Stable;
   if (was == ObjectState::Held || was == ObjectState::Invalid) return ObjectState::Held;
   return was == ObjectState::Unsupported ? was : ObjectState::Wedged;
 }
@@ -130,9 +130,8 @@ void update_contacts(Scene& scene, double clearance) {
     if (!object.placed) continue;
     const Surroundings others(scene, id);
     const auto contacts = touching(scene, object, object.pose, others, clearance);
-    const ObjectState state = object.fixed
-                                  ? ObjectState::Fixed
-                                  : state_as_it_lies(scene, id, others, contacts, clearance);
+    const ObjectState state =
+        object.fixed ? ObjectState::Fixed : state_as_it_lies(scene, id, others, clearance);
     commit(scene, id, object.pose, state, others, contacts, clearance);
   }
 }

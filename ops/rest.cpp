@@ -62,22 +62,6 @@ bool rests_at(const Scene& scene, const Object& object, const Pose& pose,
   return is_at_rest(problem);
 }
 
-bool is_held(const Scene& scene, ObjectId id, const Surroundings& others,
-             const std::vector<ContactsWith>& contacts, double clearance) {
-  const Object& object = scene.at(id);
-  std::vector<ObjectId> except = {id};
-  for (const ContactsWith& c : contacts) {
-    if (c.fixed == ContactsWith::kFloor) continue;
-    const ObjectId with = others.ids[c.fixed];
-    const bool lies_on_it = std::none_of(c.points.begin(), c.points.end(), [](const auto& p) {
-      return p.normal.z() > kSupportNormalZ;
-    });
-    if (lies_on_it && scene.at(with).state == ObjectState::Unsupported) except.push_back(with);
-  }
-  if (except.size() == 1) return rests_at(scene, object, object.pose, others, clearance);
-  return rests_at(scene, object, object.pose, Surroundings(scene, except), clearance);
-}
-
 RestRating rate_rest(const Object& object, const Pose& pose,
                      const std::vector<ContactsWith>& contacts, double clearance) {
   const auto points = all_points(contacts, kContactTolerance * clearance);

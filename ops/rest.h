@@ -26,12 +26,6 @@ struct Surroundings {
 bool rests_at(const Scene& scene, const Object& object, const Pose& pose,
               const Surroundings& others, double clearance);
 
-/// Whether an object is at rest as it lies, held by all others but those that lie on it and that
-/// nothing holds: they would fall with it.
-/// @param contacts  touching() of it there.
-bool is_held(const Scene& scene, ObjectId id, const Surroundings& others,
-             const std::vector<ContactsWith>& contacts, double clearance);
-
 /// What an object at `pose` touches, within kContactTolerance clearances.
 std::vector<ContactsWith> touching(const Scene& scene, const Object& object, const Pose& pose,
                                    const Surroundings& others, double clearance);

@@ -87,7 +87,8 @@ void rate_as(Scene& scene, ObjectId id, double clearance, const std::vector<Cont
   const std::vector<ContactsWith> contacts =
       known ? *known : touching(scene, seen, seen.pose, others, clearance);
   const ObjectState now = state([&] {
-    return stands_on(seen, contacts, clearance) || is_held(scene, id, others, contacts, clearance);
+    return stands_on(seen, contacts, clearance) ||
+           rests_at(scene, seen, seen.pose, others, clearance);
   });
   const bool rests = now == ObjectState::Stable || now == ObjectState::Wedged;
   const RestRating rating = rests ? rate_rest(seen, seen.pose, contacts, clearance)
@@ -115,7 +116,6 @@ class GroupCommit {
       if (object.fixed) object.state = ObjectState::Fixed;
     }
     for (const ObjectId id : m_to_rate) rate(id, otherwise, settled, crossed);
-    rate_holders_of_unsupported(otherwise, settled, crossed);
     for (const ObjectId id : m_group.ids())
       if (id != m_group.ids()[0]) add_name(m_result.carried, std::as_const(m_scene).at(id).name);
   }
@@ -166,18 +166,6 @@ class GroupCommit {
     m_links.push_back(std::move(links));
     if (i + 1 == static_cast<Index>(m_group.ids().size()))
       m_to_rate.insert(m_to_rate.end(), m_partners.begin(), m_partners.end());
-  }
-
-  // Loads that came out unsupported hold nothing themselves; from the top down.
-  void rate_holders_of_unsupported(ObjectState otherwise, bool settled,
-                                   const std::vector<Interpenetration>& crossed) {
-    bool is_any_unsupported = false;
-    for (auto id = m_group.ids().rbegin(); id != m_group.ids().rend(); ++id) {
-      const Object& member = std::as_const(m_scene).at(*id);
-      if (is_any_unsupported && member.state == ObjectState::Stable && !stands_on_its_own(member))
-        rate(*id, otherwise, settled, crossed);
-      is_any_unsupported |= member.state == ObjectState::Unsupported;
-    }
   }
 
   void rate(ObjectId id, ObjectState otherwise, bool settled,

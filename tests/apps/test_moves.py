@@ -56,21 +56,6 @@ class Moves(Case):
         self.assertAlmostEqual(places["b"][1], 0.2, 5)
         self.assertTrue(report["check"]["all_at_rest"])
 
-    def test_an_unsupported_load_holds_nothing(self):
-        layout = self.layout([SLAB, {"name": "a", "model": "cube.obj"},
-                              {"name": "b", "model": "cube.obj"}],
-                             [put("a", -.3, 0, 1), put("b", -.3, 0, 1),
-                              {"op": "turn", "object": "a", "about": "line", "angle_deg": 80}])
-        self.trivet("run", layout, "-o", "t.glb", "--report", "t.json", status=1)
-        report = self.read_json("t.json")
-        states = {o["name"]: o["state"] for o in report["objects"]}
-        self.assertEqual((states["a"], states["b"]), ("held", "unsupported"))
-        self.assertEqual(report["check"]["not_at_rest"], ["a", "b"])
-        self.trivet("check", "t.glb", "--report", "c.json", status=1)
-        again = self.read_json("c.json")
-        self.assertEqual({o["name"]: o["state"] for o in again["objects"]}, states)
-        self.assertEqual(again["check"]["not_at_rest"], ["a", "b"])
-
     def test_what_interpenetrates_is_not_called_stable(self):
         _, _, report, out = self.move("translate", "s.glb", "on_a", "--by", 0, 0, -0.02, "--free",
                                       status=1)
