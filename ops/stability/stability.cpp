@@ -155,6 +155,7 @@ class StabilityCheck {
   }
 
   void finish() {
+    if (m_out.status != Stability::Status::Unknown) m_out.why_unknown.clear();
     for (const ObjectStability& o : m_out.objects) m_out.margin = std::min(m_out.margin, o.margin);
     std::map<std::uint32_t, size_t> rank;  // of slots
     for (const FreeBody& body : m_all.bodies) rank.emplace(body.id.index, rank.size());

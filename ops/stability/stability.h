@@ -54,7 +54,7 @@ struct Stability {
   enum class Method { Certificate, LinearProgram };
   Status status = Status::Stable;
   Method method = Method::Certificate;  // LinearProgram: of a part at least
-  std::string why_unknown;
+  std::string why_unknown;              // empty unless it is
   double friction = 0;
   double residual = 0;  // force and torque (over the object's size) that is missing, in parts of
                         // the weight that the object and its loads have; the largest sum of a part

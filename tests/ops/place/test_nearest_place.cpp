@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include "box.h"
 #include "core/contact/triangle_distance.h"
 #include "ops/operation.h"
 #include "ops/place/nearer.h"
-#include "support/solids.h"
 
 namespace trivet {
 namespace {
@@ -14,17 +14,13 @@ namespace {
 constexpr double kHalf = 0.1;                           // of the cube that is set down
 constexpr double kTolerance = 2 * kHalf / 4096 + 5e-5;  // what is promised, and clearances
 
-Object box(const std::string& name, const Vec3& half) {
-  return test::object_of(name, test::box_triangles(half));
-}
-
 /// A scene that is no larger than the one thing in it, a table of 1 m, and a cube to set down.
 struct Room {
   Scene scene;
   Room() {
-    const ObjectId table = scene.add(box("table", Vec3(0.5, 0.5, 0.35)));
+    const ObjectId table = scene.add(test::box_object("table", Vec3(0.5, 0.5, 0.35)));
     EXPECT_TRUE(put(scene, table, {{}, Vec3(0, 0, 0.5)}).ok());
-    scene.add(box("cube", Vec3::Constant(kHalf)));
+    scene.add(test::box_object("cube", Vec3::Constant(kHalf)));
   }
   OperationResult put_on(const std::string& on, std::optional<Vec2> at, double keep,
                          std::uint64_t seed = 0, const std::string& name = "cube") {
@@ -109,7 +105,7 @@ TEST(NearestPlace, AnyDistanceCanBeKeptWhereThereIsNothing) {
 
 TEST(NearestPlace, ALargeDistanceIsKeptOnATableThatHasJustTheRoom) {
   Room room;
-  room.scene.add(box("post", Vec3(0.02, 0.02, 0.2)));
+  room.scene.add(test::box_object("post", Vec3(0.02, 0.02, 0.2)));
   ASSERT_TRUE(room.put_on("table", Vec2(-0.47, -0.47), 0, 0, "post").ok());
   // The cube may overhang: its centre up to (0.5, 0.5), its corner at (0.4, 0.4), the post's at
   // (-0.45, -0.45).
@@ -142,7 +138,7 @@ TEST(NearestPlace, NoNearerPointIsFree) {
     for (int i = 0; i < 5; ++i) {
       const Vec2 half(random.uniform(0.05, 0.4), random.uniform(0.05, 0.4));
       const Vec2 at(random.uniform(-1.5, 1.5), random.uniform(-1.5, 1.5));
-      Object object = box("box" + std::to_string(i), Vec3(half.x(), half.y(), 0.3));
+      Object object = test::box_object("box" + std::to_string(i), Vec3(half.x(), half.y(), 0.3));
       object.placed = true;  // boxes may overlap: that is nothing to the cube
       object.fixed = true;
       object.pose.translation = Vec3(at.x(), at.y(), 0.3);

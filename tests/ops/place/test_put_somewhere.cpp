@@ -2,23 +2,19 @@
 
 #include <gtest/gtest.h>
 
+#include "box.h"
 #include "core/contact/contact_points.h"
 #include "ops/check.h"
 #include "ops/operation.h"
-#include "support/solids.h"
 
 namespace trivet {
 namespace {
-
-Object box(const std::string& name, const Vec3& half) {
-  return test::object_of(name, test::box_triangles(half));
-}
 
 /// A table on the floor, and things to put on it.
 struct Room {
   Scene scene;
   Room() {
-    const ObjectId table = scene.add(box("table", Vec3(0.6, 0.4, 0.35)));
+    const ObjectId table = scene.add(test::box_object("table", Vec3(0.6, 0.4, 0.35)));
     EXPECT_TRUE(put(scene, table, {{}, Vec3(0, 0, 0.5)}).ok());
   }
   OperationResult put_on(const std::string& name, const PlaceOptions& place,
@@ -42,7 +38,7 @@ TEST(PutSomewhere, FillsATableWithoutTouchingWhatIsThere) {
   for (int i = 0; i < 40; ++i) {
     const std::string name = "thing" + std::to_string(i);
     room.scene.add(i % 3 == 0   ? test::object_of(name, test::cylinder(0.05, 0.12, 24))
-                   : i % 3 == 1 ? box(name, Vec3(0.06, 0.09, 0.02))
+                   : i % 3 == 1 ? test::box_object(name, Vec3(0.06, 0.09, 0.02))
                                 : test::object_of(name, test::torus(0.06, 0.015, 20, 8)));
     place.seed = static_cast<std::uint64_t>(i);
     const OperationResult result = room.put_on(name, place, random.rotation());
@@ -69,7 +65,7 @@ TEST(PutSomewhere, FillsATableWithoutTouchingWhatIsThere) {
 
 TEST(PutSomewhere, NearestToAPointOnTheFloor) {
   Room room;
-  room.scene.add(box("crate", Vec3(0.2, 0.2, 0.2)));
+  room.scene.add(test::box_object("crate", Vec3(0.2, 0.2, 0.2)));
   PlaceOptions place;
   place.on = "floor";
   place.near = Vec2(0, 0);
@@ -84,7 +80,7 @@ TEST(PutSomewhere, TheSameSeedGivesTheSameBits) {
   Vec3 first;
   for (int run = 0; run < 2; ++run) {
     Room room;
-    room.scene.add(box("crate", Vec3(0.1, 0.1, 0.1)));
+    room.scene.add(test::box_object("crate", Vec3(0.1, 0.1, 0.1)));
     PlaceOptions place;
     place.on = "table";
     place.seed = 77;
@@ -96,12 +92,12 @@ TEST(PutSomewhere, TheSameSeedGivesTheSameBits) {
 
 TEST(PutSomewhere, RefusedWithAReason) {
   Room room;
-  room.scene.add(box("slab", Vec3(0.61, 0.41, 0.1)));
+  room.scene.add(test::box_object("slab", Vec3(0.61, 0.41, 0.1)));
   PlaceOptions place;
   place.on = "table";
   place.near = Vec2(0, 0);
   ASSERT_TRUE(room.put_on("slab", place).ok());  // overhangs a little, all around
-  room.scene.add(box("cup", Vec3(0.04, 0.04, 0.05)));
+  room.scene.add(test::box_object("cup", Vec3(0.04, 0.04, 0.05)));
   const auto reason_of = [&](const std::string& name, const std::string& on) {
     place.on = on;
     const OperationResult result = room.put_on(name, place);
