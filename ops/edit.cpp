@@ -60,7 +60,9 @@ OperationResult remove(Scene& scene, const DeleteOperation& operation,
                        const SettleOptions& options) {
   const ObjectId id = *scene.find(operation.object);
   const Object& object = std::as_const(scene).at(id);
-  if (object.locked) return refused("\"" + operation.object + "\" is locked");
+  if (object.locked)
+    return refused("\"" + operation.object +
+                   "\" is locked; accepted: objects that are not, as unlock makes it");
   Interrupt interrupt(options);
   const double clearance = options.clearance > 0 ? options.clearance : default_clearance(scene);
   std::vector<ObjectId> neighbours;
@@ -80,6 +82,22 @@ OperationResult remove(Scene& scene, const DeleteOperation& operation,
 OperationResult lock(Scene& scene, const LockOperation& operation) {
   scene.at(*scene.find(operation.object)).locked = operation.locked;
   return {};
+}
+
+OperationResult fix(Scene& scene, const FixOperation& operation, const SettleOptions& options) {
+  const ObjectId id = *scene.find(operation.object);
+  const Object& seen = std::as_const(scene).at(id);
+  if (seen.fixed == operation.fixed) return {};
+  if (!seen.placed && operation.fixed)
+    return refused("\"" + operation.object + "\" is not in the scene: put it there first");
+  scene.at(id).fixed = operation.fixed;
+  if (!seen.placed) return {};
+  if (operation.fixed) return stand(scene, id, seen.pose, options);
+  OperationResult result;
+  scene.at(id).state = ObjectState::Stable;
+  const double clearance = options.clearance > 0 ? options.clearance : default_clearance(scene);
+  rate_left_alone(scene, id, clearance, result);
+  return result;
 }
 
 OperationResult group(Scene& scene, const GroupOperation& operation) {

@@ -1,5 +1,5 @@
 // What is done to the list of objects rather than to their poses: append, duplicate, delete, lock,
-// group.
+// fix, group.
 #pragma once
 
 #include "ops/layout/load.h"
@@ -21,6 +21,11 @@ OperationResult remove(Scene& scene, const DeleteOperation& operation,
 
 /// Locked objects are moved by no operation, neither by themselves nor with what carries them.
 OperationResult lock(Scene& scene, const LockOperation& operation);
+
+/// A free object becomes fixed where it is, or a fixed one free: what it carries stays on it, and
+/// when nothing holds it that is said as for what a move leaves. Refused: to fix what is out of the
+/// scene or interpenetrates.
+OperationResult fix(Scene& scene, const FixOperation& operation, const SettleOptions& options);
 
 /// Objects of one group move as one.
 OperationResult group(Scene& scene, const GroupOperation& operation);

@@ -27,6 +27,7 @@ struct Performer {
   OperationResult operator()(const DuplicateOperation& o) { return done(duplicate(scene, o)); }
   OperationResult operator()(const DeleteOperation& o) { return done(remove(scene, o, options)); }
   OperationResult operator()(const LockOperation& o) { return done(lock(scene, o)); }
+  OperationResult operator()(const FixOperation& o) { return done(fix(scene, o, options)); }
   OperationResult operator()(const GroupOperation& o) { return done(group(scene, o)); }
 
   // The object itself goes nowhere.
@@ -78,6 +79,7 @@ const char* op_name(const Operation& operation) {
     const char* operator()(const DuplicateOperation&) { return "duplicate"; }
     const char* operator()(const DeleteOperation&) { return "delete"; }
     const char* operator()(const LockOperation& o) { return o.locked ? "lock" : "unlock"; }
+    const char* operator()(const FixOperation& o) { return o.fixed ? "fix" : "unfix"; }
     const char* operator()(const GroupOperation& o) {
       return o.group.empty() ? "ungroup" : "group";
     }

@@ -23,6 +23,11 @@ struct MoveOptions {
   bool settle_left = false;
 };
 
+/// Of the operations that move what is in the scene.
+struct JointMoveOptions : MoveOptions {
+  std::vector<std::string> together = {};  // objects that move along, as those of its group do
+};
+
 /// Where there is room: see places.h.
 struct PlaceOptions {
   std::string on;              // the object it shall lie on, or "floor"
@@ -39,7 +44,7 @@ struct PutOperation : MoveOptions {
 };
 
 /// Along the surface on which the object lies; see push.h. "push"
-struct PushOperation : MoveOptions {
+struct PushOperation : JointMoveOptions {
   Vec2 direction = Vec2::UnitX();  // seen from above, of any length but zero
   double distance = 0;             // metres along `direction`, seen from above
   std::optional<Vec2> to;          // instead: where the object's position shall be, seen from above
@@ -51,7 +56,7 @@ struct PushOperation : MoveOptions {
 };
 
 /// About a contact that is held; see turn.h. "turn"
-struct TurnOperation : MoveOptions {
+struct TurnOperation : JointMoveOptions {
   enum class About {
     Normal,  // of the contact
     Line,    // a line contact, or the edge of an area contact nearest to `point`
@@ -69,13 +74,13 @@ struct TurnOperation : MoveOptions {
 };
 
 /// Away along the contact normal; deletes the links; the object is held then. "pick_up"
-struct PickUpOperation : MoveOptions {
+struct PickUpOperation : JointMoveOptions {
   double distance = 0;              // metres
   std::optional<std::string> with;  // whose contact, "floor" too; nothing: all that support it
 };
 
 /// A straight way, or several. Stops at collision. "translate"
-struct TranslateOperation : MoveOptions {
+struct TranslateOperation : JointMoveOptions {
   Vec3 by = Vec3::Zero();      // metres
   bool free = false;           // as in a modeller: through everything; see ObjectState::Invalid
   bool settle = false;         // let go at the end
@@ -83,12 +88,12 @@ struct TranslateOperation : MoveOptions {
 };
 
 /// About an axis. Stops at collision. "rotate"
-struct RotateOperation : MoveOptions {
-  Vec3 axis = Vec3::UnitZ();   // of any length but zero
-  double angle_deg = 0;        // right-handed
-  std::optional<Vec3> centre;  // a point on the axis; nothing: the centre of mass
-  bool free = false;           // as for TranslateOperation
-  bool settle = false;         // let go at the end
+struct RotateOperation : JointMoveOptions {
+  Vec3 axis = Vec3::UnitZ();        // of any length but zero
+  double angle_deg = 0;             // right-handed
+  std::optional<Vec3> centre = {};  // a point on the axis; nothing: the centre of mass
+  bool free = false;                // as for TranslateOperation
+  bool settle = false;              // let go at the end
 };
 
 // What is done to the list of objects; see edit.h.
@@ -119,18 +124,26 @@ struct LockOperation {
   bool locked = true;
 };
 
+/// Never moves and carries everything; or free again where it is. "fix",
+/// "unfix"
+struct FixOperation {
+  std::string object;
+  bool fixed = true;
+};
+
 /// What moves one of a group moves all. "group", "ungroup"
 struct GroupOperation {
   std::string object;
   std::string group;  // empty: taken out of its group
 };
 
-using Operation = std::variant<PutOperation, PushOperation, TurnOperation, PickUpOperation,
-                               TranslateOperation, RotateOperation, AppendOperation,
-                               DuplicateOperation, DeleteOperation, LockOperation, GroupOperation>;
+using Operation =
+    std::variant<PutOperation, PushOperation, TurnOperation, PickUpOperation, TranslateOperation,
+                 RotateOperation, AppendOperation, DuplicateOperation, DeleteOperation,
+                 LockOperation, FixOperation, GroupOperation>;
 
 /// "put", "push", "turn", "pick_up", "translate", "rotate", "append", "duplicate", "delete",
-/// "lock", "unlock", "group", "ungroup"
+/// "lock", "unlock", "fix", "unfix", "group", "ungroup"
 const char* op_name(const Operation& operation);
 const std::string& object_name(const Operation& operation);
 

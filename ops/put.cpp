@@ -27,7 +27,7 @@ Pose clear_of_floor(const Scene& scene, const Object& object, Pose pose, double 
 
 OperationResult put_from_start(Scene& scene, ObjectId id, const PutOperation& o,
                                const SettleOptions& options, const EndCondition& why_not) {
-  Attempt attempt(scene, id, o, "put", options, false, &o.start);
+  Attempt attempt(scene, id, o, o.start, options);
   if (attempt.refused()) return attempt.finish(ObjectState::Stable);
   MovingGroup& group = attempt.group();
   group.place(o.start);

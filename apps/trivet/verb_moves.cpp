@@ -1,4 +1,5 @@
-// The verbs that move one object of a scene: push, turn, pick-up, translate, rotate.
+// The verbs that move one object of a scene: push, turn, pick-up, translate, rotate; and fix and
+// unfix, which say whether it may move.
 #include "apps/trivet/outputs.h"
 #include "apps/trivet/verbs.h"
 #include "core/base/error.h"
@@ -11,7 +12,7 @@ namespace {
 /// What all of them are told, and how the operation's own options become it.
 struct MoveArguments {
   std::string scene;
-  MoveOptions move;
+  JointMoveOptions move;
   OutputPaths outputs;
   SettleOptions settle;
 };
@@ -73,8 +74,12 @@ struct MoveVerb {
     app->add_option("object", arguments->move.object, "Which object")
         ->required()
         ->type_name("OBJECT");
+    if constexpr (std::is_empty_v<Own>) return;
     app->add_flag("--settle-left", arguments->move.settle_left,
                   "Let what is left without support settle");
+    app->add_option("--together", arguments->move.together,
+                    "Objects that move along, as those of its group do")
+        ->type_name("NAME");
   }
 
   CLI::Option* numbers(const char* option, std::vector<double>& values, int count, const char* type,
@@ -107,8 +112,10 @@ struct MoveVerb {
               Operation wanted = operation(*o);
               std::visit(
                   [&](auto& m) {
-                    if constexpr (std::is_base_of_v<MoveOptions, std::decay_t<decltype(m)>>)
-                      static_cast<MoveOptions&>(m) = a->move;
+                    if constexpr (std::is_base_of_v<JointMoveOptions, std::decay_t<decltype(m)>>)
+                      static_cast<JointMoveOptions&>(m) = a->move;
+                    else
+                      m.object = a->move.object;
                   },
                   wanted);
               return move(*a, wanted, common);
@@ -139,6 +146,8 @@ struct FreeArguments {
   bool free = false, settle = false;
 };
 
+struct NoArguments {};  // of those that leave it where it is
+
 std::optional<std::string> text(const std::string& value) {
   if (value.empty()) return std::nullopt;
   return value;
@@ -167,7 +176,22 @@ void add_free_flags(MoveVerb<Own>& verb) {
   verb.app->add_flag("--settle", verb.own->settle, "Let it go at the end");
 }
 
+Verb add_fixing(CLI::App& app, const CommonOptions& common, bool fixed, const char* what) {
+  MoveVerb<NoArguments> verb(app, fixed ? "fix" : "unfix", what);
+  return verb.done(common, [fixed](const NoArguments&) -> Operation {
+    return FixOperation{"", fixed};
+  });
+}
+
 }  // namespace
+
+Verb add_fix(CLI::App& app, const CommonOptions& common) {
+  return add_fixing(app, common, true, "Lets an object never move and carry everything");
+}
+
+Verb add_unfix(CLI::App& app, const CommonOptions& common) {
+  return add_fixing(app, common, false, "Lets a fixed object be moved, with all that is on it");
+}
 
 Verb add_push(CLI::App& app, const CommonOptions& common) {
   MoveVerb<PushArguments> verb(app, "push", "Pushes an object along what it lies on");

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "core/base/error.h"
+#include "core/base/quoted.h"
 #include "core/exact/interpenetration.h"
 #include "ops/layout/json_text.h"
 #include "ops/verify.h"
@@ -18,12 +19,6 @@ constexpr size_t kNamesTold = 20;
 [[noreturn]] void fail(const RunOptions& options, const std::string& place,
                        const std::string& what) {
   throw Error(Error::Kind::BadInput, options.layout_file + ": " + place + ": " + what);
-}
-
-std::string quoted(const std::string& name) {
-  std::string out(1, '"');
-  out += name;
-  return out += '"';
 }
 
 std::string names_of(const GltfScene& scene) {
@@ -61,6 +56,11 @@ void check_operations(const Layout& layout, const RunOptions& options) {
         std::holds_alternative<DuplicateOperation>(o) || std::holds_alternative<DeleteOperation>(o))
       fail(options, "/operations/" + std::to_string(i) + "/op",
            quoted(op_name(o)) + " is not accepted: a scene keeps its nodes");
+    if (std::holds_alternative<FixOperation>(o))
+      fail(options, "/operations/" + std::to_string(i) + "/op",
+           quoted(op_name(o)) +
+               " is not accepted: what the layout does not pick stays, and what it picks moves "
+               "unless it says \"fixed\"");
   }
 }
 

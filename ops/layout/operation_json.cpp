@@ -67,6 +67,12 @@ void read_common(const JsonPlace& place, MoveOptions& move) {
   read_to(place, "settle_left", move.settle_left);
 }
 
+void read_common(const JsonPlace& place, JointMoveOptions& move) {
+  read_common(place, static_cast<MoveOptions&>(move));
+  if (const auto together = place.find("together"))
+    for (const JsonPlace& other : together->items()) move.together.push_back(other.text());
+}
+
 PlaceOptions read_place(const JsonPlace& place) {
   place.expect_object({"op", "object", "on"},
                       {"at", "seed", "keep", "from", "rotation", "settle_left"});
@@ -106,13 +112,13 @@ PutOperation read_put(const JsonPlace& place) {
 PushOperation read_push(const JsonPlace& place) {
   PushOperation push;
   if (place.find("to")) {
-    place.expect_object({"op", "object", "to"},
-                        {"via", "step_up", "step_down", "slide", "settle", "settle_left"});
+    place.expect_object({"op", "object", "to"}, {"via", "step_up", "step_down", "slide", "settle",
+                                                 "together", "settle_left"});
     push.to = read_vec2(place.at("to"), kMaxLength);
     read_via(place, push.via);
   } else {
     place.expect_object({"op", "object", "direction", "distance"},
-                        {"step_up", "step_down", "slide", "settle", "settle_left"});
+                        {"step_up", "step_down", "slide", "settle", "together", "settle_left"});
     const JsonPlace towards = place.at("direction");
     push.direction = direction(towards, read_vec2(towards, kMaxDirectionComponent));
     push.distance = place.at("distance").number(0, kMaxLength);
@@ -144,13 +150,13 @@ TurnOperation read_turn(const JsonPlace& place) {
   switch (turn.about) {
     case TurnOperation::About::Normal:
       place.expect_object({"op", "object", "angle_deg"},
-                          {"about", "with", "centre", "settle", "settle_left"});
+                          {"about", "with", "centre", "settle", "together", "settle_left"});
       read_to(place, "centre", turn.centre);
       break;
     case TurnOperation::About::Line:
     case TurnOperation::About::Point:
       place.expect_object({"op", "object", "about", "angle_deg"},
-                          {"with", "point", "axis", "settle", "settle_left"});
+                          {"with", "point", "axis", "settle", "together", "settle_left"});
       read_to(place, "point", turn.point);
       read_axis(place, turn.axis);
       break;
@@ -163,7 +169,7 @@ TurnOperation read_turn(const JsonPlace& place) {
 }
 
 PickUpOperation read_pick_up(const JsonPlace& place) {
-  place.expect_object({"op", "object", "distance"}, {"with", "settle_left"});
+  place.expect_object({"op", "object", "distance"}, {"with", "together", "settle_left"});
   PickUpOperation pick_up;
   read_common(place, pick_up);
   pick_up.distance = place.at("distance").number(0, kMaxLength);
@@ -172,7 +178,7 @@ PickUpOperation read_pick_up(const JsonPlace& place) {
 }
 
 TranslateOperation read_translate(const JsonPlace& place) {
-  place.expect_object({"op", "object", "by"}, {"via", "free", "settle", "settle_left"});
+  place.expect_object({"op", "object", "by"}, {"via", "free", "settle", "together", "settle_left"});
   TranslateOperation translate;
   read_common(place, translate);
   translate.by = read_vec3(place.at("by"), kMaxLength);
@@ -184,7 +190,7 @@ TranslateOperation read_translate(const JsonPlace& place) {
 
 RotateOperation read_rotate(const JsonPlace& place) {
   place.expect_object({"op", "object", "axis", "angle_deg"},
-                      {"centre", "free", "settle", "settle_left"});
+                      {"centre", "free", "settle", "together", "settle_left"});
   RotateOperation rotate;
   read_common(place, rotate);
   rotate.axis = direction(place.at("axis"), read_vec3(place.at("axis"), kMaxDirectionComponent));
@@ -225,6 +231,11 @@ LockOperation read_lock(const JsonPlace& place, bool locked) {
   return {place.at("object").text(), locked};
 }
 
+FixOperation read_fix(const JsonPlace& place, bool fixed) {
+  place.expect_object({"op", "object"}, {});
+  return {place.at("object").text(), fixed};
+}
+
 GroupOperation read_group(const JsonPlace& place) {
   place.expect_object({"op", "object", "group"}, {});
   return {place.at("object").text(), place.at("group").text()};
@@ -251,11 +262,14 @@ Operation read_operation(const JsonPlace& place) {
   if (op.value() == "delete") return read_delete(place);
   if (op.value() == "lock") return read_lock(place, true);
   if (op.value() == "unlock") return read_lock(place, false);
+  if (op.value() == "fix") return read_fix(place, true);
+  if (op.value() == "unfix") return read_fix(place, false);
   if (op.value() == "group") return read_group(place);
   if (op.value() == "ungroup") return read_ungroup(place);
   op.refuse(
       "\"put\", \"push\", \"turn\", \"pick_up\", \"translate\", \"rotate\", \"append\", "
-      "\"duplicate\", \"delete\", \"lock\", \"unlock\", \"group\" or \"ungroup\"");
+      "\"duplicate\", \"delete\", \"lock\", \"unlock\", \"fix\", \"unfix\", \"group\" or "
+      "\"ungroup\"");
 }
 
 UpAxis read_up(const JsonPlace& place) {

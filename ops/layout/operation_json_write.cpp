@@ -116,6 +116,8 @@ void write(const DeleteOperation&, Json&) {}
 
 void write(const LockOperation&, Json&) {}
 
+void write(const FixOperation&, Json&) {}
+
 void write(const GroupOperation& group, Json& json) {
   write_if(!group.group.empty(), "group", group.group, json);
 }
@@ -127,6 +129,8 @@ nlohmann::ordered_json operation_json(const Operation& operation) {
   std::visit(
       [&](const auto& o) {
         write(o, json);
+        if constexpr (std::is_base_of_v<JointMoveOptions, std::decay_t<decltype(o)>>)
+          write_if(!o.together.empty(), "together", o.together, json);
         if constexpr (std::is_base_of_v<MoveOptions, std::decay_t<decltype(o)>>)
           write_if(o.settle_left, "settle_left", true, json);
       },

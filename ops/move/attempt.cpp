@@ -4,6 +4,7 @@
 #include <sstream>
 #include <utility>
 
+#include "core/base/quoted.h"
 #include "core/base/tunables.h"
 
 namespace trivet {
@@ -59,38 +60,59 @@ std::string why_not_clearance(double clearance, double usual) {
   return out.str();
 }
 
-Attempt::Attempt(Scene& scene, ObjectId id, const MoveOptions& move, const char* op,
-                 const SettleOptions& options, bool free, const Pose* start)
+Attempt::Attempt(Scene& scene, ObjectId id, const JointMoveOptions& move, const char* op,
+                 const SettleOptions& options, bool free)
+    : m_scene(scene), m_move(move), m_op(op), m_options(options), m_interrupt(options) {
+  std::vector<ObjectId> together;
+  std::string why;
+  for (const std::string& other : move.together)
+    if (const std::optional<ObjectId> found = scene.find(other))
+      together.push_back(*found);
+    else if (why.empty())
+      why = "there is no object " + quoted(other);
+  begin(id, together, {});
+  if (why.empty() && !refused()) why = why_not_startable(free);
+  if (!why.empty()) refuse(why);
+}
+
+Attempt::Attempt(Scene& scene, ObjectId id, const MoveOptions& move, const Pose& start,
+                 const SettleOptions& options)
     : m_scene(scene),
       m_move(move),
-      m_op(op),
+      m_op("put"),
       m_options(options),
       m_interrupt(options),
-      m_is_put(start != nullptr) {
-  const Object& object = std::as_const(scene).at(id);
-  std::vector<PlacedBox> started;
-  if (start) started.push_back({id, expected_box(scene, object, *start)});
-  const double usual = default_clearance(scene, start ? started.front().box : Aabb{});
-  const double clearance = options.clearance > 0 ? options.clearance : usual;
-  m_group.emplace(scene, id, clearance, options);
+      m_is_put(true) {
+  begin(id, {}, {{id, expected_box(scene, std::as_const(scene).at(id), start)}});
+}
+
+void Attempt::begin(ObjectId id, const std::vector<ObjectId>& together,
+                    const std::vector<PlacedBox>& started) {
+  const Object& object = std::as_const(m_scene).at(id);
+  const double usual = default_clearance(m_scene, m_is_put ? started.front().box : Aabb{});
+  const double clearance = m_options.clearance > 0 ? m_options.clearance : usual;
+  m_group.emplace(m_scene, id, together, clearance, m_options);
   // What is fixed comes in once, and then stands there.
-  const bool comes_in = start && object.fixed && !object.placed;
-  std::string why = comes_in ? "" : why_not_movable(scene, m_group->ids());
-  if (why.empty()) why = why_too_coarse(scene, started, options.clearance);
+  const bool comes_in = m_is_put && object.fixed && !object.placed;
+  std::string why = comes_in ? "" : why_not_movable(m_scene, m_group->ids());
+  if (why.empty()) why = why_too_coarse(m_scene, started, m_options.clearance);
   if (why.empty()) why = why_not_clearance(clearance, usual);
-  if (why.empty() && !start) why = why_not_startable(free);
   if (!why.empty()) refuse(why);
 }
 
 std::string Attempt::why_not_startable(bool free) const {
-  const Object& object = m_group->object();
-  if (!object.placed) return name() + " is not in the scene: put it there first";
-  if (free || object.state != ObjectState::Invalid) return "";
+  for (const ObjectId id : m_group->led())
+    if (const Object& object = std::as_const(m_scene).at(id); !object.placed)
+      return quoted(object.name) + " is not in the scene: put it there first";
+  const bool crosses = std::any_of(m_group->led().begin(), m_group->led().end(), [&](ObjectId id) {
+    return std::as_const(m_scene).at(id).state == ObjectState::Invalid;
+  });
+  if (free || !crosses) return "";
   const std::string why = why_invalid(m_scene, m_group->placements(), false);
   return why.empty() ? "" : why + ": move it out freely first";
 }
 
-std::string Attempt::name() const { return "\"" + m_group->object().name + "\""; }
+std::string Attempt::name() const { return quoted(m_group->object().name); }
 
 void Attempt::refuse(const std::string& reason) {
   m_result.status = OperationResult::Status::Refused;

@@ -18,10 +18,14 @@ std::string why_not_clearance(double clearance, double usual);
 class Attempt {
  public:
   /// Refused at once: an object (or what it carries) that is fixed or locked; a clearance that is
-  /// none; for all but PUT, an object that is out of the scene or interpenetrates (`free` may).
-  /// @param op  its name. @param start  of a PUT, else null.
-  Attempt(Scene& scene, ObjectId id, const MoveOptions& move, const char* op,
-          const SettleOptions& options, bool free = false, const Pose* start = nullptr);
+  /// none; an object (or one of `together`) that is out of the scene or interpenetrates (`free`
+  /// may).
+  /// @param op  its name.
+  Attempt(Scene& scene, ObjectId id, const JointMoveOptions& move, const char* op,
+          const SettleOptions& options, bool free = false);
+  /// Of a PUT from `start`: the object may be out of the scene.
+  Attempt(Scene& scene, ObjectId id, const MoveOptions& move, const Pose& start,
+          const SettleOptions& options);
 
   bool refused() const { return !m_result.ok(); }
   void refuse(const std::string& reason);
@@ -53,6 +57,9 @@ class Attempt {
   OperationResult finish_freely();
 
  private:
+  // Refused, or a group is made. @param started  a PUT's object, where it starts.
+  void begin(ObjectId id, const std::vector<ObjectId>& together,
+             const std::vector<PlacedBox>& started);
   std::string why_not_startable(bool free) const;
   OperationResult done();
 
@@ -63,7 +70,7 @@ class Attempt {
   Interrupt m_interrupt;
   OperationResult m_result;
   std::optional<MovingGroup> m_group;
-  bool m_is_put, m_let_go = false, m_wedged = false;
+  bool m_is_put = false, m_let_go = false, m_wedged = false;
   Stopwatch m_stopwatch;
 };
 

@@ -178,8 +178,9 @@ class GroupCommit {
       // What settles together may not rest alone.
       if (is_object && settled && m_group.ids().size() == 1) return otherwise;
       if (rests()) return ObjectState::Stable;
-      return is_object && otherwise != ObjectState::Stable ? otherwise
-                                                           : left_alone(m_scene, id, m_result);
+      const bool by_hand = is_object ? otherwise != ObjectState::Stable
+                                     : otherwise == ObjectState::Held && has(m_group.led(), id);
+      return by_hand ? otherwise : left_alone(m_scene, id, m_result);
     };
     rate_as(m_scene, id, m_group.clearance(), is_object && m_contacts ? &*m_contacts : nullptr,
             state);
@@ -241,7 +242,7 @@ class Settling {
 
   /// @return whether anything has changed.
   bool let_go(ObjectId id) {
-    MovingGroup group(m_scene, id, m_clearance, m_options);
+    MovingGroup group(m_scene, id, {}, m_clearance, m_options);
     if (!why_not_movable(m_scene, group.ids()).empty()) return false;
     const SettleOutcome outcome = group.settle(&m_interrupt);
     if (m_interrupt.reason()) return false;

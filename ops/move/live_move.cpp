@@ -6,11 +6,11 @@
 namespace trivet {
 namespace {
 
-const MoveOptions& move_options(const Operation& operation) {
-  static const MoveOptions none;
+const JointMoveOptions& move_options(const Operation& operation) {
+  static const JointMoveOptions none;
   return std::visit(
-      [](const auto& o) -> const MoveOptions& {
-        if constexpr (std::is_base_of_v<MoveOptions, std::decay_t<decltype(o)>>)
+      [](const auto& o) -> const JointMoveOptions& {
+        if constexpr (std::is_base_of_v<JointMoveOptions, std::decay_t<decltype(o)>>)
           return o;
         else
           return none;

@@ -33,11 +33,26 @@ void append_mates(const Scene& scene, ObjectId id, std::vector<ObjectId>& ids) {
       ids.push_back(other);
 }
 
+void append_all(std::span<const ObjectId> more, std::vector<ObjectId>& ids) {
+  for (const ObjectId id : more)
+    if (!has(ids, id)) ids.push_back(id);
+}
+
 }  // namespace
 
-std::vector<ObjectId> carried_with(const Scene& scene, ObjectId object) {
+std::vector<ObjectId> led_with(const Scene& scene, ObjectId object,
+                               std::span<const ObjectId> together) {
+  std::vector<ObjectId> ids{object};
+  append_all(together, ids);
+  for (size_t i = 0; i < ids.size(); ++i) append_mates(scene, ids[i], ids);
+  return ids;
+}
+
+std::vector<ObjectId> carried_with(const Scene& scene, ObjectId object,
+                                   std::span<const ObjectId> together) {
   std::vector<ObjectId> ids{object};
   if (!scene.at(object).placed) return ids;
+  append_all(together, ids);
   for (size_t i = 0; i < ids.size(); ++i) {
     append_loads(scene, ids[i], ids);
     append_mates(scene, ids[i], ids);
@@ -50,16 +65,19 @@ std::string why_not_movable(const Scene& scene, std::span<const ObjectId> ids) {
   for (const ObjectId id : ids) {
     const Object& object = scene.at(id);
     if (!object.fixed && !object.locked) continue;
-    const std::string what = "\"" + object.name + "\" is " + (object.fixed ? "fixed" : "locked");
-    return id == ids[0] ? what : what + " and would have to move along";
+    const char* const how = object.fixed ? "fixed" : "locked";
+    const std::string along = id == ids[0] ? "" : " and would have to move along";
+    return "\"" + object.name + "\" is " + how + along + "; accepted: objects that are not, as un" +
+           (object.fixed ? "fix" : "lock") + " makes it";
   }
   return "";
 }
 
-MovingGroup::MovingGroup(const Scene& scene, ObjectId object, double clearance,
-                         const SettleOptions& options)
+MovingGroup::MovingGroup(const Scene& scene, ObjectId object, std::span<const ObjectId> together,
+                         double clearance, const SettleOptions& options)
     : m_scene(&scene),
-      m_ids(carried_with(scene, object)),
+      m_ids(carried_with(scene, object, together)),
+      m_led(led_with(scene, object, together)),
       m_outside(scene, m_ids),
       m_clearance(clearance),
       m_motion_clearance(clearance),

@@ -15,7 +15,14 @@ namespace trivet {
 
 /// The object, what lies on it, transitively [Shinya 1995, 4.2], and the objects of their groups
 /// with what lies on those. The object first, the others by slot. Fixed objects are never carried.
-std::vector<ObjectId> carried_with(const Scene& scene, ObjectId object);
+/// @param together  in the scene, as those of the object's group.
+std::vector<ObjectId> carried_with(const Scene& scene, ObjectId object,
+                                   std::span<const ObjectId> together = {});
+
+/// What a hand moves: the object, those `together` with it, and their groups. The rest of
+/// carried_with() only lies on these.
+std::vector<ObjectId> led_with(const Scene& scene, ObjectId object,
+                               std::span<const ObjectId> together = {});
 
 /// Why these may not be moved by an operation: fixed or locked. Empty: they may.
 std::string why_not_movable(const Scene& scene, std::span<const ObjectId> ids);
@@ -31,11 +38,13 @@ struct Touch {
 class MovingGroup {
  public:
   /// @param clearance  metres, > 0.
-  MovingGroup(const Scene& scene, ObjectId object, double clearance, const SettleOptions& options);
+  MovingGroup(const Scene& scene, ObjectId object, std::span<const ObjectId> together,
+              double clearance, const SettleOptions& options);
 
   const Scene& scene() const { return *m_scene; }
   const std::vector<ObjectId>& ids() const { return m_ids; }  // the object first
   const Object& object() const { return m_scene->at(m_ids[0]); }
+  const std::vector<ObjectId>& led() const { return m_led; }  // see led_with()
   const Surroundings& outside() const { return m_outside; }
   double clearance() const { return m_clearance; }
   std::span<const Body> bodies() const { return m_bodies; }
@@ -80,7 +89,7 @@ class MovingGroup {
   std::optional<Vec3> lift_for_sliding(const std::vector<ContactPoint>& points, double part) const;
 
   const Scene* m_scene;
-  std::vector<ObjectId> m_ids;
+  std::vector<ObjectId> m_ids, m_led;
   Surroundings m_outside;
   double m_clearance, m_motion_clearance;
   SettleOptions m_options;

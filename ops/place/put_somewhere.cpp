@@ -3,6 +3,7 @@
 #include <sstream>
 #include <utility>
 
+#include "core/base/quoted.h"
 #include "core/base/tunables.h"
 #include "ops/detect/detector.h"
 #include "ops/move/moves.h"
@@ -23,8 +24,8 @@ OperationResult refused(const std::string& reason) {
   return result;
 }
 
-std::string quoted(const std::string& name) {
-  return name == kFloorName ? "the floor" : "\"" + name + "\"";
+std::string named(const std::string& name) {
+  return name == kFloorName ? "the floor" : quoted(name);
 }
 
 class Somewhere {
@@ -183,7 +184,7 @@ class Somewhere {
 
   std::string why_nowhere(const Places& places) const {
     std::ostringstream out;
-    out << "no free place for " << m_name << " on " << quoted(m_operation.place->on) << ": of "
+    out << "no free place for " << m_name << " on " << named(m_operation.place->on) << ": of "
         << places.num_judged << " places, every " << places.spacing << " m, " << places.num_beside
         << " are over no part of it and " << places.num_blocked << " are blocked by other things";
     if (m_num_trials > 0)

@@ -1,5 +1,5 @@
 """Objects far out, where the clearance is too coarse to tell small ones apart: refused at once by
-whatever leads there."""
+whatever leads there; and the table of BREAKFAST, which is fixed until it is set free."""
 import json
 import os
 import resource
@@ -101,6 +101,20 @@ class Far(Case):
             err = self.quickly(lambda: self.trivet("check", "b/stands.json", status=2))[1]
             self.assertIn(SAYS, err)
             del layout["objects"][-1]["position"]
+
+    def test_the_table_can_be_set_free(self):
+        out, _ = self.trivet("translate", "b.glb", "table", "--by", 0.1, 0, 0, "-o", "t.glb",
+                             status=1)
+        self.assertIn('"table" is fixed; accepted: objects that are not, as unfix makes it', out)
+        self.trivet("unfix", "b.glb", "table", "-o", "free.glb")
+        self.trivet("translate", "free.glb", "table", "--by", 0.1, 0, 0, "-o", "t.glb", "--report",
+                    "t.json")
+        report = self.read_json("t.json")
+        self.assertEqual(len(report["operations"][0]["carried"]), 23)
+        self.assertEqual({o["state"] for o in report["objects"]}, {"stable"})
+        self.trivet("fix", "t.glb", "table", "-o", "fixed.glb", "--report", "t.json")
+        states = {o["name"]: o["state"] for o in self.read_json("t.json")["objects"]}
+        self.assertEqual(states["table"], "fixed")
 
 
 if __name__ == "__main__":

@@ -130,19 +130,19 @@ constexpr const char* kAllOperations[] = {
     R"({"op":"put","object":"a","position":[0.1,-0.3333333333333333,1e-07],)"
     R"("rotation":[0.0,1.0,0.0,0.0],"settle_left":true})",
     R"({"op":"push","object":"a","direction":[1.0,0.3333333333333333],"distance":0.1,)"
-    R"("step_up":0.02,"step_down":0.03,"slide":false,"settle":false,"settle_left":true})",
+    R"("step_up":0.02,"step_down":0.03,"slide":false,"settle":false,"together":["b"],"settle_left":true})",
     R"({"op":"push","object":"a","to":[0.1,0.3333333333333333]})",
     R"({"op":"turn","object":"a","about":"normal","with":"floor","centre":[0.1,0.2,0.3],)"
     R"("angle_deg":0.3333333333333333,"settle":true})",
     R"({"op":"turn","object":"a","about":"line","with":"b","point":[0.1,0.2,0.3],)"
     R"("axis":[0.1,0.2,0.3],"angle_deg":-30.0})",
     R"({"op":"turn","object":"a","about":"point","point":[0.1,0.2,0.3],"axis":[0.1,0.2,0.3],)"
-    R"("angle_deg":0.1,"settle":true,"settle_left":true})",
-    R"({"op":"pick_up","object":"a","distance":0.1,"with":"b","settle_left":true})",
+    R"("angle_deg":0.1,"settle":true,"together":["b","c"],"settle_left":true})",
+    R"({"op":"pick_up","object":"a","distance":0.1,"with":"b","together":["c"],"settle_left":true})",
     R"({"op":"translate","object":"a","by":[0.1,0.2,0.3],"free":true,"settle":true,)"
-    R"("settle_left":true})",
+    R"("together":["b"],"settle_left":true})",
     R"({"op":"rotate","object":"a","axis":[0.1,0.2,0.3],"angle_deg":0.1,"centre":[0.1,0.2,0.3],)"
-    R"("free":true,"settle":true,"settle_left":true})",
+    R"("free":true,"settle":true,"together":["b"],"settle_left":true})",
     R"({"op":"append","object":"a","model":"m.obj","scale":0.3333333333333333,"up":"y",)"
     R"("fixed":true})",
     R"({"op":"append","object":"a","model":"m.obj"})",
@@ -150,6 +150,8 @@ constexpr const char* kAllOperations[] = {
     R"({"op":"delete","object":"a","settle_left":true})",
     R"({"op":"lock","object":"a"})",
     R"({"op":"unlock","object":"a"})",
+    R"({"op":"fix","object":"a"})",
+    R"({"op":"unfix","object":"a"})",
     R"({"op":"group","object":"a","group":"set"})",
     R"({"op":"ungroup","object":"a"})"};
 

@@ -83,6 +83,65 @@ TEST(Group, MatesMoveAlong) {
   EXPECT_NEAR(s.position("beside").y(), 1, 1e-12);
 }
 
+/// The same as with a group of the two, to the bit.
+template <class Move>
+void expect_as_grouped(Move move) {
+  SCOPED_TRACE(op_name(move));
+  Pile grouped, together;
+  for (const char* name : {"table", "beside"})
+    grouped.scene.at(*grouped.scene.find(name)).group = "g";
+  move.object = "table";
+  ASSERT_TRUE(grouped.run(move).ok());
+  move.together = {"beside", "table", "beside"};
+  const OperationResult result = together.run(move);
+  ASSERT_TRUE(result.ok()) << result.reason;
+  EXPECT_EQ(result.carried, (std::vector<std::string>{"a", "b", "c", "beside"}));
+  EXPECT_EQ(test::snapshot(together.scene), test::snapshot(grouped.scene));
+  EXPECT_GT((together.position("beside") - Pile().position("beside")).norm(), 0.05);
+}
+
+TEST(Together, IsToMoveAsAGroup) {
+  PushOperation push;
+  push.direction = Vec2(1, 0.5), push.distance = 0.3;
+  expect_as_grouped(push);
+  TurnOperation turn;
+  turn.angle_deg = 30;
+  expect_as_grouped(turn);
+  PickUpOperation pick_up;
+  pick_up.distance = 0.2;
+  expect_as_grouped(pick_up);
+  expect_as_grouped(TranslateOperation{{}, Vec3(-1.0 / 3, 0.1, 0.7)});
+  expect_as_grouped(RotateOperation{{}, Vec3::UnitZ(), 20});
+}
+
+TEST(Together, AreHeldByTheSameHand) {
+  Pile s;
+  TranslateOperation move{{"table"}, Vec3(0, 0, 0.7)};
+  move.together = {"beside"};
+  EXPECT_TRUE(s.run(move).unsupported.empty());
+  EXPECT_EQ(s.at("table").state, ObjectState::Held);
+  EXPECT_EQ(s.at("beside").state, ObjectState::Held);
+  EXPECT_EQ(s.at("b").state, ObjectState::Stable);
+}
+
+TEST(Together, UnknownFixedLockedAndAbsentOnesAreNamed) {
+  Pile s;
+  s.fix("lamp", box_triangles(Vec3(0.01, 0.01, 0.5)), {3, 2, 1});
+  s.scene.at(*s.scene.find("b")).locked = true;
+  s.scene.add(test::object_of("away", box_triangles(Vec3(0.1, 0.1, 0.1))));
+  const auto reason = [&](const std::string& name) {
+    TranslateOperation move{{"beside"}, Vec3(0, 0, 0.1)};
+    move.together = {"a", name};
+    return s.run(move).reason;
+  };
+  const std::string accepted = " and would have to move along; accepted: objects that are not, as ";
+  EXPECT_EQ(reason("nobody"), "there is no object \"nobody\"");
+  EXPECT_EQ(reason("lamp"), "\"lamp\" is fixed" + accepted + "unfix makes it");
+  EXPECT_EQ(reason("b"), "\"b\" is locked" + accepted + "unlock makes it");
+  EXPECT_EQ(reason("away"), "\"away\" is not in the scene: put it there first");
+  EXPECT_EQ(reason("a"), "");
+}
+
 /// A plank on two posts, with a box on its middle.
 struct Bridge : Stage {
   Bridge() {

@@ -85,109 +85,145 @@ Scene start_scene(Random& random, ModelKind kind, int count) {
 
 // --- operations --------------------------------------------------------------------------------
 
-Operation random_put(Random& random, const std::string& name) {
-  PutOperation put;
-  put.object = name;
-  put.settle_left = random.integer(0, 1);
-  put.start.translation = random.beside(0.3, 0.5);
-  if (random.integer(0, 2) == 0) put.start.rotation = random.rotation();
-  return put;
-}
+/// Any operation, of any object of the scene but the board.
+class Choice {
+ public:
+  Choice(Random& random, const Scene& scene) : m_random(random), m_scene(scene) {}
 
-Operation random_push(Random& random, const std::string& name) {
-  PushOperation push;
-  push.object = name;
-  push.settle_left = random.integer(0, 1);
-  const double x = random.uniform(-1, 1), y = random.uniform(-1, 1);
-  push.direction = Vec2(x, y);
-  push.distance = random.uniform(0.01, 0.3);
-  push.slide = random.integer(0, 1);
-  return push;
-}
-
-Operation random_turn(Random& random, const std::string& name) {
-  TurnOperation turn;
-  turn.object = name;
-  turn.settle_left = random.integer(0, 1);
-  const int about = random.integer(0, 2);
-  turn.about = about == 0   ? TurnOperation::About::Normal
-               : about == 1 ? TurnOperation::About::Line
-                            : TurnOperation::About::Point;
-  turn.angle_deg = random.uniform(-60, 60);
-  turn.settle = random.integer(0, 1);
-  return turn;
-}
-
-Operation random_pick_up(Random& random, const std::string& name) {
-  PickUpOperation pick_up;
-  pick_up.object = name;
-  pick_up.settle_left = random.integer(0, 1);
-  pick_up.distance = random.uniform(0.01, 0.2);
-  return pick_up;
-}
-
-Operation random_translate(Random& random, const std::string& name) {
-  TranslateOperation translate;
-  translate.object = name;
-  translate.settle_left = random.integer(0, 1);
-  translate.by = random.in_cube(0.2);
-  translate.settle = random.integer(0, 1);
-  return translate;
-}
-
-Operation random_rotate(Random& random, const std::string& name) {
-  RotateOperation rotate;
-  rotate.object = name;
-  rotate.settle_left = random.integer(0, 1);
-  rotate.axis = random.direction();
-  rotate.angle_deg = random.uniform(-90, 90);
-  rotate.settle = random.integer(0, 1);
-  return rotate;
-}
-
-Operation random_edit(Random& random, const std::string& name, int number) {
-  switch (random.integer(0, 4)) {
-    case 0: {
-      DeleteOperation remove;
-      remove.object = name;
-      remove.settle_left = random.integer(0, 1);
-      return remove;
+  Operation operation(int number) {
+    const Object& object = any_object();
+    m_name = object.name;
+    switch (object.placed ? one_of(10) : one_of(13) == 12 ? 9 : 0) {
+      case 0:
+      case 1:
+        return one_of(3) == 0 ? put_on() : put();
+      case 2:
+      case 3:
+        return push();
+      case 4:
+        return turn();
+      case 5:
+        return pick_up();
+      case 6:
+      case 7:
+        return translate();
+      case 8:
+        return rotate();
+      default:
+        return edit(number);
     }
-    case 1:
-      return DuplicateOperation{name, std::string("copy").append(std::to_string(number))};
-    case 2:
-      return LockOperation{name, true};
-    case 3:
-      return LockOperation{name, false};
-    default:
-      return GroupOperation{name, random.integer(0, 1) ? "group" : ""};
   }
-}
 
-Operation random_operation(Random& random, const Scene& scene, int number) {
-  const std::vector<ObjectId> ids = scene.ids();
-  const Object& object = scene.at(ids[random.integer(1, static_cast<int>(ids.size()) - 1)]);
-  const int kind = object.placed ? random.integer(0, 9) : random.integer(0, 12) == 12 ? 9 : 0;
-  switch (kind) {
-    case 0:
-    case 1:
-      return random_put(random, object.name);
-    case 2:
-    case 3:
-      return random_push(random, object.name);
-    case 4:
-      return random_turn(random, object.name);
-    case 5:
-      return random_pick_up(random, object.name);
-    case 6:
-    case 7:
-      return random_translate(random, object.name);
-    case 8:
-      return random_rotate(random, object.name);
-    default:
-      return random_edit(random, object.name, number);
+ private:
+  int one_of(int count) { return m_random.integer(0, count - 1); }
+
+  const Object& any_object() {
+    const std::vector<ObjectId> ids = m_scene.ids();
+    return m_scene.at(ids[m_random.integer(1, static_cast<int>(ids.size()) - 1)]);
   }
-}
+
+  Vec2 on_board() {
+    const double x = m_random.uniform(-0.3, 0.3), y = m_random.uniform(-0.3, 0.3);
+    return {x, y};
+  }
+
+  template <class Move>
+  Move move() {
+    Move out;
+    out.object = m_name;
+    out.settle_left = one_of(2);
+    if constexpr (std::is_base_of_v<JointMoveOptions, Move>)
+      if (one_of(8) == 0) out.together = {any_object().name};
+    return out;
+  }
+
+  Operation put() {
+    auto put = move<PutOperation>();
+    put.start.translation = m_random.beside(0.3, 0.5);
+    if (one_of(3) == 0) put.start.rotation = m_random.rotation();
+    return put;
+  }
+
+  Operation put_on() {
+    auto put = move<PutOperation>();
+    PlaceOptions& place = put.place.emplace();
+    const int on = one_of(3);
+    place.on = on == 0 ? "board" : on == 1 ? "floor" : any_object().name;
+    if (one_of(2)) place.near = on_board();
+    place.seed = static_cast<std::uint64_t>(one_of(100));
+    if (one_of(3) == 0) place.keep = m_random.uniform(0, 0.02);
+    return put;
+  }
+
+  Operation push() {
+    auto push = move<PushOperation>();
+    push.slide = one_of(2);
+    if (one_of(3) == 0) {
+      push.to = on_board();
+      for (int i = one_of(3); i > 0; --i) push.via.push_back(on_board());
+      return push;
+    }
+    const double x = m_random.uniform(-1, 1), y = m_random.uniform(-1, 1);
+    push.direction = Vec2(x, y);
+    push.distance = m_random.uniform(0.01, 0.3);
+    return push;
+  }
+
+  Operation turn() {
+    auto turn = move<TurnOperation>();
+    const int about = one_of(3);
+    turn.about = about == 0   ? TurnOperation::About::Normal
+                 : about == 1 ? TurnOperation::About::Line
+                              : TurnOperation::About::Point;
+    turn.angle_deg = m_random.uniform(-60, 60);
+    turn.settle = one_of(2);
+    return turn;
+  }
+
+  Operation pick_up() {
+    auto pick_up = move<PickUpOperation>();
+    pick_up.distance = m_random.uniform(0.01, 0.2);
+    return pick_up;
+  }
+
+  Operation translate() {
+    auto translate = move<TranslateOperation>();
+    translate.by = m_random.in_cube(0.2);
+    translate.free = one_of(6) == 0;
+    translate.settle = !translate.free && one_of(2);
+    return translate;
+  }
+
+  Operation rotate() {
+    auto rotate = move<RotateOperation>();
+    rotate.axis = m_random.direction();
+    rotate.angle_deg = m_random.uniform(-90, 90);
+    rotate.free = one_of(6) == 0;
+    rotate.settle = !rotate.free && one_of(2);
+    return rotate;
+  }
+
+  Operation edit(int number) {
+    switch (one_of(6)) {
+      case 0:
+        return move<DeleteOperation>();
+      case 1:
+        return DuplicateOperation{m_name, std::string("copy").append(std::to_string(number))};
+      case 2:
+        return LockOperation{m_name, true};
+      case 3:
+        return LockOperation{m_name, false};
+      case 4:
+        return FixOperation{m_name, one_of(3) == 0};
+      default:
+        return GroupOperation{m_name, one_of(2) ? "group" : ""};
+    }
+  }
+
+  Random& m_random;
+  const Scene& m_scene;
+  std::string m_name;
+};
 
 // --- a whole sequence --------------------------------------------------------------------------
 
@@ -216,7 +252,7 @@ class Sequence {
  private:
   /// @return whether to go on.
   bool do_one(int i) {
-    const Operation operation = random_operation(m_random, m_session.scene(), i);
+    const Operation operation = Choice(m_random, m_session.scene()).operation(i);
     const Stopwatch stopwatch;
     const OperationResult result = m_session.perform(operation, m_settle);
     m_outcome.seconds += stopwatch.milliseconds() / 1000;
