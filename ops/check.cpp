@@ -121,15 +121,47 @@ ObjectState state_as_it_lies(const Scene& scene, ObjectId id, const Surroundings
   return was == ObjectState::Unsupported ? was : ObjectState::Wedged;
 }
 
+struct KnownCrossing {
+  ObjectId id;
+  std::optional<ObjectId> with;  // nothing: the floor
+};
+
+// Of what is invalid.
+std::vector<KnownCrossing> crossing_pairs(const Scene& scene) {
+  std::vector<KnownCrossing> out;
+  for (const ObjectId id : scene.ids()) {
+    const Object& object = scene.at(id);
+    if (object.state != ObjectState::Invalid) continue;
+    const Placement here{id, object.pose};
+    for (const Interpenetration& x :
+         interpenetrations(scene, {&here, 1}, true, std::numeric_limits<size_t>::max()))
+      out.push_back({x.id, x.with});
+  }
+  return out;
+}
+
+bool means_nothing(const std::vector<KnownCrossing>& crossing, ObjectId id,
+                   std::optional<ObjectId> contact_with) {
+  return std::any_of(crossing.begin(), crossing.end(), [&](const KnownCrossing& x) {
+    return (x.id == id && x.with == contact_with) || (x.id == contact_with && x.with == id);
+  });
+}
+
 }  // namespace
 
 void update_contacts(Scene& scene, double clearance) {
   clearance = believable_clearance(scene, clearance);
+  const std::vector<KnownCrossing> crossing = crossing_pairs(scene);
   for (const ObjectId id : scene.ids()) {
     const Object& object = scene.at(id);
     if (!object.placed) continue;
     const Surroundings others(scene, id);
-    const auto contacts = touching(scene, object, object.pose, others, clearance);
+    auto contacts = touching(scene, object, object.pose, others, clearance);
+    std::erase_if(contacts, [&](const ContactsWith& c) {
+      return means_nothing(
+          crossing, id,
+          c.fixed == ContactsWith::kFloor ? std::optional<ObjectId>() : others.ids[c.fixed]);
+    });
     const ObjectState state =
         object.fixed ? ObjectState::Fixed : state_as_it_lies(scene, id, others, clearance);
     commit(scene, id, object.pose, state, others, contacts, clearance);

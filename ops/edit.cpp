@@ -68,9 +68,13 @@ OperationResult remove(Scene& scene, const DeleteOperation& operation,
   std::vector<ObjectId> neighbours;
   for (const Link& link : object.links)
     if (link.with) neighbours.push_back(*link.with);
-  for (const ObjectId other : leaning_on(scene, object, Surroundings(scene, id)))
-    if (std::find(neighbours.begin(), neighbours.end(), other) == neighbours.end())
-      neighbours.push_back(other);
+  const auto add = [&](const std::vector<ObjectId>& more) {
+    for (const ObjectId other : more)
+      if (other != id && std::find(neighbours.begin(), neighbours.end(), other) == neighbours.end())
+        neighbours.push_back(other);
+  };
+  add(leaning_on(scene, object, Surroundings(scene, id)));
+  add(invalid_objects(scene));
   scene.remove(id);
   OperationResult result;
   for (const ObjectId neighbour : neighbours) rate_left_alone(scene, neighbour, clearance, result);

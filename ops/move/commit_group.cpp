@@ -71,12 +71,16 @@ bool stands_on(const Object& object, const std::vector<ContactsWith>& contacts, 
 // The state of an object that is not at rest and was not moved by hand.
 ObjectState left_alone(const Scene& scene, ObjectId id, OperationResult& result) {
   const Object& object = scene.at(id);
-  if (object.state != ObjectState::Stable && object.state != ObjectState::Unsupported)
-    return object.state;
+  if (object.state == ObjectState::Held || object.state == ObjectState::Wedged) return object.state;
   add_name(result.unsupported, object.name);
   return ObjectState::Unsupported;
 }
 
+bool is_invalid(const Scene& scene, ObjectId id) {
+  return scene.at(id).state == ObjectState::Invalid;
+}
+
+/// What is invalid stays so as long as it interpenetrates something.
 /// @param known  its contacts, if they are. @param state  asks its argument whether it is at rest.
 template <class State>
 void rate_as(Scene& scene, ObjectId id, double clearance, const std::vector<ContactsWith>* known,
@@ -86,7 +90,8 @@ void rate_as(Scene& scene, ObjectId id, double clearance, const std::vector<Cont
   const Surroundings others(scene, id);
   const std::vector<ContactsWith> contacts =
       known ? *known : touching(scene, seen, seen.pose, others, clearance);
-  const ObjectState now = state([&] {
+  const bool stays = is_invalid(scene, id) && !why_invalid(scene, id, seen.pose, true).empty();
+  const ObjectState now = stays ? ObjectState::Invalid : state([&] {
     return stands_on(seen, contacts, clearance) ||
            rests_at(scene, seen, seen.pose, others, clearance);
   });
@@ -108,6 +113,8 @@ class GroupCommit {
   void run(ObjectState otherwise, bool settled, const std::vector<Interpenetration>& crossed) {
     const RigidMove move(std::as_const(m_scene).at(m_group.ids()[0]).pose, m_group.pose());
     for (Index i = 0; i < static_cast<Index>(m_group.ids().size()); ++i) prepare(i, move, crossed);
+    for (const ObjectId id : invalid_objects(m_scene)) add_partner(id);
+    m_to_rate.insert(m_to_rate.end(), m_partners.begin(), m_partners.end());
     for (Index i = 0; i < static_cast<Index>(m_group.ids().size()); ++i) {
       Object& object = m_scene.at(m_group.ids()[i]);
       m_scene.link(m_group.ids()[i], std::move(m_links[i]));
@@ -125,17 +132,20 @@ class GroupCommit {
   // member does on it or beside it.
   void touch(const std::vector<Link>& links) {
     for (const Link& link : links) {
-      if (!link.with || has(m_group.ids(), *link.with) || has(m_partners, *link.with)) continue;
+      if (!link.with) continue;
       if (!stands_on_its_own(std::as_const(m_scene).at(*link.with)) || weighs_on(link.contact))
-        m_partners.push_back(*link.with);
+        add_partner(*link.with);
     }
+  }
+
+  void add_partner(ObjectId id) {
+    if (!has(m_group.ids(), id) && !has(m_partners, id)) m_partners.push_back(id);
   }
 
   // The member leaves its neighbours: those that may lean on it are to be rated, too.
   // @return whether it may lean on one of them.
   bool leave(const Object& member) {
-    for (const ObjectId id : leaning_on(m_scene, member, m_group.outside()))
-      if (!has(m_partners, id)) m_partners.push_back(id);
+    for (const ObjectId id : leaning_on(m_scene, member, m_group.outside())) add_partner(id);
     return leans_on_any(m_scene, member, m_group.outside());
   }
 
@@ -156,7 +166,8 @@ class GroupCommit {
     touch(object.links);
     const bool leans = leave(object);
     if (m_group.ids().size() == 1) m_contacts = contacts;
-    bool rated_again = i == 0 || move.tilted() || !links.empty() || leans;
+    bool rated_again = i == 0 || move.tilted() || !links.empty() || leans ||
+                       is_invalid(m_scene, id) || crosses(id, crossed);
     for (const Link& link : object.links)
       if (link.with && has(m_group.ids(), *link.with))
         links.push_back({link.with, move.contact(link.contact)});
@@ -164,17 +175,18 @@ class GroupCommit {
         rated_again = true;
     if (rated_again) m_to_rate.push_back(id);
     m_links.push_back(std::move(links));
-    if (i + 1 == static_cast<Index>(m_group.ids().size()))
-      m_to_rate.insert(m_to_rate.end(), m_partners.begin(), m_partners.end());
+  }
+
+  static bool crosses(ObjectId id, const std::vector<Interpenetration>& crossed) {
+    return std::any_of(crossed.begin(), crossed.end(),
+                       [&](const Interpenetration& x) { return x.id == id; });
   }
 
   void rate(ObjectId id, ObjectState otherwise, bool settled,
             const std::vector<Interpenetration>& crossed) {
-    const bool crosses = std::any_of(crossed.begin(), crossed.end(),
-                                     [&](const Interpenetration& x) { return x.id == id; });
     const bool is_object = id == m_group.ids()[0];
     const auto state = [&](const auto& rests) {
-      if (crosses) return ObjectState::Invalid;
+      if (crosses(id, crossed)) return ObjectState::Invalid;
       // What settles together may not rest alone.
       if (is_object && settled && m_group.ids().size() == 1) return otherwise;
       if (rests()) return ObjectState::Stable;
@@ -284,6 +296,13 @@ void commit_freely(Scene& scene, const MovingGroup& group, OperationResult& resu
   for (const Interpenetration& c : crossed)
     add_name(result.interpenetrates, c.with ? std::as_const(scene).at(*c.with).name : "floor");
   GroupCommit(scene, group, result).run(ObjectState::Held, false, crossed);
+}
+
+std::vector<ObjectId> invalid_objects(const Scene& scene) {
+  std::vector<ObjectId> out;
+  for (const ObjectId id : scene.ids())
+    if (is_invalid(scene, id)) out.push_back(id);
+  return out;
 }
 
 void rate_left_alone(Scene& scene, ObjectId id, double clearance, OperationResult& result) {
