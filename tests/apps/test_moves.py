@@ -38,6 +38,25 @@ class Moves(Case):
         self.assertTrue(report["check"]["all_at_rest"])
         self.trivet("check", "t.glb")
 
+    def test_others_move_together_and_a_fixed_one_when_it_is_unfixed(self):
+        operation, places, report, _ = self.move("push", "s.glb", "a", "--direction", 0, 1,
+                                                 "--distance", 0.1, "--together", "b")
+        self.assertEqual(operation["carried"], ["b", "on_a"])
+        for name, x in (("a", 0), ("on_a", 0), ("b", 0.3)):
+            self.assertAlmostEqual(places[name][0], x, 5)
+            self.assertAlmostEqual(places[name][1], 0.1, 5)
+        self.assertTrue(report["check"]["all_at_rest"])
+        out = self.move("push", "s.glb", "a", "--direction", 0, 1, "--distance", 0.1,
+                        "--together", "b", "nobody", status=1)[3]
+        self.assertIn('there is no object "nobody"', out)
+        self.trivet("fix", "t.glb", "a", "-o", "u.glb")
+        out = self.move("push", "u.glb", "a", "--to", 0, 0.2, status=1)[3]
+        self.assertIn("as unfix makes it", out)
+        self.trivet("unfix", "u.glb", "a", "-o", "u.glb")
+        operation, places, _, _ = self.move("push", "u.glb", "a", "--to", 0, 0.2)
+        self.assertEqual(operation["carried"], ["on_a"])
+        self.assertAlmostEqual(places["on_a"][1], 0.2, 5)
+
     def test_turn(self):
         operation, _, report, _ = self.move("turn", "s.glb", "a", "--angle-deg", -30)
         self.assertEqual((operation["ended"], operation["turned_deg"]), ("reached", -30))
