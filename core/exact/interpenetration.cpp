@@ -6,8 +6,8 @@
 #include <cmath>
 #include <tuple>
 
+#include "core/exact/near_faces.h"
 #include "core/exact/predicates.h"
-#include "core/exact/separating_axes.h"
 
 namespace trivet {
 namespace {
@@ -16,17 +16,6 @@ namespace {
 constexpr int kMaxRays = 100;
 // Sideways part of a ray per upward part; straight rays would run along walls.
 constexpr double kTilt = 1e-2;
-
-Triangle world_triangle(const PlacedShape& placed, Index face) {
-  const Index3& t = placed.shape->mesh.triangles[face];
-  return {placed.position(t[0]), placed.position(t[1]), placed.position(t[2])};
-}
-
-BoxFrame box_frame(const PlacedShape& placed) {
-  const Aabb box = placed.shape->bvh.nodes[0].box();
-  return {placed.world_from_object, box.lower.cwiseAbs().cwiseMax(box.upper.cwiseAbs()),
-          placed.slack};
-}
 
 bool has_faces(const PlacedShape& placed) { return !placed.shape->bvh.nodes.empty(); }
 
@@ -140,6 +129,17 @@ bool in_box_of_closed_component(const Vec3& point, const PlacedShape& outer) {
 }
 
 }  // namespace
+
+BoxFrame box_frame(const PlacedShape& placed) {
+  const Aabb box = placed.shape->bvh.nodes[0].box();
+  return {placed.world_from_object, box.lower.cwiseAbs().cwiseMax(box.upper.cwiseAbs()),
+          placed.slack};
+}
+
+Triangle world_triangle(const PlacedShape& placed, Index face) {
+  const Index3& t = placed.shape->mesh.triangles[face];
+  return {placed.position(t[0]), placed.position(t[1]), placed.position(t[2])};
+}
 
 Positions world_positions(const Shape& shape, const Affine& world_from_object) {
   Positions out;

@@ -25,6 +25,7 @@ class LiveMove {
   bool refused() const;
   const OperationResult& result() const;  // of what was done last: end, blocked_by, ...
   const SettleOptions& options() const;
+  double clearance() const;  // metres, at which it stops; 0 when there is no such object
 
   /// PUSH: where the object's position shall be, seen from above (z does not matter). TRANSLATE:
   /// how far it shall be from where it was at the start.

@@ -114,7 +114,9 @@ void Engine::tell(Message message) {
 }
 
 void Engine::tell(const OperationResult& result, const Operation& operation) {
-  if (auto said = message_of(m_opened->session.scene(), operation, result)) tell(std::move(*said));
+  if (auto said =
+          message_of(m_opened->session.scene(), operation, result, settle_options().clearance))
+    tell(std::move(*said));
 }
 
 RunOptions Engine::run_options() {
@@ -134,10 +136,10 @@ RunOptions Engine::run_options() {
   return options;
 }
 
-void Engine::publish() {
+void Engine::publish(std::optional<SettledWay> way) {
   const Session& session = m_opened->session;
   Document::State state;
-  state.snapshot = m_snapshots.make(session.scene(), settled_clearance(*m_opened));
+  state.snapshot = m_snapshots.make(session.scene(), settled_clearance(*m_opened), std::move(way));
   for (const SessionStep& step : session.steps()) state.history.steps.push_back(step.name);
   state.history.num_done = session.num_done();
   state.file = m_file;
@@ -158,11 +160,23 @@ SettleOptions Engine::settle_options() const {
 
 bool Engine::perform(const Operation& operation) { return perform_all({operation}); }
 
+// Where a way begins that is to be watched; of a PUT the operation says it.
+std::optional<Pose> Engine::pose_before(const std::vector<Operation>& operations) const {
+  const Scene& scene = m_opened->session.scene();
+  const auto id = scene.find(object_name(operations.front()));
+  const bool is_put = std::holds_alternative<PutOperation>(operations.front());
+  if (operations.size() > 1 || is_put || !id || !scene.at(*id).placed) return std::nullopt;
+  return scene.at(*id).pose;
+}
+
 bool Engine::perform_all(const std::vector<Operation>& operations,
                          const std::vector<std::string>& select) {
   if (operations.empty()) return true;
-  const OperationResult result = m_opened->session.perform_all(operations, settle_options());
-  if (result.ok()) publish();
+  Session& session = m_opened->session;
+  const std::optional<Pose> from = pose_before(operations);
+  const OperationResult result = session.perform_all(operations, settle_options());
+  if (result.ok())
+    publish(settled_way(session.scene(), operations.back(), result, result.steps, from));
   if (result.ok() && !select.empty())
     tell([select](Document& shown) { shown.select_named(select); });
   tell(result, operations.back());
@@ -219,7 +233,7 @@ void Engine::follow() {
   else
     m_live->follow(goal->by);
   if (m_live->refused()) return;  // end_drag() says why
-  tell([snapshot = m_snapshots.make_drag(*m_live), drag = m_drag,
+  tell([snapshot = m_snapshots.make_drag(m_opened->session.scene(), *m_live), drag = m_drag,
         when = goal->when](Document& shown) {
     const std::chrono::duration<double, std::milli> took = DragGoal::Clock::now() - when;
     shown.show_drag(snapshot, drag, took.count());
@@ -230,14 +244,19 @@ bool Engine::end_drag(std::uint64_t drag) {
   if (!m_live || drag != m_drag) return false;
   const Operation operation = m_live->operation();
   const bool moves = m_live->has_moved() || m_live->refused();
+  const std::vector<Placement> seen = m_live->placements();
+  const size_t num_seen = m_live->result().steps.size();
   OperationResult result;
   if (moves) result = m_opened->session.finish(*m_live);
   m_live.reset();
   const bool committed = moves && result.ok();
-  if (committed)
-    publish();
-  else
+  if (committed) {
+    const std::span<const SettleStep> all = result.steps;
+    publish(settled_way(m_opened->session.scene(), operation, result,
+                        all.subspan(std::min(num_seen, all.size())), seen.front().pose));
+  } else {
     show_again();
+  }
   tell([committed](Document& shown) { Q_EMIT shown.drag_ended(committed); });
   tell(result, operation);
   return result.ok();

@@ -79,7 +79,8 @@ class Engine {
   std::unique_ptr<FileLock> locked(const std::string& file) const;
   std::string model_path(const std::string& file) const;
   OpenedSession opened_from(const std::string& file);
-  void publish();
+  void publish(std::optional<SettledWay> way = std::nullopt);
+  std::optional<Pose> pose_before(const std::vector<Operation>& operations) const;
 
   Document& m_document;
   DocumentOptions m_options;

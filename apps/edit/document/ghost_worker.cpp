@@ -88,7 +88,8 @@ Ghost GhostWorker::answer_to(const Request& request) {
   if (ghost.ok) describe(scene, result, ghost);
   SceneChange change = m_scene->stop_recording();
   m_scene->exchange(change);
-  if (const auto message = message_of(scene, request.operation, result)) {
+  if (const auto message =
+          message_of(scene, request.operation, result, request.options.clearance)) {
     ghost.text = message->text;
     ghost.points.insert(ghost.points.end(), message->points.begin(), message->points.end());
     for (const ObjectId other : message->objects)

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/scene/scene.h"
+#include "ops/interference.h"
 
 namespace trivet::edit {
 
@@ -18,6 +18,7 @@ struct Message {
   std::string text;
   std::vector<ObjectId> objects;  // to be lit in the scene
   std::vector<Vec3> points;       // to be marked there, world
+  InterferingFaces faces = {};    // of what was stopped and of what stopped it
 };
 
 }  // namespace trivet::edit

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/base/tunables.h"
+
 namespace trivet::edit {
 namespace {
 
@@ -42,6 +44,19 @@ std::string why_it_ended(const OperationResult& result) {
   return "";
 }
 
+// Where the objects are now: when they were let go and have gone on, there may be none.
+InterferingFaces faces_that_stopped(const Scene& scene, const Operation& operation,
+                                    const OperationResult& result, double clearance) {
+  std::vector<Placement> moved;
+  std::vector<std::string> names = result.carried;
+  names.push_back(object_name(operation));
+  for (const std::string& name : names)
+    if (const auto id = scene.find(name)) moved.push_back({*id, scene.at(*id).pose});
+  if (!(clearance > 0)) clearance = default_clearance(scene);
+  return blocking_faces(scene, moved, {result.blocked_by, result.blocked_at},
+                        kContactTolerance * clearance);
+}
+
 void add_sentence(std::string& text, const std::string& sentence) {
   if (!text.empty()) text.append("; ");
   text.append(sentence);
@@ -50,7 +65,7 @@ void add_sentence(std::string& text, const std::string& sentence) {
 }  // namespace
 
 std::optional<Message> message_of(const Scene& scene, const Operation& operation,
-                                  const OperationResult& result) {
+                                  const OperationResult& result, double clearance) {
   Message message;
   std::string name = "\"";
   name.append(object_name(operation)).append("\"");
@@ -64,7 +79,10 @@ std::optional<Message> message_of(const Scene& scene, const Operation& operation
   std::string what = why_it_ended(result);
   if (!what.empty()) {
     add(message.objects, scene.find(result.blocked_by));
-    if (result.end != OperationResult::End::Edge) message.points.push_back(result.blocked_at);
+    if (result.end != OperationResult::End::Edge) {
+      message.points.push_back(result.blocked_at);
+      message.faces = faces_that_stopped(scene, operation, result, clearance);
+    }
   }
   if (!result.unsupported.empty())
     add_sentence(what, quoted(result.unsupported) + " left without support");

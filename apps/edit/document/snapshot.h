@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "core/scene/scene.h"
-#include "ops/put.h"
+#include "apps/edit/document/settled_way.h"
+#include "ops/interference.h"
 
 namespace trivet::edit {
 
@@ -29,6 +29,13 @@ struct DragSnapshot {
   OperationResult::End end = OperationResult::End::Reached;
   std::string blocked_by;          // an object, or "floor"
   Vec3 blocked_at = Vec3::Zero();  // world
+  InterferingFaces faces;          // that block it, or that cross in a free move
+};
+
+/// An object that moved freely into others, with the faces that cross.
+struct InvalidObject {
+  ObjectId id;
+  InterferingFaces faces;
 };
 
 struct SceneSnapshot {
@@ -39,8 +46,10 @@ struct SceneSnapshot {
   std::vector<ObjectSnapshot> objects;          // in the order of Scene::ids(); unplaced ones too
   std::vector<std::uint32_t> position_of_slot;  // in `objects`, by ObjectId::index; see find()
   std::shared_ptr<const LoadSupport> support;   // of the committed scene; never null
-  std::optional<DragSnapshot> drag;  // then the poses of what moves are those in the hand, and
-                                     // the links of these objects are as before the drag
+  std::shared_ptr<const std::vector<InvalidObject>> invalid;  // of it too; null: none
+  std::shared_ptr<const SettledWay> way;  // that the last operation took; null: none to be watched
+  std::optional<DragSnapshot> drag;       // then the poses of what moves are those in the hand, and
+                                          // the links of these objects are as before the drag
 
   /// Null: there is none.
   const ObjectSnapshot* find(ObjectId id) const;

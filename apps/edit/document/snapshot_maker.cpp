@@ -2,10 +2,40 @@
 
 #include <algorithm>
 
+#include "core/base/tunables.h"
+
 namespace trivet::edit {
 namespace {
 
 constexpr std::uint32_t kNowhere = 0xffffffff;
+constexpr size_t kMostInvalid = 32;  // whose faces are looked for
+
+std::shared_ptr<const std::vector<InvalidObject>> invalid_objects(const Scene& scene) {
+  std::vector<InvalidObject> found;
+  for (const ObjectId id : scene.ids()) {
+    const Object& object = scene.at(id);
+    if (!object.placed || object.state != ObjectState::Invalid || found.size() == kMostInvalid)
+      continue;
+    const Placement here{id, object.pose};
+    found.push_back({id, crossing_faces(scene, {&here, 1})});
+  }
+  if (found.empty()) return nullptr;
+  return std::make_shared<const std::vector<InvalidObject>>(std::move(found));
+}
+
+bool is_free(const Operation& operation) {
+  if (const auto* const move = std::get_if<TranslateOperation>(&operation)) return move->free;
+  const auto* const rotate = std::get_if<RotateOperation>(&operation);
+  return rotate && rotate->free;
+}
+
+void note_in_the_way(const Scene& scene, const LiveMove& live, DragSnapshot& drag) {
+  if (is_free(live.operation()))
+    drag.faces = crossing_faces(scene, live.placements());
+  else if (!drag.blocked_by.empty())
+    drag.faces = blocking_faces(scene, live.placements(), {drag.blocked_by, drag.blocked_at},
+                                kContactTolerance * live.clearance());
+}
 
 }  // namespace
 
@@ -18,7 +48,8 @@ void SnapshotMaker::note_changed(std::span<const ObjectId> ids) {
   m_changed.insert(m_changed.end(), ids.begin(), ids.end());
 }
 
-std::shared_ptr<const SceneSnapshot> SnapshotMaker::make(const Scene& scene, double clearance) {
+std::shared_ptr<const SceneSnapshot> SnapshotMaker::make(const Scene& scene, double clearance,
+                                                         std::optional<SettledWay> way) {
   auto made = std::make_shared<SceneSnapshot>();
   made->revision = ++m_revision;
   made->committed = ++m_committed;
@@ -36,12 +67,15 @@ std::shared_ptr<const SceneSnapshot> SnapshotMaker::make(const Scene& scene, dou
     made->position_of_slot[slot] = static_cast<std::uint32_t>(i);
   }
   made->support = std::make_shared<const LoadSupport>(load_support(scene));
+  made->invalid = invalid_objects(scene);
+  if (way) made->way = std::make_shared<const SettledWay>(std::move(*way));
   m_changed.clear();
   m_last = made;
   return made;
 }
 
-std::shared_ptr<const SceneSnapshot> SnapshotMaker::make_drag(const LiveMove& live) {
+std::shared_ptr<const SceneSnapshot> SnapshotMaker::make_drag(const Scene& scene,
+                                                              const LiveMove& live) {
   auto made = std::make_shared<SceneSnapshot>(*m_last);
   made->revision = ++m_revision;
   DragSnapshot& drag = made->drag.emplace();
@@ -60,6 +94,7 @@ std::shared_ptr<const SceneSnapshot> SnapshotMaker::make_drag(const LiveMove& li
     drag.blocked_by = result.blocked_by;
     drag.blocked_at = result.blocked_at;
   }
+  note_in_the_way(scene, live, drag);
   return made;
 }
 

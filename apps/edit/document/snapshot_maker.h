@@ -16,9 +16,11 @@ class SnapshotMaker {
   void forget();
   /// Since the last snapshot; objects that are gone, too.
   void note_changed(std::span<const ObjectId> ids);
-  std::shared_ptr<const SceneSnapshot> make(const Scene& scene, double clearance);
+  /// @param way  that led here, if it is to be watched.
+  std::shared_ptr<const SceneSnapshot> make(const Scene& scene, double clearance,
+                                            std::optional<SettledWay> way);
   /// The last one, with what moves where the hand has it.
-  std::shared_ptr<const SceneSnapshot> make_drag(const LiveMove& live);
+  std::shared_ptr<const SceneSnapshot> make_drag(const Scene& scene, const LiveMove& live);
   /// The last one as it was before drags.
   std::shared_ptr<const SceneSnapshot> make_again();
 

@@ -6,11 +6,10 @@
 namespace trivet::edit {
 namespace {
 
-constexpr double kSettlingMs = 320;  // that a way from rest to rest takes on the screen
-constexpr int kTickMs = 16;
 constexpr int kGhostRestsMs = 120;                        // after that it counts as still
 constexpr double kNormalPx = 26, kNormalOfObject = 0.15;  // the shorter: how long normals are
 constexpr size_t kManyPoints = 12;                        // of a contact
+constexpr size_t kManyFaces = 300;                        // more are lit without their edges
 const LiveColour kContactRed{0.92f, 0.20f, 0.18f, 1};
 const LiveColour kGravityLine{0.30f, 0.55f, 0.95f, 1};
 const LiveColour kBox{0.55f, 0.62f, 0.72f, 0.8f};
@@ -22,24 +21,6 @@ const LiveColour kAxes[4] = {{0.86f, 0.27f, 0.27f, 1},
 LiveColour with_alpha(LiveColour colour, float alpha) {
   colour[3] = alpha;
   return colour;
-}
-
-Pose between(const Pose& from, const Pose& to, double t) {
-  const Rotation &a = from.rotation, &b = to.rotation;
-  const double side = a.w * b.w + a.x * b.x + a.y * b.y + a.z * b.z < 0 ? -1 : 1;
-  const double u = 1 - t, v = side * t;
-  Pose out;
-  out.rotation =
-      Rotation{u * a.w + v * b.w, u * a.x + v * b.x, u * a.y + v * b.y, u * a.z + v * b.z}
-          .normalized();
-  out.translation = u * from.translation + t * to.translation;
-  return out;
-}
-
-bool same_pose(const Pose& a, const Pose& b) {
-  return a.translation == b.translation && a.rotation.w == b.rotation.w &&
-         a.rotation.x == b.rotation.x && a.rotation.y == b.rotation.y &&
-         a.rotation.z == b.rotation.z;
 }
 
 LiveObject live_object(const Object& object, const Pose& pose) {
@@ -67,12 +48,11 @@ SceneDrawing::SceneDrawing(Document& document, Toolbox& toolbox, QObject* parent
     Q_EMIT changed();
   });
   connect(&m_document, &Document::message, this, &SceneDrawing::light);
-  m_tick.setInterval(kTickMs);
-  connect(&m_tick, &QTimer::timeout, this, &SceneDrawing::move_on);
+  connect(&m_playback, &Playback::changed, this, &SceneDrawing::changed);
 }
 
 bool SceneDrawing::is_moving() const {
-  return !m_ways.empty() || m_document.snapshot()->drag ||
+  return m_playback.is_on() || m_document.snapshot()->drag ||
          (m_ghost_moved.isValid() && m_ghost_moved.elapsed() < kGhostRestsMs);
 }
 
@@ -92,52 +72,38 @@ void SceneDrawing::light(const Message& message) {
 }
 
 void SceneDrawing::put_out_lights() {
-  if (m_lit.objects.empty() && m_lit.points.empty()) return;
+  if (m_lit.objects.empty() && m_lit.points.empty() && m_lit.faces.empty()) return;
   light({});
 }
 
 void SceneDrawing::follow_document() {
   const auto now = m_document.snapshot();
   if (now->committed != m_before->committed) {
-    m_ways.clear();
     put_out_lights();
-    for (const ObjectSnapshot& object : now->objects) {
-      const ObjectSnapshot* const before = m_before->find(object.id);
-      if (!m_options.watch_settling || !before || before->revision == object.revision) continue;
-      if (!(*before)->placed || !object->placed || same_pose((*before)->pose, object->pose))
-        continue;
-      m_ways[object.id.index] = {(*before)->pose, object->pose};
-    }
-    m_since.start();
-    if (m_ways.empty())
-      m_tick.stop();
+    if (m_options.watch_settling)
+      m_playback.play(*m_before, now);
     else
-      m_tick.start();
+      m_playback.end();
   }
   m_before = now;
   Q_EMIT changed();
 }
 
-double SceneDrawing::progress() const {
-  const double t = std::min(double(m_since.elapsed()) / kSettlingMs, 1.0);
-  return t * t * (3 - 2 * t);
+bool SceneDrawing::is_dragged(ObjectId id) const {
+  const auto& drag = m_document.snapshot()->drag;
+  return drag && std::find(drag->moving.begin(), drag->moving.end(), id) != drag->moving.end();
 }
 
-void SceneDrawing::move_on() {
-  if (progress() >= 1) {
-    m_ways.clear();
-    m_tick.stop();
-  }
-  Q_EMIT changed();
-}
-
-Pose SceneDrawing::shown_pose(const ObjectSnapshot& object) const {
-  const auto way = m_ways.find(object.id.index);
-  if (way == m_ways.end()) return object->pose;
-  return between(way->second.from, way->second.to, progress());
+bool SceneDrawing::stops_drag(const ObjectSnapshot& object) const {
+  const auto& drag = m_document.snapshot()->drag;
+  return drag && drag->blocked && object->name == drag->blocked_by;
 }
 
 LiveColour SceneDrawing::tint_of(const ObjectSnapshot& object) const {
+  // Where faces are lit, the object itself is marked weakly.
+  if (stops_drag(object))
+    return live_colour(m_theme.refused(),
+                       m_document.snapshot()->drag->faces.empty() ? 0.45f : 0.18f);
   if (std::find(m_lit.objects.begin(), m_lit.objects.end(), object.id) != m_lit.objects.end())
     return m_lit.kind == Message::Kind::Info ? live_colour(m_theme.information(), 0.35f)
                                              : live_colour(m_theme.refused(), 0.5f);
@@ -159,20 +125,16 @@ LiveScene SceneDrawing::scene(const View& view) const {
   out.floor = snapshot->floor;
   for (const ObjectSnapshot& object : snapshot->objects) {
     if (!object->placed) continue;
-    LiveObject live = live_object(*object.object, shown_pose(object));
+    LiveObject live = live_object(*object.object, m_playback.pose_of(object));
     live.tint = tint_of(object);
     live.outlined = m_document.selection().contains(object.id);
-    live.moving = m_ways.count(object.id.index) > 0;
-    if (snapshot->drag) {
-      const auto& moving = snapshot->drag->moving;
-      live.moving =
-          live.moving || std::find(moving.begin(), moving.end(), object.id) != moving.end();
-    }
+    live.moving = m_playback.moves(object.id) || is_dragged(object.id);
     out.objects.push_back(std::move(live));
   }
   add_ghost(out);
   add_active(out, view);
   add_drag(out);
+  add_interference(out.overlay);
   add_tool(out.overlay, view);
   for (const Vec3& point : m_lit.points)
     out.overlay.points.push_back({point, live_colour(m_theme.refused()), 6, Hidden::Shown});
@@ -201,7 +163,7 @@ void SceneDrawing::add_active(LiveScene& scene, const View& view) const {
   const auto active = m_document.selection().active();
   const auto snapshot = m_document.snapshot();
   const ObjectSnapshot* const object = active ? snapshot->find(*active) : nullptr;
-  if (!object || !(*object)->placed || !m_options.contacts || !m_ways.empty()) return;
+  if (!object || !(*object)->placed || !m_options.contacts || m_playback.is_on()) return;
   LiveOverlay& overlay = scene.overlay;
   if (!(*object)->fixed) {
     const Vec3 centre = (*object)->centre_of_mass();
@@ -249,16 +211,39 @@ void SceneDrawing::add_drag(LiveScene& scene) const {
   if (!box.empty()) scene.overlay.add_box(box, kBox, 1, Hidden::Faint);
   for (const ContactPoint& point : drag.contacts)
     scene.overlay.points.push_back({point.point, kContactRed, 3, Hidden::Faint});
-  if (!drag.blocked) return;
-  if (drag.end != OperationResult::End::Edge)
+  if (drag.blocked && drag.end != OperationResult::End::Edge)
     scene.overlay.points.push_back(
         {drag.blocked_at, live_colour(m_theme.refused()), 7, Hidden::Shown});
-  const ObjectSnapshot* const by = snapshot->find(drag.blocked_by);
-  if (!by) return;
-  for (LiveObject& live : scene.objects)
-    if (live.model == (*by)->model && live.opacity >= 1 &&
-        live.world_from_object.translation == (*by)->world_from_object().translation)
-      live.tint = live_colour(m_theme.refused(), 0.45f);
+}
+
+// The faces that are in each other's way; what a message is about, too.
+void SceneDrawing::add_interference(LiveOverlay& overlay) const {
+  if (m_playback.is_on()) return;
+  const auto snapshot = m_document.snapshot();
+  if (snapshot->invalid)
+    for (const InvalidObject& object : *snapshot->invalid)
+      if (!is_dragged(object.id)) add_faces(overlay, object.faces);
+  if (snapshot->drag)
+    add_faces(overlay, snapshot->drag->faces);
+  else
+    add_faces(overlay, m_lit.faces);
+}
+
+void SceneDrawing::add_faces(LiveOverlay& overlay, const InterferingFaces& faces) const {
+  const auto snapshot = m_document.snapshot();
+  const LiveColour area = live_colour(m_theme.lit(), 0.75f), edge = live_colour(m_theme.lit());
+  for (const FacesOfObject& of : faces.objects) {
+    const ObjectSnapshot* const object = snapshot->find(of.id);
+    if (!object) continue;
+    const Affine world = (*object)->world_from_object();
+    for (const Index face : of.faces) {
+      Triangle t = (*object)->shape->mesh.triangle(face);
+      for (Vec3& corner : t) corner = world.apply(corner);
+      overlay.triangles.push_back({t, area, Hidden::Faint});
+      if (of.faces.size() <= kManyFaces)
+        overlay.add_loop({t[0], t[1], t[2]}, edge, 1.2f, Hidden::Faint);
+    }
+  }
 }
 
 void SceneDrawing::add_tool(LiveOverlay& overlay, const View& view) const {

@@ -4,11 +4,10 @@
 
 #include <QElapsedTimer>
 #include <QObject>
-#include <QTimer>
-#include <map>
 
 #include "apps/edit/document/document.h"
 #include "apps/edit/tools/toolbox.h"
+#include "apps/edit/window/playback.h"
 #include "apps/edit/window/theme.h"
 
 namespace trivet::edit {
@@ -41,18 +40,16 @@ class SceneDrawing : public QObject {
   void changed();
 
  private:
-  struct Way {
-    Pose from, to;
-  };
   void follow_document();
-  void move_on();
-  double progress() const;  // of the motion, 0 to 1
-  Pose shown_pose(const ObjectSnapshot& object) const;
+  bool is_dragged(ObjectId id) const;
+  bool stops_drag(const ObjectSnapshot& object) const;
   LiveColour tint_of(const ObjectSnapshot& object) const;
   void add_ghost(LiveScene& scene) const;
   void add_active(LiveScene& scene, const View& view) const;
   void add_contacts(LiveOverlay& overlay, const Object& object, const View& view) const;
   void add_drag(LiveScene& scene) const;
+  void add_interference(LiveOverlay& overlay) const;
+  void add_faces(LiveOverlay& overlay, const InterferingFaces& faces) const;
   void add_tool(LiveOverlay& overlay, const View& view) const;
 
   Document& m_document;
@@ -61,9 +58,8 @@ class SceneDrawing : public QObject {
   DrawingOptions m_options;
   Message m_lit;
   std::shared_ptr<const SceneSnapshot> m_before;
-  std::map<std::uint32_t, Way> m_ways;  // by the object's slot
-  QElapsedTimer m_since, m_ghost_moved;
-  QTimer m_tick;
+  Playback m_playback;
+  QElapsedTimer m_ghost_moved;
 };
 
 }  // namespace trivet::edit

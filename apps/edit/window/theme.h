@@ -22,6 +22,7 @@ struct Theme {
   QColor accent() const { return dark ? QColor(86, 146, 226) : QColor(38, 108, 200); }
   QColor refused() const { return dark ? QColor(224, 96, 84) : QColor(196, 52, 40); }
   QColor information() const { return accent(); }
+  QColor lit() const { return QColor(255, 64, 40); }  // faces in each other's way
 
   /// Style, palette and style sheet of the whole program.
   void apply(QApplication& application) const;

@@ -1,0 +1,98 @@
+#include "apps/edit/window/playback.h"
+
+#include <QApplication>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <algorithm>
+
+namespace trivet::edit {
+namespace {
+
+constexpr int kTickMs = 16;
+constexpr double kStraightMs = 320;  // that a way takes which nobody knows
+// Of a known way: so many for its length in sizes of the object, no less and no more than these.
+constexpr double kMsPerSize = 350, kShortestMs = 240, kLongestMs = 1400;
+
+bool same_pose(const Pose& a, const Pose& b) {
+  return a.translation == b.translation && a.rotation.w == b.rotation.w &&
+         a.rotation.x == b.rotation.x && a.rotation.y == b.rotation.y &&
+         a.rotation.z == b.rotation.z;
+}
+
+bool is_on_way(const SceneSnapshot& scene, ObjectId id) {
+  return scene.way &&
+         std::find(scene.way->moved.begin(), scene.way->moved.end(), id) != scene.way->moved.end();
+}
+
+double milliseconds_of(const SettledWay& way) {
+  return std::clamp(kMsPerSize * way.length() / way.size, kShortestMs, kLongestMs);
+}
+
+}  // namespace
+
+Playback::Playback(QObject* parent) : QObject(parent) {
+  m_tick.setInterval(kTickMs);
+  connect(&m_tick, &QTimer::timeout, this, &Playback::move_on);
+}
+
+Playback::~Playback() { end(); }
+
+void Playback::play(const SceneSnapshot& before, std::shared_ptr<const SceneSnapshot> now) {
+  end();
+  for (const ObjectSnapshot& object : now->objects) {
+    const ObjectSnapshot* const old = before.find(object.id);
+    if (!old || old->revision == object.revision || !(*old)->placed || !object->placed) continue;
+    if (is_on_way(*now, object.id) || same_pose((*old)->pose, object->pose)) continue;
+    m_straight[object.id.index] = (*old)->pose;
+  }
+  if (!now->way && m_straight.empty()) return;
+  m_milliseconds = now->way ? milliseconds_of(*now->way) : kStraightMs;
+  m_now = std::move(now);
+  m_since.start();
+  m_tick.start();
+  qApp->installEventFilter(this);
+}
+
+void Playback::end() {
+  if (!is_on()) return;
+  qApp->removeEventFilter(this);
+  m_tick.stop();
+  m_straight.clear();
+  m_now.reset();
+}
+
+double Playback::progress() const {
+  const double t = std::min(double(m_since.elapsed()) / m_milliseconds, 1.0);
+  return t * t * (3 - 2 * t);
+}
+
+void Playback::move_on() {
+  if (progress() >= 1) end();
+  Q_EMIT changed();
+}
+
+bool Playback::moves(ObjectId id) const {
+  return is_on() && (is_on_way(*m_now, id) || m_straight.count(id.index) > 0);
+}
+
+Pose Playback::pose_of(const ObjectSnapshot& object) const {
+  if (!moves(object.id)) return object->pose;
+  if (const auto straight = m_straight.find(object.id.index); straight != m_straight.end())
+    return between(straight->second, object->pose, progress());
+  const SettledWay& way = *m_now->way;
+  const Pose first = pose_on(way, progress());
+  return object.id == way.moved.front() ? first
+                                        : carried_pose(first, way.poses.back(), object->pose);
+}
+
+bool Playback::eventFilter(QObject*, QEvent* event) {
+  const bool is_key = event->type() == QEvent::KeyPress;
+  const bool is_click = event->type() == QEvent::MouseButtonPress &&
+                        static_cast<QMouseEvent*>(event)->button() == Qt::LeftButton;
+  if (!is_key && !is_click) return false;
+  end();
+  Q_EMIT changed();
+  return is_key && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape;
+}
+
+}  // namespace trivet::edit

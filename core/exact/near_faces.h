@@ -1,0 +1,32 @@
+// Pairs of faces of two placed shapes that may be near each other, from their box trees.
+#pragma once
+
+#include "core/exact/interpenetration.h"
+#include "core/exact/separating_axes.h"
+
+namespace trivet {
+
+/// Where the boxes of a placed shape are. It must have faces.
+BoxFrame box_frame(const PlacedShape& placed);
+
+Triangle world_triangle(const PlacedShape& placed, Index face);
+
+/// Calls visit(face of a, face of b) -> bool for all pairs that are no farther than `distance`
+/// (metres) from each other, and for some that are, until it says false.
+template <class Visit>
+void visit_near_faces(const PlacedShape& a, const PlacedShape& b, double distance,
+                      const Visit& visit) {
+  const Bvh &tree_a = a.shape->bvh, &tree_b = b.shape->bvh;
+  if (tree_a.nodes.empty() || tree_b.nodes.empty()) return;
+  BoxFrame frame_a = box_frame(a);
+  frame_a.slack += distance;
+  const SeparatingAxes axes(frame_a, box_frame(b));
+  visit_near_leaves(tree_a, tree_b, axes, [&](const BvhNode& x, const BvhNode& y) {
+    for (Index i = x.second_child; i < x.second_child + x.num_faces; ++i)
+      for (Index j = y.second_child; j < y.second_child + y.num_faces; ++j)
+        if (!visit(tree_a.faces[i], tree_b.faces[j])) return false;
+    return true;
+  });
+}
+
+}  // namespace trivet
