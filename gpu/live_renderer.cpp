@@ -3,8 +3,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
+#include "gpu/live_key.h"
 #include "gpu/live_shaders.h"
 #include "gpu/picture_lights.h"
 #include "gpu/picture_shaders.h"
@@ -17,7 +17,6 @@ namespace shaders = live_shaders;
 constexpr int kSamples = 4;                  // per pixel
 constexpr double kNearestOfFarthest = 2e-4;  // what is nearer to the eye is cut away
 constexpr double kSmallest = 0.5;            // px; smaller objects are left out
-constexpr int kManyToCoarse = 2;  // many triangles, to those of objects that are no boxes
 
 float linear_from_srgb(float x) {
   return x > 0.04045f ? std::pow((x + 0.055f) / 1.055f, 2.4f) : x / 12.92f;
@@ -26,30 +25,6 @@ float linear_from_srgb(float x) {
 LiveColour linear_from_srgb(const LiveColour& colour) {
   return {linear_from_srgb(colour[0]), linear_from_srgb(colour[1]), linear_from_srgb(colour[2]),
           colour[3]};
-}
-
-template <typename T>
-void append(std::string& key, const T& value) {
-  key.append(reinterpret_cast<const char*>(&value), sizeof value);
-}
-
-void append_object(std::string& key, const LiveObject& object) {
-  append(key, object.model.get());
-  for (int i = 0; i < 9; ++i) append(key, object.world_from_object.linear.data()[i]);
-  for (int i = 0; i < 3; ++i) append(key, object.world_from_object.translation[i]);
-  append(key, object.opacity);
-}
-
-void bind_target(const GlFramebuffer& framebuffer, int width, int height) {
-  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
-  glViewport(0, 0, width, height);
-}
-
-void copy(const GlFramebuffer& from, const GlFramebuffer& to, int width, int height,
-          GLbitfield what) {
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, from.id());
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, to.id());
-  glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, what, GL_NEAREST);
 }
 
 GlTexture make_shadow_texture() {
@@ -89,6 +64,18 @@ static_assert(offsetof(OverlayVertex, colour) == 16 && offsetof(OverlayVertex, b
 }  // namespace
 
 const Vec3 kLiveLight = Vec3(-0.42, -0.38, 0.90).normalized();
+
+void bind_target(const GlFramebuffer& framebuffer, int width, int height) {
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
+  glViewport(0, 0, width, height);
+}
+
+void copy_target(const GlFramebuffer& from, const GlFramebuffer& to, int width, int height,
+                 GLbitfield what) {
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, from.id());
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, to.id());
+  glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, what, GL_NEAREST);
+}
 
 void prepare_to_draw_solids() {
   glDisable(GL_BLEND);
@@ -238,46 +225,6 @@ void LiveRenderer::cull(const View& view) {
                    [](const Instance& a, const Instance& b) { return a.depth < b.depth; });
 }
 
-// What is outlined or looks largest is drawn as it is, as long as that is quick.
-void LiveRenderer::coarsen(const View& view) {
-  struct Candidate {
-    bool outlined;
-    double size;
-    Instance* instance;
-  };
-  std::vector<Candidate> candidates;
-  for (Instance& instance : m_instances) {
-    if (!instance.seen || instance.object->moving || instance.object->opacity < 1) continue;
-    const double size = (instance.corners[7] - instance.corners[0]).norm();
-    const double depth = view.camera.height ? 1 : std::max(instance.depth, 1e-3 * size);
-    candidates.push_back({instance.object->outlined, size / depth, &instance});
-  }
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const Candidate& a, const Candidate& b) {
-                     return std::tie(b.outlined, b.size) < std::tie(a.outlined, a.size);
-                   });
-  std::int64_t num_triangles = 0;
-  for (const Candidate& candidate : candidates) {
-    const UploadedMesh& mesh = *candidate.instance->mesh;
-    num_triangles += (mesh.num_opaque + mesh.num_see_through) / 3;
-    if (num_triangles > m_many_triangles / kManyToCoarse) draw_as_box(*candidate.instance);
-  }
-}
-
-void LiveRenderer::draw_as_box(Instance& instance) {
-  const UploadedMesh& mesh = *instance.mesh;
-  Affine pose = instance.object->world_from_object;
-  pose.translation = pose.apply(mesh.box.centre());
-  pose.linear = pose.linear * mesh.box.half_extent().asDiagonal();
-  LiveColour& tint = instance.tint;
-  for (std::size_t i = 0; i < 3; ++i)
-    tint[i] = (1 - tint[3]) * mesh.mean_colour[i] + tint[3] * tint[i];
-  tint[3] = 1;
-  instance.placement = place_mesh(m_box, pose, m_frame);
-  instance.mesh = &m_box;
-  ++m_work.objects_as_boxes;
-}
-
 void LiveRenderer::draw_shadow_map(const View& view, bool of_moving) {
   std::vector<const Instance*> casters;
   for (const Instance& instance : m_instances)
@@ -289,7 +236,7 @@ void LiveRenderer::draw_shadow_map(const View& view, bool of_moving) {
   std::string key;
   std::vector<Vec3> hull;
   for (const Instance* caster : casters) {
-    append_object(key, *caster->object);
+    append_key(key, *caster->object);
     for (const Vec3& corner : caster->corners) hull.push_back(m_frame.apply(corner));
   }
   if (m_shadow_key == key && m_shadow_px >= size_px) return;
@@ -334,7 +281,8 @@ Image LiveRenderer::draw(const LiveScene& scene, const LiveCamera& camera,
   }
   draw_translucent(view);
   draw_overlay(view);
-  copy(targets->draw, targets->draw_picture, options.width, options.height, GL_COLOR_BUFFER_BIT);
+  copy_target(targets->draw, targets->draw_picture, options.width, options.height,
+              GL_COLOR_BUFFER_BIT);
   draw_outlines(view, *targets);
   check_gl("drawing a view");
   return read(*targets);
@@ -348,53 +296,6 @@ void LiveRenderer::draw_all(View& view, const LiveTargets& targets) {
   bind_target(targets.draw, targets.width, targets.height);
   draw_backdrop(view);
   draw_solid(view, true, true);
-}
-
-void LiveRenderer::draw_draft(View& view, Kept& kept) {
-  const int width = view.options.width, height = view.options.height;
-  std::string key;
-  append(key, view.options.shadows);
-  append(key, view.scene.floor);
-  append(key, view.options.coarse);
-  for (const Vec3& v : {view.camera.eye, view.camera.target, view.camera.up})
-    for (int i = 0; i < 3; ++i) append(key, v[i]);
-  append(key, view.camera.fov_deg);
-  append(key, view.camera.height.value_or(0));
-  append(key, view.options.theme);
-  append(key, width), append(key, height);
-  for (const LiveObject& object : view.scene.objects) {
-    if (object.moving) continue;
-    append_object(key, object);
-    append(key, object.tint);
-    append(key, object.outlined);
-  }
-  m_work.still_reused = kept.still && kept.still->key == key;
-  m_work.still_kept = !m_work.still_reused;
-  if (!m_work.still_reused) {
-    if (!kept.still || kept.still->width != width || kept.still->height != height)
-      kept.still.emplace(width, height);
-    kept.still->key = key;
-    // Room for what moves to move in.
-    const double room = view.far_depth - view.near_depth;
-    kept.still->far_depth = view.far_depth + room;
-    kept.still->near_depth = view.camera.height ? view.near_depth - room : view.near_depth;
-  }
-  view.near_depth = kept.still->near_depth, view.far_depth = kept.still->far_depth;
-  view.clip_from_world = clip_from_world(view.camera, view.axes, view.near_depth, view.far_depth);
-  cull(view);
-  if (!m_work.still_reused) {
-    if (view.options.shadows) draw_shadow_map(view, false);
-    if (view.options.coarse) coarsen(view);
-    prepare_to_draw_solids();
-    bind_target(kept.still->draw, width, height);
-    draw_backdrop(view);
-    draw_solid(view, true, false);
-  }
-  copy(kept.still->draw, kept.draft->draw, width, height,
-       GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  prepare_to_draw_solids();
-  bind_target(kept.draft->draw, width, height);
-  draw_solid(view, false, true);
 }
 
 }  // namespace trivet

@@ -34,6 +34,9 @@ inline constexpr int kLiveShadowMapPx = 2048;   // side
 inline constexpr int kDraftShadowMapPx = 1024;  // the part of it that drafts use
 extern const Vec3 kLiveLight;                   // towards it, unit, world
 
+void bind_target(const GlFramebuffer& framebuffer, int width, int height);
+void copy_target(const GlFramebuffer& from, const GlFramebuffer& to, int width, int height,
+                 GLbitfield what);
 /// For all that is solid: both sides, nearest first.
 void prepare_to_draw_solids();
 /// For what is laid over it; the picture itself stays opaque.
@@ -110,6 +113,9 @@ class LiveRenderer {
   void draw_as_box(Instance& instance);
   void draw_shadow_map(const View& view, bool of_moving);
   void draw_all(View& view, const LiveTargets& targets);
+  static std::string key_of_still(const View& view);
+  static void begin_still(const View& view, std::string key, std::optional<LiveStill>& still);
+  void draw_still(const View& view, const LiveStill& still);
   void draw_draft(View& view, Kept& kept);
   void draw_backdrop(const View& view);
   void draw_floor(const View& view);

@@ -15,6 +15,16 @@ std::optional<ObjectId> Selection::active() const {
   return objects.back();
 }
 
+std::vector<std::string> selected_beside_active(const Selection& selection,
+                                                const SceneSnapshot& scene) {
+  std::vector<std::string> names;
+  for (const ObjectId id : selection.objects) {
+    const ObjectSnapshot* const object = scene.find(id);
+    if (object && (*object)->placed && id != selection.active()) names.push_back((*object)->name);
+  }
+  return names;
+}
+
 Selection pruned(Selection selection, const SceneSnapshot& scene) {
   std::erase_if(selection.objects, [&](ObjectId id) { return !scene.find(id); });
   if (!selection.contact) return selection;

@@ -28,6 +28,11 @@ struct Selection {
   friend bool operator==(const Selection&, const Selection&) = default;
 };
 
+/// What else moves when the active object is moved: the names of the other selected objects that
+/// are in the scene.
+std::vector<std::string> selected_beside_active(const Selection& selection,
+                                                const SceneSnapshot& scene);
+
 /// What is still there: objects that are gone and contacts that have ended are left out.
 Selection pruned(Selection selection, const SceneSnapshot& scene);
 

@@ -72,7 +72,15 @@ const ObjectSnapshot* DragTool::active() const {
 const ObjectSnapshot* DragTool::grab_object(const PointerEvent& event) {
   const auto picked = pick(scene(), event.ray());
   if (!picked || !picked->object) return nullptr;
-  if (m_document.selection().active() != picked->object) m_document.select_only(picked->object);
+  const Selection& selection = m_document.selection();
+  if (!selection.contains(*picked->object)) {
+    m_document.select_only(picked->object);
+  } else if (selection.active() != picked->object) {
+    Selection turned{selection.objects, {}};
+    std::erase(turned.objects, *picked->object);
+    turned.objects.push_back(*picked->object);
+    m_document.select(std::move(turned));
+  }
   m_grabbed_at = picked->point;
   return active();
 }

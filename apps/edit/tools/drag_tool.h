@@ -1,6 +1,7 @@
 // What all tools share that drag: press, pull, release; Escape takes it back.
 #pragma once
 
+#include "apps/edit/tools/operation_of.h"
 #include "apps/edit/tools/picking.h"
 #include "apps/edit/tools/tool.h"
 
@@ -29,15 +30,12 @@ class DragTool : public Tool {
   virtual void hover(const PointerEvent&) {}
 
   const SceneSnapshot& scene() const { return *m_document.snapshot(); }
-  /// The object under the mouse becomes the active one; with its group of selected ones.
+  /// The object under the mouse becomes the active one; one that is selected keeps the others.
   const ObjectSnapshot* grab_object(const PointerEvent& event);
   const ObjectSnapshot* active() const;
   template <class T>
   T operation_of(const Object& object) const {
-    T operation;
-    operation.object = object.name;
-    operation.settle_left = m_options.settle_left;
-    return operation;
+    return edit::operation_of<T>(object, m_document, m_options);
   }
 
   Document& m_document;

@@ -71,7 +71,8 @@ void GizmoTool::steer(const PointerEvent& event) {
 // Where it would land, were it let go where the hand has it.
 void GizmoTool::show_ghost() {
   const ObjectSnapshot* const object = active();
-  if (!object || m_options.free) return;
+  const bool alone = m_document.selection().objects.size() == 1;
+  if (!object || !alone || m_options.free) return;
   auto put = operation_of<PutOperation>(*object->object);
   put.start = (*object)->pose;
   m_document.request_ghost(put);

@@ -68,6 +68,15 @@ void MainWindow::lock_selected(bool locked) {
   });
 }
 
+void MainWindow::fix_selected(bool fixed) {
+  perform_on_selection(fixed ? tr("fix") : tr("unfix"), [fixed](const std::string& object) {
+    FixOperation operation;
+    operation.object = object;
+    operation.fixed = fixed;
+    return Operation(operation);
+  });
+}
+
 void MainWindow::group_selected(bool together) {
   std::string group;
   if (together) {

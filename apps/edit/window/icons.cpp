@@ -80,7 +80,7 @@ Drawing tool_drawing(Icon icon) {
   return d;
 }
 
-Drawing action_drawing(Icon icon) {
+Drawing file_drawing(Icon icon) {
   Drawing d;
   switch (icon) {
     case Icon::New:
@@ -104,6 +104,15 @@ Drawing action_drawing(Icon icon) {
       d.line({{3, 14}, {7.5, 9.5}, {11, 13}, {13.5, 10.8}, {17, 14}});
       d.dot({13.4, 7.6}, 1.4);
       break;
+    default:
+      break;
+  }
+  return d;
+}
+
+Drawing edit_drawing(Icon icon) {
+  Drawing d;
+  switch (icon) {
     case Icon::Undo:
     case Icon::Redo:
       d.arc({4, 6, 12, 10}, 90, -200);
@@ -157,7 +166,8 @@ Drawing state_drawing(Icon icon) {
 
 QIcon make_icon(Icon icon, const QColor& colour) {
   const Drawing drawing = icon <= Icon::Rotate     ? tool_drawing(icon)
-                          : icon <= Icon::Maximise ? action_drawing(icon)
+                          : icon <= Icon::Picture  ? file_drawing(icon)
+                          : icon <= Icon::Maximise ? edit_drawing(icon)
                                                    : state_drawing(icon);
   QIcon out;
   for (const int size : {20, 40, 60}) {

@@ -206,7 +206,8 @@ void MainWindow::update_actions() {
   const bool selected = !m_document.selection().objects.empty();
   action("undo")->setEnabled(idle && m_document.can_undo());
   action("redo")->setEnabled(idle && m_document.can_redo());
-  for (const char* const name : {"duplicate", "delete", "lock", "unlock", "group", "ungroup"})
+  for (const char* const name :
+       {"duplicate", "delete", "lock", "unlock", "fix", "unfix", "group", "ungroup"})
     action(name)->setEnabled(idle && selected);
   for (const char* const name : {"save", "save as", "export", "picture"})
     action(name)->setEnabled(idle);

@@ -37,6 +37,7 @@ class MainWindow : public QMainWindow {
   Toolbox& toolbox() { return m_toolbox; }
   MessageBar& message_bar() { return *m_message_bar; }
   ControlWindow& control() { return *m_control; }
+  const SceneDrawing& drawing() const { return m_drawing; }
   QAction* action(const QString& name) const { return m_actions.at(name); }
   void set_dark(bool dark);
 
@@ -94,6 +95,7 @@ class MainWindow : public QMainWindow {
   void perform_on_selection(const QString& name,
                             const std::function<Operation(const std::string&)>& make);
   void lock_selected(bool locked);
+  void fix_selected(bool fixed);
   void group_selected(bool together);
   void select_all();
 

@@ -98,6 +98,12 @@ void MainWindow::make_edit_actions() {
       tr("No operation may move it; it may still topple"));
   add_action("unlock", tr("Unlock"), tr("Ctrl+Shift+L"), [this] { lock_selected(false); });
   add_action(
+      "fix", tr("Fi&x"), tr("Ctrl+F"), [this] { fix_selected(true); },
+      tr("It never moves, and carries everything"));
+  add_action(
+      "unfix", tr("Unfix"), tr("Ctrl+Shift+F"), [this] { fix_selected(false); },
+      tr("It can be moved again, with all that is on it"));
+  add_action(
       "group", tr("&Group"), tr("Ctrl+G"), [this] { group_selected(true); },
       tr("What moves one of a group moves all"));
   add_action("ungroup", tr("Ungroup"), tr("Ctrl+Shift+G"), [this] { group_selected(false); });
@@ -211,7 +217,7 @@ void MainWindow::make_menus() {
     file->addAction(action(name));
   }
   menu(tr("&Edit"), {"undo", "redo", "", "duplicate", "delete", "", "select all", "select none", "",
-                     "lock", "unlock", "group", "ungroup"});
+                     "lock", "unlock", "fix", "unfix", "", "group", "ungroup"});
   menu(tr("&Object"), {"select", "put", "push", "turn", "pick up", "move", "rotate", "", "put here",
                        "pick up now"});
   menu(tr("&View"),
@@ -219,8 +225,9 @@ void MainWindow::make_menus() {
         "reset layout", "", "shadows", "contacts", "watch settling", "dark"});
   menu(tr("&Help"), {"two minutes", "shortcuts", "about"});
   m_context_menu = new QMenu(this);
-  for (const char* const name : {"put", "push", "turn", "pick up", "move", "rotate", "",
-                                 "duplicate", "delete", "lock", "unlock", "", "frame"}) {
+  for (const char* const name :
+       {"put", "push", "turn", "pick up", "move", "rotate", "", "duplicate", "delete", "lock",
+        "unlock", "fix", "unfix", "", "frame"}) {
     if (*name == '\0')
       m_context_menu->addSeparator();
     else

@@ -6,6 +6,7 @@
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "apps/edit/tools/operation_of.h"
 #include "core/motion/motion.h"
 
 namespace trivet::edit {
@@ -62,34 +63,12 @@ QWidget* OperationPanel::make_page(ToolKind kind) {
   form->setContentsMargins(0, 0, 6, 0);
   form->setVerticalSpacing(5);
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-  switch (kind) {
-    case ToolKind::Select: {
-      auto* const text = new QLabel(
-          tr("Click selects, with Shift more; dragging over nothing selects what a box holds."));
-      text->setWordWrap(true);
-      text->setObjectName("faint");
-      form->addRow(text);
-      break;
-    }
-    case ToolKind::Put:
-      add_put(*form);
-      break;
-    case ToolKind::Push:
-      add_push(*form);
-      break;
-    case ToolKind::Turn:
-      add_turn(*form);
-      break;
-    case ToolKind::PickUp:
-      add_pick_up(*form);
-      break;
-    case ToolKind::Move:
-      add_move(*form);
-      break;
-    case ToolKind::Rotate:
-      add_rotate(*form);
-      break;
-  }
+  using AddRows = void (OperationPanel::*)(QFormLayout&);
+  static constexpr AddRows kRows[] = {&OperationPanel::add_select,  &OperationPanel::add_put,
+                                      &OperationPanel::add_push,    &OperationPanel::add_turn,
+                                      &OperationPanel::add_pick_up, &OperationPanel::add_move,
+                                      &OperationPanel::add_rotate};
+  (this->*kRows[static_cast<size_t>(kind)])(*form);
   if (kind != ToolKind::Select)
     choice(*form, tr("Let go what is left unsupported"), &ToolOptions::settle_left,
            tr("What the move leaves without support settles, too; otherwise it is marked"));
@@ -176,17 +155,26 @@ void OperationPanel::add_angle_step(QFormLayout& form) {
 }
 
 QPushButton* OperationPanel::apply(QFormLayout& form, const QString& name,
-                                   std::function<Operation(const std::string&)> make) {
+                                   std::function<Operation(const Object&)> make) {
   auto* const button = new QPushButton(name);
-  button->setToolTip(tr("Does it to the active object, with these numbers"));
+  button->setToolTip(
+      tr("Does it to the active object, with these numbers; what else is selected moves along"));
   form.addRow(button);
   m_buttons.push_back(button);
   connect(button, &QPushButton::clicked, this, [this, make = std::move(make)] {
     const auto active = m_document.selection().active();
     const ObjectSnapshot* const object = active ? m_document.snapshot()->find(*active) : nullptr;
-    if (object) m_document.perform(make((*object)->name));
+    if (object) m_document.perform(make(*object->object));
   });
   return button;
+}
+
+void OperationPanel::add_select(QFormLayout& form) {
+  auto* const text = new QLabel(
+      tr("Click selects, with Shift more; dragging over nothing selects what a box holds."));
+  text->setWordWrap(true);
+  text->setObjectName("faint");
+  form.addRow(text);
 }
 
 void OperationPanel::add_put(QFormLayout& form) {
@@ -205,12 +193,9 @@ void OperationPanel::add_put(QFormLayout& form) {
     m_put_at[2]->setEnabled(index <= 0);
     keep->setEnabled(index > 0);
   });
-  apply(form, tr("Put"), [this, turned, keep](const std::string& object) {
-    PutOperation put;
-    put.object = object;
-    put.settle_left = m_toolbox.options().settle_left;
-    const ObjectSnapshot* const found = m_document.snapshot()->find(object);
-    const Rotation before = found && (*found)->placed ? (*found)->pose.rotation : Rotation{};
+  apply(form, tr("Put"), [this, turned, keep](const Object& object) {
+    auto put = operation_of<PutOperation>(object, m_document, m_toolbox.options());
+    const Rotation before = object.placed ? object.pose.rotation : Rotation{};
     put.start.rotation = about_z(turned->value()) * before;
     put.start.translation = Vec3(m_put_at[0]->value(), m_put_at[1]->value(), m_put_at[2]->value());
     if (m_put_on->currentIndex() <= 0) return Operation(put);
@@ -231,10 +216,8 @@ void OperationPanel::add_push(QFormLayout& form) {
   threshold(form, tr("Step down"), &ToolOptions::step_down, tr("Deeper edges stop it"));
   choice(form, tr("Slide along walls"), &ToolOptions::slide, tr("Otherwise they stop it"));
   choice(form, tr("Let go at the end"), &ToolOptions::settle, tr("Otherwise it is held"));
-  apply(form, tr("Push"), [this, direction, distance](const std::string& object) {
-    PushOperation push;
-    push.object = object;
-    push.settle_left = m_toolbox.options().settle_left;
+  apply(form, tr("Push"), [this, direction, distance](const Object& object) {
+    auto push = operation_of<PushOperation>(object, m_document, m_toolbox.options());
     const double radians = direction->value() * 0.0174532925199433;
     push.direction = Vec2(std::cos(radians), std::sin(radians));
     push.distance = distance->value();
@@ -255,10 +238,8 @@ void OperationPanel::add_turn(QFormLayout& form) {
   auto* const by = angle(form, tr("Angle"), 15);
   add_angle_step(form);
   choice(form, tr("Let go at the end"), &ToolOptions::let_go, tr("Otherwise it is held"));
-  apply(form, tr("Turn"), [this, about, by](const std::string& object) {
-    TurnOperation turn;
-    turn.object = object;
-    turn.settle_left = m_toolbox.options().settle_left;
+  apply(form, tr("Turn"), [this, about, by](const Object& object) {
+    auto turn = operation_of<TurnOperation>(object, m_document, m_toolbox.options());
     turn.about = static_cast<TurnOperation::About>(about->currentIndex());
     if (const auto& contact = m_document.selection().contact) {
       turn.point = contact->near;
@@ -274,10 +255,8 @@ void OperationPanel::add_turn(QFormLayout& form) {
 
 void OperationPanel::add_pick_up(QFormLayout& form) {
   threshold(form, tr("Distance"), &ToolOptions::pick_up_distance, tr("Along the contact's normal"));
-  apply(form, tr("Pick up"), [this](const std::string& object) {
-    PickUpOperation pick_up;
-    pick_up.object = object;
-    pick_up.settle_left = m_toolbox.options().settle_left;
+  apply(form, tr("Pick up"), [this](const Object& object) {
+    auto pick_up = operation_of<PickUpOperation>(object, m_document, m_toolbox.options());
     pick_up.distance = m_toolbox.options().pick_up_distance;
     return Operation(pick_up);
   });
@@ -290,10 +269,8 @@ void OperationPanel::add_move(QFormLayout& form) {
   choice(form, tr("Through everything"), &ToolOptions::free,
          tr("As in a modeller; objects that interpenetrate are marked until that is resolved"));
   choice(form, tr("Let go at the end"), &ToolOptions::let_go, tr("Otherwise it is held"));
-  apply(form, tr("Move"), [this, x, y, z](const std::string& object) {
-    TranslateOperation move;
-    move.object = object;
-    move.settle_left = m_toolbox.options().settle_left;
+  apply(form, tr("Move"), [this, x, y, z](const Object& object) {
+    auto move = operation_of<TranslateOperation>(object, m_document, m_toolbox.options());
     move.by = Vec3(x->value(), y->value(), z->value());
     move.free = m_toolbox.options().free;
     move.settle = m_toolbox.options().let_go && !move.free;
@@ -311,10 +288,8 @@ void OperationPanel::add_rotate(QFormLayout& form) {
   choice(form, tr("Through everything"), &ToolOptions::free,
          tr("As in a modeller; objects that interpenetrate are marked until that is resolved"));
   choice(form, tr("Let go at the end"), &ToolOptions::let_go, tr("Otherwise it is held"));
-  apply(form, tr("Rotate"), [this, axis, by](const std::string& object) {
-    RotateOperation rotate;
-    rotate.object = object;
-    rotate.settle_left = m_toolbox.options().settle_left;
+  apply(form, tr("Rotate"), [this, axis, by](const Object& object) {
+    auto rotate = operation_of<RotateOperation>(object, m_document, m_toolbox.options());
     rotate.axis = Vec3::Unit(axis->currentIndex());
     rotate.angle_deg = by->value();
     rotate.free = m_toolbox.options().free;

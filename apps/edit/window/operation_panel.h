@@ -29,6 +29,7 @@ class OperationPanel : public QWidget {
  private:
   struct Page;
   QWidget* make_page(ToolKind kind);
+  void add_select(QFormLayout& form);
   void add_put(QFormLayout& form);
   void add_push(QFormLayout& form);
   void add_turn(QFormLayout& form);
@@ -45,7 +46,7 @@ class OperationPanel : public QWidget {
                     const QString& tip);
   void add_angle_step(QFormLayout& form);
   QPushButton* apply(QFormLayout& form, const QString& name,
-                     std::function<Operation(const std::string& object)> make);
+                     std::function<Operation(const Object& object)> make);
   void follow_document();
   void refresh_choices();
 

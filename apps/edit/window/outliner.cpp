@@ -23,6 +23,15 @@ std::optional<ObjectId> id_of(const QTreeWidgetItem& item) {
   return ObjectId{static_cast<std::uint32_t>(bits), static_cast<std::uint32_t>(bits >> 32)};
 }
 
+/// By slot: the first of those that hold an object. Supports are never below what they hold.
+std::map<std::uint32_t, std::uint32_t> supports(const SceneSnapshot& scene) {
+  std::map<std::uint32_t, std::uint32_t> out;
+  for (const LoadSupport::Entry& entry : scene.support->entries)
+    if (!entry.on_floor && !entry.supports.empty())
+      out[entry.object.index] = entry.supports.front().index;
+  return out;
+}
+
 }  // namespace
 
 QIcon state_icon(ObjectState state, const Theme& theme) {
@@ -98,22 +107,35 @@ void Outliner::rebuild() {
   m_committed = snapshot->committed;
   const QSignalBlocker blocker(this);
   clear();
-  auto* const floor = new QTreeWidgetItem(this);
-  floor->setText(0, snapshot->floor ? tr("Floor") : tr("Scene"));
-  floor->setForeground(0, m_theme.faint_text());
-  // Under the first of those that hold it; supports are never below what they hold.
-  std::map<std::uint32_t, std::uint32_t> support_of;
-  for (const LoadSupport::Entry& entry : snapshot->support->entries)
-    if (!entry.on_floor && !entry.supports.empty())
-      support_of[entry.object.index] = entry.supports.front().index;
+  add_placed(*snapshot, add_heading(snapshot->floor ? tr("Floor") : tr("Scene")));
+  QTreeWidgetItem* unplaced = nullptr;
+  for (const ObjectSnapshot& object : snapshot->objects) {
+    if (object->placed) continue;
+    if (!unplaced) unplaced = add_heading(tr("Not placed yet"));
+    add(unplaced, object);
+  }
+  expandAll();
+  show_selection();
+}
+
+QTreeWidgetItem* Outliner::add_heading(const QString& text) {
+  auto* const item = new QTreeWidgetItem(this);
+  item->setText(0, text);
+  item->setForeground(0, m_theme.faint_text());
+  item->setFlags(Qt::ItemIsEnabled);
+  return item;
+}
+
+// Each under the first of those that hold it; what leans on each other in a ring under the floor.
+void Outliner::add_placed(const SceneSnapshot& scene, QTreeWidgetItem* floor) {
+  const auto support_of = supports(scene);
   std::map<std::uint32_t, const ObjectSnapshot*> waiting;
-  for (const ObjectSnapshot& object : snapshot->objects)
+  for (const ObjectSnapshot& object : scene.objects)
     if (object->placed) waiting[object.id.index] = &object;
   std::map<std::uint32_t, QTreeWidgetItem*> items;
-  // What leans on each other in a ring is listed under the floor.
   for (bool ring = false; !waiting.empty();) {
     const size_t before = waiting.size();
-    for (const ObjectSnapshot& object : snapshot->objects) {
+    for (const ObjectSnapshot& object : scene.objects) {
       if (!waiting.count(object.id.index)) continue;
       const auto support = support_of.find(object.id.index);
       const bool on_other = support != support_of.end() && !ring;
@@ -125,20 +147,6 @@ void Outliner::rebuild() {
     }
     if (waiting.size() == before) ring = true;
   }
-  QTreeWidgetItem* unplaced = nullptr;
-  for (const ObjectSnapshot& object : snapshot->objects) {
-    if (object->placed) continue;
-    if (!unplaced) {
-      unplaced = new QTreeWidgetItem(this);
-      unplaced->setText(0, tr("Not placed yet"));
-      unplaced->setForeground(0, m_theme.faint_text());
-    }
-    add(unplaced, object);
-  }
-  for (QTreeWidgetItem* item : {floor, unplaced})
-    if (item) item->setFlags(Qt::ItemIsEnabled);
-  expandAll();
-  show_selection();
 }
 
 void Outliner::show_selection() {

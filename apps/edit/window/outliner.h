@@ -27,6 +27,8 @@ class Outliner : public QTreeWidget {
   void rebuild();
   void show_selection();
   void take_selection();
+  QTreeWidgetItem* add_heading(const QString& text);
+  void add_placed(const SceneSnapshot& scene, QTreeWidgetItem* floor);
   QTreeWidgetItem* add(QTreeWidgetItem* parent, const ObjectSnapshot& object);
 
   Document& m_document;

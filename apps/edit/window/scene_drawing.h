@@ -32,6 +32,9 @@ class SceneDrawing : public QObject {
 
   /// Something moves: drafts will do.
   bool is_moving() const;
+  /// Objects are seen on their way to where they are.
+  bool is_playing() const { return m_playback.is_on(); }
+  Pose seen_pose(const ObjectSnapshot& object) const { return m_playback.pose_of(object); }
   /// Objects and points that a message is about, lit until the next.
   void light(const Message& message);
   void put_out_lights();

@@ -14,6 +14,9 @@
 
 #include "apps/edit_window/breakfast_table.h"
 #include "apps/edit_window/large_scene.h"
+#include "apps/edit_window/lit_and_watched.h"
+#include "apps/edit_window/monkey.h"
+#include "apps/edit_window/tour.h"
 #include "apps/edit_window/user.h"
 #include "core/io/export.h"
 #include "ops/demo/demo.h"
@@ -64,15 +67,17 @@ class TestWindow : public QObject {
   void says_why_it_refuses();
   void lays_a_breakfast_table();
   void asks_before_work_is_lost();
+  void lights_what_interferes();
+  void plays_what_settles();
   void shows_full_scenes_at_every_size();
   void shows_dialogs_and_menus();
+  void lives_through_random_events();
   void stays_usable_with_a_thousand_objects();
 
  private:
   void open_window();
   void select_and(const std::string& name, const QString& tool);
   void lock_by_keyboard(const std::string& name);
-  void look_at_tabs(const QString& when);
 
   QTemporaryDir m_folder;
   QDir m_saved;  // what is saved, and the models: for the referee
@@ -124,13 +129,6 @@ void TestWindow::lock_by_keyboard(const std::string& name) {
   m_user->press_key(Qt::Key_L, Qt::ControlModifier);
   QVERIFY(m_user->wait());
   QVERIFY(m_user->object(name).locked);
-}
-
-void TestWindow::look_at_tabs(const QString& when) {
-  for (const char* const tab : {"History", "Files", "Operation", "Properties"}) {
-    m_user->show_tab(tab);
-    m_user->look(when + "_" + QString(tab).toLower());
-  }
 }
 
 void TestWindow::begins_with_the_start_page() {
@@ -346,56 +344,19 @@ void TestWindow::asks_before_work_is_lost() {
   QVERIFY(m_document->snapshot()->objects.size() > 20);
 }
 
+void TestWindow::lights_what_interferes() { look_at_interference(*m_document, *m_window, *m_user); }
+
+void TestWindow::plays_what_settles() { watch_settling(*m_document, *m_window, *m_user); }
+
 void TestWindow::shows_full_scenes_at_every_size() {
-  const auto snapshot = m_document->snapshot();
-  m_document->select_only(snapshot->find("cup_front")->id);
-  for (const QSize& size : {QSize(1280, 720), QSize(2560, 1440)}) {
-    m_window->resize(size);
-    for (const bool dark : {true, false}) {
-      m_window->set_dark(dark);
-      QVERIFY(m_user->wait());
-      m_user->look(QString("breakfast_%1_%2").arg(size.width()).arg(dark ? "dark" : "light"));
-    }
-    look_at_tabs(QString("breakfast_%1").arg(size.width()));
-    m_window->action("start page")->trigger();
-    m_user->look(QString("start_%1").arg(size.width()));
-    m_document->select_only(snapshot->find("saucer_front")->id);
-    QVERIFY(m_user->wait());
-  }
-  m_window->resize(1280, 720);
+  look_at_full_scenes(*m_document, *m_window, *m_user);
 }
 
 void TestWindow::shows_dialogs_and_menus() {
-  QVERIFY(m_user->wait());
-  m_user->press_key(Qt::Key_W);  // from the start page to the scene
-  m_window->open_demo("spoon-saucer");
-  QVERIFY(m_user->wait());
-  m_user->select("spoon");
-  look_at_tabs("spoon");
-  for (const char* const tool : {"push", "turn", "pick up", "move", "rotate"}) {
-    m_user->take(tool);
-    QVERIFY(m_user->wait());
-    m_user->look(QString("tool_") + QString(tool).replace(' ', '_'));
-  }
-  for (const char* const name :
-       {"picture", "shortcuts", "two minutes", "about", "open", "export"}) {
-    bool seen = false;
-    m_user->with_dialog([&] { m_window->action(name)->trigger(); },
-                        [&](QWidget& dialog) {
-                          m_user->look(QString("dialog_") + QString(name).replace(' ', '_'));
-                          seen = true;
-                          QTest::keyClick(&dialog, Qt::Key_Escape);
-                        });
-    QVERIFY2(seen, name);
-  }
-  QMenuBar* const bar = m_window->menuBar();
-  for (QAction* const menu : bar->actions()) {
-    m_user->click(*bar, bar->actionGeometry(menu).center());
-    QVERIFY(QTest::qWaitFor([] { return QApplication::activePopupWidget() != nullptr; }, 2000));
-    m_user->look("menu_" + menu->text().remove('&').toLower());
-    QTest::keyClick(QApplication::activePopupWidget(), Qt::Key_Escape);
-  }
+  look_at_dialogs_and_menus(*m_document, *m_window, *m_user);
 }
+
+void TestWindow::lives_through_random_events() { play_monkey(*m_document, *m_window, *m_user); }
 
 // Prints figures: TRIVET_TEST_EFFORT=2 or more, on a machine that does nothing else.
 void TestWindow::stays_usable_with_a_thousand_objects() {

@@ -1,0 +1,111 @@
+#include "apps/edit_window/lit_and_watched.h"
+
+#include <QApplication>
+
+namespace trivet::edit::test {
+namespace {
+
+/// Pixels whose red is much stronger than the rest.
+int num_red(const QImage& image) {
+  int count = 0;
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x) {
+      const QRgb p = image.pixel(x, y);
+      count += qRed(p) > 150 && qRed(p) > 2 * qGreen(p) && qRed(p) > 2 * qBlue(p);
+    }
+  return count;
+}
+
+void undo(Document& document, User& user) {
+  document.undo();
+  QVERIFY(user.wait());
+}
+
+}  // namespace
+
+void look_at_interference(Document& document, MainWindow& window, User& user) {
+  user.select("glass_back");
+  user.take("push");
+  window.action("frame")->trigger();
+  QVERIFY(user.wait());
+  SceneView& view = window.view(WindowKind::Perspective);
+  const QPoint from = user.pixel_on("glass_back", WindowKind::Perspective);
+  const int red_before = num_red(user.look("blocked_not_yet"));
+  bool blocked = false;
+  for (const QPoint& way : {QPoint(400, 0), QPoint(-400, 0), QPoint(0, 250), QPoint(0, -250)}) {
+    user.press(view, from, Qt::LeftButton);
+    for (int i = 1; i <= 20 && !blocked; ++i) {
+      user.move_to(view, from + way * i / 20);
+      QTest::qWait(20);
+      const auto& drag = document.snapshot()->drag;
+      blocked = drag && !drag->faces.empty();
+    }
+    if (blocked) break;
+    user.press_key(Qt::Key_Escape);
+    user.release(view, from, Qt::LeftButton);
+    QVERIFY(user.wait());
+  }
+  QVERIFY2(blocked, "nothing stopped the glass");
+  QTest::qWait(400);
+  QVERIFY2(num_red(user.look("blocked_drag")) > red_before + 20, "faces are lit");
+  user.release(view, from, Qt::LeftButton);
+  QVERIFY(user.wait());
+  user.look("blocked_let_go");
+  undo(document, user);
+
+  user.select("teapot");
+  user.take("move");
+  window.toolbox().options().free = true;
+  window.action("frame")->trigger();
+  QVERIFY(user.wait());
+  const QPoint pot = user.pixel_on("teapot", WindowKind::Perspective);
+  user.press(view, pot, Qt::LeftButton);
+  for (int i = 1; i <= 6; ++i) user.move_to(view, pot + QPoint(0, 15 * i));
+  QTest::qWait(400);
+  QVERIFY(document.snapshot()->drag && !document.snapshot()->drag->faces.empty());
+  user.look("crossing_drag");
+  user.release(view, pot + QPoint(0, 90), Qt::LeftButton);
+  QVERIFY(user.wait());
+  QVERIFY(document.snapshot()->invalid);
+  QVERIFY(num_red(user.look("crossing_let_go")) > 200);
+  window.toolbox().options().free = false;
+  undo(document, user);
+  QVERIFY(!document.snapshot()->invalid);
+}
+
+void watch_settling(Document& document, MainWindow& window, User& user) {
+  PutOperation put;  // a spoon on its end, high over the table
+  put.object = "spoon_front";
+  put.start.rotation = Rotation::about_axis(Vec3::UnitX(), 0.9);
+  put.start.translation = user.object("teapot").pose.translation + Vec3(0.25, 0, 0.35);
+  user.select(put.object);
+  document.perform(put);
+  QVERIFY(QTest::qWaitFor([&] { return window.drawing().is_playing(); }, 5000));
+  const Pose end = user.object(put.object).pose;
+  const auto seen = [&] {
+    return window.drawing().seen_pose(*document.snapshot()->find(put.object));
+  };
+  for (const char* const name : {"settling_falls", "settling_tips"}) {
+    QTest::qWait(300);
+    user.look(name);
+  }
+  QVERIFY2(window.drawing().is_playing(), "it lasts longer than that");
+  QVERIFY((seen().translation - end.translation).norm() > 1e-3);
+  QVERIFY(!document.is_busy());  // nothing waits for it
+  const ToolKind tool = window.toolbox().current();
+  user.press_key(Qt::Key_Escape);
+  QVERIFY2(!window.drawing().is_playing(), "Escape shows the end");
+  QVERIFY(window.toolbox().current() == tool);
+  QVERIFY(seen().translation == end.translation);
+  QVERIFY(user.wait());
+  user.look("settled");
+  undo(document, user);
+  window.action("watch settling")->trigger();
+  document.perform(put);
+  QVERIFY(QTest::qWaitFor([&] { return !document.is_busy(); }, 5000));
+  QVERIFY(!window.drawing().is_playing());
+  window.action("watch settling")->trigger();
+  undo(document, user);
+}
+
+}  // namespace trivet::edit::test
