@@ -154,9 +154,7 @@ LiveMove::LiveMove(LiveMove&&) noexcept = default;
 bool LiveMove::refused() const { return m_hand->refused(); }
 const OperationResult& LiveMove::result() const { return m_hand->result(); }
 const SettleOptions& LiveMove::options() const { return m_hand->options(); }
-double LiveMove::clearance() const {
-  return m_hand->group() ? m_hand->group()->clearance() : 0;
-}
+double LiveMove::clearance() const { return m_hand->group() ? m_hand->group()->clearance() : 0; }
 const Operation& LiveMove::operation() const { return m_hand->operation(); }
 void LiveMove::follow(const Vec3& goal) { m_hand->follow(goal); }
 void LiveMove::follow(double amount) { m_hand->follow(amount); }

@@ -10,7 +10,7 @@ namespace {
 constexpr std::uint32_t kNowhere = 0xffffffff;
 constexpr size_t kMostInvalid = 32;  // whose faces are looked for
 
-std::shared_ptr<const std::vector<InvalidObject>> invalid_objects(const Scene& scene) {
+std::shared_ptr<const std::vector<InvalidObject>> with_faces_lit(const Scene& scene) {
   std::vector<InvalidObject> found;
   for (const ObjectId id : scene.ids()) {
     const Object& object = scene.at(id);
@@ -67,7 +67,7 @@ std::shared_ptr<const SceneSnapshot> SnapshotMaker::make(const Scene& scene, dou
     made->position_of_slot[slot] = static_cast<std::uint32_t>(i);
   }
   made->support = std::make_shared<const LoadSupport>(load_support(scene));
-  made->invalid = invalid_objects(scene);
+  made->invalid = with_faces_lit(scene);
   if (way) made->way = std::make_shared<const SettledWay>(std::move(*way));
   m_changed.clear();
   m_last = made;

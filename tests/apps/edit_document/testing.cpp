@@ -9,19 +9,6 @@
 
 namespace trivet::edit::test {
 
-namespace fs = std::filesystem;
-
-TemporaryFolder::TemporaryFolder() {
-  std::string name = (fs::temp_directory_path() / "trivet_edit_XXXXXX").string();
-  if (!mkdtemp(name.data())) throw std::runtime_error("no temporary folder");
-  m_path = name;
-}
-
-TemporaryFolder::~TemporaryFolder() {
-  std::error_code ignored;
-  fs::remove_all(m_path, ignored);
-}
-
 void write_models(const std::string& demo, const TemporaryFolder& folder) {
   for (const DemoModel& made : make_demo(demo).models) {
     ExportScene scene;

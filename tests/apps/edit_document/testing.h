@@ -3,24 +3,12 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-
 #include "apps/edit/document/document.h"
+#include "support/temporary_folder.h"
 
 namespace trivet::edit::test {
 
-/// A folder that vanishes.
-class TemporaryFolder {
- public:
-  TemporaryFolder();
-  ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  std::string file(const std::string& name) const { return (m_path / name).string(); }
-
- private:
-  std::filesystem::path m_path;
-};
+using trivet::test::TemporaryFolder;
 
 /// The models of a demo as files, in this folder.
 void write_models(const std::string& demo, const TemporaryFolder& folder);

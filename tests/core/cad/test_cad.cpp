@@ -21,7 +21,6 @@
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
 #include <algorithm>
-#include <filesystem>
 #include <fstream>
 #include <functional>
 
@@ -30,6 +29,7 @@
 #include "core/io/cad/cad_model.h"
 #include "support/cad_shapes.h"
 #include "support/random_shapes.h"
+#include "support/temporary_folder.h"
 
 namespace trivet {
 namespace {
@@ -38,20 +38,14 @@ using namespace trivet::test;
 
 class Cad : public ::testing::Test {
  protected:
-  void SetUp() override {
-    std::string path = (std::filesystem::temp_directory_path() / "trivet_test_XXXXXX").string();
-    ASSERT_TRUE(mkdtemp(path.data()));
-    m_folder = path;
-  }
-  void TearDown() override { std::filesystem::remove_all(m_folder); }
-  std::string file(const std::string& name) const { return (m_folder / name).string(); }
+  std::string file(const std::string& name) const { return m_folder.file(name); }
   std::string written(const TopoDS_Shape& shape, const std::string& name) const {
     EXPECT_TRUE(write_cad(shape, file(name)));
     return file(name);
   }
 
  private:
-  std::filesystem::path m_folder;
+  TemporaryFolder m_folder;
 };
 
 double exact_volume(const TopoDS_Shape& shape) {  // cubic metres

@@ -16,6 +16,7 @@
 #include "ops/session/restore.h"
 #include "ops/verify.h"
 #include "session_testing.h"
+#include "support/temporary_folder.h"
 
 namespace trivet::test {
 namespace {
@@ -25,8 +26,6 @@ namespace fs = std::filesystem;
 class JournalFiles : public testing::Test {
  protected:
   void SetUp() override {
-    m_folder = fs::temp_directory_path() / ("trivet_journal_" + std::to_string(getpid()));
-    fs::create_directories(m_folder);
     write("box.obj",
           "v 0 0 0\nv 0.2 0 0\nv 0 0.2 0\nv 0 0 0.2\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
     write("layout.json",
@@ -34,9 +33,8 @@ class JournalFiles : public testing::Test {
               {"name": "b", "model": "box.obj"}],
               "operations": [{"op": "put", "object": "a", "position": [0, 0, 1]}]})");
   }
-  void TearDown() override { fs::remove_all(m_folder); }
 
-  std::string path(const std::string& name) const { return (m_folder / name).string(); }
+  std::string path(const std::string& name) const { return m_folder.file(name); }
   void write(const std::string& name, const std::string& text) const {
     std::ofstream(path(name), std::ios::binary) << text;
   }
@@ -66,7 +64,7 @@ class JournalFiles : public testing::Test {
     EXPECT_TRUE(session.undo());
   }
 
-  fs::path m_folder;
+  TemporaryFolder m_folder;
 };
 
 void expect_same_session(const Session& a, const Session& b) {

@@ -45,17 +45,6 @@ class Maker {
 
 }  // namespace
 
-TemporaryFolder::TemporaryFolder() {
-  std::string path = (std::filesystem::temp_directory_path() / "trivet_test_XXXXXX").string();
-  if (!mkdtemp(path.data())) ADD_FAILURE() << "no temporary folder";
-  m_path = path;
-}
-
-TemporaryFolder::~TemporaryFolder() {
-  std::error_code ignored;
-  std::filesystem::remove_all(m_path, ignored);
-}
-
 Model hull_model(const Model& model) {
   ConvexPart part;
   solid_hull(model.mesh.vertices, part);

@@ -1,26 +1,12 @@
-// Scenes to be simulated, laid out by Trivet, and a folder for their files.
+// Scenes to be simulated, laid out by Trivet.
 #pragma once
 
-#include <filesystem>
 #include <string>
 
 #include "core/convex/convex_parts.h"
 #include "core/scene/scene.h"
 
 namespace trivet::test {
-
-/// A folder that vanishes.
-class TemporaryFolder {
- public:
-  TemporaryFolder();
-  ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  std::string file(const std::string& name) const { return (m_path / name).string(); }
-
- private:
-  std::filesystem::path m_path;
-};
 
 /// What was let go, and where: the start of an object's PUT.
 struct LetGo {

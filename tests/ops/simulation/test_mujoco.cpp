@@ -6,6 +6,7 @@
 
 #include "ops/simulation/simulated_scene.h"
 #include "ops/simulation/simulation.h"
+#include "support/temporary_folder.h"
 
 #ifdef TRIVET_TEST_MUJOCO
 #include <mujoco/mujoco.h>

@@ -1,11 +1,13 @@
 // Exported scenes, read by the libraries of their formats: the same objects, poses, masses.
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
 #include "ops/simulation/simulated_scene.h"
 #include "ops/simulation/simulation.h"
+#include "support/temporary_folder.h"
 
 #ifdef TRIVET_TEST_URDFDOM
 #include <urdf_parser/urdf_parser.h>

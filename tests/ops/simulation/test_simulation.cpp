@@ -1,6 +1,7 @@
 // What is the same for all formats: names, parts, overlaps, friction, files.
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 #include <set>
 #include <sstream>
@@ -12,6 +13,7 @@
 #include "ops/simulation/simulated_scene.h"
 #include "ops/simulation/simulation.h"
 #include "support/solids.h"
+#include "support/temporary_folder.h"
 
 namespace trivet {
 namespace {
