@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/tunables.h"
+#include "ops/move/commit_group.h"
 
 namespace trivet::edit {
 namespace {
@@ -12,11 +13,9 @@ constexpr size_t kMostInvalid = 32;  // whose faces are looked for
 
 std::shared_ptr<const std::vector<InvalidObject>> with_faces_lit(const Scene& scene) {
   std::vector<InvalidObject> found;
-  for (const ObjectId id : scene.ids()) {
-    const Object& object = scene.at(id);
-    if (!object.placed || object.state != ObjectState::Invalid || found.size() == kMostInvalid)
-      continue;
-    const Placement here{id, object.pose};
+  for (const ObjectId id : invalid_objects(scene)) {
+    if (found.size() == kMostInvalid) break;
+    const Placement here{id, scene.at(id).pose};
     found.push_back({id, crossing_faces(scene, {&here, 1})});
   }
   if (found.empty()) return nullptr;
