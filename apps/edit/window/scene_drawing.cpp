@@ -37,6 +37,21 @@ double foot_height(const SceneSnapshot& scene) {
   return box.empty() ? 0 : box.lower.z();
 }
 
+std::vector<Triangle> triangles_of(const SceneSnapshot& scene, const FacesOfObject& of) {
+  std::vector<Triangle> out;
+  const ObjectSnapshot* const object = scene.find(of.id);
+  if (!object) return out;
+  const Affine world = (*object)->world_from_object();
+  for (const Index face : of.faces) {
+    out.push_back((*object)->shape->mesh.triangle(face));
+    for (Vec3& corner : out.back()) corner = world.apply(corner);
+  }
+  return out;
+}
+
+/// Where faces are lit, whole objects are marked weakly.
+float strength(float alone, bool faces_are_lit) { return faces_are_lit ? 0.35f * alone : alone; }
+
 }  // namespace
 
 SceneDrawing::SceneDrawing(Document& document, Toolbox& toolbox, QObject* parent)
@@ -100,16 +115,19 @@ bool SceneDrawing::stops_drag(const ObjectSnapshot& object) const {
 }
 
 LiveColour SceneDrawing::tint_of(const ObjectSnapshot& object) const {
-  // Where faces are lit, the object itself is marked weakly.
+  const auto snapshot = m_document.snapshot();
   if (stops_drag(object))
-    return live_colour(m_theme.refused(),
-                       m_document.snapshot()->drag->faces.empty() ? 0.45f : 0.18f);
-  if (std::find(m_lit.objects.begin(), m_lit.objects.end(), object.id) != m_lit.objects.end())
-    return m_lit.kind == Message::Kind::Info ? live_colour(m_theme.information(), 0.35f)
-                                             : live_colour(m_theme.refused(), 0.5f);
+    return live_colour(m_theme.refused(), strength(0.45f, !snapshot->drag->faces.empty()));
+  const bool is_lit =
+      std::find(m_lit.objects.begin(), m_lit.objects.end(), object.id) != m_lit.objects.end();
+  const bool is_info = m_lit.kind == Message::Kind::Info;
+  const bool faces = snapshot->invalid || !m_lit.faces.empty();
+  if (is_lit && !(is_info && faces))
+    return is_info ? live_colour(m_theme.information(), 0.35f)
+                   : live_colour(m_theme.refused(), 0.5f);
   switch (object->state) {
     case ObjectState::Invalid:
-      return {0.9f, 0.1f, 0.15f, 0.55f};
+      return {0.9f, 0.1f, 0.15f, strength(0.55f, snapshot->invalid != nullptr)};
     case ObjectState::Unsupported:
       return {0.95f, 0.55f, 0.1f, 0.45f};
     case ObjectState::Wedged:
@@ -135,9 +153,10 @@ LiveScene SceneDrawing::scene(const View& view) const {
   add_active(out, view);
   add_drag(out);
   add_interference(out.overlay);
-  add_tool(out.overlay, view);
+  if (!m_playback.is_on()) add_tool(out.overlay, view);  // handles are where the object ends
   for (const Vec3& point : m_lit.points)
-    out.overlay.points.push_back({point, live_colour(m_theme.refused()), 6, Hidden::Shown});
+    out.overlay.points.push_back(
+        {point, live_colour(m_theme.refused()), m_lit.faces.empty() ? 6.0f : 4.0f, Hidden::Shown});
   return out;
 }
 
@@ -212,8 +231,8 @@ void SceneDrawing::add_drag(LiveScene& scene) const {
   for (const ContactPoint& point : drag.contacts)
     scene.overlay.points.push_back({point.point, kContactRed, 3, Hidden::Faint});
   if (drag.blocked && drag.end != OperationResult::End::Edge)
-    scene.overlay.points.push_back(
-        {drag.blocked_at, live_colour(m_theme.refused()), 7, Hidden::Shown});
+    scene.overlay.points.push_back({drag.blocked_at, live_colour(m_theme.refused()),
+                                    drag.faces.empty() ? 7.0f : 4.0f, Hidden::Shown});
 }
 
 // The faces that are in each other's way; what a message is about, too.
@@ -222,28 +241,34 @@ void SceneDrawing::add_interference(LiveOverlay& overlay) const {
   const auto snapshot = m_document.snapshot();
   if (snapshot->invalid)
     for (const InvalidObject& object : *snapshot->invalid)
-      if (!is_dragged(object.id)) add_faces(overlay, object.faces);
-  if (snapshot->drag)
-    add_faces(overlay, snapshot->drag->faces);
+      if (!is_dragged(object.id)) add_crossing(overlay, object.faces);
+  if (!snapshot->drag) return add_blocking(overlay, m_lit.faces);
+  if (snapshot->drag->blocked)
+    add_blocking(overlay, snapshot->drag->faces);
   else
-    add_faces(overlay, m_lit.faces);
+    add_crossing(overlay, snapshot->drag->faces);
 }
 
-void SceneDrawing::add_faces(LiveOverlay& overlay, const InterferingFaces& faces) const {
-  const auto snapshot = m_document.snapshot();
+// Large faces may cross: what is before them, and what is on them, stays to be seen.
+void SceneDrawing::add_crossing(LiveOverlay& overlay, const InterferingFaces& faces) const {
+  const LiveColour area = live_colour(m_theme.lit(), 0.4f), edge = live_colour(m_theme.lit(), 0.8f);
+  for (const FacesOfObject& of : faces.objects)
+    for (const Triangle& t : triangles_of(*m_document.snapshot(), of)) {
+      overlay.triangles.push_back({t, area, Hidden::Cut});
+      if (of.faces.size() <= kManyFaces) overlay.add_loop({t[0], t[1], t[2]}, edge, 1, Hidden::Cut);
+    }
+}
+
+// Faces that touch are hidden by the objects that they belong to: their edges are seen through
+// them.
+void SceneDrawing::add_blocking(LiveOverlay& overlay, const InterferingFaces& faces) const {
   const LiveColour area = live_colour(m_theme.lit(), 0.75f), edge = live_colour(m_theme.lit());
-  for (const FacesOfObject& of : faces.objects) {
-    const ObjectSnapshot* const object = snapshot->find(of.id);
-    if (!object) continue;
-    const Affine world = (*object)->world_from_object();
-    for (const Index face : of.faces) {
-      Triangle t = (*object)->shape->mesh.triangle(face);
-      for (Vec3& corner : t) corner = world.apply(corner);
+  for (const FacesOfObject& of : faces.objects)
+    for (const Triangle& t : triangles_of(*m_document.snapshot(), of)) {
       overlay.triangles.push_back({t, area, Hidden::Faint});
       if (of.faces.size() <= kManyFaces)
-        overlay.add_loop({t[0], t[1], t[2]}, edge, 1.2f, Hidden::Faint);
+        overlay.add_loop({t[0], t[1], t[2]}, edge, 1.5f, Hidden::Shown);
     }
-  }
 }
 
 void SceneDrawing::add_tool(LiveOverlay& overlay, const View& view) const {

@@ -52,7 +52,8 @@ class SceneDrawing : public QObject {
   void add_contacts(LiveOverlay& overlay, const Object& object, const View& view) const;
   void add_drag(LiveScene& scene) const;
   void add_interference(LiveOverlay& overlay) const;
-  void add_faces(LiveOverlay& overlay, const InterferingFaces& faces) const;
+  void add_crossing(LiveOverlay& overlay, const InterferingFaces& faces) const;
+  void add_blocking(LiveOverlay& overlay, const InterferingFaces& faces) const;
   void add_tool(LiveOverlay& overlay, const View& view) const;
 
   Document& m_document;

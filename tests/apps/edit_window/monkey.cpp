@@ -75,6 +75,7 @@ class Monkey {
 
   void act() {
     close_what_is_open();
+    if (m_random.integer(0, 15) == 0) return look_again();
     switch (m_random.integer(0, 9)) {
       case 0:
       case 1:
@@ -105,13 +106,15 @@ class Monkey {
     return {m_random.integer(box.left(), box.right()), m_random.integer(box.top(), box.bottom())};
   }
   SceneView& any_view() {
-    static const WindowKind kKinds[] = {WindowKind::Perspective, WindowKind::ThreeView,
-                                        WindowKind::Constraint};
-    for (;;) {
-      SceneView& view = m_window.view(kKinds[m_random.integer(0, 2)]);
-      // With one window alone it may be none of them.
-      if (view.isVisible() || m_random.integer(0, 9) == 0) return view;
+    std::vector<SceneView*> seen;
+    for (const WindowKind kind :
+         {WindowKind::Perspective, WindowKind::ThreeView, WindowKind::Constraint})
+      if (m_window.view(kind).isVisible()) seen.push_back(&m_window.view(kind));
+    if (seen.empty()) {  // the control window is alone
+      m_window.action("maximise")->trigger();
+      return m_window.view(WindowKind::Perspective);
     }
+    return *seen[static_cast<size_t>(m_random.integer(0, static_cast<int>(seen.size()) - 1))];
   }
   /// On an object more often than not.
   QPoint place_in(const SceneView& view) {
@@ -137,6 +140,13 @@ class Monkey {
     }
   }
 
+  /// Cameras lose the scene, and all may be locked: back to where there is something to do.
+  void look_again() {
+    for (const WindowKind kind :
+         {WindowKind::Perspective, WindowKind::ThreeView, WindowKind::Constraint})
+      m_window.view(kind).frame(m_document.snapshot()->box());
+    m_document.go_to_step(m_document.history().num_done * 2 / 3);
+  }
   void press_key() {
     const Key& key = kKeys[m_random.integer(0, static_cast<int>(std::size(kKeys)) - 1)];
     m_user.press_key(key.key, key.modifiers);
