@@ -22,8 +22,9 @@ struct InterferingFaces {
   bool empty() const { return objects.empty(); }
 };
 
-/// Pairs of faces that are looked at, by default: about a millisecond.
-inline constexpr int kMostFacePairs = 4096;
+/// Pairs of faces that are looked at, by default: 5 to 20 ms where that many are near each other,
+/// as when two fine meshes lie in each other; which of them may depend on the shape of the trees.
+inline constexpr int kMostFacePairs = 1 << 16;
 
 /// Of objects that are where `moved` says: the faces that have a point in common with those of
 /// another placed object, by the exact test of check_scene(), and those that reach below the floor.

@@ -33,7 +33,7 @@ ControlWindow::ControlWindow(Document& document, Toolbox& toolbox, QWidget* pare
   addWidget(m_tabs);
   setChildrenCollapsible(false);
   setHandleWidth(1);
-  setSizes({165, 265});
+  setSizes({145, 285});
   setStretchFactor(0, 2), setStretchFactor(1, 1);
   setMinimumWidth(250);
   connect(&m_document, &Document::history_changed, this, &ControlWindow::show_history);

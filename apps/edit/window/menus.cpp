@@ -88,24 +88,24 @@ void MainWindow::make_edit_actions() {
       Icon::Redo;
   add_action(
       "duplicate", tr("&Duplicate"), tr("Ctrl+D"), [this] { duplicate(); },
-      tr("Another one of the same model, to be put"));
+      tr("Duplicate: another one of the same model, to be put"));
   add_action("delete", tr("De&lete"), QKeySequence::Delete, [this] { m_toolbox.erase_selected(); });
   add_action("select all", tr("Select &all"), QKeySequence::SelectAll, [this] { select_all(); });
   add_action("select none", tr("Select &none"), tr("Ctrl+Shift+A"),
              [this] { m_document.select({}); });
   add_action(
       "lock", tr("Loc&k"), tr("Ctrl+L"), [this] { lock_selected(true); },
-      tr("No operation may move it; it may still topple"));
+      tr("Lock: no operation may move it; it may still topple"));
   add_action("unlock", tr("Unlock"), tr("Ctrl+Shift+L"), [this] { lock_selected(false); });
   add_action(
       "fix", tr("Fi&x"), tr("Ctrl+F"), [this] { fix_selected(true); },
-      tr("It never moves, and carries everything"));
+      tr("Fix: it never moves, and carries everything"));
   add_action(
       "unfix", tr("Unfix"), tr("Ctrl+Shift+F"), [this] { fix_selected(false); },
-      tr("It can be moved again, with all that is on it"));
+      tr("Unfix: it can be moved again, with all that is on it"));
   add_action(
       "group", tr("&Group"), tr("Ctrl+G"), [this] { group_selected(true); },
-      tr("What moves one of a group moves all"));
+      tr("Group: what moves one of it moves all"));
   add_action("ungroup", tr("Ungroup"), tr("Ctrl+Shift+G"), [this] { group_selected(false); });
 }
 
@@ -132,10 +132,11 @@ void MainWindow::make_tool_actions() {
 void MainWindow::make_hand_actions() {
   add_action(
       "put here", tr("Put where the mouse &points"), tr("P"),
-      [this] { m_toolbox.put_at_pointer(); }, tr("The active object falls where the mouse points"));
+      [this] { m_toolbox.put_at_pointer(); },
+      tr("Put: the active object falls where the mouse points"));
   add_action(
       "pick up now", tr("Pick up &now"), tr("U"), [this] { m_toolbox.pick_up(); },
-      tr("The active object, by the distance of the operation panel"));
+      tr("Pick up: what is selected, by the distance of the operation panel"));
 }
 
 void MainWindow::make_view_actions() {

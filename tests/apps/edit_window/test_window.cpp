@@ -16,6 +16,7 @@
 #include "apps/edit_window/large_scene.h"
 #include "apps/edit_window/lit_and_watched.h"
 #include "apps/edit_window/monkey.h"
+#include "apps/edit_window/together.h"
 #include "apps/edit_window/tour.h"
 #include "apps/edit_window/user.h"
 #include "core/io/export.h"
@@ -67,6 +68,7 @@ class TestWindow : public QObject {
   void says_why_it_refuses();
   void lays_a_breakfast_table();
   void asks_before_work_is_lost();
+  void moves_several_at_once();
   void lights_what_interferes();
   void plays_what_settles();
   void shows_full_scenes_at_every_size();
@@ -343,6 +345,8 @@ void TestWindow::asks_before_work_is_lost() {
   QVERIFY(m_user->wait());
   QVERIFY(m_document->snapshot()->objects.size() > 20);
 }
+
+void TestWindow::moves_several_at_once() { move_several(*m_document, *m_window, *m_user); }
 
 void TestWindow::lights_what_interferes() { look_at_interference(*m_document, *m_window, *m_user); }
 

@@ -108,12 +108,12 @@ void User::take(const QString& tool) {
   click(*bar->widgetForAction(m_window.action(tool)));
 }
 
-void User::select(const std::string& name) {
+void User::select(const std::string& name, Qt::KeyboardModifiers modifiers) {
   Outliner& outliner = m_window.control().outliner();
   for (QTreeWidgetItemIterator it(&outliner); *it; ++it) {
     if ((*it)->text(0).toStdString() != name) continue;
     outliner.scrollToItem(*it);
-    click(*outliner.viewport(), outliner.visualItemRect(*it).center());
+    click(*outliner.viewport(), outliner.visualItemRect(*it).center(), modifiers);
     return;
   }
   QFAIL(qPrintable(QString("no \"%1\" in the outliner").arg(QString::fromStdString(name))));

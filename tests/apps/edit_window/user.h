@@ -30,9 +30,9 @@ class User {
   QPoint pixel_on(const std::string& name, WindowKind kind);
   void click(WindowKind kind, const Vec3& world);
   void drag(WindowKind kind, const Vec3& from, const Vec3& to);
-  void take(const QString& tool);        // a button of the tool bar
-  void select(const std::string& name);  // in the outliner
-  void show_tab(const QString& title);   // of the control window
+  void take(const QString& tool);  // a button of the tool bar
+  void select(const std::string& name, Qt::KeyboardModifiers modifiers = {});  // in the outliner
+  void show_tab(const QString& title);  // of the control window
 
   /// Until the document is idle and all views show it. @return whether it came so far.
   bool wait(int timeout_ms = 120000);

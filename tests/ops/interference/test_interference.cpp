@@ -5,6 +5,7 @@
 #include "ops/interference.h"
 #include "ops/move/live_move.h"
 #include "ops/move/stage.h"
+#include "ops/stopwatch.h"
 #include "support/effort.h"
 
 namespace trivet {
@@ -122,6 +123,25 @@ TEST(Interference, StopsAtItsLimitAndSaysSo) {
   EXPECT_FALSE(some.complete);
   ASSERT_EQ(all.objects.size(), 2u);
   EXPECT_LT(some.objects.empty() ? 0 : some.objects[0].faces.size(), all.objects[0].faces.size());
+}
+
+// Two balls of 160,000 faces that are nearly in the same place: prints what a look at them costs.
+TEST(Interference, LooksAtNoMoreThanItsLimitOfFinePairs) {
+  Stage stage;
+  stage.fix("a", ball(0.2, 200, 400), {0, 0, 0.5});
+  const ObjectId b = stage.scene.add(object_of("b", ball(0.2, 200, 400)));
+  const Placement moved{b, {{}, Vec3(0.01, 0, 0.5)}};
+  Stopwatch watch;
+  const InterferingFaces crossing = crossing_faces(stage.scene, {&moved, 1});
+  const double ms = watch.milliseconds();
+  const InterferingFaces near = blocking_faces(stage.scene, {&moved, 1}, {"a", Vec3::Zero()}, 1e-5);
+  std::printf("%d pairs of fine faces: crossing %.2f ms, blocking %.2f ms\n", kMostFacePairs, ms,
+              watch.milliseconds() - ms);
+  for (const InterferingFaces& found : {crossing, near}) {
+    EXPECT_FALSE(found.complete);
+    ASSERT_EQ(found.objects.size(), 2u);
+    EXPECT_GT(found.objects[0].faces.size(), 20u);
+  }
 }
 
 /// All pairs within the tolerance, of those alike the one nearest to where it was stopped; of each

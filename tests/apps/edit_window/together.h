@@ -1,0 +1,11 @@
+// Several objects moved at once, and a fixed table with all that is on it.
+#pragma once
+
+#include "apps/edit_window/user.h"
+
+namespace trivet::edit::test {
+
+/// Pictures "together_...", "table_freed". The scene is BREAKFAST; it is as before.
+void move_several(Document& document, MainWindow& window, User& user);
+
+}  // namespace trivet::edit::test
