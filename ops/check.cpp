@@ -56,13 +56,25 @@ void add_pair_findings(const std::string& a, const std::string& b, const PairVer
   if (v.b_inside_a) check.contained.push_back({b, a, v.b_inside_a});
 }
 
-void add_rest_findings(const Scene& scene, const PlacedObject& o, double clearance,
+// What it passes through does not hold it.
+Surroundings holders_of(size_t i, const Scene& scene, const std::vector<PlacedObject>& objects,
+                        const std::vector<PairToCheck>& pairs) {
+  std::vector<std::optional<ObjectId>> crossed;
+  if (num_below_floor(objects[i].world.doubles)) crossed.push_back(std::nullopt);
+  for (const PairToCheck& p : pairs)
+    if ((p.a == i || p.b == i) && !p.verdict.clear())
+      crossed.push_back(objects[p.a == i ? p.b : p.a].id);
+  Surroundings out(scene, objects[i].id);
+  out.leave_out(crossed);
+  return out;
+}
+
+void add_rest_findings(const PlacedObject& o, const Surroundings& others, double clearance,
                        SceneCheck& check) {
-  const Surroundings others(scene, o.id);
-  const auto contacts = touching(scene, o.object(), o.object().pose, others, clearance);
+  const auto contacts = touching(o.object(), o.object().pose, others, clearance);
   for (const ContactsWith& c : contacts)
     for (const ContactPoint& p : c.points) check.smallest_gap = std::min(check.smallest_gap, p.gap);
-  if (!o.object().fixed && !rests_at(scene, o.object(), o.object().pose, others, clearance))
+  if (!o.object().fixed && !rests_at(o.object(), o.object().pose, others, clearance))
     check.not_at_rest.push_back(o.object().name);
 }
 
@@ -99,9 +111,9 @@ SceneCheck check_scene(const Scene& scene, int num_threads, double clearance) {
                                    std::numeric_limits<std::int64_t>::max());
   });
   SceneCheck check;
-  for (const PlacedObject& o : objects) {
-    if (scene.floor) add_floor_findings(o, check);
-    add_rest_findings(scene, o, clearance, check);
+  for (size_t i = 0; i < objects.size(); ++i) {
+    if (scene.floor) add_floor_findings(objects[i], check);
+    add_rest_findings(objects[i], holders_of(i, scene, objects, pairs), clearance, check);
   }
   for (const PairToCheck& p : pairs)
     add_pair_findings(objects[p.a].object().name, objects[p.b].object().name, p.verdict, check);
@@ -116,52 +128,20 @@ ObjectState state_as_it_lies(const Scene& scene, ObjectId id, const Surroundings
   const Object& object = scene.at(id);
   const ObjectState was = object.state;
   if (was == ObjectState::Invalid && !why_invalid(scene, id, object.pose, true).empty()) return was;
-  if (rests_at(scene, object, object.pose, others, clearance)) return ObjectState::Stable;
+  if (rests_at(object, object.pose, others, clearance)) return ObjectState::Stable;
   if (was == ObjectState::Held || was == ObjectState::Invalid) return ObjectState::Held;
   return was == ObjectState::Unsupported ? was : ObjectState::Wedged;
-}
-
-struct KnownCrossing {
-  ObjectId id;
-  std::optional<ObjectId> with;  // nothing: the floor
-};
-
-// Of what is invalid.
-std::vector<KnownCrossing> crossing_pairs(const Scene& scene) {
-  std::vector<KnownCrossing> out;
-  for (const ObjectId id : scene.ids()) {
-    const Object& object = scene.at(id);
-    if (object.state != ObjectState::Invalid) continue;
-    const Placement here{id, object.pose};
-    for (const Interpenetration& x :
-         interpenetrations(scene, {&here, 1}, true, std::numeric_limits<size_t>::max()))
-      out.push_back({x.id, x.with});
-  }
-  return out;
-}
-
-bool means_nothing(const std::vector<KnownCrossing>& crossing, ObjectId id,
-                   std::optional<ObjectId> contact_with) {
-  return std::any_of(crossing.begin(), crossing.end(), [&](const KnownCrossing& x) {
-    return (x.id == id && x.with == contact_with) || (x.id == contact_with && x.with == id);
-  });
 }
 
 }  // namespace
 
 void update_contacts(Scene& scene, double clearance) {
   clearance = believable_clearance(scene, clearance);
-  const std::vector<KnownCrossing> crossing = crossing_pairs(scene);
   for (const ObjectId id : scene.ids()) {
     const Object& object = scene.at(id);
     if (!object.placed) continue;
-    const Surroundings others(scene, id);
-    auto contacts = touching(scene, object, object.pose, others, clearance);
-    std::erase_if(contacts, [&](const ContactsWith& c) {
-      return means_nothing(
-          crossing, id,
-          c.fixed == ContactsWith::kFloor ? std::optional<ObjectId>() : others.ids[c.fixed]);
-    });
+    const Surroundings others = holders(scene, id);
+    const auto contacts = touching(object, object.pose, others, clearance);
     const ObjectState state =
         object.fixed ? ObjectState::Fixed : state_as_it_lies(scene, id, others, clearance);
     commit(scene, id, object.pose, state, others, contacts, clearance);

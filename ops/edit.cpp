@@ -60,9 +60,7 @@ OperationResult remove(Scene& scene, const DeleteOperation& operation,
                        const SettleOptions& options) {
   const ObjectId id = *scene.find(operation.object);
   const Object& object = std::as_const(scene).at(id);
-  if (object.locked)
-    return refused("\"" + operation.object +
-                   "\" is locked; accepted: objects that are not, as unlock makes it");
+  if (object.locked) return refused("\"" + operation.object + "\" is locked: unlock it first");
   Interrupt interrupt(options);
   const double clearance = options.clearance > 0 ? options.clearance : default_clearance(scene);
   std::vector<ObjectId> neighbours;
@@ -78,7 +76,7 @@ OperationResult remove(Scene& scene, const DeleteOperation& operation,
   scene.remove(id);
   OperationResult result;
   for (const ObjectId neighbour : neighbours) rate_left_alone(scene, neighbour, clearance, result);
-  if (operation.settle_left) settle_unsupported(scene, options, clearance, interrupt, result);
+  if (operation.settle_left) settle_unsupported(scene, options, clearance, {}, interrupt, result);
   if (interrupt.reason()) interrupt.refuse("delete of \"" + operation.object + "\"", result);
   return result;
 }
@@ -92,8 +90,6 @@ OperationResult fix(Scene& scene, const FixOperation& operation, const SettleOpt
   const ObjectId id = *scene.find(operation.object);
   const Object& seen = std::as_const(scene).at(id);
   if (seen.fixed == operation.fixed) return {};
-  if (!seen.placed && operation.fixed)
-    return refused("\"" + operation.object + "\" is not in the scene: put it there first");
   scene.at(id).fixed = operation.fixed;
   if (!seen.placed) return {};
   if (operation.fixed) return stand(scene, id, seen.pose, options);

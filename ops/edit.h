@@ -22,9 +22,9 @@ OperationResult remove(Scene& scene, const DeleteOperation& operation,
 /// Locked objects are moved by no operation, neither by themselves nor with what carries them.
 OperationResult lock(Scene& scene, const LockOperation& operation);
 
-/// A free object becomes fixed where it is, or a fixed one free: what it carries stays on it, and
-/// when nothing holds it that is said as for what a move leaves. Refused: to fix what is out of the
-/// scene or interpenetrates.
+/// A free object becomes fixed where it is (or where it will be put first), or a fixed one free:
+/// what it carries stays on it, and when nothing holds it that is said as for what a move leaves.
+/// Refused: to fix what interpenetrates.
 OperationResult fix(Scene& scene, const FixOperation& operation, const SettleOptions& options);
 
 /// Objects of one group move as one.

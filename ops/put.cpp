@@ -74,9 +74,8 @@ OperationResult stand(Scene& scene, ObjectId id, const Pose& pose, const SettleO
   const Surroundings others(scene, id);
   ObjectState state = ObjectState::Fixed;
   if (!object.fixed)
-    state = rests_at(scene, object, pose, others, clearance) ? ObjectState::Stable
-                                                             : ObjectState::Wedged;
-  const auto contacts = touching(scene, object, pose, others, clearance);
+    state = rests_at(object, pose, others, clearance) ? ObjectState::Stable : ObjectState::Wedged;
+  const auto contacts = touching(object, pose, others, clearance);
   commit(scene, id, pose, state, others, contacts, clearance);
   result.milliseconds = stopwatch.milliseconds();
   return result;

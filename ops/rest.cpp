@@ -5,6 +5,7 @@
 #include "core/base/tunables.h"
 #include "core/contact/contact_points.h"
 #include "ops/settle/equilibrium.h"
+#include "ops/verify.h"
 
 namespace trivet {
 namespace {
@@ -36,7 +37,8 @@ std::vector<Link> links_of(const Object& object, const Pose& pose, const Surroun
 Surroundings::Surroundings(const Scene& scene, ObjectId except)
     : Surroundings(scene, std::span<const ObjectId>(&except, 1)) {}
 
-Surroundings::Surroundings(const Scene& scene, std::span<const ObjectId> except) {
+Surroundings::Surroundings(const Scene& scene, std::span<const ObjectId> except)
+    : floor(scene.floor) {
   for (const ObjectId id : scene.ids()) {
     const Object& object = scene.at(id);
     if (!object.placed || std::find(except.begin(), except.end(), id) != except.end()) continue;
@@ -45,20 +47,37 @@ Surroundings::Surroundings(const Scene& scene, std::span<const ObjectId> except)
   }
 }
 
+void Surroundings::leave_out(std::span<const std::optional<ObjectId>> left_out) {
+  for (const std::optional<ObjectId>& out : left_out) {
+    if (!out) {
+      floor = false;
+    } else if (const auto it = std::find(ids.begin(), ids.end(), *out); it != ids.end()) {
+      bodies.erase(bodies.begin() + (it - ids.begin()));
+      ids.erase(it);
+    }
+  }
+}
+
+Surroundings holders(const Scene& scene, ObjectId id) {
+  Surroundings out(scene, id);
+  out.leave_out(passed_through(scene, id));
+  return out;
+}
+
 std::string Surroundings::name(const Scene& scene, Index fixed) const {
   return fixed == ContactsWith::kFloor ? "the floor" : "\"" + scene.at(ids[fixed]).name + "\"";
 }
 
-std::vector<ContactsWith> touching(const Scene& scene, const Object& object, const Pose& pose,
+std::vector<ContactsWith> touching(const Object& object, const Pose& pose,
                                    const Surroundings& others, double clearance) {
-  return contacts_with(body_at(object, pose), others.bodies, scene.floor,
+  return contacts_with(body_at(object, pose), others.bodies, others.floor,
                        kContactTolerance * clearance, kFootSlack * clearance);
 }
 
-bool rests_at(const Scene& scene, const Object& object, const Pose& pose,
-              const Surroundings& others, double clearance) {
-  SettleProblem problem{object.shape.get(), object.up,   object.scale, pose,
-                        others.bodies,      scene.floor, clearance,    {}};
+bool rests_at(const Object& object, const Pose& pose, const Surroundings& others,
+              double clearance) {
+  SettleProblem problem{object.shape.get(), object.up,    object.scale, pose,
+                        others.bodies,      others.floor, clearance,    {}};
   return is_at_rest(problem);
 }
 
@@ -71,11 +90,21 @@ RestRating rate_rest(const Object& object, const Pose& pose,
           least_friction(points, centre, size, residual_tolerance(size, clearance))};
 }
 
+RestRating rate_unheld(const Object& object, const Pose& pose,
+                       const std::vector<ContactsWith>& contacts, double clearance) {
+  const auto points = all_points(contacts, kContactTolerance * clearance);
+  const Vec3 centre = body_at(object, pose).world_from_object.apply(object.shape->mass.centre);
+  return {carrying_margin(points, centre), kInfinity};
+}
+
 void commit(Scene& scene, ObjectId id, const Pose& pose, ObjectState state,
             const Surroundings& others, const std::vector<ContactsWith>& contacts,
             double clearance) {
   Object& object = scene.at(id);
-  const RestRating rating = rate_rest(object, pose, contacts, clearance);
+  const bool unheld = state == ObjectState::Held || state == ObjectState::Unsupported ||
+                      state == ObjectState::Invalid;
+  const RestRating rating = unheld ? rate_unheld(object, pose, contacts, clearance)
+                                   : rate_rest(object, pose, contacts, clearance);
   scene.link(id, links_of(object, pose, others, contacts, clearance));
   // Nothing below can fail.
   object.pose = pose;

@@ -1,6 +1,7 @@
 #include "ops/verify.h"
 
 #include <algorithm>
+#include <limits>
 #include <sstream>
 
 #include "core/base/tunables.h"
@@ -194,6 +195,19 @@ std::vector<Interpenetration> interpenetrations(const Scene& scene,
       if (!v.clear()) out.push_back({placement.id, id, describe(v, object.name, other.name)});
     }
   }
+  return out;
+}
+
+std::vector<std::optional<ObjectId>> passed_through(const Scene& scene, ObjectId id) {
+  std::vector<std::optional<ObjectId>> out;
+  const std::vector<ObjectId> ids = scene.ids();
+  if (std::none_of(ids.begin(), ids.end(),
+                   [&](ObjectId i) { return scene.at(i).state == ObjectState::Invalid; }))
+    return out;
+  const Placement here{id, scene.at(id).pose};
+  for (const Interpenetration& x :
+       interpenetrations(scene, {&here, 1}, true, std::numeric_limits<size_t>::max()))
+    out.push_back(x.with);
   return out;
 }
 

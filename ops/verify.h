@@ -73,6 +73,10 @@ std::vector<Interpenetration> interpenetrations(const Scene& scene,
                                                 std::span<const Placement> moved, bool floats,
                                                 size_t limit);
 
+/// What an object passes through where the scene has it, if anything is ObjectState::Invalid (else
+/// nothing does); no id: the floor. None of that holds it.
+std::vector<std::optional<ObjectId>> passed_through(const Scene& scene, ObjectId id);
+
 /// Why these, which keep their places among each other, may not be there all together; empty: they
 /// may. Among each other only the exported floats are tested.
 std::string why_invalid(const Scene& scene, std::span<const Placement> moved, bool floats);

@@ -38,10 +38,12 @@ int move(const MoveArguments& arguments, const Operation& asked, const CommonOpt
   Outputs outputs(arguments.outputs, {}, common);
   SceneFile file = read_scene_file(arguments.scene, common.limits());
   for (const std::string& note : file.notes) print_note(common, note);
-  if (!file.scene.find(arguments.move.object))
-    throw Error(Error::Kind::BadInput, arguments.scene + ": there is no object \"" +
-                                           arguments.move.object +
-                                           "\"; accepted: the name of one of its objects");
+  std::vector<std::string> names = arguments.move.together;
+  names.insert(names.begin(), arguments.move.object);
+  for (const std::string& name : names)
+    if (!file.scene.find(name))
+      throw Error(Error::Kind::BadInput, arguments.scene + ": there is no object \"" + name +
+                                             "\"; accepted: the name of one of its objects");
   const std::unique_ptr<Detector> detector = make_detector(common);
   RunOptions options = run_options(common, arguments.settle, detector.get());
   if (!(options.settle.clearance > 0)) options.settle.clearance = file.clearance;
@@ -78,7 +80,8 @@ struct MoveVerb {
     app->add_flag("--settle-left", arguments->move.settle_left,
                   "Let what is left without support settle");
     app->add_option("--together", arguments->move.together,
-                    "Objects that move along, as those of its group do")
+                    "An object that moves along, as those of its group do; more than once for more")
+        ->allow_extra_args(false)
         ->type_name("NAME");
   }
 

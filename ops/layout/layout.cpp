@@ -86,6 +86,9 @@ Operation read_known(const JsonPlace& place, std::set<std::string>& names) {
   if (const auto* put = std::get_if<PutOperation>(&operation))
     if (put->place && put->place->on != "floor" && !names.count(put->place->on))
       place.at("on").refuse("\"floor\" or the name of one of /objects");
+  if (const auto together = place.find("together"))
+    for (const JsonPlace& other : together->items())
+      if (!names.count(other.text())) other.refuse("the name of one of /objects");
   return operation;
 }
 

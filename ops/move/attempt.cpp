@@ -92,6 +92,7 @@ void Attempt::begin(ObjectId id, const std::vector<ObjectId>& together,
   const double usual = default_clearance(m_scene, m_is_put ? started.front().box : Aabb{});
   const double clearance = m_options.clearance > 0 ? m_options.clearance : usual;
   m_group.emplace(m_scene, id, together, clearance, m_options);
+  m_joint = !together.empty() && m_group->led().size() > 1;
   // What is fixed comes in once, and then stands there.
   const bool comes_in = m_is_put && object.fixed && !object.placed;
   std::string why = comes_in ? "" : why_not_movable(m_scene, m_group->ids());
@@ -104,12 +105,12 @@ std::string Attempt::why_not_startable(bool free) const {
   for (const ObjectId id : m_group->led())
     if (const Object& object = std::as_const(m_scene).at(id); !object.placed)
       return quoted(object.name) + " is not in the scene: put it there first";
-  const bool crosses = std::any_of(m_group->led().begin(), m_group->led().end(), [&](ObjectId id) {
-    return std::as_const(m_scene).at(id).state == ObjectState::Invalid;
-  });
-  if (free || !crosses) return "";
-  const std::string why = why_invalid(m_scene, m_group->placements(), false);
-  return why.empty() ? "" : why + ": move it out freely first";
+  if (free || invalid_objects(m_scene).empty()) return "";
+  for (const Placement& here : m_group->placements()) {
+    const auto found = interpenetrations(m_scene, {&here, 1}, true, 1);
+    if (!found.empty()) return found.front().what + ": move it out freely first";
+  }
+  return "";
 }
 
 std::string Attempt::name() const { return quoted(m_group->object().name); }
@@ -153,6 +154,13 @@ void Attempt::note_blocked(Index outside, const Vec3& point) {
   m_result.blocked_at = point;
 }
 
+void Attempt::let_go() {
+  if (m_joint)
+    m_let_go = true;
+  else
+    end_settled(settle());
+}
+
 void Attempt::end_settled(const SettleOutcome& outcome) {
   m_result.steps.insert(m_result.steps.end(), outcome.steps.begin(), outcome.steps.end());
   if (interrupted()) return;
@@ -166,7 +174,7 @@ void Attempt::end_settled(const SettleOutcome& outcome) {
 OperationResult Attempt::finish(ObjectState otherwise) {
   if (refused()) return done();
   if (m_let_go) otherwise = m_wedged ? ObjectState::Wedged : ObjectState::Stable;
-  if (!m_is_put && !m_group->has_moved()) return done();
+  if (!m_is_put && !lets_go_each() && !m_group->has_moved()) return done();
   if (m_group->object().placed)
     m_result.moved = (m_group->pose().translation - m_group->object().pose.translation).norm();
   std::string why = why_too_far(*m_group, m_options);
@@ -188,8 +196,10 @@ OperationResult Attempt::done() {
   m_result.num_motions = static_cast<int>(m_result.steps.size());
   m_result.num_queries = m_group->num_queries();
   m_result.num_face_pairs = m_group->num_face_pairs();
-  if (m_result.ok() && m_move.settle_left && !m_result.unsupported.empty()) {
-    settle_unsupported(m_scene, m_options, m_group->clearance(), m_interrupt, m_result);
+  if (m_result.ok() && (m_move.settle_left || lets_go_each()) && !m_result.unsupported.empty()) {
+    std::optional<std::vector<ObjectId>> only;
+    if (!m_move.settle_left) only = m_group->led();
+    settle_unsupported(m_scene, m_options, m_group->clearance(), only, m_interrupt, m_result);
     interrupted();
   }
   m_result.milliseconds = m_stopwatch.milliseconds();

@@ -47,8 +47,11 @@ class Attempt {
   void note_blocked(const FirstContact& found);
   void note_blocked(Index outside, const Vec3& point);
 
-  /// Settles from where the group is. Refused when it cannot come to rest.
-  void let_go() { end_settled(settle()); }
+  /// Settles from where the group is. Refused when it cannot come to rest. What moved `together` is
+  /// let go one after another when the group is committed, the lowest first.
+  void let_go();
+  bool is_joint() const { return m_joint; }  // several things in one hand
+  bool lets_go_each() const { return m_joint && m_let_go; }
   /// The same in two steps: the group is where it settled, and may go back.
   SettleOutcome settle() { return m_group->settle(&m_interrupt); }
   void end_settled(const SettleOutcome& outcome);
@@ -70,7 +73,7 @@ class Attempt {
   Interrupt m_interrupt;
   OperationResult m_result;
   std::optional<MovingGroup> m_group;
-  bool m_is_put = false, m_let_go = false, m_wedged = false;
+  bool m_is_put = false, m_joint = false, m_let_go = false, m_wedged = false;
   Stopwatch m_stopwatch;
 };
 

@@ -55,16 +55,9 @@ void add_name(std::vector<std::string>& names, const std::string& name) {
   if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
 }
 
-// Of what contacts do not hold: no friction is enough, and none has to be looked for.
-RestRating rate_unheld(const Object& object, const std::vector<ContactsWith>& contacts,
-                       double clearance) {
-  const auto points = all_points(contacts, kContactTolerance * clearance);
-  return {carrying_margin(points, object.centre_of_mass()), kInfinity};
-}
-
 // Whether the centre is inside the hull of the contacts that carry: at rest, without more ado.
 bool stands_on(const Object& object, const std::vector<ContactsWith>& contacts, double clearance) {
-  return rate_unheld(object, contacts, clearance).stability_margin >=
+  return rate_unheld(object, object.pose, contacts, clearance).stability_margin >=
          kRestMargin * object.scale * object.shape->box.diagonal();
 }
 
@@ -87,17 +80,18 @@ void rate_as(Scene& scene, ObjectId id, double clearance, const std::vector<Cont
              const State& state) {
   const Object& seen = std::as_const(scene).at(id);
   if (seen.fixed || !seen.placed) return;
-  const Surroundings others(scene, id);
+  const std::vector<std::optional<ObjectId>> crossed = passed_through(scene, id);
+  Surroundings others(scene, id);
+  others.leave_out(crossed);
   const std::vector<ContactsWith> contacts =
-      known ? *known : touching(scene, seen, seen.pose, others, clearance);
-  const bool stays = is_invalid(scene, id) && !why_invalid(scene, id, seen.pose, true).empty();
+      known ? *known : touching(seen, seen.pose, others, clearance);
+  const bool stays = is_invalid(scene, id) && !crossed.empty();
   const ObjectState now = stays ? ObjectState::Invalid : state([&] {
-    return stands_on(seen, contacts, clearance) ||
-           rests_at(scene, seen, seen.pose, others, clearance);
+    return stands_on(seen, contacts, clearance) || rests_at(seen, seen.pose, others, clearance);
   });
   const bool rests = now == ObjectState::Stable || now == ObjectState::Wedged;
   const RestRating rating = rests ? rate_rest(seen, seen.pose, contacts, clearance)
-                                  : rate_unheld(seen, contacts, clearance);
+                                  : rate_unheld(seen, seen.pose, contacts, clearance);
   Object& object = scene.at(id);
   object.state = now;
   object.stability_margin = rating.stability_margin;
@@ -116,13 +110,17 @@ class GroupCommit {
     for (const ObjectId id : invalid_objects(m_scene)) add_partner(id);
     m_to_rate.insert(m_to_rate.end(), m_partners.begin(), m_partners.end());
     for (Index i = 0; i < static_cast<Index>(m_group.ids().size()); ++i) {
-      Object& object = m_scene.at(m_group.ids()[i]);
-      m_scene.link(m_group.ids()[i], std::move(m_links[i]));
+      const ObjectId id = m_group.ids()[i];
+      Object& object = m_scene.at(id);
+      m_scene.link(id, std::move(m_links[i]));
       object.pose = m_group.pose(i);
       object.placed = true;
       if (object.fixed) object.state = ObjectState::Fixed;
+      if (crosses(id, crossed)) object.state = ObjectState::Invalid;
+      const bool was_in_hand = object.state == ObjectState::Held && has(m_group.led(), id);
+      if (settled && was_in_hand) object.state = ObjectState::Stable;  // or what it is rated
     }
-    for (const ObjectId id : m_to_rate) rate(id, otherwise, settled, crossed);
+    for (const ObjectId id : m_to_rate) rate(id, otherwise, settled);
     for (const ObjectId id : m_group.ids())
       if (id != m_group.ids()[0]) add_name(m_result.carried, std::as_const(m_scene).at(id).name);
   }
@@ -166,7 +164,7 @@ class GroupCommit {
     touch(object.links);
     const bool leans = leave(object);
     if (m_group.ids().size() == 1) m_contacts = contacts;
-    bool rated_again = i == 0 || move.tilted() || !links.empty() || leans ||
+    bool rated_again = has(m_group.led(), id) || move.tilted() || !links.empty() || leans ||
                        is_invalid(m_scene, id) || crosses(id, crossed);
     for (const Link& link : object.links)
       if (link.with && has(m_group.ids(), *link.with))
@@ -182,11 +180,9 @@ class GroupCommit {
                        [&](const Interpenetration& x) { return x.id == id; });
   }
 
-  void rate(ObjectId id, ObjectState otherwise, bool settled,
-            const std::vector<Interpenetration>& crossed) {
+  void rate(ObjectId id, ObjectState otherwise, bool settled) {
     const bool is_object = id == m_group.ids()[0];
     const auto state = [&](const auto& rests) {
-      if (crosses(id, crossed)) return ObjectState::Invalid;
       // What settles together may not rest alone.
       if (is_object && settled && m_group.ids().size() == 1) return otherwise;
       if (rests()) return ObjectState::Stable;
@@ -209,11 +205,13 @@ class GroupCommit {
 // Lets unsupported objects settle, the lowest first.
 class Settling {
  public:
-  Settling(Scene& scene, const SettleOptions& options, double clearance, Interrupt& interrupt,
+  Settling(Scene& scene, const SettleOptions& options, double clearance,
+           const std::optional<std::vector<ObjectId>>& only, Interrupt& interrupt,
            OperationResult& result)
       : m_scene(scene),
         m_options(options),
         m_clearance(clearance),
+        m_only(only),
         m_interrupt(interrupt),
         m_result(result) {}
 
@@ -243,7 +241,7 @@ class Settling {
     double best_z = kInfinity;
     for (const std::string& name : m_result.unsupported) {
       const std::optional<ObjectId> id = m_scene.find(name);
-      if (!id || !may_be_let_go(name)) continue;
+      if (!id || !may_be_let_go(name) || (m_only && !has(*m_only, *id))) continue;
       const Object& object = std::as_const(m_scene).at(*id);
       if (object.state != ObjectState::Unsupported) continue;
       const double z = Body(*object.shape, object.world_from_object()).world_box.lower.z();
@@ -275,6 +273,7 @@ class Settling {
   Scene& m_scene;
   const SettleOptions& m_options;
   double m_clearance;
+  const std::optional<std::vector<ObjectId>>& m_only;
   Interrupt& m_interrupt;
   OperationResult& m_result;
   std::map<std::string, int> m_tries;
@@ -312,8 +311,9 @@ void rate_left_alone(Scene& scene, ObjectId id, double clearance, OperationResul
 }
 
 void settle_unsupported(Scene& scene, const SettleOptions& options, double clearance,
-                        Interrupt& interrupt, OperationResult& result) {
-  Settling(scene, options, clearance, interrupt, result).run();
+                        const std::optional<std::vector<ObjectId>>& only, Interrupt& interrupt,
+                        OperationResult& result) {
+  Settling(scene, options, clearance, only, interrupt, result).run();
 }
 
 }  // namespace trivet

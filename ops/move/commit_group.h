@@ -31,7 +31,9 @@ void rate_left_alone(Scene& scene, ObjectId id, double clearance, OperationResul
 /// Lets the objects of result.unsupported settle, the lowest first, and those that this leaves
 /// without support; result.settled says which. What cannot come to rest stays where it is, and in
 /// result.unsupported.
+/// @param only  these; nothing: all.
 void settle_unsupported(Scene& scene, const SettleOptions& options, double clearance,
-                        Interrupt& interrupt, OperationResult& result);
+                        const std::optional<std::vector<ObjectId>>& only, Interrupt& interrupt,
+                        OperationResult& result);
 
 }  // namespace trivet

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/quoted.h"
 #include "core/base/tunables.h"
 #include "core/contact/contact_points.h"
 #include "ops/detect/detector.h"
@@ -67,8 +68,8 @@ std::string why_not_movable(const Scene& scene, std::span<const ObjectId> ids) {
     if (!object.fixed && !object.locked) continue;
     const char* const how = object.fixed ? "fixed" : "locked";
     const std::string along = id == ids[0] ? "" : " and would have to move along";
-    return "\"" + object.name + "\" is " + how + along + "; accepted: objects that are not, as un" +
-           (object.fixed ? "fix" : "lock") + " makes it";
+    return quoted(object.name) + " is " + how + along + (object.fixed ? ": unfix" : ": unlock") +
+           " it first";
   }
   return "";
 }

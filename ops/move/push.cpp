@@ -312,7 +312,8 @@ void Push::let_go() {
   std::vector<ContactPoint> points;
   for (const Touch& t : m_touches)
     if (t.member == 0) points.push_back(t.point);
-  if (carrying_margin(points, m_group.centre()) >= kRestMargin * m_group.size())
+  if (m_attempt.is_joint() ||
+      carrying_margin(points, m_group.centre()) >= kRestMargin * m_group.size())
     return m_attempt.let_go();  // it stands there
   Place end = m_group.here();
   if (const auto outcome = settled_from(end.offset)) return m_attempt.end_settled(*outcome);

@@ -105,7 +105,7 @@ class Far(Case):
     def test_the_table_can_be_set_free(self):
         out, _ = self.trivet("translate", "b.glb", "table", "--by", 0.1, 0, 0, "-o", "t.glb",
                              status=1)
-        self.assertIn('"table" is fixed; accepted: objects that are not, as unfix makes it', out)
+        self.assertIn('"table" is fixed: unfix it first', out)
         self.trivet("unfix", "b.glb", "table", "-o", "free.glb")
         self.trivet("translate", "free.glb", "table", "--by", 0.1, 0, 0, "-o", "t.glb", "--report",
                     "t.json")

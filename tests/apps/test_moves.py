@@ -46,12 +46,12 @@ class Moves(Case):
             self.assertAlmostEqual(places[name][0], x, 5)
             self.assertAlmostEqual(places[name][1], 0.1, 5)
         self.assertTrue(report["check"]["all_at_rest"])
-        out = self.move("push", "s.glb", "a", "--direction", 0, 1, "--distance", 0.1,
-                        "--together", "b", "nobody", status=1)[3]
-        self.assertIn('there is no object "nobody"', out)
+        _, error = self.trivet("push", "--together", "b", "--together", "nobody", "s.glb", "a",
+                               "--to", 0, 0, "-o", "v.glb", status=2)
+        self.assertIn('there is no object "nobody"', error)
         self.trivet("fix", "t.glb", "a", "-o", "u.glb")
         out = self.move("push", "u.glb", "a", "--to", 0, 0.2, status=1)[3]
-        self.assertIn("as unfix makes it", out)
+        self.assertIn("unfix it first", out)
         self.trivet("unfix", "u.glb", "a", "-o", "u.glb")
         operation, places, _, _ = self.move("push", "u.glb", "a", "--to", 0, 0.2)
         self.assertEqual(operation["carried"], ["on_a"])

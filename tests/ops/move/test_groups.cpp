@@ -124,6 +124,41 @@ TEST(Together, AreHeldByTheSameHand) {
   EXPECT_EQ(s.at("b").state, ObjectState::Stable);
 }
 
+// Each by itself, not as one body: b, which lies on the table, is carried over its edge.
+TEST(Together, AreLetGoOneByOne) {
+  Pile s;
+  TranslateOperation move{{"b"}, Vec3(0, 0.6, 0.1)};
+  move.together = {"beside"};
+  move.settle = true;
+  const OperationResult result = s.run(move);
+  ASSERT_TRUE(result.ok()) << result.reason;
+  EXPECT_TRUE(result.unsupported.empty());
+  EXPECT_EQ(result.settled, (std::vector<std::string>{"beside", "b"}));
+  for (const char* name : {"b", "c", "beside"}) EXPECT_EQ(s.at(name).state, ObjectState::Stable);
+  EXPECT_NEAR(s.position("b").z(), 0.1, 2 * s.clearance());
+  EXPECT_NEAR(s.position("beside").z(), 0.1, 2 * s.clearance());
+  EXPECT_NEAR((s.position("beside") - s.position("b")).x(), 0.8, 2 * s.clearance());
+}
+
+TEST(Together, AreLetGoThoughTheyWereHeld) {
+  for (const bool grouped : {false, true}) {
+    Pile s;
+    TranslateOperation move{{"a"}, Vec3(0, 0, 0.1)};
+    if (grouped)
+      for (const char* name : {"a", "beside"}) s.scene.at(*s.scene.find(name)).group = "g";
+    else
+      move.together = {"beside"};
+    ASSERT_TRUE(s.run(move).ok());
+    EXPECT_EQ(s.at("beside").state, ObjectState::Held);
+    move.by.setZero();
+    move.settle = true;
+    ASSERT_TRUE(s.run(move).ok());
+    EXPECT_NE(s.at("a").state, ObjectState::Held);
+    EXPECT_NE(s.at("beside").state, ObjectState::Held);
+    EXPECT_NEAR(s.position("beside").z(), 0.1, 3 * s.clearance());
+  }
+}
+
 TEST(Together, UnknownFixedLockedAndAbsentOnesAreNamed) {
   Pile s;
   s.fix("lamp", box_triangles(Vec3(0.01, 0.01, 0.5)), {3, 2, 1});
@@ -134,10 +169,10 @@ TEST(Together, UnknownFixedLockedAndAbsentOnesAreNamed) {
     move.together = {"a", name};
     return s.run(move).reason;
   };
-  const std::string accepted = " and would have to move along; accepted: objects that are not, as ";
+  const std::string along = " and would have to move along: ";
   EXPECT_EQ(reason("nobody"), "there is no object \"nobody\"");
-  EXPECT_EQ(reason("lamp"), "\"lamp\" is fixed" + accepted + "unfix makes it");
-  EXPECT_EQ(reason("b"), "\"b\" is locked" + accepted + "unlock makes it");
+  EXPECT_EQ(reason("lamp"), "\"lamp\" is fixed" + along + "unfix it first");
+  EXPECT_EQ(reason("b"), "\"b\" is locked" + along + "unlock it first");
   EXPECT_EQ(reason("away"), "\"away\" is not in the scene: put it there first");
   EXPECT_EQ(reason("a"), "");
 }

@@ -77,6 +77,40 @@ TEST(Invalid, IsALoadThatIsMovedIntoSomething) {
   EXPECT_EQ(s.at("b").state, ObjectState::Stable);
 }
 
+// Neither holds the other, however deep; nor does the floor what is sunk in it.
+TEST(Invalid, DoesNotHoldWhatItPassesThrough) {
+  for (const double deep : {1e-5, 1e-3, 2e-2}) {
+    Crossed s;
+    s.go(DeleteOperation{{"cup"}});
+    s.go(PickUpOperation{{"cube"}, 0.5, {}});
+    TranslateOperation below{{"box"},
+                             s.position("cube") - s.position("box") - Vec3(0, 0, 0.15 - deep)};
+    below.free = true;
+    s.go(below);
+    EXPECT_EQ(s.at("box").state, ObjectState::Invalid);
+    s.put("plate", box_triangles(Vec3(0.02, 0.02, 0.01)), s.position("cube") + Vec3(0, 0, 1));
+    EXPECT_EQ(s.at("cube").state, ObjectState::Held);
+    const SceneCheck found = check_scene(s.scene, 1);
+    EXPECT_EQ(found.not_at_rest, (std::vector<std::string>{"cube", "box"}));
+    s.go(TranslateOperation{{"box"}, Vec3(0, 0, -1), true});
+    EXPECT_EQ(check_scene(s.scene, 1).not_at_rest, (std::vector<std::string>{"cube", "box"}));
+  }
+}
+
+TEST(Invalid, IsNamedWhereItIsInTheWayOfAMove) {
+  Crossed s;
+  const auto reason = [&](TranslateOperation o, const std::vector<std::string>& together) {
+    o.together = together;
+    return perform(s.scene, o).reason;
+  };
+  const Vec3 up(0, 0, 0.1);
+  const std::string first = ": move it out freely first";
+  EXPECT_EQ(reason({{"box"}, up}, {}), "\"box\" passes through \"cup\"" + first);
+  EXPECT_EQ(reason({{"cup"}, up}, {}), "\"cup\" passes through \"box\"" + first);
+  EXPECT_EQ(reason({{"box"}, up}, {"cup"}), "\"box\" passes through \"cup\"" + first);
+  EXPECT_EQ(reason({{"cube"}, up}, {}), "");
+}
+
 TEST(Invalid, AreTwoThatAreMovedAsOne) {
   Crossed s;
   TranslateOperation o{{"box"}, Vec3(0, 0, 0.5)};

@@ -124,8 +124,9 @@ TEST(NearestPlace, WhatMayNotMoveIsRefusedWithThatReason) {
     Object& table = room.scene.at(*room.scene.find("table"));
     (fixed ? table.fixed : table.locked) = true;
     for (const std::optional<Vec2>& at : {std::optional<Vec2>{}, {Vec2(1, 1)}})
-      EXPECT_EQ(room.put_on("floor", at, 0, 0, "table").reason,
-                fixed ? "\"table\" is fixed" : "\"table\" is locked");
+      EXPECT_EQ(
+          room.put_on("floor", at, 0, 0, "table").reason,
+          fixed ? "\"table\" is fixed: unfix it first" : "\"table\" is locked: unlock it first");
   }
 }
 

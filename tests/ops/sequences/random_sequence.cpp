@@ -1,6 +1,7 @@
 #include "random_sequence.h"
 
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 
 #include <cstdlib>
 #include <map>
@@ -235,7 +236,6 @@ class Sequence {
         m_options(options),
         m_start(m_session.scene()) {
     m_settle.clearance = kSequenceClearance;
-    m_settle.detector = options.detector;
     m_states.push_back(fingerprint(m_session.scene()));
   }
 
@@ -253,6 +253,10 @@ class Sequence {
   /// @return whether to go on.
   bool do_one(int i) {
     const Operation operation = Choice(m_random, m_session.scene()).operation(i);
+    const Worker& worker = m_options.workers[static_cast<size_t>(i) % m_options.workers.size()];
+    const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
+                                      static_cast<size_t>(worker.num_threads));
+    m_settle.detector = worker.detector;
     const Stopwatch stopwatch;
     const OperationResult result = m_session.perform(operation, m_settle);
     m_outcome.seconds += stopwatch.milliseconds() / 1000;

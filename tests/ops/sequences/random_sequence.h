@@ -14,8 +14,14 @@ inline constexpr int kOperations = 20;
 
 enum class ModelKind { OfTheProject, Real };
 
-struct SequenceOptions {
+/// What answers, with how many threads.
+struct Worker {
   Detector* detector = nullptr;  // null: box trees
+  int num_threads = 1;
+};
+
+struct SequenceOptions {
+  std::vector<Worker> workers = {{}};  // who take turns, an operation each
   /// Asked after every operation that was done; null: nothing is. The sequence ends when it is
   /// false.
   std::function<bool(const Scene&)> holds;

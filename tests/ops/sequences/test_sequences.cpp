@@ -5,7 +5,6 @@
 // TRIVET_TEST_EFFORT=50 runs 2,000; TRIVET_SEQUENCE=76 runs one and tells what it does,
 // TRIVET_SEQUENCE=100-199 a hundred.
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include <map>
 
@@ -109,65 +108,67 @@ std::unique_ptr<Detector> detector(Backend backend, int num_threads) {
   return make_detector(options);
 }
 
-struct Tried {
-  Backend backend;
-  int num_threads;
+/// Of one backend, with several numbers of threads.
+class Workers {
+ public:
+  Workers(Backend backend, const std::vector<int>& nums_of_threads) {
+    for (const int num : nums_of_threads) {
+      m_detectors.push_back(detector(backend, num));
+      m_workers.push_back({m_detectors.back().get(), num});
+    }
+  }
+  std::string name() const { return m_detectors.front()->name(); }
+  const std::vector<Worker>& all() const { return m_workers; }
+  void tell(size_t num_sequences, double seconds) const {
+    std::int64_t queries = 0, fallbacks = 0;
+    for (const auto& d : m_detectors)
+      queries += d->work().num_queries, fallbacks += d->work().fallbacks;
+    std::printf("%s: %zu sequences, %.1f s, %lld queries, %lld fallbacks\n", name().c_str(),
+                num_sequences, seconds, static_cast<long long>(queries),
+                static_cast<long long>(fallbacks));
+  }
+
+ private:
+  std::vector<std::unique_ptr<Detector>> m_detectors;
+  std::vector<Worker> m_workers;
 };
 
 /// All of them lead to the scenes to which box trees lead in one thread.
-void compare(ModelKind kind, int count, const std::vector<Tried>& all_tried) {
-  std::vector<Outcome> expected;
+void compare(ModelKind kind, int count) {
   const std::vector<unsigned> seeds = chosen_seeds(count);
-  for (const unsigned seed : seeds) expected.push_back(run_sequence(seed, kind, {}));
-  for (const Tried& tried : all_tried) {
-    const std::unique_ptr<Detector> stage = detector(tried.backend, tried.num_threads);
-    if (tried.backend == Backend::Gpu && stage->name() != "gpu")
-      GTEST_SKIP() << "no GPU z-lists here";
-    const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
-                                      static_cast<size_t>(tried.num_threads));
+  std::vector<Outcome> expected;
+  Hash all;
+  for (const unsigned seed : seeds) {
+    expected.push_back(run_sequence(seed, kind, {}));
+    all.add(expected.back().hash);
+  }
+  std::printf("%zu sequences, hash %s\n", seeds.size(), all.text().c_str());
+  const std::vector<int> one_to_four = {1, 2, 4};
+  for (const auto& [backend, nums_of_threads] :
+       {std::pair(Backend::Bvh, one_to_four), std::pair(Backend::Software, one_to_four),
+        std::pair(Backend::Gpu, std::vector<int>{4})}) {
+    const Workers workers(backend, nums_of_threads);
+    if (backend == Backend::Gpu && workers.name() != "gpu") GTEST_SKIP() << "no GPU z-lists here";
     double seconds = 0;
     for (size_t i = 0; i < seeds.size(); ++i) {
-      SCOPED_TRACE("TRIVET_SEQUENCE=" + std::to_string(seeds[i]) + " on " + stage->name() +
-                   " with " + std::to_string(tried.num_threads) + " threads");
+      SCOPED_TRACE("TRIVET_SEQUENCE=" + std::to_string(seeds[i]) + " on " + workers.name());
       SequenceOptions options;
-      options.detector = stage.get();
+      options.workers = workers.all();
       const Outcome outcome = run_sequence(seeds[i], kind, options);
       EXPECT_EQ(outcome.hash, expected[i].hash);
       seconds += outcome.seconds;
     }
-    std::printf("%s, %d threads: %zu sequences, %.1f s, %lld queries, %lld fallbacks\n",
-                stage->name().c_str(), tried.num_threads, seeds.size(), seconds,
-                static_cast<long long>(stage->work().num_queries),
-                static_cast<long long>(stage->work().fallbacks));
+    workers.tell(seeds.size(), seconds);
   }
 }
 
-const std::vector<Tried> kThreads = {{Backend::Bvh, 2}, {Backend::Bvh, 4}};
-const std::vector<Tried> kSoftware = {
-    {Backend::Software, 1}, {Backend::Software, 2}, {Backend::Software, 4}};
-const std::vector<Tried> kGpu = {{Backend::Gpu, 4}};
-
-TEST(SequencesOfTheProjectsModels, WithThreads) {
-  compare(ModelKind::OfTheProject, with_effort(2), kThreads);
-}
-TEST(SequencesOfTheProjectsModels, BySoftwareZLists) {
-  compare(ModelKind::OfTheProject, with_effort(2), kSoftware);
-}
-TEST(SequencesOfTheProjectsModels, ByGpuZLists) {
-  compare(ModelKind::OfTheProject, with_effort(2), kGpu);
+TEST(SequencesOfTheProjectsModels, AreTheSameOnEveryBackendAndNumberOfThreads) {
+  compare(ModelKind::OfTheProject, with_effort(2));
 }
 
-TEST(SequencesOfRealModels, WithThreads) {
+TEST(SequencesOfRealModels, AreTheSameOnEveryBackendAndNumberOfThreads) {
   TRIVET_NEEDS_DATA("models/contactdb_bowl.stl");
-  compare(ModelKind::Real, with_effort(2), kThreads);
-}
-TEST(SequencesOfRealModels, BySoftwareZLists) {
-  TRIVET_NEEDS_DATA("models/contactdb_bowl.stl");
-  compare(ModelKind::Real, with_effort(2), kSoftware);
-}
-TEST(SequencesOfRealModels, ByGpuZLists) {
-  TRIVET_NEEDS_DATA("models/contactdb_bowl.stl");
-  compare(ModelKind::Real, with_effort(1), kGpu);
+  compare(ModelKind::Real, with_effort(2));
 }
 
 }  // namespace
