@@ -25,7 +25,7 @@ struct MoveOptions {
 
 /// Of the operations that move what is in the scene.
 struct JointMoveOptions : MoveOptions {
-  std::vector<std::string> together = {};  // objects that move along, as those of its group do
+  std::vector<std::string> together = {};  // move along as a group does; are let go each
 };
 
 /// Where there is room: see places.h.
