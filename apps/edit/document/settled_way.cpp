@@ -26,6 +26,10 @@ Turn turn_between(const Rotation& from, const Rotation& to) {
   return {v / sine, 2 * std::atan2(sine, side * d.w)};
 }
 
+Rotation part_of(const Turn& turn, double part) {
+  return Rotation::about_axis(turn.axis, std::tan(0.5 * part * turn.angle));
+}
+
 double length_between(const Pose& from, const Pose& to, double radius) {
   return (to.translation - from.translation).norm() +
          radius * turn_between(from.rotation, to.rotation).angle;
@@ -92,9 +96,15 @@ Pose between(const Pose& from, const Pose& to, double part) {
   const Vec3 across = way - along;
   const Vec3 arm =
       -0.5 * (across + turn.axis.cross(across) / std::tan(0.5 * turn.angle));  // from - c
-  const Rotation rotation = Rotation::about_axis(turn.axis, std::tan(0.5 * part * turn.angle));
+  const Rotation rotation = part_of(turn, part);
   return {(rotation * from.rotation).normalized(),
           Vec3(from.translation - arm + rotation.matrix() * arm + part * along)};
+}
+
+Pose straight_between(const Pose& from, const Pose& to, double part) {
+  const Turn turn = turn_between(from.rotation, to.rotation);
+  return {(part_of(turn, part) * from.rotation).normalized(),
+          Vec3(from.translation + part * (to.translation - from.translation))};
 }
 
 }  // namespace trivet::edit

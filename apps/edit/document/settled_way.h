@@ -38,4 +38,7 @@ Pose carried_pose(const Pose& now, const Pose& object_end, const Pose& end);
 /// Between two poses on one motion: a straight line, a turn about a fixed axis, or a screw.
 Pose between(const Pose& from, const Pose& to, double part);
 
+/// Between two poses that no motion is known for: its origin goes straight while it turns.
+Pose straight_between(const Pose& from, const Pose& to, double part);
+
 }  // namespace trivet::edit

@@ -66,6 +66,17 @@ void MainWindow::make_views() {
       new ViewFrame(tr("Three-view"), m_three), new ViewFrame(tr("Constraint"), m_constraint)};
   for (ViewFrame* const frame : m_frames)
     connect(frame, &ViewFrame::maximise_wanted, this, [this, frame] { toggle_maximised(frame); });
+  arrange_views();
+  connect(m_control, &ControlWindow::demo_wanted, this, &MainWindow::open_demo);
+  connect(m_control, &ControlWindow::file_wanted, this, &MainWindow::open_file);
+  connect(&m_control->outliner(), &Outliner::put_wanted, this,
+          [this] { take_tool(ToolKind::Put); });
+  connect(&m_control->outliner(), &Outliner::frame_wanted, this,
+          [this] { action("frame")->trigger(); });
+  connect(&m_control->operations(), &OperationPanel::tool_wanted, this, &MainWindow::take_tool);
+}
+
+void MainWindow::arrange_views() {
   m_left = new QSplitter(Qt::Vertical);
   m_left->addWidget(m_frames[0]), m_left->addWidget(m_frames[2]);
   m_right = new QSplitter(Qt::Vertical);
@@ -86,13 +97,6 @@ void MainWindow::make_views() {
   m_pages = new QStackedWidget;
   m_pages->addWidget(m_start_page), m_pages->addWidget(m_workspace);
   setCentralWidget(m_pages);
-  connect(m_control, &ControlWindow::demo_wanted, this, &MainWindow::open_demo);
-  connect(m_control, &ControlWindow::file_wanted, this, &MainWindow::open_file);
-  connect(&m_control->outliner(), &Outliner::put_wanted, this,
-          [this] { take_tool(ToolKind::Put); });
-  connect(&m_control->outliner(), &Outliner::frame_wanted, this,
-          [this] { action("frame")->trigger(); });
-  connect(&m_control->operations(), &OperationPanel::tool_wanted, this, &MainWindow::take_tool);
 }
 
 void MainWindow::make_status_bar() {

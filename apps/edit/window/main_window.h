@@ -53,6 +53,7 @@ class MainWindow : public QMainWindow {
 
   // main_window.cpp
   void make_views();
+  void arrange_views();
   void make_status_bar();
   void connect_document();
   void show_workspace();
@@ -84,6 +85,8 @@ class MainWindow : public QMainWindow {
   void make_tool_actions();
   void make_hand_actions();
   void make_view_actions();
+  void make_three_view_actions();
+  void make_drawing_actions();
   void make_menus();
   void make_tool_bar();
   void dress_actions();

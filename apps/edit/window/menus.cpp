@@ -9,6 +9,21 @@
 #include "ops/demo/demo.h"
 
 namespace trivet::edit {
+namespace {
+
+/// A menu or a tool bar. @param names  of actions; "": a line between them.
+template <class Bar>
+void fill(Bar& bar, const std::map<QString, QAction*>& actions,
+          std::initializer_list<const char*> names) {
+  for (const char* const name : names) {
+    if (*name == '\0')
+      bar.addSeparator();
+    else
+      bar.addAction(actions.at(name));
+  }
+}
+
+}  // namespace
 
 QAction* MainWindow::add_action(const QString& name, const QString& text, const QKeySequence& keys,
                                 std::function<void()> done, const QString& tip) {
@@ -145,6 +160,25 @@ void MainWindow::make_view_actions() {
   })] = Icon::Frame;
   add_action("frame all", tr("Frame &all"), tr("Home"),
              [this] { active_view()->frame(m_document.snapshot()->box()); });
+  make_three_view_actions();
+  add_action("follow contact", tr("&Constraint window follows the contact"), tr("C"), [this] {
+    m_constraint_is_free = false;
+    aim_constraint_window();
+  });
+  m_icons[add_action(
+      "maximise", tr("&Maximise window"), tr("Ctrl+Space"),
+      [this] {
+        ViewFrame* frame = m_frames[0];
+        for (ViewFrame* const other : m_frames)
+          if (other->content() == active_view()) frame = other;
+        toggle_maximised(m_maximised ? m_maximised : frame);
+      },
+      tr("The window under the mouse alone, and back"))] = Icon::Maximise;
+  add_action("reset layout", tr("&Reset layout"), {}, [this] { reset_layout(); });
+  make_drawing_actions();
+}
+
+void MainWindow::make_three_view_actions() {
   auto* const group = new QActionGroup(this);
   int key = Qt::Key_1;
   for (const char* const name : {"top", "side", "front"}) {
@@ -162,20 +196,9 @@ void MainWindow::make_view_actions() {
     button->setFocusPolicy(Qt::NoFocus);
     m_frames[2]->add_to_title(button);
   }
-  add_action("follow contact", tr("&Constraint window follows the contact"), tr("C"), [this] {
-    m_constraint_is_free = false;
-    aim_constraint_window();
-  });
-  m_icons[add_action(
-      "maximise", tr("&Maximise window"), tr("Ctrl+Space"),
-      [this] {
-        ViewFrame* frame = m_frames[0];
-        for (ViewFrame* const other : m_frames)
-          if (other->content() == active_view()) frame = other;
-        toggle_maximised(m_maximised ? m_maximised : frame);
-      },
-      tr("The window under the mouse alone, and back"))] = Icon::Maximise;
-  add_action("reset layout", tr("&Reset layout"), {}, [this] { reset_layout(); });
+}
+
+void MainWindow::make_drawing_actions() {
   const auto option = [&](const char* name, const QString& text, bool DrawingOptions::*field) {
     QAction* const action = add_action(name, text, {}, [this, name, field] {
       DrawingOptions options = m_drawing.options();
@@ -195,12 +218,7 @@ void MainWindow::make_view_actions() {
 void MainWindow::make_menus() {
   const auto menu = [this](const QString& title, std::initializer_list<const char*> names) {
     QMenu* const out = menuBar()->addMenu(title);
-    for (const char* const name : names) {
-      if (*name == '\0')
-        out->addSeparator();
-      else
-        out->addAction(action(name));
-    }
+    fill(*out, m_actions, names);
     return out;
   };
   QMenu* const file = menu(tr("&File"), {"new", "open"});
@@ -210,13 +228,8 @@ void MainWindow::make_menus() {
   for (const std::string& name : demo_names())
     demos->addAction(QString::fromStdString(name),
                      [this, name] { open_demo(QString::fromStdString(name)); });
-  for (const char* const name :
-       {"import", "save", "save as", "export", "picture", "start page", "quit"}) {
-    if (name == QString("import") || name == QString("save") || name == QString("export") ||
-        name == QString("start page"))
-      file->addSeparator();
-    file->addAction(action(name));
-  }
+  fill(*file, m_actions,
+       {"", "import", "", "save", "save as", "", "export", "picture", "", "start page", "quit"});
   menu(tr("&Edit"), {"undo", "redo", "", "duplicate", "delete", "", "select all", "select none", "",
                      "lock", "unlock", "fix", "unfix", "", "group", "ungroup"});
   menu(tr("&Object"), {"select", "put", "push", "turn", "pick up", "move", "rotate", "", "put here",
@@ -226,14 +239,9 @@ void MainWindow::make_menus() {
         "reset layout", "", "shadows", "contacts", "watch settling", "dark"});
   menu(tr("&Help"), {"two minutes", "shortcuts", "about"});
   m_context_menu = new QMenu(this);
-  for (const char* const name :
+  fill(*m_context_menu, m_actions,
        {"put", "push", "turn", "pick up", "move", "rotate", "", "duplicate", "delete", "lock",
-        "unlock", "fix", "unfix", "", "frame"}) {
-    if (*name == '\0')
-      m_context_menu->addSeparator();
-    else
-      m_context_menu->addAction(action(name));
-  }
+        "unlock", "fix", "unfix", "", "frame"});
 }
 
 void MainWindow::make_tool_bar() {
@@ -242,14 +250,9 @@ void MainWindow::make_tool_bar() {
   bar->setMovable(false);
   bar->setIconSize(QSize(20, 20));
   bar->setContextMenuPolicy(Qt::PreventContextMenu);
-  for (const char* const name :
+  fill(*bar, m_actions,
        {"new", "open", "save", "import", "", "undo", "redo", "", "select", "put", "push", "turn",
-        "pick up", "move", "rotate", "", "frame", "maximise", "picture"}) {
-    if (*name == '\0')
-      bar->addSeparator();
-    else
-      bar->addAction(action(name));
-  }
+        "pick up", "move", "rotate", "", "frame", "maximise", "picture"});
 }
 
 void MainWindow::dress_actions() {

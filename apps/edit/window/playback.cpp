@@ -78,7 +78,7 @@ bool Playback::moves(ObjectId id) const {
 Pose Playback::pose_of(const ObjectSnapshot& object) const {
   if (!moves(object.id)) return object->pose;
   if (const auto straight = m_straight.find(object.id.index); straight != m_straight.end())
-    return between(straight->second, object->pose, progress());
+    return straight_between(straight->second, object->pose, progress());
   const SettledWay& way = *m_now->way;
   const Pose first = pose_on(way, progress());
   return object.id == way.moved.front() ? first

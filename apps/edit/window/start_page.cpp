@@ -55,6 +55,15 @@ void StartPage::show_choices(const QStringList& recent,
   auto* const column = new QVBoxLayout(m_content);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(10);
+  add_title(*column);
+  for (const Recoverable& session : recoverable) add_recoverable(*column, session);
+  add_beginnings(*column);
+  add_recent(*column, recent);
+  column->addStretch(1);
+  m_column->addWidget(m_content);
+}
+
+void StartPage::add_title(QVBoxLayout& column) {
   auto* const title = new QLabel("Trivet");
   QFont large = title->font();
   large.setPointSizeF(2.2 * large.pointSizeF());
@@ -64,9 +73,11 @@ void StartPage::show_choices(const QStringList& recent,
       new QLabel(tr("Lays out objects that never pass through each other and always lie at rest."));
   what->setObjectName("faint");
   what->setWordWrap(true);
-  column->addWidget(title);
-  column->addWidget(what);
-  for (const Recoverable& session : recoverable) add_recoverable(*column, session);
+  column.addWidget(title);
+  column.addWidget(what);
+}
+
+void StartPage::add_beginnings(QVBoxLayout& column) {
   auto* const grid = new QGridLayout;
   grid->setHorizontalSpacing(24);
   grid->setVerticalSpacing(4);
@@ -93,19 +104,20 @@ void StartPage::show_choices(const QStringList& recent,
     const QString name = QString::fromStdString(demo);
     add(1, Icon::Picture, name, description_of(demo), [this, name] { Q_EMIT demo_wanted(name); });
   }
-  column->addLayout(grid);
-  if (!recent.isEmpty()) column->addWidget(heading(tr("Recent files")));
+  column.addLayout(grid);
+}
+
+void StartPage::add_recent(QVBoxLayout& column, const QStringList& recent) {
+  if (!recent.isEmpty()) column.addWidget(heading(tr("Recent files")));
   for (const QString& file : recent.mid(0, kMostRecent)) {
     auto* const link =
         new QLabel(QString("<a href=\"%1\">%2</a>&nbsp;&nbsp; %3")
                        .arg(file.toHtmlEscaped(), QFileInfo(file).fileName().toHtmlEscaped(),
                             QFileInfo(file).path().toHtmlEscaped()));
     link->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
-    column->addWidget(link);
+    column.addWidget(link);
     connect(link, &QLabel::linkActivated, this, &StartPage::file_wanted);
   }
-  column->addStretch(1);
-  m_column->addWidget(m_content);
 }
 
 void StartPage::add_recoverable(QVBoxLayout& column, const Recoverable& session) {

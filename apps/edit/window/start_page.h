@@ -26,6 +26,9 @@ class StartPage : public QWidget {
   void discard_wanted(const QString& journal);
 
  private:
+  void add_title(QVBoxLayout& column);
+  void add_beginnings(QVBoxLayout& column);
+  void add_recent(QVBoxLayout& column, const QStringList& recent);
   void add_recoverable(QVBoxLayout& column, const Recoverable& session);
   QWidget* m_content = nullptr;
   QVBoxLayout* m_column;

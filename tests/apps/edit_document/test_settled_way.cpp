@@ -38,6 +38,11 @@ TEST(SettledWay, BetweenTwoPosesItTurnsAboutTheAxisOfTheStep) {
 TEST(SettledWay, BetweenTwoPosesItGoesStraight) {
   const Pose from{{}, Vec3(1, 2, 3)}, to{{}, Vec3(2, 2, 1)};
   EXPECT_EQ(between(from, to, 0.5).translation, Vec3(1.5, 2, 2));
+  const Pose upside_down{{0, 1, 0, 0}, Vec3(2, 2, 1)};
+  const Pose half = straight_between(from, upside_down, 0.5);
+  EXPECT_EQ(half.translation, Vec3(1.5, 2, 2));
+  EXPECT_LT(apart(half, {Rotation{1, 1, 0, 0}.normalized(), half.translation}), 1e-12);
+  EXPECT_LT(apart(straight_between(from, upside_down, 1), upside_down), 1e-12);
 }
 
 class Watched : public testing::Test {

@@ -21,45 +21,51 @@ void undo(Document& document, User& user) {
   QVERIFY(user.wait());
 }
 
-}  // namespace
-
-void look_at_interference(Document& document, MainWindow& window, User& user) {
-  user.select("glass_back");
-  user.take("push");
-  window.action("frame")->trigger();
-  QVERIFY(user.wait());
-  SceneView& view = window.view(WindowKind::Perspective);
-  const QPoint from = user.pixel_on("glass_back", WindowKind::Perspective);
-  const int red_before = num_red(user.look("blocked_not_yet"));
-  bool blocked = false;
-  QPoint last = from;
+/// Pulls, with the button down, until something is in the way. @return where the hand is then.
+std::optional<QPoint> pull_until_blocked(Document& document, SceneView& view, User& user,
+                                         const QPoint& from) {
   for (const QPoint& way : {QPoint(400, 0), QPoint(-400, 0), QPoint(0, 250), QPoint(0, -250)}) {
     user.press(view, from, Qt::LeftButton);
-    for (int i = 1; i <= 20 && !blocked; ++i) {
-      last = from + way * i / 20;
-      user.move_to(view, last);
+    for (int i = 1; i <= 20; ++i) {
+      user.move_to(view, from + way * i / 20);
       QTest::qWait(20);
       const auto& drag = document.snapshot()->drag;
-      blocked = drag && !drag->faces.empty();
+      if (drag && !drag->faces.empty()) return from + way * i / 20;
     }
-    if (blocked) break;
     user.press_key(Qt::Key_Escape);
     user.release(view, from, Qt::LeftButton);
-    QVERIFY(user.wait());
+    user.wait();
   }
-  QVERIFY2(blocked, "nothing stopped the glass");
+  return std::nullopt;
+}
+
+void select_and_frame(MainWindow& window, User& user, const std::string& name,
+                      const QString& tool) {
+  user.select(name);
+  user.take(tool);
+  window.action("frame")->trigger();
+  QVERIFY(user.wait());
+}
+
+void look_at_a_blocked_drag(Document& document, MainWindow& window, User& user) {
+  select_and_frame(window, user, "glass_back", "push");
+  SceneView& view = window.view(WindowKind::Perspective);
+  const int red_before = num_red(user.look("blocked_not_yet"));
+  const auto at = pull_until_blocked(document, view, user,
+                                     user.pixel_on("glass_back", WindowKind::Perspective));
+  QVERIFY2(at, "nothing stopped the glass");
   QTest::qWait(400);
   QVERIFY2(num_red(user.look("blocked_drag")) > red_before + 20, "faces are lit");
-  user.release(view, last, Qt::LeftButton);
+  user.release(view, *at, Qt::LeftButton);
   QVERIFY(user.wait());
   user.look("blocked_let_go");
   undo(document, user);
+}
 
-  user.select("teapot");
-  user.take("move");
+void look_at_a_crossing(Document& document, MainWindow& window, User& user) {
+  select_and_frame(window, user, "teapot", "move");
   window.toolbox().options().free = true;
-  window.action("frame")->trigger();
-  QVERIFY(user.wait());
+  SceneView& view = window.view(WindowKind::Perspective);
   const QPoint pot = user.pixel_on("teapot", WindowKind::Perspective);
   user.press(view, pot, Qt::LeftButton);
   for (int i = 1; i <= 6; ++i) user.move_to(view, pot + QPoint(0, 15 * i));
@@ -73,6 +79,13 @@ void look_at_interference(Document& document, MainWindow& window, User& user) {
   window.toolbox().options().free = false;
   undo(document, user);
   QVERIFY(!document.snapshot()->invalid);
+}
+
+}  // namespace
+
+void look_at_interference(Document& document, MainWindow& window, User& user) {
+  look_at_a_blocked_drag(document, window, user);
+  look_at_a_crossing(document, window, user);
 }
 
 void watch_settling(Document& document, MainWindow& window, User& user) {
