@@ -198,12 +198,16 @@ std::vector<Interpenetration> interpenetrations(const Scene& scene,
   return out;
 }
 
+std::vector<ObjectId> invalid_objects(const Scene& scene) {
+  std::vector<ObjectId> out;
+  for (const ObjectId id : scene.ids())
+    if (scene.at(id).state == ObjectState::Invalid) out.push_back(id);
+  return out;
+}
+
 std::vector<std::optional<ObjectId>> passed_through(const Scene& scene, ObjectId id) {
   std::vector<std::optional<ObjectId>> out;
-  const std::vector<ObjectId> ids = scene.ids();
-  if (std::none_of(ids.begin(), ids.end(),
-                   [&](ObjectId i) { return scene.at(i).state == ObjectState::Invalid; }))
-    return out;
+  if (invalid_objects(scene).empty()) return out;
   const Placement here{id, scene.at(id).pose};
   for (const Interpenetration& x :
        interpenetrations(scene, {&here, 1}, true, std::numeric_limits<size_t>::max()))

@@ -73,6 +73,9 @@ std::vector<Interpenetration> interpenetrations(const Scene& scene,
                                                 std::span<const Placement> moved, bool floats,
                                                 size_t limit);
 
+/// What interpenetrated something when it was rated. It may not any more when the other has moved.
+std::vector<ObjectId> invalid_objects(const Scene& scene);
+
 /// What an object passes through where the scene has it, if anything is ObjectState::Invalid (else
 /// nothing does); no id: the floor. None of that holds it.
 std::vector<std::optional<ObjectId>> passed_through(const Scene& scene, ObjectId id);

@@ -297,13 +297,6 @@ void commit_freely(Scene& scene, const MovingGroup& group, OperationResult& resu
   GroupCommit(scene, group, result).run(ObjectState::Held, false, crossed);
 }
 
-std::vector<ObjectId> invalid_objects(const Scene& scene) {
-  std::vector<ObjectId> out;
-  for (const ObjectId id : scene.ids())
-    if (is_invalid(scene, id)) out.push_back(id);
-  return out;
-}
-
 void rate_left_alone(Scene& scene, ObjectId id, double clearance, OperationResult& result) {
   rate_as(scene, id, clearance, nullptr, [&](const auto& rests) {
     return rests() ? ObjectState::Stable : left_alone(scene, id, result);

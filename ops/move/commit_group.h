@@ -21,9 +21,6 @@ std::string commit_group(Scene& scene, const MovingGroup& group, ObjectState oth
 /// what they interpenetrate is named in result.interpenetrates.
 void commit_freely(Scene& scene, const MovingGroup& group, OperationResult& result);
 
-/// What interpenetrated something when it was rated. It may not any more when the other has moved.
-std::vector<ObjectId> invalid_objects(const Scene& scene);
-
 /// Rates an object again that touched something that is gone; when it is not at rest any more, it
 /// becomes ObjectState::Unsupported and is named in result.unsupported.
 void rate_left_alone(Scene& scene, ObjectId id, double clearance, OperationResult& result);

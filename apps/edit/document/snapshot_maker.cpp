@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/base/tunables.h"
-#include "ops/move/commit_group.h"
+#include "ops/verify.h"
 
 namespace trivet::edit {
 namespace {
