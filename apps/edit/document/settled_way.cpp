@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "apps/edit/document/same_pose.h"
+
 namespace trivet::edit {
 namespace {
 
@@ -63,7 +65,7 @@ std::optional<SettledWay> settled_way(const Scene& scene, const Operation& opera
     if (const auto load = scene.find(name)) way.moved.push_back(*load);
   way.poses = {*start};
   for (const SettleStep& step : steps) way.poses.push_back(step.pose_after);
-  way.poses.back() = object.pose;
+  if (!same_pose(way.poses.back(), object.pose)) way.poses.push_back(object.pose);
   way.lengths = {0};
   for (size_t i = 1; i < way.poses.size(); ++i)
     way.lengths.push_back(way.lengths.back() +

@@ -5,6 +5,8 @@
 #include <QMouseEvent>
 #include <algorithm>
 
+#include "apps/edit/document/same_pose.h"
+
 namespace trivet::edit {
 namespace {
 
@@ -12,16 +14,22 @@ constexpr int kTickMs = 16;
 constexpr double kStraightMs = 320;  // that a way takes which nobody knows
 // Of a known way: so many for its length in sizes of the object, no less and no more than these.
 constexpr double kMsPerSize = 350, kShortestMs = 240, kLongestMs = 1400;
-
-bool same_pose(const Pose& a, const Pose& b) {
-  return a.translation == b.translation && a.rotation.w == b.rotation.w &&
-         a.rotation.x == b.rotation.x && a.rotation.y == b.rotation.y &&
-         a.rotation.z == b.rotation.z;
-}
+constexpr double kApart = 0.01;  // of the object's size: more is no rounding
 
 bool is_on_way(const SceneSnapshot& scene, ObjectId id) {
   return scene.way &&
          std::find(scene.way->moved.begin(), scene.way->moved.end(), id) != scene.way->moved.end();
+}
+
+// Objects that move together are let go one by one: then they do not end as one rigid body.
+bool comes_apart(const SceneSnapshot& before, const SceneSnapshot& now,
+                 const ObjectSnapshot& object) {
+  const SettledWay& way = *now.way;
+  const ObjectSnapshot* const first = before.find(way.moved.front());
+  const ObjectSnapshot* const old = before.find(object.id);
+  if (!first || !old || !same_pose((*first)->pose, way.poses.front())) return false;
+  const Pose start = carried_pose(way.poses.front(), way.poses.back(), object->pose);
+  return (start.translation - (*old)->pose.translation).norm() > kApart * way.size;
 }
 
 double milliseconds_of(const SettledWay& way) {
@@ -42,7 +50,8 @@ void Playback::play(const SceneSnapshot& before, std::shared_ptr<const SceneSnap
   for (const ObjectSnapshot& object : now->objects) {
     const ObjectSnapshot* const old = before.find(object.id);
     if (!old || old->revision == object.revision || !(*old)->placed || !object->placed) continue;
-    if (is_on_way(*now, object.id) || same_pose((*old)->pose, object->pose)) continue;
+    const bool goes_along = is_on_way(*now, object.id) && !comes_apart(before, *now, object);
+    if (goes_along || same_pose((*old)->pose, object->pose)) continue;
     m_straight[object.id.index] = (*old)->pose;
   }
   if (!now->way && m_straight.empty()) return;

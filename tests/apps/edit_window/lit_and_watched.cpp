@@ -21,6 +21,12 @@ void undo(Document& document, User& user) {
   QVERIFY(user.wait());
 }
 
+/// Drafts come late where there is no graphics card.
+bool shows_what_is_dragged(Document& document, SceneView& view) {
+  QTest::qWait(100);  // until the last move has been followed
+  return document.is_dragging() && QTest::qWaitFor([&] { return view.shows_latest(); }, 30000);
+}
+
 /// Pulls, with the button down, until something is in the way. @return where the hand is then.
 std::optional<QPoint> pull_until_blocked(Document& document, SceneView& view, User& user,
                                          const QPoint& from) {
@@ -54,7 +60,7 @@ void look_at_a_blocked_drag(Document& document, MainWindow& window, User& user) 
   const auto at = pull_until_blocked(document, view, user,
                                      user.pixel_on("glass_back", WindowKind::Perspective));
   QVERIFY2(at, "nothing stopped the glass");
-  QTest::qWait(400);
+  QVERIFY(shows_what_is_dragged(document, view));
   QVERIFY2(num_red(user.look("blocked_drag")) > red_before + 20, "faces are lit");
   user.release(view, *at, Qt::LeftButton);
   QVERIFY(user.wait());
@@ -69,7 +75,7 @@ void look_at_a_crossing(Document& document, MainWindow& window, User& user) {
   const QPoint pot = user.pixel_on("teapot", WindowKind::Perspective);
   user.press(view, pot, Qt::LeftButton);
   for (int i = 1; i <= 6; ++i) user.move_to(view, pot + QPoint(0, 15 * i));
-  QTest::qWait(400);
+  QVERIFY(shows_what_is_dragged(document, view));
   QVERIFY(document.snapshot()->drag && !document.snapshot()->drag->faces.empty());
   user.look("crossing_drag");
   user.release(view, pot + QPoint(0, 90), Qt::LeftButton);
