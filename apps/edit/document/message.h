@@ -10,7 +10,8 @@ namespace trivet::edit {
 
 struct Message {
   enum class Kind {
-    Info,     // done, with something to say: what was carried, left without support, blocked by
+    Info,     // done, with something to say: what was carried, blocked by
+    Warning,  // done, and something is not as it should be: left without support, interpenetrates
     Refused,  // an operation, by the geometry: the scene is as it was
     Error,    // a file, the disk: names what, the value and what is accepted
   };

@@ -89,6 +89,8 @@ std::optional<Message> message_of(const Scene& scene, const Operation& operation
   if (!result.interpenetrates.empty())
     add_sentence(what, "interpenetrates " + quoted(result.interpenetrates));
   if (what.empty()) return std::nullopt;
+  if (!result.unsupported.empty() || !result.interpenetrates.empty())
+    message.kind = Message::Kind::Warning;
   for (const auto* const names : {&result.unsupported, &result.interpenetrates})
     for (const std::string& other : *names) add(message.objects, scene.find(other));
   message.text = name.append(": ").append(what);

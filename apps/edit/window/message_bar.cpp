@@ -40,20 +40,23 @@ void MessageBar::set_theme(const Theme& theme) {
 }
 
 void MessageBar::paint() {
-  const QColor colour = m_kind == Message::Kind::Info ? m_theme.information() : m_theme.refused();
+  const QColor colour = m_kind == Message::Kind::Info      ? m_theme.information()
+                        : m_kind == Message::Kind::Warning ? m_theme.warning()
+                                                           : m_theme.refused();
   setStyleSheet(QString("#message_bar { background: %1; border: none; border-left: 4px solid %2; }")
                     .arg(m_theme.base().name(), colour.name()));
 }
 
 void MessageBar::show_message(const Message& message) {
   m_kind = message.kind;
-  m_heading->setText(message.kind == Message::Kind::Refused ? tr("Refused")
-                     : message.kind == Message::Kind::Error ? tr("Error")
-                                                            : tr("Done"));
+  m_heading->setText(message.kind == Message::Kind::Refused   ? tr("Refused")
+                     : message.kind == Message::Kind::Error   ? tr("Error")
+                     : message.kind == Message::Kind::Warning ? tr("Attention")
+                                                              : tr("Done"));
   m_text->setText(QString::fromStdString(message.text));
   paint();
   show();
-  if (message.kind == Message::Kind::Info)
+  if (message.kind == Message::Kind::Info || message.kind == Message::Kind::Warning)
     m_leave.start();
   else
     m_leave.stop();

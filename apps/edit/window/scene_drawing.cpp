@@ -120,11 +120,12 @@ LiveColour SceneDrawing::tint_of(const ObjectSnapshot& object) const {
     return live_colour(m_theme.refused(), strength(0.45f, !snapshot->drag->faces.empty()));
   const bool is_lit =
       std::find(m_lit.objects.begin(), m_lit.objects.end(), object.id) != m_lit.objects.end();
-  const bool is_info = m_lit.kind == Message::Kind::Info;
+  const bool warns = m_lit.kind == Message::Kind::Warning;
+  const bool is_done = warns || m_lit.kind == Message::Kind::Info;
   const bool faces = snapshot->invalid || !m_lit.faces.empty();
-  if (is_lit && !(is_info && faces))
-    return is_info ? live_colour(m_theme.information(), 0.35f)
-                   : live_colour(m_theme.refused(), 0.5f);
+  if (is_lit && !(is_done && faces))
+    return !is_done ? live_colour(m_theme.refused(), 0.5f)
+                    : live_colour(warns ? m_theme.warning() : m_theme.information(), 0.35f);
   switch (object->state) {
     case ObjectState::Invalid:
       return {0.9f, 0.1f, 0.15f, strength(0.55f, snapshot->invalid != nullptr)};

@@ -21,6 +21,7 @@ struct Theme {
   QColor line() const { return dark ? QColor(28, 29, 32) : QColor(205, 208, 213); }
   QColor accent() const { return dark ? QColor(86, 146, 226) : QColor(38, 108, 200); }
   QColor refused() const { return dark ? QColor(224, 96, 84) : QColor(196, 52, 40); }
+  QColor warning() const { return dark ? QColor(230, 168, 60) : QColor(190, 120, 10); }
   QColor information() const { return accent(); }
   QColor lit() const { return QColor(255, 64, 40); }  // faces in each other's way
 

@@ -96,6 +96,7 @@ TEST_F(Interference, AFreeMoveLightsTheFacesThatCrossUntilItIsResolved) {
   ASSERT_TRUE(document->wait_until_idle());
   snapshot = document->snapshot();
   ASSERT_EQ(document.object("teapot").state, ObjectState::Invalid) << document.last_text();
+  EXPECT_EQ(document.messages().back().kind, Message::Kind::Warning);
   ASSERT_TRUE(snapshot->invalid);
   ASSERT_EQ(snapshot->invalid->size(), 1u);
   EXPECT_EQ(snapshot->invalid->front().id, document.id("teapot"));
