@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <set>
 
 #include "core/base/error.h"
 #include "core/scene/fingerprint.h"
@@ -50,9 +51,11 @@ bool is_invalid(const Scene& scene, const std::string& name) {
 // @return whether it holds.
 bool expect_valid(const Scene& scene) {
   bool valid = true;
+  std::set<std::string> crossing;
   const SceneCheck check = check_scene(scene, 1, kSequenceClearance);
   for (const auto* findings : {&check.crossings, &check.float32_crossings, &check.contained})
     for (const SceneCheck::PairFinding& f : *findings) {
+      crossing.insert({f.a, f.b});
       if (is_invalid(scene, f.a) || is_invalid(scene, f.b)) continue;
       ADD_FAILURE() << f.a << " and " << f.b << ": " << f.count << " pairs interpenetrate";
       valid = false;
@@ -60,6 +63,11 @@ bool expect_valid(const Scene& scene) {
   for (const std::string& name : check.not_at_rest)
     if (!is_reported(scene.at(*scene.find(name)).state)) {
       ADD_FAILURE() << name << " is not at rest, and nobody said so";
+      valid = false;
+    }
+  for (const ObjectId id : scene.ids())
+    if (const Object& o = scene.at(id); is_invalid(scene, o.name) && !crossing.count(o.name)) {
+      ADD_FAILURE() << o.name << " is called invalid, and interpenetrates nothing";
       valid = false;
     }
   Scene rebuilt = scene;
