@@ -1,41 +1,12 @@
 #include "apps/edit/document/settled_way.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
 
 #include "apps/edit/document/same_pose.h"
+#include "core/motion/between.h"
 
 namespace trivet::edit {
 namespace {
-
-constexpr double kSmallestTurn = 1e-9;  // radians: less is a straight line
-
-Rotation inverse(const Rotation& r) { return {r.w, -r.x, -r.y, -r.z}; }
-
-/// What leads from one rotation to another, the short way.
-struct Turn {
-  Vec3 axis = Vec3::UnitZ();
-  double angle = 0;  // radians, 0 to pi
-};
-
-Turn turn_between(const Rotation& from, const Rotation& to) {
-  const Rotation d = (to * inverse(from)).normalized();
-  const double side = d.w < 0 ? -1 : 1;
-  const Vec3 v = side * Vec3(d.x, d.y, d.z);
-  const double sine = v.norm();
-  if (sine < 0.5 * kSmallestTurn) return {};
-  return {v / sine, 2 * std::atan2(sine, side * d.w)};
-}
-
-Rotation part_of(const Turn& turn, double part) {
-  return Rotation::about_axis(turn.axis, std::tan(0.5 * part * turn.angle));
-}
-
-double length_between(const Pose& from, const Pose& to, double radius) {
-  return (to.translation - from.translation).norm() +
-         radius * turn_between(from.rotation, to.rotation).angle;
-}
 
 // Where a PUT or a move began that tells its steps only.
 std::optional<Pose> start_of(const Operation& operation, std::span<const SettleStep> steps) {
@@ -81,32 +52,6 @@ Pose pose_on(const SettledWay& way, double part) {
   const auto i = static_cast<size_t>(next - way.lengths.begin());
   const double before = way.lengths[i - 1];
   return between(way.poses[i - 1], way.poses[i], (at - before) / (way.lengths[i] - before));
-}
-
-Pose carried_pose(const Pose& now, const Pose& object_end, const Pose& end) {
-  const Rotation turn = (now.rotation * inverse(object_end.rotation)).normalized();
-  return {(turn * end.rotation).normalized(),
-          Vec3(now.translation + turn.matrix() * (end.translation - object_end.translation))};
-}
-
-Pose between(const Pose& from, const Pose& to, double part) {
-  const Vec3 way = to.translation - from.translation;
-  const Turn turn = turn_between(from.rotation, to.rotation);
-  if (turn.angle < kSmallestTurn) return {from.rotation, Vec3(from.translation + part * way)};
-  // The fixed axis goes through the point c with R (from - c) = to - c, but for what is along it.
-  const Vec3 along = turn.axis.dot(way) * turn.axis;
-  const Vec3 across = way - along;
-  const Vec3 arm =
-      -0.5 * (across + turn.axis.cross(across) / std::tan(0.5 * turn.angle));  // from - c
-  const Rotation rotation = part_of(turn, part);
-  return {(rotation * from.rotation).normalized(),
-          Vec3(from.translation - arm + rotation.matrix() * arm + part * along)};
-}
-
-Pose straight_between(const Pose& from, const Pose& to, double part) {
-  const Turn turn = turn_between(from.rotation, to.rotation);
-  return {(part_of(turn, part) * from.rotation).normalized(),
-          Vec3(from.translation + part * (to.translation - from.translation))};
 }
 
 }  // namespace trivet::edit

@@ -31,14 +31,4 @@ std::optional<SettledWay> settled_way(const Scene& scene, const Operation& opera
 /// Where the object is on its way. @param part  of the length, 0 to 1.
 Pose pose_on(const SettledWay& way, double part);
 
-/// Where something is that ends at `end` and is carried, when the object is at `now` and ends at
-/// `object_end`.
-Pose carried_pose(const Pose& now, const Pose& object_end, const Pose& end);
-
-/// Between two poses on one motion: a straight line, a turn about a fixed axis, or a screw.
-Pose between(const Pose& from, const Pose& to, double part);
-
-/// Between two poses that no motion is known for: its origin goes straight while it turns.
-Pose straight_between(const Pose& from, const Pose& to, double part);
-
 }  // namespace trivet::edit

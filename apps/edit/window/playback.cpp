@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "apps/edit/document/same_pose.h"
+#include "core/motion/between.h"
 
 namespace trivet::edit {
 namespace {

@@ -3,6 +3,7 @@
 
 #include "apps/edit/document/settled_way.h"
 #include "apps/edit_document/testing.h"
+#include "core/motion/between.h"
 #include "support/random_shapes.h"
 
 namespace trivet::edit::test {
