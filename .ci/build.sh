@@ -9,6 +9,8 @@ if command -v ccache >/dev/null; then
   export CMAKE_CXX_COMPILER_LAUNCHER=ccache
   # Clones share what they compile.
   export CCACHE_BASEDIR="$PWD" CCACHE_NOHASHDIR=1
+  # Precompiled headers: https://ccache.dev/manual/4.7.4.html#_precompiled_headers
+  export CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime
 fi
 cmake --preset "$preset" "$@"
-cmake --build --preset "$preset" --target "${TRIVET_TARGET:-all}" --parallel "$(nproc)"
+cmake --build --preset "$preset" --target "${TRIVET_TARGET:-all}" --parallel "$(nproc)" -- -k 0
