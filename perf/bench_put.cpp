@@ -3,7 +3,7 @@
 
 #include <stdexcept>
 
-#include "ops/put.h"
+#include "ops/operations/perform.h"
 #include "perf/scenes.h"
 
 namespace trivet::perf {

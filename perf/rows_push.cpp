@@ -1,8 +1,8 @@
 #include <stdexcept>
 
-#include "ops/check.h"
-#include "ops/operation.h"
-#include "ops/verify.h"
+#include "ops/check/check.h"
+#include "ops/operations/perform.h"
+#include "ops/placement/clearance.h"
 #include "perf/result_hash.h"
 #include "perf/rows.h"
 #include "perf/scenes.h"

@@ -1,4 +1,4 @@
-#include "ops/put.h"
+#include "ops/operations/perform.h"
 #include "perf/result_hash.h"
 #include "perf/rows.h"
 #include "perf/scenes.h"

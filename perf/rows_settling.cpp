@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include "core/exact/interpenetration.h"
-#include "ops/put.h"
+#include "ops/operations/perform.h"
 #include "perf/result_hash.h"
 #include "perf/rows.h"
 #include "perf/scenes.h"

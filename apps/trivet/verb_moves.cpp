@@ -3,7 +3,7 @@
 #include "apps/trivet/outputs.h"
 #include "apps/trivet/verbs.h"
 #include "core/base/error.h"
-#include "ops/check.h"
+#include "ops/check/check.h"
 #include "ops/layout/operation_json.h"
 
 namespace trivet::apps {

@@ -5,7 +5,7 @@
 #include "apps/trivet/verbs.h"
 #include "apps/trivet/zlist_picture.h"
 #include "core/base/error.h"
-#include "ops/stopwatch.h"
+#include "ops/base/stopwatch.h"
 
 namespace trivet::apps {
 namespace {

@@ -9,7 +9,8 @@
 #include "core/base/quoted.h"
 #include "core/exact/interpenetration.h"
 #include "ops/layout/json_text.h"
-#include "ops/verify.h"
+#include "ops/placement/clearance.h"
+#include "ops/placement/verify.h"
 
 namespace trivet {
 namespace {
@@ -146,9 +147,9 @@ LayoutRun run_in_scene(const Layout& layout, GltfScene& source, const RunOptions
   const std::map<size_t, const LayoutObject*> picked = picked_objects(layout, source, options);
   LayoutRun run;
   run.scene = make_scene(layout, source, picked, options);
-  const std::string why =
-      why_too_coarse(run.scene, std::span<const PlacedBox>(), options.settle.clearance);
-  if (!why.empty()) throw Error(Error::Kind::BadInput, source.path() + ": " + why);
+  if (const auto why =
+          refuse_too_coarse(run.scene, std::span<const PlacedBox>(), options.settle.clearance))
+    throw Error(Error::Kind::BadInput, source.path() + ": " + message(*why));
   update_contacts(run.scene, options.settle.clearance);
   run_operations(layout, options, run);
   finish_run(options, run);

@@ -94,17 +94,6 @@ Operation read_known(const JsonPlace& place, std::set<std::string>& names) {
 
 }  // namespace
 
-bool is_object_name(const std::string& name) {
-  try {
-    const nlohmann::json json = name;
-    json.dump();  // throws when it is no UTF-8
-    JsonPlace(json, "").text();
-    return name != "floor";
-  } catch (const std::exception&) {
-    return false;
-  }
-}
-
 std::optional<Rotation> unit_rotation(const std::array<double, 4>& q) {
   const auto is_large = [](double c) { return std::abs(c) >= kMinQuaternionComponent; };
   if (std::none_of(q.begin(), q.end(), is_large)) return std::nullopt;

@@ -7,21 +7,12 @@
 #include <string>
 #include <vector>
 
+#include "core/base/limits.h"
 #include "core/io/tessellation.h"
 #include "core/motion/pose.h"
-#include "ops/operation.h"
+#include "ops/operations/operations.h"
 
 namespace trivet {
-
-/// Lengths, metres, and scales: what float32 export and exact predicates can bear.
-inline constexpr double kMaxLength = 1e15;
-inline constexpr double kMinScale = 1e-15, kMaxScale = 1e15;
-/// A quaternion needs one component of at least this magnitude; it is scaled to unit length.
-inline constexpr double kMinQuaternionComponent = 1e-6, kMaxQuaternionComponent = 1e6;
-/// A direction needs one component of at least this magnitude, and none beyond the largest.
-inline constexpr double kMinDirectionComponent = 1e-6, kMaxDirectionComponent = 1e6;
-inline constexpr double kMaxAngleDeg = 3600;
-inline constexpr std::uint64_t kMaxSeed = std::uint64_t{1} << 53;
 
 /// Which nodes of a glTF scene are objects, each with all below it.
 enum class SceneRule {
@@ -48,9 +39,6 @@ struct Layout {
   std::vector<LayoutObject> objects;
   std::vector<Operation> operations;  // on objects of these names
 };
-
-/// What an object may be called: UTF-8, not empty, no control characters, not "floor".
-bool is_object_name(const std::string& name);
 
 /// A quaternion w, x, y, z of any length but zero as a rotation; one of unit length is taken as it
 /// is, so that what Trivet writes is read to the same bits. Nothing: no component is of the

@@ -63,4 +63,22 @@ std::vector<LoadedModel> load_models(const std::vector<ModelRequest>& requests,
   return loaded;
 }
 
+void load_model(const Scene& scene, const ModelSource& models, AppendOperation& operation) {
+  if (operation.shape) return;
+  for (const ObjectId id : scene.ids()) {
+    const Object& object = scene.at(id);
+    if (object.model->path != operation.model ||
+        object.model->tessellation != operation.tessellation)
+      continue;
+    operation.model_data = object.model;
+    operation.shape = object.shape;
+    return;
+  }
+  if (!models) return;
+  const LoadedModel loaded =
+      load_models({{operation.model, operation.tessellation}}, models, 1, {}).front();
+  operation.model_data = loaded.model;
+  operation.shape = loaded.shape;
+}
+
 }  // namespace trivet

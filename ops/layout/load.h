@@ -8,6 +8,8 @@
 
 #include "core/index/shape.h"
 #include "core/io/model.h"
+#include "core/scene/scene.h"
+#include "ops/operations/operations.h"
 
 namespace trivet {
 
@@ -45,5 +47,9 @@ struct LoadedModel {
 std::vector<LoadedModel> load_models(const std::vector<ModelRequest>& requests,
                                      const ModelSource& source, int num_threads,
                                      const ProgressCallback& progress);
+
+/// Fills operation.model_data and operation.shape: from an object of the scene that has the same
+/// model, else from `models`. @throws what `models` throws.
+void load_model(const Scene& scene, const ModelSource& models, AppendOperation& operation);
 
 }  // namespace trivet

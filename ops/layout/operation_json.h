@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ops/layout/json_text.h"
-#include "ops/operation.h"
+#include "ops/operations/operations.h"
 
 namespace trivet {
 

@@ -6,9 +6,10 @@
 #include <set>
 
 #include "core/base/error.h"
-#include "ops/edit.h"
+#include "core/scene/transaction.h"
+#include "ops/operations/perform.h"
+#include "ops/placement/clearance.h"
 #include "ops/layout/json_text.h"
-#include "ops/verify.h"
 
 namespace trivet {
 namespace {
@@ -91,11 +92,9 @@ void stand_objects(const Layout& layout, const RunOptions& options, LayoutRun& r
 }
 
 OperationResult not_tried(const OperationRecord& stopped_at) {
-  OperationResult result;
-  result.status = OperationResult::Status::Refused;
-  result.reason = "not tried, because " + stopped_at.op + " of \"" + stopped_at.object +
-                  "\" was refused before";
-  return result;
+  Refusal why{Refusal::Cause::NotTried, {{stopped_at.object, std::nullopt}}};
+  why.detail = stopped_at.op;
+  return refused(std::move(why));
 }
 
 }  // namespace
@@ -114,7 +113,7 @@ void run_operations(const Layout& layout, const RunOptions& options, LayoutRun& 
     const std::string op = op_name(operation), &object = object_name(operation);
     report_progress(options, op, object, i, layout.operations.size());
     OperationResult result =
-        stopped_at ? not_tried(*stopped_at) : perform(run.scene, operation, options.settle);
+        stopped_at ? not_tried(*stopped_at) : perform(run.scene, operation, options.settle, options.context);
     run.operations.push_back({op, object, std::move(result)});
     note_refusal();
   }
@@ -177,15 +176,18 @@ LayoutRun run_start_only(const Layout& layout, const ModelSource& models,
                          const RunOptions& options) {
   LayoutRun run;
   run.scene = make_scene(layout, models, options);
+  Transaction transaction(run.scene);
   for (const LayoutObject& wanted : layout.objects) {
     if (!wanted.pose) continue;
-    Object& object = run.scene.at(*run.scene.find(wanted.name));
-    object.pose = *wanted.pose;
-    object.placed = true;
+    transaction.edit(*run.scene.find(wanted.name), [&](Object& object) {
+      object.pose = *wanted.pose;
+      object.placed = true;
+    });
   }
-  const std::string why =
-      why_too_coarse(run.scene, std::span<const PlacedBox>(), options.settle.clearance);
-  if (!why.empty()) throw Error(Error::Kind::BadInput, options.layout_file + ": " + why);
+  transaction.commit();
+  if (const auto why =
+          refuse_too_coarse(run.scene, std::span<const PlacedBox>(), options.settle.clearance))
+    throw Error(Error::Kind::BadInput, options.layout_file + ": " + message(*why));
   finish_run(options, run);
   return run;
 }

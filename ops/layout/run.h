@@ -4,16 +4,19 @@
 #include <string>
 #include <vector>
 
-#include "ops/check.h"
+#include "ops/base/context.h"
+#include "ops/check/check.h"
 #include "ops/layout/layout.h"
 #include "ops/layout/load.h"
-#include "ops/put.h"
+#include "ops/base/outcome.h"
+#include "ops/base/options.h"
 #include "ops/stability/stability.h"
 
 namespace trivet {
 
 struct RunOptions {
   SettleOptions settle;
+  RunContext context;
   StabilityOptions stability;    // of the scene as a whole, at the end
   int num_threads = 0;           // 0: all cores; results do not depend on it
   bool stop_at_refusal = false;  // else a refusal is recorded, and the next operation done

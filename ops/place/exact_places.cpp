@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/contact/first_contact.h"
-#include "ops/place/nearer.h"
+#include "ops/place/distance_query.h"
 
 namespace trivet {
 namespace {
@@ -31,23 +31,21 @@ struct ExactPlaces::Found {
   double radius;
 };
 
-ExactPlaces::ExactPlaces(const Scene& scene, ObjectId object, const PlaceRequest& request,
-                         double clearance)
-    : m_setting(scene, object, request, clearance),
+ExactPlaces::ExactPlaces(const Scene& scene, ObjectId object, std::span<const ObjectId> carried,
+                         const PlaceRequest& request, double clearance)
+    : m_setting(scene, object, carried, request, clearance),
       m_rotation(request.rotation),
       m_near(request.near.value_or(Vec2::Zero())),
       m_keep(request.keep + kClearOfOthers * clearance),
       m_tolerance(
           std::max(kPlaceTolerance * m_setting.width(), kPlaceToleranceClearances * clearance)),
-      m_all(m_setting.support),
-      m_lowest(0) {
-  m_all.insert(m_all.end(), m_setting.others.begin(), m_setting.others.end());
-  for (const Body& body : m_all) m_lowest = std::min(m_lowest, body.world_box.lower.z());
+      m_lowest(std::min(0.0, m_setting.others.box().lower.z())) {
+  if (m_setting.support) m_lowest = std::min(m_lowest, m_setting.support->world_box.lower.z());
 }
 
 bool ExactPlaces::over_support(const Vec2& at) const {
-  if (m_setting.on_floor) return true;
-  const Body& support = m_setting.support.front();
+  if (m_setting.on_floor()) return true;
+  const Body& support = *m_setting.support;
   for (Index f = 0; f < static_cast<Index>(support.shape->mesh.triangles.size()); ++f)
     if (over_triangle(support.triangle(f), at)) return true;
   return false;
@@ -58,18 +56,20 @@ bool ExactPlaces::fits(const Vec2& at) const {
   Affine world = m_setting.body.world_from_object;
   world.translation += start(at).translation;
   const Body body(*m_setting.body.shape, world);
-  FirstContactQuery query;
-  query.moving = {&body, 1};
-  query.fixed = m_all;
-  query.floor = m_setting.floor;
-  query.motion = Motion::translation(-Vec3::UnitZ(), 1.01 * (body.world_box.upper.z() - m_lowest));
-  query.clearance.distance = m_setting.clearance;
-  const FirstContact found = first_contact(query);
+  const double fall = 1.01 * (body.world_box.upper.z() - m_lowest);
+  Aabb below = body.world_box;
+  below.lower.z() -= fall;
+  const Clearance keep{m_setting.clearance};
+  std::vector<Body> fixed = m_setting.others.near(below, 2 * keep.largest_stop()).bodies;
+  if (m_setting.support) fixed.insert(fixed.begin(), *m_setting.support);  // wins ties
+  const FirstContact found =
+      first_contact({{&body, 1}, fixed, m_setting.others.floor(),
+                     Motion::translation(-Vec3::UnitZ(), fall), keep});
   if (found.status != FirstContact::Status::Contact) return false;
-  if (m_setting.on_floor ? found.fixed != FirstContact::kFloor : found.fixed != 0) return false;
+  if (m_setting.on_floor() ? found.fixed != FirstContact::kFloor : found.fixed != 0) return false;
   world.translation.z() -= found.time;
   const Body landed(*m_setting.body.shape, world);
-  for (const Body& other : m_setting.others)
+  for (const Body& other : m_setting.others.near(landed.world_box, 1.01 * m_keep).bodies)
     if (nearer_than(m_keep, landed, other)) return false;
   return true;
 }

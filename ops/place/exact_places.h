@@ -7,7 +7,9 @@ namespace trivet {
 
 class ExactPlaces {
  public:
-  ExactPlaces(const Scene& scene, ObjectId object, const PlaceRequest& request, double clearance);
+  /// @param carried  the object and its loads.
+  ExactPlaces(const Scene& scene, ObjectId object, std::span<const ObjectId> carried,
+              const PlaceRequest& request, double clearance);
 
   /// Whether the object, its centre of mass over `at`, falls onto the support before it meets
   /// anything else, with the centre over the support, and keeps its distance where it stops.
@@ -19,7 +21,7 @@ class ExactPlaces {
     return start.translation.head<2>() + m_setting.centre.head<2>();
   }
   /// The nearest to request.near that is found from the fitting places of the height maps, sorted:
-  /// each is followed towards the point and along what is in the way. Nothing: none fits exactly.
+  /// each is followed towards the point and along obstacles. nullopt: none fits exactly.
   std::optional<Vec2> nearest(const Places& places) const;
 
  private:
@@ -34,8 +36,7 @@ class ExactPlaces {
   Rotation m_rotation;
   Vec2 m_near;
   double m_keep, m_tolerance;
-  std::vector<Body> m_all;  // the support, then the others
-  double m_lowest;          // z that nothing to fall on is below
+  double m_lowest;  // z below which there is nothing to fall on
 };
 
 }  // namespace trivet

@@ -1,26 +1,24 @@
 #include "ops/place/place_setting.h"
 
-#include <algorithm>
-
-#include "ops/move/moving_group.h"
-
 namespace trivet {
+namespace {
 
-PlaceSetting::PlaceSetting(const Scene& scene, ObjectId id, const PlaceRequest& request,
-                           double motion_clearance)
-    : floor(scene.floor), on_floor(!request.on), clearance(motion_clearance) {
-  const Object& object = scene.at(id);
-  body = Body(*object.shape,
-              world_from_object({request.rotation, Vec3::Zero()}, object.up, object.scale));
-  centre = body.world_from_object.apply(object.shape->mass.centre);
-  const std::vector<ObjectId> carried = carried_with(scene, id);
-  for (const ObjectId other : scene.ids()) {
-    const Object& o = scene.at(other);
-    if (!o.placed || std::find(carried.begin(), carried.end(), other) != carried.end()) continue;
-    auto& bodies = request.on == other ? support : others;
-    bodies.emplace_back(*o.shape, o.world_from_object());
-  }
-  const double top = on_floor ? 0 : support.front().world_box.upper.z();
+std::vector<ObjectId> without(std::span<const ObjectId> carried, const Support& support) {
+  std::vector<ObjectId> out(carried.begin(), carried.end());
+  if (support.is_object()) out.push_back(support.object());
+  return out;
+}
+
+}  // namespace
+
+PlaceSetting::PlaceSetting(const Scene& scene, ObjectId id, std::span<const ObjectId> carried,
+                           const PlaceRequest& request, double motion_clearance)
+    : body(body_of(scene.at(id), {request.rotation, Vec3::Zero()})),
+      centre(body.world_from_object.apply(scene.at(id).shape->mass.centre)),
+      others(scene, without(carried, request.on)),
+      clearance(motion_clearance) {
+  if (request.on.is_object()) support = body_of(scene.at(request.on.object()));
+  const double top = support ? support->world_box.upper.z() : 0;
   start_z = request.from.value_or(top + 4 * clearance);
 }
 

@@ -1,10 +1,11 @@
-// Who is set down, on what, among what: what the search by height maps and the exact one share.
+// An object, its support and the others: shared by the search on height maps and the exact one.
 #pragma once
 
+#include <span>
 #include <vector>
 
-#include "core/contact/body.h"
 #include "ops/place/places.h"
+#include "ops/placement/neighbourhood.h"
 
 namespace trivet {
 
@@ -17,18 +18,20 @@ inline constexpr double kPlaceTolerance = 1.0 / 4096;
 inline constexpr double kPlaceToleranceClearances = 32;
 
 struct PlaceSetting {
-  Body body;    // the object as it is let go, with its origin at the world's
-  Vec3 centre;  // of its mass
-  std::vector<Body> support, others;
-  bool floor;      // there is one
-  bool on_floor;   // it is the support
-  double start_z;  // of the underside at the start
+  Body body;                    // the object as it is released, with its origin at the world's
+  Vec3 centre;                  // of its mass
+  std::optional<Body> support;  // nullopt: the floor
+  Neighbourhood others;         // all but the object, its loads and its support
+  double start_z;               // of the underside at the start
   double clearance;
 
-  PlaceSetting(const Scene& scene, ObjectId object, const PlaceRequest& request, double clearance);
+  /// @param carried  the object and its loads.
+  PlaceSetting(const Scene& scene, ObjectId object, std::span<const ObjectId> carried,
+               const PlaceRequest& request, double clearance);
+  bool on_floor() const { return !support; }
   /// The object's pose at the start, with its centre of mass over `at`.
   Pose start(const Rotation& rotation, const Vec2& at) const;
-  /// Metres, the larger side of its box seen from above.
+  /// Larger side of its box seen from above, metres.
   double width() const { return 2 * body.world_box.half_extent().head<2>().maxCoeff(); }
 };
 

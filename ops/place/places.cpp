@@ -35,13 +35,11 @@ double pixel_of(const PlaceSetting& setting, const Vec2& window_size) {
                    16 * setting.clearance});
 }
 
-// Seen from above: what the centre of mass must be over, `more` metres beyond all things on the
-// floor.
+// Region that the centre of mass must be over, seen from above; `more` metres beyond all things on
+// the floor.
 PlaceWindow area_of(const PlaceSetting& setting, const PlaceRequest& request, double more) {
-  Aabb box;
-  for (const Body& body : setting.on_floor ? setting.others : setting.support)
-    box.extend(body.world_box);
-  if (setting.on_floor) {
+  Aabb box = setting.on_floor() ? setting.others.box() : setting.support->world_box;
+  if (setting.on_floor()) {
     if (request.near) box.extend(Vec3(request.near->x(), request.near->y(), 0));
     if (box.empty()) box = setting.body.world_box;
     Vec2 about = 2 * setting.body.world_box.half_extent().head<2>() + Vec2::Constant(more);
@@ -71,16 +69,17 @@ Vec2 inside_largest_face(const Body& body) {
 
 class PlaceSearch {
  public:
-  PlaceSearch(const Scene& scene, ObjectId id, const PlaceRequest& request, double clearance)
-      : m_setting(scene, id, request, clearance), m_request(request) {
+  PlaceSearch(const Scene& scene, ObjectId id, std::span<const ObjectId> carried,
+              const PlaceRequest& request, double clearance)
+      : m_setting(scene, id, carried, request, clearance), m_request(request) {
     set_grid();
   }
 
   Places run(const DropBracketFunction& brackets) {
     const HeightMap underside = underside_on_grid();
-    const HeightMap support = top_of(m_setting.support, underside, m_setting.on_floor);
+    const HeightMap support = top_of_support(underside);
     const auto on = brackets(underside, support, m_columns, m_rows);
-    HeightMap rest = top_of(m_setting.others, underside, m_setting.floor && !m_setting.on_floor);
+    HeightMap rest = top_of_others(underside);
     if (!(m_keep > 0)) {
       sort_out(support, on, brackets(underside, rest, m_columns, m_rows));
       return std::move(m_out);
@@ -136,7 +135,7 @@ class PlaceSearch {
 
   double span_of_all(const PlaceWindow& area) const {
     Aabb box{Vec3(area.lower.x(), area.lower.y(), 0), Vec3(area.upper.x(), area.upper.y(), 0)};
-    for (const Body& body : m_setting.others) box.extend(body.world_box);
+    box.extend(m_setting.others.box());
     return 2 * box.half_extent().head<2>().norm() + 2 * m_setting.width();
   }
 
@@ -154,8 +153,25 @@ class PlaceSearch {
     return grid;
   }
 
-  HeightMap top_of(const std::vector<Body>& bodies, const HeightMap& underside, bool floor) const {
-    return draw_top(bodies, grid_under(underside.width, underside.height), floor, ceiling());
+  // Of the others, those that may be drawn on a grid.
+  std::vector<Body> others_on(const MapGrid& grid) const {
+    const Vec2 size = grid.pixel * Vec2(grid.width, grid.height);
+    Aabb box{Vec3(grid.corner.x(), grid.corner.y(), -kInfinity),
+             Vec3(grid.corner.x() + size.x(), grid.corner.y() + size.y(), kInfinity)};
+    return m_setting.others.near(box, 2 * grid.pixel + grown()).bodies;
+  }
+
+  HeightMap top_of_support(const HeightMap& underside) const {
+    std::vector<Body> support;
+    if (m_setting.support) support.push_back(*m_setting.support);
+    return draw_top(support, grid_under(underside.width, underside.height), m_setting.on_floor(),
+                    ceiling());
+  }
+
+  HeightMap top_of_others(const HeightMap& underside) const {
+    const MapGrid grid = grid_under(underside.width, underside.height);
+    return draw_top(others_on(grid), grid, m_setting.others.floor() && !m_setting.on_floor(),
+                    ceiling());
   }
 
   // Everything else in coarse pixels, under all places and as far about them as is to be kept.
@@ -165,7 +181,7 @@ class PlaceSearch {
     grid.corner -= Vec2::Constant(m_border * grid.pixel);
     grid.width = (rest.width + m_coarse - 1) / m_coarse + 2 * m_border;
     grid.height = (rest.height + m_coarse - 1) / m_coarse + 2 * m_border;
-    return draw_top(m_setting.others, grid, false, ceiling());
+    return draw_top(others_on(grid), grid, false, ceiling());
   }
 
   void take_higher(const HeightMap& coarse, HeightMap& fine) const {
@@ -239,8 +255,9 @@ class PlaceSearch {
 }  // namespace
 
 std::vector<PlaceWindow> place_windows(const Scene& scene, ObjectId object,
+                                       std::span<const ObjectId> carried,
                                        const PlaceRequest& request, double clearance) {
-  const PlaceSetting setting(scene, object, request, clearance);
+  const PlaceSetting setting(scene, object, carried, request, clearance);
   const PlaceWindow all = area_of(setting, request, request.keep);
   std::vector<PlaceWindow> out;
   if (request.near) {
@@ -254,16 +271,17 @@ std::vector<PlaceWindow> place_windows(const Scene& scene, ObjectId object,
       out.push_back({(*request.near - extent).cwiseMax(all.lower),
                      (*request.near + extent).cwiseMin(all.upper), half});
     }
-  } else if (setting.on_floor && request.keep > 0) {
+  } else if (setting.on_floor() && request.keep > 0) {
     out.push_back(area_of(setting, request, 0));
   }
   out.push_back(all);
   return out;
 }
 
-Places find_places(const Scene& scene, ObjectId object, const PlaceRequest& request,
-                   double clearance, const DropBracketFunction& brackets) {
-  return PlaceSearch(scene, object, request, clearance).run(brackets);
+Places find_places(const Scene& scene, ObjectId object, std::span<const ObjectId> carried,
+                   const PlaceRequest& request, double clearance,
+                   const DropBracketFunction& brackets) {
+  return PlaceSearch(scene, object, carried, request, clearance).run(brackets);
 }
 
 }  // namespace trivet

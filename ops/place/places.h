@@ -1,4 +1,4 @@
-// Where an object can be set down: thousands of places judged at once, by height maps.
+// Search for places to set an object down: thousands judged at once, by height maps.
 //
 // The object's underside and the tops of the support and of everything else are drawn once; each
 // place is a shift by whole pixels and costs microseconds (raster/drop_brackets.h). A place fits
@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/scene/scene.h"
@@ -17,7 +18,7 @@
 
 namespace trivet {
 
-/// Where the centre of mass is looked for, seen from above.
+/// Region of the centre of mass, seen from above.
 struct PlaceWindow {
   Vec2 lower, upper;
   double reach = kInfinity;  // metres from PlaceRequest::near: whatever lies outside and could be
@@ -25,15 +26,15 @@ struct PlaceWindow {
 };
 
 struct PlaceRequest {
-  std::optional<ObjectId> on;  // nothing: the floor
-  Rotation rotation;           // of the object when it is let go
+  Support on;
+  Rotation rotation;           // of the object when it is released
   std::optional<Vec2> near;    // the fitting place nearest to this comes first, by the centre of
-                               // mass seen from above, metres; nothing: an order from the seed
+                               // mass seen from above, metres; nullopt: an order from the seed
   std::uint64_t seed = 0;
   double keep = 0;             // metres to stay away from everything but the support, sideways
   std::optional<double> from;  // height z of the underside at the start; what is above the object
-                               // there does not matter; nothing: just above the support's top
-  std::optional<PlaceWindow> within = {};  // nothing: the last of place_windows()
+                               // there does not matter; nullopt: just above the support's top
+  std::optional<PlaceWindow> within = {};  // nullopt: the last of place_windows()
 };
 
 struct Places {
@@ -49,12 +50,14 @@ struct Places {
 
 /// The windows to search one after another: from small ones about the point to the whole support;
 /// on the floor the last reaches so far beyond everything that there is room.
+/// @param carried  the object and its loads.
 std::vector<PlaceWindow> place_windows(const Scene& scene, ObjectId object,
+                                       std::span<const ObjectId> carried,
                                        const PlaceRequest& request, double clearance);
 
 /// @param clearance  metres, of the motions.
-/// @param brackets  who computes the brackets: the software, or drop_brackets_of() a detector.
-Places find_places(const Scene& scene, ObjectId object, const PlaceRequest& request,
-                   double clearance, const DropBracketFunction& brackets = drop_brackets);
+/// @param brackets  computes the brackets: the software, or drop_brackets_of() a detector.
+Places find_places(const Scene& scene, ObjectId object, std::span<const ObjectId> carried,
+                   const PlaceRequest& request, double clearance, const DropBracketFunction& brackets = drop_brackets);
 
 }  // namespace trivet

@@ -31,7 +31,7 @@ OrderedJson stability_json(const Scene& scene, const Stability& stability) {
   }
   for (const ContactForce& f : stability.forces)
     forces.push_back({{"on", scene.at(f.on).name},
-                      {"from", f.from ? scene.at(*f.from).name : "floor"},
+                      {"from", named(scene, f.from).name},
                       {"point", to_json(f.point)},
                       {"force", to_json(f.force)}});
   OrderedJson json = {{"status", to_string(stability.status)},
@@ -46,10 +46,21 @@ OrderedJson stability_json(const Scene& scene, const Stability& stability) {
   return json;
 }
 
+void add_refusal(const OperationResult& result, OrderedJson& json) {
+  json["reason"] = result.reason();
+  if (!result.refusal) return;
+  json["cause"] = to_string(result.refusal->cause);
+  OrderedJson objects = OrderedJson::array(), numbers = OrderedJson::object();
+  for (const Named& object : result.refusal->objects) objects.push_back(object.name);
+  for (const Refusal::Number& n : result.refusal->numbers) numbers[n.key] = n.value;
+  if (!objects.empty()) json["objects"] = std::move(objects);
+  if (!numbers.empty()) json["numbers"] = std::move(numbers);
+}
+
 void add_outcome(const OperationResult& result, OrderedJson& json) {
   json["ended"] = to_string(result.end);
-  if (!result.blocked_by.empty()) {
-    json["blocked_by"] = result.blocked_by;
+  if (!result.blocked_by.name.empty()) {
+    json["blocked_by"] = result.blocked_by.name;
     json["blocked_at"] = to_json(result.blocked_at);
   }
   json["moved"] = result.moved;
@@ -68,7 +79,7 @@ OrderedJson contacts_json(const Scene& scene, const Object& object) {
   for (const Link& link : object.links) {
     OrderedJson points = OrderedJson::array();
     for (const ContactPoint& p : link.contact.points) points.push_back(to_json(p.point));
-    json.push_back({{"with", link.with ? scene.at(*link.with).name : "floor"},
+    json.push_back({{"with", named(scene, link.with).name},
                     {"type", to_string(link.contact.type)},
                     {"points", std::move(points)},
                     {"normal", to_json(link.contact.normal)},

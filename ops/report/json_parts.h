@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/scene/scene.h"
-#include "ops/put.h"
+#include "ops/base/outcome.h"
 #include "ops/stability/stability.h"
 
 namespace trivet {
@@ -19,6 +19,8 @@ OrderedJson to_json(const Affine& affine);
 OrderedJson supports_json(const Scene& scene, const LoadSupport::Entry& entry);
 /// The scene as a whole.
 OrderedJson stability_json(const Scene& scene, const Stability& stability);
+/// Refusal of an operation: "reason", the sentence; "cause", "objects" and "numbers" for programs.
+void add_refusal(const OperationResult& result, OrderedJson& json);
 /// Why an operation that was done ended, and what became of others: "ended", "blocked_by", ...
 void add_outcome(const OperationResult& result, OrderedJson& json);
 /// What the object touches.

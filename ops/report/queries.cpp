@@ -2,7 +2,8 @@
 
 #include <sstream>
 
-#include "ops/move/moving_group.h"
+#include "core/base/quoted.h"
+#include "ops/operations/moving_group.h"
 #include "ops/report/json_parts.h"
 
 namespace trivet {
@@ -16,17 +17,13 @@ std::vector<TouchedBy> links_where(const Scene& scene, ObjectId object, Predicat
   return out;
 }
 
-std::string name_of(const Scene& scene, const std::optional<ObjectId>& id) {
-  return id ? scene.at(*id).name : "floor";
-}
-
 OrderedJson touched_json(const Scene& scene, const std::vector<TouchedBy>& touched) {
   OrderedJson json = OrderedJson::array();
   for (const TouchedBy& t : touched) {
     OrderedJson points = OrderedJson::array(), hull = OrderedJson::array();
     for (const ContactPoint& p : t.contact->points) points.push_back(to_json(p.point));
     for (const Vec3& p : t.contact->hull) hull.push_back(to_json(p));
-    json.push_back({{"name", name_of(scene, t.object)},
+    json.push_back({{"name", named(scene, t.with).name},
                     {"type", to_string(t.contact->type)},
                     {"points", std::move(points)},
                     {"hull", std::move(hull)},
@@ -40,7 +37,7 @@ std::string names_of(const Scene& scene, const std::vector<TouchedBy>& touched) 
   std::string out;
   for (const TouchedBy& t : touched) {
     out += out.empty() ? "" : ", ";
-    out += t.object ? "\"" + scene.at(*t.object).name + "\"" : "the floor";
+    out += t.with.is_object() ? quoted(named(scene, t.with).name) : "the floor";
     out += std::string(" (") + to_string(t.contact->type) + ")";
   }
   return out.empty() ? "nothing" : out;
@@ -60,7 +57,7 @@ std::vector<TouchedBy> held_by(const Scene& scene, ObjectId object) {
 
 std::vector<TouchedBy> lying_on(const Scene& scene, ObjectId object) {
   return links_where(scene, object,
-                     [](const Link& link) { return link.with && weighs_on(link.contact); });
+                     [](const Link& link) { return link.with.is_object() && weighs_on(link.contact); });
 }
 
 RestOfObject rest_of(const Scene& scene, ObjectId id) {

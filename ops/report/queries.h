@@ -1,4 +1,4 @@
-// What holds an object, what lies on it, is it stable, and by what margin.
+// Queries about one object: its supports, its loads, its stability and margin.
 #pragma once
 
 #include <string>
@@ -11,13 +11,13 @@ namespace trivet {
 
 /// A neighbour and where it touches.
 struct TouchedBy {
-  std::optional<ObjectId> object;  // nothing: the floor
-  const Contact* contact;          // in the scene; its normal points to the object asked about
+  Support with;
+  const Contact* contact;  // in the scene; its normal points to the object asked about
 };
 
-/// What an object rests on, as of its links; "supports" of load_support(). O(links).
+/// Supports of an object, as of its links; see load_support(). O(links).
 std::vector<TouchedBy> held_by(const Scene& scene, ObjectId object);
-/// What lies on it; "loads" of load_support(). O(links). All that moves with it: carried_with().
+/// Its loads; see load_support(). O(links). Transitively: carried_with().
 std::vector<TouchedBy> lying_on(const Scene& scene, ObjectId object);
 
 /// An object alone, with all else held still: the paper's localization.

@@ -30,10 +30,10 @@ OrderedJson operation_json(const OperationRecord& record) {
   const OperationResult& result = record.result;
   OrderedJson json = {{"op", record.op},
                       {"object", record.object},
-                      {"status", result.ok() ? "ok" : "refused"},
-                      {"reason", result.reason},
-                      {"motions", result.num_motions},
-                      {"milliseconds", result.milliseconds}};
+                      {"status", result.ok() ? "ok" : "refused"}};
+  add_refusal(result, json);
+  json["motions"] = result.num_motions;
+  json["milliseconds"] = result.milliseconds;
   if (result.ok()) add_outcome(result, json);
   return json;
 }

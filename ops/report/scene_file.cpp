@@ -10,7 +10,7 @@
 #include "ops/report/extras.h"
 #include "ops/report/glb_nodes.h"
 #include "ops/report/report.h"
-#include "ops/verify.h"
+#include "ops/placement/clearance.h"
 
 namespace trivet {
 namespace {
@@ -60,9 +60,9 @@ class SceneReader {
     check_poses();
     m_file.layout = std::move(m_extras.layout);
     m_file.clearance = m_extras.clearance;
-    const std::string why =
-        why_too_coarse(m_file.scene, std::span<const PlacedBox>(), m_file.clearance);
-    if (!why.empty()) throw Error(Error::Kind::BadInput, m_path + ": " + why);
+    if (const auto why =
+            refuse_too_coarse(m_file.scene, std::span<const PlacedBox>(), m_file.clearance))
+      throw Error(Error::Kind::BadInput, m_path + ": " + message(*why));
     return std::move(m_file);
   }
 

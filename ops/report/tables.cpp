@@ -65,7 +65,7 @@ Rows contact_rows(const Scene& scene) {
       const Link& link = object.links[i];
       for (const ContactPoint& p : link.contact.points) {
         OrderedJson row = {{"object", object.name},
-                           {"with", link.with ? scene.at(*link.with).name : "floor"},
+                           {"with", named(scene, link.with).name},
                            {"contact", i},
                            {"type", to_string(link.contact.type)}};
         add_vector(row, {"x", "y", "z"}, &p.point);

@@ -17,7 +17,8 @@
 #include <string>
 #include <vector>
 
-#include "ops/operation.h"
+#include "ops/base/options.h"
+#include "ops/operations/operations.h"
 
 namespace trivet {
 

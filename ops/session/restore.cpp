@@ -7,7 +7,8 @@
 #include "ops/layout/paths.h"
 #include "ops/report/scene_file.h"
 #include "ops/session/journal.h"
-#include "ops/verify.h"
+#include "ops/check/check.h"
+#include "ops/placement/clearance.h"
 
 namespace trivet {
 namespace {
@@ -30,7 +31,7 @@ OpenedSession open_start(const std::string& content, const std::string& file,
   std::vector<std::string> notes;
   for (const OperationRecord& record : run.operations)
     if (!record.result.ok())
-      notes.push_back(record.op + " \"" + record.object + "\": refused: " + record.result.reason);
+      notes.push_back(record.op + " \"" + record.object + "\": refused: " + record.result.reason());
   return {Session(std::move(run.scene), layout, models), file, folder, options.settle.clearance,
           std::move(notes)};
 }
@@ -67,16 +68,14 @@ bool replay(const JournalRecord& record, const RunOptions& options, Session& ses
       done = session.redo();
       break;
     case JournalRecord::Kind::Step: {
-      SettleOptions settle = record.settle;
-      settle.detector = options.settle.detector;
-      result = session.perform_all(record.operations, settle);
+      result = session.perform_all(record.operations, record.settle, options.context);
       done = result.ok();
       break;
     }
   }
   session.on_event({});
   if (!done) {
-    why = result.reason.empty() ? "there is nothing to undo or redo" : result.reason;
+    why = result.refusal ? result.reason() : "there is nothing to undo or redo";
     return false;
   }
   if (record.kind == JournalRecord::Kind::Saved) return true;
@@ -111,7 +110,6 @@ RestoredSession restore_session(const std::string& journal, const RunOptions& op
   const std::string start = find_start(journal, content.start, file);
   RunOptions start_options = options;
   start_options.settle = content.start.settle;
-  start_options.settle.detector = options.settle.detector;
   RestoredSession restored{open_start(start, file, start_options, limits), true};
   OpenedSession& opened = restored.opened;
   if (content.torn())

@@ -3,10 +3,11 @@
 #include <algorithm>
 
 #include "core/scene/fingerprint.h"
-#include "ops/edit.h"
-#include "ops/move/live_move.h"
+#include "core/scene/transaction.h"
+#include "ops/operations/live_move.h"
+#include "ops/operations/perform.h"
+#include "ops/placement/clearance.h"
 #include "ops/session/journal.h"
-#include "ops/verify.h"
 
 namespace trivet {
 namespace {
@@ -35,14 +36,6 @@ std::vector<ObjectId> united(std::vector<ObjectId> a, const std::vector<ObjectId
   return a;
 }
 
-// What a journal keeps of the options, and what results depend on.
-SettleOptions kept(SettleOptions options) {
-  options.detector = nullptr;
-  options.cancel = nullptr;
-  options.time_budget_s = 0;
-  return options;
-}
-
 // So that nothing is left to fail once the journal has the step.
 template <class T>
 void make_room(std::vector<T>& items, size_t count) {
@@ -61,73 +54,68 @@ Session::Session(Session&&) noexcept = default;
 Session& Session::operator=(Session&&) noexcept = default;
 
 // Whatever happens, the scene is as it was unless the operation was done.
-OperationResult Session::run(SessionStep step, const std::function<Results()>& work) {
-  m_scene.start_recording();
-  try {
-    step.results = work();
-  } catch (...) {
-    SceneChange change = m_scene.stop_recording();
-    m_scene.exchange(change);
-    throw;
+OperationResult Session::run(SessionStep step, const std::function<Results(Transaction&)>& work) {
+  OperationResult result;
+  {
+    Transaction transaction(m_scene);
+    step.results = work(transaction);
+    result = step.results.back();
+    if (result.ok()) keep(transaction, step);
   }
-  Done done{m_scene.stop_recording(), {}};
-  const OperationResult result = step.results.back();
-  if (!result.ok()) {
-    m_scene.exchange(done.change);
+  if (result.ok())
+    tell({SessionEvent::Kind::Performed, m_steps.back().name, m_done.back().touched, &result});
+  else
     tell({SessionEvent::Kind::Refused, step.name, {}, &result});
-    return result;
-  }
-  done.touched = done.change.ids();  // before
-  m_scene.exchange(done.change);
-  done.touched = united(std::move(done.touched), done.change.ids());  // after
-  m_scene.exchange(done.change);
+  return result;
+}
+
+// Makes a step of what was done: on disk first, then nothing may fail.
+void Session::keep(Transaction& transaction, SessionStep& step) {
+  Done done;
+  done.touched = transaction.touched();
   step.fingerprint = fingerprint(m_scene, done.touched);
   for (OperationResult& kept : step.results) kept.steps = {};
-  try {
-    make_room(m_steps, m_position + 1);
-    make_room(m_done, m_position + 1);
-    if (m_journal) m_journal->append_step(step);
-  } catch (...) {
-    m_scene.exchange(done.change);
-    throw;
-  }
+  make_room(m_steps, m_position + 1);
+  make_room(m_done, m_position + 1);
+  if (m_journal) m_journal->append_step(step);
+  done.change = transaction.commit();
   forget_undone();
   m_steps.push_back(std::move(step));
   m_done.push_back(std::move(done));
   ++m_position;
   m_largest_clearance = std::max(m_largest_clearance, default_clearance(m_scene));
-  tell({SessionEvent::Kind::Performed, m_steps.back().name, m_done.back().touched, &result});
-  return result;
 }
 
-OperationResult Session::perform(const Operation& operation, const SettleOptions& options) {
-  return perform_all({operation}, options);
+OperationResult Session::perform(const Operation& operation, const SettleOptions& options,
+                                 const RunContext& context) {
+  return perform_all({operation}, options, context);
 }
 
 OperationResult Session::perform_all(const std::vector<Operation>& operations,
-                                     const SettleOptions& options) {
+                                     const SettleOptions& options, const RunContext& context) {
   std::vector<Operation> loaded = operations;
   for (Operation& operation : loaded)
     if (auto* const append = std::get_if<AppendOperation>(&operation))
       load_model(m_scene, m_models, *append);
-  return run({name_of(operations), loaded, kept(options), 0}, [&] {
+  return run({name_of(operations), loaded, options, 0}, [&](Transaction& transaction) {
     Results results;
     for (const Operation& operation : loaded) {
-      results.push_back(trivet::perform(m_scene, operation, options));
+      results.push_back(trivet::perform(transaction, operation, options, context));
       if (!results.back().ok()) break;
     }
     return results;
   });
 }
 
-LiveMove Session::begin_live(const Operation& operation, const SettleOptions& options) {
-  return LiveMove(m_scene, operation, options);
+LiveMove Session::begin_live(const Operation& operation, const SettleOptions& options,
+                             const RunContext& context) {
+  return LiveMove(m_scene, operation, options, context);
 }
 
 OperationResult Session::finish(LiveMove& live) {
   const std::vector<Operation> operations{live.operation()};
-  return run({name_of(operations), operations, kept(live.options()), 0},
-             [&] { return Results{live.finish()}; });
+  return run({name_of(operations), operations, live.options(), 0},
+             [&](Transaction& transaction) { return Results{live.finish(transaction)}; });
 }
 
 void Session::forget_undone() {

@@ -11,23 +11,26 @@
 
 #include "ops/layout/layout.h"
 #include "ops/layout/load.h"
-#include "ops/operation.h"
+#include "ops/base/context.h"
+#include "ops/base/outcome.h"
+#include "ops/operations/operations.h"
 
 namespace trivet {
 
 class Journal;
 class LiveMove;
+class Transaction;
 
-/// What was done and is undone as one.
+/// Operations that are done and undone as one.
 struct SessionStep {
   std::string name;                   // "put \"cup\"", "delete 3 objects"
   std::vector<Operation> operations;  // one, but for perform_all()
-  SettleOptions settle;               // it was done with; without detector, cancel and budget
+  SettleOptions settle;               // it was done with
   std::uint64_t fingerprint = 0;      // of the objects it changed, as it left them
   std::vector<OperationResult> results = {};  // of the operations, without their steps to watch
 };
 
-/// What an editor shows anew.
+/// Change that an editor has to show.
 struct SessionEvent {
   enum class Kind { Performed, Refused, Undone, Redone, Saved };
   Kind kind;
@@ -36,7 +39,7 @@ struct SessionEvent {
   const OperationResult* result = nullptr;  // of Performed and Refused
 };
 
-/// One thread at a time; only SettleOptions::cancel may be set from another.
+/// One thread at a time; only RunContext::cancel may be set from another.
 class Session {
  public:
   /// @param layout  what made the scene, as SceneFile::layout.
@@ -52,16 +55,18 @@ class Session {
   /// forgotten, and the journal has it on disk before this returns.
   /// @throws Error: BadInput when an appended model cannot be read; Environment when the journal
   ///   cannot be written. The scene is then as it was.
-  OperationResult perform(const Operation& operation, const SettleOptions& options = {});
+  OperationResult perform(const Operation& operation, const SettleOptions& options = {},
+                          const RunContext& context = {});
 
   /// Several operations as one step; when one is refused, none is done, and its result comes back.
   /// Else the last one's. @param operations  one at least. @throws Error  as perform().
   OperationResult perform_all(const std::vector<Operation>& operations,
-                              const SettleOptions& options = {});
+                              const SettleOptions& options = {}, const RunContext& context = {});
 
-  /// A move that follows a hand; see ops/move/live_move.h. While it lives, this session is neither
+  /// An interactive move; see ops/operations/live_move.h. While it lives, this session is neither
   /// moved nor are its other non-const functions called, but for finish().
-  LiveMove begin_live(const Operation& operation, const SettleOptions& options = {});
+  LiveMove begin_live(const Operation& operation, const SettleOptions& options = {},
+                      const RunContext& context = {});
   /// Ends it: as perform() of its operation, to the bit, but without going the way again.
   OperationResult finish(LiveMove& live);
 
@@ -103,7 +108,8 @@ class Session {
   };
 
   using Results = std::vector<OperationResult>;
-  OperationResult run(SessionStep step, const std::function<Results()>& work);
+  OperationResult run(SessionStep step, const std::function<Results(Transaction&)>& work);
+  void keep(Transaction& transaction, SessionStep& step);
   void forget_undone();
   void step_over(size_t step, SessionEvent::Kind kind);
   void tell(const SessionEvent& event) const;

@@ -5,7 +5,7 @@
 
 #include "core/contact/contact.h"
 #include "core/motion/motion.h"
-#include "ops/put.h"
+#include "ops/base/outcome.h"
 
 namespace trivet {
 

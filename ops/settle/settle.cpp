@@ -7,7 +7,6 @@
 #include "core/base/tunables.h"
 #include "core/contact/contact_points.h"
 #include "core/scene/scene.h"
-#include "ops/detect/detector.h"
 #include "ops/settle/candidates.h"
 #include "ops/settle/equilibrium.h"
 
@@ -79,8 +78,7 @@ class Settling {
   }
 
   std::vector<ContactsWith> contacts_of(size_t body, double tolerance) const {
-    return contacts_with(m_bodies[body], m_problem.fixed, m_problem.floor, tolerance,
-                         kFootSlack * clearance());
+    return contacts_with(m_bodies[body], *m_problem.others, tolerance, kFootSlack * clearance());
   }
 
   // Of all bodies, when those of the object are known.
@@ -95,21 +93,19 @@ class Settling {
   }
 
   FirstContact query(const Motion& motion) {
-    FirstContactQuery q;
-    q.moving = m_bodies;
-    q.fixed = m_problem.fixed;
-    q.floor = m_problem.floor;
-    q.motion = motion;
-    q.clearance.distance = clearance();
-    const FirstContact found = first_contact(q, m_problem.options.detector);
+    Clearance keep;
+    keep.distance = clearance();
+    const FirstContact found =
+        first_contact(m_bodies, *m_problem.others, motion, keep, m_problem.detector);
     ++m_out.num_queries;
     m_out.num_face_pairs += found.work.face_pairs;
     return found;
   }
 
+  // Metres; 0 when nothing is below.
   double fall_limit() const {
-    double lowest = m_problem.floor ? 0.0 : kInfinity;
-    for (const Body& b : m_problem.fixed) lowest = std::min(lowest, b.world_box.lower.z());
+    const bool floor = m_problem.others->floor();
+    const double lowest = std::min(floor ? 0.0 : kInfinity, m_problem.others->box().lower.z());
     Aabb box;
     for (const Body& b : m_bodies) box.extend(b.world_box);
     const double depth = box.upper.z() - lowest;
@@ -203,19 +199,41 @@ class Settling {
 
 }  // namespace
 
-std::vector<ContactsWith> contacts_with(const Body& body, std::span<const Body> fixed, bool floor,
-                                        double tolerance, double slack) {
-  std::vector<ContactsWith> out;
-  if (floor) {
-    auto points = floor_contact_points(body, tolerance);
-    if (!points.empty()) out.push_back({ContactsWith::kFloor, std::move(points)});
-  }
-  for (Index i = 0; i < static_cast<Index>(fixed.size()); ++i) {
-    auto points = contact_points(body, fixed[i], tolerance, slack);
-    if (!points.empty()) out.push_back({i, std::move(points)});
-  }
-  return out;
+Vec3 smallest_lift(const std::vector<ContactPoint>& points, double clearance) {
+  std::vector<double> weights(points.size(), 0.0);
+  Vec3 d = Vec3::Zero();
+  for (int sweep = 0; sweep < kLiftSweeps; ++sweep)
+    for (size_t i = 0; i < points.size(); ++i) {
+      const double missing = clearance - points[i].gap - points[i].normal.dot(d);
+      const double change = std::max(-weights[i], missing);
+      weights[i] += change;
+      d += change * points[i].normal;
+    }
+  return d;
 }
+
+bool is_balanced() const {
+    const double tolerance = kBalanceTolerance * clearance();
+    const std::vector<ContactPoint> near = all_points_with(contacts_of(0, tolerance), tolerance);
+    const bool touches = std::any_of(near.begin(), near.end(), [&](const ContactPoint& c) {
+      return c.gap <= kHoverTolerance * clearance();
+    });
+    return touches && trivet::is_balanced(near, m_object.centre, m_object.size, clearance());
+  }
+
+  SettleOutcome finish(SettleOutcome::Status status) {
+    m_out.status = status;
+    return std::move(m_out);
+  }
+
+  const SettleProblem& m_problem;
+  SettleOutcome m_out;
+  SettlingObject m_object;
+  std::vector<Body> m_bodies;  // the object, then what it carries
+  int m_num_lifts = 0;
+};
+
+}  // namespace
 
 Vec3 smallest_lift(const std::vector<ContactPoint>& points, double clearance) {
   std::vector<double> weights(points.size(), 0.0);

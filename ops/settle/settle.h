@@ -1,4 +1,4 @@
-// Quasi-static settling of one object among others that stand still [Shinya 1995, 5.3].
+// Quasi-static settling of one object among others that do not move [Shinya 1995, 5.3].
 //
 //   contacts -> at rest? -> candidate motions, best first -> first contact -> the first motion that
 //   lowers the centre of mass is executed -> contacts -> ...
@@ -11,15 +11,14 @@
 #include <string>
 #include <vector>
 
-#include "core/contact/body.h"
-#include "core/contact/contact.h"
 #include "core/motion/pose.h"
-#include "ops/interrupt.h"
-#include "ops/put.h"
+#include "ops/base/interrupt.h"
+#include "ops/base/options.h"
+#include "ops/placement/contacts.h"
 
 namespace trivet {
 
-/// What lies on the object and moves with it as one rigid body. It collides, but weighs nothing:
+/// A load of the object, which moves with it as one rigid body. It collides, but weighs nothing:
 /// the object is judged as if it were alone.
 struct CarriedShape {
   const Shape* shape = nullptr;
@@ -28,23 +27,16 @@ struct CarriedShape {
   Pose start;
 };
 
-/// Contact points with one of the fixed bodies, or with the floor (kFloor).
-struct ContactsWith {
-  static constexpr Index kFloor = -1;
-  Index fixed = kFloor;
-  std::vector<ContactPoint> points;
-};
-
 struct SettleProblem {
   const Shape* shape = nullptr;
   UpAxis up = UpAxis::Z;
   double scale = 1;
   Pose start;  // free of interpenetration
-  std::span<const Body> fixed;
-  bool floor = true;
+  const Neighbourhood* others = nullptr;
   double clearance = 0;  // metres, > 0
   SettleOptions options;
-  Interrupt* interrupt = nullptr;  // asked before every motion; null: never stops
+  Detector* detector = nullptr;    // null: BVHs
+  Interrupt* interrupt = nullptr;  // checked before every motion; null: never stops
   std::span<const CarriedShape> carried = {};
   const std::vector<ContactsWith>* contacts_at_start = nullptr;  // of the object, if they are known
 };
@@ -61,22 +53,15 @@ struct SettleOutcome {
   Status status = Status::AtRest;
   Pose pose;
   std::vector<Pose> carried;           // of the problem's carried shapes
-  std::vector<ContactsWith> contacts;  // of the object; by fixed index, the floor first; none empty
+  std::vector<ContactsWith> contacts;  // of the object; see contacts_with()
   std::vector<SettleStep> steps;
   std::int64_t num_queries = 0, num_face_pairs = 0;
 };
 
 SettleOutcome settle(const SettleProblem& problem);
 
-/// Everything that `body` touches, within `tolerance`.
-std::vector<ContactsWith> contacts_with(const Body& body, std::span<const Body> fixed, bool floor,
-                                        double tolerance, double slack);
-
 /// The least translation d with normal . d >= clearance - gap for all contacts [Hildreth 1957].
 Vec3 smallest_lift(const std::vector<ContactPoint>& points, double clearance);
-
-/// All points together, those at one place merged.
-std::vector<ContactPoint> all_points(const std::vector<ContactsWith>& contacts, double distance);
 
 /// Whether the centre is inside the hull of the contacts that carry, or contact forces balance.
 bool is_balanced(const std::vector<ContactPoint>& contacts, const Vec3& centre, double size,

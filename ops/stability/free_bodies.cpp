@@ -8,18 +8,19 @@ namespace trivet {
 
 FreeBodies free_bodies(const Scene& scene, double density) {
   FreeBodies out;
-  std::map<std::uint32_t, Index> body_of;
+  std::map<std::uint32_t, Index> body_index;
   for (const ObjectId id : scene.ids()) {
     const Object& object = scene.at(id);
     if (!object.placed || object.fixed) continue;
-    body_of[id.index] = static_cast<Index>(out.bodies.size());
+    body_index[id.index] = static_cast<Index>(out.bodies.size());
     out.bodies.push_back({id, object.centre_of_mass(), weight_of(object, density),
                           object.scale * object.shape->box.diagonal()});
   }
   for (Index i = 0; i < static_cast<Index>(out.bodies.size()); ++i)
     for (const Link& link : scene.at(out.bodies[i].id).links) {
-      const auto other = link.with ? body_of.find(link.with->index) : body_of.end();
-      const Index from = other == body_of.end() ? BodyContact::kGround : other->second;
+      const auto other =
+          link.with.is_object() ? body_index.find(link.with.object().index) : body_index.end();
+      const Index from = other == body_index.end() ? BodyContact::kGround : other->second;
       if (from != BodyContact::kGround && from < i) continue;  // seen from the other side already
       for (const ContactPoint& p : link.contact.points)
         out.touches.push_back({i, from, link.with, p});

@@ -18,7 +18,7 @@ struct FreeBody {
 struct BodyContact {
   static constexpr Index kGround = -1;  // the floor or a fixed object
   Index on = 0, from = kGround;         // bodies
-  std::optional<ObjectId> from_id;      // nothing: the floor
+  Support partner;                      // the object of `from`, a fixed one, or the floor
   ContactPoint contact;
 };
 

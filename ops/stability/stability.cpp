@@ -5,10 +5,11 @@
 
 #include "core/base/tunables.h"
 #include "core/contact/contact_points.h"
-#include "ops/rest.h"
+#include "ops/placement/clearance.h"
+#include "ops/placement/contacts.h"
+#include "ops/settle/settle.h"
 #include "ops/stability/certificate.h"
 #include "ops/stability/contact_forces.h"
-#include "ops/verify.h"
 
 namespace trivet {
 namespace {
@@ -45,9 +46,8 @@ class StabilityCheck {
  private:
   // Contacts of what interpenetrates mean nothing.
   const Object* first_invalid() const {
-    for (const ObjectId id : m_scene.ids())
-      if (m_scene.at(id).placed && m_scene.at(id).state == ObjectState::Invalid)
-        return &m_scene.at(id);
+    for (const ObjectId id : m_scene.invalid_objects())
+      if (m_scene.at(id).placed) return &m_scene.at(id);
     return nullptr;
   }
   Stability not_judged(const Object& invalid) {
@@ -71,7 +71,7 @@ class StabilityCheck {
   void add_force(const FreeBodies& bodies, const BodyContact& t, const Vec3& force) {
     if (force.isZero(0)) return;
     const ObjectId on = bodies.bodies[t.on].id;
-    m_out.forces.push_back({on, t.from_id, t.contact.point, force});
+    m_out.forces.push_back({on, t.partner, t.contact.point, force});
     if (t.from != BodyContact::kGround)
       m_out.forces.push_back({bodies.bodies[t.from].id, on, t.contact.point, -force});
   }
@@ -98,22 +98,16 @@ class StabilityCheck {
   template <class Find>
   void append_touches(FreeBodies& part, Index i, const Find& find) const {
     const ObjectId id = part.bodies[i].id;
-    const Object& object = m_scene.at(id);
-    const Surroundings others(m_scene, id);
+    const Neighbourhood others(m_scene, id);
     const double tolerance = kBalanceTolerance * m_clearance;
-    const Body body(*object.shape, object.world_from_object());
     for (const ContactsWith& c :
-         contacts_with(body, others.bodies, m_scene.floor, tolerance, kFootSlack * m_clearance)) {
-      const bool floor = c.fixed == ContactsWith::kFloor;
-      const Index from = floor ? BodyContact::kGround : find(others.ids[c.fixed]);
+         contacts_with(body_of(m_scene.at(id)), others, tolerance, kFootSlack * m_clearance)) {
+      const bool floor = c.with.is_floor();
+      const Index from = floor ? BodyContact::kGround : find(c.with.object());
       if (from != BodyContact::kGround && from <= i) continue;
-      if (!floor && from == BodyContact::kGround && !m_scene.at(others.ids[c.fixed]).fixed)
-        continue;
-      for (const ContactPoint& p : reduced(merged(c.points, tolerance), kPairContacts)) {
-        BodyContact touch{i, from, std::nullopt, p};
-        if (!floor) touch.from_id = others.ids[c.fixed];
-        part.touches.push_back(touch);
-      }
+      if (!floor && from == BodyContact::kGround && !m_scene.at(c.with.object()).fixed) continue;
+      for (const ContactPoint& p : reduced(merged(c.points, tolerance), kPairContacts))
+        part.touches.push_back({i, from, c.with, p});
     }
   }
 

@@ -1,4 +1,4 @@
-// Is the whole scene in equilibrium? Settling holds what is there already in its place, the paper's
+// Is the whole scene in equilibrium? Settling keeps all other objects in their places, the paper's
 // "localization", so a pile may topple although every single PUT was at rest [Shinya 1995, 7].
 //
 //   weights -> vertical certificate, from top to bottom, linear in the contacts (certificate.h)
@@ -31,7 +31,7 @@ struct StabilityOptions {
 /// Force of one contact point, newtons, world.
 struct ContactForce {
   ObjectId on;
-  std::optional<ObjectId> from;  // nothing: the floor
+  Support from;
   Vec3 point, force;
 };
 

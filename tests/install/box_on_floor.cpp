@@ -3,7 +3,7 @@
 
 #include "core/mesh/mesh.h"
 #include "core/scene/scene.h"
-#include "ops/put.h"
+#include "ops/operations/perform.h"
 
 namespace {
 

@@ -23,7 +23,7 @@
 #include "apps/edit/document/selection.h"
 #include "apps/edit/document/snapshot.h"
 #include "core/io/model.h"
-#include "ops/operation.h"
+#include "ops/operations/perform.h"
 
 namespace trivet::edit {
 

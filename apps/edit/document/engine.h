@@ -13,7 +13,7 @@
 #include "apps/edit/document/file_lock.h"
 #include "apps/edit/document/ghost_worker.h"
 #include "apps/edit/document/snapshot_maker.h"
-#include "ops/move/live_move.h"
+#include "ops/operations/live_move.h"
 #include "ops/session/restore.h"
 
 namespace trivet::edit {

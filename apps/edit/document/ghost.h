@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/scene/scene.h"
-#include "ops/operation.h"
+#include "ops/operations/perform.h"
 
 namespace trivet::edit {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "ops/interference.h"
+#include "ops/placement/interference.h"
 
 namespace trivet::edit {
 

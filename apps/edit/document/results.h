@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "apps/edit/document/message.h"
-#include "ops/operation.h"
+#include "ops/operations/perform.h"
 
 namespace trivet::edit {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "apps/edit/document/settled_way.h"
-#include "ops/interference.h"
+#include "ops/placement/interference.h"
 
 namespace trivet::edit {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/base/tunables.h"
-#include "ops/verify.h"
+#include "ops/placement/verify.h"
 
 namespace trivet::edit {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "apps/edit/document/snapshot.h"
-#include "ops/move/live_move.h"
+#include "ops/operations/live_move.h"
 
 namespace trivet::edit {
 

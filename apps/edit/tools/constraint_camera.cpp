@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "ops/move/turn_axis.h"
+#include "ops/operations/turn_axis.h"
 
 namespace trivet::edit {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "ops/move/turn_axis.h"
+#include "ops/operations/turn_axis.h"
 
 namespace trivet::edit {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "apps/edit/tools/picking.h"
-#include "ops/operation.h"
+#include "ops/operations/perform.h"
 
 namespace trivet::edit {
 

@@ -3,7 +3,7 @@
 
 #include "apps/edit/tools/drag_tool.h"
 #include "apps/edit/tools/turning.h"
-#include "ops/move/turn_axis.h"
+#include "ops/operations/turn_axis.h"
 
 namespace trivet::edit {
 

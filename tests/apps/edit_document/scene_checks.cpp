@@ -1,7 +1,7 @@
 #include "apps/edit_document/scene_checks.h"
 
 #include "core/scene/fingerprint.h"
-#include "ops/check.h"
+#include "ops/check/check.h"
 
 namespace trivet::edit::test {
 

@@ -2,7 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/scene/scene.h"
-#include "ops/put.h"
+#include "ops/operations/perform.h"
 #include "support/solids.h"
 
 namespace trivet {

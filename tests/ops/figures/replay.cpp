@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "ops/rest.h"
+#include "ops/settle/rest.h"
 
 namespace trivet::test {
 namespace {

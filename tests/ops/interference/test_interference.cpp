@@ -2,10 +2,10 @@
 #include "core/base/tunables.h"
 #include "core/contact/triangle_distance.h"
 #include "core/exact/predicates.h"
-#include "ops/interference.h"
-#include "ops/move/live_move.h"
+#include "ops/placement/interference.h"
+#include "ops/operations/live_move.h"
 #include "ops/move/stage.h"
-#include "ops/stopwatch.h"
+#include "ops/base/stopwatch.h"
 #include "support/effort.h"
 
 namespace trivet {

@@ -6,10 +6,10 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "ops/check.h"
+#include "ops/check/check.h"
 #include "ops/layout/operation_json.h"
-#include "ops/operation.h"
-#include "ops/verify.h"
+#include "ops/operations/perform.h"
+#include "ops/placement/clearance.h"
 #include "support/solids.h"
 
 namespace trivet::test {

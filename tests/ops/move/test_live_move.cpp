@@ -1,6 +1,6 @@
 // Moves that follow a hand: what they commit is what their operation does, to the bit.
 #include "ops/layout/json_text.h"
-#include "ops/move/live_move.h"
+#include "ops/operations/live_move.h"
 #include "stage.h"
 #include "support/random_shapes.h"
 #include "support/same_scene.h"

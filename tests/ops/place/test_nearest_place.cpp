@@ -5,8 +5,8 @@
 
 #include "box.h"
 #include "core/contact/triangle_distance.h"
-#include "ops/operation.h"
-#include "ops/place/nearer.h"
+#include "ops/operations/perform.h"
+#include "ops/place/distance_query.h"
 
 namespace trivet {
 namespace {

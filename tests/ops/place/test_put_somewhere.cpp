@@ -4,8 +4,8 @@
 
 #include "box.h"
 #include "core/contact/contact_points.h"
-#include "ops/check.h"
-#include "ops/operation.h"
+#include "ops/check/check.h"
+#include "ops/operations/perform.h"
 
 namespace trivet {
 namespace {

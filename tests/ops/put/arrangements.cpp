@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "core/base/tunables.h"
-#include "ops/check.h"
-#include "ops/verify.h"
+#include "ops/check/check.h"
+#include "ops/placement/clearance.h"
 
 namespace trivet::test {
 namespace {

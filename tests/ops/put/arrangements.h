@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "ops/put.h"
+#include "ops/operations/perform.h"
 #include "support/same_scene.h"
 #include "support/solids.h"
 

@@ -4,7 +4,7 @@
 #include <thread>
 
 #include "arrangements.h"
-#include "ops/interrupt.h"
+#include "ops/base/interrupt.h"
 
 namespace trivet::test {
 namespace {

@@ -5,8 +5,9 @@
 #include <cmath>
 
 #include "arrangements.h"
-#include "ops/check.h"
-#include "ops/verify.h"
+#include "ops/check/check.h"
+#include "ops/placement/clearance.h"
+#include "ops/placement/verify.h"
 
 namespace trivet {
 namespace {

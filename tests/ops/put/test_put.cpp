@@ -6,7 +6,7 @@
 #include <cstdio>
 
 #include "arrangements.h"
-#include "ops/put.h"
+#include "ops/operations/perform.h"
 #include "support/effort.h"
 
 namespace trivet {

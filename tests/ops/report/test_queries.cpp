@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "ops/put.h"
+#include "ops/operations/perform.h"
 #include "ops/report/queries.h"
 #include "support/solids.h"
 

@@ -9,7 +9,7 @@
 #include "core/scene/fingerprint.h"
 #include "core/shapes/models.h"
 #include "ops/layout/operation_json.h"
-#include "ops/stopwatch.h"
+#include "ops/base/stopwatch.h"
 #include "support/same_scene.h"
 #include "support/shared_data.h"
 #include "support/solids.h"

@@ -11,7 +11,7 @@
 
 #include "core/base/error.h"
 #include "core/scene/fingerprint.h"
-#include "ops/check.h"
+#include "ops/check/check.h"
 #include "ops/detect/backend.h"
 #include "random_sequence.h"
 #include "support/effort.h"

@@ -10,11 +10,11 @@
 #include "core/base/error.h"
 #include "core/io/export.h"
 #include "ops/layout/json_text.h"
-#include "ops/move/live_move.h"
+#include "ops/operations/live_move.h"
 #include "ops/report/scene_file.h"
 #include "ops/session/journal.h"
 #include "ops/session/restore.h"
-#include "ops/verify.h"
+#include "ops/placement/clearance.h"
 #include "session_testing.h"
 #include "support/temporary_folder.h"
 

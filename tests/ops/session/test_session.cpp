@@ -1,7 +1,7 @@
 // Undo, redo, history, what changed since saving, events.
 #include <gtest/gtest.h>
 
-#include "ops/move/live_move.h"
+#include "ops/operations/live_move.h"
 #include "session_testing.h"
 
 namespace trivet::test {

@@ -4,9 +4,9 @@
 #include <unistd.h>
 
 #include "core/shapes/models.h"
-#include "ops/check.h"
+#include "ops/check/check.h"
 #include "ops/layout/boxes.h"
-#include "ops/put.h"
+#include "ops/operations/perform.h"
 
 namespace trivet::test {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/convex/hull_overlap.h"
-#include "ops/check.h"
+#include "ops/check/check.h"
 #include "ops/layout/boxes.h"
 #include "ops/simulation/simulated_scene.h"
 #include "ops/simulation/simulation.h"

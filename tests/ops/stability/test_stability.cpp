@@ -1,8 +1,8 @@
 // Whole scenes whose equilibrium is known by hand.
 #include <gtest/gtest.h>
 
-#include "ops/check.h"
-#include "ops/put.h"
+#include "ops/check/check.h"
+#include "ops/operations/perform.h"
 #include "ops/stability/certificate.h"
 #include "ops/stability/stability.h"
 #include "support/solids.h"

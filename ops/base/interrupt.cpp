@@ -1,0 +1,45 @@
+#include "ops/base/interrupt.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace trivet {
+namespace {
+
+constexpr double kLongestBudget = 1e8;  // seconds; the clock counts nanoseconds
+
+}  // namespace
+
+Interrupt::Interrupt(const RunContext& context)
+    : m_cancel(context.cancel), m_budget_s(context.time_budget_s) {
+  if (!(m_budget_s > 0)) return;
+  const std::chrono::duration<double> budget(std::min(m_budget_s, kLongestBudget));
+  m_deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(budget);
+}
+
+std::optional<Interrupt::Reason> Interrupt::reason() {
+  if (m_reason) return m_reason;
+  if (m_cancel && m_cancel->load(std::memory_order_relaxed))
+    m_reason = Reason::Cancelled;
+  else if (m_deadline && Clock::now() >= *m_deadline)
+    m_reason = Reason::OutOfTime;
+  return m_reason;
+}
+
+void Interrupt::refuse(const std::string& op, const Named& object, OperationResult& result) const {
+  assert(m_reason);
+  Refusal why;
+  why.objects = {object};
+  why.detail = op;
+  if (m_reason == Reason::Cancelled) {
+    why.cause = Refusal::Cause::Cancelled;
+  } else {
+    why.cause = Refusal::Cause::OutOfTime;
+    why.numbers = {{"seconds", m_budget_s}};
+  }
+  result.refuse(std::move(why));
+  result.status = m_reason == Reason::Cancelled ? OperationResult::Status::Cancelled
+                                                : OperationResult::Status::OutOfTime;
+}
+
+}  // namespace trivet

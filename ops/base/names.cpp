@@ -1,0 +1,27 @@
+#include "ops/base/names.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+namespace trivet {
+namespace {
+
+bool is_utf8(const std::string& text) {
+  try {
+    nlohmann::json(text).dump();  // throws otherwise
+    return true;
+  } catch (const nlohmann::json::exception&) {
+    return false;
+  }
+}
+
+bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
+
+}  // namespace
+
+bool is_object_name(const std::string& name) {
+  return !name.empty() && name != "floor" && std::none_of(name.begin(), name.end(), is_control) &&
+         is_utf8(name);
+}
+
+}  // namespace trivet

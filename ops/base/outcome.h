@@ -1,0 +1,79 @@
+// Result of an operation: its motions, why it ended, and the consequences for other objects.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/motion/pose.h"
+#include "ops/base/refusal.h"
+
+namespace trivet {
+
+/// One executed motion, for playback.
+struct SettleStep {
+  enum class Kind {
+    Fall,  // settling
+    TurnAboutPoint,
+    TurnAboutLine,
+    Lift,
+    Slide,  // along a surface
+    StepUp,
+    StepDown,
+    Move,  // through the air
+    Turn,  // as the operation says
+  };
+  Kind kind;
+  Pose pose_after;
+  double energy_drop;  // metres that the centre of mass went down; negative for Lift
+};
+
+struct OperationResult {
+  enum class Status {
+    Ok,
+    Refused,    // see `refusal`
+    Cancelled,  // by RunContext::cancel
+    OutOfTime,  // by RunContext::time_budget_s
+  };
+  Status status = Status::Ok;
+  std::optional<Refusal> refusal;  // set unless Ok
+  int num_motions = 0;
+  double milliseconds = 0;                           // wall clock
+  std::int64_t num_queries = 0, num_face_pairs = 0;  // first-contact queries, exact pairs
+  std::vector<SettleStep> steps;
+
+  /// Why it ended; meaningless when refused.
+  enum class End {
+    Done,     // nothing moves: append, delete, lock, ...
+    AtRest,   // PUT: it settled
+    Reached,  // as far as was asked for
+    Blocked,  // by `blocked_by` at `blocked_at`
+    Step,     // the same, by a step higher than step_up
+    Edge,     // before an edge deeper than step_down; pulled back
+  };
+  End end = End::AtRest;
+  Named blocked_by;                          // its name is empty when nothing did
+  Vec3 blocked_at = Vec3::Zero();            // world
+  double moved = 0;                          // metres from where its position was
+  double turned_deg = 0;                     // by TURN and ROTATE
+  std::vector<std::string> carried;          // loads and group members that moved along
+  std::vector<std::string> unsupported;      // free objects that nothing holds any more
+  std::vector<std::string> settled;          // released objects, in order
+  std::vector<std::string> interpenetrates;  // after a free move; "floor" too
+
+  bool ok() const { return status == Status::Ok; }
+  /// The refusal as a sentence; empty when there is none.
+  std::string reason() const { return refusal ? message(*refusal) : ""; }
+  void refuse(Refusal why) {
+    status = Status::Refused;
+    refusal = std::move(why);
+  }
+};
+
+/// "done", "at_rest", "reached", "blocked", "step", "edge"
+const char* to_string(OperationResult::End end);
+
+/// A result that is nothing but a refusal.
+OperationResult refused(Refusal why);
+
+}  // namespace trivet

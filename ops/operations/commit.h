@@ -1,0 +1,38 @@
+// The only writer of poses: brings a plan into the scene, with contacts, states and the
+// consequences for the neighbours.
+#pragma once
+
+#include "core/scene/transaction.h"
+#include "ops/operations/move_plan.h"
+
+namespace trivet {
+
+/// Commits a verified plan: poses; contacts inside the group move along, those with the outside are
+/// found anew; whatever touched the group before or does so now is rated again, and free objects
+/// that nothing holds any more are named in result.unsupported, and released if the plan says so.
+/// Members of a free move that interpenetrate others become ObjectState::Invalid.
+/// @return plan.result, completed; refused when it is interrupted: the transaction is then to be
+///   rolled back.
+OperationResult commit(Transaction& transaction, MovePlan plan, OperationRun& run);
+
+/// Gives one object a pose and a state, rates its rest and links it with its contacts.
+void commit_object(Transaction& transaction, ObjectId id, const Pose& pose, ObjectState state,
+                   const std::vector<ContactsWith>& contacts, double clearance);
+
+/// Rates an object again when something that it touched is gone; if it is not at rest any more, it
+/// becomes ObjectState::Unsupported and is named in result.unsupported.
+void rate_left_alone(Transaction& transaction, ObjectId id, double clearance,
+                     OperationResult& result);
+
+/// Objects to rate again when this one leaves: its contacts, those that may lean on it, and those
+/// that interpenetrate something.
+std::vector<ObjectId> dependents_of(const Scene& scene, ObjectId id);
+
+/// Releases the objects of result.unsupported, the lowest first, and those that this leaves without
+/// support; result.settled says which. An object that cannot come to rest stays where it is, and in
+/// result.unsupported.
+/// @param only  these; empty: all.
+void settle_unsupported(Transaction& transaction, OperationRun& run, double clearance,
+                        const std::vector<ObjectId>& only, OperationResult& result);
+
+}  // namespace trivet

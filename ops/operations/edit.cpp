@@ -1,0 +1,179 @@
+#include "ops/operations/edit.h"
+
+#include <utility>
+
+#include "ops/base/names.h"
+#include "ops/operations/commit.h"
+
+namespace trivet {
+namespace {
+
+using Cause = Refusal::Cause;
+
+std::optional<Refusal> refuse_name(const Scene& scene, const std::string& name) {
+  if (!is_object_name(name)) return Refusal{Cause::InvalidName, {{name, std::nullopt}}};
+  if (scene.find(name)) return Refusal{Cause::NameTaken, {named(scene, name)}};
+  return std::nullopt;
+}
+
+OperationResult done() {
+  OperationResult result;
+  result.end = OperationResult::End::Done;
+  return result;
+}
+
+ObjectId id_of(const Transaction& transaction, const std::string& name) {
+  return *transaction.scene().find(name);
+}
+
+Refusal locked(const Scene& scene, ObjectId id) {
+  return {Cause::Locked, {named(scene, Support(id))}};
+}
+
+// Rates the neighbours that an object has left, and lets them settle if asked to.
+void leave(Transaction& transaction, const std::vector<ObjectId>& dependents,
+           const MoveOptions& move, const char* op, const Named& object, double clearance,
+           OperationRun& run, OperationResult& result) {
+  for (const ObjectId id : dependents) rate_left_alone(transaction, id, clearance, result);
+  if (!move.settle_left) return;
+  settle_unsupported(transaction, run, clearance, {}, result);
+  if (run.interrupt.reason()) run.interrupt.refuse(op, object, result);
+}
+
+// Refuses a pose that cannot be committed as it is.
+std::optional<Refusal> refuse_stand(const Scene& scene, ObjectId id, const Pose& pose,
+                                    const SettleOptions& options) {
+  const double usual = default_clearance(scene, expected_box(scene, scene.at(id), pose));
+  const Placement stands{id, pose};
+  if (auto why = refuse_too_coarse(scene, {&stands, 1}, options.clearance)) return why;
+  if (auto why = refuse_clearance(options.clearance > 0 ? options.clearance : usual, usual))
+    return why;
+  auto why = refuse_interpenetration(scene, id, pose, true);
+  if (why) why->at = Refusal::At::Given;
+  return why;
+}
+
+void stand_at(Transaction& transaction, ObjectId id, const Pose& pose, double clearance) {
+  const Object& object = transaction.scene().at(id);
+  const Neighbourhood others(transaction.scene(), id);
+  ObjectState state = ObjectState::Fixed;
+  if (!object.fixed)
+    state = rests_at(object, pose, others, clearance) ? ObjectState::Stable : ObjectState::Wedged;
+  commit_object(transaction, id, pose, state, touching(body_of(object, pose), others, clearance),
+                clearance);
+}
+
+}  // namespace
+
+OperationResult apply(Transaction& transaction, const AppendOperation& o, OperationRun&) {
+  if (auto why = refuse_name(transaction.scene(), o.object)) return refused(std::move(*why));
+  if (!o.shape) {
+    Refusal why{Cause::ModelNotLoaded, {{o.object, std::nullopt}}};
+    why.detail = o.model;
+    return refused(std::move(why));
+  }
+  Object object;
+  object.name = o.object;
+  object.model = o.model_data;
+  object.shape = o.shape;
+  object.up = o.up.value_or(object.model->up);
+  object.scale = o.scale;
+  object.fixed = o.fixed;
+  transaction.add(std::move(object));
+  return done();
+}
+
+OperationResult apply(Transaction& transaction, const DuplicateOperation& o, OperationRun&) {
+  if (auto why = refuse_name(transaction.scene(), o.as)) return refused(std::move(*why));
+  const Object& original = transaction.scene().at(id_of(transaction, o.object));
+  Object object;
+  object.name = o.as;
+  object.model = original.model;
+  object.shape = original.shape;
+  object.up = original.up;
+  object.scale = original.scale;
+  transaction.add(std::move(object));
+  return done();
+}
+
+OperationResult apply(Transaction& transaction, const DeleteOperation& o, OperationRun& run) {
+  const Scene& scene = transaction.scene();
+  const ObjectId id = id_of(transaction, o.object);
+  if (scene.at(id).locked) return refused(locked(scene, id));
+  const double clearance = clearance_of(scene, run.options);
+  const Named name = named(scene, Support(id));
+  const std::vector<ObjectId> dependents = dependents_of(scene, id);
+  transaction.remove(id);
+  OperationResult result = done();
+  leave(transaction, dependents, o, "delete", name, clearance, run, result);
+  return result;
+}
+
+OperationResult apply(Transaction& transaction, const UnplaceOperation& o, OperationRun& run) {
+  const Scene& scene = transaction.scene();
+  const ObjectId id = id_of(transaction, o.object);
+  if (scene.at(id).locked) return refused(locked(scene, id));
+  if (!scene.at(id).placed) return refused({Cause::NotPlaced, {named(scene, Support(id))}});
+  const double clearance = clearance_of(scene, run.options);
+  const std::vector<ObjectId> dependents = dependents_of(scene, id);
+  transaction.unlink(id);
+  transaction.edit(id, [](Object& object) {
+    object.placed = false;
+    object.pose = {};
+    object.state = ObjectState::Unplaced;
+    object.stability_margin = object.least_friction = 0;
+  });
+  OperationResult result = done();
+  leave(transaction, dependents, o, "unplace", named(scene, Support(id)), clearance, run, result);
+  return result;
+}
+
+OperationResult apply(Transaction& transaction, const LockOperation& o, OperationRun&) {
+  transaction.edit(id_of(transaction, o.object), [&](Object& object) { object.locked = o.locked; });
+  return done();
+}
+
+OperationResult apply(Transaction& transaction, const FixOperation& o, OperationRun& run) {
+  const Scene& scene = transaction.scene();
+  const ObjectId id = id_of(transaction, o.object);
+  if (scene.at(id).fixed == o.fixed) return done();
+  transaction.edit(id, [&](Object& object) { object.fixed = o.fixed; });
+  if (!scene.at(id).placed) return done();
+  const double clearance = clearance_of(scene, run.options);
+  if (o.fixed) {
+    if (auto why = refuse_stand(scene, id, scene.at(id).pose, run.options))
+      return refused(std::move(*why));
+    stand_at(transaction, id, scene.at(id).pose, clearance);
+    return done();
+  }
+  OperationResult result = done();
+  transaction.edit(id, [](Object& object) { object.state = ObjectState::Stable; });
+  rate_left_alone(transaction, id, clearance, result);
+  return result;
+}
+
+OperationResult apply(Transaction& transaction, const GroupOperation& o, OperationRun&) {
+  transaction.edit(id_of(transaction, o.object), [&](Object& object) { object.group = o.group; });
+  return done();
+}
+
+OperationResult apply(Transaction& transaction, const StandOperation& o, OperationRun& run) {
+  const Scene& scene = transaction.scene();
+  const ObjectId id = id_of(transaction, o.object);
+  const Object& object = scene.at(id);
+  const bool was_placed = object.placed;
+  if (object.locked) return refused(locked(scene, id));
+  if (object.fixed && was_placed) return refused({Cause::Fixed, {named(scene, Support(id))}});
+  if (auto why = refuse_stand(scene, id, o.pose, run.options)) return refused(std::move(*why));
+  const double clearance =
+      clearance_of(scene, run.options, expected_box(scene, object, o.pose));
+  std::vector<ObjectId> dependents;
+  if (was_placed) dependents = dependents_of(scene, id);
+  stand_at(transaction, id, o.pose, clearance);
+  OperationResult result = done();
+  leave(transaction, dependents, o, "stand", named(scene, Support(id)), clearance, run, result);
+  result.milliseconds = run.stopwatch.milliseconds();
+  return result;
+}
+
+}  // namespace trivet

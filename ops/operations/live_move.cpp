@@ -1,0 +1,193 @@
+#include "ops/operations/live_move.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "ops/operations/commit.h"
+#include "ops/operations/move_parts.h"
+#include "ops/operations/push.h"
+
+namespace trivet {
+namespace {
+
+const JointMoveOptions& move_options(const Operation& operation) {
+  static const JointMoveOptions none;
+  return std::visit(
+      [](const auto& o) -> const JointMoveOptions& {
+        if constexpr (std::is_base_of_v<JointMoveOptions, std::decay_t<decltype(o)>>)
+          return o;
+        else
+          return none;
+      },
+      operation);
+}
+
+bool is_free(const Operation& operation) {
+  if (const auto* const move = std::get_if<TranslateOperation>(&operation)) return move->free;
+  if (const auto* const turn = std::get_if<RotateOperation>(&operation)) return turn->free;
+  return false;
+}
+
+RunContext without_budget(RunContext context) {
+  context.time_budget_s = 0;
+  return context;
+}
+
+}  // namespace
+
+// The planner refers to the operation and the run: they stay where they are.
+class LiveMove::Hand {
+ public:
+  Hand(const Scene& scene, const Operation& operation, const SettleOptions& options,
+       const RunContext& context)
+      : m_operation(operation), m_run(options, without_budget(context)) {
+    const auto id = scene.find(object_name(m_operation));
+    if (!id) {
+      m_refused = trivet::refused(
+          {Refusal::Cause::UnknownObject, {{object_name(m_operation), std::nullopt}}});
+      return;
+    }
+    m_planner.emplace(scene, *id, move_options(m_operation), op_name(m_operation), m_run,
+                      is_free(m_operation));
+    if (!m_planner->refused()) std::visit([&](auto& o) { begin(o); }, m_operation);
+    m_start = m_planner->group().here();
+  }
+
+  bool refused() const { return !m_planner || m_planner->refused(); }
+  const OperationResult& result() const { return m_planner ? m_planner->result() : m_refused; }
+  const SettleOptions& options() const { return m_run.options; }
+  const Operation& operation() const { return m_operation; }
+  const MovingGroup* group() const { return m_planner ? &m_planner->group() : nullptr; }
+
+  void follow(const Vec3& goal) {
+    if (refused()) return;
+    if (auto* const push = std::get_if<PushOperation>(&m_operation)) {
+      const Vec2 to = goal.head<2>();
+      if (push->to == to) return;
+      if (push->to) push->via.push_back(*push->to);
+      push->to = to;
+      m_push->push_to(to);
+    } else if (auto* const move = std::get_if<TranslateOperation>(&m_operation)) {
+      if (m_follows && move->by == goal) return;
+      if (move->free)
+        start_again();
+      else if (m_follows)
+        move->via.push_back(move->by);
+      move->by = goal;
+      m_follows = true;
+      translate_group(*m_planner, goal, move->free);
+    }
+  }
+
+  void follow(double amount) {
+    if (refused()) return;
+    start_again();
+    if (auto* const turn = std::get_if<TurnOperation>(&m_operation)) {
+      turn->angle_deg = amount;
+      rotate_group(*m_planner, m_axis.centre, m_axis.direction, amount, false);
+    } else if (auto* const rotate = std::get_if<RotateOperation>(&m_operation)) {
+      rotate->angle_deg = amount;
+      rotate_group(*m_planner, m_axis.centre, m_axis.direction, amount, rotate->free);
+    } else if (auto* const pick_up = std::get_if<PickUpOperation>(&m_operation)) {
+      pick_up->distance = std::max(0.0, amount);
+      translate_group(*m_planner, pick_up->distance * m_axis.direction, false);
+    }
+  }
+
+  OperationResult finish(Transaction& transaction) {
+    if (!m_planner) return m_refused;
+    assert(&transaction.scene() == &m_planner->scene());
+    return commit(transaction, plan(), m_run);
+  }
+
+ private:
+  MovePlan plan() {
+    if (!refused()) {
+      if (m_push) return m_push->finish();
+      if (const auto* const turn = std::get_if<TurnOperation>(&m_operation))
+        return finish_turn(*m_planner, *turn);
+      if (const auto* const move = std::get_if<TranslateOperation>(&m_operation))
+        return finish_move(*m_planner, move->free, move->settle);
+      if (const auto* const rotate = std::get_if<RotateOperation>(&m_operation))
+        return finish_move(*m_planner, rotate->free, rotate->settle);
+    }
+    return m_planner->finish(ObjectState::Held);
+  }
+
+  void begin(PushOperation& o) {
+    o.to.reset();
+    o.via.clear();
+    m_push.emplace(*m_planner, o);
+  }
+  void begin(TranslateOperation& o) {
+    o.by.setZero();
+    o.via.clear();
+  }
+  void begin(TurnOperation& o) {
+    if (const auto axis = axis_or_refusal(*m_planner, o)) m_axis = *axis;
+  }
+  void begin(RotateOperation& o) {
+    m_axis = {o.centre.value_or(m_planner->group().centre()), o.axis.normalized()};
+  }
+  void begin(PickUpOperation& o) {
+    if (const auto up = pick_up_direction(*m_planner, o)) m_axis.direction = *up;
+  }
+  template <class Other>
+  void begin(Other&) {
+    Refusal why{Refusal::Cause::NotInteractive};
+    why.detail = op_name(m_operation);
+    m_planner->refuse(why);
+  }
+
+  void start_again() {
+    m_planner->group().go_back(m_start);
+    m_planner->result() = {};
+  }
+
+  Operation m_operation;
+  OperationRun m_run;
+  OperationResult m_refused;
+  std::optional<MovePlanner> m_planner;
+  std::optional<Push> m_push;
+  MovingGroup::Place m_start;
+  TurnAxis m_axis;
+  bool m_follows = false;  // a TRANSLATE has had a goal
+};
+
+LiveMove::LiveMove(const Scene& scene, const Operation& operation, const SettleOptions& options,
+                   const RunContext& context)
+    : m_hand(std::make_unique<Hand>(scene, operation, options, context)) {}
+LiveMove::~LiveMove() = default;
+LiveMove::LiveMove(LiveMove&&) noexcept = default;
+
+bool LiveMove::refused() const { return m_hand->refused(); }
+const OperationResult& LiveMove::result() const { return m_hand->result(); }
+const SettleOptions& LiveMove::options() const { return m_hand->options(); }
+double LiveMove::clearance() const { return m_hand->group() ? m_hand->group()->clearance() : 0; }
+const Operation& LiveMove::operation() const { return m_hand->operation(); }
+void LiveMove::follow(const Vec3& goal) { m_hand->follow(goal); }
+void LiveMove::follow(double amount) { m_hand->follow(amount); }
+
+OperationResult LiveMove::finish(Transaction& transaction) { return m_hand->finish(transaction); }
+
+OperationResult LiveMove::finish(Scene& scene) {
+  Transaction transaction(scene);
+  OperationResult result = finish(transaction);
+  if (result.ok()) transaction.commit();
+  return result;
+}
+
+bool LiveMove::has_moved() const { return m_hand->group() && m_hand->group()->has_moved(); }
+
+std::vector<Placement> LiveMove::placements() const {
+  return m_hand->group() ? m_hand->group()->placements() : std::vector<Placement>();
+}
+
+std::vector<ContactPoint> LiveMove::contacts() const {
+  std::vector<ContactPoint> out;
+  if (m_hand->group())
+    for (const Touch& touch : m_hand->group()->touches()) out.push_back(touch.point);
+  return out;
+}
+
+}  // namespace trivet

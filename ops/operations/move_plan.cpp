@@ -1,0 +1,200 @@
+#include "ops/operations/move_plan.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "core/base/tunables.h"
+
+namespace trivet {
+namespace {
+
+using Cause = Refusal::Cause;
+
+/// The object and, each once, all that it is wedged between.
+std::vector<Named> wedge(const MovingGroup& group, const std::vector<ContactsWith>& contacts) {
+  std::vector<Named> out{named(group.scene(), Support(group.ids()[0]))};
+  std::vector<Support> seen;
+  for (const ContactsWith& c : contacts) {
+    if (std::find(seen.begin(), seen.end(), c.with) != seen.end()) continue;
+    seen.push_back(c.with);
+    out.push_back(named(group.scene(), c.with));
+  }
+  return out;
+}
+
+std::optional<Refusal> refuse_unsettled(const MovingGroup& group, const SettleOutcome& outcome,
+                                        const SettleOptions& options) {
+  const Named name = named(group.scene(), Support(group.ids()[0]));
+  switch (outcome.status) {
+    case SettleOutcome::Status::AtRest:
+    case SettleOutcome::Status::Interrupted:
+      return std::nullopt;
+    case SettleOutcome::Status::Wedged:
+      if (options.accept_wedged) return std::nullopt;
+      return Refusal{Cause::Wedged, wedge(group, outcome.contacts)};
+    case SettleOutcome::Status::FallsOut:
+      return Refusal{Cause::NothingBelow, {name}};
+    case SettleOutcome::Status::TooManyMotions:
+      return Refusal{
+          Cause::TooManyMotions, {name}, {{"max_motions", double(options.max_motions)}}};
+    case SettleOutcome::Status::Crossing:
+      return Refusal{Cause::TouchesAtStart, {name}};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+MovePlanner::MovePlanner(const Scene& scene, ObjectId id, const JointMoveOptions& move,
+                         const char* op, OperationRun& run, bool free)
+    : m_scene(scene), m_run(run), m_op(op), m_settle_left(move.settle_left) {
+  std::vector<ObjectId> together;
+  std::optional<Refusal> unknown;
+  for (const std::string& other : move.together)
+    if (const std::optional<ObjectId> found = scene.find(other))
+      together.push_back(*found);
+    else if (!unknown)
+      unknown = Refusal{Cause::UnknownObject, {{other, std::nullopt}}};
+  begin(id, together, {});
+  if (!unknown && !refused()) unknown = refuse_start(free);
+  if (unknown) refuse(*unknown);
+}
+
+MovePlanner::MovePlanner(const Scene& scene, ObjectId id, const MoveOptions& move,
+                         const Pose& start, OperationRun& run)
+    : m_scene(scene), m_run(run), m_op("put"), m_settle_left(move.settle_left), m_is_put(true) {
+  begin(id, {}, {{id, expected_box(scene, scene.at(id), start)}});
+}
+
+void MovePlanner::begin(ObjectId id, const std::vector<ObjectId>& together,
+                        const std::vector<PlacedBox>& started) {
+  const Object& object = m_scene.at(id);
+  const double usual = default_clearance(m_scene, m_is_put ? started.front().box : Aabb{});
+  const double clearance = options().clearance > 0 ? options().clearance : usual;
+  m_group.emplace(m_scene, id, together, clearance, options(), m_run.detector);
+  m_joint = !together.empty() && m_group->driven().size() > 1;
+  // A fixed object comes in once, and then stays there.
+  const bool comes_in = m_is_put && object.fixed && !object.placed;
+  std::optional<Refusal> why;
+  if (!comes_in) why = refuse_immovable(m_scene, m_group->ids());
+  if (!why) why = refuse_too_coarse(m_scene, started, options().clearance);
+  if (!why) why = refuse_clearance(clearance, usual);
+  if (why) refuse(*why);
+}
+
+std::optional<Refusal> MovePlanner::refuse_start(bool free) const {
+  for (const ObjectId id : m_group->driven())
+    if (!m_scene.at(id).placed) return Refusal{Cause::NotPlaced, {named(m_scene, Support(id))}};
+  if (free) return std::nullopt;
+  for (const Placement& here : m_group->placements()) {
+    if (passed_through(m_scene, here.id).empty()) continue;
+    Refusal why = interpenetrations(m_scene, {&here, 1}, true, 1).front().refusal;
+    why.at = Refusal::At::Now;
+    return why;
+  }
+  return std::nullopt;
+}
+
+bool MovePlanner::interrupted() {
+  if (!m_run.interrupt.reason()) return false;
+  m_run.interrupt.refuse(m_op, name(), m_result);
+  return true;
+}
+
+double MovePlanner::advance(const Motion& motion, SettleStep::Kind kind) {
+  m_group->separate(m_group->touches());
+  const ObstacleContact found = m_group->first_contact(motion);
+  if (found.status == FirstContact::Status::Crossing) {
+    refuse({Cause::AlreadyTouches, {name(), named(m_scene, found.with)}});
+    return 0;
+  }
+  const double time = std::min(found.time, motion.limit);
+  m_group->advance(motion, time);
+  note_step(kind);
+  if (found.status == FirstContact::Status::Contact) note_blocked(found.with, found.point);
+  return time;
+}
+
+void MovePlanner::note_step(SettleStep::Kind kind) {
+  m_result.steps.push_back({kind, m_group->pose(), 0});
+}
+
+void MovePlanner::note_blocked(const Support& by, const Vec3& point) {
+  m_result.end = OperationResult::End::Blocked;
+  m_result.blocked_by = named(m_scene, by);
+  m_result.blocked_at = point;
+}
+
+void MovePlanner::release() {
+  if (m_joint)
+    m_released = true;
+  else
+    end_settled(settle());
+}
+
+void MovePlanner::end_settled(const SettleOutcome& outcome) {
+  m_result.steps.insert(m_result.steps.end(), outcome.steps.begin(), outcome.steps.end());
+  if (interrupted()) return;
+  if (const auto why = refuse_unsettled(*m_group, outcome, options())) {
+    if (!is_too_far()) refuse(*why);
+    return;
+  }
+  m_released = true;
+  m_wedged = outcome.status == SettleOutcome::Status::Wedged;
+}
+
+// Refuses when it is.
+bool MovePlanner::is_too_far() {
+  const auto why = refuse_too_coarse(m_scene, m_group->placements(), options().clearance);
+  if (why) refuse(*why);
+  return why.has_value();
+}
+
+MovePlan MovePlanner::finish(ObjectState otherwise) {
+  if (refused()) return plan();
+  if (m_released) otherwise = m_wedged ? ObjectState::Wedged : ObjectState::Stable;
+  if (!m_is_put && !releases_each() && !m_group->has_moved()) return plan();
+  if (m_group->object().placed)
+    m_result.moved = (m_group->pose().translation - m_group->object().pose.translation).norm();
+  if (!is_too_far())
+    if (const auto why = refuse_interpenetration(m_scene, m_group->placements(), true))
+      refuse(*why);
+  MovePlan out = plan();
+  out.changes_scene = out.result.ok();
+  out.otherwise = otherwise;
+  out.settled = m_released;
+  return out;
+}
+
+MovePlan MovePlanner::finish_freely() {
+  if (refused() || !m_group->has_moved()) return plan();
+  m_result.moved = (m_group->pose().translation - m_group->object().pose.translation).norm();
+  std::vector<Interpenetration> crossed;
+  if (!is_too_far())
+    crossed = interpenetrations(m_scene, m_group->placements(), true,
+                                std::numeric_limits<size_t>::max());
+  MovePlan out = plan();
+  out.changes_scene = out.result.ok();
+  out.is_free = true;
+  out.crossed = std::move(crossed);
+  return out;
+}
+
+MovePlan MovePlanner::plan() {
+  m_result.num_motions = static_cast<int>(m_result.steps.size());
+  m_result.num_queries = m_group->num_queries();
+  m_result.num_face_pairs = m_group->num_face_pairs();
+  m_result.milliseconds = m_run.stopwatch.milliseconds();
+  MovePlan out;
+  out.op = m_op;
+  out.result = std::move(m_result);
+  if (m_settle_left)
+    out.release.emplace();
+  else if (releases_each())
+    out.release = m_group->driven();
+  out.group = std::move(m_group);
+  return out;
+}
+
+}  // namespace trivet

@@ -1,0 +1,255 @@
+#include "ops/operations/moving_group.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "core/base/tunables.h"
+#include "core/contact/contact_points.h"
+
+namespace trivet {
+namespace {
+
+// Where opposite contacts leave no room for kSlideGap, motions keep the first of these parts of the
+// clearance for which there is room. A quarter is 4 half-ulps of float32; below, the exact test of
+// the exported values would refuse what was reached.
+constexpr double kTightParts[] = {0.85, 0.7, 0.5, 0.35, 0.25};
+
+/// A list without duplicates that keeps its order.
+class IdList {
+ public:
+  explicit IdList(ObjectId first) { add(first); }
+  void add(ObjectId id) {
+    if (m_slots.insert(id.index).second) m_ids.push_back(id);
+  }
+  size_t size() const { return m_ids.size(); }
+  ObjectId operator[](size_t i) const { return m_ids[i]; }
+  std::vector<ObjectId> take() { return std::move(m_ids); }
+
+ private:
+  std::vector<ObjectId> m_ids;
+  std::set<std::uint32_t> m_slots;
+};
+
+void append_loads(const Scene& scene, ObjectId id, IdList& ids) {
+  for (const Link& link : scene.at(id).links)
+    if (link.with.is_object() && weighs_on(link.contact) && !scene.at(link.with.object()).fixed)
+      ids.add(link.with.object());
+}
+
+void append_group_members(const Scene& scene, ObjectId id, IdList& ids) {
+  for (const ObjectId other : scene.group_members(scene.at(id).group))
+    if (scene.at(other).placed) ids.add(other);
+}
+
+}  // namespace
+
+std::vector<ObjectId> driven_with(const Scene& scene, ObjectId object,
+                                  std::span<const ObjectId> together) {
+  IdList ids(object);
+  for (const ObjectId id : together) ids.add(id);
+  for (size_t i = 0; i < ids.size(); ++i) append_group_members(scene, ids[i], ids);
+  return ids.take();
+}
+
+std::vector<ObjectId> carried_with(const Scene& scene, ObjectId object,
+                                   std::span<const ObjectId> together) {
+  IdList found(object);
+  if (!scene.at(object).placed) return found.take();
+  for (const ObjectId id : together) found.add(id);
+  for (size_t i = 0; i < found.size(); ++i) {
+    append_loads(scene, found[i], found);
+    append_group_members(scene, found[i], found);
+  }
+  std::vector<ObjectId> ids = found.take();
+  std::sort(ids.begin() + 1, ids.end(), [](ObjectId a, ObjectId b) { return a.index < b.index; });
+  return ids;
+}
+
+std::optional<Refusal> refuse_immovable(const Scene& scene, std::span<const ObjectId> ids) {
+  for (const ObjectId id : ids) {
+    const Object& object = scene.at(id);
+    if (!object.fixed && !object.locked) continue;
+    Refusal why{object.fixed ? Refusal::Cause::Fixed : Refusal::Cause::Locked,
+                {named(scene, Support(id))}};
+    if (id != ids[0]) why.objects.push_back(named(scene, Support(ids[0])));
+    return why;
+  }
+  return std::nullopt;
+}
+
+MovingGroup::MovingGroup(const Scene& scene, ObjectId object, std::span<const ObjectId> together,
+                         double clearance, const SettleOptions& options, Detector* detector)
+    : m_scene(&scene),
+      m_ids(carried_with(scene, object, together)),
+      m_driven(driven_with(scene, object, together)),
+      m_outside(scene, m_ids),
+      m_clearance(clearance),
+      m_motion_clearance(clearance),
+      m_options(options),
+      m_detector(detector) {
+  for (const ObjectId id : m_ids) m_origins.push_back(scene.at(id).pose);
+  update();
+}
+
+void MovingGroup::update() {
+  m_poses = m_origins;
+  m_bodies.clear();
+  m_contacts.assign(m_ids.size(), std::nullopt);
+  for (size_t i = 0; i < m_ids.size(); ++i) {
+    m_poses[i].translation += m_offset;
+    m_bodies.push_back(body_of(m_scene->at(m_ids[i]), m_poses[i]));
+  }
+}
+
+std::vector<Placement> MovingGroup::placements() const {
+  std::vector<Placement> out;
+  for (size_t i = 0; i < m_ids.size(); ++i) out.push_back({m_ids[i], m_poses[i]});
+  return out;
+}
+
+Aabb MovingGroup::box() const {
+  Aabb box;
+  for (const Body& body : m_bodies) box.extend(body.world_box);
+  return box;
+}
+
+Vec3 MovingGroup::centre() const {
+  return m_bodies[0].world_from_object.apply(object().shape->mass.centre);
+}
+
+void MovingGroup::place(const Pose& pose) {
+  const Pose from = m_poses[0];
+  const Rotation& r = from.rotation;
+  const Rotation turn = (pose.rotation * Rotation{r.w, -r.x, -r.y, -r.z}).normalized();
+  const Mat3 matrix = turn.matrix();
+  for (size_t i = 0; i < m_ids.size(); ++i)
+    m_origins[i] = {(turn * m_poses[i].rotation).normalized(),
+                    Vec3(pose.translation + matrix * (m_poses[i].translation - from.translation))};
+  m_origins[0] = pose;
+  m_offset.setZero();
+  update();
+}
+
+void MovingGroup::advance(const Motion& motion, double time) {
+  if (motion.kind == Motion::Kind::Translation) {
+    m_offset += time * motion.axis;
+  } else {
+    for (size_t i = 0; i < m_ids.size(); ++i) m_origins[i] = moved_pose(m_poses[i], motion, time);
+    m_offset.setZero();
+  }
+  update();
+}
+
+void MovingGroup::go_back(const Place& place) {
+  m_origins = place.origins;
+  m_offset = place.offset;
+  update();
+}
+
+bool MovingGroup::has_moved() const {
+  for (size_t i = 0; i < m_ids.size(); ++i) {
+    const Pose &a = m_poses[i], &b = m_scene->at(m_ids[i]).pose;
+    const Rotation &p = a.rotation, &q = b.rotation;
+    if (a.translation != b.translation || p.w != q.w || p.x != q.x || p.y != q.y || p.z != q.z)
+      return true;
+  }
+  return false;
+}
+
+ObstacleContact MovingGroup::first_contact(const Motion& motion) {
+  Clearance keep;
+  keep.distance = m_motion_clearance;
+  const ObstacleContact found =
+      trivet::first_contact(m_bodies, m_outside, motion, keep, m_detector);
+  ++m_num_queries;
+  m_num_face_pairs += found.work.face_pairs;
+  return found;
+}
+
+const std::vector<ContactsWith>& MovingGroup::contacts(Index member) const {
+  std::optional<std::vector<ContactsWith>>& known = m_contacts[member];
+  if (!known) known = touching(m_bodies[member], m_outside, m_clearance);
+  return *known;
+}
+
+std::vector<Touch> MovingGroup::touches() const {
+  std::vector<Touch> out;
+  for (Index m = 0; m < static_cast<Index>(m_bodies.size()); ++m)
+    for (const ContactsWith& c : contacts(m))
+      for (const ContactPoint& p : merged(c.points, kContactTolerance * m_clearance))
+        out.push_back({m, c.with, p});
+  return out;
+}
+
+std::optional<Vec3> MovingGroup::lift_for_sliding(const std::vector<ContactPoint>& points,
+                                                  double part) const {
+  const Vec3 d = smallest_lift(points, part * kSlideGap * m_clearance);
+  if (!(d.norm() > 0) || d.norm() > kLargestLift * m_clearance) return std::nullopt;
+  const bool opens_all = std::all_of(points.begin(), points.end(), [&](const ContactPoint& p) {
+    return p.gap + p.normal.dot(d) >= part * kSlideBelow * m_clearance;
+  });
+  return opens_all ? std::optional(d) : std::nullopt;
+}
+
+bool MovingGroup::separate(const std::vector<Touch>& touches) {
+  m_motion_clearance = m_clearance;
+  std::vector<ContactPoint> points;
+  for (const Touch& t : touches) points.push_back(t.point);
+  const auto is_open = [&](double part) {
+    return std::all_of(points.begin(), points.end(), [&](const ContactPoint& p) {
+      return p.gap >= part * kSlideBelow * m_clearance;
+    });
+  };
+  if (is_open(1)) return false;
+  std::optional<Vec3> d = lift_for_sliding(points, 1);
+  for (const double part : kTightParts) {
+    if (d) break;
+    m_motion_clearance = part * m_clearance;
+    if (is_open(part)) return false;
+    d = lift_for_sliding(points, part);
+  }
+  if (!d) {
+    m_motion_clearance = m_clearance;
+    return false;
+  }
+  const double length = d->norm();
+  const Motion motion = Motion::translation(*d / length, length);
+  const double time = std::min(first_contact(motion).time, length);
+  if (time < 0.1 * length) return false;
+  advance(motion, time);
+  return true;
+}
+
+SettleOutcome MovingGroup::settle(Interrupt* interrupt) {
+  std::vector<CarriedShape> carried;
+  for (size_t i = 1; i < m_ids.size(); ++i) {
+    const Object& load = m_scene->at(m_ids[i]);
+    carried.push_back({load.shape.get(), load.up, load.scale, m_poses[i]});
+  }
+  SettleProblem problem;
+  problem.shape = object().shape.get();
+  problem.up = object().up;
+  problem.scale = object().scale;
+  problem.start = m_poses[0];
+  problem.others = &m_outside;
+  problem.clearance = m_clearance;
+  problem.options = m_options;
+  problem.detector = m_detector;
+  problem.interrupt = interrupt;
+  problem.carried = carried;
+  problem.contacts_at_start = &contacts(0);
+  SettleOutcome outcome = trivet::settle(problem);
+  if (!outcome.steps.empty()) {
+    m_origins = {outcome.pose};
+    m_origins.insert(m_origins.end(), outcome.carried.begin(), outcome.carried.end());
+    m_offset.setZero();
+    update();
+    if (outcome.status == SettleOutcome::Status::AtRest) m_contacts[0] = outcome.contacts;
+  }
+  m_num_queries += outcome.num_queries;
+  m_num_face_pairs += outcome.num_face_pairs;
+  return outcome;
+}
+
+}  // namespace trivet

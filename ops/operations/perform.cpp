@@ -1,0 +1,60 @@
+#include "ops/operations/perform.h"
+
+#include "ops/operations/commit.h"
+#include "ops/operations/edit.h"
+#include "ops/operations/validate.h"
+
+namespace trivet {
+namespace {
+
+/// Operations that move objects are planned, then committed; edits are applied as they are.
+template <class Move>
+concept Plannable = requires(const Scene& scene, ObjectId id, const Move& o, OperationRun& run) {
+  { plan(scene, id, o, run) } -> std::same_as<MovePlan>;
+};
+
+template <class Any>
+OperationResult perform_one(Transaction& transaction, ObjectId id, const Any& o,
+                            OperationRun& run) {
+  if constexpr (Plannable<Any>)
+    return commit(transaction, plan(transaction.scene(), id, o, run), run);
+  else
+    return apply(transaction, o, run);
+}
+
+}  // namespace
+
+OperationResult perform(Transaction& outer, const Operation& operation,
+                        const SettleOptions& options, const RunContext& context) {
+  if (auto why = validate(operation)) return refused(std::move(*why));
+  const std::string& name = object_name(operation);
+  const std::optional<ObjectId> object = outer.scene().find(name);
+  if (!object && !std::holds_alternative<AppendOperation>(operation))
+    return refused({Refusal::Cause::UnknownObject, {{name, std::nullopt}}});
+  OperationRun run(options, context);
+  Transaction inner(outer);
+  OperationResult result = std::visit(
+      [&](const auto& o) { return perform_one(inner, object.value_or(ObjectId{}), o, run); },
+      operation);
+  if (result.ok()) inner.commit();
+  return result;
+}
+
+OperationResult perform(Scene& scene, const Operation& operation, const SettleOptions& options,
+                        const RunContext& context) {
+  Transaction transaction(scene);
+  OperationResult result = perform(transaction, operation, options, context);
+  if (result.ok()) transaction.commit();
+  return result;
+}
+
+OperationResult put(Scene& scene, ObjectId id, const Pose& start, const SettleOptions& options,
+                    const RunContext& context) {
+  return perform(scene, PutOperation{{scene.at(id).name}, start, {}}, options, context);
+}
+
+OperationResult stand(Scene& scene, ObjectId id, const Pose& pose, const SettleOptions& options) {
+  return perform(scene, StandOperation{{scene.at(id).name}, pose}, options);
+}
+
+}  // namespace trivet

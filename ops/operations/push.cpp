@@ -1,0 +1,350 @@
+#include "ops/operations/push.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/tunables.h"
+#include "ops/operations/contact_end.h"
+#include "ops/settle/equilibrium.h"
+
+namespace trivet {
+namespace {
+
+constexpr double kShortest = 0.5;      // clearances
+constexpr double kStepOn = 6;          // clearances by which a step is entered: more than gaps
+constexpr double kLeastCosine = 0.02;  // of the push to a wall, for how far is stepped onto it
+constexpr double kUnknownEnd = 100;    // clearances until obstacles are looked at again
+constexpr int kMaxStalls = 12;         // events in a row without a way
+
+Vec3 level(const Vec2& v) { return {v.x(), v.y(), 0}; }
+
+}  // namespace
+
+Push::Push(MovePlanner& planner, const PushOperation& o)
+    : m_planner(planner),
+      m_group(planner.group()),
+      m_options(o),
+      m_shortest(kShortest * planner.group().clearance()) {
+  find_contacts();
+  note_way(false);
+  const bool carried = std::any_of(m_touches.begin(), m_touches.end(), [](const Touch& t) {
+    return t.point.normal.z() > kSupportNormalZ;
+  });
+  if (!carried)
+    m_planner.refuse({Refusal::Cause::NothingToSlideOn, {m_planner.name()}});
+}
+
+void Push::find_contacts() {
+  const Vec3 offset = m_group.here().offset;
+  if (m_found_at != offset) m_touches = m_group.touches(), m_found_at = offset;
+  m_normals.clear();
+  for (const Touch& t : m_touches) m_normals.push_back(t.point.normal);
+  for (const Obstacle& o : m_obstacles) m_normals.push_back(o.normal);
+}
+
+Vec2 Push::way_left() const { return m_goal - Vec2(m_group.pose().translation.head<2>()); }
+
+void Push::push_to(const Vec2& goal) {
+  m_goal = goal;
+  m_num_stalls = 0;
+  m_climb = true;
+  m_planner.result().end = OperationResult::End::Reached;
+  const auto max_events =
+      m_planner.result().steps.size() + static_cast<size_t>(m_planner.options().max_motions);
+  while (event() == Next::GoOn) {
+    if (m_planner.refused() || m_planner.interrupted()) return;
+    if (m_planner.result().steps.size() > max_events)
+      return m_planner.refuse({Refusal::Cause::PathTooLong,
+                               {m_planner.name()},
+                               {{"max_motions", double(m_planner.options().max_motions)}}});
+  }
+}
+
+Push::Next Push::event() {
+  const Vec2 left = way_left();
+  const double length = left.norm();
+  if (length <= m_shortest) return stop(OperationResult::End::Reached);
+  find_contacts();
+  // The contacts stay the same but for their gaps.
+  if (!m_is_separated && m_group.separate(m_touches)) m_found_at = m_group.here().offset;
+  m_is_separated = true;
+  const Vec3 direction = level(left / length);
+  const SlidePlan way = slide(direction);
+  switch (way.kind) {
+    case SlidePlan::Kind::Go:
+      return go(way, length);
+    case SlidePlan::Kind::Blocked:
+      return pass_wall(way, direction, length);
+    case SlidePlan::Kind::NoSupport:
+      break;
+  }
+  return step_down(direction) ? Next::GoOn : stop(OperationResult::End::Edge);
+}
+
+SlidePlan Push::slide(const Vec3& direction) const {
+  return plan_slide(
+      m_normals, direction, [&](size_t i, const Vec3& velocity) { return end_of(i, velocity); },
+      m_shortest, m_climb);
+}
+
+double Push::end_of(size_t contact, const Vec3& velocity) const {
+  if (contact >= m_touches.size()) return kUnknownEnd * m_group.clearance();
+  const Touch& t = m_touches[contact];
+  std::optional<Body> fixed;
+  if (t.with.is_object()) fixed = body_of(m_group.scene().at(t.with.object()));
+  return contact_end(m_group.bodies()[t.member], fixed ? &*fixed : nullptr, t.point, velocity,
+                     kContactTolerance * m_group.clearance());
+}
+
+// --- going on --------------------------------------------------------------------------------
+
+Push::Next Push::go(const SlidePlan& plan, double length) {
+  double way = std::min(length, plan.lasts);
+  const std::optional<double> allowance = steep_allowance(plan);
+  if (allowance) {
+    if (*allowance <= m_shortest) return give_up_steep(plan);
+    way = std::min(way, *allowance);
+  }
+  const double speed = plan.velocity.norm();
+  const Motion motion = Motion::translation(plan.velocity / speed, way * speed);
+  const ObstacleContact found = m_group.first_contact(motion);
+  if (found.status == FirstContact::Status::Crossing) {
+    m_planner.refuse({Refusal::Cause::AlreadyTouches,
+                      {m_planner.name(), named(m_group.scene(), found.with)}});
+    return Next::Stop;
+  }
+  const double time = std::min(found.time, motion.limit);
+  const bool gets_on = time > m_shortest;
+  if (gets_on) {
+    m_group.advance(motion, time);
+    m_planner.note_step(SettleStep::Kind::Slide);
+    note_way(true);
+    m_obstacles.clear();
+    m_num_stalls = 0;
+    if (!allowance) m_steep.reset(), m_climb = true;
+  }
+  if (found.status == FirstContact::Status::Contact)
+    m_obstacles.push_back({found.normal, found.point, found.with});
+  if (!gets_on && ++m_num_stalls > kMaxStalls) {
+    m_planner.note_blocked(found.with, found.point);
+    return Next::Stop;
+  }
+  return Next::GoOn;
+}
+
+// How far a steep rise or drop may still be followed; nothing: the plan's is not steep.
+std::optional<double> Push::steep_allowance(const SlidePlan& plan) {
+  const double rise = plan.velocity.z(), z = m_group.pose().translation.z();
+  if (std::abs(rise) <= kSteepRise) return std::nullopt;
+  if (!m_steep) m_steep = Steep{m_group.here(), z, m_way.size()};
+  const double done = rise > 0 ? z - m_steep->z : m_steep->z - z;
+  return ((rise > 0 ? m_options.step_up : m_options.step_down) - done) / std::abs(rise);
+}
+
+// Back to where it began; from there it is an edge, or a wall.
+Push::Next Push::give_up_steep(const SlidePlan& plan) {
+  m_group.go_back(m_steep->start);
+  m_way.resize(m_steep->way_length);
+  m_steep.reset();
+  if (plan.velocity.z() < 0) return stop(OperationResult::End::Edge);
+  m_climb = false;
+  // What was in the way up there is not here; the steep surface itself is.
+  const size_t i = plan.blocker;
+  const Obstacle steep =
+      i < m_touches.size() ? Obstacle{m_normals[i], m_touches[i].point.point, m_touches[i].with}
+                           : m_obstacles[i - m_touches.size()];
+  m_obstacles = {steep};
+  return Next::GoOn;
+}
+
+// --- walls, steps and edges ------------------------------------------------------------------
+
+Push::Next Push::pass_wall(const SlidePlan& blocked, const Vec3& direction, double length) {
+  const Vec3 wall = m_normals[blocked.blocker];
+  if (++m_num_stalls > kMaxStalls) return stop_blocked(blocked.blocker);
+  if (m_options.step_up > 0 && step_up(direction, wall, m_options.step_up)) return Next::GoOn;
+  if (m_options.slide)
+    if (const auto along = slide_direction(m_normals, direction, blocked.blocker, m_climb)) {
+      const SlidePlan aside = slide(*along);
+      const double gain = length * along->dot(direction);
+      if (gain > m_shortest && aside.kind == SlidePlan::Kind::Go) return go(aside, gain);
+      if (gain > m_shortest && aside.kind == SlidePlan::Kind::NoSupport && step_down(*along))
+        return Next::GoOn;
+    }
+  return stop_blocked(blocked.blocker);
+}
+
+// Up, a little forward, and down onto it. @return the rise; nothing: it is higher, and the object
+// is where it was.
+std::optional<double> Push::step_up(const Vec3& direction, const Vec3& wall, double highest) {
+  const Place before = m_group.here();
+  const double z = m_group.pose().translation.z(), clearance = m_group.clearance();
+  const auto give_up = [&]() -> std::optional<double> {
+    m_group.go_back(before);
+    return std::nullopt;
+  };
+  ObstacleContact found;
+  const auto move = [&](const Vec3& way, double length) {
+    const Motion motion = Motion::translation(way, length);
+    found = m_group.first_contact(motion);
+    if (found.status == FirstContact::Status::Crossing) return 0.0;
+    const double time = std::min(found.time, length);
+    m_group.advance(motion, time);
+    return time;
+  };
+  const double up = move(Vec3::UnitZ(), highest + clearance);
+  const double cosine = std::max(kLeastCosine, -direction.dot(wall));
+  const double forward = std::min(kStepOn * clearance / cosine, way_left().norm());
+  if (up < clearance || move(direction, forward) < 0.9 * forward) return give_up();
+  const double down = up + clearance + m_options.step_down;
+  if (move(-Vec3::UnitZ(), down) >= down) return give_up();
+  const double rise = m_group.pose().translation.z() - z;
+  if (rise > highest + 0.5 * clearance) return give_up();
+  // Steep surfaces were followed before, and found to be higher: this is the same one, not its top.
+  if (!m_climb && is_steep(found.normal, direction)) return give_up();
+  m_planner.note_step(SettleStep::Kind::StepUp);
+  note_way(false);
+  if (rise > 2 * clearance) m_num_stalls = 0;
+  m_obstacles.clear();
+  m_steep.reset();
+  return rise;
+}
+
+bool Push::step_down(const Vec3& direction) {
+  const Place before = m_group.here();
+  const double clearance = m_group.clearance();
+  const double forward = std::min(kStepOn * clearance, way_left().norm());
+  const Motion over = Motion::translation(direction, forward);
+  const ObstacleContact ahead = m_group.first_contact(over);
+  m_group.advance(over, std::min(ahead.time, forward));
+  const Motion fall = Motion::translation(-Vec3::UnitZ(), m_options.step_down + clearance);
+  const ObstacleContact below = m_group.first_contact(fall);
+  if (below.status != FirstContact::Status::Contact) {
+    m_group.go_back(before);
+    return false;
+  }
+  m_group.advance(fall, below.time);
+  m_planner.note_step(SettleStep::Kind::StepDown);
+  note_way(false);
+  m_obstacles = {{below.normal, below.point, below.with}};
+  if (ahead.status == FirstContact::Status::Contact)
+    m_obstacles.push_back({ahead.normal, ahead.point, ahead.with});
+  const bool stands_still = ahead.time < m_shortest && below.time < m_shortest;
+  m_num_stalls = stands_still ? m_num_stalls + 1 : 0;
+  return m_num_stalls <= kMaxStalls;
+}
+
+// --- the end ---------------------------------------------------------------------------------
+
+Push::Next Push::stop(OperationResult::End end) {
+  m_planner.result().end = end;
+  return Next::Stop;
+}
+
+// A step is what could be climbed if it were allowed to: up to the object's own height.
+Push::Next Push::stop_blocked(size_t contact) {
+  const bool touch = contact < m_touches.size();
+  const Support with =
+      touch ? m_touches[contact].with : m_obstacles[contact - m_touches.size()].with;
+  const Vec3 point =
+      touch ? m_touches[contact].point.point : m_obstacles[contact - m_touches.size()].point;
+  m_planner.note_blocked(with, point);
+  const Vec2 left = way_left();
+  const Place here = m_group.here();
+  const size_t num_steps = m_planner.result().steps.size();
+  const double height = 2 * m_group.bodies()[0].world_box.half_extent().z();
+  m_climb = true;  // if it were allowed to
+  if (left.norm() > m_shortest && height > m_options.step_up &&
+      step_up(level(left.normalized()), m_normals[contact], height)) {
+    m_group.go_back(here);
+    m_planner.result().steps.resize(num_steps);
+    m_planner.result().end = OperationResult::End::Step;
+  }
+  return Next::Stop;
+}
+
+void Push::note_way(bool straight) {
+  m_way.push_back({m_group.here().offset, straight});
+  m_is_separated = false;
+}
+
+// Lets the object go there. @return how it settled; nothing: it sinks deeper than step_down, or
+// does not come to rest.
+std::optional<SettleOutcome> Push::settled_from(const Vec3& offset) {
+  Place place = m_group.here();
+  place.offset = offset;
+  m_group.go_back(place);
+  const double z = m_group.centre().z();
+  SettleOutcome outcome = m_planner.settle();
+  const double sinks = z - m_group.centre().z();
+  if (outcome.status != SettleOutcome::Status::AtRest ||
+      sinks > m_options.step_down + m_group.clearance())
+    return std::nullopt;
+  return outcome;
+}
+
+bool Push::holds_at(const Vec3& offset) {
+  const Place here = m_group.here();
+  const bool holds = settled_from(offset).has_value();
+  m_group.go_back(here);
+  return holds;
+}
+
+// The last place on the way from where it holds, if it does so at the start.
+std::optional<Vec3> Push::last_place_that_holds() {
+  if (m_way.size() < 2 || !holds_at(m_way[0].offset)) return std::nullopt;
+  size_t good = 0, bad = m_way.size() - 1;
+  while (bad - good > 1 && !m_planner.interrupted()) {
+    const size_t middle = (good + bad) / 2;
+    (holds_at(m_way[middle].offset) ? good : bad) = middle;
+  }
+  Vec3 last = m_way[good].offset, beyond = m_way[bad].offset;
+  while (m_way[bad].straight && (beyond - last).norm() > 2 * m_shortest &&
+         !m_planner.interrupted()) {
+    const Vec3 middle = 0.5 * (last + beyond);
+    (holds_at(middle) ? last : beyond) = middle;
+  }
+  return last;
+}
+
+// From the last place on the way where the object does not sink deeper than step_down; if there is
+// none, from where it is.
+void Push::release() {
+  find_contacts();
+  std::vector<ContactPoint> points;
+  for (const Touch& t : m_touches)
+    if (t.member == 0) points.push_back(t.point);
+  if (m_planner.is_joint() ||
+      carrying_margin(points, m_group.centre()) >= kRestMargin * m_group.size())
+    return m_planner.release();  // it stands there
+  Place end = m_group.here();
+  if (const auto outcome = settled_from(end.offset)) return m_planner.end_settled(*outcome);
+  m_group.go_back(end);
+  if (const std::optional<Vec3> last = last_place_that_holds()) {
+    end.offset = *last;
+    m_group.go_back(end);
+    m_planner.note_step(SettleStep::Kind::Slide);
+    m_planner.result().end = OperationResult::End::Edge;
+  }
+  if (!m_planner.interrupted()) m_planner.release();
+}
+
+MovePlan Push::finish() {
+  if (m_options.settle && !m_planner.refused() && m_group.has_moved()) release();
+  return m_planner.finish(ObjectState::Held);
+}
+
+MovePlan plan(const Scene& scene, ObjectId id, const PushOperation& o, OperationRun& run) {
+  MovePlanner planner(scene, id, o, "push", run);
+  if (planner.refused()) return planner.finish(ObjectState::Held);
+  const MovingGroup& group = planner.group();
+  Push push(planner, o);
+  if (planner.refused()) return planner.finish(ObjectState::Held);
+  const Vec2 start = group.pose().translation.head<2>();
+  const Vec2 goal = o.to.value_or(start + o.distance * o.direction.normalized());
+  for (size_t i = 0; i <= o.via.size() && !planner.refused(); ++i)
+    push.push_to(i < o.via.size() ? o.via[i] : goal);
+  return push.finish();
+}
+
+}  // namespace trivet

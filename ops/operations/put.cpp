@@ -1,0 +1,45 @@
+#include "ops/operations/put.h"
+
+#include <algorithm>
+
+#include "core/base/tunables.h"
+
+namespace trivet {
+namespace {
+
+// A start that touches the floor is raised by as much as motions keep clear of it.
+Pose clear_of_floor(const Scene& scene, const Object& object, Pose pose, double clearance) {
+  if (!scene.floor) return pose;
+  const Affine world = world_from_object(pose, object.up, object.scale);
+  double lowest = kInfinity;
+  for (const Vec3& v : object.shape->mesh.vertices) lowest = std::min(lowest, world.apply(v).z());
+  if (lowest < kLiftBelow * clearance) pose.translation.z() += clearance - lowest;
+  return pose;
+}
+
+}  // namespace
+
+MovePlan plan_put_from_start(const Scene& scene, ObjectId id, const PutOperation& o,
+                             OperationRun& run, const EndCondition& refuse_end) {
+  MovePlanner planner(scene, id, o, o.start, run);
+  if (planner.refused()) return planner.finish(ObjectState::Stable);
+  MovingGroup& group = planner.group();
+  group.place(o.start);
+  if (auto why = refuse_interpenetration(scene, group.placements(), false)) {
+    why->at = Refusal::At::Start;
+    planner.refuse(*why);
+    return planner.finish(ObjectState::Stable);
+  }
+  group.place(clear_of_floor(scene, group.object(), o.start, group.clearance()));
+  planner.release();
+  if (!planner.refused() && refuse_end)
+    if (const auto why = refuse_end(group)) planner.refuse(*why);
+  return planner.finish(ObjectState::Stable);
+}
+
+MovePlan plan(const Scene& scene, ObjectId id, const PutOperation& o, OperationRun& run) {
+  return o.place ? plan_put_where_free(scene, id, o, run)
+                 : plan_put_from_start(scene, id, o, run, {});
+}
+
+}  // namespace trivet

@@ -1,0 +1,21 @@
+// PUT: from a start pose down along gravity to the first contact, then settle [Shinya 1995, 4.1].
+#pragma once
+
+#include <functional>
+
+#include "ops/operations/move_plan.h"
+
+namespace trivet {
+
+/// Refuses where a group has settled; may be empty.
+using EndCondition = std::function<std::optional<Refusal>(const MovingGroup&)>;
+
+/// A PUT from o.start.
+MovePlan plan_put_from_start(const Scene& scene, ObjectId id, const PutOperation& o,
+                             OperationRun& run, const EndCondition& refuse_end);
+
+/// A PUT that searches for its start: o.place is set.
+MovePlan plan_put_where_free(const Scene& scene, ObjectId id, const PutOperation& o,
+                             OperationRun& run);
+
+}  // namespace trivet

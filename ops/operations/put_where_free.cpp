@@ -1,0 +1,205 @@
+// PUT where there is room: places are proposed by height maps, and PUT decides at each in turn.
+#include <algorithm>
+#include <utility>
+
+#include "core/base/tunables.h"
+#include "ops/detect/detector.h"
+#include "ops/operations/put.h"
+#include "ops/place/distance_query.h"
+#include "ops/place/exact_places.h"
+
+namespace trivet {
+namespace {
+
+using Cause = Refusal::Cause;
+
+constexpr const char* kFloorName = "floor";
+constexpr size_t kMaxDoubtful = 1024;  // places at which the distance is measured
+
+/// Search for one object. Plans are pure: no trial touches the scene.
+class FreePlaceSearch {
+ public:
+  FreePlaceSearch(const Scene& scene, ObjectId id, const PutOperation& o, OperationRun& run)
+      : m_scene(scene),
+        m_id(id),
+        m_operation(o),
+        m_run(run),
+        m_name(named(scene, Support(id))),
+        m_on(named(scene, o.place->on)),
+        m_carried(carried_with(scene, id)) {}
+
+  MovePlan plan() {
+    if (auto why = refuse_request()) return refused(std::move(*why));
+    PlaceRequest request = this->request();
+    const ExactPlaces exact(m_scene, m_id, m_carried, request, clearance());
+    if (request.near && exact.fits(*request.near))
+      if (auto done = try_here(exact.start(*request.near))) return std::move(*done);
+    Places places;
+    for (const PlaceWindow& window :
+         place_windows(m_scene, m_id, m_carried, request, clearance())) {
+      if (m_num_trials >= kPlaceTrials) break;
+      request.within = window;
+      places = find_places(m_scene, m_id, m_carried, request, clearance(),
+                           drop_brackets_of(m_run.detector));
+      auto done = request.near ? try_nearest(places, exact, *request.near, window.reach)
+                               : try_all(places, exact);
+      if (done) return std::move(*done);
+    }
+    return refused(refuse_everywhere(places));
+  }
+
+ private:
+  MovePlan refused(Refusal why) const {
+    MovePlan out;
+    out.op = "put";
+    out.result.refuse(std::move(why));
+    return out;
+  }
+
+  std::optional<Refusal> refuse_request() const {
+    // A fixed object comes in once, and then stays there.
+    const Object& object = m_scene.at(m_id);
+    if (!object.fixed || object.placed)
+      if (auto why = refuse_immovable(m_scene, m_carried)) return why;
+    if (m_on.name == kFloorName) {
+      if (!m_scene.floor) return Refusal{Cause::NoFloor, {m_name}};
+      return std::nullopt;
+    }
+    if (!m_on.support) return Refusal{Cause::UnknownObject, {m_on, m_name}};
+    for (const ObjectId id : m_carried)
+      if (Support(id) == *m_on.support) return Refusal{Cause::OnItself, {m_name}};
+    if (!m_scene.at(m_on.support->object()).placed) return Refusal{Cause::SupportNotPlaced, {m_on}};
+    return std::nullopt;
+  }
+
+  PlaceRequest request() const {
+    const PlaceOptions& place = *m_operation.place;
+    PlaceRequest out;
+    out.on = *m_on.support;
+    out.rotation = m_operation.start.rotation;
+    out.near = place.near;
+    out.seed = place.seed;
+    out.keep = place.keep;
+    out.from = place.from;
+    return out;
+  }
+
+  double clearance() const {
+    return clearance_of(m_scene, m_run.options);
+  }
+
+  bool near_a_failure(const Pose& start, double spacing) const {
+    for (const Vec2& at : m_failures)
+      if ((start.translation.head<2>() - at).norm() < 2 * spacing) return true;
+    return false;
+  }
+
+  MovePlan put_at(const Pose& start) const {
+    PutOperation put = m_operation;
+    put.place.reset();
+    put.start = start;
+    return plan_put_from_start(m_scene, m_id, put, m_run,
+                               [this](const MovingGroup& group) { return refuse_end(group); });
+  }
+
+  // nullopt: refused there.
+  std::optional<MovePlan> try_here(const Pose& start) {
+    MovePlan plan = put_at(start);
+    if (plan.result.status != OperationResult::Status::Refused) return plan;
+    if (m_num_trials++ == 0)
+      m_first = std::make_shared<const Refusal>(std::move(*plan.result.refusal));
+    return std::nullopt;
+  }
+
+  std::optional<MovePlan> try_all(const Places& places, const ExactPlaces& exact) {
+    const size_t num_doubtful = std::min(places.doubtful.size(), kMaxDoubtful);
+    for (size_t k = 0; k < places.starts.size() + num_doubtful; ++k) {
+      if (m_num_trials >= kPlaceTrials) break;
+      const bool doubtful = k >= places.starts.size();
+      const Pose& start = doubtful ? places.doubtful[k - places.starts.size()] : places.starts[k];
+      if (near_a_failure(start, places.spacing)) continue;
+      if (doubtful && !exact.fits(exact.centre_at(start))) continue;
+      if (auto done = try_here(start)) return done;
+      m_failures.push_back(start.translation.head<2>());
+    }
+    return std::nullopt;
+  }
+
+  // Nearest to the point where the object can be set down, or, if it does not stay there (it tips
+  // over an edge, for example), where it stays.
+  std::optional<MovePlan> try_nearest(const Places& places, const ExactPlaces& exact,
+                                             const Vec2& near, double reach) {
+    const std::optional<Vec2> nearest = exact.nearest(places);
+    if (!nearest || (*nearest - near).norm() > reach) return std::nullopt;
+    if (auto done = try_here(exact.start(*nearest))) return done;
+    for (const Pose& start : places.starts.empty() ? places.doubtful : places.starts) {
+      const Vec2 at = exact.centre_at(start);
+      if (m_num_trials >= kPlaceTrials || (at - near).norm() > reach) break;
+      if (near_a_failure(start, places.spacing) || !exact.fits(at)) continue;
+      if (stays_at(start)) return try_here(exact.start(last_to_stay(exact, at, near)));
+      ++m_num_trials;
+      m_failures.push_back(start.translation.head<2>());
+    }
+    return std::nullopt;
+  }
+
+  bool stays_at(const Pose& start) const {
+    return put_at(start).result.status != OperationResult::Status::Refused;
+  }
+
+  // On the line from a place where it stays towards the point.
+  Vec2 last_to_stay(const ExactPlaces& exact, const Vec2& from, const Vec2& towards) const {
+    Vec2 stays = from, leaves = towards;
+    while ((stays - leaves).norm() > exact.tolerance()) {
+      const Vec2 middle = 0.5 * (stays + leaves);
+      (exact.fits(middle) && stays_at(exact.start(middle)) ? stays : leaves) = middle;
+    }
+    return stays;
+  }
+
+  // After it has settled: on the support alone, and as far from everything else as asked for.
+  std::optional<Refusal> refuse_end(const MovingGroup& group) const {
+    for (const Touch& touch : group.touches())
+      if (touch.with != *m_on.support)
+        return Refusal{Cause::RestsOnOther, {m_name, named(m_scene, touch.with)}};
+    const double keep = m_operation.place->keep;
+    if (!(keep > 0)) return std::nullopt;
+    for (const Body& body : group.bodies()) {
+      const Neighbours near = group.outside().near(body.world_box, 1.01 * keep);
+      for (size_t k = 0; k < near.ids.size(); ++k)
+        if (*m_on.support != Support(near.ids[k]) && nearer_than(keep, body, near.bodies[k]))
+          return Refusal{Cause::RestsTooClose, {m_name, named(m_scene, Support(near.ids[k]))}};
+    }
+    return std::nullopt;
+  }
+
+  Refusal refuse_everywhere(const Places& places) const {
+    Refusal why{Cause::NoFreePlace, {m_name, m_on}};
+    why.numbers = {{"judged", double(places.num_judged)},
+                   {"spacing", places.spacing},
+                   {"beside", double(places.num_beside)},
+                   {"blocked", double(places.num_blocked)},
+                   {"tried", double(m_num_trials)}};
+    why.first = m_first;
+    return why;
+  }
+
+  const Scene& m_scene;
+  ObjectId m_id;
+  const PutOperation& m_operation;
+  OperationRun& m_run;
+  Named m_name, m_on;
+  std::vector<ObjectId> m_carried;
+  std::vector<Vec2> m_failures;
+  int m_num_trials = 0;
+  std::shared_ptr<const Refusal> m_first;  // of the first trial
+};
+
+}  // namespace
+
+MovePlan plan_put_where_free(const Scene& scene, ObjectId id, const PutOperation& o,
+                             OperationRun& run) {
+  return FreePlaceSearch(scene, id, o, run).plan();
+}
+
+}  // namespace trivet

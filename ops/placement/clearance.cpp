@@ -1,0 +1,120 @@
+#include "ops/placement/clearance.h"
+
+#include <algorithm>
+
+#include "core/base/tunables.h"
+
+namespace trivet {
+namespace {
+
+// Default clearance, of the smallest object's diagonal, beyond which a scene is refused: there
+// kHoverTolerance is an eighth of that object, and all its faces soon are in contact with all that
+// are near. Larger takes minutes for nothing; smaller refuses a cup of 10 cm on a floor of 1 km.
+constexpr double kCoarsestClearance = 1.0 / 64;
+
+double clearance_in(const Aabb& box) {
+  return kRelativeClearance * std::max(box.diagonal(), box.max_abs_coordinate());
+}
+
+std::vector<ObjectId> ids_of(std::span<const PlacedBox> moved) {
+  std::vector<ObjectId> out;
+  for (const PlacedBox& m : moved) out.push_back(m.id);
+  return out;
+}
+
+/// The scene with `moved` where they are to be.
+SceneExtent extent_with(const Scene& scene, std::span<const PlacedBox> moved) {
+  SceneExtent out = scene.extent_without(ids_of(moved));
+  for (const PlacedBox& m : moved) {
+    out.box.extend(m.box);
+    const double size = size_of(scene.at(m.id));
+    if (size > 0) out.smallest_diagonal = std::min(out.smallest_diagonal, size);
+  }
+  return out;
+}
+
+/// Culprits of a scene that is too coarse, for the message: a pass over all objects.
+struct Culprits {
+  std::optional<ObjectId> farthest, smallest;
+  double coordinate = 0, diagonal = kInfinity;
+
+  Culprits(const Scene& scene, std::span<const PlacedBox> moved) {
+    const std::vector<ObjectId> elsewhere = ids_of(moved);
+    for (const ObjectId id : scene.ids())
+      if (const Object& object = scene.at(id);
+          object.placed && std::find(elsewhere.begin(), elsewhere.end(), id) == elsewhere.end())
+        add(id, object, body_of(object).world_box);
+    for (const PlacedBox& m : moved) add(m.id, scene.at(m.id), m.box);
+  }
+
+ private:
+  void add(ObjectId id, const Object& object, const Aabb& box) {
+    const double reach = box.max_abs_coordinate(), size = size_of(object);
+    if (!farthest || reach > coordinate) farthest = id, coordinate = reach;
+    if (size > 0 && size < diagonal) smallest = id, diagonal = size;
+  }
+};
+
+}  // namespace
+
+double default_clearance(const Scene& scene, const Aabb& extra) {
+  Aabb box = scene.box();
+  box.extend(extra);
+  return clearance_in(box);
+}
+
+double clearance_of(const Scene& scene, const SettleOptions& options, const Aabb& extra) {
+  return options.clearance > 0 ? options.clearance : default_clearance(scene, extra);
+}
+
+Aabb expected_box(const Scene& scene, const Object& object, const Pose& start) {
+  Aabb box = body_of(object, start).world_box;
+  const Aabb placed = scene.box();
+  const double base = placed.empty() ? 0.0 : placed.lower.z();
+  const double top = placed.empty() ? 0.0 : placed.upper.z();
+  const double height = box.upper.z() - box.lower.z();
+  box.lower.z() = std::min(box.lower.z(), base);
+  box.upper.z() = std::min(box.upper.z(), top + height);
+  return box;
+}
+
+std::optional<Refusal> refuse_clearance(double clearance, double usual) {
+  const double size = usual / kRelativeClearance;
+  if (clearance >= kSmallestClearance * size && clearance <= kLargestClearance * size)
+    return std::nullopt;
+  return Refusal{Refusal::Cause::InvalidClearance,
+                 {},
+                 {{"clearance", clearance},
+                  {"smallest", kSmallestClearance * size},
+                  {"largest", kLargestClearance * size}}};
+}
+
+std::optional<Refusal> refuse_too_coarse(const Scene& scene, std::span<const PlacedBox> moved,
+                                         double clearance) {
+  const SceneExtent extent = extent_with(scene, moved);
+  const double accepted = kCoarsestClearance * extent.smallest_diagonal;
+  const double usual = clearance_in(extent.box);
+  if (usual <= accepted || (clearance > 0 && clearance <= accepted)) return std::nullopt;
+  const Culprits culprits(scene, moved);
+  Refusal why;
+  why.cause = Refusal::Cause::TooCoarse;
+  why.objects = {named(scene, Support(*culprits.farthest)),
+                 named(scene, Support(*culprits.smallest))};
+  why.numbers = {{"coordinate", culprits.coordinate},
+                 {"clearance", usual},
+                 {"diagonal", culprits.diagonal},
+                 {"largest_coordinate", accepted / kRelativeClearance}};
+  if (accepted > kSmallestClearance * usual / kRelativeClearance)
+    why.numbers.push_back({"largest_clearance", accepted});
+  return why;
+}
+
+std::optional<Refusal> refuse_too_coarse(const Scene& scene, std::span<const Placement> moved,
+                                         double clearance) {
+  std::vector<PlacedBox> boxes;
+  for (const Placement& p : moved)
+    boxes.push_back({p.id, body_of(scene.at(p.id), p.pose).world_box});
+  return refuse_too_coarse(scene, boxes, clearance);
+}
+
+}  // namespace trivet

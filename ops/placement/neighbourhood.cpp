@@ -1,0 +1,89 @@
+#include "ops/placement/neighbourhood.h"
+
+#include <algorithm>
+
+#include "ops/detect/detector.h"
+
+namespace trivet {
+namespace {
+
+bool by_slot(ObjectId a, ObjectId b) { return a.index < b.index; }
+
+// Box of everything that a motion may come near.
+Aabb swept_box(Aabb box, const Motion& motion, double margin) {
+  if (motion.kind == Motion::Kind::Translation) {
+    const Vec3 way = motion.limit * motion.axis;
+    box.extend(Aabb{box.lower + way, box.upper + way});
+  } else {
+    const Vec3 far = (box.centre() - motion.centre).cwiseAbs() + box.half_extent();
+    const Vec3 reach = Vec3::Constant(far.norm() * (1 + 1e-14));
+    box = {motion.centre - reach, motion.centre + reach};
+  }
+  box.lower -= Vec3::Constant(margin), box.upper += Vec3::Constant(margin);
+  return box;
+}
+
+}  // namespace
+
+Body body_of(const Object& object, const Pose& pose) {
+  return {*object.shape, world_from_object(pose, object.up, object.scale)};
+}
+
+Body body_of(const Object& object) { return body_of(object, object.pose); }
+
+double size_of(const Object& object) { return object.scale * object.shape->box.diagonal(); }
+
+Neighbourhood::Neighbourhood(const Scene& scene, std::span<const ObjectId> without)
+    : m_scene(&scene), m_without(without.begin(), without.end()), m_floor(scene.floor) {
+  std::sort(m_without.begin(), m_without.end(), by_slot);
+}
+
+Neighbourhood::Neighbourhood(const Scene& scene, ObjectId without)
+    : Neighbourhood(scene, std::span<const ObjectId>(&without, 1)) {}
+
+void Neighbourhood::leave_out(std::span<const Support> left_out) {
+  for (const Support& out : left_out)
+    if (out.is_floor())
+      m_floor = false;
+    else
+      m_without.push_back(out.object());
+  std::sort(m_without.begin(), m_without.end(), by_slot);
+}
+
+bool Neighbourhood::excludes(ObjectId id) const {
+  return std::binary_search(m_without.begin(), m_without.end(), id, by_slot);
+}
+
+std::vector<ObjectId> Neighbourhood::ids_near(const Aabb& box, double margin) const {
+  std::vector<ObjectId> out = m_scene->near(box, margin);
+  std::erase_if(out, [&](ObjectId id) { return excludes(id); });
+  return out;
+}
+
+Neighbours Neighbourhood::near(const Aabb& box, double margin) const {
+  Neighbours out;
+  out.ids = ids_near(box, margin);
+  out.bodies.reserve(out.ids.size());
+  for (const ObjectId id : out.ids) out.bodies.push_back(body_of(m_scene->at(id)));
+  return out;
+}
+
+Aabb Neighbourhood::box() const { return m_scene->extent_without(m_without).box; }
+
+ObstacleContact first_contact(std::span<const Body> moving, const Neighbourhood& others,
+                              const Motion& motion, const Clearance& clearance,
+                              Detector* detector) {
+  Aabb box;
+  for (const Body& body : moving)
+    if (!body.world_box.empty()) box.extend(body.world_box);
+  const double margin = 1.01 * clearance.largest_stop() + 1e-13 * box.max_abs_coordinate();
+  const Neighbours near = others.near(swept_box(box, motion, margin), 0);
+  const FirstContactQuery query{moving, near.bodies, others.floor(), motion, clearance};
+  const FirstContact found = detector ? detector->first_contact(query) : first_contact(query);
+  ObstacleContact out{found, Support::floor()};
+  if (found.status != FirstContact::Status::Free && found.fixed != FirstContact::kFloor)
+    out.with = near.ids[found.fixed];
+  return out;
+}
+
+}  // namespace trivet

@@ -1,0 +1,151 @@
+#include "ops/placement/verify.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "core/io/export.h"
+
+namespace trivet {
+namespace {
+
+using Cause = Refusal::Cause;
+
+// float32 rounding of vertices and matrices, of the largest number in them.
+constexpr double kFloatSlack = 1.0 / (1 << 20);
+
+constexpr auto kNoLimit = std::numeric_limits<size_t>::max();
+
+Refusal refusal_of(const PairVerdict& v, const Named& a, const Named& b) {
+  if (v.crossings) return {Cause::Crossing, {a, b}};
+  if (v.a_inside_b) return {Cause::Inside, {a, b}};
+  if (v.b_inside_a) return {Cause::Inside, {b, a}};
+  return {Cause::Float32Contact, {a, b}};
+}
+
+std::optional<Refusal> refuse_below_floor(const Named& name, const ObjectInWorld& here,
+                                          bool floats) {
+  if (here.box.lower.z() >= 0) return std::nullopt;
+  if (num_below_floor(here.doubles)) return Refusal{Cause::BelowFloor, {name}};
+  if (floats && num_below_floor(here.floats)) return Refusal{Cause::Float32BelowFloor, {name}};
+  return std::nullopt;
+}
+
+Named name_of(const Scene& scene, ObjectId id) { return named(scene, Support(id)); }
+
+bool is_invalid(const Scene& scene, ObjectId id) {
+  return scene.at(id).state == ObjectState::Invalid;
+}
+
+/// Interpenetrations of one object with `others`, and with the floor.
+void find_interpenetrations(const Scene& scene, ObjectId id, const ObjectInWorld& here,
+                            std::span<const ObjectId> others, bool floats, size_t limit,
+                            std::vector<Interpenetration>& out) {
+  if (scene.floor && out.size() < limit)
+    if (const auto why = refuse_below_floor(name_of(scene, id), here, floats))
+      out.push_back({id, Support::floor(), *why});
+  for (const ObjectId other_id : others) {
+    if (out.size() >= limit) return;
+    const Object& other = scene.at(other_id);
+    const PairVerdict v = verify_pair(here, in_world(other, other.pose), floats, 1);
+    if (!v.clear())
+      out.push_back({id, other_id, refusal_of(v, name_of(scene, id), name_of(scene, other_id))});
+  }
+}
+
+/// Members of a group against each other, on the exported floats alone.
+std::optional<Refusal> refuse_float_contact(const Scene& scene, std::span<const Placement> moved) {
+  std::vector<ObjectInWorld> here;
+  for (const Placement& p : moved) here.push_back(in_world(scene.at(p.id), p.pose));
+  for (size_t i = 0; i < here.size(); ++i)
+    for (size_t j = i + 1; j < here.size(); ++j) {
+      if (!overlaps(here[i].box, here[j].box)) continue;
+      PairVerdict v;
+      v.float_crossings = count_crossings(here[i].floats, here[j].floats, 1);
+      if (!v.clear())
+        return refusal_of(v, name_of(scene, moved[i].id), name_of(scene, moved[j].id));
+    }
+  return std::nullopt;
+}
+
+}  // namespace
+
+ObjectInWorld in_world(const Object& object, const Pose& pose) {
+  ObjectInWorld out;
+  out.object = &object;
+  const Body body = body_of(object, pose);
+  const Affine& world = body.world_from_object;
+  out.box = body.world_box;
+  const double spread = object.scale * object.shape->box.max_abs_coordinate();
+  const double slack = kFloatSlack * std::max(out.box.max_abs_coordinate(), spread);
+  out.doubles = {object.shape.get(), nullptr, world, 0, {}};
+  out.floats = {object.shape.get(), nullptr, world, slack,
+                ExportedPlacement({object.name, object.model, world, {}}, object.shape->box)};
+  out.box.lower -= Vec3::Constant(slack);
+  out.box.upper += Vec3::Constant(slack);
+  return out;
+}
+
+std::int64_t num_below_floor(const PlacedShape& placed) {
+  std::int64_t count = 0;
+  for (Index v = 0; v < static_cast<Index>(placed.shape->mesh.vertices.size()); ++v)
+    count += placed.position(v).z() < 0;
+  return count;
+}
+
+PairVerdict verify_pair(const ObjectInWorld& a, const ObjectInWorld& b, bool floats,
+                        std::int64_t limit) {
+  PairVerdict out;
+  out.crossings = count_crossings(a.doubles, b.doubles, limit);
+  if (!out.crossings) {
+    out.a_inside_b = count_components_inside(a.doubles, b.doubles);
+    out.b_inside_a = count_components_inside(b.doubles, a.doubles);
+  }
+  if (floats) out.float_crossings = count_crossings(a.floats, b.floats, limit);
+  return out;
+}
+
+std::vector<Interpenetration> interpenetrations(const Scene& scene,
+                                                std::span<const Placement> moved, bool floats,
+                                                size_t limit) {
+  std::vector<ObjectId> ids;
+  for (const Placement& p : moved) ids.push_back(p.id);
+  const Neighbourhood others(scene, ids);
+  std::vector<Interpenetration> out;
+  for (const Placement& p : moved) {
+    if (out.size() >= limit) break;
+    const ObjectInWorld here = in_world(scene.at(p.id), p.pose);
+    find_interpenetrations(scene, p.id, here, others.ids_near(here.box, here.floats.slack), floats,
+                           limit, out);
+  }
+  return out;
+}
+
+std::vector<Support> passed_through(const Scene& scene, ObjectId id) {
+  const Object& object = scene.at(id);
+  const ObjectInWorld here = in_world(object, object.pose);
+  std::vector<ObjectId> near = Neighbourhood(scene, id).ids_near(here.box, here.floats.slack);
+  const bool invalid = is_invalid(scene, id);
+  if (!invalid) std::erase_if(near, [&](ObjectId other) { return !is_invalid(scene, other); });
+  std::vector<Interpenetration> found;
+  if (invalid || !near.empty())
+    find_interpenetrations(scene, id, here, near, true, kNoLimit, found);
+  std::vector<Support> out;
+  for (const Interpenetration& x : found) out.push_back(x.with);
+  return out;
+}
+
+std::optional<Refusal> refuse_interpenetration(const Scene& scene, std::span<const Placement> moved,
+                                               bool floats) {
+  const std::vector<Interpenetration> found = interpenetrations(scene, moved, floats, 1);
+  if (!found.empty()) return found.front().refusal;
+  if (!floats || moved.size() < 2) return std::nullopt;
+  return refuse_float_contact(scene, moved);
+}
+
+std::optional<Refusal> refuse_interpenetration(const Scene& scene, ObjectId id, const Pose& pose,
+                                               bool floats) {
+  const Placement moved{id, pose};
+  return refuse_interpenetration(scene, {&moved, 1}, floats);
+}
+
+}  // namespace trivet
