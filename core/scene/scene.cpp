@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cassert>
+#include <type_traits>
 #include <utility>
 
 #include "core/base/error.h"
-#include "core/contact/body.h"
 
 namespace trivet {
 
@@ -35,37 +35,37 @@ ObjectId Scene::add(Object object) {
   if (find(object.name))
     throw Error(Error::Kind::BadInput,
                 "two objects are named \"" + object.name + "\"; names must be unique");
-  const auto free_slot =
-      std::find_if(m_slots.begin(), m_slots.end(), [](const Slot& slot) { return !slot.object; });
-  const size_t index = free_slot - m_slots.begin();
-  if (free_slot == m_slots.end()) {
+  const Index free = m_index.first_free();
+  const size_t index = free >= 0 ? free : m_slots.size();
+  if (free < 0) {
+    m_index.reserve(index + 1);
+    m_generations.resize(index + 1);
     m_slots.emplace_back();
-    m_generations.push_back(0);
+    refresh(index);
   }
   keep(index);
+  // Nothing below can fail.
   Slot& slot = m_slots[index];
   slot.generation = ++m_generations[index];
   slot.order = m_next_order++;
   slot.object = std::move(object);
+  ++m_num_objects;
+  refresh(index);
   return {static_cast<std::uint32_t>(index), slot.generation};
 }
 
 void Scene::remove(ObjectId id) {
   assert(contains(id));
-  unlink(id);
   keep(id.index);
+  link(id, {});
   m_slots[id.index].object.reset();
+  --m_num_objects;
+  refresh(id.index);
 }
 
 bool Scene::contains(ObjectId id) const {
   return id.index < m_slots.size() && m_slots[id.index].object &&
          m_slots[id.index].generation == id.generation;
-}
-
-Object& Scene::at(ObjectId id) {
-  assert(contains(id));
-  keep(id.index);
-  return *m_slots[id.index].object;
 }
 
 const Object& Scene::at(ObjectId id) const {
@@ -74,32 +74,64 @@ const Object& Scene::at(ObjectId id) const {
 }
 
 std::optional<ObjectId> Scene::find(const std::string& name) const {
-  for (size_t i = 0; i < m_slots.size(); ++i)
-    if (m_slots[i].object && m_slots[i].object->name == name)
-      return ObjectId{static_cast<std::uint32_t>(i), m_slots[i].generation};
-  return std::nullopt;
+  std::optional<ObjectId> found;
+  m_index.visit_named(name, [&](Index slot) {
+    if (m_slots[slot].object->name == name) found = id_of(slot);
+  });
+  return found;
+}
+
+void Scene::sort(std::vector<ObjectId>& ids) const {
+  const auto earlier = [&](ObjectId a, ObjectId b) {
+    return m_slots[a.index].order < m_slots[b.index].order;
+  };
+  if (!std::is_sorted(ids.begin(), ids.end(), earlier)) std::sort(ids.begin(), ids.end(), earlier);
 }
 
 std::vector<ObjectId> Scene::ids() const {
   std::vector<ObjectId> out;
+  out.reserve(m_num_objects);
   for (size_t i = 0; i < m_slots.size(); ++i)
-    if (m_slots[i].object) out.push_back({static_cast<std::uint32_t>(i), m_slots[i].generation});
-  const auto earlier = [&](ObjectId a, ObjectId b) {
-    return m_slots[a.index].order < m_slots[b.index].order;
-  };
-  if (!std::is_sorted(out.begin(), out.end(), earlier)) std::sort(out.begin(), out.end(), earlier);
+    if (m_slots[i].object) out.push_back(id_of(static_cast<Index>(i)));
+  sort(out);
   return out;
 }
 
-Aabb Scene::box() const {
-  Aabb out;
-  for (const Slot& slot : m_slots)
-    if (slot.object && slot.object->placed)
-      out.extend(Body(*slot.object->shape, slot.object->world_from_object()).world_box);
+std::vector<ObjectId> Scene::near(const Aabb& box, double margin) const {
+  std::vector<ObjectId> out;
+  visit_near(box, margin, [&](ObjectId id) { out.push_back(id); });
+  sort(out);
   return out;
 }
 
-void Scene::unlink(ObjectId id) { link(id, {}); }
+std::vector<ObjectId> Scene::invalid_objects() const {
+  std::vector<ObjectId> out;
+  m_index.visit_invalid([&](Index slot) { out.push_back(id_of(slot)); });
+  sort(out);
+  return out;
+}
+
+std::vector<ObjectId> Scene::group_members(const std::string& group) const {
+  std::vector<ObjectId> out;
+  if (group.empty()) return out;
+  m_index.visit_group(group, [&](Index slot) {
+    if (m_slots[slot].object->group == group) out.push_back(id_of(slot));
+  });
+  sort(out);
+  return out;
+}
+
+Aabb Scene::world_box(ObjectId id) const {
+  assert(contains(id));
+  return m_index.tree().at(static_cast<Index>(id.index)).box;
+}
+
+ObjectTree::Extent Scene::extent_without(std::span<const ObjectId> left_out) const {
+  std::vector<Index> slots;
+  for (const ObjectId id : left_out)
+    if (contains(id)) slots.push_back(static_cast<Index>(id.index));
+  return m_index.tree().extent_without(slots);
+}
 
 void Scene::link(ObjectId id, std::vector<Link> links) {
   // All that allocates comes first: nothing is half done when memory runs out.
@@ -108,12 +140,12 @@ void Scene::link(ObjectId id, std::vector<Link> links) {
     if (!l.with || *l.with == id) return nullptr;
     const auto [it, is_new] = seen_by_others.try_emplace(l.with->index);
     if (is_new) {
-      it->second = std::as_const(*this).at(*l.with).links;
+      it->second = at(*l.with).links;
       std::erase_if(it->second, [&](const Link& other) { return other.with == id; });
     }
     return &it->second;
   };
-  for (const Link& l : std::as_const(*this).at(id).links) note(l);
+  for (const Link& l : at(id).links) note(l);
   for (const Link& l : links)
     if (std::vector<Link>* others = note(l)) others->push_back({id, reversed(l.contact)});
   keep(id.index);
@@ -122,29 +154,58 @@ void Scene::link(ObjectId id, std::vector<Link> links) {
   m_slots[id.index].object->links = std::move(links);
 }
 
+Scene::Open& Scene::Open::operator=(const Open&) noexcept {
+  assert(!change);
+  return *this;
+}
+
 void Scene::keep(size_t index) {
-  if (m_recording) m_kept.try_emplace(index, m_slots[index]);
+  if (m_open.change) m_open.change->m_slots.try_emplace(index, m_slots[index]);
 }
 
-void Scene::start_recording() {
-  assert(!m_recording);
-  m_recording = true;
-  m_order_before = m_next_order;
+void Scene::refresh(size_t index) noexcept {
+  const std::optional<Object>& object = m_slots[index].object;
+  m_index.set(static_cast<Index>(index), object ? &*object : nullptr);
 }
 
-SceneChange Scene::stop_recording() {
-  assert(m_recording);
-  m_recording = false;
-  SceneChange change;
-  change.m_slots = std::exchange(m_kept, {});
-  change.m_next_order = m_order_before;
-  return change;
+void Scene::exchange(SceneChange& change) noexcept {
+  assert(!m_open.change);
+  swap_with(change);
 }
 
-void Scene::exchange(SceneChange& change) {
-  assert(!m_recording);
-  for (auto& [index, slot] : change.m_slots) std::swap(m_slots[index], slot);
+void Scene::swap_with(SceneChange& change) noexcept {
+  static_assert(std::is_nothrow_swappable_v<Slot>);
+  for (auto& [index, slot] : change.m_slots) {
+    m_num_objects -= m_slots[index].object.has_value();
+    std::swap(m_slots[index], slot);
+    m_num_objects += m_slots[index].object.has_value();
+    refresh(index);
+  }
   std::swap(m_next_order, change.m_next_order);
+}
+
+bool Scene::is_consistent() const {
+  const std::vector<ObjectId> ids = this->ids();
+  ObjectTree::Extent all;
+  for (const ObjectId id : ids) {
+    const Object& object = at(id);
+    const ObjectTree& tree = m_index.tree();
+    const bool placed = object.placed && object.shape;
+    if (find(object.name) != id || tree.contains(static_cast<Index>(id.index)) != placed)
+      return false;
+    if (!placed) continue;
+    const ObjectTree::Extent extent = extent_of(object);
+    const Aabb box = extent.box.empty() ? Aabb{} : extent.box, there = world_box(id);
+    if (box.lower != there.lower || box.upper != there.upper) return false;
+    all.unite({box, extent.smallest_diagonal > 0 ? extent.smallest_diagonal : kInfinity});
+  }
+  const auto free_slot =
+      std::find_if(m_slots.begin(), m_slots.end(), [](const Slot& slot) { return !slot.object; });
+  const auto first = free_slot == m_slots.end() ? -1 : free_slot - m_slots.begin();
+  const ObjectTree::Extent known = m_index.tree().extent();
+  return m_index.tree().is_valid() && ids.size() == m_num_objects &&
+         m_index.first_free() == first && all.box.lower == known.box.lower &&
+         all.box.upper == known.box.upper && all.smallest_diagonal == known.smallest_diagonal;
 }
 
 std::vector<ObjectId> SceneChange::ids() const {

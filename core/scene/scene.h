@@ -1,118 +1,103 @@
-// The scene: objects in their poses, what they touch, and what rests on what.
+// The scene: objects in their poses, how they are found, and what rests on what.
 #pragma once
 
 #include <map>
-#include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
-#include "core/contact/contact.h"
-#include "core/index/shape.h"
-#include "core/io/model.h"
-#include "core/motion/pose.h"
+#include "core/scene/object.h"
+#include "core/scene/scene_index.h"
 
 namespace trivet {
 
-/// Names an object for ever: a slot that is used again has another generation.
-struct ObjectId {
-  std::uint32_t index = 0, generation = 0;
-  friend bool operator==(const ObjectId&, const ObjectId&) = default;
-};
-
-enum class ObjectState {
-  Unplaced,     // known, but not in the scene yet
-  Fixed,        // never moves, carries everything
-  Stable,       // at rest: contact forces balance its weight
-  Wedged,       // can neither move nor be shown to be supported
-  Held,         // where a hand holds it: let go, it would move
-  Unsupported,  // what held it was taken away: let go, it would move
-  Invalid,      // moved freely into others: nothing else holds until that is resolved
-};
-const char* to_string(ObjectState state);  // "unplaced", "fixed", "stable", ...
-
-/// Contact with another object or the floor, seen from one object.
-struct Link {
-  std::optional<ObjectId> with;  // nothing: the floor
-  Contact contact;
-};
-
-struct Object {
-  std::string name;
-  std::shared_ptr<const Model> model;  // look and origin
-  std::shared_ptr<const Shape> shape;  // geometry, shared by all objects of this model
-  UpAxis up = UpAxis::Z;
-  double scale = 1;  // metres per file unit
-  bool fixed = false;
-  bool placed = false;
-  Pose pose;
-  ObjectState state = ObjectState::Unplaced;
-  double stability_margin = 0;  // metres the centre of mass is inside the hull of the contacts that
-                                // carry, seen from above; negative: outside (leaning, hanging)
-  double least_friction = 0;    // smallest Coulomb coefficient that holds it; infinity: none does
-  std::vector<Link> links;      // what it touches, as of the last operation that moved it
-  bool locked = false;          // no operation may move it, but it is not fixed: it may topple
-  std::string group;            // objects of one group move as one; empty: of none
-
-  Affine world_from_object() const { return trivet::world_from_object(pose, up, scale); }
-  Vec3 centre_of_mass() const { return world_from_object().apply(shape->mass.centre); }
-};
-
 class SceneChange;
+class Transaction;
 
-/// Objects in slots. A floor at z = 0 is optional; gravity is along -z.
+/// Objects in slots. A floor at z = 0 is optional; gravity is along -z. Objects are changed by a
+/// Transaction only. Const functions are pure: any number of threads may call them.
 class Scene {
  public:
   bool floor = true;
 
-  /// @throws Error (BadInput) when the name is empty or taken.
+  /// Strong guarantee. @throws Error (BadInput) when the name is empty or taken.
   ObjectId add(Object object);
+  /// Objects that touched it lose their links with it. Strong guarantee.
   void remove(ObjectId id);
   bool contains(ObjectId id) const;
-  Object& at(ObjectId id);  // asserts that the id is alive
-  const Object& at(ObjectId id) const;
+  const Object& at(ObjectId id) const;  // asserts that the id is alive
+  size_t num_objects() const { return m_num_objects; }
+  std::vector<ObjectId> ids() const;  // in the order of their addition: the scene's order
+  /// Cost O(1).
   std::optional<ObjectId> find(const std::string& name) const;
-  std::vector<ObjectId> ids() const;  // in the order of their addition
 
-  /// World box of the placed objects; holds all vertices, may be a little larger.
-  Aabb box() const;
+  /// World box of the placed objects; holds all vertices, may be a little larger. Cost O(1).
+  Aabb box() const { return m_index.tree().extent().box; }
+  /// The same of one object; empty when it is not placed. Cost O(1).
+  Aabb world_box(ObjectId id) const;
+  /// Box of the placed objects but these, and the smallest diagonal (scale times that of the
+  /// shape's box) above zero: metres, infinity if there is none. Cost O(k log n).
+  ObjectTree::Extent extent_without(std::span<const ObjectId> left_out) const;
+  /// Placed objects whose world box overlaps `box`, closed, by the margin in metres; in the scene's
+  /// order. Cost O(log n) and what is found.
+  std::vector<ObjectId> near(const Aabb& box, double margin = 0) const;
+  /// The same: calls visitor(id), in an order that means nothing.
+  template <class Visitor>
+  void visit_near(const Aabb& box, double margin, const Visitor& visitor) const {
+    m_index.tree().visit([&](const Aabb& there) { return overlaps(there, box, margin); },
+                         [&](Index slot) { visitor(id_of(slot)); });
+  }
+  /// Of ObjectState::Invalid, placed or not; in the scene's order. Cost O(found log found).
+  std::vector<ObjectId> invalid_objects() const;
+  /// Objects of this group, placed or not; in the scene's order. Of no name: none.
+  std::vector<ObjectId> group_members(const std::string& group) const;
 
-  /// Replaces what the object touches; those it touches see the same contact from their side.
-  /// Costs what the object touched and touches, not the scene.
-  void link(ObjectId id, std::vector<Link> links);
-  void unlink(ObjectId id);
-
-  /// From now on whatever is changed is kept as it was before, once per object: the non-const
-  /// at(), add(), remove(), link(), unlink(). References from at() that are older than this, and
-  /// `floor`, are not watched.
-  void start_recording();
-  /// What was changed since. Objects that were only looked at through the non-const at() may be
-  /// among it.
-  SceneChange stop_recording();
-  bool is_recording() const { return m_recording; }
   /// Brings back what `change` holds and lets it hold what was there: undo, and the next time redo,
-  /// to the bit, ids too. The scene must be as it was when the recording stopped (or, the next
-  /// time, began).
-  void exchange(SceneChange& change);
+  /// to the bit, ids too. The scene must be as it was when the change was committed (or, the next
+  /// time, when its transaction began), and no transaction be open. Allocates nothing.
+  void exchange(SceneChange& change) noexcept;
+
+  /// Deep validator, for tests: whether all that is looked up agrees with the objects.
+  bool is_consistent() const;
 
  private:
   friend class SceneChange;
+  friend class Transaction;
   struct Slot {
     std::uint32_t generation = 0;
     std::optional<Object> object;
     std::uint64_t order = 0;
   };
+  /// The innermost open transaction's change. Belongs to this scene: copies have none.
+  struct Open {
+    SceneChange* change = nullptr;
+
+    Open() = default;
+    Open(const Open&) noexcept {}
+    Open& operator=(const Open&) noexcept;
+  };
+
+  ObjectId id_of(Index slot) const {
+    return {static_cast<std::uint32_t>(slot), m_slots[slot].generation};
+  }
+  void sort(std::vector<ObjectId>& ids) const;
+  /// Keeps the slot as it is, for the open transaction. Strong guarantee.
   void keep(size_t index);
+  /// To be called when a slot has changed.
+  void refresh(size_t index) noexcept;
+  void swap_with(SceneChange& change) noexcept;
+  void link(ObjectId id, std::vector<Link> links);
 
   std::vector<Slot> m_slots;
   std::vector<std::uint32_t> m_generations;  // the last of each slot; undo does not take them back
   std::uint64_t m_next_order = 0;
-  bool m_recording = false;
-  std::map<size_t, Slot> m_kept;  // as they were when the recording began
-  std::uint64_t m_order_before = 0;
+  size_t m_num_objects = 0;
+  SceneIndex m_index;
+  Open m_open;
 };
 
-/// The other state of all that a stretch of work changed. See Scene::start_recording().
+/// The other state of all that a transaction changed. See Scene::exchange().
 class SceneChange {
  public:
   bool empty() const { return m_slots.empty(); }
@@ -121,6 +106,7 @@ class SceneChange {
 
  private:
   friend class Scene;
+  friend class Transaction;
   std::map<size_t, Scene::Slot> m_slots;  // by index
   std::uint64_t m_next_order = 0;
 };

@@ -1,0 +1,60 @@
+// An object of a scene: a shape in a pose, its state, and what it touches.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/contact/contact.h"
+#include "core/index/shape.h"
+#include "core/io/model.h"
+#include "core/motion/pose.h"
+
+namespace trivet {
+
+/// Names an object for ever: a slot that is used again has another generation.
+struct ObjectId {
+  std::uint32_t index = 0, generation = 0;
+  friend bool operator==(const ObjectId&, const ObjectId&) = default;
+};
+
+enum class ObjectState {
+  Unplaced,     // known, but not in the scene yet
+  Fixed,        // never moves, carries everything
+  Stable,       // at rest: contact forces balance its weight
+  Wedged,       // can neither move nor be shown to be supported
+  Held,         // where a hand holds it: let go, it would move
+  Unsupported,  // what held it was taken away: let go, it would move
+  Invalid,      // moved freely into others: nothing else holds until that is resolved
+};
+const char* to_string(ObjectState state);  // "unplaced", "fixed", "stable", ...
+
+/// Contact with another object or the floor, seen from one object.
+struct Link {
+  std::optional<ObjectId> with;  // nothing: the floor
+  Contact contact;
+};
+
+struct Object {
+  std::string name;
+  std::shared_ptr<const Model> model;  // look and origin
+  std::shared_ptr<const Shape> shape;  // geometry, shared by all objects of this model
+  UpAxis up = UpAxis::Z;
+  double scale = 1;  // metres per file unit
+  bool fixed = false;
+  bool placed = false;
+  Pose pose;
+  ObjectState state = ObjectState::Unplaced;
+  double stability_margin = 0;  // metres the centre of mass is inside the hull of the contacts that
+                                // carry, seen from above; negative: outside (leaning, hanging)
+  double least_friction = 0;    // smallest Coulomb coefficient that holds it; infinity: none does
+  std::vector<Link> links;      // what it touches, as of the last operation that moved it
+  bool locked = false;          // no operation may move it, but it is not fixed: it may topple
+  std::string group;            // objects of one group move as one; empty: of none
+
+  Affine world_from_object() const { return trivet::world_from_object(pose, up, scale); }
+  Vec3 centre_of_mass() const { return world_from_object().apply(shape->mass.centre); }
+};
+
+}  // namespace trivet

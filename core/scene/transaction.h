@@ -1,0 +1,75 @@
+// All or nothing: the only way to change the objects of a scene.
+#pragma once
+
+#include <utility>
+
+#include "core/scene/scene.h"
+
+namespace trivet {
+
+/// What is done between construction and commit() is taken back by the destructor otherwise, to the
+/// bit, ids too, whatever happens: taking back allocates nothing and cannot fail. Objects are kept
+/// as they were at their first change, so that the cost is theirs, not the scene's. Scene::floor is
+/// not watched.
+///
+/// Transactions nest, the last one opened ends first: an inner one commits into the outer one, and
+/// takes back what was done since its own beginning only. While an inner one is open, the outer one
+/// is not used.
+class Transaction {
+ public:
+  /// @param scene  outlives this and stays where it is.
+  explicit Transaction(Scene& scene) noexcept;
+  ~Transaction();
+  Transaction(const Transaction&) = delete;
+  Transaction& operator=(const Transaction&) = delete;
+
+  const Scene& scene() const { return m_scene; }
+
+  /// See Scene. Each has the strong guarantee.
+  ObjectId add(Object object);
+  void remove(ObjectId id);
+  /// Replaces what the object touches; those it touches see the same contact from their side.
+  /// Costs what the object touched and touches, not the scene.
+  void link(ObjectId id, std::vector<Link> links);
+  void unlink(ObjectId id) { link(id, {}); }
+
+  /// Calls change(Object&), which changes anything but the name; links by link() only. When it
+  /// throws, what it did is in the scene until this is taken back.
+  template <class Change>
+  void edit(ObjectId id, Change&& change) {
+    const Refresh refresh(*this, id);
+    std::forward<Change>(change)(refresh.object());
+  }
+
+  /// The objects that were changed, added or removed since, those that are gone too, and perhaps
+  /// some that are the same again. Sorted by slot, then generation.
+  std::vector<ObjectId> touched() const;
+
+  /// Ends this for good. @return what undoes it; of an inner transaction: empty, the outer one has
+  /// it now.
+  SceneChange commit() noexcept;
+
+ private:
+  // Keeps an object that is about to change, and brings the scene up to date afterwards.
+  class Refresh {
+   public:
+    Refresh(Transaction& transaction, ObjectId id);
+    ~Refresh();
+    Refresh(const Refresh&) = delete;
+    Refresh& operator=(const Refresh&) = delete;
+    Object& object() const;
+
+   private:
+    Scene& m_scene;
+    size_t m_index;
+  };
+
+  bool is_innermost() const { return m_open && m_scene.m_open.change == &m_before; }
+
+  Scene& m_scene;
+  SceneChange m_before;
+  SceneChange* m_outer;
+  bool m_open = true;
+};
+
+}  // namespace trivet
