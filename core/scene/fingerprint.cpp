@@ -23,7 +23,7 @@ void add_to(Hash& hash, const ContactPoint& p) {
 
 void add_to(Hash& hash, const Link& link) {
   const Contact& c = link.contact;
-  hash.add(link.with ? std::uint64_t{link.with->index} : ~std::uint64_t{0});
+  hash.add(link.with.is_object() ? std::uint64_t{link.with.object().index} : ~std::uint64_t{0});
   hash.add(static_cast<std::uint64_t>(c.type));
   hash.add(std::uint64_t{c.points.size()});
   for (const ContactPoint& p : c.points) add_to(hash, p);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,14 +9,9 @@
 #include "core/index/shape.h"
 #include "core/io/model.h"
 #include "core/motion/pose.h"
+#include "core/scene/support.h"
 
 namespace trivet {
-
-/// Names an object for ever: a slot that is used again has another generation.
-struct ObjectId {
-  std::uint32_t index = 0, generation = 0;
-  friend bool operator==(const ObjectId&, const ObjectId&) = default;
-};
 
 enum class ObjectState {
   Unplaced,     // known, but not in the scene yet
@@ -32,7 +26,7 @@ const char* to_string(ObjectState state);  // "unplaced", "fixed", "stable", ...
 
 /// Contact with another object or the floor, seen from one object.
 struct Link {
-  std::optional<ObjectId> with;  // nothing: the floor
+  Support with;
   Contact contact;
 };
 
@@ -56,5 +50,13 @@ struct Object {
   Affine world_from_object() const { return trivet::world_from_object(pose, up, scale); }
   Vec3 centre_of_mass() const { return world_from_object().apply(shape->mass.centre); }
 };
+
+/// Whether the centre of mass of an object at rest is inside the support polygon of its contacts:
+/// it then rests whatever else is near.
+bool stands_on_its_own(const Object& object);
+/// At rest, but not on its own: perhaps by what it leans on.
+inline bool leans(const Object& object) {
+  return object.state == ObjectState::Stable && !stands_on_its_own(object);
+}
 
 }  // namespace trivet

@@ -21,6 +21,7 @@ class ObjectTree {
   struct Extent {
     Aabb box;                              // empty: overlaps nothing
     double smallest_diagonal = kInfinity;  // metres, > 0; infinity: there is none
+    double leaning_reach = 0;  // metres, largest size of an object that leans; 0: there is none
 
     void unite(const Extent& other);
   };
@@ -39,8 +40,8 @@ class ObjectTree {
   /// Of all leaves but these; slots without a leaf are ignored. Cost O(k log n log(k log n)).
   Extent extent_without(std::span<const Index> slots) const;
 
-  /// Calls visitor(slot) for every leaf whose box is accepted, in an order that means nothing.
-  /// @param accepts  asks its argument, a box; whoever accepts a box accepts all that hold it.
+  /// Calls visitor(slot) for every leaf whose extent is accepted, in an order that means nothing.
+  /// @param accepts  decides on an Extent; accepting one implies accepting all that hold it.
   template <class Accepts, class Visitor>
   void visit(const Accepts& accepts, const Visitor& visitor) const;
 
@@ -80,7 +81,7 @@ void ObjectTree::visit(const Accepts& accepts, const Visitor& visitor) const {
   for (int size = 1; size > 0;) {
     const Index id = stack[--size];
     const Node& node = m_nodes[id];
-    if (!accepts(node.extent.box)) continue;
+    if (!accepts(node.extent)) continue;
     if (node.height == 0) {
       visitor(id / 2);
     } else {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/tunables.h"
 
 namespace trivet {
 
@@ -27,6 +28,11 @@ const char* to_string(ObjectState state) {
       return "invalid";
   }
   return "?";
+}
+
+bool stands_on_its_own(const Object& object) {
+  return object.state == ObjectState::Stable &&
+         object.stability_margin >= kRestMargin * object.scale * object.shape->box.diagonal();
 }
 
 ObjectId Scene::add(Object object) {
@@ -104,6 +110,17 @@ std::vector<ObjectId> Scene::near(const Aabb& box, double margin) const {
   return out;
 }
 
+std::vector<ObjectId> Scene::leaning_near(const Aabb& box) const {
+  std::vector<ObjectId> out;
+  m_index.tree().visit(
+      [&](const ObjectTree::Extent& there) {
+        return there.leaning_reach > 0 && overlaps(there.box, box, there.leaning_reach);
+      },
+      [&](Index slot) { out.push_back(id_of(slot)); });
+  sort(out);
+  return out;
+}
+
 std::vector<ObjectId> Scene::invalid_objects() const {
   std::vector<ObjectId> out;
   m_index.visit_invalid([&](Index slot) { out.push_back(id_of(slot)); });
@@ -126,7 +143,7 @@ Aabb Scene::world_box(ObjectId id) const {
   return m_index.tree().at(static_cast<Index>(id.index)).box;
 }
 
-ObjectTree::Extent Scene::extent_without(std::span<const ObjectId> left_out) const {
+SceneExtent Scene::extent_without(std::span<const ObjectId> left_out) const {
   std::vector<Index> slots;
   for (const ObjectId id : left_out)
     if (contains(id)) slots.push_back(static_cast<Index>(id.index));
@@ -137,11 +154,11 @@ void Scene::link(ObjectId id, std::vector<Link> links) {
   // All that allocates comes first: nothing is half done when memory runs out.
   std::map<std::uint32_t, std::vector<Link>> seen_by_others;
   const auto note = [&](const Link& l) -> std::vector<Link>* {
-    if (!l.with || *l.with == id) return nullptr;
-    const auto [it, is_new] = seen_by_others.try_emplace(l.with->index);
+    if (l.with.is_floor() || l.with == Support(id)) return nullptr;
+    const auto [it, is_new] = seen_by_others.try_emplace(l.with.object().index);
     if (is_new) {
-      it->second = at(*l.with).links;
-      std::erase_if(it->second, [&](const Link& other) { return other.with == id; });
+      it->second = at(l.with.object()).links;
+      std::erase_if(it->second, [&](const Link& other) { return other.with == Support(id); });
     }
     return &it->second;
   };
@@ -258,12 +275,12 @@ LoadSupport load_support(const Scene& scene) {
     LoadSupport::Entry entry{id, false, {}, {}};
     for (const Link& l : object.links) {
       if (holds_up(l.contact)) {
-        if (l.with)
-          entry.supports.push_back(*l.with);
+        if (l.with.is_object())
+          entry.supports.push_back(l.with.object());
         else
           entry.on_floor = true;
       }
-      if (l.with && weighs_on(l.contact)) entry.loads.push_back(*l.with);
+      if (l.with.is_object() && weighs_on(l.contact)) entry.loads.push_back(l.with.object());
     }
     sort_by_slot(entry.supports);
     sort_by_slot(entry.loads);

@@ -14,6 +14,7 @@ namespace trivet {
 
 class SceneChange;
 class Transaction;
+using SceneExtent = ObjectTree::Extent;
 
 /// Objects in slots. A floor at z = 0 is optional; gravity is along -z. Objects are changed by a
 /// Transaction only. Const functions are pure: any number of threads may call them.
@@ -38,16 +39,20 @@ class Scene {
   Aabb world_box(ObjectId id) const;
   /// Box of the placed objects but these, and the smallest diagonal (scale times that of the
   /// shape's box) above zero: metres, infinity if there is none. Cost O(k log n).
-  ObjectTree::Extent extent_without(std::span<const ObjectId> left_out) const;
+  SceneExtent extent_without(std::span<const ObjectId> left_out) const;
   /// Placed objects whose world box overlaps `box`, closed, by the margin in metres; in the scene's
   /// order. Cost O(log n) and what is found.
   std::vector<ObjectId> near(const Aabb& box, double margin = 0) const;
   /// The same: calls visitor(id), in an order that means nothing.
   template <class Visitor>
   void visit_near(const Aabb& box, double margin, const Visitor& visitor) const {
-    m_index.tree().visit([&](const Aabb& there) { return overlaps(there, box, margin); },
-                         [&](Index slot) { visitor(id_of(slot)); });
+    m_index.tree().visit(
+        [&](const ObjectTree::Extent& there) { return overlaps(there.box, box, margin); },
+        [&](Index slot) { visitor(id_of(slot)); });
   }
+  /// Objects that lean (see leans()) and whose world box overlaps `box` by the margin of their own
+  /// size; in the scene's order. Cost O(log n) and what is found.
+  std::vector<ObjectId> leaning_near(const Aabb& box) const;
   /// Of ObjectState::Invalid, placed or not; in the scene's order. Cost O(found log found).
   std::vector<ObjectId> invalid_objects() const;
   /// Objects of this group, placed or not; in the scene's order. Of no name: none.

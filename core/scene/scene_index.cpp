@@ -6,8 +6,9 @@
 namespace trivet {
 
 ObjectTree::Extent extent_of(const Object& object) {
-  return {Body(*object.shape, object.world_from_object()).world_box,
-          object.scale * object.shape->box.diagonal()};
+  const double size = object.scale * object.shape->box.diagonal();
+  return {Body(*object.shape, object.world_from_object()).world_box, size,
+          leans(object) ? size : 0};
 }
 
 std::uint64_t SceneIndex::hash_of(std::string_view text) noexcept {

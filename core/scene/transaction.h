@@ -19,6 +19,8 @@ class Transaction {
  public:
   /// @param scene  outlives this and stays where it is.
   explicit Transaction(Scene& scene) noexcept;
+  /// Nested in `outer`, of the same scene.
+  explicit Transaction(Transaction& outer) noexcept : Transaction(outer.m_scene) {}
   ~Transaction();
   Transaction(const Transaction&) = delete;
   Transaction& operator=(const Transaction&) = delete;
