@@ -1,5 +1,6 @@
 #include <stdexcept>
 
+#include "core/scene/transaction.h"
 #include "ops/check/check.h"
 #include "ops/operations/perform.h"
 #include "ops/placement/clearance.h"
@@ -50,12 +51,11 @@ Samples push_steps(Scene& scene, const std::vector<std::string>& names, bool set
     for (const Vec2& direction : kDirections) {
       PushOperation push;
       push.object = name, push.direction = direction, push.distance = kStep, push.settle = settle;
-      scene.start_recording();
+      Transaction trial(scene);
       OperationResult result;
       const Took took = timed([&] { result = perform(scene, push, options); });
-      SceneChange change = scene.stop_recording();
       hash->add(scene.at(*scene.find(name)).pose);
-      scene.exchange(change);
+      trial.rollback();
       if (result.ok())
         samples.add(took);
       else
@@ -96,7 +96,7 @@ double largest_shift(const Scene& before, const Scene& after, ObjectId table) {
 
 void add_table_rows(Scene scene, Report& report) {
   const ObjectId table = *scene.find("table");
-  scene.at(table).fixed = false;
+  edit_object(scene, table, [](Object& o) { o.fixed = false; });
   if (!put(scene, table, scene.at(table).pose).ok())
     throw std::runtime_error("the table cannot be put");
   PushOperation push;
@@ -110,7 +110,7 @@ void add_table_rows(Scene scene, Report& report) {
       Scene after = scene;
       OperationResult result;
       samples.add(timed([&] { result = perform(after, operation); }));
-      if (!result.ok()) throw std::runtime_error(result.reason);
+      if (!result.ok()) throw std::runtime_error(result.reason());
       carried = result.carried.size();
       shift = largest_shift(scene, after, table);
     }

@@ -2,6 +2,7 @@
 #include <tbb/global_control.h>
 
 #include "core/base/error.h"
+#include "ops/base/stopwatch.h"
 #include "perf/result_hash.h"
 #include "perf/rows.h"
 #include "perf/sweeps.h"

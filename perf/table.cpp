@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "core/io/export.h"
+#include "ops/base/stopwatch.h"
 #include "perf/fcl_baseline.h"
 #include "perf/rows.h"
 #include "perf/settling.h"

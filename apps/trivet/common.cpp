@@ -63,7 +63,8 @@ void add_common_options(CLI::App& app, CommonOptions& common) {
   app.get_help_ptr()->group(group);
 }
 
-void add_settle_options(CLI::App& app, SettleOptions& settle) {
+void add_settle_options(CLI::App& app, SettleArguments& arguments) {
+  SettleOptions& settle = arguments.settle;
   const char* const group = "Settling";
   app.add_option("--clearance", settle.clearance,
                  "Metres at which motions stop before contact; 0: 2^-20 of the scene's size")
@@ -73,7 +74,7 @@ void add_settle_options(CLI::App& app, SettleOptions& settle) {
       ->check(integer_from(1, 1'000'000'000))
       ->group(group);
   app.add_option(
-         "--operation-seconds", settle.time_budget_s,
+         "--operation-seconds", arguments.operation_seconds,
          "An operation that takes longer leaves the scene as it was; 0: as long as it needs")
       ->check(number_from(0, 1e9))
       ->group(group);
@@ -116,11 +117,12 @@ std::unique_ptr<Detector> make_detector(const CommonOptions& common) {
   return make_detector(options);
 }
 
-RunOptions run_options(const CommonOptions& common, const SettleOptions& settle,
+RunOptions run_options(const CommonOptions& common, const SettleArguments& arguments,
                        Detector* detector) {
   RunOptions options;
-  options.settle = settle;
-  options.settle.detector = detector;
+  options.settle = arguments.settle;
+  options.context.detector = detector;
+  options.context.time_budget_s = arguments.operation_seconds;
   options.num_threads = common.num_threads;
   options.progress = terminal_progress(common);
   return options;

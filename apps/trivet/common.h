@@ -30,7 +30,12 @@ struct CommonOptions {
 };
 void add_common_options(CLI::App& app, CommonOptions& common);
 
-void add_settle_options(CLI::App& app, SettleOptions& settle);
+/// Options of settling and of the run.
+struct SettleArguments {
+  SettleOptions settle;
+  double operation_seconds = 0;  // 0: unlimited
+};
+void add_settle_options(CLI::App& app, SettleArguments& arguments);
 
 /// --chord and --facet-angle-deg, of models with curved surfaces.
 void add_tessellation_options(CLI::App& app, Tessellation& tessellation);
@@ -47,7 +52,7 @@ std::unique_ptr<ZListStage> make_gpu_stage();
 DropBracketFunction make_gpu_brackets();
 
 /// Everything that a run of operations needs. The detector is not owned; null: box trees.
-RunOptions run_options(const CommonOptions& common, const SettleOptions& settle,
+RunOptions run_options(const CommonOptions& common, const SettleArguments& arguments,
                        Detector* detector = nullptr);
 
 /// Validators whose complaints name what is accepted.

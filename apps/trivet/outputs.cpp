@@ -84,8 +84,8 @@ std::string end_of(const OperationRecord& record) {
   const OperationResult& r = record.result;
   using End = OperationResult::End;
   std::string out;
-  if (r.end == End::Blocked) out += ": blocked by \"" + r.blocked_by + "\"";
-  if (r.end == End::Step) out += ": stopped by a step, \"" + r.blocked_by + "\"";
+  if (r.end == End::Blocked) out += ": blocked by \"" + r.blocked_by.name + "\"";
+  if (r.end == End::Step) out += ": stopped by a step, \"" + r.blocked_by.name + "\"";
   if (r.end == End::Edge) out += ": stopped at an edge";
   if (!r.interpenetrates.empty()) out += "; passes through " + quoted_list(r.interpenetrates);
   if (!r.unsupported.empty()) out += "; leaves unsupported: " + quoted_list(r.unsupported);
@@ -188,12 +188,13 @@ Outputs::Outputs(const OutputPaths& paths, const std::vector<std::string>& input
   if (!paths.picture.empty()) m_picture = std::make_unique<PictureMaker>(picture);
 }
 
-int Outputs::write(const LayoutRun& run, const Layout& layout, const SettleOptions& settle,
+int Outputs::write(const LayoutRun& run, const Layout& layout, const RunOptions& options,
                    const ModelFolders& folders, const GltfScene* in_place) {
   ReportOptions report_options;
   report_options.version = TRIVET_VERSION;
   report_options.model_folder = folders.in_report;
-  if (settle.detector) tell_work(*settle.detector, m_common, &report_options);
+  if (options.context.detector)
+    tell_work(*options.context.detector, m_common, &report_options);
   const std::string report = report_json(run, report_options);
   // All that can fail but the disk comes first.
   const std::string png = m_picture ? m_picture->png(run.scene) : "";
@@ -204,7 +205,7 @@ int Outputs::write(const LayoutRun& run, const Layout& layout, const SettleOptio
   else if (in_place && (extension == ".glb" || extension == ".gltf"))
     in_place->write(m_paths.scene);
   else if (!m_paths.scene.empty())
-    write_scene_file(run.scene, layout, {TRIVET_VERSION, folders.in_scene, settle.clearance},
+    write_scene_file(run.scene, layout, {TRIVET_VERSION, folders.in_scene, options.settle.clearance},
                      m_paths.scene);
   if (!m_paths.report.empty()) write_file_atomically(m_paths.report, report);
   if (m_picture) write_file_atomically(m_paths.picture, png);
@@ -224,7 +225,7 @@ std::string summary(const LayoutRun& run) {
       continue;
     }
     ++num_refused;
-    out << record.op << " \"" << record.object << "\": refused: " << record.result.reason << "\n";
+    out << record.op << " \"" << record.object << "\": refused: " << record.result.reason() << "\n";
   }
   size_t num_placed = 0;
   const std::vector<ObjectId> ids = run.scene.ids();

@@ -45,7 +45,7 @@ class Outputs {
   /// Writes all files and says on standard output what was done; the report itself with --json.
   /// @return the exit status: 1 when an operation was refused or the check failed.
   /// @param in_place  the scene whose nodes were moved: .glb and .gltf are that scene.
-  int write(const LayoutRun& run, const Layout& layout, const SettleOptions& settle,
+  int write(const LayoutRun& run, const Layout& layout, const RunOptions& options,
             const ModelFolders& folders, const GltfScene* in_place = nullptr);
 
  private:

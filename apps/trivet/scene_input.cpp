@@ -2,6 +2,7 @@
 
 #include "apps/trivet/outputs.h"
 #include "core/io/isolated.h"
+#include "core/scene/transaction.h"
 
 namespace trivet::apps {
 namespace {
@@ -17,8 +18,7 @@ Scene scene_of_model(const std::string& path, const CommonOptions& common) {
     return import_model(name, common.limits(), tessellation);
   };
   Scene scene = make_scene(layout, source, run_options(common, {}));
-  Object& placed = scene.at(scene.ids().front());
-  placed.placed = true;
+  edit_object(scene, scene.ids().front(), [](Object& o) { o.placed = true; });
   return scene;
 }
 

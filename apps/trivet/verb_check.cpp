@@ -13,7 +13,7 @@ namespace {
 
 struct CheckArguments {
   std::string file, report, object;
-  SettleOptions settle;
+  SettleArguments settle;
   StabilityOptions stability;
 };
 
@@ -60,7 +60,7 @@ int tell_of_object(const CheckArguments& arguments, const CommonOptions& common,
     throw Error(Error::Kind::BadInput, "--object: \"" + arguments.object +
                                            "\" is not accepted; accepted: the name of an object");
   StabilityOptions options = arguments.stability;
-  options.clearance = arguments.settle.clearance;
+  options.clearance = arguments.settle.settle.clearance;
   if (common.json)
     std::cout << object_query_json(run.scene, *id, options) << "\n";
   else

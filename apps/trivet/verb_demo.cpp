@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 struct DemoArguments {
   std::string name, folder;
   OutputPaths outputs;
-  SettleOptions settle;
+  SettleArguments settle;
 };
 
 /// The folder for the demo's files: the one that was asked for, else one that vanishes.
@@ -79,7 +79,7 @@ int run_demo(const DemoArguments& arguments, const CommonOptions& common) {
       run_layout(layout, models_in_folder(folder.path(), common.limits()), options);
   const std::string& scene = arguments.outputs.scene;
   const std::string in_scene = arguments.folder.empty() ? "" : folder_from(scene, folder.path());
-  return outputs.write(result, layout, options.settle, {in_scene, ""});
+  return outputs.write(result, layout, options, {in_scene, ""});
 }
 
 }  // namespace

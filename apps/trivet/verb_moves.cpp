@@ -14,7 +14,7 @@ struct MoveArguments {
   std::string scene;
   JointMoveOptions move;
   OutputPaths outputs;
-  SettleOptions settle;
+  SettleArguments settle;
 };
 
 std::optional<Vec3> vec3(const std::vector<double>& v) {
@@ -57,7 +57,7 @@ int move(const MoveArguments& arguments, const Operation& asked, const CommonOpt
   finish_run(options, run);
   const std::string folder = folder_of(arguments.scene);
   const OutputPaths& paths = arguments.outputs;
-  return outputs.write(run, file.layout, options.settle,
+  return outputs.write(run, file.layout, options,
                        {folder_from(paths.scene, folder), folder_from(paths.report, folder)});
 }
 

@@ -5,6 +5,8 @@
 #include "apps/trivet/verbs.h"
 #include "core/base/error.h"
 #include "core/io/isolated.h"
+#include "ops/base/names.h"
+#include "ops/operations/perform.h"
 #include "ops/report/geometry.h"
 
 namespace trivet::apps {
@@ -16,7 +18,7 @@ struct PutArguments {
   double scale = 1;
   Tessellation tessellation;
   OutputPaths outputs;
-  SettleOptions settle;
+  SettleArguments settle;
 };
 
 Pose start_pose(const PutArguments& arguments) {
@@ -115,7 +117,7 @@ int put(const PutArguments& arguments, const CommonOptions& common) {
   finish_run(options, run);
   const std::string folder = folder_of(arguments.scene);
   const OutputPaths& paths = arguments.outputs;
-  return outputs.write(run, file.layout, options.settle,
+  return outputs.write(run, file.layout, options,
                        {folder_from(paths.scene, folder), folder_from(paths.report, folder)});
 }
 

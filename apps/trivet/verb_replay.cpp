@@ -29,7 +29,7 @@ int replay(const ReplayArguments& arguments, const CommonOptions& common) {
   options.settle.clearance = opened.clearance;
   finish_run(options, run);
   const OutputPaths& paths = arguments.outputs;
-  const int status = outputs.write(run, opened.session.layout(), options.settle,
+  const int status = outputs.write(run, opened.session.layout(), options,
                                    {folder_from(paths.scene, opened.model_folder),
                                     folder_from(paths.report, opened.model_folder)});
   return restored.exact ? status : 1;

@@ -11,7 +11,7 @@ namespace {
 struct RunArguments {
   std::string layout;
   OutputPaths outputs;
-  SettleOptions settle;
+  SettleArguments settle;
   bool stop_at_refusal = false;
 };
 
@@ -42,7 +42,7 @@ int run(const RunArguments& arguments, const CommonOptions& common) {
   const LayoutRun result =
       scene ? run_in_scene(layout, *scene, options)
             : run_layout(layout, models_in_folder(folder, common.limits()), options);
-  return outputs.write(result, layout, options.settle,
+  return outputs.write(result, layout, options,
                        {folder_from(arguments.outputs.scene, folder), ""}, scene.get());
 }
 

@@ -21,7 +21,7 @@ using Json = nlohmann::ordered_json;
 
 struct SessionArguments {
   std::string start, journal;
-  SettleOptions settle;
+  SettleArguments settle;
 };
 
 constexpr const char* kAccepted =
@@ -58,8 +58,9 @@ const char* to_string(OperationResult::Status status) {
 class Dialogue {
  public:
   Dialogue(OpenedSession& opened, const SessionArguments& arguments, Detector& detector)
-      : m_opened(opened), m_session(opened.session), m_settle(arguments.settle) {
-    m_settle.detector = &detector;
+      : m_opened(opened), m_session(opened.session), m_settle(arguments.settle.settle) {
+    m_context.detector = &detector;
+    m_context.time_budget_s = arguments.settle.operation_seconds;
     if (!(m_settle.clearance > 0)) m_settle.clearance = opened.clearance;
   }
 
@@ -74,7 +75,7 @@ class Dialogue {
 
   // One line in, one line out; what is wrong with a line is its answer.
   Json answer(const InputLine& line) {
-    m_settle.cancel = &line.cancelled;
+    m_context.cancel = &line.cancelled;
     try {
       const nlohmann::json document = parse_json(line.text, "standard input");
       const JsonPlace place(document, "standard input");
@@ -93,8 +94,12 @@ class Dialogue {
 
  private:
   Json perform(const Operation& operation) {
-    const OperationResult result = m_session.perform(operation, m_settle);
-    if (!result.ok()) return {{"status", to_string(result.status)}, {"reason", result.reason}};
+    const OperationResult result = m_session.perform(operation, m_settle, m_context);
+    if (!result.ok()) {
+      Json json = {{"status", to_string(result.status)}};
+      add_refusal(result, json);
+      return json;
+    }
     Json json = state();
     add_outcome(result, json);
     return json;
@@ -129,6 +134,7 @@ class Dialogue {
   OpenedSession& m_opened;
   Session& m_session;
   SettleOptions m_settle;
+  RunContext m_context;
 };
 
 bool is_cancel(const std::string& line) {

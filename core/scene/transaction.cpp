@@ -11,8 +11,12 @@ Transaction::Transaction(Scene& scene) noexcept : m_scene(scene), m_outer(scene.
 }
 
 Transaction::~Transaction() {
-  if (!m_open) return;
+  if (m_open) rollback();
+}
+
+void Transaction::rollback() noexcept {
   assert(is_innermost());
+  m_open = false;
   m_scene.m_open.change = m_outer;
   m_scene.swap_with(m_before);
 }

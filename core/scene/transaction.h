@@ -47,6 +47,8 @@ class Transaction {
   /// some that are the same again. Sorted by slot, then generation.
   std::vector<ObjectId> touched() const;
 
+  /// Takes everything back now, and ends this.
+  void rollback() noexcept;
   /// Ends this for good. @return what undoes it; of an inner transaction: empty, the outer one has
   /// it now.
   SceneChange commit() noexcept;
@@ -73,5 +75,13 @@ class Transaction {
   SceneChange* m_outer;
   bool m_open = true;
 };
+
+/// Changes one object, or nothing when `change` throws: a transaction of one edit().
+template <class Change>
+void edit_object(Scene& scene, ObjectId id, Change&& change) {
+  Transaction transaction(scene);
+  transaction.edit(id, std::forward<Change>(change));
+  transaction.commit();
+}
 
 }  // namespace trivet

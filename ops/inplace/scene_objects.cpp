@@ -8,6 +8,7 @@
 #include <map>
 
 #include "core/base/error.h"
+#include "ops/base/names.h"
 #include "core/base/hash.h"
 #include "core/io/export.h"
 #include "core/io/gltf_builder.h"

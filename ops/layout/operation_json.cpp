@@ -226,6 +226,21 @@ DeleteOperation read_delete(const JsonPlace& place) {
   return operation;
 }
 
+StandOperation read_stand(const JsonPlace& place) {
+  place.expect_object({"op", "object", "position"}, {"rotation", "settle_left"});
+  StandOperation operation;
+  read_common(place, operation);
+  operation.pose = read_pose(place);
+  return operation;
+}
+
+UnplaceOperation read_unplace(const JsonPlace& place) {
+  place.expect_object({"op", "object"}, {"settle_left"});
+  UnplaceOperation operation;
+  read_common(place, operation);
+  return operation;
+}
+
 LockOperation read_lock(const JsonPlace& place, bool locked) {
   place.expect_object({"op", "object"}, {});
   return {place.at("object").text(), locked};
@@ -266,10 +281,12 @@ Operation read_operation(const JsonPlace& place) {
   if (op.value() == "unfix") return read_fix(place, false);
   if (op.value() == "group") return read_group(place);
   if (op.value() == "ungroup") return read_ungroup(place);
+  if (op.value() == "stand") return read_stand(place);
+  if (op.value() == "unplace") return read_unplace(place);
   op.refuse(
       "\"put\", \"push\", \"turn\", \"pick_up\", \"translate\", \"rotate\", \"append\", "
-      "\"duplicate\", \"delete\", \"lock\", \"unlock\", \"fix\", \"unfix\", \"group\" or "
-      "\"ungroup\"");
+      "\"duplicate\", \"delete\", \"lock\", \"unlock\", \"fix\", \"unfix\", \"group\", "
+      "\"ungroup\", \"stand\" or \"unplace\"");
 }
 
 UpAxis read_up(const JsonPlace& place) {

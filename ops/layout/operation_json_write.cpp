@@ -114,6 +114,10 @@ void write(const DuplicateOperation& duplicate, Json& json) { json["as"] = dupli
 
 void write(const DeleteOperation&, Json&) {}
 
+void write(const StandOperation& stand, Json& json) { write_pose(stand.pose, json); }
+
+void write(const UnplaceOperation&, Json&) {}
+
 void write(const LockOperation&, Json&) {}
 
 void write(const FixOperation&, Json&) {}

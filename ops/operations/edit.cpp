@@ -4,6 +4,7 @@
 
 #include "ops/base/names.h"
 #include "ops/operations/commit.h"
+#include "ops/settle/rest.h"
 
 namespace trivet {
 namespace {

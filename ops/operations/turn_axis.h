@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "core/scene/scene.h"
 #include "ops/operations/operations.h"
 
 namespace trivet {

@@ -12,6 +12,7 @@
 #include "ops/layout/layout.h"
 #include "ops/layout/load.h"
 #include "ops/base/context.h"
+#include "ops/base/options.h"
 #include "ops/base/outcome.h"
 #include "ops/operations/operations.h"
 

@@ -212,51 +212,6 @@ Vec3 smallest_lift(const std::vector<ContactPoint>& points, double clearance) {
   return d;
 }
 
-bool is_balanced() const {
-    const double tolerance = kBalanceTolerance * clearance();
-    const std::vector<ContactPoint> near = all_points_with(contacts_of(0, tolerance), tolerance);
-    const bool touches = std::any_of(near.begin(), near.end(), [&](const ContactPoint& c) {
-      return c.gap <= kHoverTolerance * clearance();
-    });
-    return touches && trivet::is_balanced(near, m_object.centre, m_object.size, clearance());
-  }
-
-  SettleOutcome finish(SettleOutcome::Status status) {
-    m_out.status = status;
-    return std::move(m_out);
-  }
-
-  const SettleProblem& m_problem;
-  SettleOutcome m_out;
-  SettlingObject m_object;
-  std::vector<Body> m_bodies;  // the object, then what it carries
-  int m_num_lifts = 0;
-};
-
-}  // namespace
-
-Vec3 smallest_lift(const std::vector<ContactPoint>& points, double clearance) {
-  std::vector<double> weights(points.size(), 0.0);
-  Vec3 d = Vec3::Zero();
-  for (int sweep = 0; sweep < kLiftSweeps; ++sweep)
-    for (size_t i = 0; i < points.size(); ++i) {
-      const double missing = clearance - points[i].gap - points[i].normal.dot(d);
-      const double change = std::max(-weights[i], missing);
-      weights[i] += change;
-      d += change * points[i].normal;
-    }
-  return d;
-}
-
-std::vector<ContactPoint> all_points(const std::vector<ContactsWith>& contacts, double distance) {
-  std::vector<ContactPoint> all;
-  for (const ContactsWith& c : contacts) {
-    const std::vector<ContactPoint> points = merged(c.points, distance);
-    all.insert(all.end(), points.begin(), points.end());
-  }
-  return all;
-}
-
 bool is_balanced(const std::vector<ContactPoint>& contacts, const Vec3& centre, double size,
                  double clearance) {
   return carrying_margin(contacts, centre) >= kRestMargin * size ||

@@ -35,6 +35,7 @@ struct DocumentOptions {
   std::string recovery_folder;
   std::string version;   // of the program; stands in saved files
   SettleOptions settle;  // of all operations
+  RunContext context;
   int num_threads = 0;   // of loading; 0: all cores
   ImportLimits limits;
 };

@@ -3,6 +3,7 @@
 #include "apps/edit/document/results.h"
 #include "core/base/error.h"
 #include "core/io/isolated.h"
+#include "ops/placement/neighbourhood.h"
 
 namespace trivet::edit {
 namespace {
@@ -122,7 +123,7 @@ void Engine::tell(const OperationResult& result, const Operation& operation) {
 RunOptions Engine::run_options() {
   RunOptions options;
   options.settle = m_options.settle;
-  options.settle.cancel = &m_cancel;
+  options.context = context();
   options.num_threads = m_options.num_threads;
   options.progress = [this](const Progress& progress) {
     if (m_cancel) throw Cancelled();
@@ -153,9 +154,14 @@ void Engine::publish(std::optional<SettledWay> way) {
 
 SettleOptions Engine::settle_options() const {
   SettleOptions options = m_options.settle;
-  options.cancel = &m_cancel;
   if (!(options.clearance > 0)) options.clearance = m_opened->clearance;
   return options;
+}
+
+RunContext Engine::context() const {
+  RunContext context = m_options.context;
+  context.cancel = &m_cancel;
+  return context;
 }
 
 bool Engine::perform(const Operation& operation) { return perform_all({operation}); }
@@ -174,7 +180,7 @@ bool Engine::perform_all(const std::vector<Operation>& operations,
   if (operations.empty()) return true;
   Session& session = m_opened->session;
   const std::optional<Pose> from = pose_before(operations);
-  const OperationResult result = session.perform_all(operations, settle_options());
+  const OperationResult result = session.perform_all(operations, settle_options(), context());
   if (result.ok())
     publish(settled_way(session.scene(), operations.back(), result, result.steps, from));
   if (result.ok() && !select.empty())
@@ -199,7 +205,8 @@ void Engine::begin_drag(std::uint64_t drag, const Operation& operation) {
   post({0, "drag", [drag, operation](Engine& engine) {
           engine.m_drag = drag;
           Engine& e = engine;
-          e.m_live.emplace(e.m_opened->session.begin_live(operation, e.settle_options()));
+          e.m_live.emplace(
+              e.m_opened->session.begin_live(operation, e.settle_options(), e.context()));
           if (!e.m_live->refused()) return true;
           e.tell(e.m_live->result(), operation);
           e.m_live.reset();
@@ -285,7 +292,8 @@ void Engine::request_ghost(std::uint64_t request, const Operation& operation) {
           if (!engine.m_ghosts_know)
             scene = std::make_unique<Scene>(engine.m_opened->session.scene());
           engine.m_ghosts_know = true;
-          engine.m_ghosts.request(request, operation, engine.settle_options(), std::move(scene));
+          engine.m_ghosts.request(request, operation, engine.settle_options(), engine.context(),
+                                  std::move(scene));
           return true;
         }});
 }

@@ -67,6 +67,7 @@ class Engine {
   void follow();
   void show_again();
   SettleOptions settle_options() const;
+  RunContext context() const;
   void tell(std::function<void(Document&)> what);
   void tell(Message message);
   void tell(const OperationResult& result, const Operation& operation);

@@ -3,6 +3,8 @@
 #include <utility>
 
 #include "apps/edit/document/results.h"
+#include "core/scene/transaction.h"
+#include "ops/operations/perform.h"
 
 namespace trivet::edit {
 namespace {
@@ -16,7 +18,7 @@ void describe(const Scene& scene, const OperationResult& result, Ghost& ghost) {
   ghost.state = object.state;
   for (const Link& link : object.links) {
     if (!holds_up(link.contact)) continue;
-    if (link.with) ghost.objects.push_back(*link.with);
+    if (link.with.is_object()) ghost.objects.push_back(link.with.object());
     for (const ContactPoint& p : link.contact.points) ghost.points.push_back(p.point);
   }
 }
@@ -37,11 +39,12 @@ GhostWorker::~GhostWorker() {
 }
 
 void GhostWorker::request(std::uint64_t number, const Operation& operation,
-                          const SettleOptions& options, std::unique_ptr<Scene> scene) {
+                          const SettleOptions& options, const RunContext& context,
+                          std::unique_ptr<Scene> scene) {
   {
     const std::lock_guard lock(m_mutex);
-    m_next = Request{number, operation, options, std::chrono::steady_clock::now()};
-    m_next->options.cancel = &m_cancel;
+    m_next = Request{number, operation, options, context, std::chrono::steady_clock::now()};
+    m_next->context.cancel = &m_cancel;
     if (scene) m_next_scene = std::move(scene);
     m_cancel = true;
   }
@@ -81,13 +84,12 @@ Ghost GhostWorker::answer_to(const Request& request) {
     return ghost;
   }
   ghost.object = *id;
-  m_scene->start_recording();
-  const OperationResult result = trivet::perform(*m_scene, request.operation, request.options);
+  Transaction trial(*m_scene);
+  const OperationResult result = perform(trial, request.operation, request.options, request.context);
   const Scene& scene = *m_scene;
   ghost.ok = result.ok();
   if (ghost.ok) describe(scene, result, ghost);
-  SceneChange change = m_scene->stop_recording();
-  m_scene->exchange(change);
+  trial.rollback();
   if (const auto message =
           message_of(scene, request.operation, result, request.options.clearance)) {
     ghost.text = message->text;

@@ -22,7 +22,7 @@ class GhostWorker {
 
   /// @param scene  null: the one of the last request.
   void request(std::uint64_t number, const Operation& operation, const SettleOptions& options,
-               std::unique_ptr<Scene> scene);
+               const RunContext& context, std::unique_ptr<Scene> scene);
   bool is_idle() const;
 
  private:
@@ -30,6 +30,7 @@ class GhostWorker {
     std::uint64_t number = 0;
     Operation operation;
     SettleOptions options;
+    RunContext context;
     std::chrono::steady_clock::time_point when;
   };
   void run();

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "core/base/tunables.h"
+#include "ops/placement/clearance.h"
+#include "ops/placement/neighbourhood.h"
 
 namespace trivet::edit {
 namespace {
@@ -11,10 +13,10 @@ void add(std::vector<ObjectId>& ids, std::optional<ObjectId> id) {
   if (id && std::find(ids.begin(), ids.end(), *id) == ids.end()) ids.push_back(*id);
 }
 
-// Reasons quote the names of objects.
-void add_quoted(const Scene& scene, const std::string& text, std::vector<ObjectId>& ids) {
-  for (const ObjectId id : scene.ids())
-    if (text.find("\"" + scene.at(id).name + "\"") != std::string::npos) add(ids, id);
+void add_objects(const Refusal& refusal, std::vector<ObjectId>& ids) {
+  for (const Named& object : refusal.objects)
+    if (object.support && object.support->is_object()) add(ids, object.support->object());
+  if (refusal.first) add_objects(*refusal.first, ids);
 }
 
 std::string quoted(const std::vector<std::string>& names) {
@@ -27,8 +29,8 @@ std::string quoted(const std::vector<std::string>& names) {
 }
 
 std::string why_it_ended(const OperationResult& result) {
-  const std::string by =
-      result.blocked_by == "floor" ? std::string("the floor") : quoted({result.blocked_by});
+  const std::string& name = result.blocked_by.name;
+  const std::string by = name == "floor" ? std::string("the floor") : quoted({name});
   switch (result.end) {
     case OperationResult::End::Blocked:
       return "stopped by " + by;
@@ -53,7 +55,7 @@ InterferingFaces faces_that_stopped(const Scene& scene, const Operation& operati
   for (const std::string& name : names)
     if (const auto id = scene.find(name)) moved.push_back({*id, scene.at(*id).pose});
   if (!(clearance > 0)) clearance = default_clearance(scene);
-  return blocking_faces(scene, moved, {result.blocked_by, result.blocked_at},
+  return blocking_faces(scene, moved, {*result.blocked_by.support, result.blocked_at},
                         kContactTolerance * clearance);
 }
 
@@ -71,14 +73,14 @@ std::optional<Message> message_of(const Scene& scene, const Operation& operation
   name.append(object_name(operation)).append("\"");
   if (!result.ok()) {
     message.kind = Message::Kind::Refused;
-    message.text = result.reason;
+    message.text = result.reason();
     add(message.objects, scene.find(object_name(operation)));
-    add_quoted(scene, result.reason, message.objects);
+    if (result.refusal) add_objects(*result.refusal, message.objects);
     return message;
   }
   std::string what = why_it_ended(result);
   if (!what.empty()) {
-    add(message.objects, scene.find(result.blocked_by));
+    add(message.objects, scene.find(result.blocked_by.name));
     if (result.end != OperationResult::End::Edge) {
       message.points.push_back(result.blocked_at);
       message.faces = faces_that_stopped(scene, operation, result, clearance);

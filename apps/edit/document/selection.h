@@ -12,7 +12,7 @@ namespace trivet::edit {
 /// A contact of the active object, by whom it is with.
 struct ActiveContact {
   enum class Part { Area, Edge, Point };
-  std::optional<ObjectId> with;  // nothing: the floor
+  Support with;
   Part part = Part::Area;        // what is held: all of it, an edge of its hull, or a point
   Vec3 near = Vec3::Zero();      // world; the edge or point nearest to this
 

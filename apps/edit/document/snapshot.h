@@ -27,7 +27,7 @@ struct DragSnapshot {
   std::vector<ContactPoint> contacts;  // of what moves with the rest, now; may be empty
   bool blocked = false;                // does not follow the hand any further
   OperationResult::End end = OperationResult::End::Reached;
-  std::string blocked_by;          // an object, or "floor"
+  Named blocked_by;                // its name is empty when nothing did
   Vec3 blocked_at = Vec3::Zero();  // world
   InterferingFaces faces;          // that block it, or that cross in a free move
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/tunables.h"
+#include "ops/placement/neighbourhood.h"
 #include "ops/placement/verify.h"
 
 namespace trivet::edit {
@@ -31,8 +32,8 @@ bool is_free(const Operation& operation) {
 void note_in_the_way(const Scene& scene, const LiveMove& live, DragSnapshot& drag) {
   if (is_free(live.operation()))
     drag.faces = crossing_faces(scene, live.placements());
-  else if (!drag.blocked_by.empty())
-    drag.faces = blocking_faces(scene, live.placements(), {drag.blocked_by, drag.blocked_at},
+  else if (drag.blocked_by.support)
+    drag.faces = blocking_faces(scene, live.placements(), {*drag.blocked_by.support, drag.blocked_at},
                                 kContactTolerance * live.clearance());
 }
 

@@ -16,7 +16,7 @@ TurnOperation turn_about(const SceneSnapshot& scene, const Selection& selection,
   TurnOperation turn;
   const Link* const link = active_link(selection, scene);
   if (!link) return turn;
-  turn.with = link->with ? (*scene.find(*link->with))->name : "floor";
+  turn.with = link->with.is_object() ? (*scene.find(link->with.object()))->name : "floor";
   if (!selection.contact || selection.contact->part == ActiveContact::Part::Area) return turn;
   turn.point = selection.contact->near;
   const bool edge =

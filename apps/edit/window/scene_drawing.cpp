@@ -111,7 +111,7 @@ bool SceneDrawing::is_dragged(ObjectId id) const {
 
 bool SceneDrawing::stops_drag(const ObjectSnapshot& object) const {
   const auto& drag = m_document.snapshot()->drag;
-  return drag && drag->blocked && object->name == drag->blocked_by;
+  return drag && drag->blocked && object->name == drag->blocked_by.name;
 }
 
 LiveColour SceneDrawing::tint_of(const ObjectSnapshot& object) const {

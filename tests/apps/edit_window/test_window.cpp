@@ -181,7 +181,8 @@ void TestWindow::puts_by_clicking() {
   bool on_saucer = false;
   for (const Link& link : spoon.links)
     on_saucer = on_saucer ||
-                (link.with && m_document->snapshot()->find(*link.with)->object->name == "saucer");
+                (link.with.is_object() &&
+                 m_document->snapshot()->find(link.with.object())->object->name == "saucer");
   QVERIFY2(on_saucer, "the spoon lies on the saucer");
   m_user->look("spoon_on_saucer");
 }

@@ -119,7 +119,7 @@ TEST(Demo, ComesToRestWithoutInterpenetration) {
     const LayoutRun result = run(make_demo(name));
     EXPECT_TRUE(result.ok());
     for (const OperationRecord& op : result.operations) {
-      EXPECT_TRUE(op.result.ok()) << op.object << ": " << op.result.reason;
+      EXPECT_TRUE(op.result.ok()) << op.object << ": " << op.result.reason();
     }
     EXPECT_EQ(result.check.interpenetrating_pairs(), 0);
     EXPECT_GT(result.check.smallest_gap, 0);
@@ -161,7 +161,7 @@ void expect_supports(const Supports& supports, const std::vector<std::string>& o
 std::set<std::string> touched_by(const Scene& scene, const std::string& object) {
   std::set<std::string> out;
   for (const Link& link : scene.at(*scene.find(object)).links)
-    out.insert(link.with ? scene.at(*link.with).name : "floor");
+    out.insert(named(scene, link.with).name);
   return out;
 }
 
@@ -184,9 +184,9 @@ TEST(Demo, FurnishesTheOffice) {
             (std::set<std::string>{"bookcase", "book_blue"}));
   // The books stand together, for each was pushed until it met the next; the mug took the pencil
   // with it.
-  EXPECT_EQ(push_of(result, "book_green").blocked_by, "bookcase");
-  EXPECT_EQ(push_of(result, "book_red").blocked_by, "book_green");
-  EXPECT_EQ(push_of(result, "book_blue").blocked_by, "book_red");
+  EXPECT_EQ(push_of(result, "book_green").blocked_by.name, "bookcase");
+  EXPECT_EQ(push_of(result, "book_red").blocked_by.name, "book_green");
+  EXPECT_EQ(push_of(result, "book_blue").blocked_by.name, "book_red");
   EXPECT_EQ(push_of(result, "mug").carried, std::vector<std::string>{"pencil"});
 }
 

@@ -11,7 +11,7 @@ namespace {
 FirstContact brute_force(const Scene& scene, const Object& object, const Pose& from,
                          const Motion& motion) {
   const ObjectId id = *scene.find(object.name);
-  const Surroundings others(scene, id);
+  const Neighbours others = Neighbourhood(scene, id).near(scene.box(), 0);
   const Body moving(*object.shape, world_from_object(from, object.up, object.scale));
   FirstContactQuery query;
   query.moving = {&moving, 1};

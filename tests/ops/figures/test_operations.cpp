@@ -53,7 +53,7 @@ TEST(Figure4a, PushGoesOnInContact) {
   Table t;
   const double z = t.position("box").z();
   const OperationResult result = t.run(push(3, 4, 0.5));
-  ASSERT_TRUE(result.ok()) << result.reason;
+  ASSERT_TRUE(result.ok()) << result.reason();
   EXPECT_EQ(result.end, End::Reached);
   EXPECT_NEAR((t.position("box") - Vec3(-0.2, 0.4, z)).norm(), 0, 1.1 * t.clearance());
   EXPECT_NEAR(result.moved, 0.5, 1.1 * t.clearance());
@@ -68,9 +68,9 @@ TEST(Figure4b, PushStopsAtAHighStep) {
   PushOperation o = push(1, 0, 0.5);
   o.step_up = 0.019;
   const OperationResult result = t.run(o);
-  ASSERT_TRUE(result.ok()) << result.reason;
+  ASSERT_TRUE(result.ok()) << result.reason();
   EXPECT_EQ(result.end, End::Step);
-  EXPECT_EQ(result.blocked_by, "step");
+  EXPECT_EQ(result.blocked_by.name, "step");
   EXPECT_NEAR(result.blocked_at.x(), 0, 2 * t.clearance());
   EXPECT_NEAR(t.position("box").x(), -0.1, 2.1 * t.clearance());
   EXPECT_EQ(t.at("box").state, ObjectState::Stable);
@@ -84,7 +84,7 @@ TEST(Figure4c, PushClimbsALowStep) {
   PushOperation o = push(1, 0, 0.7);
   o.step_up = 0.021;
   const OperationResult result = t.run(o);
-  ASSERT_TRUE(result.ok()) << result.reason;
+  ASSERT_TRUE(result.ok()) << result.reason();
   EXPECT_EQ(result.end, End::Reached);
   EXPECT_NEAR(t.position("box").x(), 0.2, 2 * t.clearance());
   EXPECT_NEAR(t.position("box").z(), z + 0.02 + 1e-5, 2 * t.clearance());
@@ -99,7 +99,7 @@ TEST(Figure4d, PushGoesDownALowEdge) {
   PushOperation o = push(1, 0, 0.8);
   o.step_down = 0.021;
   const OperationResult result = t.run(o);
-  ASSERT_TRUE(result.ok()) << result.reason;
+  ASSERT_TRUE(result.ok()) << result.reason();
   EXPECT_EQ(result.end, End::Reached);
   EXPECT_NEAR(t.position("box").x(), 0.15, 2 * t.clearance());
   EXPECT_NEAR(t.position("box").z(), z - 0.02 - 1e-5, 2 * t.clearance());
@@ -111,7 +111,7 @@ TEST(Figure4e, PushStaysWhereTheContactEnds) {
   PushOperation o = push(1, 0, 3);
   o.settle = false;
   const OperationResult result = t.run(o);
-  ASSERT_TRUE(result.ok()) << result.reason;
+  ASSERT_TRUE(result.ok()) << result.reason();
   EXPECT_EQ(result.end, End::Edge);
   EXPECT_NEAR(t.position("box").x(), 1.1, 10 * t.clearance());  // its last edge on the table's
   EXPECT_EQ(t.at("box").state, ObjectState::Held);              // nothing else would keep it there
@@ -123,7 +123,7 @@ TEST(Figure5, TurnsAnAreaContactAboutItsNormal) {
   const Vec3 before = s.position("box");
   TurnOperation o = turn(TurnOperation::About::Normal, 30);
   OperationResult result = s.run(o);
-  ASSERT_TRUE(result.ok()) << result.reason;
+  ASSERT_TRUE(result.ok()) << result.reason();
   EXPECT_EQ(result.end, End::Reached);
   EXPECT_EQ(result.turned_deg, 30);
   EXPECT_NEAR((s.position("box") - before).norm(), 0, s.clearance());  // about the contact's centre
@@ -145,7 +145,7 @@ TEST(Figure5, TurnsALineContactAboutTheLine) {
   o.point = Vec3(0.2, 0, 0);
   const double clearance = s.position("box").z() - 0.3;
   OperationResult result = s.run(o);
-  ASSERT_TRUE(result.ok()) << result.reason;
+  ASSERT_TRUE(result.ok()) << result.reason();
   EXPECT_EQ(result.end, End::Reached);
   // About the edge x = 0.2: the box tilts towards +x, and its centre rises.
   const double c = std::cos(M_PI / 6), si = 0.5;
@@ -160,7 +160,7 @@ TEST(Figure5, TurnsALineContactAboutTheLine) {
   o.axis = Vec3::UnitY();
   o.settle = true;
   result = s.run(o);
-  ASSERT_TRUE(result.ok()) << result.reason;
+  ASSERT_TRUE(result.ok()) << result.reason();
   EXPECT_NEAR(s.position("box").z(), 0.2, 1e-5);
   EXPECT_EQ(s.at("box").state, ObjectState::Stable);
 }
@@ -173,7 +173,7 @@ TEST(Figure5, TurnsAPointContactAboutAnyAxis) {
   o.point = Vec3(0.2, 0.1, 0);
   o.axis = Vec3(-1, 1, 0);  // tilts it towards (1, 1)
   const OperationResult result = s.run(o);
-  ASSERT_TRUE(result.ok()) << result.reason;
+  ASSERT_TRUE(result.ok()) << result.reason();
   EXPECT_EQ(result.end, End::Reached);
   const Vec3 corner = s.at("box").world_from_object().apply(Vec3(0.2f, 0.1f, -0.3f));
   EXPECT_NEAR((corner - Vec3(0.2f, 0.1f, clearance)).norm(), 0, 2 * s.clearance());
@@ -216,7 +216,7 @@ TEST(Figure18, TiltsAboutAChosenEdge) {
     TurnOperation o = turn(TurnOperation::About::Line, angle);
     o.point = Vec3(0.3, 0.2 - 0.15, low);  // its front edge
     const OperationResult result = s.run(o);
-    ASSERT_TRUE(result.ok()) << result.reason;
+    ASSERT_TRUE(result.ok()) << result.reason();
     EXPECT_NEAR(result.turned_deg, angle, angle < 90 ? 0 : 0.01);  // then its back touches
     // The centre goes round the edge, up and to the front.
     const double c = std::cos(angle * M_PI / 180), si = std::sin(angle * M_PI / 180);

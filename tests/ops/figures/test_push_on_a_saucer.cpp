@@ -26,7 +26,7 @@ TEST(Figure17, PushesASpoonAlongASaucer) {
   for (const Vec2& to : {Vec2(0.02, 0.015), Vec2(0.03, 0), Vec2(-0.02, 0.02), Vec2(0, -0.04)}) {
     Stage held = s;
     OperationResult result = perform(held.scene, push_to(to, false), test::figure_options());
-    ASSERT_TRUE(result.ok()) << result.reason;
+    ASSERT_TRUE(result.ok()) << result.reason();
     EXPECT_EQ(result.end, OperationResult::End::Reached);
     const Pose& end = held.at("spoon").pose;
     EXPECT_NEAR((end.translation.head<2>() - to).norm(), 0, 2 * kFigureClearance);
@@ -38,7 +38,7 @@ TEST(Figure17, PushesASpoonAlongASaucer) {
 
     Stage let_go = s;
     result = perform(let_go.scene, push_to(to, true), test::figure_options());
-    ASSERT_TRUE(result.ok()) << result.reason;
+    ASSERT_TRUE(result.ok()) << result.reason();
     EXPECT_EQ(let_go.at("spoon").state, ObjectState::Stable);
     EXPECT_TRUE(check_scene(let_go.scene, 1, kFigureClearance).ok());
   }

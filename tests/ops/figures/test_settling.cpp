@@ -27,7 +27,7 @@ OperationResult put_down(Stage& s, Object object, const Pose& start,
   const std::string name = object.name;
   const ObjectId id = s.scene.add(std::move(object));
   OperationResult result = trivet::put(s.scene, id, start, figure_options(literal_paper_rules));
-  EXPECT_TRUE(result.ok()) << result.reason;
+  EXPECT_TRUE(result.ok()) << result.reason();
   EXPECT_EQ(s.at(name).state, ObjectState::Stable);
   EXPECT_TRUE(check_scene(s.scene, 1, kFigureClearance).ok());
   test::expect_true_steps(s.scene, name, start, result.steps);

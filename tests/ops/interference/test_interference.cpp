@@ -6,6 +6,7 @@
 #include "ops/operations/live_move.h"
 #include "ops/move/stage.h"
 #include "ops/base/stopwatch.h"
+#include "ops/placement/neighbourhood.h"
 #include "support/effort.h"
 
 namespace trivet {
@@ -211,7 +212,7 @@ TEST(Interference, BlockingFacesAreThoseOfAllPairs) {
     const OperationResult& result = live.result();
     if (result.end != OperationResult::End::Blocked) continue;
     ++num_blocked;
-    const Blockage blockage{result.blocked_by, result.blocked_at};
+    const Blockage blockage{result.blocked_by.name, result.blocked_at};
     const InterferingFaces found =
         blocking_faces(heap.scene, live.placements(), blockage, tolerance, kNoLimit);
     ASSERT_EQ(found.objects.size(), 2u) << "of what moves and of what stopped it";

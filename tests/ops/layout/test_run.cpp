@@ -99,8 +99,8 @@ TEST(RunLayout, an_object_that_starts_inside_another_is_refused_and_the_rest_goe
   for (int i = 0; i < 2; ++i) {
     const OperationRecord& r = run.operations[i];
     EXPECT_FALSE(r.result.ok());
-    EXPECT_NE(r.result.reason.find("\"" + r.object + "\""), std::string::npos) << r.result.reason;
-    EXPECT_NE(r.result.reason.find("\"slab\""), std::string::npos) << r.result.reason;
+    EXPECT_NE(r.result.reason().find("\"" + r.object + "\""), std::string::npos) << r.result.reason();
+    EXPECT_NE(r.result.reason().find("\"slab\""), std::string::npos) << r.result.reason();
   }
   EXPECT_TRUE(run.operations[2].result.ok());
   EXPECT_TRUE(run.check.ok());
@@ -117,7 +117,7 @@ TEST(RunLayout, stops_at_a_refusal_when_asked) {
   const LayoutRun run = run_layout(layout, boxes.source(), options);
   ASSERT_EQ(run.operations.size(), 2u);
   EXPECT_FALSE(run.operations[1].result.ok());
-  EXPECT_EQ(run.operations[1].result.reason, "not tried, because put of \"b\" was refused before");
+  EXPECT_EQ(run.operations[1].result.reason(), "not tried, because put of \"b\" was refused before");
   EXPECT_FALSE(run.scene.at(*run.scene.find("c")).placed);
 }
 

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "core/scene/transaction.h"
 #include "ops/check/check.h"
 #include "ops/layout/operation_json.h"
 #include "ops/operations/perform.h"
@@ -25,7 +26,7 @@ inline std::string snapshot(const Scene& scene) {
     out += "\n" + o.name + " " + to_string(o.state) + " ";
     for (const double x : {t.x(), t.y(), t.z(), r.w, r.x, r.y, r.z, o.stability_margin}) add(x);
     for (const Link& link : o.links) {
-      out += (link.with ? scene.at(*link.with).name : "floor") + " ";
+      out += named(scene, link.with).name + " ";
       for (const ContactPoint& p : link.contact.points)
         for (const double x : {p.point.x(), p.point.y(), p.point.z(), p.normal.z(), p.gap}) add(x);
     }
@@ -53,7 +54,7 @@ class Stage {
   ObjectId fix(const std::string& name, const Triangles& triangles, const Vec3& at = Vec3::Zero()) {
     const ObjectId id = scene.add(object_of(name, triangles, true));
     const OperationResult result = stand(scene, id, {{}, at});
-    EXPECT_TRUE(result.ok()) << result.reason;
+    EXPECT_TRUE(result.ok()) << result.reason();
     return id;
   }
 
@@ -61,11 +62,15 @@ class Stage {
                const Rotation& rotation = {}) {
     const ObjectId id = scene.add(object_of(name, triangles));
     const OperationResult result = trivet::put(scene, id, {rotation, from});
-    EXPECT_TRUE(result.ok()) << result.reason;
+    EXPECT_TRUE(result.ok()) << result.reason();
     return id;
   }
 
   const Object& at(const std::string& name) const { return scene.at(*scene.find(name)); }
+  template <class Change>
+  void edit(const std::string& name, const Change& change) {
+    edit_object(scene, *scene.find(name), change);
+  }
   Vec3 position(const std::string& name) const { return at(name).pose.translation; }
   double clearance() const { return default_clearance(scene); }
 
@@ -76,7 +81,7 @@ class Stage {
     const std::string before = snapshot(scene);
     const OperationResult result = perform(scene, operation);
     if (!result.ok()) {
-      EXPECT_NE(result.reason, "");
+      EXPECT_NE(result.reason(), "");
       EXPECT_EQ(snapshot(scene), before);
       return result;
     }
@@ -87,7 +92,7 @@ class Stage {
   OperationResult refused(const Operation& operation, const std::string& reason) {
     const OperationResult result = run(operation);
     EXPECT_FALSE(result.ok());
-    EXPECT_NE(result.reason.find(reason), std::string::npos) << result.reason;
+    EXPECT_NE(result.reason().find(reason), std::string::npos) << result.reason();
     return result;
   }
 

@@ -27,8 +27,8 @@ TEST(Far, NoOperationLeadsThere) {
     s.refused(PutOperation{{"beside"}, Pose{{}, Vec3(far, 0, 1)}, {}}, kSays);
     const ObjectId id = s.scene.add(object_of("k", box_triangles(Vec3(0.1, 0.1, 0.1))));
     const OperationResult stood = stand(s.scene, id, {{}, Vec3(0, far, 1)});
-    EXPECT_NE(stood.reason.find(kSays), std::string::npos) << stood.reason;
-    EXPECT_EQ(stood.reason.find("\"k\" reaches a coordinate of "), 0u) << stood.reason;
+    EXPECT_NE(stood.reason().find(kSays), std::string::npos) << stood.reason();
+    EXPECT_EQ(stood.reason().find("\"k\" reaches a coordinate of "), 0u) << stood.reason();
   }
 }
 
@@ -36,7 +36,7 @@ TEST(Far, NoOperationLeadsThere) {
 TEST(Far, AStartMayBeHigh) {
   Table s;
   const OperationResult result = s.run(PutOperation{{"beside"}, Pose{{}, Vec3(2, 0, 1e4)}, {}});
-  EXPECT_TRUE(result.ok()) << result.reason;
+  EXPECT_TRUE(result.ok()) << result.reason();
   EXPECT_NEAR(s.position("beside").z(), 0.1, 1e-5);
   s.run(PutOperation{{"beside"}, Pose{{}, Vec3(2, 0, 1e14)}, {}});
 }
@@ -44,7 +44,7 @@ TEST(Far, AStartMayBeHigh) {
 TEST(Far, SaysWhatIsAccepted) {
   Table s;
   const std::string reason =
-      perform(s.scene, TranslateOperation{{"beside"}, Vec3(1e4, 0, 0)}).reason;
+      perform(s.scene, TranslateOperation{{"beside"}, Vec3(1e4, 0, 0)}).reason();
   const size_t at = reason.find("up to ");
   ASSERT_NE(at, std::string::npos) << reason;
   const double accepted = std::stod(reason.substr(at + 6));
@@ -71,12 +71,12 @@ TEST(Far, AClearanceThatIsAskedForCounts) {
   fine.clearance = 1e-3;
   const Operation away = TranslateOperation{{"beside"}, Vec3(1e4, 0, 0)};
   const OperationResult result = perform(s.scene, away, fine);
-  ASSERT_TRUE(result.ok()) << result.reason;
+  ASSERT_TRUE(result.ok()) << result.reason();
   s.refused(TranslateOperation{{"beside"}, Vec3(1, 0, 0)}, kSays);
   const Operation back = TranslateOperation{{"beside"}, Vec3(-1e4, 0, 0)};
   EXPECT_TRUE(perform(s.scene, back, fine).ok());
   fine.clearance = 2.75e-3;  // too coarse itself
-  EXPECT_NE(perform(s.scene, away, fine).reason.find(kSays), std::string::npos);
+  EXPECT_NE(perform(s.scene, away, fine).reason().find(kSays), std::string::npos);
 }
 
 }  // namespace

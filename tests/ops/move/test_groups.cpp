@@ -17,7 +17,7 @@ TEST(Group, MovesWithWhatItCarries) {
   Pile s;
   const Scene before = s.scene;
   const OperationResult result = s.run(TranslateOperation{{"table"}, Vec3(-1.0 / 3, 0.1, 0.7)});
-  ASSERT_TRUE(result.ok()) << result.reason;
+  ASSERT_TRUE(result.ok()) << result.reason();
   EXPECT_EQ(result.carried, (std::vector<std::string>{"a", "b", "c"}));
   const Vec3 by = s.position("table") - before.at(*before.find("table")).pose.translation;
   for (const char* name : {"a", "b", "c"}) {
@@ -34,7 +34,7 @@ TEST(Group, TurnsWithWhatItCarries) {
   TurnOperation o;
   o.object = "table", o.angle_deg = 90;
   const OperationResult result = s.run(o);
-  ASSERT_TRUE(result.ok()) << result.reason;
+  ASSERT_TRUE(result.ok()) << result.reason();
   EXPECT_NEAR((s.position("b").head<2>() - Vec2(0, 0.2)).norm(), 0, s.clearance());
   EXPECT_NEAR((s.position("c").head<2>() - Vec2(-0.05, 0.2)).norm(), 0, s.clearance());
   EXPECT_EQ(s.at("c").state, ObjectState::Stable);
@@ -49,8 +49,8 @@ TEST(Group, CollidesAsAWhole) {
   PushOperation o;
   o.object = "table", o.direction = Vec2(0, 1), o.distance = 3, o.slide = false;
   const OperationResult result = s.run(o);
-  ASSERT_TRUE(result.ok()) << result.reason;
-  EXPECT_EQ(result.blocked_by, "lamp");
+  ASSERT_TRUE(result.ok()) << result.reason();
+  EXPECT_EQ(result.blocked_by.name, "lamp");
   EXPECT_NEAR(s.position("b").y(), 2 - 0.01 - 0.1, 1e-5);
   EXPECT_NEAR(s.position("table").y(), 2 - 0.01 - 0.1, 1e-5);
 }
@@ -59,7 +59,7 @@ TEST(Group, PutCarriesLoads) {
   Pile s;
   const Vec3 a = s.position("a") - s.position("table");
   const OperationResult result = s.run(PutOperation{{"table"}, Pose{{}, Vec3(5, 5, 2)}});
-  ASSERT_TRUE(result.ok()) << result.reason;
+  ASSERT_TRUE(result.ok()) << result.reason();
   EXPECT_NEAR((s.position("a") - s.position("table") - a).norm(), 0, 1e-13);
   EXPECT_EQ(s.at("a").state, ObjectState::Stable);
   EXPECT_NEAR(s.position("table").z(), 0.25, 1e-5);
@@ -67,7 +67,7 @@ TEST(Group, PutCarriesLoads) {
 
 TEST(Group, FixedAndLockedDoNotMove) {
   Pile s;
-  s.scene.at(*s.scene.find("c")).locked = true;
+  s.edit("c", [](Object& o) { o.locked = true; });
   s.refused(TranslateOperation{{"table"}, Vec3(0, 0, 1)}, "\"c\" is locked");
   s.refused(PickUpOperation{{"c"}, 1, {}}, "\"c\" is locked");
   EXPECT_TRUE(s.run(PickUpOperation{{"a"}, 0.1, {}}).ok());
@@ -76,8 +76,8 @@ TEST(Group, FixedAndLockedDoNotMove) {
 // Objects of one group move as one, even if they do not touch.
 TEST(Group, MatesMoveAlong) {
   Pile s;
-  s.scene.at(*s.scene.find("a")).group = "g";
-  s.scene.at(*s.scene.find("beside")).group = "g";
+  s.edit("a", [](Object& o) { o.group = "g"; });
+  s.edit("beside", [](Object& o) { o.group = "g"; });
   const OperationResult result = s.run(TranslateOperation{{"a"}, Vec3(0, 1, 0.2)});
   EXPECT_EQ(result.carried, std::vector<std::string>{"beside"});
   EXPECT_NEAR(s.position("beside").y(), 1, 1e-12);
@@ -88,13 +88,12 @@ template <class Move>
 void expect_as_grouped(Move move) {
   SCOPED_TRACE(op_name(move));
   Pile grouped, together;
-  for (const char* name : {"table", "beside"})
-    grouped.scene.at(*grouped.scene.find(name)).group = "g";
+  for (const char* name : {"table", "beside"}) grouped.edit(name, [](Object& o) { o.group = "g"; });
   move.object = "table";
   ASSERT_TRUE(grouped.run(move).ok());
   move.together = {"beside", "table", "beside"};
   const OperationResult result = together.run(move);
-  ASSERT_TRUE(result.ok()) << result.reason;
+  ASSERT_TRUE(result.ok()) << result.reason();
   EXPECT_EQ(result.carried, (std::vector<std::string>{"a", "b", "c", "beside"}));
   EXPECT_EQ(test::snapshot(together.scene), test::snapshot(grouped.scene));
   EXPECT_GT((together.position("beside") - Pile().position("beside")).norm(), 0.05);
@@ -131,7 +130,7 @@ TEST(Together, AreLetGoOneByOne) {
   move.together = {"beside"};
   move.settle = true;
   const OperationResult result = s.run(move);
-  ASSERT_TRUE(result.ok()) << result.reason;
+  ASSERT_TRUE(result.ok()) << result.reason();
   EXPECT_TRUE(result.unsupported.empty());
   EXPECT_EQ(result.settled, (std::vector<std::string>{"beside", "b"}));
   for (const char* name : {"b", "c", "beside"}) EXPECT_EQ(s.at(name).state, ObjectState::Stable);
@@ -145,7 +144,7 @@ TEST(Together, AreLetGoThoughTheyWereHeld) {
     Pile s;
     TranslateOperation move{{"a"}, Vec3(0, 0, 0.1)};
     if (grouped)
-      for (const char* name : {"a", "beside"}) s.scene.at(*s.scene.find(name)).group = "g";
+      for (const char* name : {"a", "beside"}) s.edit(name, [](Object& o) { o.group = "g"; });
     else
       move.together = {"beside"};
     ASSERT_TRUE(s.run(move).ok());
@@ -162,12 +161,12 @@ TEST(Together, AreLetGoThoughTheyWereHeld) {
 TEST(Together, UnknownFixedLockedAndAbsentOnesAreNamed) {
   Pile s;
   s.fix("lamp", box_triangles(Vec3(0.01, 0.01, 0.5)), {3, 2, 1});
-  s.scene.at(*s.scene.find("b")).locked = true;
+  s.edit("b", [](Object& o) { o.locked = true; });
   s.scene.add(test::object_of("away", box_triangles(Vec3(0.1, 0.1, 0.1))));
   const auto reason = [&](const std::string& name) {
     TranslateOperation move{{"beside"}, Vec3(0, 0, 0.1)};
     move.together = {"a", name};
-    return s.run(move).reason;
+    return s.run(move).reason();
   };
   const std::string along = " and would have to move along: ";
   EXPECT_EQ(reason("nobody"), "there is no object \"nobody\"");
@@ -192,7 +191,7 @@ TEST(Group, NamesWhatIsLeftUnsupported) {
   for (const bool settle_left : {false, true}) {
     Bridge s;
     const OperationResult result = s.run(TranslateOperation{{"left", settle_left}, Vec3(-1, 0, 0)});
-    ASSERT_TRUE(result.ok()) << result.reason;
+    ASSERT_TRUE(result.ok()) << result.reason();
     EXPECT_EQ(result.end, End::Reached);
     EXPECT_EQ(result.carried, (std::vector<std::string>{"plank", "box"}));
     if (!settle_left) {
@@ -220,7 +219,7 @@ TEST(Group, WhatATiltedSupportCarriesIsNamedOrSettles) {
     o.point = Vec3(-0.5, 0, 0);
     o.settle_left = settle_left;
     const OperationResult result = s.run(o);
-    ASSERT_TRUE(result.ok()) << result.reason;
+    ASSERT_TRUE(result.ok()) << result.reason();
     EXPECT_EQ(result.carried, std::vector<std::string>{"ball"});
     if (settle_left) {
       EXPECT_TRUE(result.unsupported.empty());
@@ -240,14 +239,17 @@ struct Propped : Stage {
     put("table", box_triangles(Vec3(0.25, 0.25, 0.125)), {0, 0, 0.5});
     put("post", box_triangles(Vec3(0.0625, 0.0625, 0.125)), {0.5, 0, 0.5});
     const double e = clearance();
-    scene.unlink(*scene.find("table"));
-    Object& table = scene.at(*scene.find("table"));
-    table.pose.translation.z() += 14 * e;
-    table.fixed = true, table.state = ObjectState::Fixed;
+    Transaction transaction(scene);
+    transaction.unlink(*scene.find("table"));
+    transaction.commit();
+    edit("table", [&](Object& table) {
+      table.pose.translation.z() += 14 * e;
+      table.fixed = true, table.state = ObjectState::Fixed;
+    });
     const ObjectId plank =
         scene.add(test::object_of("plank", box_triangles(Vec3(0.375, 0.0625, 0.03125))));
     const OperationResult result = stand(scene, plank, {{}, Vec3(0.3125, 0, 0.28125 + 16 * e)});
-    EXPECT_TRUE(result.ok()) << result.reason;
+    EXPECT_TRUE(result.ok()) << result.reason();
     EXPECT_EQ(at("plank").state, ObjectState::Stable);
     EXPECT_EQ(at("plank").links.size(), 1u);
     EXPECT_LT(at("plank").stability_margin, 0);
@@ -263,7 +265,7 @@ TEST(Group, NamesWhatLeanedOnSomethingNear) {
           Operation{TranslateOperation{{"plank", settle_left}, Vec3(0, 0.1875, 0)}}}) {
       Propped s;
       const OperationResult result = s.run(operation);
-      ASSERT_TRUE(result.ok()) << result.reason;
+      ASSERT_TRUE(result.ok()) << result.reason();
       if (object_name(operation) == "plank") {
         EXPECT_EQ(s.at("plank").state, ObjectState::Held);
       } else if (settle_left) {
@@ -281,10 +283,9 @@ TEST(Group, NamesWhatLeanedOnSomethingNear) {
 // The same when the plank moves along with the table, and the post stays.
 TEST(Group, NamesACarriedObjectThatLeanedOnSomethingNear) {
   Propped s;
-  Object& table = s.scene.at(*s.scene.find("table"));
-  table.fixed = false, table.state = ObjectState::Held;
+  s.edit("table", [](Object& table) { table.fixed = false, table.state = ObjectState::Held; });
   const OperationResult result = s.run(TranslateOperation{{"table"}, Vec3(-0.5, 0, 0)});
-  ASSERT_TRUE(result.ok()) << result.reason;
+  ASSERT_TRUE(result.ok()) << result.reason();
   EXPECT_EQ(result.carried, std::vector<std::string>{"plank"});
   EXPECT_EQ(result.unsupported, std::vector<std::string>{"plank"});
 }

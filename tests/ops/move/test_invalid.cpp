@@ -21,7 +21,7 @@ struct Crossed : test::Stage {
   }
   OperationResult go(const Operation& operation) {
     const OperationResult result = perform(scene, operation);
-    EXPECT_TRUE(result.ok()) << result.reason;
+    EXPECT_TRUE(result.ok()) << result.reason();
     Scene anew = scene;
     update_contacts(anew);
     EXPECT_EQ(test::loads_text(scene), test::loads_text(anew));
@@ -101,7 +101,7 @@ TEST(Invalid, IsNamedWhereItIsInTheWayOfAMove) {
   Crossed s;
   const auto reason = [&](TranslateOperation o, const std::vector<std::string>& together) {
     o.together = together;
-    return perform(s.scene, o).reason;
+    return perform(s.scene, o).reason();
   };
   const Vec3 up(0, 0, 0.1);
   const std::string first = ": move it out freely first";
@@ -119,7 +119,7 @@ TEST(Invalid, AreTwoThatAreMovedAsOne) {
   s.go(o);
   EXPECT_EQ(s.at("box").state, ObjectState::Invalid);
   const OperationResult out = perform(s.scene, PutOperation{{"cup"}, {{}, Vec3(1, 1, 1)}, {}});
-  EXPECT_TRUE(out.ok()) << out.reason;
+  EXPECT_TRUE(out.ok()) << out.reason();
   EXPECT_EQ(s.at("box").state, ObjectState::Unsupported);
 }
 

@@ -2,6 +2,8 @@
 #include "ops/layout/json_text.h"
 #include "ops/operations/live_move.h"
 #include "stage.h"
+#include "ops/operations/perform.h"
+#include "ops/placement/neighbourhood.h"
 #include "support/random_shapes.h"
 #include "support/same_scene.h"
 
@@ -44,15 +46,15 @@ bool expect_the_same(const Scene& scene, const Drag& drag) {
   EXPECT_EQ(snapshot(by_hand), before) << "nothing is committed before the end";
   const Operation operation = live.operation();
   const std::vector<Placement> placements = live.placements();
-  by_hand.start_recording();
-  const OperationResult result = live.finish();
-  SceneChange change = by_hand.stop_recording();
-  if (!result.ok()) by_hand.exchange(change);
+  const OperationResult result = live.finish(by_hand);
+  if (!result.ok()) {
+    EXPECT_EQ(snapshot(by_hand), before);
+  }
 
   Scene at_once = scene;
   const OperationResult expected = perform(at_once, through_json(operation));
-  EXPECT_EQ(result.ok(), expected.ok()) << result.reason << expected.reason;
-  EXPECT_EQ(result.reason, expected.reason);
+  EXPECT_EQ(result.ok(), expected.ok()) << result.reason() << expected.reason();
+  EXPECT_EQ(result.reason(), expected.reason());
   EXPECT_EQ(result.end, expected.end);
   EXPECT_EQ(difference(by_hand, at_once), "");
   return result.ok() && result.end != OperationResult::End::Reached;
@@ -132,7 +134,7 @@ TEST(LiveMove, GoesRoundWhatAStraightWayWouldMeet) {
   EXPECT_EQ(live.result().end, OperationResult::End::Reached);
   EXPECT_EQ(live.placements().size(), 2u);  // the load, too
   EXPECT_FALSE(live.contacts().empty());
-  ASSERT_TRUE(live.finish().ok());
+  ASSERT_TRUE(live.finish(desk.scene).ok());
   EXPECT_NEAR((desk.position("box") - Vec3(0, 0.3, 0)).head<2>().norm(), 0, 1e-5);
 }
 
@@ -143,8 +145,8 @@ TEST(LiveMove, RefusesWhatItCannotDo) {
   EXPECT_TRUE(LiveMove(desk.scene, of<DeleteOperation>("box"), {}).refused());
   LiveMove live(desk.scene, of<TranslateOperation>("table"), {});
   live.follow(Vec3(1, 0, 0));
-  EXPECT_NE(live.result().reason.find("is fixed"), std::string::npos) << live.result().reason;
-  EXPECT_FALSE(live.finish().ok());
+  EXPECT_NE(live.result().reason().find("is fixed"), std::string::npos) << live.result().reason();
+  EXPECT_FALSE(live.finish(desk.scene).ok());
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ TEST(Turn, StopsAtOnceAgainstTheFloor) {
   o.point = Vec3(0.2, 0, 0);
   const OperationResult result = s.run(o);
   EXPECT_EQ(result.end, End::Blocked);
-  EXPECT_EQ(result.blocked_by, "floor");
+  EXPECT_EQ(result.blocked_by.name, "floor");
   EXPECT_NEAR(result.turned_deg, 0, 1e-3);
 }
 
@@ -30,7 +30,7 @@ TEST(Turn, StopsAtAWall) {
   s.fix("wall", box_triangles(Vec3(0.05, 1, 1)), {0.26, 0, 1 + 1e-5});
   const OperationResult result = s.run(turn(TurnOperation::About::Normal, 90));
   EXPECT_EQ(result.end, End::Blocked);
-  EXPECT_EQ(result.blocked_by, "wall");
+  EXPECT_EQ(result.blocked_by.name, "wall");
   // The corner at (0.2, -0.1) goes towards the wall first.
   const double expected = std::atan(0.5) - std::acos(0.21 / std::sqrt(0.05));
   EXPECT_NEAR(result.turned_deg, expected * 180 / M_PI, 0.01);
@@ -53,7 +53,7 @@ TEST(PickUp, GoesAlongTheNormalAndDropsTheLinks) {
   BoxOnFloor s;
   const double z = s.position("box").z();
   const OperationResult result = s.run(PickUpOperation{{"box"}, 0.25, {}});
-  ASSERT_TRUE(result.ok()) << result.reason;
+  ASSERT_TRUE(result.ok()) << result.reason();
   EXPECT_EQ(result.end, End::Reached);
   EXPECT_NEAR((s.position("box") - Vec3(0, 0, z + 0.25)).norm(), 0, s.clearance());
   EXPECT_TRUE(s.at("box").links.empty());
@@ -70,7 +70,7 @@ TEST(PickUp, StopsBelowAShelf) {
   s.fix("shelf", box_triangles(Vec3(1, 1, 0.01)), {0, 0, 0.81});
   const OperationResult result = s.run(PickUpOperation{{"box"}, 0.25, "floor"});
   EXPECT_EQ(result.end, End::Blocked);
-  EXPECT_EQ(result.blocked_by, "shelf");
+  EXPECT_EQ(result.blocked_by.name, "shelf");
   EXPECT_NEAR(s.position("box").z(), 0.5, 2 * s.clearance());
 }
 
@@ -80,7 +80,7 @@ TEST(Translate, StopsAtCollisionOrGoesThrough) {
   TranslateOperation o{{"box"}, Vec3(0.9, 0, 0.1)};
   OperationResult result = s.run(o);
   EXPECT_EQ(result.end, End::Blocked);
-  EXPECT_EQ(result.blocked_by, "wall");
+  EXPECT_EQ(result.blocked_by.name, "wall");
   EXPECT_NEAR(s.position("box").x(), 0.75, 2 * s.clearance());
   EXPECT_EQ(s.at("box").state, ObjectState::Held);
 
@@ -125,7 +125,7 @@ TEST(Rotate, StopsAtTheFloor) {
   BoxOnFloor s;
   const OperationResult result = s.run(RotateOperation{{"box"}, Vec3(0, 1, 0), 90, {}});
   EXPECT_EQ(result.end, End::Blocked);
-  EXPECT_EQ(result.blocked_by, "floor");
+  EXPECT_EQ(result.blocked_by.name, "floor");
 }
 
 TEST(Motion, TurnTimesAreTangents) {

@@ -30,7 +30,7 @@ TEST(Push, StaysOnTheTable) {
   for (const double distance : {3.0, 1.55}) {
     Table t;
     const OperationResult result = t.run(push(1, 0, distance));
-    ASSERT_TRUE(result.ok()) << result.reason;
+    ASSERT_TRUE(result.ok()) << result.reason();
     EXPECT_EQ(result.end, End::Edge);
     EXPECT_NEAR(t.position("box").x(), 1, 1e-5);
     EXPECT_EQ(t.at("box").state, ObjectState::Stable);
@@ -43,7 +43,7 @@ TEST(Push, SeesWhatIsSmall) {
   t.fix("needle", box_triangles(Vec3(5e-5, 5e-5, 0.05)), {0.3, 0.02, t.top() + 0.05 + 1e-5});
   OperationResult result = t.run(push(1, 0, 1));
   EXPECT_EQ(result.end, End::Blocked == result.end ? End::Blocked : End::Step);
-  EXPECT_EQ(result.blocked_by, "needle");
+  EXPECT_EQ(result.blocked_by.name, "needle");
   EXPECT_NEAR(t.position("box").x(), 0.3 - 5e-5 - 0.1, 2.1 * t.clearance());
 
   // A needle that is pushed over a slit between two tables, deeper than step_down, stops there.
@@ -68,9 +68,9 @@ TEST(Push, SlidesAlongAWallAndPastItsEnd) {
   ASSERT_TRUE(stand(t.scene, wall, pose).ok());
   PushOperation o = push(1, 0, 0.8);
   OperationResult result = t.run(o);
-  ASSERT_TRUE(result.ok()) << result.reason;
+  ASSERT_TRUE(result.ok()) << result.reason();
   EXPECT_EQ(result.end, End::Blocked);
-  EXPECT_EQ(result.blocked_by, "wall");
+  EXPECT_EQ(result.blocked_by.name, "wall");
   // The foot of the goal (0.3, 0) on the line that the box's corner keeps it from: x + y = 0.
   EXPECT_NEAR(t.position("box").x(), 0.15, 1e-5);
   EXPECT_NEAR(t.position("box").y(), -0.15, 1e-5);
@@ -117,7 +117,7 @@ TEST(Push, FollowsSlopes) {
     o.to = Vec2(end, 0);
     o.settle = false;
     const OperationResult result = s.run(o);
-    ASSERT_TRUE(result.ok()) << result.reason;
+    ASSERT_TRUE(result.ok()) << result.reason();
     EXPECT_EQ(result.end, End::Reached);
     // Brute force: from high above, how far does it fall in this orientation?
     Scene copy = s.scene;
@@ -141,8 +141,8 @@ TEST(Push, DoesNotCreepUpSteepSlopes) {
     o.step_up = 0.01;
     o.settle = false;
     const OperationResult result = t.run(o);
-    ASSERT_TRUE(result.ok()) << result.reason;
-    EXPECT_EQ(result.blocked_by, "slope") << deg;
+    ASSERT_TRUE(result.ok()) << result.reason();
+    EXPECT_EQ(result.blocked_by.name, "slope") << deg;
     // Its foot is a little above the table: that is one step, of a few clearances.
     EXPECT_NEAR(t.position("box").z(), before, 8 * slope * t.clearance()) << deg;
     EXPECT_NEAR(t.position("box").x(), -0.1, 1e-4) << deg;

@@ -22,7 +22,7 @@ struct BetweenBooks : Stage {
       const ObjectId id =
           scene.add(test::object_of(names[i], box_triangles(Vec3(kThick, kDeep, kHigh)), i != 1));
       const OperationResult result = stand(scene, id, {{}, Vec3((i - 1) * next, 0, z)});
-      EXPECT_TRUE(result.ok()) << result.reason;
+      EXPECT_TRUE(result.ok()) << result.reason();
     }
     EXPECT_EQ(at("book").state, ObjectState::Stable);
     EXPECT_EQ(at("book").links.size(), 3u);
@@ -35,8 +35,8 @@ TEST(Slot, ABookBetweenBooksIsTranslatedAlongThem) {
       BetweenBooks s(gap);
       const Vec3 before = s.position("book");
       const OperationResult result = s.run(TranslateOperation{{"book"}, by});
-      ASSERT_TRUE(result.ok()) << result.reason;
-      EXPECT_EQ(result.end, End::Reached) << result.blocked_by;
+      ASSERT_TRUE(result.ok()) << result.reason();
+      EXPECT_EQ(result.end, End::Reached) << result.blocked_by.name;
       EXPECT_NEAR((s.position("book") - before - by).norm(), 0, 2 * s.clearance());
     }
   }
@@ -47,16 +47,16 @@ TEST(Slot, ABookBetweenBooksIsPickedUpAndPulledOut) {
     BetweenBooks s(gap);
     const Vec3 before = s.position("book");
     OperationResult result = s.run(PickUpOperation{{"book"}, 0.5, {}});
-    ASSERT_TRUE(result.ok()) << result.reason;
-    EXPECT_EQ(result.end, End::Reached) << result.blocked_by;
+    ASSERT_TRUE(result.ok()) << result.reason();
+    EXPECT_EQ(result.end, End::Reached) << result.blocked_by.name;
     EXPECT_NEAR(s.position("book").z() - before.z(), 0.5, 2 * s.clearance());
 
     BetweenBooks t(gap);
     PushOperation pull;
     pull.object = "book", pull.direction = Vec2(0, -1), pull.distance = 0.1875;
     result = t.run(pull);
-    ASSERT_TRUE(result.ok()) << result.reason;
-    EXPECT_EQ(result.end, End::Reached) << result.blocked_by;
+    ASSERT_TRUE(result.ok()) << result.reason();
+    EXPECT_EQ(result.end, End::Reached) << result.blocked_by.name;
     EXPECT_NEAR(t.position("book").y(), -0.1875, 2 * t.clearance());
     EXPECT_EQ(t.at("book").state, ObjectState::Stable);
   }
@@ -67,7 +67,7 @@ TEST(Slot, ABookBetweenBooksIsNotPushedIntoThem) {
   BetweenBooks s(1);
   for (const double x : {-0.1, 0.1}) {
     const OperationResult result = s.run(TranslateOperation{{"book"}, Vec3(x, 0, 0)});
-    ASSERT_TRUE(result.ok()) << result.reason;
+    ASSERT_TRUE(result.ok()) << result.reason();
     EXPECT_EQ(result.end, End::Blocked);
     EXPECT_LE(result.moved, 2 * s.clearance());
   }
@@ -85,14 +85,14 @@ TEST(Slot, ACardGoesInAndOut) {
   ASSERT_TRUE(stand(s.scene, card, {{}, Vec3(0, thick + 1.1 * c, 0.0625 + c)}).ok());
   for (int i = 0; i < 3; ++i) {
     OperationResult result = s.run(TranslateOperation{{"card"}, Vec3(0.05, 0, 0.1)});
-    ASSERT_TRUE(result.ok()) << result.reason;
-    EXPECT_EQ(result.end, End::Reached) << result.blocked_by;
+    ASSERT_TRUE(result.ok()) << result.reason();
+    EXPECT_EQ(result.end, End::Reached) << result.blocked_by.name;
     result = s.run(TranslateOperation{{"card"}, Vec3(-0.05, 0, -0.099)});
-    ASSERT_TRUE(result.ok()) << result.reason;
-    EXPECT_EQ(result.end, End::Reached) << result.blocked_by;
+    ASSERT_TRUE(result.ok()) << result.reason();
+    EXPECT_EQ(result.end, End::Reached) << result.blocked_by.name;
   }
   const OperationResult result = s.run(TranslateOperation{{"card"}, Vec3(0, 0, 0.2)});
-  EXPECT_EQ(result.end, End::Reached) << result.blocked_by;
+  EXPECT_EQ(result.end, End::Reached) << result.blocked_by.name;
 }
 
 }  // namespace

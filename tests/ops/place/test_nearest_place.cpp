@@ -5,6 +5,7 @@
 
 #include "box.h"
 #include "core/contact/triangle_distance.h"
+#include "core/scene/transaction.h"
 #include "ops/operations/perform.h"
 #include "ops/place/distance_query.h"
 
@@ -48,7 +49,7 @@ TEST(NearestPlace, BesideTheOnlyThingThereIs) {
     for (std::uint64_t seed = 0; seed < 2; ++seed) {
       Room room;
       const OperationResult result = room.put_on("floor", {}, keep, seed);
-      ASSERT_TRUE(result.ok()) << keep << ": " << result.reason;
+      ASSERT_TRUE(result.ok()) << keep << ": " << result.reason();
       EXPECT_GE(distance(room.position().head<2>(), {0, 0}, {0.5, 0.5}), keep);
     }
   }
@@ -67,7 +68,7 @@ TEST(NearestPlace, ToAPointBesideTheMiddleOfATable) {
   for (const Case& c : cases) {
     Room room;
     const OperationResult result = room.put_on("floor", c.at, c.keep);
-    ASSERT_TRUE(result.ok()) << result.reason;
+    ASSERT_TRUE(result.ok()) << result.reason();
     const Vec2 found = room.position().head<2>();
     EXPECT_GE(distance(found, {0, 0}, {0.5, 0.5}), c.keep);
     EXPECT_NEAR((found - c.at).norm(), (c.expected - c.at).norm(), kTolerance)
@@ -89,7 +90,7 @@ TEST(NearestPlace, ThePointItselfIfItIsFree) {
 TEST(NearestPlace, AtTheEdgeOfATableFromBesideIt) {
   Room room;
   const OperationResult result = room.put_on("table", Vec2(3, 0.2), 0);
-  ASSERT_TRUE(result.ok()) << result.reason;
+  ASSERT_TRUE(result.ok()) << result.reason();
   EXPECT_NEAR(room.position().x(), 0.5, 2e-3);
   EXPECT_LT(room.position().x(), 0.5);
   EXPECT_NEAR(room.position().y(), 0.2, 0.02);
@@ -99,7 +100,7 @@ TEST(NearestPlace, AnyDistanceCanBeKeptWhereThereIsNothing) {
   for (const double keep : {0.5, 5.0, 1e6}) {
     Room room;
     const OperationResult result = room.put_on("table", {}, keep);
-    EXPECT_TRUE(result.ok()) << result.reason;
+    EXPECT_TRUE(result.ok()) << result.reason();
   }
 }
 
@@ -111,7 +112,7 @@ TEST(NearestPlace, ALargeDistanceIsKeptOnATableThatHasJustTheRoom) {
   // (-0.45, -0.45).
   for (const double keep : {1.19, 1.21}) {
     const OperationResult result = room.put_on("table", {}, keep, 3);
-    EXPECT_EQ(result.ok(), keep < 1.2) << keep << ": " << result.reason;
+    EXPECT_EQ(result.ok(), keep < 1.2) << keep << ": " << result.reason();
     if (result.ok()) {
       EXPECT_GE(distance(room.position().head<2>(), {-0.47, -0.47}, {0.02, 0.02}), keep);
     }
@@ -121,11 +122,11 @@ TEST(NearestPlace, ALargeDistanceIsKeptOnATableThatHasJustTheRoom) {
 TEST(NearestPlace, WhatMayNotMoveIsRefusedWithThatReason) {
   for (const bool fixed : {true, false}) {
     Room room;
-    Object& table = room.scene.at(*room.scene.find("table"));
-    (fixed ? table.fixed : table.locked) = true;
+    edit_object(room.scene, *room.scene.find("table"),
+                [&](Object& table) { (fixed ? table.fixed : table.locked) = true; });
     for (const std::optional<Vec2>& at : {std::optional<Vec2>{}, {Vec2(1, 1)}})
       EXPECT_EQ(
-          room.put_on("floor", at, 0, 0, "table").reason,
+          room.put_on("floor", at, 0, 0, "table").reason(),
           fixed ? "\"table\" is fixed: unfix it first" : "\"table\" is locked: unlock it first");
   }
 }
@@ -154,7 +155,7 @@ TEST(NearestPlace, NoNearerPointIsFree) {
     };
     const Vec2 near(random.uniform(-1, 1), random.uniform(-1, 1));
     const OperationResult result = room.put_on("floor", near, keep);
-    ASSERT_TRUE(result.ok()) << result.reason;
+    ASSERT_TRUE(result.ok()) << result.reason();
     const Vec2 found = room.position().head<2>();
     EXPECT_GE(room_at(found), keep);
     const double radius = (found - near).norm() - kTolerance;

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "core/contact/first_contact.h"
+#include "core/scene/transaction.h"
 #include "ops/place/places.h"
 #include "support/solids.h"
 
@@ -70,7 +71,7 @@ TEST(Places, TheNearestIsBesideWhatIsInTheWay) {
     request.on = table;
     request.near = Vec2(0.2, 0.1);
     request.keep = keep;
-    const Places places = find_places(room.scene, cube, request, kClearance);
+    const Places places = find_places(room.scene, cube, {&cube, 1}, request, kClearance);
     ASSERT_FALSE(places.starts.empty());
     const Vec2 away = places.starts.front().translation.head<2>() - *request.near;
     EXPECT_GE(away.cwiseAbs().maxCoeff(), 0.25 + keep);
@@ -86,13 +87,13 @@ TEST(Places, EveryPlaceThatIsOfferedFallsOntoTheSupport) {
     room.add_box("box" + std::to_string(i), Vec3(0.05, 0.08, random.uniform(0.02, 0.3)),
                  random.uniform(-0.9, 0.9), random.uniform(-0.4, 0.4));
   const ObjectId ball = room.add("ball", test::bumpy_sphere(12, 16, 0.2, 5), {});
-  room.scene.at(ball).scale = 0.08;
+  edit_object(room.scene, ball, [](Object& o) { o.scale = 0.08; });
   for (int i = 0; i < 8; ++i) {
     PlaceRequest request;
     request.on = table;
     request.rotation = random.rotation();
     request.seed = static_cast<std::uint64_t>(i);
-    const Places places = find_places(room.scene, ball, request, kClearance);
+    const Places places = find_places(room.scene, ball, {&ball, 1}, request, kClearance);
     EXPECT_EQ(places.num_judged - places.num_beside - places.num_blocked,
               static_cast<std::int64_t>(places.starts.size()));
     ASSERT_GT(places.starts.size(), 500u);
@@ -111,8 +112,8 @@ TEST(Places, TheSeedAloneDecides) {
   std::set<std::pair<double, double>> firsts;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     request.seed = seed;
-    const Places a = find_places(room.scene, cube, request, kClearance);
-    const Places b = find_places(room.scene, cube, request, kClearance);
+    const Places a = find_places(room.scene, cube, {&cube, 1}, request, kClearance);
+    const Places b = find_places(room.scene, cube, {&cube, 1}, request, kClearance);
     ASSERT_FALSE(a.starts.empty());
     EXPECT_EQ(a.starts[0].translation, b.starts[0].translation);
     firsts.emplace(a.starts[0].translation.x(), a.starts[0].translation.y());
@@ -129,7 +130,7 @@ TEST(Places, NoneOnATableThatIsTaken) {
                    -0.9 + 0.2 * i, -0.4 + 0.2 * j);
   PlaceRequest request;
   request.on = table;
-  const Places places = find_places(room.scene, cube, request, kClearance);
+  const Places places = find_places(room.scene, cube, {&cube, 1}, request, kClearance);
   EXPECT_TRUE(places.starts.empty());
   EXPECT_GT(places.num_blocked, 1000);
 }
@@ -147,7 +148,7 @@ TEST(Places, UnderACeilingAndOnALowerBoard) {
   for (const auto& [from, board] : {std::pair<std::optional<double>, double>{{}, 0.81},
                                     std::pair<std::optional<double>, double>{0.4, 0.31}}) {
     request.from = from;
-    const Places places = find_places(room.scene, cube, request, kClearance);
+    const Places places = find_places(room.scene, cube, {&cube, 1}, request, kClearance);
     ASSERT_GT(places.starts.size(), 100u);
     EXPECT_EQ(room.met_first(cube, places.starts[0]), shelf);
     EXPECT_GT(places.starts[0].translation.z() - 0.1, board);
@@ -161,7 +162,7 @@ TEST(Places, OnTheFloorBesideWhatStandsThere) {
   const ObjectId cube = room.add_cube();
   PlaceRequest request;
   request.near = Vec2(0, 0);
-  const Places places = find_places(room.scene, cube, request, kClearance);
+  const Places places = find_places(room.scene, cube, {&cube, 1}, request, kClearance);
   ASSERT_FALSE(places.starts.empty());
   const Vec2 at = places.starts[0].translation.head<2>();
   EXPECT_GE(at.cwiseAbs().maxCoeff(), 0.6);

@@ -43,12 +43,12 @@ TEST(PutSomewhere, FillsATableWithoutTouchingWhatIsThere) {
     place.seed = static_cast<std::uint64_t>(i);
     const OperationResult result = room.put_on(name, place, random.rotation());
     if (!result.ok()) {
-      EXPECT_NE(result.reason.find("no free place"), std::string::npos) << result.reason;
+      EXPECT_NE(result.reason().find("no free place"), std::string::npos) << result.reason();
       continue;
     }
     ++num_placed;
     ASSERT_EQ(room.at(name).links.size(), 1u);
-    EXPECT_EQ(room.scene.at(*room.at(name).links[0].with).name, "table");
+    EXPECT_EQ(room.scene.at(room.at(name).links[0].with.object()).name, "table");
   }
   EXPECT_GT(num_placed, 12);
   EXPECT_TRUE(check_scene(room.scene).ok());
@@ -102,7 +102,7 @@ TEST(PutSomewhere, RefusedWithAReason) {
     place.on = on;
     const OperationResult result = room.put_on(name, place);
     EXPECT_FALSE(result.ok());
-    return result.reason;
+    return result.reason();
   };
   EXPECT_NE(reason_of("cup", "table").find("no free place for \"cup\" on \"table\""),
             std::string::npos);

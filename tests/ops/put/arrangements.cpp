@@ -6,6 +6,7 @@
 
 #include "core/base/tunables.h"
 #include "ops/check/check.h"
+#include "ops/operations/perform.h"
 #include "ops/placement/clearance.h"
 
 namespace trivet::test {
@@ -35,7 +36,7 @@ ObjectId add_fixed(Scene& scene, const std::string& name, const Triangles& trian
                    const Vec3& at, const Rotation& rotation) {
   const ObjectId id = scene.add(object_of(name, triangles, true));
   const OperationResult result = stand(scene, id, {rotation, at});
-  EXPECT_TRUE(result.ok()) << result.reason;
+  EXPECT_TRUE(result.ok()) << result.reason();
   return id;
 }
 
@@ -192,11 +193,11 @@ OperationResult checked_put(Scene& scene, ObjectId id, const Pose& start,
   const OperationResult result = put(scene, id, start, options);
   expect_falling_energy(scene.at(id), start, clearance, result);
   if (!result.ok()) {
-    EXPECT_FALSE(result.reason.empty());
+    EXPECT_FALSE(result.reason().empty());
     EXPECT_EQ(difference(before, scene), "");
     return result;
   }
-  EXPECT_TRUE(result.reason.empty());
+  EXPECT_TRUE(result.reason().empty());
   expect_consistent(scene, id, clearance, result);
   const SceneCheck check = check_scene(scene, 1, clearance);
   EXPECT_TRUE(check.crossings.empty());
@@ -212,7 +213,7 @@ OperationResult put_twice(Arrangement& a, const SettleOptions& options) {
   const OperationResult result = checked_put(a.scene, a.object, a.start, options);
   const OperationResult second = put(again, a.object, a.start, options);
   EXPECT_EQ(result.status, second.status);
-  EXPECT_EQ(result.reason, second.reason);
+  EXPECT_EQ(result.reason(), second.reason());
   EXPECT_EQ(result.steps.size(), second.steps.size());
   EXPECT_EQ(difference(a.scene, again), "");
   return result;

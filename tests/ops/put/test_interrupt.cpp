@@ -5,37 +5,38 @@
 
 #include "arrangements.h"
 #include "ops/base/interrupt.h"
+#include "ops/operations/perform.h"
 
 namespace trivet::test {
 namespace {
 
-OperationResult interrupted_put(const SettleOptions& options) {
+OperationResult interrupted_put(const RunContext& context) {
   Arrangement a = into_bowl(0);
   const Scene before = a.scene;
-  const OperationResult result = put(a.scene, a.object, a.start, options);
+  const OperationResult result = put(a.scene, a.object, a.start, {}, context);
   EXPECT_FALSE(result.ok());
   EXPECT_EQ(difference(before, a.scene), "");
-  EXPECT_NE(result.reason.find("put of \"" + a.scene.at(a.object).name + "\""), std::string::npos)
-      << result.reason;
+  EXPECT_NE(result.reason().find("put of \"" + a.scene.at(a.object).name + "\""), std::string::npos)
+      << result.reason();
   return result;
 }
 
 TEST(Interrupt, ACancelledPutLeavesTheSceneAsItWas) {
   const std::atomic<bool> cancel = true;
-  SettleOptions options;
-  options.cancel = &cancel;
-  const OperationResult result = interrupted_put(options);
+  RunContext context;
+  context.cancel = &cancel;
+  const OperationResult result = interrupted_put(context);
   EXPECT_EQ(result.status, OperationResult::Status::Cancelled);
   EXPECT_EQ(result.num_motions, 0);
-  EXPECT_NE(result.reason.find("was cancelled"), std::string::npos);
+  EXPECT_NE(result.reason().find("was cancelled"), std::string::npos);
 }
 
 TEST(Interrupt, APutOutOfTimeLeavesTheSceneAsItWas) {
-  SettleOptions options;
-  options.time_budget_s = 1e-9;
-  const OperationResult result = interrupted_put(options);
+  RunContext context;
+  context.time_budget_s = 1e-9;
+  const OperationResult result = interrupted_put(context);
   EXPECT_EQ(result.status, OperationResult::Status::OutOfTime);
-  EXPECT_NE(result.reason.find("did not end within 1e-09 s"), std::string::npos) << result.reason;
+  EXPECT_NE(result.reason().find("did not end within 1e-09 s"), std::string::npos) << result.reason();
 }
 
 // Whenever the other thread says stop: the whole operation, or nothing.
@@ -45,13 +46,13 @@ TEST(Interrupt, FromAnotherThreadAtAnyMoment) {
     Arrangement a = into_bowl(round % 5);
     const Scene before = a.scene;
     std::atomic<bool> cancel = false;
-    SettleOptions options;
-    options.cancel = &cancel;
+    RunContext context;
+    context.cancel = &cancel;
     std::jthread other([&] {
       std::this_thread::sleep_for(std::chrono::microseconds(100 * round));
       cancel = true;
     });
-    const OperationResult result = put(a.scene, a.object, a.start, options);
+    const OperationResult result = put(a.scene, a.object, a.start, {}, context);
     if (result.ok()) {
       EXPECT_TRUE(a.scene.at(a.object).placed);
     } else {
@@ -65,19 +66,19 @@ TEST(Interrupt, FromAnotherThreadAtAnyMoment) {
 TEST(Interrupt, TimeEnoughChangesNothing) {
   Arrangement a = into_bowl(1), b = a;
   const std::atomic<bool> cancel = false;
-  SettleOptions options;
-  options.cancel = &cancel;
-  options.time_budget_s = 1e9;
+  RunContext context;
+  context.cancel = &cancel;
+  context.time_budget_s = 1e9;
   EXPECT_TRUE(put(a.scene, a.object, a.start).ok());
-  EXPECT_TRUE(put(b.scene, b.object, b.start, options).ok());
+  EXPECT_TRUE(put(b.scene, b.object, b.start, {}, context).ok());
   EXPECT_EQ(difference(a.scene, b.scene), "");
 }
 
 TEST(Interrupt, StaysWithWhatItSaidFirst) {
   std::atomic<bool> cancel = true;
-  SettleOptions options;
-  options.cancel = &cancel;
-  Interrupt interrupt(options);
+  RunContext context;
+  context.cancel = &cancel;
+  Interrupt interrupt(context);
   EXPECT_EQ(interrupt.reason(), Interrupt::Reason::Cancelled);
   cancel = false;
   EXPECT_EQ(interrupt.reason(), Interrupt::Reason::Cancelled);

@@ -24,9 +24,9 @@ Outcome outcome_of(const Arrangement& a) {
   Outcome out;
   const auto ids = a.scene.ids();
   for (const Link& link : a.scene.at(a.object).links) {
-    out.floor |= !link.with;
-    out.first |= link.with == ids[0];
-    out.second |= ids.size() > 2 && link.with == ids[1];
+    out.floor |= link.with.is_floor();
+    out.first |= link.with == Support(ids[0]);
+    out.second |= ids.size() > 2 && link.with == Support(ids[1]);
   }
   out.centre = a.scene.at(a.object).centre_of_mass();
   return out;
@@ -41,7 +41,7 @@ std::vector<Outcome> expect_all_ok(test::MakeArrangement make, int num) {
     SCOPED_TRACE("arrangement " + std::to_string(i));
     Arrangement a = make(i);
     const OperationResult result = test::put_twice(a);
-    EXPECT_TRUE(result.ok()) << a.name << ' ' << i << ": " << result.reason;
+    EXPECT_TRUE(result.ok()) << a.name << ' ' << i << ": " << result.reason();
     if (result.ok()) outcomes.push_back(outcome_of(a));
     num_motions += result.num_motions;
     most = std::max(most, result.num_motions);
@@ -109,7 +109,7 @@ TEST(Put, OntoASlope) { expect_all_ok(test::onto_slope, 96); }
 TEST(Put, ATorusThatLacksALastClosingTurn) {
   Arrangement a = test::torus_over_peg(221);
   const OperationResult result = test::put_twice(a);
-  EXPECT_TRUE(result.ok()) << result.reason;
+  EXPECT_TRUE(result.ok()) << result.reason();
 }
 
 // --- the paper's rules, for comparison -------------------------------------------------------
@@ -156,14 +156,14 @@ TEST(PutByLiteralRules, AWedgedObjectIsAcceptedIfOneWants) {
     Arrangement refused = test::against_wall(i), accepted = test::against_wall(i);
     const OperationResult result = put(refused.scene, refused.object, refused.start, literal);
     const OperationResult with = put(accepted.scene, accepted.object, accepted.start, accept);
-    EXPECT_TRUE(with.ok()) << with.reason;
+    EXPECT_TRUE(with.ok()) << with.reason();
     const ObjectState state = accepted.scene.at(accepted.object).state;
     EXPECT_EQ(state, result.ok() ? ObjectState::Stable : ObjectState::Wedged);
     if (result.ok()) continue;
     ++num_wedged;
-    EXPECT_TRUE(result.reason.starts_with("\"object\" is wedged between ") ||
-                result.reason.starts_with("\"object\" is wedged against "))
-        << result.reason;
+    EXPECT_TRUE(result.reason().starts_with("\"object\" is wedged between ") ||
+                result.reason().starts_with("\"object\" is wedged against "))
+        << result.reason();
     EXPECT_FALSE(refused.scene.at(refused.object).placed);
   }
   EXPECT_GT(num_wedged, 0);

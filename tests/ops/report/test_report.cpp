@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/scene/transaction.h"
 #include "ops/layout/boxes.h"
 #include "ops/report/report.h"
 
@@ -108,7 +109,7 @@ TEST(Report, numbers_come_back_to_the_bit) {
 TEST(Report, numbers_that_are_not_finite_are_null) {
   LayoutRun run = run_boxes();
   run.check.smallest_gap = kInfinity;
-  run.scene.at(run.scene.ids()[1]).least_friction = kInfinity;
+  edit_object(run.scene, run.scene.ids()[1], [](Object& o) { o.least_friction = kInfinity; });
   const Json report = Json::parse(report_json(run, {}));
   EXPECT_TRUE(report["check"]["smallest_gap"].is_null());
   EXPECT_TRUE(report["objects"][1]["least_friction"].is_null());

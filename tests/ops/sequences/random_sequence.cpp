@@ -10,6 +10,7 @@
 #include "core/shapes/models.h"
 #include "ops/layout/operation_json.h"
 #include "ops/base/stopwatch.h"
+#include "ops/operations/perform.h"
 #include "support/same_scene.h"
 #include "support/shared_data.h"
 #include "support/solids.h"
@@ -256,16 +257,16 @@ class Sequence {
     const Worker& worker = m_options.workers[static_cast<size_t>(i) % m_options.workers.size()];
     const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
                                       static_cast<size_t>(worker.num_threads));
-    m_settle.detector = worker.detector;
+    m_context.detector = worker.detector;
     const Stopwatch stopwatch;
-    const OperationResult result = m_session.perform(operation, m_settle);
+    const OperationResult result = m_session.perform(operation, m_settle, m_context);
     m_outcome.seconds += stopwatch.milliseconds() / 1000;
     const std::string text = operation_json(operation).dump();
     SCOPED_TRACE("operation " + std::to_string(i) + ": " + text);
     if (m_options.tell)
-      std::printf("%2d %s: %s\n", i, text.c_str(), result.ok() ? "ok" : result.reason.c_str());
+      std::printf("%2d %s: %s\n", i, text.c_str(), result.ok() ? "ok" : result.reason().c_str());
     if (!result.ok()) {
-      EXPECT_FALSE(result.reason.empty());
+      EXPECT_FALSE(result.reason().empty());
       EXPECT_EQ(fingerprint(m_session.scene()), m_states.back());
       return true;
     }
@@ -291,6 +292,7 @@ class Sequence {
   const SequenceOptions& m_options;
   const Scene m_start;
   SettleOptions m_settle;
+  RunContext m_context;
   std::vector<std::uint64_t> m_states;
   Outcome m_outcome;
 };

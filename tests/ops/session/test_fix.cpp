@@ -27,14 +27,14 @@ TEST(Fix, TheTableOfBreakfastIsMovedWithAllThatIsOnIt) {
   Session session(run_layout(demo.layout, models, {}).scene, demo.layout, models);
   const Scene before = session.scene();
   const Operation move = translate_of("table", Vec3(0.1, 0, 0));
-  const std::string reason = session.perform(move).reason;
+  const std::string reason = session.perform(move).reason();
   EXPECT_EQ(reason, "\"table\" is fixed: unfix it first");
   ASSERT_TRUE(session.perform(FixOperation{"table", false}).ok());
   EXPECT_EQ(state_of(session, "table"), ObjectState::Stable);
   EXPECT_EQ(session.steps().back().name, "unfix \"table\"");
   const Scene freed = session.scene();
   const OperationResult moved = session.perform(move);
-  ASSERT_TRUE(moved.ok()) << moved.reason;
+  ASSERT_TRUE(moved.ok()) << moved.reason();
   EXPECT_EQ(moved.carried.size(), 23u);
   EXPECT_NEAR(moved.moved, 0.1, 1e-6);
   for (const ObjectId id : session.scene().ids()) {
@@ -68,7 +68,7 @@ TEST(Fix, IsRatedAsItLies) {
   ASSERT_TRUE(session.perform(FixOperation{"a", true}).ok());
   ASSERT_TRUE(session.perform(put_at("b", 0, 0)).ok());
   const OperationResult refused = session.perform(translate_of("a", Vec3(0, 0, 0.5)));
-  EXPECT_EQ(refused.reason, "\"a\" is fixed: unfix it first");
+  EXPECT_EQ(refused.reason(), "\"a\" is fixed: unfix it first");
 }
 
 TEST(Fix, WhatInterpenetratesIsNotFixed) {
@@ -80,7 +80,7 @@ TEST(Fix, WhatInterpenetratesIsNotFixed) {
   ASSERT_TRUE(session.perform(into).ok());
   const Scene before = session.scene();
   const OperationResult refused = session.perform(FixOperation{"b", true});
-  EXPECT_NE(refused.reason.find("passes through"), std::string::npos) << refused.reason;
+  EXPECT_NE(refused.reason().find("passes through"), std::string::npos) << refused.reason();
   EXPECT_EQ(difference(session.scene(), before), "");
 }
 

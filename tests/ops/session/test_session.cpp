@@ -35,7 +35,7 @@ TEST(Session, UndoesToTheStartAndRedoesToTheEndToTheBit) {
   std::vector<Scene> states{session.scene()};
   for (const Operation& operation : some_operations()) {
     const OperationResult result = session.perform(operation);
-    ASSERT_TRUE(result.ok()) << op_name(operation) << ": " << result.reason;
+    ASSERT_TRUE(result.ok()) << op_name(operation) << ": " << result.reason();
     states.push_back(session.scene());
   }
   const size_t n = some_operations().size();
@@ -121,7 +121,7 @@ TEST(Session, ARefusedOperationIsNoStepAndChangesNothing) {
         Operation(DuplicateOperation{"none", "x"}), Operation(append_of("a", "m.obj"))}) {
     const OperationResult result = session.perform(operation);
     EXPECT_FALSE(result.ok());
-    EXPECT_FALSE(result.reason.empty());
+    EXPECT_FALSE(result.reason().empty());
     EXPECT_EQ(difference(session.scene(), before), "");
   }
   EXPECT_EQ(session.steps().size(), 1u);
@@ -134,7 +134,7 @@ TEST(Session, ALockedObjectIsRefused) {
   for (const Operation& operation : {put_at("a", 1, 0), Operation(delete_of("a"))}) {
     const OperationResult result = session.perform(operation);
     EXPECT_FALSE(result.ok());
-    EXPECT_NE(result.reason.find("\"a\" is locked"), std::string::npos) << result.reason;
+    EXPECT_NE(result.reason().find("\"a\" is locked"), std::string::npos) << result.reason();
   }
   session.perform(LockOperation{"a", false});
   EXPECT_TRUE(session.perform(put_at("a", 1, 0)).ok());
@@ -189,9 +189,9 @@ TEST(Session, IsRefusedWhenItIsCancelled) {
   Session session = small_session();
   const Scene before = session.scene();
   const std::atomic<bool> cancel = true;
-  SettleOptions options;
-  options.cancel = &cancel;
-  EXPECT_EQ(session.perform(put_at("a", 0, 0), options).status, OperationResult::Status::Cancelled);
+  RunContext context;
+  context.cancel = &cancel;
+  EXPECT_EQ(session.perform(put_at("a", 0, 0), {}, context).status, OperationResult::Status::Cancelled);
   EXPECT_EQ(difference(session.scene(), before), "");
   EXPECT_TRUE(session.steps().empty());
 }

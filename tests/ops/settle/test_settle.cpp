@@ -18,18 +18,37 @@ constexpr double kEps = 1e-6;
 struct Box {
   std::shared_ptr<const Shape> shape;
   explicit Box(const Vec3& half) : shape(test::shape_of(test::box_triangles(half))) {}
-  Body at(const Vec3& place, const Rotation& rotation = {}) const {
-    return {*shape, test::placed(rotation, place)};
-  }
+  Body body_at(const Vec3& place) const { return {*shape, test::placed({}, place)}; }
 };
 
-SettleOutcome settled(const Box& box, const Pose& start, const std::vector<Body>& fixed,
+/// A box that does not move.
+struct Fixed {
+  const Box& box;
+  Vec3 place;
+};
+
+Scene scene_of(const std::vector<Fixed>& fixed, bool floor) {
+  Scene scene;
+  scene.floor = floor;
+  for (const Fixed& f : fixed) {
+    Object object;
+    object.name = std::to_string(scene.num_objects());
+    object.shape = f.box.shape;
+    object.fixed = object.placed = true;
+    object.pose.translation = f.place;
+    scene.add(std::move(object));
+  }
+  return scene;
+}
+
+SettleOutcome settled(const Box& box, const Pose& start, const std::vector<Fixed>& fixed,
                       bool floor = true, const SettleOptions& options = {}) {
+  const Scene scene = scene_of(fixed, floor);
+  const Neighbourhood others(scene, std::span<const ObjectId>());
   SettleProblem problem;
   problem.shape = box.shape.get();
   problem.start = start;
-  problem.fixed = fixed;
-  problem.floor = floor;
+  problem.others = &others;
   problem.clearance = kEps;
   problem.options = options;
   return settle(problem);
@@ -46,7 +65,7 @@ TEST(Settle, FallsAndRests) {
   ASSERT_EQ(out.steps.size(), 1u);
   EXPECT_NEAR(out.pose.translation.z(), 0.5 + kEps, 0.1 * kEps);
   ASSERT_EQ(out.contacts.size(), 1u);
-  EXPECT_EQ(out.contacts[0].fixed, ContactsWith::kFloor);
+  EXPECT_TRUE(out.contacts[0].with.is_floor());
   EXPECT_EQ(out.contacts[0].points.size(), 4u);
   EXPECT_GE(out.num_queries, 1);
   EXPECT_GE(out.num_face_pairs, 8);
@@ -72,9 +91,9 @@ TEST(Settle, OpensAGapThatIsTooSmall) {
 TEST(Settle, WithoutAnythingBelowItFallsOut) {
   EXPECT_EQ(settled(cube(), {{}, Vec3(0, 0, 3)}, {}, false).status, Status::FallsOut);
   const Box slab(Vec3(1, 1, 0.1));
-  const std::vector<Body> beside{slab.at(Vec3(5, 0, 0))};
+  const std::vector<Fixed> beside{{slab, Vec3(5, 0, 0)}};
   EXPECT_EQ(settled(cube(), {{}, Vec3(0, 0, 3)}, beside, false).status, Status::FallsOut);
-  const std::vector<Body> edge{slab.at(Vec3(1.4, 0, 0))};  // tips over it
+  const std::vector<Fixed> edge{{slab, Vec3(1.4, 0, 0)}};  // tips over it
   EXPECT_EQ(settled(cube(), {{}, Vec3(0, 0, 3)}, edge, false).status, Status::FallsOut);
 }
 
@@ -88,13 +107,16 @@ TEST(Settle, StopsAtTheLimitOfMotions) {
 }
 
 TEST(Settle, AStartThatCrossesIsReported) {
-  const std::vector<Body> fixed{cube().at(Vec3(0.5, 0.5, 0.7))};
+  const std::vector<Fixed> fixed{{cube(), Vec3(0.5, 0.5, 0.7)}};
   EXPECT_EQ(settled(cube(), {{}, Vec3(0, 0, 0.6)}, fixed).status, Status::Crossing);
 }
 
 TEST(IsAtRest, OnlyWhereSomethingHoldsIt) {
-  const auto rests = [](const Vec3& at, const Rotation& rotation = {}) {
+  const Scene empty;
+  const Neighbourhood others(empty, std::span<const ObjectId>());
+  const auto rests = [&](const Vec3& at, const Rotation& rotation = {}) {
     SettleProblem problem;
+    problem.others = &others;
     problem.shape = cube().shape.get();
     problem.start = {rotation, at};
     problem.clearance = kEps;
@@ -112,26 +134,31 @@ TEST(IsAtRest, OnlyWhereSomethingHoldsIt) {
 
 TEST(Settle, ContactsAreListedByBodyTheFloorFirst) {
   const Box slab(Vec3(1, 1, 0.1));
-  const std::vector<Body> fixed{cube().at(Vec3(9, 9, 9)), cube().at(Vec3(-1 - kEps, 0, 0.5)),
-                                slab.at(Vec3(0, 0, 1.1 + 2 * kEps))};
-  const Body body = cube().at(Vec3(0, 0, 0.5 + kEps));
-  const auto found = contacts_with(body, fixed, true, 2 * kEps, 0.05 * kEps);
+  const std::vector<Fixed> fixed{{cube(), Vec3(9, 9, 9)},
+                                 {cube(), Vec3(-1 - kEps, 0, 0.5)},
+                                 {slab, Vec3(0, 0, 1.1 + 2 * kEps)}};
+  const Scene scene = scene_of(fixed, true), no_floor = scene_of(fixed, false);
+  const std::vector<ObjectId> ids = scene.ids();
+  const Neighbourhood others(scene, std::span<const ObjectId>());
+  const Neighbourhood without_floor(no_floor, std::span<const ObjectId>());
+  const Body body = cube().body_at(Vec3(0, 0, 0.5 + kEps));
+  const auto found = contacts_with(body, others, 2 * kEps, 0.05 * kEps);
   ASSERT_EQ(found.size(), 3u);
-  EXPECT_EQ(found[0].fixed, ContactsWith::kFloor);
-  EXPECT_EQ(found[1].fixed, 1);
-  EXPECT_EQ(found[2].fixed, 2);
+  EXPECT_TRUE(found[0].with.is_floor());
+  EXPECT_EQ(found[1].with, Support(ids[1]));
+  EXPECT_EQ(found[2].with, Support(ids[2]));
   for (const ContactsWith& c : found) EXPECT_FALSE(c.points.empty());
   EXPECT_LT((found[1].points[0].normal - Vec3::UnitX()).norm(), 1e-9);
   EXPECT_LT((found[2].points[0].normal + Vec3::UnitZ()).norm(), 1e-9);
   const auto all = all_points(found, 2 * kEps);
   EXPECT_EQ(all.size(), 12u);  // four corners each
-  EXPECT_EQ(contacts_with(body, fixed, false, 2 * kEps, 0.05 * kEps).size(), 2u);
+  EXPECT_EQ(contacts_with(body, without_floor, 2 * kEps, 0.05 * kEps).size(), 2u);
 }
 
 TEST(Settle, StepsLeadFromTheStartToTheEnd) {
   test::Random random(1);
   const Box box(Vec3(0.3, 0.2, 0.1));
-  const std::vector<Body> fixed{cube().at(Vec3(0, 0, 0.5 + 1e-5))};
+  const std::vector<Fixed> fixed{{cube(), Vec3(0, 0, 0.5 + 1e-5)}};
   for (int i = 0; i < 50; ++i) {
     const Rotation rotation = random.rotation();
     const Pose start{rotation, random.beside(1, 2)};

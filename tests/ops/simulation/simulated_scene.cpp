@@ -1,3 +1,4 @@
+#include "core/scene/transaction.h"
 #include "ops/simulation/simulated_scene.h"
 
 #include <gtest/gtest.h>
@@ -23,14 +24,13 @@ class Maker {
 
   void stand(const std::string& name, const Model& model, const Vec3& at) {
     const ObjectId id = add(name, model);
-    Object& object = m_out.scene.at(id);
-    object.fixed = true;
+    edit_object(m_out.scene, id, [](Object& o) { o.fixed = true; });
     EXPECT_TRUE(trivet::stand(m_out.scene, id, {{}, at}).ok());
   }
 
   void put(const std::string& name, const Model& model, const Pose& start) {
     const OperationResult result = trivet::put(m_out.scene, add(name, model), start);
-    EXPECT_TRUE(result.ok()) << result.reason;
+    EXPECT_TRUE(result.ok()) << result.reason();
     m_out.starts.push_back({name, start});
   }
 

@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/convex/hull_overlap.h"
+#include "core/scene/transaction.h"
 #include "ops/check/check.h"
 #include "ops/layout/boxes.h"
 #include "ops/simulation/simulated_scene.h"
@@ -218,7 +219,7 @@ TEST(Simulation, friction_is_what_an_object_or_its_loads_need) {
   const ObjectId b = add(scene, "b", box_model(0.1, 0.1, 0.1), {{}, Vec3(0, 0, 0.30001)});
   add(scene, "c", box_model(0.1, 0.1, 0.1), {{}, Vec3(1, 0, 0.1)});
   update_contacts(scene, 1e-4);
-  scene.at(b).least_friction = 0.8;
+  edit_object(scene, b, [](Object& o) { o.least_friction = 0.8; });
   const SimulationExport done = simulation_of(scene, "s", {});
   EXPECT_EQ(scene.at(a).links.size(), 2u);
   EXPECT_DOUBLE_EQ(done.scene.bodies[0].friction, 1.0);  // carries b

@@ -19,10 +19,10 @@ struct Pile {
   // Placed as it is, whether it rests there or not.
   void place(const std::string& name, const Triangles& triangles, const Vec3& at,
              bool fixed = false) {
-    const ObjectId id = scene.add(object_of(name, triangles, fixed));
-    scene.at(id).pose.translation = at;
-    scene.at(id).placed = true;
-    ids.push_back(id);
+    Object object = object_of(name, triangles, fixed);
+    object.pose.translation = at;
+    object.placed = true;
+    ids.push_back(scene.add(std::move(object)));
   }
   Stability judge(double friction = kSettlingFriction) {
     StabilityOptions options;
