@@ -5,6 +5,7 @@
 
 #include "ops/demo/demo.h"
 #include "ops/layout/run.h"
+#include "ops/operations/perform.h"
 
 namespace trivet::perf {
 namespace {
