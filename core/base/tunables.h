@@ -36,6 +36,9 @@ inline constexpr double kParallelSquaredSine = 1e-16;
 inline constexpr double kConeSlope = 1e-3;
 /// How far (in clearances) a foot may be outside a face and still count as inside.
 inline constexpr double kFootSlack = 0.05;
+/// The same in heights: beside a face by more, what is nearest is an edge or a corner of it, in
+/// another direction. Larger takes the sides of flush boxes that nearly touch for contacts.
+inline constexpr double kFootSlope = 0.05;
 /// Principal extents below this part of the object's size count as nothing: point, line or area.
 inline constexpr double kContactExtent = 1e-4;
 
