@@ -67,6 +67,9 @@ inline constexpr double kLiftBelow = 0.5;
 inline constexpr double kLargestLift = 20;
 inline constexpr int kMaxLifts = 200;
 inline constexpr int kLiftSweeps = 300;
+/// After so many lifts an object whose contacts balance, and that cannot sink by more than
+/// kBalanceTolerance, is at rest: thinner than the contacts' tolerance, it would rock to and fro.
+inline constexpr int kLiftsOfRocking = 8;
 /// Contacts within this many clearances may carry when nothing can sink any more: a last closing
 /// motion shorter than kEnergyDrop is not executed.
 inline constexpr double kBalanceTolerance = 20;
