@@ -36,6 +36,9 @@ inline constexpr double kParallelSquaredSine = 1e-16;
 inline constexpr double kConeSlope = 1e-3;
 /// How far (in clearances) a foot may be outside a face and still count as inside.
 inline constexpr double kFootSlack = 0.05;
+/// The same in heights: beside a face by more, what is nearest is an edge or a corner of it, in
+/// another direction. Larger takes the sides of flush boxes that nearly touch for contacts.
+inline constexpr double kFootSlope = 0.05;
 /// Principal extents below this part of the object's size count as nothing: point, line or area.
 inline constexpr double kContactExtent = 1e-4;
 
@@ -64,6 +67,9 @@ inline constexpr double kLiftBelow = 0.5;
 inline constexpr double kLargestLift = 20;
 inline constexpr int kMaxLifts = 200;
 inline constexpr int kLiftSweeps = 300;
+/// After so many lifts an object whose contacts balance, and that cannot sink by more than
+/// kBalanceTolerance, is at rest: thinner than the contacts' tolerance, it would rock to and fro.
+inline constexpr int kLiftsOfRocking = 8;
 /// Contacts within this many clearances may carry when nothing can sink any more: a last closing
 /// motion shorter than kEnergyDrop is not executed.
 inline constexpr double kBalanceTolerance = 20;

@@ -12,6 +12,8 @@ enum class ContactType { Point, Line, Area };
 const char* to_string(ContactType type);  // "point", "line", "area"
 
 /// Which features of the two meshes meet; ids refer to the meshes' vertices, edges and faces.
+/// ClosestPoints: of two faces; a vertex beside an edge or a vertex, or a corner of the overlap of
+/// flat faces. There may be several for one pair of faces.
 enum class ContactFeatures { VertexFace, FaceVertex, EdgeEdge, ClosestPoints };
 
 /// One point where the surfaces are within the contact tolerance.

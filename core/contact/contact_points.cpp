@@ -8,6 +8,8 @@
 
 #include "core/base/tunables.h"
 #include "core/contact/contact_face.h"
+#include "core/contact/dips.h"
+#include "core/contact/flush_faces.h"
 #include "core/contact/leaf_box.h"
 #include "core/contact/pair_set.h"
 #include "core/contact/triangle_distance.h"
@@ -16,6 +18,7 @@ namespace trivet {
 namespace {
 
 constexpr double kParallelSine = 1e-6;  // edges closer to parallel than this do not cross
+constexpr double kNoDirection = 1e-13;  // distance, of the coordinates, that has no direction
 
 auto features_of(const ContactPoint& c) {
   return std::tie(c.features, c.feature_object, c.feature_support);
@@ -45,6 +48,53 @@ Aabb box_of(const Triangle& t) {
   return {t[0].cwiseMin(t[1]).cwiseMin(t[2]), t[0].cwiseMax(t[1]).cwiseMax(t[2])};
 }
 
+// Two vertices that are near, or a vertex and a place inside an edge.
+struct End {
+  enum class Kind { VertexEdge, EdgeVertex, Vertices };
+  Kind kind;
+  Index on_object, on_support;  // vertex or edge
+  Index face_object, face_support;
+  Vec3 p, q;  // on the object and on the support
+
+  auto features() const { return std::tie(kind, on_object, on_support); }
+
+  // One of the surfaces comes nearer beside: the other is not where they are nearest.
+  bool dips(const Body& object, const Body& support, const Vec3& normal) const {
+    const bool object_dips = kind == Kind::EdgeVertex ? edge_dips(object, on_object, p, normal)
+                                                      : vertex_dips(object, on_object, p, normal);
+    if (object_dips) return true;
+    return kind == Kind::VertexEdge ? edge_dips(support, on_support, q, -normal)
+                                    : vertex_dips(support, on_support, q, -normal);
+  }
+};
+
+// Adds those of `more` that have no point of the same normal near. Compares along the widest
+// extent.
+void append_elsewhere(const std::vector<ContactPoint>& more, double distance,
+                      std::vector<ContactPoint>& points) {
+  if (more.empty()) return;
+  std::vector<ContactPoint> known = points;
+  Aabb box;
+  for (const ContactPoint& p : known) box.extend(p.point);
+  int along = 0;
+  if (!known.empty()) box.half_extent().maxCoeff(&along);
+  const auto before = [&](const ContactPoint& a, const ContactPoint& b) {
+    return a.point[along] < b.point[along];
+  };
+  std::sort(known.begin(), known.end(), before);
+  for (const ContactPoint& p : more) {
+    ContactPoint low = p;
+    low.point[along] -= distance;
+    bool is_new = true;
+    for (auto at = std::lower_bound(known.begin(), known.end(), low, before);
+         is_new && at != known.end() && at->point[along] <= p.point[along] + distance; ++at)
+      is_new = !same_place(*at, p, distance);
+    if (is_new) points.push_back(p);
+  }
+  std::sort(points.begin(), points.end(),
+            [](const ContactPoint& a, const ContactPoint& b) { return order_of(a) < order_of(b); });
+}
+
 class ContactSearch {
  public:
   ContactSearch(const Body& object, const Body& support, double tolerance, double slack)
@@ -52,6 +102,7 @@ class ContactSearch {
         m_support(support),
         m_tolerance(tolerance),
         m_slack(slack),
+        m_flush(object, support, tolerance, slack),
         m_frame(support),
         m_tree_object(m_frame.tree(object)),
         m_tree_support(m_frame.own_tree(support)),
@@ -61,9 +112,17 @@ class ContactSearch {
   }
 
   std::vector<ContactPoint> run() {
-    if (!m_object.shape->bvh.nodes.empty() && !m_support.shape->bvh.nodes.empty())
-      visit(0, 0, m_tree_object.box(0), m_tree_support.box(0), nullptr);
-    return first_of_each(m_found.empty() ? m_fallback : m_found);
+    if (m_object.shape->bvh.nodes.empty() || m_support.shape->bvh.nodes.empty()) return {};
+    const BoxTree::Box box_object = m_tree_object.box(0), box_support = m_tree_support.box(0);
+    visit(0, 0, box_object, box_support, nullptr);
+    std::vector<ContactPoint> points = first_of_each(m_found);
+    std::vector<ContactPoint> more = ends();
+    for (const ContactPoint& p : m_flush.corners()) more.push_back(p);
+    append_elsewhere(more, m_tolerance, points);
+    if (!points.empty()) return points;
+    m_closest_only = true;
+    visit(0, 0, box_object, box_support, nullptr);
+    return first_of_each(m_found);
   }
 
  private:
@@ -116,42 +175,105 @@ class ContactSearch {
 
   void try_faces(const ContactFace& a, Index face_a, const ContactFace& b, Index face_b) {
     if (b.separates(a.corners, m_tolerance) || a.separates(b.corners, m_tolerance)) return;
+    if (m_closest_only) return try_closest(a.corners, face_a, b.corners, face_b);
     const Index3 &va = m_object.shape->mesh.triangles[face_a],
                  &vb = m_support.shape->mesh.triangles[face_b];
-    for (int k = 0; k < 3; ++k) {
-      if (b.valid) try_vertex_face(a.corners[k], va[k], b, face_b);
-      if (a.valid) try_face_vertex(b.corners[k], vb[k], a, face_a);
-    }
     const Index3 &ea = m_object.shape->adjacency.face_edges[face_a],
                  &eb = m_support.shape->adjacency.face_edges[face_b];
+    for (int k = 0; k < 3; ++k) {
+      if (!b.valid || !try_vertex_face(a.corners[k], va[k], b, face_b))
+        try_vertex_edges(a.corners[k], va[k], face_a, b, vb, eb, face_b);
+      if (!a.valid || !try_face_vertex(b.corners[k], vb[k], a, face_a))
+        try_edges_vertex(a, ea, face_a, b.corners[k], vb[k], face_b);
+    }
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j)
         if (ea[i] >= 0 && eb[j] >= 0 && overlaps(a.edge_box[i], b.edge_box[j], m_reach))
           try_edges(a, i, ea[i], b, j, eb[j]);
-    if (m_found.empty()) try_closest(a.corners, face_a, b.corners, face_b);
+    m_flush.add(a, face_a, b, face_b);
   }
 
-  void try_vertex_face(const Vec3& p, Index vertex, const ContactFace& b, Index face) {
+  // How far past the end of a feature a foot may be: not far against the height, or the direction
+  // between the surfaces is another one.
+  double slack_at(double height) const { return std::min(m_slack, kFootSlope * height); }
+
+  // @return whether the foot is on the face, or was.
+  bool try_vertex_face(const Vec3& p, Index vertex, const ContactFace& b, Index face) {
     const double height = b.normal.dot(p - b.corners[0]);
-    if (std::abs(height) > m_tolerance || !m_tried_vertices.insert(vertex, face)) return;
-    if (!b.is_below(p, m_slack)) return;
+    if (std::abs(height) > m_tolerance || !m_tried_vertices.insert(vertex, face)) return true;
+    if (!b.is_below(p, slack_at(std::abs(height)))) return false;
     const Vec3 normal = height < 0 ? Vec3(-b.normal) : b.normal;
-    if (vertex_dips(m_object, vertex, p, normal)) return;
-    m_found.push_back({p, normal, std::abs(height), ContactFeatures::VertexFace, vertex, face});
+    if (!vertex_dips(m_object, vertex, p, normal))
+      m_found.push_back({p, normal, std::abs(height), ContactFeatures::VertexFace, vertex, face});
+    return true;
   }
 
-  void try_face_vertex(const Vec3& q, Index vertex, const ContactFace& a, Index face) {
+  bool try_face_vertex(const Vec3& q, Index vertex, const ContactFace& a, Index face) {
     const double height = a.normal.dot(q - a.corners[0]);
-    if (std::abs(height) > m_tolerance || !m_tried_faces.insert(face, vertex)) return;
-    if (!a.is_below(q, m_slack)) return;
+    if (std::abs(height) > m_tolerance || !m_tried_faces.insert(face, vertex)) return true;
+    if (!a.is_below(q, slack_at(std::abs(height)))) return false;
     const Vec3 normal = height > 0 ? Vec3(-a.normal) : a.normal;
-    if (vertex_dips(m_support, vertex, q, -normal)) return;
-    m_found.push_back({q, normal, std::abs(height), ContactFeatures::FaceVertex, face, vertex});
+    if (!vertex_dips(m_support, vertex, q, -normal))
+      m_found.push_back({q, normal, std::abs(height), ContactFeatures::FaceVertex, face, vertex});
+    return true;
   }
 
-  bool past_end(double s, const Vec3& edge) const {
+  // A vertex beside the face: near an edge of it, or a corner.
+  void try_vertex_edges(const Vec3& p, Index vertex, Index face_a, const ContactFace& b,
+                        const Index3& corners, const Index3& edges, Index face_b) {
+    for (int k = 0; k < 3; ++k) {
+      if ((p - b.corners[k]).squaredNorm() <= m_tolerance * m_tolerance)
+        m_ends.push_back(
+            {End::Kind::Vertices, vertex, corners[k], face_a, face_b, p, b.corners[k]});
+      if (const auto q = foot(p, b, k); q && edges[k] >= 0)
+        m_ends.push_back({End::Kind::VertexEdge, vertex, edges[k], face_a, face_b, p, *q});
+    }
+  }
+
+  void try_edges_vertex(const ContactFace& a, const Index3& edges, Index face_a, const Vec3& q,
+                        Index vertex, Index face_b) {
+    for (int k = 0; k < 3; ++k)
+      if (const auto p = foot(q, a, k); p && edges[k] >= 0)
+        m_ends.push_back({End::Kind::EdgeVertex, edges[k], vertex, face_a, face_b, *p, q});
+  }
+
+  // The foot of x on the inside of an edge that is near.
+  std::optional<Vec3> foot(const Vec3& x, const ContactFace& face, int k) const {
+    const Aabb& box = face.edge_box[k];
+    if (((x - box.lower).array() < -m_reach).any() || ((x - box.upper).array() > m_reach).any())
+      return std::nullopt;
+    const double s = face.edge[k].dot(x - face.corners[k]) / face.edge[k].squaredNorm();
+    if (!(s > 0 && s < 1)) return std::nullopt;
+    const Vec3 foot = face.corners[k] + s * face.edge[k];
+    if ((x - foot).squaredNorm() > m_tolerance * m_tolerance) return std::nullopt;
+    return foot;
+  }
+
+  // Where vertices and ends of (parallel) edges are the nearest, each once.
+  std::vector<ContactPoint> ends() {
+    std::sort(m_ends.begin(), m_ends.end(), [](const End& x, const End& y) {
+      return std::tuple_cat(x.features(), std::tie(x.face_object, x.face_support)) <
+             std::tuple_cat(y.features(), std::tie(y.face_object, y.face_support));
+    });
+    m_ends.erase(
+        std::unique(m_ends.begin(), m_ends.end(),
+                    [](const End& x, const End& y) { return x.features() == y.features(); }),
+        m_ends.end());
+    std::vector<ContactPoint> out;
+    for (const End& end : m_ends) {
+      const double distance = (end.p - end.q).norm();
+      if (distance <= kNoDirection * end.p.cwiseAbs().maxCoeff()) continue;
+      const Vec3 normal = (end.p - end.q) / distance;
+      if (end.dips(m_object, m_support, normal)) continue;
+      out.push_back({end.kind == End::Kind::VertexEdge ? end.p : end.q, normal, distance,
+                     ContactFeatures::ClosestPoints, end.face_object, end.face_support});
+    }
+    return out;
+  }
+
+  bool past_end(double s, const Vec3& edge, double height) const {
     if (s >= 0 && s <= 1) return false;
-    const double slack = m_slack / edge.norm();
+    const double slack = slack_at(height) / edge.norm();
     return s < -slack || s > 1 + slack;
   }
 
@@ -167,9 +289,9 @@ class ContactSearch {
     const double height = -unit.dot(r);  // of a over b
     if (std::abs(height) > m_tolerance) return;
     const double s = r.cross(v).dot(unit) / length_n;
-    if (past_end(s, u)) return;
+    if (past_end(s, u, std::abs(height))) return;
     const double t = r.cross(u).dot(unit) / length_n;
-    if (past_end(t, v)) return;
+    if (past_end(t, v, std::abs(height))) return;
     const Vec3 pa = a.corners[i] + s * u, pb = b.corners[j] + t * v;
     const Vec3 normal = height < 0 ? Vec3(-unit) : unit;
     if (edge_dips(m_object, edge_a, pa, normal) || edge_dips(m_support, edge_b, pb, -normal))
@@ -181,35 +303,19 @@ class ContactSearch {
   void try_closest(const Triangle& a, Index face_a, const Triangle& b, Index face_b) {
     const ClosestPoints c = closest_points(a, b);
     if (c.distance > m_tolerance || c.distance == 0) return;
-    m_fallback.push_back({c.point_b, (c.point_a - c.point_b) / c.distance, c.distance,
-                          ContactFeatures::ClosestPoints, face_a, face_b});
+    m_found.push_back({c.point_b, (c.point_a - c.point_b) / c.distance, c.distance,
+                       ContactFeatures::ClosestPoints, face_a, face_b});
   }
-
-  // Whether a neighbour of the vertex lies below the plane through p.
-  static bool vertex_dips(const Body& body, Index vertex, const Vec3& p, const Vec3& up) {
-    for (const Index edge : body.shape->adjacency.vertex_edges[vertex]) {
-      const auto& ends = body.shape->adjacency.edge_vertices[edge];
-      if (dips(body.vertex(ends[0] == vertex ? ends[1] : ends[0]) - p, up)) return true;
-    }
-    return false;
-  }
-
-  // Whether a face at the edge goes below the plane through p.
-  static bool edge_dips(const Body& body, Index edge, const Vec3& p, const Vec3& up) {
-    for (const Wing& wing : body.shape->adjacency.edge_faces[edge])
-      for (const Index vertex : body.shape->mesh.triangles[wing.face])
-        if (dips(body.vertex(vertex) - p, up)) return true;
-    return false;
-  }
-
-  static bool dips(const Vec3& d, const Vec3& up) { return up.dot(d) < -kConeSlope * d.norm(); }
 
   const Body &m_object, &m_support;
   double m_tolerance, m_slack, m_reach = 0;
+  FlushFaces m_flush;
   UnitFrame m_frame;
   BoxTree m_tree_object, m_tree_support;
   std::array<Vec3, 3> m_own_axis;  // of the object
-  std::vector<ContactPoint> m_found, m_fallback;
+  std::vector<ContactPoint> m_found;
+  std::vector<End> m_ends;
+  bool m_closest_only = false;
   PairSet m_tried_vertices, m_tried_faces;  // of the object and the support, one of them a face
 };
 
@@ -228,75 +334,7 @@ void collect_floor_vertices(const Body& object, const BoxTree& tree, Index node,
       if (object.vertex(v).z() <= tolerance) vertices.push_back(v);
 }
 
-// Right-handed axes in the plane perpendicular to n.
-std::array<Vec3, 2> plane_axes(const Vec3& n) {
-  int k = 0;
-  n.cwiseAbs().minCoeff(&k);
-  const Vec3 u = n.cross(Vec3::Unit(k)).normalized();
-  return {u, n.cross(u)};
-}
-
-Vec3 mean_normal(const std::vector<ContactPoint>& points) {
-  Vec3 sum = Vec3::Zero();
-  for (const ContactPoint& p : points) sum += p.normal;
-  const double length = sum.norm();
-  return length > 1e-9 * points.size() ? Vec3(sum / length) : points.front().normal;
-}
-
-void add_faces(const Body& body, ContactFeatures features, bool is_object, Index feature,
-               std::vector<Index>& faces) {
-  const Adjacency& adjacency = body.shape->adjacency;
-  const bool face =
-      features == ContactFeatures::ClosestPoints ||
-      features == (is_object ? ContactFeatures::FaceVertex : ContactFeatures::VertexFace);
-  if (face) {
-    faces.push_back(feature);
-  } else if (features == ContactFeatures::EdgeEdge) {
-    for (const Wing& w : adjacency.edge_faces[feature]) faces.push_back(w.face);
-  } else {
-    for (const Index f : adjacency.vertex_faces[feature]) faces.push_back(f);
-  }
-}
-
-void sort_unique(std::vector<Index>& ids) {
-  std::sort(ids.begin(), ids.end());
-  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
-}
-
-ContactType type_of(const std::vector<Vec2>& hull, double extent) {
-  // Largest distance of two hull points, and the width across that direction.
-  double longest = 0;
-  Vec2 along = Vec2::UnitX();
-  for (const Vec2& p : hull)
-    for (const Vec2& q : hull)
-      if ((p - q).norm() > longest) longest = (p - q).norm(), along = p - q;
-  if (longest <= extent) return ContactType::Point;
-  const Vec2 across = Vec2(-along.y(), along.x()) / longest;
-  double low = kInfinity, high = -kInfinity;
-  for (const Vec2& p : hull) {
-    low = std::min(low, across.dot(p));
-    high = std::max(high, across.dot(p));
-  }
-  return high - low <= extent ? ContactType::Line : ContactType::Area;
-}
-
-double cross(const Vec2& o, const Vec2& a, const Vec2& b) {
-  return (a - o).x() * (b - o).y() - (a - o).y() * (b - o).x();
-}
-
 }  // namespace
-
-const char* to_string(ContactType type) {
-  switch (type) {
-    case ContactType::Point:
-      return "point";
-    case ContactType::Line:
-      return "line";
-    case ContactType::Area:
-      return "area";
-  }
-  return "?";
-}
 
 std::vector<ContactPoint> contact_points(const Body& object, const Body& support, double tolerance,
                                          double slack) {
@@ -308,88 +346,13 @@ std::vector<ContactPoint> floor_contact_points(const Body& object, double tolera
   std::vector<Index> vertices;
   if (!object.shape->bvh.nodes.empty())
     collect_floor_vertices(object, BoxTree(object), 0, tolerance, vertices);
-  sort_unique(vertices);
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   std::vector<ContactPoint> out;
   for (const Index v : vertices) {
     const Vec3 p = object.vertex(v);
     out.push_back({p, Vec3::UnitZ(), std::max(0.0, p.z()), ContactFeatures::VertexFace, v, 0});
   }
-  return out;
-}
-
-std::vector<ContactPoint> merged(const std::vector<ContactPoint>& points, double distance) {
-  // Sorted along the widest extent, each point is compared with those within reach only.
-  Aabb box;
-  for (const ContactPoint& p : points) box.extend(p.point);
-  int along = 0;
-  if (!points.empty()) box.half_extent().maxCoeff(&along);
-  std::vector<Index> order(points.size());
-  for (size_t i = 0; i < order.size(); ++i) order[i] = static_cast<Index>(i);
-  std::sort(order.begin(), order.end(), [&](Index a, Index b) {
-    return std::make_tuple(points[a].point[along], a) < std::make_tuple(points[b].point[along], b);
-  });
-  std::vector<char> dropped(points.size(), 0);
-  const auto better = [&](Index a, Index b) {
-    return std::make_tuple(points[a].gap, a) < std::make_tuple(points[b].gap, b);
-  };
-  for (size_t i = 0; i < order.size(); ++i)
-    for (size_t j = i + 1; j < order.size() && !dropped[order[i]]; ++j) {
-      const ContactPoint &p = points[order[i]], &q = points[order[j]];
-      if (q.point[along] - p.point[along] > distance) break;
-      if (dropped[order[j]] || (p.point - q.point).squaredNorm() > distance * distance ||
-          p.normal.dot(q.normal) < 1 - 0.5e-4)
-        continue;
-      dropped[better(order[i], order[j]) ? order[j] : order[i]] = 1;
-    }
-  std::vector<ContactPoint> out;
-  for (size_t i = 0; i < points.size(); ++i)
-    if (!dropped[i]) out.push_back(points[i]);
-  return out;
-}
-
-std::vector<Vec2> convex_hull(std::vector<Vec2> points) {
-  // Monotone chain [Andrew 1979].
-  const auto less = [](const Vec2& a, const Vec2& b) {
-    return std::make_tuple(a.x(), a.y()) < std::make_tuple(b.x(), b.y());
-  };
-  std::sort(points.begin(), points.end(), less);
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  if (points.size() < 3) return points;
-  std::vector<Vec2> hull;
-  for (int pass = 0; pass < 2; ++pass) {
-    const size_t start = hull.size();
-    for (const Vec2& p : points) {
-      while (hull.size() >= start + 2 && cross(hull[hull.size() - 2], hull.back(), p) <= 0)
-        hull.pop_back();
-      hull.push_back(p);
-    }
-    hull.pop_back();
-    std::reverse(points.begin(), points.end());
-  }
-  return hull;
-}
-
-Contact make_contact(const std::vector<ContactPoint>& points, const Body& object,
-                     const Body* support, double extent) {
-  Contact out;
-  out.points = points;
-  if (points.empty()) return out;
-  out.normal = mean_normal(points);
-  out.gap = kInfinity;
-  const auto [u, v] = plane_axes(out.normal);
-  const Vec3 origin = points.front().point;
-  std::vector<Vec2> flat;
-  for (const ContactPoint& p : points) {
-    out.gap = std::min(out.gap, p.gap);
-    flat.emplace_back(u.dot(p.point - origin), v.dot(p.point - origin));
-    add_faces(object, p.features, true, p.feature_object, out.faces_object);
-    if (support) add_faces(*support, p.features, false, p.feature_support, out.faces_support);
-  }
-  sort_unique(out.faces_object);
-  sort_unique(out.faces_support);
-  const std::vector<Vec2> hull = convex_hull(flat);
-  for (const Vec2& p : hull) out.hull.push_back(origin + p.x() * u + p.y() * v);
-  out.type = type_of(hull, extent);
   return out;
 }
 

@@ -30,6 +30,7 @@ void decide_faces(const FirstContactQuery& query, Index moving, Index fixed, Ind
   found.status = pair.status == PairContact::Status::Crossing ? FirstContact::Status::Crossing
                                                               : FirstContact::Status::Contact;
   found.stalled = pair.status == PairContact::Status::Stalled;
+  best.work.stalled_pairs += found.stalled;
   found.time = pair.time;
   found.moving = moving;
   found.fixed = fixed;

@@ -19,6 +19,7 @@ struct FirstContactQuery {
 /// Which faces were tried; what a query cost.
 struct QueryWork {
   std::int64_t node_pairs = 0, face_pairs = 0;
+  std::int64_t stalled_pairs = 0;  // of face_pairs: gave up, see PairContact::Status::Stalled
 };
 
 struct FirstContact {
@@ -36,7 +37,9 @@ struct FirstContact {
   Vec3 point = Vec3::Zero();              // on the fixed body
   Vec3 normal = Vec3::UnitZ();            // unit, from the fixed to the moving body
   double gap = 0;
-  bool stalled = false;  // see PairContact::Status::Stalled
+  /// It may be early: see PairContact::Status::Stalled. Pairs that gave up later than the first
+  /// contact are counted in `work` and change nothing.
+  bool stalled = false;
   QueryWork work;
 };
 

@@ -146,6 +146,46 @@ double until_best_plane(const State& s, const ClosestPoints& closest, double tar
   return std::max(first, until_face_planes(s, towards_a, target));
 }
 
+// A plane that stands still, or that moves along.
+double until_plane(const State& s, const Vec3& n, double target) {
+  const double first = until_static_plane(s, n, target);
+  return s.turning() ? std::max(first, until_moving_plane(s, n, target)) : first;
+}
+
+// How long `n` or, made perpendicular to an edge, one of its neighbours keeps the triangles apart.
+double until_plane_along_edges(const State& s, const std::array<Vec3, 6>& edges, const Vec3& n,
+                               double target) {
+  double first = until_plane(s, n, target);
+  for (const Vec3& edge : edges) {
+    const double squared = edge.squaredNorm();
+    if (squared == 0) continue;
+    const Vec3 across = n - n.dot(edge) / squared * edge;
+    const double length = across.norm();
+    if (length > 0) first = std::max(first, until_plane(s, across / length, target));
+  }
+  return first;
+}
+
+// For a pair that the planes before do not separate, because rounding tilts them: where the
+// triangles are nearer than about 4e-8 of their size, the direction between their closest points
+// is not known well enough, nor is the normal of a needle. Tries the directions that two edges
+// span.
+double until_any_plane(const State& s, const ClosestPoints& closest, double target) {
+  const Vec3 towards_a = (closest.point_a - closest.point_b) / closest.distance;
+  const std::array<Vec3, 6> edges{s.a[1] - s.a[0], s.a[2] - s.a[1], s.a[0] - s.a[2],
+                                  s.b[1] - s.b[0], s.b[2] - s.b[1], s.b[0] - s.b[2]};
+  double first = until_plane_along_edges(s, edges, towards_a, target);
+  for (size_t i = 0; i < edges.size(); ++i)
+    for (size_t j = i + 1; j < edges.size(); ++j) {
+      const Vec3 n = edges[i].cross(edges[j]);
+      const double length = n.norm();
+      if (length <= 1e-16 * edges[i].norm() * edges[j].norm()) continue;
+      const Vec3 unit = (n.dot(towards_a) < 0 ? -1 : 1) / length * n;
+      first = std::max(first, until_plane_along_edges(s, edges, unit, target));
+    }
+  return first;
+}
+
 bool clear_of_static_plane(const State& s, const Vec3& n, double target, double horizon) {
   const double level = highest(s.b, n) + target;
   for (const Vec3& p : s.a)
@@ -173,6 +213,10 @@ bool free_by_faces(const State& s, double largest_stop, double horizon) {
   if (na == Vec3::Zero()) return false;
   return s.turning() ? clear_of_moving_plane(s, na, largest_stop, horizon)
                      : clear_of_static_plane(s, na, largest_stop, horizon);
+}
+
+double later(const State& s, double time, double step) {
+  return s.turning() ? compose_turns(time, step) : time + step;
 }
 
 double extent(const State& s) {
@@ -230,8 +274,8 @@ PairContact first_contact(const Triangle& moving, const Triangle& fixed, const M
     }
     if (closest.distance <= (1 + kTargetSlack) * target)
       return at_contact(PairContact::Status::Contact, time, closest, centre);
-    const double step = until_best_plane(s, closest, target);
-    const double next = turning ? compose_turns(time, step) : time + step;
+    double next = later(s, time, until_best_plane(s, closest, target));
+    if (next <= time) next = later(s, time, until_any_plane(s, closest, target));
     if (next > horizon) return {};
     if (next <= time) return at_contact(PairContact::Status::Stalled, time, closest, centre);
     time = next;

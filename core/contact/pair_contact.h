@@ -32,7 +32,7 @@ struct PairContact {
     Free,      // not closer than the target up to the limit (or to `best`)
     Contact,   // at `time` the distance is the target, up to kTargetSlack of it
     Crossing,  // the triangles cross or touch at time 0
-    Stalled,   // kMaxSeparatingPlanes did not suffice; free up to `time`
+    Stalled,   // no plane leads on; free up to `time`, and treated as a contact there
   };
   Status status = Status::Free;
   double time = kInfinity;
@@ -43,7 +43,8 @@ struct PairContact {
 
 /// @param moving  world, at time 0. @param fixed  world.
 /// @param best  gives up (Free) as soon as the first contact is proved to be later than this; the
-///   result is otherwise independent of it (but for Stalled, which no test has met yet).
+///   result is otherwise independent of it (but for Stalled: met where the clearance is below 1e-8
+///   of the triangles' size, see HardlyEverRunsOutOfPlanes).
 PairContact first_contact(const Triangle& moving, const Triangle& fixed, const Motion& motion,
                           const Clearance& clearance, double best = kInfinity);
 

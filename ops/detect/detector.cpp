@@ -62,6 +62,7 @@ FirstContact Detector::first_contact(const FirstContactQuery& query) {
   }
   m_work.node_pairs += found.work.node_pairs;
   m_work.face_pairs += found.work.face_pairs;
+  m_work.stalled += found.stalled;
   return found;
 }
 

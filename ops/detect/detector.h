@@ -16,6 +16,7 @@ struct DetectionWork {
   std::int64_t num_queries = 0;
   std::int64_t node_pairs = 0;     // of box trees
   std::int64_t face_pairs = 0;     // decided exactly
+  std::int64_t stalled = 0;        // queries whose answer may be early, see FirstContact::stalled
   std::int64_t fallbacks = 0;      // queries that a z-list stage gave up; box trees answered
   std::int64_t places = 0;         // judged by height maps, see drop_brackets()
   std::int64_t places_on_gpu = 0;  // of these

@@ -73,7 +73,8 @@ OrderedJson work_json(const DetectionWork& work) {
           {"places", work.places},
           {"places_on_gpu", work.places_on_gpu},
           {"node_pairs", work.node_pairs},
-          {"decided_face_pairs", work.face_pairs}};
+          {"decided_face_pairs", work.face_pairs},
+          {"stalled_queries", work.stalled}};
 }
 
 }  // namespace

@@ -31,6 +31,8 @@ class Settling {
       if (lift_if_needed(points)) continue;
       if (carrying_margin(points, m_object.centre) >= kRestMargin * m_object.size)
         return finish(SettleOutcome::Status::AtRest);
+      if (m_num_lifts > kLiftsOfRocking && is_balanced() && none_sinks(carrying_motions(points)))
+        return finish(SettleOutcome::Status::AtRest);
       const Candidates candidates = candidate_motions(points);
       Outcome outcome = give_way(candidates.sticking, kEnergyDrop);
       if (outcome == Outcome::Stuck) {

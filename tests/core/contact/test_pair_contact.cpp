@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "core/base/tunables.h"
+#include "core/contact/decide.h"
 #include "core/contact/pair_contact.h"
 #include "core/contact/triangle_distance.h"
 #include "reference_distance.h"
@@ -158,6 +159,84 @@ TEST(PairContact, DoesNotDependOnTheBestKnownTime) {
     EXPECT_EQ(first_contact(c.moving, c.fixed, c.motion, c.clearance, 0.5 * free.time).status,
               Status::Free);
   }
+}
+
+// Rounding tilts the planes between triangles that are near against their size, and the normals of
+// needles. Pairs may not run out of planes at clearances in use, and hardly at the smallest.
+Motion exact_motion(const PairCase& c, test::Random& random) {
+  const bool rotation = random.integer(0, 1);
+  const Vec3 from = c.moving[random.integer(0, 2)], to = c.fixed[random.integer(0, 2)];
+  const Vec3 d = to - from, centre = from + 0.5 * d + random.uniform(0, 2) * random.direction();
+  const Vec3 axis = (from - centre).cross(to - centre);
+  if (random.integer(0, 2) && d.norm() > 1e-3 && axis.norm() > 1e-6)
+    return rotation ? Motion::rotation(centre, axis.normalized(), 1)
+                    : Motion::translation(d.normalized(), random.uniform(0.5, 3));
+  Motion motion = test::random_motion(rotation, from, 1, random);
+  if (random.integer(0, 1)) motion.centre = random.integer(0, 1) ? to : from;
+  const Vec3 edge = random.integer(0, 1) ? c.moving[1] - c.moving[0] : c.fixed[1] - c.fixed[0];
+  if (random.integer(0, 1) && edge.norm() > 1e-9) motion.axis = edge.normalized();
+  return motion;
+}
+
+/// From afar, then from contact to contact. Some edges are nearly parallel.
+int num_stalled(unsigned seed, double low, double high, int num_cases) {
+  int num = 0;
+  for (int i = 0; i < num_cases; ++i) {
+    test::Random random(seed + static_cast<unsigned>(i));
+    const auto [a, b] = test::random_pair(i, random);
+    PairCase c{a, b, {}, {std::pow(10.0, random.uniform(low, high))}};
+    if (random.integer(0, 1)) {
+      const Vec3 d = a[1] - a[0];
+      c.fixed[0] = a[0] + random.uniform(-0.5, 0.5) * d + 0.3 * random.direction();
+      c.fixed[1] = c.fixed[0] + random.uniform(0.3, 2) * d +
+                   std::pow(10.0, random.uniform(-12, -2)) * random.direction();
+    }
+    const Vec3 away = random.uniform(0, 1.5) * random.direction();
+    for (Vec3& p : c.moving) p += away;
+    for (int k = 0; k < 6; ++k) {
+      c.motion = exact_motion(c, random);
+      const PairContact found = c.contact();
+      num += found.status == Status::Stalled;
+      if (found.status == Status::Contact) c.moving = c.moved(found.time);
+    }
+  }
+  return num;
+}
+
+TEST(PairContact, HardlyEverRunsOutOfPlanes) {
+  const int num_cases = test::with_effort(50000);
+  const int usual = num_stalled(24, -7, -1, num_cases), small = num_stalled(25, -9, -6, num_cases);
+  std::printf("of 6 x %d motions each: %d and %d stalled\n", num_cases, usual, small);
+  EXPECT_LE(usual, 1);
+  EXPECT_LE(small, 1e-3 * 6 * num_cases);
+}
+
+// Far below the clearances in use some pairs do run out: told, and counted.
+TEST(PairContact, ThatRunsOutOfPlanesIsCounted) {
+  int num_first = 0;
+  std::int64_t num_counted = 0;
+  for (int i = 0; i < 20000; ++i) {
+    test::Random random(27 + static_cast<unsigned>(i));
+    PairCase c = random_case(27, i);
+    c.clearance.distance = std::pow(10.0, random.uniform(-13, -12));
+    FirstContactQuery query;
+    query.motion = c.motion;
+    query.clearance = c.clearance;
+    FirstContact first;
+    decide_faces(query, 0, 0, 0, 0, c.moving, c.fixed, first);
+    EXPECT_EQ(first.stalled, c.contact().status == Status::Stalled);
+    EXPECT_EQ(first.work.stalled_pairs, first.stalled);
+    num_first += first.stalled;
+    // An earlier contact of others makes it unimportant, and keeps the count.
+    FirstContact other = first;
+    other.time = 0;
+    other.stalled = false;
+    decide_faces(query, 0, 0, 0, 0, c.moving, c.fixed, other);
+    EXPECT_FALSE(other.stalled && first.time > 0);
+    num_counted += other.work.stalled_pairs;
+  }
+  EXPECT_GT(num_first, 10);
+  EXPECT_GE(num_counted, num_first);
 }
 
 // --- named cases -----------------------------------------------------------------------------

@@ -208,6 +208,53 @@ TEST(Stability, TwoThatLeanOnEachOtherHoldTogether) {
   EXPECT_FALSE(one.judge(0.05).stable()) << "the feet slip";
 }
 
+// What follows has joints far below the clearance: what lies in one plane beside a joint, such as
+// the sides of bricks, is no contact.
+constexpr double kNarrow = 1e-7, kWideClearance = 2.3e-6;
+
+Stability judged_at(Pile& pile, double friction) {
+  StabilityOptions options;
+  options.friction = friction;
+  options.clearance = kWideClearance;
+  update_contacts(pile.scene, kWideClearance);
+  return stability(pile.scene, options);
+}
+
+// The four above the lowest have their centre 2.5 offsets past its, and its edge is at 0.5.
+TEST(Stability, AnOverhangingStackFallsHoweverNarrowItsJoints) {
+  for (const double offset : {0.19, 0.201, 0.24}) {
+    Pile pile;
+    for (int i = 0; i < 5; ++i)
+      pile.place("brick" + std::to_string(i), box_triangles(Vec3(0.5, 0.25, 0.125)),
+                 Vec3(i * offset, 0, 0.125 + 0.25 * i + (i + 1) * kNarrow));
+    const Stability found = judged_at(pile, 0.5);
+    EXPECT_EQ(found.stable(), offset < 0.2) << offset << " " << found.residual;
+  }
+}
+
+// A half circle of equal wedges stands if it is thicker than 0.1075 of its middle radius
+// [Milankovitch 1907].
+TEST(Stability, AThinArchFallsHoweverNarrowItsJoints) {
+  const auto arch = [](double inner) {
+    constexpr int kWedges = 15;
+    const double half = M_PI / (2 * kWedges);
+    const auto corner = [&](double radius, double side) {
+      return Vec2(side * (radius * std::sin(half) - kNarrow), radius * std::cos(half));
+    };
+    const Triangles wedge =
+        prism({corner(inner, -1), corner(inner, 1), corner(1, 1), corner(1, -1)}, 0.1);
+    Pile pile;
+    for (int i = 0; i < kWedges; ++i) {
+      pile.place("wedge" + std::to_string(i), wedge, Vec3(0, 0, 2 * kNarrow));
+      pile.scene.at(pile.ids.back()).pose.rotation =
+          Rotation::about_axis(Vec3::UnitY(), std::tan((i - (kWedges - 1) / 2) * half));
+    }
+    return judged_at(pile, 0.5);
+  };
+  EXPECT_EQ(arch(0.93).status, Stability::Status::Unstable);
+  EXPECT_EQ(arch(0.85).status, Stability::Status::Stable);
+}
+
 TEST(Stability, APartThatIsTooLargeIsUnknown) {
   Pile pile = leaning_pile({0, 0.3, 0.3, 0.3});
   update_contacts(pile.scene, kGap);

@@ -1,0 +1,153 @@
+// Contact points summed up: merged, their hull, type and faces.
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <tuple>
+
+#include "core/contact/contact_points.h"
+#include "core/contact/plane_axes.h"
+
+namespace trivet {
+namespace {
+
+Vec3 mean_normal(const std::vector<ContactPoint>& points) {
+  Vec3 sum = Vec3::Zero();
+  for (const ContactPoint& p : points) sum += p.normal;
+  const double length = sum.norm();
+  return length > 1e-9 * points.size() ? Vec3(sum / length) : points.front().normal;
+}
+
+void add_faces(const Body& body, ContactFeatures features, bool is_object, Index feature,
+               std::vector<Index>& faces) {
+  const Adjacency& adjacency = body.shape->adjacency;
+  const bool face =
+      features == ContactFeatures::ClosestPoints ||
+      features == (is_object ? ContactFeatures::FaceVertex : ContactFeatures::VertexFace);
+  if (face) {
+    faces.push_back(feature);
+  } else if (features == ContactFeatures::EdgeEdge) {
+    for (const Wing& w : adjacency.edge_faces[feature]) faces.push_back(w.face);
+  } else {
+    for (const Index f : adjacency.vertex_faces[feature]) faces.push_back(f);
+  }
+}
+
+void sort_unique(std::vector<Index>& ids) {
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+}
+
+ContactType type_of(const std::vector<Vec2>& hull, double extent) {
+  // Largest distance of two hull points, and the width across that direction.
+  double longest = 0;
+  Vec2 along = Vec2::UnitX();
+  for (const Vec2& p : hull)
+    for (const Vec2& q : hull)
+      if ((p - q).norm() > longest) longest = (p - q).norm(), along = p - q;
+  if (longest <= extent) return ContactType::Point;
+  const Vec2 across = Vec2(-along.y(), along.x()) / longest;
+  double low = kInfinity, high = -kInfinity;
+  for (const Vec2& p : hull) {
+    low = std::min(low, across.dot(p));
+    high = std::max(high, across.dot(p));
+  }
+  return high - low <= extent ? ContactType::Line : ContactType::Area;
+}
+
+double cross(const Vec2& o, const Vec2& a, const Vec2& b) {
+  return (a - o).x() * (b - o).y() - (a - o).y() * (b - o).x();
+}
+
+}  // namespace
+
+const char* to_string(ContactType type) {
+  switch (type) {
+    case ContactType::Point:
+      return "point";
+    case ContactType::Line:
+      return "line";
+    case ContactType::Area:
+      return "area";
+  }
+  return "?";
+}
+
+bool same_place(const ContactPoint& p, const ContactPoint& q, double distance) {
+  return (p.point - q.point).squaredNorm() <= distance * distance &&
+         p.normal.dot(q.normal) >= 1 - 0.5e-4;
+}
+
+std::vector<ContactPoint> merged(const std::vector<ContactPoint>& points, double distance) {
+  // Sorted along the widest extent, each point is compared with those within reach only.
+  Aabb box;
+  for (const ContactPoint& p : points) box.extend(p.point);
+  int along = 0;
+  if (!points.empty()) box.half_extent().maxCoeff(&along);
+  std::vector<Index> order(points.size());
+  for (size_t i = 0; i < order.size(); ++i) order[i] = static_cast<Index>(i);
+  std::sort(order.begin(), order.end(), [&](Index a, Index b) {
+    return std::make_tuple(points[a].point[along], a) < std::make_tuple(points[b].point[along], b);
+  });
+  std::vector<char> dropped(points.size(), 0);
+  const auto better = [&](Index a, Index b) {
+    return std::make_tuple(points[a].gap, a) < std::make_tuple(points[b].gap, b);
+  };
+  for (size_t i = 0; i < order.size(); ++i)
+    for (size_t j = i + 1; j < order.size() && !dropped[order[i]]; ++j) {
+      const ContactPoint &p = points[order[i]], &q = points[order[j]];
+      if (q.point[along] - p.point[along] > distance) break;
+      if (dropped[order[j]] || !same_place(p, q, distance)) continue;
+      dropped[better(order[i], order[j]) ? order[j] : order[i]] = 1;
+    }
+  std::vector<ContactPoint> out;
+  for (size_t i = 0; i < points.size(); ++i)
+    if (!dropped[i]) out.push_back(points[i]);
+  return out;
+}
+
+std::vector<Vec2> convex_hull(std::vector<Vec2> points) {
+  // Monotone chain [Andrew 1979].
+  const auto less = [](const Vec2& a, const Vec2& b) {
+    return std::make_tuple(a.x(), a.y()) < std::make_tuple(b.x(), b.y());
+  };
+  std::sort(points.begin(), points.end(), less);
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  if (points.size() < 3) return points;
+  std::vector<Vec2> hull;
+  for (int pass = 0; pass < 2; ++pass) {
+    const size_t start = hull.size();
+    for (const Vec2& p : points) {
+      while (hull.size() >= start + 2 && cross(hull[hull.size() - 2], hull.back(), p) <= 0)
+        hull.pop_back();
+      hull.push_back(p);
+    }
+    hull.pop_back();
+    std::reverse(points.begin(), points.end());
+  }
+  return hull;
+}
+
+Contact make_contact(const std::vector<ContactPoint>& points, const Body& object,
+                     const Body* support, double extent) {
+  Contact out;
+  out.points = points;
+  if (points.empty()) return out;
+  out.normal = mean_normal(points);
+  out.gap = kInfinity;
+  const auto [u, v] = plane_axes(out.normal);
+  const Vec3 origin = points.front().point;
+  std::vector<Vec2> flat;
+  for (const ContactPoint& p : points) {
+    out.gap = std::min(out.gap, p.gap);
+    flat.emplace_back(u.dot(p.point - origin), v.dot(p.point - origin));
+    add_faces(object, p.features, true, p.feature_object, out.faces_object);
+    if (support) add_faces(*support, p.features, false, p.feature_support, out.faces_support);
+  }
+  sort_unique(out.faces_object);
+  sort_unique(out.faces_support);
+  const std::vector<Vec2> hull = convex_hull(flat);
+  for (const Vec2& p : hull) out.hull.push_back(origin + p.x() * u + p.y() * v);
+  out.type = type_of(hull, extent);
+  return out;
+}
+
+}  // namespace trivet
