@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Configures and builds a preset on all cores, with ccache where there is one.
-#   [TRIVET_TARGET=trivet] .ci/build.sh PRESET [options of cmake's configuration]
+#   [TRIVET_TARGET='trivet trivet-import'] .ci/build.sh PRESET [options of cmake's configuration]
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 preset="$1"
@@ -13,4 +13,5 @@ if command -v ccache >/dev/null; then
   export CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime
 fi
 cmake --preset "$preset" "$@"
-cmake --build --preset "$preset" --target "${TRIVET_TARGET:-all}" --parallel "$(nproc)" -- -k 0
+read -ra targets <<<"${TRIVET_TARGET:-all}"
+cmake --build --preset "$preset" --target "${targets[@]}" --parallel "$(nproc)" -- -k 0

@@ -1,13 +1,14 @@
 #!/usr/bin/env bash
-# From a fresh Debian 12 to a breakfast table: installs what is missing, builds Trivet and lays out
-# a demo: BREAKFAST, or the one that is named.
+# From a fresh Debian 12 to a breakfast table: installs what is missing, builds the program without the editor
+# and without CAD formats, and lays out a demo: BREAKFAST, or the one that is named.
 #   apps/demo.sh [spoon-saucer|breakfast|office1|office2]
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 demo="${1:-breakfast}"
 
 .ci/install-packages.sh build
-.ci/build.sh release -DTRIVET_TESTS=OFF
+TRIVET_TARGET="trivet trivet-import" .ci/build.sh release \
+  -DTRIVET_TESTS=OFF -DTRIVET_EDITOR=OFF -DTRIVET_OCCT=OFF
 mkdir -p out
 build/release/apps/trivet demo "$demo" -o "out/$demo.glb" --report "out/$demo.json" \
   --picture "out/$demo.png"
@@ -17,5 +18,6 @@ The results are in $PWD/out:
   $demo.glb    the scene, for any program that reads glTF
   $demo.json   the report: poses, contacts, what rests on what
   $demo.png    the picture
-The program is build/release/apps/trivet; see its --help.
+The program is build/release/apps/trivet; see its --help. For the editor and CAD formats, too:
+  .ci/install-packages.sh editor cad convex && .ci/build.sh release -DTRIVET_TESTS=OFF
 END

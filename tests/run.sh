@@ -16,6 +16,6 @@ case "${1:-}" in
     ;;
 esac
 
-.ci/install-packages.sh build tests
+.ci/install-packages.sh build editor cad convex tests
 .ci/build.sh "$preset"
 ctest --preset "$preset" --parallel "$(nproc)" --no-tests=error "$@"
