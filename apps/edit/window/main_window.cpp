@@ -226,8 +226,8 @@ void MainWindow::take_tool(ToolKind kind) {
 /// Keys of the toolbox take tools, too.
 void MainWindow::show_tool() {
   const ToolKind kind = m_toolbox.current();
-  static const char* const kActions[] = {"select",  "put",  "push",  "turn",
-                                         "pick up", "move", "rotate"};
+  static constexpr const char* kActions[] = {"select",  "put",  "push",  "turn",
+                                             "pick up", "move", "rotate"};
   QAction* const shown = action(kActions[static_cast<int>(kind)]);
   if (shown->isChecked() && kind == m_shown_tool) return;
   m_shown_tool = kind;

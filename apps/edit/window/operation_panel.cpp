@@ -21,8 +21,8 @@ Rotation about_z(double deg) {
 }
 
 QString tool_name(int kind) {
-  static const char* const kNames[] = {"Select",  "Put",  "Push",  "Turn",
-                                       "Pick up", "Move", "Rotate"};
+  static constexpr const char* kNames[] = {"Select",  "Put",  "Push",  "Turn",
+                                           "Pick up", "Move", "Rotate"};
   return OperationPanel::tr(kNames[kind]);
 }
 

@@ -152,8 +152,8 @@ class Monkey {
     m_user.press_key(key.key, key.modifiers);
   }
   void click_a_tool() {
-    static const char* const kTools[] = {"select",  "put",  "push",   "turn",
-                                         "pick up", "move", "rotate", "undo"};
+    static constexpr const char* kTools[] = {"select",  "put",  "push",   "turn",
+                                             "pick up", "move", "rotate", "undo"};
     m_user.take(kTools[m_random.integer(0, 7)]);
   }
   void click_view() {

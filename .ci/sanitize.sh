@@ -1,0 +1,26 @@
+#!/usr/bin/env bash
+# Builds and runs a share of the tests under the sanitizers; everything: tests/run.sh --asan, --tsan.
+#   .ci/sanitize.sh asan|tsan [options of ctest]
+# asan: programs that hold, read or write most, labelled `memory` in tests/CMakeLists.txt; tsan: those with
+# threads, labelled `threads`.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+preset="$1"
+shift
+case "$preset" in
+  asan) share=memory ;;
+  tsan) share=threads ;;
+  *)
+    echo "$0: '$preset' is no sanitizer; try asan or tsan" >&2
+    exit 2
+    ;;
+esac
+
+TRIVET_TARGET="trivet_tests_$share" .ci/build.sh "$preset" \
+  -DTRIVET_EDITOR=OFF -DTRIVET_OCCT=OFF -DTRIVET_GPU=OFF
+ctest --preset "$preset" --label-regex "$share" --parallel "$(nproc)" --no-tests=error --quiet \
+  --output-log "build/$preset/$share.log" "$@" || {
+  cat "build/$preset/$share.log"
+  exit 1
+}
+tail -n 4 "build/$preset/$share.log"
