@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs a build, then builds and runs a project that knows nothing but the installation.
+# Installs a build, then builds and runs projects that know nothing but the installation.
 #   tests/install/run.sh BUILD_DIR WORK_DIR [options of cmake's configuration]
 set -euo pipefail
 source_dir="$(dirname "${BASH_SOURCE[0]}")"
@@ -12,6 +12,17 @@ cmake --install "$build_dir" --prefix "$work_dir/prefix" >/dev/null
 cmake -S "$source_dir" -B "$work_dir/build" -DCMAKE_PREFIX_PATH="$work_dir/prefix" "$@"
 cmake --build "$work_dir/build"
 "$work_dir/build/box_on_floor"
+
+# Geometry alone links no reader of files.
+cmake -S "$source_dir" -B "$work_dir/geometry" -DCMAKE_PREFIX_PATH="$work_dir/prefix" -DONLY_GEOMETRY=ON "$@"
+cmake --build "$work_dir/geometry"
+"$work_dir/geometry/fall"
+if grep -rE 'assimp|nlohmann|tinyxml2|libccd|libtrivet_io' "$work_dir/geometry" \
+  --include=build.ninja --include=link.txt; then
+  echo "trivet::geometry must not need these"
+  exit 1
+fi
+
 [ -s "$work_dir/prefix/share/trivet/layout.schema.json" ]
 if [ -e "$work_dir/prefix/bin/trivet" ]; then
   "$work_dir/prefix/bin/trivet" --version

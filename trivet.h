@@ -1,0 +1,29 @@
+// All of Trivet that programs embed, without pictures: link trivet::ops.
+//
+//   scene.add(object)                  a name, a Model, its Shape      core/scene, core/io/model.h
+//   perform(scene, operation), put()   the operations                  ops/operations/perform.h
+//   check_scene(scene)                 judge a scene from its poses    ops/check/check.h
+//   stability(scene)                   does it stand as a whole?       ops/stability/stability.h
+//   read_layout(), run_layout()        layouts as files                ops/files/layout
+//   Session                            undo, redo and a journal        ops/session/session.h
+//
+// Geometry alone is trivet::geometry: core/contact/first_contact.h and
+// core/exact/interpenetration.h.
+#pragma once
+
+#include "core/contact/first_contact.h"
+#include "core/exact/interpenetration.h"
+#include "core/io/export.h"
+#include "core/io/model.h"
+#include "core/scene/scene.h"
+#include "core/scene/transaction.h"
+#include "ops/check/check.h"
+#include "ops/layout/layout.h"
+#include "ops/layout/run.h"
+#include "ops/operations/live_move.h"
+#include "ops/operations/perform.h"
+#include "ops/report/report.h"
+#include "ops/report/scene_file.h"
+#include "ops/session/restore.h"
+#include "ops/session/session.h"
+#include "ops/stability/stability.h"
