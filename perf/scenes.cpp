@@ -3,7 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "ops/demo/demo.h"
+#include "apps/demo/demo.h"
 #include "ops/layout/run.h"
 #include "ops/operations/perform.h"
 

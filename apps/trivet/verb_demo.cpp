@@ -1,10 +1,10 @@
 #include <filesystem>
 
+#include "apps/demo/demo.h"
 #include "apps/trivet/outputs.h"
 #include "apps/trivet/verbs.h"
 #include "core/base/error.h"
 #include "core/io/export.h"
-#include "ops/demo/demo.h"
 
 namespace trivet::apps {
 namespace {

@@ -5,12 +5,12 @@
 #include <chrono>
 #include <filesystem>
 
+#include "apps/demo/demo.h"
 #include "apps/edit/document/engine.h"
 #include "apps/edit/document/layout_paths.h"
 #include "core/base/error.h"
 #include "core/io/export.h"
 #include "ops/base/names.h"
-#include "ops/demo/demo.h"
 #include "ops/layout/paths.h"
 #include "ops/report/scene_file.h"
 #include "ops/session/journal.h"

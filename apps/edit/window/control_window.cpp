@@ -3,7 +3,7 @@
 #include <QFileInfo>
 #include <QSignalBlocker>
 
-#include "ops/demo/demo.h"
+#include "apps/demo/demo.h"
 
 namespace trivet::edit {
 namespace {

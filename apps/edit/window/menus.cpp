@@ -5,8 +5,8 @@
 #include <QMessageBox>
 #include <QToolBar>
 
+#include "apps/demo/demo.h"
 #include "apps/edit/window/main_window.h"
-#include "ops/demo/demo.h"
 
 namespace trivet::edit {
 namespace {

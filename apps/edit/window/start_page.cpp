@@ -7,8 +7,8 @@
 #include <QPushButton>
 #include <QScrollArea>
 
+#include "apps/demo/demo.h"
 #include "apps/edit/window/icons.h"
-#include "ops/demo/demo.h"
 
 namespace trivet::edit {
 namespace {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "apps/demo/demo.h"
 #include "core/io/export.h"
-#include "ops/demo/demo.h"
 
 namespace trivet::edit::test {
 

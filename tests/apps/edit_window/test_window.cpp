@@ -12,6 +12,7 @@
 #include <QSettings>
 #include <QTemporaryDir>
 
+#include "apps/demo/demo.h"
 #include "apps/edit_window/breakfast_table.h"
 #include "apps/edit_window/large_scene.h"
 #include "apps/edit_window/lit_and_watched.h"
@@ -20,7 +21,6 @@
 #include "apps/edit_window/tour.h"
 #include "apps/edit_window/user.h"
 #include "core/io/export.h"
-#include "ops/demo/demo.h"
 #include "support/effort.h"
 
 namespace trivet::edit::test {

@@ -3,8 +3,8 @@
 #include <ctime>
 #include <functional>
 
+#include "apps/demo/demo.h"
 #include "live_stage.h"
-#include "ops/demo/demo.h"
 #include "ops/layout/run.h"
 
 namespace trivet {

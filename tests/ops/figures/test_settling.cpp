@@ -2,7 +2,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "core/shapes/models.h"
+#include "apps/demo/shapes/models.h"
 #include "replay.h"
 
 namespace trivet {

@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <map>
 
+#include "apps/demo/shapes/models.h"
 #include "core/scene/fingerprint.h"
-#include "core/shapes/models.h"
 #include "ops/layout/operation_json.h"
 #include "ops/base/stopwatch.h"
 #include "ops/operations/perform.h"

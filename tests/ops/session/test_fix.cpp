@@ -1,7 +1,7 @@
 // Fixed objects become free where they are, and free ones fixed.
 #include <gtest/gtest.h>
 
-#include "ops/demo/demo.h"
+#include "apps/demo/demo.h"
 #include "ops/layout/run.h"
 #include "session_testing.h"
 

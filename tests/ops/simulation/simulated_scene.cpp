@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "core/shapes/models.h"
+#include "apps/demo/shapes/models.h"
 #include "ops/check/check.h"
 #include "ops/layout/boxes.h"
 #include "ops/operations/perform.h"

@@ -1,0 +1,13 @@
+// The layouts by name; use make_demo.
+#pragma once
+
+#include "apps/demo/demo.h"
+
+namespace trivet {
+
+DemoLayout make_spoon_saucer();
+DemoLayout make_breakfast();
+DemoLayout make_office1();
+DemoLayout make_office2();
+
+}  // namespace trivet

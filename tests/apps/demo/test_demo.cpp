@@ -1,0 +1,244 @@
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+#include "apps/demo/demo.h"
+#include "core/base/error.h"
+#include "ops/layout/operation_json.h"
+#include "ops/layout/run.h"
+
+namespace trivet {
+namespace {
+
+Aabb box_at(const DemoLayout& demo, const std::string& object, const Pose& pose) {
+  Aabb box;
+  for (const LayoutObject& o : demo.layout.objects) {
+    if (o.name != object) continue;
+    const Affine placed = world_from_object(pose, UpAxis::Z, 1);
+    for (const Vec3& p : demo.model(o.model).mesh.vertices) box.extend(placed.apply(p));
+  }
+  return box;
+}
+
+int num_triangles(const DemoLayout& demo) {
+  size_t n = 0;
+  for (const LayoutObject& o : demo.layout.objects) n += demo.model(o.model).mesh.triangles.size();
+  return static_cast<int>(n);
+}
+
+TEST(Demo, HasThePapersNumbers) {
+  const DemoLayout small = make_demo("spoon-saucer"), large = make_demo("breakfast");
+  EXPECT_EQ(small.layout.objects.size(), 2u);
+  EXPECT_EQ(large.layout.objects.size(), 24u);
+  EXPECT_GE(num_triangles(small), 800);
+  EXPECT_LE(num_triangles(small), 1000);
+  EXPECT_GE(num_triangles(large), 13000);
+  EXPECT_LE(num_triangles(large), 17000);
+  const DemoLayout tidy = make_demo("office1"), untidy = make_demo("office2");
+  EXPECT_EQ(tidy.layout.objects.size(), 16u);
+  EXPECT_EQ(untidy.layout.objects.size(), 25u);
+  EXPECT_GE(num_triangles(tidy), 15000);
+  EXPECT_LE(num_triangles(untidy), 40000);
+}
+
+TEST(Demo, PutsEachMovableObjectJustOnce) {
+  for (const std::string& name : demo_names()) {
+    const DemoLayout demo = make_demo(name);
+    std::map<std::string, int> puts;
+    for (const Operation& op : demo.layout.operations)
+      if (std::holds_alternative<PutOperation>(op)) {
+        ++puts[object_name(op)];
+      } else {
+        EXPECT_EQ(puts[object_name(op)], 1) << object_name(op) << " is moved before it is put";
+      }
+    std::set<std::string> names;
+    for (const LayoutObject& o : demo.layout.objects) {
+      EXPECT_TRUE(names.insert(o.name).second) << o.name;
+      EXPECT_EQ(puts[o.name], o.fixed ? 0 : 1) << o.name;
+      EXPECT_EQ(o.pose.has_value(), o.fixed) << o.name;
+    }
+    EXPECT_EQ(puts.size(), names.size());
+  }
+}
+
+// On the tables nothing that has been put reaches up to where the next objects start.
+TEST(Demo, StartsAboveTheTable) {
+  for (const char* name : {"spoon-saucer", "breakfast"}) {
+    const DemoLayout demo = make_demo(name);
+    double ground = 0;
+    for (const LayoutObject& o : demo.layout.objects)
+      if (o.fixed) ground = box_at(demo, o.name, *o.pose).upper.z();
+    for (const Operation& operation : demo.layout.operations) {
+      const auto& op = std::get<PutOperation>(operation);
+      const Aabb box = box_at(demo, op.object, op.start);
+      EXPECT_GT(box.lower.z(), ground + 0.25) << op.object;
+      EXPECT_LT(box.upper.z() - box.lower.z(), 0.2) << op.object;
+    }
+  }
+}
+
+TEST(Demo, WritesALayoutThatReadsBack) {
+  for (const std::string& name : demo_names()) {
+    const DemoLayout demo = make_demo(name);
+    const Layout read = parse_layout(layout_json(demo), name);
+    ASSERT_EQ(read.objects.size(), demo.layout.objects.size());
+    ASSERT_EQ(read.operations.size(), demo.layout.operations.size());
+    for (size_t i = 0; i < read.objects.size(); ++i) {
+      EXPECT_EQ(read.objects[i].name, demo.layout.objects[i].name);
+      EXPECT_EQ(read.objects[i].model, demo.layout.objects[i].model);
+      EXPECT_EQ(read.objects[i].fixed, demo.layout.objects[i].fixed);
+    }
+    for (size_t i = 0; i < read.operations.size(); ++i) {
+      EXPECT_EQ(operation_json(read.operations[i]), operation_json(demo.layout.operations[i]));
+    }
+  }
+}
+
+using Supports = std::map<std::string, std::set<std::string>>;
+
+// Who stands on whom, after the demo has run.
+Supports supports_of(const Scene& scene) {
+  Supports out;
+  for (const LoadSupport::Entry& entry : load_support(scene).entries)
+    for (const ObjectId id : entry.supports)
+      out[scene.at(entry.object).name].insert(scene.at(id).name);
+  return out;
+}
+
+LayoutRun run(const DemoLayout& demo, int num_threads = 0) {
+  RunOptions options;
+  options.num_threads = num_threads;
+  return run_layout(
+      demo.layout, [&](const std::string& file, const Tessellation&) { return demo.model(file); },
+      options);
+}
+
+TEST(Demo, ComesToRestWithoutInterpenetration) {
+  for (const std::string& name : demo_names()) {
+    const LayoutRun result = run(make_demo(name));
+    EXPECT_TRUE(result.ok());
+    for (const OperationRecord& op : result.operations) {
+      EXPECT_TRUE(op.result.ok()) << op.object << ": " << op.result.reason();
+    }
+    EXPECT_EQ(result.check.interpenetrating_pairs(), 0);
+    EXPECT_GT(result.check.smallest_gap, 0);
+    for (const ObjectId id : result.scene.ids()) {
+      const Object& object = result.scene.at(id);
+      EXPECT_TRUE(object.fixed || object.state == ObjectState::Stable) << object.name;
+      EXPECT_LT(object.least_friction, 0.5) << object.name;
+    }
+  }
+}
+
+TEST(Demo, LaysTheTable) {
+  const LayoutRun result = run(make_demo("breakfast"));
+  const Supports supports = supports_of(result.scene);
+  const auto expect = [&](const char* object, std::set<std::string> on) {
+    EXPECT_EQ(supports.at(object), on) << object;
+  };
+  for (const char* object : {"plate_front", "plate_back", "saucer_front", "saucer_back", "bowl",
+                             "glass_front", "glass_back", "teapot", "jug", "loaf"})
+    expect(object, {"table"});
+  for (const std::string who : {"front", "back"}) {
+    expect(("cup_" + who).c_str(), {"saucer_" + who});
+    expect(("spoon_" + who).c_str(), {"saucer_" + who});
+  }
+  expect("egg_cup", {"plate_back"});
+  expect("egg", {"egg_cup"});
+  expect("toast", {"plate_front"});
+  expect("knife", {"plate_front"});
+  for (const char* apple : {"apple_1", "apple_2", "apple_3"}) expect(apple, {"bowl"});
+  for (const char* banana : {"banana_1", "banana_2"})
+    EXPECT_GE(supports.at(banana).size(), 2u) << banana;
+}
+
+void expect_supports(const Supports& supports, const std::vector<std::string>& objects,
+                     const std::set<std::string>& on) {
+  for (const std::string& object : objects) EXPECT_EQ(supports.at(object), on) << object;
+}
+
+std::set<std::string> touched_by(const Scene& scene, const std::string& object) {
+  std::set<std::string> out;
+  for (const Link& link : scene.at(*scene.find(object)).links)
+    out.insert(named(scene, link.with).name);
+  return out;
+}
+
+// How the first push of an object went.
+OperationResult push_of(const LayoutRun& run, const std::string& object) {
+  for (const OperationRecord& record : run.operations)
+    if (record.op == std::string("push") && record.object == object) return record.result;
+  ADD_FAILURE() << object << " is not pushed";
+  return {};
+}
+
+TEST(Demo, FurnishesTheOffice) {
+  const LayoutRun result = run(make_demo("office1"));
+  const Supports supports = supports_of(result.scene);
+  expect_supports(supports, {"monitor", "keyboard", "mouse", "telephone", "lamp", "mug", "report"},
+                  {"desk"});
+  expect_supports(supports, {"book_green", "book_red", "book_blue", "book_yellow"}, {"bookcase"});
+  expect_supports(supports, {"pencil"}, {"mug"});
+  EXPECT_EQ(touched_by(result.scene, "book_yellow"),
+            (std::set<std::string>{"bookcase", "book_blue"}));
+  // The books stand together, for each was pushed until it met the next; the mug took the pencil
+  // with it.
+  EXPECT_EQ(push_of(result, "book_green").blocked_by.name, "bookcase");
+  EXPECT_EQ(push_of(result, "book_red").blocked_by.name, "book_green");
+  EXPECT_EQ(push_of(result, "book_blue").blocked_by.name, "book_red");
+  EXPECT_EQ(push_of(result, "mug").carried, std::vector<std::string>{"pencil"});
+}
+
+TEST(Demo, FurnishesTheOfficeWithAllSixOperations) {
+  std::set<std::string> used;
+  for (const Operation& op : make_demo("office2").layout.operations) used.insert(op_name(op));
+  EXPECT_EQ(used, (std::set<std::string>{"put", "push", "turn", "pick_up", "translate", "rotate"}));
+}
+
+// OFFICE2 is OFFICE1 and nine more objects.
+TEST(Demo, UntidiesTheOffice) {
+  const DemoLayout tidy = make_demo("office1"), untidy = make_demo("office2");
+  for (size_t i = 0; i < tidy.layout.objects.size(); ++i)
+    EXPECT_EQ(untidy.layout.objects[i].name, tidy.layout.objects[i].name);
+  const LayoutRun result = run(untidy);
+  const Supports supports = supports_of(result.scene);
+  expect_supports(supports, {"pencil", "pencil_2"}, {"mug"});
+  expect_supports(supports, {"letter_1"}, {"report"});
+  expect_supports(supports, {"pen"}, {"letter_1"});
+  expect_supports(supports, {"cup"}, {"letter_2"});
+  expect_supports(supports, {"paper_ball_1"}, {"waste_basket"});
+  expect_supports(supports, {"keyboard", "book_yellow", "mouse"}, {"desk"});
+  EXPECT_EQ(touched_by(result.scene, "binder"), (std::set<std::string>{"bookcase"}));
+}
+
+TEST(Demo, IsTheSameWithAnyNumberOfThreads) {
+  for (const std::string& name : demo_names()) {
+    const DemoLayout demo = make_demo(name);
+    const LayoutRun one = run(demo, 1), two = run(demo, 2);
+    for (const ObjectId id : one.scene.ids()) {
+      const Object &a = one.scene.at(id), &b = two.scene.at(id);
+      EXPECT_EQ(a.pose.translation, b.pose.translation) << a.name;
+      EXPECT_EQ(a.pose.rotation.matrix(), b.pose.rotation.matrix()) << a.name;
+    }
+    EXPECT_EQ(one.check.smallest_gap, two.check.smallest_gap);
+  }
+}
+
+// What was put upright stands upright: the z axis of each of these is the world's.
+TEST(Demo, KeepsTheTablewareUpright) {
+  const LayoutRun result = run(make_demo("breakfast"));
+  for (const char* name : {"cup_front", "cup_back", "teapot", "jug", "bowl", "glass_front",
+                           "glass_back", "egg_cup", "egg", "plate_front", "plate_back"}) {
+    const Object& object = result.scene.at(*result.scene.find(name));
+    EXPECT_GT(object.pose.rotation.matrix()(2, 2), 0.9999) << name;
+  }
+}
+
+TEST(Demo, RefusesUnknownNames) {
+  EXPECT_THROW(make_demo("lunch"), Error);
+  EXPECT_THROW(make_demo("breakfast").model("samovar.glb"), Error);
+}
+
+}  // namespace
+}  // namespace trivet
