@@ -110,8 +110,8 @@ MeshProgram::MeshProgram(const char* name, const std::string& vertex, const std:
 
 LivePrograms::LivePrograms()
     : object("objects", shaders::object_vertex(), shaders::object_fragment()),
-      shadow("the shadow map", shaders::shadow_vertex(), shaders::empty_fragment()),
-      mask("the outline's mask", shaders::shadow_vertex(), shaders::mask_fragment()),
+      shadow("the shadow map", picture_shaders::shadow_vertex(), shaders::empty_fragment()),
+      mask("the outline's mask", picture_shaders::shadow_vertex(), shaders::mask_fragment()),
       floor("the floor", shaders::floor_vertex(), shaders::floor_fragment()),
       backdrop("the backdrop", picture_shaders::whole_target_vertex(),
                shaders::backdrop_fragment()),

@@ -14,12 +14,10 @@ uniform float map_px, texture_px;  // of its side, a part is used
 uniform int shadows;  // 0, 1, or 2: with softer edges
 
 // How much of the key light reaches p: a few looks, each blended between four texels, so that edges
-// are soft. The point is lifted off its face as in pictures.
+// are soft.
 float reaches(vec3 p, vec3 face) {
   if (shadows == 0) return 1.0;
-  float c = dot(face, light);
-  float slant = sqrt(max(0.0, 1.0 - c * c));
-  vec3 q = (map_from_frame * vec4(p + face * (texel * (0.4 + 1.6 * slant)), 1.0)).xyz;
+  vec3 q = place_in_map(map_from_frame, light, p, face, texel, vec2(0.4, 1.6), 0.0);
   if (any(lessThan(q.xy, vec2(0.0))) || any(greaterThan(q.xy, vec2(1.0)))) return 1.0;
   q.z = min(q.z, 1.0);
   q.xy *= map_px / texture_px;
@@ -33,23 +31,7 @@ float reaches(vec3 p, vec3 face) {
 }
 )";
 
-const char* const kTone = R"(
-vec3 srgb_from_linear(vec3 x) {
-  return mix(12.92 * x, 1.055 * pow(max(x, vec3(1e-6)), vec3(1.0 / 2.4)) - 0.055,
-             greaterThan(x, vec3(0.0031308)));
-}
-// Straight up to the knee, then bent so that white is reached slowly.
-vec3 film(vec3 x) {
-  const float knee = 0.6;
-  return min(x, knee + (1.0 - knee) * (1.0 - exp(-max(x - knee, 0.0) / (1.0 - knee))));
-}
-)";
-
 const char* const kObjectVertex = R"(
-layout(location = 0) in vec3 position;
-layout(location = 1) in vec3 normal;
-layout(location = 2) in vec3 face_normal;
-layout(location = 3) in uint material;
 uniform mat4 frame_from_object;
 uniform mat3 frame_from_normal;
 uniform mat4 clip_from_frame;
@@ -108,13 +90,6 @@ void main() {
               (shine + rim * 0.4) * mirrored * (1.0 - 0.6 * rough);
   colour = vec4(srgb_from_linear(film(exposure * seen)), base.a * opacity);
 }
-)";
-
-const char* const kShadowVertex = R"(
-layout(location = 0) in vec3 position;
-uniform mat4 frame_from_object;
-uniform mat4 clip_from_frame;
-void main() { gl_Position = clip_from_frame * (frame_from_object * vec4(position, 1.0)); }
 )";
 
 const char* const kFloorVertex = R"(
@@ -220,16 +195,20 @@ void main() {
 }
 )";
 
+using picture_shaders::mesh_inputs;
+using picture_shaders::shadow_lookup;
+using picture_shaders::tone;
 using picture_shaders::version;
 
 }  // namespace
 
-std::string object_vertex() { return version() + kObjectVertex; }
-std::string object_fragment() { return version() + kShadow + kTone + kObjectFragment; }
-std::string shadow_vertex() { return version() + kShadowVertex; }
+std::string object_vertex() { return version() + mesh_inputs() + kObjectVertex; }
+std::string object_fragment() {
+  return version() + shadow_lookup() + kShadow + tone() + kObjectFragment;
+}
 std::string empty_fragment() { return version() + "void main() {}\n"; }
 std::string floor_vertex() { return version() + kFloorVertex; }
-std::string floor_fragment() { return version() + kShadow + kFloorFragment; }
+std::string floor_fragment() { return version() + shadow_lookup() + kShadow + kFloorFragment; }
 std::string backdrop_fragment() { return version() + kBackdropFragment; }
 std::string mask_fragment() { return version() + kMaskFragment; }
 std::string outline_fragment() { return version() + kOutlineFragment; }

@@ -7,7 +7,6 @@ namespace trivet::live_shaders {
 
 std::string object_vertex();
 std::string object_fragment();
-std::string shadow_vertex();
 std::string empty_fragment();
 std::string floor_vertex();
 std::string floor_fragment();

@@ -1,3 +1,4 @@
+#include "gpu/picture_lights.h"
 #include "gpu/picture_shaders.h"
 
 namespace trivet::picture_shaders {
@@ -10,26 +11,50 @@ void main() {
 }
 )";
 
+// The point is lifted off its face by what the depth of a slanted plane changes within half the
+// diagonal of a texel: `lift` of a face towards the light and of one that it grazes; and by what
+// float32 loses.
+const char* const kShadowLookup = R"(
+vec3 place_in_map(mat4 map_from_frame, vec3 to_light, vec3 p, vec3 face, float texel, vec2 lift,
+                  float rounding) {
+  float c = dot(face, to_light);
+  float slant = sqrt(max(0.0, 1.0 - c * c));
+  vec3 lifted = p + face * (texel * (lift.x + lift.y * slant) + rounding);
+  return (map_from_frame * vec4(lifted, 1.0)).xyz;
+}
+)";
+
+const char* const kTone = R"(
+// Straight up to kKnee, then bent so that white is reached slowly.
+const float kKnee = 0.6;
+vec3 film(vec3 x) {
+  vec3 bent = 1.0 - (1.0 - kKnee) * exp(-max(x - kKnee, 0.0) / (1.0 - kKnee));
+  return mix(x, bent, greaterThan(x, vec3(kKnee)));
+}
+
+vec3 srgb_from_linear(vec3 x) {
+  return mix(12.92 * x, 1.055 * pow(max(x, vec3(1e-6)), vec3(1.0 / 2.4)) - 0.055,
+             greaterThan(x, vec3(0.0031308)));
+}
+)";
+
 const char* const kShadows = R"(
 uniform sampler2DArray shadow_maps;
 uniform float floor_z;
 uniform float floor_extent;  // half the side of the square that the floor light covers
 
-// [0] key, [1..3] sky, [4..5] from below.
-uniform mat4 map_from_frame[6];
-uniform vec3 direction[6];
-uniform vec3 irradiance[6];
-uniform float texel[6];
-uniform float casts[6];  // 1: look at its shadow map, 0: everything is lit
-uniform float map_size[6];
+// [0] key, then the sky's, then those from below.
+uniform mat4 map_from_frame[kNumLights];
+uniform vec3 direction[kNumLights];
+uniform vec3 irradiance[kNumLights];
+uniform float texel[kNumLights];
+uniform float casts[kNumLights];  // 1: look at its shadow map, 0: everything is lit
+uniform float map_size[kNumLights];
 
-// 1 where the light reaches p. The point is lifted off the surface by what the depth of a slanted
-// plane changes within half the diagonal of a texel, and by what float32 loses.
+// 1 where the light reaches p.
 float reaches(int i, vec3 p, vec3 face, float rounding) {
-  float c = dot(face, direction[i]);
-  float slant = sqrt(max(0.0, 1.0 - c * c));
-  vec3 lifted = p + face * (texel[i] * (0.15 + 0.75 * slant) + rounding);
-  vec3 q = (map_from_frame[i] * vec4(lifted, 1.0)).xyz;
+  vec3 q = place_in_map(map_from_frame[i], direction[i], p, face, texel[i], vec2(0.15, 0.75),
+                        rounding);
   vec2 at = q.xy * map_size[i];
   if (casts[i] == 0.0 || any(lessThan(at, vec2(0.0))) || any(greaterThanEqual(at, vec2(map_size[i]))))
     return 1.0;
@@ -49,7 +74,7 @@ void main() {
   vec2 square = gl_FragCoord.xy / floor_light_px * 2.0 - 1.0;
   vec3 p = vec3(square * floor_extent, floor_z), up = vec3(0, 0, 1);
   vec2 sky = vec2(0.0);
-  for (int i = 1; i < 4; ++i)
+  for (int i = 1; i < kFirstFloorLight; ++i)
     sky += irradiance[i].g * direction[i].z * vec2(reaches(i, p, up, 0.0), 1.0);
   vec2 key = irradiance[0].g * direction[0].z * vec2(reaches(0, p, up, 0.0), 1.0);
   sum = vec4(key + sky, 0.0, 0.0);
@@ -129,7 +154,7 @@ vec3 shade(Surface s, vec3 to_eye, float rounding) {
 
   // The sky: diffuse by each light, mirrored from a smooth gradient and hidden as they are.
   float seen = 0.0;
-  for (int i = 1; i < 4; ++i) {
+  for (int i = 1; i < kFirstFloorLight; ++i) {
     float cosine = max(dot(s.normal, direction[i]), 0.0);
     float free = reaches(i, s.lifted, s.face, rounding);
     result += cosine * irradiance[i] * diffuse * mix(s.base * kFromNeighbours, vec3(1.0), free);
@@ -144,7 +169,7 @@ vec3 shade(Surface s, vec3 to_eye, float rounding) {
 
   // From below.
   float ground = 0.0;
-  for (int i = 4; i < 6; ++i) {
+  for (int i = kFirstFloorLight; i < kNumLights; ++i) {
     float cosine = max(dot(s.normal, direction[i]), 0.0);
     float radiance = has_floor != 0 ? kFloorAlbedo * floor_brightness(i, s.position) : kDimGround;
     float free = reaches(i, s.lifted, s.face, rounding);
@@ -200,18 +225,6 @@ uniform vec4 background;  // sRGB, alpha
 uniform float exposure;
 layout(location = 0) out vec4 developed;
 
-// Straight up to kKnee, then bent so that white is reached slowly.
-const float kKnee = 0.6;
-vec3 film(vec3 x) {
-  vec3 bent = 1.0 - (1.0 - kKnee) * exp(-max(x - kKnee, 0.0) / (1.0 - kKnee));
-  return mix(x, bent, greaterThan(x, vec3(kKnee)));
-}
-
-vec3 srgb_from_linear(vec3 x) {
-  return mix(12.92 * x, 1.055 * pow(max(x, vec3(1e-6)), vec3(1.0 / 2.4)) - 0.055,
-             greaterThan(x, vec3(0.0031308)));
-}
-
 vec3 linear_from_srgb(vec3 x) {
   return mix(x / 12.92, pow((x + 0.055) / 1.055, vec3(2.4)), greaterThan(x, vec3(0.04045)));
 }
@@ -236,13 +249,20 @@ void main() {
 }
 )";
 
+std::string shadows() {
+  return "const int kFirstFloorLight = " + std::to_string(1 + kNumSkyLights) +
+         ", kNumLights = " + std::to_string(kLightsPerView) + ";\n" + kShadowLookup + kShadows;
+}
+
 }  // namespace
 
+std::string shadow_lookup() { return kShadowLookup; }
+std::string tone() { return kTone; }
 std::string whole_target_vertex() { return version() + kWholeTargetVertex; }
-std::string floor_light_fragment() { return version() + kShadows + kFloorLight; }
+std::string floor_light_fragment() { return version() + shadows() + kFloorLight; }
 std::string light_fragment() {
-  return version() + max_bulge() + kShadows + kLightHead + kLightBody;
+  return version() + max_bulge() + shadows() + kLightHead + kLightBody;
 }
-std::string develop_fragment() { return version() + kDevelop; }
+std::string develop_fragment() { return version() + kTone + kDevelop; }
 
 }  // namespace trivet::picture_shaders

@@ -47,11 +47,14 @@ float threshold() {
 }
 )";
 
-const char* const kSurfaceVertex = R"(
+const char* const kMeshInputs = R"(
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec3 face_normal;
 layout(location = 3) in uint material;
+)";
+
+const char* const kSurfaceVertex = R"(
 uniform mat4 frame_from_object;
 uniform mat3 frame_from_normal;
 uniform mat4 clip_from_frame;
@@ -150,8 +153,6 @@ void main() {
 )";
 
 const char* const kShadowVertex = R"(
-layout(location = 0) in vec3 position;
-layout(location = 3) in uint material;
 uniform mat4 frame_from_object;
 uniform mat4 clip_from_frame;
 flat out uint material_id;
@@ -175,11 +176,12 @@ void main() {
 
 }  // namespace
 
-std::string surface_vertex() { return version() + kSurfaceVertex; }
+std::string mesh_inputs() { return kMeshInputs; }
+std::string surface_vertex() { return version() + kMeshInputs + kSurfaceVertex; }
 std::string surface_fragment(bool see_through) {
   return version() + max_bulge() + (see_through ? kSeeThrough + kThreshold : "") + kSurfaceFragment;
 }
-std::string shadow_vertex() { return version() + kShadowVertex; }
+std::string shadow_vertex() { return version() + kMeshInputs + kShadowVertex; }
 std::string shadow_fragment(bool see_through) {
   return version() + (see_through ? kSeeThrough + kThreshold : "") + kShadowFragment;
 }

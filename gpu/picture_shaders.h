@@ -14,6 +14,13 @@ inline std::string version() { return "#version 330 core\n"; }
 /// How far a smooth surface may be outside its triangles, frame.
 inline std::string max_bulge() { return "const float kMaxBulge = 0.0025;\n"; }
 
+/// What a vertex of an UploadedMesh has, for all that draw one.
+std::string mesh_inputs();
+/// place_in_map(): where a point is in a shadow map.
+std::string shadow_lookup();
+/// film() bends what is too bright below white; srgb_from_linear().
+std::string tone();
+
 std::string surface_vertex();
 /// @param see_through  drops pixels at random by 1 - alpha, so that views average to alpha.
 std::string surface_fragment(bool see_through);

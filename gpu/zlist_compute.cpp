@@ -17,30 +17,8 @@ constexpr std::size_t kMaxPixels = 1 << 20;  // of all layers
 constexpr std::size_t kMaxLayers = 256;
 constexpr int kMaxLarge = 1 << 15;  // faces per mesh that cover many pixels
 
-// As in the shaders.
-struct Counters {
-  std::uint32_t num_entries = 0, num_large = 0;
-  std::uint32_t large_groups[3] = {0, 1, 1};
-};
-constexpr GLintptr kNumLargeOffset = 4, kLargeGroupsOffset = 8;
-static_assert(offsetof(Counters, num_large) == kNumLargeOffset);
-static_assert(offsetof(Counters, large_groups) == kLargeGroupsOffset);
-
-struct Layer {
-  std::int32_t width, height;
-  float first_radius, sample_error, period, first_depth;
-  std::uint32_t upper, lower;
-  std::uint32_t num_pixels = 0, num_doubtful = 0;
-  std::uint32_t low_x = 0x7fffffff, low_y = 0x7fffffff, high_x = 0, high_y = 0;
-};
-static_assert(sizeof(Layer) == 56);
-
-struct Instance {
-  std::array<float, 12> rows;
-  float blur, depth_blur;
-  std::uint32_t first_face, layer;
-};
-static_assert(sizeof(Instance) == 64);
+constexpr glsl::Counters kNothingCounted = {0, 0, {0, 1, 1}};
+constexpr std::uint32_t kFarRight = 0x7fffffff;  // of every pixel
 
 std::uint32_t ordered(float x) {
   const auto bits = std::bit_cast<std::uint32_t>(x);
@@ -82,18 +60,45 @@ struct Job {
 /// What a batch sends: jobs of the moving and of the fixed bodies, instances, layers.
 struct Batch {
   std::vector<Job> moving, fixed;
-  std::vector<Instance> instances;
-  std::vector<Layer> layers;
+  std::vector<glsl::Instance> instances;
+  std::vector<glsl::Layer> layers;
   GLuint layer_pixels = 1, width = 1, height = 1;  // of the largest
 };
 
+glsl::Instance make_instance(const ZListBody& body, std::size_t layer) {
+  const std::array<float, 12>& m = body.rows;
+  return {{{m[0], m[1], m[2], m[3]}, {m[4], m[5], m[6], m[7]}, {m[8], m[9], m[10], m[11]}},
+          body.blur,
+          body.depth_blur,
+          body.first_face,
+          static_cast<std::uint32_t>(layer)};
+}
+
+/// Nothing counted, no doubtful pixel.
+glsl::Layer make_layer(const ZListView& v) {
+  const std::uint32_t horizon = ordered(v.horizon);
+  return {{v.width, v.height},
+          v.first_radius,
+          v.sample_error,
+          v.period,
+          v.first_depth,
+          horizon,
+          horizon,
+          0,
+          0,
+          kFarRight,
+          kFarRight,
+          0,
+          0};
+}
+
 std::vector<Job> add_jobs(std::span<const ZListView> views,
-                          std::vector<ZListBody> ZListView::*bodies, std::vector<Instance>& out) {
-  std::map<const GpuMesh*, std::vector<Instance>> of_mesh;
+                          std::vector<ZListBody> ZListView::*bodies,
+                          std::vector<glsl::Instance>& out) {
+  std::map<const GpuMesh*, std::vector<glsl::Instance>> of_mesh;
   for (std::size_t layer = 0; layer < views.size(); ++layer)
     for (const ZListBody& b : views[layer].*bodies)
-      of_mesh[b.mesh].push_back(
-          {b.rows, b.blur, b.depth_blur, b.first_face, static_cast<std::uint32_t>(layer)});
+      of_mesh[b.mesh].push_back(make_instance(b, layer));
   std::vector<Job> jobs;
   for (const auto& [mesh, instances] : of_mesh) {
     jobs.push_back({mesh, static_cast<GLuint>(out.size()), static_cast<GLuint>(instances.size())});
@@ -107,8 +112,7 @@ Batch make_batch(std::span<const ZListView> views) {
   out.moving = add_jobs(views, &ZListView::moving, out.instances);
   out.fixed = add_jobs(views, &ZListView::fixed, out.instances);
   for (const ZListView& v : views) {
-    out.layers.push_back({v.width, v.height, v.first_radius, v.sample_error, v.period,
-                          v.first_depth, ordered(v.horizon), ordered(v.horizon)});
+    out.layers.push_back(make_layer(v));
     out.width = std::max(out.width, static_cast<GLuint>(v.width));
     out.height = std::max(out.height, static_cast<GLuint>(v.height));
     out.layer_pixels = std::max(out.layer_pixels, static_cast<GLuint>(v.width * v.height));
@@ -121,7 +125,7 @@ class ComputeRaster : public ZListRaster {
   explicit ComputeRaster(std::uint32_t max_entries)
       : m_max_entries(max_entries),
         m_image(make_storage(kImageBytes)),
-        m_counters(make_storage(sizeof(Counters))),
+        m_counters(make_storage(sizeof(glsl::Counters))),
         m_entries(make_storage(max_entries * sizeof(ZListEntry))),
         m_large(make_storage(kLargeBytes)),
         m_instances(GlBuffer::create()),
@@ -171,7 +175,7 @@ void set_layers(const GlProgram& program, const Batch& batch) {
 void ComputeRaster::start(const Batch& batch) {
   send(m_instances, batch.instances);
   send(m_layers, batch.layers);
-  send(m_counters, std::vector<Counters>(1));
+  send(m_counters, std::vector{kNothingCounted});
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, m_image.id());
   const std::size_t plane = sizeof(std::uint32_t) * batch.layers.size() * batch.layer_pixels;
   const std::uint32_t lowest = 0, highest = 0xffffffffu;
@@ -209,12 +213,12 @@ void ComputeRaster::run_job(const GlProgram& program, const Job& job) {
   glDispatchCompute(wide, (num_groups + wide - 1) / wide, job.num_instances);
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
   glUniform1ui(program.uniform("group_per_face"), 1);
-  glDispatchComputeIndirect(kLargeGroupsOffset);
+  glDispatchComputeIndirect(offsetof(glsl::Counters, large_groups));
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
   const std::uint32_t none = 0;
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, m_counters.id());
-  glClearBufferSubData(GL_SHADER_STORAGE_BUFFER, GL_R32UI, kNumLargeOffset, 8, GL_RED_INTEGER,
-                       GL_UNSIGNED_INT, &none);
+  glClearBufferSubData(GL_SHADER_STORAGE_BUFFER, GL_R32UI, offsetof(glsl::Counters, num_large), 8,
+                       GL_RED_INTEGER, GL_UNSIGNED_INT, &none);
 }
 
 void ComputeRaster::reduce(const Batch& batch) {
@@ -227,8 +231,8 @@ void ComputeRaster::reduce(const Batch& batch) {
 
 std::vector<ZLists> ComputeRaster::read_back(const Batch& batch) {
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-  std::vector<Counters> counters(1);
-  std::vector<Layer> layers(batch.layers);
+  std::vector<glsl::Counters> counters(1);
+  std::vector<glsl::Layer> layers(batch.layers);
   std::vector<ZListEntry> entries;
   read(m_counters, counters);
   read(m_layers, layers);
@@ -239,14 +243,14 @@ std::vector<ZLists> ComputeRaster::read_back(const Batch& batch) {
   }
   check_gl("reading z-lists back");
   std::vector<ZLists> out;
-  for (const Layer& b : layers) {
+  for (const glsl::Layer& b : layers) {
     ZLists lists;
     lists.overflow = overflow;
     lists.upper = unordered(b.upper);
     lists.lower = unordered(b.lower);
     lists.num_pixels = b.num_pixels;
     lists.num_doubtful = b.num_doubtful;
-    lists.bytes_read_back = sizeof(Counters) + sizeof(Layer);
+    lists.bytes_read_back = sizeof(glsl::Counters) + sizeof(glsl::Layer);
     out.push_back(lists);
   }
   for (const ZListEntry& e : entries) out[e.pixel / batch.layer_pixels].entries.push_back(e);

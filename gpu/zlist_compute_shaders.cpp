@@ -1,4 +1,5 @@
 #include "gpu/zlist_shaders.h"
+#include "gpu/zlist_structs.h"
 
 namespace trivet::zlist_shaders {
 namespace {
@@ -19,26 +20,10 @@ float unordered(uint key) {
 // front, 1 their rear, 2 a sample of them, 3 the nearest fixed face. An instance is a body in a
 // view.
 const char* const kBuffers = R"(
-struct Instance {
-  vec4 rows[3];
-  float blur, depth_blur;
-  uint first_face, layer;
-};
-struct Layer {
-  ivec2 size;
-  float first_radius, sample_error, period, first_depth;
-  uint upper, lower;  // ordered depths
-  uint num_pixels, num_doubtful;
-  uint low_x, low_y, high_x, high_y;  // of the doubtful pixels
-};
 layout(std430, binding = 0) readonly buffer Vertices { float vertices[]; };
 layout(std430, binding = 1) readonly buffer Corners { uint corners[]; };
 layout(std430, binding = 2) buffer Image { uint image[]; };
-layout(std430, binding = 3) buffer Counters {
-  uint num_entries, num_large;
-  uint large_groups[3];  // for the second dispatch
-};
-layout(std430, binding = 4) writeonly buffer Entries { uvec4 entries[]; };
+layout(std430, binding = 4) writeonly buffer Entries { Entry entries[]; };
 layout(std430, binding = 5) buffer Large { uvec2 large[]; };  // instance, face
 layout(std430, binding = 6) readonly buffer Instances { Instance instances[]; };
 layout(std430, binding = 7) buffer Layers { Layer layers[]; };
@@ -68,6 +53,16 @@ uint at(uint plane, ivec2 pixel) {
 }
 bool has_moving(ivec2 pixel) { return image[at(0u, pixel)] != 0u; }
 )";
+
+std::string struct_of(const char* name, const char* fields) {
+  return std::string("struct ") + name + " { " + fields + " };\n";
+}
+
+std::string buffers() {
+  return struct_of("Instance", glsl::kInstanceFields) + struct_of("Layer", glsl::kLayerFields) +
+         struct_of("Entry", glsl::kEntryFields) + "layout(std430, binding = 3) buffer Counters { " +
+         glsl::kCountersFields + " };\n" + kBuffers;
+}
 
 const char* const kDoubtful = R"(
 bool is_doubtful(ivec2 pixel) {
@@ -123,8 +118,7 @@ uniform uint max_entries;
 void add_entry(ivec2 pixel, vec2 span, uint id) {
   uint i = atomicAdd(num_entries, 1u);
   if (i >= max_entries) return;
-  entries[i] = uvec4(at(0u, pixel), floatBitsToUint(span.x),
-                     floatBitsToUint(span.y), first_face + id);
+  entries[i] = Entry(at(0u, pixel), span.x, span.y, first_face + id);
 }
 )";
 
@@ -242,13 +236,14 @@ std::string with_version(const std::string& body) {
 
 std::string compute(Motion::Kind kind, Pass pass) {
   const bool lists = pass == Pass::MovingLists || pass == Pass::FixedLists;
-  return with_version(model(kind) + kOrdered + kBuffers +
+  return with_version(model(kind) + kOrdered + buffers() +
                       (lists ? std::string(kDoubtful) + kAddEntry : std::string()) +
                       visit_of(pass) + kMain);
 }
 
 std::string reduction() {
-  return with_version(model(Motion::Kind::Translation) + kOrdered + kBuffers + kDoubtful + kReduce);
+  return with_version(model(Motion::Kind::Translation) + kOrdered + buffers() + kDoubtful +
+                      kReduce);
 }
 
 }  // namespace trivet::zlist_shaders

@@ -9,6 +9,7 @@
 
 #include "core/contact/zlist_stage.h"
 #include "gpu/zlist_mesh_cache.h"
+#include "gpu/zlist_structs.h"
 
 namespace trivet {
 
@@ -34,12 +35,7 @@ struct ZListView {
   std::vector<ZListBody> moving, fixed;
 };
 
-/// A face in a pixel, and the depths that it has there at most. Faces are numbered over all bodies.
-struct ZListEntry {
-  std::uint32_t pixel;
-  float low, high;
-  std::uint32_t face;
-};
+using ZListEntry = glsl::Entry;
 
 /// Complete lists of the doubtful pixels, in no order; times are depths, see ZListView.
 struct ZLists {
