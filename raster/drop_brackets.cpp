@@ -1,11 +1,11 @@
 #include "raster/drop_brackets.h"
 
-#include <tbb/parallel_for.h>
-
 #include <Eigen/Core>
 #include <algorithm>
 #include <cassert>
 #include <limits>
+
+#include "raster/zlist/parallel.h"
 
 namespace trivet {
 namespace {
@@ -57,11 +57,10 @@ std::vector<DropBracket> drop_brackets(const HeightMap& object, const HeightMap&
   assert(scene.width >= columns + object.width - 1 && scene.height >= rows + object.height - 1);
   const std::vector<Span> spans = spans_of(object);
   std::vector<DropBracket> out(size_t(columns) * rows);
-  const auto do_row = [&](int row) {
+  in_parallel(static_cast<size_t>(rows), [&](size_t row) {
     for (int column = 0; column < columns; ++column)
-      out[size_t(row) * columns + column] = bracket_at(object, spans, scene, column, row);
-  };
-  tbb::parallel_for(0, rows, do_row);
+      out[row * columns + column] = bracket_at(object, spans, scene, column, static_cast<int>(row));
+  });
   return out;
 }
 

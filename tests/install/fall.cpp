@@ -11,6 +11,7 @@ int main() {
   trivet::FirstContactQuery query;
   query.moving = {&body, 1};
   query.floor = true;
+  query.clearance.distance = 1e-6;
   query.motion = trivet::Motion::translation(-trivet::Vec3::UnitZ(), 3);
   const trivet::FirstContact contact = trivet::first_contact(query);
   std::printf("It falls %.9f m.\n", contact.time);
