@@ -4,8 +4,8 @@
 #   .ci/tidy.sh [BASE]     the commit to compare with
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-# A file takes 5 to 10 s of CPU time: of more files, those with the most changed lines.
-max_files=30
+# A file takes 10 to 20 s of CPU time: of more files, those with the most changed lines.
+max_files=20
 
 find_base() {
   local base head
