@@ -17,7 +17,7 @@ constexpr std::size_t kMaxPixels = 1 << 20;  // of all layers
 constexpr std::size_t kMaxLayers = 256;
 constexpr int kMaxLarge = 1 << 15;  // faces per mesh that cover many pixels
 
-// As in the shaders.
+// Same layout as in the shaders.
 struct Counters {
   std::uint32_t num_entries = 0, num_large = 0;
   std::uint32_t large_groups[3] = {0, 1, 1};
@@ -73,13 +73,13 @@ void read(const GlBuffer& buffer, std::vector<T>& data) {
                      data.data());
 }
 
-/// All instances of a mesh, one after the other in the buffer of instances.
+/// All instances of a mesh, contiguous in the instance buffer.
 struct Job {
   const GpuMesh* mesh = nullptr;
   GLuint first_instance = 0, num_instances = 0;
 };
 
-/// What a batch sends: jobs of the moving and of the fixed bodies, instances, layers.
+/// Data sent for a batch: jobs of the moving and of the fixed bodies, instances, layers.
 struct Batch {
   std::vector<Job> moving, fixed;
   std::vector<Instance> instances;
