@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# From a fresh Debian 12 to a breakfast table: installs what is missing, builds Trivet and lays out
-# a demo: BREAKFAST, or the one that is named.
+# From a fresh Debian 12 to a breakfast table: installs missing packages, builds Trivet and lays out
+# a demo, by default BREAKFAST.
 #   apps/demo.sh [spoon-saucer|breakfast|office1|office2]
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."

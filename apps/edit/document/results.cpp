@@ -11,7 +11,7 @@ void add(std::vector<ObjectId>& ids, std::optional<ObjectId> id) {
   if (id && std::find(ids.begin(), ids.end(), *id) == ids.end()) ids.push_back(*id);
 }
 
-// Reasons quote the names of objects.
+// Collects the objects whose names the reason quotes.
 void add_quoted(const Scene& scene, const std::string& text, std::vector<ObjectId>& ids) {
   for (const ObjectId id : scene.ids())
     if (text.find("\"" + scene.at(id).name + "\"") != std::string::npos) add(ids, id);
@@ -33,9 +33,9 @@ std::string why_it_ended(const OperationResult& result) {
     case OperationResult::End::Blocked:
       return "stopped by " + by;
     case OperationResult::End::Step:
-      return "stopped by a step of " + by + " that is higher than allowed";
+      return "stopped by a step of " + by + " higher than allowed";
     case OperationResult::End::Edge:
-      return "stopped before an edge that is deeper than allowed";
+      return "stopped before an edge deeper than allowed";
     case OperationResult::End::Done:
     case OperationResult::End::AtRest:
     case OperationResult::End::Reached:
@@ -44,7 +44,7 @@ std::string why_it_ended(const OperationResult& result) {
   return "";
 }
 
-// Where the objects are now: when they were let go and have gone on, there may be none.
+// Uses current poses: objects released since may have moved on, so there may be none.
 InterferingFaces faces_that_stopped(const Scene& scene, const Operation& operation,
                                     const OperationResult& result, double clearance) {
   std::vector<Placement> moved;
