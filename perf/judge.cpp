@@ -1,4 +1,5 @@
-// What a simulation leaves: crossings by exact signs, depth and gap by brute force in double.
+// Judges the result of a simulation: crossings by exact signs, depth and gap by brute force in
+// double.
 #include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
@@ -53,7 +54,7 @@ double winding_number(const Vec3& p, const Surface& surface) {
   return half_angles / (2 * std::numbers::pi);
 }
 
-// How deep the deepest sample point of a mesh is in a closed surface.
+// Depth of the deepest sample point of a mesh inside a closed surface.
 double depth_inside(const Mesh& mesh, const Affine& m, const Surface& surface) {
   double deepest = 0;
   for (const Vec3& vertex : refined(mesh, kSampleSplits).vertices) {
