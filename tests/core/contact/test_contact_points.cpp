@@ -1,5 +1,5 @@
-// Where bodies touch: known arrangements, and properties on random bodies that a motion brought
-// into contact.
+// Contact points: known arrangements, and properties on random bodies brought into contact by a
+// motion.
 
 #include <gtest/gtest.h>
 
@@ -63,8 +63,8 @@ double area_of(const std::vector<Vec3>& polygon) {
   return twice / 2;
 }
 
-/// Each of `expected` (in order) is within 2 clearances of a corner of the hull. There may be
-/// others on its sides, by rounding: there edges meet the diagonal of a face.
+/// Each of `expected` (in order) is within 2 clearances of a corner of the hull. Rounding may add
+/// others on its sides, where edges meet the diagonal of a face.
 void expect_hull(const Contact& contact, const std::vector<Vec3>& expected) {
   EXPECT_GE(contact.hull.size(), expected.size());
   EXPECT_NEAR(area_of(contact.hull), area_of(expected), 10 * kTolerance);
@@ -75,7 +75,7 @@ void expect_hull(const Contact& contact, const std::vector<Vec3>& expected) {
   }
 }
 
-TEST(ContactPoints, BoxOnBoxTouchesInAnAreaOfFourCorners) {
+TEST(ContactPoints, BoxOnBoxGivesAreaOfFourCorners) {
   const Posed object = box(Vec3(0.3, 0.2, 0.1), Vec3(0.1, 0.2, 0.1 + kEps)), support = table();
   const Contact c = contact_of(object, support);
   EXPECT_EQ(c.type, ContactType::Area);
@@ -91,14 +91,14 @@ TEST(ContactPoints, BoxOnBoxTouchesInAnAreaOfFourCorners) {
   for (const Index f : c.faces_support) EXPECT_TRUE(f == 2 || f == 3);
 }
 
-TEST(ContactPoints, BeyondTheToleranceNothingTouches) {
+TEST(ContactPoints, AreEmptyBeyondTolerance) {
   EXPECT_TRUE(
       points_of(box(Vec3(0.3, 0.2, 0.1), Vec3(0, 0, 0.1 + 1.01 * kTolerance)), table()).empty());
   EXPECT_FALSE(
       points_of(box(Vec3(0.3, 0.2, 0.1), Vec3(0, 0, 0.1 + 0.99 * kTolerance)), table()).empty());
 }
 
-TEST(ContactPoints, SquareOnSquareTurnedByEighthTouchesInAnOctagon) {
+TEST(ContactPoints, SquareTurnedByEighthGivesOctagon) {
   const Posed object = box(Vec3(1, 1, 0.1), Vec3(0, 0, 0.1 + kEps), about(Vec3::UnitZ(), M_PI / 4));
   const Contact c = contact_of(object, table());
   EXPECT_EQ(c.type, ContactType::Area);
@@ -114,20 +114,20 @@ TEST(ContactPoints, SquareOnSquareTurnedByEighthTouchesInAnOctagon) {
   expect_normals(c.points, Vec3::UnitZ());
 }
 
-TEST(ContactPoints, BoxOverTheEdgeOfATable) {
+TEST(ContactPoints, BoxOverTableEdgeGivesOverlap) {
   const Contact c = contact_of(box(Vec3(0.5, 0.2, 0.1), Vec3(0.9, 0, 0.1 + kEps)), table());
   EXPECT_EQ(c.type, ContactType::Area);
   expect_hull(c, {{0.4, -0.2, 0}, {1, -0.2, 0}, {1, 0.2, 0}, {0.4, 0.2, 0}});
   expect_normals(c.points, Vec3::UnitZ());
 }
 
-TEST(ContactPoints, BoxOnItsEdgeTouchesInALine) {
+TEST(ContactPoints, BoxOnEdgeGivesLine) {
   const double r = std::sqrt(0.5);
   const Posed object =
       box(Vec3(0.5, 0.4, 0.5), Vec3(0, 0, r + kEps), about(Vec3::UnitY(), M_PI / 4));
   const Contact c = contact_of(object, table());
   EXPECT_EQ(c.type, ContactType::Line);
-  // The ends, and by rounding perhaps the crossing with the diagonal of the top.
+  // The ends, and possibly, by rounding, the crossing with the diagonal of the top.
   double low = 0, high = 0;
   for (const Vec3& h : c.hull) {
     EXPECT_NEAR(h.x(), 0, 1e-15);
@@ -139,7 +139,7 @@ TEST(ContactPoints, BoxOnItsEdgeTouchesInALine) {
   expect_normals(c.points, Vec3::UnitZ());
 }
 
-TEST(ContactPoints, CrossedRodsTouchInAPointBetweenTwoEdges) {
+TEST(ContactPoints, CrossedRodsGivePointBetweenEdges) {
   const double r = std::sqrt(0.02);
   const Posed below = box(Vec3(2, 0.1, 0.1), Vec3(0.3, 0, -r), about(Vec3::UnitX(), M_PI / 4));
   const Posed above =
@@ -155,7 +155,7 @@ TEST(ContactPoints, CrossedRodsTouchInAPointBetweenTwoEdges) {
   EXPECT_EQ(c.faces_support.size(), 2u);
 }
 
-TEST(ContactPoints, SphereOnFloorAndOnTable) {
+TEST(ContactPoints, SphereTouchesFloorAndTable) {
   const Posed sphere(test::bumpy_sphere(12, 16, 0, 1), Vec3(0.2, 0.3, 1 + kEps));
   const auto on_floor = floor_contact_points(sphere.body, kTolerance);
   ASSERT_EQ(on_floor.size(), 1u);
@@ -185,7 +185,7 @@ std::vector<Triangle> pyramid() {  // tip at the origin, pointing down
   return {{tip, b, a}, {tip, c, b}, {tip, a, c}, {a, b, c}};
 }
 
-TEST(ContactPoints, TipOnTip) {
+TEST(ContactPoints, TipTouchesTip) {
   const Posed above(pyramid(), Vec3(0, 0, kEps));
   const Posed below(pyramid(), Vec3::Zero(), about(Vec3::UnitX(), M_PI - 1e-9));
   const Contact c = contact_of(above, below);
@@ -197,7 +197,7 @@ TEST(ContactPoints, TipOnTip) {
   EXPECT_LT(c.points[0].point.norm(), 1e-12);
 }
 
-TEST(ContactPoints, AVertexNearTheDiagonalOfAFlatQuadHasOnlyTheQuadsNormal) {
+TEST(ContactPoints, VertexNearDiagonalOfFlatQuadHasOnlyQuadNormal) {
   // The tip's edges pass over the diagonal, which is an edge of the mesh but not of the surface.
   for (const double off : {0.0, 1e-9, 1e-7, 1e-6, 1e-4}) {
     for (const double turn : {0.0, 0.3, 1.2, 2.0}) {
@@ -210,7 +210,7 @@ TEST(ContactPoints, AVertexNearTheDiagonalOfAFlatQuadHasOnlyTheQuadsNormal) {
   }
 }
 
-TEST(ContactPoints, AVertexBesideAnEdgeOfTheTableStillTouchesIt) {
+TEST(ContactPoints, VertexBesideTableEdgeTouchesIt) {
   // Beside the edge by less than the slack: over the face. By more: the closest points.
   const auto normal_at = [](double beside) {
     const Posed tip(pyramid(), Vec3(1 + beside, 0.1, 0.8 * kEps));
@@ -222,8 +222,9 @@ TEST(ContactPoints, AVertexBesideAnEdgeOfTheTableStillTouchesIt) {
   EXPECT_LT((normal_at(0.6 * kEps) - Vec3(0.6, 0, 0.8)).norm(), 1e-6);
 }
 
-TEST(ContactPoints, ParallelEdgesSideBySideTouchInALine) {
-  // The edges see each other at 37 degrees: neither is over a face of the other, nor do they cross.
+TEST(ContactPoints, ParallelEdgesGiveLine) {
+  // The edges face each other at 37 degrees: neither is over a face of the other, nor do they
+  // cross.
   for (const double half : {0.4, 1.0, 1.7})
     for (const double shift : {0.0, 0.1, 0.5}) {
       const Posed object =
@@ -244,7 +245,7 @@ TEST(ContactPoints, ParallelEdgesSideBySideTouchInALine) {
 // Disabled: the closest points of faces are taken only where no vertex over a face and no crossing
 // edges are near, on the whole pair of bodies. Here the parallel edges on the left are lost,
 // because the corners on the right are found.
-TEST(ContactPoints, DISABLED_ParallelEdgesOnOneSideAndCornersOnTheOther) {
+TEST(ContactPoints, DISABLED_KeepsParallelEdgesBesideCorners) {
   std::vector<Triangle> two_tables = test::box_triangles(Vec3(1, 1, 0.5));
   for (Triangle t : test::box_triangles(Vec3(1, 1, 0.5))) {
     for (Vec3& p : t) p += Vec3(2.4, 0, 0);
@@ -259,7 +260,7 @@ TEST(ContactPoints, DISABLED_ParallelEdgesOnOneSideAndCornersOnTheOther) {
   EXPECT_GE(num_left, 2);
 }
 
-TEST(ContactPoints, FlushBoxesTouchInTheWholeFace) {
+TEST(ContactPoints, FlushBoxesTouchInWholeFace) {
   for (const double off : {0.0, 0.9 * kSlack, -0.9 * kSlack, 5 * kEps, -5 * kEps}) {
     const Posed object = box(Vec3(1, 1, 0.3), Vec3(off, 0, 0.3 + kEps));
     const Contact c = contact_of(object, table());
@@ -282,7 +283,7 @@ TEST(ContactPoints, BoxBetweenWallAndFloorHasOneNormalForEach) {
   EXPECT_EQ(floor_contact_points(object.body, kTolerance).size(), 4u);
 }
 
-TEST(ContactPoints, ABoxInAVTouchesBothSlopes) {
+TEST(ContactPoints, BoxInVTouchesBothSlopes) {
   // One solid with a right-angled notch along y; a box with an edge down lies in it.
   const double r = std::sqrt(0.5);
   std::vector<Triangle> notch;
@@ -317,7 +318,7 @@ double distance_of(const Vec3& p, const Body& b) {
   return out;
 }
 
-TEST(ContactPoints, OfRandomBodiesLieOnBothAndAreFoundWhereverTheyAreNear) {
+TEST(ContactPoints, LieOnBothBodiesWhereverTheyAreNear) {
   constexpr unsigned kSeed = 41;
   const test::MeshPool pool(kSeed, 16);
   int num_near = 0, num_points = 0, num_missing = 0;
@@ -350,7 +351,7 @@ TEST(ContactPoints, OfRandomBodiesLieOnBothAndAreFoundWhereverTheyAreNear) {
   EXPECT_GT(num_near, 0.3 * num_queries / 3);
 }
 
-TEST(ContactPoints, AreTheSameSeenFromTheOtherBody) {
+TEST(ContactPoints, AreSymmetric) {
   constexpr unsigned kSeed = 42;
   const test::MeshPool pool(kSeed, 16);
   for (int i = 0; i < test::with_effort(3000); i += 3) {
@@ -370,7 +371,7 @@ TEST(ContactPoints, AreTheSameSeenFromTheOtherBody) {
   }
 }
 
-TEST(ContactPoints, WithTheFloorAreAllLowVertices) {
+TEST(ContactPoints, WithFloorAreAllLowVertices) {
   test::Random random(43);
   const test::MeshPool pool(43, 8);
   int num_points = 0;
@@ -389,7 +390,7 @@ TEST(ContactPoints, WithTheFloorAreAllLowVertices) {
   EXPECT_GT(num_points, 2000);
 }
 
-// --- what is made of the points --------------------------------------------------------------
+// --- contacts made of the points -------------------------------------------------------------
 
 ContactPoint point_at(const Vec3& p, double gap = kEps, const Vec3& normal = Vec3::UnitZ()) {
   return {p, normal, gap, ContactFeatures::VertexFace, 0, 0};
@@ -402,7 +403,7 @@ Contact made(const std::vector<Vec3>& places) {
   return make_contact(points, any.body, nullptr, kExtent);
 }
 
-TEST(MakeContact, TypeFollowsTheExtents) {
+TEST(MakeContact, DerivesTypeFromExtents) {
   EXPECT_EQ(made({{0, 0, 0}}).type, ContactType::Point);
   EXPECT_EQ(made({{0, 0, 0}, {0.5e-4, 0, 0}}).type, ContactType::Point);
   EXPECT_EQ(made({{0, 0, 0}, {1, 0, 0}}).type, ContactType::Line);
@@ -411,7 +412,7 @@ TEST(MakeContact, TypeFollowsTheExtents) {
   EXPECT_EQ(made({{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}, {0.5, 0.5, 0}}).hull.size(), 4u);
 }
 
-TEST(MakeContact, SumsUpNormalsAndGaps) {
+TEST(MakeContact, AveragesNormalsAndGaps) {
   const Posed any = table();
   const Vec3 x = Vec3::UnitX(), z = Vec3::UnitZ();
   const Contact c = make_contact({point_at({0, 0, 0}, 3e-7, x), point_at({0, 1, 0}, 2e-7, z)},
@@ -419,14 +420,14 @@ TEST(MakeContact, SumsUpNormalsAndGaps) {
   EXPECT_EQ(c.gap, 2e-7);
   EXPECT_LT((c.normal - (x + z).normalized()).norm(), 1e-15);
   EXPECT_EQ(c.points.size(), 2u);
-  // Opposite normals have no mean: the first counts.
+  // Opposite normals have no mean: the first one is used.
   const Contact clamp = make_contact({point_at({0, 0, 0}, 1e-7, x), point_at({0, 1, 0}, 1e-7, -x)},
                                      any.body, nullptr, kExtent);
   EXPECT_EQ(clamp.normal, x);
   EXPECT_TRUE(clamp.faces_support.empty());
 }
 
-TEST(Merged, KeepsTheSmallestGapOfEachPlaceAndNormal) {
+TEST(Merged, KeepsSmallestGapOfEachPlaceAndNormal) {
   const auto out = merged({point_at({0, 0, 0}, 3e-7), point_at({1e-7, 0, 0}, 2e-7),
                            point_at({0, 1e-7, 0}, 2e-7), point_at({1, 0, 0}, 5e-7)},
                           1e-6);
@@ -434,11 +435,11 @@ TEST(Merged, KeepsTheSmallestGapOfEachPlaceAndNormal) {
   EXPECT_EQ(out[0].point, Vec3(1e-7, 0, 0));
   EXPECT_EQ(out[1].point, Vec3(1, 0, 0));
   const auto corner = merged({point_at({0, 0, 0}), point_at({0, 0, 0}, kEps, Vec3::UnitX())}, 1e-6);
-  EXPECT_EQ(corner.size(), 2u);  // another normal is another contact
+  EXPECT_EQ(corner.size(), 2u);  // another normal is a separate contact
   EXPECT_TRUE(merged({}, 1).empty());
 }
 
-TEST(Merged, LeavesAPointNearEachAndNoneNearAnother) {
+TEST(Merged, KeepsPointsCoveringAndApart) {
   test::Random random(44);
   size_t num_left = 0;
   for (int i = 0; i < 300; ++i) {
@@ -462,7 +463,7 @@ double cross(const Vec2& a, const Vec2& b, const Vec2& c) {
   return (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x();
 }
 
-TEST(ConvexHull, HoldsAllPointsAndTurnsLeft) {
+TEST(ConvexHull, ContainsAllPointsAndTurnsLeft) {
   test::Random random(45);
   for (int i = 0; i < 2000; ++i) {
     std::vector<Vec2> points;
@@ -480,7 +481,7 @@ TEST(ConvexHull, HoldsAllPointsAndTurnsLeft) {
   }
 }
 
-TEST(ConvexHull, Degenerate) {
+TEST(ConvexHull, HandlesDegenerateInput) {
   EXPECT_TRUE(convex_hull({}).empty());
   EXPECT_EQ(convex_hull({{1, 2}}).size(), 1u);
   EXPECT_EQ(convex_hull({{1, 2}, {1, 2}, {1, 2}, {1, 2}}).size(), 1u);

@@ -1,4 +1,4 @@
-// What a stretch of work changed, undone and redone.
+// Recording of changes, with undo and redo.
 #include <gtest/gtest.h>
 
 #include "core/scene/scene.h"
@@ -18,7 +18,7 @@ Contact contact_at(double x) {
   return c;
 }
 
-TEST(SceneRecording, OfNothingIsEmpty) {
+TEST(SceneRecording, IsEmptyWithoutChanges) {
   Scene scene;
   const ObjectId a = scene.add(cube("a"));
   scene.start_recording();
@@ -26,17 +26,17 @@ TEST(SceneRecording, OfNothingIsEmpty) {
   EXPECT_TRUE(scene.stop_recording().empty());
 }
 
-TEST(SceneRecording, HoldsWhatWasTouchedAndNothingElse) {
+TEST(SceneRecording, HoldsOnlyTouchedObjects) {
   Scene scene;
   const ObjectId a = scene.add(cube("a")), b = scene.add(cube("b")), c = scene.add(cube("c"));
   scene.add(cube("d"));
   scene.link(a, {{b, contact_at(1)}});
   scene.start_recording();
-  scene.link(a, {{c, contact_at(2)}});  // b loses a link, c gets one
+  scene.link(a, {{c, contact_at(2)}});  // b loses a contact, c gets one
   EXPECT_EQ(scene.stop_recording().ids(), (std::vector{a, b, c}));
 }
 
-TEST(SceneRecording, UndoesAndRedoesPosesAndLinksToTheBit) {
+TEST(SceneRecording, UndoesAndRedoesPosesAndLinksBitwise) {
   Scene scene;
   const ObjectId a = scene.add(cube("a")), b = scene.add(cube("b"));
   scene.link(a, {{b, contact_at(1)}});
@@ -55,7 +55,7 @@ TEST(SceneRecording, UndoesAndRedoesPosesAndLinksToTheBit) {
   }
 }
 
-TEST(SceneRecording, BringsRemovedObjectsBackWithTheirIdsLinksAndOrder) {
+TEST(SceneRecording, RestoresRemovedObjectsWithIdsLinksAndOrder) {
   Scene scene;
   const ObjectId a = scene.add(cube("a")), b = scene.add(cube("b")), c = scene.add(cube("c"));
   scene.link(a, {{b, contact_at(1)}, {c, contact_at(2)}});
@@ -77,7 +77,7 @@ TEST(SceneRecording, BringsRemovedObjectsBackWithTheirIdsLinksAndOrder) {
   EXPECT_TRUE(scene.at(b).links.empty());
 }
 
-TEST(SceneRecording, AnIdOfAnUndoneObjectIsNeverGivenAgain) {
+TEST(SceneRecording, NeverReusesIdOfUndoneObject) {
   Scene scene;
   scene.start_recording();
   const ObjectId a = scene.add(cube("a"));

@@ -1,4 +1,4 @@
-// Settling of one body among others that stand still, by its own interface.
+// Settling of one body among static ones, by its own interface.
 
 #include <gtest/gtest.h>
 
@@ -52,7 +52,7 @@ TEST(Settle, FallsAndRests) {
   EXPECT_GE(out.num_face_pairs, 8);
 }
 
-TEST(Settle, WhatRestsAlreadyDoesNotMove) {
+TEST(Settle, KeepsObjectAtRest) {
   const Pose start{{}, Vec3(0, 0, 0.5 + kEps)};
   const SettleOutcome out = settled(cube(), start, {});
   EXPECT_EQ(out.status, Status::AtRest);
@@ -60,7 +60,7 @@ TEST(Settle, WhatRestsAlreadyDoesNotMove) {
   EXPECT_EQ(out.pose.translation, start.translation);
 }
 
-TEST(Settle, OpensAGapThatIsTooSmall) {
+TEST(Settle, OpensTooSmallGap) {
   const SettleOutcome out = settled(cube(), {{}, Vec3(0, 0, 0.5 + 0.1 * kEps)}, {});
   EXPECT_EQ(out.status, Status::AtRest);
   ASSERT_FALSE(out.steps.empty());
@@ -69,16 +69,16 @@ TEST(Settle, OpensAGapThatIsTooSmall) {
   for (const ContactPoint& p : out.contacts[0].points) EXPECT_GE(p.gap, kLiftBelow * kEps);
 }
 
-TEST(Settle, WithoutAnythingBelowItFallsOut) {
+TEST(Settle, FallsOutWithoutSupport) {
   EXPECT_EQ(settled(cube(), {{}, Vec3(0, 0, 3)}, {}, false).status, Status::FallsOut);
   const Box slab(Vec3(1, 1, 0.1));
   const std::vector<Body> beside{slab.at(Vec3(5, 0, 0))};
   EXPECT_EQ(settled(cube(), {{}, Vec3(0, 0, 3)}, beside, false).status, Status::FallsOut);
-  const std::vector<Body> edge{slab.at(Vec3(1.4, 0, 0))};  // tips over it
+  const std::vector<Body> edge{slab.at(Vec3(1.4, 0, 0))};  // tips over its edge
   EXPECT_EQ(settled(cube(), {{}, Vec3(0, 0, 3)}, edge, false).status, Status::FallsOut);
 }
 
-TEST(Settle, StopsAtTheLimitOfMotions) {
+TEST(Settle, StopsAtLimitOfMotions) {
   SettleOptions options;
   options.max_motions = 1;
   const Rotation tilted = Rotation::about_axis(Vec3(1, 2, 3).normalized(), 0.4);
@@ -87,12 +87,12 @@ TEST(Settle, StopsAtTheLimitOfMotions) {
   EXPECT_LE(out.steps.size(), 2u);
 }
 
-TEST(Settle, AStartThatCrossesIsReported) {
+TEST(Settle, ReportsCrossingStart) {
   const std::vector<Body> fixed{cube().at(Vec3(0.5, 0.5, 0.7))};
   EXPECT_EQ(settled(cube(), {{}, Vec3(0, 0, 0.6)}, fixed).status, Status::Crossing);
 }
 
-TEST(IsAtRest, OnlyWhereSomethingHoldsIt) {
+TEST(IsAtRest, HoldsOnlyOnSupport) {
   const auto rests = [](const Vec3& at, const Rotation& rotation = {}) {
     SettleProblem problem;
     problem.shape = cube().shape.get();
@@ -103,14 +103,14 @@ TEST(IsAtRest, OnlyWhereSomethingHoldsIt) {
   EXPECT_TRUE(rests(Vec3(0, 0, 0.5 + kEps)));
   EXPECT_FALSE(rests(Vec3(0, 0, 0.5 + 15 * kEps)));  // hovers
   EXPECT_FALSE(rests(Vec3(0, 0, 3)));
-  // On an edge, exactly and not: it balances, but does not rest.
+  // On an edge, exactly and nearly: in balance, but not at rest.
   const double high = std::sqrt(0.5) + kEps;
   EXPECT_FALSE(rests(Vec3(0, 0, high), Rotation::about_axis(Vec3::UnitX(), std::tan(M_PI / 8))));
   EXPECT_FALSE(
       rests(Vec3(0, 0, high), Rotation::about_axis(Vec3::UnitX(), std::tan(M_PI / 8 + 1e-4))));
 }
 
-TEST(Settle, ContactsAreListedByBodyTheFloorFirst) {
+TEST(Settle, ListsContactsByBodyFloorFirst) {
   const Box slab(Vec3(1, 1, 0.1));
   const std::vector<Body> fixed{cube().at(Vec3(9, 9, 9)), cube().at(Vec3(-1 - kEps, 0, 0.5)),
                                 slab.at(Vec3(0, 0, 1.1 + 2 * kEps))};
@@ -128,7 +128,7 @@ TEST(Settle, ContactsAreListedByBodyTheFloorFirst) {
   EXPECT_EQ(contacts_with(body, fixed, false, 2 * kEps, 0.05 * kEps).size(), 2u);
 }
 
-TEST(Settle, StepsLeadFromTheStartToTheEnd) {
+TEST(Settle, StepsLeadFromStartToEnd) {
   test::Random random(1);
   const Box box(Vec3(0.3, 0.2, 0.1));
   const std::vector<Body> fixed{cube().at(Vec3(0, 0, 0.5 + 1e-5))};
