@@ -169,7 +169,7 @@ class Backends(Case):
     def test_verbose_prints_work_of_stages(self):
         _, err = self.trivet("run", self.two_cubes(), "-o", "s.glb", "--backend", "software",
                              "--verbose")
-        for words in ("stage 1, boxes:", "stage 2, depths:", "stage 3, lists:", "decided:"):
+        for words in ("stage 1, boxes:", "stage 2, depths:", "stage 3, lists:", "narrow phase:"):
             self.assertIn(words, err)
 
 

@@ -50,8 +50,8 @@ class Importer(Case):
 
     def test_nonsense(self):
         self.info_fails("echo nonsense >&3", "cube.obj", "incomplete")
-        self.info_fails("true", "cube.obj", "not whole")
-        self.info_fails("printf 'TRIVET-MODEL-1\\n\\000aaaaaaaaaaaaaaaaaaaaaaaa' >&3", "not whole")
+        self.info_fails("true", "cube.obj", "incomplete")
+        self.info_fails("printf 'TRIVET-MODEL-1\\n\\000aaaaaaaaaaaaaaaaaaaaaaaa' >&3", "incomplete")
 
     def test_endless_answer(self):
         self.info_fails("exec cat /dev/zero >&3", "cube.obj", "limit")
@@ -65,7 +65,7 @@ class Importer(Case):
         for name, kind in (("a.step", "STEP"), ("b.IGS", "IGES"), ("c.brep", "BREP")):
             self.write(name, "something\n")
             out, err = self.trivet("info", name, status=3, env=env)
-            for part in (name, kind + " files need", "importer-cad", "without Open CASCADE",
+            for part in (name, kind + " files need", "importer-cad", "lacks Open CASCADE",
                          "libocct-data-exchange-dev", "TRIVET_OCCT"):
                 self.assertIn(part, err)
 
