@@ -26,7 +26,7 @@ uint reversed(uint x) {
   return ((x & 0x55555555u) << 1) | ((x >> 1) & 0x55555555u);
 }
 
-// Every bit depends only on the bits below it. @see [Laine, Karras 2011]
+// Every bit depends only on the bits below it. @see [Laine 2011]
 uint mix_upwards(uint x, uint key) {
   x += key;
   x ^= x * 0x6c50b47cu;

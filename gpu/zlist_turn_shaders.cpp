@@ -4,7 +4,7 @@ namespace trivet::zlist_shaders {
 namespace {
 
 // Drivers' built-in functions may be off by 1e-4; these by 2e-7.
-// @see [Abramowitz, Stegun 1964] 4.4.46, 4.4.49
+// @see [Abramowitz 1964] 4.4.46, 4.4.49
 const char* const kAngles = R"(
 const float kHalfTurn = 3.14159265, kTurn = 6.28318531;
 const float kAngleError = 6e-6;

@@ -42,7 +42,7 @@ double nearer(const Triangle& t, const Surface& surface, double best) {
   return best;
 }
 
-// Solid angle of all faces, over 4 pi [van Oosterom and Strackee 1983].
+// Solid angle of all faces, over 4 pi [van Oosterom 1983].
 double winding_number(const Vec3& p, const Surface& surface) {
   double half_angles = 0;
   for (const Triangle& t : surface.triangles) {

@@ -17,7 +17,7 @@ import matplotlib.pyplot as plt
 
 MOTIONS = {"drop": "drop", "turn": "quarter turn"}
 RESOLUTIONS = (128, 256, 512, 1024)
-# Colours distinguishable for the colour-blind [Okabe and Ito 2008].
+# Colours distinguishable for the colour-blind [Okabe 2008].
 STYLE = {"box trees": ("#000000", "o"), "software, 1 thread": ("#0072B2", "s"),
          "software, 2 threads": ("#56B4E9", "D"), "GPU min/max": ("#E69F00", "^"),
          "GPU lists": ("#D55E00", "v"), "GPU lists, OpenGL 3.3": ("#CC79A7", "<")}

@@ -11,7 +11,7 @@ namespace trivet {
 inline constexpr double kRoundingPixels = 0.01;
 
 /// A triangle in the plane of an image, row by row. Covers the pixels that neither a line along an
-/// edge nor the bounding box separates from it [separating axes; Akenine-Moller 2005]: all that it
+/// edge nor the bounding box separates from it [Akenine-Moller 2005]: all that it
 /// meets, for any triangle, including degenerate ones.
 class Coverage {
  public:

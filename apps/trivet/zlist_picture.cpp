@@ -15,7 +15,7 @@ constexpr int kBarHeight = 12, kMargin = 6, kLeastWidth = 160;
 // Lengths beyond those of all but this fraction of the lists share the last colour.
 constexpr double kLongTail = 0.01;
 
-// Samples of viridis [van der Walt and Smith 2015]: perceptually uniform, also in grey and for the
+// Samples of viridis [van der Walt 2015]: perceptually uniform, also in grey and for the
 // colour-blind.
 constexpr Colour kScale[] = {
     {68, 1, 84},    {72, 24, 106},  {71, 45, 123},  {66, 64, 134},  {59, 82, 139},  {51, 99, 141},

@@ -1,4 +1,4 @@
-// Hierarchical approximate convex decomposition [Mamou and Ghorbel 2009], the library of Bullet.
+// Hierarchical approximate convex decomposition [Mamou 2009], the library of Bullet.
 #include <HACD/hacdHACD.h>
 
 #include <algorithm>

@@ -14,9 +14,9 @@ struct PlacedPart {
 };
 
 /// Length of a translation that separates two convex parts: the least, or up to about a hundredth
-/// more; 0 if they are apart, or touch to within rounding. The direction comes from the distance of
-/// Gilbert, Johnson and Keerthi and the expanding polytope of van den Bergen, by libccd; the length
-/// from the extents of the parts along it.
+/// more; 0 if they are apart, or touch to within rounding. The direction comes from the distance
+/// algorithm of [Gilbert 1988] and the expanding polytope of [van den Bergen 2001], by libccd; the
+/// length from the extents of the parts along it.
 double penetration_depth(const PlacedPart& a, const PlacedPart& b);
 
 }  // namespace trivet

@@ -16,7 +16,7 @@ struct BoxFrame {
   double slack = 0;  // metres; contents of a box may be this far outside of it in the world
 };
 
-/// Separating axis test of two boxes [Gottschalk et al. 1996] with the six face normals but without
+/// Separating axis test of two boxes [Gottschalk 1996] with the six face normals but without
 /// the nine pairs of edges [van den Bergen 1997]. Departs from both in that linear parts may be any
 /// matrices: projections of boxes are the same formula for all directions.
 class SeparatingAxes {

@@ -1,7 +1,7 @@
 // Intersection of two closed triangles, decided by signs of determinants alone.
 //
 // In general position both triangles cut the line where their planes meet, each in an interval
-// between two of its edges; one orient3d() compares an end of either [Guigue & Devillers 2003].
+// between two of its edges; one orient3d() compares an end of either [Guigue 2003].
 // Departs from the source: all four pairs of ends are compared, instead of sorting the ends first;
 // that is two signs more in the rare worst case, and no permutations.
 //

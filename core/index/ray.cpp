@@ -1,4 +1,4 @@
-// Watertight ray-triangle test [Woop, Benthin and Wald 2013], in double: triangles are projected
+// Watertight ray-triangle test [Woop 2013], in double: triangles are projected
 // along the ray's largest direction into one plane, in which neighbours share their edge functions.
 #include "core/index/ray.h"
 

@@ -1,4 +1,4 @@
-// Published continuous-collision queries with ground truth [Wang et al. 2021, Sample-Queries]:
+// Published continuous-collision queries with ground truth [Wang 2021, Sample-Queries]:
 // those in which each side moves by one vector are translations of one side against the other.
 
 #include <gtest/gtest.h>
