@@ -8,8 +8,7 @@ namespace trivet {
 namespace {
 
 constexpr float kOutlinePx = 2.2f;
-constexpr double kFinestCellPx = 6,
-                 kClearCellPx = 20;  // where the finest grid lines fade in and are
+constexpr double kFinestCellPx = 6, kClearCellPx = 20;  // grid lines: first visible, full
 
 }  // namespace
 

@@ -106,7 +106,7 @@ void ask_box_trees(const SpherePair& spheres, Cases& cases) {
     cases.sweeps.push_back(a);
   }
   cases.bvh_cpu_ms = row.samples.median_cpu_ms();
-  add_data(cases, {"BVHs", "", 0}, row.samples, left);
+  add_data(cases, {"box trees", "", 0}, row.samples, left);
   cases.report->add(std::move(row));
 }
 

@@ -15,7 +15,7 @@ struct RunArguments {
   bool stop_at_refusal = false;
 };
 
-// A scene that is laid out in place keeps its kind.
+// A scene laid out in place keeps its format.
 void check_kind(const std::string& output, const std::string& scene) {
   const std::string wanted = extension_of(output), is = extension_of(scene);
   if ((wanted == ".glb" || wanted == ".gltf") && wanted != is)

@@ -7,7 +7,7 @@
 
 namespace trivet {
 
-/// Message with the cause, the value and what is accepted. The kind decides the exit status.
+/// Message with the cause, the value and the accepted values. The kind decides the exit status.
 class Error : public std::runtime_error {
  public:
   enum class Kind {

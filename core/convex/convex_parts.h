@@ -17,7 +17,7 @@ struct ConvexPart {
 };
 
 enum class PartRule {
-  Hull,           // one hull of the whole mesh: what simulators do by themselves
+  Hull,           // one hull of the whole mesh: the default of simulators
   Components,     // a hull of each component (faces connected through edges)
   Decomposition,  // components that are not convex are cut into approximately convex pieces
 };

@@ -35,7 +35,7 @@ def grid_obj(cells):
 
 
 class Case(unittest.TestCase):
-    """A test that runs the program in a folder of its own."""
+    """A test with a folder of its own as working directory."""
 
     def setUp(self):
         self.folder = tempfile.mkdtemp(prefix="trivet_test_")

@@ -1,4 +1,4 @@
-"""Every backend gives the same report, apart from what it says about itself."""
+"""Every backend gives the same report, apart from its own name and statistics."""
 import json
 import os
 import subprocess

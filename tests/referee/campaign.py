@@ -10,7 +10,7 @@ pair:  every model in 5 random orientations, put onto one of 10 other models tha
 pile:  4 heaps of 50 objects.
 --same-as, --threads and --backends run each layout again, by another build, with other numbers of
 threads or other sources of candidates: reports (apart from milliseconds, and what a backend says of
-itself) and scenes must be the same bytes. Without --referee, that is all that is asked.
+itself) and scenes must be the same bytes. Without --referee, no other check is made.
 Prints a table; exit status 1 if a scene is not true, a result differs, a backend is not the one asked
 for, or under 98 % end ok.
 """

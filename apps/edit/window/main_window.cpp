@@ -164,7 +164,7 @@ void MainWindow::connect_document() {
   });
 }
 
-// --- what is shown -----------------------------------------------------------------------------
+// --- display -----------------------------------------------------------------------------------
 
 void MainWindow::show_start_page() {
   m_start_page->show_choices(recent_files(), m_document.recoverable());

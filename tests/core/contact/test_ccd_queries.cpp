@@ -1,5 +1,6 @@
 // Published continuous-collision queries with ground truth [Wang 2021, Sample-Queries]:
-// those in which each side moves by one vector are translations of one side against the other.
+// queries in which each side moves by a single vector are translations of one side against the
+// other.
 
 #include <gtest/gtest.h>
 

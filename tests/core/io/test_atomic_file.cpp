@@ -62,7 +62,7 @@ TEST_F(AtomicFile, ReportsUnwritableFolder) {
   chmod(path("f").c_str(), 0666);
   chmod(folder().c_str(), 0555);
   const testing::OrdinaryUser user;
-  if (!user) GTEST_SKIP() << "cannot become a user who may not write everything";
+  if (!user) GTEST_SKIP() << "cannot drop root privileges";
   expect_parts(refusal(path("f")), {path("f"), "Permission denied"});
   EXPECT_EQ(read_bytes(path("f")), "old");
   EXPECT_EQ(num_files(), 1);
@@ -73,7 +73,7 @@ TEST_F(AtomicFile, ReportsUnwritableFile) {
   chmod(path("f").c_str(), 0444);
   chmod(folder().c_str(), 0777);
   const testing::OrdinaryUser user;
-  if (!user) GTEST_SKIP() << "cannot become a user who may not write everything";
+  if (!user) GTEST_SKIP() << "cannot drop root privileges";
   expect_parts(refusal(path("f")), {path("f"), "Permission denied"});
   EXPECT_EQ(read_bytes(path("f")), "old");
 }

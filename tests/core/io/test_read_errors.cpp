@@ -37,7 +37,7 @@ TEST_F(ReadErrors, ReportsUnreadableFile) {
   const std::string file = write("secret.obj", kTriangle);
   chmod(file.c_str(), 0);
   const testing::OrdinaryUser user;
-  if (!user) GTEST_SKIP() << "cannot become a user who may not read everything";
+  if (!user) GTEST_SKIP() << "cannot drop root privileges";
   expect_refused(file, {"cannot be read", "Permission denied"});
 }
 
