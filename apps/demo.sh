@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# From a fresh Debian 12 to a breakfast table: installs what is missing, builds the program without the editor
-# and without CAD formats, and lays out a demo: BREAKFAST, or the one that is named.
+# From a fresh Debian 12 to a breakfast table: installs missing packages, builds the program (no editor,
+# no CAD formats) and lays out a demo, by default BREAKFAST.
 #   apps/demo.sh [spoon-saucer|breakfast|office1|office2]
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."

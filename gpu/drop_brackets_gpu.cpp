@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kGroup = 64;
 
-// A place per thread; `precise` keeps the compiler from rewriting the differences.
+// One thread per place; `precise` keeps the compiler from rewriting the differences.
 constexpr const char* kShader = R"(#version 430
 layout(local_size_x = 64) in;
 layout(std430, binding = 0) readonly buffer ObjectMap { vec2 object_map[]; };
@@ -33,7 +33,7 @@ void main() {
 }
 )";
 
-// Bound and sample of each pixel side by side.
+// Interleaves bound and sample of each pixel.
 std::vector<float> interleaved(const HeightMap& map) {
   std::vector<float> out;
   out.reserve(2 * map.bound.size());
@@ -67,7 +67,7 @@ struct GpuDropBrackets::State {
     try {
       const EglContext::Current current(context);
       program.reset();
-    } catch (const Error&) {  // the context is lost, and the program with it
+    } catch (const Error&) {  // the context is lost, including the program
       const EglContext::None none;
       program.reset();
     }
@@ -101,7 +101,7 @@ struct GpuDropBrackets::State {
 
 namespace {
 
-// Differences whose last bit shows how they were rounded, infinities among them.
+// Compares with differences whose last bit reveals how they were rounded, including infinities.
 bool is_exact(const std::vector<DropBracket>& found, const HeightMap& object,
               const HeightMap& scene) {
   for (size_t i = 0; i < found.size(); ++i)

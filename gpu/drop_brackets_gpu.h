@@ -1,4 +1,4 @@
-// Where would it land, for thousands of places at once, on the graphics hardware.
+// Brackets of a falling object's travel, for thousands of places at once, on the GPU.
 #pragma once
 
 #include <memory>
@@ -9,9 +9,9 @@
 
 namespace trivet {
 
-/// One thread of a compute shader per place. Differences and minima are exact to the last bit in
-/// GLSL as in C++ (4.7.1 of its specification), so the brackets are those of the software; a
-/// driver that computes something else is found out at the start. One thread at a time.
+/// One compute shader thread per place. Differences and minima are exact to the last bit in GLSL as
+/// in C++ (4.7.1 of its specification), so the brackets equal those of the software version; a
+/// self-test at construction rejects drivers that differ. One thread at a time.
 class GpuDropBrackets {
  public:
   /// @throws Error (Environment): no EGL, no OpenGL 4.3, or a driver that is not exact.

@@ -26,7 +26,7 @@ bool names_software(const std::string& renderer) {
   return false;
 }
 
-/// Contexts need no config where the driver knows EGL_KHR_no_config_context.
+/// Contexts need no config if the driver supports EGL_KHR_no_config_context.
 EGLConfig choose_config(const EglDisplayUse& display) {
   if (display.has_extension("EGL_KHR_no_config_context")) return EGL_NO_CONFIG_KHR;
   const EGLint wanted[] = {EGL_SURFACE_TYPE, 0, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
@@ -37,7 +37,7 @@ EGLConfig choose_config(const EglDisplayUse& display) {
   return config;
 }
 
-/// Where the driver can, after a reset of the hardware every call says that the context is lost.
+/// Requests robust access: after a reset of the hardware, every call reports the lost context.
 EGLContext create_context(const EglDisplayUse& display, EGLConfig config, int version) {
   const bool notifies = display.has_extension("EGL_EXT_create_context_robustness");
   const EGLint attributes[] = {
@@ -90,7 +90,7 @@ EglContext::EglContext(const EglOptions& options) {
   for (const EglCandidate& candidate : list_egl_candidates(failures)) {
     try {
       if (candidate.software && !options.allow_software)
-        throw environment("software renderers are not allowed here");
+        throw environment("software renderers are disabled");
       m_state = std::make_unique<State>(candidate);
       m_state->create();
       const Current current(*this);
@@ -101,7 +101,7 @@ EglContext::EglContext(const EglOptions& options) {
       m_state->gl_version = epoxy_gl_version();
       m_state->software = candidate.software || names_software(m_state->renderer);
       if (m_state->software && !options.allow_software)
-        throw environment(m_state->renderer + " is a software renderer, not allowed here");
+        throw environment(m_state->renderer + " is a software renderer, and those are disabled");
       m_state->failures = std::move(failures);
       return;
     } catch (const Error& error) {
@@ -132,7 +132,7 @@ std::string EglContext::description() const {
 }
 
 EglContext::Current::Binding EglContext::Current::query() {
-  // OpenGL ES and OpenGL may have a current context each: look at the bound API's first.
+  // OpenGL ES and OpenGL may each have a current context: save that of the bound API first.
   Binding out;
   out.api = eglQueryAPI();
   out.context = eglGetCurrentContext();
@@ -157,7 +157,7 @@ EglContext::Current::Current(const EglContext& context) : m_before(query()) {
   if (!eglMakeCurrent(m_display, EGL_NO_SURFACE, EGL_NO_SURFACE, context.m_state->context)) {
     const std::string reason = last_egl_error();
     eglBindAPI(m_before.api);
-    throw environment("the OpenGL context cannot be made current on this thread, " + reason);
+    throw environment("cannot make the OpenGL context current on this thread, " + reason);
   }
 }
 

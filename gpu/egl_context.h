@@ -1,4 +1,4 @@
-// A window-less OpenGL context. Start here for anything that runs on the graphics hardware.
+// OpenGL context without a window. Start here for code that runs on the GPU.
 #pragma once
 
 #include <memory>
@@ -11,33 +11,34 @@ struct EglOptions {
   bool allow_software = true;  // false: refuse renderers that run on the CPU
 };
 
-/// OpenGL core profile, 4.5 where there is one, else down to 3.3, without window or surface: draw
-/// into framebuffer objects only. EGL devices are tried first, hardware before software, then
-/// Mesa's surfaceless platform. The messages that drivers print are left alone.
+/// OpenGL core profile, 4.5 if available, else down to 3.3, without window or surface: draw into
+/// framebuffer objects only. EGL devices are tried first, hardware before software, then Mesa's
+/// surfaceless platform. Drivers' own messages are not suppressed.
 ///
-/// Created with nothing current; make it current for a scope with `EglContext::Current`. At any
-/// time at most one thread may have it current. Destroy GL objects while it is current.
+/// Not current after construction; make it current for a scope with `EglContext::Current`. At most
+/// one thread may have it current at a time. Destroy GL objects while it is current.
 class EglContext {
  public:
-  /// @throws Error (Environment) that names every way tried and how each failed.
+  /// @throws Error (Environment) that names every platform tried and how each failed.
   explicit EglContext(const EglOptions& options = {});
   ~EglContext();
   EglContext(EglContext&& other) noexcept;
   EglContext& operator=(EglContext&& other) noexcept;
 
-  /// GL_RENDERER, GL_VENDOR and GL_VERSION as the driver says them.
+  /// GL_RENDERER, GL_VENDOR and GL_VERSION as reported by the driver.
   const std::string& renderer() const;
   const std::string& vendor() const;
   const std::string& version() const;
-  /// How it was reached, for example "EGL device 1 of 2".
+  /// Platform in use, for example "EGL device 1 of 2".
   const std::string& device() const;
   /// The version of the context: 45 for OpenGL 4.5.
   int gl_version() const;
-  /// Runs on the CPU: llvmpipe and the like.
+  /// Whether it runs on the CPU, like llvmpipe.
   bool is_software() const;
-  /// One line for reports: renderer, "(software)" where it is, version, device.
+  /// One line for reports: renderer, "(software)" if so, version, device.
   std::string description() const;
-  /// The ways that were tried before this one, each with its reason; empty when the first worked.
+  /// Platforms tried before this one, each with the reason of its failure; empty if the first
+  /// worked.
   const std::vector<std::string>& failures() const;
 
   class Current;
@@ -48,8 +49,8 @@ class EglContext {
   std::unique_ptr<State> m_state;
 };
 
-/// Makes a context current on this thread for a scope, then restores the EGL context that was
-/// current before, so that it can be used inside somebody else's (the editor's) drawing.
+/// Makes a context current on this thread for a scope, then restores the previous EGL context, so
+/// that it can be used inside another program's (the editor's) drawing.
 class EglContext::Current {
  public:
   /// @throws Error (Environment) when EGL refuses, for instance because another thread has it.
@@ -73,7 +74,7 @@ class EglContext::Current {
   void* m_display;
 };
 
-/// Makes no context current for a scope: GL objects of a context that is lost may die there.
+/// Makes no context current for a scope, so that GL objects of a lost context can be destroyed.
 class EglContext::None {
  public:
   None();

@@ -15,7 +15,7 @@
 namespace trivet {
 namespace {
 
-/// A whole word of a blank-separated list.
+/// Whether a blank-separated list contains the whole word.
 bool has_word(const char* list, const std::string& word) {
   if (list == nullptr) return false;
   std::istringstream words(list);
@@ -23,7 +23,7 @@ bool has_word(const char* list, const std::string& word) {
          std::istream_iterator<std::string>();
 }
 
-/// libepoxy ends the process when it finds no library to load, so look before it does.
+/// libepoxy ends the process if it finds no library to load, so check first.
 void require_libraries() {
   const auto loads = [](const char* name) { return dlopen(name, RTLD_LAZY | RTLD_LOCAL); };
   if (loads("libEGL.so.1") == nullptr) {
@@ -74,7 +74,7 @@ bool is_software_device(EGLDeviceEXT device) {
   return query != nullptr && has_word(query(device, EGL_EXTENSIONS), "EGL_MESA_device_software");
 }
 
-/// How many live uses each display has.
+/// Number of live uses of each display.
 struct UseCounts {
   std::mutex mutex;
   std::map<EGLDisplay, int> count;
@@ -118,7 +118,7 @@ EglDisplayUse::EglDisplayUse(EGLDisplay display) {
   const std::lock_guard lock(uses.mutex);
   int& count = uses.count[display];
   EGLint major = 0, minor = 0;
-  if (!eglInitialize(display, &major, &minor))  // again, too: somebody may have terminated it
+  if (!eglInitialize(display, &major, &minor))  // repeated in case other code has terminated it
     throw Error(Error::Kind::Environment, "eglInitialize failed, " + last_egl_error());
   ++count;
   m_display = display;

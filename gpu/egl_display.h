@@ -1,4 +1,4 @@
-// Private to gpu: the EGL displays of this machine that can be drawn to without a window.
+// Private to gpu: the machine's EGL displays that support drawing without a window.
 #pragma once
 
 #include <epoxy/egl.h>
@@ -8,20 +8,20 @@
 
 namespace trivet {
 
-/// A way to reach a renderer; nothing is initialised yet.
+/// A possible renderer, not yet initialised.
 struct EglCandidate {
   std::string name;  // "EGL device 1 of 2"
   EGLDisplay display = EGL_NO_DISPLAY;
-  bool software = false;  // the driver says so (EGL_MESA_device_software)
+  bool software = false;  // as reported by the driver (EGL_MESA_device_software)
 };
 
-/// Devices, hardware first, then the surfaceless platform. What cannot even be asked for is added
-/// to `failures`.
+/// Devices, hardware first, then the surfaceless platform. Failed enumerations are added to
+/// `failures`.
 /// @throws Error (Environment) when libEGL or libGL is not installed.
 std::vector<EglCandidate> list_egl_candidates(std::vector<std::string>& failures);
 
-/// An initialised display. EGL keeps one state per display and process, which a single
-/// eglTerminate would take from everybody, so initialisations are counted. Move-only.
+/// An initialised display. EGL keeps one state per display and process, which a single eglTerminate
+/// would destroy for every user, so initialisations are counted. Move-only.
 class EglDisplayUse {
  public:
   /// @throws Error (Environment) with EGL's reason.

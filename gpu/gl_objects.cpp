@@ -40,7 +40,7 @@ GlShader compile(const char* name, GLenum stage, const std::string& source) {
   std::vector<char> log(length + 1, '\0');
   glGetShaderInfoLog(shader.id(), length, nullptr, log.data());
   throw environment(std::string("the ") + stage_name(stage) + " shader of " + name +
-                    " does not compile with this driver: " + log.data());
+                    " does not compile on this driver: " + log.data());
 }
 
 void check_framebuffer() {
@@ -49,7 +49,7 @@ void check_framebuffer() {
   check_gl("making a framebuffer");
   char number[16];
   std::snprintf(number, sizeof number, "0x%04x", status);
-  throw environment(std::string("the driver cannot draw to a framebuffer, status ") + number);
+  throw environment(std::string("the driver does not support a framebuffer, status ") + number);
 }
 
 void set_nearest(GLenum target) {
@@ -60,7 +60,7 @@ void set_nearest(GLenum target) {
   glTexParameteri(target, GL_TEXTURE_MAX_LEVEL, 0);
 }
 
-/// The layout of the client's data matters even when there is none.
+/// The layout of the client's data must be valid even if there is none.
 GLenum client_format(GLenum internal_format) {
   switch (internal_format) {
     case GL_DEPTH_COMPONENT32F:
@@ -138,7 +138,7 @@ GlProgram::GlProgram(const char* name, std::initializer_list<GlShaderSource> sha
   std::vector<char> log(length + 1, '\0');
   glGetProgramInfoLog(id(), length, nullptr, log.data());
   throw environment(std::string("the shaders of ") + name +
-                    " do not link with this driver: " + log.data());
+                    " do not link on this driver: " + log.data());
 }
 
 void set_uniform(const GlProgram& program, const char* name, float value) {
@@ -242,7 +242,7 @@ Image read_picture(int width, int height) {
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, rows.data());
   check_gl("reading a picture back");
-  // OpenGL counts rows from below, pictures from above.
+  // OpenGL counts rows from below, images from above.
   image.rgba.resize(rows.size());
   for (int y = 0; y < height; ++y)
     std::copy_n(rows.data() + row * y, row, image.rgba.data() + row * (height - 1 - y));
@@ -252,7 +252,8 @@ Image read_picture(int width, int height) {
 void check_gl(const char* stage) {
   const GLenum code = glGetError();
   if (code == GL_NO_ERROR) return;
-  for (int i = 0; i < 16 && glGetError() != GL_NO_ERROR; ++i) continue;  // the flags of the others
+  for (int i = 0; i < 16 && glGetError() != GL_NO_ERROR; ++i)
+    continue;  // clears error flags left by other code
   const char* name = code == GL_OUT_OF_MEMORY                   ? "GL_OUT_OF_MEMORY"
                      : code == GL_CONTEXT_LOST                  ? "GL_CONTEXT_LOST"
                      : code == GL_INVALID_OPERATION             ? "GL_INVALID_OPERATION"

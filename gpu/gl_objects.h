@@ -1,5 +1,5 @@
-// Private to gpu: owners of OpenGL objects. All need a current context, to live and to die; without
-// any (EglContext::None) they are forgotten, for when theirs is lost.
+// Private to gpu: owners of OpenGL objects. All need a current context to be created and destroyed;
+// without any (EglContext::None) they are dropped, for use after a lost context.
 #pragma once
 
 #include <epoxy/gl.h>
@@ -15,10 +15,10 @@
 
 namespace trivet {
 
-/// Whether some context is current on this thread.
+/// Whether a context is current on this thread.
 bool has_gl_context();
 
-/// Owns one OpenGL name; move-only. 0 owns nothing.
+/// Owns one OpenGL name; move-only. 0: owns no object.
 template <typename Kind>
 class GlHandle {
  public:
@@ -76,11 +76,11 @@ struct GlShaderSource {
   std::string text;
 };
 
-/// Shaders, linked. Uniforms that the compiler dropped are ignored.
+/// Linked shaders. Sets of uniforms removed by the compiler are ignored.
 class GlProgram {
  public:
   /// @param name  for messages.
-  /// @param feedback  what transform feedback records, or null.
+  /// @param feedback  variable recorded by transform feedback, or null.
   /// @throws Error (Environment) with the compiler's log.
   GlProgram(const char* name, std::initializer_list<GlShaderSource> shaders,
             const char* feedback = nullptr);
@@ -101,23 +101,23 @@ void set_uniform(const GlProgram& program, const char* name, const Vec3& v);
 void set_uniform(const GlProgram& program, const char* name, const std::array<float, 4>& v);
 void set_uniform(const GlProgram& program, const char* name, const Eigen::Matrix4d& m);
 
-/// A buffer that is written once.
+/// Makes an immutable buffer.
 GlBuffer make_buffer(GLenum target, const void* data, std::size_t bytes);
 
 /// A texture of one level, read texel by texel (nearest, clamped); not initialised.
 GlTexture make_texture_2d(GLenum internal_format, int width, int height);
 
-/// Makes a texture blend linearly between its texels.
+/// Switches a texture to linear filtering.
 void set_linear(const GlTexture& texture);
 
-/// Depth textures of float32 in an array, likewise.
+/// Makes an array of float32 depth textures, likewise.
 GlTexture make_depth_array(int size, int layers);
 
-/// A framebuffer of these colour textures in order and, unless 0, this depth texture.
-/// @throws Error (Environment) when the driver cannot draw to them.
+/// Framebuffer of these colour textures in order and, unless 0, this depth texture.
+/// @throws Error (Environment) if the driver does not support the combination.
 GlFramebuffer make_framebuffer(std::initializer_list<GLuint> colours, GLuint depth);
 
-/// What can be drawn to with several samples per pixel (0: one), but not read as a texture.
+/// Render target with several samples per pixel (0: one), not readable as a texture.
 GlRenderbuffer make_renderbuffer(GLenum internal_format, int width, int height, int samples);
 
 /// A framebuffer of a colour and a depth renderbuffer.
@@ -126,10 +126,10 @@ GlFramebuffer make_framebuffer(const GlRenderbuffer& colour, const GlRenderbuffe
 /// A framebuffer of one layer of a depth array and no colour.
 GlFramebuffer make_depth_framebuffer(GLuint depth_array, int layer);
 
-/// The lower left part of the current framebuffer, rows from top to bottom.
+/// Reads the lower left part of the current framebuffer, rows from top to bottom.
 Image read_picture(int width, int height);
 
-/// Looks for what went wrong since the last look.
+/// Checks for OpenGL errors since the last call.
 /// @throws Error (Environment) naming `stage` and the OpenGL error.
 void check_gl(const char* stage);
 

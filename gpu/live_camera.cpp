@@ -8,7 +8,7 @@
 namespace trivet {
 
 ViewAxes make_view_axes(const LiveCamera& camera, double aspect) {
-  // The picture's camera in a frame that is the world.
+  // The picture's camera, in a frame equal to the world.
   const FrameCamera frame = make_frame_camera(camera, aspect, PictureFrame{});
   ViewAxes view{frame.forward, frame.right, frame.up};
   if (!camera.height) return view;

@@ -1,5 +1,5 @@
-// Drafts: what is drawn while something moves. Of large scenes, what stands still is kept; from a
-// moving camera, what looks small is drawn as its box.
+// Drafts, drawn while something moves. In large scenes, the static part is cached; from a moving
+// camera, small objects are drawn as boxes.
 #include <algorithm>
 #include <tuple>
 
@@ -9,7 +9,7 @@
 namespace trivet {
 namespace {
 
-constexpr int kManyToCoarse = 2;  // many triangles, to those of objects that are no boxes
+constexpr int kManyToCoarse = 2;  // total triangles per triangle of objects drawn in full
 
 }  // namespace
 
@@ -33,7 +33,7 @@ std::string LiveRenderer::key_of_still(const View& view) {
   return key;
 }
 
-// What stands still gets a picture of its own, with room for what moves to move in.
+// Caches a picture of the static objects, with room for the moving ones to move in.
 void LiveRenderer::begin_still(const View& view, std::string key, std::optional<LiveStill>& still) {
   const int width = view.options.width, height = view.options.height;
   if (!still || still->width != width || still->height != height) still.emplace(width, height);
@@ -69,7 +69,7 @@ void LiveRenderer::draw_draft(View& view, Kept& kept) {
   draw_solid(view, false, true);
 }
 
-// What is outlined or looks largest is drawn as it is, as long as that is quick.
+// Draws outlined objects and the largest ones in full, as far as that is quick.
 void LiveRenderer::coarsen(const View& view) {
   struct Candidate {
     bool outlined;

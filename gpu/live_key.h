@@ -1,4 +1,4 @@
-// Private to gpu: what a picture that is kept shows, as text, to see whether that has changed.
+// Private to gpu: text keys of cached pictures, to detect changes.
 #pragma once
 
 #include <string>

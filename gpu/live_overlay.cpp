@@ -7,10 +7,11 @@
 namespace trivet {
 namespace {
 
-constexpr double kCloser = 2e-3;     // of the distance: overlays lie before what they lie on
-constexpr float kFaint = 0.22f;      // alpha of what is hidden, of what is not
-constexpr float kNoEdge = 1e9f;      // px
-constexpr float kSmoothEdge = 0.5f;  // px, added for the pixels that are covered in part
+constexpr double kCloser =
+    2e-3;                        // of the distance: overlays lie in front of the surface below them
+constexpr float kFaint = 0.22f;  // alpha of hidden parts, relative to visible ones
+constexpr float kNoEdge = 1e9f;  // px
+constexpr float kSmoothEdge = 0.5f;  // px, added for partially covered pixels
 
 class Builder {
  public:
@@ -71,7 +72,7 @@ class Builder {
   double depth(const Vec3& p) const { return depth_of(p, m_view.camera, m_view.axes); }
   Eigen::Vector4d clip(const Vec3& p) const { return m_view.clip_from_world * p.homogeneous(); }
 
-  /// Towards the eye: it stays on its pixel.
+  /// Shifts towards the eye: the point stays on its pixel.
   Vec3 nearer(const Vec3& p) const {
     if (m_view.camera.height) return p - m_view.closer * m_view.axes.forward;
     return p + kCloser * (m_view.camera.eye - p);

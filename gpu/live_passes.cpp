@@ -8,7 +8,7 @@ namespace trivet {
 namespace {
 
 constexpr float kOutlinePx = 2.2f;
-constexpr double kFinestCellPx = 6, kClearCellPx = 20;  // where the finest grid lines come and are
+constexpr double kFinestCellPx = 6, kClearCellPx = 20;  // grid lines: first visible, full
 
 }  // namespace
 
@@ -82,7 +82,7 @@ void LiveRenderer::draw_solid(const View& view, bool still, bool moving) {
 
 void LiveRenderer::draw_floor(const View& view) {
   blend_over();
-  // What lies on the floor is before it.
+  // Objects that lie on the floor win against it.
   glEnable(GL_POLYGON_OFFSET_FILL);
   glPolygonOffset(1, 2);
   const GlProgram& program = m_programs.floor;
@@ -102,7 +102,7 @@ void LiveRenderer::draw_floor(const View& view) {
               static_cast<float>(origin.y()));
   set_uniform(program, "cell", static_cast<float>(cell * m_frame.scale));
   set_uniform(program, "fine", static_cast<float>(std::clamp(fine, 0.0, 1.0)));
-  // From below it only veils.
+  // Seen from below, the floor is only a veil.
   const bool from_below = view.camera.height ? view.axes.forward.z() > 0 : view.camera.eye.z() < 0;
   LiveColour floor = theme.floor;
   if (from_below) floor[3] *= 0.25f;
@@ -124,7 +124,7 @@ void LiveRenderer::draw_translucent(const View& view) {
   glDepthMask(GL_FALSE);
   for (auto it = m_instances.rbegin(); it != m_instances.rend(); ++it)  // far ones first
     if (it->seen && it->object->opacity >= 1) draw_one(m_programs.object, *it, Part::SeeThrough);
-  // Of a ghost only the surface that is nearest is seen: first its depth, then its colour.
+  // Only the nearest surface of a ghost is visible: first its depth, then its colour.
   for (auto it = m_instances.rbegin(); it != m_instances.rend(); ++it) {
     if (!it->seen || it->object->opacity >= 1) continue;
     glDepthMask(GL_TRUE);
@@ -163,7 +163,7 @@ void LiveRenderer::draw_overlay(const View& view) {
 }
 
 void LiveRenderer::draw_outlines(const View& view, const LiveTargets& targets) {
-  // Only where the outlined objects can be.
+  // Limits the pass to the screen area of the outlined objects.
   Eigen::Array2d lower(1, 1), upper(-1, -1);
   std::vector<const Instance*> outlined;
   for (const Instance& instance : m_instances) {
@@ -171,7 +171,7 @@ void LiveRenderer::draw_outlines(const View& view, const LiveTargets& targets) {
     outlined.push_back(&instance);
     for (const Vec3& corner : instance.corners) {
       const Eigen::Vector4d p = view.clip_from_world * corner.homogeneous();
-      Eigen::Array2d a(-1, -1), b(1, 1);  // beside the eye: anywhere
+      Eigen::Array2d a(-1, -1), b(1, 1);  // behind the eye: anywhere
       if (p.w() > 1e-9) a = b = p.head<2>().array() / p.w();
       lower = lower.min(a), upper = upper.max(b);
     }
@@ -188,7 +188,7 @@ void LiveRenderer::draw_outlines(const View& view, const LiveTargets& targets) {
   prepare_to_draw_solids();
   glDisable(GL_DEPTH_TEST);
   glEnable(GL_SCISSOR_TEST);
-  restrict_to(std::ceil(reach) + 1);  // outlines look as far beside themselves
+  restrict_to(std::ceil(reach) + 1);  // outlines sample this far beside themselves
   glBindFramebuffer(GL_FRAMEBUFFER, targets.draw_mask.id());
   glClearBufferfv(GL_COLOR, 0, LiveColour{}.data());
   prepare_objects(view, m_programs.mask);

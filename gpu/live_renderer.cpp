@@ -15,7 +15,7 @@ namespace {
 namespace shaders = live_shaders;
 
 constexpr int kSamples = 4;                  // per pixel
-constexpr double kNearestOfFarthest = 2e-4;  // what is nearer to the eye is cut away
+constexpr double kNearestOfFarthest = 2e-4;  // nearer geometry is clipped
 constexpr double kSmallest = 0.5;            // px; smaller objects are left out
 
 float linear_from_srgb(float x) {
@@ -156,7 +156,7 @@ LiveRenderer::LiveRenderer(std::int64_t many_triangles)
 
 const UploadedMesh& LiveRenderer::mesh_of(const std::shared_ptr<const Model>& model) {
   KnownMesh& known = m_meshes[model.get()];
-  if (known.model.lock() != model) {  // unknown, or another that lived there before
+  if (known.model.lock() != model) {  // unknown, or a different model at the same address
     known = {model, upload_mesh(picture_mesh(*model))};
     ++m_work.meshes_sent;
   }
@@ -197,7 +197,8 @@ void LiveRenderer::find_depth_range(View& view) const {
     for (const Vec3& corner : instance.corners) extend(corner);
   for (int i = 0; i < 4; ++i)
     extend(view.floor_centre + view.floor_radius * Vec3(i & 1 ? 1 : -1, i & 2 ? 1 : -1, 0));
-  const LiveOverlay& overlay = view.scene.overlay;  // lines and points are never too near or far
+  const LiveOverlay& overlay =
+      view.scene.overlay;  // lines and points are never clipped by near or far planes
   for (const LiveTriangle& triangle : overlay.triangles)
     for (const Vec3& corner : triangle.corners) extend(corner);
   const double room = 0.02 * (farthest - nearest) + 0.01 * view.reach();
@@ -220,7 +221,7 @@ void LiveRenderer::cull(const View& view) {
     instance.seen = size >= kSmallest * pixel && !out_of_sight(corners, view.clip_from_world);
     ++(instance.seen ? m_work.objects_drawn : m_work.objects_culled);
   }
-  // Near ones hide far ones from the start.
+  // Front to back, for early depth tests.
   std::stable_sort(m_instances.begin(), m_instances.end(),
                    [](const Instance& a, const Instance& b) { return a.depth < b.depth; });
 }
@@ -230,7 +231,7 @@ void LiveRenderer::draw_shadow_map(const View& view, bool of_moving) {
   for (const Instance& instance : m_instances)
     if (instance.object->opacity >= 1 && (of_moving || !instance.object->moving))
       casters.push_back(&instance);
-  std::sort(casters.begin(), casters.end(),  // in the scene's order, from wherever it is seen
+  std::sort(casters.begin(), casters.end(),  // in the scene's order, independent of the camera
             [](const Instance* a, const Instance* b) { return a->object < b->object; });
   const int size_px = view.options.draft ? kDraftShadowMapPx : kLiveShadowMapPx;
   std::string key;
@@ -270,7 +271,7 @@ Image LiveRenderer::draw(const LiveScene& scene, const LiveCamera& camera,
   Kept& kept = m_views[options.view];
   std::optional<LiveTargets>& targets = options.draft ? kept.draft : kept.full;
   if (!targets || targets->width != options.width || targets->height != options.height) {
-    targets.reset();  // first give back, then take
+    targets.reset();  // free before allocating
     targets.emplace(options.width, options.height, options.draft ? 0 : kSamples);
   }
   find_depth_range(view);

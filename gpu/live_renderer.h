@@ -1,7 +1,7 @@
-// Private to gpu: draws live views; what it keeps from picture to picture.
+// Private to gpu: draws live views and caches data between pictures.
 //
-// Backdrop, opaque objects, floor, see-through parts, ghosts, overlays, into a target with several
-// samples per pixel; then the outlines, found in a mask.
+// Draws backdrop, opaque objects, floor, see-through parts, ghosts and overlays into a multisampled
+// target; then outlines, found in a mask.
 #pragma once
 
 #include <map>
@@ -17,7 +17,7 @@
 
 namespace trivet {
 
-/// A program that draws meshes, with the places of what is set for each of them.
+/// Program that draws meshes, with the locations of its per-mesh uniforms.
 struct MeshProgram {
   MeshProgram(const char* name, const std::string& vertex, const std::string& fragment);
   GlProgram program;
@@ -31,19 +31,19 @@ struct LivePrograms {
 };
 
 inline constexpr int kLiveShadowMapPx = 2048;   // side
-inline constexpr int kDraftShadowMapPx = 1024;  // the part of it that drafts use
+inline constexpr int kDraftShadowMapPx = 1024;  // part of it used by drafts
 extern const Vec3 kLiveLight;                   // towards it, unit, world
 
 void bind_target(const GlFramebuffer& framebuffer, int width, int height);
 void copy_target(const GlFramebuffer& from, const GlFramebuffer& to, int width, int height,
                  GLbitfield what);
-/// For all that is solid: both sides, nearest first.
+/// State for solid geometry: both sides, nearest first.
 void prepare_to_draw_solids();
-/// For what is laid over it; the picture itself stays opaque.
+/// State for blended geometry; the picture itself stays opaque.
 void blend_over();
 Eigen::Matrix4d world_from_frame(const PictureFrame& frame);
 
-/// What one view draws to.
+/// Render targets of one view.
 struct LiveTargets {
   LiveTargets(int width, int height, int samples);
   int width, height;
@@ -52,26 +52,26 @@ struct LiveTargets {
   GlFramebuffer draw, draw_picture, draw_mask;
 };
 
-/// The objects that stand still, drawn.
+/// Cached picture of the static objects.
 struct LiveStill {
   LiveStill(int width, int height);
   int width, height;
   GlRenderbuffer colour, depth;
   GlFramebuffer draw;
-  std::string key;  // what it shows
+  std::string key;  // identifies its content
   double near_depth = 0, far_depth = 0;
 };
 
 class LiveRenderer {
  public:
-  /// @param many_triangles  scenes of more get drafts in which only what moves is drawn anew.
+  /// @param many_triangles  in larger scenes, drafts redraw only the moving objects.
   explicit LiveRenderer(std::int64_t many_triangles);
 
   Image draw(const LiveScene& scene, const LiveCamera& camera, const LiveOptions& options);
   const LiveView::Work& work() const { return m_work; }
 
  private:
-  struct Kept {  // of a view
+  struct Kept {  // cached per view
     std::optional<LiveTargets> full, draft;
     std::optional<LiveStill> still;
   };
@@ -88,7 +88,7 @@ class LiveRenderer {
     bool seen = true;
     LiveColour tint = {};  // linear
   };
-  struct View {  // the picture that is drawn
+  struct View {  // the picture being drawn
     const LiveScene& scene;
     const LiveCamera& camera;
     const LiveOptions& options;
@@ -98,7 +98,7 @@ class LiveRenderer {
     double near_depth = 0, far_depth = 1;
     Eigen::Matrix4d clip_from_world = {};
 
-    /// How far the camera is from what it looks at, or how much it shows.
+    /// Distance from the camera to its target, or the height it shows.
     double reach() const {
       return camera.height ? *camera.height : (camera.eye - camera.target).norm();
     }
@@ -135,7 +135,7 @@ class LiveRenderer {
   GlBuffer m_overlay_buffer;
   GlTexture m_shadow_map;
   GlFramebuffer m_draw_shadow_map;
-  std::optional<std::string> m_shadow_key;  // whose it holds
+  std::optional<std::string> m_shadow_key;  // of its current content
   Eigen::Matrix4d m_map_from_world = Eigen::Matrix4d::Identity();
   double m_shadow_texel = 0;  // world
   int m_shadow_px = kLiveShadowMapPx;

@@ -1,4 +1,4 @@
-// What a live view draws, as plain values: objects, cameras, colours, and overlays over them.
+// Contents of a live view as plain values: objects, cameras, colours, overlays.
 #pragma once
 
 #include <array>
@@ -16,19 +16,19 @@ namespace trivet {
 using LiveColour = std::array<float, 4>;
 
 struct LiveObject {
-  std::shared_ptr<const Model> model;  // sent to the graphics memory once, while somebody has it
+  std::shared_ptr<const Model> model;  // uploaded once, as long as a user holds it
   Affine world_from_object;
-  LiveColour tint{};      // mixed into its own colour by its alpha
-  float opacity = 1;      // below 1 a ghost: seen through, without shadow
-  bool outlined = false;  // its outline is drawn, through what hides it too
-  bool moving = false;    // in a draft, drawn anew over a kept picture of all that stands still
+  LiveColour tint{};      // mixed into the object's colour by its alpha
+  float opacity = 1;      // below 1, a ghost: see-through, without shadow
+  bool outlined = false;  // outline drawn, also where hidden
+  bool moving = false;    // redrawn in drafts, over a cached picture of the static objects
 };
 
-/// How overlays and objects hide each other.
+/// How objects hide overlays.
 enum class Hidden {
-  Cut,    // drawn where nothing is before it
-  Faint,  // where something is, weakly
-  Shown,  // everywhere alike
+  Cut,    // drawn only where visible
+  Faint,  // drawn faintly where hidden
+  Shown,  // drawn everywhere alike
 };
 
 struct LiveLine {
@@ -57,10 +57,10 @@ struct LiveOverlay {
   std::vector<LiveLine> lines;          // then these
   std::vector<LivePoint> points;
 
-  /// A convex polygon, its corners in order.
+  /// A convex polygon, corners in order.
   void add_polygon(const std::vector<Vec3>& corners, const LiveColour& colour,
                    Hidden hidden = Hidden::Faint);
-  /// The outline of corners in order.
+  /// The outline of these corners in order.
   void add_loop(const std::vector<Vec3>& corners, const LiveColour& colour, float width_px,
                 Hidden hidden = Hidden::Faint);
   /// The twelve edges of a box.
@@ -80,13 +80,13 @@ struct LiveCamera : Camera {
   std::optional<double> height;  // metres from the lower to the upper edge
 };
 
-/// Colours of all that is not an object.
+/// Colours of everything but objects.
 struct LiveTheme {
   LiveColour background_top, background_bottom;
-  LiveColour floor, grid, axis_x, axis_y;  // alpha: how much of it
+  LiveColour floor, grid, axis_x, axis_y;  // alpha: strength
   LiveColour outline;
   float exposure = 1;            // of the objects
-  float shadow_on_floor = 0.5f;  // how much of the floor's light the key light is
+  float shadow_on_floor = 0.5f;  // the key light's share of the light on the floor
 
   static LiveTheme light();
   static LiveTheme dark();
@@ -94,20 +94,21 @@ struct LiveTheme {
 
 struct LiveOptions {
   int width = 640, height = 360;  // pixels, 1 to 16384
-  double pixel_ratio = 1;         // widths of overlays are in pixels of 1 / this
+  double pixel_ratio = 1;         // widths of overlays are in units of 1 / this pixels
   LiveTheme theme = LiveTheme::dark();
   bool shadows = true;
-  bool draft = false;  // something is dragged: be quick. No anti-aliasing, and where the camera and
-                       // all that is not `moving` are those of the last draft, only the rest anew
-  bool coarse = false;  // with `draft`, while the camera moves: in scenes that are too large to be
-                        // drawn quickly, what looks small is drawn as its box
-  int view = 0;         // which of several views this is, for what is kept from draft to draft
+  bool draft = false;   // for drags: fast, without anti-aliasing; if the camera and
+                        // all objects not `moving` equal those of the last draft, only the rest is
+                        // redrawn
+  bool coarse = false;  // with `draft`, while the camera moves: in scenes too large to be
+                        // drawn quickly, small objects are drawn as boxes
+  int view = 0;         // id of the view, for caches from draft to draft
 };
 
-/// Metres that a pixel is wide at a point.
+/// Width of a pixel at a point, in metres.
 double metres_per_pixel(const Vec3& world, const LiveCamera& camera, double height);
 
-/// Moved along its view until it holds the whole box.
+/// Moves the camera along its view until it holds the whole box.
 LiveCamera framed(const LiveCamera& camera, const Aabb& box, double aspect);
 
 }  // namespace trivet

@@ -8,13 +8,13 @@ namespace {
 const char* const kShadow = R"(
 uniform sampler2DShadow shadow_map;
 uniform mat4 map_from_frame;
-uniform vec3 light;  // towards it
+uniform vec3 light;  // towards the light
 uniform float texel;  // of the shadow map, frame
-uniform float map_px, texture_px;  // of its side, a part is used
+uniform float map_px, texture_px;  // sides in texels; a part of the texture is used
 uniform int shadows;  // 0, 1, or 2: with softer edges
 
-// How much of the key light reaches p: a few looks, each blended between four texels, so that edges
-// are soft.
+// Fraction of the key light that reaches p: a few samples, each blended between four texels, so
+// that edges are soft. The point is lifted off its face as in pictures.
 float reaches(vec3 p, vec3 face) {
   if (shadows == 0) return 1.0;
   vec3 q = place_in_map(map_from_frame, light, p, face, texel, vec2(0.4, 1.6), 0.0);
@@ -52,7 +52,7 @@ void main() {
 
 const char* const kObjectFragment = R"(
 uniform samplerBuffer materials;
-uniform vec4 tint;  // linear, alpha: how much
+uniform vec4 tint;  // linear; alpha: strength
 uniform float opacity;
 uniform float exposure;
 uniform vec4 eye;  // w = 0: xyz is the direction to it
@@ -67,7 +67,7 @@ void main() {
   vec2 finish = texelFetch(materials, 2 * int(material_id) + 1).xy;
   base.rgb = mix(base.rgb, tint.rgb, tint.a);
   vec3 to_eye = normalize(eye.xyz - eye.w * at);
-  // Both sides are seen: normals look at the viewer, and the smooth one agrees with the face.
+  // Two-sided shading: normals face the viewer, and the smooth one agrees with the face.
   vec3 face = dot(flat_normal, flat_normal) > 0.0 ? normalize(flat_normal) : to_eye;
   if (dot(face, to_eye) < 0.0) face = -face;
   vec3 n = dot(shading_normal, shading_normal) > 1e-12 ? normalize(shading_normal) : face;
@@ -76,7 +76,7 @@ void main() {
   float key = max(dot(n, light), 0.0);
   if (key > 0.0) key *= reaches(at, face);
   vec3 sky = mix(vec3(0.30, 0.29, 0.28), vec3(0.50, 0.53, 0.57), 0.5 + 0.5 * n.z);
-  // A weak light from the viewer shapes what the key light does not reach.
+  // A weak headlight shapes surfaces in the key light's shadow.
   float head = 0.12 * max(dot(n, to_eye), 0.0);
   vec3 diffuse = base.rgb * (1.0 - 0.8 * finish.y);
   vec3 shine = mix(vec3(0.04), base.rgb, finish.y);
@@ -107,15 +107,15 @@ void main() {
 const char* const kFloorFragment = R"(
 uniform vec3 floor_centre;
 uniform float floor_radius;
-uniform vec2 grid_origin;  // frame: where x = y = 0 is
-uniform float cell;        // frame: the finest cells; ten times coarser ones between them
-uniform float fine;        // how much the finest are seen
+uniform vec2 grid_origin;  // frame: position of x = y = 0
+uniform float cell;        // frame: size of the finest cells; ten times coarser ones in between
+uniform float fine;        // strength of the finest lines
 uniform vec4 floor_colour, grid_colour, axis_x, axis_y;
 uniform float shadow_on_floor;
 in vec3 at;
 layout(location = 0) out vec4 colour;
 
-// How much of a pixel a line of one pixel through every multiple of `size` covers.
+// Coverage of a pixel by lines one pixel wide at every multiple of `size`.
 float lines(vec2 p, float size, vec2 width) {
   vec2 near_line = abs(fract(p / size + 0.5) - 0.5) * size / width;
   vec2 covered = clamp(1.0 - near_line, 0.0, 1.0) * clamp(size / (4.0 * width) - 0.5, 0.0, 1.0);
@@ -174,7 +174,7 @@ void main() {
 const char* const kOverlayVertex = R"(
 layout(location = 0) in vec4 position;  // clip
 layout(location = 1) in vec4 tone;
-layout(location = 2) in vec3 spread;  // px beside the middle, and from there to the edge
+layout(location = 2) in vec3 spread;  // px from the middle, and from there to the edge
 out vec4 overlay_colour;
 noperspective out vec3 beside;
 void main() {

@@ -6,7 +6,7 @@
 namespace trivet {
 namespace {
 
-// Drafts of larger scenes keep what stands still: so many triangles take some 30 ms.
+// Drafts of larger scenes cache the static objects: this many triangles take some 30 ms.
 constexpr std::int64_t kManyOnCpu = 100'000, kManyOnGpu = 5'000'000;
 constexpr int kMaxSide = 16384;  // pixels
 
@@ -16,7 +16,7 @@ void check_size(const LiveOptions& options) {
   throw Error(Error::Kind::BadInput, "a view of " + std::to_string(options.width) + " x " +
                                          std::to_string(options.height) +
                                          " pixels; accepted: 1 to " + std::to_string(kMaxSide) +
-                                         " each way");
+                                         " in each dimension");
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ void check_options(const PictureOptions& options) {
   if (!side_is_good(options.width) || !side_is_good(options.height))
     throw bad_input("a picture of " + std::to_string(options.width) + " x " +
                     std::to_string(options.height) + " pixels; accepted: 1 to " +
-                    std::to_string(kMaxSide) + " each way");
+                    std::to_string(kMaxSide) + " in each dimension");
   if (options.samples < 1 || options.samples > kMaxSamples)
     throw bad_input("a picture of " + std::to_string(options.samples) +
                     " samples; accepted: 1 to " + std::to_string(kMaxSamples));
@@ -31,8 +31,7 @@ void check_poses(const PictureScene& scene) {
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const Affine& pose = scene.objects[i].world_from_object;
     if (!pose.linear.allFinite() || !pose.translation.allFinite())
-      throw bad_input("the pose of object " + std::to_string(i) +
-                      " of the picture has numbers that are not finite");
+      throw bad_input("the pose of object " + std::to_string(i) + " of the picture is not finite");
   }
 }
 

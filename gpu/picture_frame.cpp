@@ -11,8 +11,8 @@ namespace {
 
 constexpr double kAutomaticFovDeg = 26;
 constexpr double kAutomaticElevationDeg = 27;
-constexpr double kAutomaticAzimuthDeg = -62;  // from +x towards +y: front, a little from the right
-constexpr double kMargin = 0.10;              // of the picture stays free at each edge
+constexpr double kAutomaticAzimuthDeg = -62;  // from +x towards +y: in front, slightly right
+constexpr double kMargin = 0.10;  // fraction of the picture that stays free at each edge
 
 const Aabb kUnitCube{Vec3(-0.5, -0.5, 0), Vec3(0.5, 0.5, 1)};
 
@@ -44,7 +44,7 @@ Mat3 view_axes(const Vec3& backward, const Vec3& up_hint) {
   return axes;
 }
 
-/// The four planes of the view pyramid, each pushed out to the furthest point.
+/// The four planes of the view pyramid, each moved out to the furthest point.
 struct PyramidSupport {
   double right = -kInfinity, left = -kInfinity, top = -kInfinity, bottom = -kInfinity;
 
@@ -67,7 +67,7 @@ PictureFrame frame_of_box(const Aabb& world_box) {
   frame.world_box = world_box.empty() ? kUnitCube : world_box;
   frame.centre = frame.world_box.centre();
   const double diagonal = frame.world_box.diagonal();
-  // One point, or so small that its inverse overflows float32: a metre is as good as any size.
+  // A single point, or a box whose inverse overflows float32: use a metre.
   frame.scale = diagonal > 1e-30 ? 1 / diagonal : 1;
   frame.floor_z = -frame.centre.z() * frame.scale;
   const Vec3 half = frame.world_box.half_extent() * frame.scale;
@@ -93,7 +93,7 @@ Camera automatic_camera(const PictureScene& scene, double aspect) {
     for (int i = 0; i < 8; ++i)
       extend(centre +
              box.half_extent().cwiseProduct(Vec3(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1)));
-  // Centred between opposite planes, and as far back as the wider pair asks for.
+  // Centred between opposite planes, and as far back as the wider pair requires.
   const double x = 0.5 * (support.right - support.left);
   const double y = 0.5 * (support.top - support.bottom);
   const double z = std::max(0.5 * (support.right + support.left) / tan_x,
@@ -101,7 +101,7 @@ Camera automatic_camera(const PictureScene& scene, double aspect) {
   const double size = box.diagonal() > 0 ? box.diagonal() : 1;
   Camera camera;
   camera.target = centre + axes * Vec3(x, y, 0);
-  // One point or a line along the view has no extent to frame: stay a size away.
+  // A point or a line along the view has no extent to frame: stay one size away.
   camera.eye = centre + axes * Vec3(x, y, std::max(z, 0.6 * size));
   camera.fov_deg = kAutomaticFovDeg;
   return camera;
@@ -112,11 +112,13 @@ FrameCamera make_frame_camera(const Camera& camera, double aspect, const Picture
     return Error(Error::Kind::BadInput, "the camera " + what);
   };
   if (!camera.eye.allFinite() || !camera.target.allFinite() || !camera.up.allFinite())
-    throw bad("has coordinates that are not finite");
+    throw bad("is not finite");
   if (!(camera.fov_deg >= 1 && camera.fov_deg <= 170))
-    throw bad("opens by " + std::to_string(camera.fov_deg) + " degrees; accepted: 1 to 170");
+    throw bad("has a field of view of " + std::to_string(camera.fov_deg) +
+              " degrees; accepted: 1 to 170");
   const Vec3 backward = camera.eye - camera.target;
-  if (!(backward.norm() > 0)) throw bad("has its eye in its target; accepted: two points");
+  if (!(backward.norm() > 0))
+    throw bad("has its eye at its target; accepted: two different points");
   const Mat3 axes = view_axes(backward.normalized(), camera.up);
   const double tan_y = std::tan(0.5 * radians(camera.fov_deg));
   FrameCamera out;

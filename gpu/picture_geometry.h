@@ -7,19 +7,19 @@
 
 namespace trivet {
 
-/// All objects of a scene, ready to be drawn; a mesh is stored once however many objects share it.
+/// All objects of a scene, ready to draw; shared meshes are stored once.
 class PictureGeometry {
  public:
   /// @throws Error (Environment) for lack of graphics memory.
   PictureGeometry(const PictureScene& scene, const PictureFrame& frame);
 
-  /// Opaque triangles need no fragment shader for a shadow, see-through ones do.
+  /// Opaque triangles cast shadows without a fragment shader, see-through ones need one.
   enum class Part { Opaque, SeeThrough };
 
-  /// Draws that part of all objects with the program in use, which finds position, normal, face
-  /// normal and material at locations 0 to 3, the texture buffers of the materials on unit 0
-  /// and of the corners on unit 1, and its uniforms `frame_from_object`, `frame_from_normal`,
-  /// `highlight`, `seed` and `first_triangle` set.
+  /// Draws that part of all objects with the program in use, which takes position, normal, face
+  /// normal and material at locations 0 to 3, the texture buffers of the materials on unit 0 and of
+  /// the corners on unit 1, and its uniforms `frame_from_object`, `frame_from_normal`, `highlight`,
+  /// `seed` and `first_triangle`.
   void draw(const GlProgram& program, Part part) const;
 
   /// Corners of the objects' boxes, frame: all objects lie in their convex hull.

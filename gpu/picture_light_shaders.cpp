@@ -41,7 +41,7 @@ vec3 srgb_from_linear(vec3 x) {
 const char* const kShadows = R"(
 uniform sampler2DArray shadow_maps;
 uniform float floor_z;
-uniform float floor_extent;  // half the side of the square that the floor light covers
+uniform float floor_extent;  // half the side of the square of floor light
 
 // [0] key, then the sky's, then those from below.
 uniform mat4 map_from_frame[kNumLights];
@@ -58,14 +58,14 @@ float reaches(int i, vec3 p, vec3 face, float rounding) {
   vec2 at = q.xy * map_size[i];
   if (casts[i] == 0.0 || any(lessThan(at, vec2(0.0))) || any(greaterThanEqual(at, vec2(map_size[i]))))
     return 1.0;
-  // What lies beyond all casters is as deep as they can be.
+  // Clamps points beyond all casters to the largest depth.
   return min(q.z, 1.0) <= texelFetch(shadow_maps, ivec3(ivec2(at), i), 0).r ? 1.0 : 0.0;
 }
 
 )";
 
-// How much light the floor gets, of what it would get in the open, in a square around the scene:
-// the ratio of x and y. Coarse: only used for what the floor gives back.
+// Light on the floor relative to that in the open, in a square around the scene: the ratio of x and
+// y. Coarse: used only for light reflected by the floor.
 const char* const kFloorLight = R"(
 layout(location = 0) out vec4 sum;
 uniform float floor_light_px;
@@ -87,19 +87,19 @@ uniform sampler2D floor_light;
 uniform vec4 ndc_from_pixel;  // scale, offset
 uniform vec3 eye, forward, right, up;
 uniform int has_floor;
-uniform vec2 floor_fade;    // radii where it begins and ends
-uniform vec2 sky_radiance;  // as mirrored: at the horizon, at the zenith
+uniform vec2 floor_fade;    // radii at its start and end
+uniform vec2 sky_radiance;  // as reflected: at the horizon, at the zenith
 layout(location = 0) out vec4 sum;
 
 const float kPi = 3.14159265;
 const float kFloorAlbedo = 0.62;
-const float kDimGround = 0.30;       // radiance from below where there is no floor
-const float kFromNeighbours = 0.14;  // of the sky's light that comes back where the sky is hidden
-const float kBelowTolerance = 2e-4;  // objects that much below the floor are in front of it
+const float kDimGround = 0.30;       // radiance from below without a floor
+const float kFromNeighbours = 0.14;  // fraction of the sky's light reflected where the sky is hidden
+const float kBelowTolerance = 2e-4;  // objects up to this far below the floor still hide it
 
 struct Surface {
   vec3 position, normal, face;
-  vec3 lifted;  // where its shadow rays start
+  vec3 lifted;  // start of its shadow rays
   vec3 base;
   float roughness, metallic;
 };
@@ -131,8 +131,7 @@ vec3 highlight_of_key(Surface s, vec3 to_eye) {
   return min(spread * masking, 50.0) * (f0 + (1.0 - f0) * pow(1.0 - lh, 5.0));
 }
 
-// The share of a uniform surrounding that is mirrored. @see [Karis 2014], Physically based shading
-// on mobile
+// Fraction of uniform surroundings that is reflected. @see [Karis 2014]
 vec3 mirrored_share(Surface s, float nv) {
   vec4 r = s.roughness * vec4(-1.0, -0.0275, -0.572, 0.022) + vec4(1.0, 0.0425, 1.04, -0.04);
   float a = min(r.x * r.x, exp2(-9.28 * nv)) * r.x + r.y;
@@ -140,7 +139,7 @@ vec3 mirrored_share(Surface s, float nv) {
   return specular_colour(s) * ab.x + ab.y;
 }
 
-// How much of its full light the floor has where light i comes from.
+// Fraction of its full light on the floor in the direction of light i.
 float floor_brightness(int i, vec3 p) {
   vec3 foot = p - direction[i] * ((p.z - floor_z) / direction[i].z);
   vec2 light = texture(floor_light, foot.xy / floor_extent * 0.5 + 0.5).xy;
@@ -152,7 +151,7 @@ vec3 shade(Surface s, vec3 to_eye, float rounding) {
   float key = max(dot(s.normal, direction[0]), 0.0) * reaches(0, s.lifted, s.face, rounding);
   vec3 result = key * irradiance[0] * (diffuse + highlight_of_key(s, to_eye));
 
-  // The sky: diffuse by each light, mirrored from a smooth gradient and hidden as they are.
+  // Sky: diffuse from each light, specular from a smooth gradient with the same occlusion.
   float seen = 0.0;
   for (int i = 1; i < kFirstFloorLight; ++i) {
     float cosine = max(dot(s.normal, direction[i]), 0.0);
@@ -160,14 +159,14 @@ vec3 shade(Surface s, vec3 to_eye, float rounding) {
     result += cosine * irradiance[i] * diffuse * mix(s.base * kFromNeighbours, vec3(1.0), free);
     seen += cosine * free;
   }
-  float open = 3.0 * 0.25 * (1.0 + s.normal.z) + 0.15;  // what `seen` is without any caster
+  float open = 3.0 * 0.25 * (1.0 + s.normal.z) + 0.15;  // value of `seen` without casters
   float nv = max(dot(s.normal, to_eye), 0.0);
   vec3 mirrored = reflect(-to_eye, s.normal);
   float width = 0.15 + s.roughness;
   float above = smoothstep(-width, width, mirrored.z);
   float sky = mix(sky_radiance.x, sky_radiance.y, max(mirrored.z, 0.0)) * min(seen / open, 1.5);
 
-  // From below.
+  // Floor light from below.
   float ground = 0.0;
   for (int i = kFirstFloorLight; i < kNumLights; ++i) {
     float cosine = max(dot(s.normal, direction[i]), 0.0);
@@ -229,7 +228,7 @@ vec3 linear_from_srgb(vec3 x) {
   return mix(x / 12.92, pow((x + 0.055) / 1.055, vec3(2.4)), greaterThan(x, vec3(0.04045)));
 }
 
-// Half a step of 8 bits up or down, so that smooth shading shows no steps.
+// Adds up to half an 8-bit step either way, to hide banding.
 float dither() {
   uvec2 p = uvec2(gl_FragCoord.xy);
   uint h = (p.x * 1973u + p.y * 9277u + 26699u) | 1u;

@@ -12,8 +12,8 @@ constexpr double kPi = std::numbers::pi;
 constexpr double kKeyElevationDeg = 52;
 constexpr double kKeyTurnDeg = 55;     // to the left of the viewer's back
 constexpr double kKeyRadiusDeg = 5;    // of the disc; wider: softer shadows
-constexpr double kLowestLight = 0.10;  // sine of the elevation; lower lights need huge maps
-constexpr double kSkyHorizon = 0.65;   // radiance at the horizon, of that at the zenith
+constexpr double kLowestLight = 0.10;  // sine of the elevation; lower lights require huge maps
+constexpr double kSkyHorizon = 0.65;   // radiance at the horizon, relative to the zenith
 const Vec3 kKeyColour(1.02, 1.0, 0.96);
 const Vec3 kSkyColour(0.97, 1.0, 1.05);
 
@@ -23,7 +23,7 @@ Vec3 unit_vector(double azimuth, double z) {
   return {r * std::cos(azimuth), r * std::sin(azimuth), z};
 }
 
-/// Evenly in solid angle over the upper hemisphere but for the lowest lights.
+/// Uniform in solid angle over the upper hemisphere, except near the horizon.
 Vec3 hemisphere_direction(int index) {
   const Vec2 u = even_point(index);
   return unit_vector(2 * kPi * u.x(), kLowestLight + (1 - kLowestLight) * u.y());
@@ -33,7 +33,7 @@ constexpr double kHemisphere = 2 * kPi * (1 - kLowestLight);  // its solid angle
 
 double sky_profile(double z) { return kSkyHorizon + (1 - kSkyHorizon) * z; }
 
-/// Behind the viewer, turned to the left; the viewer's own azimuth even when looking straight down.
+/// Behind the viewer, turned left; uses the viewer's azimuth even when looking straight down.
 Vec3 key_direction(const FrameCamera& camera) {
   Vec3 right(camera.right.x(), camera.right.y(), 0);
   if (right.norm() < 1e-9 * camera.right.norm()) right = Vec3::UnitX();
@@ -98,7 +98,7 @@ ShadowMap fit_shadow_map(const Vec3& direction, std::span<const Vec3> hull_point
   Aabb box;
   for (const Vec3& p : hull_points) box.extend(light_from_frame * p);
   if (box.empty()) box.extend(Vec3::Zero());
-  // Two texels of margin: for the jitter, and so that outlines lie inside.
+  // Two texels of margin: for the jitter, and to keep outlines inside.
   const Vec3 half = box.half_extent().cwiseMax(1e-4) * (1 + 4.0 / size_px);
   const Vec3 centre = box.centre();
   ShadowMap map;

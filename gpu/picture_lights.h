@@ -1,4 +1,4 @@
-// Private to gpu: the lights of a picture, a few at a time, and the shadow map of each.
+// Private to gpu: the lights of a picture, a few per view, and their shadow maps.
 #pragma once
 
 #include <array>
@@ -8,29 +8,29 @@
 
 namespace trivet {
 
-inline constexpr double kKeyShare = 0.58;  // of the light that falls on an open floor
+inline constexpr double kKeyShare = 0.58;                     // of the light on an open floor
 inline constexpr int kNumSkyLights = 3, kNumFloorLights = 2;  // per view, beside the key light
 inline constexpr int kLightsPerView = 1 + kNumSkyLights + kNumFloorLights;
 
-/// A far light.
+/// A directional light.
 struct PictureLight {
   Vec3 direction = Vec3::UnitZ();  // towards the light, unit
-  Vec3 irradiance = Vec3::Zero();  // of a surface that faces it, RGB
+  Vec3 irradiance = Vec3::Zero();  // on a surface that faces it, RGB
 };
 
-/// The lights of one sub-pixel view. Averaged over all views they are a soft key light, a sky that
-/// brightens towards the zenith, and the light that the floor gives back. A floor of albedo 1 in
-/// the open has radiance 1 from key and sky together.
+/// The lights of one sub-pixel view. Averaged over all views they form a soft key light, a sky that
+/// brightens towards the zenith, and the light reflected by the floor. A floor of albedo 1 in the
+/// open has radiance 1 from key and sky together.
 class PictureLights {
  public:
-  /// Scaled so that few views are as bright as many.
+  /// Normalised so that the number of views does not affect brightness.
   PictureLights(int num_views, const FrameCamera& camera);
 
   /// [0] key, [1..3] sky, [4..5] from below: their irradiance is for a floor of albedo 1 in the
   /// open.
   std::array<PictureLight, kLightsPerView> of_view(int view) const;
 
-  /// Of the sky at the sine of elevation `z`, without its colour.
+  /// Radiance of the sky at the sine of elevation `z`, without its colour.
   double sky_radiance(double z) const;
 
  private:
@@ -38,8 +38,8 @@ class PictureLights {
   double m_key_scale = 1, m_sky_scale = 1;
 };
 
-/// Orthographic depth image of all casters from a light. Jittered by a part of a texel from view to
-/// view, so that the texels' outlines average out.
+/// Orthographic depth image of all casters from a light. Jittered by a fraction of a texel from
+/// view to view, so that texel outlines average out.
 struct ShadowMap {
   Eigen::Matrix4f clip_from_frame;
   double texel = 0;  // side of a texel, frame

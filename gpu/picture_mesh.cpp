@@ -8,7 +8,7 @@
 namespace trivet {
 namespace {
 
-/// One triangle corner, as the vertex shaders read it, and the fragment shader as two texels.
+/// A triangle corner as read by the vertex shaders, and by the fragment shader as two texels.
 struct Corner {
   float position[3];
   std::int16_t normal[4];       // x 32767; the fourth is padding
@@ -38,7 +38,7 @@ bool is_see_through(const PictureMesh& mesh, std::size_t face) {
          unit_or(mesh.materials[material_of(mesh, face)].base_colour[3], 1) < 1;
 }
 
-/// Appends the faces that are see-through, or those that are not, as far as they are finite.
+/// Appends the finite faces that are see-through, or those that are opaque.
 void append_corners(const PictureMesh& mesh, bool see_through, const Vec3& centre, double scale,
                     const std::vector<std::array<Eigen::Vector3f, 3>>& normals,
                     std::vector<Corner>& out) {

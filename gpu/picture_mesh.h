@@ -8,13 +8,13 @@
 
 namespace trivet {
 
-/// Unit normals per triangle corner, object frame: the file's where they are usable, else the mean
-/// of the faces around the vertex that meet this one at less than the crease angle.
+/// Unit normals per triangle corner, object frame: the file's if usable, else the mean of the faces
+/// around the vertex that meet this one at less than the crease angle.
 /// @return #F x 3.
 std::vector<std::array<Eigen::Vector3f, 3>> picture_normals(const PictureMesh& mesh);
 
-/// Programs that draw it find position, normal, face normal and material at locations 0 to 3, and
-/// two texels of `material_texture` for each material: base colour; roughness and metallic.
+/// Shaders find position, normal, face normal and material at locations 0 to 3, and two texels of
+/// `material_texture` per material: base colour; roughness and metallic.
 struct UploadedMesh {
   GlVertexArray vertex_array;
   GlBuffer corners, materials;
@@ -40,7 +40,7 @@ struct MeshPlacement {
 MeshPlacement place_mesh(const UploadedMesh& mesh, const Affine& world_from_object,
                          const PictureFrame& frame);
 
-/// The corner of a box that bit 0 (x), 1 (y) and 2 (z) of `index` choose: upper where set.
+/// Corner of a box selected by bits 0 (x), 1 (y) and 2 (z) of `index`: upper where set.
 Vec3 box_corner(const Aabb& box, int index);
 
 }  // namespace trivet

@@ -7,12 +7,13 @@ namespace trivet {
 namespace {
 
 const double kCosCrease = std::cos(40.0 / 180 * 3.141592653589793);
-// Comparing all faces around a vertex is quadratic; a hub of more faces keeps their own normals.
+// Comparing all faces around a vertex is quadratic; beyond this valence, faces keep their own
+// normals.
 constexpr std::size_t kMaxFacesAround = 512;
 
 using Corners = std::array<Eigen::Vector3f, 3>;
 
-/// Zero where the triangle has no area or is not finite.
+/// Zero if the triangle has no area or is not finite.
 std::vector<Vec3> face_normals(const PictureMesh& mesh) {
   std::vector<Vec3> normals;
   normals.reserve(mesh.triangles.size());

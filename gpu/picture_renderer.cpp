@@ -21,15 +21,15 @@ void bind_texture(int unit, GLenum target, const GlTexture& texture) {
   glBindTexture(target, texture.id());
 }
 
-/// Pixel centres of a view are moved within the pixel, so that the views together anti-alias.
+/// Moves pixel centres within the pixel from view to view, for anti-aliasing.
 Vec2 jitter_px(int view) { return even_point(view) - Vec2(0.5, 0.5); }
 
-/// About a texel per pixel where the scene fills the picture.
+/// Aims at a texel per pixel when the scene fills the picture.
 int largest_map(const PictureOptions& options) {
   return std::clamp(std::max(options.width, options.height), kMinMap, kMaxMap);
 }
 
-/// Both sides of every triangle, nearest first.
+/// State for both sides of every triangle, nearest first.
 void prepare_to_draw() {
   glDisable(GL_BLEND);
   glDisable(GL_CULL_FACE);
@@ -39,7 +39,7 @@ void prepare_to_draw() {
   glDepthMask(GL_TRUE);
 }
 
-/// Whatever is drawn is added to what is there.
+/// State for additive blending.
 void add_to_target() {
   glDisable(GL_DEPTH_TEST);
   glEnable(GL_BLEND);
@@ -129,7 +129,7 @@ Image PictureRenderer::render() {
     for (int view = 0; view < m_options.samples; ++view) {
       render_view(view, tile);
       if (!m_options.progress) continue;
-      glFinish();  // else the commands only queue up, and the fraction says nothing
+      glFinish();  // otherwise commands only queue up, and the fraction is meaningless
       m_options.progress(++done / num_steps);
     }
     develop(tile, image);
@@ -237,8 +237,8 @@ void PictureRenderer::set_view_uniforms(int view, const PictureTile& tile) {
   glUniform1i(program.uniform("has_floor"), m_has_floor ? 1 : 0);
   glUniform2f(program.uniform("floor_fade"), float(kFadeBegin * floor_radius()),
               float(kFadeEnd * floor_radius()));
-  // The key light is no part of the smooth sky that is mirrored, yet a room would have walls that
-  // it lights: between the sky alone and all light.
+  // The reflected smooth sky excludes the key light, but a real room has walls lit by it: a value
+  // between the sky alone and all light.
   const double mirrored = 0.75 / (1 - kKeyShare);
   glUniform2f(program.uniform("sky_radiance"), float(mirrored * m_lights.sky_radiance(0)),
               float(mirrored * m_lights.sky_radiance(1)));
@@ -295,7 +295,7 @@ void PictureRenderer::develop(const PictureTile& tile, Image& image) {
 Eigen::Matrix4f PictureRenderer::clip_from_frame(const PictureTile& tile,
                                                  const Vec2& jitter) const {
   const Vec3& forward = m_camera.forward;
-  // The picture's ndc, stretched so that the tile fills -1 to 1 and the jitter is in its centre.
+  // The picture's NDC, stretched so that the tile fills -1 to 1 and shifted by the jitter.
   const Vec2 picture(m_options.width, m_options.height), size(tile.width, tile.height);
   const Vec2 scale = picture.cwiseQuotient(size);
   const Vec2 origin = Vec2(tile.x, tile.y) + jitter;

@@ -1,8 +1,8 @@
 // Private to gpu: renders one picture, tile by tile.
 //
-// Many cheap views instead of few clever ones: each sub-pixel view is shaded by six far lights
-// with hard shadows, and the sum over the views is anti-aliased, softly shadowed and ambiently
-// occluded, without the artefacts of screen-space methods.
+// Accumulates many cheap views instead of a few complex ones: each sub-pixel view is shaded by six
+// directional lights with hard shadows, and the sum over the views is anti-aliased, softly shadowed
+// and ambiently occluded, without the artefacts of screen-space methods.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +21,7 @@ struct PicturePrograms {
   GlProgram surface, surface_see_through, shadow, shadow_see_through, floor_light, light, develop;
 };
 
-/// Textures of one tile, shadow maps, the floor's light, and the framebuffers that draw to them.
+/// Textures of one tile, shadow maps, the floor's light, and their framebuffers.
 struct PictureTargets {
   PictureTargets(int width, int height, int map_size);
   GlTexture surfaces, depth, sums, developed, floor_light, maps;
@@ -36,7 +36,7 @@ struct PictureTile {
 
 class PictureRenderer {
  public:
-  /// `options` must outlive it. Needs a current context, as long as it lives.
+  /// `options` must outlive it. Needs a current context throughout its lifetime.
   PictureRenderer(const PictureScene& scene, const Camera& camera, const PictureOptions& options);
 
   Image render();
@@ -47,7 +47,7 @@ class PictureRenderer {
   bool casts_shadows(int light) const {
     return light == 0 ? m_options.shadows : m_options.ambient_occlusion;
   }
-  double floor_radius() const { return std::max(m_frame.radius, 0.05); }  // of a thin post too
+  double floor_radius() const { return std::max(m_frame.radius, 0.05); }  // minimum for thin posts
   void set_map_sizes(int key_px, int other_px);
   void find_depth_range();
   std::vector<PictureTile> tiles() const;
@@ -73,7 +73,7 @@ class PictureRenderer {
   PicturePrograms m_programs;
   PictureGeometry m_geometry;
   PictureTargets m_targets;
-  GlVertexArray m_no_attributes;  // the core profile draws nothing without a vertex array
+  GlVertexArray m_no_attributes;  // the core profile requires a vertex array to draw
   std::array<ShadowMap, kLightsPerView> m_maps;
 };
 

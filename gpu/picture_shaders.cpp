@@ -5,8 +5,8 @@ namespace {
 
 const std::string kSeeThrough = "#define SEE_THROUGH\n";
 
-/// A threshold in [0, 1): evenly spread over the views and over neighbouring pixels, independent
-/// between triangles, so that one behind another shows by the product of what both let through.
+/// Dither threshold in [0, 1): evenly spread over views and neighbouring pixels, independent
+/// between triangles, so that stacked triangles show by the product of their transmissions.
 const char* const kThreshold = R"(
 uniform uint seed;   // of the object
 uniform uint view;   // of the sub-pixel view or of the light
@@ -26,7 +26,7 @@ uint reversed(uint x) {
   return ((x & 0x55555555u) << 1) | ((x >> 1) & 0x55555555u);
 }
 
-// Every bit depends on the bits below it only. @see [Laine, Karras 2011]
+// Every bit depends only on the bits below it. @see [Laine 2011]
 uint mix_upwards(uint x, uint key) {
   x += key;
   x ^= x * 0x6c50b47cu;
@@ -36,7 +36,7 @@ uint mix_upwards(uint x, uint key) {
 }
 
 // The van der Corput sequence, shuffled and scrambled per triangle, and shifted from pixel to pixel
-// so that neighbours make up for each other. @see [Burley 2020], [Jimenez 2014]
+// so that neighbours complement each other. @see [Burley 2020], [Jimenez 2014]
 float threshold() {
   vec2 pixel = vec2(ivec2(gl_FragCoord.xy) + tile);
   float noise = fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715))));
@@ -78,8 +78,8 @@ void main() {
 }
 )";
 
-// G-buffer: x shading normal, y face normal and bulge, z base colour, roughness and metallic,
-// w distance from the eye; 0 where there is nothing.
+// G-buffer: x shading normal, y face normal and bulge, z base colour, roughness and metallic, w
+// distance from the eye; 0 for background.
 const char* const kSurfaceFragment = R"(
 uniform samplerBuffer materials;
 uniform usamplerBuffer corners;
@@ -110,9 +110,9 @@ vec3 stored_normal(uvec2 bits) {
   return vec3(n) / 32767.0;
 }
 
-// How far outside the triangle the smooth surface is that its corners' normals tell of. Shadow rays
-// start there, or a coarse sphere would be shaded smoothly and shadowed by its facets.
-// @see [Hanika 2021], Hacking the shadow terminator
+// Distance by which the smooth surface implied by the corner normals lies outside the triangle.
+// Shadow rays start there; otherwise a coarse sphere would be shaded smoothly and shadowed by its
+// facets. @see [Hanika 2021]
 float bulge(float side) {
   int corner = 6 * (first_triangle + gl_PrimitiveID);
   vec3 lift = vec3(0.0);
@@ -123,7 +123,7 @@ float bulge(float side) {
     lift -= weights[i] * min(below, 0.0) * normal;
   }
   float height = length(mat3(frame_from_object) * lift);
-  // More than that tells of normals bent over a fold, not of a surface: do not follow them.
+  // Larger values indicate normals bent over a fold, not a surface: limit them.
   return height > kMaxBulge ? kMaxBulge * kMaxBulge / height : height;
 }
 
@@ -131,11 +131,11 @@ void main() {
   vec4 base = texelFetch(materials, 2 * int(material_id));
   vec4 finish = texelFetch(materials, 2 * int(material_id) + 1);
 #ifdef SEE_THROUGH
-  // Like glass: more mirrors and less shows through at a slant.
+  // Like glass: at grazing angles, more reflection and less transmission.
   float slant = 1.0 - abs(dot(normalize(from_eye), normalize(shading_normal)));
   if (mix(base.a, 1.0, 0.7 * pow(slant, 4.0)) <= threshold()) discard;
 #endif
-  // Both sides are seen: normals look at the viewer, and the smooth one agrees with the face.
+  // Two-sided shading: normals face the viewer, and the smooth one agrees with the face.
   vec3 face = dot(flat_normal, flat_normal) > 0.0 ? normalize(flat_normal) : normalize(-from_eye);
   if (dot(face, from_eye) > 0.0) face = -face;
   float squared = dot(shading_normal, shading_normal);

@@ -1,9 +1,9 @@
 // Private to gpu: the shaders of pictures, GLSL 3.30.
 //
-// Once: `floor_light` measures how brightly the floor is lit around the objects. Per sub-pixel
-// view: `shadow` draws the depth of all casters from each light, `surface` draws what the camera
-// sees into a G-buffer, `light` shades it, and the floor, and adds that to the sum; `develop` turns
-// the sum into sRGB over the background.
+// Once: `floor_light` measures the light on the floor around the objects. Per sub-pixel view:
+// `shadow` draws the depth of all casters from each light, `surface` draws the camera's view into a
+// G-buffer, `light` shades it, and the floor, and adds the result to the sum; `develop` turns the
+// sum into sRGB over the background.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 namespace trivet::picture_shaders {
 
 inline std::string version() { return "#version 330 core\n"; }
-/// How far a smooth surface may be outside its triangles, frame.
+/// Largest distance of a smooth surface outside its triangles, frame.
 inline std::string max_bulge() { return "const float kMaxBulge = 0.0025;\n"; }
 
 /// What a vertex of an UploadedMesh has, for all that draw one.
@@ -22,7 +22,7 @@ std::string shadow_lookup();
 std::string tone();
 
 std::string surface_vertex();
-/// @param see_through  drops pixels at random by 1 - alpha, so that views average to alpha.
+/// @param see_through  discards pixels at random by 1 - alpha, so that views average to alpha.
 std::string surface_fragment(bool see_through);
 std::string shadow_vertex();
 std::string shadow_fragment(bool see_through);

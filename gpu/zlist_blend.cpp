@@ -15,7 +15,7 @@ using zlist_shaders::Pass;
 using Texel = std::array<float, 4>;
 
 constexpr float kNone = -1e30f;  // as in the shaders
-/// More doubtful pixels than this are too slow to list without compute shaders.
+/// Listing more doubtful pixels than this is too slow without compute shaders.
 constexpr std::size_t kMaxDoubtful = 1 << 15;
 
 bool is_none(float x) { return x < -1e29f; }
@@ -29,7 +29,7 @@ struct GlQueryKind {
   static void destroy(GLuint id) { glDeleteQueries(1, &id); }
 };
 
-/// Puts back what others expect of a fresh context.
+/// Restores the state that other code expects of a fresh context.
 class BlendState {
  public:
   BlendState() {
@@ -79,7 +79,7 @@ class BlendRaster : public ZListRaster {
   std::size_t m_max_entries;
   GlTexture m_moving, m_nearest, m_nothing;
   GlFramebuffer m_moving_target, m_nearest_target;
-  GlFramebuffer m_no_target;  // complete, so that one may draw though nothing is drawn
+  GlFramebuffer m_no_target;  // complete, so that draw calls are legal, though they write no pixels
   GlBuffer m_records, m_doubtful;
   GlTexture m_doubtful_texture;
   GlHandle<GlQueryKind> m_generated;
@@ -170,7 +170,7 @@ std::vector<Texel> BlendRaster::read(const ZListView& view, const GlFramebuffer&
   return texels;
 }
 
-// x y of each, row by row; sets the bounds.
+// x y of each, row by row; also sets the bounds.
 std::vector<std::uint16_t> BlendRaster::find_doubtful(const ZListView& view, ZLists& lists) {
   const std::vector<Texel> moving = read(view, m_moving_target, lists);
   const std::vector<Texel> nearest = read(view, m_nearest_target, lists);
@@ -198,7 +198,7 @@ void BlendRaster::send_doubtful(const std::vector<std::uint16_t>& pixels) {
   glBufferSubData(GL_TEXTURE_BUFFER, 0, static_cast<GLsizeiptr>(pixels.size() * 2), pixels.data());
 }
 
-// Writes the records; returns how many there would be.
+// Writes the records; returns the number that would be needed.
 GLuint BlendRaster::draw_lists(const ZListView& view, Pass pass, int pixels_per_run,
                                const ZLists& lists) {
   const GlProgram& p = program(view.kind, pass);
@@ -227,7 +227,7 @@ GLuint BlendRaster::draw_lists(const ZListView& view, Pass pass, int pixels_per_
   return num_records;
 }
 
-// Adds the entries of a pass; false if a run had too many, or all have.
+// Adds the entries of a pass; false if one run, or all together, had too many.
 bool BlendRaster::list(const ZListView& view, Pass pass, int pixels_per_run, ZLists& lists) {
   const GLuint num_records = draw_lists(view, pass, pixels_per_run, lists);
   if (num_records > m_max_entries) return false;

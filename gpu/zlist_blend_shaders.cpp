@@ -19,7 +19,7 @@ void main() {
 }
 )";
 
-// Edges of the quad lie between pixels, so that no rounding of the rasteriser matters.
+// Edges of the quad lie between pixels, so that rounding in the rasteriser is harmless.
 const char* const kQuadGeometry = R"(
 layout(triangles) in;
 layout(triangle_strip, max_vertices = 4) out;
@@ -43,8 +43,8 @@ void main() {
 }
 )";
 
-// Maxima are blended, so minima are negative. Moving: front, -rear, sample. Fixed: -nearest, -bound
-// of the time. kNone: nothing here.
+// Blends maxima, so minima are negated. Moving: front, -rear, sample. Fixed: -nearest, -bound of
+// the time. kNone: empty.
 const char* const kFragment = R"(
 flat in vec3 corner_a, corner_b, corner_c;
 uniform sampler2D moving;
@@ -83,8 +83,8 @@ void main() {
 }
 )";
 
-// The doubtful pixels are given row by row. A run with more entries than may be written ends with
-// one whose pixel is kTooMany.
+// The doubtful pixels come row by row. A run that exceeds its entry limit ends with an entry whose
+// pixel is kTooMany.
 const char* const kListGeometry = R"(
 layout(triangles) in;
 layout(points, max_vertices = MAX_RECORDS) out;

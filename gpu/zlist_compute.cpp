@@ -51,13 +51,13 @@ void read(const GlBuffer& buffer, std::vector<T>& data) {
                      data.data());
 }
 
-/// All instances of a mesh, one after the other in the buffer of instances.
+/// All instances of a mesh, contiguous in the instance buffer.
 struct Job {
   const GpuMesh* mesh = nullptr;
   GLuint first_instance = 0, num_instances = 0;
 };
 
-/// What a batch sends: jobs of the moving and of the fixed bodies, instances, layers.
+/// Data sent for a batch: jobs of the moving and of the fixed bodies, instances, layers.
 struct Batch {
   std::vector<Job> moving, fixed;
   std::vector<glsl::Instance> instances;

@@ -4,7 +4,7 @@
 namespace trivet::zlist_shaders {
 namespace {
 
-// Floats as integers in the same order, for atomic minimum and maximum.
+// Maps floats to integers in the same order, for atomic minimum and maximum.
 const char* const kOrdered = R"(
 uint ordered(float x) {
   uint bits = floatBitsToUint(x);

@@ -12,19 +12,19 @@
 namespace trivet {
 namespace {
 
-/// What is tried when the lists do not fit: pixels larger or smaller by this factor.
+/// Factor by which pixels are enlarged or shrunk for a retry when the lists do not fit.
 constexpr int kOtherPixels = 4;
 constexpr int kLeastResolution = 16, kLargestResolution = 1024;
 constexpr int kResolutionOfHardware = 128;
 constexpr int kLeastEntries = 1 << 14;
-constexpr int kMostEntries = 1 << 20;  // 16 MiB: all drivers have storage buffers of that size
-/// Errors of OpenGL in a row after which it is left alone.
+constexpr int kMostEntries = 1 << 20;  // 16 MiB: supported by all drivers for storage buffers
+/// Consecutive OpenGL errors after which the GPU is no longer used.
 constexpr int kMostErrors = 3;
 
-/// Of graphics memory that meshes must have at least.
+/// Least graphics memory reserved for meshes.
 constexpr std::size_t kLeastMeshBytes = 8 << 10;
 
-/// A query, and where its lists are drawn.
+/// A query, and the view for its lists.
 struct Ask {
   const FirstContactQuery* query;
   double horizon;
@@ -39,7 +39,7 @@ enum class Trouble { None, Meshes, Entries, Pairs };
 
 struct Answer {
   Trouble trouble = Trouble::None;
-  Proposal proposal;  // if there is no trouble
+  Proposal proposal;  // valid if there is no trouble
 };
 
 const char* to_string(Trouble trouble) {
@@ -49,7 +49,7 @@ const char* to_string(Trouble trouble) {
     case Trouble::Entries:
       return "the lists of doubtful pixels do not fit into the graphics memory";
     default:
-      return "too many pairs of faces may be first";
+      return "too many candidate pairs of faces";
   }
 }
 
@@ -57,7 +57,7 @@ int largest_resolution(const GpuZListOptions& options) {
   return options.resolution ? options.resolution : kResolutionOfHardware;
 }
 
-/// All that lives in one context.
+/// All objects that live in one context.
 class GpuLists {
  public:
   explicit GpuLists(const GpuZListOptions& options);
@@ -65,7 +65,7 @@ class GpuLists {
   GpuLists(const GpuLists&) = delete;
   GpuLists& operator=(const GpuLists&) = delete;
 
-  /// Of queries with one kind of motion, that there is room for.
+  /// Answers queries with one kind of motion, within the available memory.
   std::vector<Answer> propose(std::span<const Ask> asks);
   bool has_room(std::size_t num_asks, std::size_t largest) const {
     return m_raster->has_room(num_asks, largest);
@@ -93,7 +93,7 @@ GpuLists::GpuLists(const GpuZListOptions& options)
     throw Error(Error::Kind::Environment,
                 "z-lists of " + std::to_string(largest_resolution(options)) + " pixels need " +
                     std::to_string(needed >> 10) + " KiB of graphics memory, more than the " +
-                    std::to_string(options.memory_bytes >> 10) + " KiB that are allowed");
+                    std::to_string(options.memory_bytes >> 10) + " KiB allowed");
   }
   GLint64 max_buffer_bytes = std::numeric_limits<GLint64>::max();
   if (computes) glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &max_buffer_bytes);
@@ -106,7 +106,7 @@ GpuLists::~GpuLists() {
     const EglContext::Current current(m_context);
     m_meshes.reset();
     m_raster.reset();
-  } catch (const Error&) {  // the context is lost, and all objects with it
+  } catch (const Error&) {  // the context is lost, with all its objects
     const EglContext::None none;
     m_meshes.reset();
     m_raster.reset();
@@ -131,7 +131,7 @@ Answer answer_of(const Ask& ask, const ZListView& view, bool bounds_alone, ZList
   Answer out;
   Proposal& p = out.proposal;
   if (bounds_alone)
-    p.why = "bounds alone were asked for";
+    p.why = "only bounds were requested";
   else if (!make_pairs(view, lists, ask.frame, p.pairs))
     return {Trouble::Pairs, {}};
   p.usable = !bounds_alone;
@@ -184,11 +184,11 @@ class GpuZListStage : public ZListStage {
   GpuZListOptions m_options;
   std::unique_ptr<GpuLists> m_lists;  // null after an error
   bool m_is_software;
-  int m_num_errors = 0;  // since something last worked
+  int m_num_errors = 0;  // since the last success
   std::string m_device, m_last_error;
 };
 
-// A lost context is made again, and asked again.
+// Recreates a lost context and retries.
 std::optional<std::vector<Answer>> GpuZListStage::try_asking(std::span<const Ask> asks) {
   while (m_num_errors < kMostErrors) {
     try {
@@ -210,7 +210,7 @@ int GpuZListStage::resolution_of(const FirstContactQuery& query) const {
   return largest_resolution(m_options);
 }
 
-// Larger pixels have fewer entries, smaller ones fewer pairs. 0: nothing helps.
+// Larger pixels have fewer entries, smaller ones fewer pairs. 0: no resolution helps.
 int GpuZListStage::other_resolution(Trouble trouble, int resolution) const {
   if (trouble == Trouble::Entries) return std::max(1, resolution / kOtherPixels);
   const int finer = resolution * kOtherPixels;
@@ -232,7 +232,7 @@ Proposal GpuZListStage::propose(const FirstContactQuery& query, double horizon) 
   return gives_up(to_string(trouble));
 }
 
-// Empties `asks`. Who has trouble, perhaps that of another, is asked alone.
+// Empties `asks`. Queries in trouble, perhaps because of another one, are retried alone.
 void GpuZListStage::ask_together(std::vector<Ask>& asks, std::span<const FirstContactQuery> queries,
                                  std::vector<Proposal>& out) {
   if (asks.empty()) return;
@@ -279,7 +279,7 @@ void check_range(const char* what, int value, int least, int largest) {
   if (value < least || value > largest)
     throw Error(Error::Kind::BadInput,
                 std::string("the ") + what + " of z-lists is " + std::to_string(value) +
-                    "; it can be " + std::to_string(least) + " to " + std::to_string(largest));
+                    "; accepted: " + std::to_string(least) + " to " + std::to_string(largest));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Private to gpu: meshes that stay in graphics memory between queries.
+// Private to gpu: cache of meshes in graphics memory.
 #pragma once
 
 #include <cstdint>
@@ -17,17 +17,17 @@ struct GpuMesh {
   std::size_t bytes = 0;
 };
 
-/// Meshes by the identity of their shapes; the ones that were not used for longest go first. Shapes
-/// without identity are sent every time. Needs a current context.
+/// Meshes by the identity of their shapes; the least recently used go first. Shapes without
+/// identity are uploaded every time. Needs a current context.
 class ZListMeshCache {
  public:
   /// @param max_buffer_bytes  of the vertices, or of the faces, of one mesh.
   ZListMeshCache(std::size_t max_bytes, std::size_t max_buffer_bytes)
       : m_max_bytes(max_bytes), m_max_buffer_bytes(max_buffer_bytes) {}
 
-  /// What is used from now on stays until the next call.
+  /// Meshes used from now on stay until the next call.
   void begin_query() { ++m_query; }
-  /// @return null when the meshes of this query alone do not fit, or this one does not.
+  /// @return null if the meshes of this query together, or this one, do not fit.
   /// @throws Error (Environment) when OpenGL fails.
   const GpuMesh* get(const Shape& shape);
   std::size_t num_bytes() const { return m_bytes; }
@@ -43,7 +43,7 @@ class ZListMeshCache {
   std::map<std::uint64_t, Slot> m_meshes;  // by Shape::id
   std::size_t m_max_bytes, m_max_buffer_bytes, m_bytes = 0;
   std::uint64_t m_query = 0;
-  std::uint64_t m_next_unnamed = ~std::uint64_t{0};  // downwards; for shapes without identity
+  std::uint64_t m_next_unnamed = ~std::uint64_t{0};  // counts down; for shapes without identity
 };
 
 }  // namespace trivet

@@ -3,26 +3,26 @@
 namespace trivet::zlist_shaders {
 namespace {
 
-// What a face and its view are: uniforms, or set for each face.
+// Parameters of a face and its view: uniforms, or set for each face.
 const char* const kInputs = R"(
 QUALIFIER vec4 rows[3];        // pixels from object
-QUALIFIER float blur;          // how far a true point may be from where it is computed, pixels
-QUALIFIER float depth_blur;    // the same along a straight motion
+QUALIFIER float blur;          // largest distance of a true point from its computed place, pixels
+QUALIFIER float depth_blur;    // the same along a translation
 QUALIFIER uint first_face;     // number of the body's first face in the query
 QUALIFIER ivec2 size;          // of the image
 QUALIFIER float first_radius;  // of the image of a turn, pixels
-QUALIFIER float sample_error;  // samples less certain than this are not taken
+QUALIFIER float sample_error;  // less certain samples are rejected
 QUALIFIER float period;        // of depth: a whole turn, or 0
-QUALIFIER float first_depth;   // angles are counted from there
+QUALIFIER float first_depth;   // origin of angles
 )";
 
-// Each error bound counts roundings of at most kRound, relative; the factors leave a reserve.
+// Each error bound counts roundings of at most kRound, relative; the factors leave a margin.
 const char* const kCommon = R"(
-const float kRound = 1.2e-7;     // twice what float32 promises: drivers may be a little worse
-const float kFlattest = 64.0;    // squared extent over area of faces whose plane is of use
+const float kRound = 1.2e-7;     // twice the guarantee of float32: drivers may be slightly worse
+const float kFlattest = 64.0;    // squared extent over area up to which a face's plane is used
 
-// What a face shows in a pixel: intervals of depth that hold all of it, and samples: intervals that
-// hold the depth of one of its points, on the line through the pixel's centre.
+// Depths of a face in a pixel: intervals that contain all of them, and samples: intervals that
+// contain the depth of one of its points, on the line through the pixel's centre.
 struct Cell {
   int num_spans, num_samples;
   vec2 span[2], sample_at[2];
@@ -42,15 +42,14 @@ ivec4 pixels(vec2 low, vec2 high) {
 
 bool is_empty(ivec4 box) { return box.x > box.z || box.y > box.w; }
 
-// What must be added to the depths of a fixed face so that they are the next ones that do not lie
-// wholly behind `rear`.
+// Offset to a fixed face's depths that makes them the next ones not wholly behind `rear`.
 float next_turn(float high, float rear) {
   return period > 0.0 ? period * ceil((rear - high) / period - 1e-6) : 0.0;
 }
 
 bool is_behind(float high, float rear) { return period == 0.0 && high < rear; }
 
-float below(float gap) { return gap - 2e-6 * abs(gap); }  // less its rounding
+float below(float gap) { return gap - 2e-6 * abs(gap); }  // reduced by its rounding error
 
 // A time by which two samples have met; false if they do not meet.
 bool meet(vec2 fixed_sample, float moving_low, out float time) {
@@ -61,7 +60,7 @@ bool meet(vec2 fixed_sample, float moving_low, out float time) {
   return fixed_sample.x + shift >= passed;
 }
 
-// Whether the line through an edge keeps the face from the rectangle about `centre`.
+// Whether the line through an edge separates the face from the rectangle about `centre`.
 bool keeps_apart(vec2 p, vec2 q, vec2 third, vec2 centre, vec2 half_size) {
   vec2 e = q - p, d = centre - p, o = third - p;
   float at_centre = e.x * d.y - e.y * d.x, at_third = e.x * o.y - e.y * o.x;
@@ -110,7 +109,7 @@ Face make_face(vec3 a, vec3 b, vec3 c) {
   return f;
 }
 
-// Whether a point is inside an edge, by `margin`.
+// Whether a point is inside an edge by `margin`.
 bool surely_inside(vec2 p, vec2 q, vec2 third, vec2 at, float margin) {
   vec2 e = q - p, d = at - p, o = third - p;
   float side = (e.x * d.y - e.y * d.x) * (e.x * o.y - e.y * o.x < 0.0 ? -1.0 : 1.0);

@@ -8,8 +8,8 @@
 namespace trivet {
 namespace {
 
-/// Pairs that may be looked at; beyond, box trees are faster. They are counted before any is
-/// written: the lists of a large flat contact have hundreds of millions.
+/// Candidate pair limit; beyond, BVHs are faster. Pairs are counted before any is written: the
+/// lists of a large flat contact have hundreds of millions.
 constexpr std::size_t kMaxPairs = 1 << 21;
 
 struct Pair {
@@ -31,15 +31,15 @@ void merge(std::vector<Pair>& pairs) {
 
 using Entries = std::span<const ZListEntry>;
 
-// How far a moving interval may go before it meets a fixed one; negative if they overlap, infinity
-// if the fixed one is behind.
+// Travel of a moving interval until it meets a fixed one; negative if they overlap, infinity if the
+// fixed one is behind.
 double gap_between(const ZListEntry& a, const ZListEntry& b, double period) {
   const double rear = a.low, front = a.high;
   if (period == 0) return b.high < rear ? kInfinity : b.low - front;
   return b.low + period * std::ceil((rear - b.high) / period - 1e-6) - front;
 }
 
-/// How many of them add_pairs() looks at.
+/// Number of pairs that add_pairs() visits.
 std::size_t num_pairs(Entries moving, Entries fixed, const ZListView& view, double upper) {
   if (view.period != 0) return moving.size() * fixed.size();
   std::size_t out = 0;
@@ -51,7 +51,7 @@ std::size_t num_pairs(Entries moving, Entries fixed, const ZListView& view, doub
   return out;
 }
 
-/// One pixel: moving entries, and fixed ones by their nearest depth.
+/// Processes one pixel: moving entries, and fixed ones by their nearest depth.
 void add_pairs(Entries moving, Entries fixed, const ZListView& view, double upper,
                std::vector<Pair>& pairs) {
   for (const ZListEntry& a : moving)
@@ -80,7 +80,7 @@ std::vector<Pixel> pixels_of(Entries all, std::uint32_t first_fixed) {
   return out;
 }
 
-/// The body that a face belongs to, and its number there.
+/// Maps a face of the view to its body, and to its number there.
 class FaceNames {
  public:
   explicit FaceNames(const std::vector<ZListBody>& bodies) : m_bodies(bodies) {}

@@ -6,10 +6,10 @@
 
 namespace trivet {
 
-/// The pairs of a moving and a fixed face that may meet by lists.upper in one pixel, each once,
-/// with the smallest of their bounds as a time, sorted as in Proposal.
-/// @param lists  its entries are sorted.
-/// @return false when there are too many pairs: flat contacts in coarse pixels.
+/// Candidate pairs of a moving and a fixed face that may meet by lists.upper in one pixel, each
+/// once, with the smallest of their bounds as a time, sorted as in Proposal.
+/// @param lists  with sorted entries.
+/// @return false if there are too many pairs: flat contacts in coarse pixels.
 bool make_pairs(const ZListView& view, ZLists& lists, const ZListFrame& frame,
                 std::vector<FacePair>& pairs);
 

@@ -1,8 +1,8 @@
-// Private to gpu: the shaders of z-lists. README.md derives what they compute.
+// Private to gpu: the shaders of z-lists. README.md derives them.
 //
-// A shader is put together from a version line, a model (how a face looks along a straight or along
-// a turning motion) and a program that asks the model which pixels a face covers at which depths.
-// All lengths are in pixels, also along a straight motion; along a turn, depth is the angle.
+// A shader consists of a version line, a model (how a face appears along a translation or a
+// rotation) and a program that asks the model for the pixels of a face and its depths there. All
+// lengths are in pixels, also along a translation; along a rotation, depth is the angle.
 #pragma once
 
 #include <cstdint>
@@ -12,16 +12,16 @@
 
 namespace trivet::zlist_shaders {
 
-/// What a pass does with what it sees in a pixel.
+/// Action of a pass on the faces in a pixel.
 enum class Pass {
-  Moving,       // gathers how far the moving faces reach
-  Fixed,        // how near the fixed faces come, and by when something surely touches
-  MovingLists,  // writes down the faces in doubtful pixels
+  Moving,       // gathers the extent of the moving faces
+  Fixed,        // gathers the nearest fixed faces, and an upper bound of the contact
+  MovingLists,  // records the faces in doubtful pixels
   FixedLists,
 };
 
-/// GLSL without version: what the model needs to know, and `Cell look(Face, ivec2 pixel)`.
-/// @param qualifier  "uniform", or nothing for variables.
+/// GLSL without version: the model's parameters, and `Cell look(Face, ivec2 pixel)`.
+/// @param qualifier  "uniform", or empty for variables.
 std::string inputs(const char* qualifier);
 std::string model(Motion::Kind kind);
 std::string rotation_model();  // a part of it
@@ -30,12 +30,12 @@ std::string rotation_model();  // a part of it
 std::string compute(Motion::Kind kind, Pass pass);
 std::string reduction();  // bounds, doubtful pixels
 
-/// OpenGL 3.3. One quad per face, over the pixels that it may cover.
+/// OpenGL 3.3. One quad per face, over the pixels it may cover.
 std::string face_vertex(Motion::Kind kind);
 std::string quad_geometry(Motion::Kind kind);
 std::string depth_fragment(Motion::Kind kind, Pass pass);
-/// A point for each list entry, for transform feedback of `record`. A run of it looks at some
-/// doubtful pixels; one that has more entries than it may write ends with pixel kTooMany.
+/// Emits a point for each list entry, for transform feedback of `record`. A run processes some
+/// doubtful pixels; if it exceeds its entry limit, it ends with pixel kTooMany.
 std::string list_geometry(Motion::Kind kind, Pass pass);
 
 inline constexpr int kRecordsPerRun = 128;

@@ -3,8 +3,8 @@
 namespace trivet::zlist_shaders {
 namespace {
 
-// Drivers' own functions may be off by 1e-4; these by 2e-7.
-// @see [Abramowitz, Stegun 1964] 4.4.46, 4.4.49
+// Drivers' built-in functions may be off by 1e-4; these by 2e-7.
+// @see [Abramowitz 1964] 4.4.46, 4.4.49
 const char* const kAngles = R"(
 const float kHalfTurn = 3.14159265, kTurn = 6.28318531;
 const float kAngleError = 6e-6;
@@ -65,16 +65,16 @@ struct Face {
   ivec4 box;
   vec3 corner_radii;
   vec2 radii, heights;  // lowest and highest
-  vec2 arc;             // angles that hold the face; a whole turn or at most 3
-  float bulge;          // how far the image may be on the inner side of the straight one
+  vec2 arc;             // angles that contain the face; a whole turn or at most 3
+  float bulge;          // largest inward offset of the image from the straight one
   vec3 normal;          // unit
   float normal_angle;   // of its part across the axis,
   float across;         // and how long that part is
   float level;          // normal . point
-  float level_error;    // of a point of the face; negative: the plane is of no use
+  float level_error;    // of a point of the face; negative: the plane is not used
 };
 
-// How near an edge comes to the axis.
+// Distance of an edge from the axis.
 float edge_radius(vec2 p, vec2 q) {
   vec2 e = q - p;
   float squared = dot(e, e);
@@ -131,14 +131,14 @@ Face make_face(vec3 a, vec3 b, vec3 c) {
 }
 )";
 
-// A ring of rectangular section about the axis, as far as it may hold points of a face.
+// A ring of rectangular section about the axis that bounds points of a face.
 const char* const kRing = R"(
 struct Ring {
   vec2 radii, heights;
 };
 
-// How far along the normal the points of the face's plane are from the axis, in the ring; over the
-// length of the normal across the axis.
+// Distance from the axis along the normal to the plane's points in the ring, over the length of the
+// normal across the axis.
 vec2 reach_of_plane(Face f, Ring ring) {
   vec2 levels = (vec2(f.level) - f.normal.z * ring.heights) / f.across;
   return vec2(min(levels.x, levels.y), max(levels.x, levels.y)) +
@@ -162,12 +162,12 @@ vec2 cosines(Face f, Ring ring) {
 // The common part of an arc and the face's; empty if the first is larger than the second.
 vec2 common_arc(vec2 arc, vec2 own) {
   if (is_turn(own)) return arc;
-  if (arc.y - arc.x > 3.2) return own;  // else they have one part in common at most
+  if (arc.y - arc.x > 3.2) return own;  // otherwise they have at most one part in common
   arc += kTurn * ceil((own.x - arc.y - kAngleError) / kTurn);
   return vec2(max(arc.x, own.x - kAngleError), min(arc.y, own.y + kAngleError));
 }
 
-// Whether the line through an edge keeps the face from a ball.
+// Whether the line through an edge separates the face from a ball.
 bool edge_excludes(Face f, vec3 p, vec3 q, vec3 centre, float radius) {
   vec3 e = q - p;
   vec3 inward = cross(f.normal, e) / max(length(e), 1e-30);
@@ -189,7 +189,7 @@ bool image_excludes(Face f, Ring ring) {
                 1.00001 * (0.5 * (high - low) + rounding));
 }
 
-// A ball that holds the part of the ring in an arc, against the face's edges.
+// Tests a ball around the part of the ring in an arc against the face's edges.
 bool arc_excludes(Face f, Ring ring, vec2 arc) {
   float middle = 0.5 * (ring.radii.x + ring.radii.y), turn = 0.5 * (arc.y - arc.x) + kAngleError;
   vec3 centre = vec3(middle * direction_at(0.5 * (arc.x + arc.y)),
@@ -201,7 +201,7 @@ bool arc_excludes(Face f, Ring ring, vec2 arc) {
 )";
 
 const char* const kLook = R"(
-// By whole turns, so that it begins in the first one.
+// Shifted by whole turns so that it begins in the first one.
 vec2 normalised(vec2 span) { return span - kTurn * floor((span.x - first_depth) / kTurn); }
 
 void add_span(inout Cell cell, vec2 arc, float wide) {

@@ -8,14 +8,14 @@ namespace trivet {
 namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
-/// Of a float32; twice what rounding to nearest gives.
+/// Rounding of a float32; twice that of rounding to nearest.
 constexpr double kRounding = 1.2e-7;
-/// Samples that are less certain than this are not taken, pixels. Larger: pairs near contact have
-/// no upper bound; smaller: steep faces have none.
+/// Less certain samples are rejected, pixels. Larger: pairs near contact get no upper bound;
+/// smaller: steep faces get none.
 constexpr double kSampleError = 1e-3;
 
-// How far places may be from where they are computed, per coordinate, in pixels: vertices, the
-// matrix, three products and their sum are rounded, and differences of places later on.
+// Largest distance of true positions from computed ones, per coordinate, in pixels: vertices, the
+// matrix, three products and their sum are rounded, and later differences of positions.
 Vec3 place_error(const Affine& pixels, const Vec3& half_extent) {
   return kRounding *
          (8 * pixels.linear.cwiseAbs() * half_extent + 6 * pixels.translation.cwiseAbs());
@@ -40,7 +40,7 @@ ZListBody make_body(const Body& body, const ZListFrame& frame, double growth) {
 
 float blur_of(const ZListBody& body) { return std::max(body.blur, body.depth_blur); }
 
-// The fixed body that is seen best sets it: others, farther and larger, give no samples.
+// Set by the fixed body with the best resolution: farther, larger ones give no samples.
 float sample_error(const ZListView& view, const ZListFrame& frame) {
   const auto less = [](const ZListBody& a, const ZListBody& b) { return blur_of(a) < blur_of(b); };
   const float moving = blur_of(*std::max_element(view.moving.begin(), view.moving.end(), less));

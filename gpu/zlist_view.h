@@ -1,4 +1,4 @@
-// Private to gpu: the frame of a query in the shaders' terms.
+// Private to gpu: converts the frame of a query for the shaders.
 #pragma once
 
 #include "core/contact/zlist_frame.h"
@@ -6,8 +6,8 @@
 
 namespace trivet {
 
-/// Sends the meshes that are not in graphics memory yet.
-/// @return a view without fixed bodies when the meshes do not fit.
+/// Uploads the meshes that are not in graphics memory yet.
+/// @return a view without fixed bodies if the meshes do not fit.
 ZListView make_view(const FirstContactQuery& query, const ZListFrame& frame,
                     ZListMeshCache& meshes);
 

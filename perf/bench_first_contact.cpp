@@ -46,7 +46,7 @@ void turn(benchmark::State& state) { first_contact_of(state, Motion::Kind::Rotat
 BENCHMARK(drop)->Arg(10'000)->Arg(100'000)->Arg(1'000'000)->Unit(benchmark::kMillisecond);
 BENCHMARK(turn)->Arg(10'000)->Arg(100'000)->Arg(1'000'000)->Unit(benchmark::kMillisecond);
 
-// Triangles of size 1 that move at each other over a distance of about 3.
+// Triangles of size 1 that move towards each other over a distance of about 3.
 void triangle_pair(benchmark::State& state, bool rotation) {
   struct Pair {
     Triangle a, b;
@@ -69,7 +69,7 @@ void triangle_pair(benchmark::State& state, bool rotation) {
 BENCHMARK_CAPTURE(triangle_pair, drop, false);
 BENCHMARK_CAPTURE(triangle_pair, turn, true);
 
-// Where the drops end: within the contact tolerance.
+// Poses at the end of the drops: within the contact tolerance.
 void contact_points_of(benchmark::State& state) {
   struct Touching {
     Body moving, fixed;

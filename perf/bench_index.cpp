@@ -1,4 +1,4 @@
-// What is computed once per mesh, with Google Benchmark.
+// Per-mesh precomputation, with Google Benchmark.
 #include <benchmark/benchmark.h>
 
 #include "perf/sweeps.h"
@@ -28,7 +28,7 @@ void shape(benchmark::State& state) {
   count_triangles(state);
 }
 
-// Embree builds on all cores: what counts is the time on the wall.
+// Embree builds on all cores, so wall time is measured.
 #define TRIVET_SIZES \
   Arg(10'000)->Arg(100'000)->Arg(1'000'000)->Unit(benchmark::kMillisecond)->UseRealTime()
 BENCHMARK(build_bvh)->TRIVET_SIZES;

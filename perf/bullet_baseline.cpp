@@ -36,7 +36,7 @@ std::unique_ptr<btTriangleMesh> triangles_of(const Mesh& mesh) {
   return out;
 }
 
-// The moving shape, with what it is made of.
+// The moving shape with its component shapes.
 class MovingShape {
  public:
   MovingShape(const SettleTask& task, Form form) {
@@ -68,7 +68,7 @@ class MovingShape {
   std::unique_ptr<btCollisionShape> m_shape;
 };
 
-// Everything between two steps; made anew for each run, so that none depends on another.
+// State between two steps; created anew for each run, so that runs are independent.
 class World {
  public:
   World(const SimulationRules& rules, btCollisionShape* fixed, btCollisionShape* floor,

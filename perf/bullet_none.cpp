@@ -1,4 +1,4 @@
-// Stands for Bullet where it is not installed.
+// Stub for builds without Bullet.
 #include "perf/settling.h"
 
 namespace trivet::perf {

@@ -31,8 +31,8 @@ fcl::Transform3d transform_of(const Pose& pose) {
   return out;
 }
 
-// InterpMotion turns evenly; its reference point, on the axis, stays. (Its other constructor with a
-// reference point forgets to compute the velocity.)
+// InterpMotion turns at constant speed; its reference point, on the axis, is fixed. (Its other
+// constructor with a reference point forgets to compute the velocity.)
 FclMotion moving_motion(const Sweep& sweep) {
   const fcl::Transform3d from = transform_of(sweep.pose_moving);
   const fcl::Transform3d to =
@@ -70,13 +70,13 @@ class FclSpheres : public FclPair {
     const FclMotion moving = moving_motion(sweep);
     const fcl::Transform3d place = transform_of(sweep.pose_fixed);
     const fcl::TranslationMotiond fixed(place, place);
-    moving->integrate(0);  // else a translation starts from the identity
+    moving->integrate(0);  // otherwise a translation starts from the identity
     fixed.integrate(0);
     fcl::ContinuousCollisionRequestd request;
     request.ccd_solver_type =
         solver == FclSolver::Naive ? fcl::CCDC_NAIVE : fcl::CCDC_CONSERVATIVE_ADVANCEMENT;
     request.num_max_iterations = static_cast<size_t>(samples);
-    request.toc_err = 0.5 / samples;  // else it takes 10'000 samples at most
+    request.toc_err = 0.5 / samples;  // otherwise it takes at most 10'000 samples
     fcl::ContinuousCollisionResultd result;
     fcl::continuousCollide<double>(m_moving.get(), moving.get(), m_fixed.get(), &fixed, request,
                                    result);

@@ -8,13 +8,13 @@
 
 namespace trivet::perf {
 
-/// As FCL's CCDSolverType, and the loop that one would write oneself. (FCL's ray shooting is empty,
-/// and its polynomial solver moves vertices of the object's frame by the world's velocity, so that
-/// it means nothing for turned objects.)
+/// FCL's CCDSolverType, and a hand-written loop over distance(). (FCL's ray shooting is empty, and
+/// its polynomial solver moves vertices of the object's frame by the world's velocity, which is
+/// meaningless for rotated objects.)
 enum class FclSolver {
   Naive,                    // collide() at evenly spaced samples
   ConservativeAdvancement,  // its own; known not to work for meshes (FCL issues 119, 120, 555)
-  DistanceLoop,             // distance(), then move by as much, until within our clearance
+  DistanceLoop,             // distance(), then move by that much, until within our clearance
 };
 
 struct FclAnswer {
@@ -30,8 +30,8 @@ class FclPair {
   virtual FclAnswer sweep(const Sweep& sweep, FclSolver solver, int samples) const = 0;
 };
 
-/// Of BVHModel<OBBRSS<double>>; null when FCL was not there to build with.
+/// Uses BVHModel<OBBRSS<double>>; null in a build without FCL.
 std::unique_ptr<FclPair> make_fcl_pair(const SpherePair& spheres);
-std::string fcl_version();  // "0.7.0"; or that it was left out
+std::string fcl_version();  // "0.7.0", or a note that it was left out
 
 }  // namespace trivet::perf

@@ -1,4 +1,4 @@
-// Stands for FCL where it is not installed.
+// Stub for builds without FCL.
 #include "perf/fcl_baseline.h"
 
 namespace trivet::perf {

@@ -1,4 +1,5 @@
-// What a simulation leaves: crossings by exact signs, depth and gap by brute force in double.
+// Judges the result of a simulation: crossings by exact signs, depth and gap by brute force in
+// double.
 #include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
@@ -41,7 +42,7 @@ double nearer(const Triangle& t, const Surface& surface, double best) {
   return best;
 }
 
-// Solid angle of all faces, over 4 pi [van Oosterom and Strackee 1983].
+// Solid angle of all faces, over 4 pi [van Oosterom 1983].
 double winding_number(const Vec3& p, const Surface& surface) {
   double half_angles = 0;
   for (const Triangle& t : surface.triangles) {
@@ -53,7 +54,7 @@ double winding_number(const Vec3& p, const Surface& surface) {
   return half_angles / (2 * std::numbers::pi);
 }
 
-// How deep the deepest sample point of a mesh is in a closed surface.
+// Depth of the deepest sample point of a mesh inside a closed surface.
 double depth_inside(const Mesh& mesh, const Affine& m, const Surface& surface) {
   double deepest = 0;
   for (const Vec3& vertex : refined(mesh, kSampleSplits).vertices) {

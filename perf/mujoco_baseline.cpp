@@ -1,4 +1,4 @@
-// MuJoCo: meshes as their convex hulls, which is how it takes a mesh, or as the hulls of pieces.
+// MuJoCo: meshes as their convex hulls, its native treatment, or as the hulls of pieces.
 #include <mujoco/mujoco.h>
 
 #include <algorithm>
@@ -37,7 +37,7 @@ std::string model_xml(const SettleTask& task, const SimulationRules& rules,
     assets += mesh_asset(numbered("f", i), fixed[i]);
     fixed_geoms += "<geom type=\"mesh\" mesh=\"" + numbered("f", i) + "\"/>\n";
   }
-  // More room for contacts than by default slows every step down.
+  // Room for more contacts than the default slows down every step.
   const char* size = fixed.size() > 1 ? "<size nconmax=\"400\" njmax=\"1600\"/>" : "";
   return std::string("<mujoco>") + size + text("<option gravity=\"0 0 %g\"/>\n", -rules.gravity) +
          text("<default><geom friction=\"%g 0.005 0.0001\"/></default>\n", rules.friction) +
@@ -114,7 +114,7 @@ class MujocoSimulator : public Simulator {
 
 std::vector<std::unique_ptr<Simulator>> mujoco_simulators(const SettleTask& task,
                                                           const SimulationRules& rules) {
-  mju_user_warning = [](const char*) {};  // else it leaves a file where it was started
+  mju_user_warning = [](const char*) {};  // otherwise it writes a file to the working directory
   std::vector<std::unique_ptr<Simulator>> out;
   out.push_back(std::make_unique<MujocoSimulator>(task, rules, "MuJoCo, one hull per mesh",
                                                   std::vector<Piece>{task.moving.vertices},

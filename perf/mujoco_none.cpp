@@ -1,4 +1,4 @@
-// Stands for MuJoCo where it is not installed.
+// Stub for builds without MuJoCo.
 #include "perf/settling.h"
 
 namespace trivet::perf {

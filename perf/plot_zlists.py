@@ -17,7 +17,7 @@ import matplotlib.pyplot as plt
 
 MOTIONS = {"drop": "drop", "turn": "quarter turn"}
 RESOLUTIONS = (128, 256, 512, 1024)
-# Colours that stay apart for the colour-blind [Okabe and Ito 2008].
+# Colours distinguishable for the colour-blind [Okabe 2008].
 STYLE = {"box trees": ("#000000", "o"), "software, 1 thread": ("#0072B2", "s"),
          "software, 2 threads": ("#56B4E9", "D"), "GPU min/max": ("#E69F00", "^"),
          "GPU lists": ("#D55E00", "v"), "GPU lists, OpenGL 3.3": ("#CC79A7", "<")}
@@ -94,7 +94,7 @@ def main(path, cpu):
         row[0].set_ylabel("median CPU ms of a query, all threads" if cpu else "median ms of a query")
     handles, labels = grid[0][0].get_legend_handles_labels()
     figure.legend(handles, labels, loc="lower center", ncol=3, frameon=False, fontsize=8)
-    figure.suptitle("First contact: where candidates come from, and what that costs", fontsize=12)
+    figure.suptitle("First contact: cost by source of candidate pairs", fontsize=12)
     figure.tight_layout(rect=(0, 0.075, 1, 0.99))
     figure.savefig(os.path.splitext(path)[0] + ".svg", metadata={"Date": None})
 

@@ -6,7 +6,7 @@
 namespace trivet::perf {
 namespace {
 
-// Three digits, so that columns can be read down.
+// Three digits, for readable columns.
 std::string digits(double value) {
   return text(value >= 100 ? "%.0f" : value >= 10 ? "%.1f" : value >= 1 ? "%.2f" : "%.3f", value);
 }
@@ -61,7 +61,7 @@ void Report::add(Row row) {
 
 std::string Report::markdown() const {
   std::string out =
-      "| what | n | median ms | p95 ms | median CPU ms | goal | CPU against ours | what comes out "
+      "| measurement | n | median ms | p95 ms | median CPU ms | goal | CPU against ours | result "
       "|\n"
       "|---|--:|--:|--:|--:|---|--:|---|\n";
   for (const Line& line : m_rows)

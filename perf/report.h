@@ -1,4 +1,4 @@
-// The one table that all measurements of a run go to.
+// Table of all measurements of a run.
 #pragma once
 
 #include <cstdint>
@@ -20,13 +20,13 @@ struct Row {
   std::string what;
   Samples samples;
   double goal_ms = 0;   // for the median; 0: none
-  double ours_ms = 0;   // median CPU time of the same by Trivet, in rows of others; 0: none
-  std::string outcome;  // what came out, and what it cost in other units
+  double ours_ms = 0;   // median CPU time of Trivet for the same, in rows of others; 0: none
+  std::string outcome;  // result, and cost in other units
 };
 
 class Report {
  public:
-  // All of them say on stderr what they added.
+  // All of them print the added row to stderr.
 
   /// A row that spans the table.
   void section(const std::string& title);
@@ -35,19 +35,19 @@ class Report {
   void remark(const std::string& what, const std::string& outcome) {
     add({what, {}, 0, 0, outcome});
   }
-  /// A line of comma-separated values for those who plot; the first names the columns.
+  /// Adds a line of comma-separated values for plots; the first names the columns.
   void add_data(const std::string& line) { m_data += line + "\n"; }
   const std::string& data() const { return m_data; }
-  /// Takes part in the hash of the run.
+  /// Adds to the hash of the run.
   void mix(std::uint64_t section_hash) {
     m_hash = (m_hash.value_or(0xcbf29ce484222325) ^ section_hash) * 0x100000001b3;
   }
-  /// The same, and a row of its own.
+  /// Adds to the hash of the run, and a row.
   void add_hash(std::uint64_t section_hash) {
     remark("hash of these results", text("%016llx", static_cast<unsigned long long>(section_hash)));
     mix(section_hash);
   }
-  /// Nothing when nothing took part.
+  /// Nullopt if no section added a hash.
   std::optional<std::uint64_t> hash() const { return m_hash; }
 
   std::string markdown() const;

@@ -1,4 +1,4 @@
-// A fingerprint of results, so that figures and what was computed stay together.
+// Fingerprint of results, which ties figures to the computed answers.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace trivet::perf {
 
-/// FNV-1a, 64 bits, over the bits of what is added: the same on every machine and with any number
-/// of threads, or Trivet has another answer.
+/// FNV-1a, 64 bits, over the bits of the added values: the same on every machine and with any
+/// number of threads, as long as Trivet's answers are the same.
 class ResultHash {
  public:
   void add(std::uint64_t bits) {

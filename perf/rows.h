@@ -1,4 +1,4 @@
-// The parts of the table. Each measures, and adds its rows and the hash of its results.
+// Sections of the table. Each measures, and adds its rows and the hash of its results.
 #pragma once
 
 #include "perf/report.h"
@@ -7,15 +7,15 @@ namespace trivet::perf {
 
 void first_contact_rows(Report& report);  // ours and FCL's, on the same motions
 void put_rows(Report& report);            // the demos, also refined
-void push_rows(Report& report);           // one step of a PUSH, and a table with all on it
-void zlist_rows(Report& report);          // z-lists and box trees, same motions; free places
+void push_rows(Report& report);           // one step of a PUSH, and a table with its loads
+void zlist_rows(Report& report);          // z-lists and BVHs, same motions; free places
 void settling_rows(Report& report);       // ours, Bullet's and MuJoCo's, from the same starts
 void shape_rows(Report& report);          // memory, index, import
 
-/// What takes longer is measured at the first run.
+/// Longer measurements use their first run.
 inline constexpr double kLong_ms = 50;
 
-/// Else after one run that does not count: caches are warm, as between the queries of a PUT.
+/// Shorter ones follow an uncounted run: caches are warm, as between the queries of a PUT.
 template <class Work>
 Took timed_warm(Work&& work) {
   const Took first = timed(work);

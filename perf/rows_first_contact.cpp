@@ -9,7 +9,7 @@ namespace trivet::perf {
 namespace {
 
 constexpr int kSweeps = 40;
-constexpr double kBudget_ms = 4000;  // for a row of FCL; then the rest of the sweeps is left out
+constexpr double kBudget_ms = 4000;  // for a row of FCL; then the remaining sweeps are skipped
 constexpr size_t kFewest = 2;
 
 struct Measured {
@@ -18,7 +18,7 @@ struct Measured {
   Took took;
 };
 
-// Pairs of faces that intersect where a motion is stopped.
+// Number of intersecting pairs of faces at the stop of a motion.
 std::int64_t crossings_at(const Sweep& sweep, double time) {
   const Pose end = moved_pose(sweep.pose_moving, sweep.motion, time);
   const Affine a = world_from_object(end, UpAxis::Z, 1);
@@ -78,7 +78,7 @@ struct Rival {
   const char* name;
   FclSolver solver;
   int samples;
-  int largest;  // triangles; leave out more
+  int largest;  // largest number of triangles to measure
 };
 constexpr Rival kRivals[] = {
     {"FCL naive, 10 samples", FclSolver::Naive, 10, 1'000'000},
@@ -88,7 +88,7 @@ constexpr Rival kRivals[] = {
     {"FCL conservative advancement", FclSolver::ConservativeAdvancement, 10, 100'000},
 };
 
-// How the answers of others differ from ours.
+// Differences between others' answers and ours.
 struct Differences {
   size_t touching = 0, found = 0, crossing = 0;
   std::vector<double> late_mm, crossings;

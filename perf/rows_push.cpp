@@ -11,8 +11,8 @@
 namespace trivet::perf {
 namespace {
 
-constexpr double kStep = 0.005;        // metres: what a mouse moves between two frames
-constexpr int kTables[] = {10, 67};    // of BREAKFAST; 67: 1M triangles
+constexpr double kStep = 0.005;        // metres: motion of a mouse between two frames
+constexpr int kTables[] = {10, 67};    // tables of BREAKFAST; 67: 1M triangles
 constexpr double kTableSpacing = 2.5;  // metres
 constexpr double kHalf = 0.70710678118654752;
 
@@ -26,7 +26,7 @@ Scene laid_out_breakfast() {
   return std::move(demo.scene);
 }
 
-/// The same table again and again, in rows; names get a number.
+/// Copies a table many times, in rows; names get a number.
 Scene many_tables(const Scene& one, int count, double clearance) {
   Scene out;
   for (int i = 0; i < count; ++i)
@@ -41,7 +41,7 @@ Scene many_tables(const Scene& one, int count, double clearance) {
   return out;
 }
 
-/// One step of every free object of the first table in 8 directions, each from the same scene.
+/// Steps every free object of the first table in 8 directions, each from the same scene.
 Samples push_steps(Scene& scene, const std::vector<std::string>& names, bool settle,
                    double clearance, ResultHash* hash, size_t* refused) {
   SettleOptions options;
@@ -70,7 +70,7 @@ void add_push_rows(Scene scene, const std::vector<std::string>& names, double cl
   for (const bool settle : {false, true}) {
     size_t refused = 0;
     const Samples samples = push_steps(scene, names, settle, clearance, &hash, &refused);
-    report.add({settle ? "the same, let go at the end" : "PUSH by 5 mm, held at the end", samples,
+    report.add({settle ? "the same, settled at the end" : "PUSH by 5 mm, held at the end", samples,
                 goal_ms, 0, text("refused %zu", refused)});
   }
   report.add_hash(hash.value());
@@ -83,7 +83,7 @@ std::vector<std::string> free_objects(const Scene& scene, const std::string& suf
   return names;
 }
 
-// How far anything has shifted relative to the table.
+// Largest displacement of an object relative to the table.
 double largest_shift(const Scene& before, const Scene& after, ObjectId table) {
   const Vec3 by = after.at(table).pose.translation - before.at(table).pose.translation;
   double largest = 0;

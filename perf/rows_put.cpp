@@ -8,18 +8,18 @@ namespace {
 
 constexpr double kJitter = 0.02;  // metres, of random starts
 
-// PUTs of one kind; the refused ones do not count in the time.
+// PUTs of one kind; refused ones are not timed.
 struct Puts {
   Samples samples;
   std::vector<double> motions, queries, per_motion_ms;
   size_t refused = 0;
 
-  // On a copy of the scene.
+  // Works on a copy of the scene.
   void run(const Scene& scene, ObjectId id, const Pose& start, ResultHash* hash) {
     OperationResult result;
     Scene after = scene;
     Took took = timed([&] { result = put(after, id, start); });
-    if (took.wall_ms < kLong_ms) {  // once more, with warm caches
+    if (took.wall_ms < kLong_ms) {  // repeated with warm caches
       after = scene;
       took = timed([&] { result = put(after, id, start); });
     }
@@ -57,12 +57,12 @@ void append(const Puts& from, Puts* to) {
 
 struct DemoMeasure {
   int num_random;    // starts per object
-  bool each_object;  // a row per object, too
+  bool each_object;  // adds a row per object
   double goal_ms;
-  const char* paper;  // the same on the machine of [Shinya and Forgue 1995]; may be null
+  const char* paper;  // the paper's figure [Shinya 1995]; may be null
 };
 
-// Each object from random starts, then for good from the layout's start.
+// Puts each object from random starts, then permanently from the layout's start.
 void measure_demo(DemoScene demo, const DemoMeasure& what, Report& report) {
   ResultHash hash;
   test::Random random(5);

@@ -13,7 +13,7 @@ namespace trivet::perf {
 namespace {
 
 constexpr int kStarts = 30;
-constexpr double kBudget_ms = 60000;  // for a row; then the rest of the starts is left out
+constexpr double kBudget_ms = 60000;  // for a row; then the remaining starts are skipped
 constexpr size_t kFewest = 3;
 constexpr double kDensity = 7800;  // kg per cubic metre; steel
 constexpr double kCell = 0.012;    // metres, of the pieces for convex hulls
@@ -42,7 +42,7 @@ Aabb box_at(const Object& object, const Pose& pose) {
   return box;
 }
 
-// Turned about the vertical, tilted by up to 10 degrees, 10 mm above the saucer: kinder to
+// Random rotation about the vertical, tilt of up to 10 degrees, 10 mm above the saucer: easier for
 // simulators than a fall from a height.
 Pose lying_start(const Table& table, test::Random& random) {
   const double turn = std::tan(random.uniform(-0.5, 0.5) * 0.999 * std::numbers::pi);
@@ -55,7 +55,7 @@ Pose lying_start(const Table& table, test::Random& random) {
   return out;
 }
 
-// What is left when it rests, or when it is given up.
+// State at rest, or when given up.
 struct Leavings {
   size_t at_rest = 0, crossing = 0;
   std::vector<double> crossings, depth_mm, gap_mm, speed_mm, spin, higher_mm;

@@ -47,22 +47,22 @@ Samples repeated(int num_triangles, Work&& work) {
 void build_rows(int n, const Mesh& mesh, Report& report) {
   const std::string size = short_count(n);
   const auto build = [&] { build_bvh(mesh); };
-  report.add({"box tree, " + size + ", all cores", repeated(n, build), 0, 0,
+  report.add({"BVH, " + size + ", all cores", repeated(n, build), 0, 0,
               "CPU time is the calling thread's"});
   {
     const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-    report.add({"box tree, " + size + ", one core", repeated(n, build), 0, 0, ""});
+    report.add({"BVH, " + size + ", one core", repeated(n, build), 0, 0, ""});
   }
   std::shared_ptr<const Shape> shape;
   Samples whole = repeated(n, [&] { shape = make_shape(mesh); });
   const ShapeBytes b(*shape);
   const auto per = [&](size_t total) { return static_cast<double>(total) / n; };
   report.add({"whole shape, " + size + ", all cores", std::move(whole), 0, 0,
-              text("%.0f bytes per triangle: mesh %.0f, adjacency %.0f, box tree %.0f",
+              text("%.0f bytes per triangle: mesh %.0f, adjacency %.0f, BVH %.0f",
                    per(b.mesh + b.adjacency + b.bvh), per(b.mesh), per(b.adjacency), per(b.bvh))});
 }
 
-/// A folder that vanishes.
+/// A temporary folder, deleted on destruction.
 class TemporaryFolder {
  public:
   TemporaryFolder()

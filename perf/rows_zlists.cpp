@@ -1,4 +1,4 @@
-// z-lists against box trees on the same motions, and thousands of places at once.
+// z-lists against BVHs on the same motions, and thousands of places at once.
 #include <tbb/global_control.h>
 
 #include "core/base/error.h"
@@ -17,9 +17,9 @@ namespace trivet::perf {
 namespace {
 
 constexpr int kSweeps = 12;
-constexpr double kBudget_ms = 2000;  // for a row; then the rest of the sweeps is left out
-constexpr double kLong_ms = 400;     // a query that is not asked again to be timed warm
-constexpr int kResolutions[] = {0, 128, 256, 512, 1024};  // 0: the stage chooses
+constexpr double kBudget_ms = 2000;  // for a row; then the remaining sweeps are skipped
+constexpr double kLong_ms = 400;     // longer queries are not repeated with warm caches
+constexpr int kResolutions[] = {0, 128, 256, 512, 1024};  // 0: automatic
 constexpr int kPlaces = 64;                               // by 64
 
 constexpr const char* kColumns =
@@ -31,26 +31,26 @@ struct Asked {
   FirstContact truth;
 };
 
-// All queries of one size and motion, and where their rows go.
+// All queries of one size and motion, and the target of their rows.
 struct Cases {
   int num_triangles = 0;
   Motion::Kind kind = Motion::Kind::Translation;
   std::vector<Asked> sweeps;
   double bvh_cpu_ms = 0;
   Report* report = nullptr;
-  /// Of the box trees' answers, and of all others that are not the same: how many are asked for
-  /// depends on the time they take.
+  /// Hash of the BVHs' answers and of all differing answers of others: the number of queries to
+  /// others depends on their time.
   ResultHash* hash = nullptr;
 };
 
-// A source of candidates.
+// A candidate finder.
 struct Method {
   std::string name;    // of a series in the plot
   std::string what;    // of a row
-  int resolution = 0;  // 0: its own choice
+  int resolution = 0;  // 0: automatic
   double goal_ms = 0;
-  bool compares = true;       // with the CPU time of box trees
-  bool bounds_alone = false;  // it answers nothing
+  bool compares = true;       // compared with the CPU time of BVHs
+  bool bounds_alone = false;  // computes bounds, no candidates
 };
 
 bool same(const FirstContact& a, const FirstContact& b) {
@@ -58,7 +58,7 @@ bool same(const FirstContact& a, const FirstContact& b) {
          a.face_fixed == b.face_fixed;
 }
 
-// What the stages left over, summed up and divided.
+// Sums of the work left by the stages, for means.
 struct Left {
   double pixels = 0, doubtful = 0, pairs = 0, bytes = 0;
   int count = 0, wrong = 0, unusable = 0;
@@ -93,7 +93,7 @@ void add_data(const Cases& cases, const Method& method, const Samples& samples, 
 }
 
 void ask_box_trees(const SpherePair& spheres, Cases& cases) {
-  Row row{"box trees", {}, 0, 0, "prepared once per mesh; the others ask nothing of a mesh"};
+  Row row{"BVHs", {}, 0, 0, "built once per mesh; the others need no preprocessing"};
   test::Random random(23);
   Left left;
   for (int i = 0; i < kSweeps; ++i) {
@@ -111,7 +111,7 @@ void ask_box_trees(const SpherePair& spheres, Cases& cases) {
   cases.report->add(std::move(row));
 }
 
-// Whether a stage's answer is that of the box trees; if not, it is hashed.
+// Whether a stage's answer equals that of the BVHs; if not, it is hashed.
 bool is_right(const FirstContact& found, const FirstContact& truth, ResultHash& hash) {
   const bool right = same(found, truth);
   if (!right) hash.add(found);
@@ -126,7 +126,7 @@ bool holds(const Proposal& proposal, const FirstContact& truth, ResultHash& hash
   return right;
 }
 
-// CPU times are of all threads: a driver may have its own.
+// CPU times include all threads, as a driver may have its own.
 bool ask_stage(ZListStage& stage, const FirstContactQuery& query, const Method& method,
                const Asked& asked, const Cases& cases, Samples& samples, Proposal& proposal) {
   FirstContact found;
@@ -253,14 +253,14 @@ void rows_of(int num_triangles, Report& report) {
   const SpherePair spheres = make_sphere_pair(num_triangles);
   for (const auto kind : {Motion::Kind::Translation, Motion::Kind::Rotation}) {
     const std::string size = short_count(num_triangles);
-    report.section("Sources of candidates, " + size + " triangles against " + size + ", " +
+    report.section("Candidate finders, " + size + " triangles against " + size + ", " +
                    (kind == Motion::Kind::Translation ? "drop" : "quarter turn"));
     ResultHash hash;
     Cases cases{num_triangles, kind, {}, 0, &report, &hash};
     ask_box_trees(spheres, cases);
     software_rows(cases);
 #ifdef TRIVET_PERF_GPU
-    if (num_triangles != 1'000'000) {  // 150K and 1.5M tell enough, and it takes long
+    if (num_triangles != 1'000'000) {  // 150K and 1.5M suffice, and it is slow
       gpu_rows(cases);
       gpu_batch_row(cases);
     }
@@ -292,7 +292,7 @@ void gpu_place_row(const HeightMap& underside, const HeightMap& top,
 
 // The maps of a bumpy sphere of 15K triangles over another, at 64 x 64 places.
 void place_rows(Report& report) {
-  report.section("Where does it fit: 4,096 places of 15K triangles over 15K triangles");
+  report.section("Free places: 4,096 places of 15K triangles over 15K triangles");
   const tbb::global_control one_core(tbb::global_control::max_allowed_parallelism, 1);
   const SpherePair spheres = make_sphere_pair(15'000);
   const Body object(*spheres.moving, world_from_object({{}, Vec3(0, 0, 3)}, UpAxis::Z, 0.2));

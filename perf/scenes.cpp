@@ -10,7 +10,7 @@
 namespace trivet::perf {
 namespace {
 
-// Part k of n of an edge, with the same bits from either end.
+// Point k of n on an edge, with the same bits from either end.
 Vec3 on_edge(const Mesh& mesh, Index from, Index to, int k, int n) {
   if (from > to) return on_edge(mesh, to, from, n - k, n);
   if (k == n) return mesh.vertices[to];
@@ -18,7 +18,7 @@ Vec3 on_edge(const Mesh& mesh, Index from, Index to, int k, int n) {
   return p + (q - p) * (static_cast<double>(k) / n);
 }
 
-// The corner of the sub-triangles that is i steps towards b and j towards c.
+// Grid point i steps towards b and j towards c.
 Vec3 grid_point(const Mesh& mesh, const Index3& t, int i, int j, int n) {
   if (j == 0) return on_edge(mesh, t[0], t[1], i, n);
   if (i == 0) return on_edge(mesh, t[0], t[2], j, n);
@@ -65,7 +65,7 @@ DemoScene make_demo_scene(const std::string& name, int splits) {
     const ObjectId id = *out.scene.find(object.name);
     out.num_triangles += static_cast<std::int64_t>(out.scene.at(id).shape->mesh.triangles.size());
     if (object.pose && !stand(out.scene, id, *object.pose).ok())
-      throw std::runtime_error(object.name + " cannot stand in " + name);
+      throw std::runtime_error(object.name + " cannot be placed in " + name);
   }
   return out;
 }

@@ -1,4 +1,4 @@
-// The demos as scenes to measure PUT in, also with refined models.
+// The demos as scenes for measuring PUT, optionally with refined models.
 #pragma once
 
 #include <string>
@@ -10,24 +10,24 @@
 
 namespace trivet::perf {
 
-/// A demo before its first operation: fixed objects stand, the others are out of the scene.
+/// A demo before its first operation: fixed objects placed, the others unplaced.
 struct DemoScene {
   Scene scene;
   std::vector<PutOperation> operations;
-  std::int64_t num_triangles = 0;  // of all objects; those that share a model count, too
+  std::int64_t num_triangles = 0;  // of all objects; shared models count repeatedly
 };
 
-/// @param splits  parts that every edge of every model is cut into: splits^2 triangles for one.
+/// @param splits  pieces per edge of every model: splits^2 triangles for one.
 DemoScene make_demo_scene(const std::string& name, int splits = 1);
 
 /// The smallest number of splits that gives at least `num_triangles`.
 int splits_for(const DemoScene& demo, std::int64_t num_triangles);
 
-/// The same surface: every triangle becomes splits^2 coplanar ones (up to rounding), and
-/// neighbours stay welded.
+/// The same surface with splits^2 coplanar triangles for each one (up to rounding); neighbours stay
+/// welded.
 Mesh refined(const Mesh& mesh, int splits);
 
-/// A start of the layout with any orientation, and up to `jitter` metres aside.
+/// A start of the layout with a random orientation, and up to `jitter` metres aside.
 Pose random_start(const Pose& start, double jitter, test::Random& random);
 
 }  // namespace trivet::perf

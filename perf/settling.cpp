@@ -9,7 +9,7 @@
 namespace trivet::perf {
 namespace {
 
-// Before the pieces are cut, so that these follow the surface and not the faces.
+// Refinement before cutting, so that pieces follow the surface and not the faces.
 constexpr int kPieceSplits = 4;
 
 Mesh transformed(const Mesh& mesh, const Affine& m) {
@@ -50,8 +50,8 @@ bool is_flat(const Piece& piece) {
   return Eigen::SelfAdjointEigenSolver<Mat3>(spread).eigenvalues()[0] < 1e-9 * spread.trace();
 }
 
-// Columns over a square grid of the x-y plane, of faces by their middle; flat ones join the one
-// before.
+// Clusters faces by their centre into columns over a square grid of the x-y plane; flat clusters
+// join the previous one.
 std::vector<Piece> pieces_of(const Mesh& coarse, double cell) {
   const Mesh mesh = refined(coarse, kPieceSplits);
   std::map<std::pair<long, long>, std::map<Index, Vec3>> columns;

@@ -1,4 +1,4 @@
-// One object that settles on another by simulation: the task, and what is left of it to judge.
+// Settling of one object on another by simulation: the task, and the judgement of the result.
 #pragma once
 
 #include <memory>
@@ -13,12 +13,12 @@ namespace trivet::perf {
 /// Corners of a convex piece of a mesh.
 using Piece = std::vector<Vec3>;
 
-/// What simulators need of the two objects. Metres and kilograms. The body frame has its origin in
-/// the centre of mass and its axes along the principal axes of inertia.
+/// Simulation input of the two objects. Metres and kilograms. The body frame has its origin in the
+/// centre of mass and its axes along the principal axes of inertia.
 struct SettleTask {
   Mesh moving;                                     // body frame
   Mesh fixed;                                      // world
-  std::vector<Piece> moving_pieces, fixed_pieces;  // the same, cut for hulls
+  std::vector<Piece> moving_pieces, fixed_pieces;  // the same, cut into pieces for hulls
   double mass = 0;
   Vec3 inertia = Vec3::Zero();  // about the body frame's axes
   Pose object_from_body;        // of the upright object (pose x body frame)
@@ -30,14 +30,14 @@ struct SettleTask {
 /// @param density  kg per cubic metre. @param cell  metres, of the pieces.
 SettleTask make_task(const Object& moving, const Object& fixed, double density, double cell);
 
-/// Both simulators, except where said.
+/// Rules for both simulators, unless stated otherwise.
 struct SimulationRules {
   double gravity = 9.81;       // m/s^2
-  double friction = 1;         // Coulomb; Trivet: as much as it takes
+  double friction = 1;         // Coulomb; Trivet: unlimited
   double rest_speed = 1e-3;    // m/s, and
-  double rest_spin = 2e-2;     // rad/s: slower than both
-  double rest_duration = 0.1;  // for this long (s, simulated) is at rest
-  double longest = 5;          // s, simulated; then it is given up
+  double rest_spin = 2e-2;     // rad/s: at rest when below both
+  double rest_duration = 0.1;  // for this long (s, simulated)
+  double longest = 5;          // s, simulated; then given up
 };
 
 struct Settled {
@@ -46,7 +46,7 @@ struct Settled {
   double simulated_s = 0, speed = 0, spin = 0;
 };
 
-/// A simulator with the task loaded; settle() starts anew.
+/// A simulator with the task loaded; settle() restarts it.
 class Simulator {
  public:
   virtual ~Simulator() = default;
@@ -54,11 +54,11 @@ class Simulator {
   virtual Settled settle(const Pose& start) = 0;
 };
 
-/// Counts how long a body has been slow.
+/// Measures how long a body has been slow.
 class RestClock {
  public:
   explicit RestClock(const SimulationRules& rules) : m_rules(rules) {}
-  /// After a step of `dt`: whether it is at rest by now.
+  /// Advances by `dt`; returns whether the body is at rest by now.
   bool step(double dt, double speed, double spin) {
     m_slow_for = speed < m_rules.rest_speed && spin < m_rules.rest_spin ? m_slow_for + dt : 0;
     return m_slow_for >= m_rules.rest_duration;
@@ -69,19 +69,20 @@ class RestClock {
   double m_slow_for = 0;
 };
 
-/// Empty when the library was not there to build with.
+/// Empty in a build without the library.
 std::vector<std::unique_ptr<Simulator>> bullet_simulators(const SettleTask& task,
                                                           const SimulationRules& rules);
 std::vector<std::unique_ptr<Simulator>> mujoco_simulators(const SettleTask& task,
                                                           const SimulationRules& rules);
-std::string bullet_version();  // with settings; or that it was left out
+std::string bullet_version();  // with settings, or a note that it was left out
 std::string mujoco_version();
 
-/// How the true meshes stand in each other.
+/// Interpenetration of the true meshes.
 struct Remains {
   std::int64_t crossings = 0;  // pairs of faces, exact
-  double depth = 0;  // metres: of sample points of either in the other's inside or below the floor
-  double gap = 0;    // metres between the surfaces (or to the floor); 0 if they cross
+  double depth =
+      0;  // metres: largest, of sample points of either inside the other or below the floor
+  double gap = 0;  // metres between the surfaces (or to the floor); 0 if they cross
 };
 Remains judge(const Object& moving, const Pose& pose, const Object& fixed);
 

@@ -83,7 +83,7 @@ Sweep random_turn(const SpherePair& spheres, test::Random& random) {
   const Vec3 axis = random.direction();
   const Vec3 beside = axis.cross(random.direction()).normalized();
   const Vec3 centre = random.uniform(2, 2.4) * beside;
-  // Back from the middle by 75 to 85 degrees: s = tan of half of it.
+  // Turned back from the middle by 75 to 85 degrees: s = tan of half the angle.
   const Rotation back = Rotation::about_axis(-axis, random.uniform(0.77, 0.91));
   const Vec3 off = random.uniform(-0.5, 0.5) * axis;
   Sweep out{&spheres, {}, {}, Motion::rotation(centre, axis, 1), {}};

@@ -1,4 +1,4 @@
-// The motions that first contact is measured with: bumpy spheres that fall and turn.
+// Motions for measuring first contact: bumpy spheres that fall and turn.
 #pragma once
 
 #include <memory>
@@ -8,7 +8,7 @@
 
 namespace trivet::perf {
 
-/// Two different closed meshes of just so many triangles, radius about 1 m.
+/// Two different closed meshes with the given number of triangles, radius about 1 m.
 struct SpherePair {
   int num_triangles = 0;
   std::shared_ptr<const Shape> moving, fixed;
@@ -18,7 +18,7 @@ struct SpherePair {
 SpherePair make_sphere_pair(int num_triangles);
 Mesh make_sphere_mesh(int num_triangles, unsigned seed);
 
-/// One motion of the one towards the other, from random orientations, apart at the start.
+/// A motion of one towards the other, from random orientations, apart at the start.
 struct Sweep {
   const SpherePair* spheres = nullptr;
   Pose pose_moving, pose_fixed;
@@ -28,16 +28,16 @@ struct Sweep {
   Body moving() const;
   Body fixed() const;
   FirstContact first_contact() const;
-  /// Metres that the moving sphere's centre travels until `time`; along the arc of a turn.
+  /// Path length of the moving sphere's centre until `time`, metres; along the arc of a turn.
   double travel(double time) const;
-  /// The time when that part (0 to 1) of the distance or angle is done.
+  /// Time at which this fraction of the distance or angle is reached.
   double time_at(double part) const;
 };
 
-/// A fall of 3 m onto the other, up to 0.8 m off its middle.
+/// A fall of 3 m onto the other sphere, up to 0.8 m off its centre.
 Sweep random_drop(const SpherePair& spheres, test::Random& random);
 
-/// A quarter turn, about a random axis beside the fixed sphere, that leads onto it.
+/// A quarter turn onto the other sphere, about a random axis beside it.
 Sweep random_turn(const SpherePair& spheres, test::Random& random);
 
 }  // namespace trivet::perf

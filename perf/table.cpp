@@ -1,4 +1,4 @@
-// trivet_perf: all measurements in one run, as one table.
+// trivet_perf: all measurements in one run, printed as one table.
 
 #include <cstdio>
 #include <cstdlib>
@@ -78,8 +78,8 @@ std::string heading(double load_before, double minutes, const Report& report) {
          text("%s, %u cores; %s. Load before %.1f, after %.1f; the run took %.1f minutes.\n",
               processor().c_str(), num_cores(), "gcc " __VERSION__, load_before, load_average(),
               minutes) +
-         "Everything on one core, in one thread, except where it says all cores; models, indices "
-         "and\nsimulators' tasks are made before, and not in the times. FCL " +
+         "All on one core, in one thread, unless a row says all cores; models, BVHs "
+         "and\nsimulators' tasks are prepared beforehand and not timed. FCL " +
          fcl_version() + ". Bullet " + bullet_version() + ". MuJoCo " + mujoco_version() +
          ".\nFor comparison: one movement took [Shinya and Forgue 1995] 410 ms in SPOON-SAUCER "
          "(0.9K triangles)\nand 2,000 ms in BREAKFAST (15K), on an IRIS 4D/310 VGX.\n" +

@@ -8,16 +8,15 @@
 
 namespace trivet::perf {
 
-/// What something took: by the clock on the wall, and processor time of the calling thread
-/// alone, unless asked otherwise.
-/// They differ where other processes or other threads are at work.
+/// Wall time and processor time of a measurement, the latter of the calling thread unless specified
+/// otherwise. They differ while other processes or threads are running.
 struct Took {
   double wall_ms = 0, cpu_ms = 0;
 };
 
 class Stopwatch {
  public:
-  /// @param clock  CLOCK_PROCESS_CPUTIME_ID counts all threads, a driver's too.
+  /// @param clock  CLOCK_PROCESS_CPUTIME_ID includes all threads, also a driver's.
   explicit Stopwatch(clockid_t clock = CLOCK_THREAD_CPUTIME_ID) : m_clock(clock) {}
   Took elapsed() const {
     const auto wall = std::chrono::steady_clock::now() - m_wall;
@@ -36,7 +35,7 @@ class Stopwatch {
   double m_cpu = cpu_ms();
 };
 
-/// The q-quantile (0 to 1) of values in any order, by rank; 0 of nothing.
+/// The q-quantile (0 to 1) of values in any order, by rank; 0 if empty.
 inline double quantile(std::vector<double> values, double q) {
   if (values.empty()) return 0;
   const auto rank = static_cast<std::ptrdiff_t>(q * static_cast<double>(values.size() - 1) + 0.5);

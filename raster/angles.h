@@ -11,7 +11,7 @@ inline constexpr double kTurn = 2 * kPi;
 /// Largest error of the functions below, radians, with reserve.
 inline constexpr double kAngleError = 1e-7;
 
-/// [Abramowitz and Stegun 1964, 4.4.49]; 0 <= x <= 1.
+/// [Abramowitz 1964, 4.4.49]; 0 <= x <= 1.
 inline double fast_atan(double x) {
   const double q = x * x;
   return x *
@@ -34,7 +34,7 @@ inline double fast_atan2(double y, double x) {
   return y < 0 ? -angle : angle;
 }
 
-/// [Abramowitz and Stegun 1964, 4.4.46]; -1 <= x <= 1.
+/// [Abramowitz 1964, 4.4.46]; -1 <= x <= 1.
 inline double fast_acos(double x) {
   const double a = std::abs(x);
   const double p =

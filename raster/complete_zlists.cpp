@@ -16,8 +16,9 @@ namespace trivet {
 namespace {
 
 constexpr int kLargestResolution = 8192;
-constexpr double kSmallestPixel = 1e-9;  // of the largest coordinate: doubles still tell them apart
-constexpr double kEdgeOn = 1e-9;         // sine of the angle to a face that is seen edge-on
+constexpr double kSmallestPixel =
+    1e-9;                         // of the largest coordinate: still distinguishable in double
+constexpr double kEdgeOn = 1e-9;  // sine of the angle to a face seen edge-on
 constexpr size_t kEntriesBetweenChecks = 1 << 16;
 
 void require(bool holds, const std::string& text) {
@@ -34,17 +35,17 @@ void check(const ProjectionOptions& o) {
   const double length = o.direction.norm();
   require(length > 0 && length < kInfinity,
           "direction of z-lists is " + number(o.direction.x()) + " " + number(o.direction.y()) +
-              " " + number(o.direction.z()) + "; it can be anything finite but 0 0 0");
+              " " + number(o.direction.z()) + "; accepted: finite and not 0 0 0");
   require(o.resolution >= 1 && o.resolution <= kLargestResolution,
-          "resolution of z-lists is " + std::to_string(o.resolution) + "; it can be 1 to " +
+          "resolution of z-lists is " + std::to_string(o.resolution) + "; accepted: 1 to " +
               std::to_string(kLargestResolution));
   require(o.num_threads >= 0, "number of threads of z-lists is " + std::to_string(o.num_threads) +
-                                  "; it can be 0 (all) or more");
+                                  "; accepted: 0 (all) or more");
   if (!o.region) return;
   const Vec2 size = o.region->upper - o.region->lower;
   require(size.minCoeff() > 0 && size.maxCoeff() < kInfinity,
           "region of z-lists is " + number(size.x()) + " m wide and " + number(size.y()) +
-              " m high; both can be anything above 0");
+              " m high; accepted: above 0");
 }
 
 // Looking along `direction` with the head up.
@@ -54,7 +55,7 @@ Projection axes_of(const Vec3& direction) {
   const Vec3 z = Vec3::UnitZ();
   const Vec3 up = std::abs(out.direction.z()) < 1 - 1e-9 ? z : Vec3(Vec3::UnitY());
   out.up = (up - out.direction.dot(up) * out.direction).normalized();
-  // Signs of zeros, and what is zero up to rounding, would only puzzle readers.
+  // Removes signed zeros and rounding residue, which would confuse readers.
   for (Vec3* axis : {&out.direction, &out.up, &out.right}) {
     if (axis == &out.right) out.right = out.direction.cross(out.up);
     *axis = (axis->array().abs() < 1e-15).select(0.0, *axis);
@@ -86,7 +87,7 @@ void set_window(const Aabb& extent, const ProjectionOptions& options, Projection
   out.pixel = size.maxCoeff() / options.resolution;
   if (options.region)
     require(out.pixel >= least, "region of z-lists has pixels of " + number(out.pixel) +
-                                    " m; they can be " + number(least) +
+                                    " m; accepted: " + number(least) +
                                     " m or more, for coordinates of this size");
   out.pixel = std::max(out.pixel, least);
   const auto count = [&](double length) {
@@ -95,10 +96,10 @@ void set_window(const Aabb& extent, const ProjectionOptions& options, Projection
   };
   out.width = count(size.x());
   out.height = count(size.y());
-  // What is there is in the middle.
+  // Centres the contents.
   out.corner = 0.5 * (lower + upper - out.pixel * Vec2(out.width, out.height));
   if (options.region) out.corner = lower;
-  // A pixel ahead, so that relative margins of depths hold the rounding of coordinates.
+  // Starts one pixel ahead, so that relative margins of depths cover the rounding of coordinates.
   out.nearest = extent.lower.z() - out.pixel;
 }
 
@@ -118,7 +119,7 @@ std::vector<Index> all_of(std::span<const Body> bodies) {
   return out;
 }
 
-// Every face of a layer, on many threads: each has a sink of its own.
+// Draws every face of a layer, on many threads, each with its own sink.
 template <class Sink, class Make>
 void draw_all(const Layer& layer, const View& view, int num_threads, Make make) {
   for_each_part(layer.num_faces(), num_threads, [&](size_t, size_t first, size_t last) {
@@ -131,7 +132,7 @@ void draw_all(const Layer& layer, const View& view, int num_threads, Make make) 
   });
 }
 
-// Entries per pixel; gives up once there are too many.
+// Counts entries per pixel; gives up when there are too many.
 class CountSink final : public SpanSink {
  public:
   CountSink(std::vector<std::uint64_t>& counts, int width, std::atomic<size_t>& total, size_t most)
@@ -155,7 +156,7 @@ class CountSink final : public SpanSink {
   size_t m_most, m_new = 0;
 };
 
-// Entries into their places, in any order within a pixel.
+// Stores entries in their places, unordered within a pixel.
 class StoreSink final : public SpanSink {
  public:
   StoreSink(const Layer& layer, int width, std::vector<std::uint64_t>& next,
@@ -184,8 +185,7 @@ bool nearer(const ZListItem& a, const ZListItem& b) {
   return std::tie(a.lower, a.upper, a.body, a.face) < std::tie(b.lower, b.upper, b.body, b.face);
 }
 
-// Whether a line of sight that meets a face's front goes in; see MassProperties for what a solid
-// is.
+// Sign for whether a line of sight enters at a face's front; MassProperties defines solids.
 signed char winding_of(const Shape& shape) {
   if (shape.mass.rule != MassRule::Volume) return 0;
   const Vec3 origin = shape.box.centre();
@@ -224,7 +224,7 @@ CompleteZLists::CompleteZLists(std::span<const Body> bodies, const ProjectionOpt
   const size_t num_pixels = size_t(m_projection.width) * m_projection.height;
   require(num_pixels * sizeof(m_ends[0]) <= options.most_bytes,
           size_text() + " need more than the " + std::to_string(options.most_bytes >> 20) +
-              " MiB that are allowed");
+              " MiB allowed");
   draw(options.most_bytes, threads);
   for_each_part(num_pixels, threads, [&](size_t, size_t first, size_t last) {
     for (size_t i = first; i < last; ++i)
@@ -242,10 +242,12 @@ void CompleteZLists::draw(size_t most_bytes, int num_threads) {
   draw_all<CountSink>(layer, view, num_threads,
                       [&] { return CountSink(m_ends, view.width, total, most); });
   require(total <= most, size_text() + " have more than " + std::to_string(most) +
-                             " entries, which is what the " + std::to_string(most_bytes >> 20) +
-                             " MiB that are allowed can hold; take fewer pixels or a smaller "
+                             " entries, the most that fit into the " +
+                             std::to_string(most_bytes >> 20) +
+                             " MiB allowed; take fewer pixels or a smaller "
                              "region");
-  // Each pixel's items begin where those of the one before end; storing moves that on to their end.
+  // Items of a pixel start where those of the previous one end; storing advances each start to its
+  // end.
   std::uint64_t start = 0;
   for (std::uint64_t& next : m_ends) start += std::exchange(next, start);
   m_items.resize(total);

@@ -6,7 +6,7 @@
 namespace trivet {
 namespace {
 
-// Twice the area, of the longest edge squared, below which its sign may be rounding.
+// Twice the area, relative to the squared longest edge, below which its sign may be rounding error.
 constexpr double kNoInside = 1e-9;
 
 int clamped(double x, int low, int high) {
@@ -36,8 +36,8 @@ Coverage::Coverage(const std::array<Vec2, 3>& p, double half_x, double half_y, i
   m_last_row = clamped(std::floor(high.y() + half_y - 0.5), -1, height - 1);
 }
 
-// Rounding may have turned a triangle without inside over, and an edge of it anywhere: a band about
-// the longest edge, which holds the third corner.
+// Rounding may have flipped a degenerate triangle, and an edge of it to any direction: use a band
+// about the longest edge, which contains the third corner.
 void Coverage::use_longest_edge() {
   int longest = 0;
   const auto squared = [&](int k) {

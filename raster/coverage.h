@@ -1,4 +1,4 @@
-// Which pixels a triangle touches: all of them, and few others.
+// Conservative coverage: all pixels that a triangle touches, and few others.
 #pragma once
 
 #include <array>
@@ -7,23 +7,23 @@
 
 namespace trivet {
 
-/// Pixels by which everything is grown to make up for rounding; what rounds is far below it.
+/// Pixels by which everything is grown to cover rounding errors, which are far smaller.
 inline constexpr double kRoundingPixels = 0.01;
 
-/// A triangle in the plane of an image, row by row. Touched are the pixels that no line along an
-/// edge and no box separates from it [separating axes; Akenine-Moller 2005]: all that it meets, for
-/// any triangle, degenerate ones included.
+/// A triangle in the plane of an image, row by row. Covers the pixels that neither a line along an
+/// edge nor the bounding box separates from it [Akenine-Moller 2005]: all that it
+/// meets, for any triangle, including degenerate ones.
 class Coverage {
  public:
   struct Columns {
     int first, last;  // first > last: none
   };
 
-  /// @param half_x, half_y  half the size of a pixel, grown by what is to be made up for.
+  /// @param half_x, half_y  half the size of a pixel, grown by the error to cover.
   Coverage(const std::array<Vec2, 3>& corners, double half_x, double half_y, int width, int height);
 
   int first_row() const { return m_first_row; }
-  int last_row() const { return m_last_row; }  // < first_row(): no pixel
+  int last_row() const { return m_last_row; }  // < first_row(): empty
   Columns touched(int row) const { return columns(row, m_reach); }
   /// Pixels whose centre is inside by more than `shrink` pixels.
   Columns inside(int row, double shrink) const;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr float kInf = std::numeric_limits<float>::infinity();
 
-static_assert(kPartStep % FaceBoxes::kRun == 0, "two threads would note the box of one run");
+static_assert(kPartStep % FaceBoxes::kRun == 0, "two threads would write the box of one run");
 
 template <bool kTurning>
 bool draw_part(const Layer& layer, const View& view, size_t first, size_t last, DepthMap& out,

@@ -1,4 +1,4 @@
-// Per pixel, the smallest and the largest depth of everything drawn: the paper's second stage.
+// Smallest and largest depth of all drawn faces per pixel: the paper's second stage.
 #pragma once
 
 #include <algorithm>
@@ -8,12 +8,12 @@
 
 namespace trivet {
 
-/// Bounds of depths in each pixel, row by row. Where nothing was drawn: +infinity and -infinity.
+/// Bounds of depths in each pixel, row by row. Empty pixels: +infinity and -infinity.
 struct DepthMap {
   int width = 0, height = 0;
-  std::vector<float> lower, upper;  // all faces in the pixel are within
-  /// On the line through the pixel's centre, some face is met at `highest_centre` or farther along,
-  /// and some at `lowest_centre` or nearer.
+  std::vector<float> lower, upper;  // contain all faces in the pixel
+  /// On the line through the pixel's centre, some face lies at `highest_centre` or farther, and
+  /// some at `lowest_centre` or nearer.
   std::vector<float> highest_centre, lowest_centre;
 
   DepthMap() = default;
@@ -25,7 +25,7 @@ struct DepthMap {
     for (int y = f.y0; y <= f.y1; ++y)
       for (int x = f.x0; x <= f.x1; ++x) {
         const int at = y * width + x;
-        lower[at] = std::min(lower[at], f.lower);  // no branch: which it is cannot be foreseen
+        lower[at] = std::min(lower[at], f.lower);  // branchless: unpredictable
         upper[at] = std::max(upper[at], f.upper);
       }
   }
@@ -34,7 +34,7 @@ struct DepthMap {
   void add(const DepthMap& other);
 };
 
-/// Draws into a map.
+/// Draws into a depth map.
 class DepthMapSink final : public SpanSink {
  public:
   static constexpr bool kCentres = true;
@@ -48,8 +48,8 @@ class DepthMapSink final : public SpanSink {
 };
 
 /// Draws all faces of a projected layer.
-/// @param boxes  are noted, along a direction; null: nobody asks for them.
-/// @return false when a face had too many pieces: the map is not complete.
+/// @param boxes  receives the boxes of runs, along a direction; null: not needed.
+/// @return false if a face had too many pieces: the map is incomplete.
 bool draw_depth_map(const Layer& layer, const View& view, int num_threads, DepthMap& out,
                     FaceBoxes* boxes = nullptr);
 

@@ -1,4 +1,4 @@
-// All faces of a layer, small ones at once. Private.
+// Draws all faces of a layer, with a fast path for small ones. Private.
 #pragma once
 
 #include <cmath>
@@ -15,10 +15,10 @@ struct SmallFace {
   std::uint32_t face;
   int x0, y0, x1, y1;  // pixels, inclusive
   float lower, upper;  // depths
-  bool centres;        // it may hold the centre of a pixel
+  bool centres;        // may contain the centre of a pixel
 };
 
-/// What matters to somebody: faces beyond need not be drawn.
+/// Region of interest; faces outside are culled.
 struct Wanted {
   float lower, upper;  // depths
   int x0, y0, x1, y1;  // pixels, inclusive
@@ -30,11 +30,11 @@ struct Wanted {
   bool has_depths(float from, float to) const { return to >= lower && from <= upper; }
 };
 
-/// Radians. Faces with a longer arc are not small; by so much at most are angles of moving ones
-/// grown where faces are small.
+/// Radians. Faces with a longer arc do not count as small; also bounds the growth of angles of
+/// moving faces where faces are small.
 inline constexpr float kLongestArc = 0.5F;
 inline constexpr double kCopyMargin = 0.45;
-/// Centres whose depth is less certain than this (pixels or radians) are not used.
+/// Centres with a less certain depth (pixels or radians) are not used.
 inline constexpr float kLargestCentreError = 0.02F;
 
 /// Finds the small faces of one body of a layer; the others are for TriangleRaster.
@@ -61,7 +61,7 @@ class SmallFaces {
 
   enum class Kind { Outside, Small, Large };
 
-  /// Depths along a direction are all that is said of a small face's centres, see sample_centres().
+  /// Along a direction, small faces' centres come from sample_centres().
   Kind classify(const Index3& t, SmallFace& out) const {
     const ImageVertex &a = m_vertices[t[0]], &b = m_vertices[t[1]], &c = m_vertices[t[2]];
     const ImageVertex low = a.min(b).min(c) - m_margin, high = a.max(b).max(c) + m_margin;
@@ -69,7 +69,7 @@ class SmallFaces {
     return small_box(low, high, out) ? Kind::Small : Kind::Large;
   }
 
-  /// Along a direction, of faces whose vertices are in this box.
+  /// Along a direction: whether a face with vertices in this box is outside.
   bool is_outside(const ImageVertex& low, const ImageVertex& high) const {
     return (high + m_margin - m_low).min(m_high - low + m_margin).minCoeff() < 0;
   }
@@ -80,7 +80,8 @@ class SmallFaces {
     high = high.max(a.max(b).max(c));
   }
 
-  /// The same of a turn. @param centres  faces that may hold a pixel's centre are not small.
+  /// The same for a rotation. @param centres  faces that may contain a pixel's centre are not
+  /// small.
   Kind classify_turning(const Index3& t, bool centres, SmallFace& out) const {
     ImageVertex a = m_vertices[t[0]], b = m_vertices[t[1]], c = m_vertices[t[2]];
     unwrap(a, b), unwrap(a, c);
@@ -99,8 +100,8 @@ class SmallFaces {
     return Kind::Small;
   }
 
-  /// sample(pixel, depth, error) for pixels of a small face, along a direction, whose centre is
-  /// certainly inside it, by the same 0.01 pixels as in TriangleRaster.
+  /// Calls sample(pixel, depth, error) for pixels of a small face, along a direction, whose centre
+  /// is certainly inside it, by the same 0.01 pixels as in TriangleRaster.
   template <class Sample>
   void sample_centres(const Index3& t, const SmallFace& face, Sample sample) const {
     const ImageVertex &a = m_vertices[t[0]], &b = m_vertices[t[1]], &c = m_vertices[t[2]];
@@ -129,7 +130,7 @@ class SmallFaces {
   }
 
  private:
-  // Grown by all margins, and in the window at least in part.
+  // Grown by all margins; false if wholly outside the window.
   bool small_box(const ImageVertex& low, const ImageVertex& high, SmallFace& out) const {
     if (!(high[0] - low[0] < 3) || !(high[1] - low[1] < 3)) return false;
     const Eigen::Array4i first = low.max(0).cast<int>().max(m_first);
@@ -141,7 +142,7 @@ class SmallFaces {
     out.y1 = last[1];
     out.lower = low[2];
     out.upper = high[2];
-    // Centres up to here, and before; those before 0 do not matter.
+    // Columns and rows of centres up to here, and before; negative ones are irrelevant.
     const Eigen::Array4i up_to = (high + 0.5F).cast<int>(),
                          before = (low.max(0) + 0.5F).cast<int>();
     out.centres = up_to[0] >= before[0] + 1 && up_to[1] >= before[1] + 1;
@@ -163,12 +164,12 @@ class SmallFaces {
   const View& m_view;
   const std::vector<ImageVertex>& m_vertices;
   float m_position_error, m_depth_error, m_first_radius, m_smallest_radius;
-  ImageVertex m_margin, m_low, m_high;  // (columns, rows, depths, nothing)
+  ImageVertex m_margin, m_low, m_high;  // (columns, rows, depths, unused)
   Eigen::Array4i m_first, m_last;
 };
 
 /// Boxes of runs of faces along a direction, of vertices without margins: the first pass over all
-/// faces notes them, later ones leave out at once the runs that lie beyond what they want.
+/// faces records them, later ones skip runs outside their region of interest at once.
 struct FaceBoxes {
   static constexpr size_t kRun = 64;  // faces; parts of a pass begin at multiples of it
   static constexpr float kInf = std::numeric_limits<float>::infinity();
@@ -212,12 +213,12 @@ bool draw_face(const Layer& layer, const SmallFaces& finder, const Wanted& wante
   return true;
 }
 
-/// Draws every `stride`-th face in [first, last) of a projected layer that is wanted, in a view of
-/// the whole image. A sink takes small(SmallFace) of small faces and, if it has kCentres,
-/// sample(pixel, depth, error) on lines through centres that meet them; and, as a SpanSink, the
-/// others. A small fixed face of a turn may come several times, once per angle.
-/// @param boxes  of the layer's faces, noted or to be noted; null: without.
-/// @return false when a face had too many pieces.
+/// Draws every `stride`-th face in [first, last) of a projected layer inside the region of
+/// interest, in a view of the whole image. A sink takes small(SmallFace) for small faces and, if it
+/// has kCentres, sample(pixel, depth, error) on lines through centres that meet them; other faces
+/// go to it as a SpanSink. A small fixed face of a rotation may come several times, once per angle.
+/// @param boxes  of the layer's faces, read or recorded; null: not used.
+/// @return false if a face had too many pieces.
 template <bool kTurning, class Sink>
 bool draw_faces(const Layer& layer, const View& view, const Wanted& wanted, size_t first,
                 size_t last, size_t stride, TriangleRaster& raster, Sink& sink,

@@ -14,7 +14,7 @@ constexpr int kLanes = 8;
 using Lanes = Eigen::Array<float, kLanes, 1>;  // independent minima, which Eigen vectorises
 constexpr float kInf = std::numeric_limits<float>::infinity();
 
-// A run of the object's pixels in one row, with something in its first and its last.
+// A run of the object's pixels in one row, non-empty at its first and its last.
 struct Span {
   int row, first, last;  // [first, last)
 };

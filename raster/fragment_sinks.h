@@ -1,23 +1,23 @@
-// What the passes of a search do with what is drawn. Private.
+// Sinks for the passes of a search. Private.
 #pragma once
 
 #include "raster/zlist_search.h"
 
 namespace trivet {
 
-/// Fixed faces against the depth map of the moving ones: keeps what may be first, lowers the bound.
+/// Tests fixed faces against the depth map of the moving ones: keeps candidates, lowers the bound.
 class FixedSink final : public SpanSink {
  public:
   static constexpr bool kCentres = true;
   FixedSink(const DepthMap& map, SharedMinimum& upper) : m_map(map), m_upper(upper) {}
 
-  bool keep = true;  // false: only the upper bound is wanted
+  bool keep = true;  // false: only the upper bound is needed
   std::vector<Fragment> found;
-  std::vector<char> covered;  // pixels that both sides touch; empty: not asked for
+  std::vector<char> covered;  // pixels touched by both sides; empty: not needed
   std::size_t most = 0;       // fragments
   bool overflow = false;
 
-  // The line through the centre meets both: they touch when it says, unless they have before.
+  // The line through the centre meets both: contact at that time at the latest.
   void sample(int pixel, float centre, float error) {
     const float moving = m_map.highest_centre[pixel];
     const bool certainly_ahead = centre - error >= moving + 2 * kLargestCentreError;
@@ -38,7 +38,7 @@ class FixedSink final : public SpanSink {
       for (int x = f.x0; x <= f.x1; ++x) add(y * m_map.width + x, f.face, f.lower, f.upper);
   }
 
-  /// Drops what the bound has left behind since.
+  /// Drops fragments beyond the lowered bound.
   void compact() {
     const float upper = m_upper.get();
     std::erase_if(found, [&](const Fragment& f) { return f.lower - m_map.upper[f.pixel] > upper; });
@@ -47,7 +47,7 @@ class FixedSink final : public SpanSink {
  private:
   void add(int pixel, std::uint32_t id, float lower, float upper) {
     const float front = m_map.upper[pixel];
-    // Nothing moving there (front is -infinity), or behind its rear: it moves away.
+    // No moving face there (front is -infinity), or behind its rear: separating.
     if (!(upper >= m_map.lower[pixel]) || !(lower <= upper)) return;
     if (!covered.empty()) covered[pixel] = 1;
     if (!(lower - front <= m_upper.get())) return;
@@ -68,7 +68,8 @@ class MovingSink final : public SpanSink {
  public:
   static constexpr bool kCentres = false;
   struct Limits {
-    std::vector<float> lower, upper;  // per pixel: a moving face must reach this, begin before that
+    std::vector<float> lower,
+        upper;  // per pixel: a moving face must reach one and begin before the other
   };
   explicit MovingSink(const Limits& limits, int width) : m_limits(limits), m_width(width) {}
 
@@ -99,7 +100,7 @@ class MovingSink final : public SpanSink {
   int m_width;
 };
 
-/// Keeps everything, and the map: of few faces, in a zoomed view.
+/// Keeps all fragments, and the map: for few faces, in a zoomed view.
 class ZoomSink final : public SpanSink {
  public:
   ZoomSink(DepthMap& map, std::vector<Fragment>& found) : m_map(map), m_found(found) {}

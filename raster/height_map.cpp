@@ -23,7 +23,7 @@ ZListFrame frame_of(const MapGrid& grid, double growth) {
   return frame;
 }
 
-// Outwards by what rounding may have taken, in metres.
+// Rounds outwards by the possible rounding error, in metres.
 float lowered(float height) { return height - kRounding * std::abs(height); }
 float raised(float height) { return height + kRounding * std::abs(height); }
 
@@ -53,7 +53,7 @@ DepthMap draw(std::span<const Body> bodies, const MapGrid& grid, const View& vie
   return map;
 }
 
-// out[x] = max(out[x], the highest of row[x - half .. x + half]); linear, whatever `half`: maxima
+// out[x] = max(out[x], maximum of row[x - half .. x + half]); linear for any `half`: running maxima
 // from the left and from the right ends of blocks of that length [van Herk 1992].
 void take_highest_in_reach(const float* row, int half, std::span<float> out) {
   const int length = 2 * half + 1, count = static_cast<int>(out.size()) + 2 * half;

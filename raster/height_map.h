@@ -1,4 +1,4 @@
-// Height maps of bodies seen from above: what drop_brackets() correlates.
+// Height maps of bodies seen from above, the input of drop_brackets().
 #pragma once
 
 #include <span>
@@ -8,14 +8,14 @@
 
 namespace trivet {
 
-/// Where pixels are: pixel (i, j) is the square from `corner` + (i, j) pixel on; world, metres.
+/// Placement of pixels: pixel (i, j) is the square from `corner` + (i, j) pixel on; world, metres.
 struct MapGrid {
   Vec2 corner = Vec2::Zero();
   double pixel = 0;  // metres
   int width = 0, height = 0;
   double level = 0;  // heights are relative to this z
 
-  /// Pixels that hold a box seen from above.
+  /// Pixels that contain a box seen from above.
   static MapGrid about(const Aabb& box, double pixel, double level);
 };
 
@@ -23,13 +23,13 @@ struct MapGrid {
 HeightMap draw_underside(std::span<const Body> bodies, const MapGrid& grid, double growth);
 
 /// The highest surfaces.
-/// @param floor    the plane z = 0 is there, too.
-/// @param ceiling  faces that are above this z as a whole are left out.
+/// @param floor    include the plane z = 0.
+/// @param ceiling  skip faces wholly above this z.
 HeightMap draw_top(std::span<const Body> bodies, const MapGrid& grid, bool floor,
                    double ceiling = kInfinity);
 
-/// The bounds of tops widened: the highest within so many pixels of each, centre to centre.
-/// @param border  pixels at each side of `map` that the result does not have; >= pixels.
+/// Widened upper bounds: the maximum within so many pixels of each, centre to centre.
+/// @param border  pixels cropped from each side of `map`; >= pixels.
 HeightMap widened_top(const HeightMap& map, double pixels, int border);
 
 }  // namespace trivet

@@ -9,7 +9,7 @@
 namespace trivet {
 namespace {
 
-// A vertex is rounded to float32 once: half an ulp, with reserve.
+// A vertex is rounded to float32 once: half an ulp, with margin.
 constexpr double kFloatError = 1.2e-7;
 
 // An affine map, four rows at once.

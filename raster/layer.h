@@ -1,4 +1,4 @@
-// The faces of some bodies, in the coordinates of a frame.
+// The faces of several bodies in the coordinates of a frame.
 #pragma once
 
 #include <span>
@@ -12,7 +12,7 @@ namespace trivet {
 /// moving_depth / 2 + pi). Filled up to 16 bytes, one register.
 using ImageVertex = Eigen::Array4f;
 
-/// Faces of several bodies, numbered through.
+/// Faces of several bodies, numbered consecutively.
 class Layer {
  public:
   struct Member {
@@ -36,7 +36,7 @@ class Layer {
   const std::vector<Member>& members() const { return m_members; }
   std::uint32_t num_faces() const { return m_num_faces; }
   FaceId id(std::uint32_t face) const;
-  /// In double, as of ZListFrame::pixels_from_object().
+  /// In double, as from ZListFrame::pixels_from_object().
   Triangle corners(std::uint32_t face) const;
 
  private:

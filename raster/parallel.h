@@ -1,4 +1,4 @@
-// Work split into contiguous parts, so that what they find can be joined in a fixed order.
+// Splits work into contiguous parts whose results can be joined in a fixed order.
 #pragma once
 
 #include <tbb/parallel_for.h>
@@ -32,7 +32,7 @@ void in_parallel(size_t count, F f) {
 #endif
 }
 
-/// Less than this is not worth a thread.
+/// Smaller parts are not worth a thread.
 inline constexpr size_t kSmallestPart = 1 << 14;
 
 inline size_t num_parts(size_t count, int num_threads) {
@@ -42,7 +42,7 @@ inline size_t num_parts(size_t count, int num_threads) {
 /// Parts begin at multiples of this.
 inline constexpr size_t kPartStep = 64;
 
-/// f(part, first, last) for each of num_parts() parts.
+/// Calls f(part, first, last) for each of num_parts() parts.
 template <class F>
 void for_each_part(size_t count, int num_threads, F f) {
   const size_t parts = num_parts(count, num_threads);

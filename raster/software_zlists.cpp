@@ -21,13 +21,13 @@ SoftwareZLists::SoftwareZLists(const SoftwareZListOptions& options) : m_options(
   };
   require(options.resolution >= 0 && options.resolution <= kLargestResolution,
           "resolution of z-lists is " + std::to_string(options.resolution) +
-              "; it can be 0 (chosen) to " + std::to_string(kLargestResolution));
+              "; accepted: 0 (automatic) to " + std::to_string(kLargestResolution));
   require(options.num_threads >= 0, "number of threads of z-lists is " +
                                         std::to_string(options.num_threads) +
-                                        "; it can be 0 (all) or more");
+                                        "; accepted: 0 (all) or more");
   require(
       options.zoom_levels >= 0 && options.zoom_levels <= 4,
-      "zoom levels of z-lists are " + std::to_string(options.zoom_levels) + "; they can be 0 to 4");
+      "zoom levels of z-lists are " + std::to_string(options.zoom_levels) + "; accepted: 0 to 4");
   if (m_options.num_threads == 0)
     m_options.num_threads = std::max(1, tbb::this_task_arena::max_concurrency());
 }

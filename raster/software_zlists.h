@@ -1,4 +1,4 @@
-// z-lists in software as a source of candidates for first contact.
+// Candidate finder for first contact by z-lists in software.
 #pragma once
 
 #include <memory>
@@ -8,19 +8,19 @@
 namespace trivet {
 
 struct SoftwareZListOptions {
-  int resolution = 0;   // pixels along the image's longer side; 0: by the number of faces
+  int resolution = 0;   // pixels along the image's longer side; 0: chosen by the number of faces
   int num_threads = 1;  // 0: all cores
   int zoom_levels = 3;  // each 8 times finer, in pixels with many pairs; 0: none
-  std::size_t most_fragments = std::size_t{1} << 24;  // memory: 16 bytes each; beyond, it gives up
+  std::size_t most_fragments = std::size_t{1}
+                               << 24;  // memory limit: 16 bytes each; gives up beyond
   std::size_t most_pairs = std::size_t{1} << 22;
 };
 
-/// The paper's three stages [Shinya and Forgue 1995, section 5.1] as branch and bound along the
-/// motion: boxes; minimal and maximal depths per pixel, and from lines that meet both sides an
-/// upper bound of the time; lists only in pixels whose lower bound does not exceed it, zoomed in to
-/// where they are long. README.md tells why no pair is missed. Needs no preparation of the meshes.
-/// Cost O(vertices + faces + touched pixels + pairs left). The same proposal with any number of
-/// threads.
+/// The paper's three stages [Shinya 1995, section 5.1] as branch and bound along the motion: boxes;
+/// minimal and maximal depths per pixel, with an upper bound of the time from lines that meet both
+/// sides; lists only in pixels whose lower bound does not exceed it, zoomed in where they are long.
+/// README.md proves that no pair is missed. Needs no preprocessing of the meshes. Cost O(vertices +
+/// faces + touched pixels + pairs left). The same candidates with any number of threads.
 class SoftwareZLists : public ZListStage {
  public:
   /// @throws Error (BadInput) for options out of range.

@@ -1,5 +1,5 @@
-// Draws one triangle, conservatively: every pixel that it touches, with a range that holds its
-// depth everywhere in that pixel.
+// Conservative rasterisation of one triangle: every pixel that it touches, with a range that
+// contains its depth everywhere in that pixel.
 #pragma once
 
 #include <array>
@@ -20,12 +20,12 @@ class TriangleRaster {
  public:
   explicit TriangleRaster(const View& view);
 
-  /// @param corners  as of ZListFrame::pixels_from_object().
-  /// @return false when the triangle has too many pieces (of a turn, near the axis).
+  /// @param corners  as from ZListFrame::pixels_from_object().
+  /// @return false if the triangle has too many pieces (in a rotation, near the axis).
   bool draw(const Triangle& corners, SpanSink& sink);
 
-  /// f(shift) for every multiple of a turn that brings angles of a fixed face to where a moving one
-  /// may reach it; f(0) for a moving face.
+  /// Calls f(shift) for every multiple of a turn that brings angles of a fixed face within reach of
+  /// a moving one; f(0) for a moving face.
   template <class F>
   void for_each_copy(double first_angle, double last_angle, F f) const {
     if (m_view.moving) return f(0.0);
@@ -40,7 +40,7 @@ class TriangleRaster {
     std::array<double, 3> radius;
     double largest_radius, smallest_radius;  // of the piece
     double first_angle, last_angle;          // unwrapped; if narrow
-    double size;                             // no two points are farther apart
+    double size;                             // largest distance of two points
     bool narrow;                             // angles are meaningful
     double bulge() const;
   };
@@ -62,7 +62,7 @@ class TriangleRaster {
   double m_growth;
   std::vector<float> m_lower, m_upper, m_centre;  // of a row
   std::vector<double> m_angle_growth;             // of a turn, by column
-  Range m_angles;                                 // a face of a turn matters at these alone
+  Range m_angles;                                 // angles that matter for a face of a rotation
 };
 
 }  // namespace trivet

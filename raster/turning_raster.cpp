@@ -1,4 +1,4 @@
-// Triangles of a turn, in the image of radius and height; the rest of TriangleRaster.
+// Triangles of a rotation, in the image of radius and height; the rest of TriangleRaster.
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -18,7 +18,7 @@ constexpr double kWide = 1.5;           // radians; beyond, an axis inside canno
 constexpr double kLongestPiece = 0.5;   // radians
 constexpr double kLargestBulge = 0.25;  // pixels
 constexpr double kBlock = 1;            // pixels; smaller pieces are not bisected
-constexpr double kTinyRadius = 1e-3;    // pixels; angles mean nothing below
+constexpr double kTinyRadius = 1e-3;    // pixels; angles are meaningless below
 constexpr double kCentreError = 1e-7;   // of the cosine of a centre
 constexpr int kMostPieces = 1 << 18;
 constexpr double kFar = 20;  // beyond all angles
@@ -89,7 +89,7 @@ Hull angles_in_cell(const Cosines& c, double q0, double q1) {
   return hull;
 }
 
-// The only angle in [q0, q1] with this cosine; NaN if there is none or another one.
+// The only angle in [q0, q1] with this cosine; NaN if there is none or more than one.
 double only_angle(double cosine, double q0, double q1) {
   if (!(std::abs(cosine) < 0.9999)) return kNone;  // errors grow without bound
   const double b = fast_acos(cosine);

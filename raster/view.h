@@ -1,4 +1,4 @@
-// The part of a frame's image that is drawn, and what comes out: rows of pixels with depths.
+// Drawn part of a frame's image, and the output: rows of pixels with depths.
 #pragma once
 
 #include "core/contact/zlist_frame.h"
@@ -9,7 +9,7 @@ namespace trivet {
 /// Depths are the frame's in every view.
 struct View {
   const ZListFrame* frame = nullptr;
-  bool moving = false;         // draws moving faces: grown, each at one angle
+  bool moving = false;         // draws moving faces: grown, and each at a single angle
   double column = 0, row = 0;  // lower left corner, in pixels of the frame
   double scale = 1;            // pixels of the view per pixel of the frame
   int width = 0, height = 0;
@@ -17,7 +17,7 @@ struct View {
   static View whole(const ZListFrame& frame, bool moving) {
     return {&frame, moving, 0, 0, 1, frame.width, frame.height};
   }
-  /// One pixel of this view, `factor` times finer.
+  /// One pixel of this view, magnified `factor` times.
   View zoomed(int x, int y, int factor) const {
     return {frame, moving, column + x / scale, row + y / scale, scale * factor, factor, factor};
   }
@@ -36,13 +36,13 @@ struct Span {
   int row, first, count;
   const float *lower, *upper;  // depths of the face within the pixel; lower > upper: not touched
   const float* centre;         // depth on the line through the pixel's centre; NaN: not met
-  float centre_error;          // of `centre`, at most
+  float centre_error;          // bound of the error of `centre`
 };
 
-/// Takes what a rasteriser draws.
+/// Receives the spans that a rasteriser draws.
 class SpanSink {
  public:
-  std::uint32_t face = 0;  // whose spans follow
+  std::uint32_t face = 0;  // face of the following spans
 
   virtual void span(const Span& span) = 0;
 

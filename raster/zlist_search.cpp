@@ -13,20 +13,20 @@ namespace {
 
 constexpr float kInf = std::numeric_limits<float>::infinity();
 constexpr int kZoom = 8;
-// Pairs in a pixel from which it pays to zoom; where depths are tied, zooming only multiplies them.
+// Pairs in a pixel from which zooming pays; with tied depths, zooming only multiplies them.
 constexpr size_t kZoomPairs = 64, kZoomTiedPairs = 4096;
-// Zooming in again must shorten the lists of a pixel to this part, on average.
+// Further zooming must shorten the lists of a pixel by this factor, on average.
 constexpr size_t kZoomGain = 4;
 constexpr size_t kAnyPairs = std::numeric_limits<std::uint32_t>::max();
 constexpr int kMostZooms = 1 << 14;
-// Angles of one face in one pixel that are less than this apart are one fragment.
+// Angles of one face in one pixel closer than this are merged into one fragment.
 constexpr float kOneFragment = 0.5F;
-// Faces from which a first bound from every kStride-th one pays.
+// Number of faces from which a first bound by every kStride-th one pays.
 constexpr size_t kManyFaces = 4096, kStride = 16;
 
 float rounded_up(double x) { return static_cast<float>(x) * 1.000001F; }
 
-// Every part of a layer with a sink of its own.
+// Runs every part of a layer with its own sink.
 template <class Sink, class Make, class Done>
 bool draw_parts(const Layer& layer, const View& view, const Wanted& wanted, size_t stride,
                 int num_threads, Make make, Done done, FaceBoxes* boxes = nullptr) {
@@ -45,7 +45,7 @@ bool draw_parts(const Layer& layer, const View& view, const Wanted& wanted, size
   return std::find(complete.begin(), complete.end(), 0) == complete.end();
 }
 
-// The pixels in [0, width) x ... whose intervals are not empty, and the hull of the intervals,
+// Region of pixels in [0, width) x ... with non-empty intervals, and the hull of the intervals,
 // grown by `later` at the upper end.
 Wanted wanted_of(const std::vector<float>& lower, const std::vector<float>& upper, int width,
                  float later) {
@@ -64,7 +64,7 @@ Wanted wanted_of(const std::vector<float>& lower, const std::vector<float>& uppe
   return out;
 }
 
-// Sorted by pixel and face; pieces of one face of a turn become one fragment.
+// Sorts by pixel and face; pieces of one face of a rotation are merged into one fragment.
 void sort_fragments(std::vector<Fragment>& list) {
   std::sort(list.begin(), list.end(), [](const Fragment& a, const Fragment& b) {
     return std::tie(a.pixel, a.face, a.lower) < std::tie(b.pixel, b.face, b.lower);
@@ -81,7 +81,7 @@ void sort_fragments(std::vector<Fragment>& list) {
   list.resize(num);
 }
 
-// From `at` on, the fragments of its pixel.
+// Starting at `at`, the fragments of its pixel.
 std::span<Fragment> same_pixel(std::vector<Fragment>& list, size_t at) {
   size_t end = at;
   while (end < list.size() && list[end].pixel == list[at].pixel) ++end;
@@ -162,7 +162,7 @@ bool ZListSearch::collect_fixed(const View& view, const DepthMap& map, std::vect
       draw_parts<FixedSink>(m_fixed, view, wanted, 1, m_options.num_threads, make, done);
   m_work.pixels = std::count(covered.begin(), covered.end(), 1);
   if (!complete) return give_up("a fixed face has too many pieces near the axis");
-  return overflow ? give_up("too many fixed faces are in doubt") : true;
+  return overflow ? give_up("too many doubtful fixed faces") : true;
 }
 
 bool ZListSearch::collect_moving(const View& view, const std::vector<Fragment>& fixed,
@@ -190,10 +190,10 @@ bool ZListSearch::collect_moving(const View& view, const std::vector<Fragment>& 
   const bool complete = draw_parts<MovingSink>(m_moving, view, wanted, 1, m_options.num_threads,
                                                make, done, &m_moving_boxes);
   if (!complete) return give_up("a moving face has too many pieces near the axis");
-  return overflow ? give_up("too many moving faces are in doubt") : true;
+  return overflow ? give_up("too many doubtful moving faces") : true;
 }
 
-// Pixels in which both sides are, the nearest first.
+// Pixels with fragments of both sides, the nearest first.
 std::vector<ZListSearch::Pixel> ZListSearch::pixels_of(Lists& lists) {
   sort_fragments(lists.moving);
   sort_fragments(lists.fixed);
@@ -274,7 +274,7 @@ bool ZListSearch::zoom(const View& view, int level, const Pixel& pixel) {
   if (!draw(m_moving, pixel.moving, moving, to_map) || !draw(m_fixed, pixel.fixed, fixed, to_list))
     return give_up("a face has too many pieces near the axis");
   if (to_list.overflow || lists.moving.size() > m_options.most_fragments)
-    return give_up("too many faces are in doubt");
+    return give_up("too many doubtful faces");
   to_list.compact();
   lists.fixed = std::move(to_list.found);
   return resolve(finer, level + 1, pixel.moving.size() * pixel.fixed.size(), lists);
@@ -294,10 +294,10 @@ bool ZListSearch::add_pairs(const Pixel& p) {
   if (m_candidates.size() <= m_options.most_pairs) return true;
   drop_duplicates();
   return m_candidates.size() <= m_options.most_pairs / 2 ? true
-                                                         : give_up("too many pairs are left");
+                                                         : give_up("too many candidate pairs");
 }
 
-// One candidate per pair, with its lowest bound; none beyond the upper bound.
+// Keeps one candidate per pair, with its lowest bound; none beyond the upper bound.
 void ZListSearch::drop_duplicates() {
   const float upper = m_upper.get();
   std::erase_if(m_candidates, [&](const Candidate& c) { return c.bound > upper; });

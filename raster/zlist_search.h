@@ -1,4 +1,4 @@
-// One query of SoftwareZLists: from a frame to the pairs of faces that can be first. Private.
+// One query of SoftwareZLists: from a frame to the candidate pairs of faces. Private.
 #pragma once
 
 #include <atomic>
@@ -16,7 +16,7 @@ struct Fragment {
   float lower, upper;  // depths
 };
 
-/// The smallest of many numbers, from many threads.
+/// Minimum over numbers from many threads.
 class SharedMinimum {
  public:
   void reset(float x) { m_value.store(x, std::memory_order_relaxed); }
@@ -71,7 +71,7 @@ class ZListSearch {
   Layer m_moving, m_fixed;
   FaceBoxes m_moving_boxes;
   float m_reach, m_tie;
-  SharedMinimum m_upper;  // of the difference of depths; m_reach when nothing is known
+  SharedMinimum m_upper;  // of the difference of depths; m_reach while unknown
   std::vector<Candidate> m_candidates;
   int m_num_zooms = 0;
   ZListWork m_work;

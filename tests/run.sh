@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# From a fresh Debian 12 to the verdict of all tests: installs what is missing, builds, runs.
+# Runs all tests on a fresh Debian 12: installs missing packages, builds, tests.
 #   tests/run.sh [--asan|--tsan|--release] [options of ctest]
-# Without an option the preset dev is tested: optimised, with assertions. For one test see README.md.
+# Without an option, tests the preset dev: optimised, with assertions. For a single test see
+# README.md.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 preset=dev

@@ -32,13 +32,13 @@ void import_and_exit(int argc, char** argv, ModelReader reader) {
   limit(RLIMIT_FSIZE, 0);
   limit(RLIMIT_CPU, static_cast<rlim_t>(std::strtod(argv[5], nullptr)), 5);
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-  limit(RLIMIT_AS, limits.max_memory_bytes);  // sanitizers map terabytes and touch little
+  limit(RLIMIT_AS, limits.max_memory_bytes);  // not under sanitizers, which reserve terabytes
 #endif
   const Tessellation tessellation{std::strtod(argv[6], nullptr), std::strtod(argv[7], nullptr)};
   const std::string path = argv[1];
   const auto read = [&] { return reader(path, limits, tessellation); };
   const int status = serve_import(read, path, limits, kOutput);
-  _exit(status);  // nothing to clean up, and libraries' destructors may be where a bad file strikes
+  _exit(status);  // skips destructors of libraries, which a bad file might crash
 }
 
 }  // namespace trivet::apps

@@ -1,4 +1,4 @@
-// What the programs that read one model for another process have in common (core/io/isolated.h).
+// Common part of the programs that import one model for another process (core/io/isolated.h).
 #pragma once
 
 #include "core/io/model.h"
@@ -7,8 +7,8 @@ namespace trivet::apps {
 
 using ModelReader = Model (*)(const std::string& path, const ImportLimits&, const Tessellation&);
 
-/// PATH MAX_FILE_BYTES MAX_TRIANGLES MAX_MEMORY_BYTES CPU_SECONDS CHORD FACET_ANGLE_DEG: puts this
-/// process within these limits, reads the model, answers on descriptor 3 and ends the process.
+/// PATH MAX_FILE_BYTES MAX_TRIANGLES MAX_MEMORY_BYTES CPU_SECONDS CHORD FACET_ANGLE_DEG: applies
+/// these limits to this process, reads the model, answers on descriptor 3 and exits.
 [[noreturn]] void import_and_exit(int argc, char** argv, ModelReader reader);
 
 }  // namespace trivet::apps

@@ -1,4 +1,4 @@
-// trivet-import: reads one model of triangles and sends it to the process that started it.
+// trivet-import: reads one triangle model and sends it to the parent process.
 #include "apps/import/importer.h"
 
 int main(int argc, char** argv) {

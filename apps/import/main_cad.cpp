@@ -1,5 +1,5 @@
-// trivet-import-cad: the same for STEP, IGES and BREP. A program of its own, as loading Open
-// CASCADE takes longer than most models.
+// trivet-import-cad: the same for STEP, IGES and BREP. A separate program, as loading Open CASCADE
+// takes longer than reading most models.
 #include "apps/import/importer.h"
 #include "core/io/cad/cad_model.h"
 

@@ -9,7 +9,7 @@
 namespace trivet::apps {
 namespace {
 
-// Who sends faster than lines are done waits.
+// Back pressure: a sender that is further ahead waits.
 constexpr std::size_t kMostAhead = 4096;
 
 }  // namespace
@@ -19,7 +19,7 @@ struct CancellableLines::State {
   std::condition_variable changed;
   std::deque<std::shared_ptr<InputLine>> waiting;
   std::shared_ptr<InputLine> in_work;
-  bool ended = false, closed = false;  // closed: nobody asks any more
+  bool ended = false, closed = false;  // closed: no reader is left
 
   void cancel_all() {
     for (const auto& line : waiting) line->cancelled = true;

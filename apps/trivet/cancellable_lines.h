@@ -1,4 +1,4 @@
-// Lines of standard input, read ahead, so that one of them can cancel those before it.
+// Lines of standard input, read ahead, so that a line can cancel earlier ones.
 #pragma once
 
 #include <atomic>
@@ -16,20 +16,20 @@ struct InputLine {
 
 class CancellableLines {
  public:
-  /// Begins to read, on a thread of its own. @param input  outlives the program.
-  /// @param cancels  whether a line cancels all lines before it that are not done; called on that
-  ///   thread, and must not throw.
+  /// Starts to read, on a thread of its own. @param input  outlives the program.
+  /// @param cancels  whether a line cancels all unfinished lines before it; called on that thread,
+  ///   and must not throw.
   CancellableLines(std::istream& input, std::function<bool(const std::string&)> cancels);
   ~CancellableLines();
   CancellableLines(const CancellableLines&) = delete;
   CancellableLines& operator=(const CancellableLines&) = delete;
 
-  /// Waits for it. The line before is done. @return null at the end of the input.
+  /// Waits for the next line; the previous one is finished. @return null at the end of the input.
   std::shared_ptr<InputLine> next();
 
  private:
   struct State;
-  std::shared_ptr<State> m_state;  // shared with the thread, which nothing can wake from reading
+  std::shared_ptr<State> m_state;  // shared with the thread, which cannot be woken from reading
 };
 
 }  // namespace trivet::apps

@@ -28,36 +28,37 @@ ImportLimits CommonOptions::limits() const {
   limits.importer = find_importer();
   if (limits.importer.empty())
     throw Error(Error::Kind::Environment,
-                "the program trivet-import, in which models are read, is not beside this one; "
+                "the program trivet-import, which reads models, is not beside this one; "
                 "accepted: --import-in-process");
   return limits;
 }
 
 void add_common_options(CLI::App& app, CommonOptions& common) {
   const char* const group = "Options of all verbs";
-  app.add_option("--backend", common.backend, "What proposes candidates; the result is the same")
+  app.add_option("--backend", common.backend,
+                 "Broad phase that finds candidate pairs; results do not depend on it")
       ->check(one_of({"auto", "gpu", "software", "bvh"}))
       ->group(group);
-  app.add_option("--threads", common.num_threads, "0: all cores; the result is the same")
+  app.add_option("--threads", common.num_threads, "0: all cores; results do not depend on it")
       ->check(integer_from(0, 4096))
       ->group(group);
-  app.add_option("--max-file-mb", common.max_file_mb, "Larger input files are refused")
+  app.add_option("--max-file-mb", common.max_file_mb, "Refuse larger input files")
       ->check(number_from(0, 1e9))
       ->group(group);
   app.add_flag("--import-in-process", common.import_in_process,
-               "Read models in this process, not in one of their own that may crash")
+               "Read models in this process, not in a sandboxed one")
       ->group(group);
   app.add_option("--import-seconds", common.import_seconds,
-                 "For one model; 0: 60, and one for each MB of the file")
+                 "Time limit per model; 0: 60, plus 1 per MB of the file")
       ->check(number_from(0, 1e6))
       ->group(group);
   app.add_option("--import-memory-mb", common.import_memory_mb,
-                 "For one model; 0: 1024, and 64 for each MB of the file")
+                 "Memory limit per model; 0: 1024, plus 64 per MB of the file")
       ->check(number_from(0, 1e7))
       ->group(group);
-  app.add_flag("--json", common.json, "JSON on standard output, errors too")->group(group);
-  app.add_flag("--quiet", common.quiet, "Nothing but results and errors")->group(group);
-  app.add_flag("--verbose", common.verbose, "Says on standard error what each stage left over")
+  app.add_flag("--json", common.json, "Print results and errors as JSON")->group(group);
+  app.add_flag("--quiet", common.quiet, "Print only results and errors")->group(group);
+  app.add_flag("--verbose", common.verbose, "Print statistics of each stage to standard error")
       ->group(group);
   app.set_version_flag("--version", "trivet " TRIVET_VERSION)->group(group);
   app.get_help_ptr()->group(group);
@@ -67,34 +68,34 @@ void add_settle_options(CLI::App& app, SettleArguments& arguments) {
   SettleOptions& settle = arguments.settle;
   const char* const group = "Settling";
   app.add_option("--clearance", settle.clearance,
-                 "Metres at which motions stop before contact; 0: 2^-20 of the scene's size")
+                 "Gap in metres at which motions stop; 0: 2^-20 of the scene's size")
       ->check(number_from(0, 1e6))
       ->group(group);
-  app.add_option("--max-motions", settle.max_motions, "More motions than this: refused")
+  app.add_option("--max-motions", settle.max_motions, "Refuse operations that need more motions")
       ->check(integer_from(1, 1'000'000'000))
       ->group(group);
-  app.add_option(
-         "--operation-seconds", arguments.operation_seconds,
-         "An operation that takes longer leaves the scene as it was; 0: as long as it needs")
+  app.add_option("--operation-seconds", arguments.operation_seconds,
+                 "Time limit of an operation, which then leaves the scene unchanged; 0: none")
       ->check(number_from(0, 1e9))
       ->group(group);
   app.add_flag("--accept-wedged", settle.accept_wedged,
-               "Accept objects that can neither move nor be shown to be supported")
+               "Accept wedged objects, which can neither move nor be shown to be supported")
       ->group(group);
   app.add_flag("--literal-paper-rules", settle.literal_paper_rules,
-               "The paper's three cases of settling to the letter, for comparison")
+               "Settle by exactly the paper's three cases, for comparison")
       ->group(group);
 }
 
 void add_tessellation_options(CLI::App& app, Tessellation& tessellation) {
   const char* const group = "Curved surfaces: STEP, IGES, BREP";
-  app.add_option("--chord", tessellation.chord,
-                 "Metres of the model, before scale, from surface to triangles; default: 1/1000 of "
-                 "its size")
+  app.add_option(
+         "--chord", tessellation.chord,
+         "Largest distance of triangles from the surface, metres before scale; default: 1/1000 of "
+         "the model's size")
       ->check(number_from(kMinChord, kMaxChord))
       ->group(group);
   app.add_option("--facet-angle-deg", tessellation.facet_angle_deg,
-                 "Degrees between neighbouring segments, and facets; default: 20")
+                 "Largest angle between neighbouring segments and facets, degrees; default: 20")
       ->check(number_from(kMinFacetAngleDeg, kMaxFacetAngleDeg))
       ->group(group);
 }
@@ -103,7 +104,7 @@ void check_tessellation(const Tessellation& tessellation, const std::string& mod
   if (tessellation == Tessellation{} || !cad_format(model).empty()) return;
   throw Error(Error::Kind::BadInput,
               "--chord, --facet-angle-deg: \"" + model +
-                  "\" has no curved surfaces; accepted: with models in STEP, IGES or BREP (.step "
+                  "\" has no curved surfaces; accepted: models in STEP, IGES or BREP (.step "
                   ".stp .iges .igs .brep .brp)");
 }
 

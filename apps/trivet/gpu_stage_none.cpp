@@ -7,7 +7,7 @@ namespace {
 
 [[noreturn]] void refuse() {
   throw Error(Error::Kind::Environment,
-              "this build of trivet has no GPU support; it was configured without EGL");
+              "this build of trivet has no GPU support (configured without EGL)");
 }
 
 }  // namespace

@@ -35,14 +35,16 @@ void check_distinct(const std::vector<std::string>& outputs,
   for (size_t i = 0; i < outputs.size(); ++i) {
     for (size_t j = 0; j < i; ++j)
       if (identity_of(outputs[i]) == identity_of(outputs[j]))
-        throw Error(Error::Kind::BadInput, outputs[i] + ": two outputs would go to this file");
+        throw Error(Error::Kind::BadInput,
+                    outputs[i] + ": used for two outputs; accepted: different files");
     for (const std::string& input : inputs)
       if (identity_of(outputs[i]) == identity_of(input))
-        throw Error(Error::Kind::BadInput, outputs[i] + ": is an input and would be overwritten");
+        throw Error(Error::Kind::BadInput,
+                    outputs[i] + ": is an input and would be overwritten; accepted: another file");
   }
 }
 
-// Tries, and leaves nothing behind.
+// Tries to write, and leaves no file behind.
 void check_writable(const std::string& path) {
   std::error_code ignored;
   if (fs::is_directory(path, ignored)) {
@@ -53,7 +55,7 @@ void check_writable(const std::string& path) {
     if (access(path.c_str(), W_OK) != 0) fail_write(path);
     if (!fs::is_regular_file(path, ignored)) return;  // a device or a pipe
   }
-  // Through a symbolic link, as the file will be written.
+  // Follows a symbolic link, like the later write.
   const fs::path target = fs::weakly_canonical(fs::absolute(path), ignored);
   const std::string trial_name = ".trivet_trial_" + std::to_string(getpid());
   const fs::path trial = (ignored ? fs::path(path) : target).parent_path() / trial_name;
@@ -79,7 +81,7 @@ std::string quoted_list(const std::vector<std::string>& names) {
   return out;
 }
 
-// What people want to know of a move that was done: a line, or nothing when all is as asked for.
+// Summary of a completed move for display: a line, or "" if done as requested.
 std::string end_of(const OperationRecord& record) {
   const OperationResult& r = record.result;
   using End = OperationResult::End;
@@ -117,23 +119,23 @@ std::string stability_summary(const LayoutRun& run) {
   return out.str();
 }
 
-// The paper's three stages, and the exact decision; for people.
+// Statistics of the paper's three stages and of the narrow phase, for display.
 std::string work_summary(const Detector& detector) {
   const DetectionWork& work = detector.work();
   std::ostringstream out;
   out << "work of " << detector.name() << " (" << detector.device() << "): " << work.num_queries
       << " queries\n";
   if (detector.name() != "bvh")
-    out << "  stage 1, boxes: " << work.zlist.body_pairs << " pairs of objects left\n"
+    out << "  stage 1, boxes: " << work.zlist.body_pairs << " candidate pairs of objects\n"
         << "  stage 2, depths: " << work.zlist.pixels << " pixels with both sides\n"
-        << "  stage 3, lists: " << work.zlist.doubtful_pixels << " pixels in doubt, "
-        << work.zlist.face_pairs << " pairs of faces left, " << work.zlist.bytes_read_back
+        << "  stage 3, lists: " << work.zlist.doubtful_pixels << " doubtful pixels, "
+        << work.zlist.face_pairs << " candidate pairs of faces, " << work.zlist.bytes_read_back
         << " bytes read back\n"
-        << "  given up, answered by box trees: " << work.fallbacks << " queries\n";
+        << "  given up, answered by BVHs: " << work.fallbacks << " queries\n";
   if (work.places > 0)
     out << "  places judged: " << work.places << ", on the GPU " << work.places_on_gpu << "\n";
-  out << "  box trees: " << work.node_pairs << " pairs of boxes\n"
-      << "  decided: " << work.face_pairs << " pairs of faces\n";
+  out << "  BVHs: " << work.node_pairs << " pairs of boxes\n"
+      << "  narrow phase: " << work.face_pairs << " pairs of faces\n";
   return out.str();
 }
 
@@ -150,9 +152,9 @@ void tell_work(const Detector& detector, const CommonOptions& common, ReportOpti
 void add_output_options(CLI::App& app, OutputPaths& paths) {
   app.add_option(
       "-o,--output", paths.scene,
-      "The scene: .glb, .gltf, .obj, .ply, .stl, or for simulators, as trivet export writes it");
-  app.add_option("--report", paths.report, "The report, JSON");
-  app.add_option("--picture", paths.picture, "A picture, .png");
+      "Write the scene: .glb, .gltf, .obj, .ply, .stl, or a simulator format of trivet export");
+  app.add_option("--report", paths.report, "Write the report, JSON");
+  app.add_option("--picture", paths.picture, "Write a picture, .png");
 }
 
 void check_extension(const std::string& path, const std::vector<std::string>& accepted) {
@@ -196,7 +198,7 @@ int Outputs::write(const LayoutRun& run, const Layout& layout, const RunOptions&
   if (options.context.detector)
     tell_work(*options.context.detector, m_common, &report_options);
   const std::string report = report_json(run, report_options);
-  // All that can fail but the disk comes first.
+  // Everything that can fail, except the disk, comes first.
   const std::string png = m_picture ? m_picture->png(run.scene) : "";
   clear_progress_line(m_common);
   const std::string extension = extension_of(m_paths.scene);

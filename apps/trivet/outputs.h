@@ -1,4 +1,4 @@
-// Where results go: checked before the work, written together after it.
+// Output files: checked before the work, written together after it.
 #pragma once
 
 #include <memory>
@@ -16,34 +16,34 @@
 namespace trivet::apps {
 
 struct OutputPaths {
-  std::string scene, report, picture;  // empty: not wanted
+  std::string scene, report, picture;  // empty: not requested
 };
-/// What is put before the models' relative paths.
+/// Prefixes of the models' relative paths.
 struct ModelFolders {
   std::string in_scene, in_report;
 };
 void add_output_options(CLI::App& app, OutputPaths& paths);
 
-/// Before the work. @throws Error: BadInput for a wrong extension, two outputs in one file, an
-/// output that is an input; Environment when a file could not be written.
+/// Checks output paths before the work. @throws Error: BadInput for a wrong extension, two outputs
+/// in one file, an output that is an input; Environment if a file cannot be written.
 /// @param inputs  files that must not be overwritten.
 void check_outputs(const OutputPaths& paths, const std::vector<std::string>& inputs);
 
-/// @throws Error (BadInput) naming those that are accepted.
+/// @throws Error (BadInput) naming the accepted extensions.
 void check_extension(const std::string& path, const std::vector<std::string>& accepted);
 
-/// check_outputs() without the extensions; empty paths are none.
+/// check_outputs() without the extensions; empty paths are skipped.
 void check_files(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs);
 
 /// The outputs of a run. Made before the work.
 class Outputs {
  public:
-  /// @throws Error as check_outputs(), and when pictures are wanted and cannot be made.
+  /// @throws Error as check_outputs(), and if pictures are requested but unavailable.
   Outputs(const OutputPaths& paths, const std::vector<std::string>& inputs,
           const CommonOptions& common, const PictureRequest& picture = {});
 
-  /// Writes all files and says on standard output what was done; the report itself with --json.
-  /// @return the exit status: 1 when an operation was refused or the check failed.
+  /// Writes all files and prints a summary on standard output; the report itself with --json.
+  /// @return the exit status: 1 if an operation was refused or the check failed.
   /// @param in_place  the scene whose nodes were moved: .glb and .gltf are that scene.
   int write(const LayoutRun& run, const Layout& layout, const RunOptions& options,
             const ModelFolders& folders, const GltfScene* in_place = nullptr);
@@ -54,11 +54,11 @@ class Outputs {
   std::unique_ptr<PictureMaker> m_picture;
 };
 
-/// Who answered queries and what it took: with --verbose to standard error, and into the report.
+/// Reports the detector's statistics: with --verbose to standard error, and into the report.
 /// @param report  may be null.
 void tell_work(const Detector& detector, const CommonOptions& common, ReportOptions* report);
 
-/// What was refused and what the check found, for people.
+/// Refusals and findings of the check, for display.
 std::string summary(const LayoutRun& run);
 
 /// ".glb" of "a.GLB".

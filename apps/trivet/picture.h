@@ -15,10 +15,10 @@ struct PictureRequest {
   int width = 1280, height = 720;  // pixels
   int samples = 32;
   std::vector<double> camera;  // eye and target, 6 numbers, metres; empty: frames everything
-  double fov_deg = 30;         // of a camera that is given
+  double fov_deg = 30;         // for an explicit camera
 };
 
-/// Made before long work, so that a machine that cannot make pictures says so at once.
+/// Created before long work, so that a machine without graphics fails at once.
 class PictureMaker {
  public:
   /// @throws Error (Environment) without EGL, or in a build without pictures.
@@ -29,7 +29,7 @@ class PictureMaker {
 
   /// The bytes of a PNG file.
   std::string png(const Scene& scene);
-  /// What it is drawn with.
+  /// Renderer in use.
   std::string device() const;
 
  private:
@@ -37,8 +37,8 @@ class PictureMaker {
   std::unique_ptr<State> m_state;
 };
 
-/// The bytes of a PNG file. @throws Error (Environment) in a build without pictures, whatever the
-/// image: an empty one asks before the work.
+/// Encodes a PNG file. @throws Error (Environment) in a build without pictures, even for an empty
+/// image, so that callers can check before the work.
 std::string png_of(const Image& image);
 
 }  // namespace trivet::apps

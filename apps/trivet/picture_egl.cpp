@@ -17,7 +17,7 @@ PictureMaker::PictureMaker(const PictureRequest& request)
 PictureMaker::~PictureMaker() = default;
 
 std::string PictureMaker::png(const Scene& scene) {
-  std::map<const Model*, PictureMesh> mesh_of;  // node-based: addresses stay
+  std::map<const Model*, PictureMesh> mesh_of;  // node-based: stable addresses
   PictureScene picture;
   picture.floor = scene.floor;
   for (const ObjectId id : scene.ids()) {

@@ -6,7 +6,7 @@ namespace {
 
 [[noreturn]] void refuse() {
   throw Error(Error::Kind::Environment,
-              "this build of trivet makes no pictures; it was configured without EGL");
+              "this build of trivet makes no pictures (configured without EGL)");
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ int fail(bool json, const char* kind, const std::string& message, int status) {
   return status;
 }
 
-// Before the command line is understood, and also when it cannot be.
+// Runs before the command line is parsed, and also if parsing fails.
 bool asks_for_json(int argc, char** argv) {
   for (int i = 1; i < argc; ++i)
     if (std::strcmp(argv[i], "--json") == 0) return true;
@@ -46,7 +46,7 @@ std::vector<Verb> add_verbs(CLI::App& app, CommonOptions& common) {
   return verbs;
 }
 
-// For those who gave none, or one that there is not.
+// Hint shown for a missing or unknown verb.
 std::string accepted_verbs(const CLI::App& app) {
   if (!app.get_subcommands().empty()) return "";
   std::string list;
@@ -64,7 +64,7 @@ int do_verb(const std::vector<Verb>& verbs, const CommonOptions& common) {
     if (verb.app->parsed()) {
       const int status = verb.run();
       if (!std::cout.flush())
-        throw Error(Error::Kind::Environment, "the standard output cannot be written");
+        throw Error(Error::Kind::Environment, "cannot write to the standard output");
       return status;
     }
   return kBadInput;
@@ -82,7 +82,7 @@ int run_program(int argc, char** argv) {
   CommonOptions common;
   const std::vector<Verb> verbs = add_verbs(app, common);
   add_common_options(app, common);
-  app.require_subcommand(0, 1);  // a missing one is told with the names there are
+  app.require_subcommand(0, 1);  // a missing verb is reported with the accepted ones
   try {
     app.parse(argc, argv);
     if (app.get_subcommands().empty())
@@ -97,7 +97,7 @@ int run_program(int argc, char** argv) {
     return fail(json, bad_input ? "bad input" : "environment", e.what(),
                 bad_input ? kBadInput : kEnvironment);
   } catch (const std::bad_alloc&) {
-    return fail(json, "environment", "there is not enough memory", kEnvironment);
+    return fail(json, "environment", "not enough memory", kEnvironment);
   } catch (const std::exception& e) {
     return fail(json, "environment", std::string("unexpected: ") + e.what(), kEnvironment);
   }

@@ -1,4 +1,4 @@
-// The command line as a whole: reads it, does the verb, turns errors into messages and statuses.
+// Command line: parses it, runs the verb, turns errors into messages and exit statuses.
 #pragma once
 
 namespace trivet::apps {

@@ -1,4 +1,4 @@
-// A scene to look at, from whatever file there is.
+// Input of a scene from any supported file.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace trivet::apps {
 
-/// A scene that trivet wrote; else any model, alone, as it is and without a floor.
+/// Reads a scene written by trivet; or any model, alone, as it is and without a floor.
 Scene read_scene_or_model(const std::string& path, const CommonOptions& common);
 
 }  // namespace trivet::apps

@@ -36,7 +36,7 @@ LayoutRun check_scene_file(const CheckArguments& arguments, const CommonOptions&
   return run;
 }
 
-// What stands from the start is judged as it stands; if that is clean the operations are tried.
+// Objects placed from the start are judged as they are; if clean, the operations are tried.
 LayoutRun check_layout(const CheckArguments& arguments, const CommonOptions& common,
                        Detector& detector) {
   const Layout layout = read_layout(arguments.file, common.limits().max_file_bytes);
@@ -52,7 +52,7 @@ LayoutRun check_layout(const CheckArguments& arguments, const CommonOptions& com
   return run_layout(layout, models, options);
 }
 
-// One object of the scene, instead of all.
+// Reports on one object instead of the whole scene.
 int tell_of_object(const CheckArguments& arguments, const CommonOptions& common,
                    const LayoutRun& run) {
   const auto id = run.scene.find(arguments.object);
@@ -93,20 +93,22 @@ int check(const CheckArguments& arguments, const CommonOptions& common) {
 }  // namespace
 
 Verb add_check(CLI::App& app, const CommonOptions& common) {
-  CLI::App* const verb = app.add_subcommand("check",
-                                            "Judges a scene from its poses, or a layout: what "
-                                            "stands from the start, then its operations");
+  CLI::App* const verb =
+      app.add_subcommand("check",
+                         "Judge a scene from its poses, or a layout: the objects "
+                         "placed from the start, then its operations");
   const auto arguments = std::make_shared<CheckArguments>();
-  verb->add_option("file", arguments->file, "A scene that trivet wrote, or a layout")
+  verb->add_option("file", arguments->file, "A scene written by trivet, or a layout")
       ->required()
       ->type_name("SCENE.glb|LAYOUT.json");
-  verb->add_option("--report", arguments->report, "The report, JSON");
+  verb->add_option("--report", arguments->report, "Write the report, JSON");
   verb->add_option("--object", arguments->object,
-                   "Tell of this object: what holds it, what lies on it, is it stable, by what "
+                   "Report on this object: its supports, its loads, whether it is stable, by what "
                    "margin");
-  verb->add_option("--friction", arguments->stability.friction,
-                   "Coulomb's coefficient with which the scene must stand as a whole; default: 5, "
-                   "as settling assumes")
+  verb->add_option(
+          "--friction", arguments->stability.friction,
+          "Coulomb friction coefficient with which the scene must stand as a whole; default: 5, "
+          "as assumed by settling")
       ->check(number_from(0, 1e3));
   add_settle_options(*verb, arguments->settle);
   return {verb, [arguments, &common] { return check(*arguments, common); }};

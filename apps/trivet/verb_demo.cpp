@@ -17,7 +17,7 @@ struct DemoArguments {
   SettleArguments settle;
 };
 
-/// The folder for the demo's files: the one that was asked for, else one that vanishes.
+/// Folder for the demo's files: the requested one, else a temporary one.
 class DemoFolder {
  public:
   explicit DemoFolder(const std::string& wanted) : m_keep(!wanted.empty()), m_path(wanted) {
@@ -25,12 +25,12 @@ class DemoFolder {
     if (m_keep) {
       fs::create_directories(m_path, error);
       if (error)
-        throw Error(Error::Kind::Environment, wanted + ": cannot be made: " + error.message());
+        throw Error(Error::Kind::Environment, wanted + ": cannot be created: " + error.message());
       return;
     }
     m_path = (fs::temp_directory_path() / "trivet_demo_XXXXXX").string();
     if (!mkdtemp(m_path.data()))
-      throw Error(Error::Kind::Environment, m_path + ": a temporary folder cannot be made");
+      throw Error(Error::Kind::Environment, m_path + ": cannot create a temporary folder");
   }
   ~DemoFolder() {
     std::error_code ignored;
@@ -65,7 +65,7 @@ PictureRequest picture_from(const DemoView& view) {
   return request;
 }
 
-// From its files, as anybody would run it: the same bits with and without --export.
+// Runs from files, like a user would: the same bits with and without --export.
 int run_demo(const DemoArguments& arguments, const CommonOptions& common) {
   const DemoLayout demo = make_demo(arguments.name);
   Outputs outputs(arguments.outputs, {}, common, picture_from(demo.view));
@@ -85,16 +85,16 @@ int run_demo(const DemoArguments& arguments, const CommonOptions& common) {
 }  // namespace
 
 Verb add_demo(CLI::App& app, const CommonOptions& common) {
-  CLI::App* const verb = app.add_subcommand("demo", "Lays out a scene of trivet's own");
+  CLI::App* const verb = app.add_subcommand("demo", "Lay out a built-in scene");
   const auto arguments = std::make_shared<DemoArguments>();
-  verb->add_option("name", arguments->name, "Which one")
+  verb->add_option("name", arguments->name, "Name of the demo")
       ->required()
       ->type_name("NAME")
       ->check(one_of(demo_names()));
   add_output_options(*verb, arguments->outputs);
   verb->get_option("--output")->required();
   verb->add_option("--export", arguments->folder,
-                   "Leaves layout.json and the models in this folder, for trivet run")
+                   "Write layout.json and the models to this folder, for trivet run")
       ->type_name("DIR");
   add_settle_options(*verb, arguments->settle);
   return {verb, [arguments, &common] { return run_demo(*arguments, common); }};

@@ -65,22 +65,23 @@ int export_scene(const ExportArguments& arguments, const CommonOptions& common,
 void add_simulator_options(CLI::App& verb, ExportArguments& arguments) {
   SimulationOptions& options = arguments.options;
   verb.add_option("--report", arguments.report,
-                  "What was written, JSON: names, masses, which convex parts overlap")
+                  "Write a report, JSON: names, masses, overlapping convex parts")
       ->group(kSimulators);
-  verb.add_option("--density", options.density, "kg/m^3; default: 1000")
+  verb.add_option("--density", options.density, "Density, kg/m^3; default: 1000")
       ->check(number_from(1e-6, 1e6))
       ->group(kSimulators);
   verb.add_option("--friction", options.friction,
-                  "Coulomb's coefficient, more where an object needs more; default: 0.6")
+                  "Coulomb friction coefficient, raised for objects that need more; default: 0.6")
       ->check(number_from(0, 1e3))
       ->group(kSimulators);
-  verb.add_option("--collision", arguments.collision,
-                  "What collides: one hull per object, a hull per component (default), pieces of "
-                  "a convex decomposition, or the mesh itself")
+  verb.add_option(
+          "--collision", arguments.collision,
+          "Collision geometry: one hull per object, a hull per component (default), pieces of "
+          "a convex decomposition, or the mesh itself")
       ->check(one_of(collision_rule_names()))
       ->group(kSimulators);
   verb.add_option("--hull-clearance", options.hull_clearance,
-                  "Metres by which the faces of hulls are moved inwards; default: 0")
+                  "Move the faces of hulls inwards by these metres; default: 0")
       ->check(number_from(0, 1e3))
       ->group(kSimulators);
   verb.add_option("--meshes", options.files.mesh_folder,
@@ -88,7 +89,7 @@ void add_simulator_options(CLI::App& verb, ExportArguments& arguments) {
       ->type_name("DIR")
       ->group(kSimulators);
   verb.add_option("--mesh-prefix", options.files.mesh_prefix,
-                  "Put before the meshes' paths in URDF and SDF, such as package://my_scenes/")
+                  "Prefix of mesh paths in URDF and SDF, such as package://my_scenes/")
       ->group(kSimulators);
 }
 
@@ -96,9 +97,9 @@ void add_simulator_options(CLI::App& verb, ExportArguments& arguments) {
 
 Verb add_export(CLI::App& app, const CommonOptions& common) {
   CLI::App* const verb =
-      app.add_subcommand("export", "Writes a scene for a physics simulator, or as tables");
+      app.add_subcommand("export", "Write a scene for a physics simulator, or as tables");
   const auto arguments = std::make_shared<ExportArguments>();
-  verb->add_option("scene", arguments->scene, "A scene that trivet wrote")
+  verb->add_option("scene", arguments->scene, "A scene written by trivet")
       ->required()
       ->type_name("SCENE.glb");
   verb->add_option(

@@ -8,7 +8,7 @@
 namespace trivet::apps {
 
 Verb add_info(CLI::App& app, const CommonOptions& common) {
-  CLI::App* const verb = app.add_subcommand("info", "Says what is in a model file");
+  CLI::App* const verb = app.add_subcommand("info", "Describe a model file");
   struct Arguments {
     std::string path;
     Tessellation tessellation;

@@ -1,5 +1,4 @@
-// The verbs that move one object of a scene: push, turn, pick-up, translate, rotate; and fix and
-// unfix, which say whether it may move.
+// Verbs that move one object of a scene: push, turn, pick-up, translate, rotate; and fix and unfix.
 #include "apps/trivet/outputs.h"
 #include "apps/trivet/verbs.h"
 #include "core/base/error.h"
@@ -9,7 +8,7 @@
 namespace trivet::apps {
 namespace {
 
-/// What all of them are told, and how the operation's own options become it.
+/// Arguments common to all of them, and conversion of the verb's own options to the operation.
 struct MoveArguments {
   std::string scene;
   JointMoveOptions move;
@@ -27,7 +26,7 @@ std::optional<Vec2> vec2(const std::vector<double>& v) {
   return Vec2(v[0], v[1]);
 }
 
-// Read as a layout's operation is: with the same limits and the same messages.
+// Reads the operation like one of a layout: with the same limits and the same messages.
 Operation checked(const Operation& operation) {
   const nlohmann::json json = operation_json(operation);
   return read_operation(JsonPlace(json, std::string("options of ") + op_name(operation)));
@@ -61,7 +60,7 @@ int move(const MoveArguments& arguments, const Operation& asked, const CommonOpt
                        {folder_from(paths.scene, folder), folder_from(paths.report, folder)});
 }
 
-/// A verb with the arguments of all; the operation is made of `Own` when the command line is read.
+/// A verb with the common arguments; the operation is made from `Own` after parsing.
 template <class Own>
 struct MoveVerb {
   CLI::App* app;
@@ -70,17 +69,17 @@ struct MoveVerb {
 
   MoveVerb(CLI::App& program, const char* name, const char* what)
       : app(program.add_subcommand(name, what)) {
-    app->add_option("scene", arguments->scene, "A scene that trivet wrote")
+    app->add_option("scene", arguments->scene, "A scene written by trivet")
         ->required()
         ->type_name("SCENE.glb");
-    app->add_option("object", arguments->move.object, "Which object")
+    app->add_option("object", arguments->move.object, "Name of the object")
         ->required()
         ->type_name("OBJECT");
     if constexpr (std::is_empty_v<Own>) return;
     app->add_flag("--settle-left", arguments->move.settle_left,
-                  "Let what is left without support settle");
+                  "Let objects that lose their support settle");
     app->add_option("--together", arguments->move.together,
-                    "An object that moves along, as those of its group do; more than once for more")
+                    "Another object that moves along; may be repeated")
         ->allow_extra_args(false)
         ->type_name("NAME");
   }
@@ -149,7 +148,7 @@ struct FreeArguments {
   bool free = false, settle = false;
 };
 
-struct NoArguments {};  // of those that leave it where it is
+struct NoArguments {};  // for verbs without options of their own
 
 std::optional<std::string> text(const std::string& value) {
   if (value.empty()) return std::nullopt;
@@ -175,8 +174,8 @@ Operation turn_of(const TurnArguments& a) {
 
 template <class Own>
 void add_free_flags(MoveVerb<Own>& verb) {
-  verb.app->add_flag("--free", verb.own->free, "Through everything, as in a modeller");
-  verb.app->add_flag("--settle", verb.own->settle, "Let it go at the end");
+  verb.app->add_flag("--free", verb.own->free, "Ignore collisions, as in a modeller");
+  verb.app->add_flag("--settle", verb.own->settle, "Settle at the end");
 }
 
 Verb add_fixing(CLI::App& app, const CommonOptions& common, bool fixed, const char* what) {
@@ -189,35 +188,38 @@ Verb add_fixing(CLI::App& app, const CommonOptions& common, bool fixed, const ch
 }  // namespace
 
 Verb add_fix(CLI::App& app, const CommonOptions& common) {
-  return add_fixing(app, common, true, "Lets an object never move and carry everything");
+  return add_fixing(app, common, true, "Fix an object: it never moves and supports any load");
 }
 
 Verb add_unfix(CLI::App& app, const CommonOptions& common) {
-  return add_fixing(app, common, false, "Lets a fixed object be moved, with all that is on it");
+  return add_fixing(app, common, false, "Unfix an object: it can be moved, with its loads");
 }
 
 Verb add_push(CLI::App& app, const CommonOptions& common) {
-  MoveVerb<PushArguments> verb(app, "push", "Pushes an object along what it lies on");
+  MoveVerb<PushArguments> verb(app, "push", "Push an object along its support");
   PushArguments& a = *verb.own;
   CLI::Option* const direction =
-      verb.app->add_option("--direction", a.direction, "Seen from above")
+      verb.app->add_option("--direction", a.direction, "Direction, seen from above")
           ->expected(2)
           ->type_name("X Y")
           ->check(number_from(-kMaxDirectionComponent, kMaxDirectionComponent));
   CLI::Option* const distance =
       verb.length("--distance", a.operation.distance, "Metres in that direction");
   CLI::Option* const to =
-      verb.numbers("--to", a.to, 2, "X Y", "Instead: where its position shall be, seen from above");
+      verb.numbers("--to", a.to, 2, "X Y", "Alternative: target position, seen from above");
   direction->needs(distance)->excludes(to);
   distance->needs(direction)->excludes(to);
-  verb.length("--step-up", a.operation.step_up, "Metres; higher steps stop it; default 0.01");
-  verb.length("--step-down", a.operation.step_down, "Metres; deeper edges stop it; default 0.01");
-  verb.app->add_flag("--no-slide", a.no_slide, "Walls stop it; otherwise it slides along them");
-  verb.app->add_flag("--no-settle", a.no_settle, "Held as it is at the end; otherwise let go");
+  verb.length("--step-up", a.operation.step_up,
+              "Metres; higher steps stop the object; default: 0.01");
+  verb.length("--step-down", a.operation.step_down,
+              "Metres; deeper edges stop the object; default: 0.01");
+  verb.app->add_flag("--no-slide", a.no_slide, "Stop at walls instead of sliding along them");
+  verb.app->add_flag("--no-settle", a.no_settle,
+                     "Hold the object at the end instead of settling it");
   return verb.done(common, [](const PushArguments& given) -> Operation {
     if (given.direction.empty() && given.to.empty())
       throw Error(Error::Kind::BadInput,
-                  "push: it is missing where to; accepted: --direction X Y --distance D, or --to "
+                  "push needs a target; accepted: --direction X Y --distance D, or --to "
                   "X Y");
     PushOperation o = given.operation;
     if (!given.to.empty()) o.to = vec2(given.to);
@@ -228,24 +230,24 @@ Verb add_push(CLI::App& app, const CommonOptions& common) {
 }
 
 Verb add_turn(CLI::App& app, const CommonOptions& common) {
-  MoveVerb<TurnArguments> verb(app, "turn", "Turns an object about a contact that is held");
+  MoveVerb<TurnArguments> verb(app, "turn", "Turn an object about a held contact");
   TurnArguments& a = *verb.own;
   verb.angle(a.operation.angle_deg);
-  verb.app->add_option("--about", a.about, "normal, line or point of the contact; default normal")
+  verb.app->add_option("--about", a.about, "normal, line or point of the contact; default: normal")
       ->check(one_of({"normal", "line", "point"}));
-  verb.app->add_option("--with", a.with, "Whose contact; default: what supports it most");
-  verb.numbers("--point", a.point, 3, "X Y Z", "Which line or point: the nearest");
+  verb.app->add_option("--with", a.with, "Object of the contact; default: the main support");
+  verb.numbers("--point", a.point, 3, "X Y Z", "Selects the nearest line or point");
   verb.numbers("--centre", a.centre, 3, "X Y Z", "A point on the axis; default: the contact's");
-  verb.axis(a.axis, "Through the point, or which way along the line");
-  verb.app->add_flag("--settle", a.operation.settle, "Let it go at the end");
+  verb.axis(a.axis, "Axis through the point, or direction along the line");
+  verb.app->add_flag("--settle", a.operation.settle, "Settle at the end");
   return verb.done(common, turn_of);
 }
 
 Verb add_pick_up(CLI::App& app, const CommonOptions& common) {
-  MoveVerb<PickUpArguments> verb(app, "pick-up", "Takes an object off what it lies on");
+  MoveVerb<PickUpArguments> verb(app, "pick-up", "Lift an object off its support");
   PickUpArguments& a = *verb.own;
   verb.length("--distance", a.operation.distance, "Metres along the contact normal")->required();
-  verb.app->add_option("--with", a.with, "Whose contact; default: all that support it");
+  verb.app->add_option("--with", a.with, "Object of the contact; default: all supports");
   return verb.done(common, [](const PickUpArguments& given) -> Operation {
     PickUpOperation o = given.operation;
     o.with = text(given.with);
@@ -254,7 +256,7 @@ Verb add_pick_up(CLI::App& app, const CommonOptions& common) {
 }
 
 Verb add_translate(CLI::App& app, const CommonOptions& common) {
-  MoveVerb<FreeArguments> verb(app, "translate", "Moves an object straight on");
+  MoveVerb<FreeArguments> verb(app, "translate", "Translate an object");
   verb.numbers("--by", verb.own->by, 3, "X Y Z", "Metres")->required();
   add_free_flags(verb);
   return verb.done(common, [](const FreeArguments& given) -> Operation {
@@ -263,8 +265,8 @@ Verb add_translate(CLI::App& app, const CommonOptions& common) {
 }
 
 Verb add_rotate(CLI::App& app, const CommonOptions& common) {
-  MoveVerb<FreeArguments> verb(app, "rotate", "Turns an object about any axis");
-  verb.axis(verb.own->axis, "The axis")->required();
+  MoveVerb<FreeArguments> verb(app, "rotate", "Rotate an object about any axis");
+  verb.axis(verb.own->axis, "Axis of rotation")->required();
   verb.angle(verb.own->angle_deg);
   verb.numbers("--centre", verb.own->centre, 3, "X Y Z",
                "A point on the axis; default: the centre of mass");

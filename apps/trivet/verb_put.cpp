@@ -31,7 +31,7 @@ Pose start_pose(const PutArguments& arguments) {
   return {*rotation, {p[0], p[1], p[2]}};
 }
 
-// The name that was asked for, or the file's with the first number that is free.
+// The requested name, or the file's name with the first free number.
 std::string free_name(const PutArguments& arguments, const Scene& scene) {
   const std::string wanted = arguments.name.empty()
                                  ? std::filesystem::path(arguments.model).stem().string()
@@ -42,14 +42,14 @@ std::string free_name(const PutArguments& arguments, const Scene& scene) {
                                            "characters, not \"floor\"");
   if (!arguments.name.empty() && scene.find(wanted))
     throw Error(Error::Kind::BadInput, "--name: \"" + wanted +
-                                           "\" is taken; accepted: a name that no object of the "
-                                           "scene has");
+                                           "\" is taken; accepted: a name not used in the "
+                                           "scene");
   std::string name = wanted;
   for (int i = 2; scene.find(name); ++i) name = wanted + "_" + std::to_string(i);
   return name;
 }
 
-// The same file again shares its geometry with those that are there.
+// Shares the geometry of objects from the same file.
 void share_geometry(const Scene& scene, Object& object) {
   const std::string fingerprint = geometry_fingerprint(object.shape->mesh);
   for (const ObjectId id : scene.ids()) {
@@ -78,7 +78,7 @@ LayoutObject layout_object(const PutArguments& arguments, const SceneFile& file)
   return object;
 }
 
-// The object, loaded as a layout of its own is.
+// Loads the object through a layout of its own.
 Object load_object(const PutArguments& arguments, const Layout& addition, const Scene& scene,
                    const CommonOptions& common, const RunOptions& options) {
   const ModelSource source = [&](const std::string&, const Tessellation& tessellation) {
@@ -112,7 +112,7 @@ int put(const PutArguments& arguments, const CommonOptions& common) {
     file.layout.objects.push_back(addition.objects.back());
     file.layout.operations.push_back(addition.operations.back());
   } else {
-    run.scene.remove(id);  // the scene is as it was
+    run.scene.remove(id);  // restores the scene
   }
   finish_run(options, run);
   const std::string folder = folder_of(arguments.scene);
@@ -125,25 +125,25 @@ int put(const PutArguments& arguments, const CommonOptions& common) {
 
 Verb add_put(CLI::App& app, const CommonOptions& common) {
   CLI::App* const verb =
-      app.add_subcommand("put", "Puts one more object into a scene that trivet wrote");
+      app.add_subcommand("put", "Put another object into a scene written by trivet");
   const auto arguments = std::make_shared<PutArguments>();
   verb->add_option("scene", arguments->scene, "The scene")->required()->type_name("SCENE.glb");
   verb->add_option("model", arguments->model, "The model file")->required()->type_name("MODEL");
   verb->add_option("--position", arguments->position,
-                   "Start of the model's origin, metres, from where it falls")
+                   "Position of the model's origin from which it falls, metres")
       ->required()
       ->expected(3)
       ->type_name("X Y Z")
       ->check(number_from(-kMaxLength, kMaxLength));
-  verb->add_option("--rotation", arguments->rotation, "Quaternion at the start")
+  verb->add_option("--rotation", arguments->rotation, "Rotation at the start, quaternion")
       ->expected(4)
       ->type_name("W X Y Z")
       ->check(number_from(-kMaxQuaternionComponent, kMaxQuaternionComponent));
-  verb->add_option("--name", arguments->name, "Name of the object; default: the file's");
+  verb->add_option("--name", arguments->name, "Name of the object; default: the file's name");
   verb->add_option("--scale", arguments->scale, "Metres per unit of the file")
       ->check(number_from(kMinScale, kMaxScale));
   verb->add_option("--up", arguments->up,
-                   "Up axis of the file; default: as its format says, else z")
+                   "Up axis of the file; default: as its format states, else z")
       ->check(one_of({"y", "z"}));
   add_tessellation_options(*verb, arguments->tessellation);
   add_output_options(*verb, arguments->outputs);

@@ -29,7 +29,7 @@ int render(const RenderArguments& arguments, const CommonOptions& common) {
 
 Verb add_render(CLI::App& app, const CommonOptions& common) {
   CLI::App* const verb =
-      app.add_subcommand("render", "Makes a picture of a scene or a model, without a display");
+      app.add_subcommand("render", "Render a picture of a scene or a model, without a display");
   const auto arguments = std::make_shared<RenderArguments>();
   PictureRequest& request = arguments->request;
   verb->add_option("scene", arguments->scene, "The scene, or any model file")
@@ -39,14 +39,15 @@ Verb add_render(CLI::App& app, const CommonOptions& common) {
   verb->add_option("--width", request.width, "Pixels")->check(integer_from(1, 16384));
   verb->add_option("--height", request.height, "Pixels")->check(integer_from(1, 16384));
   verb->add_option("--samples", request.samples,
-                   "Views that are averaged: 8 a draft, 128 for print")
+                   "Number of views to average: 8 for a draft, 128 for print")
       ->check(integer_from(1, 4096));
   verb->add_option("--camera", request.camera,
-                   "Eye and target, metres; default: frames everything from above")
+                   "Eye and target, metres; default: a view from above that frames everything")
       ->expected(6)
       ->type_name("EX EY EZ TX TY TZ")
       ->check(number_from(-kMaxLength, kMaxLength));
-  verb->add_option("--fov", request.fov_deg, "Degrees from the lower to the upper edge")
+  verb->add_option("--fov", request.fov_deg,
+                   "Field of view, degrees from the lower to the upper edge")
       ->check(number_from(1, 170));
   return {verb, [arguments, &common] { return render(*arguments, common); }};
 }

@@ -39,7 +39,7 @@ int replay(const ReplayArguments& arguments, const CommonOptions& common) {
 
 Verb add_replay(CLI::App& app, const CommonOptions& common) {
   CLI::App* const verb = app.add_subcommand(
-      "replay", "Restores the scene of a session from its journal, up to the last committed step");
+      "replay", "Restore the scene of a session from its journal, up to the last committed step");
   const auto arguments = std::make_shared<ReplayArguments>();
   verb->add_option("journal", arguments->journal, "The journal")->required()->type_name("JOURNAL");
   add_output_options(*verb, arguments->outputs);

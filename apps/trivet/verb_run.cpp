@@ -15,12 +15,12 @@ struct RunArguments {
   bool stop_at_refusal = false;
 };
 
-// A scene in place stays what it is.
+// A scene laid out in place keeps its format.
 void check_kind(const std::string& output, const std::string& scene) {
   const std::string wanted = extension_of(output), is = extension_of(scene);
   if ((wanted == ".glb" || wanted == ".gltf") && wanted != is)
     throw Error(Error::Kind::BadInput, output + ": the scene " + scene +
-                                           " is written as what it is; accepted: " + is +
+                                           " keeps its format; accepted: " + is +
                                            ", .obj, .ply, .stl");
 }
 
@@ -49,8 +49,7 @@ int run(const RunArguments& arguments, const CommonOptions& common) {
 }  // namespace
 
 Verb add_run(CLI::App& app, const CommonOptions& common) {
-  CLI::App* const verb =
-      app.add_subcommand("run", "Does what a layout file says, and writes the scene");
+  CLI::App* const verb = app.add_subcommand("run", "Run a layout file and write the scene");
   const auto arguments = std::make_shared<RunArguments>();
   verb->add_option("layout", arguments->layout, "The layout, JSON; see trivet schema")
       ->required()
@@ -58,7 +57,7 @@ Verb add_run(CLI::App& app, const CommonOptions& common) {
   add_output_options(*verb, arguments->outputs);
   verb->get_option("--output")->required();
   verb->add_flag("--stop-at-refusal", arguments->stop_at_refusal,
-                 "Do no further operation after one was refused");
+                 "Stop after the first refused operation");
   add_settle_options(*verb, arguments->settle);
   return {verb, [arguments, &common] { return run(*arguments, common); }};
 }

@@ -5,7 +5,7 @@
 namespace trivet::apps {
 
 Verb add_schema(CLI::App& app, const CommonOptions&) {
-  CLI::App* const verb = app.add_subcommand("schema", "Prints the JSON Schema of layout files");
+  CLI::App* const verb = app.add_subcommand("schema", "Print the JSON Schema of layout files");
   return {verb, [] {
             std::cout << kLayoutSchema;
             return 0;

@@ -35,7 +35,7 @@ OpenedSession open(const SessionArguments& arguments, const CommonOptions& commo
     return open_session(arguments.start, options, common.limits(), arguments.journal);
   if (arguments.journal.empty())
     throw Error(Error::Kind::BadInput,
-                "a start is missing; accepted: a layout, a scene, or --journal to restore");
+                "missing START; accepted: a layout, a scene, or --journal to restore");
   RestoredSession restored = restore_session(arguments.journal, options, common.limits(), true);
   if (!restored.exact) throw Error(Error::Kind::BadInput, restored.opened.notes.back());
   return std::move(restored.opened);
@@ -73,7 +73,7 @@ class Dialogue {
     return json;
   }
 
-  // One line in, one line out; what is wrong with a line is its answer.
+  // Answers each line with a line; errors in a line are its answer.
   Json answer(const InputLine& line) {
     m_context.cancel = &line.cancelled;
     try {
@@ -83,7 +83,7 @@ class Dialogue {
       if (document.size() != 1) place.refuse(kAccepted);
       if (is_asked(place, "undo")) return step(m_session.undo(), "there is nothing to undo");
       if (is_asked(place, "redo")) return step(m_session.redo(), "there is nothing to redo");
-      if (is_asked(place, "cancel")) return state();  // it has cancelled when it was read
+      if (is_asked(place, "cancel")) return state();  // cancelled when it was read
       if (const auto file = place.find("save")) return save(file->text());
       if (const auto object = place.find("query")) return query(object->text());
       place.refuse(kAccepted);
@@ -118,7 +118,8 @@ class Dialogue {
 
   Json save(const std::string& file) {
     if (extension_of(file) != ".glb")
-      throw Error(Error::Kind::BadInput, file + ": accepted: a file that ends in .glb");
+      throw Error(Error::Kind::BadInput,
+                  file + ": cannot be saved; accepted: a file name ending in .glb");
     save_session(m_opened, TRIVET_VERSION, file);
     return state();
   }
@@ -138,7 +139,7 @@ class Dialogue {
 };
 
 bool is_cancel(const std::string& line) {
-  constexpr size_t kLongest = 100;  // others are not worth parsing twice
+  constexpr size_t kLongest = 100;  // longer lines are not worth parsing twice
   if (line.size() > kLongest) return false;
   const auto document = nlohmann::json::parse(line, nullptr, false);
   return document == nlohmann::json{{"cancel", true}};
@@ -168,15 +169,16 @@ int session(const SessionArguments& arguments, const CommonOptions& common) {
 Verb add_session(CLI::App& app, const CommonOptions& common) {
   CLI::App* const verb = app.add_subcommand(
       "session",
-      "Does operations as they come: a line of JSON each on standard input, answered by a line on "
+      "Run operations interactively: each line of JSON on standard input is answered by a line on "
       "standard output. A line is an operation as in a layout, {\"undo\": true}, {\"redo\": true}, "
       "{\"save\": \"x.glb\"}, {\"query\": \"object\"} or "
-      "{\"cancel\": true}, which stops the operations before it that are not done");
+      "{\"cancel\": true}, which stops unfinished operations before it");
   const auto arguments = std::make_shared<SessionArguments>();
-  verb->add_option("start", arguments->start, "What to start with; nothing: restore the journal")
+  verb->add_option("start", arguments->start,
+                   "Initial layout or scene; default: restore the journal")
       ->type_name("SCENE.glb|LAYOUT.json");
   verb->add_option("--journal", arguments->journal,
-                   "Keeps every step on disk, so that a session that crashed can be restored");
+                   "Record every step on disk, so that a crashed session can be restored");
   add_settle_options(*verb, arguments->settle);
   return {verb, [arguments, &common] { return session(*arguments, common); }};
 }

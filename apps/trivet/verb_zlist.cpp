@@ -19,7 +19,7 @@ struct ZListArguments {
   SettleArguments settle;
 };
 
-// A layout is laid out first, as `run` would.
+// A layout is run first, like by `run`.
 Scene scene_of(const ZListArguments& arguments, const CommonOptions& common, int& status) {
   if (extension_of(arguments.input) != ".json") return read_scene_or_model(arguments.input, common);
   const Layout layout = read_layout(arguments.input, common.limits().max_file_bytes);
@@ -62,7 +62,7 @@ ZListShow show_of(const std::string& name) {
   return name == "objects" ? ZListShow::Objects : ZListShow::Length;
 }
 
-// What the numbers in the picture mean.
+// Prints the meaning of the numbers in the picture.
 void print_names(const ZListsOf& what) {
   std::cout << "  objects:";
   for (size_t i = 0; i < what.names.size(); ++i) std::cout << " " << i << " " << what.names[i];
@@ -106,33 +106,33 @@ int zlist(const ZListArguments& arguments, const CommonOptions& common) {
 Verb add_zlist(CLI::App& app, const CommonOptions& common) {
   CLI::App* const verb = app.add_subcommand(
       "zlist",
-      "The z-lists of a scene along a direction: in every pixel all faces, sorted by depth. The "
-      "floor is no face");
+      "Print the z-lists of a scene along a direction: all faces in every pixel, sorted by depth, "
+      "without the floor");
   const auto arguments = std::make_shared<ZListArguments>();
   verb->add_option("input", arguments->input,
-                   "A scene that trivet wrote, a layout (it is laid out first), or any model")
+                   "A scene written by trivet, a layout (run first), or any model")
       ->required()
       ->type_name("SCENE.glb|LAYOUT.json|MODEL");
-  verb->add_option("--direction", arguments->direction, "Of sight; default: down")
+  verb->add_option("--direction", arguments->direction, "Viewing direction; default: down")
       ->expected(3)
       ->type_name("X Y Z")
       ->check(number_from(-kMaxLength, kMaxLength));
   verb->add_option("--resolution", arguments->resolution, "Pixels along the longer side")
       ->check(integer_from(1, 8192));
   verb->add_option("--region", arguments->region,
-                   "Zooms in: metres to the right and up, of two corners; default: everything")
+                   "Zoom in: two corners, metres to the right and up; default: everything")
       ->expected(4)
       ->type_name("LEFT BOTTOM RIGHT TOP")
       ->check(number_from(-kMaxLength, kMaxLength));
-  verb->add_option("--pixel", arguments->pixel, "Tells the list of this pixel, counted from above")
+  verb->add_option("--pixel", arguments->pixel, "Print the list of this pixel, counted from above")
       ->expected(2)
       ->type_name("COLUMN ROW")
       ->check(integer_from(0, 8191));
-  verb->add_option("-o,--output", arguments->picture, "A picture of all lists, .png");
-  verb->add_option("--show", arguments->show, "What the picture shows: length, depth or objects")
+  verb->add_option("-o,--output", arguments->picture, "Write a picture of all lists, .png");
+  verb->add_option("--show", arguments->show, "Content of the picture: length, depth or objects")
       ->check(one_of({"length", "depth", "objects"}));
-  verb->add_option("--dump", arguments->dump, "All lists, as JSON lines");
-  verb->add_option("--max-memory-mb", arguments->max_memory_mb, "Longer lists are refused")
+  verb->add_option("--dump", arguments->dump, "Write all lists, as JSON lines");
+  verb->add_option("--max-memory-mb", arguments->max_memory_mb, "Refuse longer lists")
       ->check(number_from(1, 1e6));
   add_settle_options(*verb, arguments->settle);
   return {verb, [arguments, &common] { return zlist(*arguments, common); }};

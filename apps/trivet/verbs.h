@@ -1,4 +1,4 @@
-// The verbs of the command line, each in its own file verb_<name>.cpp.
+// Verbs of the command line, each in its own file verb_<name>.cpp.
 #pragma once
 
 #include <functional>
@@ -7,8 +7,8 @@
 
 namespace trivet::apps {
 
-/// A verb and what it does once the command line is read.
-/// `run` returns 0, or 1 when an operation was refused or a check failed; it throws Error.
+/// A verb and its action after parsing. `run` returns 0, or 1 if an operation was refused or a
+/// check failed; it throws Error.
 struct Verb {
   CLI::App* app;
   std::function<int()> run;
@@ -33,6 +33,6 @@ Verb add_replay(CLI::App& app, const CommonOptions& common);
 Verb add_zlist(CLI::App& app, const CommonOptions& common);
 Verb add_schema(CLI::App& app, const CommonOptions& common);
 
-extern const char* const kLayoutSchema;  // the text of ops/layout/layout.schema.json
+extern const char* const kLayoutSchema;  // text of ops/layout/layout.schema.json
 
 }  // namespace trivet::apps

@@ -12,10 +12,11 @@ using Colour = std::array<std::uint8_t, 3>;
 
 constexpr Colour kWhite{255, 255, 255}, kBlack{0, 0, 0};
 constexpr int kBarHeight = 12, kMargin = 6, kLeastWidth = 160;
-// Lengths beyond those of all but this part of the lists share the last colour.
+// Lengths beyond those of all but this fraction of the lists share the last colour.
 constexpr double kLongTail = 0.01;
 
-// Samples of viridis [van der Walt and Smith 2015]: equal steps look equal, grey or colour-blind.
+// Samples of viridis [van der Walt 2015]: perceptually uniform, also in grey and for the
+// colour-blind.
 constexpr Colour kScale[] = {
     {68, 1, 84},    {72, 24, 106},  {71, 45, 123},  {66, 64, 134},  {59, 82, 139},  {51, 99, 141},
     {44, 114, 142}, {38, 130, 142}, {33, 145, 140}, {31, 160, 136}, {40, 174, 128}, {63, 188, 115},
@@ -32,7 +33,7 @@ Colour on_scale(double part) {
   return out;
 }
 
-// Equally light and colourful, neighbours in number far apart in hue [Ottosson 2020, Oklab].
+// Equal lightness and chroma, with hues of neighbouring numbers far apart [Ottosson 2020].
 Colour of_object(std::uint32_t number) {
   const double hue = 2.399963 * number + 0.5;  // the golden angle
   const double lightness = number % 2 == 0 ? 0.72 : 0.6, a = 0.12 * std::cos(hue),
@@ -112,7 +113,7 @@ std::string number(double x) {
   return text;
 }
 
-// What is shown by colours from the scale.
+// Values shown by colours from the scale.
 struct Shown {
   std::vector<double> values;  // by list, rows from above; NaN: no list
   double low = 0, high = 0;
@@ -162,7 +163,7 @@ void draw_scale(const Shown& shown, int y, int width, Canvas& canvas) {
                  labels[i]);
 }
 
-// As many numbers as fit; the names are in the text.
+// Draws as many numbers as fit; print_names() gives the names.
 void draw_numbers(size_t count, int y, int width, Canvas& canvas) {
   int x = kMargin;
   for (size_t i = 0; i < count; ++i) {

@@ -7,12 +7,12 @@
 namespace trivet::apps {
 
 enum class ZListShow {
-  Length,   // how many faces
-  Depth,    // where the nearest begins
-  Objects,  // whose the nearest is
+  Length,   // number of faces
+  Depth,    // nearest depth
+  Objects,  // object of the nearest face
 };
 
-/// Pixel (0, 0) is the list (0, 0), on white.
+/// Pixel (0, 0) shows the list (0, 0), on white.
 Image zlists_picture(const ZListsOf& what, ZListShow show);
 
 }  // namespace trivet::apps

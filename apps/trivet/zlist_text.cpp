@@ -33,7 +33,7 @@ size_t num_faces(const ZListsOf& what) {
   return out;
 }
 
-// The centre line may miss the face; then there is no depth on it.
+// The line through the centre may miss the face and then has no depth.
 Json centre_json(const Projection& view, const ZListItem& item) {
   return std::isnan(item.centre) ? Json(nullptr) : Json(view.depth(item.centre));
 }

@@ -1,5 +1,5 @@
-// The environment's and the user's errors: a file that cannot be read, an option out of range, no
-// EGL. Thrown where found, caught once in main. Hard geometry is never an Error but a status.
+// Errors of the environment and of the user: an unreadable file, an option out of range, no EGL.
+// Thrown where found, caught once in main. Hard geometry is never an Error but a status.
 #pragma once
 
 #include <stdexcept>
@@ -7,12 +7,12 @@
 
 namespace trivet {
 
-/// What went wrong, with the value and with what is accepted. The kind decides the exit status.
+/// Message with the cause, the value and the accepted values. The kind decides the exit status.
 class Error : public std::runtime_error {
  public:
   enum class Kind {
-    BadInput,     // a model, layout or argument: exit status 2
-    Environment,  // a file that cannot be written, no EGL, no memory: exit status 3
+    BadInput,     // invalid model, layout or argument: exit status 2
+    Environment,  // unwritable file, no EGL, no memory: exit status 3
   };
 
   Error(Kind kind, const std::string& message) : std::runtime_error(message), m_kind(kind) {}

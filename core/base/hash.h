@@ -1,4 +1,4 @@
-// A 64-bit hash of numbers and texts, the same on every machine. Not proof against malice.
+// 64-bit hash of numbers and strings, the same on every machine. Not cryptographic.
 #pragma once
 
 #include <bit>
@@ -25,7 +25,7 @@ class Hash {
     m_value ^= m_value >> 32;
     return *this;
   }
-  /// Bit by bit, but -0 counts as 0.
+  /// Bitwise, except that -0 equals 0.
   Hash& add(double number) { return add(std::bit_cast<std::uint64_t>(number + 0.0)); }
   Hash& add(std::string_view text) {
     add(std::uint64_t{text.size()});

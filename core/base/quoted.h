@@ -1,4 +1,4 @@
-// Names in messages.
+// Quoting of names in messages.
 #pragma once
 
 #include <string>

@@ -41,8 +41,8 @@ inline bool overlaps(const Aabb& a, const Aabb& b, double margin = 0.0) {
          (b.lower.array() <= a.upper.array() + margin).all();
 }
 
-/// x -> linear * x + translation, evaluated row by row in one fixed order, so that everybody who
-/// reads the 16 numbers of a report and does the same gets the same bits.
+/// x -> linear * x + translation, evaluated row by row in a fixed order, so that other programs
+/// that apply the 16 numbers of a report the same way get the same bits.
 struct Affine {
   Mat3 linear = Mat3::Identity();
   Vec3 translation = Vec3::Zero();

@@ -21,7 +21,7 @@ Vec3 mean_of(std::span<const Vec3> points) {
   return sum / static_cast<double>(std::max<size_t>(points.size(), 1));
 }
 
-/// The hull as a part of its own, faces turned outwards. Whether there is a solid one.
+/// Makes the hull a part, faces turned outwards. Returns whether the hull is solid.
 bool hull_part(const std::vector<Vec3>& points, ConvexPart& part) {
   const ConvexHull hull = convex_hull(points);
   if (hull.vertices.empty()) return false;
@@ -42,7 +42,7 @@ bool hull_part(const std::vector<Vec3>& points, ConvexPart& part) {
   return true;
 }
 
-/// Points in a plane, on a line or in one place, with copies to both sides of where they are flat.
+/// Points in a plane, on a line or in one place, copied to both sides along their flat directions.
 std::vector<Vec3> thickened(const std::vector<Vec3>& points) {
   Aabb box;
   for (const Vec3& p : points) box.extend(p);
@@ -83,7 +83,7 @@ std::vector<Vec3> corners_of(const Mesh& mesh, const std::vector<Index>& faces) 
   return out;
 }
 
-/// Of a closed component; of others it means nothing.
+/// Volume of a closed component; meaningless for others.
 double enclosed_volume(const Mesh& mesh, const std::vector<Index>& faces) {
   double volume = 0;
   const Vec3& origin = mesh.vertices[mesh.triangles[faces[0]][0]];
@@ -122,8 +122,7 @@ class PartMaker {
 
   ConvexParts take() {
     if (m_num_thickened > 0)
-      m_out.notes.push_back(std::to_string(m_num_thickened) +
-                            " flat parts are given a thickness of " +
+      m_out.notes.push_back(std::to_string(m_num_thickened) + " flat parts get a thickness of " +
                             std::to_string(kFlatPartThickness) + " of their size");
     return std::move(m_out);
   }
@@ -164,7 +163,7 @@ bool solid_hull(std::span<const Vec3> points, ConvexPart& part) {
   for (const Vec3& p : points) rounded.push_back(as_float32(p));
   if (hull_part(rounded, part)) return false;
   if (!hull_part(thickened(rounded), part))
-    throw Error(Error::Kind::BadInput, "a part of the mesh is too small for a solid hull");
+    throw Error(Error::Kind::BadInput, "a convex part is too small for a solid hull");
   return true;
 }
 
@@ -185,7 +184,8 @@ ConvexParts convex_parts(const Mesh& mesh, const Adjacency& adjacency, PartRule 
   return maker.take();
 }
 
-// The dual: a plane becomes a point, a face of the hull of these points a vertex of the result.
+// Shrinks in the dual: a plane becomes a point, a face of the hull of these points a vertex of the
+// result.
 ConvexPart shrunk(const ConvexPart& part, double clearance) {
   const Vec3 inside = mean_of(part.vertices);
   Planes planes(part, inside);
@@ -202,7 +202,7 @@ ConvexPart shrunk(const ConvexPart& part, double clearance) {
     Mat3 rows;
     for (int k = 0; k < 3; ++k) rows.row(k) = dual[t[k]].transpose();
     const Vec3 corner = rows.fullPivLu().solve(Vec3::Ones());
-    // Slivers of the dual have no certain plane; their corner comes from their neighbours.
+    // Slivers of the dual have no reliable plane; their corner comes from their neighbours.
     if (corner.allFinite() && planes.hold(corner, by / 16))
       corners.push_back(as_float32(inside + corner));
   }

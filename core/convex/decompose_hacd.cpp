@@ -1,4 +1,4 @@
-// Hierarchical approximate convex decomposition [Mamou and Ghorbel 2009], the library of Bullet.
+// Hierarchical approximate convex decomposition [Mamou 2009], the library of Bullet.
 #include <HACD/hacdHACD.h>
 
 #include <algorithm>
@@ -56,7 +56,8 @@ std::vector<std::vector<Vec3>> decomposed(std::span<const Vec3> vertices,
   hacd.SetAddNeighboursDistPoints(true);
   hacd.SetAddFacesPoints(true);
   if (!hacd.Compute()) return {};
-  // From the clusters of faces, not HACD's own hulls, so that the pieces hold the whole surface.
+  // Built from the clusters of faces, not HACD's own hulls, so that the pieces contain the whole
+  // surface.
   std::vector<std::set<long>> corners(hacd.GetNClusters());
   const long* const cluster = hacd.GetPartition();
   for (size_t f = 0; f < used.triangles.size(); ++f) {

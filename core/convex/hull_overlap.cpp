@@ -7,8 +7,8 @@
 namespace trivet {
 namespace {
 
-/// A part about a centre common to both and of a size of about 1, so that libccd's absolute
-/// tolerances are relative ones.
+/// Part relative to a centre common to both, scaled to a size of about 1, so that libccd's absolute
+/// tolerances become relative ones.
 struct Scaled {
   const PlacedPart& part;
   Vec3 centre;
@@ -49,7 +49,7 @@ double penetration_depth(const PlacedPart& a, const PlacedPart& b) {
   ccd_real_t depth = 0;
   ccd_vec3_t direction, position;
   if (ccdGJKPenetration(&of_a, &of_b, &ccd, &depth, &direction, &position) != 0) return 0;
-  // The expanding polytope is a bound from below, and stops early where it is degenerate.
+  // The expanding polytope gives a lower bound, and stops early where it is degenerate.
   const Vec3 along = Vec3(direction.v[0], direction.v[1], direction.v[2]).normalized();
   if (!along.allFinite() || !(along.norm() > 0.5)) return depth / scale;
   double max_a = -kInfinity, min_a = kInfinity, max_b = -kInfinity, min_b = kInfinity;

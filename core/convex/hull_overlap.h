@@ -1,4 +1,4 @@
-// By how much two convex parts overlap where they are placed.
+// Penetration depth of two placed convex parts.
 #pragma once
 
 #include "core/convex/convex_parts.h"
@@ -13,10 +13,10 @@ struct PlacedPart {
   PlacedPart(const ConvexPart& part, const Affine& world_from_part);
 };
 
-/// A distance by which one of two convex parts can be moved to touch the other no more: the least,
-/// or up to about a hundredth more; 0: they are apart, or touch to within rounding.
-/// Gilbert, Johnson and Keerthi's distance and the expanding polytope of van den Bergen, by libccd,
-/// give the direction; the extents of the parts along it the distance.
+/// Length of a translation that separates two convex parts: the least, or up to about a hundredth
+/// more; 0 if they are apart, or touch to within rounding. The direction comes from the distance
+/// algorithm of [Gilbert 1988] and the expanding polytope of [van den Bergen 2001], by libccd; the
+/// length from the extents of the parts along it.
 double penetration_depth(const PlacedPart& a, const PlacedPart& b);
 
 }  // namespace trivet

@@ -16,7 +16,7 @@ Pair two_sum(double a, double b) {  // [Knuth 1969]
   return {sum, (a - a_part) + (b - b_part)};
 }
 
-// Two halves of at most 26 bits, whose products are exact.
+// Two halves of at most 26 bits, with exact products.
 Pair split(double a) {                     // [Veltkamp 1968]
   const double shifted = 134217729.0 * a;  // 2^27 + 1
   const double high = shifted - (shifted - a);
@@ -33,8 +33,8 @@ Pair two_product(double a, double b) {  // [Dekker 1971]
 }  // namespace
 
 // Merges by magnitude and carries the sum upwards; each rounding error is a term of the result
-// [Shewchuk 1997, theorem 13]. Operands here come from two_sum, two_product, or these functions,
-// and so are strongly nonoverlapping as the theorem demands; so is the result.
+// [Shewchuk 1997, theorem 13]. Operands come from two_sum, two_product or these functions, so they
+// are strongly nonoverlapping, as the theorem demands; so is the result.
 int sum_terms(const double* e, int num_e, const double* f, int num_f, double* out) {
   int size = 0;
   double carry = 0;

@@ -1,16 +1,16 @@
-// Sums of doubles that stand for one exact number [Shewchuk 1997]. The terms grow in magnitude and
-// do not overlap, so the last one carries the sign. Exact unless a product over- or underflows.
-// Only +, - and x, in a fixed order: the bits are the same on every machine. Products are split by
-// hand [Dekker 1971]: std::fma would do, but without -march it is a library call per product, and
-// slow where the hardware has none.
+// Expansions: exact numbers as sums of doubles [Shewchuk 1997]. The terms grow in magnitude and do
+// not overlap, so the last one carries the sign. Exact unless a product over- or underflows. Only
+// +, - and x, in a fixed order: the same bits on every machine. Products are split by hand [Dekker
+// 1971]: without -march, std::fma is a library call per product, and slow where the hardware has
+// none.
 #pragma once
 
 #include <array>
 
 namespace trivet {
 
-/// At most `capacity` terms; zeros are never stored, so 0 has no terms at all.
-/// Capacities are sums and products of those of the operands: overflow is impossible.
+/// Holds at most `capacity` terms; zeros are never stored, so 0 has no terms. Capacities are sums
+/// and products of those of the operands: overflow is impossible.
 template <int capacity>
 struct Expansion {
   int size = 0;
@@ -48,7 +48,7 @@ Expansion<n + m> operator-(const Expansion<n>& e, const Expansion<m>& f) {
   return e + (-f);
 }
 
-/// Term by term of f, which should be the shorter one.
+/// Multiplies term by term of f, which should be the shorter one.
 template <int n, int m>
 Expansion<2 * n * m> operator*(const Expansion<n>& e, const Expansion<m>& f) {
   Expansion<2 * n * m> out, last;

@@ -1,5 +1,5 @@
-// Candidates come from box trees; verdicts from signs of determinants of the positions, so that
-// they do not depend on the trees or on rounding.
+// Candidates come from BVHs, verdicts from signs of determinants of the positions: they depend
+// neither on the trees nor on rounding.
 #include "core/exact/interpenetration.h"
 
 #include <algorithm>
@@ -12,9 +12,9 @@
 namespace trivet {
 namespace {
 
-// Rays tried before a vertex is given up: only one that lies on a surface grazes again and again.
+// Rays tried before a vertex is given up: only a ray that lies in a surface grazes repeatedly.
 constexpr int kMaxRays = 100;
-// Sideways part of a ray per upward part; straight rays would run along walls.
+// Sideways component of a ray per upward component; vertical rays would run along walls.
 constexpr double kTilt = 1e-2;
 
 bool has_faces(const PlacedShape& placed) { return !placed.shape->bvh.nodes.empty(); }
@@ -27,7 +27,7 @@ struct Ray {
   Vec3 from, to;
 };
 
-// A frame in which the ray is the segment from (-1, 0, 0) to (1, 0, 0), and its tree of one leaf.
+// Frame in which the ray is the segment from (-1, 0, 0) to (1, 0, 0), and its tree of one leaf.
 BoxFrame ray_frame(const Ray& ray) {
   Affine world_from_ray;
   world_from_ray.linear = Mat3::Zero();
@@ -41,7 +41,7 @@ const Bvh& ray_tree() {
   return tree;
 }
 
-// A frame for one point, at its origin.
+// Frame of a single point, at its origin.
 BoxFrame point_frame(const Vec3& p) {
   Affine world_from_point;
   world_from_point.linear = Mat3::Zero();
@@ -50,7 +50,7 @@ BoxFrame point_frame(const Vec3& p) {
 }
 
 // +1 or -1: the ray passes through the inside of the triangle, against or along its normal; 0: it
-// does not; nothing: it grazes an edge or a corner.
+// misses; nullopt: it grazes an edge or a corner.
 std::optional<int> crossing_sign(const Ray& ray, const Triangle& t) {
   const int turns[3] = {orient3d(ray.from, ray.to, t[0], t[1]),
                         orient3d(ray.from, ray.to, t[1], t[2]),
@@ -61,12 +61,12 @@ std::optional<int> crossing_sign(const Ray& ray, const Triangle& t) {
   const int side_to = orient3d(t[0], t[1], t[2], ray.to);
   if (side_from * side_to > 0) return 0;
   if (*lowest * *highest > 0 && side_from * side_to < 0) return side_from;
-  // Triangles without area bound nothing; where they are grazed, so are their neighbours.
+  // Triangles without area bound no volume; where they are grazed, so are their neighbours.
   if (collinear(t[0], t[1], t[2])) return 0;
   return std::nullopt;
 }
 
-// Is the start of the ray inside a closed component? Nothing if the ray grazes.
+// Whether the start of the ray is inside a closed component; nullopt if the ray grazes.
 std::optional<bool> starts_inside(const Ray& ray, const PlacedShape& outer) {
   const Adjacency& adjacency = outer.shape->adjacency;
   int winding = 0;                    // of all balanced components together
@@ -98,12 +98,12 @@ std::optional<bool> starts_inside(const Ray& ray, const PlacedShape& outer) {
   return winding != 0 || any_odd;
 }
 
-// Upwards, to a point outside of the box of `outer`, if it starts in that. Tilts are the points of
-// a sequence that fills the square evenly [Roberts 2018].
+// Ray upwards, to a point outside the box of `outer` if it starts inside. Tilts follow a sequence
+// that fills the square evenly [Roberts 2018].
 Ray ray_from(const Vec3& point, const PlacedShape& outer, int attempt) {
   const Vec3 half =
       outer.world_from_object.linear.cwiseAbs() * outer.shape->bvh.nodes[0].box().half_extent();
-  // The last part moves the end at all if the box is tiny and far from the origin.
+  // The last term moves the end even if the box is tiny and far from the origin.
   const double height = 4 * (half.norm() + outer.slack) + 1e-6 * point.cwiseAbs().maxCoeff();
   const auto tilt = [&](double step) {
     const double x = 0.5 + step * (attempt + 1);
@@ -118,7 +118,7 @@ bool is_inside(const Vec3& point, const PlacedShape& outer) {
   return false;  // on the surface
 }
 
-// No ray is needed for a point that is in no closed component's box.
+// A point outside the boxes of all closed components needs no ray.
 bool in_box_of_closed_component(const Vec3& point, const PlacedShape& outer) {
   const SeparatingAxes axes(point_frame(point), box_frame(outer));
   const Aabb origin{Vec3::Zero(), Vec3::Zero()};
@@ -173,7 +173,7 @@ std::int64_t count_crossings(const PlacedShape& a, const PlacedShape& b, std::in
   return count;
 }
 
-// If the surfaces do not cross, all of a component is where its sample vertex is.
+// If the surfaces do not cross, a whole component lies on the side of its sample vertex.
 int count_components_inside(const PlacedShape& inner, const PlacedShape& outer) {
   if (!has_faces(inner) || !has_faces(outer)) return 0;
   const auto& components = inner.shape->adjacency.components;

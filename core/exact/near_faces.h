@@ -1,4 +1,4 @@
-// Pairs of faces of two placed shapes that may be near each other, from their box trees.
+// Candidate pairs of nearby faces of two placed shapes, from their BVHs.
 #pragma once
 
 #include "core/exact/interpenetration.h"
@@ -6,13 +6,13 @@
 
 namespace trivet {
 
-/// Where the boxes of a placed shape are. It must have faces.
+/// Frame of the boxes of a placed shape, which must have faces.
 BoxFrame box_frame(const PlacedShape& placed);
 
 Triangle world_triangle(const PlacedShape& placed, Index face);
 
-/// Calls visit(face of a, face of b) -> bool for all pairs that are no farther than `distance`
-/// (metres) from each other, and for some that are, until it says false.
+/// Calls visit(face of a, face of b) -> bool for all pairs at most `distance` (metres) apart, and
+/// for some farther ones, until it returns false.
 template <class Visit>
 void visit_near_faces(const PlacedShape& a, const PlacedShape& b, double distance,
                       const Visit& visit) {

@@ -1,5 +1,6 @@
-// The two stages of orient2d() and orient3d(): a floating-point filter, inline because millions of
-// calls end there, and the exact rest. Tests compare them; everybody else uses predicates.h.
+// The two stages of orient2d() and orient3d(): a floating-point filter, inline because it decides
+// nearly every call, and the exact fallback. For tests that compare them; other code uses
+// predicates.h.
 #pragma once
 
 #include <algorithm>
@@ -28,12 +29,12 @@ inline std::optional<int> orient2d_filter(const Vec2& a, const Vec2& b, const Ve
   return std::nullopt;
 }
 
-/// The sign, if rounding cannot have changed it.
-/// Each of the 6 terms of the determinant is at most x_max y_max z_max and passes through 8
-/// roundings, of three differences, a product, a difference, a product and two sums: the error is
-/// below 48.01 u x_max y_max z_max. Nothing underflows to harm if the differences are above 2^-300:
-/// the error of that is below 2^-1072 max(x_max, y_max, z_max), the 2 u to spare are above
-/// 2^-652 max(x_max, y_max, z_max). If all differences along an axis are 0, so is the sign.
+/// The sign, if rounding cannot have changed it. Each of the 6 terms of the determinant is at most
+/// x_max y_max z_max and passes through 8 roundings, of three differences, a product, a difference,
+/// a product and two sums: the error is below 48.01 u x_max y_max z_max. Underflow is harmless if
+/// the differences are above 2^-300: its error is below 2^-1072 max(x_max, y_max, z_max), the 2 u
+/// to spare are above 2^-652 max(x_max, y_max, z_max). If all differences along an axis are 0, so
+/// is the sign.
 inline std::optional<int> orient3d_filter(const Vec3& a, const Vec3& b, const Vec3& c,
                                           const Vec3& d) {
   const double ax = a.x() - d.x(), ay = a.y() - d.y(), az = a.z() - d.z();

@@ -44,7 +44,7 @@ int orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   return sign ? *sign : orient3d_exact(a, b, c, d);
 }
 
-// On one line in the world if so along all three axes.
+// Collinear in the world if collinear along all three axes.
 bool collinear(const Vec3& a, const Vec3& b, const Vec3& c) {
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3;

@@ -17,8 +17,8 @@ int orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 /// Whether the three points are on one line.
 bool collinear(const Vec3& a, const Vec3& b, const Vec3& c);
 
-/// Whether two closed triangles have a point in common. Degenerate triangles are the segments or
-/// points that they are. The tests compare with a linear program on integers.
+/// Whether two closed triangles have a point in common. Degenerate triangles count as segments or
+/// points. Tests compare with a linear program on integers.
 bool triangles_intersect(const Triangle& a, const Triangle& b);
 
 }  // namespace trivet

@@ -5,7 +5,7 @@
 namespace trivet {
 namespace {
 
-// A coordinate of a point in the world is rounded 4 times on its way from the object frame; the
+// A world coordinate of a point is rounded 4 times on its way from the object frame; the
 // projections of the frame, of centre and half extent of the box, and their sums, less than 28
 // times in all. Each is at most half an ulp of the sum of the magnitudes.
 constexpr double kRounding = 64 * 0x1p-53;

@@ -1,5 +1,5 @@
-// Directions along which boxes of two placed shapes may be seen to be apart. Rounding is accounted
-// for: boxes called apart hold no two faces that touch.
+// Separating axes of the boxes of two placed shapes. Rounding is accounted for: separated boxes
+// hold no two faces that touch.
 #pragma once
 
 #include <array>
@@ -9,27 +9,27 @@
 
 namespace trivet {
 
-/// Where the boxes of a shape are in the world.
+/// Frame of the boxes of a shape in the world.
 struct BoxFrame {
   Affine world_from_object;
   Vec3 reach;        // largest magnitude of each coordinate of any box, object frame
-  double slack = 0;  // metres; what is in a box may be this far outside of it in the world
+  double slack = 0;  // metres; contents of a box may be this far outside of it in the world
 };
 
-/// Separating axis test of two boxes [Gottschalk et al. 1996] with the six normals of their faces
-/// but without the nine pairs of edges [van den Bergen 1997]. Departs from both in that linear
-/// parts may be any matrices: projections of boxes are the same formula for all directions.
+/// Separating axis test of two boxes [Gottschalk 1996] with the six face normals but without
+/// the nine pairs of edges [van den Bergen 1997]. Departs from both in that linear parts may be any
+/// matrices: projections of boxes are the same formula for all directions.
 class SeparatingAxes {
  public:
   static constexpr int kMaxAxes = 6;
 
-  /// The normals of the faces of the boxes of both; a linear part without a rank may have fewer.
+  /// Normals of the faces of both boxes; a rank-deficient linear part may have fewer.
   SeparatingAxes(const BoxFrame& a, const BoxFrame& b);
 
   /// Of a segment instead of boxes of a: `a` maps (-1, 0, 0) and (1, 0, 0) to its ends.
   static SeparatingAxes of_segment(const BoxFrame& a, const BoxFrame& b);
 
-  /// True only if nothing in either box is where anything in the other is.
+  /// True only if the contents of the two boxes are disjoint.
   bool separate(const Aabb& box_a, const Aabb& box_b) const;
 
   /// Whether the box of a is the larger one in the world.
@@ -53,8 +53,8 @@ class SeparatingAxes {
   double m_scale_a = 1, m_scale_b = 1;  // metres per unit of the object frame, at most
 };
 
-/// Calls visit(leaf of a, leaf of b) -> bool for all leaves that are not apart, until it says
-/// false.
+/// Calls visit(leaf of a, leaf of b) -> bool for all leaves that are not separated, until it
+/// returns false.
 template <class Visit>
 void visit_near_leaves(const Bvh& a, const Bvh& b, const SeparatingAxes& axes, const Visit& visit) {
   if (a.nodes.empty() || b.nodes.empty()) return;

@@ -1,7 +1,7 @@
-// Two closed triangles, decided by signs of determinants alone.
+// Intersection of two closed triangles, decided by signs of determinants alone.
 //
 // In general position both triangles cut the line where their planes meet, each in an interval
-// between two of its edges; one orient3d() compares an end of either [Guigue & Devillers 2003].
+// between two of its edges; one orient3d() compares an end of either [Guigue 2003].
 // Departs from the source: all four pairs of ends are compared, instead of sorting the ends first;
 // that is two signs more in the rare worst case, and no permutations.
 //
@@ -24,7 +24,7 @@ inline int sign_of(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
 }
 
 bool boxes_overlap(const Triangle& a, const Triangle& b) {
-  bool overlap = true;  // no branches: they cannot be predicted
+  bool overlap = true;  // branchless: the signs cannot be predicted
   for (int k = 0; k < 3; ++k) {
     const double a_lower = std::min(std::min(a[0][k], a[1][k]), a[2][k]);
     const double a_upper = std::max(std::max(a[0][k], a[1][k]), a[2][k]);
@@ -44,8 +44,8 @@ Signs sides(const Triangle& plane, const Triangle& points) {
 
 bool all_equal(const Signs& s) { return s[0] == s[1] && s[1] == s[2]; }
 
-// The corner whose two edges cut or touch the plane, both going the same way through it: strictly
-// above both other corners, or strictly below. Exists unless all sides are the same.
+// Corner whose two edges cut or touch the plane, both crossing it the same way: strictly above both
+// other corners, or strictly below. Exists unless all sides are the same.
 int apex(const Signs& s) {
   for (int k = 0; k < 2; ++k) {
     const int to_next = s[k] - s[(k + 1) % 3], to_last = s[k] - s[(k + 2) % 3];
@@ -54,8 +54,8 @@ int apex(const Signs& s) {
   return 2;
 }
 
-// Neither triangle lies in the plane of the other. The two intervals on the line are apart if both
-// ends of one come before both ends of the other: four equal signs.
+// For triangles that do not lie in each other's plane. The two intervals on the line are apart if
+// both ends of one come before both ends of the other: four equal signs.
 bool intervals_overlap(const Triangle& a, const Signs& sides_a, const Triangle& b,
                        const Signs& sides_b) {
   const int apex_a = apex(sides_a), apex_b = apex(sides_b);
@@ -73,7 +73,7 @@ bool intervals_overlap(const Triangle& a, const Signs& sides_a, const Triangle& 
 // Coplanar and degenerate triangles
 // -------------------------------------------------------------------------------------------------
 
-// What a triangle really is: its first 1, 2 or 3 corners.
+// Triangle by its dimension: its first 1, 2 or 3 corners.
 struct Simplex {
   int size;
   Triangle corners;
@@ -104,8 +104,8 @@ bool collinear_intersect(const Simplex& a, const Simplex& b) {
   return !comes_before(a.corners[2], b.corners[0]) && !comes_before(b.corners[2], a.corners[0]);
 }
 
-// In the plane: does the line of an edge of a have a strictly on one side, or on it, and b strictly
-// on the other?
+// In the plane: whether the line of an edge of a has a on one side (or on it) and b strictly on the
+// other.
 bool edge_separates(const Simplex& a, const Simplex& b, int axis) {
   const auto point = [&](const Simplex& s, int k) { return projected(s.corners[k % 3], axis); };
   const int num_edges = a.size == 3 ? 3 : a.size - 1;
@@ -120,8 +120,8 @@ bool edge_separates(const Simplex& a, const Simplex& b, int axis) {
   return false;
 }
 
-// All corners in one plane; a has at least as many as b. Separating axes are normals of edges:
-// the difference of both sets has an inside, unless all is on one line.
+// For corners in one plane; a has at least as many as b. Separating axes are normals of edges: the
+// difference of both sets has an interior, unless all is on one line.
 bool coplanar_intersect(const Simplex& a, const Simplex& b) {
   const Triangle &p = a.corners, &q = b.corners;
   std::optional<int> axis = projection_axis(p[0], p[1], p[2]);
@@ -130,7 +130,7 @@ bool coplanar_intersect(const Simplex& a, const Simplex& b) {
   return !edge_separates(a, b, *axis) && !edge_separates(b, a, *axis);
 }
 
-// A segment whose ends are on different sides of the triangle's plane, or one end on it.
+// Segment with its ends on different sides of the triangle's plane, or one end on it.
 bool segment_pierces(const Vec3& p, const Vec3& q, const Triangle& t) {
   const Signs turns = {sign_of(p, q, t[0], t[1]), sign_of(p, q, t[1], t[2]),
                        sign_of(p, q, t[2], t[0])};

@@ -1,6 +1,6 @@
-// Embree, or the median builder, decides only which faces go together, from boxes in float32 that
-// are centred and scaled to 1: so neither huge nor tiny nor far coordinates spoil its arithmetic.
-// The boxes of the tree are then computed from the mesh's doubles.
+// Embree, or the median builder, only groups the faces, from boxes in float32 that are centred and
+// scaled to 1, so that huge, tiny or distant coordinates do not spoil its arithmetic. The boxes of
+// the tree are then computed from the mesh's doubles.
 #include "core/index/bvh.h"
 
 #if __has_include(<embree4/rtcore.h>)
@@ -24,10 +24,10 @@ namespace trivet {
 namespace {
 
 #if RTC_VERSION_MAJOR != 3 && RTC_VERSION_MAJOR != 4
-#error "Trivet knows Embree 3 and 4; check that rtcBuildBVH is still the same"
+#error "Trivet supports Embree 3 and 4; check rtcBuildBVH before adding another version"
 #endif
 
-/// A node as the builders make it.
+/// Node in the builders' format.
 struct BuildNode {
   std::array<BuildNode*, 2> children{};
   std::array<std::array<float, 3>, 2> child_centres{};  // twice the centres
@@ -40,7 +40,7 @@ struct BuildNode {
 // ---------------------------------------------------------------------------------------------
 
 RTCDevice shared_device() {
-  // Never released: at exit, Embree's and TBB's own statics may be gone before ours.
+  // Never released: at exit, Embree's and TBB's own statics may already be gone.
   static const RTCDevice device = [] {
     const RTCDevice made = rtcNewDevice(nullptr);
     if (!made)
@@ -117,14 +117,14 @@ const BuildNode* build_by_embree(std::vector<RTCBuildPrimitive>& primitives, Bvh
 }
 
 // ---------------------------------------------------------------------------------------------
-// Median splits, for what is too deep for the surface-area heuristic
+// Median splits, for trees too deep for the surface-area heuristic
 // ---------------------------------------------------------------------------------------------
 
 std::array<float, 3> twice_centre(const RTCBuildPrimitive& p) {
   return {p.lower_x + p.upper_x, p.lower_y + p.upper_y, p.lower_z + p.upper_z};
 }
 
-/// The axis along which the centres of these primitives are spread most.
+/// The axis along which the centres of these primitives spread most.
 int widest_axis(const std::vector<RTCBuildPrimitive>& primitives, std::span<const Index> chosen) {
   std::array<float, 3> lower = twice_centre(primitives[chosen[0]]), upper = lower;
   for (const Index i : chosen) {
@@ -194,7 +194,7 @@ std::vector<RTCBuildPrimitive> make_primitives(const Mesh& mesh) {
   return out;
 }
 
-/// The child nearer to the start of the axis along which the two are farthest apart comes first.
+/// The child nearer to the start of the axis that separates the two most comes first.
 bool second_comes_first(const BuildNode& node) {
   int axis = 0;
   std::array<float, 3> ahead;
@@ -205,7 +205,7 @@ bool second_comes_first(const BuildNode& node) {
   return ahead[axis] < 0;
 }
 
-/// Appends the subtree depth-first; without boxes.
+/// Appends the subtree depth-first, without boxes.
 void append(const BuildNode& node, Bvh& out) {
   const size_t id = out.nodes.size();
   out.nodes.emplace_back();

@@ -1,4 +1,5 @@
-// A binary tree of boxes over the triangles of one mesh, built once with Embree, in object space.
+// Bounding volume hierarchy (BVH): a binary tree of boxes over the triangles of one mesh, built
+// once with Embree, in object space.
 #pragma once
 
 #include <vector>
@@ -7,14 +8,14 @@
 
 namespace trivet {
 
-/// Nodes on the longest way from the root to a leaf, at most: a traversal may count on it.
+/// Largest number of nodes from the root to a leaf: traversals may size their stacks by it.
 inline constexpr int kMaxBvhDepth = 64;
 
-/// Faces in a leaf, at most.
+/// Largest number of faces in a leaf.
 inline constexpr Index kMaxLeafFaces = 2;
 
-/// 32 bytes. Boxes are float32, rounded outwards. Nodes are numbered depth-first: the first child
-/// of an inner node is the next one.
+/// Node of 32 bytes. Boxes are float32, rounded outwards. Nodes are numbered depth-first: the first
+/// child of an inner node is the next one.
 struct BvhNode {
   std::array<float, 3> lower, upper;
   Index second_child = 0;  // inner node: id of the second child; leaf: id of the first face slot
@@ -35,11 +36,11 @@ struct Bvh {
   }
 };
 
-/// Surface-area heuristic (rtcBuildBVH); median splits where that would go deeper than
-/// kMaxBvhDepth. Faces in a leaf ascend. The shape of the tree may depend on Embree's version and
-/// number of threads; no answer of Trivet does.
-/// @throws Error (Environment) when Embree cannot start or memory ends.
-/// Cost O(n log n), on all cores.   Thread-safe.
+/// Builds by the surface-area heuristic (rtcBuildBVH), with median splits where that would go
+/// deeper than kMaxBvhDepth. Faces in a leaf ascend. The shape of the tree may depend on Embree's
+/// version and number of threads; no answer of Trivet does.
+/// @throws Error (Environment) when Embree cannot start or memory ends. Cost O(n log n), on all
+/// cores.   Thread-safe.
 Bvh build_bvh(const Mesh& mesh);
 
 }  // namespace trivet

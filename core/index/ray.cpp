@@ -1,5 +1,5 @@
-// Faces by the watertight test of Woop, Benthin and Wald (2013), in double: along the ray's largest
-// direction every triangle is seen in one plane, in which neighbours share their edge functions.
+// Watertight ray-triangle test [Woop 2013], in double: triangles are projected
+// along the ray's largest direction into one plane, in which neighbours share their edge functions.
 #include "core/index/ray.h"
 
 #include <array>
@@ -8,9 +8,9 @@
 namespace trivet {
 namespace {
 
-constexpr double kGrown = 1e-9;  // of the largest coordinate: boxes hold all that may be met
+constexpr double kGrown = 1e-9;  // of the largest coordinate: boxes hold every possible hit
 
-/// The ray in the object's frame, with the same times.
+/// Ray in the object's frame, with the same times.
 struct LocalRay {
   Vec3 origin, direction;
   std::array<int, 3> axis;  // the last is the largest of the direction
@@ -28,7 +28,7 @@ struct LocalRay {
     shear = Vec3(direction[axis[0]], direction[axis[1]], 1) / direction[z];
   }
 
-  /// The time at which the triangle is met; infinity: it is not.
+  /// Time of the hit; infinity if the ray misses.
   double meets(const Triangle& t) const {
     std::array<double, 3> x, y, z;
     for (int i = 0; i < 3; ++i) {
@@ -47,7 +47,7 @@ struct LocalRay {
     return time >= 0 ? time : kInfinity;
   }
 
-  /// Whether it may meet the box before `until`.
+  /// Whether the ray may hit the box before `until`.
   bool may_meet(const Aabb& box, double until) const {
     const double margin = kGrown * std::max(box.max_abs_coordinate(), origin.cwiseAbs().maxCoeff());
     double enter = 0, leave = until;

@@ -1,4 +1,4 @@
-// What a ray meets first: for picking.
+// Ray casting, for picking.
 #pragma once
 
 #include <optional>
@@ -19,13 +19,13 @@ struct RayHit {
   Index face = 0;
 };
 
-/// The first face that a ray meets, from either side; of several at one time that with the smallest
-/// id. Edges are closed: a ray through an edge or a vertex of two faces does not slip between them.
+/// First face hit by a ray, from either side; of several at one time the one with the smallest id.
+/// Edges are closed: a ray through an edge or a vertex of two faces does not slip between them.
 /// @param until  later hits do not count. Cost O(log n) boxes. Thread-safe.
 std::optional<RayHit> first_hit(const Shape& shape, const Affine& world_from_object, const Ray& ray,
                                 double until = kInfinity);
 
-/// The same over all faces, without boxes: the truth for tests.
+/// The same over all faces, without the BVH: ground truth for tests.
 std::optional<RayHit> first_hit_brute_force(const Shape& shape, const Affine& world_from_object,
                                             const Ray& ray, double until = kInfinity);
 

@@ -1,4 +1,5 @@
-// A mesh with everything that queries need, computed once and shared by all objects that use it.
+// Shape: a mesh with everything that queries need, computed once and shared by all objects that use
+// it.
 #pragma once
 
 #include <memory>
@@ -11,7 +12,7 @@
 namespace trivet {
 
 struct Shape {
-  std::uint64_t id = 0;  // of no other shape that make_shape() made; 0: not made by it
+  std::uint64_t id = 0;  // unique among shapes of make_shape(); 0: made otherwise
   Mesh mesh;
   Aabb box;  // of the mesh
   Adjacency adjacency;

@@ -1,4 +1,4 @@
-// What all writers need to know about a model's look, whoever made the model.
+// Appearance of a model as all writers need it.
 #pragma once
 
 #include <utility>
@@ -15,14 +15,14 @@ struct MaterialFaces {
   std::vector<Index> faces;
 };
 
-/// Faces grouped by material, ascending, unused materials left out. Missing or invalid ids of
-/// hand-made models count as material 0.
+/// Groups faces by material, ascending, without unused materials. Missing or invalid ids count as
+/// material 0.
 std::vector<MaterialFaces> faces_by_material(const Model& model);
 
 /// The material, or the default one when the model has none.
 Material material_or_default(const Model& model, Index material);
 
-/// The model's corner normals if it has them, made unit, else smooth ones.
+/// The model's corner normals, normalised, if it has them; else smooth ones.
 CornerNormals shading_normals(const Model& model);
 
 }  // namespace trivet

@@ -14,7 +14,7 @@ namespace {
 
 bool is_gltf(const Model& model) { return model.format == "gltf2" || model.format == "gltf"; }
 
-// Out-of-range and not-finite numbers of broken files fall back to the default.
+// Replaces out-of-range and non-finite numbers of broken files by the default.
 float unit_interval(float value, float otherwise) {
   return std::isfinite(value) ? std::clamp(value, 0.0f, 1.0f) : otherwise;
 }
@@ -28,8 +28,8 @@ bool get(const aiMaterial& material, const char* key, unsigned type, unsigned in
   return material.Get(key, type, index, out) == aiReturn_SUCCESS;
 }
 
-// PBR formats say it; else from the exponent of the highlight (alpha = roughness squared), if the
-// highlight has a colour at all.
+// Stated by PBR formats; else derived from the highlight's exponent (alpha = roughness squared),
+// provided the highlight has a colour.
 float roughness_of(const aiMaterial& material, float otherwise) {
   float value = 0;
   if (get(material, AI_MATKEY_ROUGHNESS_FACTOR, value)) return unit_interval(value, otherwise);
@@ -54,7 +54,7 @@ Material material_of(const aiMaterial& material, bool linear_colours) {
     }
     if (linear_colours) out.base_colour[3] = unit_interval(colour.a, 1.0f);
   }
-  // Opacity 0 is an exporter's mistake about the meaning of `d`, not an invisible object.
+  // Opacity 0 is a common exporter's error about the meaning of `d`, not an invisible object.
   float opacity = 1;
   if (!linear_colours && get(material, AI_MATKEY_OPACITY, opacity) && opacity > 0)
     out.base_colour[3] = unit_interval(opacity, 1.0f);
@@ -66,7 +66,7 @@ Material material_of(const aiMaterial& material, bool linear_colours) {
   return out;
 }
 
-// FBX: assimp 5.2 hands the settings over as metadata and leaves the coordinates as they are.
+// FBX: assimp 5.2 passes the settings as metadata and leaves the coordinates unchanged.
 void read_fbx_frame(const aiScene& scene, Model& model) {
   if (!scene.mMetaData) return;
   std::int32_t axis = 1, sign = 1;
@@ -76,7 +76,7 @@ void read_fbx_frame(const aiScene& scene, Model& model) {
       model.up = axis == 1 ? UpAxis::Y : UpAxis::Z;
       model.up_from_format = true;
     } else {
-      model.notes.push_back("the file's up axis is neither +y nor +z; z is taken");
+      model.notes.push_back("the file's up axis is neither +y nor +z; z is assumed");
     }
   }
   float centimetres = 0;
@@ -93,10 +93,10 @@ void read_materials(const aiScene& scene, Model& model) {
   if (model.materials.empty()) model.materials.emplace_back();
 }
 
-// What assimp 5.2 does (observed, test_import_frames holds it to that): glTF is y up and metres by
-// its standard; the Collada importer turns any up_axis to y and scales <unit> to metres in the
-// root node's matrix; the 3DS importer turns z to y in the root node's matrix; FBX comes as in the
-// file. The other formats say nothing: z, and the user decides.
+// Conventions of assimp 5.2 (observed; test_import_frames guards them): glTF is y up and in metres
+// by its standard; the Collada importer turns any up_axis to y and scales <unit> to metres in the
+// root node's matrix; the 3DS importer turns z to y in the root node's matrix; FBX is left as in
+// the file. The other formats state no frame: z is assumed, and the user decides.
 void read_frame(const aiScene& scene, Model& model) {
   if (is_gltf(model) || model.format == "dae") {
     model.up = UpAxis::Y;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kMaxCoordinate = 1e30;  // squares and cubes of it stay finite in double
 
-/// Row by row; the bottom row counts only in products, as files may hold anything there.
+/// Row by row; the bottom row matters only in products, as files may store anything there.
 using Matrix4 = std::array<std::array<double, 4>, 4>;
 
 Matrix4 matrix_of(const aiNode& node) {
@@ -48,20 +48,20 @@ Affine affine_of(const Matrix4& m) {
   return out;
 }
 
-/// A mesh of the file as one node shows it.
+/// A mesh of the file as instanced by one node.
 struct Instance {
   const aiMesh* mesh;
   const aiNode* node;
   Affine object_from_mesh;
 };
 
-/// What is in the file and not in the model.
+/// Counts of file contents that the model omits.
 struct LeftOut {
   std::int64_t points = 0, lines = 0, polygons = 0;
   int skinned = 0, mirrored = 0;
 };
 
-// Depth first, children in order; no recursion, as a hostile file may be deep.
+// Depth first, children in order; no recursion, as a hostile file may nest deeply.
 std::vector<Instance> instances_of(const aiScene& scene, Model& model) {
   std::vector<Instance> instances;
   std::vector<std::pair<const aiNode*, Matrix4>> stack{{scene.mRootNode, identity()}};
@@ -112,7 +112,8 @@ class Reader {
   void read(const Instance& instance) {
     const aiMesh& mesh = *instance.mesh;
     const Mat3 linear = instance.object_from_mesh.linear;
-    // Cofactors are the inverse transpose times the determinant: only its sign is left to apply.
+    // Cofactors are the inverse transpose times the determinant: only its sign remains to be
+    // applied.
     const double sign = linear.determinant() < 0 ? -1.0 : 1.0;
     Mat3 normal_matrix;
     for (int r = 0; r < 3; ++r)
@@ -191,8 +192,8 @@ class Reader {
     note("points left out", m_left_out.points);
     note("lines left out", m_left_out.lines);
     note("polygons left out, as they could not be triangulated", m_left_out.polygons);
-    note("meshes with bones, read in their bind pose", m_left_out.skinned);
-    note("meshes that their nodes mirror, winding kept as in the file", m_left_out.mirrored);
+    note("meshes with bones, read in bind pose", m_left_out.skinned);
+    note("mirrored meshes, winding kept as in the file", m_left_out.mirrored);
   }
 
   const aiScene& m_scene;
@@ -218,10 +219,10 @@ void read_geometry(const aiScene& scene, const ImportLimits& limits, Model& mode
   reader.read(instances);
   if (reader.triangles().empty())
     throw Error(Error::Kind::BadInput,
-                model.path + ": no triangle in it" +
+                model.path + ": contains no triangle" +
                     (model.notes.empty() ? "" : " (" + model.notes.front() + ")"));
   model.mesh = weld(reader.triangles());
-  // The normals of an STL only repeat the facets, and often wrongly.
+  // Normals of an STL only repeat the facets, and often wrongly.
   if (reader.has_normals() && model.format != "stl")
     fill_missing_normals(model.mesh, model.corner_normals);
   else

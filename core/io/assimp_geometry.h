@@ -13,7 +13,8 @@ namespace trivet {
 /// notes of `model`. Reads model.format.
 ///
 /// Positions are float32 of the file times the product of the float32 node matrices, in double, in
-/// one fixed order: whoever reads the same file with assimp and does the same gets the same bits.
+/// a fixed order: other programs that read the file with assimp can reproduce them bit for bit.
+///
 /// @throws Error (BadInput): no triangle, more triangles than the limit, a coordinate that is not
 ///   finite or beyond 1e30; every message begins with `model.path`.
 void read_geometry(const aiScene& scene, const ImportLimits& limits, Model& model);

@@ -39,7 +39,7 @@ bool is_affine(const aiMatrix4x4& m) {
 
 float finite(float value) { return std::isfinite(value) ? value : 0; }
 
-/// Rows of floats, equal ones stored once, in the order in which they first come.
+/// Rows of floats; equal rows are stored once, in order of first occurrence.
 class RowSet {
  public:
   explicit RowSet(size_t width) : m_width(width), m_table(64, kEmpty) {}
@@ -54,7 +54,7 @@ class RowSet {
     return slot;
   }
 
-  /// Some neighbouring columns of all rows.
+  /// Adjacent columns of all rows.
   std::vector<float> columns(size_t first, size_t count) const {
     std::vector<float> out;
     out.reserve(m_count * count);
@@ -168,7 +168,7 @@ class PrimitiveMaker {
   }
 
   const aiMesh& m_mesh;
-  CornerNormals m_smooth;  // of the triangles; empty: the file's normals count
+  CornerNormals m_smooth;  // of the triangles; empty: use the file's normals
 };
 
 class LookMaker {
@@ -179,7 +179,7 @@ class LookMaker {
   std::shared_ptr<const Look> make() {
     Look look;
     const aiNode& root = *m_scene.mRootNode;
-    // assimp's own root says nothing, unless it has something to say.
+    // assimp's own root is skipped unless it carries a transform, meshes or attributes.
     if (root.mTransformation.IsIdentity() && root.mNumMeshes == 0 && !has_attachment(root)) {
       for (unsigned i = 0; i < root.mNumChildren; ++i)
         look.roots.push_back(static_cast<int>(add_node(*root.mChildren[i], 0)));
@@ -200,11 +200,11 @@ class LookMaker {
   }
 
   size_t add_node(const aiNode& node, int depth) {
-    if (depth > kMaxDepth) throw Error(Error::Kind::BadInput, "its nodes are nested too deep");
+    if (depth > kMaxDepth) throw Error(Error::Kind::BadInput, "nodes are nested too deeply");
     GltfJson out = GltfJson::object();
     if (node.mName.length) out["name"] = text_of(node.mName);
     if (!is_affine(node.mTransformation))
-      throw Error(Error::Kind::BadInput, "the transform of a node is not affine");
+      throw Error(Error::Kind::BadInput, "a node's transform is not affine");
     if (!node.mTransformation.IsIdentity()) out["matrix"] = matrix_json(node.mTransformation);
     if (const int mesh = mesh_of(node); mesh >= 0) out["mesh"] = mesh;
     GltfJson children = GltfJson::array();
@@ -216,7 +216,7 @@ class LookMaker {
     return m_builder.add("nodes", std::move(out));
   }
 
-  // Nodes that show the same meshes share one.
+  // Nodes with the same meshes share one glTF mesh.
   int mesh_of(const aiNode& node) {
     const std::vector<unsigned> ids(node.mMeshes, node.mMeshes + node.mNumMeshes);
     const auto [entry, is_new] = m_meshes.try_emplace(ids, -1);
@@ -237,7 +237,7 @@ class LookMaker {
     return entry->second = static_cast<int>(m_builder.add("meshes", std::move(mesh)));
   }
 
-  // glTF looks along -z with +y up; a node of its own turns assimp's direction there.
+  // glTF looks along -z with +y up; a separate node turns assimp's direction there.
   size_t add_turned(const aiVector3D& position, const aiVector3D& direction, const aiVector3D& up,
                     GltfJson content) {
     const auto unit_or = [](const aiVector3D& v, const Vec3& fallback) {
@@ -288,7 +288,7 @@ class LookMaker {
       if (light.mName != node.mName) continue;
       GltfJson json = light_json(light);
       if (json.is_null()) {
-        m_model.notes.push_back("left out: ambient light and areas that shine");
+        m_model.notes.push_back("left out: ambient and area lights");
         continue;
       }
       GltfJson content = {{"name", text_of(light.mName)}};
@@ -298,7 +298,7 @@ class LookMaker {
     }
   }
 
-  // The formats do not agree on units of light: the colour carries the strength, as they have it.
+  // Formats disagree on units of light: the colour carries the strength, unconverted.
   static GltfJson light_json(const aiLight& light) {
     const char* const type = light.mType == aiLightSource_DIRECTIONAL ? "directional"
                              : light.mType == aiLightSource_POINT     ? "point"

@@ -1,4 +1,4 @@
-// The look of models in formats other than glTF.
+// Appearance of models in formats other than glTF.
 #pragma once
 
 #include "core/io/look.h"
@@ -7,9 +7,9 @@ struct aiScene;
 
 namespace trivet {
 
-/// Reads path, format, materials and mesh of `model`; adds notes. Null when the model has nothing
-/// that its geometry, normals and materials do not say: one node without a transform, no texture
-/// coordinates, no vertex colours.
+/// Reads path, format, materials and mesh of `model`; adds notes. Null if geometry, normals and
+/// materials describe the model completely: one node without a transform, no texture coordinates,
+/// no vertex colours.
 std::shared_ptr<const Look> look_of_assimp(const aiScene& scene, const ImportLimits& limits,
                                            Model& model);
 

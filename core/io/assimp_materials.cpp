@@ -83,8 +83,8 @@ GltfJson MaterialConverter::converted(unsigned id) {
   };
   put(pbr, "baseColorTexture", {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE});
   if (pbr.contains("baseColorTexture")) {
-    // OBJ multiplies by its colour, and black then is an exporter's mistake; elsewhere the texture
-    // takes the colour's place.
+    // OBJ multiplies by its colour, so black is an exporter's error; in other formats the texture
+    // replaces the colour.
     GltfJson& factor = pbr["baseColorFactor"];
     const bool black = factor[0] == 0 && factor[1] == 0 && factor[2] == 0;
     if (black || m_model.format != "obj")
@@ -143,7 +143,7 @@ SharedBytes MaterialConverter::image_bytes(const std::string& path) {
   const auto [entry, is_new] = m_images.try_emplace(path, nullptr);
   if (!is_new) return entry->second;
   if (const aiTexture* embedded = m_scene.GetEmbeddedTexture(path.c_str())) {
-    // Height 0: an image file as it is.
+    // Height 0: a complete, encoded image file.
     if (embedded->mHeight == 0 && embedded->pcData)
       entry->second = std::make_shared<const std::string>(
           reinterpret_cast<const char*>(embedded->pcData), embedded->mWidth);
@@ -152,11 +152,11 @@ SharedBytes MaterialConverter::image_bytes(const std::string& path) {
     entry->second = file_bytes(path);
   }
   if (!entry->second)
-    note("left out: the texture \"" + path + "\", missing, or neither PNG nor JPEG");
+    note("left out: the texture \"" + path + "\" (missing, or neither PNG nor JPEG)");
   return entry->second;
 }
 
-// Where the model says, else beside it: models travel, and their paths often do not.
+// Looked up at the stated path, else beside the model: models get moved, and their paths break.
 SharedBytes MaterialConverter::file_bytes(const std::string& path) const {
   std::string relative = path;
   std::replace(relative.begin(), relative.end(), '\\', '/');
@@ -170,7 +170,7 @@ SharedBytes MaterialConverter::file_bytes(const std::string& path) const {
     std::string bytes(size, '\0');
     std::ifstream file(candidate, std::ios::binary);
     if (!file.read(bytes.data(), static_cast<std::streamsize>(size))) continue;
-    // Whatever lies behind a path of an untrusted file, only pictures are passed on.
+    // Passes on images only, whatever an untrusted file's path points to.
     if (!image_type(bytes).empty()) return std::make_shared<const std::string>(std::move(bytes));
   }
   return nullptr;

@@ -1,4 +1,4 @@
-// Materials of an assimp scene as glTF has them, with their textures. Private: it shows the JSON
+// Conversion of an assimp scene's materials and textures to glTF. Private: exposes the JSON
 // library.
 #pragma once
 
@@ -9,7 +9,7 @@ struct aiMaterial;
 
 namespace trivet {
 
-/// Adds materials to a glTF asset, each when it is first used.
+/// Adds materials to a glTF asset, each on first use.
 class MaterialConverter {
  public:
   MaterialConverter(const aiScene& scene, const ImportLimits& limits, Model& model,
@@ -18,7 +18,7 @@ class MaterialConverter {
 
  private:
   GltfJson converted(unsigned id);
-  /// The reference to a texture of that kind (aiTextureType); null when there is none.
+  /// Reference to a texture of that kind (aiTextureType); null if there is none.
   GltfJson texture(const aiMaterial& material, int kind);
   SharedBytes image_bytes(const std::string& path);
   SharedBytes file_bytes(const std::string& path) const;

@@ -19,10 +19,10 @@ namespace fs = std::filesystem;
   throw Error(Error::Kind::Environment, path + ": cannot be written: " + std::strerror(error));
 }
 
-/// An open file that vanishes unless it is kept.
+/// An open file that is deleted unless kept.
 class TemporaryFile {
  public:
-  /// Hidden, beside the target: a rename is atomic only within a file system.
+  /// Hidden, beside the target: a rename is atomic only within one file system.
   explicit TemporaryFile(const fs::path& target) {
     std::string stem(1, '.');
     stem += target.filename().string().substr(0, 200) + ".";
@@ -67,7 +67,7 @@ void write_all(int descriptor, const std::string& bytes, const std::string& path
   }
 }
 
-// Makes the rename last; some file systems cannot, which harms nothing that is promised.
+// Makes the rename durable; file systems that cannot do so break no guarantee.
 void sync_folder(const fs::path& folder) {
   const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (descriptor < 0) return;
@@ -101,7 +101,7 @@ void write_file_atomically(const std::string& path, const FileContent& content) 
   if (exists && !S_ISREG(old.st_mode)) return write_through(path, content);
   if (exists && faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) != 0) fail(path, errno);
 
-  // Through a symbolic link, so that the link stays one.
+  // Follows a symbolic link, so that the link itself stays.
   std::error_code error;
   fs::path target = exists ? fs::canonical(path, error) : fs::absolute(path, error);
   if (error) fail(path, error.value());

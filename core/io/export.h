@@ -23,10 +23,10 @@ struct ExportScene {
   std::string extras_json;  // glTF `extras` of the scene; empty: none
 };
 
-/// Where a reader of the glTF sees a vertex, as doubles (world, z up): float32 vertex, in double
-/// through the nodes below the object's own as read_model() does it, then through the object's
-/// float32 matrix, rounded to float32. This is what the exact check of a float32 export looks at,
-/// and it is computed by the code that writes the file.
+/// Position of a vertex as a reader of the glTF computes it, in doubles (world, z up): the float32
+/// vertex, in double through the nodes below the object's own as in read_model(), then through the
+/// object's float32 matrix, rounded to float32. The exact check of a float32 export tests these
+/// positions; the code that writes the file computes them.
 class ExportedPlacement {
  public:
   /// @param mesh_box  of object.model->mesh.
@@ -43,38 +43,40 @@ class ExportedPlacement {
 /// All vertices of the mesh through ExportedPlacement.
 std::vector<Eigen::Vector3f> exported_positions(const ExportObject& object);
 
-/// By extension: .glb; .gltf (with .bin and pictures beside it); .obj (with .mtl beside it), .ply
-/// and .stl, which hold the coordinates of exported_positions(). glTF holds a model with all its
-/// look (Model::look), once however many objects show it. Objects without triangles stay as empty
-/// nodes. Writes beside the target and renames, so that the target is either the old file or the
-/// whole new one. Files beside it are replaced only if the old target names them.
-/// @throws Error: BadInput for an unknown extension, and when a file beside it would be another's;
-///   Environment when it cannot be written.
+/// Writes by extension: .glb; .gltf (with .bin and images beside it); .obj (with .mtl beside it),
+/// .ply and .stl, which hold the coordinates of exported_positions(). glTF holds a model with its
+/// full appearance (Model::look), once per model. Objects without triangles become empty nodes.
+/// Writes beside the target and renames, so that the target is either the old file or the whole new
+/// one. Companion files are replaced only if the old target names them.
+///
+/// @throws Error: BadInput for an unknown extension, or if a companion file belongs to another
+///   scene; Environment if it cannot be written.
 void write_scene(const ExportScene& scene, const std::string& path);
 
-/// The part of that which can be told without a scene: of the .bin of a .gltf, the .mtl of an .obj.
+/// Checks the companion files that are known without a scene: the .bin of a .gltf, the .mtl of an
+/// .obj.
 /// @throws Error (BadInput) naming the file in the way.
 void check_files_beside(const std::string& path);
 
-/// Whether the file `beside`, in the folder of the glTF or OBJ `path`, may be written with it:
-/// there is none, or `path` is there and names it. @throws Error (BadInput) if not.
+/// Checks that the companion file `beside`, in the folder of the glTF or OBJ `path`, may be
+/// written: it does not exist, or the existing `path` names it. @throws Error (BadInput) if not.
 void check_file_beside(const std::string& path, const std::string& beside);
 
 /// Writes bytes atomically: temporary file in the same folder, fsync, rename.
 /// @throws Error (Environment) naming the path and the system's reason; no partial output is left.
 void write_file_atomically(const std::string& path, const std::string& bytes);
-/// The same for what is too large to be held: `content` hands it over piece by piece.
+/// The same for content too large for memory: `content` passes it on piece by piece.
 using ByteSink = std::function<void(const std::string& bytes)>;
 using FileContent = std::function<void(const ByteSink& write)>;
 void write_file_atomically(const std::string& path, const FileContent& content);
 
-/// The extras of a .glb as JSON text: of the scene (empty: none), and of each node that has some,
-/// by the node's name.
+/// The extras of a .glb as JSON text: of the scene (empty: none), and of each node that has any, by
+/// the node's name.
 struct SceneExtras {
   std::string scene_json;
   std::vector<std::pair<std::string, std::string>> node_json;
 };
-/// @throws Error (BadInput) when the file is no glTF binary.
+/// @throws Error (BadInput) if the file is not binary glTF.
 SceneExtras read_scene_extras(const std::string& path);
 
 }  // namespace trivet

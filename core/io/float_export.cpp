@@ -7,7 +7,7 @@
 namespace trivet {
 namespace {
 
-// Beyond this many diagonals from its origin a mesh loses digits that a centre can save.
+// A mesh farther than this many diagonals from its origin loses digits that centring preserves.
 constexpr double kFarInDiagonals = 2.0;
 
 [[noreturn]] void fail_range(const ExportObject& object) {
@@ -75,7 +75,7 @@ ExportedPlacement::ExportedPlacement(const ExportObject& object, const Aabb& mes
 
 Vec3 ExportedPlacement::operator()(const Vec3& vertex) const {
   Vec3 local = vertex - m_centre;
-  // A look's float32 vertices come through its own nodes, in double, as they did at import.
+  // An appearance's float32 vertices pass through its own nodes, in double, as on import.
   if (!m_has_look) local = local.cast<float>().cast<double>();
   const Eigen::Vector3f y_up = m_y_up_from_local.apply(local).cast<float>();
   return {y_up.x(), -y_up.z(), y_up.y()};

@@ -1,4 +1,4 @@
-// What float32 files hold of an object: vertices about a centre, and the node's matrix.
+// Float32 representation of an object: vertices relative to a centre, and the node's matrix.
 #pragma once
 
 #include <string>
@@ -8,12 +8,12 @@
 
 namespace trivet {
 
-/// What the object's node is about: zero unless the mesh lies far from its own origin, where a
-/// float32 matrix loses digits. Models with a look have float32 numbers here.
+/// Origin of the object's node: zero unless the mesh lies far from its own origin, where a float32
+/// matrix loses digits. Coordinates are float32 numbers for models with an appearance.
 Vec3 export_centre(const Model& model, const Aabb& mesh_box);
 
-/// Vertices as the file stores them for models without a look: object frame minus `centre`, rounded
-/// to float32.
+/// Vertices as stored in the file for models without an appearance: object frame minus `centre`,
+/// rounded to float32.
 struct LocalVertices {
   Vec3 centre = Vec3::Zero();
   std::vector<Eigen::Vector3f> positions;
@@ -24,7 +24,7 @@ LocalVertices local_vertices(const Model& model);
 /// (x, y, z) of the world is written (x, z, -y). No entry is -0.
 using NodeMatrix = std::array<std::array<float, 4>, 3>;
 
-/// @throws Error (BadInput) naming the object when an entry is no finite float32.
+/// @throws Error (BadInput) naming the object if an entry is not a finite float32.
 NodeMatrix node_matrix(const ExportObject& object, const Vec3& centre);
 
 }  // namespace trivet

@@ -37,15 +37,15 @@ struct Header {
 static_assert(sizeof(Header) == kHeaderBytes + kChunkHeaderBytes);
 
 void check_header(const std::string& path, const Header& header, std::uintmax_t file_bytes) {
-  if (header.magic != kMagic) fail(path, "is no binary glTF: it does not begin with 'glTF'");
+  if (header.magic != kMagic) fail(path, "is not binary glTF: it does not begin with 'glTF'");
   if (header.version != 2)
-    fail(path, "glTF version " + std::to_string(header.version) + ", accepted is 2");
+    fail(path, "glTF version " + std::to_string(header.version) + "; accepted: 2");
   if (header.total_bytes > file_bytes)
     fail(path, "is truncated: " + std::to_string(file_bytes) + " bytes of " +
                    std::to_string(header.total_bytes));
-  if (header.json_type != kJsonChunk) fail(path, "the first chunk of the glTF is not JSON");
+  if (header.json_type != kJsonChunk) fail(path, "the first glTF chunk is not JSON");
   if (sizeof(Header) + std::uint64_t{header.json_bytes} > header.total_bytes)
-    fail(path, "the JSON chunk of the glTF is longer than the file");
+    fail(path, "the glTF JSON chunk is longer than the file");
 }
 
 }  // namespace
@@ -56,7 +56,7 @@ std::string pack_glb(std::string json, const std::string& binary) {
       (binary.empty() ? 0 : kChunkHeaderBytes + (binary.size() + 3) / 4 * 4);
   if (total > std::numeric_limits<std::uint32_t>::max())
     throw Error(Error::Kind::BadInput, "the scene needs " + std::to_string(total) +
-                                           " bytes, more than the 4 GiB that binary glTF can hold");
+                                           " bytes, more than the 4 GiB limit of binary glTF");
   std::string out;
   out.reserve(total);
   append_bytes(out, kMagic);
@@ -77,10 +77,10 @@ std::string read_glb_json(const std::string& path) {
   if (error) fail(path, "cannot be read: " + error.message());
   Header header;
   if (file_bytes < sizeof header || !in.read(reinterpret_cast<char*>(&header), sizeof header))
-    fail(path, "is no binary glTF: only " + std::to_string(file_bytes) + " bytes");
+    fail(path, "is not binary glTF: only " + std::to_string(file_bytes) + " bytes");
   check_header(path, header, file_bytes);
   std::string json(header.json_bytes, '\0');
-  if (!in.read(json.data(), header.json_bytes)) fail(path, "cannot be read to the end");
+  if (!in.read(json.data(), header.json_bytes)) fail(path, "cannot be read to its end");
   return json;
 }
 

@@ -5,14 +5,14 @@
 
 namespace trivet {
 
-/// Pads both chunks to 4 bytes. An empty `binary` leaves its chunk out.
-/// @throws Error (BadInput) when the file would pass 4 GiB, which is all that the header can count.
+/// Pads both chunks to 4 bytes. An empty `binary` omits its chunk.
+/// @throws Error (BadInput) if the file would exceed 4 GiB, the header's limit.
 std::string pack_glb(std::string json, const std::string& binary);
 
-/// The JSON chunk of a file. @throws Error (BadInput) naming the file when it is no whole GLB.
+/// The JSON chunk of a file. @throws Error (BadInput) naming the file if it is not a complete GLB.
 std::string read_glb_json(const std::string& path);
 
-/// The binary chunk behind a JSON chunk of that length; empty when there is none.
+/// The binary chunk after a JSON chunk of that length; empty if there is none.
 std::string read_glb_binary(const std::string& path, size_t json_bytes);
 
 }  // namespace trivet

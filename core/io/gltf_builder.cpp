@@ -7,7 +7,7 @@
 namespace trivet {
 namespace {
 
-// Numbers of the glTF 2.0 specification.
+// Constants of the glTF 2.0 specification.
 constexpr int kFloat = 5126, kUnsignedInt = 5125;
 constexpr int kArrayBuffer = 34962, kElementArrayBuffer = 34963;
 
@@ -17,7 +17,7 @@ std::string_view bytes_of(std::span<const float> values) {
   return {reinterpret_cast<const char*>(values.data()), values.size_bytes()};
 }
 
-// Names may come from files in any encoding; glTF wants UTF-8.
+// Names may come from files in any encoding; glTF requires UTF-8.
 std::string dumped(const GltfJson& json) {
   return json.dump(-1, ' ', false, GltfJson::error_handler_t::replace);
 }

@@ -1,4 +1,4 @@
-// Puts a glTF asset together, list by list. Private: it shows the JSON library.
+// Assembles a glTF asset list by list. Private: exposes the JSON library.
 #pragma once
 
 #include <map>
@@ -17,13 +17,13 @@ class GltfBuilder {
 
   /// Float vectors of 1 to 4 components. @param target  of the buffer view; 0: none.
   size_t add_floats(std::span<const float> values, int num_components);
-  /// The same with `min` and `max`, which glTF wants for positions.
+  /// The same with `min` and `max`, which glTF requires for positions.
   size_t add_positions(std::span<const float> values);
   size_t add_indices(const std::vector<std::uint32_t>& values);
-  /// A buffer view of these bytes, at an offset with the given remainder of division by 4.
+  /// A buffer view of these bytes, at an offset congruent to `remainder` modulo 4.
   size_t add_view(GltfJson view, std::string_view bytes, size_t remainder = 0);
 
-  /// Equal images are stored once.
+  /// Stores equal images once.
   size_t add_image(GltfJson image, const SharedBytes& bytes);
   /// A light of KHR_lights_punctual.
   size_t add_light(GltfJson light);
@@ -49,15 +49,15 @@ class GltfBuilder {
 /// One file. @throws Error (BadInput): more than 4 GiB.
 std::string glb_bytes(GltfDocument document);
 
-/// A JSON file beside files it names.
+/// A JSON file and the companion files it names.
 struct GltfFiles {
   std::string json, binary_name;
   std::string binary;                                       // empty: none
   std::vector<std::pair<std::string, SharedBytes>> images;  // name, content
 };
-/// @param stem  of all files' names.
+/// @param stem  common stem of all file names.
 GltfFiles gltf_files(GltfDocument document, const std::string& stem);
-/// What the file of the buffer is called.
+/// File name of the buffer.
 std::string binary_name(const std::string& stem);
 
 }  // namespace trivet

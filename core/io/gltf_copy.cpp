@@ -12,7 +12,7 @@ constexpr int kMaxDepth = 500;  // of nodes
 
 [[noreturn]] void fail(const std::string& reason) { throw Error(Error::Kind::BadInput, reason); }
 
-// Extensions that refer to nothing by index, or only in ways that are followed here.
+// Extensions without references by index, or only with references handled here.
 bool is_known(const std::string& extension) {
   static const std::array<std::string_view, 8> known = {
       "KHR_texture_transform", "KHR_lights_punctual", "KHR_mesh_quantization",
@@ -77,7 +77,7 @@ size_t GltfCopier::copy_tree(const GltfDocument& source, int node) {
 
 size_t GltfCopier::copy_node(const GltfDocument& source, int node, int depth) {
   if (depth > kMaxDepth || !m_tree.insert(node).second)
-    fail("its nodes are no tree, or one too deep");
+    fail("its nodes do not form a tree, or nest too deeply");
   GltfJson out = element(source.json, "nodes", GltfJson(static_cast<unsigned>(node)));
   keep_known_extensions(source, out);
   if (out.contains("mesh")) out["mesh"] = copy_mesh(source, out["mesh"]);
@@ -85,8 +85,8 @@ size_t GltfCopier::copy_node(const GltfDocument& source, int node, int depth) {
     out["camera"] = once(source, "cameras", out["camera"], [&](GltfJson camera) {
       return m_target.add("cameras", std::move(camera));
     });
-  if (out.erase("skin")) m_left_out.insert("skins, as the geometry is that of the bind pose");
-  if (out.erase("weights")) m_left_out.insert("the weights of morph targets");
+  if (out.erase("skin")) m_left_out.insert("skins (geometry is in bind pose)");
+  if (out.erase("weights")) m_left_out.insert("morph target weights");
   if (const GltfJson& light = member(member(out, "extensions"), "KHR_lights_punctual");
       !light.is_null())
     out["extensions"]["KHR_lights_punctual"]["light"] = copy_light(source, member(light, "light"));
@@ -102,7 +102,7 @@ size_t GltfCopier::copy_node(const GltfDocument& source, int node, int depth) {
 
 size_t GltfCopier::copy_mesh(const GltfDocument& source, const GltfJson& mesh) {
   return once(source, "meshes", mesh, [&](GltfJson out) {
-    if (out.erase("weights")) m_left_out.insert("the weights of morph targets");
+    if (out.erase("weights")) m_left_out.insert("morph target weights");
     for (GltfJson& primitive : out["primitives"])
       primitive = primitive_of(source, std::move(primitive));
     return m_target.add("meshes", std::move(out));
@@ -111,7 +111,7 @@ size_t GltfCopier::copy_mesh(const GltfDocument& source, const GltfJson& mesh) {
 
 GltfJson GltfCopier::primitive_of(const GltfDocument& source, GltfJson primitive) {
   if (member(primitive, "extensions").contains("KHR_draco_mesh_compression"))
-    fail("a mesh is compressed (Draco)");
+    fail("a mesh is compressed (Draco), which is not supported");
   keep_known_extensions(source, primitive);
   const auto copy_attributes = [&](const GltfJson& attributes) {
     GltfJson out = GltfJson::object();
@@ -148,7 +148,7 @@ size_t GltfCopier::copy_view(const GltfDocument& source, const GltfJson& index) 
     const size_t offset = index_from(member(out, "byteOffset"));
     const size_t length = index_from(member(out, "byteLength"));
     if (offset > source.binary.size() || length > source.binary.size() - offset)
-      fail("a buffer view reaches beyond its buffer");
+      fail("a buffer view extends beyond its buffer");
     const std::string_view bytes = std::string_view(source.binary).substr(offset, length);
     return m_target.add_view(std::move(out), bytes, offset % 4);
   });
@@ -161,7 +161,7 @@ size_t GltfCopier::copy_material(const GltfDocument& source, const GltfJson& ind
   });
 }
 
-// Whatever is called ...Texture and has an index refers to a texture, in extensions too.
+// Members named ...Texture with an index refer to a texture, in extensions too.
 void GltfCopier::remap_textures(const GltfDocument& source, GltfJson& object, int depth) {
   if (!object.is_object() || depth > 8) return;
   if (depth > 0) keep_known_extensions(source, object);
@@ -191,7 +191,7 @@ void GltfCopier::copy_image(const GltfDocument& source, GltfJson& texture) {
   if (!texture.is_object() || !texture.contains("source")) return;
   const size_t index = index_from(texture["source"]);
   if (index < source.images.size() && !source.images[index]) {
-    m_left_out.insert("an image that cannot be read");
+    m_left_out.insert("an unreadable image");
     texture.erase("source");
     return;
   }

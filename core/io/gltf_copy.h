@@ -1,20 +1,19 @@
-// Parts of one glTF asset into another: nodes with all that they need, and nothing else.
+// Copies nodes of one glTF asset, with all their dependencies, into another.
 #pragma once
 
 #include "core/io/gltf_builder.h"
 
 namespace trivet {
 
-/// Everything but nodes is copied once, however often it is asked for; numbers are copied bit for
-/// bit, members that this program does not know as they are. What cannot go along is left out and
-/// listed: skins and joints, deformations that are switched on, instances by extension, extensions
-/// that may refer to things by index in ways unknown.
+/// Everything but nodes is copied once, however often it is referenced; numbers are copied bit for
+/// bit, unknown members unchanged. Omitted and listed: skins and joints, active deformations,
+/// instances by extension, extensions that may contain unknown references by index.
 class GltfCopier {
  public:
   explicit GltfCopier(GltfBuilder& target) : m_target(target) {}
 
-  /// The node and all below it. @return its index in the target.
-  /// @throws Error (BadInput): an index out of range, nodes that are no tree.
+  /// Copies the node and its subtree. @return its index in the target.
+  /// @throws Error (BadInput): an index out of range, nodes that do not form a tree.
   size_t copy_tree(const GltfDocument& source, int node);
   /// @throws Error (BadInput).
   size_t copy_mesh(const GltfDocument& source, const GltfJson& mesh);
@@ -40,7 +39,7 @@ class GltfCopier {
   GltfBuilder& m_target;
   std::map<Key, size_t> m_copied;
   std::set<std::string> m_left_out;
-  std::set<int> m_tree;  // nodes of the tree that is being copied
+  std::set<int> m_tree;  // nodes of the tree being copied
 };
 
 }  // namespace trivet

@@ -57,7 +57,7 @@ std::string whole_file(const fs::path& path, std::uintmax_t max_bytes) {
   return out;
 }
 
-// By its content too: a session keeps its start under a name of its own.
+// Recognised by content too: sessions rename their start file.
 bool is_glb(const std::string& path) {
   std::string extension = fs::path(path).extension().string();
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -76,7 +76,7 @@ class DocumentReader {
     const std::string text = read_gltf_text(m_path);
     m_document.json = parse_gltf_json(m_path, text);
     std::string chunk = is_glb(m_path) ? read_glb_binary(m_path, text.size()) : "";
-    if (!member(m_document.json, "asset").is_object()) fail("its JSON has no asset");
+    if (!member(m_document.json, "asset").is_object()) fail("the JSON has no \"asset\" object");
     read_buffers(std::move(chunk));
     move_views();
     read_images();
@@ -103,27 +103,27 @@ class DocumentReader {
       const size_t length = index_from(member(buffers[i], "byteLength"));
       if (length > bytes.size())
         fail("buffer " + std::to_string(i) + " has " + std::to_string(bytes.size()) +
-             " bytes, not " + std::to_string(length));
+             " bytes, expected " + std::to_string(length));
       m_starts.push_back(m_document.binary.size());
       m_ends.push_back(m_starts.back() + length);
       m_document.binary.append(bytes, 0, length);
       m_document.binary.resize((m_document.binary.size() + 3) / 4 * 4);
-      if (m_document.binary.size() > m_limits.max_file_bytes) fail("its buffers pass the limit");
+      if (m_document.binary.size() > m_limits.max_file_bytes) fail("the buffers exceed the limit");
     }
   }
 
-  // All views into the one buffer.
+  // Merges all views into the single buffer.
   void move_views() {
     if (!m_document.json.contains("bufferViews")) return;
     for (GltfJson& view : m_document.json["bufferViews"]) {
       const size_t buffer = index_from(member(view, "buffer"));
-      if (buffer >= m_starts.size()) fail("a buffer view of no buffer");
+      if (buffer >= m_starts.size()) fail("a buffer view refers to a missing buffer");
       const GltfJson& given = member(view, "byteOffset");
       const size_t offset = given.is_null() ? 0 : index_from(given);
       const size_t length = index_from(member(view, "byteLength"));
       const size_t available = m_ends[buffer] - m_starts[buffer];
       if (offset > available || length > available - offset)
-        fail("a buffer view reaches beyond its buffer");
+        fail("a buffer view extends beyond its buffer");
       view["buffer"] = 0;
       view["byteOffset"] = m_starts[buffer] + offset;
     }
@@ -133,7 +133,7 @@ class DocumentReader {
   void read_images() {
     if (!m_document.json.contains("images")) return;
     for (GltfJson& image : m_document.json["images"]) {
-      if (!image.is_object()) fail("an image is no object");
+      if (!image.is_object()) fail("an image is not an object");
       m_document.images.push_back(bytes_of(image));
       name_after_file(image);
       image.erase("uri");
@@ -150,7 +150,7 @@ class DocumentReader {
     if (!member(image, "uri").is_string()) return nullptr;
     try {
       auto bytes = bytes_of_uri(image["uri"].get<std::string>());
-      // Whatever lies behind a path of an untrusted file, only pictures are passed on.
+      // Passes on images only, whatever an untrusted file's path points to.
       if (image_type(bytes).empty()) return nullptr;
       return std::make_shared<const std::string>(std::move(bytes));
     } catch (const Error&) {
@@ -168,7 +168,7 @@ class DocumentReader {
   const std::string m_path;
   const ImportLimits m_limits;
   GltfDocument m_document;
-  std::vector<size_t> m_starts, m_ends;  // of the file's buffers in the one buffer
+  std::vector<size_t> m_starts, m_ends;  // of the file's buffers in the merged buffer
 };
 
 }  // namespace
@@ -176,14 +176,13 @@ class DocumentReader {
 GltfJson parse_gltf_json(const std::string& path, const std::string& text) {
   const auto check_depth = [&](int depth, GltfJson::parse_event_t, GltfJson&) {
     if (depth > kMaxDepth)
-      fail(path + ": the JSON of the glTF is nested deeper than " + std::to_string(kMaxDepth) +
-           " levels");
+      fail(path + ": the glTF JSON is nested deeper than " + std::to_string(kMaxDepth) + " levels");
     return true;
   };
   try {
     return GltfJson::parse(text, check_depth);
   } catch (const GltfJson::exception& e) {
-    fail(path + ": the JSON of the glTF is broken: " + e.what());
+    fail(path + ": the glTF JSON is malformed: " + e.what());
   }
 }
 
@@ -193,7 +192,7 @@ std::string read_gltf_text(const std::string& path) {
   std::string text = whole_file(path, kMaxJson);
   const size_t first = text.find_first_not_of(" \t\r\n");
   if (first == text.npos || text[first] != '{')
-    fail(path + ": is no glTF, neither binary nor JSON; accepted: .glb and .gltf");
+    fail(path + ": is not glTF, neither binary nor JSON; accepted: .glb and .gltf");
   return text;
 }
 
@@ -201,10 +200,10 @@ GltfDocument read_gltf_document(const std::string& path, const ImportLimits& lim
   try {
     return DocumentReader(path, limits).read();
   } catch (const GltfJson::exception& e) {
-    fail(path + ": is no valid glTF: " + e.what());
+    fail(path + ": is not valid glTF: " + e.what());
   } catch (const Error& e) {
     const std::string message = e.what();
-    fail(message.rfind(path, 0) == 0 ? message : path + ": is no valid glTF: " + message);
+    fail(message.rfind(path, 0) == 0 ? message : path + ": is not valid glTF: " + message);
   }
 }
 
@@ -234,7 +233,7 @@ const GltfJson& element(const GltfJson& root, const char* list, const GltfJson& 
     fail("refers to element " + std::to_string(i) + " of \"" + list + "\", which has " +
          std::to_string(found.is_array() ? found.size() : 0));
   if (!found[i].is_object())
-    fail("element " + std::to_string(i) + " of \"" + list + "\" is no object");
+    fail("element " + std::to_string(i) + " of \"" + list + "\" is not an object");
   return found[i];
 }
 
@@ -244,13 +243,13 @@ std::string name_of(const GltfJson& object) {
 }
 
 size_t index_from(const GltfJson& value) {
-  // 2^53: whatever adds such numbers cannot overflow.
+  // 2^53: sums of such numbers cannot overflow.
   const bool unsigned_or_positive =
       value.is_number_unsigned() || (value.is_number_integer() && value.get<std::int64_t>() >= 0);
   if (unsigned_or_positive && value.get<std::uint64_t>() < std::uint64_t{1} << 53)
     return value.get<size_t>();
   fail(value.dump(-1, ' ', false, GltfJson::error_handler_t::replace).substr(0, 40) +
-       " stands where an index or a size is wanted");
+       " is not an index or a size");
 }
 
 std::vector<int> scene_roots(const GltfJson& root) {

@@ -36,7 +36,7 @@ struct PrimitiveData {
   std::vector<std::uint32_t> indices;
 };
 
-// Corners in the order of the faces, so that the same model gives the same bytes.
+// Numbers corners in the order of the faces, so that equal models give equal bytes.
 PrimitiveData primitive_data(const Mesh& mesh, const std::vector<Index>& faces,
                              const std::vector<Eigen::Vector3f>& positions,
                              const CornerNormals& normals) {
@@ -66,7 +66,8 @@ GltfJson parsed_extras(const std::string& text, const std::string& whose) {
   try {
     return GltfJson::parse(text);
   } catch (const GltfJson::exception& e) {
-    throw Error(Error::Kind::BadInput, "the extras of " + whose + " are no JSON: " + e.what());
+    throw Error(Error::Kind::BadInput,
+                "the extras of " + whose + " are not valid JSON: " + e.what());
   }
 }
 
@@ -76,7 +77,7 @@ bool is_identity(const GltfJson& node) {
   return true;
 }
 
-// A node that says no more than its mesh: the object's own node can take its place.
+// The only node, if it adds nothing to its mesh: the object's own node can then replace it.
 const GltfJson* only_mesh(const Look& look) {
   if (look.roots.size() != 1) return nullptr;
   const GltfJson root(static_cast<unsigned>(look.roots.front()));
@@ -130,7 +131,8 @@ class SceneWriter {
     if (!identity) node["matrix"] = std::move(matrix);
   }
 
-  // The model's own nodes below the object's; each object has its own, as a node has one parent.
+  // Places the model's own nodes below the object's; each object gets copies, as a node has one
+  // parent.
   void add_look(const Look& look, const Vec3& centre, GltfJson& node) {
     if (const GltfJson* mesh = only_mesh(look); mesh && centre.isZero()) {
       node["mesh"] = m_copier.copy_mesh(*look.document, *mesh);
@@ -147,7 +149,7 @@ class SceneWriter {
     if (!children.empty()) node["children"] = std::move(children);
   }
 
-  // -1: no triangle, and glTF has no empty mesh.
+  // -1: no triangle; glTF has no empty mesh.
   int stored_mesh(const ExportObject& object) {
     const auto [entry, is_new] = m_stored.try_emplace(object.model.get(), -1);
     if (is_new && !object.model->mesh.triangles.empty())

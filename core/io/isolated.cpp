@@ -29,7 +29,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double kBaseSeconds = 60, kSecondsPerByte = 1e-6;
 constexpr std::uintmax_t kBaseMemory = std::uintmax_t{1} << 30, kMemoryPerByte = 64;
-constexpr int kOutput = 3;  // the descriptor on which trivet-import answers
+constexpr int kOutput = 3;  // descriptor on which trivet-import answers
 
 [[noreturn]] void fail(const std::string& path, const std::string& reason) {
   throw Error(Error::Kind::BadInput, path + ": " + reason);
@@ -54,7 +54,7 @@ std::string all_digits(double value) {
   return {text, std::to_chars(std::begin(text), std::end(text), value).ptr};
 }
 
-/// The program for this file. @throws Error (Environment) when there is none for its format.
+/// Importer program for this file. @throws Error (Environment) if its format has none.
 std::string importer_of(const std::string& path, const ImportLimits& limits) {
   const std::string format = cad_format(path);
   if (format.empty()) return limits.importer;
@@ -63,11 +63,11 @@ std::string importer_of(const std::string& path, const ImportLimits& limits) {
   throw Error(
       Error::Kind::Environment,
       path + ": " + format + " files need " + importer +
-          ", which is missing: this build of Trivet is without Open CASCADE; accepted: a "
+          ", which is missing: this build of Trivet lacks Open CASCADE; accepted: a "
           "build with it (Debian: libocct-data-exchange-dev libocct-ocaf-dev; TRIVET_OCCT)");
 }
 
-/// A descriptor that closes itself.
+/// A descriptor, closed on destruction.
 class Descriptor {
  public:
   explicit Descriptor(int number) : m_number(number) {}
@@ -84,7 +84,7 @@ class Descriptor {
   int m_number;
 };
 
-/// A running trivet-import; killed and collected at the end at the latest.
+/// A running trivet-import; killed and reaped on destruction at the latest.
 class Child {
  public:
   Child(const std::string& importer, const std::string& path, const ImportLimits& limits,
@@ -131,8 +131,8 @@ class Child {
   pid_t m_id = -1;
 };
 
-/// Everything that comes before the deadline. @throws Error (BadInput) at the deadline, and for
-/// more than the limit.
+/// Reads all output up to the deadline. @throws Error (BadInput) at the deadline, and if the output
+/// exceeds the limit.
 std::string received(int descriptor, const std::string& path, const ImportLimits& limits) {
   const auto deadline = Clock::now() + std::chrono::duration<double>(limits.max_seconds);
   std::string out;
@@ -151,7 +151,7 @@ std::string received(int descriptor, const std::string& path, const ImportLimits
     if (count < 0) fail_environment(path + ": cannot be received", errno);
     if (count == 0) return out;
     out.append(block, 0, static_cast<size_t>(count));
-    if (out.size() > limits.max_memory_bytes) fail(path, "needs more memory than the limit");
+    if (out.size() > limits.max_memory_bytes) fail(path, "output exceeds the memory limit");
   }
 }
 
@@ -185,11 +185,11 @@ bool write_all(int descriptor, std::string_view bytes) {
 
 Model read_model_isolated(const std::string& path, const ImportLimits& given,
                           const Tessellation& tessellation) {
-  check_file(path, given);  // what needs no other process to be told
+  check_file(path, given);  // checks that need no other process
   const std::string importer = importer_of(path, given);
   const ImportLimits limits = with_defaults(given, path);
   int ends[2];
-  if (pipe2(ends, O_CLOEXEC) != 0) fail_environment(path + ": no pipe", errno);
+  if (pipe2(ends, O_CLOEXEC) != 0) fail_environment(path + ": cannot create a pipe", errno);
   const Descriptor input(ends[0]);
   Descriptor output(ends[1]);
   Child child(importer, path, limits, tessellation, output.number());

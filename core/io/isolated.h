@@ -1,4 +1,4 @@
-// Models from files that nobody vouches for: read in a process of their own, within limits.
+// Sandboxed import of untrusted files: in a separate process, within limits.
 #pragma once
 
 #include <functional>
@@ -8,12 +8,13 @@
 
 namespace trivet {
 
-/// As read_model(), but by the program limits.importer: a file on which the import library crashes,
-/// hangs or fills the memory gives an Error, and this process lives on. What comes back is checked
-/// as if it were a file. STEP, IGES and BREP are read by the program of that name with "-cad" at
-/// its end, where the build had Open CASCADE. Thread-safe.
-/// @throws Error: BadInput as read_model(), and for a crash or a limit passed; Environment when the
-///   program is missing or cannot be started.
+/// Like read_model(), but run by the program limits.importer: a file on which the import library
+/// crashes, hangs or exhausts memory gives an Error, and this process survives. The result is
+/// validated like a file. STEP, IGES and BREP are read by the same program's name with suffix
+/// "-cad", if the build had Open CASCADE. Thread-safe.
+///
+/// @throws Error: BadInput as read_model(), and for a crash or an exceeded limit; Environment if
+///   the program is missing or cannot be started.
 Model read_model_isolated(const std::string& path, const ImportLimits& limits,
                           const Tessellation& tessellation = {});
 
@@ -21,11 +22,11 @@ Model read_model_isolated(const std::string& path, const ImportLimits& limits,
 Model import_model(const std::string& path, const ImportLimits& limits,
                    const Tessellation& tessellation = {});
 
-/// What the environment variable TRIVET_IMPORTER names, else trivet-import beside the running
-/// program or in the folder above; empty: not found.
+/// Path in the environment variable TRIVET_IMPORTER, else trivet-import beside the running program
+/// or in its parent folder; empty: not found.
 std::string find_importer();
 
-/// The other side: writes the model that `read` gives, or its error, to a descriptor.
+/// Child side: writes the model that `read` returns, or its error, to a descriptor.
 /// @param path  of the file, for messages.
 /// @return the exit status.
 int serve_import(const std::function<Model()>& read, const std::string& path,

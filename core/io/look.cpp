@@ -8,7 +8,7 @@ namespace {
 
 constexpr int kFloat = 5126;
 
-// Integers, which extensions allow, and sparse positions: importers differ there.
+// Rejects integer positions, allowed by extensions, and sparse ones: importers differ there.
 void check_positions(const GltfJson& root) {
   for (const GltfJson& mesh : member(root, "meshes"))
     for (const GltfJson& primitive : member(mesh, "primitives")) {

@@ -1,4 +1,4 @@
-// A model as its source shows it: what goes along with the geometry from import to export.
+// Appearance of a model beyond its geometry, preserved from import to export.
 #pragma once
 
 #include <memory>
@@ -11,20 +11,20 @@ namespace trivet {
 
 struct GltfDocument;
 
-/// Nodes with their names and transforms, meshes with all their attributes, materials, textures,
-/// cameras and lights, as a glTF asset of its own. The triangles below `roots`, in their order, are
-/// those of Model::mesh to the bit.
+/// Nodes with names and transforms, meshes with all attributes, materials, textures, cameras and
+/// lights, as a self-contained glTF asset. The triangles below `roots`, in order, are bit for bit
+/// those of Model::mesh.
 struct Look {
   std::shared_ptr<const GltfDocument> document;
   std::vector<int> roots;
 };
 
-/// What is below these nodes. @param notes  gets what cannot go along. @return nothing, with a
-/// note, when the geometry is stored in a way that the importer might see otherwise.
+/// Appearance below these nodes. @param notes  receives what is left out. @return null, with a
+/// note, if the geometry is stored in a way that the importer might interpret differently.
 std::shared_ptr<const Look> look_of_gltf(const GltfDocument& source, const std::vector<int>& roots,
                                          std::vector<std::string>& notes);
 
-/// How many there are; for people.
+/// Counts for display.
 struct LookCounts {
   size_t nodes = 0, meshes = 0, materials = 0, textures = 0, images = 0, image_bytes = 0,
          cameras = 0, lights = 0;

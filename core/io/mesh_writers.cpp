@@ -13,7 +13,7 @@
 namespace trivet {
 namespace {
 
-// Nine significant digits give every float32 back. No locale.
+// Nine significant digits round-trip every float32. Independent of the locale.
 void append_number(std::string& out, float value) {
   char buffer[32];
   const auto end = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general,
@@ -62,7 +62,7 @@ class ObjWriter {
     m_out.obj += '\n';
   }
 
-  // A model's materials are written when first used; equal names of other models get a number.
+  // Materials are written on first use; equal names of other models get a number.
   const std::string& material_name(const Model& model, Index id) {
     const auto [entry, is_new] = m_names.try_emplace({&model, id});
     if (is_new) {
@@ -99,7 +99,7 @@ struct Counts {
   size_t vertices = 0, faces = 0;
 };
 
-// Both formats count with 32 bits.
+// Both formats use 32-bit counts.
 Counts count(const ExportScene& scene, const char* format) {
   Counts out;
   for (const ExportObject& object : scene.objects) {
@@ -109,7 +109,7 @@ Counts count(const ExportScene& scene, const char* format) {
   constexpr size_t kMax = std::numeric_limits<std::int32_t>::max();
   if (out.vertices > kMax || out.faces > kMax)
     throw Error(Error::Kind::BadInput, "the scene has " + std::to_string(out.faces) +
-                                           " triangles, more than " + format + " can count");
+                                           " triangles, more than" + format + " supports");
   return out;
 }
 
@@ -156,7 +156,7 @@ std::string stl_bytes(const ExportScene& scene) {
       const Vec3 normal =
           (positions[face[1]].cast<double>() - a).cross(positions[face[2]].cast<double>() - a);
       const double length = normal.norm();
-      // Without area there is no normal: zero, which readers take as "compute it".
+      // Zero without area, which readers take as "compute it".
       const Eigen::Vector3f unit = length > 0 && std::isfinite(length)
                                        ? Eigen::Vector3f((normal / length).cast<float>())
                                        : Eigen::Vector3f(Eigen::Vector3f::Zero());

@@ -67,7 +67,7 @@ class ByteReader {
     if (count > 0) std::memcpy(static_cast<void*>(out.data()), bytes.data(), bytes.size());
     return out;
   }
-  /// A count of things of at least a byte each.
+  /// Number of items of at least one byte each.
   std::uint64_t count() {
     const auto value = get<std::uint64_t>();
     if (value > m_rest.size()) fail();
@@ -86,7 +86,7 @@ class ByteReader {
 
  private:
   [[noreturn]] static void fail() {
-    throw Error(Error::Kind::BadInput, "what the importer sent is not whole");
+    throw Error(Error::Kind::BadInput, "the importer's answer is incomplete");
   }
   std::string_view m_rest;
 };
@@ -136,7 +136,7 @@ void get_polygonisation(ByteReader& in, Model& model) {
   in.expect(std::isfinite(p.chord) && std::isfinite(p.deviation));
 }
 
-// Copied as from a file: whatever the look refers to is there afterwards.
+// Copied as from a file, which validates every reference.
 std::shared_ptr<const Look> get_look(ByteReader& in) {
   GltfDocument document;
   document.json = parse_gltf_json("importer", std::string(in.text()));

@@ -8,7 +8,7 @@ namespace trivet {
 namespace {
 
 constexpr double kCosCrease = 0.766044443;  // 40 degrees
-constexpr Index kMaxValence = 256;          // beyond, comparing all pairs costs too much
+constexpr Index kMaxValence = 256;          // above, comparing all pairs costs too much
 
 struct Faces {
   std::vector<Vec3> weighted;  // length: twice the area
@@ -19,7 +19,7 @@ Faces face_normals(const Mesh& mesh) {
   Faces out;
   for (Index f = 0; f < static_cast<Index>(mesh.triangles.size()); ++f) {
     const Triangle t = mesh.triangle(f);
-    // Scaled by the longest side, so that squares neither overflow nor vanish.
+    // Scaled by the longest side, so that squares neither overflow nor underflow.
     const Vec3 u = t[1] - t[0], v = t[2] - t[0];
     const double scale = std::max(u.cwiseAbs().maxCoeff(), v.cwiseAbs().maxCoeff());
     const Vec3 normal = scale > 0 ? Vec3((u / scale).cross(v / scale)) : Vec3(Vec3::Zero());

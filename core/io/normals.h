@@ -1,4 +1,4 @@
-// Corner normals for shading: what files leave out.
+// Corner normals for shading, computed where files have none.
 #pragma once
 
 #include <array>

@@ -29,7 +29,7 @@ bool has_extension(const std::string& path, const std::string& wanted) {
   return extension == wanted;
 }
 
-/// Lines may end in \n, \r\n or \r; blank ones are skipped. False at the end of the file.
+/// Reads a line ended by \n, \r\n or \r; skips blank ones. False at the end of the file.
 bool next_line(std::istream& in, std::string& line) {
   line.clear();
   for (int c = in.get(); c != EOF; c = in.get())
@@ -42,20 +42,20 @@ bool next_line(std::istream& in, std::string& line) {
   return !line.empty();
 }
 
-// assimp 5.2 looks for the end of the header forever, and where the text ends early it repeats the
-// last face for each that is missing.
+// assimp 5.2 searches forever for a missing end of the header, and if the text ends early it
+// repeats the last face for each missing one.
 void check_ply(const std::string& path, std::istream& in, std::uintmax_t bytes) {
   std::string line, keyword, value;
   bool ascii = false;
   std::uint64_t expected = 0, found = 0;
   do {
     if (!next_line(in, line))
-      fail(path, "cannot be read as a model: the PLY header does not end (no end_header)");
+      fail(path, "cannot be read as a model: the PLY header has no end_header");
     std::istringstream words(line);
     std::uint64_t count = 0;
     words >> keyword >> value >> count;
     if (keyword == "format") ascii = value == "ascii";
-    if (keyword == "element" && count > bytes)  // each takes a byte at least
+    if (keyword == "element" && count > bytes)  // each takes at least a byte
       fail(path, "is truncated: a file of " + std::to_string(bytes) + " bytes cannot hold " +
                      std::to_string(count) + " elements \"" + value + "\"");
     if (keyword == "element") expected += count;

@@ -1,4 +1,4 @@
-// Checks that keep assimp from crashing, hanging or answering vaguely on broken files.
+// Pre-import checks that keep assimp from crashing, hanging or reporting vaguely on broken files.
 #pragma once
 
 #include <string>
@@ -9,13 +9,13 @@ struct aiScene;
 
 namespace trivet {
 
-/// Before assimp opens the file: it is there, readable, not empty, not beyond the limit, and what
-/// assimp 5.2 loops on forever or fills up silently is not in it (truncated PLY).
+/// Checks before assimp opens the file that it exists, is readable, not empty, within the limit,
+/// and free of the truncated PLY on which assimp 5.2 loops forever or invents data.
 /// @throws Error (BadInput) naming the file and the reason.
 void check_file(const std::string& path, const ImportLimits& limits);
 
-/// Between assimp's reading and its triangulation, which takes for granted that faces have corners
-/// (else it aborts the program) and that indices are in range (else it reads beyond its arrays).
+/// Checks between assimp's reading and its triangulation, which assumes that faces have corners
+/// (else it aborts the program) and that indices are in range (else it reads out of bounds).
 /// @throws Error (BadInput) naming the file, the mesh, the face and the index.
 void check_faces(const std::string& path, const aiScene& scene);
 

@@ -28,11 +28,11 @@ void check_extension(const Assimp::Importer& importer, const std::string& path) 
   const std::string extension = fs::path(path).extension().string();
   if (!extension.empty() && importer.IsExtensionSupported(extension)) return;
   fail(path, (extension.empty() ? "has no file extension" : "no importer for " + extension) +
-                 ("; accepted are .obj, .ply, .stl, .gltf, .glb, .fbx, .dae, .3ds, .step, .iges, "
+                 ("; accepted: .obj, .ply, .stl, .gltf, .glb, .fbx, .dae, .3ds, .step, .iges, "
                   ".brep and others"));
 }
 
-// The first extension that the importer lists; glTF 1 and 2 share theirs and differ in the name.
+// First extension in the importer's list; glTF 1 and 2 share theirs and differ in the name.
 std::string format_of(const Assimp::Importer& importer) {
   const aiImporterDesc* description =
       importer.GetImporterInfo(importer.GetPropertyInteger("importerIndex", -1));
@@ -43,7 +43,7 @@ std::string format_of(const Assimp::Importer& importer) {
   return gltf2 ? "gltf2" : format;
 }
 
-// assimp's messages may span lines and hold file bytes; one printable line is wanted.
+// Reduces an assimp message, which may span lines and contain file bytes, to one printable line.
 std::string printable(std::string text) {
   for (char& c : text)
     if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
@@ -52,7 +52,7 @@ std::string printable(std::string text) {
   return text.empty() ? "unknown error" : text;
 }
 
-// In two steps, as the second trusts what the first left behind; the result is that of one.
+// Imports in two steps, as the second trusts the result of the first; equivalent to one.
 const aiScene& import_scene(Assimp::Importer& importer, const std::string& path) {
   const aiScene* scene = importer.ReadFile(path, 0);
   if (scene && scene->mRootNode) {
@@ -66,7 +66,7 @@ const aiScene& import_scene(Assimp::Importer& importer, const std::string& path)
   return *scene;
 }
 
-// glTF from the file itself: nothing that it says gets lost on the way.
+// Reads glTF from the file itself, to lose none of its data.
 void read_look(const aiScene& scene, const ImportLimits& limits, Model& model) {
   if (model.format != "gltf2") {
     model.look = look_of_assimp(scene, limits, model);
@@ -85,7 +85,8 @@ void read_look(const aiScene& scene, const ImportLimits& limits, Model& model) {
 Model read_model(const std::string& path, const ImportLimits& limits) {
   check_file(path, limits);
   if (const std::string format = cad_format(path); !format.empty())
-    fail(path, format + " files are read by the program trivet-import-cad, never in this process");
+    fail(path,
+         format + " files are read only by the program trivet-import-cad, never in this process");
   try {
     Assimp::Importer importer;
     check_extension(importer, path);
@@ -101,7 +102,7 @@ Model read_model(const std::string& path, const ImportLimits& limits) {
   } catch (const Error&) {
     throw;
   } catch (const std::bad_alloc&) {
-    fail(path, "needs more memory than there is; the file is broken or too large");
+    fail(path, "runs out of memory; the file is broken or too large");
   } catch (const std::exception& e) {
     fail(path, "cannot be read as a model: " + printable(e.what()));
   }

@@ -1,4 +1,4 @@
-// Formats of curved surfaces: how they become triangles, and how well that was done.
+// Tessellation of curved surfaces: requested fineness and measured result.
 #pragma once
 
 #include <compare>
@@ -6,11 +6,11 @@
 
 namespace trivet {
 
-/// What may be asked for; metres, degrees.
+/// Accepted range; metres, degrees.
 inline constexpr double kMinChord = 1e-9, kMaxChord = 1e6;
 inline constexpr double kMinFacetAngleDeg = 1, kMaxFacetAngleDeg = 90;
 
-/// How fine. Formats of triangles take no notice.
+/// Requested fineness; ignored by triangle formats.
 struct Tessellation {
   double chord = 0;  // metres of the model (before an object's scale) from surface to triangles;
                      // 0: kRelativeChord of the model's size
@@ -19,12 +19,12 @@ struct Tessellation {
   friend auto operator<=>(const Tessellation&, const Tessellation&) = default;
 };
 
-/// What became of the surfaces.
+/// Result of polygonisation.
 struct Polygonisation {
-  double chord = 0;      // metres, asked for or by default
-  double deviation = 0;  // metres, the largest that was measured, at seven points of each triangle
-  int num_faces = 0;     // of the parts in all their places, polygonised
-  int num_failed_faces = 0;  // left out, as they cannot be polygonised
+  double chord = 0;          // metres, requested or default
+  double deviation = 0;      // metres, largest measured, at seven points of each triangle
+  int num_faces = 0;         // of all placed parts, polygonised
+  int num_failed_faces = 0;  // left out: could not be polygonised
   int num_edges = 0;
 };
 

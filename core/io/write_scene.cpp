@@ -24,7 +24,7 @@ std::string text_of(const fs::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// Whether the file that is there now, a glTF or OBJ, names this one as its own.
+/// Whether the existing target, a glTF or OBJ, names this companion file.
 bool names(const fs::path& target, const std::string& beside) {
   const std::string text = text_of(target);
   if (extension_of(target) == ".gltf") return text.find('"' + beside + '"') != std::string::npos;
@@ -37,7 +37,7 @@ std::string mtl_name(const fs::path& target) {
   return fs::path(target).replace_extension(".mtl").filename().string();
 }
 
-// What the JSON names comes first: a glTF in place never names a file that is not there.
+// Companion files first: an existing glTF never names a missing file.
 void write_gltf(const ExportScene& scene, const fs::path& target) {
   const GltfFiles files = gltf_files(gltf_document(scene), target.stem().string());
   const fs::path folder = target.parent_path();
@@ -50,7 +50,7 @@ void write_gltf(const ExportScene& scene, const fs::path& target) {
   write_file_atomically(target.string(), files.json);
 }
 
-// The materials first: an OBJ in place never names a file that is not there.
+// Materials first: an existing OBJ never names a missing file.
 void write_obj(const ExportScene& scene, const fs::path& target) {
   const std::string mtl = mtl_name(target);
   check_file_beside(target.string(), mtl);
@@ -66,9 +66,9 @@ void check_file_beside(const std::string& path, const std::string& beside) {
   std::error_code ignored;
   if (!fs::exists(file, ignored) || names(target, beside)) return;
   throw Error(Error::Kind::BadInput,
-              file.string() + ": is there, is not of " + path +
-                  " and would be overwritten with it; accepted: another name or folder, or a "
-                  "format of one file, such as .glb");
+              file.string() + ": exists and does not belong to " + path +
+                  ", so it would be overwritten; accepted: another name or folder, or a "
+                  "single-file format, such as .glb");
 }
 
 void check_files_beside(const std::string& path) {
@@ -94,7 +94,7 @@ void write_scene(const ExportScene& scene, const std::string& path) {
   } else {
     throw Error(Error::Kind::BadInput,
                 path + ": " + (extension.empty() ? "no extension" : "cannot write " + extension) +
-                    "; accepted are .glb, .gltf, .obj, .ply and .stl");
+                    "; accepted: .glb, .gltf, .obj, .ply and .stl");
   }
 }
 

@@ -12,15 +12,15 @@ namespace trivet {
 
 static_assert(std::endian::native == std::endian::little);
 
-/// Appends the bytes of a value as they lie in memory.
+/// Appends the bytes of a value in memory order.
 template <class T>
 void append_bytes(std::string& out, const T& value) {
   out.append(reinterpret_cast<const char*>(&value), sizeof value);
 }
 
-/// glTF 2.0: a node per object; below it the model's look, else a mesh with a primitive per
+/// glTF 2.0: a node per object; below it the model's own nodes, else a mesh with a primitive per
 /// material.
-/// @throws Error (BadInput): extras that are no JSON, poses beyond float32.
+/// @throws Error (BadInput): extras that are not JSON, poses beyond float32.
 GltfDocument gltf_document(const ExportScene& scene);
 GltfJson material_json(const Material& material);
 
@@ -28,7 +28,7 @@ GltfJson material_json(const Material& material);
 struct ObjText {
   std::string obj, mtl;
 };
-/// `mtl_name` is what the OBJ calls its material file.
+/// `mtl_name` is the file name of the material library in the OBJ.
 ObjText obj_text(const ExportScene& scene, const std::string& mtl_name);
 
 /// World coordinates, z up, binary little endian; one mesh, geometry only.

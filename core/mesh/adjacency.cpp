@@ -1,5 +1,5 @@
-// Half-edge h = 3 * face + k runs from corner k of its face to corner k + 1. Everything is grouped
-// by counting, never by searching, so that the cost is linear for any mesh.
+// Half-edge h = 3 * face + k runs from corner k of its face to corner k + 1. All grouping is by
+// counting, never by searching, so that the cost is linear for any mesh.
 #include "core/mesh/adjacency.h"
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 namespace trivet {
 namespace {
 
-/// Collects items by row, in the order in which `visit(emit)` calls emit(row, item). It is run
+/// Collects items by row, in the order in which `visit(emit)` calls emit(row, item). `visit` runs
 /// twice: to count and to fill.
 template <class T, class Visit>
 Rows<T> collect_rows(size_t num_rows, const Visit& visit) {
@@ -33,8 +33,8 @@ std::array<Index, 2> sorted_ends(const Mesh& mesh, Index half_edge) {
   return {std::min(from, to), std::max(from, to)};
 }
 
-/// Half-edges of the same two vertices one after the other, each group in ascending order: two
-/// stable counting sorts, by the larger and then by the smaller vertex.
+/// Groups half-edges of the same two vertices, each group in ascending order: two stable counting
+/// sorts, by the larger and then by the smaller vertex.
 std::vector<Index> half_edges_by_ends(const Mesh& mesh) {
   const Index num_half_edges = 3 * static_cast<Index>(mesh.triangles.size());
   const auto by_larger = collect_rows<Index>(mesh.vertices.size(), [&](const auto& emit) {

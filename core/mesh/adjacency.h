@@ -36,8 +36,8 @@ struct Component {
   bool manifold = true;  // every edge is used just once in either direction
 };
 
-/// Who touches whom, both ways. Edges are numbered in the order in which faces use them; a face
-/// with two equal corners has -1 for the edge between them.
+/// Incidence of vertices, edges and faces, both ways. Edges are numbered in the order in which
+/// faces use them; a face with two equal corners has -1 for the edge between them.
 struct Adjacency {
   std::vector<std::array<Index, 2>> edge_vertices;  // #E, smaller vertex id first
   std::vector<Index3> face_edges;                   // #F, edge k runs from corner k to corner k + 1

@@ -13,13 +13,13 @@ namespace {
 
 constexpr int kDimension = 3;
 
-/// One run of Qhull with its memory. Its messages go to a buffer that nobody reads: they are about
-/// flat input, which is not an error here.
+/// One run of Qhull with its memory. Its messages go to a discarded buffer: they concern flat
+/// input, which is not an error here.
 class QhullRun {
  public:
   QhullRun() : m_messages(fmemopen(m_buffer.data(), m_buffer.size(), "w")) {
     if (!m_messages)
-      throw Error(Error::Kind::Environment, "no memory stream for the messages of Qhull");
+      throw Error(Error::Kind::Environment, "cannot allocate a stream for Qhull's messages");
     qh_zero(&m_qhull, m_messages);
   }
   ~QhullRun() {
@@ -31,7 +31,7 @@ class QhullRun {
   QhullRun(const QhullRun&) = delete;
   QhullRun& operator=(const QhullRun&) = delete;
 
-  /// Whether the points have a solid hull.
+  /// Returns whether the points have a solid hull.
   bool compute(std::vector<double>& coordinates) {
     char command[] = "qhull Qt Pp";  // triangles only; no warnings about precision
     const int num_points = static_cast<int>(coordinates.size()) / kDimension;
@@ -58,8 +58,8 @@ class QhullRun {
   qhT m_qhull;
 };
 
-/// Coordinates about the box's centre, scaled by a power of two to about 1, so that neither an
-/// offset nor the unit costs digits.
+/// Coordinates relative to the box's centre, scaled by a power of two to about 1, so that neither
+/// an offset nor the unit costs digits.
 std::vector<double> normalised(std::span<const Vec3> points) {
   Aabb box;
   for (const Vec3& p : points) box.extend(p);

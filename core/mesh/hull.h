@@ -14,9 +14,9 @@ struct ConvexHull {
   std::vector<Index3> triangles;  // in no particular orientation
 };
 
-/// Hull of points in any position: empty if they are fewer than 4, or in one plane to within
-/// rounding. Points within rounding of the hull may be left out.
-/// Qhull [Barber, Dobkin, Huhdanpaa 1996].   Cost O(n log n).   Thread-safe.
+/// Hull of points in any position: empty if there are fewer than 4, or all lie in one plane to
+/// within rounding. Points within rounding of the hull may be left out. Qhull [Barber
+/// 1996].   Cost O(n log n).   Thread-safe.
 ConvexHull convex_hull(std::span<const Vec3> points);
 
 }  // namespace trivet

@@ -10,7 +10,7 @@
 namespace trivet {
 namespace {
 
-/// A volume below this part of area x box diagonal is rounding, not substance.
+/// A volume below this fraction of area x box diagonal is rounding error.
 constexpr double kLeastVolume = 1e-9;
 
 /// Integrals of 1, x, |x|^2 and x x^T over a body, where x is relative to an origin.
@@ -20,7 +20,7 @@ struct Moments {
   double second = 0;
   Mat3 products = Mat3::Zero();
 
-  /// Adds a simplex with these corners and, if it is a tetrahedron, with the origin.
+  /// Adds the simplex with these corners; if it is a tetrahedron, the origin is its apex.
   void add(double size, const Triangle& corners, int num_corners) {
     const Vec3 sum = corners[0] + corners[1] + corners[2];
     const double squares =
@@ -64,7 +64,7 @@ MeshMoments integrate(const Mesh& mesh, const Adjacency& adjacency, const Vec3& 
   return out;
 }
 
-/// Whether the signed tetrahedra are a body: cavities may be negative in a positive total.
+/// Whether the signed tetrahedra form a body: cavities may be negative in a positive total.
 bool is_solid(const MeshMoments& moments, const Adjacency& adjacency, const Aabb& box) {
   const double volume = moments.solid.measure;
   const double least = kLeastVolume * moments.surface.measure * box.diagonal();
@@ -116,7 +116,7 @@ void set_centre(MassProperties& out, MassRule rule, const Moments& moments, cons
   out.covariance = moments.covariance();
 }
 
-/// For meshes without area.
+/// Fallback for meshes without area.
 void set_hull(MassProperties& out, const Mesh& mesh, const Vec3& box_centre) {
   const ConvexHull hull = convex_hull(mesh.vertices);
   if (!hull.vertices.empty()) {

@@ -10,10 +10,10 @@ namespace {
 
 using Key = std::array<std::uint64_t, 3>;
 
-/// Equal points have equal bits once -0 has become 0.
+/// Equal points have equal bits once -0 is replaced by 0.
 Key key_of(const Vec3& p) { return std::bit_cast<Key>(std::array<double, 3>{p.x(), p.y(), p.z()}); }
 
-/// Multiplies and folds; the ids do not depend on it, only the time does.
+/// Multiplies and folds; affects the time only, never the ids.
 std::uint64_t hash(const Key& key) {
   std::uint64_t h = 0;
   for (const std::uint64_t bits : key) {
@@ -25,8 +25,8 @@ std::uint64_t hash(const Key& key) {
 
 [[noreturn]] void fail_not_finite(const Vec3& p) {
   std::ostringstream out;
-  out << "a mesh has a vertex (" << p.x() << ", " << p.y() << ", " << p.z()
-      << "); accepted: finite coordinates";
+  out << "mesh vertex (" << p.x() << ", " << p.y() << ", " << p.z()
+      << ") is not finite; accepted: finite coordinates";
   throw Error(Error::Kind::BadInput, out.str());
 }
 
@@ -48,7 +48,7 @@ class VertexTable {
   }
 
  private:
-  /// The slot that holds this point, or the free one where it belongs.
+  /// Slot that holds this point, or the free one for it.
   Index& slot_of(const Key& key) {
     const size_t mask = m_slots.size() - 1;
     size_t i = hash(key) & mask;

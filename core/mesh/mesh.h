@@ -1,4 +1,5 @@
-// A triangle mesh as it comes: open or closed, manifold or not, with slivers and duplicates.
+// Triangle mesh without any precondition: open or closed, manifold or not, with slivers and
+// duplicates.
 #pragma once
 
 #include <string>

@@ -10,7 +10,7 @@ constexpr double kSmallestTurn = 1e-9;  // radians: less is a straight line
 
 Rotation inverse(const Rotation& r) { return {r.w, -r.x, -r.y, -r.z}; }
 
-/// What leads from one rotation to another, the short way.
+/// Rotation from one orientation to another, the short way.
 struct Turn {
   Vec3 axis = Vec3::UnitZ();
   double angle = 0;  // radians, 0 to pi
@@ -46,7 +46,8 @@ Pose between(const Pose& from, const Pose& to, double part) {
   const Vec3 way = to.translation - from.translation;
   const Turn turn = turn_between(from.rotation, to.rotation);
   if (turn.angle < kSmallestTurn) return {from.rotation, Vec3(from.translation + part * way)};
-  // The fixed axis goes through the point c with R (from - c) = to - c, but for what is along it.
+  // The fixed axis goes through the point c with R (from - c) = to - c, except for the part along
+  // it.
   const Vec3 along = turn.axis.dot(way) * turn.axis;
   const Vec3 across = way - along;
   const Vec3 arm =

@@ -1,22 +1,24 @@
-// Poses between two others, to be watched; no answer depends on them.
+// Pose interpolation, for display only; no answer depends on it.
 #pragma once
 
 #include "core/motion/pose.h"
 
 namespace trivet {
 
-/// Metres from one pose to another: of the origin, and of what is `radius` away from it when it
-/// turns, the short way.
+/// Metres from one pose to another: the path of the origin, and the arc at distance `radius` from
+/// it, turning the short way.
 double length_between(const Pose& from, const Pose& to, double radius);
 
-/// Where something is that ends at `end` and is carried, when the object is at `now` and ends at
-/// `object_end`.
+/// Pose of a carried load when the object is at `now`, given that the load ends at `end` when the
+/// object ends at `object_end`.
 Pose carried_pose(const Pose& now, const Pose& object_end, const Pose& end);
 
-/// Between two poses on one motion: a straight line, a turn about a fixed axis, or a screw.
+/// Interpolates between two poses of one motion: a straight line, a turn about a fixed axis, or a
+/// screw.
 Pose between(const Pose& from, const Pose& to, double part);
 
-/// Between two poses that no motion is known for: its origin goes straight while it turns.
+/// Interpolates between two poses without a known motion: the origin goes straight while the object
+/// turns.
 Pose straight_between(const Pose& from, const Pose& to, double part);
 
 }  // namespace trivet

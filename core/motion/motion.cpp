@@ -31,7 +31,7 @@ double compose_turns(double s_first, double s_second) {
 double turn_time(double angle_deg) {
   if (std::abs(angle_deg) == 90) return angle_deg > 0 ? 1 : -1;
   const double x = angle_deg * (3.14159265358979323846 / 360);
-  // Taylor series of sine and cosine for |x| <= pi / 4: the first term left out is below 1e-19.
+  // Taylor series of sine and cosine for |x| <= pi / 4: the first omitted term is below 1e-19.
   double sine = 0, cosine = 0;
   for (int k = 16; k >= 2; k -= 2) {
     sine = -(1 + sine) * x * x / (k * (k + 1));
@@ -82,7 +82,7 @@ bool positive_until(const HeightFunction& f, Motion::Kind kind, double horizon) 
   if (kind == Motion::Kind::Translation) return f.B >= 0 || f.f0 > -f.B * horizon;
   const double h = std::min(horizon, 1.0), leading = f.f0 - 2 * f.A;
   if ((leading * h + 2 * f.B) * h + f.f0 <= 0) return false;
-  // Positive at both ends: a root between them needs the parabola's lowest point between them.
+  // Positive at both ends: a root in between requires the parabola's minimum in between.
   return leading <= 0 || f.B >= 0 || -f.B >= leading * h || f.B * f.B < f.f0 * leading;
 }
 

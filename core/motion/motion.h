@@ -1,4 +1,4 @@
-// A straight or turning motion, with the parameter that all of Trivet calls time.
+// Translation or rotation, with the parameter called time throughout Trivet.
 #pragma once
 
 #include "core/motion/pose.h"
@@ -6,8 +6,8 @@
 namespace trivet {
 
 /// Time is the distance in metres of a translation; of a rotation it is s = tan(angle / 2), so that
-/// positions are rational in it and no answer needs libm. A rotation goes at most a quarter turn
-/// (s <= 1); longer turns are several motions.
+/// positions are rational in it and no answer needs libm. A rotation goes at most a quarter turn (s
+/// <= 1); longer turns are several motions.
 struct Motion {
   enum class Kind { Translation, Rotation };
   Kind kind = Kind::Translation;
@@ -23,38 +23,39 @@ struct Motion {
   }
 };
 
-/// Where a point of the moving object is at `time`.
+/// Position of a point of the moving object at `time`.
 Vec3 moved_point(const Vec3& p, const Motion& motion, double time);
 
 /// The pose at `time` of an object that has `pose` at time 0.
 Pose moved_pose(const Pose& pose, const Motion& motion, double time);
 
-/// The time of a turn that goes on: tan((x + y) / 2) from tan(x / 2) and tan(y / 2); infinity from
+/// Time of two turns in sequence: tan((x + y) / 2) from tan(x / 2) and tan(y / 2); infinity from
 /// half a turn on.
 double compose_turns(double s_first, double s_second);
 
-/// tan(angle / 2) of an angle of at most a quarter turn either way, and back (of |s| <= 1). By
-/// series in a fixed order, no libm: the same bits on every machine.
+/// tan(angle / 2) of an angle of at most a quarter turn either way, and the inverse (for |s| <= 1).
+/// By series in a fixed order, no libm: the same bits on every machine.
 double turn_time(double angle_deg);
 double turned_deg(double time);
 
-/// f0 + A (cos - 1) + B sin for a rotation, f0 + B t for a translation: how the height of a point
-/// over a plane changes during a motion, when the plane stands still or moves along.
+/// Height of a point over a plane during a motion, when the plane is fixed or moves along: f0 + A
+/// (cos - 1) + B sin for a rotation, f0 + B t for a translation.
 struct HeightFunction {
   double f0, A, B;
 };
 
-/// Of n . x for a moving point x over a plane with normal n that stands still; f0 is its value at
-/// the start. x is relative to a point on the axis.
+/// Height n . x of a moving point x over a fixed plane with normal n; f0 is its value at the start.
+/// x is relative to a point on the axis.
 HeightFunction height_of_moving_point(double f0, const Vec3& n, const Vec3& x,
                                       const Motion& motion);
-/// The same for a point x that stands still over a plane that moves.
+/// Height of a fixed point x over a moving plane.
 HeightFunction height_over_moving_plane(double f0, const Vec3& n, const Vec3& x,
                                         const Motion& motion);
-/// Of f0 + p . R q - p . q, R turning about the unit axis.
+/// Product f0 + p . R q - p . q, R turning about the unit axis.
 HeightFunction turning_product(double f0, const Vec3& axis, const Vec3& p, const Vec3& q);
 
-/// First time > 0 at which a height that starts at f0 > 0 is 0; 0 if f0 <= 0; infinity if never.
+/// First time > 0 at which a height that starts at f0 > 0 is 0; 0 if f0 <= 0; infinity if there is
+/// none.
 double first_zero(const HeightFunction& f, Motion::Kind kind);
 
 /// Whether first_zero(f, kind) > horizon, to rounding, without a root. A rotation's horizon may be

@@ -29,7 +29,7 @@ Rotation Rotation::about_axis(const Vec3& axis, double s) {
 }
 
 Rotation Rotation::from_matrix(const Mat3& m) {
-  // The largest of the four components is found first, so that nothing small is divided by.
+  // Starts with the largest of the four components, to avoid division by a small number.
   const double trace = m(0, 0) + m(1, 1) + m(2, 2);
   if (trace > 0) {
     return Rotation{1 + trace, m(2, 1) - m(1, 2), m(0, 2) - m(2, 0), m(1, 0) - m(0, 1)}

@@ -1,12 +1,12 @@
-// Rotation and translation of an object, and the matrix that follows from them.
+// Rotation and translation of an object, and the resulting matrix.
 #pragma once
 
 #include "core/base/types.h"
 
 namespace trivet {
 
-/// Unit quaternion. Own arithmetic, a fixed order of + and x, so that every machine gets the same
-/// bits (vectorised library products differ in the last bit between instruction sets).
+/// Unit quaternion. Own arithmetic in a fixed order of + and x gives the same bits on every machine
+/// (vectorised library products differ in the last bit between instruction sets).
 struct Rotation {
   double w = 1, x = 0, y = 0, z = 0;
 
@@ -22,7 +22,7 @@ struct Rotation {
 /// First b, then a.
 Rotation operator*(const Rotation& a, const Rotation& b);
 
-/// Which axis of a model file points up.
+/// Axis of a model file that points up.
 enum class UpAxis { Y, Z };
 
 /// world = translation + rotation x up x scale x file.

@@ -1,4 +1,4 @@
-"""What the end-to-end tests share: the program, a folder for each test, models and layouts."""
+"""Common part of the end-to-end tests: the program, a folder per test, models and layouts."""
 import json
 import os
 import random
@@ -10,7 +10,7 @@ import unittest
 
 PROGRAM = os.environ.get("TRIVET_PROGRAM", "trivet")
 SOURCE_DIR = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-SKIPPED = 77  # the exit status that CTest shows as "skipped"
+SKIPPED = 77  # exit status that CTest reports as "skipped"
 
 SIDES = ((0, 4, 6, 2), (1, 3, 7, 5), (0, 1, 5, 4), (2, 6, 7, 3), (0, 2, 3, 1), (4, 5, 7, 6))
 
@@ -35,7 +35,7 @@ def grid_obj(cells):
 
 
 class Case(unittest.TestCase):
-    """A test with a folder of its own, in which the program runs."""
+    """A test with a folder of its own as working directory."""
 
     def setUp(self):
         self.folder = tempfile.mkdtemp(prefix="trivet_test_")
@@ -64,7 +64,7 @@ class Case(unittest.TestCase):
                       for folder, _, names in os.walk(self.folder) for name in names)
 
     def trivet(self, *arguments, status=0, env=None):
-        """Runs the program; its exit status must be this one, or one of these. Gives (stdout,
+        """Runs the program and checks its exit status, one or several. Returns (stdout,
         stderr)."""
         result = subprocess.run([PROGRAM, *map(str, arguments)], cwd=self.folder, timeout=300,
                                 stdin=subprocess.DEVNULL, capture_output=True,
@@ -76,8 +76,8 @@ class Case(unittest.TestCase):
         return out, err
 
     def refused(self, *arguments, says, status=2):
-        """The program must end with this status and a message with these parts, and leave no file
-        that was not there."""
+        """Expects this exit status, a message with these parts, and no new
+        file."""
         before = {name: self.read(name) for name in self.files()}
         out, err = self.trivet(*arguments, status=status)
         self.assertEqual(out, "")
@@ -89,7 +89,7 @@ class Case(unittest.TestCase):
         return err
 
     def layout(self, objects, operations=(), name="layout.json", **more):
-        """Writes a layout and gives its name."""
+        """Writes a layout and returns its name."""
         return self.write(name, json.dumps({"trivet": 1, **more, "objects": objects,
                                             "operations": list(operations)}))
 
@@ -116,7 +116,7 @@ def random_bytes(count, seed=1):
 
 
 def main():
-    """unittest.main, but a run of which all was skipped says so to CTest."""
+    """unittest.main, but reports a fully skipped run to CTest."""
     program = unittest.main(exit=False, verbosity=2)
     result = program.result
     if not result.wasSuccessful():

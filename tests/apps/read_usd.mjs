@@ -1,4 +1,4 @@
-// What three's USDLoader makes of a .usdz: its nodes, with poses, meshes and triangles, as JSON.
+// Prints a .usdz as read by three's USDLoader: nodes, with poses, meshes and triangles, as JSON.
 //   node read_usd.mjs PATH/TO/USDLoader.js FILE.usdz
 import { readFileSync } from 'node:fs';
 import { pathToFileURL } from 'node:url';

@@ -1,4 +1,4 @@
-"""Every backend gives the same report, apart from what it says about itself."""
+"""Every backend gives the same report, apart from its own name and statistics."""
 import json
 import os
 import subprocess
@@ -23,7 +23,7 @@ BACKENDS = ("bvh", "software", "gpu")
 class Backends(Case):
     @classmethod
     def setUpClass(cls):
-        """Where pictures can be made there is a GPU, or what stands in for it, and it must be used."""
+        """If pictures work, there is a GPU or its software emulation, and it must be used."""
         case = cls("test_cubes")
         case.setUp()
         out, _ = case.trivet("render", "cube.obj", "-o", "p.png", "--samples", 1, status=(0, 3))
@@ -31,7 +31,7 @@ class Backends(Case):
         cls.has_gpu = out == ""
 
     def reports(self, *arguments, statuses=(0,), scenes=True):
-        """What each backend reports; the common part must be the same."""
+        """Returns each backend's report; the common part must be the same."""
         found, texts = {}, set()
         for backend in BACKENDS:
             output = ["-o", backend + ".glb"] if scenes else []
@@ -85,7 +85,7 @@ class Backends(Case):
         self.reports("check", "s.glb", scenes=False)
 
     def test_session_and_replay(self):
-        """A journal that one backend wrote is replayed by all."""
+        """A journal written with one backend is replayed with all."""
         self.two_cubes()
         lines = [json.dumps(put("a", 0.2, 0.2, 0.6)), json.dumps(put("b", -0.2, -0.1, 0.9)),
                  json.dumps({"undo": True}), json.dumps({"redo": True})]
@@ -115,7 +115,7 @@ class Backends(Case):
              {**cube, "object": "d", "at": [0.1, -0.2]}])
 
     def on_gpu_with(self, **env):
-        """Asks for the GPU where this is set: the report, and what is said; results are as ever."""
+        """Requests the GPU in this environment: report and messages; results must not change."""
         layout = self.places_layout()
         self.trivet("run", layout, "-o", "bvh.glb", "--report", "bvh.json")
         _, err = self.trivet("run", layout, "-o", "gpu.glb", "--report", "gpu.json", "--backend",
@@ -134,7 +134,7 @@ class Backends(Case):
         self.assertIn("used instead of the GPU", err)
 
     def test_without_opengl_4_3(self):
-        """Framebuffers that blend do for the z-lists; places need compute shaders."""
+        """z-lists work with blended framebuffers; places need compute shaders."""
         report, err = self.on_gpu_with(MESA_GL_VERSION_OVERRIDE="3.3")
         if not self.has_gpu or "blended framebuffers" not in report["device"]:
             self.skipTest("no GPU here, or its driver does not obey MESA_GL_VERSION_OVERRIDE")
@@ -145,7 +145,7 @@ class Backends(Case):
         self.assertIn("places are judged in software instead", err)
 
     def test_places(self):
-        """Who judges places is chosen by --backend; where things go does not depend on it."""
+        """--backend selects the evaluation of places; results do not depend on it."""
         found = self.reports("run", self.places_layout())
         places = {f["work"]["places"] for f in found.values()}
         self.assertEqual(len(places), 1)
@@ -154,7 +154,7 @@ class Backends(Case):
         if self.has_gpu:
             self.assertEqual(found["gpu"]["work"]["places_on_gpu"], min(places))
 
-    @unittest.skipUnless(os.path.isdir(MODELS), "the models beside the project are not there")
+    @unittest.skipUnless(os.path.isdir(MODELS), "no models beside the project")
     def test_real_models(self):
         names = sorted(name for name in os.listdir(MODELS) if name.endswith((".obj", ".stl", ".ply"))
                        and os.path.getsize(os.path.join(MODELS, name)) < 200000)[:6]
@@ -166,10 +166,10 @@ class Backends(Case):
         layout = self.layout(objects, operations)
         self.reports("run", layout, statuses=(0, 1))
 
-    def test_verbose_tells_what_the_stages_left(self):
+    def test_verbose_prints_work_of_stages(self):
         _, err = self.trivet("run", self.two_cubes(), "-o", "s.glb", "--backend", "software",
                              "--verbose")
-        for words in ("stage 1, boxes:", "stage 2, depths:", "stage 3, lists:", "decided:"):
+        for words in ("stage 1, boxes:", "stage 2, depths:", "stage 3, lists:", "narrow phase:"):
             self.assertIn(words, err)
 
 

@@ -18,7 +18,7 @@ def binary_stl(corner):
 
 class BadModels(Case):
     def check_model(self, name, *says):
-        """Neither info nor run nor put take it; each names it, and run the place in the layout."""
+        """info, run and put reject and name the file; run also names the place in the layout."""
         self.refused("info", name, says=[name, *says])
         layout = self.layout([SLAB, {"name": "bad", "model": name}], [put("bad", 0, 0, 1)])
         self.refused("run", layout, "-o", "s.glb", "--report", "r.json",
@@ -60,7 +60,7 @@ class BadModels(Case):
         self.refused("info", "large.obj", "--max-file-mb", "0.5", says=["large.obj", "500000"])
         self.trivet("info", "large.obj")
 
-    def test_coordinates_that_are_not_finite(self):
+    def test_non_finite_coordinates(self):
         for i, number in enumerate(("nan", "inf", "-inf", "1e39", "1e999")):
             self.write("bad%d.obj" % i, BOX.replace("v 0.05", "v " + number, 1))
             self.check_model("bad%d.obj" % i)
@@ -79,7 +79,7 @@ class BadModels(Case):
             self.write("index%d.obj" % i, BOX + "f 1 2 %s\n" % index)
             self.check_model("index%d.obj" % i)
 
-    def test_put_takes_none_of_them(self):
+    def test_put_rejects_them(self):
         self.trivet("run", self.two_cubes(), "-o", "s.glb")
         self.write("random.obj", random_bytes(1000))
         for name in ("none.obj", "random.obj", "layout.json"):
@@ -100,7 +100,7 @@ class BadLayouts(Case):
     def test_missing(self):
         self.refused("run", "none.json", "-o", "s.glb", says="none.json: cannot be opened")
 
-    def test_no_json(self):
+    def test_invalid_json(self):
         self.check_text("", "is empty")
         self.check_text('{"trivet": 1,\n "objects": [', "line 2, column 14")
         self.check_text(random_bytes(1000), "line 1, column 1")
@@ -122,7 +122,7 @@ class BadLayouts(Case):
         self.check_object("a quaternion [w, x, y, z] whose length is not zero",
                           position=[0, 0, 1], rotation=[0, 0, 0, 0])
 
-    def test_numbers_that_are_not_finite(self):
+    def test_non_finite_numbers(self):
         for number in ("NaN", "Infinity", "1e999"):
             self.check_text('{"trivet": 1, "objects": [{"name": "a", "model": "cube.obj", '
                             '"scale": %s}]}' % number, "line 1, column")
@@ -141,14 +141,14 @@ class BadLayouts(Case):
                                     "operations": [put("spoon", 0, 0, 1)]}),
                         '/operations/0/object: "spoon" is not accepted')
 
-    def test_an_object_beyond_all_measure(self):
+    def test_object_beyond_coordinate_limit(self):
         self.write("huge.obj", box_obj(1e6, 1e6, 1e6))
         layout = self.layout([{"name": "a", "model": "huge.obj", "scale": 1e12}])
         self.refused("run", layout, "-o", "s.glb", says=['/objects/0: "a" reaches', "accepted: up to"])
 
 
 class BadScenes(Case):
-    def test_what_trivet_did_not_write(self):
+    def test_foreign_scenes(self):
         self.write("random.glb", random_bytes(1000))
         self.write("empty.glb", b"")
         for name in ("none.glb", "random.glb", "empty.glb", "cube.obj"):

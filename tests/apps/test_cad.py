@@ -41,13 +41,13 @@ class CadCase(Case):
 
 
 class Cad(CadCase):
-    def test_info_says_what_was_polygonised(self):
+    def test_info_reports_polygonisation(self):
         for name, faces in FACES.items():
             for extension in ("step", "igs", "brep"):
                 with self.subTest(name + "." + extension):
                     info = self.info(name + "." + extension)
                     found = info["polygonised"]
-                    if extension != "igs":  # which has seams as faces of its own
+                    if extension != "igs":  # IGES has seams as separate faces
                         self.assertEqual(found["faces"], faces)
                     self.assertEqual(found["failed_faces"], 0)
                     self.assertEqual(found["facet_angle_deg"], 20)
@@ -58,7 +58,7 @@ class Cad(CadCase):
                     self.assertEqual(info["metres_per_unit"], 1)
         self.assertIsNone(self.info("cube.obj")["polygonised"])
 
-    def test_finer_is_finer(self):
+    def test_smaller_chord_gives_more_triangles(self):
         coarse = self.info("ball.step", "--chord", "1e-3", "--facet-angle-deg", "45")
         fine = self.info("ball.step", "--chord", "2e-5")
         self.assertEqual(coarse["polygonised"]["chord"], 1e-3)
@@ -82,7 +82,7 @@ class Cad(CadCase):
         self.assertEqual(objects["ball"]["supported_by"], ["ring"])
         self.trivet("check", "s.glb")
 
-    def test_two_tolerances_of_one_file(self):
+    def test_two_tolerances_for_one_file(self):
         layout = self.layout(
             [{"name": "fine", "model": "ball.step", "chord": 1e-4},
              {"name": "coarse", "model": "ball.step", "chord": 1e-3, "facet_angle_deg": 60},
@@ -97,7 +97,7 @@ class Cad(CadCase):
         self.assertEqual(before["fine"], before["fine too"])
         self.assertGreater(before["fine"], before["out"])
         self.assertGreater(before["out"], before["coarse"])
-        # The scene knows how its models were read: also of the one that is out of it.
+        # The scene stores how its models were read, also for the unplaced one.
         self.trivet("put", "s.glb", "ball.step", "--name", "new", "--chord", "3e-4",
                     "--position", 0.6, 0, 1, "-o", "t.glb")
         self.trivet("translate", "t.glb", "new", "--by", 0, 0, 0.1, "-o", "u.glb", "--report",
@@ -106,7 +106,7 @@ class Cad(CadCase):
         self.assertEqual({name: after[name] for name in before}, before)
         self.assertGreater(before["out"], after["new"])
 
-    def test_appended_in_a_session(self):
+    def test_append_in_a_session(self):
         layout = self.layout([SLAB])
         lines = [{"op": "append", "object": "a", "model": "ball.step", "chord": 1e-4},
                  {"op": "append", "object": "b", "model": "ball.step", "chord": 1e-3},
@@ -120,7 +120,7 @@ class Cad(CadCase):
         triangles = {o["name"]: o["triangles"] for o in self.read_json("r.json")["objects"]}
         self.assertGreater(triangles["a"], triangles["b"])
 
-    def test_same_bytes_every_time(self):
+    def test_output_is_deterministic(self):
         layout = self.table_layout()
         for name in ("a", "b"):
             self.trivet("run", layout, "-o", name + ".glb", "--threads", 1 if name == "a" else 4)
@@ -145,9 +145,9 @@ class Cad(CadCase):
         self.refused("run", layout, "-o", "s.glb", says=["/objects/0/model", "half.step"])
 
 
-@unittest.skipUnless(os.access(REFEREE, os.X_OK), "the referee of ../shared was not built")
+@unittest.skipUnless(os.access(REFEREE, os.X_OK), "the referee of ../shared is not built")
 class Referee(CadCase):
-    """It cannot read STEP: it gets the very triangles as STL, which has the same float32 numbers."""
+    """The referee cannot read STEP: it gets the same triangles as STL, with the same float32 numbers."""
 
     def test_verdict(self):
         layout = json.loads(self.read(self.table_layout()))

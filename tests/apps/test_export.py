@@ -1,4 +1,4 @@
-"""Scenes for simulators and as tables: what `trivet export` and `trivet run -o` write."""
+"""Scenes for simulators and as tables: output of `trivet export` and `trivet run -o`."""
 import csv
 import io
 import json
@@ -30,14 +30,14 @@ class Exports(Case):
 
 
 class Simulators(Exports):
-    def test_every_format_names_all_objects_and_meshes_that_are_there(self):
+    def test_every_format_names_all_objects_and_existing_meshes(self):
         self.scene()
         for name in ("s.xml", "s.urdf", "s.sdf", "s.usda"):
             out, _ = self.trivet("export", "s.glb", "-o", name, "--json", "--density", 500,
                                  "--report", "export.json")
             report = json.loads(out)
             self.assertEqual(out.encode(), self.read("export.json"))
-            self.assertEqual(len(report["objects"]), 4)  # not what is out of the scene
+            self.assertEqual(len(report["objects"]), 4)  # without the unplaced one
             names = [o["file_name"] for o in report["objects"]]
             self.assertEqual(len(set(names)), 4)
             self.assertEqual(names[2], "a_cube___red_")  # valid already
@@ -52,7 +52,7 @@ class Simulators(Exports):
             for exported in names:
                 self.assertIn('"%s"' % exported, text)
 
-    def test_run_writes_them_too_and_the_same(self):
+    def test_run_writes_the_same_files(self):
         self.scene()
         self.trivet("run", "layout.json", "-o", "one/../t.xml")
         self.trivet("export", "s.glb", "-o", "t2.xml", "--meshes", "t_meshes")
@@ -60,7 +60,7 @@ class Simulators(Exports):
         two.set("model", one.get("model"))
         self.assertEqual(ElementTree.tostring(one), ElementTree.tostring(two))
 
-    def test_poses_are_those_of_the_report(self):
+    def test_poses_equal_those_of_the_report(self):
         report = self.scene()
         self.trivet("export", "s.glb", "-o", "s.xml")
         self.trivet("export", "s.glb", "-o", "s.csv", "--table", "poses")
@@ -77,7 +77,7 @@ class Simulators(Exports):
         self.assertIsNotNone(body.find("freejoint"))
         self.assertEqual(len(report["objects"]), len(rows))
 
-    def test_prefix_of_meshes(self):
+    def test_mesh_prefix(self):
         self.scene()
         self.trivet("export", "s.glb", "-o", "s.urdf", "--mesh-prefix", "package://here/")
         self.assertIn(b'"package://here/s_meshes/', self.read("s.urdf"))
@@ -95,21 +95,21 @@ class Simulators(Exports):
 
 
 class Usd(Exports):
-    def test_is_read_by_three(self):
+    def test_three_reads_it(self):
         reader = os.path.join(NODE_MODULES, "three", "examples", "jsm", "loaders", "USDLoader.js")
         if not shutil.which("node") or not os.path.exists(reader):
             self.skipTest("needs Node.js and the npm package three (TRIVET_NODE_MODULES)")
         report = self.scene()
         out, _ = self.trivet("export", "s.glb", "-o", "s.usda", "--json")
         done = json.loads(out)
-        # three follows references only inside of a package: a ZIP without compression.
+        # three follows references only inside a package: a ZIP without compression.
         with zipfile.ZipFile(self.path("s.usdz"), "w", zipfile.ZIP_STORED) as package:
             for file in done["files"]:
                 package.write(self.path(file), file)
         result = subprocess.run(["node", os.path.join(HERE, "read_usd.mjs"), reader,
                                  self.path("s.usdz")], capture_output=True, timeout=120)
         self.assertEqual(result.returncode, 0, result.stderr.decode())
-        seen = {}  # the outermost of a name: three keeps the layers' own roots below
+        seen = {}  # outermost node of a name: three keeps the layers' own roots below
         for node in json.loads(result.stdout):
             seen.setdefault(node["name"], node)
         self.trivet("export", "s.glb", "-o", "s.csv")
@@ -124,7 +124,7 @@ class Usd(Exports):
                 self.assertAlmostEqual(node["position"][axis], float(row[axis]), delta=1e-6)
             dot = sum(node["quaternion"][k] * float(row["q" + k]) for k in "wxyz")
             self.assertAlmostEqual(abs(dot), 1, delta=1e-6)
-        self.assertEqual(len(report["objects"]), len(done["objects"]) + 1)  # one is away
+        self.assertEqual(len(report["objects"]), len(done["objects"]) + 1)  # one is unplaced
         self.assertGreaterEqual(triangles, 4 * 12)
 
 
@@ -132,7 +132,7 @@ class Tables(Exports):
     def rows(self, name):
         return list(csv.DictReader(io.StringIO(self.read(name).decode(), newline="")))
 
-    def test_poses_are_those_of_the_report_to_the_bit(self):
+    def test_poses_equal_those_of_the_report_bitwise(self):
         report = self.scene()
         self.trivet("export", "s.glb", "-o", "poses.csv")
         rows = self.rows("poses.csv")
@@ -149,7 +149,7 @@ class Tables(Exports):
             for key in ("stability_margin", "least_friction"):
                 self.assertEqual(float(row[key]) if row[key] else None, entry[key])
 
-    def test_contacts_are_those_of_the_report_to_the_bit(self):
+    def test_contacts_equal_those_of_the_report_bitwise(self):
         report = self.scene()
         self.trivet("export", "s.glb", "-o", "c.csv", "--table", "contacts")
         rows = self.rows("c.csv")
@@ -167,7 +167,7 @@ class Tables(Exports):
             for i, contact in enumerate(entry["contacts"]):
                 self.assertEqual(gaps[entry["name"], i], contact["gap"])
 
-    def test_json_lines_say_the_same_as_csv(self):
+    def test_json_lines_equal_csv(self):
         self.scene()
         for table in ("poses", "contacts"):
             self.trivet("export", "s.glb", "-o", "t.csv", "--table", table)

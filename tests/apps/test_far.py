@@ -1,5 +1,5 @@
-"""Objects far out, where the clearance is too coarse to tell small ones apart: refused at once by
-whatever leads there; and the table of BREAKFAST, which is fixed until it is set free."""
+"""Distant objects, for which the clearance is too coarse: refused at once by every
+operation that leads there; and the table of BREAKFAST, fixed until it is unfixed."""
 import json
 import os
 import resource
@@ -12,7 +12,7 @@ SAYS = " m; accepted: coordinates and sizes of scenes up to "
 
 
 def sum_of(text):
-    """As core/base/hash.h."""
+    """Same as core/base/hash.h."""
     value = 0
     for bits in [len(text.encode()), *text.encode()]:
         value = (value ^ bits) * 0x9E3779B97F4A7C15 % 2**64
@@ -30,7 +30,7 @@ class Far(Case):
         layout["operations"].append(put("k", 3, 0, 1))
         self.write("b/k.json", json.dumps(layout))
         self.trivet("run", "b/k.json", "-o", "k.glb")
-        # What the same work costs where nothing is wrong, in this build; and a second for the rest.
+        # Cost of the same work without refusals in this build, plus a second.
         used = self.cpu_seconds()
         self.trivet("translate", "k.glb", "k", "--by", 0.5, 0, 0, "-o", "t.glb")
         self.limit = 1 + 3 * (self.cpu_seconds() - used)
@@ -70,7 +70,7 @@ class Far(Case):
             self.assertIn(SAYS, moved["reason"])
             self.assertEqual(saved["state"], start["state"])
 
-    def test_replay_of_a_journal_that_went_there(self):
+    def test_replay_of_a_distant_journal(self):
         for far in FAR:
             self.session("k.glb", "--journal", "j", lines=[
                 {"op": "translate", "object": "k", "by": [0.5, 0, 0]}])
@@ -102,7 +102,7 @@ class Far(Case):
             self.assertIn(SAYS, err)
             del layout["objects"][-1]["position"]
 
-    def test_the_table_can_be_set_free(self):
+    def test_unfix_the_table(self):
         out, _ = self.trivet("translate", "b.glb", "table", "--by", 0.1, 0, 0, "-o", "t.glb",
                              status=1)
         self.assertIn('"table" is fixed: unfix it first', out)

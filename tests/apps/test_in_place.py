@@ -1,4 +1,4 @@
-"""Scenes of other programs, laid out in place: nothing but transforms of nodes is changed."""
+"""Scenes of other programs, laid out in place: only transforms of nodes change."""
 import copy
 import json
 import os
@@ -14,8 +14,8 @@ import make_models  # noqa: E402
 
 
 def room(wrapped=False):
-    """A room as another program writes it: a floor, a table in parts, cups, a camera, a light, an
-    animated fan, things nobody knows."""
+    """A room as written by another program: a floor, a table in parts, cups, a camera, a light, an
+    animated fan, unknown extensions."""
     g = make_models.Gltf()
     g.json |= {
         "extensionsUsed": ["KHR_lights_punctual", "ACME_unknown"],
@@ -60,7 +60,7 @@ def room(wrapped=False):
 
 
 def glb(g):
-    """The binary form, with a third chunk that nobody knows."""
+    """The binary form, with an unknown third chunk."""
     g.json["buffers"] = [{"byteLength": len(g.binary)}]
     text = json.dumps(g.json).encode()
     text += b" " * (-len(text) % 4)
@@ -88,7 +88,7 @@ class InPlace(Case):
         return self.trivet("run", layout, "-o", output, "--report", "report.json", status=status)
 
     def changed_nodes(self, before, after):
-        """Indices of nodes that differ; all else must be equal."""
+        """Indices of differing nodes; all else must be equal."""
         before, after = copy.deepcopy(before), copy.deepcopy(after)
         self.assertEqual(len(before["nodes"]), len(after["nodes"]))
         changed = []
@@ -102,7 +102,7 @@ class InPlace(Case):
         self.assertEqual(list(before), list(after))  # the order of members, too
         return changed
 
-    def test_only_the_transforms_that_were_laid_out(self):
+    def test_changes_only_laid_out_transforms(self):
         g = room()
         self.write("room.glb", glb(g))
         self.run_scene("room.glb", ["cup", "cup_2"], [
@@ -116,7 +116,7 @@ class InPlace(Case):
         cup, second = document["nodes"][3], document["nodes"][4]
         self.assertNotIn("matrix", cup)
         self.assertNotIn("scale", cup)
-        self.assertIn("matrix", second)  # scaled unevenly: the scale is still there
+        self.assertIn("matrix", second)  # non-uniform scale is preserved
         columns = [second["matrix"][4 * c:4 * c + 3] for c in range(3)]
         lengths = sorted(sum(x * x for x in c) ** 0.5 for c in columns)
         for length, expected in zip(lengths, (1, 1.5, 2)):
@@ -125,7 +125,7 @@ class InPlace(Case):
         self.assertEqual(check["interpenetrating_pairs"], 0)
         self.assertTrue(check["all_at_rest"])
 
-    def test_what_was_laid_out_stays_when_read_again(self):
+    def test_result_is_stable_when_read_again(self):
         self.write("room.glb", glb(room()))
         self.run_scene("room.glb", ["cup"], [put("cup", 0.1, 0.1, 1.5)])
         first = self.read_json("report.json")["objects"]
@@ -148,12 +148,12 @@ class InPlace(Case):
         self.assertGreater(after["nodes"][1]["translation"][0], 0.2)
         self.assertGreater(after["nodes"][3]["translation"][0], 0.3)
 
-    def test_wrappers_are_looked_into(self):
+    def test_objects_inside_wrapper_nodes(self):
         self.write("room.glb", glb(room(wrapped=True)))
         self.run_scene("room.glb", ["cup"], [put("cup", 0.1, 0.1, 3)])
         before, after = (json.loads(chunks(self.read(f))[0][1]) for f in ("room.glb", "out.glb"))
         self.assertEqual(self.changed_nodes(before, after), [3])
-        # On the table, which the wrapper has scaled by 2: 0.74 in its own units.
+        # On the table, scaled by 2 in the wrapper: 0.74 in its own units.
         self.assertAlmostEqual(after["nodes"][3]["translation"][1], 0.74, delta=0.01)
 
     def test_rules(self):
@@ -162,7 +162,7 @@ class InPlace(Case):
             self.run_scene("room.glb", [{"name": name, "fixed": True}], [], scene_objects=rule)
         self.run_scene("room.glb", ["nothing"], [], status=2, scene_objects="meshes")
 
-    def test_meshes_that_hang_on_others_stay(self):
+    def test_child_meshes_stay_with_parents(self):
         g = room()
         g.json["nodes"][3]["children"] = [4]
         g.json["nodes"][4]["matrix"][12:15] = [0.9, 0, 0]
@@ -172,7 +172,7 @@ class InPlace(Case):
         before, after = (json.loads(chunks(self.read(f))[0][1]) for f in ("room.glb", "out.glb"))
         self.assertEqual(self.changed_nodes(before, after), [3, 4])
 
-    def test_gltf_with_files_beside_it(self):
+    def test_gltf_with_companion_files(self):
         g = room()
         (Path(self.folder) / "in").mkdir()
         (Path(self.folder) / "out").mkdir()
@@ -182,7 +182,7 @@ class InPlace(Case):
         self.says(*way, "out/room.bin", "accepted: another name", output="out/room.gltf")
         self.assertEqual(self.read("out/room.bin"), b"somebody's")
         os.remove(self.path("out/room.bin"))
-        for _ in range(2):  # the second time over its own
+        for _ in range(2):  # the second time over its own files
             self.run_scene(*way, output="out/room.gltf")
         self.assertEqual(self.read("in/room.bin"), self.read("out/room.bin"))
         self.assertEqual(self.changed_nodes(self.read_json("in/room.gltf"),
@@ -213,7 +213,7 @@ class InPlace(Case):
         self.says("none.glb", ["cup"], [], "none.glb")
         self.says("room.glb", ["cup"], [], "would be overwritten", output="room.glb")
 
-    def test_positions_are_as_laid_out_in_float32(self):
+    def test_float32_positions_match_the_layout(self):
         """An independent reader, in double: the report's matrices and the file's agree."""
         self.write("room.glb", glb(room(wrapped=True)))
         self.run_scene("room.glb", ["cup", "cup_2"], [put("cup", 0.3, 0.1, 3, [0.8, 0.1, 0.2, 0.3]),

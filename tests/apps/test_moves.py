@@ -1,4 +1,4 @@
-"""The verbs that move an object of a scene, and the same operations in a layout."""
+"""Verbs that move an object of a scene, and the same operations in a layout."""
 import unittest
 
 from program import SLAB, Case, main, put
@@ -14,7 +14,7 @@ class Moves(Case):
         self.trivet("run", layout, "-o", "s.glb")
 
     def move(self, *arguments, status=0):
-        """What the report says of the operation, and where objects are."""
+        """Returns the report's entry of the operation, and the objects' positions."""
         verb, scene, *rest = arguments
         out, _ = self.trivet(verb, scene, *rest, "-o", "t.glb", "--report", "t.json", status=status)
         report = self.read_json("t.json")
@@ -38,7 +38,7 @@ class Moves(Case):
         self.assertTrue(report["check"]["all_at_rest"])
         self.trivet("check", "t.glb")
 
-    def test_others_move_together_and_a_fixed_one_when_it_is_unfixed(self):
+    def test_together_and_unfix(self):
         operation, places, report, _ = self.move("push", "s.glb", "a", "--direction", 0, 1,
                                                  "--distance", 0.1, "--together", "b")
         self.assertEqual(operation["carried"], ["b", "on_a"])
@@ -62,7 +62,7 @@ class Moves(Case):
         self.assertEqual((operation["ended"], operation["turned_deg"]), ("reached", -30))
         self.assertTrue(report["check"]["all_at_rest"])
 
-    def test_pick_up_is_held(self):
+    def test_pick_up_holds(self):
         operation, places, report, out = self.move("pick-up", "s.glb", "b", "--distance", 0.2,
                                                    status=1)
         self.assertEqual((operation["op"], operation["ended"]), ("pick_up", "reached"))
@@ -75,7 +75,7 @@ class Moves(Case):
         self.assertAlmostEqual(places["b"][1], 0.2, 5)
         self.assertTrue(report["check"]["all_at_rest"])
 
-    def test_what_interpenetrates_is_not_called_stable(self):
+    def test_interpenetrating_object_is_not_stable(self):
         _, _, report, out = self.move("translate", "s.glb", "on_a", "--by", 0, 0, -0.02, "--free",
                                       status=1)
         self.assertEqual(report["stability"]["status"], "unknown")
@@ -93,7 +93,7 @@ class Moves(Case):
         self.assertEqual(states["a"], "invalid")
         self.assertIn("passes through", out)
 
-    def test_refusals_leave_the_scene_as_it_was(self):
+    def test_refusals_keep_the_scene(self):
         _, _, _, out = self.move("translate", "s.glb", "slab", "--by", 1, 0, 0, status=1)
         self.assertIn('"slab" is fixed', out)
         self.assertEqual(self.read("t.glb"), self.read("s.glb"))

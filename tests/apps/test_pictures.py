@@ -1,4 +1,4 @@
-"""Offscreen pictures. What they show is tested in tests/gpu."""
+"""Offscreen pictures. Their content is tested in tests/gpu."""
 import subprocess
 
 from program import PROGRAM, Case, main
@@ -7,7 +7,7 @@ from program import PROGRAM, Case, main
 class Pictures(Case):
     def setUp(self):
         super().setUp()
-        # Skipped, and said so, where there is no EGL at all.
+        # Skipped with a note without EGL.
         result = subprocess.run([PROGRAM, "render", "cube.obj", "-o", "try.png", "--samples", "1",
                                  "--width", "8", "--height", "8"], cwd=self.folder,
                                 capture_output=True)
@@ -32,7 +32,7 @@ class Pictures(Case):
         self.trivet("demo", "spoon-saucer", "-o", "d.glb", "--picture", "d.png")
         self.assertEqual(self.size_of("d.png"), (1280, 720))
 
-    def test_a_demo_is_seen_from_where_it_looks_best(self):
+    def test_demo_has_its_own_camera(self):
         self.trivet("demo", "spoon-saucer", "-o", "d.glb", "--picture", "d.png")
         self.trivet("render", "d.glb", "-o", "p.png", "--fov", 29,
                     "--camera", 0.10, -0.27, 0.25, 0.012, 0, 0.008)

@@ -1,4 +1,4 @@
-"""Scenes from file to file: runs, refusals, outputs, and scenes that are read back."""
+"""Scenes from file to file: runs, refusals, outputs, and round trips."""
 import json
 import os
 import signal
@@ -10,7 +10,7 @@ from program import PROGRAM, SLAB, Case, grid_obj, main, put, without_times
 
 
 class Refusals(Case):
-    def test_an_object_that_starts_inside_another(self):
+    def test_start_inside_another_object(self):
         layout = self.layout(
             [SLAB, {"name": "in", "model": "cube.obj", "position": [0, 0, 0.06]},
              {"name": "a", "model": "cube.obj"}, {"name": "b", "model": "cube.obj"}],
@@ -36,12 +36,12 @@ class Refusals(Case):
         self.assertEqual(last["status"], "refused")
         self.assertIn("not tried", last["reason"])
 
-    def test_nothing_below(self):
+    def test_refuses_fall_without_support(self):
         layout = self.layout([{"name": "a", "model": "cube.obj"}], [put("a", 0, 0, 1)], floor=False)
         out, _ = self.trivet("run", layout, "-o", "s.glb", status=1)
         self.assertIn('put "a": refused: nothing is below "a"', out)
 
-    def test_put_leaves_the_scene_as_it_was(self):
+    def test_refused_put_keeps_the_scene(self):
         self.trivet("run", self.two_cubes(), "-o", "s.glb", "--report", "r.json")
         self.trivet("put", "s.glb", "cube.obj", "--position", 0, 0, 0.1, "-o", "t.glb",
                     "--report", "t.json", status=1)
@@ -49,7 +49,7 @@ class Refusals(Case):
         self.assertEqual(self.read_json("t.json")["operations"][0]["status"], "refused")
         self.assertEqual(self.read_json("t.json")["objects"], self.read_json("r.json")["objects"])
 
-    def test_check_of_a_layout_names_the_pairs(self):
+    def test_check_of_a_layout_names_pairs(self):
         layout = self.layout([SLAB, {"name": "a", "model": "cube.obj", "position": [0, 0, 0.1]},
                               {"name": "b", "model": "cube.obj", "position": [0, 0.07, 0.13]}])
         out, _ = self.trivet("check", layout, status=1)
@@ -59,7 +59,7 @@ class Refusals(Case):
 
 
 class Outputs(Case):
-    def test_what_cannot_be_written_is_known_before_the_work(self):
+    def test_unwritable_output_fails_before_the_work(self):
         self.write("file", "")
         run = ("run", self.two_cubes())
         for output in ("no/s.glb", "file/s.glb", "/proc/s.glb"):
@@ -90,7 +90,7 @@ class Outputs(Case):
         self.refused("run", layout, "-o", "s.glb", "--report", "./s.glb", says="two outputs")
         self.refused("run", layout, "-o", "s.glb", "--report", layout, says="would be overwritten")
 
-    def test_every_format(self):
+    def test_writes_every_format(self):
         layout = self.two_cubes()
         for extension in ("glb", "obj", "ply", "stl", "GLB"):
             self.trivet("run", layout, "-o", "s." + extension)
@@ -100,10 +100,10 @@ class Outputs(Case):
     def size_if_there(self, name):
         try:
             return os.path.getsize(self.path(name))
-        except FileNotFoundError:  # renamed meanwhile
+        except FileNotFoundError:  # renamed in the meantime
             return 0
 
-    def test_a_kill_in_mid_write_leaves_the_old_file_whole(self):
+    def test_kill_during_write_keeps_the_old_file(self):
         self.write("grid.obj", grid_obj(250))
         layout = self.layout([{"name": "g", "model": "grid.obj", "fixed": True,
                                "position": [0, 0, 0]}], floor=False)
@@ -114,7 +114,7 @@ class Outputs(Case):
             before = set(os.listdir(self.folder))
             process = subprocess.Popen([PROGRAM, "run", layout, "-o", "s.glb", "--quiet"],
                                        cwd=self.folder)
-            # A hidden file beside the target that has content: it is being written.
+            # A non-empty hidden file beside the target: it is being written.
             while process.poll() is None:
                 new = [n for n in set(os.listdir(self.folder)) - before if n.startswith(".s.glb")]
                 if new and self.size_if_there(new[0]) > 0:
@@ -133,7 +133,7 @@ class Outputs(Case):
 
 
 class Determinism(Case):
-    def test_threads_change_nothing_but_times(self):
+    def test_threads_change_only_times(self):
         layout = self.two_cubes()
         for source in (("run", layout), ("demo", "breakfast")):
             reports, scenes = set(), set()
@@ -146,7 +146,7 @@ class Determinism(Case):
                 scenes.add(self.read("s.glb"))
             self.assertEqual((len(reports), len(scenes)), (1, 1), source)
 
-    def test_an_exported_demo_runs_to_the_same_bits(self):
+    def test_exported_demo_runs_to_the_same_bits(self):
         self.trivet("demo", "spoon-saucer", "-o", "s.glb", "--report", "r.json", "--export", "d")
         self.trivet("run", "d/layout.json", "-o", "t.glb", "--report", "t.json")
         self.assertEqual(without_times(self.read("t.json")), without_times(self.read("r.json")))
@@ -159,18 +159,18 @@ class RoundTrips(Case):
     def objects(self, report):
         return [{**o, "model": ""} for o in self.read_json(report)["objects"]]
 
-    def test_a_scene_is_read_back_whole(self):
+    def test_scene_round_trip(self):
         self.trivet("run", self.two_cubes(), "-o", "s.glb", "--report", "r.json")
         self.trivet("check", "s.glb", "--report", "c.json")
         self.assertEqual(self.objects("c.json"), self.objects("r.json"))
         self.assertEqual(self.read_json("c.json")["check"], self.read_json("r.json")["check"])
-        # Elsewhere, without the models:
+        # In another folder, without the models:
         self.write("moved/s.glb", self.read("s.glb"))
         out, err = self.trivet("check", "moved/s.glb", "--report", "c.json")
         self.assertEqual(self.objects("c.json"), self.objects("r.json"))
         self.assertEqual(err, "")
 
-    def test_puts_one_after_another_are_a_layout(self):
+    def test_sequence_of_puts_equals_a_layout(self):
         """The same scene from one layout and from several puts."""
         self.trivet("run", self.layout([SLAB]), "-o", "s.glb")
         self.trivet("put", "s.glb", "cube.obj", "--name", "a", "--position", 0, 0, 1, "-o", "s.glb")

@@ -1,4 +1,4 @@
-"""The published schema and the reader accept the same layouts: the corpus of the reader's test."""
+"""The published schema and the reader accept the same layouts, on the corpus of the reader's test."""
 import copy
 import json
 import os
@@ -13,7 +13,7 @@ except ImportError:
 
 
 def place(document, pointer):
-    """The container and the key that a JSON pointer names."""
+    """Container and key of a JSON pointer."""
     steps = [s.replace("~1", "/").replace("~0", "~") for s in pointer.split("/")[1:]]
     for step in steps[:-1]:
         document = document[int(step)] if isinstance(document, list) else document[step]
@@ -21,11 +21,11 @@ def place(document, pointer):
 
 
 def no_constant(name):
-    raise ValueError(name + " is no JSON")
+    raise ValueError(name + " is not JSON")
 
 
 def document_of(case, base):
-    """The layout of a case; None when it is no JSON."""
+    """The layout of a case; None if it is not JSON."""
     if "text" in case:
         try:
             return json.loads(case["text"], parse_constant=no_constant)

@@ -1,4 +1,4 @@
-"""Live sessions over standard input, their journals, and what is left of them after kill -9."""
+"""Live sessions over standard input, their journals, and recovery after kill -9."""
 import json
 import os
 import random
@@ -61,7 +61,7 @@ class Sessions(Case):
         self.assertEqual(live.end(), 0)
         self.trivet("check", "s.glb")
 
-    def test_a_journal_is_replayed_to_the_same_bits(self):
+    def test_journal_replays_to_the_same_bits(self):
         live = Live(self.folder, self.start_layout(), "--journal", "j")
         live.ask(**put("b", 0.01, 0.02, 1))
         live.ask(op="append", object="c", model="cube.obj", scale=0.5)
@@ -82,7 +82,7 @@ class Sessions(Case):
         self.assertEqual(again.ask(redo=True)["done"], 4)
         self.assertEqual(again.end(), 0)
 
-    def test_answers_say_what_became_of_it(self):
+    def test_answers_report_the_outcome(self):
         live = Live(self.folder, self.start_layout())
         answer = live.ask(**put("b", 0.01, 0.02, 1))
         self.assertEqual(answer["ended"], "at_rest")
@@ -98,7 +98,7 @@ class Sessions(Case):
         self.assertEqual((answer["ended"], answer.get("unsupported")), ("done", ["b"]))
         self.assertEqual(live.end(), 0)
 
-    def test_what_takes_too_long_leaves_all_as_it_was(self):
+    def test_timeout_keeps_the_scene(self):
         live = Live(self.folder, self.start_layout(), "--operation-seconds", "1e-9")
         answer = live.ask(**put("b", 0.01, 0.02, 1))
         self.assertEqual(answer["status"], "out of time")
@@ -110,9 +110,9 @@ class Sessions(Case):
         self.refused("session", "layout.json", "--operation-seconds", "-1",
                      says='"-1" is not accepted')
 
-    def test_a_later_line_cancels(self):
+    def test_later_line_cancels(self):
         live = Live(self.folder, self.start_layout())
-        # Pushed back and forth, which takes far longer than reading the line behind it.
+        # Pushed back and forth, which takes far longer than reading the next line.
         ways = [[0.2 * (-1) ** i, 0.3] for i in range(20000)]
         push = {"op": "push", "object": "a", "to": [0, 0.3], "via": ways}
         for line in (push, put("b", 0, 0, 1), {"cancel": True}, put("b", 0.2, 0.2, 1)):
@@ -126,9 +126,9 @@ class Sessions(Case):
         self.assertEqual(live.end(), 0)
 
     def test_bad_starts(self):
-        self.refused("session", says="a start is missing")
+        self.refused("session", says="missing START")
         self.refused("session", "none.json", says="none.json")
-        self.refused("session", "cube.obj", says=("cube.obj: is no glTF", "accepted"))
+        self.refused("session", "cube.obj", says=("cube.obj: is not glTF", "accepted"))
         self.refused("session", self.start_layout(), "--journal", "nowhere/j", status=3,
                      says='nowhere/j: there is no folder "nowhere"')
         self.refused("session", "--journal", "none", says="none")
@@ -155,7 +155,7 @@ class Sessions(Case):
         return put(chance.choice(names), chance.uniform(-.2, .2), chance.uniform(-.2, .2), 1)
 
     def kill_one(self, seed, layout):
-        """@return whether it was killed, and the states that were acknowledged before."""
+        """@return whether it was killed, and the states acknowledged before."""
         chance = random.Random(seed)
         for name in ("j", "j.start", "saved.glb"):
             if os.path.exists(self.path(name)):
@@ -163,7 +163,7 @@ class Sessions(Case):
         live = Live(self.folder, layout, "--journal", "j")
         acknowledged, names = [live.start["state"]], ["a", "b"]
         deadline = time.monotonic() + chance.uniform(0, 0.08)
-        # Lines are sent ahead, so that the kill comes in the middle of the work.
+        # Lines are sent ahead, so that the kill interrupts the work.
         lines = [self.some_line(chance, names, i) for i in range(60)]
         live.process.stdin.write("".join(json.dumps(line) + "\n" for line in lines))
         live.process.stdin.flush()
@@ -192,19 +192,20 @@ class Sessions(Case):
             num_steps += len(acknowledged) - 1
             whole = self.read("j").count(b"\n")
             live = Live(self.folder, "--journal", "j")
-            # All that was acknowledged, and at most one step that was on disk and not yet told.
+            # Everything acknowledged, and at most one step that was on disk but not yet
+            # acknowledged.
             self.assertIn(whole - len(acknowledged), (0, 1), "seed %d" % seed)
             if whole == len(acknowledged):
                 self.assertEqual(live.start["state"], acknowledged[-1], "seed %d" % seed)
             num_one_more += whole > len(acknowledged)
-            # It works on, and what was saved is whole.
+            # The restored session works, and its saved file is complete.
             self.assertEqual(live.ask(op="unlock", object="slab")["status"], "ok", "seed %d" % seed)
             self.assertEqual(live.end(), 0)
             if os.path.exists(self.path("saved.glb")):
                 self.trivet("info", "saved.glb")
         self.assertGreater(num_killed, KILLS // 2)
         self.assertGreater(num_steps, KILLS)
-        print("%d sessions, %d killed, %d steps acknowledged, %d committed and not yet told"
+        print("%d sessions, %d killed, %d steps acknowledged, %d committed but not acknowledged"
               % (KILLS, num_killed, num_steps, num_one_more))
 
 

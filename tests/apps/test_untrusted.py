@@ -1,4 +1,4 @@
-"""Files that nobody vouches for: no crash of the program, no hang, a clear message.
+"""Untrusted files: no crash of the program, no hang, a clear message.
 
 The second part reads every file of Debian's assimp-testmodels, broken ones included; set
 TRIVET_ASSIMP_MODELS to another folder to do it there."""
@@ -19,7 +19,7 @@ MEMORY_MB = 2000
 
 
 class Importer(Case):
-    """What the process that reads a model may do, done by a script in its place."""
+    """Misbehaviour of the importer process, simulated by a script in its place."""
 
     def importer(self, script):
         self.write("importer", "#!/bin/sh\n" + script + "\n")
@@ -49,9 +49,9 @@ class Importer(Case):
         self.assertLess(time.monotonic() - begin, 20)
 
     def test_nonsense(self):
-        self.info_fails("echo nonsense >&3", "cube.obj", "not whole")
-        self.info_fails("true", "cube.obj", "not whole")
-        self.info_fails("printf 'TRIVET-MODEL-1\\n\\000aaaaaaaaaaaaaaaaaaaaaaaa' >&3", "not whole")
+        self.info_fails("echo nonsense >&3", "cube.obj", "incomplete")
+        self.info_fails("true", "cube.obj", "incomplete")
+        self.info_fails("printf 'TRIVET-MODEL-1\\n\\000aaaaaaaaaaaaaaaaaaaaaaaa' >&3", "incomplete")
 
     def test_endless_answer(self):
         self.info_fails("exec cat /dev/zero >&3", "cube.obj", "limit")
@@ -61,11 +61,11 @@ class Importer(Case):
         self.assertIn("cannot be started", err)
 
     def test_without_open_cascade(self):
-        env = self.importer("exit 0")  # there is no "importer-cad" beside it
+        env = self.importer("exit 0")  # no "importer-cad" beside it
         for name, kind in (("a.step", "STEP"), ("b.IGS", "IGES"), ("c.brep", "BREP")):
             self.write(name, "something\n")
             out, err = self.trivet("info", name, status=3, env=env)
-            for part in (name, kind + " files need", "importer-cad", "without Open CASCADE",
+            for part in (name, kind + " files need", "importer-cad", "lacks Open CASCADE",
                          "libocct-data-exchange-dev", "TRIVET_OCCT"):
                 self.assertIn(part, err)
 
@@ -73,7 +73,7 @@ class Importer(Case):
         env = self.importer("kill -SEGV $$")
         self.trivet("info", "cube.obj", "--import-in-process", env=env)
 
-    def test_same_answer_in_both(self):
+    def test_same_answer_in_both_processes(self):
         isolated, _ = self.trivet("info", "cube.obj", "--json")
         in_process, _ = self.trivet("info", "cube.obj", "--json", "--import-in-process")
         self.assertEqual(isolated, in_process)
@@ -94,7 +94,7 @@ class Importer(Case):
         self.assertIn("memory", err)
 
 
-@unittest.skipUnless(os.path.isdir(MODELS), MODELS + " is not there (Debian: assimp-testmodels)")
+@unittest.skipUnless(os.path.isdir(MODELS), MODELS + " is missing (Debian: assimp-testmodels)")
 class AssimpModels(unittest.TestCase):
     def read(self, path):
         begin = time.monotonic()
@@ -108,7 +108,7 @@ class AssimpModels(unittest.TestCase):
     def test_every_file(self):
         paths = sorted(os.path.join(folder, name) for folder, _, names in os.walk(MODELS)
                        for name in names)
-        self.assertGreater(len(paths), 500, "this is not the package")
+        self.assertGreater(len(paths), 500, "the package is incomplete")
         with ThreadPoolExecutor(os.cpu_count()) as pool:
             results = list(pool.map(self.read, paths))
         outcomes, slowest = Counter(), 0
@@ -117,7 +117,7 @@ class AssimpModels(unittest.TestCase):
                 self.assertIn(status, (0, 2), err)
                 self.assertEqual(err, "")
                 answer = json.loads(out)
-                # The machine may be busy; beyond the limit only starting and sending is left.
+                # Allows for a busy machine; beyond the limit only starting and sending remain.
                 self.assertLess(seconds, 3 * SECONDS)
                 if status == 0:
                     self.assertGreater(answer["triangles"], 0)

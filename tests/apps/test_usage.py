@@ -1,4 +1,4 @@
-"""Options, help, exit statuses, what goes to which stream."""
+"""Options, help, exit statuses, output streams."""
 import json
 import os
 import pty
@@ -29,7 +29,7 @@ class Help(Case):
 
 
 class WrongUsage(Case):
-    def test_messages_say_what_is_accepted(self):
+    def test_messages_name_accepted_values(self):
         run = ("run", self.two_cubes(), "-o", "s.glb")
         for arguments, says in (
                 ((), "a verb is missing; accepted verbs: info, run, put"),
@@ -62,7 +62,7 @@ class WrongUsage(Case):
             with self.subTest(arguments=arguments):
                 self.refused(*arguments, says=says)
 
-    def test_negative_numbers_are_no_options(self):
+    def test_negative_numbers_are_not_options(self):
         self.trivet("run", self.two_cubes(), "-o", "s.glb")
         self.trivet("put", "s.glb", "cube.obj", "--position", "-.2", "-0.2", "1e0", "-o", "t.glb",
                     "--rotation", "-1", "0", "0", "-0.5")
@@ -94,7 +94,7 @@ class Streams(Case):
         self.assertEqual(self.trivet("run", self.two_cubes(), "-o", "s.glb", "--quiet"), ("", ""))
 
     def on_a_terminal(self, *arguments):
-        """What the program writes to its standard error, which is a terminal."""
+        """The program's standard error on a terminal."""
         ours, theirs = pty.openpty()
         process = subprocess.Popen([PROGRAM, *arguments], cwd=self.folder, stderr=theirs,
                                    stdout=subprocess.DEVNULL, stdin=subprocess.DEVNULL)
@@ -103,7 +103,7 @@ class Streams(Case):
         try:
             while block := os.read(ours, 4096):
                 text += block
-        except OSError:  # the other side is closed
+        except OSError:  # the other end is closed
             pass
         os.close(ours)
         self.assertEqual(process.wait(timeout=60), 0)
@@ -117,11 +117,11 @@ class Streams(Case):
         self.assertTrue(text.endswith("\r\033[K"), repr(text))
         self.assertEqual(self.on_a_terminal(*run, "--quiet"), "")
 
-    def test_a_full_disk_behind_the_standard_output(self):
+    def test_full_disk_on_standard_output(self):
         with open("/dev/full", "w") as full:
             result = subprocess.run([PROGRAM, "schema"], stdout=full, stderr=subprocess.PIPE)
         self.assertEqual(result.returncode, 3)
-        self.assertIn(b"trivet: the standard output cannot be written", result.stderr)
+        self.assertIn(b"trivet: cannot write to the standard output", result.stderr)
 
 
 class Info(Case):

@@ -1,4 +1,4 @@
-"""The z-lists of a scene: what is in them is what is there."""
+"""z-lists of a scene contain exactly its faces."""
 import json
 import struct
 import unittest
@@ -17,7 +17,7 @@ class ZLists(Case):
         return json.loads(out)
 
     def test_cube(self):
-        """From above, from the side, and what is in one pixel."""
+        """From above, from the side, and the list of one pixel."""
         found = self.zlist("cube.obj", "--resolution", 10, "--pixel", 3, 6)
         self.assertEqual((found["width"], found["height"]), (10, 10))
         self.assertEqual(found["covered_pixels"], 100)
@@ -60,7 +60,7 @@ class ZLists(Case):
         return [json.loads(line) for line in self.read("lists.jsonl").splitlines()]
 
     def test_region_zooms(self):
-        """A pixel, looked at more closely, holds no faces that it did not hold."""
+        """A zoomed pixel contains no new faces."""
         layout = self.two_cubes()
         head = self.zlist(layout, "--resolution", 16, "--pixel", 8, 8)
         size, faces = head["pixel_size"], {(e["object"], e["face"]) for e in head["pixel"]["list"]}
@@ -126,8 +126,8 @@ class ZLists(Case):
         self.refused("zlist", "cube.obj", "-o", "p.jpg", says=(".png",))
         self.refused("zlist", "cube.obj", "--dump", "cube.obj", says=("is an input",))
 
-    def test_too_long(self):
-        """Memory is bounded: an error, before it is taken."""
+    def test_memory_limit(self):
+        """Memory is bounded: an error before allocation."""
         quad = "v 0 0 %d\nv 1 0 %d\nv 1 1 %d\nv 0 1 %d\n"
         faces = "".join("f %d %d %d\nf %d %d %d\n" % (a, a + 1, a + 2, a, a + 2, a + 3)
                         for a in range(1, 4000, 4))

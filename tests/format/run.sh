@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Are all sources as .clang-format says, and all files free of a merge's markers?
+# Checks that all sources follow .clang-format and that no file has conflict markers.
 #   tests/format/run.sh [--fix]
 # Versions of clang-format disagree: one is decisive, without it the test is skipped (status 77).
 set -euo pipefail
@@ -7,7 +7,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 version=14
 
 if git grep -nE '^(<{7}|>{7}) ' 2>/dev/null; then
-  echo "these lines are what a merge left"
+  echo "these lines are conflict markers of a merge"
   exit 1
 fi
 

@@ -1,12 +1,12 @@
-// Mutated model files through the import in a process of its own.
+// Fuzzes the sandboxed import with mutated model files.
 //
 //   fuzz_import IMPORTER CORPUS COUNT [SEED [KEEP]]
 //
-// Takes files of the folder CORPUS in turn, changes each in some way and imports it, COUNT times,
-// on all cores. Case number i of a seed is the same file on every run. Fails when anything but a
-// model or an Error comes out, when a model breaks what core/io/model.h promises, or when an import
-// takes much longer or holds much more memory than its limit. Files on which the importer's process
-// crashed or hung, which is what it is for, are counted, and kept in the folder KEEP.
+// Cycles through the files of the folder CORPUS, mutates and imports each, COUNT times in all, on
+// all cores. Case i of a seed is the same file on every run. Fails if the outcome is neither a
+// model nor an Error, if a model violates the guarantees of core/io/model.h, or if an import
+// greatly exceeds its time or memory limit. Files on which the importer's process crashed or hung,
+// which sandboxing allows, are counted, and kept in the folder KEEP.
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -66,7 +66,7 @@ std::vector<Seed> read_corpus(const std::string& folder) {
   return out;
 }
 
-// A number written out, replaced by one that nobody thought of.
+// Replaces a number in text by an unexpected one.
 void replace_number(std::string& bytes, Random& random) {
   static const char* const numbers[] = {
       "-1",    "0",   "1",           "2147483648", "4294967295",
@@ -90,7 +90,7 @@ void mutate_once(std::string& bytes, const std::vector<Seed>& corpus, Random& ra
     case 1:
       bytes[at] = static_cast<char>(random.next());
       break;
-    case 2:  // a 32-bit number of the kind that overflows
+    case 2:  // a 32-bit number that may overflow
       for (size_t i = 0; i < 4 && at + i < bytes.size(); ++i)
         bytes[at + i] = static_cast<char>(random.below(2) ? 0xff : random.below(2) ? 0x7f : 0);
       break;
@@ -117,10 +117,11 @@ std::string why_invalid(const trivet::Model& model) {
   const size_t num_faces = model.mesh.triangles.size();
   if (num_faces == 0) return "no triangle";
   for (const trivet::Vec3& p : model.mesh.vertices)
-    if (!p.allFinite()) return "a vertex that is not finite";
+    if (!p.allFinite()) return "a non-finite vertex";
   for (const trivet::Index3& t : model.mesh.triangles)
     for (const trivet::Index v : t)
-      if (v < 0 || static_cast<size_t>(v) >= model.mesh.vertices.size()) return "a wild index";
+      if (v < 0 || static_cast<size_t>(v) >= model.mesh.vertices.size())
+        return "an index out of range";
   if (model.materials.empty() || model.face_material.size() != num_faces) return "materials";
   return "";
 }

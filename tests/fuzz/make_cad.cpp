@@ -1,5 +1,5 @@
-// CAD files for tests of the program: make_cad FOLDER writes ball, ring, spoon and bottle, each as
-// STEP, IGES and BREP.
+// Generates CAD files for tests of the program: make_cad FOLDER writes ball, ring, spoon and
+// bottle, each as STEP, IGES and BREP.
 #include <iostream>
 
 #include "support/cad_shapes.h"

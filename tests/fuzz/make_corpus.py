@@ -116,7 +116,7 @@ def main():
     make_models.lamp(models)
     make_models.shelf(models)
     (models / "shelf.dae").rename(folder / "shelf.dae")
-    # A mutated copy lies elsewhere: its buffer has to be in it.
+    # A mutated copy lies elsewhere, so its buffer must be embedded.
     text = (models / "lamp.gltf").read_text()
     data = base64.b64encode((models / "lamp.bin").read_bytes()).decode()
     (folder / "lamp.gltf").write_text(

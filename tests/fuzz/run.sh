@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Mutated model files: run.sh FUZZ_IMPORT TRIVET_IMPORT WORK_FOLDER [COUNT [SEED [MAKE_CAD]]]
-# With MAKE_CAD the files are STEP, IGES and BREP, which that program makes; "none": it was not built.
+# Fuzzes with mutated model files: run.sh FUZZ_IMPORT TRIVET_IMPORT WORK_FOLDER [COUNT [SEED
+# [MAKE_CAD]]]
+# With MAKE_CAD, that program generates the STEP, IGES and BREP files; "none": it was not built.
 set -euo pipefail
 here="$(dirname "${BASH_SOURCE[0]}")"
 mkdir -p "$3/corpus"

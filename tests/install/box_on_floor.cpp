@@ -1,4 +1,4 @@
-// A program of somebody else: puts a box on the floor and prints how high it stands.
+// A client program: puts a box on the floor and prints its height.
 #include <cstdio>
 
 #include "trivet.h"

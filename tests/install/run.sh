@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs a build, then builds and runs projects that know nothing but the installation.
+# Installs a build, then builds and runs projects that use only the installation.
 #   tests/install/run.sh BUILD_DIR WORK_DIR [options of cmake's configuration]
 set -euo pipefail
 source_dir="$(dirname "${BASH_SOURCE[0]}")"

@@ -1,4 +1,4 @@
-"""Blender on a scene, headless:
+"""Checks a scene in headless Blender:
 
     blender -b --factory-startup -P blender_check.py -- SCENE EXPECTED.json [PICTURE.png]
 
@@ -15,7 +15,7 @@ with open(expected_file) as file:
     expected = json.load(file)
 
 
-# Debian 12's Blender asks its numpy for a name that this numpy has no more.
+# Debian 12's Blender uses a numpy name that this numpy has removed.
 if not hasattr(numpy, "bool"):
     numpy.bool = bool
 
@@ -36,7 +36,7 @@ bpy.ops.import_scene.gltf(filepath=scene_file)
 roots = {o.name: o for o in bpy.context.scene.objects if o.parent is None}
 if len(roots) != len(expected):
     fail(f"{len(roots)} objects, not {len(expected)}: {sorted(roots)}")
-# Blender turns y up to z up, in positions and in matrices.
+# Blender converts y up to z up, in positions and in matrices.
 turn = Matrix(((1, 0, 0, 0), (0, 0, -1, 0), (0, 1, 0, 0), (0, 0, 0, 1)))
 worst = 0
 for want in expected:

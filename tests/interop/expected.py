@@ -1,4 +1,4 @@
-"""What a scene's report and glTF say that a reader must find: used by the checks of readers."""
+"""Expected content of a scene, from its report and glTF, for the checks of readers."""
 import json
 import struct
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""Models with everything that has to survive, and a layout of them.
+"""Models with every supported feature, and a layout of them.
 
     make_models.py FOLDER
 

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# What other programs see of Trivet's scenes.
+# Checks Trivet's scenes in third-party programs.
 #   run.sh validator|three|usd|blender TRIVET WORK_FOLDER
-# Makes models with everything in them, lays them out with TRIVET, and BREAKFAST too; then opens the
-# scenes. Status 77: the program of others is not there.
+# Generates models with every supported feature, lays them out with TRIVET, and BREAKFAST too; then
+# opens the scenes. Status 77: the third-party program is missing.
 set -euo pipefail
 here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
 job="$1" trivet="$2" work="$3/$1"
@@ -19,7 +19,7 @@ else
   command -v node >/dev/null && command -v npm >/dev/null || skip "no node, no npm (Debian: nodejs, npm)"
 fi
 
-# Modules are resolved from where the scripts lie.
+# Modules are resolved relative to the scripts.
 install_modules() {
   cp "$here"/package*.json "$here"/*.mjs "$work"
   (cd "$work" && npm ci --no-audit --no-fund --ignore-scripts > npm.log 2>&1) ||

@@ -1,8 +1,8 @@
-// three.js's loader on a scene: node three_check.mjs SCENE EXPECTED.json (of expected.py)
+// Checks a scene in three.js's loader: node three_check.mjs SCENE EXPECTED.json (of expected.py)
 import { readFile } from 'node:fs/promises';
 import assert from 'node:assert/strict';
 
-// What the loader expects of a browser; pictures are not decoded, only asked for.
+// Browser objects that the loader expects; images are requested but not decoded.
 globalThis.self = globalThis;
 let numPictures = 0;
 globalThis.createImageBitmap = async (blob) => {

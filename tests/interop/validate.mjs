@@ -1,4 +1,4 @@
-// Khronos' validator on glTF files: node validate.mjs FILE...   Status 1 when one has errors.
+// Khronos' validator on glTF files: node validate.mjs FILE...   Status 1 if one has errors.
 import { readFile } from 'node:fs/promises';
 import { dirname, resolve } from 'node:path';
 import validator from 'gltf-validator';

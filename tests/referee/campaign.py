@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Lays out real models by the hundred and lets the independent referee judge every scene.
+"""Lays out hundreds of scenes of real models; the independent referee judges each.
 
     tests/referee/campaign.py --trivet build/release/apps/trivet --referee PATH/referee \\
         --shared ../shared [--set floor,pair,pile] [--out DIR] [--same-as OTHER_TRIVET] [--threads 1,2]
@@ -10,7 +10,7 @@ pair:  every model in 5 random orientations, put onto one of 10 other models tha
 pile:  4 heaps of 50 objects.
 --same-as, --threads and --backends run each layout again, by another build, with other numbers of
 threads or other sources of candidates: reports (apart from milliseconds, and what a backend says of
-itself) and scenes must be the same bytes. Without --referee, that is all that is asked.
+itself) and scenes must be the same bytes. Without --referee, no other check is made.
 Prints a table; exit status 1 if a scene is not true, a result differs, a backend is not the one asked
 for, or under 98 % end ok.
 """
@@ -78,7 +78,7 @@ def read_report(path):
 
 
 def comparable(report):
-    """What must be the same whoever runs it."""
+    """Part of a report that must be the same in every run."""
     report = {key: value for key, value in report.items()
               if key not in ("backend", "device", "work")}
     report["operations"] = [{key: value for key, value in operation.items()
@@ -96,7 +96,7 @@ def run_trivet(trivet, base, suffix, *options):
 
 
 class BackendWork:
-    """What the sources of candidates did in all runs together."""
+    """Work of the candidate finders in all runs together."""
     def __init__(self):
         self.lock, self.sums, self.devices = threading.Lock(), {}, {}
 
@@ -114,7 +114,7 @@ class BackendWork:
 
 
 def differences(options, base, scene, report):
-    """What else ran, and did not give the same bytes."""
+    """Other runs that did not give the same bytes."""
     others = [(options.trivet, f"-{n}-threads", ["--threads", n], "")
               for n in filter(None, options.threads.split(","))]
     others += [(options.trivet, f"-{name}", ["--backend", name], name)
@@ -190,15 +190,15 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--trivet", required=True)
-    parser.add_argument("--referee", help="that of ../shared; without: nobody judges the scenes")
+    parser.add_argument("--referee", help="program of ../shared; default: scenes are not judged")
     parser.add_argument("--shared", required=True)
     parser.add_argument("--set", default="floor,pair,pile")
     parser.add_argument("--out", default="out/campaign")
-    parser.add_argument("--jobs", type=int, default=1, help="at a time; 1 for fair times")
-    parser.add_argument("--match", default="", help="a regular expression: only scenes whose names "
-                        "have it, such as pair_6[89]")
-    parser.add_argument("--same-as", help="another build of trivet")
-    parser.add_argument("--threads", default="", help="numbers of threads, with commas")
+    parser.add_argument("--jobs", type=int, default=1, help="parallel jobs; 1 for fair times")
+    parser.add_argument("--match", default="", help="regular expression: only scenes with matching names, "
+                        "such as pair_6[89]")
+    parser.add_argument("--same-as", help="another build of trivet to compare with")
+    parser.add_argument("--threads", default="", help="numbers of threads to compare, comma-separated")
     parser.add_argument("--backends", default="", help="bvh, software, gpu, with commas")
     options = parser.parse_args()
     options.work = BackendWork()

@@ -1,12 +1,15 @@
 #!/usr/bin/env bash
-# The verdict of the independent referee, which shares no code with Trivet, on what Trivet lays out.
+# Runs the independent referee, which shares no code with Trivet, on scenes laid out by Trivet.
+#
 #   tests/referee/run.sh build|demos|layouts|edited TRIVET WORK_DIR SHARED_DIR [EDITED_DIR]
+#
 # build:    builds the referee from a copy of SHARED_DIR/tools/referee
-# demos:    our own demos
+# demos:    the built-in demos
 # layouts:  models of SHARED_DIR/data PUT on the floor, on another model and in a pile
-#           (campaign.py beside this file does it by the hundred)
-# edited:   what the test of the editor's window laid out by mouse and saved in EDITED_DIR
-# Skipped (status 77) without SHARED_DIR or without what the referee is built with.
+#           (campaign.py beside this file runs hundreds)
+# edited:   the scene that the test of the editor's window laid out by mouse and saved in EDITED_DIR
+#
+# Skipped (status 77) without SHARED_DIR or without the referee's build dependencies.
 set -euo pipefail
 job="$1"
 trivet="$2"
@@ -41,7 +44,7 @@ judge_edited() {
   "$referee" "$edited_dir/report.json" --scene "$edited_dir/scene.glb"
 }
 
-# judge LAYOUT SCENE REPORT: prints one line; fails if the scene is not true.
+# judge LAYOUT SCENE REPORT: prints one line; fails if the scene is not valid.
 judge() {
   local name
   name="$(basename "$1" .json)"
@@ -110,7 +113,7 @@ case "$job" in
     "judge_$job"
     ;;
   *)
-    echo "$0: '$job'? build, demos, layouts or edited" >&2
+    echo "$0: unknown job '$job'; accepted: build, demos, layouts, edited" >&2
     exit 2
     ;;
 esac

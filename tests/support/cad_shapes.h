@@ -1,4 +1,4 @@
-// Shapes with curved surfaces, made by Open CASCADE, in millimetres, and their files.
+// Curved shapes made by Open CASCADE, in millimetres, and their files.
 #pragma once
 
 #include <BRepAlgoAPI_Fuse.hxx>
@@ -44,7 +44,7 @@ inline TopoDS_Shape lofted_spoon() {
   return loft.Shape();
 }
 
-/// A spline turned about its axis, with a cylinder for its neck.
+/// A spline revolved about its axis, with a cylinder for its neck.
 inline TopoDS_Shape bottle() {
   TColgp_Array1OfPnt points(1, 5);
   points(1) = gp_Pnt(30, 0, 0), points(2) = gp_Pnt(33, 0, 40), points(3) = gp_Pnt(28, 0, 80);
@@ -64,7 +64,7 @@ inline TopoDS_Shape bottle() {
 
 /// By extension: .step, .igs (faces that share no edges), .brep.
 inline bool write_cad(const TopoDS_Shape& shape, const std::string& path) {
-  Message::DefaultMessenger()->ChangePrinters().Clear();  // it talks on standard output
+  Message::DefaultMessenger()->ChangePrinters().Clear();  // silences standard output
   if (path.ends_with(".step")) {
     STEPControl_Writer writer;
     writer.Transfer(shape, STEPControl_AsIs);

@@ -24,7 +24,7 @@ std::string wrong_order(const Proposal& proposal) {
   return "";
 }
 
-// Bounds against the truth; the floor is no business of a stage.
+// Compares bounds with the truth; stages do not know the floor.
 std::string wrong_bounds(const Proposal& proposal, const FirstContact& truth) {
   const bool touches = truth.status != FirstContact::Status::Free;
   const double time = touches ? truth.time : kInfinity;
@@ -51,7 +51,7 @@ void check(const RandomQuery& q, ZListStage& stage, StageCheck& out) {
   out.num_contacts += truth.status == FirstContact::Status::Contact;
   out.num_crossings += truth.status == FirstContact::Status::Crossing;
   std::string what;
-  if (!same_answer(truth, q.brute_force())) what = "box trees differ from brute force";
+  if (!same_answer(truth, q.brute_force())) what = "BVHs differ from brute force";
   if (!same_answer(found, truth)) what = "another answer: " + test::describe(found);
   if (proposal.usable) {
     if (what.empty()) what = wrong_bounds(proposal, truth);
@@ -64,7 +64,7 @@ void check(const RandomQuery& q, ZListStage& stage, StageCheck& out) {
     if (out.reasons.size() < kMostTexts) out.reasons.push_back(proposal.why);
   }
   if (!what.empty() && out.failures.size() < kMostTexts)
-    out.failures.push_back(what + "\nbox trees: " + test::describe(truth) + "\n" + q.describe());
+    out.failures.push_back(what + "\nBVHs: " + test::describe(truth) + "\n" + q.describe());
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// How much work the long random tests do.
+// Size of the long random tests.
 #pragma once
 
 #include <algorithm>

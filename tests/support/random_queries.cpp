@@ -41,7 +41,7 @@ Vec3 random_vertex(const PosedShape& body, Random& random) {
   return body.body().vertex(i);
 }
 
-// A point and a direction that degenerate cases like: vertices, edges, coordinate axes.
+// A point and a direction prone to degenerate cases: vertices, edges, coordinate axes.
 Vec3 special_direction(const RandomQuery& q, Random& random) {
   const PosedShape& body = random.integer(0, 1) ? q.moving[0] : q.fixed[0];
   const Vec3 d = random_vertex(body, random) - random_vertex(body, random);
@@ -68,7 +68,7 @@ Motion make_motion(const RandomQuery& q, bool rotation, Random& random) {
 
 double random_clearance(Random& random) { return std::pow(10.0, random.uniform(-7, -3)); }
 
-// At the contact that a motion leads to, if it leads to any.
+// Starts at the contact of another motion, if it has one.
 void start_near(RandomQuery& q, Random& random) {
   for (int attempt = 0; attempt < 4 && !q.starts_near; ++attempt) {
     q.motion = make_motion(q, random.integer(0, 1), random);

@@ -1,4 +1,4 @@
-// Random first-contact queries over meshes of every kind, each from a seed and a number alone.
+// Random first-contact queries over meshes of every kind, each determined by a seed and a number.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ enum class MeshKind { Any, Needles, Degenerate, Grid, Tiny, Box, Sphere, Terrain
 inline constexpr int kNumMeshKinds = 8;
 const char* to_string(MeshKind kind);
 
-/// A body that can be moved again: the pose is kept.
+/// A body that can be moved again, as its pose is stored.
 struct PosedShape {
   std::shared_ptr<const Shape> shape;
   Pose pose;
@@ -24,23 +24,23 @@ struct PosedShape {
   Body body() const { return {*shape, world_from_object(pose, UpAxis::Z, scale)}; }
 };
 
-/// Owns what a FirstContactQuery refers to.
+/// Owns the data that a FirstContactQuery refers to.
 struct RandomQuery {
   MeshKind kind_moving, kind_fixed;
   std::vector<PosedShape> moving, fixed;
   bool floor = false;
   Motion motion;
   Clearance clearance;
-  bool starts_near = false;  // at the contact that another motion led to
+  bool starts_near = false;  // at the contact of another motion
 
   FirstContact fast() const;
   FirstContact brute_force() const;
   FirstContact with_stage(ZListStage& stage, Proposal* proposal = nullptr) const;
-  /// Everything moved to where it is at `time`.
+  /// Moves everything to its pose at `time`.
   void advance(double time);
   std::string describe() const;  // full digits
 
-  /// What f(FirstContactQuery) says about it.
+  /// Result of f(FirstContactQuery).
   template <class F>
   auto ask(F f) const {
     std::vector<Body> a, b;
@@ -50,7 +50,7 @@ struct RandomQuery {
   }
 };
 
-/// Some meshes of each kind, of size about 1, made once.
+/// Several meshes of each kind, of size about 1, made once.
 class MeshPool {
  public:
   MeshPool(unsigned seed, int num_each);
@@ -65,10 +65,10 @@ class MeshPool {
 /// with the axes on a coarse grid.
 RandomQuery random_query(const MeshPool& pool, unsigned seed, int index);
 
-/// Several bodies that move together, several that stand still, over the floor.
+/// Several bodies that move together, several fixed ones, above the floor.
 RandomQuery random_group_query(const MeshPool& pool, unsigned seed, int index);
 
-/// Bit for bit, apart from the work done.
+/// Bitwise equality, apart from statistics.
 bool same_answer(const FirstContact& a, const FirstContact& b);
 std::string describe(const FirstContact& contact);
 

@@ -22,7 +22,7 @@ class Random {
     const double x = uniform(-half, half), y = uniform(-half, half);
     return {x, y, uniform(-half, half)};
   }
-  /// At most `half` beside the z axis, along x and y.
+  /// At most `half` from the z axis, along x and y.
   Vec3 beside(double half, double z) {
     const double x = uniform(-half, half), y = uniform(-half, half);
     return {x, y, z};

@@ -1,4 +1,4 @@
-// Scenes compared bit by bit.
+// Bitwise comparison of scenes.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace trivet::test {
 
-/// Every field of every object, ids, links and contacts; the first difference, or nothing.
+/// Compares every field of every object, ids, contacts; returns the first difference, or "".
 std::string difference(const Scene& a, const Scene& b);
 
 }  // namespace trivet::test

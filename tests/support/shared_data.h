@@ -1,4 +1,4 @@
-// Real data that is not part of the repository: tests that need it are skipped, and say so.
+// Real data outside the repository: tests that need it skip with a message.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
-// Closed solids for tests of contact and settling, outside out, and scene objects made of them.
+// Closed solids for tests of contact and settling, oriented outwards, and scene objects made of
+// them.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -20,7 +21,7 @@ inline double signed_volume(const Triangles& triangles) {
   return six / 6;
 }
 
-/// Turned inside out if its volume is negative.
+/// Flipped if its volume is negative.
 inline Triangles outward(Triangles triangles) {
   if (signed_volume(triangles) < 0)
     for (Triangle& t : triangles) std::swap(t[1], t[2]);
@@ -134,7 +135,7 @@ inline Triangles hook(double length, double bend, double radius) {
   return rod(path, radius, 6);
 }
 
-/// Convex polygon in the plane y = 0, drawn out to both sides of it.
+/// Convex polygon in the plane y = 0, extruded to both sides of it.
 inline Triangles prism(const std::vector<Vec2>& polygon, double half_width) {
   std::vector<std::vector<Vec3>> rings(2);
   for (const Vec2& p : polygon) {
@@ -160,7 +161,7 @@ inline Triangles stick(double length) {
   return handle;
 }
 
-/// An object that is not in the scene yet. Coordinates are rounded to float32, as in files.
+/// An unplaced object. Coordinates are rounded to float32, as in files.
 inline Object object_of(const std::string& name, Triangles triangles, bool fixed = false) {
   for (Triangle& t : triangles)
     for (Vec3& p : t) p = p.cast<float>().cast<double>();

@@ -1,4 +1,4 @@
-// A folder for the files of a test.
+// A temporary folder for the files of a test.
 #pragma once
 
 #include <stdlib.h>
@@ -9,10 +9,10 @@
 
 namespace trivet::test {
 
-/// Vanishes with all that is in it.
+/// Deletes itself with all its files.
 class TemporaryFolder {
  public:
-  /// @throws std::runtime_error  there is no room for one.
+  /// @throws std::runtime_error  if it cannot be created.
   TemporaryFolder() {
     std::string path = (std::filesystem::temp_directory_path() / "trivet_test_XXXXXX").string();
     if (!mkdtemp(path.data())) throw std::runtime_error("no temporary folder");

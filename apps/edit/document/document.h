@@ -1,13 +1,12 @@
-// The document of the editor: a session on a thread of its own, so that no window ever waits.
+// The editor's document: a session on a thread of its own, so that windows never wait.
 //
-// Everything that takes time is a job. Jobs are done one after another; a call returns the job's
-// number at once, signals tell how it goes, and finished() that it has ended. All functions are for
-// the thread of the windows; signals come there, too. What is drawn is snapshot(), which no running
-// operation changes.
+// Lengthy work runs as jobs, one after another; a call returns the job's number at once, signals
+// report progress, and finished() its end. All functions are for the thread of the windows; signals
+// arrive there too. Windows draw snapshot(), which running operations never change.
 //
 //   tools and menus -> Document -> jobs -> Session (ops/session) -> snapshot -> signals -> windows
 //
-// Start here; snapshot.h is what windows read.
+// Start here; windows read snapshot.h.
 #pragma once
 
 #include <QObject>
@@ -31,37 +30,37 @@ class Engine;
 struct DragGoal;
 
 struct DocumentOptions {
-  /// Where what a crash must not lose is kept: journals, demos, locks. Empty: nothing is kept.
+  /// Folder of data that must survive a crash: journals, demos, locks. Empty: no recovery.
   std::string recovery_folder;
-  std::string version;   // of the program; stands in saved files
+  std::string version;   // of the program; written to saved files
   SettleOptions settle;  // of all operations
   RunContext context;
   int num_threads = 0;   // of loading; 0: all cores
   ImportLimits limits;
 };
 
-/// All steps of the session; those that can be redone last.
+/// All steps of the session; redoable ones last.
 struct History {
   std::vector<std::string> steps;  // "put \"cup\""
   size_t num_done = 0;
 };
 
-/// A session that did not end as it should.
+/// A session that ended abnormally.
 struct Recoverable {
   std::string journal;
-  std::string file;  // that was open; empty: a scene that had never been saved
+  std::string file;  // open file; empty: a scene that was never saved
   std::string when;  // of the last step, local time, "2026-11-21 17:54"
   size_t num_steps = 0;
 };
 
-/// How a model comes in.
+/// Options for importing a model.
 struct ImportModel {
   std::string file;
   std::string name;          // empty: of the file; made unique
   double scale = 1;          // metres per unit of the file
-  std::optional<UpAxis> up;  // nothing: as the format says
+  std::optional<UpAxis> up;  // nullopt: as the format states
   bool fixed = false;
-  std::optional<Pose> put;  // nothing: out of the scene until it is put
+  std::optional<Pose> put;  // nullopt: not placed until it is put
 };
 
 class Document : public QObject {
@@ -71,10 +70,10 @@ class Document : public QObject {
   using Job = quint64;  // never 0
 
   explicit Document(DocumentOptions options, QObject* parent = nullptr);
-  /// Cancels what is running. A modified scene can be recovered unless close() was called.
+  /// Cancels the running job. A modified scene can be recovered unless close() was called.
   ~Document() override;
 
-  // --- what there is ---------------------------------------------------------------------------
+  // --- state -----------------------------------------------------------------------------------
 
   /// Never null. The same until snapshot_changed().
   const std::shared_ptr<const SceneSnapshot>& snapshot() const { return m_snapshot; }
@@ -82,31 +81,31 @@ class Document : public QObject {
   bool can_undo() const { return m_history.num_done > 0; }
   bool can_redo() const { return m_history.num_done < m_history.steps.size(); }
   bool is_modified() const { return m_modified; }
-  /// What save() writes; empty: it has no name yet, or what was opened is a layout.
+  /// Target of save(); empty: unnamed, or a layout was opened.
   const std::string& file() const { return m_file; }
-  /// For titles: the file that was opened or saved, or "Untitled", or a demo's name.
+  /// Title for windows: the opened or saved file, "Untitled", or a demo's name.
   const std::string& title() const { return m_title; }
-  /// Whether a job is waiting or running. Drags are none.
+  /// Whether a job is waiting or running. Drags do not count.
   bool is_busy() const { return m_num_jobs > 0; }
   const std::string& busy_with() const { return m_busy_with; }  // "open \"x.glb\""
-  /// Where the hand last was and what followed it: milliseconds from drag_to() or drag_by() to
-  /// snapshot_changed(), of the last drag.
+  /// Latency of the last drag: milliseconds from drag_to() or drag_by() to snapshot_changed().
   const std::vector<double>& drag_milliseconds() const { return m_drag_milliseconds; }
 
   // --- files -----------------------------------------------------------------------------------
-  // Nobody is asked whether unsaved work may be lost: that is for the caller, before. When opening
-  // fails, the document is as it was.
+  // No function asks whether to save first: the caller must do so. If opening fails, the document
+  // is unchanged.
 
   Job new_scene();
   Job open(const std::string& file);  // .glb or .json
   Job open_demo(const std::string& name);
-  /// Under file(), which must not be empty.
+  /// Saves to file(), which must not be empty.
   Job save();
-  /// .glb; or .json: the layout that makes this scene (the document keeps its file then).
+  /// Saves as .glb, or as .json: the layout that makes this scene (the document keeps its file
+  /// then).
   Job save_as(const std::string& file);
   /// .obj, .ply, .stl or .glb; the document keeps its file.
   Job export_to(const std::string& file);
-  /// Nothing is left to recover from this session.
+  /// Ends the session and removes its recovery files.
   Job close();
 
   std::vector<Recoverable> recoverable() const;
@@ -116,53 +115,53 @@ class Document : public QObject {
   // --- operations ------------------------------------------------------------------------------
 
   Job perform(const Operation& operation);
-  /// One after the other, undone as one; when one is refused, none is done.
-  /// @param name  what windows call it while it is busy. @param select  objects that are selected
-  /// when it is done; empty: the selection stays.
+  /// Runs operations in order as one undoable step; if one is refused, none is committed.
+  /// @param name  shown by windows while busy. @param select  objects to select on success; empty:
+  ///   keep the selection.
   Job perform_all(const std::string& name, std::vector<Operation> operations,
                   std::vector<std::string> select = {});
-  /// One step; the new object is selected when it is done. Where it cannot be put it is out of the
-  /// scene all the same.
+  /// Imports as one step; the new object is selected on success. If it cannot be put, it stays
+  /// unplaced.
   Job import_model(const ImportModel& model);
   Job undo();
   Job redo();
-  /// So that this many steps are done.
+  /// Undoes or redoes until this many steps are done.
   Job go_to_step(size_t num_done);
-  /// Stops what is running, and forgets what waits; the scene is as before.
+  /// Stops the running job and drops waiting ones; the scene is unchanged.
   void cancel();
 
   // --- selection -------------------------------------------------------------------------------
 
   const Selection& selection() const { return m_selection; }
-  /// What is not in the scene is left out.
+  /// Objects that are not in the scene are dropped.
   void select(Selection selection);
   void select_only(std::optional<ObjectId> id);
 
   // --- drags ----------------------------------------------------------------------------------
 
-  /// A move that follows the hand from now on. @param operation  PUSH, TURN, PICK-UP, TRANSLATE or
-  /// ROTATE; how far does not matter.
+  /// Starts an interactive move. @param operation  PUSH, TURN, PICK-UP, TRANSLATE or ROTATE; its
+  /// distance or angle is ignored.
   void begin_drag(const Operation& operation);
-  /// Where the hand is. PUSH: where the object's position shall be, seen from above (x, y).
-  /// TRANSLATE: how far it shall be from where it was at the beginning.
+  /// Sets the goal of the drag. PUSH: target position of the object, seen from above (x, y).
+  /// TRANSLATE: displacement since the start.
   void drag_to(const Vec3& goal);
-  /// TURN and ROTATE: degrees from the beginning. PICK-UP: metres.
+  /// Sets the goal for TURN and ROTATE in degrees since the start, for PICK-UP in metres.
   void drag_by(double amount);
-  /// Commits as one step. @return the job, or 0 when nothing is dragged.
+  /// Commits as one step. @return the job, or 0 if no drag is active.
   Job end_drag();
-  /// All is as before the drag.
+  /// Restores the state before the drag.
   void cancel_drag();
   bool is_dragging() const { return m_dragging; }
 
   // --- ghost -----------------------------------------------------------------------------------
 
-  /// Where `operation` would bring its object; the latest request wins. ghost_changed() tells.
+  /// Requests the resulting pose of `operation`; the latest request wins. ghost_changed() answers.
   void request_ghost(const Operation& operation);
   void clear_ghost();
   const std::optional<Ghost>& ghost() const { return m_ghost; }
 
-  /// Runs the event loop until nothing is busy, dragged or asked for. For tests.
-  /// @return whether that was so within the time.
+  /// Runs the event loop until no job, drag or ghost is pending. For tests.
+  /// @return false on timeout.
   bool wait_until_idle(int timeout_ms = 60000);
 
  Q_SIGNALS:
@@ -171,7 +170,7 @@ class Document : public QObject {
   void history_changed();  // is_modified(), too
   void file_changed();     // file(), title(), is_modified()
   void busy_changed();
-  /// @param total  0: it is not known how much there is.
+  /// @param total  0: unknown.
   void progressed(const QString& what, int done, int total);
   void message(const trivet::edit::Message& message);
   void ghost_changed();
@@ -179,7 +178,7 @@ class Document : public QObject {
   void finished(quint64 job, bool ok);
 
  private:
-  /// What jobs leave behind: all that windows show.
+  /// Results of jobs: the state shown by windows.
   struct State {
     std::shared_ptr<const SceneSnapshot> snapshot;
     History history;
@@ -204,7 +203,7 @@ class Document : public QObject {
   History m_history;
   std::string m_file, m_title, m_busy_with;
   std::optional<Ghost> m_ghost;
-  std::uint64_t m_drag = 0, m_ghost_request = 0;  // the last ones
+  std::uint64_t m_drag = 0, m_ghost_request = 0;  // numbers of the latest ones
   std::vector<double> m_drag_milliseconds;
   bool m_modified = false, m_dragging = false;
   int m_num_jobs = 0;

@@ -1,4 +1,4 @@
-// Where the hand is. Private.
+// Goal of a drag. Private.
 #pragma once
 
 #include <chrono>
@@ -10,7 +10,7 @@ namespace trivet::edit {
 
 struct DragGoal {
   using Clock = std::chrono::steady_clock;
-  std::optional<Vec3> to;  // nothing: `by`
+  std::optional<Vec3> to;  // nullopt: use `by`
   double by = 0;
   Clock::time_point when;
 };

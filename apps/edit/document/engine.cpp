@@ -8,10 +8,10 @@
 namespace trivet::edit {
 namespace {
 
-/// Thrown out of progress callbacks when the user has cancelled.
+/// Thrown from progress callbacks when the user has cancelled.
 struct Cancelled {};
 
-// A file that crashes the import library must not take the editor along.
+// Sandboxed import: a file that crashes the import library must not crash the editor.
 DocumentOptions with_importer(DocumentOptions options) {
   if (options.limits.importer.empty()) options.limits.importer = find_importer();
   return options;
@@ -92,7 +92,7 @@ bool Engine::run(const Item& item) {
   } catch (const Error& e) {
     tell(Message{Message::Kind::Error, e.what(), {}, {}});
   } catch (const std::bad_alloc&) {
-    tell(Message{Message::Kind::Error, item.what + ": there is not enough memory", {}, {}});
+    tell(Message{Message::Kind::Error, item.what + ": not enough memory", {}, {}});
   } catch (const std::exception& e) {
     tell(Message{Message::Kind::Error, item.what + ": " + e.what(), {}, {}});
   }
@@ -166,7 +166,7 @@ RunContext Engine::context() const {
 
 bool Engine::perform(const Operation& operation) { return perform_all({operation}); }
 
-// Where a way begins that is to be watched; of a PUT the operation says it.
+// Start pose of a motion to be played back; a PUT states it itself.
 std::optional<Pose> Engine::pose_before(const std::vector<Operation>& operations) const {
   const Scene& scene = m_opened->session.scene();
   const auto id = scene.find(object_name(operations.front()));
@@ -239,7 +239,7 @@ void Engine::follow() {
     m_live->follow(*goal->to);
   else
     m_live->follow(goal->by);
-  if (m_live->refused()) return;  // end_drag() says why
+  if (m_live->refused()) return;  // end_drag() reports the reason
   tell([snapshot = m_snapshots.make_drag(m_opened->session.scene(), *m_live), drag = m_drag,
         when = goal->when](Document& shown) {
     const std::chrono::duration<double, std::milli> took = DragGoal::Clock::now() - when;
@@ -279,7 +279,7 @@ void Engine::cancel_drag(std::uint64_t drag) {
         }});
 }
 
-// The scene as it is, without what a hand had.
+// Shows the committed scene, without the dragged objects.
 void Engine::show_again() {
   tell([snapshot = m_snapshots.make_again()](Document& shown) { shown.show_scene(snapshot); });
 }

@@ -1,4 +1,4 @@
-// What the document does on its own thread: the session, its files, its journal. Private.
+// Document thread: runs the session, its files, its journal. Private.
 #pragma once
 
 #include <atomic>
@@ -18,22 +18,22 @@
 
 namespace trivet::edit {
 
-/// Public functions above the line are for the document's thread, those below for jobs.
+/// Functions above the line are for the document's thread, those below for jobs.
 class Engine {
  public:
   Engine(Document& document, DocumentOptions options);
   ~Engine();
 
   using Work = std::function<bool(Engine&)>;
-  /// @param work  @return whether it did what it should.
+  /// @param work  @return whether it succeeded.
   void post(Document::Job job, const std::string& what, Work work);
   void cancel();
   void begin_drag(std::uint64_t drag, const Operation& operation);
-  /// The latest goal wins.
+  /// Sets the goal; the latest wins.
   void steer(const DragGoal& goal);
   void cancel_drag(std::uint64_t drag);
   void request_ghost(std::uint64_t request, const Operation& operation);
-  /// Whether nothing is waiting, running or on its way to the document.
+  /// Whether no work or signal is pending.
   bool is_idle() const { return m_num_open == 0 && m_ghosts.is_idle(); }
 
   // ---------------------------------------------------------------------------------------------
@@ -87,17 +87,17 @@ class Engine {
   DocumentOptions m_options;
   std::atomic<bool> m_cancel = false;
 
-  std::optional<OpenedSession> m_opened;  // never nothing while jobs run
+  std::optional<OpenedSession> m_opened;  // always set while jobs run
   std::string m_file, m_title;
   std::unique_ptr<FileLock> m_lock;
   SnapshotMaker m_snapshots;
   std::optional<LiveMove> m_live;
   std::uint64_t m_drag = 0;
-  bool m_ghosts_know = false;  // the scene as it is
+  bool m_ghosts_know = false;  // the ghost worker has the current scene
 
-  std::atomic<int> m_num_open = 0;  // posts and tellings that have not come through
+  std::atomic<int> m_num_open = 0;  // posts and signals not yet delivered
 
-  std::mutex m_mutex;  // of what is below
+  std::mutex m_mutex;  // guards the members below
   std::condition_variable m_wake;
   std::deque<Item> m_items;
   std::uint64_t m_generation = 0;

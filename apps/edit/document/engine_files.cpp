@@ -1,4 +1,4 @@
-// What the document's thread does with files.
+// File jobs of the document's thread.
 #include <unistd.h>
 
 #include <atomic>
@@ -29,7 +29,8 @@ std::string extension_of(const std::string& file) {
 void make_folder(const std::string& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
-  if (error) throw Error(Error::Kind::Environment, folder + ": cannot be made: " + error.message());
+  if (error)
+    throw Error(Error::Kind::Environment, folder + ": cannot be created: " + error.message());
 }
 
 void write_demo(const DemoLayout& demo, const std::string& folder) {
@@ -42,7 +43,7 @@ void write_demo(const DemoLayout& demo, const std::string& folder) {
   write_file_atomically((fs::path(folder) / "layout.json").string(), layout_json(demo));
 }
 
-// Of a model's file, made so that no object of the scene has it.
+// Name after the model's file, unique in the scene.
 std::string new_name(const Scene& scene, const std::string& wanted) {
   std::string name = is_object_name(wanted) ? wanted : "object";
   for (int i = 2; scene.find(name); ++i)
@@ -52,7 +53,7 @@ std::string new_name(const Scene& scene, const std::string& wanted) {
 
 }  // namespace
 
-// A name that no other session has had.
+// A name never used by another session.
 std::string Engine::new_journal() const {
   if (m_options.recovery_folder.empty()) return "";
   make_folder(m_options.recovery_folder);
@@ -65,7 +66,7 @@ std::string Engine::new_journal() const {
 
 std::unique_ptr<FileLock> Engine::locked(const std::string& file) const {
   if (m_options.recovery_folder.empty()) return nullptr;
-  if (m_lock && m_lock->file() == file) return nullptr;  // by this document already
+  if (m_lock && m_lock->file() == file) return nullptr;  // already locked by this document
   return std::make_unique<FileLock>((fs::path(m_options.recovery_folder) / "locks").string(), file);
 }
 
@@ -84,7 +85,7 @@ void Engine::adopt(OpenedSession opened, const std::string& file, const std::str
   for (const std::string& note : m_opened->notes) tell(Message{Message::Kind::Info, note, {}, {}});
 }
 
-// What was kept in case of a crash is not needed any more.
+// Removes the recovery files, which are no longer needed.
 void Engine::leave_session() {
   if (!m_opened) return;
   std::string journal;
@@ -111,8 +112,9 @@ bool Engine::open(const std::string& file) {
   const std::string extension = extension_of(file);
   try {
     if (extension != ".glb" && extension != ".json")
-      throw Error(Error::Kind::BadInput,
-                  file + ": accepted: a scene (.glb) that Trivet wrote, or a layout (.json)");
+      throw Error(Error::Kind::BadInput, file +
+                                             ": cannot be opened; accepted: a scene (.glb) written "
+                                             "by Trivet, or a layout (.json)");
     OpenedSession opened = open_session(file, run_options(), m_options.limits, new_journal());
     adopt(std::move(opened), extension == ".glb" ? file : "", fs::path(file).filename().string(),
           std::move(lock));
@@ -127,8 +129,8 @@ bool Engine::open_demo(const std::string& name) {
   const DemoLayout demo = make_demo(name);
   if (m_options.recovery_folder.empty())
     throw Error(Error::Kind::Environment,
-                "demos need a folder for their files; accepted: an "
-                "editor that keeps what a crash must not lose");
+                "demos need a recovery folder for their files, "
+                "and this editor has none");
   const std::string folder = (fs::path(m_options.recovery_folder) / "demos" / name).string();
   make_folder(folder);
   write_demo(demo, folder);
@@ -146,7 +148,8 @@ bool Engine::save_as(const std::string& file) {
     return true;
   }
   if (extension != ".glb")
-    throw Error(Error::Kind::BadInput, file + ": accepted: a file that ends in .glb or .json");
+    throw Error(Error::Kind::BadInput,
+                file + ": cannot be saved; accepted: a file name ending in .glb or .json");
   auto lock = locked(file);
   save_session(*m_opened, m_options.version, file);
   if (lock) m_lock = std::move(lock);
@@ -184,7 +187,7 @@ bool Engine::restore(const std::string& journal) {
   return restored.exact;
 }
 
-// As the scene's own models have theirs: relative where the file lies below their folder.
+// Follows the scene's own models: relative if the file lies below their folder.
 std::string Engine::model_path(const std::string& file) const {
   const std::string folder = m_opened->model_folder;
   const fs::path whole = fs::absolute(file).lexically_normal();

@@ -24,7 +24,7 @@ FileLock::FileLock(const std::string& folder, const std::string& file) : m_file(
   m_descriptor = open(lock.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
   if (m_descriptor < 0)
     throw Error(Error::Kind::Environment,
-                lock.string() + ": cannot be made: " + std::strerror(errno));
+                lock.string() + ": cannot be created: " + std::strerror(errno));
   if (flock(m_descriptor, LOCK_EX | LOCK_NB) == 0) return;
   close(m_descriptor);
   throw Error(Error::Kind::Environment, file + ": is open in another editor; close it there first");

@@ -1,4 +1,4 @@
-// Keeps two editors from one file. The lock goes with the program, however it ends.
+// Lock against opening a file in two editors. Released when the process ends, however it ends.
 #pragma once
 
 #include <memory>
@@ -8,8 +8,8 @@ namespace trivet::edit {
 
 class FileLock {
  public:
-  /// @param folder  where locks are, made if it is not there. @param file  need not exist.
-  /// @throws Error (Environment): another editor has the file open, or the folder cannot be used.
+  /// @param folder  of lock files, created if missing. @param file  need not exist.
+  /// @throws Error (Environment): another editor has the file open, or the folder is unusable.
   FileLock(const std::string& folder, const std::string& file);
   ~FileLock();
   FileLock(const FileLock&) = delete;
@@ -22,7 +22,7 @@ class FileLock {
   int m_descriptor = -1;
 };
 
-/// Whether somebody has locked this file with flock(): a journal that is being written.
+/// Whether this file is locked with flock(): a journal being written.
 bool is_locked(const std::string& path);
 
 }  // namespace trivet::edit

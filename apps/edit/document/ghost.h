@@ -1,4 +1,4 @@
-// Where an object would come to rest if it were let go.
+// Preview of an object's resting pose.
 #pragma once
 
 #include <optional>
@@ -12,18 +12,18 @@ namespace trivet::edit {
 
 struct Ghost {
   ObjectId object;
-  Operation operation;  // that would bring it there
-  bool ok = false;      // else it cannot be done, and `text` says why
+  Operation operation;  // leads to this pose
+  bool ok = false;      // otherwise refused; `text` gives the reason
   std::string text;
   struct Member {
     ObjectId id;
     Pose pose;
   };
-  std::vector<Member> members;  // the object first, then what it carries; empty unless ok
+  std::vector<Member> members;  // the object first, then its loads; empty unless ok
   ObjectState state = ObjectState::Stable;
-  std::vector<ObjectId> objects;  // that are in the way, or that hold it
-  std::vector<Vec3> points;       // where, world
-  double milliseconds = 0;        // from the request to the answer
+  std::vector<ObjectId> objects;  // blocking or holding objects
+  std::vector<Vec3> points;       // contact points, world
+  double milliseconds = 0;        // from request to answer
 };
 
 }  // namespace trivet::edit

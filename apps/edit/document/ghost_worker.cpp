@@ -9,7 +9,7 @@
 namespace trivet::edit {
 namespace {
 
-// What the operation has brought about.
+// Describes the result of the operation.
 void describe(const Scene& scene, const OperationResult& result, Ghost& ghost) {
   const Object& object = scene.at(ghost.object);
   ghost.members.push_back({ghost.object, object.pose});
@@ -80,7 +80,7 @@ Ghost GhostWorker::answer_to(const Request& request) {
   ghost.operation = request.operation;
   const auto id = m_scene ? m_scene->find(object_name(request.operation)) : std::nullopt;
   if (!id) {
-    ghost.text = "there is no such object";
+    ghost.text = "no such object";
     return ghost;
   }
   ghost.object = *id;

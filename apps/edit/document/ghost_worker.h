@@ -1,4 +1,4 @@
-// Tries operations on a copy of the scene, on a thread of its own; the latest request wins.
+// Previews operations on a copy of the scene, on a thread of its own; the latest request wins.
 // Private.
 #pragma once
 
@@ -16,11 +16,11 @@ namespace trivet::edit {
 class GhostWorker {
  public:
   using Answer = std::function<void(std::uint64_t request, Ghost ghost)>;
-  /// @param answer  called on the worker's thread; not for requests that were overtaken.
+  /// @param answer  called on the worker's thread; skipped for superseded requests.
   explicit GhostWorker(Answer answer);
   ~GhostWorker();
 
-  /// @param scene  null: the one of the last request.
+  /// @param scene  null: that of the last request.
   void request(std::uint64_t number, const Operation& operation, const SettleOptions& options,
                const RunContext& context, std::unique_ptr<Scene> scene);
   bool is_idle() const;
@@ -37,9 +37,9 @@ class GhostWorker {
   Ghost answer_to(const Request& request);
 
   Answer m_answer;
-  std::unique_ptr<Scene> m_scene;  // the thread's
+  std::unique_ptr<Scene> m_scene;  // owned by the thread
   std::atomic<bool> m_cancel = false;
-  mutable std::mutex m_mutex;  // of what is below
+  mutable std::mutex m_mutex;  // guards the members below
   std::condition_variable m_wake;
   std::optional<Request> m_next;
   std::unique_ptr<Scene> m_next_scene;

@@ -11,13 +11,13 @@ struct JournalContent;
 
 namespace trivet::edit {
 
-/// The layout as another file: relative model paths start in `folder` from now on.
+/// Rebases the layout: relative model paths become relative to `folder`.
 Layout moved_layout(Layout layout, const std::string& folder);
 
-/// The scene file that the session of a journal would save to; empty: it had none.
+/// Scene file to which a journal's session would save; empty: none.
 std::string saved_file_of(const std::string& journal, const JournalContent& content);
 
-/// The journal and what lies beside it for its sake.
+/// Removes the journal and its companion files.
 void remove_recovery_files(const std::string& journal);
 
 }  // namespace trivet::edit

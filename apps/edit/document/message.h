@@ -1,4 +1,4 @@
-// What the editor says to the user: never a silent nothing.
+// Messages to the user: no outcome is silent.
 #pragma once
 
 #include <string>
@@ -10,16 +10,16 @@ namespace trivet::edit {
 
 struct Message {
   enum class Kind {
-    Info,     // done, with something to say: what was carried, blocked by
-    Warning,  // done, and something is not as it should be: left without support, interpenetrates
-    Refused,  // an operation, by the geometry: the scene is as it was
-    Error,    // a file, the disk: names what, the value and what is accepted
+    Info,     // done, with a note: carried objects, blocked by
+    Warning,  // done, with a defect: left without support, interpenetrates
+    Refused,  // an operation refused by the geometry: the scene is unchanged
+    Error,    // file or disk: names the item, the value and what is accepted
   };
   Kind kind = Kind::Info;
   std::string text;
-  std::vector<ObjectId> objects;  // to be lit in the scene
-  std::vector<Vec3> points;       // to be marked there, world
-  InterferingFaces faces = {};    // of what was stopped and of what stopped it
+  std::vector<ObjectId> objects;  // highlighted in the scene
+  std::vector<Vec3> points;       // marked in the scene, world
+  InterferingFaces faces = {};    // of the stopped object and of the one that stopped it
 };
 
 }  // namespace trivet::edit

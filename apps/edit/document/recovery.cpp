@@ -31,12 +31,12 @@ size_t num_steps(const JournalContent& content) {
                     [](const JournalRecord& r) { return r.kind == JournalRecord::Kind::Step; }));
 }
 
-// Nothing was done, or nothing since it was saved.
+// No step, or none since the last save.
 bool is_of_no_use(const JournalContent& content) {
   return num_steps(content) == 0 || content.records.back().kind == JournalRecord::Kind::Saved;
 }
 
-// A journal that another editor makes at this moment may not be locked yet.
+// A journal just created by another editor may not be locked yet.
 bool is_old(fs::file_time_type when) {
   return fs::file_time_type::clock::now() - when > std::chrono::minutes(1);
 }
@@ -59,7 +59,7 @@ std::vector<Recoverable> recoverable_sessions(const std::string& folder) {
       found.push_back(
           {when, {journal, saved_file_of(journal, content), local_time(when), num_steps(content)}});
     } catch (const Error&) {
-      continue;  // damaged: it stays for those who can mend it
+      continue;  // damaged: kept for manual repair
     }
   }
   std::sort(found.begin(), found.end(),

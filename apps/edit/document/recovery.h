@@ -1,12 +1,12 @@
-// Sessions that did not end as they should. Private.
+// Sessions that ended abnormally. Private.
 #pragma once
 
 #include "apps/edit/document/document.h"
 
 namespace trivet::edit {
 
-/// Newest first. Those that another editor is writing are left out, and those in which nothing was
-/// done since they were saved; the files of the latter are removed.
+/// Newest first. Skips journals being written by another editor, and sessions without steps since
+/// the last save; removes the files of the latter.
 std::vector<Recoverable> recoverable_sessions(const std::string& folder);
 void discard_session(const std::string& journal);
 

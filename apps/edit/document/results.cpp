@@ -35,9 +35,9 @@ std::string why_it_ended(const OperationResult& result) {
     case OperationResult::End::Blocked:
       return "stopped by " + by;
     case OperationResult::End::Step:
-      return "stopped by a step of " + by + " that is higher than allowed";
+      return "stopped by a step of " + by + " higher than allowed";
     case OperationResult::End::Edge:
-      return "stopped before an edge that is deeper than allowed";
+      return "stopped before an edge deeper than allowed";
     case OperationResult::End::Done:
     case OperationResult::End::AtRest:
     case OperationResult::End::Reached:
@@ -46,7 +46,7 @@ std::string why_it_ended(const OperationResult& result) {
   return "";
 }
 
-// Where the objects are now: when they were let go and have gone on, there may be none.
+// Uses current poses: objects released since may have moved on, so there may be none.
 InterferingFaces faces_that_stopped(const Scene& scene, const Operation& operation,
                                     const OperationResult& result, double clearance) {
   std::vector<Placement> moved;

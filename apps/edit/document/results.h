@@ -1,4 +1,4 @@
-// Results of operations as messages. Private.
+// Conversion of operation results to messages. Private.
 #pragma once
 
 #include <optional>
@@ -8,8 +8,8 @@
 
 namespace trivet::edit {
 
-/// What there is to say; nothing: it went as was asked for.
-/// @param clearance  metres, that it was done with; 0: the default.
+/// Message for a result; nullopt: done as requested.
+/// @param clearance  metres, used by the operation; 0: the default.
 std::optional<Message> message_of(const Scene& scene, const Operation& operation,
                                   const OperationResult& result, double clearance);
 

@@ -1,11 +1,11 @@
-// Whether something has moved at all. Private.
+// Exact comparison of poses. Private.
 #pragma once
 
 #include "core/motion/pose.h"
 
 namespace trivet::edit {
 
-/// To the bit.
+/// Bitwise equality.
 inline bool same_pose(const Pose& a, const Pose& b) {
   return a.translation == b.translation && a.rotation.w == b.rotation.w &&
          a.rotation.x == b.rotation.x && a.rotation.y == b.rotation.y &&

@@ -1,5 +1,5 @@
-// Which objects are selected, and which contact is active: what TURN is about and what the
-// constraint window looks along.
+// Selected objects and the active contact, which TURN turns about and the constraint window looks
+// along.
 #pragma once
 
 #include <optional>
@@ -9,12 +9,12 @@
 
 namespace trivet::edit {
 
-/// A contact of the active object, by whom it is with.
+/// A contact of the active object, identified by the other object.
 struct ActiveContact {
   enum class Part { Area, Edge, Point };
   Support with;
-  Part part = Part::Area;        // what is held: all of it, an edge of its hull, or a point
-  Vec3 near = Vec3::Zero();      // world; the edge or point nearest to this
+  Part part = Part::Area;        // held part: all of it, an edge of its hull, or a point
+  Vec3 near = Vec3::Zero();      // world; selects the nearest edge or point
 
   friend bool operator==(const ActiveContact&, const ActiveContact&) = default;
 };
@@ -28,16 +28,15 @@ struct Selection {
   friend bool operator==(const Selection&, const Selection&) = default;
 };
 
-/// What else moves when the active object is moved: the names of the other selected objects that
-/// are in the scene.
+/// Names of the selected objects in the scene that move along with the active one.
 std::vector<std::string> selected_beside_active(const Selection& selection,
                                                 const SceneSnapshot& scene);
 
-/// What is still there: objects that are gone and contacts that have ended are left out.
+/// Drops missing objects and ended contacts.
 Selection pruned(Selection selection, const SceneSnapshot& scene);
 
-/// The link that the active contact means; else of those that hold the active object up the one
-/// with the most contact. Null: there is none.
+/// Contact of the active selection; else, among the contacts that support the active object, the
+/// largest. Null: none.
 const Link* active_link(const Selection& selection, const SceneSnapshot& scene);
 
 }  // namespace trivet::edit

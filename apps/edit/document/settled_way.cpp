@@ -8,7 +8,7 @@
 namespace trivet::edit {
 namespace {
 
-// Where a PUT or a move began that tells its steps only.
+// Start of a PUT or of a move whose result has only its steps.
 std::optional<Pose> start_of(const Operation& operation, std::span<const SettleStep> steps) {
   const auto* const put = std::get_if<PutOperation>(&operation);
   if (!put) return std::nullopt;

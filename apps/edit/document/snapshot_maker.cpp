@@ -10,7 +10,7 @@ namespace trivet::edit {
 namespace {
 
 constexpr std::uint32_t kNowhere = 0xffffffff;
-constexpr size_t kMostInvalid = 32;  // whose faces are looked for
+constexpr size_t kMostInvalid = 32;  // limit for the search of crossing faces
 
 std::shared_ptr<const std::vector<InvalidObject>> with_faces_lit(const Scene& scene) {
   std::vector<InvalidObject> found;

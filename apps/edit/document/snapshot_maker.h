@@ -1,4 +1,4 @@
-// Makes snapshots that share what has not changed. Private.
+// Builder of snapshots that share unchanged data. Private.
 #pragma once
 
 #include <memory>
@@ -12,16 +12,16 @@ namespace trivet::edit {
 
 class SnapshotMaker {
  public:
-  /// Another scene: nothing is shared.
+  /// Starts over with another scene: shares no data.
   void forget();
-  /// Since the last snapshot; objects that are gone, too.
+  /// Records changes since the last snapshot, including removed objects.
   void note_changed(std::span<const ObjectId> ids);
-  /// @param way  that led here, if it is to be watched.
+  /// @param way  path that led here, if it is to be played back.
   std::shared_ptr<const SceneSnapshot> make(const Scene& scene, double clearance,
                                             std::optional<SettledWay> way);
-  /// The last one, with what moves where the hand has it.
+  /// The last snapshot, with the moving objects in their dragged poses.
   std::shared_ptr<const SceneSnapshot> make_drag(const Scene& scene, const LiveMove& live);
-  /// The last one as it was before drags.
+  /// The last snapshot, before drags.
   std::shared_ptr<const SceneSnapshot> make_again();
 
  private:

@@ -8,8 +8,8 @@
 namespace trivet::edit {
 namespace {
 
-constexpr double kFrame = 2.5;      // of the object's size: there is room to push it about
-constexpr double kSmallest = 1e-3;  // metres that are framed at least
+constexpr double kFrame = 2.5;      // relative to the object's size: leaves room for pushing
+constexpr double kSmallest = 1e-3;  // least extent of the frame, metres
 constexpr double kAlongZ = 0.9;
 
 // Towards the viewer, unit.
@@ -20,7 +20,7 @@ Vec3 direction(const Link* link, const Selection& selection, const std::optional
   if (edge && link->contact.hull.size() > 1) {
     const auto [a, b] = held_line(link->contact, selection.contact->near);
     const Vec3 along = (b - a).normalized();
-    // From the side from which one usually looks: the front, the right, above.
+    // Seen from the usual side: front, right, above.
     const double side = along.dot(Vec3(0.1, -1, 0.3));
     return side < 0 ? Vec3(-along) : along;
   }

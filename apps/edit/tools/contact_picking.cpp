@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kPointPx = 7, kEdgePx = 5;
 
-/// The best so far: parts in their order, then the nearest.
+/// Best hit so far: by part, then by distance.
 struct Best {
   std::optional<ActiveContact> contact;
   double distance = kInfinity;

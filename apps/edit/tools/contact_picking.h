@@ -1,4 +1,4 @@
-// Which part of a contact is under the mouse: a point, an edge of its hull, or its area.
+// Picking of a part of a contact: a point, an edge of its hull, or its area.
 #pragma once
 
 #include <optional>
@@ -8,12 +8,12 @@
 
 namespace trivet::edit {
 
-/// Of the active object's contacts, within a few pixels; points before edges before areas. The hull
-/// is seen through the object.
+/// Picks among the active object's contacts, within a few pixels; points before edges before areas.
+/// The hull is visible through the object.
 std::optional<ActiveContact> pick_contact(const SceneSnapshot& scene, const Selection& selection,
                                           const View& view, const Vec2& px);
 
-/// Lines that show a part of a contact: an edge, a small cross, or the whole hull.
+/// Lines that mark a part of a contact: an edge, a small cross, or the whole hull.
 std::vector<std::array<Vec3, 2>> contact_lines(const Contact& contact, const ActiveContact& part,
                                                double size);
 

@@ -3,7 +3,7 @@
 namespace trivet::edit {
 namespace {
 
-constexpr double kClickPx = 3;  // a press that moves less is a click
+constexpr double kClickPx = 3;  // a press with less motion is a click
 
 }  // namespace
 

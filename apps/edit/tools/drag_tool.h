@@ -1,4 +1,4 @@
-// What all tools share that drag: press, pull, release; Escape takes it back.
+// Base of all dragging tools: press, pull, release; Escape cancels.
 #pragma once
 
 #include "apps/edit/tools/operation_of.h"
@@ -20,17 +20,17 @@ class DragTool : public Tool {
   Cursor cursor() const override;
 
  protected:
-  /// The left button went down. @return whether there is something to pull or to click.
+  /// Handles a press of the left button. @return whether it starts a drag or click.
   virtual bool grab(const PointerEvent& event) = 0;
-  /// What the drag does; nothing: it is none.
+  /// The operation to start; nullopt: none.
   virtual std::optional<Operation> begin() = 0;
-  /// Where the hand is now.
+  /// Updates the goal from the mouse.
   virtual void steer(const PointerEvent& event) = 0;
   virtual void click(const PointerEvent&) {}
   virtual void hover(const PointerEvent&) {}
 
   const SceneSnapshot& scene() const { return *m_document.snapshot(); }
-  /// The object under the mouse becomes the active one; one that is selected keeps the others.
+  /// Makes the object under the mouse active; if it is selected, the selection stays.
   const ObjectSnapshot* grab_object(const PointerEvent& event);
   const ObjectSnapshot* active() const;
   template <class T>
@@ -41,7 +41,7 @@ class DragTool : public Tool {
   Document& m_document;
   const ToolOptions& m_options;
   std::optional<PointerEvent> m_pressed;
-  Vec3 m_grabbed_at = Vec3::Zero();  // world, where the object was pressed
+  Vec3 m_grabbed_at = Vec3::Zero();  // world, pressed point
   bool m_is_drag = false;
 };
 

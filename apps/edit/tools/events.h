@@ -1,4 +1,4 @@
-// What the mouse and the keyboard do in a window, free of Qt's widgets.
+// Mouse and keyboard events of a window, independent of Qt's widgets.
 #pragma once
 
 #include "apps/edit/tools/view.h"
@@ -21,7 +21,7 @@ struct PointerEvent {
   bool left_is_down = false;
   Modifiers modifiers;
   WindowKind window = WindowKind::Perspective;
-  View view;  // of that window, now
+  View view;  // of that window at the time
 
   Ray ray() const { return view.ray(px); }
 };

@@ -11,8 +11,8 @@ namespace {
 
 constexpr double kLengthPx = 80, kSquarePx = 26, kRingPx = 70, kViewRingPx = 84;
 constexpr double kHitPx = 7;
-constexpr double kEndOn = 0.98;   // cosine of an arrow and the view
-constexpr double kEdgeOn = 0.12;  // cosine of a square's or ring's axis and the view
+constexpr double kEndOn = 0.98;   // cosine between arrow and view
+constexpr double kEdgeOn = 0.12;  // cosine between a square's or ring's axis and the view
 constexpr int kRingParts = 48;
 
 using Kind = GizmoHandle::Kind;

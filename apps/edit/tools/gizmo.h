@@ -1,5 +1,4 @@
-// The handles by which an object is moved and turned freely: where they are, and what the mouse
-// meets.
+// Handles for free translation and rotation: geometry and hit test.
 #pragma once
 
 #include <optional>
@@ -16,21 +15,21 @@ struct GizmoHandle {
     Ring,    // about an axis
   };
   Kind kind = Kind::Arrow;
-  int axis = 0;  // 0 x, 1 y, 2 z, 3 the view's
+  int axis = 0;  // 0 x, 1 y, 2 z, 3 the view direction
   friend bool operator==(const GizmoHandle&, const GizmoHandle&) = default;
 };
 
-/// Of the same size on the screen, wherever it is.
+/// Constant size on the screen.
 struct Gizmo {
   Vec3 centre = Vec3::Zero();  // world
-  bool turns = false;          // rings; else arrows and squares
+  bool turns = false;          // rings; otherwise arrows and squares
 
   std::vector<GizmoHandle> handles() const;
-  /// Unit; of the view's: towards the viewer.
+  /// Unit; for the view direction: towards the viewer.
   Vec3 axis(const GizmoHandle& handle, const View& view) const;
-  /// World; what is drawn, and what the mouse meets.
+  /// World; lines drawn and hit-tested.
   std::vector<std::array<Vec3, 2>> lines(const GizmoHandle& handle, const View& view) const;
-  /// The nearest within a few pixels. Handles that are seen end-on are left out.
+  /// The nearest handle within a few pixels. Handles seen end-on are skipped.
   std::optional<GizmoHandle> hit(const View& view, const Vec2& px) const;
 };
 

@@ -5,7 +5,7 @@
 namespace trivet::edit {
 namespace {
 
-constexpr double kGoalsPerPx = 4;  // goals are rounded to less than this part of a pixel
+constexpr double kGoalsPerPx = 4;  // goals are rounded to less than 1/this of a pixel
 
 }  // namespace
 
@@ -68,7 +68,7 @@ void GizmoTool::steer(const PointerEvent& event) {
   show_ghost();
 }
 
-// Where it would land, were it let go where the hand has it.
+// Previews where the object would land if released now.
 void GizmoTool::show_ghost() {
   const ObjectSnapshot* const object = active();
   const bool alone = m_document.selection().objects.size() == 1;
@@ -101,8 +101,8 @@ Overlay GizmoTool::overlay(const View& view) const {
 }
 
 std::string GizmoTool::hint() const {
-  return m_turns ? "Drag a ring to turn the object; Control: in steps"
-                 : "Drag an arrow, a square, or the object itself";
+  return m_turns ? "Drag a ring to turn the object; hold Control for steps"
+                 : "Drag an arrow, a square or the object itself";
 }
 
 }  // namespace trivet::edit

@@ -1,4 +1,4 @@
-// TRANSLATE and ROTATE by the gizmo; an object that is pulled itself goes along the view's plane.
+// TRANSLATE and ROTATE by the gizmo; dragging the object itself moves it in the view plane.
 #pragma once
 
 #include "apps/edit/tools/drag_tool.h"
@@ -28,8 +28,8 @@ class GizmoTool : public DragTool {
   void show_ghost();
 
   bool m_turns;
-  std::optional<GizmoHandle> m_hot;  // under the mouse, or in the hand
-  Vec3 m_axis = Vec3::UnitZ();       // of the handle in the hand
+  std::optional<GizmoHandle> m_hot;  // under the mouse, or being dragged
+  Vec3 m_axis = Vec3::UnitZ();       // of the dragged handle
   Turning m_turning;
 };
 

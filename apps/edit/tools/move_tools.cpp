@@ -7,8 +7,9 @@
 namespace trivet::edit {
 namespace {
 
-constexpr double kEdgeOn = 0.12;   // sine: planes seen flatter are followed across the view
-constexpr double kGoalsPerPx = 4;  // goals are rounded to less than this part of a pixel
+constexpr double kEdgeOn =
+    0.12;  // sine: on planes seen flatter, the mouse is followed across the view
+constexpr double kGoalsPerPx = 4;  // goals are rounded to less than 1/this of a pixel
 
 std::vector<ObjectId> moving_with(const SceneSnapshot& scene, ObjectId object) {
   std::vector<ObjectId> out{object};
@@ -21,7 +22,7 @@ std::vector<ObjectId> moving_with(const SceneSnapshot& scene, ObjectId object) {
   return out;
 }
 
-// How far the mouse has gone on a plane through `from`; seen edge-on, across the view.
+// Displacement of the mouse on a plane through `from`; if seen edge-on, across the view.
 Vec3 way_on_plane(const PointerEvent& pressed, const PointerEvent& now, const Vec3& from,
                   const Vec3& normal) {
   const bool edge_on = std::abs(normal.dot(pressed.ray().direction.normalized())) < kEdgeOn;
@@ -76,8 +77,9 @@ void PutTool::cancel() {
 }
 
 std::string PutTool::hint() const {
-  return active() ? "Click where the object shall lie; Alt: drop it from just above that point"
-                  : "Select the object that you want to put down";
+  return active()
+             ? "Click the place to put the object; hold Alt to drop it from just above that point"
+             : "Select the object to put down";
 }
 
 // --- PUSH --------------------------------------------------------------------------------------
@@ -110,7 +112,7 @@ void PushTool::steer(const PointerEvent& event) {
 }
 
 std::string PushTool::hint() const {
-  return "Drag an object along the surface on which it lies; Escape takes it back";
+  return "Drag an object along the surface it lies on; Escape cancels";
 }
 
 // --- PICK-UP -----------------------------------------------------------------------------------
@@ -132,7 +134,7 @@ void PickUpTool::steer(const PointerEvent& event) {
   const double metres = event.view.metres_per_px(event.view.depth(m_grabbed_at));
   const auto a = on_line(m_pressed->ray(), m_grabbed_at, m_direction);
   const auto b = on_line(event.ray(), m_grabbed_at, m_direction);
-  // Along the view, upwards on the screen is away.
+  // When looking along the direction, upwards on the screen means away.
   double distance = metres * (m_pressed->px.y() - event.px.y());
   if (a && b && std::abs(m_direction.dot(event.view.forward())) < 0.95)
     distance = (*b - *a).dot(m_direction);
@@ -149,7 +151,7 @@ bool PickUpTool::pick_up() {
 }
 
 std::string PickUpTool::hint() const {
-  return "Click an object to pick it up, or pull it away from what it lies on";
+  return "Click an object to pick it up, or drag it away from its support";
 }
 
 }  // namespace trivet::edit

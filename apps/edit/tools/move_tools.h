@@ -5,7 +5,7 @@
 
 namespace trivet::edit {
 
-/// The ghost shows where the active object would come to rest; a click puts it there.
+/// PUT: previews the resting pose of the active object as a ghost; a click puts it there.
 class PutTool : public DragTool {
  public:
   using DragTool::DragTool;
@@ -28,7 +28,7 @@ class PutTool : public DragTool {
   std::optional<Operation> operation_at(const PointerEvent& event) const;
 };
 
-/// Along the surface: the mouse's way on the plane of the contact is the object's.
+/// PUSH: the object follows the mouse on the plane of its contact.
 class PushTool : public DragTool {
  public:
   using DragTool::DragTool;
@@ -41,17 +41,17 @@ class PushTool : public DragTool {
   void steer(const PointerEvent& event) override;
 
  private:
-  Vec3 m_normal = Vec3::UnitZ();  // of the plane on which the mouse is followed
+  Vec3 m_normal = Vec3::UnitZ();  // of the plane for following the mouse
   Vec3 m_start = Vec3::Zero();    // the object's position
 };
 
-/// Away from what it lies on: pulled as far as the mouse goes, or by a fixed distance.
+/// PICK-UP: follows the mouse away from the support, or moves by a fixed distance.
 class PickUpTool : public DragTool {
  public:
   using DragTool::DragTool;
   ToolKind kind() const override { return ToolKind::PickUp; }
   std::string hint() const override;
-  /// The active object, by ToolOptions::pick_up_distance.
+  /// Picks up the active object by ToolOptions::pick_up_distance.
   bool pick_up();
 
  protected:

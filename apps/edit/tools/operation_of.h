@@ -1,4 +1,4 @@
-// Operations on the active object, as tools and panels begin them.
+// Operations on the active object, as started by tools and panels.
 #pragma once
 
 #include <type_traits>
@@ -8,8 +8,7 @@
 
 namespace trivet::edit {
 
-/// An operation on an object that is active; what else is selected moves along, if it can be moved
-/// together.
+/// Operation on the active object; the other selected objects move along if they can.
 template <class T>
 T operation_of(const Object& object, const Document& document, const ToolOptions& options) {
   T operation;

@@ -1,4 +1,4 @@
-// What is under the mouse.
+// Picking of objects under the mouse.
 #pragma once
 
 #include <array>
@@ -11,19 +11,19 @@
 namespace trivet::edit {
 
 struct Picked {
-  std::optional<ObjectId> object;  // nothing: the floor
+  std::optional<ObjectId> object;  // nullopt: the floor
   Vec3 point = Vec3::Zero();       // world
   Vec3 normal = Vec3::UnitZ();     // unit, of the face, towards the ray's origin
   Index face = 0;
   double time = 0;  // along the ray
 };
 
-/// The first of all placed objects and the floor that a ray meets, decided exactly by the faces.
-/// @param except  objects that are looked through.
+/// First hit of a ray among all placed objects and the floor, decided exactly by the faces.
+/// @param except  objects to ignore.
 std::optional<Picked> pick(const SceneSnapshot& scene, const Ray& ray,
                            const std::vector<ObjectId>& except = {});
 
-/// Placed objects of which some vertex, or the middle, is in the rectangle of pixels.
+/// Placed objects with a vertex, or their centre, in the rectangle of pixels.
 std::vector<ObjectId> pick_in_box(const SceneSnapshot& scene, const View& view, const Vec2& corner,
                                   const Vec2& opposite);
 

@@ -1,4 +1,4 @@
-// Where an object is let go so that it comes down where the mouse points.
+// Start pose of a PUT to the point under the mouse.
 #pragma once
 
 #include "apps/edit/tools/picking.h"
@@ -6,14 +6,13 @@
 
 namespace trivet::edit {
 
-/// The pose from which a PUT lets the object fall onto `point`: its centre of mass over it, as it
-/// is turned now.
+/// Pose from which a PUT drops the object onto `point`: centre of mass above it, current rotation.
 /// @param height  metres; of its underside above the highest box below it or, with `near`, above
-///   the point. @param moving  what moves along, and is no obstacle.
+///   the point. @param moving  objects that move along, not obstacles.
 Pose put_start(const SceneSnapshot& scene, const Object& object,
                const std::vector<ObjectId>& moving, const Vec3& point, double height, bool near);
 
-/// Rounded to the power of ten next below `step`, so that it is written with few digits.
+/// Rounded to the power of ten below `step`, for numbers with few digits.
 double rounded(double value, double step);
 
 }  // namespace trivet::edit

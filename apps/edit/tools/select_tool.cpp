@@ -7,7 +7,7 @@
 namespace trivet::edit {
 namespace {
 
-constexpr double kClickPx = 4;  // a press that moves less is a click
+constexpr double kClickPx = 4;  // a press with less motion is a click
 
 void toggle(Selection& selection, ObjectId id) {
   const auto found = std::find(selection.objects.begin(), selection.objects.end(), id);
@@ -87,7 +87,7 @@ Overlay SelectTool::overlay(const View&) const {
 }
 
 std::string SelectTool::hint() const {
-  return "Click an object to select it, with Shift to add it; drag for a box";
+  return "Click an object to select it, Shift-click to add it; drag for a selection box";
 }
 
 }  // namespace trivet::edit

@@ -1,4 +1,4 @@
-// Click selects, with Shift or Control more; dragging over nothing selects what a box holds.
+// Selection by click, Shift or Control to add, or by a box dragged from an empty place.
 #pragma once
 
 #include "apps/edit/tools/tool.h"

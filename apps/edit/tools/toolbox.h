@@ -1,4 +1,4 @@
-// All tools, of which one is in the hand; what windows give their events to.
+// All tools, one of them active; receives the events of the windows.
 #pragma once
 
 #include <functional>
@@ -10,32 +10,33 @@ namespace trivet::edit {
 
 class Toolbox {
  public:
-  /// @param document  outlives this.
+  /// @param document  must outlive this object.
   explicit Toolbox(Document& document);
   ~Toolbox();
 
   ToolKind current() const { return m_current; }
-  void take(ToolKind kind);  // cancels what the old one was at
+  void take(ToolKind kind);  // cancels the previous tool's action
   Tool& tool() { return *m_tool; }
   ToolOptions& options() { return m_options; }
 
-  /// @return whether it was taken; else it is the window's (its camera's).
+  /// @return whether it was consumed; otherwise it is for the window's camera.
   bool pointer(const PointerEvent& event);
-  /// Escape cancels, Delete deletes; letters take tools and do what needs no mouse, see README.
+  /// Escape cancels, Delete deletes; letters select tools and run commands without the mouse, see
+  /// README.
   bool key(const KeyEvent& event);
 
-  // What keys and menus do; false: there is nothing to do it with.
-  bool put_at_pointer();  // the active object, where the mouse was last
+  // Actions of keys and menus; false if there is no object for them.
+  bool put_at_pointer();  // the active object, at the last position of the mouse
   bool pick_up();         // the active object, by ToolOptions::pick_up_distance
   bool erase_selected();
 
   Overlay overlay(const View& view) const { return m_tool->overlay(view); }
   Cursor cursor() const;
   std::string hint() const { return m_tool->hint(); }
-  /// The last event that any window gave; for what a key does where the mouse points.
+  /// The last event of any window, for keys that act at the mouse position.
   const std::optional<PointerEvent>& last_pointer() const { return m_last; }
 
-  /// Told when overlay, cursor or hint may be others: windows draw anew.
+  /// Called when overlay, cursor or hint may have changed: windows redraw.
   std::function<void()> changed;
 
  private:

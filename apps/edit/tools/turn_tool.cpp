@@ -48,7 +48,7 @@ std::optional<Operation> TurnTool::begin() {
   turn.settle_left = m_options.settle_left;
   if (link) {
     m_axis = turn_axis(*object->object, link->contact, turn);
-    // Which of its directions is told, so that what turns goes with the mouse.
+    // Fixes the direction of the axis, so that the turn follows the mouse.
     if (turn.about == TurnOperation::About::Line) turn.axis = m_axis->direction;
     m_turning = Turning(*m_pressed, m_axis->centre, m_axis->direction);
   }
@@ -83,7 +83,7 @@ Overlay TurnTool::overlay(const View& view) const {
 }
 
 std::string TurnTool::hint() const {
-  return "Click a contact's point, edge or area, then drag to turn about it; Control: in steps";
+  return "Click a contact point, edge or area, then drag to turn about it; hold Control for steps";
 }
 
 }  // namespace trivet::edit

@@ -1,4 +1,5 @@
-// TURN with the mouse: a click on a contact's point, edge or area holds it; pulling turns about it.
+// TURN with the mouse: a click on a contact's point, edge or area holds it; dragging turns about
+// it.
 #pragma once
 
 #include "apps/edit/tools/drag_tool.h"
@@ -22,11 +23,11 @@ class TurnTool : public DragTool {
 
  private:
   std::optional<ActiveContact> m_hovered;
-  std::optional<TurnAxis> m_axis;  // while it turns
+  std::optional<TurnAxis> m_axis;  // during a turn
   Turning m_turning;
 };
 
-/// The TURN that an active contact asks for. @param view_axis  about it, through a point.
+/// TURN about an active contact. @param view_axis  axis through a held point.
 TurnOperation turn_about(const SceneSnapshot& scene, const Selection& selection,
                          const Vec3& view_axis);
 

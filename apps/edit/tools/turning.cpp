@@ -7,7 +7,7 @@
 namespace trivet::edit {
 namespace {
 
-constexpr double kFromSide = 0.35;  // cosine of axis and view below which it is across
+constexpr double kFromSide = 0.35;  // cosine between axis and view below which dragging is across
 constexpr double kDegPerPx = 0.5;
 constexpr double kDegPerRadian = 180 / std::numbers::pi;
 constexpr double kRounding_deg = 0.01;
@@ -23,7 +23,7 @@ Turning::Turning(const PointerEvent& pressed, const Vec3& centre, const Vec3& ax
   const double along = axis.dot(towards);
   m_from_side = std::abs(along) < kFromSide;
   m_sign = along < 0 ? -1 : 1;
-  // What faces the viewer moves along axis x towards.
+  // The side that faces the viewer moves along axis x towards.
   const Vec3 way = axis.cross(towards);
   const Vec2 across(way.dot(axes.right), -way.dot(axes.up));
   if (across.norm() > 0) m_across = across.normalized();

@@ -1,4 +1,4 @@
-// How a window looks at the scene, and the ways between its pixels and the world.
+// View of a window on the scene, and conversions between pixels and world.
 #pragma once
 
 #include <optional>
@@ -8,11 +8,11 @@
 
 namespace trivet::edit {
 
-/// Pixels: x to the right, y down, from the upper left corner of the window; the middle of the
-/// first pixel is (0.5, 0.5). The same numbers make the projection of a renderer.
+/// Pixels: x to the right, y down, from the upper left corner of the window; the centre of the
+/// first pixel is (0.5, 0.5). The same numbers define a renderer's projection.
 struct View {
   Vec3 eye = Vec3(1, -2, 1), target = Vec3::Zero();
-  Vec3 up = Vec3::UnitZ();  // any other direction serves if it is parallel to the view
+  Vec3 up = Vec3::UnitZ();  // replaced by another direction if parallel to the view
   bool orthographic = false;
   double fov_deg = 30;  // perspective: from the lower to the upper edge, 1 to 170
   double height = 1;    // orthographic: metres from the lower to the upper edge
@@ -27,17 +27,17 @@ struct View {
 
   /// From the eye (orthographic: from the plane of the eye), of unit direction.
   Ray ray(const Vec2& px) const;
-  /// Nothing: behind the eye.
+  /// Nullopt: behind the eye.
   std::optional<Vec2> project(const Vec3& world) const;
   /// Distance along the view from the plane of the eye, metres.
   double depth(const Vec3& world) const;
-  /// Metres that a pixel is wide at that depth.
+  /// Width of a pixel at that depth, metres.
   double metres_per_px(double depth) const;
 };
 
-/// Where a ray meets a plane. Nothing: it does not, ahead.
+/// Intersection of a ray and a plane. Nullopt: none ahead.
 std::optional<Vec3> on_plane(const Ray& ray, const Vec3& point, const Vec3& normal);
-/// The point of the line (unit direction) that is nearest to the ray. Nothing: they are parallel.
+/// The point of the line (unit direction) nearest to the ray. Nullopt: they are parallel.
 std::optional<Vec3> on_line(const Ray& ray, const Vec3& point, const Vec3& direction);
 
 }  // namespace trivet::edit

@@ -1,4 +1,4 @@
-// How the main window arranges what it has: sizes, one window alone, theme; and remembers it.
+// Arrangement of the main window, saved between sessions: sizes, maximised view, theme.
 #include <QApplication>
 #include <QSettings>
 #include <algorithm>

@@ -27,7 +27,7 @@ ControlWindow::ControlWindow(Document& document, Toolbox& toolbox, QWidget* pare
   m_tabs->addTab(m_history, tr("History"));
   m_tabs->addTab(m_files, tr("Files"));
   m_history->setObjectName("history");
-  m_history->setToolTip(tr("Click a step to go back, or forward, to it"));
+  m_history->setToolTip(tr("Click a step to go back or forward to it"));
   m_history->setUniformItemSizes(true);
   addWidget(m_outliner);
   addWidget(m_tabs);

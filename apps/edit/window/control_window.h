@@ -1,4 +1,4 @@
-// The fourth window: what there is, what is selected, what can be done, what was done, and files.
+// The fourth window: objects, selection, operations, history, files.
 #pragma once
 
 #include <QListWidget>

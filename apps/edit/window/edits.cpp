@@ -1,4 +1,4 @@
-// What menus do to the selection.
+// Menu actions on the selection.
 #include <algorithm>
 #include <set>
 

@@ -1,4 +1,4 @@
-// What the main window opens, saves, imports and makes.
+// File actions of the main window: open, save, import, export.
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -21,7 +21,7 @@ bool is_scene_or_layout(const QString& file) {
   try {
     return is_scene_file(file.toStdString());
   } catch (const std::exception&) {
-    return true;  // opening it says what is wrong
+    return true;  // opening reports the error
   }
 }
 
@@ -40,7 +40,7 @@ void MainWindow::say(Message::Kind kind, const QString& text) {
   place_message_bar();
 }
 
-/// @return whether the user was asked, or nothing had to be asked: then(), now or later.
+/// @return whether the user was asked, or did not need to be: then() runs, now or later.
 bool MainWindow::may_lose_work(std::function<void()> then) {
   if (!m_document.is_modified()) {
     then();

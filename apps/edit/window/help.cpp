@@ -37,13 +37,13 @@ QString table(const QString& heading, const std::vector<ShortcutRow>& rows) {
 
 void show_shortcuts(QWidget* parent, const std::vector<ShortcutRow>& menu_shortcuts) {
   const std::vector<ShortcutRow> mouse = {
-      {tr("Left"), tr("The tool: select, put, push, turn, ...")},
+      {tr("Left"), tr("Use the tool: select, put, push, turn, ...")},
       {tr("Middle, or Alt + Left"), tr("Orbit (perspective), pan (other windows)")},
       {tr("Shift + Middle, or Right"), tr("Pan")},
-      {tr("Wheel, or Control + Middle"), tr("Zoom, to where the mouse points")},
-      {tr("Right click"), tr("What can be done with the selection")},
-      {tr("Double click on a title"), tr("That window alone, and back")},
-      {tr("Escape"), tr("Ends what is half done: all is as before; closes messages")},
+      {tr("Wheel, or Control + Middle"), tr("Zoom towards the mouse")},
+      {tr("Right click"), tr("Menu for the selection")},
+      {tr("Double click on a title"), tr("Maximise the window, and restore it")},
+      {tr("Escape"), tr("Cancel the action in progress; close messages")},
   };
   show_text(parent, tr("Mouse and keys"),
             table(tr("Mouse"), mouse) + table(tr("Keys"), menu_shortcuts));
@@ -54,22 +54,24 @@ void show_two_minutes(QWidget* parent) {
       parent, tr("A table in two minutes"),
       tr("<h2>A table in two minutes</h2><ol>"
          "<li><b>File, Import models…</b> (or drop files onto the window): choose the table, its "
-         "unit, and <i>fixed</i>. Click on the floor where it shall stand.</li>"
-         "<li>Import plates, cups and spoons in the same way. Each is in your hand after the "
-         "import: a ghost shows where it would come to rest. Click on the table: it falls, "
+         "unit, and <i>fixed</i>. Click the place for it on the floor.</li>"
+         "<li>Import plates, cups and spoons in the same way. After the import, each  "
+         "is shown as a ghost where it would come to rest. Click on the table: it falls, "
          "settles, and lies at rest.</li>"
-         "<li>Something else in the hand? Choose it in the tree, then <b>W</b> (Put).</li>"
+         "<li>To put another object, choose it in the tree, then press <b>W</b> (Put).</li>"
          "<li><b>E</b> (Push): drag a cup along the table. It stays on the surface, goes up "
          "onto saucers and over low steps, and stops at walls.</li>"
          "<li><b>R</b> (Turn): click a contact point, edge or area in the constraint window "
          "and drag about it; or drag to turn about the contact's normal.</li>"
-         "<li><b>T</b> (Pick up), <b>G</b> (Move) and <b>H</b> (Rotate) take it into the air.</li>"
-         "<li><b>Control+D</b> makes another one of the same kind. <b>Control+Z</b> takes back "
-         "any number of steps; the History tab goes to any of them.</li>"
-         "<li><b>Control+S</b> saves the scene as .glb, which every other program reads. "
-         "<b>File, Picture…</b> makes a picture of what you see.</li></ol>"
-         "<p>When something cannot be done, a bar says why, and what is in the way is lit red. "
-         "The scene is as it was.</p>"));
+         "<li><b>T</b> (Pick up), <b>G</b> (Move) and <b>H</b> (Rotate) move it through the "
+         "air.</li>"
+         "<li><b>Control+D</b> makes a copy. <b>Control+Z</b> undoes "
+         "any number of steps; the History tab jumps to any of them.</li>"
+         "<li><b>Control+S</b> saves the scene as .glb, which other programs can read. "
+         "<b>File, Picture…</b> renders a picture of the current view.</li></ol>"
+         "<p>When an operation is refused, a bar gives the reason, and the obstacles are "
+         "highlighted red. "
+         "The scene is unchanged.</p>"));
 }
 
 }  // namespace trivet::edit

@@ -1,4 +1,4 @@
-// The built-in help: what to press, and a table in two minutes.
+// Built-in help: keys, and a table in two minutes.
 #pragma once
 
 #include <QString>
@@ -12,7 +12,7 @@ struct ShortcutRow {
   QString keys, what;
 };
 
-/// Windows that stay open beside the work.
+/// Shows a window that stays open beside the work.
 void show_shortcuts(QWidget* parent, const std::vector<ShortcutRow>& menu_shortcuts);
 void show_two_minutes(QWidget* parent);
 

@@ -190,7 +190,7 @@ QIcon make_icon(Icon icon, const QColor& colour) {
     faint.setAlpha(80);
     draw(colour, QIcon::Normal);
     draw(faint, QIcon::Disabled);
-    draw(Qt::white, QIcon::Selected);  // on the accent's colour
+    draw(Qt::white, QIcon::Selected);  // on the accent colour
   }
   return out;
 }

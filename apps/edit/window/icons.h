@@ -1,4 +1,4 @@
-// The icons, drawn from paths in the colour of the text: sharp at every size, in both themes.
+// Icons, drawn from paths in the text colour: sharp at every size, in both themes.
 #pragma once
 
 #include <QColor>

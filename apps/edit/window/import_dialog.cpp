@@ -24,7 +24,7 @@ ImportDialog::ImportDialog(const QStringList& files, QWidget* parent)
       m_unit(new QComboBox),
       m_scale(new QDoubleSpinBox),
       m_up(new QComboBox),
-      m_fixed(new QCheckBox(tr("Fixed: it stands where it is put, and carries everything"))) {
+      m_fixed(new QCheckBox(tr("Fixed: stays where it is put, and supports any load"))) {
   setWindowTitle(files.size() == 1 ? tr("Import %1").arg(QFileInfo(files.front()).fileName())
                                    : tr("Import %1 models").arg(files.size()));
   auto* const form = new QFormLayout(this);
@@ -35,13 +35,12 @@ ImportDialog::ImportDialog(const QStringList& files, QWidget* parent)
   m_scale->setRange(1e-6, 1e6);
   m_scale->setValue(1);
   m_scale->setSuffix(tr(" m per unit"));
-  m_up->addItems({tr("as the format says"), tr("Y"), tr("Z")});
+  m_up->addItems({tr("As the format states"), tr("Y"), tr("Z")});
   form->addRow(tr("Unit of the file"), m_unit);
   form->addRow(tr("Scale"), m_scale);
   form->addRow(tr("Up axis"), m_up);
   form->addRow(m_fixed);
-  auto* const note =
-      new QLabel(tr("A model comes in out of the scene; then click where it shall be put."));
+  auto* const note = new QLabel(tr("The imported model is not placed yet; click where to put it."));
   note->setObjectName("faint");
   note->setWordWrap(true);
   form->addRow(note);

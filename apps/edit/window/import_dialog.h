@@ -1,4 +1,4 @@
-// How models come in: their size, which way is up, whether they are fixed.
+// Import options: scale, up axis, fixed or movable.
 #pragma once
 
 #include <QCheckBox>
@@ -17,10 +17,10 @@ class ImportDialog : public QDialog {
  public:
   explicit ImportDialog(const QStringList& files, QWidget* parent = nullptr);
 
-  /// One for each file, as chosen.
+  /// One per file, with the chosen options.
   std::vector<ImportModel> models() const;
 
-  /// Of file dialogs.
+  /// Filter for file dialogs.
   static QString filter();
 
  private:

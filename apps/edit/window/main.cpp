@@ -13,7 +13,7 @@ int main(int argc, char** argv) {
   QCoreApplication::setApplicationName("trivet-edit");
   QCoreApplication::setApplicationVersion(TRIVET_VERSION);
   QCommandLineParser parser;
-  parser.setApplicationDescription("Lays out objects that never interpenetrate and always rest.");
+  parser.setApplicationDescription("Lays out 3D objects without interpenetration, at rest.");
   parser.addHelpOption();
   parser.addVersionOption();
   parser.addPositionalArgument("file", "A scene (.glb), a layout (.json), or a model to import",

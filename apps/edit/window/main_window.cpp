@@ -12,7 +12,7 @@
 namespace trivet::edit {
 namespace {
 
-constexpr int kBusyAfterMs = 250;  // what is quicker shows no progress
+constexpr int kBusyAfterMs = 250;  // quicker jobs show no progress
 
 QString aim_note(const Selection& selection) {
   switch (selection.contact ? selection.contact->part : ActiveContact::Part::Area) {
@@ -45,7 +45,7 @@ MainWindow::MainWindow(Document& document)
 MainWindow::~MainWindow() {
   m_toolbox.changed = nullptr;
   m_document.disconnect(this);
-  delete takeCentralWidget();  // views use what is destroyed now
+  delete takeCentralWidget();  // delete before the members used by the views
 }
 
 void MainWindow::make_views() {
@@ -110,7 +110,7 @@ void MainWindow::make_status_bar() {
   m_progress->setTextVisible(false);
   m_cancel = new QToolButton;
   m_cancel->setText(tr("Cancel"));
-  m_cancel->setToolTip(tr("Stops what is running; the scene is as before (Escape)"));
+  m_cancel->setToolTip(tr("Stop the running operation; the scene stays unchanged (Escape)"));
   statusBar()->addWidget(m_hint, 1);
   for (QWidget* const widget :
        std::initializer_list<QWidget*>{m_busy, m_progress, m_cancel, m_count})
@@ -139,7 +139,7 @@ void MainWindow::connect_document() {
   connect(&m_document, &Document::file_changed, this, &MainWindow::update_title);
   connect(&m_document, &Document::ghost_changed, this, &MainWindow::update_status);
   connect(&m_document, &Document::busy_changed, this, [this] {
-    // What was said of what was done before is over.
+    // Dismisses messages about earlier operations.
     if (m_document.is_busy() && !m_was_busy) m_message_bar->dismiss();
     m_was_busy = m_document.is_busy();
     if (m_document.is_busy())
@@ -164,7 +164,7 @@ void MainWindow::connect_document() {
   });
 }
 
-// --- what is shown -----------------------------------------------------------------------------
+// --- display -----------------------------------------------------------------------------------
 
 void MainWindow::show_start_page() {
   m_start_page->show_choices(recent_files(), m_document.recoverable());
@@ -223,7 +223,7 @@ void MainWindow::take_tool(ToolKind kind) {
   if (kind != ToolKind::Select) m_control->show_operations();
 }
 
-/// Keys of the toolbox take tools, too.
+/// Tools can also be selected by keys of the toolbox.
 void MainWindow::show_tool() {
   const ToolKind kind = m_toolbox.current();
   static constexpr const char* kActions[] = {"select",  "put",  "push",  "turn",
@@ -239,7 +239,7 @@ void MainWindow::follow_scene() {
   const auto snapshot = m_document.snapshot();
   const bool is_empty = snapshot->objects.empty();
   if (!is_empty || m_document.is_modified()) show_workspace();
-  // A scene that was just opened, or the first object of an empty one, is framed.
+  // Frames a newly opened scene, or the first object of an empty one.
   const Aabb box = snapshot->box();
   if ((m_framed_title != m_document.title() || m_is_empty) && !box.empty() && !snapshot->drag) {
     m_framed_title = m_document.title();

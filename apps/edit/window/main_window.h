@@ -1,5 +1,5 @@
-// The window of the editor: four views, menus, message bar, status. Start here for what is shown
-// when; menus.cpp has the actions, files.cpp what opens and saves.
+// Main window of the editor: four views, menus, message bar, status. Start here for display logic;
+// menus.cpp has the actions, files.cpp opening and saving.
 #pragma once
 
 #include <QAction>
@@ -30,7 +30,7 @@ class MainWindow : public QMainWindow {
   explicit MainWindow(Document& document);
   ~MainWindow() override;
 
-  // For the command line, and for tests.
+  // For the command line and tests.
   void open_file(const QString& file);  // scene, layout, or a model to import
   void open_demo(const QString& name);
   SceneView& view(WindowKind kind);
@@ -93,7 +93,7 @@ class MainWindow : public QMainWindow {
   void show_context_menu(const QPoint& global);
   std::vector<ShortcutRow> shortcut_rows() const;
 
-  // edits.cpp: what menus do to the selection
+  // edits.cpp: menu actions on the selection
   void duplicate();
   void perform_on_selection(const QString& name,
                             const std::function<Operation(const std::string&)>& make);

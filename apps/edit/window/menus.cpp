@@ -1,4 +1,4 @@
-// The actions of the main window: every one is in a menu, with its keys.
+// Actions of the main window: each is in a menu, with its keys.
 #include <QActionGroup>
 #include <QApplication>
 #include <QMenuBar>
@@ -11,7 +11,7 @@
 namespace trivet::edit {
 namespace {
 
-/// A menu or a tool bar. @param names  of actions; "": a line between them.
+/// Fills a menu or a tool bar. @param names  of actions; "": a separator.
 template <class Bar>
 void fill(Bar& bar, const std::map<QString, QAction*>& actions,
           std::initializer_list<const char*> names) {
@@ -91,7 +91,7 @@ void MainWindow::make_file_actions() {
       tr("Export as .glb, .obj, .ply or .stl"));
   m_icons[add_action(
       "picture", tr("&Picture…"), tr("Ctrl+P"), [this] { ask_picture(); },
-      tr("Picture of what the perspective window shows"))] = Icon::Picture;
+      tr("Picture of the perspective view"))] = Icon::Picture;
   add_action("start page", tr("Start pa&ge"), {}, [this] { show_start_page(); });
   add_action("quit", tr("&Quit"), QKeySequence::Quit, [this] { close(); });
 }
@@ -103,24 +103,24 @@ void MainWindow::make_edit_actions() {
       Icon::Redo;
   add_action(
       "duplicate", tr("&Duplicate"), tr("Ctrl+D"), [this] { duplicate(); },
-      tr("Duplicate: another one of the same model, to be put"));
+      tr("Duplicate: add another object of the same model, not placed yet"));
   add_action("delete", tr("De&lete"), QKeySequence::Delete, [this] { m_toolbox.erase_selected(); });
   add_action("select all", tr("Select &all"), QKeySequence::SelectAll, [this] { select_all(); });
   add_action("select none", tr("Select &none"), tr("Ctrl+Shift+A"),
              [this] { m_document.select({}); });
   add_action(
       "lock", tr("Loc&k"), tr("Ctrl+L"), [this] { lock_selected(true); },
-      tr("Lock: no operation may move it; it may still topple"));
+      tr("Lock: operations refuse to move it; it may still topple"));
   add_action("unlock", tr("Unlock"), tr("Ctrl+Shift+L"), [this] { lock_selected(false); });
   add_action(
       "fix", tr("Fi&x"), tr("Ctrl+F"), [this] { fix_selected(true); },
-      tr("Fix: it never moves, and carries everything"));
+      tr("Fix: it never moves, and supports any load"));
   add_action(
       "unfix", tr("Unfix"), tr("Ctrl+Shift+F"), [this] { fix_selected(false); },
-      tr("Unfix: it can be moved again, with all that is on it"));
+      tr("Unfix: it can be moved again, with its loads"));
   add_action(
       "group", tr("&Group"), tr("Ctrl+G"), [this] { group_selected(true); },
-      tr("Group: what moves one of it moves all"));
+      tr("Group: its objects always move together"));
   add_action("ungroup", tr("Ungroup"), tr("Ctrl+Shift+G"), [this] { group_selected(false); });
 }
 
@@ -135,23 +135,25 @@ void MainWindow::make_tool_actions() {
     m_icons[action] = static_cast<Icon>(kind);
   };
   tool("select", tr("&Select"), "Q", ToolKind::Select, tr("Select: click, or a box"));
-  tool("put", tr("&Put"), "W", ToolKind::Put, tr("Put: it falls where you click, and settles"));
-  tool("push", tr("Pus&h"), "E", ToolKind::Push, tr("Push: along the surface it lies on"));
+  tool("put", tr("&Put"), "W", ToolKind::Put,
+       tr("Put: drop the object where you click, and let it settle"));
+  tool("push", tr("Pus&h"), "E", ToolKind::Push,
+       tr("Push: move the object along the surface it lies on"));
   tool("turn", tr("&Turn"), "R", ToolKind::Turn,
        tr("Turn: about a contact's normal, edge or point"));
-  tool("pick up", tr("Pick &up"), "T", ToolKind::PickUp, tr("Pick up: away from what it lies on"));
-  tool("move", tr("&Move"), "G", ToolKind::Move, tr("Move: through the air, by its handles"));
-  tool("rotate", tr("&Rotate"), "H", ToolKind::Rotate, tr("Rotate: in the air, by its handles"));
+  tool("pick up", tr("Pick &up"), "T", ToolKind::PickUp,
+       tr("Pick up: move the object away from its support"));
+  tool("move", tr("&Move"), "G", ToolKind::Move, tr("Move: translate the object by handles"));
+  tool("rotate", tr("&Rotate"), "H", ToolKind::Rotate, tr("Rotate: turn the object by handles"));
 }
 
 void MainWindow::make_hand_actions() {
   add_action(
-      "put here", tr("Put where the mouse &points"), tr("P"),
-      [this] { m_toolbox.put_at_pointer(); },
-      tr("Put: the active object falls where the mouse points"));
+      "put here", tr("Put at the mouse &position"), tr("P"), [this] { m_toolbox.put_at_pointer(); },
+      tr("Put: drop the active object at the mouse position"));
   add_action(
       "pick up now", tr("Pick up &now"), tr("U"), [this] { m_toolbox.pick_up(); },
-      tr("Pick up: what is selected, by the distance of the operation panel"));
+      tr("Pick up the selected object by the distance in the operation panel"));
 }
 
 void MainWindow::make_view_actions() {
@@ -173,7 +175,7 @@ void MainWindow::make_view_actions() {
           if (other->content() == active_view()) frame = other;
         toggle_maximised(m_maximised ? m_maximised : frame);
       },
-      tr("The window under the mouse alone, and back"))] = Icon::Maximise;
+      tr("Maximise the window under the mouse, and restore it"))] = Icon::Maximise;
   add_action("reset layout", tr("&Reset layout"), {}, [this] { reset_layout(); });
   make_drawing_actions();
 }
@@ -187,7 +189,7 @@ void MainWindow::make_three_view_actions() {
                                                    : tr("Fr&ont");
     QAction* const action = add_action(
         name, text, QKeySequence(key++), [this, name] { aim_three_view(name); },
-        tr("What the three-view window shows"));
+        tr("View direction of the three-view window"));
     action->setCheckable(true);
     group->addAction(action);
     auto* const button = new QToolButton;

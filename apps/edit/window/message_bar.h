@@ -1,4 +1,4 @@
-// What the editor has to say, over the views: never a question, never in the way.
+// Message bar over the views: asks no questions, blocks no work.
 #pragma once
 
 #include <QFrame>
@@ -18,11 +18,11 @@ class MessageBar : public QFrame {
   explicit MessageBar(QWidget* parent = nullptr);
 
   void set_theme(const Theme& theme);
-  /// Information goes by itself, after a while; refusals and errors stay until they are closed or
-  /// something is done.
+  /// Information disappears after a while; refusals and errors stay until closed or until the next
+  /// action.
   void show_message(const Message& message);
   void dismiss();
-  /// As high as its text then needs.
+  /// The height follows from the text.
   void set_width(int width);
   QString text() const { return m_text->text(); }
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kLongest = 1000, kMillimetre = 1e-3;  // metres
 
-/// In four parts: one turns by a quarter at most.
+/// In four parts, as one rotation turns by at most a quarter.
 Rotation about_z(double deg) {
   const Rotation part = Rotation::about_axis(Vec3::UnitZ(), turn_time(deg / 4));
   return part * part * (part * part);
@@ -70,8 +70,8 @@ QWidget* OperationPanel::make_page(ToolKind kind) {
                                       &OperationPanel::add_rotate};
   (this->*kRows[static_cast<size_t>(kind)])(*form);
   if (kind != ToolKind::Select)
-    choice(*form, tr("Let go what is left unsupported"), &ToolOptions::settle_left,
-           tr("What the move leaves without support settles, too; otherwise it is marked"));
+    choice(*form, tr("Settle objects left without support"), &ToolOptions::settle_left,
+           tr("Objects that lose their support settle too; otherwise they are marked"));
   auto* const scroll = new QScrollArea;
   scroll->setWidget(page);
   scroll->setWidgetResizable(true);
@@ -141,7 +141,7 @@ QCheckBox* OperationPanel::choice(QFormLayout& form, const QString& name, bool T
 }
 
 void OperationPanel::add_angle_step(QFormLayout& form) {
-  auto* const box = angle(form, tr("Steps"), 0, tr("By mouse, while Control is held"));
+  auto* const box = angle(form, tr("Steps"), 0, tr("For the mouse, while Control is held"));
   box->setMinimum(0.01);
   m_refresh.push_back([this, box] {
     const QSignalBlocker blocker(box);
@@ -158,7 +158,7 @@ QPushButton* OperationPanel::apply(QFormLayout& form, const QString& name,
                                    std::function<Operation(const Object&)> make) {
   auto* const button = new QPushButton(name);
   button->setToolTip(
-      tr("Does it to the active object, with these numbers; what else is selected moves along"));
+      tr("Apply to the active object with these numbers; other selected objects move along"));
   form.addRow(button);
   m_buttons.push_back(button);
   connect(button, &QPushButton::clicked, this, [this, make = std::move(make)] {
@@ -171,7 +171,7 @@ QPushButton* OperationPanel::apply(QFormLayout& form, const QString& name,
 
 void OperationPanel::add_select(QFormLayout& form) {
   auto* const text = new QLabel(
-      tr("Click selects, with Shift more; dragging over nothing selects what a box holds."));
+      tr("Click selects, Shift-click adds; drag from an empty place to select with a box."));
   text->setWordWrap(true);
   text->setObjectName("faint");
   form.addRow(text);
@@ -180,15 +180,16 @@ void OperationPanel::add_select(QFormLayout& form) {
 void OperationPanel::add_put(QFormLayout& form) {
   m_put_on = new QComboBox;
   m_put_on->setToolTip(
-      tr("From a position it falls; on an object, the free place nearest to x, y "
-         "is looked for"));
+      tr("From a position, the object falls; on another object, the free place nearest to x, y "
+         "is searched"));
   form.addRow(tr("Onto"), m_put_on);
   const char* const names[] = {"X", "Y", "Z"};
   for (int i = 0; i < 3; ++i) m_put_at[i] = length(form, tr(names[i]), i == 2 ? 1 : 0);
-  auto* const turned = angle(form, tr("Turned"), 0, tr("About the vertical"));
-  auto* const keep = length(form, tr("Keep away"), 0, tr("From everything but what it lies on"));
+  auto* const turned = angle(form, tr("Turned"), 0, tr("About the vertical axis"));
+  auto* const keep =
+      length(form, tr("Keep away"), 0, tr("Distance from everything but its support"));
   threshold(form, tr("Drop height"), &ToolOptions::drop_height,
-            tr("By mouse: above the highest point below the object"));
+            tr("For the mouse: above the highest point below the object"));
   connect(m_put_on, &QComboBox::currentIndexChanged, this, [this, keep](int index) {
     m_put_at[2]->setEnabled(index <= 0);
     keep->setEnabled(index > 0);
@@ -212,10 +213,10 @@ void OperationPanel::add_put(QFormLayout& form) {
 void OperationPanel::add_push(QFormLayout& form) {
   auto* const direction = angle(form, tr("Direction"), 0, tr("Seen from above, from x towards y"));
   auto* const distance = length(form, tr("Distance"), 0.1);
-  threshold(form, tr("Step up"), &ToolOptions::step_up, tr("Higher steps stop it"));
-  threshold(form, tr("Step down"), &ToolOptions::step_down, tr("Deeper edges stop it"));
-  choice(form, tr("Slide along walls"), &ToolOptions::slide, tr("Otherwise they stop it"));
-  choice(form, tr("Let go at the end"), &ToolOptions::settle, tr("Otherwise it is held"));
+  threshold(form, tr("Step up"), &ToolOptions::step_up, tr("Higher steps stop the object"));
+  threshold(form, tr("Step down"), &ToolOptions::step_down, tr("Deeper edges stop the object"));
+  choice(form, tr("Slide along walls"), &ToolOptions::slide, tr("Otherwise walls stop the object"));
+  choice(form, tr("Settle at the end"), &ToolOptions::settle, tr("Otherwise the object is held"));
   apply(form, tr("Push"), [this, direction, distance](const Object& object) {
     auto push = operation_of<PushOperation>(object, m_document, m_toolbox.options());
     const double radians = direction->value() * 0.0174532925199433;
@@ -233,11 +234,11 @@ void OperationPanel::add_turn(QFormLayout& form) {
   auto* const about = new QComboBox;
   about->addItems(
       {tr("the contact's normal"), tr("an edge of the contact"), tr("a contact point")});
-  about->setToolTip(tr("Click a contact point, edge or area in a view to choose which"));
+  about->setToolTip(tr("Click a contact point, edge or area in a view to choose it"));
   form.addRow(tr("About"), about);
   auto* const by = angle(form, tr("Angle"), 15);
   add_angle_step(form);
-  choice(form, tr("Let go at the end"), &ToolOptions::let_go, tr("Otherwise it is held"));
+  choice(form, tr("Settle at the end"), &ToolOptions::let_go, tr("Otherwise the object is held"));
   apply(form, tr("Turn"), [this, about, by](const Object& object) {
     auto turn = operation_of<TurnOperation>(object, m_document, m_toolbox.options());
     turn.about = static_cast<TurnOperation::About>(about->currentIndex());
@@ -266,9 +267,9 @@ void OperationPanel::add_move(QFormLayout& form) {
   auto* const x = length(form, tr("X"), 0);
   auto* const y = length(form, tr("Y"), 0);
   auto* const z = length(form, tr("Z"), 0.1);
-  choice(form, tr("Through everything"), &ToolOptions::free,
-         tr("As in a modeller; objects that interpenetrate are marked until that is resolved"));
-  choice(form, tr("Let go at the end"), &ToolOptions::let_go, tr("Otherwise it is held"));
+  choice(form, tr("Ignore collisions"), &ToolOptions::free,
+         tr("As in a modeller; interpenetrating objects are marked until resolved"));
+  choice(form, tr("Settle at the end"), &ToolOptions::let_go, tr("Otherwise the object is held"));
   apply(form, tr("Move"), [this, x, y, z](const Object& object) {
     auto move = operation_of<TranslateOperation>(object, m_document, m_toolbox.options());
     move.by = Vec3(x->value(), y->value(), z->value());
@@ -285,9 +286,9 @@ void OperationPanel::add_rotate(QFormLayout& form) {
   form.addRow(tr("Axis"), axis);
   auto* const by = angle(form, tr("Angle"), 15, tr("About the centre of mass"));
   add_angle_step(form);
-  choice(form, tr("Through everything"), &ToolOptions::free,
-         tr("As in a modeller; objects that interpenetrate are marked until that is resolved"));
-  choice(form, tr("Let go at the end"), &ToolOptions::let_go, tr("Otherwise it is held"));
+  choice(form, tr("Ignore collisions"), &ToolOptions::free,
+         tr("As in a modeller; interpenetrating objects are marked until resolved"));
+  choice(form, tr("Settle at the end"), &ToolOptions::let_go, tr("Otherwise the object is held"));
   apply(form, tr("Rotate"), [this, axis, by](const Object& object) {
     auto rotate = operation_of<RotateOperation>(object, m_document, m_toolbox.options());
     rotate.axis = Vec3::Unit(axis->currentIndex());
@@ -316,8 +317,8 @@ void OperationPanel::refresh_choices() {
   const QSignalBlocker blocker(m_put_on);
   const QString chosen = m_put_on->currentText();
   m_put_on->clear();
-  m_put_on->addItem(tr("whatever is below"));
-  m_put_on->addItem(tr("the floor, where there is room"));
+  m_put_on->addItem(tr("the surface below"));
+  m_put_on->addItem(tr("a free place on the floor"));
   for (const ObjectSnapshot& object : m_document.snapshot()->objects)
     if (object->placed && object.id != m_document.selection().active())
       m_put_on->addItem(QString::fromStdString(object->name));

@@ -1,4 +1,4 @@
-// The operations as forms: with numbers instead of the mouse, and with their thresholds.
+// Forms for the operations: numbers instead of the mouse, and thresholds.
 #pragma once
 
 #include <QCheckBox>
@@ -20,7 +20,7 @@ class OperationPanel : public QWidget {
  public:
   OperationPanel(Document& document, Toolbox& toolbox, QWidget* parent = nullptr);
 
-  /// The form of that tool.
+  /// Shows the form of that tool.
   void show_tool(ToolKind kind);
 
  Q_SIGNALS:

@@ -23,7 +23,7 @@ std::optional<ObjectId> id_of(const QTreeWidgetItem& item) {
   return ObjectId{static_cast<std::uint32_t>(bits), static_cast<std::uint32_t>(bits >> 32)};
 }
 
-/// By slot: the first of those that hold an object. Supports are never below what they hold.
+/// First supporting object of each object, by slot. Supports are never below their loads.
 std::map<std::uint32_t, std::uint32_t> supports(const SceneSnapshot& scene) {
   std::map<std::uint32_t, std::uint32_t> out;
   for (const LoadSupport::Entry& entry : scene.support->entries)
@@ -64,7 +64,9 @@ Outliner::Outliner(Document& document, QWidget* parent)
   header()->setStretchLastSection(false);
   header()->setSectionResizeMode(0, QHeaderView::Stretch);
   header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
-  setToolTip(tr("What rests on what. Double click: frame it, or put what is not placed yet"));
+  setToolTip(
+      tr("Objects with their loads. Double click to frame an object, or to put one that is not "
+         "placed yet"));
   connect(&m_document, &Document::snapshot_changed, this, &Outliner::rebuild);
   connect(&m_document, &Document::selection_changed, this, &Outliner::show_selection);
   connect(this, &QTreeWidget::itemSelectionChanged, this, &Outliner::take_selection);
@@ -126,7 +128,7 @@ QTreeWidgetItem* Outliner::add_heading(const QString& text) {
   return item;
 }
 
-// Each under the first of those that hold it; what leans on each other in a ring under the floor.
+// Each object under its first support; rings of mutual support under the floor.
 void Outliner::add_placed(const SceneSnapshot& scene, QTreeWidgetItem* floor) {
   const auto support_of = supports(scene);
   std::map<std::uint32_t, const ObjectSnapshot*> waiting;
@@ -167,7 +169,7 @@ void Outliner::take_selection() {
   Selection selection;
   for (const QTreeWidgetItem* item : selectedItems())
     if (const auto id = id_of(*item)) selection.objects.push_back(*id);
-  // The one that was clicked last is active.
+  // The last clicked object becomes active.
   if (const auto current = currentItem() ? id_of(*currentItem()) : std::nullopt)
     if (const auto it = std::find(selection.objects.begin(), selection.objects.end(), *current);
         it != selection.objects.end())

@@ -1,4 +1,4 @@
-// All objects as a tree: what rests on what.
+// Tree of all objects by support.
 #pragma once
 
 #include <QTreeWidget>
@@ -19,7 +19,7 @@ class Outliner : public QTreeWidget {
   void set_theme(const Theme& theme);
 
  Q_SIGNALS:
-  /// An object that is not in the scene yet was double clicked.
+  /// Emitted on a double click on an unplaced object.
   void put_wanted();
   void frame_wanted();
 
@@ -34,7 +34,7 @@ class Outliner : public QTreeWidget {
   Document& m_document;
   Theme m_theme;
   std::uint64_t m_committed = 0;
-  bool m_is_showing = false;  // changes of its selection are its own
+  bool m_is_showing = false;  // suppresses reactions to its own changes of the selection
 };
 
 }  // namespace trivet::edit

@@ -8,7 +8,7 @@
 namespace trivet::edit {
 namespace {
 
-/// Shares the pixels.
+/// Shares the pixels without copying.
 QImage qt_image(Image image) {
   auto* const kept = new Image(std::move(image));
   return QImage(

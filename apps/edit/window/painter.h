@@ -1,4 +1,4 @@
-// Draws the views on a thread of its own, so that no window waits for a slow graphics card.
+// Draws the views on a thread of its own, so that windows never wait for slow graphics.
 #pragma once
 
 #include <QImage>
@@ -13,10 +13,10 @@
 
 namespace trivet::edit {
 
-/// What one view wants to see. Of requests for one view that wait, only the last is drawn.
+/// Drawing request of a view. Of several waiting for one view, only the last is drawn.
 struct PaintRequest {
   int view = 0;
-  quint64 number = 0;  // comes back with the picture
+  quint64 number = 0;  // returned with the picture
   LiveScene scene;
   LiveCamera camera;
   LiveOptions options;
@@ -30,20 +30,20 @@ class Painter : public QObject {
   ~Painter() override;
 
   void paint(PaintRequest request);
-  /// What it draws with; empty until the first picture.
+  /// Renderer in use; empty until the first picture.
   QString device() const { return m_device; }
 
  Q_SIGNALS:
-  /// @param once  a draft that those that follow reuse: they take less, until the camera moves.
+  /// @param once  a draft reused by the following ones: they are faster until the camera moves.
   void painted(int view, quint64 number, const QImage& image, double milliseconds, bool once);
-  /// There will be no pictures: no graphics driver can be had.
+  /// Drawing is impossible: no graphics driver is available.
   void failed(const QString& why);
 
  private:
   void run();
   std::optional<PaintRequest> next();
 
-  std::mutex m_mutex;  // of what is below
+  std::mutex m_mutex;  // guards the members below
   std::condition_variable m_wake;
   std::map<int, PaintRequest> m_waiting;  // by view
   std::deque<int> m_order;

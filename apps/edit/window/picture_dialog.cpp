@@ -41,7 +41,7 @@ PictureJob::~PictureJob() {
 void PictureJob::run() {
   try {
     EglContext context;
-    std::map<const Model*, PictureMesh> meshes;  // node-based: addresses stay
+    std::map<const Model*, PictureMesh> meshes;  // node-based: stable addresses
     PictureScene picture;
     picture.floor = m_scene.floor;
     for (const LiveObject& object : m_scene.objects) {

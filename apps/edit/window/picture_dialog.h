@@ -1,4 +1,4 @@
-// A picture of what a view shows, in full quality: soft shadows, no overlays.
+// High-quality picture of a view: soft shadows, no overlays.
 #pragma once
 
 #include <QObject>
@@ -13,8 +13,8 @@ class QWidget;
 
 namespace trivet::edit {
 
-/// Asks for the size and the file, then makes the picture on a thread of its own, with progress.
-/// @return in a message what became of it, through `done(ok, text)` on the caller's thread.
+/// Asks for size and file, then renders on a thread of its own, with progress.
+/// Reports the result by `done(ok, text)` on the caller's thread.
 class PictureJob : public QObject {
   Q_OBJECT
 
@@ -44,7 +44,7 @@ struct PictureWish {
   int width = 1920, height = 1080, samples = 32;
   bool transparent = false;
 };
-/// Nothing: cancelled.
+/// Nullopt: cancelled.
 std::optional<PictureWish> ask_for_picture(QWidget* parent, const QString& folder);
 
 }  // namespace trivet::edit

@@ -12,17 +12,17 @@ namespace trivet::edit {
 namespace {
 
 constexpr int kTickMs = 16;
-constexpr double kStraightMs = 320;  // that a way takes which nobody knows
-// Of a known way: so many for its length in sizes of the object, no less and no more than these.
+constexpr double kStraightMs = 320;  // duration of an unknown path
+// Duration of a known path per length in object sizes, with minimum and maximum.
 constexpr double kMsPerSize = 350, kShortestMs = 240, kLongestMs = 1400;
-constexpr double kApart = 0.01;  // of the object's size: more is no rounding
+constexpr double kApart = 0.01;  // of the object's size: larger differences are not rounding
 
 bool is_on_way(const SceneSnapshot& scene, ObjectId id) {
   return scene.way &&
          std::find(scene.way->moved.begin(), scene.way->moved.end(), id) != scene.way->moved.end();
 }
 
-// Objects that move together are let go one by one: then they do not end as one rigid body.
+// Objects that move together settle one by one, so they need not end as one rigid body.
 bool comes_apart(const SceneSnapshot& before, const SceneSnapshot& now,
                  const ObjectSnapshot& object) {
   const SettledWay& way = *now.way;

@@ -1,5 +1,5 @@
-// Objects on their way from one rest to the next, as an operation brought them there: only on the
-// screen, the scene is at its end already. A key or a click shows the end; nothing waits for it.
+// Playback of objects along their settling paths: only on the screen, as the scene has its final
+// state already. A key or a click jumps to the end; nothing waits for it.
 #pragma once
 
 #include <QElapsedTimer>
@@ -18,28 +18,28 @@ class Playback : public QObject {
   explicit Playback(QObject* parent = nullptr);
   ~Playback() override;
 
-  /// From what was seen to what is committed now; what moved without a known way goes straight.
+  /// Plays from the visible state to the committed one; objects without a known path go straight.
   void play(const SceneSnapshot& before, std::shared_ptr<const SceneSnapshot> now);
   void end();
   bool is_on() const { return m_now != nullptr; }
   bool moves(ObjectId id) const;
-  /// Where it is seen.
+  /// Displayed pose.
   Pose pose_of(const ObjectSnapshot& object) const;
 
  Q_SIGNALS:
   void changed();
 
  protected:
-  /// Of the whole program, while it plays: Escape is taken, all others go on to where they belong.
+  /// Active for the whole program during playback: consumes Escape, passes on all other events.
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   void move_on();
   double progress() const;  // 0 to 1
 
-  std::shared_ptr<const SceneSnapshot> m_now;  // null: nothing is played
-  std::map<std::uint32_t, Pose> m_straight;    // by slot: where they come from
-  double m_milliseconds = 0;                   // that it takes
+  std::shared_ptr<const SceneSnapshot> m_now;  // null: not playing
+  std::map<std::uint32_t, Pose> m_straight;    // by slot: start poses
+  double m_milliseconds = 0;                   // duration
   QElapsedTimer m_since;
   QTimer m_tick;
 };

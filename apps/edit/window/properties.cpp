@@ -17,7 +17,7 @@ QString vector_text(const Vec3& v) {
   return QString("%1  %2  %3 m").arg(number(v.x(), 4), number(v.y(), 4), number(v.z(), 4));
 }
 
-/// Turns about x, then y, then z, as most programs show them.
+/// Angles about x, then y, then z, as in most programs.
 QString rotation_text(const Rotation& rotation) {
   const Mat3 m = rotation.matrix();
   const double deg = 180 / 3.14159265358979323846;
@@ -62,7 +62,7 @@ Properties::Properties(Document& document, QWidget* parent)
     : QScrollArea(parent),
       m_document(document),
       m_name(new QLabel),
-      m_empty(new QLabel(tr("Select an object to see where it is, what it touches, and how firmly "
+      m_empty(new QLabel(tr("Select an object to see its pose, its contacts, and how firmly "
                             "it rests."))),
       m_form(new QFormLayout),
       m_content(new QWidget) {
@@ -132,13 +132,13 @@ void Properties::show_object() {
                       .arg(length_text(size.x()), length_text(size.y()), length_text(size.z())));
   const bool rests = placed && !object.fixed;
   set(tr("To tipping"), rests ? length_text(object.stability_margin) : none,
-      tr("How far the centre of mass is inside the hull of the contacts that carry, seen from "
+      tr("Distance of the centre of mass inside the support polygon, seen from "
          "above; negative: outside"));
   set(tr("Least friction"),
       !rests                                 ? none
       : std::isfinite(object.least_friction) ? number(object.least_friction, 3)
-                                             : tr("none holds it"),
-      tr("The smallest Coulomb coefficient that holds it"));
+                                             : tr("no coefficient holds it"),
+      tr("Smallest Coulomb coefficient that holds the object"));
   set(tr("Mass by"), mass_text(object), tr("Objects are of uniform density"));
   set(tr("Touches"), contacts_text(object, *snapshot));
   set(tr("Triangles"),

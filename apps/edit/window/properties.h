@@ -1,4 +1,4 @@
-// What there is to know of the active object: pose, mass, what it touches, how firmly it rests.
+// Properties of the active object: pose, mass, contacts, stability.
 #pragma once
 
 #include <QFormLayout>

@@ -6,10 +6,10 @@
 namespace trivet::edit {
 namespace {
 
-constexpr int kGhostRestsMs = 120;                        // after that it counts as still
-constexpr double kNormalPx = 26, kNormalOfObject = 0.15;  // the shorter: how long normals are
+constexpr int kGhostRestsMs = 120;  // without motion, after which it counts as still
+constexpr double kNormalPx = 26, kNormalOfObject = 0.15;  // length of normals: the shorter of both
 constexpr size_t kManyPoints = 12;                        // of a contact
-constexpr size_t kManyFaces = 300;                        // more are lit without their edges
+constexpr size_t kManyFaces = 300;  // above, faces are lit without their edges
 const LiveColour kContactRed{0.92f, 0.20f, 0.18f, 1};
 const LiveColour kGravityLine{0.30f, 0.55f, 0.95f, 1};
 const LiveColour kBox{0.55f, 0.62f, 0.72f, 0.8f};
@@ -30,7 +30,7 @@ LiveObject live_object(const Object& object, const Pose& pose) {
   return out;
 }
 
-/// How low the gravity line goes: to the floor, or as far as the scene does.
+/// Lower end of the gravity line: the floor, or the bottom of the scene.
 double foot_height(const SceneSnapshot& scene) {
   if (scene.floor) return 0;
   const Aabb box = scene.box();
@@ -49,7 +49,7 @@ std::vector<Triangle> triangles_of(const SceneSnapshot& scene, const FacesOfObje
   return out;
 }
 
-/// Where faces are lit, whole objects are marked weakly.
+/// Marks whole objects weakly when faces are lit.
 float strength(float alone, bool faces_are_lit) { return faces_are_lit ? 0.35f * alone : alone; }
 
 }  // namespace
@@ -154,7 +154,7 @@ LiveScene SceneDrawing::scene(const View& view) const {
   add_active(out, view);
   add_drag(out);
   add_interference(out.overlay);
-  if (!m_playback.is_on()) add_tool(out.overlay, view);  // handles are where the object ends
+  if (!m_playback.is_on()) add_tool(out.overlay, view);  // handles appear at the final pose
   for (const Vec3& point : m_lit.points)
     out.overlay.points.push_back(
         {point, live_colour(m_theme.refused()), m_lit.faces.empty() ? 6.0f : 4.0f, Hidden::Shown});
@@ -204,7 +204,7 @@ void SceneDrawing::add_contacts(LiveOverlay& overlay, const Object& object,
     const Contact& contact = link.contact;
     overlay.add_polygon(contact.hull, with_alpha(kContactRed, 0.30f), Hidden::Faint);
     if (contact.hull.size() > 1) overlay.add_loop(contact.hull, kContactRed, 1.8f, Hidden::Faint);
-    // Of many points, those of the hull are the corners, and one normal speaks for all.
+    // For many points, marks only the corners of the hull, and one normal for all.
     const bool many = contact.points.size() > kManyPoints;
     Vec3 middle = Vec3::Zero();
     for (const ContactPoint& point : contact.points) {
@@ -236,7 +236,7 @@ void SceneDrawing::add_drag(LiveScene& scene) const {
                                     drag.faces.empty() ? 7.0f : 4.0f, Hidden::Shown});
 }
 
-// The faces that are in each other's way; what a message is about, too.
+// Draws interfering faces, including those of a message.
 void SceneDrawing::add_interference(LiveOverlay& overlay) const {
   if (m_playback.is_on()) return;
   const auto snapshot = m_document.snapshot();
@@ -250,7 +250,7 @@ void SceneDrawing::add_interference(LiveOverlay& overlay) const {
     add_crossing(overlay, snapshot->drag->faces);
 }
 
-// Large faces may cross: what is before them, and what is on them, stays to be seen.
+// Crossing faces may be large: geometry in front of them, and on them, stays visible.
 void SceneDrawing::add_crossing(LiveOverlay& overlay, const InterferingFaces& faces) const {
   const LiveColour area = live_colour(m_theme.lit(), 0.4f), edge = live_colour(m_theme.lit(), 0.8f);
   for (const FacesOfObject& of : faces.objects)
@@ -260,8 +260,7 @@ void SceneDrawing::add_crossing(LiveOverlay& overlay, const InterferingFaces& fa
     }
 }
 
-// Faces that touch are hidden by the objects that they belong to: their edges are seen through
-// them.
+// Touching faces are hidden by their own objects: their edges are drawn on top.
 void SceneDrawing::add_blocking(LiveOverlay& overlay, const InterferingFaces& faces) const {
   const LiveColour area = live_colour(m_theme.lit(), 0.75f), edge = live_colour(m_theme.lit());
   for (const FacesOfObject& of : faces.objects)

@@ -1,5 +1,5 @@
-// What all views show of the document: objects with their states, the ghost, contacts, what a
-// refusal lights; and objects on their way from one rest to the next.
+// Common drawing of all views: objects with their states, the ghost, contacts, highlights of a
+// refusal, and playback.
 #pragma once
 
 #include <QElapsedTimer>
@@ -15,7 +15,7 @@ namespace trivet::edit {
 struct DrawingOptions {
   bool shadows = true;
   bool contacts = true;        // of the active object
-  bool watch_settling = true;  // else objects are at once where they come to rest
+  bool watch_settling = true;  // otherwise objects jump to their resting pose
 };
 
 class SceneDrawing : public QObject {
@@ -30,12 +30,12 @@ class SceneDrawing : public QObject {
   const DrawingOptions& options() const { return m_options; }
   void set_options(const DrawingOptions& options);
 
-  /// Something moves: drafts will do.
+  /// Whether anything moves, so that drafts suffice.
   bool is_moving() const;
-  /// Objects are seen on their way to where they are.
+  /// Whether a playback is running.
   bool is_playing() const { return m_playback.is_on(); }
   Pose seen_pose(const ObjectSnapshot& object) const { return m_playback.pose_of(object); }
-  /// Objects and points that a message is about, lit until the next.
+  /// Highlights the objects and points of a message, until the next one.
   void light(const Message& message);
   void put_out_lights();
 

@@ -9,11 +9,11 @@
 namespace trivet::edit {
 namespace {
 
-constexpr int kCalmMs = 140;  // without motion, before a draft becomes a full picture
+constexpr int kCalmMs = 140;  // without motion, until a draft is replaced by a full picture
 constexpr double kSlowDraftMs = 40, kQuickDraftMs = 9;
 constexpr int kCoarsest = 3;
-constexpr double kClickPx = 4;      // the mouse may move by that much in a click
-constexpr double kZoomDragPx = 30;  // of a drag, per step of the wheel
+constexpr double kClickPx = 4;      // allowed motion of the mouse in a click
+constexpr double kZoomDragPx = 30;  // of dragging, per step of the wheel
 
 Modifiers modifiers_of(Qt::KeyboardModifiers keys) {
   return {keys.testFlag(Qt::ShiftModifier), keys.testFlag(Qt::ControlModifier),
@@ -161,9 +161,8 @@ void SceneView::paintEvent(QPaintEvent*) {
   if (m_image.isNull() || !m_failure.isEmpty()) {
     painter.fillRect(rect(), theme.base());
     painter.setPen(theme.faint_text());
-    painter.drawText(
-        rect().adjusted(16, 16, -16, -16), Qt::AlignCenter | Qt::TextWordWrap,
-        m_failure.isEmpty() ? QString() : tr("Nothing can be drawn: %1").arg(m_failure));
+    painter.drawText(rect().adjusted(16, 16, -16, -16), Qt::AlignCenter | Qt::TextWordWrap,
+                     m_failure.isEmpty() ? QString() : tr("Cannot draw: %1").arg(m_failure));
     return;
   }
   painter.setRenderHint(QPainter::SmoothPixmapTransform, m_shown_is_draft);
@@ -179,7 +178,7 @@ void SceneView::paintEvent(QPaintEvent*) {
   }
 }
 
-/// Readable over anything.
+/// Readable over any background.
 void SceneView::paint_label(QPainter& painter, const QRectF& box, int flags, const QString& text,
                             const QColor& colour) const {
   painter.setPen(m_drawing.theme().base());
@@ -323,7 +322,7 @@ void SceneView::mouseReleaseEvent(QMouseEvent* event) {
   const bool is_click = std::hypot(moved.x(), moved.y()) <= kClickPx;
   if (is_click && event->button() == Qt::RightButton)
     Q_EMIT context_menu_wanted(event->globalPosition().toPoint());
-  if (is_click && event->button() == Qt::LeftButton) {  // Alt and a click is the tool's
+  if (is_click && event->button() == Qt::LeftButton) {  // Alt-click belongs to the tool
     send(PointerEvent::Kind::Press, *event);
     send(PointerEvent::Kind::Release, *event);
   }

@@ -1,5 +1,5 @@
-// A window onto the scene: shows what the painter draws, moves its camera, gives the rest of the
-// mouse to the tools.
+// Widget for a view of the scene: shows the painter's pictures, moves its camera, and passes other
+// mouse events to the tools.
 #pragma once
 
 #include <QElapsedTimer>
@@ -26,19 +26,19 @@ class SceneView : public QWidget {
   void set_camera(const ViewCamera& camera);
   View view() const { return m_camera.view(size()); }
   void frame(const Aabb& box);
-  /// What is framed when nothing is: of the selection, else of the scene.
+  /// Box to frame: of the selection, else of the scene.
   Aabb selected_box() const;
   void redraw();
-  /// The tool may draw other things over the scene now.
+  /// Redraws the tool's overlay.
   void follow_tool();
-  /// Nothing is left to be drawn: what is seen is the document, in full quality. For tests.
+  /// Whether the visible picture shows the document in full quality. For tests.
   bool is_up_to_date() const { return shows_latest() && !m_shown_is_draft; }
-  /// The same, but a draft will do.
+  /// The same, but a draft suffices.
   bool shows_latest() const { return m_shown == m_wanted; }
   double last_picture_ms() const { return m_picture_ms; }
 
  Q_SIGNALS:
-  void pointed();       // an event went to the tools
+  void pointed();       // the tools got an event
   void camera_moved();  // by the user
   void context_menu_wanted(const QPoint& global);
 
@@ -78,13 +78,13 @@ class SceneView : public QWidget {
   ViewCamera m_camera;
   QImage m_image;
   QString m_failure;
-  quint64 m_wanted = 0, m_requested = 0, m_shown = 0;  // numbers of what is to be seen
+  quint64 m_wanted = 0, m_requested = 0, m_shown = 0;  // picture numbers
   bool m_waiting = false, m_requested_draft = false, m_shown_is_draft = true;
-  int m_coarseness = 1;  // of drafts: pixels of the screen per pixel
+  int m_coarseness = 1;  // of drafts: screen pixels per pixel
   double m_picture_ms = 0;
   CameraDrag m_camera_drag = CameraDrag::None;
   QPointF m_last_position, m_pressed_at;
-  std::vector<double> m_tool_lines;  // that were drawn last
+  std::vector<double> m_tool_lines;  // as drawn last
   QElapsedTimer m_camera_moved;
   QTimer m_calm;  // ends drafts
 };

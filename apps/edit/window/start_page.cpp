@@ -20,7 +20,7 @@ QString description_of(const std::string& demo) {
   if (demo == "spoon-saucer") return StartPage::tr("A cup, a saucer and a spoon: the first steps");
   if (demo == "breakfast") return StartPage::tr("A breakfast table of 24 objects");
   if (demo == "office1") return StartPage::tr("A tidy office of 16 objects");
-  if (demo == "office2") return StartPage::tr("The same office, untidied, and 9 objects more");
+  if (demo == "office2") return StartPage::tr("The same office, untidied, with 9 more objects");
   return {};
 }
 
@@ -69,8 +69,7 @@ void StartPage::add_title(QVBoxLayout& column) {
   large.setPointSizeF(2.2 * large.pointSizeF());
   large.setBold(true);
   title->setFont(large);
-  auto* const what =
-      new QLabel(tr("Lays out objects that never pass through each other and always lie at rest."));
+  auto* const what = new QLabel(tr("Lays out 3D objects without interpenetration, at rest."));
   what->setObjectName("faint");
   what->setWordWrap(true);
   column.addWidget(title);
@@ -98,7 +97,7 @@ void StartPage::add_beginnings(QVBoxLayout& column) {
       [this] { Q_EMIT open_wanted(); });
   add(0, Icon::Import, tr("Import models…"), tr("Any mesh; or drop files onto this window"),
       [this] { Q_EMIT import_wanted(); });
-  add(0, Icon::Put, tr("A table in two minutes"), tr("How it goes, in eight steps"),
+  add(0, Icon::Put, tr("A table in two minutes"), tr("A tutorial in eight steps"),
       [this] { Q_EMIT help_wanted(); });
   for (const std::string& demo : demo_names()) {
     const QString name = QString::fromStdString(demo);

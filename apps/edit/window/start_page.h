@@ -1,4 +1,4 @@
-// What is seen before anything is open: demos, recent files, sessions that crashed.
+// Start page: demos, recent files, sessions to recover.
 #pragma once
 
 #include <QVBoxLayout>

@@ -1,4 +1,4 @@
-// Light or dark: colours of the windows and of what is drawn in the scene.
+// Light and dark theme: colours of the windows and of the scene.
 #pragma once
 
 #include <QColor>
@@ -23,7 +23,7 @@ struct Theme {
   QColor refused() const { return dark ? QColor(224, 96, 84) : QColor(196, 52, 40); }
   QColor warning() const { return dark ? QColor(230, 168, 60) : QColor(190, 120, 10); }
   QColor information() const { return accent(); }
-  QColor lit() const { return QColor(255, 64, 40); }  // faces in each other's way
+  QColor lit() const { return QColor(255, 64, 40); }  // interfering faces
 
   /// Style, palette and style sheet of the whole program.
   void apply(QApplication& application) const;

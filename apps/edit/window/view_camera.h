@@ -1,4 +1,4 @@
-// The camera of one window, as the mouse moves it.
+// Camera of one window, controlled by the mouse.
 #pragma once
 
 #include <QPointF>
@@ -23,7 +23,7 @@ class ViewCamera {
 
   void orbit(const QPointF& moved_px);
   void pan(const QPointF& moved_px, const QSize& size);
-  /// @param steps  of the wheel; what is under `at` stays there.
+  /// @param steps  of the wheel; the point under `at` stays in place.
   void zoom(double steps, const QPointF& at, const QSize& size);
   void frame(const Aabb& box, const QSize& size);
   /// Looks along another direction at the same target.

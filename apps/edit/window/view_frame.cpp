@@ -21,7 +21,7 @@ ViewFrame::ViewFrame(const QString& title, QWidget* content, QWidget* parent)
   bar->addWidget(m_title);
   bar->addWidget(m_note, 1);
   m_bar->setFixedHeight(26);
-  m_bar->setToolTip(tr("Double click: this window alone, and back"));
+  m_bar->setToolTip(tr("Double click to maximise this window, and to restore it"));
   m_bar->installEventFilter(this);
   auto* const column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);

@@ -1,4 +1,4 @@
-// A view with its title, which is double clicked to maximise it.
+// A view with a title bar; a double click maximises it.
 #pragma once
 
 #include <QFrame>
@@ -14,7 +14,7 @@ class ViewFrame : public QFrame {
   ViewFrame(const QString& title, QWidget* content, QWidget* parent = nullptr);
 
   QWidget* content() const { return m_content; }
-  /// At the right end of the title.
+  /// Adds a widget at the right end of the title.
   void add_to_title(QWidget* widget);
   void set_note(const QString& note);  // beside the title: "along the contact's normal"
 

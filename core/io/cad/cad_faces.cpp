@@ -17,7 +17,7 @@
 namespace trivet {
 namespace {
 
-/// Parameters of a triangle's corners; those that are free are taken from the others.
+/// Parameters of a triangle's corners; free ones are taken from the others.
 std::array<gp_Pnt2d, 3> parameters_of(const FaceMesh& mesh, const Index3& t) {
   std::array<gp_Pnt2d, 3> out;
   for (int k = 0; k < 3; ++k) out[k] = mesh.nodes[t[k]].uv;
@@ -32,7 +32,7 @@ std::array<gp_Pnt2d, 3> parameters_of(const FaceMesh& mesh, const Index3& t) {
   return out;
 }
 
-/// From a point to a triangle: over its inside to its plane, else as of triangles.
+/// Distance from a point to a triangle: to its plane if above its inside, else to the triangle.
 double distance(const Vec3& p, const Triangle& t, const Vec3& normal) {
   bool inside = normal.squaredNorm() > 0;
   for (int k = 0; k < 3 && inside; ++k)
@@ -105,7 +105,7 @@ void PartMesh::add(const TopoDS_Face& face) {
   m_faces.push_back(std::move(out));
 }
 
-/// Gives the nodes along an edge the positions that the first face had there.
+/// Gives the nodes along an edge the positions they have on the first face.
 void PartMesh::join(const TopoDS_Face& face, const TopoDS_Edge& edge, std::vector<CadNode>& nodes) {
   TopLoc_Location location;
   const Handle(Poly_Triangulation) mesh = BRep_Tool::Triangulation(face, location);

@@ -18,11 +18,11 @@ namespace trivet {
 inline Vec3 to_vec3(const gp_Pnt& p) { return {p.X(), p.Y(), p.Z()}; }
 inline Vec3 to_vec3(const gp_Vec& v) { return {v.X(), v.Y(), v.Z()}; }
 
-/// One node of a face's mesh: where it is, and where on the surface that is.
+/// A node of a face's mesh: its position, and its parameters on the surface.
 struct CadNode {
   Vec3 position;  // millimetres, frame of the part
   gp_Pnt2d uv;
-  int free = 0;  // 1, 2: u, v mean nothing here, as at a sphere's poles
+  int free = 0;  // 1, 2: u or v is meaningless here, as at a sphere's poles
 };
 
 struct FaceMesh {
@@ -31,7 +31,7 @@ struct FaceMesh {
   std::vector<Index3> triangles;  // counter-clockwise seen from outside
 };
 
-/// Of a shape that Open CASCADE has meshed. Nodes on shared edges and vertices are the same points.
+/// Mesh of a shape that Open CASCADE has meshed. Nodes on shared edges and vertices coincide.
 class PartMesh {
  public:
   explicit PartMesh(const TopoDS_Shape& shape);
@@ -50,8 +50,8 @@ class PartMesh {
   std::vector<TopoDS_Face> m_failed;
 };
 
-/// The largest distance found from points of the surfaces (seven for each triangle) to the triangle
-/// that stands for them; millimetres.
+/// The largest distance, in millimetres, from points of the surfaces (seven per triangle) to the
+/// triangle that approximates them.
 double chord_deviation(const PartMesh& mesh);
 
 }  // namespace trivet

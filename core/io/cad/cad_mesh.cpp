@@ -1,4 +1,4 @@
-// Polygonising: each part once, to the chord that was asked for, then set in all its places.
+// Polygonisation: each part once, to the requested chord, then placed in all its positions.
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_Sewing.hxx>
@@ -36,7 +36,7 @@ std::string metres(double millimetres) {
   return text;
 }
 
-/// A shape made ready for the mesher: divided and sewn, so that its faces are others.
+/// A shape prepared for the mesher: divided and sewn, so that its faces are new ones.
 struct PreparedShape {
   TopoDS_Shape shape;
   bool sewn = false;
@@ -55,10 +55,10 @@ bool has_loose_edges(const TopoDS_Shape& shape) {
   return false;
 }
 
-/// Faces that close in on themselves, such as a sphere or the skin of a loft, are divided in four:
-/// else the mesher spans their inside (Open CASCADE 7.6: a lofted spoon loses a fifth of its
-/// volume). Then faces that share no edges, as IGES has them, are joined along them; the other way
-/// round, a torus could not be meshed.
+/// Divides faces that close in on themselves, such as a sphere or the skin of a loft, in four:
+/// otherwise the mesher spans their inside (Open CASCADE 7.6: a lofted spoon loses a fifth of its
+/// volume). Then sews faces that share no edges, as in IGES, along them; in the reverse order a
+/// torus could not be meshed.
 PreparedShape prepared(const TopoDS_Shape& shape, double tolerance) {
   PreparedShape out;
   out.shape = shape;
@@ -96,7 +96,7 @@ double size_of(const CadParts& parts) {
   return box.IsVoid() ? 0 : std::sqrt(box.SquareExtent());
 }
 
-/// A shape as triangles, for all its places.
+/// A triangulated shape, for all its placements.
 struct Polygonised {
   PreparedShape prepared;
   PartMesh mesh;
@@ -145,15 +145,15 @@ class Polygoniser {
     return m_done.back();
   }
 
-  /// With smaller tolerances until what is measured is within the one that is wanted, or gets no
-  /// better: there are surfaces on which the mesher fails.
+  /// Reduces the tolerance until the measured deviation is within the requested one, or stops
+  /// improving: the mesher fails on some surfaces.
   PartMesh meshed(const TopoDS_Shape& shape, double& deviation) {
     IMeshTools_Parameters parameters;
     parameters.Deflection = m_chord;
     parameters.Angle = m_model.tessellation.facet_angle_deg * std::numbers::pi / 180;
     double before = kInfinity;
     for (int trial = 0;; ++trial, before = deviation) {
-      BRepTools::Clean(shape);  // files may bring meshes, too
+      BRepTools::Clean(shape);  // files may contain meshes
       BRepMesh_IncrementalMesh(shape, parameters);
       PartMesh mesh(shape);
       check_count(mesh);
@@ -216,7 +216,7 @@ class Polygoniser {
     const Vec3 flat = (t[1] - t[0]).cross(t[2] - t[0]);
     std::array<Eigen::Vector3f, 3> corners;
     for (int k = 0; k < 3; ++k) {
-      // At poles a surface has no normal; and one may be mirrored.
+      // A surface has no normal at its poles, and may be mirrored.
       Vec3 n = normals[k].allFinite() && normals[k].squaredNorm() > 1e-24 ? normals[k] : flat;
       if (n.dot(flat) < 0) n = -n;
       if (!(n.norm() > 0)) n = Vec3::UnitZ();
@@ -228,7 +228,7 @@ class Polygoniser {
     return t[0].dot(t[1].cross(t[2]));
   }
 
-  /// Sewn inside out.
+  /// Reverses triangles that were sewn inside out.
   void turn_from(size_t first) {
     for (size_t i = first; i < m_triangles.size(); ++i) {
       std::swap(m_triangles[i][1], m_triangles[i][2]);

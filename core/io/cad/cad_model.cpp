@@ -13,7 +13,7 @@
 namespace trivet {
 namespace {
 
-/// Open CASCADE's readers keep state in globals, and it talks on standard output.
+/// Open CASCADE's readers keep state in globals, and print to standard output.
 std::mutex& cad_mutex() {
   static std::mutex mutex;
   static const bool quiet = [] {
@@ -46,7 +46,7 @@ Model read_cad_model(const std::string& path, const ImportLimits& limits,
   } catch (const Standard_Failure& e) {
     fail(std::string("cannot be read: ") + e.GetMessageString());
   } catch (const std::bad_alloc&) {
-    fail("needs more memory than there is; the chord is too small or the file broken");
+    fail("runs out of memory; the chord is too small or the file is broken");
   }
   return model;
 }

@@ -38,7 +38,7 @@ std::string name_of(const TDF_Label& label) {
   return out;
 }
 
-/// A document that is closed in the end.
+/// A document, closed on destruction.
 class Document {
  public:
   Document() { application()->NewDocument("MDTV-XCAF", m_document); }
@@ -139,7 +139,7 @@ void transfer(const std::string& path, const char* format, CadParts& out) {
   reader.SetColorMode(true);
   if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
     fail(path, std::string("cannot be read as ") + format);
-  reader.Transfer(document.get());  // what of it is broken is left out
+  reader.Transfer(document.get());  // broken parts are left out
   Walk(document, out).all();
 }
 

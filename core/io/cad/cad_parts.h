@@ -1,4 +1,4 @@
-// Private. What is in a CAD file, for Open CASCADE: parts in their places, with names and colours.
+// Private. Contents of a CAD file: placed parts with names and colours.
 #pragma once
 
 #include <TopTools_DataMapOfShapeInteger.hxx>
@@ -11,7 +11,7 @@
 
 namespace trivet {
 
-/// One part of an assembly, in one place.
+/// A part of an assembly, in one placement.
 struct CadPart {
   std::string name;
   TopoDS_Shape shape;  // shared by all places of the part

@@ -8,7 +8,7 @@ using Element = tinyxml2::XMLElement;
 
 std::string quaternion_text(const Rotation& r) { return numbers_text({r.w, r.x, r.y, r.z}); }
 
-/// A part of a mesh's file name that names the mesh in MuJoCo, too.
+/// Stem of a mesh's file name, which also names the mesh in MuJoCo.
 std::string stem(const std::string& file) { return file.substr(0, file.rfind('.')); }
 
 class MjcfWriter {
@@ -21,8 +21,8 @@ class MjcfWriter {
     Element* const root = add_child(&m_document, "mujoco", {{"model", m_scene.name}});
     add_child(root, "compiler",
               {{"angle", "radian"}, {"meshdir", m_folder}, {"inertiafromgeom", "false"}});
-    // Without several points of contact for a pair of meshes, MuJoCo 2 has one: boxes rock on it
-    // and wander off. Elliptic cones with stiff friction: else what lies on a slope creeps.
+    // With a single contact point per pair of meshes, the default in MuJoCo 2, boxes rock and
+    // drift. Elliptic cones with stiff friction keep objects from creeping down slopes.
     Element* const option = add_child(root, "option",
                                       {{"timestep", "0.002"},
                                        {"gravity", "0 0 " + number_text(-m_scene.gravity)},
@@ -49,7 +49,7 @@ class MjcfWriter {
  private:
   void add_defaults(Element* root) {
     Element* const all = add_child(root, "default");
-    // A contact gives way by micrometres under its load instead of MuJoCo's tenths of a millimetre.
+    // Contacts yield by micrometres under load instead of MuJoCo's default tenths of a millimetre.
     add_child(add_child(all, "default", {{"class", "collision"}}), "geom",
               {{"type", "mesh"},
                {"group", "3"},
@@ -84,7 +84,8 @@ class MjcfWriter {
   }
 
   static std::string friction_text(double sliding) {
-    return number_text(sliding) + " 0.005 0.0001";  // metres: MuJoCo's own for turning, rolling
+    return number_text(sliding) +
+           " 0.005 0.0001";  // metres: MuJoCo's default torsional and rolling friction
   }
 
   void add_body(Element* world, const SimulationBody& body) {

@@ -1,4 +1,4 @@
-// SDFormat 1.9 worlds, for Gazebo and all that read SDF.
+// SDFormat 1.9 worlds, for Gazebo and other SDF readers.
 #include "core/io/simulators/simulation_files.h"
 
 namespace trivet {
@@ -12,7 +12,7 @@ std::string pose_text(const Vec3& p, const Rotation& r) {
 
 void add_friction(Element* collision, double friction) {
   Element* const both = add_child(add_child(collision, "surface"), "friction");
-  Element* const ode = add_child(both, "ode");  // Gazebo's DART reads this one, too
+  Element* const ode = add_child(both, "ode");  // Gazebo's DART reads this one too
   Element* const bullet = add_child(both, "bullet");
   add_text(ode, "mu", number_text(friction));
   add_text(ode, "mu2", number_text(friction));
@@ -58,7 +58,7 @@ void add_model(Element* world, const SimulationBody& body, const ModelFiles& fil
       model, "pose", pose_text(body.world_from_link.translation, body.world_from_link.rotation));
   pose->SetAttribute("rotation_format", "quat_xyzw");
   add_text(model, "static", body.fixed ? "true" : "false");
-  add_text(model, "allow_auto_disable", "true");  // may sleep: it is at rest
+  add_text(model, "allow_auto_disable", "true");  // may sleep: at rest
   Element* const link = add_child(model, "link", {{"name", "link"}});
   add_inertial(link, body);
   int count = 0;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr const char* kMtl = "materials.mtl";  // until the hash is known
 
-/// The faces of one material as a model of their own.
+/// The faces of one material as a separate model.
 std::shared_ptr<const Model> with_faces(const Model& model, const MaterialFaces& group) {
   auto out = std::make_shared<Model>();
   std::vector<Triangle> triangles;

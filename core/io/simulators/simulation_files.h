@@ -1,4 +1,4 @@
-// Private. What the writers of the formats share: mesh files, numbers as text, XML.
+// Private. Shared by the writers of all formats: mesh files, numbers as text, XML.
 #pragma once
 
 #include <tinyxml2.h>
@@ -11,7 +11,7 @@
 
 namespace trivet {
 
-/// A file to be written: where, as the scene file names it, and what is in it.
+/// An output file: its path, its name in the scene file, and its content.
 struct MeshFile {
   std::string name;  // without folder
   std::string bytes;
@@ -26,13 +26,13 @@ struct VisualMesh {
 struct ModelFiles {
   std::string whole;                // all faces, with materials
   std::vector<VisualMesh> visuals;  // by material; formats with one material per mesh
-  std::vector<std::string> parts;   // what collides; the whole when the model has no parts
+  std::vector<std::string> parts;   // collision meshes; the whole mesh if the model has no parts
 };
 
 /// OBJ files of all models, metres, link frame.
 class MeshFiles {
  public:
-  /// @param by_material  whether `visuals` are wanted; else they are empty.
+  /// @param by_material  fill `visuals`; else they are empty.
   MeshFiles(const SimulationScene& scene, bool by_material);
 
   const std::vector<MeshFile>& files() const { return m_files; }
@@ -47,32 +47,32 @@ class MeshFiles {
   std::vector<ModelFiles> m_models;
 };
 
-/// As few digits as give the number back, 17 at most.
+/// The fewest digits that round-trip the number, 17 at most.
 std::string number_text(double value);
 std::string numbers_text(std::initializer_list<double> values, const char* separator = " ");
 std::string vector_text(const Vec3& v);
 
-/// A child with attributes, in this order.
+/// Adds a child with attributes, in this order.
 tinyxml2::XMLElement* add_child(
     tinyxml2::XMLNode* parent, const char* tag,
     std::initializer_list<std::pair<const char*, std::string>> attributes = {});
-/// A child with a text: <tag>text</tag>.
+/// Adds a child with text: <tag>text</tag>.
 tinyxml2::XMLElement* add_text(tinyxml2::XMLNode* parent, const char* tag, const std::string& text);
 std::string xml_text(const tinyxml2::XMLDocument& document);
 
-/// A comment for people, ahead of everything.
+/// Leading comment for human readers.
 inline constexpr const char* kMadeBy =
     " Trivet: metres, kilograms, seconds, radians, z up. Made to be simulated; edit the layout "
     "instead. ";
 
-// The formats. `folder` is what comes before names of meshes, with a slash at its end.
+// One function per format. `folder` prefixes the names of meshes and ends with a slash.
 std::string mjcf_text(const SimulationScene& scene, const MeshFiles& meshes,
                       const std::string& folder);
 std::string urdf_text(const SimulationScene& scene, const MeshFiles& meshes,
                       const std::string& folder);
 std::string sdf_text(const SimulationScene& scene, const MeshFiles& meshes,
                      const std::string& folder);
-/// Meshes are layers of their own, see usda_meshes().
+/// Meshes are separate layers, see usda_meshes().
 std::string usda_text(const SimulationScene& scene, const std::vector<std::string>& layers,
                       const std::string& folder);
 std::vector<MeshFile> usda_meshes(const SimulationScene& scene);

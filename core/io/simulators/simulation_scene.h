@@ -1,5 +1,5 @@
-// Scenes for physics simulators: MuJoCo MJCF, URDF, SDF, USD. What a scene is for all of them, and
-// writing it; ops/simulation makes it of a Scene.
+// Scenes for physics simulators: MuJoCo MJCF, URDF, SDF, USD. Declares the common scene description
+// and its writer; ops/simulation makes it from a Scene.
 //
 // A body's link frame has the metre and the z axis up; it is the object's pose, so that a body's
 // position is that of a layout (of models far from their own origin: a centre near them).
@@ -15,16 +15,16 @@
 
 namespace trivet {
 
-/// What objects of one model, scale and up axis share: files of meshes.
+/// Data shared by objects of one model, scale and up axis: mesh files.
 struct SimulationModel {
   std::string name;
   std::shared_ptr<const Model> model;
   Affine link_from_object;
-  std::vector<ConvexPart> parts;  // what collides; none: the triangles themselves
+  std::vector<ConvexPart> parts;  // collision parts; empty: the triangles themselves
 };
 
 struct SimulationBody {
-  std::string name;       // as the user knows it
+  std::string name;       // as given by the user
   std::string file_name;  // valid and unique in the format; write_simulation() sets it
   size_t model = 0;
   Pose world_from_link;
@@ -47,27 +47,27 @@ struct SimulationScene {
 struct SimulationFileOptions {
   /// Folder of the meshes; relative: to the scene file. Empty: "<stem>_meshes".
   std::string mesh_folder;
-  /// Put before the meshes' paths in URDF and SDF, such as "package://my_robot/"; empty: paths
-  /// relative to the scene file.
+  /// Prefix of mesh paths in URDF and SDF, such as "package://my_robot/"; empty: paths relative to
+  /// the scene file.
   std::string mesh_prefix;
 };
 
-/// Writes .xml or .mjcf (MuJoCo), .urdf, .sdf or .world, .usda. Meshes carry a hash of their
-/// content in their names: a mesh file is never changed, scenes may share a folder, and the scene
-/// file, written last and atomically, never names a mesh that is not there.
+/// Writes .xml or .mjcf (MuJoCo), .urdf, .sdf or .world, .usda. Mesh names carry a hash of the
+/// content: a mesh file is never changed, scenes may share a folder, and the scene file, written
+/// last and atomically, never names a missing mesh.
 /// @param scene  its bodies get their `file_name`.
-/// @return all files that the scene needs, the scene file first.
-/// @throws Error: BadInput for an unknown extension, Environment when it cannot be written.
+/// @return all files of the scene, the scene file first.
+/// @throws Error: BadInput for an unknown extension, Environment if a file cannot be written.
 std::vector<std::string> write_simulation(SimulationScene& scene, const std::string& path,
                                           const SimulationFileOptions& options = {});
 
-/// Whether write_simulation() knows the extension, such as ".urdf".
+/// Whether write_simulation() supports the extension, such as ".urdf".
 bool is_simulation_extension(const std::string& extension);
 /// ".xml, .mjcf, ..."
 const std::vector<std::string>& simulation_extensions();
 
-/// Names of ASCII letters, digits, '_' and, if `dashes`, '-' and '.'; a letter or '_' first; no two
-/// the same, none in `taken`. Names that are so already stay.
+/// Makes names of ASCII letters, digits, '_' and, if `dashes`, '-' and '.', starting with a letter
+/// or '_'; all different, none in `taken`. Valid names stay unchanged.
 std::vector<std::string> valid_names(const std::vector<std::string>& names, bool dashes,
                                      std::set<std::string> taken);
 

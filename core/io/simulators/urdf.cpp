@@ -1,5 +1,5 @@
-// URDF: a robot whose root link "world" has a child link for each object, by a fixed joint or, if
-// the object is free, by a floating one.
+// URDF: a robot with root link "world" and a child link for each object, attached by a fixed joint
+// or, if the object is free, a floating one.
 #include <cmath>
 
 #include "core/io/simulators/simulation_files.h"
@@ -11,8 +11,8 @@ using Element = tinyxml2::XMLElement;
 
 constexpr double kFloorSize = 100, kFloorThickness = 1;  // metres; URDF has no planes
 
-/// Roll, pitch and yaw about fixed x, y, z. The only rotation that URDF has; the digits beyond the
-/// 15th may differ between C libraries.
+/// Roll, pitch and yaw about fixed x, y, z: URDF's only form of rotation. Digits beyond the 15th
+/// may differ between C libraries.
 Vec3 rpy_of(const Rotation& rotation) {
   const Mat3 m = rotation.matrix();
   const double across = std::hypot(m(0, 0), m(1, 0));
@@ -43,7 +43,7 @@ void add_inertial(Element* link, const SimulationBody& body) {
              {"izz", number_text(i(2, 2))}});
 }
 
-/// What URDF itself has no word for, as Bullet and Gazebo read it.
+/// Friction in the extensions of Bullet and Gazebo; URDF itself has none.
 void add_friction(Element* robot, Element* link, const std::string& name, double friction) {
   const std::string mu = number_text(friction);
   add_child(add_child(link, "contact"), "lateral_friction", {{"value", mu}});

@@ -1,5 +1,5 @@
-// USD as text, with the schemas UsdGeom and UsdPhysics: a stage of bodies that refer to layers of
-// their own, one per model.
+// USD as text, with the schemas UsdGeom and UsdPhysics: a stage of bodies that reference separate
+// layers, one per model.
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <charconv>
@@ -29,7 +29,7 @@ std::string tuple(std::initializer_list<double> values) {
 std::string tuple(const Vec3& v) { return tuple({v.x(), v.y(), v.z()}); }
 std::string tuple(const Rotation& r) { return tuple({r.w, r.x, r.y, r.z}); }
 
-/// Lines with two spaces per open brace.
+/// Lines indented by two spaces per open brace.
 class UsdaText {
  public:
   explicit UsdaText(const std::string& default_prim) {
@@ -97,7 +97,7 @@ std::string integers_text(const Range& range) {
   return array_text(range, [](std::string& out, Index i) { out += std::to_string(i); });
 }
 
-/// What all meshes have; the prim stays open.
+/// Opens a mesh prim and writes the common attributes.
 void open_mesh(UsdaText& text, const std::string& name, const std::vector<std::string>& metadata,
                const std::vector<Vec3>& points, const std::vector<Index3>& triangles) {
   Aabb box;
@@ -236,7 +236,7 @@ class Frictions {
 void add_body(UsdaText& text, const SimulationBody& body, const std::string& layer,
               const Frictions& frictions) {
   const std::string reference = "prepend references = @./" + layer + "@";
-  // A collider that is no rigid body is static.
+  // A collider without a rigid body is static.
   text.open("Xform", body.file_name,
             {body.fixed ? apis({"MaterialBindingAPI"})
                         : apis({"PhysicsRigidBodyAPI", "PhysicsMassAPI", "MaterialBindingAPI"}),

@@ -25,10 +25,10 @@ Format format_of(const std::string& path) {
   for (const std::string& e : simulation_extensions())
     accepted += (accepted.empty() ? "" : ", ") + e;
   throw Error(Error::Kind::BadInput,
-              path + ": cannot write \"" + extension + "\"; accepted are " + accepted);
+              path + ": cannot write \"" + extension + "\"; accepted: " + accepted);
 }
 
-/// Names that the format has for itself.
+/// Names reserved by the format.
 std::set<std::string> reserved_names(Format format) {
   if (format == Format::Usda) return {"World", "Looks", "floor", "PhysicsScene", "FloorMaterial"};
   return {"world", "floor"};
@@ -47,7 +47,7 @@ void set_names(SimulationScene& scene, Format format) {
   scene.name = valid_names({scene.name}, dashes, {}).front();
 }
 
-/// Whether the file is there already, whole: its name says what is in it.
+/// Whether the complete file already exists: its name contains the hash of its content.
 bool is_written(const fs::path& path, const std::string& bytes) {
   std::error_code error;
   if (fs::file_size(path, error) != bytes.size() || error) return false;
@@ -61,10 +61,11 @@ void make_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error)
-    throw Error(Error::Kind::Environment, folder.string() + ": cannot be made: " + error.message());
+    throw Error(Error::Kind::Environment,
+                folder.string() + ": cannot be created: " + error.message());
 }
 
-/// Meshes and the scene file, in memory: all that can fail but the disk comes first.
+/// Meshes and the scene file, in memory: everything that can fail, except the disk, comes first.
 struct SimulationText {
   std::vector<MeshFile> meshes;
   std::string scene;

@@ -27,7 +27,7 @@ int num_triangles(const DemoLayout& demo) {
   return static_cast<int>(n);
 }
 
-TEST(Demo, HasThePapersNumbers) {
+TEST(Demo, MatchesNumbersOfPaper) {
   const DemoLayout small = make_demo("spoon-saucer"), large = make_demo("breakfast");
   EXPECT_EQ(small.layout.objects.size(), 2u);
   EXPECT_EQ(large.layout.objects.size(), 24u);
@@ -42,7 +42,7 @@ TEST(Demo, HasThePapersNumbers) {
   EXPECT_LE(num_triangles(untidy), 40000);
 }
 
-TEST(Demo, PutsEachMovableObjectJustOnce) {
+TEST(Demo, PutsEachMovableObjectOnce) {
   for (const std::string& name : demo_names()) {
     const DemoLayout demo = make_demo(name);
     std::map<std::string, int> puts;
@@ -62,8 +62,8 @@ TEST(Demo, PutsEachMovableObjectJustOnce) {
   }
 }
 
-// On the tables nothing that has been put reaches up to where the next objects start.
-TEST(Demo, StartsAboveTheTable) {
+// No object put on the tables reaches the start heights of the next objects.
+TEST(Demo, StartsAboveTable) {
   for (const char* name : {"spoon-saucer", "breakfast"}) {
     const DemoLayout demo = make_demo(name);
     double ground = 0;
@@ -78,7 +78,7 @@ TEST(Demo, StartsAboveTheTable) {
   }
 }
 
-TEST(Demo, WritesALayoutThatReadsBack) {
+TEST(Demo, WritesLayoutThatReadsBack) {
   for (const std::string& name : demo_names()) {
     const DemoLayout demo = make_demo(name);
     const Layout read = parse_layout(layout_json(demo), name);
@@ -97,7 +97,7 @@ TEST(Demo, WritesALayoutThatReadsBack) {
 
 using Supports = std::map<std::string, std::set<std::string>>;
 
-// Who stands on whom, after the demo has run.
+// Supporting relations after the demo has run.
 Supports supports_of(const Scene& scene) {
   Supports out;
   for (const LoadSupport::Entry& entry : load_support(scene).entries)
@@ -131,7 +131,7 @@ TEST(Demo, ComesToRestWithoutInterpenetration) {
   }
 }
 
-TEST(Demo, LaysTheTable) {
+TEST(Demo, LaysTable) {
   const LayoutRun result = run(make_demo("breakfast"));
   const Supports supports = supports_of(result.scene);
   const auto expect = [&](const char* object, std::set<std::string> on) {
@@ -165,7 +165,7 @@ std::set<std::string> touched_by(const Scene& scene, const std::string& object) 
   return out;
 }
 
-// How the first push of an object went.
+// Result of an object's first push.
 OperationResult push_of(const LayoutRun& run, const std::string& object) {
   for (const OperationRecord& record : run.operations)
     if (record.op == std::string("push") && record.object == object) return record.result;
@@ -173,7 +173,7 @@ OperationResult push_of(const LayoutRun& run, const std::string& object) {
   return {};
 }
 
-TEST(Demo, FurnishesTheOffice) {
+TEST(Demo, FurnishesOffice) {
   const LayoutRun result = run(make_demo("office1"));
   const Supports supports = supports_of(result.scene);
   expect_supports(supports, {"monitor", "keyboard", "mouse", "telephone", "lamp", "mug", "report"},
@@ -190,14 +190,14 @@ TEST(Demo, FurnishesTheOffice) {
   EXPECT_EQ(push_of(result, "mug").carried, std::vector<std::string>{"pencil"});
 }
 
-TEST(Demo, FurnishesTheOfficeWithAllSixOperations) {
+TEST(Demo, FurnishesOfficeWithAllSixOperations) {
   std::set<std::string> used;
   for (const Operation& op : make_demo("office2").layout.operations) used.insert(op_name(op));
   EXPECT_EQ(used, (std::set<std::string>{"put", "push", "turn", "pick_up", "translate", "rotate"}));
 }
 
 // OFFICE2 is OFFICE1 and nine more objects.
-TEST(Demo, UntidiesTheOffice) {
+TEST(Demo, UntidiesOffice) {
   const DemoLayout tidy = make_demo("office1"), untidy = make_demo("office2");
   for (size_t i = 0; i < tidy.layout.objects.size(); ++i)
     EXPECT_EQ(untidy.layout.objects[i].name, tidy.layout.objects[i].name);
@@ -225,8 +225,8 @@ TEST(Demo, IsTheSameWithAnyNumberOfThreads) {
   }
 }
 
-// What was put upright stands upright: the z axis of each of these is the world's.
-TEST(Demo, KeepsTheTablewareUpright) {
+// Objects put upright stay upright: the z axis of each is the world's.
+TEST(Demo, KeepsTablewareUpright) {
   const LayoutRun result = run(make_demo("breakfast"));
   for (const char* name : {"cup_front", "cup_back", "teapot", "jug", "bowl", "glass_front",
                            "glass_back", "egg_cup", "egg", "plate_front", "plate_back"}) {
@@ -235,7 +235,7 @@ TEST(Demo, KeepsTheTablewareUpright) {
   }
 }
 
-TEST(Demo, RefusesUnknownNames) {
+TEST(Demo, RejectsUnknownNames) {
   EXPECT_THROW(make_demo("lunch"), Error);
   EXPECT_THROW(make_demo("breakfast").model("samovar.glb"), Error);
 }

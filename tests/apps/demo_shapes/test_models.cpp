@@ -13,7 +13,7 @@
 namespace trivet::shapes {
 namespace {
 
-/// What a model must be: triangles, size of its box in metres, number of closed surfaces.
+/// Expected properties: triangles, size of its box in metres, number of closed surfaces.
 struct Expected {
   int min_triangles, max_triangles;
   Vec3 min_size, max_size;
@@ -81,8 +81,8 @@ Triangle opposite_edge(const Mesh& mesh, Index f, Index g) {
   return mesh.triangle(f);
 }
 
-/// Whether two faces meet elsewhere than in the corners that they share; exact, but for faces that
-/// share an edge: there only a fold back onto each other counts.
+/// Whether two faces meet anywhere but in their shared corners; exact, except for faces that share
+/// an edge: there, only a fold back onto each other counts.
 bool faces_cross(const Mesh& mesh, Index f, Index g) {
   const Triangle a = mesh.triangle(f), b = mesh.triangle(g);
   switch (num_shared(mesh.triangles[f], mesh.triangles[g])) {
@@ -127,7 +127,7 @@ TEST_P(Models, AreClosedAndConsistentlyOriented) {
   EXPECT_EQ(mass_properties(m_model.mesh, m_adjacency).rule, MassRule::Volume);
 }
 
-TEST_P(Models, HaveTheirSize) {
+TEST_P(Models, HaveExpectedSize) {
   const int num = static_cast<int>(m_model.mesh.triangles.size());
   EXPECT_GE(num, m_expected.min_triangles);
   EXPECT_LE(num, m_expected.max_triangles);
@@ -138,7 +138,7 @@ TEST_P(Models, HaveTheirSize) {
   EXPECT_EQ(box.lower.z(), 0);
 }
 
-TEST_P(Models, AreOnTheGrid) {
+TEST_P(Models, AreOnGrid) {
   for (const Vec3& p : m_model.mesh.vertices)
     for (int i = 0; i < 3; ++i) {
       EXPECT_EQ(p[i], std::nearbyint(p[i] / kGrid) * kGrid);
@@ -172,14 +172,14 @@ TEST_P(Models, HaveAppearance) {
 INSTANTIATE_TEST_SUITE_P(All, Models, ::testing::ValuesIn(model_names()),
                          [](const auto& made) { return made.param; });
 
-TEST(Models, KnowTheirNames) {
+TEST(Models, ListTheirNames) {
   EXPECT_EQ(model_names().size(), expectations().size());
   EXPECT_THROW(make_model("samovar"), Error);
 }
 
-// Where a handle, a spout or a stem enters the body, it meets only faces that look outwards: it
+// At the joint with a handle, a spout or a stem, the body meets only faces that look outwards: it
 // ends within the wall.
-TEST(Models, HandlesEndWithinTheWall) {
+TEST(Models, EndHandlesWithinWall) {
   for (const char* name : {"cup", "teapot", "jug", "mug"}) {
     const Model model = make_model(name);
     const Adjacency adjacency = make_adjacency(model.mesh);
@@ -195,7 +195,7 @@ TEST(Models, HandlesEndWithinTheWall) {
   }
 }
 
-// What is to stand has a flat base: several vertices at exactly z = 0, around the centre of mass.
+// Standing models have a flat base: several vertices at exactly z = 0, around the centre of mass.
 TEST(Models, StandOnFlatBases) {
   for (const char* name :
        {"saucer", "plate",     "cup",  "glass", "bowl",         "egg_cup", "teapot",  "jug",
@@ -213,7 +213,7 @@ TEST(Models, StandOnFlatBases) {
   }
 }
 
-TEST(Models, CupFitsTheSaucersWell) {
+TEST(Models, FitCupInSaucerWell) {
   double foot = 0, well = kInfinity;
   const Model cup = make_cup(), saucer = make_saucer();
   for (const Vec3& p : cup.mesh.vertices)
@@ -223,7 +223,7 @@ TEST(Models, CupFitsTheSaucersWell) {
   EXPECT_GT(well, foot + 0.004);
 }
 
-TEST(Models, TableTopAndClothAreFlat) {
+TEST(Models, HaveFlatTableTopAndCloth) {
   const Model table = make_table();
   EXPECT_NEAR(table.mesh.box().upper.z(), kClothHeight, kGrid);
   int num_on_cloth = 0;
@@ -231,8 +231,8 @@ TEST(Models, TableTopAndClothAreFlat) {
   EXPECT_GT(num_on_cloth, 20);
 }
 
-// Things are put down on these heights: vertices there, and nothing above them.
-TEST(Models, DeskTopAndBookcaseBoardsAreFlat) {
+// Objects are put down at these heights: vertices there, and none above them.
+TEST(Models, HaveFlatDeskTopAndBoards) {
   EXPECT_NEAR(make_desk().mesh.box().upper.z(), kDeskHeight, kGrid);
   const Model bookcase = make_bookcase();
   EXPECT_NEAR(bookcase.mesh.box().upper.z(), kBookcaseHeight, kGrid);
@@ -248,7 +248,7 @@ TEST(Models, DeskTopAndBookcaseBoardsAreFlat) {
   }
 }
 
-TEST(Models, PencilsFitTheMug) {
+TEST(Models, FitPencilsInMug) {
   double inside = kInfinity;
   for (const Vec3& p : make_mug().mesh.vertices)
     if (p.z() > 0.011) inside = std::min(inside, p.head<2>().norm());

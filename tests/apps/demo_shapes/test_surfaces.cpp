@@ -11,7 +11,7 @@
 namespace trivet::shapes {
 namespace {
 
-TEST(Curves, PassThroughTheirControlPoints) {
+TEST(Curves, PassThroughControlPoints) {
   const std::vector<ControlPoint> points{smooth({0, 0}), smooth({1, 1}, 1), smooth({2, 0}, 2),
                                          corner({3, 1}), corner({4, 0})};
   const auto curve = flatten(points, 1e-3);
@@ -23,7 +23,7 @@ TEST(Curves, PassThroughTheirControlPoints) {
   }
 }
 
-TEST(Curves, NeedFewerSamplesForMoreTolerance) {
+TEST(Curves, UseFewerSamplesForMoreTolerance) {
   const std::vector<ControlPoint> points{pole(0), smooth({1, 1}), pole(2)};
   const auto coarse = flatten(points, 0.1), fine = flatten(points, 0.001);
   EXPECT_LT(coarse.size(), fine.size());
@@ -31,14 +31,14 @@ TEST(Curves, NeedFewerSamplesForMoreTolerance) {
   EXPECT_EQ(flatten({corner({0, 0}), corner({1, 0}), corner({1, 1})}, 1e-6).size(), 3u);
 }
 
-TEST(Curves, MeetTheAxisAtRightAnglesInPoles) {
+TEST(Curves, MeetAxisAtRightAnglesInPoles) {
   const auto curve = flatten({pole(0), smooth({1, 1}), pole(2)}, 1e-5);
   EXPECT_LT(std::abs(curve[1][1] - curve[0][1]), 0.1 * std::abs(curve[1][0] - curve[0][0]));
 }
 
 double volume(const std::vector<Ring>& rings) { return signed_volume(skin(rings).triangles) / 6; }
 
-TEST(Surfaces, OfRevolutionHaveTheirVolume) {
+TEST(Surfaces, HaveVolumeOfRevolution) {
   const auto cylinder =
       flatten({corner({0, 0}), corner({2, 0}), corner({2, 3}), corner({0, 3})}, 1e-3);
   const double n = 64, polygon = 0.5 * n * 4 * std::sin(2 * std::numbers::pi / n);
@@ -47,13 +47,13 @@ TEST(Surfaces, OfRevolutionHaveTheirVolume) {
   EXPECT_NEAR(mixed, 3 * polygon, 1e-12);  // no ring has a radius below 1, but the poles
 }
 
-TEST(Surfaces, OfSlabsAndSweepsHaveTheirVolume) {
+TEST(Surfaces, HaveVolumeOfSlabsAndSweeps) {
   EXPECT_NEAR(volume(slab({2, 1}, 1e-4, 1e-5, 0, 0.5, 1)), 4, 1e-3);
   const auto path = flatten({corner({0, 0, 0.1, 0.2}), corner({0, 2, 0.1, 0.2})}, 1e-3);
   EXPECT_NEAR(volume(sweep(path, 128)), 2 * std::numbers::pi * 0.02, 1e-4);
 }
 
-TEST(Surfaces, RoundedRectanglesNeedASegmentPerCorner) {
+TEST(Surfaces, RequireSegmentPerRoundedCorner) {
   EXPECT_THROW(rounded_rectangle(2, 1, 0.1, 0, 0), Error);
   EXPECT_THROW(slab({2, 1}, 0.1, 0.01, 0, 1, -3), Error);
   const Ring ring = rounded_rectangle(2, 1, 0.1, 1, 0);
@@ -61,7 +61,7 @@ TEST(Surfaces, RoundedRectanglesNeedASegmentPerCorner) {
   for (const Vec3& p : ring.points) EXPECT_TRUE(p.allFinite());
 }
 
-TEST(Surfaces, WithUnequalRingsAreClosed) {
+TEST(Surfaces, CloseUnequalRings) {
   for (const size_t n : {3u, 4u, 5u, 7u, 12u, 36u}) {
     std::vector<Ring> rings;
     for (const size_t m : {n, size_t{7}, size_t{24}, n}) {
@@ -81,7 +81,7 @@ TEST(Surfaces, WithUnequalRingsAreClosed) {
   }
 }
 
-TEST(Assemble, SnapsToTheGridAndToTheFloor) {
+TEST(Assemble, SnapsToGridAndFloor) {
   EXPECT_EQ(snap_to_grid(0.3), 314573 * kGrid);
   EXPECT_FALSE(std::signbit(snap_to_grid(-1e-9)));
   const Model model = assemble("box", {{skin(slab({1, 1}, 0.1, 0.05, 3, 4, 3))}}, {Material{}});

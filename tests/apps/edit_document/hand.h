@@ -1,4 +1,4 @@
-// A hand at the mouse: what a window would make of clicks and drags.
+// Simulated mouse: produces the events that a window makes of clicks and drags.
 #pragma once
 
 #include "apps/edit/tools/toolbox.h"
@@ -16,7 +16,7 @@ class Hand {
 
   /// Frames a box from the front and above.
   void look_at(const Aabb& box);
-  /// Straight down, orthographic.
+  /// Looks straight down, orthographic.
   void look_down(const Aabb& box);
 
   Vec2 px(const Vec3& world) const { return *view.project(world); }
@@ -24,12 +24,12 @@ class Hand {
   void move(const Vec2& at) { send(PointerEvent::Kind::Move, at); }
   void release(const Vec2& at) { send(PointerEvent::Kind::Release, at); }
   void click(const Vec2& at);
-  /// In `steps` moves; waits for each to be followed, as eyes would.
+  /// Drags in `steps` moves; waits until each has been followed.
   void drag(const Vec2& from, const Vec2& to, int steps = 10);
   bool key(char character);
   bool key(KeyEvent::Key key);
 
-  /// A pixel in which the object is what the mouse meets; nothing: it is hidden.
+  /// A pixel at which picking hits the object; nullopt: it is hidden.
   std::optional<Vec2> seen(const std::string& name) const;
 
  private:

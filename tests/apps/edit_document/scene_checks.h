@@ -1,4 +1,4 @@
-// What must hold of a snapshot after every commit.
+// Invariants of a snapshot after every commit.
 #pragma once
 
 #include <string>
@@ -7,9 +7,9 @@
 
 namespace trivet::edit::test {
 
-/// As a number: poses, states, links, names; the same bits give the same.
+/// Hash of poses, states, contacts, names; equal bits give equal hashes.
 std::uint64_t fingerprint(const SceneSnapshot& scene);
-/// What is wrong: interpenetration, unrest that nobody tells of. Empty: nothing.
+/// Describes a violation: interpenetration, or an unrest that is not reported. Empty: valid.
 std::string wrong_with(const SceneSnapshot& scene);
 
 }  // namespace trivet::edit::test

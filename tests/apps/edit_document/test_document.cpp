@@ -6,7 +6,7 @@
 namespace trivet::edit::test {
 namespace {
 
-TEST(Document, BeginsEmpty) {
+TEST(Document, StartsEmpty) {
   TemporaryFolder folder;
   Recorder document(folder.file("recovery"));
   ASSERT_TRUE(document->wait_until_idle());
@@ -16,7 +16,7 @@ TEST(Document, BeginsEmpty) {
   EXPECT_TRUE(document->file().empty());
 }
 
-TEST(Document, OpensChangesSavesAndOpensAgain) {
+TEST(Document, OpensChangesSavesAndReopens) {
   TemporaryFolder folder;
   Recorder document(folder.file("recovery"));
   ASSERT_TRUE(document.done(document->open_demo("spoon-saucer"))) << document.last_text();
@@ -48,7 +48,7 @@ TEST(Document, OpensChangesSavesAndOpensAgain) {
   EXPECT_EQ(document.object("spoon").pose.translation, saved.translation);
 }
 
-TEST(Document, RefusesBrokenFilesWithAMessageAndStaysAsItWas) {
+TEST(Document, RejectsBrokenFilesAndKeepsState) {
   TemporaryFolder folder;
   Recorder document(folder.file("recovery"));
   ASSERT_TRUE(document.done(document->open_demo("spoon-saucer"))) << document.last_text();
@@ -67,7 +67,7 @@ TEST(Document, RefusesBrokenFilesWithAMessageAndStaysAsItWas) {
   }
 }
 
-TEST(Document, TellsWhyAnOperationIsRefused) {
+TEST(Document, ReportsReasonOfRefusal) {
   TemporaryFolder folder;
   Recorder document(folder.file("recovery"));
   ASSERT_TRUE(document.done(document->open_demo("spoon-saucer"))) << document.last_text();

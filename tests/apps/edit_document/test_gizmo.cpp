@@ -19,7 +19,7 @@ View some_view(bool orthographic) {
   return view;
 }
 
-TEST(Gizmo, EveryHandleIsMetOnItsLines) {
+TEST(Gizmo, HitsEveryHandleOnItsLines) {
   for (const bool orthographic : {false, true})
     for (const bool turns : {false, true}) {
       const View view = some_view(orthographic);
@@ -36,7 +36,7 @@ TEST(Gizmo, EveryHandleIsMetOnItsLines) {
     }
 }
 
-TEST(Gizmo, IsAsLargeOnTheScreenFarAwayAsNear) {
+TEST(Gizmo, KeepsScreenSizeAtAnyDistance) {
   View view = some_view(false);
   const auto length = [&] {
     double longest = 0;
@@ -49,7 +49,7 @@ TEST(Gizmo, IsAsLargeOnTheScreenFarAwayAsNear) {
   EXPECT_NEAR(length() / near, 1, 0.15);
 }
 
-TEST(Gizmo, AnArrowSeenFromItsEndIsNotMet) {
+TEST(Gizmo, IgnoresArrowSeenEndOn) {
   View view = some_view(true);
   view.eye = Vec3(0, 0, 3);
   view.up = Vec3::UnitY();
@@ -64,7 +64,7 @@ PointerEvent event_at(const View& view, const Vec2& px) {
   return event;
 }
 
-TEST(Turning, FollowsTheMouseRoundTheAxisSeenFromItsEnd) {
+TEST(Turning, FollowsMouseAroundAxisSeenEndOn) {
   for (const double sign : {1.0, -1.0}) {
     View view = some_view(true);
     view.eye = Vec3(0, 0, 3);
@@ -81,11 +81,11 @@ TEST(Turning, FollowsTheMouseRoundTheAxisSeenFromItsEnd) {
   }
 }
 
-TEST(Turning, GoesAcrossTheAxisSeenFromTheSide) {
+TEST(Turning, FollowsMouseAcrossAxisSeenFromSide) {
   View view = some_view(true);
   view.eye = Vec3(0, -3, 0);
   Turning turning(event_at(view, Vec2(400, 300)), Vec3::Zero(), Vec3::UnitZ());
-  // What faces the viewer goes to the right when z turns forwards.
+  // The side that faces the viewer moves right when z turns forwards.
   EXPECT_GT(turning.follow(event_at(view, Vec2(440, 300)), 0), 10);
 }
 
@@ -95,7 +95,7 @@ TEST(Placing, RoundsToFewDigits) {
   EXPECT_EQ(rounded(0.3, 0), 0.3);
 }
 
-TEST(ContactPicking, InsideOfPolygons) {
+TEST(ContactPicking, DetectsInsideOfPolygons) {
   const std::vector<Vec2> square{{0, 0}, {10, 0}, {10, 10}, {0, 10}};
   EXPECT_TRUE(is_inside(Vec2(5, 5), square));
   EXPECT_FALSE(is_inside(Vec2(15, 5), square));

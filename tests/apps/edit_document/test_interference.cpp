@@ -1,4 +1,4 @@
-// Which faces are lit while a drag is blocked, and while something is where it may not be.
+// Highlighted faces during a blocked drag and while objects interpenetrate.
 #include "apps/edit_document/hand.h"
 #include "core/contact/triangle_distance.h"
 
@@ -12,7 +12,7 @@ class Interference : public testing::Test {
     hand.look_at(document->snapshot()->box());
   }
 
-  /// With the button down; returns the snapshot in which the drag was blocked.
+  /// Keeps the button down; returns the snapshot in which the drag was blocked.
   std::shared_ptr<const SceneSnapshot> drag_until_blocked(const std::string& name) {
     for (const Vec2& way : {Vec2(200, 0), Vec2(-200, 0), Vec2(0, 120), Vec2(0, -120)}) {
       const auto from = hand.seen(name);
@@ -58,10 +58,10 @@ double distance(const SceneSnapshot& scene, const FacesOfObject& a, const FacesO
   return nearest;
 }
 
-TEST_F(Interference, ABlockedDragLightsTheFacesThatMeet) {
+TEST_F(Interference, HighlightsTouchingFacesOfBlockedDrag) {
   toolbox.take(ToolKind::Push);
   const auto blocked = drag_until_blocked("glass_back");
-  ASSERT_TRUE(blocked) << "nothing was in the way";
+  ASSERT_TRUE(blocked) << "the drag was not blocked";
   const DragSnapshot& drag = *blocked->drag;
   const FacesOfObject* const moved = of(*blocked, drag.faces, "glass_back");
   const FacesOfObject* const stands = of(*blocked, drag.faces, drag.blocked_by);
@@ -69,7 +69,7 @@ TEST_F(Interference, ABlockedDragLightsTheFacesThatMeet) {
   EXPECT_LT(distance(*blocked, *moved, *stands), 1e-5) << "metres: they touch";
   EXPECT_LT(moved->faces.size(), document.object("glass_back").shape->mesh.triangles.size() / 4)
       << "not the whole object";
-  // After it is let go, the message is about the same faces.
+  // After the release, the message refers to the same faces.
   toolbox.options().settle = false;
   hand.release(hand.px(Vec3::Zero()));
   ASSERT_TRUE(document->wait_until_idle());
@@ -77,7 +77,7 @@ TEST_F(Interference, ABlockedDragLightsTheFacesThatMeet) {
   EXPECT_FALSE(document.messages().back().faces.empty()) << document.last_text();
 }
 
-TEST_F(Interference, AFreeMoveLightsTheFacesThatCrossUntilItIsResolved) {
+TEST_F(Interference, HighlightsCrossingFacesOfFreeMoveUntilResolved) {
   toolbox.take(ToolKind::Move);
   toolbox.options().free = true;
   const auto from = hand.seen("teapot");

@@ -1,6 +1,5 @@
-// Random events of all tools: no crash, no commit that is not sound, back to the first bit, and no
-// memory kept.
-// TRIVET_TEST_EFFORT=33 does 10,000.
+// Random events for all tools: no crash, no unsound commit, bitwise undo to the start, no leaked
+// memory. TRIVET_TEST_EFFORT=33 runs 10,000.
 #include <malloc.h>
 
 #include <cstdio>
@@ -93,7 +92,7 @@ class Monkey {
   Random m_random;
 };
 
-// Allocated, not what the allocator keeps; 0 where it does not tell (sanitizers).
+// Allocated bytes, without the allocator's reserves; 0 if unavailable (sanitizers).
 double heap_bytes() {
   const struct mallinfo2 info = mallinfo2();
   return double(info.uordblks) + double(info.hblkhd);
@@ -101,13 +100,13 @@ double heap_bytes() {
 
 constexpr int kRounds = 6;
 constexpr double kKiB = 1024;
-// Of what a round leaves behind: nothing of its scene or history may stay; queues and caches of Qt
-// and the C library may be a little larger at one time than at another.
+// Limit for a round's residue: none of its scene or history may stay; queues and caches of Qt and
+// the C library vary slightly.
 constexpr double kMostLeft = 128 * kKiB;
-// One step keeps the two objects as they were, with their contacts; meshes are shared.
+// One step stores the two objects' previous state with their contacts; meshes are shared.
 constexpr double kMostPerStep = 64 * kKiB;
 
-// One scene from opening to the last undo.
+// Plays one scene from opening to the last undo.
 void play(Recorder& document, unsigned seed, int num_actions) {
   ASSERT_TRUE(document.done(document->open_demo("spoon-saucer")));
   const std::uint64_t start = fingerprint(*document->snapshot());
@@ -130,7 +129,7 @@ void play(Recorder& document, unsigned seed, int num_actions) {
   EXPECT_EQ(fingerprint(*document->snapshot()), start);
 }
 
-TEST(Monkey, RandomEventsCommitNothingUnsoundAndLeaveNothingBehind) {
+TEST(Monkey, CommitsOnlySoundScenesAndLeaksNoMemory) {
   const unsigned seed = 20261121;
   SCOPED_TRACE(seed);
   TemporaryFolder folder;
@@ -142,7 +141,7 @@ TEST(Monkey, RandomEventsCommitNothingUnsoundAndLeaveNothingBehind) {
     ASSERT_TRUE(document.done(document->new_scene()));
     document.forget();
     last = heap_bytes();
-    if (round == 0) first = last;  // whatever is made once is made now
+    if (round == 0) first = last;  // one-time allocations are done now
     std::printf("after %d actions: %.0f KiB\n", (round + 1) * (num_actions / kRounds), last / kKiB);
   }
   EXPECT_LT(last - first, kMostLeft);

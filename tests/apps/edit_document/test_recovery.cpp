@@ -20,7 +20,7 @@ PushOperation push_spoon(double distance) {
   return push;
 }
 
-// What is killed: three steps, an undo, then a drag that never ends.
+// Killed child process: three steps, an undo, then a drag that never ends.
 TEST(Crash, DISABLED_Child) {
   const char* const folder = std::getenv(kFolder);
   ASSERT_TRUE(folder);
@@ -55,7 +55,7 @@ std::string run_child_until_it_drags_and_kill_it(const std::string& folder) {
   return begin < 0 ? "" : said.mid(begin + 10, 16).toStdString();
 }
 
-TEST(Crash, InTheMiddleOfADragLosesThatDragAlone) {
+TEST(Crash, LosesOnlyTheDragInProgress) {
   TemporaryFolder folder;
   const std::string recovery = folder.file("recovery");
   const std::string committed = run_child_until_it_drags_and_kill_it(recovery);
@@ -72,11 +72,11 @@ TEST(Crash, InTheMiddleOfADragLosesThatDragAlone) {
   EXPECT_EQ(document->history().num_done, 2u);
   EXPECT_TRUE(document->can_redo());
   EXPECT_TRUE(document->is_modified());
-  EXPECT_TRUE(document->recoverable().empty());  // it is this document's now
+  EXPECT_TRUE(document->recoverable().empty());  // now owned by this document
   ASSERT_TRUE(document.done(document->redo()));
 }
 
-TEST(Recovery, NothingIsLeftOfASessionThatWasClosedOrInWhichNothingWasDone) {
+TEST(Recovery, RemovesFilesOfClosedAndOfEmptySessions) {
   TemporaryFolder folder;
   const std::string recovery = folder.file("recovery");
   {
@@ -100,7 +100,7 @@ TEST(Recovery, NothingIsLeftOfASessionThatWasClosedOrInWhichNothingWasDone) {
   EXPECT_TRUE(document->recoverable().empty());
 }
 
-TEST(Recovery, WhatIsNotWantedIsDiscarded) {
+TEST(Recovery, DiscardsUnwantedSessions) {
   TemporaryFolder folder;
   const std::string recovery = folder.file("recovery");
   {
@@ -115,7 +115,7 @@ TEST(Recovery, WhatIsNotWantedIsDiscarded) {
   EXPECT_TRUE(document->recoverable().empty());
 }
 
-TEST(Recovery, TwoEditorsDoNotOpenOneFile) {
+TEST(Recovery, LocksFileAgainstSecondEditor) {
   TemporaryFolder folder;
   const std::string recovery = folder.file("recovery"), file = folder.file("scene.glb");
   Recorder first(recovery), second(recovery);
@@ -123,7 +123,7 @@ TEST(Recovery, TwoEditorsDoNotOpenOneFile) {
   ASSERT_TRUE(first.done(first->save_as(file)));
   EXPECT_FALSE(second.done(second->open(file)));
   EXPECT_NE(second.last_text().find("another editor"), std::string::npos) << second.last_text();
-  ASSERT_TRUE(first.done(first->open(file))) << first.last_text();  // its own, again
+  ASSERT_TRUE(first.done(first->open(file))) << first.last_text();  // its own file, again
   EXPECT_FALSE(second.done(second->open(file)));
   ASSERT_TRUE(first.done(first->close()));
   EXPECT_TRUE(second.done(second->open(file))) << second.last_text();

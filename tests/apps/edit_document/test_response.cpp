@@ -1,5 +1,5 @@
-// From mouse move to new pose in BREAKFAST, through the editor's own event path. Prints the figure;
-// the goal, 8 ms, is for a machine that does nothing else, and a busy one fails no test.
+// Latency from mouse move to new pose in BREAKFAST, through the editor's own event path. Prints the
+// figure; the goal, 8 ms, is for an idle machine, so a busy one does not fail the test.
 #include <algorithm>
 #include <cstdio>
 #include <ctime>
@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kHangsMs = 2000;
 
-TEST(Response, FromMouseMoveToNewPoseInBreakfast) {
+TEST(Response, MeasuresLatencyFromMouseMoveToNewPose) {
   TemporaryFolder folder;
   Recorder document(folder.file("recovery"));
   ASSERT_TRUE(document.done(document->open_demo("breakfast"))) << document.last_text();

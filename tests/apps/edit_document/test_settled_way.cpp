@@ -1,4 +1,4 @@
-// Ways that are watched: where they go through, and where they end.
+// Playback paths: intermediate poses and end.
 #include <cmath>
 
 #include "apps/edit/document/settled_way.h"
@@ -22,7 +22,7 @@ Pose turned(const Pose& pose, const Vec3& centre, const Vec3& axis, double angle
           Vec3(centre + r.matrix() * (pose.translation - centre))};
 }
 
-TEST(SettledWay, BetweenTwoPosesItTurnsAboutTheAxisOfTheStep) {
+TEST(SettledWay, TurnsAboutAxisOfStepBetweenPoses) {
   Random random(20261122);
   for (int i = 0; i < 200; ++i) {
     const Pose from{random.rotation(), random.in_cube(1)};
@@ -36,7 +36,7 @@ TEST(SettledWay, BetweenTwoPosesItTurnsAboutTheAxisOfTheStep) {
   }
 }
 
-TEST(SettledWay, BetweenTwoPosesItGoesStraight) {
+TEST(SettledWay, GoesStraightBetweenPoses) {
   const Pose from{{}, Vec3(1, 2, 3)}, to{{}, Vec3(2, 2, 1)};
   EXPECT_EQ(between(from, to, 0.5).translation, Vec3(1.5, 2, 2));
   const Pose upside_down{{0, 1, 0, 0}, Vec3(2, 2, 1)};
@@ -54,7 +54,7 @@ class Watched : public testing::Test {
 
   std::shared_ptr<const SettledWay> way() const { return document->snapshot()->way; }
 
-  /// It never jumps, and ends where the object is.
+  /// Expects a path without jumps that ends at the object's pose.
   void expect_continuous() {
     const SettledWay& w = *way();
     const Pose end = document->snapshot()->find(w.moved.front())->object->pose;
@@ -72,7 +72,7 @@ class Watched : public testing::Test {
   Recorder document;
 };
 
-TEST_F(Watched, APutFallsFromItsStartAndTopples) {
+TEST_F(Watched, PutFallsFromStartAndTopples) {
   PutOperation put;
   put.object = "spoon";
   put.start = {Rotation::about_axis(Vec3::UnitX(), 0.9), Vec3(0.4, 0.1, 0.3)};  // upright
@@ -82,10 +82,10 @@ TEST_F(Watched, APutFallsFromItsStartAndTopples) {
   EXPECT_GT(way()->poses.size(), 3u) << "it falls, and tips over";
   expect_continuous();
   ASSERT_TRUE(document.done(document->undo()));
-  EXPECT_FALSE(way()) << "nobody saw how it went back";
+  EXPECT_FALSE(way()) << "an undo has no path";
 }
 
-TEST_F(Watched, WhatIsCarriedGoesAlong) {
+TEST_F(Watched, CarriesLoadsAlong) {
   PushOperation push;
   push.object = "saucer";
   push.direction = Vec2(1, 0.2);
@@ -102,7 +102,7 @@ TEST_F(Watched, WhatIsCarriedGoesAlong) {
   EXPECT_LT((carried.translation - middle.translation - spoon).norm(), 1e-9);
 }
 
-TEST_F(Watched, OfADragOnlyWhatComesAfterTheHand) {
+TEST_F(Watched, PlaysOnlySettlingAfterDrag) {
   PushOperation push;
   push.object = "spoon";
   document->begin_drag(push);

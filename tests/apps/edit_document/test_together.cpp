@@ -1,4 +1,4 @@
-// What is selected moves together, as one step, with all that lies on it.
+// Selected objects move together with their loads, as one step.
 #include "apps/edit_document/hand.h"
 #include "apps/edit_document/scene_checks.h"
 
@@ -17,7 +17,7 @@ class Together : public testing::Test {
 
   Vec3 at(const std::string& name) const { return document.object(name).pose.translation; }
 
-  /// Both, what lies on the saucer, and nothing else.
+  /// Expects that both objects, the load of the saucer, and no others have moved.
   void expect_moved(const SceneSnapshot& before, size_t steps) {
     EXPECT_EQ(document->history().num_done, steps + 1) << document.last_text();
     EXPECT_EQ(wrong_with(*document->snapshot()), "");
@@ -46,7 +46,7 @@ class Together : public testing::Test {
   Hand hand;
 };
 
-TEST_F(Together, ADragMovesWhatIsSelected) {
+TEST_F(Together, DragMovesWholeSelection) {
   const auto before = document->snapshot();
   const std::uint64_t first = fingerprint(*before);
   for (const ToolKind kind : {ToolKind::Push, ToolKind::Move, ToolKind::PickUp}) {
@@ -65,7 +65,7 @@ TEST_F(Together, ADragMovesWhatIsSelected) {
   }
 }
 
-TEST_F(Together, ARotationTurnsThemAboutOneAxis) {
+TEST_F(Together, RotationTurnsSelectionAboutOneAxis) {
   const auto before = document->snapshot();
   toolbox.take(ToolKind::PickUp);
   ASSERT_TRUE(toolbox.pick_up());  // by key
@@ -80,7 +80,7 @@ TEST_F(Together, ARotationTurnsThemAboutOneAxis) {
   EXPECT_NEAR((at("bowl") - at("saucer_front")).norm(), apart, 1e-9);
 }
 
-TEST_F(Together, GrabbingWhatIsNotSelectedMovesItAlone) {
+TEST_F(Together, GrabOfUnselectedObjectMovesItAlone) {
   toolbox.take(ToolKind::Push);
   const auto before = document->snapshot();
   const auto grabbed = hand.seen("teapot");
@@ -90,7 +90,7 @@ TEST_F(Together, GrabbingWhatIsNotSelectedMovesItAlone) {
   EXPECT_EQ(at("bowl"), (*before->find("bowl"))->pose.translation);
 }
 
-TEST_F(Together, WhatIsFixedSaysSo) {
+TEST_F(Together, FixedObjectRefusesMove) {
   Selection with_table;
   with_table.objects = {document.id("table"), document.id("bowl")};
   document->select(with_table);

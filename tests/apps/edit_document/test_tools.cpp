@@ -1,4 +1,4 @@
-// The tools, by synthetic events: SPOON-SAUCER from nothing, and what the mouse picks.
+// Tools driven by synthetic events: SPOON-SAUCER from an empty scene, and picking.
 #include <cmath>
 
 #include "apps/edit/tools/constraint_camera.h"
@@ -31,7 +31,7 @@ class Tools : public testing::Test {
   Hand hand;
 };
 
-TEST_F(Tools, LayOutSpoonSaucerFromNothing) {
+TEST_F(Tools, LayOutSpoonSaucerFromEmptyScene) {
   ASSERT_TRUE(document->wait_until_idle());
   const std::uint64_t empty = fingerprint(*document->snapshot());
   write_models("spoon-saucer", folder);
@@ -39,7 +39,7 @@ TEST_F(Tools, LayOutSpoonSaucerFromNothing) {
   EXPECT_EQ(document->selection().active(), document.id("saucer"));
   hand.look_at({Vec3(-0.1, -0.1, 0), Vec3(0.1, 0.1, 0.02)});
 
-  // PUT: the ghost goes with the mouse, a click puts it down.
+  // PUT: the ghost follows the mouse, a click puts the object down.
   toolbox.take(ToolKind::Put);
   hand.move(hand.px(Vec3(0, 0, 0)));
   ASSERT_TRUE(document->wait_until_idle());
@@ -91,7 +91,7 @@ TEST_F(Tools, LayOutSpoonSaucerFromNothing) {
   expect_sound();
   ASSERT_TRUE(document.done(document->undo()));
 
-  // PICK-UP, then carry it about.
+  // PICK-UP, then move the object around.
   hand.look_at({Vec3(-0.1, -0.1, 0), Vec3(0.1, 0.1, 0.02)});
   toolbox.take(ToolKind::PickUp);
   toolbox.options().pick_up_distance = 0.05;
@@ -106,7 +106,7 @@ TEST_F(Tools, LayOutSpoonSaucerFromNothing) {
   EXPECT_EQ(document->history().steps[document->history().num_done - 1], "translate \"spoon\"");
   expect_sound();
 
-  // Undo all, and do it all again.
+  // Undo all, and redo it all.
   const std::uint64_t end = fingerprint(*document->snapshot());
   const size_t all = document->history().num_done;
   ASSERT_TRUE(document.done(document->go_to_step(0)));
@@ -122,7 +122,7 @@ TEST_F(Tools, LayOutSpoonSaucerFromNothing) {
   expect_sound();
 }
 
-TEST_F(Tools, EscapeTakesADragBack) {
+TEST_F(Tools, EscapeCancelsDrag) {
   ASSERT_TRUE(document.done(document->open_demo("spoon-saucer")));
   hand.look_at(document->snapshot()->box());
   toolbox.take(ToolKind::Push);
@@ -142,7 +142,7 @@ TEST_F(Tools, EscapeTakesADragBack) {
   EXPECT_EQ(document->history().num_done, 0u);
 }
 
-TEST_F(Tools, SelectByClickWithShiftAndByBox) {
+TEST_F(Tools, SelectByClickShiftClickAndBox) {
   ASSERT_TRUE(document.done(document->open_demo("spoon-saucer")));
   hand.look_at(document->snapshot()->box());
   hand.click(*hand.seen("spoon"));
@@ -163,7 +163,7 @@ TEST_F(Tools, SelectByClickWithShiftAndByBox) {
   EXPECT_EQ(document->snapshot()->objects.size(), 2u);
 }
 
-TEST(ViewOfAWindow, RaysAndProjectionAgree) {
+TEST(View, InvertsProjectionByRays) {
   for (const bool orthographic : {false, true}) {
     View view;
     view.eye = Vec3(1, -3, 2);
@@ -182,7 +182,7 @@ TEST(ViewOfAWindow, RaysAndProjectionAgree) {
   }
 }
 
-TEST_F(Tools, TheConstraintWindowLooksAlongTheNormalAndTheHeldEdge) {
+TEST_F(Tools, ConstraintWindowLooksAlongNormalAndHeldEdge) {
   ASSERT_TRUE(document.done(document->open_demo("spoon-saucer")));
   Selection selection{{document.id("saucer")}, std::nullopt};
   const SceneSnapshot& scene = *document->snapshot();
@@ -196,7 +196,7 @@ TEST_F(Tools, TheConstraintWindowLooksAlongTheNormalAndTheHeldEdge) {
   EXPECT_NEAR(std::abs(edge.forward().dot((hull[1] - hull[0]).normalized())), 1, 1e-9);
   const View axis = constraint_view(scene, selection, Vec3(0, 2, 0), 640, 480);
   EXPECT_NEAR(std::abs(axis.forward().y()), 1, 1e-12);
-  // The object is in the picture.
+  // The object is visible in the picture.
   for (const View& view : {along, edge, axis}) {
     const auto at = view.project(document.object("saucer").centre_of_mass());
     ASSERT_TRUE(at);

@@ -30,8 +30,7 @@ Recorder::Recorder(const std::string& recovery_folder) {
 }
 
 bool Recorder::done(Document::Job job) {
-  if (!m_document->wait_until_idle())
-    throw std::runtime_error("the document does not come to rest");
+  if (!m_document->wait_until_idle()) throw std::runtime_error("the document did not become idle");
   return std::find(m_finished.begin(), m_finished.end(), std::pair(job, true)) != m_finished.end();
 }
 

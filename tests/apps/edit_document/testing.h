@@ -10,17 +10,17 @@ namespace trivet::edit::test {
 
 using trivet::test::TemporaryFolder;
 
-/// The models of a demo as files, in this folder.
+/// Writes the models of a demo to this folder.
 void write_models(const std::string& demo, const TemporaryFolder& folder);
 
-/// A document, and what it said.
+/// A document, recording its messages.
 class Recorder {
  public:
   explicit Recorder(const std::string& recovery_folder);
 
   Document& operator*() const { return *m_document; }
   Document* operator->() const { return m_document.get(); }
-  /// Waits until all is done. @return whether the last job did what it should.
+  /// Waits for completion. @return whether the last job succeeded.
   bool done(Document::Job job);
   const std::vector<Message>& messages() const { return m_messages; }
   std::string last_text() const { return m_messages.empty() ? "" : m_messages.back().text; }

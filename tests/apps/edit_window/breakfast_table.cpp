@@ -27,7 +27,7 @@ class Table {
     QVERIFY(m_user.wait());
   }
 
-  /// The mouse goes there, the ghost comes, a click.
+  /// Moves the mouse there, waits for the ghost, clicks.
   void put(const std::string& name, const Vec3& at, const QString& picture,
            WindowKind kind = WindowKind::Perspective) {
     m_user.move_to(m_window.view(kind), m_user.pixel(kind, at));
@@ -80,7 +80,7 @@ void lay_breakfast_table(Document& document, MainWindow& window, User& user,
             WindowKind::ThreeView);
   user.look("table_laid");
 
-  // Cup and spoon come along.
+  // Cup and spoon move along.
   user.select("saucer");
   user.press_key(Qt::Key_E);
   QVERIFY(user.wait());

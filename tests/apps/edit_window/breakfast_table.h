@@ -5,7 +5,7 @@
 
 namespace trivet::edit::test {
 
-/// Pictures "table_...": those of that page. The document has nothing unsaved.
+/// Takes that page's pictures "table_...". Leaves no unsaved changes.
 /// @param folder  for the models.
 void lay_breakfast_table(Document& document, MainWindow& window, User& user, const QString& folder);
 

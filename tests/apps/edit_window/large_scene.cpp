@@ -38,7 +38,7 @@ void measure_large_scene(Document& document, MainWindow& window, User& user,
                          const QString& folder) {
   constexpr int kMoves = 40, kHangsMs = 20000;
   const QString file = write_saucers(folder, user.object("saucer").pose);
-  document.go_to_step(0);  // nothing is unsaved: nothing is asked
+  document.go_to_step(0);  // no unsaved changes, so no question
   QVERIFY(user.wait());
   QElapsedTimer timer;
   timer.start();
@@ -57,7 +57,7 @@ void measure_large_scene(Document& document, MainWindow& window, User& user,
   };
   const auto shown = [&] { return view.shows_latest(); };
   const QPoint middle = view.rect().center();
-  /// Of all threads of this program, llvmpipe's too.
+  /// Of all threads of this program, including llvmpipe's.
   auto processor_ms = [since = std::clock()]() mutable {
     const std::clock_t before = since;
     since = std::clock();

@@ -5,7 +5,7 @@
 namespace trivet::edit::test {
 namespace {
 
-/// Pixels whose red is much stronger than the rest.
+/// Number of pixels whose red is much stronger than the other channels.
 int num_red(const QImage& image) {
   int count = 0;
   for (int y = 0; y < image.height(); ++y)
@@ -21,13 +21,13 @@ void undo(Document& document, User& user) {
   QVERIFY(user.wait());
 }
 
-/// Drafts come late where there is no graphics card.
+/// Drafts are slow without a graphics card.
 bool shows_what_is_dragged(Document& document, SceneView& view) {
   QTest::qWait(100);  // until the last move has been followed
   return document.is_dragging() && QTest::qWaitFor([&] { return view.shows_latest(); }, 30000);
 }
 
-/// Pulls, with the button down, until something is in the way. @return where the hand is then.
+/// Drags, with the button down, until blocked. @return the final mouse position.
 std::optional<QPoint> pull_until_blocked(Document& document, SceneView& view, User& user,
                                          const QPoint& from) {
   for (const QPoint& way : {QPoint(400, 0), QPoint(-400, 0), QPoint(0, 250), QPoint(0, -250)}) {
@@ -59,7 +59,7 @@ void look_at_a_blocked_drag(Document& document, MainWindow& window, User& user) 
   const int red_before = num_red(user.look("blocked_not_yet"));
   const auto at = pull_until_blocked(document, view, user,
                                      user.pixel_on("glass_back", WindowKind::Perspective));
-  QVERIFY2(at, "nothing stopped the glass");
+  QVERIFY2(at, "the glass was not stopped");
   QVERIFY(shows_what_is_dragged(document, view));
   QVERIFY2(num_red(user.look("blocked_drag")) > red_before + 20, "faces are lit");
   user.release(view, *at, Qt::LeftButton);
@@ -95,7 +95,7 @@ void look_at_interference(Document& document, MainWindow& window, User& user) {
 }
 
 void watch_settling(Document& document, MainWindow& window, User& user) {
-  PutOperation put;  // a spoon on its end, high over the table
+  PutOperation put;  // a spoon on its end, high above the table
   put.object = "spoon_front";
   put.start.rotation = Rotation::about_axis(Vec3::UnitX(), 0.9);
   put.start.translation = user.object("teapot").pose.translation + Vec3(0.25, 0, 0.35);
@@ -109,8 +109,9 @@ void watch_settling(Document& document, MainWindow& window, User& user) {
   const auto seen = [&] {
     return window.drawing().seen_pose(*document.snapshot()->find(put.object));
   };
-  QVERIFY2((seen().translation - end.translation).norm() > 1e-3, "it is on its way");
-  QVERIFY2(QTest::qWaitFor([&] { return !document.is_busy(); }, 100), "nothing waits for it");
+  QVERIFY2((seen().translation - end.translation).norm() > 1e-3, "the playback is running");
+  QVERIFY2(QTest::qWaitFor([&] { return !document.is_busy(); }, 100),
+           "no job waits for the playback");
   const ToolKind tool = window.toolbox().current();
   user.press_key(Qt::Key_Escape);
   QVERIFY2(!window.drawing().is_playing(), "Escape shows the end");

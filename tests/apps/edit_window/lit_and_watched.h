@@ -1,11 +1,11 @@
-// What is seen of a drag that is blocked, of objects in each other, and of settling.
+// Display of blocked drags, of interpenetrating objects, and of settling.
 #pragma once
 
 #include "apps/edit_window/user.h"
 
 namespace trivet::edit::test {
 
-/// Pictures "blocked_...", "crossing_...". The scene is BREAKFAST; it is as before.
+/// Pictures "blocked_...", "crossing_...". The scene is BREAKFAST; it is restored.
 void look_at_interference(Document& document, MainWindow& window, User& user);
 
 /// Pictures "settling_...". The same.

@@ -22,7 +22,7 @@ struct Key {
   Qt::Key key;
   Qt::KeyboardModifiers modifiers = {};
 };
-// All of the menus but those that leave the scene.
+// All menu shortcuts but those that leave the scene.
 const Key kKeys[] = {{Qt::Key_Q},
                      {Qt::Key_W},
                      {Qt::Key_E},
@@ -94,7 +94,7 @@ class Monkey {
   }
 
  private:
-  /// Menus and dialogs: as with Escape, or the button to close them.
+  /// Closes menus and dialogs, with Escape or their close button.
   static void close_what_is_open() {
     while (QWidget* const popup = QApplication::activePopupWidget()) popup->close();
     for (QWidget* const widget : QApplication::topLevelWidgets())
@@ -110,13 +110,13 @@ class Monkey {
     for (const WindowKind kind :
          {WindowKind::Perspective, WindowKind::ThreeView, WindowKind::Constraint})
       if (m_window.view(kind).isVisible()) seen.push_back(&m_window.view(kind));
-    if (seen.empty()) {  // the control window is alone
+    if (seen.empty()) {  // the control window is maximised
       m_window.action("maximise")->trigger();
       return m_window.view(WindowKind::Perspective);
     }
     return *seen[static_cast<size_t>(m_random.integer(0, static_cast<int>(seen.size()) - 1))];
   }
-  /// On an object more often than not.
+  /// Prefers positions on an object.
   QPoint place_in(const SceneView& view) {
     const auto& objects = m_document.snapshot()->objects;
     if (!objects.empty() && m_random.integer(0, 3)) {
@@ -140,7 +140,7 @@ class Monkey {
     }
   }
 
-  /// Cameras lose the scene, and all may be locked: back to where there is something to do.
+  /// Resets cameras and locks, so that actions are possible again.
   void look_again() {
     for (const WindowKind kind :
          {WindowKind::Perspective, WindowKind::ThreeView, WindowKind::Constraint})
@@ -160,7 +160,7 @@ class Monkey {
     SceneView& view = any_view();
     m_user.click(view, place_in(view), any_modifiers());
   }
-  // Menus open, and are closed; of the tool bar, what leaves the scene is left out.
+  // Opens and closes menus; skips tool bar buttons that leave the scene.
   void click_anywhere() {
     const QPoint at = in(m_window.rect());
     const QToolBar& bar = *m_window.findChild<QToolBar*>("tools");
@@ -185,7 +185,7 @@ class Monkey {
     m_user.press(view, from, button);
     const int num_steps = m_random.integer(1, 6);
     for (int i = 1; i <= num_steps; ++i) m_user.move_to(view, from + (to - from) * i / num_steps);
-    if (m_random.integer(0, 5) == 0) press_key();  // in the middle of it
+    if (m_random.integer(0, 5) == 0) press_key();  // in the middle of the drag
     m_user.release(view, to, button);
   }
 
@@ -196,7 +196,7 @@ class Monkey {
   QTimer m_close;
 };
 
-/// What is committed is sound; at the first step a scene is what it was when it was first seen.
+/// Checks that commits are sound, and that the first step of a scene equals its first state.
 class Referee {
  public:
   explicit Referee(Document& document) : m_document(document) {}

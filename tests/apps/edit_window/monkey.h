@@ -1,13 +1,13 @@
-// Somebody who clicks, drags and types at random in the editor's window.
+// Simulated user who clicks, drags and types at random in the editor's window.
 #pragma once
 
 #include "apps/edit_window/user.h"
 
 namespace trivet::edit::test {
 
-/// Some hundreds of actions (times TRIVET_TEST_EFFORT), with the seed printed: whatever is
-/// committed is sound, undoing all brings back the first bit. The document has nothing unsaved, and
-/// is at its first step when this is done.
+/// Runs some hundreds of actions (times TRIVET_TEST_EFFORT) and prints the seed: every commit must
+/// be sound, and undoing all must restore the start bit for bit. Leaves the document at its first
+/// step, without unsaved changes.
 void play_monkey(Document& document, MainWindow& window, User& user);
 
 }  // namespace trivet::edit::test

@@ -1,5 +1,5 @@
 #!/bin/bash
-# The program of this folder in a window of a virtual screen. Status 77: there is none.
+# Runs the program of this folder in a window of a virtual screen. Status 77: no virtual screen.
 # Usage: run.sh PROGRAM FOLDER
 if ! command -v xvfb-run > /dev/null; then
   echo "skipped: no xvfb-run (Debian: xvfb, xauth)"

@@ -1,5 +1,5 @@
-// The editor from end to end, in a real window under a window system: the layout SPOON-SAUCER from
-// an empty floor, by mouse only; and what goes wrong. What the screen shows is kept as pictures.
+// End-to-end tests of the editor in a real window under a window system: the layout SPOON-SAUCER
+// from an empty floor, by mouse only; and errors. Screenshots are kept.
 #include <QApplication>
 #include <QCommandLinkButton>
 #include <QDialogButtonBox>
@@ -28,7 +28,7 @@ namespace {
 
 using Window = WindowKind;
 
-/// The models of the demo as files.
+/// Writes the models of the demo to files.
 QStringList export_models(const QString& folder) {
   QStringList files;
   for (const DemoModel& model : make_demo("spoon-saucer").models) {
@@ -82,7 +82,7 @@ class TestWindow : public QObject {
   void lock_by_keyboard(const std::string& name);
 
   QTemporaryDir m_folder;
-  QDir m_saved;  // what is saved, and the models: for the referee
+  QDir m_saved;  // saved files and models, for the referee
   std::unique_ptr<Document> m_document;
   std::unique_ptr<MainWindow> m_window;
   std::unique_ptr<User> m_user;
@@ -214,7 +214,7 @@ void TestWindow::turns_about_an_edge() {
   QVERIFY(m_user->wait());
   m_user->look("edge");
   QVERIFY(m_document->selection().contact.has_value());
-  // One way the saucer is in the way, the other way the spoon rises.
+  // In one direction the saucer blocks, in the other the spoon rises.
   const QPoint handle = m_user->pixel_on("spoon", Window::Perspective);
   for (const int y : {-40, 40}) {
     m_user->drag(m_window->view(Window::Perspective), handle, handle + QPoint(0, y));
@@ -363,7 +363,7 @@ void TestWindow::shows_dialogs_and_menus() {
 
 void TestWindow::lives_through_random_events() { play_monkey(*m_document, *m_window, *m_user); }
 
-// Prints figures: TRIVET_TEST_EFFORT=2 or more, on a machine that does nothing else.
+// Prints figures: needs TRIVET_TEST_EFFORT=2 or more, and an idle machine.
 void TestWindow::stays_usable_with_a_thousand_objects() {
   if (trivet::test::with_effort(100) < 200) QSKIP("figures: with TRIVET_TEST_EFFORT=2");
   export_models(m_saved.path());

@@ -11,7 +11,7 @@ class Several {
   Vec3 moved(const std::string& name) {
     return m_user.object(name).pose.translation - (*m_before->find(name))->pose.translation;
   }
-  /// In the constraint window, by its rim.
+  /// Drags in the constraint window, by the rim.
   void drag(const std::string& name, const QPoint& by) {
     const QPoint from = m_user.pixel_on(name, WindowKind::Constraint);
     m_user.drag(m_window.view(WindowKind::Constraint), from, from + by);

@@ -1,4 +1,4 @@
-// What there is to be seen: full scenes at every size, tabs, tools, dialogs, menus.
+// Tour of the windows: full scenes at every size, tabs, tools, dialogs, menus.
 #pragma once
 
 #include "apps/edit_window/user.h"
@@ -8,7 +8,7 @@ namespace trivet::edit::test {
 /// Pictures "breakfast_...", "start_...". The scene is BREAKFAST.
 void look_at_full_scenes(Document& document, MainWindow& window, User& user);
 
-/// Pictures "spoon_...", "tool_...", "dialog_...", "menu_...". Nothing is unsaved.
+/// Pictures "spoon_...", "tool_...", "dialog_...", "menu_...". Leaves no unsaved changes.
 void look_at_dialogs_and_menus(Document& document, MainWindow& window, User& user);
 
 }  // namespace trivet::edit::test

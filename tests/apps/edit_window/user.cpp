@@ -29,7 +29,7 @@ User::User(Document& document, MainWindow& window, const QString& pictures)
 }
 
 void User::press_key(Qt::Key key, Qt::KeyboardModifiers modifiers) {
-  QApplication::setActiveWindow(&m_window);  // no window manager does it here
+  QApplication::setActiveWindow(&m_window);  // no window manager does so
   QWidget* const focus = m_window.focusWidget();
   QTest::keyClick(focus ? focus : &m_window, key, modifiers);
 }
@@ -62,7 +62,7 @@ void User::drag(QWidget& widget, const QPoint& from, const QPoint& to) {
   move_to(widget, from);
   QTest::mousePress(m_window.windowHandle(), Qt::LeftButton, {}, in_window(widget, from));
   for (int i = 1; i <= kDragSteps; ++i) move_to(widget, from + (to - from) * i / kDragSteps);
-  QTest::qWait(20 * kStepMs);  // until what is dragged has followed
+  QTest::qWait(20 * kStepMs);  // until the dragged object has followed
   QTest::mouseRelease(m_window.windowHandle(), Qt::LeftButton, {}, in_window(widget, to));
 }
 
@@ -162,7 +162,7 @@ void User::with_dialog(std::function<void()> open, std::function<void(QWidget&)>
   });
   timer.start();
   open();
-  // Those that are not modal are still open.
+  // Non-modal dialogs are still open.
   QVERIFY(QTest::qWaitFor([&] { return !timer.isActive(); }, kDialogMs));
 }
 

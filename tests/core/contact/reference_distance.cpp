@@ -104,7 +104,7 @@ std::array<Triangle, 2> random_pair(int index, Random& random) {
       for (Vec3& p : a) p.z() = 0.5;
       for (Vec3& p : b) p.z() = 0.5;
       break;
-    case 4:  // in parallel planes, close
+    case 4:  // in parallel planes, close together
       for (Vec3& p : a) p.z() = 0.5;
       for (Vec3& p : b) p.z() = 0.5 + 1e-6;
       break;

@@ -1,5 +1,6 @@
-// Published continuous-collision queries with ground truth [Wang et al. 2021, Sample-Queries]:
-// those in which each side moves by one vector are translations of one side against the other.
+// Published continuous-collision queries with ground truth [Wang 2021, Sample-Queries]:
+// queries in which each side moves by a single vector are translations of one side against the
+// other.
 
 #include <gtest/gtest.h>
 
@@ -59,7 +60,8 @@ std::vector<CcdQuery> read_all(const std::string& folder) {
   return out;
 }
 
-/// The two sides as triangles without area, and how far the first moves against the second.
+/// The two sides as triangles without area, and the displacement of the first relative to the
+/// second.
 struct RelativeTranslation {
   Triangle moving, fixed;
   Vec3 by;
@@ -76,7 +78,7 @@ std::optional<RelativeTranslation> as_translation(const CcdQuery& q) {
   return RelativeTranslation{{p[0], p[0], p[0]}, {p[1], p[2], p[3]}, d[0] - d[1]};
 }
 
-// A false positive is an approach to within the clearance, so it should be as small as rounding
+// A false positive is an approach to within the clearance, which should be as small as rounding
 // allows: positions at contact are rounded to 1e-16 of the largest coordinate, and the clearance is
 // 1e4 times that.
 double clearance_for(const RelativeTranslation& r) {
@@ -122,7 +124,7 @@ std::array<Score, 2> score_all() {
   return score;
 }
 
-TEST(CcdQueries, RelativeTranslationsHaveNoFalseNegative) {
+TEST(CcdQueries, HasNoFalseNegativeOnTranslations) {
   TRIVET_NEEDS_DATA("ccd");
   const auto [vertex_face, edge_edge] = score_all();
   EXPECT_EQ(vertex_face.queries, 1323);
@@ -131,7 +133,7 @@ TEST(CcdQueries, RelativeTranslationsHaveNoFalseNegative) {
   EXPECT_EQ(vertex_face.false_negative + edge_edge.false_negative, 0);
 }
 
-TEST(CcdQueries, RelativeTranslationsHaveFewFalsePositives) {
+TEST(CcdQueries, HasFewFalsePositivesOnTranslations) {
   TRIVET_NEEDS_DATA("ccd");
   const auto [vertex_face, edge_edge] = score_all();
   EXPECT_LE(vertex_face.false_positive + edge_edge.false_positive, 43);

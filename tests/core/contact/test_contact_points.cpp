@@ -1,5 +1,5 @@
-// Where bodies touch: known arrangements, and properties on random bodies that a motion brought
-// into contact.
+// Contact points: known arrangements, and properties on random bodies brought into contact by a
+// motion.
 
 #include <gtest/gtest.h>
 
@@ -17,8 +17,8 @@ namespace {
 using test::about, test::area_of, test::box, test::contact_of, test::expect_normals,
     test::points_of, test::Posed, test::table, test::kEps, test::kSlack, test::kTolerance;
 
-/// Each of `expected` (in order) is within 2 clearances of a corner of the hull. There may be
-/// others on its sides, by rounding: there edges meet the diagonal of a face.
+/// Each of `expected` (in order) is within 2 clearances of a corner of the hull. Rounding may add
+/// others on its sides, where edges meet the diagonal of a face.
 void expect_hull(const Contact& contact, const std::vector<Vec3>& expected) {
   EXPECT_GE(contact.hull.size(), expected.size());
   EXPECT_NEAR(area_of(contact.hull), area_of(expected), 10 * kTolerance);
@@ -29,7 +29,7 @@ void expect_hull(const Contact& contact, const std::vector<Vec3>& expected) {
   }
 }
 
-TEST(ContactPoints, BoxOnBoxTouchesInAnAreaOfFourCorners) {
+TEST(ContactPoints, BoxOnBoxGivesAreaOfFourCorners) {
   const Posed object = box(Vec3(0.3, 0.2, 0.1), Vec3(0.1, 0.2, 0.1 + kEps)), support = table();
   const Contact c = contact_of(object, support);
   EXPECT_EQ(c.type, ContactType::Area);
@@ -45,14 +45,14 @@ TEST(ContactPoints, BoxOnBoxTouchesInAnAreaOfFourCorners) {
   for (const Index f : c.faces_support) EXPECT_TRUE(f == 2 || f == 3);
 }
 
-TEST(ContactPoints, BeyondTheToleranceNothingTouches) {
+TEST(ContactPoints, AreEmptyBeyondTolerance) {
   EXPECT_TRUE(
       points_of(box(Vec3(0.3, 0.2, 0.1), Vec3(0, 0, 0.1 + 1.01 * kTolerance)), table()).empty());
   EXPECT_FALSE(
       points_of(box(Vec3(0.3, 0.2, 0.1), Vec3(0, 0, 0.1 + 0.99 * kTolerance)), table()).empty());
 }
 
-TEST(ContactPoints, SquareOnSquareTurnedByEighthTouchesInAnOctagon) {
+TEST(ContactPoints, SquareTurnedByEighthGivesOctagon) {
   const Posed object = box(Vec3(1, 1, 0.1), Vec3(0, 0, 0.1 + kEps), about(Vec3::UnitZ(), M_PI / 4));
   const Contact c = contact_of(object, table());
   EXPECT_EQ(c.type, ContactType::Area);
@@ -68,20 +68,20 @@ TEST(ContactPoints, SquareOnSquareTurnedByEighthTouchesInAnOctagon) {
   expect_normals(c.points, Vec3::UnitZ());
 }
 
-TEST(ContactPoints, BoxOverTheEdgeOfATable) {
+TEST(ContactPoints, BoxOverTableEdgeGivesOverlap) {
   const Contact c = contact_of(box(Vec3(0.5, 0.2, 0.1), Vec3(0.9, 0, 0.1 + kEps)), table());
   EXPECT_EQ(c.type, ContactType::Area);
   expect_hull(c, {{0.4, -0.2, 0}, {1, -0.2, 0}, {1, 0.2, 0}, {0.4, 0.2, 0}});
   expect_normals(c.points, Vec3::UnitZ());
 }
 
-TEST(ContactPoints, BoxOnItsEdgeTouchesInALine) {
+TEST(ContactPoints, BoxOnEdgeGivesLine) {
   const double r = std::sqrt(0.5);
   const Posed object =
       box(Vec3(0.5, 0.4, 0.5), Vec3(0, 0, r + kEps), about(Vec3::UnitY(), M_PI / 4));
   const Contact c = contact_of(object, table());
   EXPECT_EQ(c.type, ContactType::Line);
-  // The ends, and by rounding perhaps the crossing with the diagonal of the top.
+  // The ends, and possibly, by rounding, the crossing with the diagonal of the top.
   double low = 0, high = 0;
   for (const Vec3& h : c.hull) {
     EXPECT_NEAR(h.x(), 0, 1e-15);
@@ -93,7 +93,7 @@ TEST(ContactPoints, BoxOnItsEdgeTouchesInALine) {
   expect_normals(c.points, Vec3::UnitZ());
 }
 
-TEST(ContactPoints, CrossedRodsTouchInAPointBetweenTwoEdges) {
+TEST(ContactPoints, CrossedRodsGivePointBetweenEdges) {
   const double r = std::sqrt(0.02);
   const Posed below = box(Vec3(2, 0.1, 0.1), Vec3(0.3, 0, -r), about(Vec3::UnitX(), M_PI / 4));
   const Posed above =
@@ -109,7 +109,7 @@ TEST(ContactPoints, CrossedRodsTouchInAPointBetweenTwoEdges) {
   EXPECT_EQ(c.faces_support.size(), 2u);
 }
 
-TEST(ContactPoints, SphereOnFloorAndOnTable) {
+TEST(ContactPoints, SphereTouchesFloorAndTable) {
   const Posed sphere(test::bumpy_sphere(12, 16, 0, 1), Vec3(0.2, 0.3, 1 + kEps));
   const auto on_floor = floor_contact_points(sphere.body, kTolerance);
   ASSERT_EQ(on_floor.size(), 1u);
@@ -139,7 +139,7 @@ std::vector<Triangle> pyramid() {  // tip at the origin, pointing down
   return {{tip, b, a}, {tip, c, b}, {tip, a, c}, {a, b, c}};
 }
 
-TEST(ContactPoints, TipOnTip) {
+TEST(ContactPoints, TipTouchesTip) {
   const Posed above(pyramid(), Vec3(0, 0, kEps));
   const Posed below(pyramid(), Vec3::Zero(), about(Vec3::UnitX(), M_PI - 1e-9));
   const Contact c = contact_of(above, below);
@@ -151,7 +151,7 @@ TEST(ContactPoints, TipOnTip) {
   EXPECT_LT(c.points[0].point.norm(), 1e-12);
 }
 
-TEST(ContactPoints, AVertexNearTheDiagonalOfAFlatQuadHasOnlyTheQuadsNormal) {
+TEST(ContactPoints, VertexNearDiagonalOfFlatQuadHasOnlyQuadNormal) {
   // The tip's edges pass over the diagonal, which is an edge of the mesh but not of the surface.
   for (const double off : {0.0, 1e-9, 1e-7, 1e-6, 1e-4}) {
     for (const double turn : {0.0, 0.3, 1.2, 2.0}) {
@@ -164,7 +164,7 @@ TEST(ContactPoints, AVertexNearTheDiagonalOfAFlatQuadHasOnlyTheQuadsNormal) {
   }
 }
 
-TEST(ContactPoints, AVertexBesideAnEdgeOfTheTableStillTouchesIt) {
+TEST(ContactPoints, VertexBesideTableEdgeTouchesIt) {
   // Beside the edge by less than the slack: over the face. By more: the closest points.
   const auto normal_at = [](double beside) {
     const Posed tip(pyramid(), Vec3(1 + beside, 0.1, 0.8 * kEps));
@@ -176,8 +176,9 @@ TEST(ContactPoints, AVertexBesideAnEdgeOfTheTableStillTouchesIt) {
   EXPECT_LT((normal_at(0.6 * kEps) - Vec3(0.6, 0, 0.8)).norm(), 1e-6);
 }
 
-TEST(ContactPoints, ParallelEdgesSideBySideTouchInALine) {
-  // The edges see each other at 37 degrees: neither is over a face of the other, nor do they cross.
+TEST(ContactPoints, ParallelEdgesGiveLine) {
+  // The edges face each other at 37 degrees: neither is over a face of the other, nor do they
+  // cross.
   for (const double half : {0.4, 1.0, 1.7})
     for (const double shift : {0.0, 0.1, 0.5}) {
       const Posed object =
@@ -195,7 +196,7 @@ TEST(ContactPoints, ParallelEdgesSideBySideTouchInALine) {
     }
 }
 
-TEST(ContactPoints, ParallelEdgesOnOneSideAndCornersOnTheOther) {
+TEST(ContactPoints, KeepsParallelEdgesBesideCorners) {
   std::vector<Triangle> two_tables = test::box_triangles(Vec3(1, 1, 0.5));
   for (Triangle t : test::box_triangles(Vec3(1, 1, 0.5))) {
     for (Vec3& p : t) p += Vec3(2.4, 0, 0);
@@ -210,7 +211,7 @@ TEST(ContactPoints, ParallelEdgesOnOneSideAndCornersOnTheOther) {
   EXPECT_GE(num_left, 2);
 }
 
-TEST(ContactPoints, FlushBoxesTouchInTheWholeFace) {
+TEST(ContactPoints, FlushBoxesTouchInWholeFace) {
   for (const double off : {0.0, 0.9 * kSlack, -0.9 * kSlack, 5 * kEps, -5 * kEps}) {
     const Posed object = box(Vec3(1, 1, 0.3), Vec3(off, 0, 0.3 + kEps));
     const Contact c = contact_of(object, table());
@@ -233,7 +234,7 @@ TEST(ContactPoints, BoxBetweenWallAndFloorHasOneNormalForEach) {
   EXPECT_EQ(floor_contact_points(object.body, kTolerance).size(), 4u);
 }
 
-TEST(ContactPoints, ABoxInAVTouchesBothSlopes) {
+TEST(ContactPoints, BoxInVTouchesBothSlopes) {
   // One solid with a right-angled notch along y; a box with an edge down lies in it.
   const double r = std::sqrt(0.5);
   std::vector<Triangle> notch;
@@ -268,7 +269,7 @@ double distance_of(const Vec3& p, const Body& b) {
   return out;
 }
 
-TEST(ContactPoints, OfRandomBodiesLieOnBothAndAreFoundWhereverTheyAreNear) {
+TEST(ContactPoints, LieOnBothBodiesWhereverTheyAreNear) {
   constexpr unsigned kSeed = 41;
   const test::MeshPool pool(kSeed, 16);
   int num_near = 0, num_points = 0, num_missing = 0;
@@ -301,7 +302,7 @@ TEST(ContactPoints, OfRandomBodiesLieOnBothAndAreFoundWhereverTheyAreNear) {
   EXPECT_GT(num_near, 0.3 * num_queries / 3);
 }
 
-TEST(ContactPoints, AreTheSameSeenFromTheOtherBody) {
+TEST(ContactPoints, AreSymmetric) {
   constexpr unsigned kSeed = 42;
   const test::MeshPool pool(kSeed, 16);
   for (int i = 0; i < test::with_effort(3000); i += 3) {
@@ -321,7 +322,7 @@ TEST(ContactPoints, AreTheSameSeenFromTheOtherBody) {
   }
 }
 
-TEST(ContactPoints, WithTheFloorAreAllLowVertices) {
+TEST(ContactPoints, WithFloorAreAllLowVertices) {
   test::Random random(43);
   const test::MeshPool pool(43, 8);
   int num_points = 0;

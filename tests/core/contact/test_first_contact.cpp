@@ -1,4 +1,4 @@
-// The traversal against brute force, bit for bit.
+// Compares the traversal with brute force, bit for bit.
 
 #include <gtest/gtest.h>
 
@@ -31,7 +31,7 @@ struct Tally {
   }
 };
 
-/// Asks both ways; false (and a message that repeats the case) when they differ.
+/// Compares both; false (and a message that reproduces the case) if they differ.
 bool agree(const RandomQuery& q, const FirstContact& fast, unsigned seed, int index) {
   const FirstContact truth = q.brute_force();
   if (test::same_answer(fast, truth)) return true;
@@ -75,7 +75,7 @@ TEST(FirstContact, EqualsBruteForceOnRandomMotions) {
   for (const Tally& t : per_kind) EXPECT_GT(t.contact_percent(), 3);
 }
 
-TEST(FirstContact, GroupsOverTheFloorEqualBruteForce) {
+TEST(FirstContact, EqualsBruteForceForGroupsOverFloor) {
   constexpr unsigned kSeed = 20260202;
   const int num_queries = test::with_effort(3000);
   std::printf("seed %u, %d queries\n", kSeed, num_queries);

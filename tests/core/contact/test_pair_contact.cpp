@@ -1,4 +1,4 @@
-// First contact of two triangles: nothing comes closer on the way, by sampling the motion.
+// First contact of two triangles: no approach is missed, checked by sampling the motion.
 
 #include <gtest/gtest.h>
 
@@ -55,7 +55,8 @@ Motion next_motion(const PairCase& c, test::Random& random) {
   return motion;
 }
 
-/// Clearances from 1e-7 to a third of the triangles; each third start is where another motion led.
+/// Clearances from 1e-7 to a third of the triangles; every third case starts at the end of another
+/// motion.
 PairCase random_case(unsigned seed, int index) {
   test::Random random(seed + static_cast<unsigned>(index));
   const auto [a, b] = test::random_pair(index, random);
@@ -72,7 +73,7 @@ PairCase random_case(unsigned seed, int index) {
   return c;
 }
 
-/// Smallest distance up to `end`: samples, and a search between the neighbours of the smallest.
+/// Smallest distance up to `end`: samples, refined between the neighbours of the smallest.
 double smallest_distance(const PairCase& c, double end) {
   constexpr int kSamples = 48;
   double best = kInfinity;
@@ -90,7 +91,7 @@ double smallest_distance(const PairCase& c, double end) {
   return best;
 }
 
-/// What is wrong with the answer; empty: nothing.
+/// Describes the error in the answer; empty: correct.
 std::string complaint(const PairCase& c, const PairContact& found) {
   const double start = c.distance(0), tolerance = c.tolerance();
   if (found.status == Status::Crossing)
@@ -104,7 +105,7 @@ std::string complaint(const PairCase& c, const PairContact& found) {
   const double gap = c.distance(found.time);
   if (gap > (1 + kTargetSlack) * target + tolerance) return "stops too early";
   if (std::abs(gap - found.gap) > tolerance) return "wrong gap";
-  // The normal is the difference of two points that are `gap` apart.
+  // The normal is computed from two points that are `gap` apart.
   if (std::abs(found.normal.norm() - 1) > 1e-15 + 4 * tolerance / gap) return "normal is not unit";
   // The witness and the normal lead to the moving triangle.
   const Vec3 q = found.point + found.gap * found.normal;
@@ -114,7 +115,7 @@ std::string complaint(const PairCase& c, const PairContact& found) {
   return off <= 4 * tolerance ? "" : "witness is off";
 }
 
-TEST(PairContact, NothingIsPassedAndTheStopIsAtTheTarget) {
+TEST(PairContact, MissesNoApproachAndStopsAtTarget) {
   constexpr unsigned kSeed = 21;
   const int num_cases = test::with_effort(100000);
   int num_contact = 0, num_crossing = 0, num_stalled = 0, num_near = 0, num_wrong = 0;
@@ -142,7 +143,7 @@ TEST(PairContact, NothingIsPassedAndTheStopIsAtTheTarget) {
   EXPECT_GT(num_near, 0.05 * num_cases);
 }
 
-TEST(PairContact, DoesNotDependOnTheBestKnownTime) {
+TEST(PairContact, DoesNotDependOnBestKnownTime) {
   constexpr unsigned kSeed = 22;
   for (int i = 0; i < test::with_effort(10000); ++i) {
     const PairCase c = random_case(kSeed, i);
@@ -248,7 +249,7 @@ PairContact drop(const Triangle& t, double length = 10) {
   return first_contact(t, kFloor, Motion::translation(-Vec3::UnitZ(), length), kClearance);
 }
 
-TEST(PairContact, AVertexFallsOnAFace) {
+TEST(PairContact, VertexFallsOnFace) {
   const PairContact c = drop({Vec3(0, 0, 1), Vec3(1, 0, 2), Vec3(0, 1, 2)});
   EXPECT_EQ(c.status, Status::Contact);
   EXPECT_NEAR(c.time, 1 - 1e-6, 1e-15);
@@ -257,7 +258,7 @@ TEST(PairContact, AVertexFallsOnAFace) {
   EXPECT_EQ(c.point, Vec3::Zero());
 }
 
-TEST(PairContact, AFaceFallsFlat) {
+TEST(PairContact, FaceFallsFlat) {
   const Triangle above{Vec3(-1, -1, 2), Vec3(1, -1, 2), Vec3(0, 1, 2)};
   const PairContact c = drop(above);
   EXPECT_EQ(c.status, Status::Contact);
@@ -265,7 +266,7 @@ TEST(PairContact, AFaceFallsFlat) {
   EXPECT_EQ(drop(above, 1.9).status, Status::Free);
 }
 
-TEST(PairContact, EdgesAcross) {
+TEST(PairContact, CrossingEdgesMeet) {
   const Triangle beam{Vec3(-2, 0.5, 3), Vec3(2, 0.5, 3), Vec3(0, 0.5, 9)};
   const Triangle ridge{Vec3(0, -2, 1), Vec3(0, 2, 1), Vec3(0, 0, -5)};
   const PairContact c =
@@ -275,7 +276,7 @@ TEST(PairContact, EdgesAcross) {
   EXPECT_LT((c.point - Vec3(0, 0.5, 1)).norm(), 1e-15);
 }
 
-TEST(PairContact, PassingByJustOutsideAndJustInsideTheClearance) {
+TEST(PairContact, DistinguishesPassesOutsideAndInsideClearance) {
   // A vertical needle passes the floor's edge y = -1 from above, at two distances.
   const auto pass = [](double distance) {
     const double y = -1 - distance;
@@ -285,7 +286,7 @@ TEST(PairContact, PassingByJustOutsideAndJustInsideTheClearance) {
   EXPECT_EQ(pass(0.9999e-6), Status::Contact);
 }
 
-TEST(PairContact, SlidingAlongAFaceAtRestIsFree) {
+TEST(PairContact, SlidesFreelyAlongFaceAtRest) {
   for (const double gap : {0.6e-6, 1e-6, 1.9e-6}) {
     const Triangle t{Vec3(-0.1, 0, gap), Vec3(0.1, 0, gap), Vec3(0, 0.1, gap)};
     const auto along = [&](const Vec3& d) {
@@ -297,13 +298,13 @@ TEST(PairContact, SlidingAlongAFaceAtRestIsFree) {
   }
 }
 
-TEST(PairContact, ARestingPairStopsAtHalfItsGap) {
+TEST(PairContact, RestingPairStopsAtHalfGap) {
   const Triangle t{Vec3(0, 0, 1.5e-6), Vec3(1, 0, 1), Vec3(0, 1, 1)};
   const PairContact c = drop(t);
   EXPECT_NEAR(c.gap, 0.75e-6, 0.75e-6 * kTargetSlack);
 }
 
-TEST(PairContact, TurningAboutAPointOfItsOwnKeepsTheContact) {
+TEST(PairContact, TurnAboutOwnPointKeepsContact) {
   const Triangle t{Vec3(0, 0, 1e-6), Vec3(1, 0, 1), Vec3(0, 0.2, 1)};
   const Motion tilt = Motion::rotation(t[0], Vec3::UnitY(), 1);
   const PairContact c = first_contact(t, kFloor, tilt, kClearance);
@@ -313,13 +314,13 @@ TEST(PairContact, TurningAboutAPointOfItsOwnKeepsTheContact) {
   EXPECT_NEAR(2 * std::atan(c.time), M_PI / 4, 1e-5);
 }
 
-TEST(PairContact, CrossingAtTheStart) {
+TEST(PairContact, ReportsCrossingAtStart) {
   EXPECT_EQ(drop({Vec3(0, 0, -1), Vec3(0, 0, 1), Vec3(1, 0, 1)}).status, Status::Crossing);
   EXPECT_EQ(drop(kFloor).status, Status::Crossing);
   EXPECT_EQ(drop({Vec3(0, 0, 0), Vec3(1, 0, 1), Vec3(0, 1, 1)}).status, Status::Crossing);
 }
 
-TEST(Clearance, HysteresisOfTheTarget) {
+TEST(Clearance, AppliesHysteresisToTarget) {
   const Clearance c{1e-3};
   EXPECT_EQ(c.target(1), 1e-3);
   EXPECT_EQ(c.target(2.1e-3), 1e-3);

@@ -1,4 +1,4 @@
-// Millimetres or thousands of kilometres, at the origin or far from it: the answers are the same.
+// Invariance of answers from millimetres to thousands of kilometres, at the origin or far from it.
 
 #include <gtest/gtest.h>
 
@@ -27,7 +27,7 @@ RandomQuery transformed(RandomQuery q, double scale, const Vec3& offset) {
   return q;
 }
 
-/// Faces of these share no vertex or edge: ties are rare.
+/// Whether faces share no vertex or edge, so that ties are rare.
 bool unconnected(const RandomQuery& q) {
   const auto loose = [](test::MeshKind k) {
     return k == test::MeshKind::Any || k == test::MeshKind::Needles || k == test::MeshKind::Tiny;
@@ -55,7 +55,7 @@ struct Comparison {
   }
 
   /// A query in a thousand grazes the clearance, and one contact in fifty stops elsewhere within
-  /// kTargetSlack of it, because rounding made it take one plane more or less.
+  /// kTargetSlack of it, because rounding adds or saves a plane.
   void expect_equal() const {
     EXPECT_GE(same_status, 0.999 * total);
     EXPECT_GE(same_time, 0.98 * contacts);
@@ -84,11 +84,11 @@ Comparison compare(unsigned seed, double scale, double offset) {
   return out;
 }
 
-TEST(Scales, FromMillimetresToThousandsOfKilometres) {
+TEST(Scales, GiveSameAnswersFromMillimetresToMegametres) {
   for (const double scale : {1e-3, 1e3, 1e6}) compare(31, scale, 0).expect_equal();
 }
 
-TEST(Scales, PowersOfTwoChangeNoBit) {
+TEST(Scales, GiveSameBitsForPowersOfTwo) {
   constexpr unsigned kSeed = 33;
   const test::MeshPool pool(kSeed, 12);
   for (int i = 0; i < test::with_effort(1000); ++i) {
@@ -103,7 +103,7 @@ TEST(Scales, PowersOfTwoChangeNoBit) {
   }
 }
 
-TEST(Scales, AThousandSizesFromTheOrigin) {
+TEST(Scales, GiveSameAnswersFarFromOrigin) {
   for (const double scale : {1e-3, 1.0, 1e6}) compare(32, scale, 1000).expect_equal();
 }
 

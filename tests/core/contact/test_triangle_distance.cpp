@@ -62,7 +62,7 @@ TEST(ClosestPoints, AgreeWithLeastSquaresOverAllFeatures) {
   EXPECT_LT(num_crossing, 0.5 * num_pairs);
 }
 
-TEST(ClosestPoints, NoSampledPairIsCloser) {
+TEST(ClosestPoints, AreCloserThanAllSamples) {
   test::Random random(12);
   const auto sample = [&](const Triangle& t) {
     double u = random.uniform(0, 1), v = random.uniform(0, 1);
@@ -85,7 +85,7 @@ TEST(ClosestPoints, AreSymmetric) {
   }
 }
 
-TEST(ClosestPoints, NeedlesOfEveryThickness) {
+TEST(ClosestPoints, HandleNeedlesOfEveryThickness) {
   test::Random random(14);
   for (int i = 0; i < test::with_effort(20000); ++i) {
     const double height = std::pow(10.0, random.uniform(-14, -1));
@@ -96,7 +96,7 @@ TEST(ClosestPoints, NeedlesOfEveryThickness) {
   }
 }
 
-TEST(ClosestPoints, NamesTheFeatures) {
+TEST(ClosestPoints, NameTheFeatures) {
   const Triangle floor{Vec3(-1, -1, 0), Vec3(1, -1, 0), Vec3(0, 1, 0)};
   const Triangle above{Vec3(0, 0, 1), Vec3(1, 0, 2), Vec3(0, 1, 2)};
   ClosestPoints c = closest_points(above, floor);
@@ -122,7 +122,7 @@ TEST(ClosestPoints, NamesTheFeatures) {
   EXPECT_EQ(c.distance, 2);
 }
 
-TEST(ClosestPoints, CrossingAndTouching) {
+TEST(ClosestPoints, DetectCrossingAndTouching) {
   const Triangle floor{Vec3(-1, -1, 0), Vec3(1, -1, 0), Vec3(0, 1, 0)};
   const Triangle through{Vec3(0, 0, -1), Vec3(0, 0, 1), Vec3(3, 0, 1)};
   EXPECT_EQ(closest_points(floor, through).features, Features::Crossing);
@@ -136,17 +136,17 @@ TEST(ClosestPoints, CrossingAndTouching) {
   EXPECT_EQ(closest_points(floor, inside).distance, 0);
 }
 
-TEST(ClosestPoints, TrianglesWithoutArea) {
+TEST(ClosestPoints, HandleTrianglesWithoutArea) {
   const Vec3 p(0, 0, 0), q(0, 0, 3), r(4, 0, 0);
   EXPECT_EQ(closest_points({p, p, p}, {q, q, q}).distance, 3);
   EXPECT_EQ(closest_points({q, q, q}, {p, r, r}).distance, 3);
   EXPECT_DOUBLE_EQ(closest_points({p, p, p}, {q, r, q}).distance, 2.4);
   EXPECT_EQ(closest_points({p, r, p}, {q, q + r, q}).distance, 3);          // parallel segments
   EXPECT_EQ(closest_points({p, r, p}, {r, p, r}).distance, 0);              // the same segment
-  EXPECT_EQ(closest_points({p, r, p}, {2 * r, 3 * r, 2 * r}).distance, 4);  // in one line
+  EXPECT_EQ(closest_points({p, r, p}, {2 * r, 3 * r, 2 * r}).distance, 4);  // collinear
 }
 
-TEST(ClosestOnSegments, EveryRegionAndParallel) {
+TEST(ClosestOnSegments, CoversEveryRegionAndParallelSegments) {
   const Vec3 x = Vec3::UnitX(), y = Vec3::UnitY(), z = Vec3::UnitZ();
   SegmentPoints c = closest_on_segments(-x, 2 * x, z - y, 2 * y);
   EXPECT_EQ(c.s, 0.5);

@@ -1,4 +1,4 @@
-// Published resting poses of scanned objects: how far the top one can still fall.
+// Published resting poses of scanned objects: remaining fall of the top object.
 
 #include <gtest/gtest.h>
 
@@ -60,7 +60,7 @@ class YcbShapes {
     m_offsets = nlohmann::json::parse(in);
   }
 
-  // The offset belongs to the mesh: it is added before the pose.
+  // The offset belongs to the mesh: applied before the pose.
   Body body(const std::string& name, const std::array<double, 6>& pose) {
     auto& shape = m_shapes[name];
     if (!shape) shape = make_shape(read_model(test::shared_data(kFolder + name + ".obj")).mesh);
@@ -81,9 +81,10 @@ class YcbShapes {
   std::map<std::string, std::shared_ptr<const Shape>> m_shapes;
 };
 
-TEST(YcbSettled, DropsByThePublishedGap) {
+TEST(YcbSettled, DropsByPublishedGap) {
   TRIVET_NEEDS_DATA(kFolder);
-  constexpr double kClearance = 1e-8;  // far below the tolerance: it is measured along the normal
+  constexpr double kClearance =
+      1e-8;  // far below the tolerance, as it is measured along the normal
   YcbShapes shapes;
   const std::vector<GapCase> cases = read_cases();
   EXPECT_EQ(cases.size(), 71u);

@@ -1,5 +1,5 @@
-// The frame of a z-list holds every first contact: its bodies are paired, its place is in the image
-// and its depth is its time.
+// The frame of a z-list covers every first contact: its bodies are paired, its place is in the
+// image and its depth is its time.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -31,7 +31,7 @@ bool inside(double x, double low, double high, double slack) {
   return x >= low - slack && x <= high + slack;
 }
 
-// Of a contact: the point of the fixed body and the nearest one of the moving body at the start.
+// Takes the contact's point on the fixed body and the nearest one of the moving body at the start.
 void expect_seen(const ZListFrame& frame, const FirstContactQuery& q, const FirstContact& found) {
   const Vec3 touching = found.point + found.gap * found.normal;
   const Vec3 start = moved_point(touching, q.motion, -found.time);
@@ -53,7 +53,7 @@ void expect_seen(const ZListFrame& frame, const FirstContactQuery& q, const Firs
   EXPECT_LE(way, frame.reach + grown);
 }
 
-TEST(ZListFrame, HoldsEveryFirstContact) {
+TEST(ZListFrame, CoversEveryFirstContact) {
   const test::MeshPool pool(kSeed, 12);
   const int num = test::with_effort(6000);
   int num_contacts = 0, num_empty = 0;
@@ -83,7 +83,7 @@ TEST(ZListFrame, HoldsEveryFirstContact) {
   EXPECT_GT(num_empty, num / 50);
 }
 
-TEST(ZListFrame, OfNothingIsEmpty) {
+TEST(ZListFrame, IsEmptyWithoutBodies) {
   const FirstContactQuery query;
   EXPECT_TRUE(make_zlist_frame(query, 1, 64).empty());
 }

@@ -1,5 +1,5 @@
-// What first_contact() makes of what a z-list stage says; stages themselves are tested in their
-// rooms.
+// Use of a z-list stage's candidates by first_contact(); the stages themselves are tested in their
+// own folders.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -10,7 +10,7 @@
 namespace trivet {
 namespace {
 
-/// Says what the test wants.
+/// Returns the candidates set by the test.
 class ScriptedStage : public ZListStage {
  public:
   explicit ScriptedStage(std::function<Proposal(const FirstContactQuery&)> say)
@@ -38,7 +38,7 @@ Proposal everything(const FirstContactQuery& query) {
 constexpr unsigned kSeed = 77;
 constexpr int kNum = 300;
 
-TEST(ZListStage, AllPairsGiveTheAnswerOfBruteForce) {
+TEST(ZListStage, GivesAnswerOfBruteForceFromAllPairs) {
   const test::MeshPool pool(kSeed, 12);
   ScriptedStage stage(everything);
   int num_contacts = 0;
@@ -53,11 +53,11 @@ TEST(ZListStage, AllPairsGiveTheAnswerOfBruteForce) {
   EXPECT_GT(num_contacts, kNum / 5);
 }
 
-TEST(ZListStage, AStageThatGivesUpOrIsWrongIsNotBelieved) {
+TEST(ZListStage, IsIgnoredWhenGivingUpOrWrong) {
   const test::MeshPool pool(kSeed, 12);
   ScriptedStage gives_up([](const FirstContactQuery&) { return Proposal{}; });
   ScriptedStage wrong([](const FirstContactQuery&) {
-    Proposal out;  // touches by 0, but by no pair
+    Proposal out;  // contact by time 0, but no pair
     out.usable = true;
     out.upper = 0;
     return out;

@@ -27,7 +27,7 @@ Tableau make_tableau(const Triangle& a, const Triangle& b) {
   return t;
 }
 
-// The row that leaves: least ratio, then least variable.
+// The leaving row: least ratio, then least variable.
 int leaving_row(const Tableau& t, int entering, const std::array<int, kRows>& basis) {
   int best = -1;
   for (int r = 0; r < kRows; ++r) {
@@ -43,7 +43,7 @@ int leaving_row(const Tableau& t, int entering, const std::array<int, kRows>& ba
   return best;
 }
 
-// Integer pivoting: all entries stay minors of the first tableau, so the division leaves no rest.
+// Integer pivoting: all entries stay minors of the first tableau, so the division is exact.
 void pivot(Tableau& t, int row, int column, Integer& divisor) {
   const Integer p = t[row][column];
   for (int r = 0; r <= kRows; ++r) {
@@ -90,7 +90,7 @@ int reference_orient2d(const Vec2& a, const Vec2& b, const Vec2& c) {
 }
 
 // Phase one: artificial variables, numbered after the columns, start as the basis; feasible if
-// their sum, the corner of the tableau, can be brought to 0.
+// their sum, the corner of the tableau, can be reduced to 0.
 bool reference_intersect(const Triangle& a, const Triangle& b) {
   Tableau t = make_tableau(a, b);
   std::array<int, kRows> basis;

@@ -1,4 +1,4 @@
-// The truth for tests of predicates: integers of any length, and other algorithms.
+// Ground truth for tests of predicates: arbitrary-precision integers and independent algorithms.
 #pragma once
 
 #include <boost/multiprecision/cpp_int.hpp>
@@ -12,7 +12,7 @@ namespace trivet::test {
 using Integer = boost::multiprecision::cpp_int;
 using Integer3 = std::array<Integer, 3>;
 
-/// All coordinates times one power of two that makes them integers.
+/// Multiplies all coordinates by a common power of two that makes them integers.
 std::vector<Integer3> to_integers(const std::vector<Vec3>& points);
 
 /// Sign of the determinant of (a - d, b - d, c - d).
@@ -20,11 +20,11 @@ int reference_orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& 
 /// Sign of the determinant of (b - a, c - a).
 int reference_orient2d(const Vec2& a, const Vec2& b, const Vec2& c);
 
-/// Are there weights >= 0 with sum 1 of the corners of a, and of b, that give the same point?
-/// A linear program, by the simplex method with Bland's rule on integers.
+/// Whether weights >= 0 with sum 1 of the corners of a, and of b, give the same point. A linear
+/// program, by the simplex method with Bland's rule on integers.
 bool reference_intersect(const Triangle& a, const Triangle& b);
 
-/// Random numbers by which the tests are built.
+/// Random numbers for building tests.
 class Source {
  public:
   explicit Source(unsigned seed) : m_engine(seed) {}
@@ -43,7 +43,7 @@ class Source {
     const int x = integer(lower, upper), y = integer(lower, upper);
     return Vec3(x, y, integer(lower, upper));
   }
-  /// The double that is `steps` further up.
+  /// The double `steps` further up.
   static double moved(double x, int steps) {
     for (; steps > 0; --steps) x = std::nextafter(x, kInfinity);
     for (; steps < 0; ++steps) x = std::nextafter(x, -kInfinity);

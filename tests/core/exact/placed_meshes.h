@@ -10,9 +10,9 @@ namespace trivet::test {
 
 using Soup = std::vector<Triangle>;
 
-/// Closed, 12 faces, outwards.
+/// Closed, 12 faces, oriented outwards.
 Soup box_soup(const Vec3& lower, const Vec3& upper);
-/// Closed, 8 x 4^levels faces, outwards; corners on the sphere.
+/// Closed, 8 x 4^levels faces, oriented outwards; corners on the sphere.
 Soup sphere_soup(const Vec3& centre, double radius, int levels);
 Soup reversed(Soup soup);
 Soup joined(Soup a, const Soup& b);

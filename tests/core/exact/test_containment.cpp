@@ -9,7 +9,7 @@ constexpr unsigned kSeed = 20240614;
 
 Soup cube(double half) { return box_soup(Vec3::Constant(-half), Vec3::Constant(half)); }
 
-// Under several poses; both meshes in the same frame.
+// Counts under several poses; both meshes in the same frame.
 int inside(const Soup& inner, const Soup& outer) {
   Source source(kSeed);
   const int count = count_components_inside(Placed(inner), Placed(outer));
@@ -20,7 +20,7 @@ int inside(const Soup& inner, const Soup& outer) {
   return count;
 }
 
-// Every other face turned over: still even, no longer balanced.
+// Every other face flipped: still even, no longer balanced.
 Soup disordered(Soup soup) {
   for (size_t i = 0; i < soup.size(); i += 2) std::swap(soup[i][1], soup[i][2]);
   return soup;
@@ -37,10 +37,10 @@ Soup soup_of(const Ball& b) {
   return b.kind == 0 ? soup : b.kind == 1 ? reversed(soup) : disordered(soup);
 }
 
-// The mesh of level 1 is between the sphere and this part of it.
+// The mesh of level 1 lies between the sphere and this fraction of it.
 constexpr double kInscribed = 0.8;
 
-// Clear of each other: no surface is crossed.
+// Whether the surfaces do not cross.
 bool clear_of(const Ball& a, const Ball& b) {
   const double d = (a.centre - b.centre).norm();
   return d > a.radius + b.radius || d + a.radius < kInscribed * b.radius ||
@@ -76,7 +76,7 @@ bool truth(const Ball& inner, const std::vector<Ball>& outer) {
 
 }  // namespace
 
-TEST(Containment, Boxes) {
+TEST(Containment, CountsBoxes) {
   EXPECT_EQ(inside(cube(1), cube(3)), 1);
   EXPECT_EQ(inside(cube(3), cube(1)), 0) << "the larger one";
   EXPECT_EQ(inside(cube(1), reversed(cube(3))), 1) << "inside out";
@@ -87,15 +87,15 @@ TEST(Containment, Boxes) {
       << "parity counts for each component alone";
 }
 
-TEST(Containment, HollowShells) {
+TEST(Containment, RespectsHollowShells) {
   const Soup hollow = joined(cube(3), reversed(cube(2)));
   EXPECT_EQ(inside(cube(1), hollow), 0) << "in the hollow";
   EXPECT_EQ(inside(box_soup(Vec3(2.2, 0, 0), Vec3(2.8, 1, 1)), hollow), 1) << "in the wall";
-  EXPECT_EQ(inside(cube(1), joined(cube(3), cube(2))), 1) << "the hollow is not turned over";
+  EXPECT_EQ(inside(cube(1), joined(cube(3), cube(2))), 1) << "the inner surface is not flipped";
   EXPECT_EQ(inside(hollow, cube(4)), 2) << "both surfaces";
 }
 
-TEST(Containment, OpenMeshes) {
+TEST(Containment, HandlesOpenMeshes) {
   Soup open = cube(3);
   open.pop_back();
   EXPECT_EQ(inside(cube(1), open), 0);
@@ -103,7 +103,7 @@ TEST(Containment, OpenMeshes) {
   EXPECT_EQ(inside(cube(1), joined(open, cube(2))), 1) << "another component is closed";
 }
 
-TEST(Containment, Components) {
+TEST(Containment, CountsEachComponent) {
   const auto at = [](double x) { return box_soup(Vec3(x, 0, 0), Vec3(x + 0.5, 0.5, 0.5)); };
   const Soup inner = joined(joined(at(0), at(1)), joined(at(2), at(9)));
   EXPECT_EQ(inside(inner, cube(4)), 3);
@@ -112,18 +112,18 @@ TEST(Containment, Components) {
 }
 
 // Vertices, edges and faces straight above the sample vertex, and faces without area.
-TEST(Containment, GrazingRays) {
+TEST(Containment, SurvivesGrazingRays) {
   EXPECT_EQ(inside(sphere_soup(Vec3::Zero(), 0.5, 2), sphere_soup(Vec3::Zero(), 1, 3)), 1);
   Soup outer = cube(3);
   const Vec3 above(1, 1, 2);
   outer.push_back({above, above, above});
   outer.push_back({above, Vec3(-1, -1, 2), Vec3(-3, -3, 2)});
   EXPECT_EQ(inside(cube(1), outer), 1);
-  // On the surface: every ray grazes. Means nothing, but must end.
+  // On the surface: every ray grazes. The result is meaningless, but the call must end.
   EXPECT_EQ(count_components_inside(Placed(cube(1)), Placed(cube(1))), 0);
 }
 
-TEST(Containment, RandomBalls) {
+TEST(Containment, AgreesWithRandomBalls) {
   Source source(kSeed + 1);
   int cases = 0, hits = 0;
   while (cases < 3000) {

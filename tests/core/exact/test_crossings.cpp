@@ -59,7 +59,7 @@ Soup random_soup(Source& source, int num_faces) {
 
 }  // namespace
 
-TEST(Crossings, RandomShapesEqualBruteForce) {
+TEST(Crossings, EqualBruteForceOnRandomShapes) {
   Source source(kSeed);
   int crossing = 0;
   constexpr int kCases = 400;
@@ -79,8 +79,8 @@ TEST(Crossings, RandomShapesEqualBruteForce) {
   EXPECT_LE(crossing, kCases * 19 / 20);
 }
 
-// Boxes face on face, under rotations that round: a box tree without a margin would lose pairs.
-TEST(Crossings, TouchingBoxesEqualBruteForce) {
+// Boxes face on face, under rotations that round: a BVH without a margin would miss pairs.
+TEST(Crossings, EqualBruteForceOnTouchingBoxes) {
   Source source(kSeed + 1);
   int touching = 0;
   constexpr int kCases = 1000;
@@ -97,8 +97,8 @@ TEST(Crossings, TouchingBoxesEqualBruteForce) {
   EXPECT_GE(touching, kCases * 9 / 10);
 }
 
-// Positions that are not quite where the transform says, as after export in float32.
-TEST(Crossings, SlackEqualsBruteForce) {
+// Positions that deviate from the transform, as after export in float32.
+TEST(Crossings, EqualBruteForceWithSlack) {
   Source source(kSeed + 2);
   constexpr double kSlack = 0.05;
   int differs = 0;
@@ -121,7 +121,7 @@ TEST(Crossings, SlackEqualsBruteForce) {
   EXPECT_GE(differs, 5);
 }
 
-TEST(Crossings, FlattenedToAPlane) {
+TEST(Crossings, HandleMeshesFlattenedToPlane) {
   Affine flat;
   flat.linear.row(2).setZero();
   const Placed a(sphere_soup(Vec3::Zero(), 1, 1), flat);
@@ -132,7 +132,7 @@ TEST(Crossings, FlattenedToAPlane) {
   EXPECT_GT(expect_like_brute_force(a, Placed(box_soup(Vec3::Zero(), Vec3::Ones()), point)), 0);
 }
 
-TEST(Crossings, NoFaces) {
+TEST(Crossings, AreZeroWithoutFaces) {
   const Placed none{Soup{}}, box(box_soup(Vec3::Zero(), Vec3::Ones()));
   std::optional<CrossingPair> first = CrossingPair{1, 2};
   EXPECT_EQ(count_crossings(none, box, 10, &first), 0);

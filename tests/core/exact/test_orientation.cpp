@@ -110,7 +110,7 @@ void expect_band(double fraction, double lower, double upper) {
 
 }  // namespace
 
-TEST(Orientation, SignConvention) {
+TEST(Orientation, FollowsSignConvention) {
   const Vec3 a(0, 0, 0), b(1, 0, 0), c(0, 1, 0);
   EXPECT_EQ(orient3d(a, b, c, Vec3(0.3, 0.3, -1)), 1);
   EXPECT_EQ(orient3d(a, b, c, Vec3(0.3, 0.3, 1)), -1);
@@ -172,8 +172,8 @@ TEST(Orientation, Orient2dEqualsIntegers) {
   expect_band(1.0 * all.zero / all.cases, 0.05, 0.4);
 }
 
-// The corners of the range promised in the header.
-TEST(Orientation, EndsOfTheRange) {
+// Extremes of the range promised in the header.
+TEST(Orientation, IsExactAtEndsOfRange) {
   for (double scale : {1e-70, 1e70}) {
     const double up = std::nextafter(scale, kInfinity);
     const Vec3 a(scale, scale, scale), b(up, scale, scale), c(scale, up, scale), d(up, up, up);

@@ -114,7 +114,7 @@ std::string describe(const Pair& p) {
   return out.str();
 }
 
-// All 72 ways to say the same.
+// Tests all 72 permutations of corners and arguments.
 void expect_symmetric(const Pair& p, bool truth) {
   std::array<int, 3> i = {0, 1, 2};
   do {
@@ -150,7 +150,7 @@ TEST(TrianglesIntersect, EqualsLinearProgram) {
     EXPECT_LE(hits[static_cast<int>(k)], kCases * 9 / 10);
 }
 
-TEST(TrianglesIntersect, Named) {
+TEST(TrianglesIntersect, DecidesNamedCases) {
   const Triangle t = {Vec3(0, 0, 0), Vec3(4, 0, 0), Vec3(0, 4, 0)};
   const auto hits = [&](const Vec3& a, const Vec3& b, const Vec3& c) {
     const Triangle u = {a, b, c};

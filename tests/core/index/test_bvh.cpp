@@ -18,7 +18,7 @@ bool contains(const Aabb& outer, const Aabb& inner) {
          (inner.upper.array() <= outer.upper.array()).all();
 }
 
-/// Walks the tree as its documentation says, and checks every promise.
+/// Walks the tree as documented, and checks every guarantee.
 class TreeCheck {
  public:
   TreeCheck(const Mesh& mesh, const Bvh& bvh)
@@ -105,24 +105,26 @@ bool equal(const Bvh& a, const Bvh& b) {
          std::equal(a.nodes.begin(), a.nodes.end(), b.nodes.begin(), b.nodes.end(), same_node);
 }
 
-TEST(Bvh, node_has_32_bytes) { EXPECT_EQ(sizeof(BvhNode), 32u); }
+TEST(Bvh, HasNodesOf32Bytes) { EXPECT_EQ(sizeof(BvhNode), 32u); }
 
-TEST(Bvh, nothing) {
+TEST(Bvh, IsEmptyWithoutTriangles) {
   const Bvh bvh = build_bvh({});
   EXPECT_TRUE(bvh.nodes.empty());
   EXPECT_TRUE(bvh.faces.empty());
 }
 
-TEST(Bvh, one_triangle) {
+TEST(Bvh, HoldsOneTriangle) {
   const Vec3 a(0.1, 0.2, 0.3), b(0.7, -0.1, 0.2), c(1.0 / 3, 0, 1);
   EXPECT_EQ(check({{a, b, c}}), 1);
 }
 
-TEST(Bvh, one_point) { EXPECT_EQ(check({Triangle{Vec3::Ones(), Vec3::Ones(), Vec3::Ones()}}), 1); }
+TEST(Bvh, HoldsOnePoint) {
+  EXPECT_EQ(check({Triangle{Vec3::Ones(), Vec3::Ones(), Vec3::Ones()}}), 1);
+}
 
-TEST(Bvh, cube) { check(make_cube()); }
+TEST(Bvh, HoldsCube) { check(make_cube()); }
 
-TEST(Bvh, first_child_is_nearer_to_the_start_of_the_axis) {
+TEST(Bvh, OrdersChildrenAlongAxis) {
   for (const double offset : {-10.0, 10.0})
     for (int axis = 0; axis < 3; ++axis) {
       const Mesh mesh = weld(joined(make_cube(), moved(make_cube(), offset * Vec3::Unit(axis))));
@@ -133,7 +135,7 @@ TEST(Bvh, first_child_is_nearer_to_the_start_of_the_axis) {
     }
 }
 
-TEST(Bvh, soups_of_many_sizes) {
+TEST(Bvh, HoldsSoupsOfManySizes) {
   constexpr unsigned kSeed = 11;
   std::printf("seed %u\n", kSeed);
   std::mt19937 random(kSeed);
@@ -143,7 +145,7 @@ TEST(Bvh, soups_of_many_sizes) {
   }
 }
 
-TEST(Bvh, any_unit_and_place) {
+TEST(Bvh, HandlesAnyUnitAndPlace) {
   constexpr unsigned kSeed = 12;
   std::printf("seed %u\n", kSeed);
   std::mt19937 random(kSeed);
@@ -151,27 +153,27 @@ TEST(Bvh, any_unit_and_place) {
     check(make_soup(random, 2000, size));
   for (const double far : {1e3, 1e6, 1e15}) {
     const int depth = check(make_soup(random, 2000, 1, Vec3(far, -far, far)));
-    EXPECT_LT(depth, 40) << far;  // the split is not made in float32 at the offset
+    EXPECT_LT(depth, 40) << far;  // splits are not computed in float32 at the offset
   }
 }
 
-TEST(Bvh, hundred_thousand_identical_triangles) {
+TEST(Bvh, HandlesIdenticalTriangles) {
   const Triangle t{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0.1)};
   EXPECT_LE(check(Triangles(100000, t)), 20);
   const Triangle point{Vec3::Ones(), Vec3::Ones(), Vec3::Ones()};
   EXPECT_LE(check(Triangles(100000, point)), 20);
 }
 
-TEST(Bvh, fan_of_long_triangles) {
+TEST(Bvh, HandlesFanOfLongTriangles) {
   Triangles triangles;
   for (int i = 0; i < 20000; ++i)
     triangles.push_back({Vec3(0, 0, 0), Vec3(0, 0, 1), Vec3(1, i * 1e-4, 0)});
   check(triangles);
 }
 
-/// Points about the middle, each at half the distance of the last: a split by surface area peels
-/// off few of them, and the tree would become too deep.
-TEST(Bvh, nested_points_do_not_exceed_the_depth) {
+/// Points about the middle, each at half the distance of the last: a split by surface area removes
+/// few of them, so the tree would become too deep.
+TEST(Bvh, LimitsDepthForNestedPoints) {
   Triangles triangles;
   double distance = 1;
   for (int i = 0; i < 120; ++i, distance *= 0.5)
@@ -181,10 +183,10 @@ TEST(Bvh, nested_points_do_not_exceed_the_depth) {
     }
   for (int copy = 0; copy < 5000; ++copy)
     triangles.push_back({Vec3::Zero(), Vec3::Zero(), Vec3::Zero()});
-  EXPECT_LE(check(triangles), 14);  // by median
+  EXPECT_LE(check(triangles), 14);  // by the median builder
 }
 
-TEST(Bvh, nested_triangles) {
+TEST(Bvh, LimitsDepthForNestedTriangles) {
   Triangles triangles;
   double size = 1;
   for (int i = 0; i < 1000; ++i, size *= 0.9)
@@ -194,7 +196,7 @@ TEST(Bvh, nested_triangles) {
   check(triangles);
 }
 
-TEST(Bvh, same_tree_every_time_and_from_many_threads) {
+TEST(Bvh, IsTheSameFromManyThreads) {
   constexpr unsigned kSeed = 13;
   std::printf("seed %u\n", kSeed);
   std::mt19937 random(kSeed);
@@ -214,7 +216,7 @@ TEST(Bvh, same_tree_every_time_and_from_many_threads) {
   }
 }
 
-TEST(Shape, cube) {
+TEST(Shape, HoldsCube) {
   const auto shape = make_shape(weld(make_cube()));
   EXPECT_EQ(shape->mesh.vertices.size(), 8u);
   EXPECT_EQ(shape->adjacency.edge_vertices.size(), 18u);

@@ -45,7 +45,7 @@ TEST(Ray, EqualsBruteForce) {
   EXPECT_LT(num_hits, 2 * kNum / 3);
 }
 
-TEST(Ray, DoesNotSlipThroughAClosedSurface) {
+TEST(Ray, DoesNotSlipThroughClosedSurface) {
   const unsigned seed = 7;
   const MeshPool pool(seed, 2);
   Random random(seed);
@@ -60,7 +60,7 @@ TEST(Ray, DoesNotSlipThroughAClosedSurface) {
   }
 }
 
-TEST(Ray, TellsTimeAndFace) {
+TEST(Ray, ReportsTimeAndFace) {
   Mesh mesh;
   mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   mesh.triangles = {{0, 1, 2}};

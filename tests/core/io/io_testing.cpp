@@ -10,7 +10,7 @@
 #include <iterator>
 #include <tuple>
 
-// assimp 5.2 leaks on files that it refuses; under AddressSanitizer only our own leaks count.
+// assimp 5.2 leaks on files that it rejects; AddressSanitizer should report only our own leaks.
 extern "C" const char* __lsan_default_suppressions();
 extern "C" const char* __lsan_default_suppressions() { return "leak:libassimp"; }
 
@@ -27,7 +27,7 @@ void IoTest::SetUp() {
 }
 
 void IoTest::TearDown() {
-  fs::permissions(m_folder, fs::perms::owner_all);  // a test may have taken them away
+  fs::permissions(m_folder, fs::perms::owner_all);  // a test may have removed the permissions
   fs::remove_all(m_folder);
 }
 
@@ -120,7 +120,7 @@ std::vector<NamedTriangles> reference_scene(const std::string& path) {
         p = Vec3(f.x(), -f.z(), f.y());
       }
   };
-  // With one node of the scene, assimp makes it the root.
+  // With a single node in the scene, assimp makes it the root.
   if (root.mNumChildren == 0) add(root, Eigen::Matrix4d::Identity());
   for (unsigned i = 0; i < root.mNumChildren; ++i)
     add(*root.mChildren[i], matrix_of(root) * Eigen::Matrix4d::Identity());

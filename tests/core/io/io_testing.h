@@ -1,4 +1,4 @@
-// What the tests of io share: a folder per test, small models as text, and an independent reader.
+// Common part of the io tests: a folder per test, small models as text, and an independent reader.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ class IoTest : public ::testing::Test {
  protected:
   void SetUp() override;
   void TearDown() override;
-  /// Path of a file in the folder; the second writes it first.
+  /// Path of a file in the folder; write() also creates it.
   std::string path(const std::string& name) const { return (m_folder / name).string(); }
   std::string write(const std::string& name, const std::string& bytes) const;
   const std::filesystem::path& folder() const { return m_folder; }
@@ -27,7 +27,7 @@ class IoTest : public ::testing::Test {
   std::filesystem::path m_folder;
 };
 
-/// Root may read and write everything; lends the program the rights of nobody. False if it cannot.
+/// Drops root's privileges, which bypass file permissions. False if it cannot.
 class OrdinaryUser {
  public:
   OrdinaryUser();
@@ -40,7 +40,7 @@ class OrdinaryUser {
 
 std::string read_bytes(const std::string& path);
 
-/// The message of the Error that `call` throws; its kind is checked.
+/// The message of the Error thrown by `call`, with its kind checked.
 template <class Call>
 std::string error_of(const Call& call, Error::Kind kind = Error::Kind::BadInput) {
   try {
@@ -55,10 +55,10 @@ std::string error_of(const Call& call, Error::Kind kind = Error::Kind::BadInput)
 /// Expects that `text` holds all of `parts`.
 void expect_parts(const std::string& text, const std::vector<std::string>& parts);
 
-/// All triangles as anybody reads them: assimp, Eigen's 4x4 products, row by row.
+/// All triangles by an independent reader: assimp, Eigen's 4x4 products, row by row.
 std::vector<Triangle> reference_triangles(const std::string& path);
 
-/// Triangles below each named node of a scene file, float32, y up turned to z up.
+/// Triangles below each named node of a scene file, float32, converted from y up to z up.
 struct NamedTriangles {
   std::string name;
   std::vector<Triangle> triangles;
@@ -74,7 +74,7 @@ bool same_triangles(const std::vector<Triangle>& a, const std::vector<Triangle>&
 /// A mesh as a list of triangles.
 std::vector<Triangle> triangles_of(const Mesh& mesh);
 
-/// ../shared/<name>, or empty when it is not there.
+/// ../shared/<name>, or empty if missing.
 std::string shared_path(const std::string& name);
 
 // A tetrahedron with its corners at 0 and on the axes, in several formats.
@@ -85,11 +85,11 @@ std::string tetrahedron_stl_binary();
 std::string tetrahedron_dae(const std::string& up_axis, const std::string& unit);
 std::string tetrahedron_fbx(int up_axis, double centimetres);
 std::string tetrahedron_3ds();
-/// Embedded buffer; `nodes` is the JSON array of nodes, roots those of `roots`.
+/// Embedded buffer; `nodes` is the JSON array of nodes, with the given `roots`.
 std::string tetrahedron_gltf(const std::string& nodes, const std::string& roots);
 std::string tetrahedron_glb();
 
-/// A model of one material made of a tetrahedron's triangles moved by `offset`.
+/// A model with one material and a tetrahedron's triangles moved by `offset`.
 Model tetrahedron_model(const Vec3& offset = Vec3::Zero());
 
 }  // namespace trivet::testing

@@ -45,7 +45,7 @@ std::string gltf_buffer() {
 
 std::string base64(const std::string& bytes) {
   const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string out;  // whole groups of three only: the buffer has 72 bytes
+  std::string out;  // only complete groups of three: the buffer has 72 bytes
   for (size_t i = 0; i + 2 < bytes.size(); i += 3) {
     const auto byte = [&](size_t k) { return static_cast<unsigned char>(bytes[i + k]); };
     const unsigned group = byte(0) << 16 | byte(1) << 8 | byte(2);
@@ -54,7 +54,7 @@ std::string base64(const std::string& bytes) {
   return out;
 }
 
-// A chunk of 3DS: id, length with this header, content.
+// A chunk of 3DS: id, length including this header, content.
 std::string chunk(std::uint16_t id, const std::string& content) {
   std::string out;
   append(out, id);

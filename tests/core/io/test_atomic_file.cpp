@@ -1,4 +1,4 @@
-// The target is the old file or the whole new one, and nothing else is left.
+// Atomic writes: the target is the old file or the whole new one, and no other file is left.
 #include <sys/resource.h>
 #include <sys/stat.h>
 
@@ -46,40 +46,40 @@ TEST_F(AtomicFile, KeepsModeAndLinks) {
   EXPECT_EQ(static_cast<int>(std::filesystem::status(path("real")).permissions()), 0640);
 }
 
-TEST_F(AtomicFile, MissingFolder) {
+TEST_F(AtomicFile, ReportsMissingFolder) {
   expect_parts(refusal(path("none/f")), {path("none/f"), "No such file or directory"});
   expect_parts(refusal(""), {"cannot be written"});
 }
 
-TEST_F(AtomicFile, TargetIsAFolder) {
+TEST_F(AtomicFile, RejectsFolderAsTarget) {
   std::filesystem::create_directory(path("d"));
   expect_parts(refusal(path("d")), {path("d"), "Is a directory"});
   EXPECT_EQ(num_files(), 1);
 }
 
-TEST_F(AtomicFile, FolderIsNotWritable) {
+TEST_F(AtomicFile, ReportsUnwritableFolder) {
   write("f", "old");
   chmod(path("f").c_str(), 0666);
   chmod(folder().c_str(), 0555);
   const testing::OrdinaryUser user;
-  if (!user) GTEST_SKIP() << "cannot become a user who may not write everything";
+  if (!user) GTEST_SKIP() << "cannot drop root privileges";
   expect_parts(refusal(path("f")), {path("f"), "Permission denied"});
   EXPECT_EQ(read_bytes(path("f")), "old");
   EXPECT_EQ(num_files(), 1);
 }
 
-TEST_F(AtomicFile, FileIsNotWritable) {
+TEST_F(AtomicFile, ReportsUnwritableFile) {
   write("f", "old");
   chmod(path("f").c_str(), 0444);
   chmod(folder().c_str(), 0777);
   const testing::OrdinaryUser user;
-  if (!user) GTEST_SKIP() << "cannot become a user who may not write everything";
+  if (!user) GTEST_SKIP() << "cannot drop root privileges";
   expect_parts(refusal(path("f")), {path("f"), "Permission denied"});
   EXPECT_EQ(read_bytes(path("f")), "old");
 }
 
-// A limit on the size of files stands for a full disk: write() fails half-way.
-TEST_F(AtomicFile, WriteErrorLeavesTheOldFile) {
+// A file size limit simulates a full disk: write() fails half-way.
+TEST_F(AtomicFile, KeepsOldFileOnWriteError) {
   write("f", "old");
   rlimit old_limit;
   ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &old_limit), 0);
@@ -95,14 +95,14 @@ TEST_F(AtomicFile, WriteErrorLeavesTheOldFile) {
   EXPECT_EQ(num_files(), 1);
 }
 
-TEST_F(AtomicFile, DevicesAreWrittenThrough) {
+TEST_F(AtomicFile, WritesThroughToDevices) {
   write_file_atomically("/dev/null", "gone");
   EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
   expect_parts(refusal("/dev/full"), {"/dev/full", "No space left on device"});
 }
 
-TEST_F(AtomicFile, ManyWritersOneWholeFile) {
+TEST_F(AtomicFile, LeavesOneWholeFileOfManyWriters) {
   std::vector<std::thread> threads;
   for (char c = 'a'; c < 'i'; ++c)
     threads.emplace_back([this, c] {
@@ -114,11 +114,11 @@ TEST_F(AtomicFile, ManyWritersOneWholeFile) {
   EXPECT_EQ(num_files(), 1);
 }
 
-TEST_F(AtomicFile, AFailedObjLeavesTheOldOne) {
+TEST_F(AtomicFile, KeepsOldObjWhenMaterialsFail) {
   const auto model = std::make_shared<const Model>(testing::tetrahedron_model());
-  const std::string old = "mtllib s.mtl\n";  // else s.mtl would not be its to overwrite
+  const std::string old = "mtllib s.mtl\n";  // otherwise s.mtl would belong to another scene
   write("s.obj", old);
-  std::filesystem::create_directory(path("s.mtl"));  // in the way
+  std::filesystem::create_directory(path("s.mtl"));  // blocks the file
   error_of(
       [&] {
         write_scene({{{"t", model, {}, ""}}, ""}, path("s.obj"));

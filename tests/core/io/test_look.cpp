@@ -1,4 +1,4 @@
-// What goes along with the geometry: hierarchy, materials, textures, cameras, lights.
+// Appearance preserved along with the geometry: hierarchy, materials, textures, cameras, lights.
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -13,12 +13,12 @@ using testing::expect_parts;
 
 class LookTest : public testing::IoTest {};
 
-// The smallest PNG and something that begins like a JPEG: nothing decodes them.
+// The shortest PNG header and a JPEG-like prefix: no test decodes them.
 const std::string kPng = std::string("\x89PNG\r\n\x1a\n", 8) + "pixels of the one";
 const std::string kJpeg = std::string("\xff\xd8\xff\xe0", 4) + "pixels of the other";
 
-/// Everything that an element refers to by index, put in its place: equal for equal content,
-/// wherever a file has it. By the book, not by the code under test.
+/// Resolves all references by index in place: equal for equal content, independent of its location
+/// in the file. Follows the specification, not the code under test.
 class Resolver {
  public:
   explicit Resolver(const GltfDocument& document) : m_document(document) {}
@@ -133,7 +133,7 @@ ExportScene two_of(const Model& model) {
       ""};
 }
 
-// The lamp as it must come out: without what nobody can follow, images with their type.
+// Expected lamp: without unknown extensions, images with their type.
 GltfJson expected_lamp(const std::string& path) {
   GltfDocument source = read_gltf_document(path, {});
   for (GltfJson& material : source.json["materials"])
@@ -143,7 +143,7 @@ GltfJson expected_lamp(const std::string& path) {
   return Resolver(source).node(0);
 }
 
-TEST_F(LookTest, GltfGoesThroughUntouched) {
+TEST_F(LookTest, KeepsGltfUnchanged) {
   const std::string lamp = write_lamp(folder());
   const Model model = read_model(lamp);
   ASSERT_TRUE(model.look);
@@ -152,9 +152,9 @@ TEST_F(LookTest, GltfGoesThroughUntouched) {
   for (const char* name : {"s.glb", "s.gltf"}) {
     write_scene(two_of(model), path(name));
     const GltfDocument written = read_gltf_document(path(name), {});
-    EXPECT_EQ(written.json["meshes"].size(), 1u) << name;  // however many show it
+    EXPECT_EQ(written.json["meshes"].size(), 1u) << name;  // independent of the number of uses
     EXPECT_EQ(written.json["images"].size(), 2u) << name;
-    EXPECT_EQ(written.json["materials"].size(), 1u) << name;  // the unused one is left behind
+    EXPECT_EQ(written.json["materials"].size(), 1u) << name;  // the unused one is omitted
     ASSERT_EQ(scene_roots(written.json).size(), 2u);
     for (const int root : scene_roots(written.json)) {
       const GltfJson& object = written.json["nodes"][root];
@@ -167,8 +167,8 @@ TEST_F(LookTest, GltfGoesThroughUntouched) {
   EXPECT_EQ(testing::read_bytes(path("s_a_b.png")), kPng);
 }
 
-// Read again, the model below an object's node is the model that went in, to the bit.
-TEST_F(LookTest, WrittenModelsAreReadToTheSameBits) {
+// Re-read, the model below an object's node equals the original model bit for bit.
+TEST_F(LookTest, RoundTripsModelsToSameBits) {
   const Model model = read_model(write_lamp(folder()));
   write_scene(two_of(model), path("s.glb"));
   GltfDocument written = read_gltf_document(path("s.glb"), {});
@@ -188,8 +188,8 @@ TEST_F(LookTest, WrittenModelsAreReadToTheSameBits) {
                                       testing::triangles_of(model.mesh)));
 }
 
-// A reader that multiplies all matrices first differs in the last bit of a double, before rounding.
-TEST_F(LookTest, PicturesOfOthersAreNotOverwritten) {
+// Images beside the target belong to another scene and must not be overwritten.
+TEST_F(LookTest, DoesNotOverwriteImagesOfOthers) {
   const Model model = read_model(write_lamp(folder()));
   std::filesystem::create_directory(path("out"));
   write("out/again_c.jpg", "somebody's");
@@ -205,7 +205,7 @@ TEST_F(LookTest, PicturesOfOthersAreNotOverwritten) {
   EXPECT_EQ(num_files, 2u);
 }
 
-TEST_F(LookTest, PositionsAreThoseOfExportedPositions) {
+TEST_F(LookTest, WritesExportedPositions) {
   const Model model = read_model(write_lamp(folder()));
   const ExportScene scene = two_of(model);
   write_scene(scene, path("s.glb"));
@@ -223,8 +223,8 @@ TEST_F(LookTest, PositionsAreThoseOfExportedPositions) {
   }
 }
 
-// Far from its origin a pivot keeps the object's matrix small.
-TEST_F(LookTest, FarModelsTurnAboutAPivot) {
+// Far from its origin, a pivot keeps the object's matrix small.
+TEST_F(LookTest, TurnsFarModelsAboutPivot) {
   GltfJson json = lamp_json();
   json["nodes"][0]["translation"] = {1000, 20, -500};
   write_lamp(folder());
@@ -246,7 +246,7 @@ TEST_F(LookTest, FarModelsTurnAboutAPivot) {
     }
 }
 
-TEST_F(LookTest, ObjWithTexture) {
+TEST_F(LookTest, ReadsObjWithTexture) {
   write("wood.png", kPng);
   write("t.mtl",
         "newmtl oak\nKd 0.5 0.5 0.5\nmap_Kd textures\\wood.png\n"
@@ -283,13 +283,13 @@ TEST_F(LookTest, ObjWithTexture) {
   EXPECT_EQ(names, (std::vector<std::string>{"top", "leg"}));
 }
 
-TEST_F(LookTest, PlainModelsNeedNone) {
+TEST_F(LookTest, IsNullForPlainModels) {
   EXPECT_FALSE(read_model(write("t.obj", testing::tetrahedron_obj())).look);
   EXPECT_FALSE(read_model(write("t.ply", testing::tetrahedron_ply())).look);
   EXPECT_FALSE(read_model(write("t.stl", testing::tetrahedron_stl())).look);
 }
 
-TEST_F(LookTest, VertexColoursOfPly) {
+TEST_F(LookTest, ReadsVertexColoursOfPly) {
   const Model model = read_model(
       write("t.ply",
             "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
@@ -311,8 +311,8 @@ TEST_F(LookTest, VertexColoursOfPly) {
   EXPECT_EQ(colours[11], 1);
 }
 
-// Geometry is not given up for a broken look; nothing is made up either.
-TEST_F(LookTest, BrokenLooksAreLeftOut) {
+// A broken look keeps the geometry, and no data is invented.
+TEST_F(LookTest, LeavesOutBrokenLooks) {
   write_lamp(folder());
   const auto note_of = [&](const GltfJson& json) {
     const Model model = read_model(write("broken.gltf", json.dump()));
@@ -326,7 +326,7 @@ TEST_F(LookTest, BrokenLooksAreLeftOut) {
   expect_parts(note_of(json), {"left out", "element 9 of \"textures\", which has 2"});
 }
 
-TEST_F(LookTest, MissingImagesAreNoted) {
+TEST_F(LookTest, NotesMissingImages) {
   const std::string lamp = write_lamp(folder());
   std::filesystem::remove(folder() / "c.jpg");
   const Model model = read_model(lamp);
@@ -336,8 +336,8 @@ TEST_F(LookTest, MissingImagesAreNoted) {
   EXPECT_EQ(read_gltf_document(path("s.glb"), {}).images.size(), 1u);
 }
 
-// No file but a picture goes into a scene, whatever a model names.
-TEST_F(LookTest, OnlyPicturesAreEmbedded) {
+// Scenes embed only images, whatever file a model names.
+TEST_F(LookTest, EmbedsOnlyImages) {
   GltfJson json = lamp_json();
   json["images"][0]["uri"] = "secret.txt";
   json["images"][1]["uri"] = "/etc/passwd";
@@ -347,7 +347,7 @@ TEST_F(LookTest, OnlyPicturesAreEmbedded) {
   EXPECT_EQ(count(*model.look).images, 0u);
 }
 
-TEST_F(LookTest, CountsForPeople) {
+TEST_F(LookTest, CountsForDisplay) {
   const LookCounts counts = count(*read_model(write_lamp(folder())).look);
   EXPECT_EQ(counts.nodes, 4u);
   EXPECT_EQ(counts.meshes, 1u);

@@ -1,4 +1,4 @@
-// Real models beside the project: triangle counts, and bits against the independent reader.
+// Real models beside the project: triangle counts, and bits compared with the independent reader.
 #include <algorithm>
 #include <fstream>
 #include <iostream>
@@ -36,7 +36,7 @@ void expect_same_as_reference(const Model& model) {
     for (const Eigen::Vector3f& n : face) ASSERT_NEAR(n.norm(), 1.0f, 1e-5f) << model.path;
 }
 
-TEST(ModelSet, EveryModelReads) {
+TEST(ModelSet, ReadsEveryModel) {
   const std::string list = testing::shared_path("data/models.csv");
   if (list.empty()) GTEST_SKIP() << "no ../shared/data/models.csv";
   std::ifstream in(list);
@@ -60,9 +60,9 @@ TEST(ModelSet, EveryModelReads) {
   EXPECT_EQ(count, 80);
 }
 
-// assimp's own test files of the formats that the set above lacks. Some are broken or without
-// triangles on purpose.
-TEST(ModelSet, AssimpTestModels) {
+// assimp's own test files for formats missing from the set above. Some are intentionally broken or
+// without triangles.
+TEST(ModelSet, ReadsAssimpTestModels) {
   const fs::path root = "/usr/share/assimp/models";
   if (!fs::exists(root)) GTEST_SKIP() << "assimp-testmodels is not installed";
   int read = 0, refused = 0;

@@ -14,7 +14,7 @@ using testing::expect_parts;
 
 class ReadErrors : public testing::IoTest {
  protected:
-  /// The file must be refused with a message of its path and these parts.
+  /// Expects an error that names the file's path and these parts.
   void expect_refused(const std::string& file, std::vector<std::string> parts,
                       const ImportLimits& limits = {}) const {
     parts.push_back(file + ":");
@@ -26,34 +26,34 @@ class ReadErrors : public testing::IoTest {
 
 constexpr const char* kTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 
-TEST_F(ReadErrors, Missing) { expect_refused(path("none.obj"), {"no such file"}); }
+TEST_F(ReadErrors, ReportsMissingFile) { expect_refused(path("none.obj"), {"no such file"}); }
 
-TEST_F(ReadErrors, Folder) {
+TEST_F(ReadErrors, ReportsFolder) {
   std::filesystem::create_directory(path("folder.obj"));
   expect_refused(path("folder.obj"), {"is a folder"});
 }
 
-TEST_F(ReadErrors, Unreadable) {
+TEST_F(ReadErrors, ReportsUnreadableFile) {
   const std::string file = write("secret.obj", kTriangle);
   chmod(file.c_str(), 0);
   const testing::OrdinaryUser user;
-  if (!user) GTEST_SKIP() << "cannot become a user who may not read everything";
+  if (!user) GTEST_SKIP() << "cannot drop root privileges";
   expect_refused(file, {"cannot be read", "Permission denied"});
 }
 
-TEST_F(ReadErrors, Pipe) {
+TEST_F(ReadErrors, ReportsPipe) {
   ASSERT_EQ(mkfifo(path("pipe.obj").c_str(), 0600), 0);
   expect_refused(path("pipe.obj"), {"is not a regular file"});
 }
 
-TEST_F(ReadErrors, Empty) { expect_refused(write("empty.stl", ""), {"empty"}); }
+TEST_F(ReadErrors, ReportsEmptyFile) { expect_refused(write("empty.stl", ""), {"empty"}); }
 
-TEST_F(ReadErrors, UnknownExtension) {
+TEST_F(ReadErrors, ReportsUnknownExtension) {
   expect_refused(write("t.docx", kTriangle), {"no importer for .docx", ".obj", ".glb", ".stl"});
   expect_refused(write("t", kTriangle), {"no file extension", ".obj", ".glb", ".stl"});
 }
 
-TEST_F(ReadErrors, Broken) {
+TEST_F(ReadErrors, ReportsBrokenFile) {
   expect_refused(write("t.glb", "glTF nonsense that is long enough to be looked at"),
                  {"cannot be read as a model: "});
   expect_refused(write("t.gltf", "{\"asset\":"), {"cannot be read as a model: "});
@@ -62,11 +62,11 @@ TEST_F(ReadErrors, Broken) {
   expect_refused(write("t.fbx", "Kaydara FBX Binary  "), {"cannot be read as a model: "});
 }
 
-TEST_F(ReadErrors, NoTriangle) {
+TEST_F(ReadErrors, ReportsFileWithoutTriangles) {
   expect_refused(write("t.obj", "v 0 0 0\nv 1 0 0\nl 1 2\n"), {"no triangle", "lines left out: 1"});
 }
 
-TEST_F(ReadErrors, NotFinite) {
+TEST_F(ReadErrors, ReportsNonFiniteCoordinates) {
   expect_refused(write("nan.obj", "v 0 0 0\nv 1 nan 0\nv 0 1 0\nf 1 2 3\n"),
                  {"vertex 1 (1, nan, 0)", "not finite"});
   expect_refused(write("inf.ply",
@@ -77,19 +77,19 @@ TEST_F(ReadErrors, NotFinite) {
                  {"vertex 2 (0, 0, -inf)", "not finite"});
 }
 
-TEST_F(ReadErrors, Huge) {
+TEST_F(ReadErrors, ReportsHugeCoordinates) {
   expect_refused(write("huge.obj", "v 0 0 0\nv 3e30 0 0\nv 0 1 0\nf 1 2 3\n"),
                  {"vertex 1", "beyond 1e30"});
 }
 
-TEST_F(ReadErrors, NodesMayOverflow) {
+TEST_F(ReadErrors, ReportsOverflowInNodes) {
   const std::string nodes = R"([{"scale":[1e20,1,1],"children":[1]},
     {"scale":[1e20,1,1],"mesh":0}])";
   expect_refused(write("t.gltf", testing::tetrahedron_gltf(nodes, "[0]")),
                  {"vertex 1 (1, 0, 0)", "beyond 1e30 after the transform of its node"});
 }
 
-TEST_F(ReadErrors, IndexOutOfRange) {
+TEST_F(ReadErrors, ReportsIndexOutOfRange) {
   expect_refused(write("t.ply",
                        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"
                        "property float y\nproperty float z\nelement face 1\nproperty "
@@ -99,8 +99,8 @@ TEST_F(ReadErrors, IndexOutOfRange) {
   expect_refused(write("t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n"), {"out of range"});
 }
 
-// assimp 5.2 loops forever on a header cut short, and repeats the last face of a body cut short.
-TEST_F(ReadErrors, TruncatedPly) {
+// assimp 5.2 loops forever on a truncated header, and repeats the last face of a truncated body.
+TEST_F(ReadErrors, ReportsTruncatedPly) {
   const std::string whole = testing::tetrahedron_ply();
   const size_t last_line = std::string("3 1 2 3\n").size();
   for (size_t length = 1; length <= whole.size() - last_line; ++length)
@@ -111,7 +111,7 @@ TEST_F(ReadErrors, TruncatedPly) {
 }
 
 // assimp 5.2 leaves such faces without corners, and aborts when it triangulates them.
-TEST_F(ReadErrors, TruncatedBinaryPly) {
+TEST_F(ReadErrors, ReportsTruncatedBinaryPly) {
   std::string bytes =
       "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\n"
       "property float y\nproperty float z\nelement face 2\n"
@@ -128,7 +128,7 @@ TEST_F(ReadErrors, TruncatedBinaryPly) {
     expect_refused(write("t.ply", bytes.substr(0, bytes.size() - cut)), {});
 }
 
-TEST_F(ReadErrors, LargerThanTheLimits) {
+TEST_F(ReadErrors, ReportsFilesBeyondLimits) {
   const std::string file = write("t.obj", testing::tetrahedron_obj());
   ImportLimits limits;
   limits.max_triangles = 3;
@@ -138,7 +138,7 @@ TEST_F(ReadErrors, LargerThanTheLimits) {
   expect_refused(file, {"bytes", "limit of 10"}, limits);
 }
 
-// Whatever a broken file holds: a model whose parts fit together, or an Error that names it.
+// A broken file gives a consistent model, or an Error that names the file.
 void read_whatever(const std::string& file) {
   try {
     const Model model = read_model(file);
@@ -152,7 +152,7 @@ void read_whatever(const std::string& file) {
   }
 }
 
-TEST_F(ReadErrors, TruncatedAndFlippedFilesDoNotCrash) {
+TEST_F(ReadErrors, SurvivesTruncatedAndFlippedFiles) {
   const std::pair<const char*, std::string> files[] = {
       {"f.obj", testing::tetrahedron_obj()},        {"f.ply", testing::tetrahedron_ply()},
       {"f.stl", testing::tetrahedron_stl_binary()}, {"f.glb", testing::tetrahedron_glb()},
@@ -161,7 +161,8 @@ TEST_F(ReadErrors, TruncatedAndFlippedFilesDoNotCrash) {
   for (int i = 0; i < 300; ++i) {
     auto [name, bytes] = files[i % std::size(files)];
     if (i % 2 == 0) bytes.resize(random() % bytes.size());
-    // assimp 5.2 loops forever on some bytes within the numbers of a DAE: only truncated here.
+    // assimp 5.2 loops forever on some bytes within the numbers of a DAE: it is only truncated
+    // here.
     const bool flip = !bytes.empty() && std::string(name) != "f.dae";
     const int flips = flip ? static_cast<int>(random() % 4) : 0;
     for (int k = 0; k < flips; ++k)

@@ -1,4 +1,4 @@
-// Every format: the same tetrahedron, its frame, its look.
+// Every format: the same tetrahedron, its frame, its appearance.
 #include <cmath>
 
 #include "core/io/io_testing.h"
@@ -32,7 +32,7 @@ bool has_vertex(const Model& model, const Vec3& p) {
   return false;
 }
 
-TEST_F(ReadFormats, PlainFormatsSayNothingOfUpAndUnit) {
+TEST_F(ReadFormats, LeavesUpAndUnitOpenForPlainFormats) {
   const std::pair<const char*, std::string> files[] = {
       {"t.obj", testing::tetrahedron_obj()},
       {"t.ply", testing::tetrahedron_ply()},
@@ -48,9 +48,9 @@ TEST_F(ReadFormats, PlainFormatsSayNothingOfUpAndUnit) {
   }
 }
 
-TEST_F(ReadFormats, UpperCaseExtension) { read("T.OBJ", testing::tetrahedron_obj()); }
+TEST_F(ReadFormats, AcceptsUpperCaseExtension) { read("T.OBJ", testing::tetrahedron_obj()); }
 
-TEST_F(ReadFormats, GltfIsYUpInMetres) {
+TEST_F(ReadFormats, ReadsGltfAsYUpInMetres) {
   const Model text = read("t.gltf", testing::tetrahedron_gltf(R"([{"mesh":0}])", "[0]"));
   const Model binary = read("t.glb", testing::tetrahedron_glb());
   for (const Model& model : {text, binary}) {
@@ -60,15 +60,15 @@ TEST_F(ReadFormats, GltfIsYUpInMetres) {
     EXPECT_EQ(model.metres_per_unit, 1.0);
     const Material& brass = model.materials[model.face_material[0]];
     EXPECT_EQ(brass.name, "brass");
-    EXPECT_FLOAT_EQ(brass.base_colour[0], 0.5f);  // linear as it stands
+    EXPECT_FLOAT_EQ(brass.base_colour[0], 0.5f);  // already linear
     EXPECT_FLOAT_EQ(brass.base_colour[2], 0.125f);
     EXPECT_FLOAT_EQ(brass.metallic, 0.75f);
     EXPECT_FLOAT_EQ(brass.roughness, 0.25f);
   }
 }
 
-// Rotations, a shear through a scaled parent, a mirror: the products must agree in every bit.
-TEST_F(ReadFormats, GltfNodeTransforms) {
+// Rotations, a shear through a scaled parent, a mirror: the products must agree bitwise.
+TEST_F(ReadFormats, MultipliesGltfNodeTransforms) {
   const std::string nodes = R"([
     {"name":"a","rotation":[0.1,0.7,-0.3,0.640312424],"scale":[1.3,0.7,2.1],"translation":[0.1,-3.7,11.3],
      "children":[1,2]},
@@ -85,7 +85,7 @@ TEST_F(ReadFormats, GltfNodeTransforms) {
   EXPECT_NE(model.notes[0].find("mirror"), std::string::npos) << model.notes[0];
 }
 
-TEST_F(ReadFormats, ColladaComesInMetresYUp) {
+TEST_F(ReadFormats, ReadsColladaInMetresYUp) {
   const Model y = read("y.dae", testing::tetrahedron_dae("<up_axis>Y_UP</up_axis>", ""));
   EXPECT_TRUE(has_vertex(y, Vec3(0, 0, 1)));
   const Model z = read("z.dae", testing::tetrahedron_dae("<up_axis>Z_UP</up_axis>",
@@ -100,7 +100,7 @@ TEST_F(ReadFormats, ColladaComesInMetresYUp) {
   }
 }
 
-TEST_F(ReadFormats, FbxSaysItsAxisAndUnit) {
+TEST_F(ReadFormats, ReadsAxisAndUnitOfFbx) {
   const Model y = read("y.fbx", testing::tetrahedron_fbx(1, 1));
   EXPECT_EQ(y.up, UpAxis::Y);
   EXPECT_DOUBLE_EQ(y.metres_per_unit.value_or(0), 0.01);
@@ -118,14 +118,14 @@ TEST_F(ReadFormats, FbxSaysItsAxisAndUnit) {
   EXPECT_NE(x.notes[0].find("up axis"), std::string::npos);
 }
 
-TEST_F(ReadFormats, MaxFilesComeYUp) {
+TEST_F(ReadFormats, Reads3dsAsYUp) {
   const Model model = read("t.3ds", testing::tetrahedron_3ds());
   EXPECT_EQ(model.format, "3ds");
   EXPECT_EQ(model.up, UpAxis::Y);
   EXPECT_TRUE(has_vertex(model, Vec3(0, 0, -1)));  // y of the file points back
 }
 
-TEST_F(ReadFormats, ObjMaterialsBecomeLinear) {
+TEST_F(ReadFormats, LinearisesObjMaterials) {
   write("t.mtl",
         "newmtl red\nKd 0.5 0 1\nd 0.25\nnewmtl shiny\nKd 1 1 1\nKs 1 1 1\nNs 198\n"
         "newmtl pbr\nPr 0.3\nPm 0.9\n");
@@ -146,7 +146,7 @@ TEST_F(ReadFormats, ObjMaterialsBecomeLinear) {
   EXPECT_NEAR(material(3).metallic, 0.9f, 1e-6);
 }
 
-TEST_F(ReadFormats, NormalsFollowTheirNodes) {
+TEST_F(ReadFormats, TransformsNormalsByNodes) {
   // A face in the plane z = 0 below a node that squeezes x: normals need the inverse transpose.
   const std::string obj =
       "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 2\nvn nan 0 1\nvn 1 0 1\n"
@@ -155,11 +155,11 @@ TEST_F(ReadFormats, NormalsFollowTheirNodes) {
   ASSERT_EQ(model.corner_normals.size(), 1u);
   const auto& normals = model.corner_normals[0];
   EXPECT_TRUE(normals[0].isApprox(Eigen::Vector3f::UnitZ()));
-  EXPECT_TRUE(normals[1].isApprox(Eigen::Vector3f::UnitZ()));  // dropped, made from the face
+  EXPECT_TRUE(normals[1].isApprox(Eigen::Vector3f::UnitZ()));  // dropped, computed from the face
   EXPECT_TRUE(normals[2].isApprox(Eigen::Vector3f(1, 0, 1).normalized()));
 }
 
-TEST_F(ReadFormats, PolygonsAreTriangulatedAndLinesNoted) {
+TEST_F(ReadFormats, TriangulatesPolygonsAndNotesLines) {
   const Model model = read_model(
       write("t.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nf 1 2 3 4\nl 1 5\np 5\n"));
   EXPECT_EQ(model.mesh.triangles.size(), 2u);
@@ -168,7 +168,7 @@ TEST_F(ReadFormats, PolygonsAreTriangulatedAndLinesNoted) {
   expect_parts(notes, {"lines left out: 1"});
 }
 
-TEST_F(ReadFormats, DegenerateTrianglesStay) {
+TEST_F(ReadFormats, KeepsDegenerateTriangles) {
   const Model model =
       read_model(write("t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 1 2\nf 2 2 2\n"));
   EXPECT_EQ(model.mesh.triangles.size(), 3u);

@@ -1,4 +1,4 @@
-// Reading extras: foreign, truncated and hostile files.
+// Reading extras of foreign, truncated and hostile files.
 #include <cstring>
 
 #include "core/io/io_testing.h"
@@ -28,7 +28,7 @@ std::string glb_of(const std::string& json) {
   return "glTF" + number(2) + number(20 + json.size()) + number(json.size()) + "JSON" + json;
 }
 
-TEST_F(SceneExtrasTest, ForeignScenes) {
+TEST_F(SceneExtrasTest, ReadsForeignScenes) {
   const std::string file = write("t.glb", testing::tetrahedron_glb());
   EXPECT_EQ(read_scene_extras(file).scene_json, "");
   EXPECT_TRUE(read_scene_extras(file).node_json.empty());
@@ -42,22 +42,22 @@ TEST_F(SceneExtrasTest, ForeignScenes) {
   EXPECT_EQ(extras.node_json[1], std::make_pair(std::string("y"), std::string(R"({"k":null})")));
 }
 
-TEST_F(SceneExtrasTest, NoFile) {
+TEST_F(SceneExtrasTest, ReportsMissingFile) {
   expect_parts(error_of([&] { read_scene_extras(path("none.glb")); }),
                {path("none.glb"), "No such file"});
   expect_parts(error_of([&] { read_scene_extras(folder().string()); }), {"is a folder"});
 }
 
-TEST_F(SceneExtrasTest, Broken) {
+TEST_F(SceneExtrasTest, ReportsBrokenFiles) {
   const std::string good = testing::tetrahedron_glb();
-  expect_refused("", {"no binary glTF", "0 bytes"});
-  expect_refused(good.substr(0, 19), {"no binary glTF", "19 bytes"});
+  expect_refused("", {"not binary glTF", "0 bytes"});
+  expect_refused(good.substr(0, 19), {"not binary glTF", "19 bytes"});
   expect_refused(testing::tetrahedron_obj() + std::string(40, '\n'),
                  {"does not begin with 'glTF'"});
   expect_refused(good.substr(0, good.size() - 1), {"truncated"});
   std::string bytes = good;
   bytes[4] = 1;
-  expect_refused(bytes, {"version 1", "accepted is 2"});
+  expect_refused(bytes, {"version 1", "accepted: 2"});
   bytes = good;
   bytes[16] = 'X';
   expect_refused(bytes, {"not JSON"});
@@ -74,7 +74,7 @@ TEST_F(SceneExtrasTest, Broken) {
   expect_refused(glb_of(std::string(1'000'000, '[')), {"nested"});
 }
 
-TEST_F(SceneExtrasTest, EveryTruncationIsRefused) {
+TEST_F(SceneExtrasTest, RejectsEveryTruncation) {
   const std::string good = testing::tetrahedron_glb();
   for (size_t length = 0; length < good.size(); ++length)
     expect_refused(good.substr(0, length), {});

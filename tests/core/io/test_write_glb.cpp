@@ -1,4 +1,4 @@
-// Scenes as binary glTF: what other readers get back, to the bit.
+// Scenes as binary glTF, read back bit for bit by other readers.
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -39,7 +39,8 @@ struct Glb {
   std::string binary;
 };
 
-// The container by the book: magic, version, lengths, alignment, padding, no rest.
+// Parses the container by the specification: magic, version, lengths, alignment, padding, no
+// trailing bytes.
 Glb parsed(const std::string& bytes) {
   const auto number = [&](size_t at) {
     std::uint32_t value = 0;
@@ -108,7 +109,7 @@ void check_primitive(const Glb& glb, const json& primitive) {
   EXPECT_LT(primitive["material"].get<size_t>(), glb.document["materials"].size());
 }
 
-/// The rules of glTF 2.0 that this writer could break.
+/// Checks the rules of glTF 2.0 that this writer could break.
 Glb checked(const std::string& bytes) {
   const Glb glb = parsed(bytes);
   const json& root = glb.document;
@@ -161,7 +162,7 @@ ExportScene example_scene() {
   return scene;
 }
 
-TEST_F(WriteGlb, IsValidByOurOwnCheck) {
+TEST_F(WriteGlb, PassesOwnValidation) {
   write_scene(example_scene(), path("s.glb"));
   const Glb glb = checked(testing::read_bytes(path("s.glb")));
   const json& root = glb.document;
@@ -176,7 +177,7 @@ TEST_F(WriteGlb, IsValidByOurOwnCheck) {
             json::array({1.0, 0.0, 0.0, 1.0}));
 }
 
-TEST_F(WriteGlb, EveryReaderGetsTheExportedPositions) {
+TEST_F(WriteGlb, GivesExportedPositionsToEveryReader) {
   const ExportScene scene = example_scene();
   write_scene(scene, path("s.glb"));
   const auto read = testing::reference_scene(path("s.glb"));
@@ -189,7 +190,7 @@ TEST_F(WriteGlb, EveryReaderGetsTheExportedPositions) {
   }
 }
 
-TEST_F(WriteGlb, SingleNodeScene) {
+TEST_F(WriteGlb, WritesSingleNodeScene) {
   ExportScene scene = example_scene();
   scene.objects.erase(scene.objects.begin(), scene.objects.begin() + 2);
   write_scene(scene, path("s.glb"));
@@ -199,7 +200,7 @@ TEST_F(WriteGlb, SingleNodeScene) {
                                       sorted(exported_triangles(scene.objects[0]))));
 }
 
-TEST_F(WriteGlb, ExportIsCloseToTheWorld) {
+TEST_F(WriteGlb, ExportsCloseToWorld) {
   for (const ExportObject& object : example_scene().objects) {
     const std::vector<Eigen::Vector3f> positions = exported_positions(object);
     ASSERT_EQ(positions.size(), object.model->mesh.vertices.size());
@@ -213,15 +214,15 @@ TEST_F(WriteGlb, ExportIsCloseToTheWorld) {
   }
 }
 
-// Far from its origin a model keeps its shape: the rounding is relative to its size.
-TEST_F(WriteGlb, FarModelsKeepTheirShape) {
+// Far from its origin, a model keeps its shape: the rounding is relative to its size.
+TEST_F(WriteGlb, KeepsShapeOfFarModels) {
   ExportObject object{"far", shared(testing::tetrahedron_model(Vec3(1e6, 1e6, 1e6))), {}, ""};
   object.world_from_object.translation = Vec3(-1e6, -1e6, -1e6);
   for (const Eigen::Vector3f& p : exported_positions(object))
     EXPECT_LT((p.cast<double>() - p.cast<double>().array().round().matrix()).norm(), 1e-6);
 }
 
-TEST_F(WriteGlb, ModelsReadBack) {
+TEST_F(WriteGlb, RoundTripsModels) {
   Model model = testing::tetrahedron_model();
   model.materials[0] = {"brass", {0.5f, 0.25f, 0.125f, 1.0f}, 0.75f, 0.25f};
   write_scene({{{"one", shared(model), placed({0, 0, 1}, 0.1, {1, 2, 3}), ""}}, ""}, path("s.glb"));
@@ -234,8 +235,8 @@ TEST_F(WriteGlb, ModelsReadBack) {
   EXPECT_EQ(brass.roughness, 0.25f);
 }
 
-// A slope of 45 degrees, squeezed: its normal leans the other way than the positions.
-TEST_F(WriteGlb, NormalsFollowTheInverseTranspose) {
+// A slope of 45 degrees, squeezed: its normal tilts opposite to the positions.
+TEST_F(WriteGlb, TransformsNormalsByInverseTranspose) {
   Model model;
   model.mesh = weld({{Vec3(0, 0, 0), Vec3(0, 1, 0), Vec3(-1, 0, 1)}});
   ExportObject object{"slope", shared(model), {}, ""};
@@ -243,13 +244,13 @@ TEST_F(WriteGlb, NormalsFollowTheInverseTranspose) {
   write_scene({{object}, ""}, path("s.glb"));
   const Model read = read_model(path("s.glb"));
   ASSERT_EQ(read.corner_normals.size(), 1u);
-  // World: (1/3, 0, 1) before scaling to unit; y up: (x, z, -y).
+  // World: (1/3, 0, 1) before normalisation; y up: (x, z, -y).
   const Eigen::Vector3f expected = Eigen::Vector3f(1, 3, 0).normalized();
   for (const Eigen::Vector3f& n : read.corner_normals[0])
     EXPECT_TRUE(n.isApprox(expected, 1e-6f)) << n.transpose();
 }
 
-TEST_F(WriteGlb, DegenerateTrianglesSurvive) {
+TEST_F(WriteGlb, KeepsDegenerateTriangles) {
   Model model;
   const Vec3 a(0, 0, 0), b(1, 0, 0), c(0, 1, 0);
   model.mesh = weld({{a, b, c}, {a, a, b}, {b, b, b}, {a, b, c}, {a, b, 0.5 * (a + b)}});
@@ -258,7 +259,7 @@ TEST_F(WriteGlb, DegenerateTrianglesSurvive) {
   EXPECT_EQ(testing::reference_triangles(path("s.glb")).size(), 5u);
 }
 
-TEST_F(WriteGlb, ExtrasComeBack) {
+TEST_F(WriteGlb, RoundTripsExtras) {
   write_scene(example_scene(), path("s.glb"));
   const SceneExtras extras = read_scene_extras(path("s.glb"));
   EXPECT_EQ(extras.scene_json, R"({"trivet":{"gap":1.0000000000000002e-07}})");
@@ -267,7 +268,7 @@ TEST_F(WriteGlb, ExtrasComeBack) {
   EXPECT_EQ(extras.node_json[0].second, R"({"b":1,"a":[0.1,"x"]})");  // order kept
 }
 
-TEST_F(WriteGlb, EmptyScenesAndMeshes) {
+TEST_F(WriteGlb, WritesEmptyScenesAndMeshes) {
   write_scene({}, path("none.glb"));
   checked(testing::read_bytes(path("none.glb")));
   EXPECT_TRUE(read_scene_extras(path("none.glb")).node_json.empty());
@@ -276,23 +277,23 @@ TEST_F(WriteGlb, EmptyScenesAndMeshes) {
   EXPECT_FALSE(glb.document["nodes"][0].contains("mesh"));
 }
 
-TEST_F(WriteGlb, SameBytesEveryTime) {
+TEST_F(WriteGlb, IsDeterministic) {
   write_scene(example_scene(), path("a.glb"));
   write_scene(example_scene(), path("b.glb"));
   EXPECT_EQ(testing::read_bytes(path("a.glb")), testing::read_bytes(path("b.glb")));
 }
 
-TEST_F(WriteGlb, NamesInAnyEncoding) {
+TEST_F(WriteGlb, EncodesNamesInAnyEncoding) {
   ExportScene scene = example_scene();
   scene.objects[0].name = "caf\xe9";  // Latin-1
   write_scene(scene, path("s.glb"));
   checked(testing::read_bytes(path("s.glb")));
 }
 
-TEST_F(WriteGlb, WhatCannotBeWrittenIsRefused) {
+TEST_F(WriteGlb, RefusesInvalidExtrasAndPoses) {
   ExportScene scene = example_scene();
   scene.objects[1].extras_json = "{broken";
-  expect_parts(error_of([&] { write_scene(scene, path("s.glb")); }), {"cup é", "no JSON"});
+  expect_parts(error_of([&] { write_scene(scene, path("s.glb")); }), {"cup é", "not valid JSON"});
   scene = example_scene();
   scene.objects[0].world_from_object.translation.x() = 1e39;
   expect_parts(error_of([&] { write_scene(scene, path("s.glb")); }), {"'plain'", "float32"});
@@ -304,7 +305,7 @@ TEST_F(WriteGlb, WhatCannotBeWrittenIsRefused) {
 }
 
 // Real models, turned: every bit of every vertex.
-TEST_F(WriteGlb, RealModels) {
+TEST_F(WriteGlb, WritesRealModelsBitForBit) {
   const std::string cup = testing::shared_path("data/models/sh3d_s_cup.obj");
   const std::string tea = testing::shared_path("data/models/polyhaven_tea_set_01_1k.gltf");
   if (cup.empty() || tea.empty()) GTEST_SKIP() << "no ../shared/data/models";
@@ -318,7 +319,7 @@ TEST_F(WriteGlb, RealModels) {
                              placed({0, 0.1, 1.0 + i}, -0.2 + 0.3 * i, place), ""});
   }
   write_scene(scene, path("s.glb"));
-  parsed(testing::read_bytes(path("s.glb")));  // the tea set is as its own file has it
+  parsed(testing::read_bytes(path("s.glb")));  // the tea set equals its own file
   const auto read = testing::reference_scene(path("s.glb"));
   ASSERT_EQ(read.size(), scene.objects.size());
   for (size_t i = 0; i < read.size(); ++i)

@@ -33,7 +33,7 @@ std::vector<Triangle> expected_triangles(const ExportScene& scene) {
   return out;
 }
 
-TEST_F(WriteMeshes, PlyAndStlAreExact) {
+TEST_F(WriteMeshes, WritesPlyAndStlExactly) {
   const ExportScene scene = scene_of_two();
   for (const char* name : {"s.ply", "s.stl"}) {
     write_scene(scene, path(name));
@@ -44,7 +44,7 @@ TEST_F(WriteMeshes, PlyAndStlAreExact) {
   }
 }
 
-TEST_F(WriteMeshes, ObjKeepsNamesMaterialsAndNineDigits) {
+TEST_F(WriteMeshes, WritesObjWithNamesMaterialsAndNineDigits) {
   const ExportScene scene = scene_of_two();
   write_scene(scene, path("my scene.obj"));
   const Model read = read_model(path("my scene.obj"));
@@ -54,7 +54,7 @@ TEST_F(WriteMeshes, ObjKeepsNamesMaterialsAndNineDigits) {
   testing::expect_parts(testing::read_bytes(path("my scene.obj")),
                         {"mtllib my scene.mtl\n", "o a_cup\n", "o plate\n", "usemtl red_paint\n",
                          "usemtl material\n", "usemtl red_paint_2\n"});
-  // The file says every float32 exactly; assimp's own number reader may miss it by one unit.
+  // The file states every float32 exactly; assimp's own number reader may be off by one unit.
   for (size_t f = 0; f < found.size(); ++f)
     for (int k = 0; k < 3; ++k) EXPECT_TRUE(found[f][k].isApprox(expected[f][k], 2.4e-7)) << f;
 
@@ -69,7 +69,7 @@ TEST_F(WriteMeshes, ObjKeepsNamesMaterialsAndNineDigits) {
   EXPECT_EQ(red, 4);
 }
 
-TEST_F(WriteMeshes, ObjNumbersGiveTheFloatsBack) {
+TEST_F(WriteMeshes, RoundTripsFloatsInObj) {
   const ExportScene scene = scene_of_two();
   write_scene(scene, path("s.obj"));
   std::istringstream in(testing::read_bytes(path("s.obj")));
@@ -83,7 +83,7 @@ TEST_F(WriteMeshes, ObjNumbersGiveTheFloatsBack) {
   EXPECT_EQ(found, expected);
 }
 
-TEST_F(WriteMeshes, DegenerateTrianglesSurvive) {
+TEST_F(WriteMeshes, KeepsDegenerateTriangles) {
   Model model;
   const Vec3 a(0, 0, 0), b(1, 0, 0), c(0, 1, 0);
   model.mesh = weld({{a, b, c}, {a, a, b}, {b, b, b}});
@@ -94,7 +94,7 @@ TEST_F(WriteMeshes, DegenerateTrianglesSurvive) {
   }
 }
 
-TEST_F(WriteMeshes, HandMadeModelsWithoutMaterials) {
+TEST_F(WriteMeshes, AcceptsHandMadeModelsWithoutMaterials) {
   Model model;
   model.mesh = weld({{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)}});
   const ExportScene scene{{{"t", std::make_shared<const Model>(model), {}, ""}}, ""};
@@ -104,8 +104,8 @@ TEST_F(WriteMeshes, HandMadeModelsWithoutMaterials) {
   }
 }
 
-// What lies beside a target belongs to it, or is left alone and nothing is written.
-TEST_F(WriteMeshes, FilesOfOthersAreNotOverwritten) {
+// A companion file belongs to the target, or is kept and no file is written.
+TEST_F(WriteMeshes, DoesNotOverwriteFilesOfOthers) {
   const ExportScene scene = scene_of_two();
   for (const auto& [target, beside] : {std::pair("s.gltf", "s.bin"), std::pair("t.obj", "t.mtl")}) {
     write(beside, "somebody's");
@@ -130,7 +130,7 @@ TEST_F(WriteMeshes, FilesOfOthersAreNotOverwritten) {
   check_files_beside(path("s.glb"));
 }
 
-TEST_F(WriteMeshes, SameBytesEveryTime) {
+TEST_F(WriteMeshes, IsDeterministic) {
   for (const char* name : {"s.obj", "s.ply", "s.stl"}) {
     write_scene(scene_of_two(), path(name));
     const std::string first = testing::read_bytes(path(name));

@@ -1,4 +1,4 @@
-// Small meshes whose properties are known, and random ones of the worst kind.
+// Small meshes with known properties, and pathological random ones.
 #pragma once
 
 #include <array>
@@ -11,13 +11,13 @@ namespace trivet::testing {
 
 using Triangles = std::vector<Triangle>;
 
-/// Two triangles for the corners of a planar quadrilateral in order.
+/// Two triangles for a planar quadrilateral with corners in order.
 inline void add_quad(Triangles& out, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   out.push_back({a, b, c});
   out.push_back({a, c, d});
 }
 
-/// Axis-aligned box, 12 faces, outside out. The first two faces are the top.
+/// Axis-aligned box, 12 faces, oriented outwards. The first two faces are the top.
 inline Triangles make_box(const Vec3& lower, const Vec3& upper) {
   const auto corner = [&](int x, int y, int z) {
     return Vec3(x ? upper.x() : lower.x(), y ? upper.y() : lower.y(), z ? upper.z() : lower.z());
@@ -38,7 +38,7 @@ inline Triangles make_tetrahedron(const Vec3& a, const Vec3& b, const Vec3& c, c
   return {{a, c, b}, {a, b, d}, {b, c, d}, {c, a, d}};
 }
 
-/// An octahedron, subdivided and pushed out to the sphere: 8 x 4^levels faces.
+/// An octahedron, subdivided and projected to the sphere: 8 x 4^levels faces.
 inline Triangles make_sphere(double radius, int levels) {
   Triangles faces;
   for (int signs = 0; signs < 8; ++signs) {

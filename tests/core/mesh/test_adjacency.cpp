@@ -14,7 +14,7 @@ namespace {
 using namespace trivet::testing;
 using Ends = std::pair<Index, Index>;
 
-/// Edges in the order of use, with their wings, by looking everything up.
+/// Edges in order of use, with their wings, by linear search.
 struct SlowEdges {
   std::vector<Ends> edges;
   std::map<Ends, std::vector<std::pair<Index, bool>>> wings;
@@ -71,7 +71,7 @@ void check_vertex_rows(const Mesh& mesh, const Adjacency& adjacency) {
   }
 }
 
-/// Spreads the smallest face id over shared edges until nothing changes.
+/// Propagates the smallest face id over shared edges until it converges.
 std::vector<Index> slow_labels(const Mesh& mesh) {
   const SlowEdges slow = slow_edges(mesh);
   std::vector<Index> label(mesh.triangles.size());
@@ -130,13 +130,13 @@ void check_all(const Mesh& mesh) {
   check_components(mesh, adjacency);
 }
 
-TEST(Adjacency, nothing) {
+TEST(Adjacency, IsEmptyForEmptyMesh) {
   const Adjacency adjacency = make_adjacency({});
   EXPECT_EQ(adjacency.edge_faces.size(), 0);
   EXPECT_TRUE(adjacency.components.empty());
 }
 
-TEST(Adjacency, cube) {
+TEST(Adjacency, ConnectsCube) {
   const Mesh mesh = weld(make_cube());
   const Adjacency adjacency = make_adjacency(mesh);
   EXPECT_EQ(adjacency.edge_vertices.size(), 18u);  // Euler: 8 - 18 + 12 = 2
@@ -146,14 +146,14 @@ TEST(Adjacency, cube) {
   check_all(mesh);
 }
 
-TEST(Adjacency, two_cubes_joined_at_a_vertex_are_two_components) {
+TEST(Adjacency, SeparatesCubesJoinedAtVertex) {
   const Mesh mesh = weld(joined(make_cube(), moved(make_cube(), Vec3::Ones())));
   EXPECT_EQ(mesh.vertices.size(), 15u);
   EXPECT_EQ(make_adjacency(mesh).components.size(), 2u);
   check_all(mesh);
 }
 
-TEST(Adjacency, two_cubes_joined_at_an_edge_are_balanced_but_not_manifold) {
+TEST(Adjacency, CallsCubesJoinedAtEdgeBalancedNotManifold) {
   const Mesh mesh = weld(joined(make_cube(), moved(make_cube(), Vec3(1, 1, 0))));
   const Adjacency adjacency = make_adjacency(mesh);
   ASSERT_EQ(adjacency.components.size(), 1u);
@@ -163,7 +163,7 @@ TEST(Adjacency, two_cubes_joined_at_an_edge_are_balanced_but_not_manifold) {
   check_all(mesh);
 }
 
-TEST(Adjacency, flipped_face_leaves_parity_only) {
+TEST(Adjacency, KeepsParityOfFlippedFace) {
   Triangles triangles = make_cube();
   std::swap(triangles[3][0], triangles[3][1]);
   const Adjacency adjacency = make_adjacency(weld(triangles));
@@ -172,13 +172,13 @@ TEST(Adjacency, flipped_face_leaves_parity_only) {
   EXPECT_FALSE(adjacency.components[0].balanced);
 }
 
-TEST(Adjacency, open_box_is_not_even) {
+TEST(Adjacency, CallsOpenBoxNotEven) {
   Triangles triangles = make_cube();
   triangles.erase(triangles.begin(), triangles.begin() + 2);
   EXPECT_FALSE(make_adjacency(weld(triangles)).components[0].even);
 }
 
-TEST(Adjacency, degenerate_faces_have_no_edge_between_equal_corners) {
+TEST(Adjacency, OmitsEdgeBetweenEqualCorners) {
   const Vec3 a(0, 0, 0), b(1, 0, 0);
   const Mesh mesh = weld({{a, a, b}, {b, b, b}});
   const Adjacency adjacency = make_adjacency(mesh);
@@ -190,7 +190,7 @@ TEST(Adjacency, degenerate_faces_have_no_edge_between_equal_corners) {
   check_all(mesh);
 }
 
-TEST(Adjacency, every_face_twice) {
+TEST(Adjacency, HandlesDuplicateFaces) {
   const Mesh mesh = weld(joined(make_cube(), make_cube()));
   const Adjacency adjacency = make_adjacency(mesh);
   EXPECT_TRUE(adjacency.components[0].balanced);
@@ -198,8 +198,8 @@ TEST(Adjacency, every_face_twice) {
   check_all(mesh);
 }
 
-/// All faces at one edge: must not cost the square of their number.
-TEST(Adjacency, fan_of_a_hundred_thousand_faces) {
+/// All faces at one edge: the cost must not be quadratic.
+TEST(Adjacency, IsLinearForFanOfFaces) {
   constexpr int kFaces = 100000;
   Triangles triangles;
   for (int i = 0; i < kFaces; ++i)
@@ -212,7 +212,7 @@ TEST(Adjacency, fan_of_a_hundred_thousand_faces) {
   EXPECT_FALSE(adjacency.components[0].even);
 }
 
-TEST(Adjacency, tangles_agree_with_looking_everything_up) {
+TEST(Adjacency, AgreesWithLinearSearchOnTangles) {
   constexpr unsigned kSeed = 2;
   std::printf("seed %u\n", kSeed);
   std::mt19937 random(kSeed);
@@ -231,7 +231,7 @@ TEST(Adjacency, tangles_agree_with_looking_everything_up) {
       num_crowded += adjacency.edge_faces[e].size() > 2;
     }
   }
-  EXPECT_GT(num_crowded, num_edges / 50);  // the tangles are what they are meant to be
+  EXPECT_GT(num_crowded, num_edges / 50);  // guards that tangles are crowded
   EXPECT_LT(num_crowded, num_edges / 2);
   EXPECT_GT(num_components, 400);
 }

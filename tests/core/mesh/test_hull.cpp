@@ -41,12 +41,12 @@ std::vector<Index> all(const Points& points) {
   return out;
 }
 
-TEST(Hull, grid_has_8_corners) {
+TEST(Hull, ReducesGridToCorners) {
   const Points grid = make_grid(4, 4, 4);
   EXPECT_EQ(hull_vertices(grid), (std::vector<Index>{0, 3, 12, 15, 48, 51, 60, 63}));
 }
 
-TEST(Hull, flat_straight_and_coincident_points_are_all_kept_in_silence) {
+TEST(Hull, KeepsAllPointsOfFlatInputSilently) {
   ::testing::internal::CaptureStdout();
   ::testing::internal::CaptureStderr();
   for (const Points& points : {Points{}, make_grid(1, 1, 1), make_grid(3, 1, 1), make_grid(9, 1, 1),
@@ -58,7 +58,7 @@ TEST(Hull, flat_straight_and_coincident_points_are_all_kept_in_silence) {
   EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
 }
 
-TEST(Hull, oblique_plane_is_flat) {
+TEST(Hull, CallsObliquePlaneFlat) {
   constexpr unsigned kSeed = 5;
   std::printf("seed %u\n", kSeed);
   std::mt19937 random(kSeed);
@@ -71,7 +71,7 @@ TEST(Hull, oblique_plane_is_flat) {
 }
 
 /// All points lie behind all faces, and every vertex is needed.
-TEST(Hull, random_points) {
+TEST(Hull, ContainsRandomPoints) {
   constexpr unsigned kSeed = 6;
   std::printf("seed %u\n", kSeed);
   std::mt19937 random(kSeed);
@@ -93,7 +93,7 @@ TEST(Hull, random_points) {
   }
 }
 
-TEST(Hull, sphere_keeps_all_its_vertices_at_any_scale_and_offset) {
+TEST(Hull, KeepsSphereVerticesAtAnyScaleAndOffset) {
   const Mesh sphere = weld(make_sphere(1, 3));
   for (const double unit : {1e-30, 1.0, 1e30}) {
     Points points;
@@ -105,7 +105,7 @@ TEST(Hull, sphere_keeps_all_its_vertices_at_any_scale_and_offset) {
   EXPECT_EQ(hull_vertices(far), all(far));
 }
 
-TEST(Hull, same_from_many_threads) {
+TEST(Hull, IsTheSameFromManyThreads) {
   constexpr unsigned kSeed = 7;
   std::printf("seed %u\n", kSeed);
   std::mt19937 random(kSeed);

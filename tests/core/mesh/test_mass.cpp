@@ -20,7 +20,7 @@ void expect_near(const Vec3& a, const Vec3& b, double tolerance) {
   EXPECT_LE((a - b).norm(), tolerance) << a.transpose() << " is not " << b.transpose();
 }
 
-TEST(Mass, cube) {
+TEST(Mass, IntegratesCube) {
   const MassProperties mass = mass_of(make_cube());
   EXPECT_EQ(mass.rule, MassRule::Volume);
   EXPECT_STREQ(to_string(mass.rule), "volume");
@@ -30,7 +30,7 @@ TEST(Mass, cube) {
   EXPECT_NEAR(mass.radius_squared, 0.25, 1e-15);
 }
 
-TEST(Mass, cube_inside_out_is_the_same) {
+TEST(Mass, IgnoresOrientationOfCube) {
   const MassProperties mass = mass_of(inside_out(make_cube()));
   EXPECT_EQ(mass.rule, MassRule::Volume);
   expect_near(mass.centre, Vec3::Constant(0.5), 1e-15);
@@ -38,7 +38,7 @@ TEST(Mass, cube_inside_out_is_the_same) {
   EXPECT_NEAR(mass.radius_squared, 0.25, 1e-15);
 }
 
-TEST(Mass, tetrahedron_far_from_the_origin) {
+TEST(Mass, IntegratesTetrahedronFarFromOrigin) {
   const std::array<Vec3, 4> corners{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)};
   for (const double offset : {0.0, 1e2, 1e4, 1e6}) {
     const Vec3 by(offset, -offset, 2 * offset);
@@ -53,7 +53,7 @@ TEST(Mass, tetrahedron_far_from_the_origin) {
   }
 }
 
-TEST(Mass, sphere) {
+TEST(Mass, IntegratesSphere) {
   const double pi = 3.14159265358979323846;
   const Vec3 centre(10, 20, 30);
   const MassProperties mass = mass_of(moved(make_sphere(2, 6), centre));
@@ -78,7 +78,7 @@ const Mat3 kSomeRotation =
     (Eigen::AngleAxisd(0.7, Vec3::UnitZ()) * Eigen::AngleAxisd(-1.9, Vec3(1, 2, 2) / 3))
         .toRotationMatrix();
 
-TEST(Covariance, box) {
+TEST(Covariance, IntegratesBox) {
   const Vec3 size(3, 0.5, 0.25);
   const Mat3 expected = (size.cwiseProduct(size) / 12).asDiagonal();
   const MassProperties mass = mass_of(make_box(Vec3::Zero(), size));
@@ -87,7 +87,7 @@ TEST(Covariance, box) {
   expect_near(inertia_per_mass(mass.covariance), Mat3((inertia / 12).asDiagonal()), 2e-15);
 }
 
-TEST(Covariance, moved_and_turned_box) {
+TEST(Covariance, IntegratesMovedAndTurnedBox) {
   const Vec3 size(3, 0.5, 0.25), by(40, -7, 11);
   const Mat3 diagonal = (size.cwiseProduct(size) / 12).asDiagonal();
   const Triangles box = make_box(-size / 2, size / 2);
@@ -100,7 +100,7 @@ TEST(Covariance, moved_and_turned_box) {
   }
 }
 
-TEST(Covariance, tetrahedra) {
+TEST(Covariance, IntegratesTetrahedra) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> coordinate(-1, 1);
   for (int i = 0; i < 100; ++i) {
@@ -119,7 +119,7 @@ TEST(Covariance, tetrahedra) {
   }
 }
 
-TEST(Covariance, spheres_and_ellipsoids) {
+TEST(Covariance, IntegratesSpheresAndEllipsoids) {
   const Mat3 stretch = Vec3(1, 2, 0.5).asDiagonal();
   const Triangles sphere = make_sphere(2, 6);
   expect_near(mass_of(moved(sphere, {5, 5, 5})).covariance, Mat3(Mat3::Identity() * 4 / 5),
@@ -127,8 +127,8 @@ TEST(Covariance, spheres_and_ellipsoids) {
   expect_near(mass_of(turned(sphere, stretch)).covariance, Mat3(stretch * stretch * 4 / 5), 4e-3);
 }
 
-TEST(Covariance, of_a_surface) {
-  // A rectangle without a back: no thickness, edges as of a rod.
+TEST(Covariance, IntegratesSurface) {
+  // A one-sided rectangle: no thickness, edges like a rod.
   Triangles sheet;
   add_quad(sheet, {0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0});
   const MassProperties mass = mass_of(moved(turned(sheet, kSomeRotation), {1, 2, 3}));
@@ -137,7 +137,7 @@ TEST(Covariance, of_a_surface) {
   expect_near(mass.covariance, Mat3(kSomeRotation * flat * kSomeRotation.transpose()), 1e-14);
 }
 
-TEST(Mass, hollow_sphere_has_a_cavity) {
+TEST(Mass, SubtractsCavityOfHollowSphere) {
   const MassProperties full = mass_of(make_sphere(1, 4));
   const Triangles outer = make_sphere(2, 4), inner = make_sphere(1, 4);
   const MassProperties hollow = mass_of(joined(outer, inside_out(inner)));
@@ -148,7 +148,7 @@ TEST(Mass, hollow_sphere_has_a_cavity) {
   EXPECT_NEAR(hollow.radius_squared, 31.0 / 7 * full.radius_squared, 1e-13);
 }
 
-TEST(Mass, cavity_off_the_middle) {
+TEST(Mass, SubtractsCavityOffCentre) {
   const Triangles cavity = inside_out(make_box(Vec3(0.5, 0.25, 0.25), Vec3(1, 0.75, 0.75)));
   const MassProperties mass = mass_of(joined(make_box(Vec3::Zero(), Vec3(2, 1, 1)), cavity));
   EXPECT_EQ(mass.rule, MassRule::Volume);
@@ -156,13 +156,13 @@ TEST(Mass, cavity_off_the_middle) {
   expect_near(mass.centre, Vec3((2 - 0.125 * 0.75) / 1.875, 0.5, 0.5), 1e-15);
 }
 
-TEST(Mass, hollow_sphere_inside_out_is_a_surface) {
+TEST(Mass, UsesSurfaceOfInvertedHollowSphere) {
   const MassProperties mass =
       mass_of(inside_out(joined(make_sphere(2, 2), inside_out(make_sphere(1, 2)))));
   EXPECT_EQ(mass.rule, MassRule::Surface);
 }
 
-TEST(Mass, two_components) {
+TEST(Mass, AddsTwoComponents) {
   const Triangles big = make_box(Vec3(10, 0, 0), Vec3(12, 2, 2));
   const MassProperties mass = mass_of(joined(make_cube(), big));
   EXPECT_EQ(mass.rule, MassRule::Volume);
@@ -170,7 +170,7 @@ TEST(Mass, two_components) {
   expect_near(mass.centre, (Vec3::Constant(0.5) + 8 * Vec3(11, 1, 1)) / 9, 1e-13);
 }
 
-TEST(Mass, open_box_by_surface) {
+TEST(Mass, UsesSurfaceOfOpenBox) {
   Triangles triangles = make_cube();
   triangles.erase(triangles.begin(), triangles.begin() + 2);  // the top
   const MassProperties mass = mass_of(triangles);
@@ -179,11 +179,12 @@ TEST(Mass, open_box_by_surface) {
   EXPECT_EQ(mass.volume, 0);
   EXPECT_NEAR(mass.area, 5, 1e-14);
   expect_near(mass.centre, Vec3(0.5, 0.5, 0.4), 1e-15);
-  // About the cube's centre: each square 1/6 within its plane and 1/4 from it; then Steiner.
+  // About the cube's centre: each square 1/6 within its plane and 1/4 from it; then Steiner's
+  // theorem.
   EXPECT_NEAR(mass.radius_squared, 1.0 / 6 + 0.25 - 0.01, 1e-15);
 }
 
-TEST(Mass, flipped_face_by_surface) {
+TEST(Mass, UsesSurfaceForFlippedFace) {
   Triangles triangles = make_cube();
   std::swap(triangles[5][0], triangles[5][1]);
   const MassProperties mass = mass_of(triangles);
@@ -191,25 +192,25 @@ TEST(Mass, flipped_face_by_surface) {
   expect_near(mass.centre, Vec3::Constant(0.5), 1e-15);
 }
 
-TEST(Mass, one_face_twice_by_surface) {
+TEST(Mass, UsesSurfaceForOneDuplicateFace) {
   Triangles triangles = make_cube();
   triangles.push_back(triangles[0]);
   EXPECT_EQ(mass_of(triangles).rule, MassRule::Surface);
 }
 
-TEST(Mass, every_face_twice_is_still_a_solid) {
+TEST(Mass, AcceptsDuplicateFacesAsSolid) {
   const MassProperties mass = mass_of(joined(make_cube(), make_cube()));
   EXPECT_EQ(mass.rule, MassRule::Volume);
   expect_near(mass.centre, Vec3::Constant(0.5), 1e-15);
 }
 
-TEST(Mass, every_face_and_its_back_by_surface) {
+TEST(Mass, UsesSurfaceForTwoSidedFaces) {
   const MassProperties mass = mass_of(joined(make_cube(), inside_out(make_cube())));
   EXPECT_EQ(mass.rule, MassRule::Surface);
   EXPECT_NEAR(mass.area, 12, 1e-14);
 }
 
-TEST(Mass, fan_of_faces_at_one_edge_by_surface) {
+TEST(Mass, UsesSurfaceForFanOfFaces) {
   Triangles triangles;
   for (int i = 0; i < 6; ++i)
     triangles.push_back({Vec3(0, 0, 0), Vec3(0, 0, 3), Vec3(i - 2.5, 1, 0)});
@@ -219,7 +220,7 @@ TEST(Mass, fan_of_faces_at_one_edge_by_surface) {
   EXPECT_NEAR(mass.centre.x(), 0, 1e-15);
 }
 
-TEST(Mass, degenerate_faces_do_not_count) {
+TEST(Mass, IgnoresDegenerateFaces) {
   const Vec3 a(0, 0, 0), b(1, 0, 0);
   const MassProperties mass = mass_of(joined(make_cube(), {{a, a, b}, {a, a, a}, {b, a, b}}));
   EXPECT_EQ(mass.rule, MassRule::Volume);
@@ -227,7 +228,7 @@ TEST(Mass, degenerate_faces_do_not_count) {
   expect_near(mass.centre, Vec3::Constant(0.5), 1e-15);
 }
 
-TEST(Mass, flat_sheet_with_a_back_by_surface) {
+TEST(Mass, UsesSurfaceForTwoSidedSheet) {
   Triangles sheet;
   add_quad(sheet, Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1, 1, 0.3), Vec3(0, 1, 0.3));
   const MassProperties mass = mass_of(joined(sheet, inside_out(sheet)));
@@ -235,7 +236,7 @@ TEST(Mass, flat_sheet_with_a_back_by_surface) {
   expect_near(mass.centre, Vec3(0.5, 0.5, 0.15), 1e-15);
 }
 
-TEST(Mass, without_area_by_hull) {
+TEST(Mass, UsesHullWithoutArea) {
   Triangles triangles;  // the edges of a cube, as faces with two equal corners
   for (const Triangle& t : make_cube()) triangles.push_back({t[0], t[0], t[1]});
   for (const Triangle& t : make_cube()) triangles.push_back({t[1], t[2], t[2]});
@@ -248,7 +249,7 @@ TEST(Mass, without_area_by_hull) {
   EXPECT_NEAR(mass.radius_squared, 0.25, 1e-14);
 }
 
-TEST(Mass, needle_by_its_vertices) {
+TEST(Mass, UsesVerticesOfNeedle) {
   const Vec3 a(0, 0, 0), b(4, 0, 0), c(1, 0, 0);
   const MassProperties mass = mass_of({{a, b, c}});
   EXPECT_EQ(mass.rule, MassRule::Hull);
@@ -257,7 +258,7 @@ TEST(Mass, needle_by_its_vertices) {
   EXPECT_NEAR(mass.radius_squared, 26.0 / 9, 1e-14);
 }
 
-TEST(Mass, point_and_nothing) {
+TEST(Mass, HandlesPointAndEmptyMesh) {
   const Vec3 p(1, 2, 3);
   const MassProperties point = mass_of({{p, p, p}});
   EXPECT_EQ(point.rule, MassRule::Hull);
@@ -268,7 +269,7 @@ TEST(Mass, point_and_nothing) {
   EXPECT_EQ(nothing.centre, Vec3::Zero());
 }
 
-TEST(Mass, any_unit) {
+TEST(Mass, ScalesWithUnit) {
   for (const double unit : {1e-30, 1e-10, 1e10, 1e30}) {
     const MassProperties mass = mass_of(scaled(make_cube(), unit));
     EXPECT_EQ(mass.rule, MassRule::Volume);
@@ -278,7 +279,7 @@ TEST(Mass, any_unit) {
 }
 
 /// Random affine images of the cube: the centre moves along, and the spread follows the covariance.
-TEST(Mass, parallelepipeds) {
+TEST(Mass, FollowsAffineMaps) {
   constexpr unsigned kSeed = 3;
   std::printf("seed %u\n", kSeed);
   std::mt19937 random(kSeed);
@@ -299,7 +300,7 @@ TEST(Mass, parallelepipeds) {
   }
 }
 
-TEST(Mass, tangles_give_finite_numbers_within_the_box) {
+TEST(Mass, StaysFiniteAndInBoxForTangles) {
   constexpr unsigned kSeed = 4;
   std::printf("seed %u\n", kSeed);
   std::mt19937 random(kSeed);

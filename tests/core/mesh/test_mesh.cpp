@@ -12,14 +12,14 @@ namespace {
 
 using namespace trivet::testing;
 
-TEST(Weld, nothing) {
+TEST(Weld, AcceptsEmptyInput) {
   const Mesh mesh = weld({});
   EXPECT_TRUE(mesh.vertices.empty());
   EXPECT_TRUE(mesh.triangles.empty());
   EXPECT_TRUE(mesh.box().empty());
 }
 
-TEST(Weld, cube_has_8_vertices) {
+TEST(Weld, MergesCornersOfCube) {
   const Mesh mesh = weld(make_cube());
   EXPECT_EQ(mesh.vertices.size(), 8u);
   EXPECT_EQ(mesh.triangles.size(), 12u);
@@ -27,27 +27,27 @@ TEST(Weld, cube_has_8_vertices) {
   EXPECT_EQ(mesh.box().upper, Vec3::Ones());
 }
 
-TEST(Weld, vertices_are_numbered_as_used) {
+TEST(Weld, NumbersVerticesInOrderOfUse) {
   const Vec3 a(5, 0, 0), b(1, 0, 0), c(3, 0, 0), d(0, 9, 0);
   const Mesh mesh = weld({{a, b, c}, {c, b, d}});
   EXPECT_EQ(mesh.triangles, (std::vector<Index3>{{0, 1, 2}, {2, 1, 3}}));
   EXPECT_EQ(mesh.vertices, (std::vector<Vec3>{a, b, c, d}));
 }
 
-TEST(Weld, minus_zero_is_zero) {
+TEST(Weld, TreatsMinusZeroAsZero) {
   const Vec3 plus(0, 0, 0), minus(-0.0, 0, -0.0), x(1, 0, 0), y(0, 1, 0);
   const Mesh mesh = weld({{minus, x, y}, {plus, y, x}});
   EXPECT_EQ(mesh.triangles, (std::vector<Index3>{{0, 1, 2}, {0, 2, 1}}));
   EXPECT_FALSE(std::signbit(mesh.vertices[0].x()));
 }
 
-TEST(Weld, neighbouring_doubles_stay_apart) {
+TEST(Weld, KeepsNeighbouringDoublesApart) {
   const double next = std::nextafter(1.0, 2.0);
   const Mesh mesh = weld({{Vec3(1, 1, 1), Vec3(next, 1, 1), Vec3(1, 1, next)}});
   EXPECT_EQ(mesh.vertices.size(), 3u);
 }
 
-TEST(Weld, what_is_not_finite_is_refused) {
+TEST(Weld, RejectsNonFiniteCoordinates) {
   for (const double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL})
     for (int axis = 0; axis < 3; ++axis) {
       Triangles cube = make_cube();
@@ -62,13 +62,13 @@ TEST(Weld, what_is_not_finite_is_refused) {
     }
 }
 
-TEST(Weld, degenerate_and_equal_triangles_are_kept) {
+TEST(Weld, KeepsDegenerateAndEqualTriangles) {
   const Vec3 a(0, 0, 0), b(1, 0, 0);
   const Mesh mesh = weld({{a, a, a}, {a, b, a}, {a, b, a}});
   EXPECT_EQ(mesh.triangles, (std::vector<Index3>{{0, 0, 0}, {0, 1, 0}, {0, 1, 0}}));
 }
 
-TEST(Weld, agrees_with_a_map) {
+TEST(Weld, AgreesWithMap) {
   constexpr unsigned kSeed = 1;
   std::printf("seed %u\n", kSeed);
   std::mt19937 random(kSeed);
@@ -88,8 +88,8 @@ TEST(Weld, agrees_with_a_map) {
   }
 }
 
-/// Integer grids are the usual trap of hashes of coordinates.
-TEST(Weld, grid_of_integers) {
+/// Integer grids are a common trap for hashes of coordinates.
+TEST(Weld, HandlesIntegerGrid) {
   Triangles triangles;
   for (int x = 0; x < 200; ++x)
     for (int y = 0; y < 200; ++y)

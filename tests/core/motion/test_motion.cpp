@@ -16,20 +16,20 @@ Motion any_motion(int index, test::Random& random) {
   return test::random_motion(index % 2 == 1, random.in_cube(3), 2, random);
 }
 
-TEST(Motion, TranslationTimeIsLength) {
+TEST(Motion, MeasuresTranslationByLength) {
   const Motion m = Motion::translation(-Vec3::UnitZ(), 5);
   EXPECT_EQ(moved_point({1, 2, 3}, m, 0.5), Vec3(1, 2, 2.5));
   EXPECT_EQ(moved_point({1, 2, 3}, m, 0), Vec3(1, 2, 3));
 }
 
-TEST(Motion, TurnsAreRightHandedAndTimeIsTheTangentOfHalfTheAngle) {
+TEST(Motion, MeasuresRightHandedTurnsByTangentOfHalfAngle) {
   const Motion m = Motion::rotation(Vec3(1, 0, 0), Vec3::UnitZ(), 1);
   EXPECT_LT((moved_point({2, 0, 7}, m, 1) - Vec3(1, 1, 7)).norm(), 1e-15);  // a quarter turn
   const double s = std::tan(0.5 * M_PI / 6);
   EXPECT_LT((moved_point({2, 0, 7}, m, s) - Vec3(1 + std::cos(M_PI / 6), 0.5, 7)).norm(), 1e-15);
 }
 
-TEST(Motion, PointsOnTheAxisStayBitForBit) {
+TEST(Motion, KeepsPointsOnAxisBitForBit) {
   test::Random random(1);
   for (int i = 0; i < 1000; ++i) {
     const Vec3 centre = random.in_cube(10);
@@ -38,14 +38,14 @@ TEST(Motion, PointsOnTheAxisStayBitForBit) {
   }
 }
 
-TEST(Motion, TinyTurnsAreNotLostFarFromTheOrigin) {
+TEST(Motion, KeepsTinyTurnsFarFromOrigin) {
   const Vec3 centre(1e6, 0, 0);
   const Motion m = Motion::rotation(centre, Vec3::UnitZ(), 1);
   const Vec3 p = centre + Vec3(1, 0, 0);
   EXPECT_NEAR(moved_point(p, m, 1e-14).y(), 2e-14, 1e-28);
 }
 
-TEST(Motion, PointAndPoseMoveTogether) {
+TEST(Motion, MovesPointAndPoseAlike) {
   test::Random random(2);
   double worst = 0;
   for (int i = 0; i < 20000; ++i) {
@@ -62,7 +62,7 @@ TEST(Motion, PointAndPoseMoveTogether) {
   EXPECT_LT(worst, 2e-14);
 }
 
-TEST(Motion, DistancesAreKept) {
+TEST(Motion, PreservesDistances) {
   test::Random random(3);
   for (int i = 0; i < 10000; ++i) {
     const Motion m = any_motion(i, random);
@@ -72,7 +72,7 @@ TEST(Motion, DistancesAreKept) {
   }
 }
 
-TEST(Motion, TurnsCompose) {
+TEST(Motion, ComposesTurns) {
   test::Random random(4);
   for (int i = 0; i < 10000; ++i) {
     const Motion m = any_motion(1, random);
@@ -99,7 +99,7 @@ Real height(const HeightFunction& f, Real angle) {
 
 Real size_of(const HeightFunction& f) { return std::abs(f.f0) + std::abs(f.A) + std::abs(f.B); }
 
-/// Every third one nearly grazes zero at its lowest point, every third starts next to zero.
+/// Every third one nearly grazes zero at its minimum, every third starts next to zero.
 HeightFunction random_height(int index, test::Random& random) {
   HeightFunction f{random.uniform(0, 2), random.uniform(-1, 1), random.uniform(-1, 1)};
   if (index % 3 == 1) {
@@ -111,7 +111,7 @@ HeightFunction random_height(int index, test::Random& random) {
   return f;
 }
 
-TEST(FirstZero, IsTheFirstZeroAndNoneIsMissed) {
+TEST(FirstZero, FindsFirstOfAllZeros) {
   constexpr unsigned kSeed = 5;
   constexpr int kNum = 100000, kSamples = 200;
   test::Random random(kSeed);
@@ -128,7 +128,7 @@ TEST(FirstZero, IsTheFirstZeroAndNoneIsMissed) {
       right = right && std::abs(height(f, end)) <= tolerance;
     }
     for (int k = 1; k < kSamples && right; ++k) right = height(f, end * k / kSamples) > -tolerance;
-    // The lowest point on the way, which the samples may straddle.
+    // The minimum on the way, which the samples may straddle.
     const Real lowest = std::atan2(-Real(f.B), -Real(f.A));
     if (lowest > 0 && lowest < end) right = right && height(f, lowest) > -tolerance;
     num_wrong += !right;
@@ -140,7 +140,7 @@ TEST(FirstZero, IsTheFirstZeroAndNoneIsMissed) {
   EXPECT_LT(num_zeros, 0.8 * kNum);
 }
 
-TEST(PositiveUntil, SaysWhatTheFirstZeroSays) {
+TEST(PositiveUntil, AgreesWithFirstZero) {
   test::Random random(7);
   int num_clear = 0, num_compared = 0;
   for (int i = 0; i < 100000; ++i) {
@@ -149,8 +149,8 @@ TEST(PositiveUntil, SaysWhatTheFirstZeroSays) {
     for (const auto kind : {kTurn, kSlide}) {
       const double zero = first_zero(f, kind);
       const double end = kind == kTurn ? std::min(horizon, 1.0) : horizon;
-      if (std::abs(zero - end) < 1e-6) continue;  // to rounding either
-      // A graze: whether it touches is rounding, too.
+      if (std::abs(zero - end) < 1e-6) continue;  // either result, to rounding
+      // A graze: contact depends on rounding too.
       if (std::abs(f.B * f.B - f.f0 * (f.f0 - 2 * f.A)) < 1e-12 && kind == kTurn) continue;
       ++num_compared;
       num_clear += zero > end;
@@ -163,7 +163,7 @@ TEST(PositiveUntil, SaysWhatTheFirstZeroSays) {
   EXPECT_LT(num_clear, 0.8 * num_compared);
 }
 
-TEST(FirstZero, SmallTurnsKeepAllTheirDigits) {
+TEST(FirstZero, KeepsAllDigitsOfSmallTurns) {
   test::Random random(6);
   double worst = 0;
   for (int i = 0; i < 20000; ++i) {
@@ -177,7 +177,7 @@ TEST(FirstZero, SmallTurnsKeepAllTheirDigits) {
   EXPECT_LT(worst, 1e-14);
 }
 
-TEST(FirstZero, SpecialHeights) {
+TEST(FirstZero, SolvesSpecialHeights) {
   EXPECT_EQ(first_zero({0, -1, -1}, kTurn), 0);
   EXPECT_EQ(first_zero({-1, 1, 1}, kTurn), 0);
   EXPECT_EQ(first_zero({1, 0, 0}, kTurn), kInfinity);
@@ -188,7 +188,7 @@ TEST(FirstZero, SpecialHeights) {
   EXPECT_DOUBLE_EQ(first_zero({1, 1, 1}, kTurn), std::tan(3 * M_PI / 8));  // up first, then down
 }
 
-TEST(FirstZero, OfTranslations) {
+TEST(FirstZero, SolvesTranslations) {
   EXPECT_EQ(first_zero({3, 0, -2}, kSlide), 1.5);
   EXPECT_EQ(first_zero({3, 0, 2}, kSlide), kInfinity);
   EXPECT_EQ(first_zero({3, 0, 0}, kSlide), kInfinity);

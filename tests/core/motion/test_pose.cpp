@@ -12,12 +12,12 @@ namespace {
 Eigen::Quaterniond eigen(const Rotation& r) { return {r.w, r.x, r.y, r.z}; }
 
 double distance(const Rotation& a, const Rotation& b) {
-  // A quaternion and its negative are one rotation.
+  // A quaternion and its negative are the same rotation.
   return std::min((eigen(a).coeffs() - eigen(b).coeffs()).norm(),
                   (eigen(a).coeffs() + eigen(b).coeffs()).norm());
 }
 
-TEST(Rotation, MatrixAndProductAgreeWithEigen) {
+TEST(Rotation, AgreesWithEigen) {
   test::Random random(1);
   for (int i = 0; i < 5000; ++i) {
     const Rotation a = random.rotation(), b = random.rotation();
@@ -28,7 +28,7 @@ TEST(Rotation, MatrixAndProductAgreeWithEigen) {
   }
 }
 
-TEST(Rotation, FromMatrixInvertsMatrix) {
+TEST(Rotation, InvertsMatrix) {
   test::Random random(2);
   int num_branch[4] = {};  // which component is largest
   for (int i = 0; i < 20000; ++i) {
@@ -42,7 +42,7 @@ TEST(Rotation, FromMatrixInvertsMatrix) {
   for (const int n : num_branch) EXPECT_GT(n, 1000);
 }
 
-TEST(Rotation, FromMatrixOfHalfTurnsAboutAxesAndDiagonals) {
+TEST(Rotation, ReadsMatricesOfHalfTurns) {
   for (int k = 0; k < 7; ++k) {
     const Vec3 axis = Vec3(k % 2 == 0, k / 2 % 2 == 0, k / 4 % 2 == 0).normalized();
     const Mat3 half_turn = 2 * axis * axis.transpose() - Mat3::Identity();
@@ -54,7 +54,7 @@ TEST(Rotation, FromMatrixOfHalfTurnsAboutAxesAndDiagonals) {
   EXPECT_EQ(none.w, 1);
 }
 
-TEST(Rotation, AboutAnAxis) {
+TEST(Rotation, TurnsAboutAxis) {
   const Rotation quarter = Rotation::about_axis(Vec3::UnitZ(), 1);
   EXPECT_LT((quarter.matrix() * Vec3::UnitX() - Vec3::UnitY()).norm(), 1e-15);
   test::Random random(3);
@@ -66,7 +66,7 @@ TEST(Rotation, AboutAnAxis) {
   }
 }
 
-TEST(Rotation, NormalizedMapsZeroToTheIdentity) {
+TEST(Rotation, NormalisesZeroToIdentity) {
   const Rotation r = Rotation{0, 0, 0, 0}.normalized();
   EXPECT_EQ(r.w, 1);
   EXPECT_EQ(r.x, 0);
@@ -74,7 +74,7 @@ TEST(Rotation, NormalizedMapsZeroToTheIdentity) {
   EXPECT_EQ(twice.y, 1);
 }
 
-TEST(WorldFromObject, YUpStandsUprightAndKeepsItsHandedness) {
+TEST(WorldFromObject, StandsYUpUprightAndKeepsHandedness) {
   const Affine m = world_from_object({}, UpAxis::Y, 2);
   EXPECT_EQ(m.apply(Vec3::UnitY()), Vec3(0, 0, 2));  // up
   EXPECT_EQ(m.apply(Vec3::UnitX()), Vec3(2, 0, 0));
@@ -82,7 +82,7 @@ TEST(WorldFromObject, YUpStandsUprightAndKeepsItsHandedness) {
   EXPECT_EQ(m.linear.determinant(), 8);
 }
 
-TEST(WorldFromObject, IsTranslationTimesRotationTimesUpTimesScale) {
+TEST(WorldFromObject, MultipliesTranslationRotationUpAndScale) {
   test::Random random(4);
   for (int i = 0; i < 1000; ++i) {
     const Pose pose{random.rotation(), random.in_cube(5)};

@@ -12,7 +12,7 @@ Object cube(const std::string& name) {
   return test::object_of(name, test::box_triangles(Vec3(0.5, 0.5, 0.5)));
 }
 
-TEST(SceneIds, StayUniqueWhenSlotsAreUsedAgain) {
+TEST(SceneIds, StayUniqueWhenSlotsAreReused) {
   Scene scene;
   const ObjectId a = scene.add(cube("a")), b = scene.add(cube("b"));
   EXPECT_NE(a, b);
@@ -20,14 +20,14 @@ TEST(SceneIds, StayUniqueWhenSlotsAreUsedAgain) {
   EXPECT_FALSE(scene.contains(a));
   EXPECT_TRUE(scene.contains(b));
   const ObjectId c = scene.add(cube("c"));
-  EXPECT_EQ(c.index, a.index);  // the slot is used again
+  EXPECT_EQ(c.index, a.index);  // the slot is reused
   EXPECT_NE(c.generation, a.generation);
   EXPECT_FALSE(scene.contains(a));
   EXPECT_TRUE(scene.contains(c));
   EXPECT_EQ(scene.at(c).name, "c");
 }
 
-TEST(SceneIds, ComeInTheOrderOfAddition) {
+TEST(SceneIds, FollowOrderOfAddition) {
   Scene scene;
   const ObjectId a = scene.add(cube("a")), b = scene.add(cube("b")), c = scene.add(cube("c"));
   EXPECT_EQ(scene.ids(), (std::vector{a, b, c}));
@@ -40,7 +40,7 @@ TEST(SceneIds, ComeInTheOrderOfAddition) {
   EXPECT_TRUE(scene.ids().empty());
 }
 
-TEST(SceneIds, OfNothingAreNotContained) {
+TEST(SceneIds, RejectInvalidIds) {
   const Scene scene;
   EXPECT_FALSE(scene.contains({}));
   EXPECT_FALSE(scene.contains({7, 1}));
@@ -66,7 +66,7 @@ TEST(SceneNames, AreFoundAndUnique) {
   EXPECT_NO_THROW(scene.add(cube("a")));  // the name is free again
 }
 
-TEST(SceneBox, HoldsThePlacedObjectsOnly) {
+TEST(SceneBox, ContainsOnlyPlacedObjects) {
   Scene scene;
   EXPECT_TRUE(scene.box().empty());
   const ObjectId a = scene.add(cube("a"));
@@ -81,7 +81,7 @@ TEST(SceneBox, HoldsThePlacedObjectsOnly) {
   EXPECT_LT((scene.at(a).centre_of_mass() - Vec3(1, 2, 3)).norm(), 1e-12);
 }
 
-// --- links -----------------------------------------------------------------------------------
+// --- contacts --------------------------------------------------------------------------------
 
 void link(Scene& scene, ObjectId id, std::vector<Link> links) {
   Transaction transaction(scene);
@@ -101,12 +101,12 @@ Contact some_contact() {
   return c;
 }
 
-TEST(SceneLinks, AreSeenFromBothSides) {
+TEST(SceneLinks, AppearOnBothSides) {
   Scene scene;
   const ObjectId a = scene.add(cube("a")), b = scene.add(cube("b"));
   link(scene, a, {{b, some_contact()}, {std::nullopt, some_contact()}});
   ASSERT_EQ(scene.at(a).links.size(), 2u);
-  ASSERT_EQ(scene.at(b).links.size(), 1u);  // the floor has no side of its own
+  ASSERT_EQ(scene.at(b).links.size(), 1u);  // the floor stores none
   const Link& mirrored = scene.at(b).links[0];
   EXPECT_EQ(mirrored.with, Support(a));
   const Contact& c = mirrored.contact;
@@ -124,7 +124,7 @@ TEST(SceneLinks, AreSeenFromBothSides) {
   EXPECT_EQ(c.points[2].feature_object, 9);
 }
 
-TEST(SceneLinks, ReversedTwiceAreTheSame) {
+TEST(SceneLinks, AreRestoredByDoubleReversal) {
   const Contact c = some_contact(), twice = reversed(reversed(c));
   EXPECT_EQ(twice.normal, c.normal);
   EXPECT_EQ(twice.faces_object, c.faces_object);
@@ -152,7 +152,7 @@ TEST(SceneLinks, AreReplacedAndRemovedOnBothSides) {
   EXPECT_TRUE(scene.at(a).links.empty());
 }
 
-// --- who holds whom --------------------------------------------------------------------------
+// --- load-support list -----------------------------------------------------------------------
 
 const LoadSupport::Entry& entry_of(const LoadSupport& list, ObjectId id) {
   for (const LoadSupport::Entry& e : list.entries)
@@ -160,7 +160,7 @@ const LoadSupport::Entry& entry_of(const LoadSupport& list, ObjectId id) {
   throw std::runtime_error("no entry");
 }
 
-TEST(LoadSupport, OfABridgeOfThree) {
+TEST(LoadSupport, ListsBridgeOfThree) {
   Scene scene;
   const ObjectId left = scene.add(cube("left")), right = scene.add(cube("right"));
   const ObjectId beam =
@@ -171,7 +171,7 @@ TEST(LoadSupport, OfABridgeOfThree) {
   ASSERT_TRUE(put(scene, beam, {{}, Vec3(0, 0, 4)}).ok());
 
   const LoadSupport list = load_support(scene);
-  ASSERT_EQ(list.entries.size(), 3u);  // the spare one is not placed
+  ASSERT_EQ(list.entries.size(), 3u);  // the spare one is unplaced
   EXPECT_EQ(list.entries[0].object, left);
   for (const ObjectId id : {left, right}) {
     EXPECT_TRUE(entry_of(list, id).on_floor);
@@ -184,7 +184,7 @@ TEST(LoadSupport, OfABridgeOfThree) {
   EXPECT_TRUE(scene.contains(spare));
 }
 
-TEST(LoadSupport, ASideContactHoldsNothing) {
+TEST(LoadSupport, IgnoresSideContact) {
   Scene scene;
   const ObjectId a = scene.add(cube("a")), b = scene.add(cube("b"));
   for (const ObjectId id : {a, b}) edit_object(scene, id, [](Object& o) { o.placed = true; });
@@ -200,7 +200,7 @@ TEST(LoadSupport, ASideContactHoldsNothing) {
   }
 }
 
-TEST(LoadSupport, ATiltedPairMayHoldEachOther) {
+TEST(LoadSupport, AllowsMutualSupportOfTiltedPair) {
   // A hook through an eye: one point carries up, another down.
   Scene scene;
   const ObjectId a = scene.add(cube("a")), b = scene.add(cube("b"));

@@ -1,4 +1,4 @@
-// The brackets of the GPU are those of the software, to the bit.
+// Brackets from the GPU equal those of the software bit for bit.
 
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ HeightMap random_map(int width, int height, double sign, test::Random& random) {
   return map;
 }
 
-TEST(GpuDropBrackets, AreThoseOfTheSoftware) {
+TEST(GpuDropBrackets, EqualSoftware) {
   std::unique_ptr<GpuDropBrackets> gpu;
   try {
     gpu = std::make_unique<GpuDropBrackets>();

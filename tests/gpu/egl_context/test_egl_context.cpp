@@ -1,4 +1,5 @@
-// The window-less OpenGL context: made, named, shared between threads in turn, or refused clearly.
+// The window-less OpenGL context: created, named, shared between threads in turn, or refused
+// clearly.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -25,7 +26,7 @@ std::optional<EglContext> make_context() {
 #define TRIVET_SKIP_WITHOUT_EGL(context) \
   if (!(context)) GTEST_SKIP() << "this machine has no OpenGL through EGL"
 
-/// Runs `body` in a process of its own, whose EGL finds no driver; returns its exit status.
+/// Runs `body` in a child process whose EGL finds no driver; returns its exit status.
 template <typename Body>
 int exit_status_without_drivers(const Body& body) {
   const pid_t child = fork();
@@ -39,11 +40,11 @@ int exit_status_without_drivers(const Body& body) {
 }
 
 // The first test of this file: once EGL has loaded its drivers, a forked process has them too.
-TEST(EglContextAbsent, IsAnErrorThatNamesWhatWasTried) {
+TEST(EglContextAbsent, ReportsTriedPlatforms) {
   const int status = exit_status_without_drivers([] {
     try {
       EglContext context;
-      return 10;  // drivers were loaded before, or this EGL does not know the variable
+      return 10;  // drivers were loaded before, or this EGL ignores the variable
     } catch (const Error& error) {
       const std::string message = error.what();
       if (error.kind() != Error::Kind::Environment) return 11;
@@ -59,7 +60,7 @@ TEST(EglContextAbsent, IsAnErrorThatNamesWhatWasTried) {
   EXPECT_EQ(status, 0);
 }
 
-TEST(EglContext, SaysWhatItIs) {
+TEST(EglContext, DescribesItself) {
   const std::optional<EglContext> context = make_context();
   TRIVET_SKIP_WITHOUT_EGL(context);
   EXPECT_FALSE(context->renderer().empty());
@@ -72,11 +73,11 @@ TEST(EglContext, SaysWhatItIs) {
   }
 }
 
-TEST(EglContext, MovesAndOutlivesAnotherOnTheSameDisplay) {
+TEST(EglContext, MovesAndOutlivesAnotherOnSameDisplay) {
   std::optional<EglContext> first = make_context();
   TRIVET_SKIP_WITHOUT_EGL(first);
   EglContext second;
-  first.reset();  // must not take the display from the second
+  first.reset();  // must not terminate the second one's display
   const EglContext third = std::move(second);
   EXPECT_NO_THROW(EglContext::Current{third});
 }
@@ -103,7 +104,7 @@ TEST(EglContext, BelongsToOneThreadAtATime) {
   EXPECT_TRUE(accepted_later);
 }
 
-TEST(EglContext, GuardsNest) {
+TEST(EglContext, NestsGuards) {
   const std::optional<EglContext> outer = make_context();
   TRIVET_SKIP_WITHOUT_EGL(outer);
   const EglContext inner;
@@ -114,7 +115,7 @@ TEST(EglContext, GuardsNest) {
   });
 }
 
-TEST(EglContext, RefusesSoftwareWhenAsked) {
+TEST(EglContext, RefusesSoftwareOnRequest) {
   const std::optional<EglContext> context = make_context();
   TRIVET_SKIP_WITHOUT_EGL(context);
   if (!context->is_software()) GTEST_SKIP() << "this machine has a hardware renderer";

@@ -1,4 +1,4 @@
-// Small live views of scenes whose look is known.
+// Small live views of scenes with a known appearance.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -49,7 +49,7 @@ inline LiveScene cube_scene() {
   return scene;
 }
 
-/// Straight down on the origin, 9 m high and 12 m wide; 20 pixels a metre; +x right, +y up.
+/// Looks straight down on the origin, 9 m high and 12 m wide; 20 pixels a metre; +x right, +y up.
 inline LiveCamera from_above() {
   LiveCamera camera;
   camera.eye = Vec3(0, 0, 10);
@@ -88,7 +88,7 @@ inline int num_different(const Image& a, const Image& b, int by = 24) {
   return count;
 }
 
-/// Whether a pixel within 1 of there is of that colour.
+/// Whether a pixel within 1 of there has that colour.
 inline bool has_colour(const Image& image, const Vec2& at, const LiveColour& colour,
                        int tolerance = 40) {
   for (int dy = -1; dy <= 1; ++dy)
@@ -117,7 +117,7 @@ class Live : public testing::Test {
              const LiveOptions& options = small()) {
     return m_view->draw(scene, camera, options);
   }
-  /// For people to look at, where TRIVET_PICTURES names a folder.
+  /// Saves pictures for inspection if TRIVET_PICTURES names a folder.
   static void keep(const Image& image, const std::string& name) {
     if (const char* folder = std::getenv("TRIVET_PICTURES"))
       write_png(image, std::string(folder) + "/" + name + ".png");

@@ -1,4 +1,4 @@
-// Drafts, while something moves; and what live views of the demos cost.
+// Drafts during motion, and the cost of live views of the demos.
 #include <chrono>
 #include <ctime>
 #include <functional>
@@ -12,7 +12,7 @@ namespace {
 
 using namespace test;
 
-TEST_F(Live, DraftsOfManyTrianglesDrawOnlyWhatMoves) {
+TEST_F(Live, DraftsOfManyTrianglesRedrawOnlyMovingObjects) {
   LiveScene scene = cube_scene();
   auto fine = std::make_shared<Model>(*scene.objects[0].model);
   const std::size_t enough = m_context->is_software() ? 10'000 : 500'000;
@@ -38,14 +38,14 @@ TEST_F(Live, DraftsOfManyTrianglesDrawOnlyWhatMoves) {
   options.shadows = true;
   const Image full = draw(scene, from_above(), options);
   keep(draft, "draft"), keep(full, "full");
-  // Smooth edges and the shadow of what moves are missing.
+  // Smooth edges and the shadow of the moving object are missing.
   const Vec2 at = pixel(from_above(), Vec3(2, 0, 2)),
              before = pixel(from_above(), Vec3(-0.5, 0, 0));
   EXPECT_NEAR(brightness(draft, at), brightness(full, at), 3);
-  EXPECT_NEAR(brightness(draft, before), brightness(full, before), 3) << "gone from where it was";
+  EXPECT_NEAR(brightness(draft, before), brightness(full, before), 3) << "gone from its old place";
 }
 
-/// A corner of the unit cube: its box has another one that it does not fill.
+/// A corner of the unit cube: it does not fill its box.
 std::shared_ptr<const Model> cut_off_corner(std::size_t num_triangles) {
   auto model = std::make_shared<Model>();
   model->mesh.vertices = {Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
@@ -58,8 +58,8 @@ std::shared_ptr<const Model> cut_off_corner(std::size_t num_triangles) {
   return model;
 }
 
-// Four objects are drawn as they are: the outlined one and the three largest.
-TEST_F(Live, DraftsFromAMovingCameraDrawSmallObjectsAsBoxes) {
+// Four objects are drawn in full: the outlined one and the three largest.
+TEST_F(Live, DraftsFromMovingCameraDrawSmallObjectsAsBoxes) {
   const std::size_t tenth = m_context->is_software() ? 10'001 : 500'001;
   LiveScene scene;
   for (int i = 0; i < 12; ++i) {
@@ -78,7 +78,7 @@ TEST_F(Live, DraftsFromAMovingCameraDrawSmallObjectsAsBoxes) {
   const Image coarse = draw(scene, camera, options);
   keep(full, "corners_full"), keep(coarse, "corners_coarse");
   EXPECT_EQ(m_view->work().objects_as_boxes, 8);
-  EXPECT_FALSE(m_view->work().shadow_map_drawn) << "nothing has moved but the camera";
+  EXPECT_FALSE(m_view->work().shadow_map_drawn) << "only the camera has moved";
   for (int i = 0; i < 12; ++i) {
     const Affine& pose = scene.objects[i].world_from_object;
     const Vec2 only_box = pixel(camera, pose.apply(Vec3(0.8, 0.8, 1))),
@@ -91,7 +91,7 @@ TEST_F(Live, DraftsFromAMovingCameraDrawSmallObjectsAsBoxes) {
   const Image again = draw(scene, camera);
   EXPECT_FALSE(m_view->work().shadow_map_drawn);
   keep(again, "corners_again");
-  EXPECT_EQ(num_different(again, full, 0), 0) << "nothing of the boxes is left";
+  EXPECT_EQ(num_different(again, full, 0), 0) << "no trace of the boxes is left";
   EXPECT_EQ(m_view->work().objects_as_boxes, 0);
   options.coarse = false;
   draw(scene, camera, options);
@@ -116,7 +116,7 @@ LiveScene demo_scene(const std::string& name) {
   return scene;
 }
 
-/// Wall clock, and of all processors together.
+/// Wall time, and processor time of all threads together.
 struct Milliseconds {
   double wall, processors;
 };
@@ -130,7 +130,7 @@ Milliseconds milliseconds_per_picture(const std::function<void()>& draw, int tim
   return {wall.count() / times, 1e3 * double(std::clock() - clock) / CLOCKS_PER_SEC / times};
 }
 
-TEST_F(Live, BreakfastAndAThousandObjects) {
+TEST_F(Live, MeasuresBreakfastAndAThousandObjects) {
   const LiveScene breakfast = demo_scene("breakfast");
   const DemoView from = make_demo("breakfast").view;
   LiveCamera camera;

@@ -1,4 +1,4 @@
-// Live views of scenes whose look is known: shadows, outlines, ghosts, overlays.
+// Live views of scenes with a known appearance: shadows, outlines, ghosts, overlays.
 #include "live_stage.h"
 #include "support/mesa_leaks.h"
 
@@ -7,7 +7,7 @@ namespace {
 
 using namespace test;
 
-TEST_F(Live, KnowsHowWideAPixelIs) {
+TEST_F(Live, ComputesWidthOfPixel) {
   for (const bool orthographic : {false, true}) {
     LiveCamera camera;
     camera.eye = Vec3(3, -4, 5);
@@ -21,7 +21,7 @@ TEST_F(Live, KnowsHowWideAPixelIs) {
   }
 }
 
-TEST_F(Live, FramesABox) {
+TEST_F(Live, FramesBox) {
   const Aabb box{Vec3(1, 2, 3), Vec3(5, 3, 4)};
   for (const bool orthographic : {false, true}) {
     LiveCamera camera;
@@ -38,7 +38,7 @@ TEST_F(Live, FramesABox) {
   }
 }
 
-TEST_F(Live, ShadowsTouchWhatCastsThem) {
+TEST_F(Live, AttachesShadowsToCasters) {
   const LiveScene scene = cube_scene();
   LiveOptions options = small();
   const Image with = draw(scene, from_above(), options);
@@ -56,7 +56,7 @@ TEST_F(Live, ShadowsTouchWhatCastsThem) {
   EXPECT_NEAR(brightness(with, top), brightness(without, top), 2) << "no shadow on itself";
 }
 
-TEST_F(Live, KeepsMeshesAndTheShadowMap) {
+TEST_F(Live, KeepsMeshesAndShadowMap) {
   LiveScene scene = cube_scene();
   scene.objects.push_back(placed(scene.objects[0].model, Vec3(3, 0, 0)));
   const Image first = draw(scene, from_above());
@@ -72,7 +72,7 @@ TEST_F(Live, KeepsMeshesAndTheShadowMap) {
   EXPECT_TRUE(m_view->work().shadow_map_drawn);
 }
 
-TEST_F(Live, LeavesOutWhatIsOutOfSight) {
+TEST_F(Live, CullsObjectsOutOfSight) {
   LiveScene scene = cube_scene();
   for (int i = 0; i < 10; ++i)
     scene.objects.push_back(placed(scene.objects[0].model, Vec3(100 + 3 * i, 0, 0)));
@@ -81,7 +81,7 @@ TEST_F(Live, LeavesOutWhatIsOutOfSight) {
   EXPECT_EQ(m_view->work().objects_culled, 10);
 }
 
-TEST_F(Live, OutlinesWhatIsSelectedThroughWhatHidesIt) {
+TEST_F(Live, OutlinesSelectedObjectsThroughOccluders) {
   LiveScene scene = cube_scene();
   LiveCamera camera;
   camera.eye = Vec3(0, -12, 1);
@@ -101,8 +101,8 @@ TEST_F(Live, OutlinesWhatIsSelectedThroughWhatHidesIt) {
   EXPECT_NEAR(brightness(image, side(-0.9, 1)), brightness(plain, side(-0.9, 1)), 1) << "outside";
 }
 
-// What is left of other pictures is not outlined.
-TEST_F(Live, OutlinesDoNotDependOnEarlierPictures) {
+// Data of earlier pictures must not be outlined.
+TEST_F(Live, OutlinesIndependentlyOfEarlierPictures) {
   LiveScene large = cube_scene(), small_one = cube_scene();
   large.objects[0].outlined = true;
   small_one.objects = {placed(box_model(Vec3(-0.3, -0.3, 0), Vec3(0.3, 0.3, 1), kGrey))};
@@ -112,7 +112,7 @@ TEST_F(Live, OutlinesDoNotDependOnEarlierPictures) {
   EXPECT_EQ(draw(small_one, from_above()).rgba, fresh.rgba);
 }
 
-TEST_F(Live, GhostsShowWhatIsBehind) {
+TEST_F(Live, ShowsBackgroundThroughGhosts) {
   LiveScene scene = cube_scene();
   const Image plain = draw(scene, from_above());
   LiveObject ghost = placed(scene.objects[0].model, Vec3(3.5, 0, 0));
@@ -127,7 +127,7 @@ TEST_F(Live, GhostsShowWhatIsBehind) {
   EXPECT_NEAR(brightness(image, beside), brightness(plain, beside), 2) << "no shadow";
 }
 
-TEST_F(Live, SeeThroughMaterialsShowWhatIsBehind) {
+TEST_F(Live, ShowsBackgroundThroughTransparentMaterials) {
   LiveScene scene;
   scene.objects = {placed(box_model(Vec3(-1, -1, 0), Vec3(1, 1, 0.1), {1, 0, 0, 1})),
                    placed(box_model(Vec3(-2, -2, 1), Vec3(2, 2, 1.1), {0.2f, 0.2f, 1, 0.3f}))};
@@ -138,7 +138,7 @@ TEST_F(Live, SeeThroughMaterialsShowWhatIsBehind) {
   EXPECT_GT(p[2], p[1] + 10);
 }
 
-TEST_F(Live, OverlaysAreCutFaintOrShown) {
+TEST_F(Live, CutsFadesOrShowsOverlays) {
   LiveScene scene = cube_scene();
   const LiveColour red{1, 0, 0, 1};
   const LiveCamera camera = from_above();
@@ -159,7 +159,7 @@ TEST_F(Live, OverlaysAreCutFaintOrShown) {
   EXPECT_FALSE(has_colour(shown, open + Vec2(0, 5), red)) << "3 pixels wide";
 }
 
-TEST_F(Live, OverlayPointsAndPolygons) {
+TEST_F(Live, DrawsOverlayPointsAndPolygons) {
   LiveScene scene;
   const LiveColour red{1, 0, 0, 1}, blue{0, 0, 1, 1};
   const LiveCamera camera = from_above();
@@ -176,10 +176,10 @@ TEST_F(Live, OverlayPointsAndPolygons) {
   EXPECT_TRUE(has_colour(image, pixel(camera, Vec3(3, 0, 0)), red, 60)) << "its outline";
   const std::uint8_t* inside = image.pixel(120 + 40, 90);
   EXPECT_GT(inside[0], 200);
-  EXPECT_NEAR(inside[1], 120, 40) << "half of the floor is seen";
+  EXPECT_NEAR(inside[1], 120, 40) << "the floor shines through by half";
 }
 
-TEST_F(Live, LinesBehindTheEyeAreCut) {
+TEST_F(Live, ClipsLinesBehindEye) {
   LiveScene scene;
   LiveCamera camera;
   camera.eye = Vec3(0, -2, 1);
@@ -191,7 +191,7 @@ TEST_F(Live, LinesBehindTheEyeAreCut) {
   EXPECT_FALSE(has_colour(image, Vec2(120, 20), {1, 0, 0, 1})) << "above it";
 }
 
-TEST_F(Live, RefusesWhatItCannotDraw) {
+TEST_F(Live, RefusesInvalidInput) {
   LiveOptions options = small();
   options.width = 0;
   EXPECT_THROW(draw(cube_scene(), from_above(), options), Error);
@@ -203,7 +203,7 @@ TEST_F(Live, RefusesWhatItCannotDraw) {
   EXPECT_THROW(draw(cube_scene(), camera), Error);
   LiveScene broken = cube_scene();
   broken.objects[0].world_from_object.translation.x() = std::nan("");
-  EXPECT_NO_THROW(draw(broken, from_above())) << "an object that is nowhere is left out";
+  EXPECT_NO_THROW(draw(broken, from_above())) << "an object with a non-finite pose is left out";
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Offscreen pictures of scenes whose look is known: what is covered, lit, shadowed, occluded.
+// Offscreen pictures of scenes with known coverage, light, shadow and occlusion.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -61,7 +61,7 @@ double brightness(const Image& image, int x, int y) {
   return (p[0] + p[1] + p[2]) / 3.0;
 }
 
-/// Straight down on the origin from 10 m, the picture 8 m high; +x to the right, +y up.
+/// Looks straight down on the origin from 10 m, the picture 8 m high; +x to the right, +y up.
 Camera from_above() {
   Camera camera;
   camera.eye = Vec3(0, 0, 10);
@@ -106,7 +106,7 @@ class Picture : public testing::Test {
   std::unique_ptr<EglContext> m_context;
 };
 
-TEST_F(Picture, ShowsACubeBeforeTheBackground) {
+TEST_F(Picture, ShowsCubeAgainstBackground) {
   const Boxes boxes = cube();
   const PictureMesh mesh = boxes.view();
   PictureScene scene = scene_of(mesh);
@@ -121,7 +121,7 @@ TEST_F(Picture, ShowsACubeBeforeTheBackground) {
   }
 }
 
-TEST_F(Picture, FramesTheSceneTightly) {
+TEST_F(Picture, FramesSceneTightly) {
   const Boxes boxes = cube();
   const PictureMesh mesh = boxes.view();
   PictureScene scene = scene_of(mesh);
@@ -142,7 +142,7 @@ TEST_F(Picture, FramesTheSceneTightly) {
   EXPECT_NEAR(top + bottom, 199, 3);
 }
 
-/// Where shadows make a picture of 120 x 120 pixels clearly darker.
+/// Region where shadows darken a picture of 120 x 120 pixels clearly.
 struct Darkened {
   int count = 0;
   double strongest = 1;    // ratio of brightness, with shadows to without
@@ -162,7 +162,7 @@ Darkened compare(const Image& with, const Image& without) {
   return out;
 }
 
-TEST_F(Picture, CastsAShadowOnTheFloor) {
+TEST_F(Picture, CastsShadowOnFloor) {
   const Boxes boxes = cube();
   const PictureMesh mesh = boxes.view();
   PictureOptions options = small(120, 120);
@@ -180,7 +180,7 @@ TEST_F(Picture, CastsAShadowOnTheFloor) {
 }
 
 // Smooth normals over a sharp fold bulge far out of the triangle. Shadow rays that followed them
-// started above what stands on the triangle: a breakfast on a folded table-cloth had no shadows.
+// started above the objects on the triangle: a breakfast on a folded table-cloth had no shadows.
 TEST_F(Picture, KeepsShadowsOnTrianglesWithBentNormals) {
   const Boxes boxes = cube();
   const PictureMesh mesh = boxes.view();
@@ -207,7 +207,7 @@ TEST_F(Picture, KeepsShadowsOnTrianglesWithBentNormals) {
   EXPECT_GT(shadow.count, 200);
 }
 
-TEST_F(Picture, DarkensTheFloorAtAContact) {
+TEST_F(Picture, DarkensFloorAtContact) {
   const Boxes boxes = cube();
   const PictureMesh mesh = boxes.view();
   PictureOptions options = small(160, 160);
@@ -224,7 +224,7 @@ TEST_F(Picture, DarkensTheFloorAtAContact) {
   }
 }
 
-TEST_F(Picture, LooksTheSameFromAMillimetreToAKilometre) {
+TEST_F(Picture, LooksTheSameFromMillimetreToKilometre) {
   const Boxes boxes = cube();
   const PictureMesh mesh = boxes.view();
   const PictureOptions options = small();
@@ -238,16 +238,16 @@ TEST_F(Picture, LooksTheSameFromAMillimetreToAKilometre) {
   }
 }
 
-TEST_F(Picture, IsTheSameTwice) {
+TEST_F(Picture, IsDeterministic) {
   Boxes boxes = cube();
-  boxes.materials[0].base_colour[3] = 0.4f;  // see-through pixels are drawn by lot, the same lot
+  boxes.materials[0].base_colour[3] = 0.4f;  // transparency is stochastic, but with the same seeds
   const PictureMesh mesh = boxes.view();
   const Image a = render(scene_of(mesh), std::nullopt, small());
   const Image b = render(scene_of(mesh), std::nullopt, small());
   EXPECT_EQ(a.rgba, b.rgba);
 }
 
-TEST_F(Picture, HasNoAcneOnLitFaces) {
+TEST_F(Picture, HasNoShadowAcne) {
   Boxes boxes = cube();
   const PictureMesh mesh = boxes.view();
   PictureOptions options = small(120, 120);
@@ -258,7 +258,7 @@ TEST_F(Picture, HasNoAcneOnLitFaces) {
     for (int x = 45; x <= 75; ++x) EXPECT_NEAR(brightness(image, x, y), middle, 3.0);
 }
 
-TEST_F(Picture, TakesOddSizes) {
+TEST_F(Picture, AcceptsOddSizes) {
   const Boxes boxes = cube();
   const PictureMesh mesh = boxes.view();
   for (const auto& [w, h] : {std::pair(333, 17), {17, 333}, {1, 1}, {2, 3}}) {
@@ -269,7 +269,7 @@ TEST_F(Picture, TakesOddSizes) {
   }
 }
 
-TEST_F(Picture, JoinsTilesWithoutASeam) {
+TEST_F(Picture, JoinsTilesWithoutSeam) {
   const Boxes boxes = cube();
   const PictureMesh mesh = boxes.view();
   PictureOptions options = small(2200, 8);
@@ -280,7 +280,7 @@ TEST_F(Picture, JoinsTilesWithoutASeam) {
     EXPECT_NEAR(brightness(image, 2047, y), brightness(image, 2048, y), 3.0);
 }
 
-TEST_F(Picture, RefusesWhatIsOutOfRange) {
+TEST_F(Picture, RefusesOptionsOutOfRange) {
   const Boxes boxes = cube();
   const PictureMesh mesh = boxes.view();
   const PictureScene scene = scene_of(mesh);
@@ -304,7 +304,7 @@ TEST_F(Picture, RefusesWhatIsOutOfRange) {
   expect_bad_input(nowhere, std::nullopt, small(), "object 0");
 }
 
-TEST_F(Picture, SurvivesScenesWithNothingToSee) {
+TEST_F(Picture, HandlesScenesWithoutVisibleObjects) {
   const PictureOptions options = small(40, 30);
   EXPECT_EQ(render({{}, true}, std::nullopt, options).rgba.size(), 4800u);
   EXPECT_EQ(render({{}, false}, std::nullopt, options).pixel(20, 15)[0], 255);
@@ -324,7 +324,7 @@ TEST_F(Picture, SurvivesScenesWithNothingToSee) {
   }
 }
 
-TEST_F(Picture, SeesThroughByAlpha) {
+TEST_F(Picture, BlendsByAlpha) {
   Boxes boxes = cube();
   boxes.materials[0].base_colour = {0, 0, 0, 0.5f};
   const PictureMesh mesh = boxes.view();
@@ -339,7 +339,7 @@ TEST_F(Picture, SeesThroughByAlpha) {
   EXPECT_LT(image.pixel(80, 60)[3], 245);
 }
 
-TEST_F(Picture, Highlights) {
+TEST_F(Picture, HighlightsObjects) {
   const Boxes boxes = cube();
   const PictureMesh mesh = boxes.view();
   PictureScene scene = scene_of(mesh);

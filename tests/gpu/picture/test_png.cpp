@@ -1,4 +1,4 @@
-// Pictures as PNG files: what is written decodes to the same pixels.
+// Pictures as PNG files decode to the same pixels.
 #include <gtest/gtest.h>
 #include <png.h>
 #include <unistd.h>
@@ -31,14 +31,14 @@ std::vector<std::uint8_t> decode(const std::string& png) {
   return rgba;
 }
 
-TEST(Png, DecodesToWhatWasWritten) {
+TEST(Png, RoundTripsPixels) {
   for (const bool opaque : {false, true}) {
     const Image image = test_image(opaque);
     EXPECT_EQ(decode(encode_png(image)), image.rgba);
   }
 }
 
-TEST(Png, IsWrittenToAFileOrNotAtAll) {
+TEST(Png, WritesAtomically) {
   const auto folder =
       std::filesystem::temp_directory_path() / ("trivet_png_" + std::to_string(::getpid()));
   std::filesystem::create_directory(folder);

@@ -1,5 +1,5 @@
-// What the stage does on machines that lack something. The file is the first of this program: once
-// EGL has loaded its drivers, a forked process has them too.
+// The stage on machines with missing features. The file is the first of this program: once EGL has
+// loaded its drivers, a forked process has them too.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -16,7 +16,7 @@ namespace {
 constexpr unsigned kSeed = 4711;
 constexpr int kHasNone = 20, kUnexpected = 21;
 
-/// Runs `body` in a process with an environment variable of its own; returns its exit status.
+/// Runs `body` in a child process with an environment variable set; returns its exit status.
 template <typename Body>
 int exit_status_with(const char* variable, const char* value, const Body& body) {
   const pid_t child = fork();
@@ -35,7 +35,7 @@ int exit_status_with(const char* variable, const char* value, const Body& body) 
   return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
 }
 
-TEST(ZListGpuAbsent, WithoutEglIsAnErrorThatNamesIt) {
+TEST(ZListGpuAbsent, ReportsMissingEgl) {
   const int status = exit_status_with("__EGL_VENDOR_LIBRARY_FILENAMES", "/nonexistent", [] {
     try {
       make_gpu_zlist_stage();
@@ -49,7 +49,7 @@ TEST(ZListGpuAbsent, WithoutEglIsAnErrorThatNamesIt) {
   EXPECT_EQ(status, 0);
 }
 
-TEST(ZListGpuAbsent, WithoutCompute) {
+TEST(ZListGpuAbsent, WorksWithoutCompute) {
   const int status = exit_status_with("MESA_GL_VERSION_OVERRIDE", "3.3", [] {
     const auto stage = make_gpu_zlist_stage({.resolution = 64});
     if (stage->name().find("blended framebuffers") == std::string::npos) return 10;

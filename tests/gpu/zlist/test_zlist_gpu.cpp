@@ -1,5 +1,5 @@
-// z-lists on the graphics hardware: the same bits as box trees and brute force, at every
-// resolution, with and without compute shaders; little memory, lost contexts, no leaks.
+// z-lists on the GPU: the same bits as BVHs and brute force, at every resolution, with and without
+// compute shaders; memory limits, lost contexts, leaks.
 #include <epoxy/egl.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -20,7 +20,7 @@ namespace {
 
 constexpr unsigned kSeed = 5309;
 
-/// Null where the machine has no EGL.
+/// Null if the machine has no EGL.
 std::unique_ptr<ZListStage> make_stage(const GpuZListOptions& options) {
   try {
     return make_gpu_zlist_stage(options);
@@ -34,14 +34,14 @@ std::unique_ptr<ZListStage> make_stage(const GpuZListOptions& options) {
 #define TRIVET_SKIP_WITHOUT_EGL(stage) \
   if (!(stage)) GTEST_SKIP() << "this machine has no OpenGL through EGL"
 
-// The address sanitizer does not use freed memory again.
+// AddressSanitizer does not reuse freed memory.
 #ifdef __SANITIZE_ADDRESS__
 constexpr bool kAddressesStay = true;
 #else
 constexpr bool kAddressesStay = false;
 #endif
 
-/// A band for the number of hits among `num`, with room for chance.
+/// Lower band for the number of hits among `num`, with room for chance.
 double at_least(int num, double part) { return part * num - 2 * std::sqrt(num); }
 
 struct Case {
@@ -56,7 +56,7 @@ void PrintTo(const Case& c, std::ostream* out) {
 
 class ZListGpu : public testing::TestWithParam<Case> {};
 
-TEST_P(ZListGpu, AnswersLikeBruteForce) {
+TEST_P(ZListGpu, EqualsBruteForce) {
   const Case& c = GetParam();
   const auto stage = make_stage({.resolution = c.resolution, .force_fallback = c.fallback});
   TRIVET_SKIP_WITHOUT_EGL(stage);
@@ -78,7 +78,7 @@ INSTANTIATE_TEST_SUITE_P(Resolutions, ZListGpu,
 
 class ZListGpuBothWays : public testing::TestWithParam<bool> {};
 
-/// Two finely divided slabs, flat on each other but for the clearance.
+/// Two finely divided slabs, flat on each other except for the clearance.
 test::RandomQuery flat_contact(int divisions, double gap) {
   test::RandomQuery q;
   const auto slab = test::shape_of(test::terrain(divisions, 1, 0, kSeed));
@@ -89,7 +89,7 @@ test::RandomQuery flat_contact(int divisions, double gap) {
   return q;
 }
 
-TEST_P(ZListGpuBothWays, FlatContacts) {
+TEST_P(ZListGpuBothWays, HandlesFlatContacts) {
   const auto stage = make_stage({.resolution = 128, .force_fallback = GetParam()});
   TRIVET_SKIP_WITHOUT_EGL(stage);
   for (const double gap : {1e-6, 0.3}) {
@@ -100,8 +100,8 @@ TEST_P(ZListGpuBothWays, FlatContacts) {
   }
 }
 
-/// Box trees are faster than many millions of pairs: it gives up before it writes them down.
-TEST_P(ZListGpuBothWays, LargeFlatContactsAreGivenUp) {
+/// BVHs are faster than many millions of pairs: gives up before writing them.
+TEST_P(ZListGpuBothWays, GivesUpOnLargeFlatContacts) {
   const auto stage = make_stage({.resolution = 32, .force_fallback = GetParam()});
   TRIVET_SKIP_WITHOUT_EGL(stage);
   const test::RandomQuery q = flat_contact(250, 0.3);
@@ -111,7 +111,7 @@ TEST_P(ZListGpuBothWays, LargeFlatContactsAreGivenUp) {
   EXPECT_NE(proposal.why.find("pairs"), std::string::npos) << proposal.why;
 }
 
-TEST_P(ZListGpuBothWays, BoundsAloneAreThoseOfTheLists) {
+TEST_P(ZListGpuBothWays, ComputesSameBoundsWithoutLists) {
   const auto stage = make_stage({.resolution = 64, .force_fallback = GetParam()});
   TRIVET_SKIP_WITHOUT_EGL(stage);
   const auto bounds =
@@ -129,8 +129,8 @@ TEST_P(ZListGpuBothWays, BoundsAloneAreThoseOfTheLists) {
   }
 }
 
-/// With larger pixels there are fewer entries, but not fewer than faces.
-TEST_P(ZListGpuBothWays, TooLongListsAreTriedWithLargerPixels) {
+/// Larger pixels have fewer entries, but no fewer than faces.
+TEST_P(ZListGpuBothWays, RetriesLongListsWithLargerPixels) {
   const auto stage =
       make_stage({.resolution = 128, .max_list_entries = 1 << 14, .force_fallback = GetParam()});
   TRIVET_SKIP_WITHOUT_EGL(stage);
@@ -144,8 +144,8 @@ TEST_P(ZListGpuBothWays, TooLongListsAreTriedWithLargerPixels) {
   EXPECT_NE(proposal.why.find("lists"), std::string::npos) << proposal.why;
 }
 
-/// A plate that comes down on a larger one, straight or on a hinge, all over at the same time: what
-/// float32 rounds decides which pairs are kept, unless room is left for it.
+/// A plate that comes down on a larger one, straight or on a hinge, all over at the same time:
+/// float32 rounding would decide which pairs are kept if there were no margin.
 test::RandomQuery flat_landing(int number) {
   test::Random random(kSeed + number);
   test::RandomQuery q;
@@ -168,7 +168,7 @@ test::RandomQuery flat_landing(int number) {
   return q;
 }
 
-TEST_P(ZListGpuBothWays, FlatLandings) {
+TEST_P(ZListGpuBothWays, HandlesFlatLandings) {
   const auto stage = make_stage({.resolution = 64, .force_fallback = GetParam()});
   TRIVET_SKIP_WITHOUT_EGL(stage);
   int num_contacts = 0;
@@ -184,8 +184,8 @@ TEST_P(ZListGpuBothWays, FlatLandings) {
   EXPECT_GT(num_contacts, at_least(num, 0.7));
 }
 
-/// Everything turns about an axis that it surrounds: no line of sight is free of moving faces.
-TEST_P(ZListGpuBothWays, RingsAboutTheAxis) {
+/// Everything turns about an axis that it surrounds: every line of sight has moving faces.
+TEST_P(ZListGpuBothWays, HandlesRingsAboutAxis) {
   const auto stage = make_stage({.resolution = 64, .force_fallback = GetParam()});
   TRIVET_SKIP_WITHOUT_EGL(stage);
   test::Random random(kSeed);
@@ -206,7 +206,7 @@ TEST_P(ZListGpuBothWays, RingsAboutTheAxis) {
 }
 
 /// Queries of all kinds, drawn together.
-TEST_P(ZListGpuBothWays, ManyTogether) {
+TEST_P(ZListGpuBothWays, AnswersManyQueriesTogether) {
   const auto stage = make_stage({.resolution = 64, .force_fallback = GetParam()});
   TRIVET_SKIP_WITHOUT_EGL(stage);
   const test::MeshPool pool(kSeed, 8);
@@ -249,7 +249,7 @@ std::string why_refused(const GpuZListOptions& options) {
   }
 }
 
-TEST_P(ZListGpuBothWays, TooLittleMemoryIsSaid) {
+TEST_P(ZListGpuBothWays, ReportsTooLittleMemory) {
   const bool fallback = GetParam();
   TRIVET_SKIP_WITHOUT_EGL(make_stage({.force_fallback = fallback}));
   const std::string why = why_refused({.memory_bytes = 1 << 20, .force_fallback = fallback});
@@ -266,8 +266,8 @@ TEST_P(ZListGpuBothWays, TooLittleMemoryIsSaid) {
   EXPECT_NE(proposal.why.find("memory"), std::string::npos) << proposal.why;
 }
 
-/// Room for few of the meshes at a time.
-TEST_P(ZListGpuBothWays, MeshesComeAndGo) {
+/// Memory for only a few of the meshes at a time.
+TEST_P(ZListGpuBothWays, SwapsMeshes) {
   const bool fallback = GetParam();
   TRIVET_SKIP_WITHOUT_EGL(make_stage({.force_fallback = fallback}));
   const std::string why = why_refused({.memory_bytes = 0, .force_fallback = fallback});
@@ -279,15 +279,15 @@ TEST_P(ZListGpuBothWays, MeshesComeAndGo) {
   EXPECT_LT(check.num_unusable, 20) << check.describe();
 }
 
-/// As if somebody had put it together by hand.
+/// A shape built by hand, without identity.
 std::shared_ptr<const Shape> without_identity(const Shape& shape) {
   auto out = std::make_shared<Shape>(shape);
   out->id = 0;
   return out;
 }
 
-/// New meshes, at addresses of old ones that are gone.
-TEST_P(ZListGpuBothWays, MeshesAreNotMistakenForOthers) {
+/// New meshes at the addresses of deleted ones.
+TEST_P(ZListGpuBothWays, DistinguishesMeshesAtSameAddress) {
   const auto stage = make_stage({.resolution = 32, .force_fallback = GetParam()});
   TRIVET_SKIP_WITHOUT_EGL(stage);
   std::set<const Shape*> places;
@@ -300,18 +300,18 @@ TEST_P(ZListGpuBothWays, MeshesAreNotMistakenForOthers) {
     EXPECT_TRUE(test::same_answer(q.with_stage(*stage, &proposal), q.fast())) << q.describe();
     EXPECT_TRUE(proposal.usable) << proposal.why;
   }
-  EXPECT_TRUE(kAddressesStay || places.size() < 40) << "no address came twice: nothing is tested";
+  EXPECT_TRUE(kAddressesStay || places.size() < 40) << "no address was reused: the test is vacuous";
 }
 
-/// Whoever calls eglTerminate() takes all contexts of the display from everybody.
-TEST_P(ZListGpuBothWays, StartsAfreshAfterALostContext) {
+/// A call of eglTerminate() destroys all contexts of the display.
+TEST_P(ZListGpuBothWays, RecoversFromLostContext) {
   const auto stage = make_stage({.resolution = 64, .force_fallback = GetParam()});
   TRIVET_SKIP_WITHOUT_EGL(stage);
   const test::RandomQuery q = flat_contact(4, 0.3);
   Proposal proposal;
   EXPECT_TRUE(test::same_answer(q.with_stage(*stage, &proposal), q.fast()));
   EXPECT_TRUE(proposal.usable);
-  const EglContext another;  // of the same display
+  const EglContext another;  // on the same display
   EGLDisplay display = EGL_NO_DISPLAY;
   EGLContext context = EGL_NO_CONTEXT;
   {
@@ -325,7 +325,7 @@ TEST_P(ZListGpuBothWays, StartsAfreshAfterALostContext) {
   EXPECT_TRUE(proposal.usable) << proposal.why;
 }
 
-/// In pages.
+/// Resident memory in pages.
 long resident_memory() {
   long total = 0, resident = 0;
   std::ifstream("/proc/self/statm") >> total >> resident;
@@ -348,7 +348,7 @@ TEST_P(ZListGpuBothWays, DoesNotLeak) {
 
 INSTANTIATE_TEST_SUITE_P(Ways, ZListGpuBothWays, testing::Bool());
 
-/// Says what another stage says, but for the first pair.
+/// Repeats another stage's candidates without the first pair.
 class Forgetful : public ZListStage {
  public:
   explicit Forgetful(ZListStage& stage) : m_stage(stage) {}
@@ -364,7 +364,7 @@ class Forgetful : public ZListStage {
   int m_num = 0;
 };
 
-TEST_P(ZListGpuBothWays, SelfTestFindsMistakes) {
+TEST_P(ZListGpuBothWays, FailsSelfTestOnMistakes) {
   const auto stage = make_stage({.resolution = 64, .force_fallback = GetParam()});
   TRIVET_SKIP_WITHOUT_EGL(stage);
   EXPECT_EQ(self_test(*stage), "");
@@ -374,8 +374,8 @@ TEST_P(ZListGpuBothWays, SelfTestFindsMistakes) {
 
 TEST(ZListGpuOptions, HaveLimits) {
   const std::string why = why_refused({.resolution = 2000});
-  EXPECT_NE(why.find("2000; it can be 16 to 1024"), std::string::npos) << why;
-  EXPECT_NE(why_refused({.max_list_entries = 5}).find("5; it can be"), std::string::npos);
+  EXPECT_NE(why.find("2000; accepted: 16 to 1024"), std::string::npos) << why;
+  EXPECT_NE(why_refused({.max_list_entries = 5}).find("5; accepted:"), std::string::npos);
 }
 
 }  // namespace

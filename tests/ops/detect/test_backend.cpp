@@ -1,4 +1,4 @@
-// Which source of candidates is taken, what replaces it, and what is counted.
+// Selection of the candidate finder, its replacement on failure, and statistics.
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
@@ -10,7 +10,7 @@
 namespace trivet {
 namespace {
 
-/// Software z-lists that leave out every second face.
+/// Software z-lists that omit every second face.
 class ForgetfulStage : public ZListStage {
  public:
   std::string name() const override { return "forgetful"; }
@@ -30,7 +30,7 @@ class StageThatGivesUp : public ZListStage {
   Proposal propose(const FirstContactQuery&, double) override { return {}; }
 };
 
-TEST(Backend, NamesAreThoseOfTheCommandLine) {
+TEST(Backend, ListsNamesOfCommandLine) {
   EXPECT_EQ(backend_from_name("auto"), Backend::Auto);
   EXPECT_EQ(backend_from_name("gpu"), Backend::Gpu);
   EXPECT_EQ(backend_from_name("software"), Backend::Software);
@@ -38,7 +38,7 @@ TEST(Backend, NamesAreThoseOfTheCommandLine) {
   EXPECT_THROW(backend_from_name("GPU"), Error);
 }
 
-TEST(Backend, SelfTestTellsGoodStagesFromBad) {
+TEST(Backend, SelfTestRejectsFaultyStages) {
   SoftwareZLists good;
   EXPECT_EQ(self_test(good), "");
   ForgetfulStage forgetful;
@@ -47,12 +47,12 @@ TEST(Backend, SelfTestTellsGoodStagesFromBad) {
   EXPECT_NE(self_test(lazy), "");
 }
 
-TEST(Backend, SoftwareReplacesAGpuThatCannotBeHad) {
+TEST(Backend, ReplacesUnavailableGpuBySoftware) {
   std::vector<std::string> notes;
   BackendOptions options;
   options.backend = Backend::Gpu;
   options.note = [&](const std::string& note) { notes.push_back(note); };
-  EXPECT_EQ(make_detector(options)->name(), "software");  // a build without
+  EXPECT_EQ(make_detector(options)->name(), "software");  // a build without GPU support
   options.make_gpu_stage = []() -> std::unique_ptr<ZListStage> {
     throw Error(Error::Kind::Environment, "no EGL here");
   };
@@ -69,7 +69,7 @@ TEST(Backend, SoftwareReplacesAGpuThatCannotBeHad) {
   EXPECT_EQ(make_detector(options)->name(), "bvh");
 }
 
-TEST(Backend, CountsTheWorkOfEveryStage) {
+TEST(Backend, CountsWorkOfEveryStage) {
   const test::MeshPool pool(5, 8);
   BackendOptions options;
   options.backend = Backend::Software;
@@ -98,8 +98,8 @@ TEST(Backend, CountsTheWorkOfEveryStage) {
   EXPECT_EQ(lazy.work().node_pairs, trees.work().node_pairs);
 }
 
-// Brackets on a GPU that cannot be had, or breaks down, are those of the software.
-TEST(Backend, JudgesPlacesWithWhatWorks) {
+// With an unavailable or failing GPU, brackets equal those of the software.
+TEST(Backend, FallsBackToSoftwareForPlaces) {
   HeightMap object(2, 2, 0.5F), scene(4, 3, 0.125F);
   scene.bound[5] = 0.25F;
   const auto truth = drop_brackets(object, scene, 3, 2);
@@ -117,7 +117,7 @@ TEST(Backend, JudgesPlacesWithWhatWorks) {
       EXPECT_EQ(found[i].upper, truth[i].upper);
     }
   };
-  // Works once.
+  // Works once, then fails.
   options.make_gpu_brackets = [&]() -> DropBracketFunction {
     ++num_made;
     return [&](const HeightMap& o, const HeightMap& s, int columns, int rows) {
@@ -134,7 +134,7 @@ TEST(Backend, JudgesPlacesWithWhatWorks) {
   EXPECT_EQ(breaks->work().places_on_gpu, 6);
   ASSERT_EQ(notes.size(), 1u);
   EXPECT_NE(notes[0].find("context lost; places are judged in software"), std::string::npos);
-  // Cannot be had.
+  // Unavailable.
   options.make_gpu_brackets = []() -> DropBracketFunction {
     throw Error(Error::Kind::Environment, "no OpenGL 4.3");
   };
@@ -143,7 +143,7 @@ TEST(Backend, JudgesPlacesWithWhatWorks) {
   ask(*without);
   EXPECT_EQ(without->work().places_on_gpu, 0);
   EXPECT_EQ(notes.size(), 2u);
-  // Nobody asks a GPU that was not chosen.
+  // A GPU that was not selected is not used.
   options.backend = Backend::Software;
   ask(*make_detector(options));
   EXPECT_EQ(notes.size(), 2u);

@@ -44,7 +44,7 @@ Motion motion_between(const Pose& from, const Pose& to, SettleStep::Kind kind) {
   const Vec3 v(turn.x, turn.y, turn.z);
   const double time = v.norm() / turn.w;
   const Vec3 axis = v.normalized();
-  // x -> turn * x + shift stands still at the centre.
+  // x -> turn * x + shift leaves the centre fixed.
   const Vec3 shift = to.translation - turn.matrix() * from.translation;
   return Motion::rotation(0.5 * (shift + axis.cross(shift) / time), axis, time);
 }
@@ -61,7 +61,7 @@ void expect_true_steps(const Scene& scene, const std::string& name, Pose start,
     motion.limit = turn ? 1.0 : 2 * time + 1;
     const FirstContact truth = brute_force(scene, object, start, motion);
     // Poses are rounded, and with them the motions. A turn stops when a pair is at 1 to 1 +
-    // kTargetSlack clearances; if that is near the axis, the far end has come a longer way.
+    // kTargetSlack clearances; if that is near the axis, the far end has travelled farther.
     const double tolerance = kFigureClearance * (turn ? 10 / size : 0.1);
     if (steps[i].kind == SettleStep::Kind::Lift) {
       EXPECT_GE(truth.time, time);

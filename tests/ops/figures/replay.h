@@ -1,4 +1,4 @@
-// The motions of an operation, judged by all pairs of faces.
+// Motions of an operation, checked against all pairs of faces.
 #pragma once
 
 #include <vector>
@@ -7,11 +7,11 @@
 
 namespace trivet::test {
 
-/// The motion that leads from one pose to another: of how far, in `limit`. Turns are about the axis
-/// that the two poses have in common.
+/// The motion from one pose to another, with its length in `limit`. Turns are about the axis common
+/// to both poses.
 Motion motion_between(const Pose& from, const Pose& to, SettleStep::Kind kind);
 
-/// What figures are put down with: the same clearance in every scene.
+/// Clearance for all figures, the same in every scene.
 inline constexpr double kFigureClearance = 2e-6;
 inline SettleOptions figure_options(bool literal_paper_rules = false) {
   SettleOptions options;
@@ -20,13 +20,13 @@ inline SettleOptions figure_options(bool literal_paper_rules = false) {
   return options;
 }
 
-/// Goes through the steps of an object from `start`: every fall ends where brute force over all
-/// pairs of faces says it must, no turn goes on beyond it, and one that ends before it ends where
-/// the centre of mass is lowest.
+/// Checks the steps of an object from `start`: every fall ends where brute force over all pairs of
+/// faces stops it, no turn passes that point, and a turn that ends earlier ends at the lowest
+/// centre of mass.
 void expect_true_steps(const Scene& scene, const std::string& name, Pose start,
                        const std::vector<SettleStep>& steps);
 
-/// Where an object would stop that comes down from `start`: all pairs of faces.
+/// Stop of an object falling from `start`, by all pairs of faces.
 Pose dropped(const Scene& scene, const std::string& name, const Pose& start);
 
 }  // namespace trivet::test

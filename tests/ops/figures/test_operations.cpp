@@ -17,9 +17,9 @@ using test::Table;
 using test::turn;
 using End = OperationResult::End;
 
-// Fig. 1: object 1 lies on object 2, their normal is N. No motion against N; across and along it
-// all are free; turns about N go on until something is in the way, all others are stopped.
-TEST(Figure1, WhatAnAreaContactAllows) {
+// Fig. 1: object 1 lies on object 2, their normal is N. No motion against N; all motions across and
+// along it are free; turns about N go on until blocked, all others are stopped.
+TEST(Figure1, AreaContactAllowsMotionsAcrossAndAlongNormal) {
   BoxOnFloor s;  // half extents 0.2, 0.1, 0.3
   s.fix("wall", box_triangles(Vec3(0.05, 1, 1)), {0.26, 0, 1 + 1e-5});
   const auto moved = [&](const Vec3& by) {
@@ -28,7 +28,7 @@ TEST(Figure1, WhatAnAreaContactAllows) {
     EXPECT_EQ(result.end == End::Reached, result.blocked_by.empty());
     return result.moved;
   };
-  const double nothing = 1.1 * s.clearance();  // gaps are opened, or close
+  const double nothing = 1.1 * s.clearance();  // gaps open or close
   EXPECT_LE(moved({0, 0, -0.1}), nothing);
   EXPECT_LE(moved({-0.1, 0, -0.1}), nothing);
   EXPECT_NEAR(moved({-0.3, 0.4, 0}), 0.5, nothing);
@@ -62,7 +62,7 @@ TEST(Figure4a, PushGoesOnInContact) {
 }
 
 // Fig. 4b: the step is higher than the threshold: back to the point of collision.
-TEST(Figure4b, PushStopsAtAHighStep) {
+TEST(Figure4b, PushStopsAtHighStep) {
   Table t;
   t.fix("step", box_triangles(Vec3(0.2, 0.5, 0.01)), {0.2, 0, t.top() + 0.01 + 1e-5});
   PushOperation o = push(1, 0, 0.5);
@@ -76,8 +76,8 @@ TEST(Figure4b, PushStopsAtAHighStep) {
   EXPECT_EQ(t.at("box").state, ObjectState::Stable);
 }
 
-// Fig. 4c: lower than the threshold: lifted onto it, and on.
-TEST(Figure4c, PushClimbsALowStep) {
+// Fig. 4c: lower than the threshold: raised onto it, and on.
+TEST(Figure4c, PushClimbsLowStep) {
   Table t;
   t.fix("step", box_triangles(Vec3(0.2, 0.5, 0.01)), {0.2, 0, t.top() + 0.01 + 1e-5});
   const double z = t.position("box").z();
@@ -91,8 +91,8 @@ TEST(Figure4c, PushClimbsALowStep) {
   EXPECT_EQ(test::loads_text(t.scene), "table; box on step; step under box; ");
 }
 
-// Fig. 4d: contact lost by less than the threshold: down until there is contact.
-TEST(Figure4d, PushGoesDownALowEdge) {
+// Fig. 4d: contact lost by less than the threshold: lowered until there is contact.
+TEST(Figure4d, PushDescendsLowEdge) {
   Table t(true);
   ASSERT_TRUE(t.run(PutOperation{{"box"}, Pose{{}, Vec3(-0.65, 0, 1)}}).ok());
   const double z = t.position("box").z();
@@ -105,20 +105,20 @@ TEST(Figure4d, PushGoesDownALowEdge) {
   EXPECT_NEAR(t.position("box").z(), z - 0.02 - 1e-5, 2 * t.clearance());
 }
 
-// Fig. 4e: by more: pulled back to where the contact ends.
-TEST(Figure4e, PushStaysWhereTheContactEnds) {
+// Fig. 4e: by more: pulled back to the end of the contact.
+TEST(Figure4e, PushStaysAtEndOfContact) {
   Table t;
   PushOperation o = push(1, 0, 3);
   o.settle = false;
   const OperationResult result = t.run(o);
   ASSERT_TRUE(result.ok()) << result.reason();
   EXPECT_EQ(result.end, End::Edge);
-  EXPECT_NEAR(t.position("box").x(), 1.1, 10 * t.clearance());  // its last edge on the table's
-  EXPECT_EQ(t.at("box").state, ObjectState::Held);              // nothing else would keep it there
+  EXPECT_NEAR(t.position("box").x(), 1.1, 10 * t.clearance());  // its last edge on the table's edge
+  EXPECT_EQ(t.at("box").state, ObjectState::Held);  // no other contact would keep it there
 }
 
 // Fig. 5, example 1: an area contact, the axis is its normal.
-TEST(Figure5, TurnsAnAreaContactAboutItsNormal) {
+TEST(Figure5, TurnsAreaContactAboutNormal) {
   BoxOnFloor s;
   const Vec3 before = s.position("box");
   TurnOperation o = turn(TurnOperation::About::Normal, 30);
@@ -138,8 +138,8 @@ TEST(Figure5, TurnsAnAreaContactAboutItsNormal) {
   EXPECT_NEAR((s.position("box") - Vec3(2, 0, before.z())).norm(), 0, s.clearance());
 }
 
-// Fig. 5, example 2: a line, an edge of the contact; let go it falls back.
-TEST(Figure5, TurnsALineContactAboutTheLine) {
+// Fig. 5, example 2: a line, an edge of the contact; when released, it falls back.
+TEST(Figure5, TurnsLineContactAboutLine) {
   BoxOnFloor s;
   TurnOperation o = turn(TurnOperation::About::Line, 30);
   o.point = Vec3(0.2, 0, 0);
@@ -155,7 +155,7 @@ TEST(Figure5, TurnsALineContactAboutTheLine) {
   ASSERT_EQ(s.at("box").links.size(), 1u);
   EXPECT_EQ(s.at("box").links[0].contact.type, ContactType::Line);
 
-  // A line contact: on by 30 degrees, past its balance (33.7), and let go: it falls on its side.
+  // A line contact: on by 30 degrees, past its balance (33.7), and released: it falls on its side.
   o.point.reset();
   o.axis = Vec3::UnitY();
   o.settle = true;
@@ -166,7 +166,7 @@ TEST(Figure5, TurnsALineContactAboutTheLine) {
 }
 
 // Fig. 5, example 3: a point, and any axis through it.
-TEST(Figure5, TurnsAPointContactAboutAnyAxis) {
+TEST(Figure5, TurnsPointContactAboutAnyAxis) {
   BoxOnFloor s;
   const double clearance = s.position("box").z() - 0.3;
   TurnOperation o = turn(TurnOperation::About::Point, 20);
@@ -183,7 +183,7 @@ TEST(Figure5, TurnsAPointContactAboutAnyAxis) {
 }
 
 // Fig. 6: two objects on a table, one with a third on it; and the hull of each contact.
-TEST(Figure6, LoadSupportList) {
+TEST(Figure6, ListsLoadsAndSupports) {
   Pile s;
   EXPECT_EQ(test::loads_text(s.scene),
             "table on floor under a under b; a on table; b on table under c; c on b; "
@@ -206,8 +206,8 @@ TEST(Figure6, LoadSupportList) {
   lies_in("c", {0.2, 0.05}, 0.05);
 }
 
-// Fig. 18: of a contact an edge is chosen, and the object is turned about it by an amount.
-TEST(Figure18, TiltsAboutAChosenEdge) {
+// Fig. 18: an edge of a contact is chosen, and the object is turned about it by an angle.
+TEST(Figure18, TiltsAboutChosenEdge) {
   for (const double angle : {35.0, 90.0}) {
     Stage s;
     s.fix("table", box_triangles(Vec3(1, 1, 0.25)), {0, 0, 0.25 + 1e-5});

@@ -15,9 +15,9 @@ PushOperation push_to(const Vec2& to, bool settle) {
   return o;
 }
 
-// The direction has two dimensions, the way three: wherever it stops, the spoon is as high as if it
-// had been let down there from above, by all pairs of faces.
-TEST(Figure17, PushesASpoonAlongASaucer) {
+// The direction has two dimensions, the path three: at every stop, the spoon is as high as if it
+// had been lowered there from above, by all pairs of faces.
+TEST(Figure17, PushesSpoonAlongSaucer) {
   Stage s;
   s.fix("saucer", test::dish(0.08, 0.02, 0.004, 2, 48), {0, 0, 1e-5});
   const ObjectId id = s.scene.add(test::object_of("spoon", test::stick(0.1)));

@@ -21,7 +21,7 @@ Rotation about_y(double angle_deg) {
   return Rotation::about_axis(Vec3::UnitY(), std::tan(angle_deg * M_PI / 360));
 }
 
-// Puts it down, and has every step of it checked by all pairs of faces.
+// Puts the object down, and checks every step against all pairs of faces.
 OperationResult put_down(Stage& s, Object object, const Pose& start,
                          bool literal_paper_rules = false) {
   const std::string name = object.name;
@@ -35,7 +35,7 @@ OperationResult put_down(Stage& s, Object object, const Pose& start,
 }
 
 // Fig. 3: an object falls onto another, collides, and turns until it is in equilibrium: flat on the
-// side to which its centre of mass is beside the edge that touched first.
+// side towards which its centre of mass lies from the edge that touched first.
 TEST(Figure3, PutFallsCollidesAndTurns) {
   const double a = 0.2, c = 0.1;  // half extents along x and z
   for (const double angle : {30.0, 75.0}) {
@@ -59,8 +59,8 @@ TEST(Figure3, PutFallsCollidesAndTurns) {
 }
 
 // Fig. 10: contact at a point P. The object turns about the line through P that is perpendicular to
-// PG and to z, until the next corner is down.
-TEST(Figure10, PointContact) {
+// PG and to z, until the next corner touches.
+TEST(Figure10, PointContactTurnsUntilNextCornerTouches) {
   const Vec3 half(0.1, 0.2, 0.3);
   const Rotation tilted = Rotation::about_axis(Vec3(0.6, 0.64, 0.48), 0.3);
   std::vector<Vec3> corners;  // about G, turned
@@ -71,7 +71,7 @@ TEST(Figure10, PointContact) {
   const Vec3 p = *std::min_element(corners.begin(), corners.end(),
                                    [](const Vec3& u, const Vec3& v) { return u.z() < v.z(); });
   const Vec3 axis = Vec3::UnitZ().cross(-p).normalized();  // l; G sinks
-  // In small steps, then by halving: when is the second corner as low as P?
+  // In small steps, then by bisection: the angle at which the second corner is as low as P.
   const auto is_down = [&](double angle) {
     const Mat3 turn = Eigen::AngleAxisd(angle, axis).toRotationMatrix();
     return std::any_of(corners.begin(), corners.end(),
@@ -93,7 +93,7 @@ TEST(Figure10, PointContact) {
         test::motion_between(before, result.steps[1].pose_after, result.steps[1].kind);
     EXPECT_NEAR((turn.axis - axis).norm(), 0, 1e-6);
     EXPECT_NEAR(2 * std::atan(turn.limit), high, 1e-4);
-    const Vec3 here = before.translation + p;  // stays where it is
+    const Vec3 here = before.translation + p;  // fixed point of the turn
     EXPECT_NEAR((moved_point(here, turn, turn.limit) - here).norm(), 0, kNear);
     EXPECT_NEAR(here.z(), kFigureClearance, 0.1 * kFigureClearance);
   }
@@ -105,7 +105,7 @@ constexpr double kTip = 0.125;       // height of the needles
 constexpr double kThickness = 0.01;  // half
 constexpr double kBehind = 0.15, kAhead = 0.35;
 
-// A plate over x from -kBehind to kAhead is put down on the tips of needles.
+// A plate over x from -kBehind to kAhead, put down on the tips of needles.
 struct PlateOnNeedles : Stage {
   OperationResult result;
   PlateOnNeedles(const std::vector<Vec2>& needles, double ahead, bool literal) {
@@ -121,7 +121,7 @@ struct PlateOnNeedles : Stage {
                       {{}, Vec3(ahead - length, 0, 0.5)}, literal);
   }
 
-  /// It turned about the y axis through x = 0 on the tips until its edge at x = ahead was down.
+  /// Expects a turn about the y axis through x = 0 on the tips until the edge at x = ahead touches.
   void expect_tilted(Kind kind, double ahead) {
     const double si = (kTip + 1e-5) / ahead, co = std::sqrt(1 - si * si);
     const double half = 0.5 * (kBehind + ahead), g = ahead - half;
@@ -134,20 +134,20 @@ struct PlateOnNeedles : Stage {
 };
 
 // Fig. 11a: the foot of G on the line P1P2 is between them: it turns about the line.
-TEST(Figure11a, LineContactTurnsAboutTheLine) {
+TEST(Figure11a, LineContactTurnsAboutLine) {
   for (const bool literal : {false, true})
     PlateOnNeedles({{0, -0.1}, {0, 0.15}}, kAhead, literal)
         .expect_tilted(Kind::TurnAboutLine, kAhead);
 }
 
 // Fig. 11b: the foot of G is beyond P2: P2 becomes the only contact; here PG is along x.
-TEST(Figure11b, LineContactTurnsAboutItsNearerEnd) {
+TEST(Figure11b, LineContactTurnsAboutNearerEnd) {
   for (const bool literal : {false, true})
     PlateOnNeedles({{-0.1, -0.05}, {0, 0}}, kAhead, literal)
         .expect_tilted(Kind::TurnAboutPoint, kAhead);
 }
 
-// Fig. 12a: G is over the hull: stable where it came down.
+// Fig. 12a: G is over the hull: stable at first contact.
 TEST(Figure12a, AreaContactIsStable) {
   for (const bool literal : {false, true}) {
     PlateOnNeedles s({{0, -0.1}, {0, 0.1}, {0.2, 0.05}}, kAhead, literal);
@@ -161,14 +161,14 @@ TEST(Figure12a, AreaContactIsStable) {
 }
 
 // Fig. 12b: a corner of the hull is nearest to G: it becomes the only contact.
-TEST(Figure12b, AreaContactTurnsAboutACorner) {
+TEST(Figure12b, AreaContactTurnsAboutCorner) {
   for (const bool literal : {false, true})
     PlateOnNeedles({{0, 0}, {-0.1, -0.06}, {-0.1, 0.06}}, kAhead, literal)
         .expect_tilted(Kind::TurnAboutPoint, kAhead);
 }
 
 // Fig. 12c: a side of the hull is nearest to G: it is the axis.
-TEST(Figure12c, AreaContactTurnsAboutASide) {
+TEST(Figure12c, AreaContactTurnsAboutSide) {
   for (const bool literal : {false, true})
     PlateOnNeedles({{0, -0.1}, {0, 0.12}, {-0.1, 0}}, kAhead, literal)
         .expect_tilted(Kind::TurnAboutLine, kAhead);
@@ -176,9 +176,9 @@ TEST(Figure12c, AreaContactTurnsAboutASide) {
 
 // --- Fig. 16: a spoon and a teacup -------------------------------------------------------------
 
-// By hand, where all is straight: a ruler is let down into a jar with a small tilt. It stands on
-// its edge on the bottom, turns about that and comes to lean on the jar's rim.
-TEST(Figure16, RulerInAJar) {
+// Computed by hand in a prismatic case: a ruler is lowered into a jar with a small tilt. It stands
+// on its edge on the bottom, turns about that and comes to lean on the jar's rim.
+TEST(Figure16, RulerLeansInJar) {
   Stage s;
   const double wide = 0.04, high = 0.1, wall = 0.004;  // half the inner width; inner height
   Triangles jar = test::moved(box_triangles(Vec3(wide + 2 * wall, wide, wall)), {0, 0, -wall});
@@ -201,8 +201,8 @@ TEST(Figure16, RulerInAJar) {
   EXPECT_NEAR((s.position("ruler") - expected).norm(), 0, 2 * kNear);
 }
 
-// The paper's own objects. The steps are those that all pairs of faces allow, the end is at rest.
-TEST(Figure16, SpoonOnATeacup) {
+// The paper's own objects. The steps are those allowed by all pairs of faces, the end is at rest.
+TEST(Figure16, SpoonLeansOnTeacup) {
   const auto made = [](const std::string& name) {
     Object object;
     Model model = shapes::make_model(name);

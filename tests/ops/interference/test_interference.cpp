@@ -1,4 +1,4 @@
-// Faces that cross and faces that stop a motion, against all pairs of faces.
+// Crossing faces and blocking faces, compared with all pairs of faces.
 #include "core/base/tunables.h"
 #include "core/contact/triangle_distance.h"
 #include "core/exact/predicates.h"
@@ -75,7 +75,7 @@ struct Heap : Stage {
   }
 };
 
-TEST(Interference, CrossingFacesAreThoseOfAllPairs) {
+TEST(Interference, FindsAllCrossingFaces) {
   const unsigned seed = 20261122;
   SCOPED_TRACE(seed);
   Random random(seed);
@@ -97,7 +97,7 @@ TEST(Interference, CrossingFacesAreThoseOfAllPairs) {
   }
 }
 
-TEST(Interference, OfInvalidObjectsThatTouchByExactlyAFace) {
+TEST(Interference, FindsExactlyTouchingFacesOfInvalidObjects) {
   Heap heap;
   heap.put("box", box_triangles(Vec3(0.05, 0.05, 0.05)), {0.1, 0.4, 1});
   // Its lower face in the table's upper one, coplanar: touching counts.
@@ -115,7 +115,7 @@ TEST(Interference, OfInvalidObjectsThatTouchByExactlyAFace) {
   EXPECT_EQ(named(heap.scene, found).count("table"), 1u);
 }
 
-TEST(Interference, StopsAtItsLimitAndSaysSo) {
+TEST(Interference, ReportsReachedLimit) {
   const Heap heap;
   const Placement moved{*heap.scene.find("stone"), {{}, heap.position("ball") + Vec3(0.1, 0, 0)}};
   const InterferingFaces all = crossing_faces(heap.scene, {&moved, 1}, kNoLimit);
@@ -126,8 +126,8 @@ TEST(Interference, StopsAtItsLimitAndSaysSo) {
   EXPECT_LT(some.objects.empty() ? 0 : some.objects[0].faces.size(), all.objects[0].faces.size());
 }
 
-// Two balls of 160,000 faces that are nearly in the same place: prints what a look at them costs.
-TEST(Interference, LooksAtNoMoreThanItsLimitOfFinePairs) {
+// Two balls of 160,000 faces at nearly the same place: prints the cost of the query.
+TEST(Interference, StaysWithinLimitOfPairs) {
   Stage stage;
   stage.fix("a", ball(0.2, 200, 400), {0, 0, 0.5});
   const ObjectId b = stage.scene.add(object_of("b", ball(0.2, 200, 400)));
@@ -145,8 +145,8 @@ TEST(Interference, LooksAtNoMoreThanItsLimitOfFinePairs) {
   }
 }
 
-/// All pairs within the tolerance, of those alike the one nearest to where it was stopped; of each
-/// object those that look there, if there are any.
+/// All pairs within the tolerance, among equal ones the one nearest to the stop; of each object
+/// those facing it, if any.
 Faces blocking_by_brute_force(const Scene& scene, const std::vector<Placement>& moved,
                               const Blockage& blockage, double tolerance) {
   struct Face {
@@ -194,7 +194,7 @@ Faces blocking_by_brute_force(const Scene& scene, const std::vector<Placement>& 
   return all;
 }
 
-TEST(Interference, BlockingFacesAreThoseOfAllPairs) {
+TEST(Interference, FindsAllBlockingFaces) {
   const unsigned seed = 20261123;
   SCOPED_TRACE(seed);
   Random random(seed);
@@ -215,16 +215,16 @@ TEST(Interference, BlockingFacesAreThoseOfAllPairs) {
     const Blockage blockage{result.blocked_by.name, result.blocked_at};
     const InterferingFaces found =
         blocking_faces(heap.scene, live.placements(), blockage, tolerance, kNoLimit);
-    ASSERT_EQ(found.objects.size(), 2u) << "of what moves and of what stopped it";
+    ASSERT_EQ(found.objects.size(), 2u) << "of the moving object and of the one that stopped it";
     EXPECT_EQ(named(heap.scene, found),
               blocking_by_brute_force(heap.scene, live.placements(), blockage, tolerance));
   }
   EXPECT_GT(num_blocked, num / 4);
 }
 
-// A box that lies on a step and is pushed against its wall: of one object that carries and stops
-// it, the wall is shown.
-TEST(Interference, WhatCarriesIsNotShownWithWhatStops) {
+// A box that lies on a step and is pushed against its wall: of a single object that both carries
+// and stops it, the wall is shown.
+TEST(Interference, OmitsSupportingFacesOfBlocker) {
   Stage stage;
   stage.fix("step",
             joined(box_triangles(Vec3(0.5, 0.5, 0.1)),
@@ -251,7 +251,7 @@ TEST(Interference, WhatCarriesIsNotShownWithWhatStops) {
   }
 }
 
-TEST(Interference, WithTheFloor) {
+TEST(Interference, HandlesFloor) {
   Stage stage;
   stage.put("box", box_triangles(Vec3(0.1, 0.1, 0.1)), {0, 0, 1});
   const std::vector<Placement> there{{*stage.scene.find("box"), stage.at("box").pose}};

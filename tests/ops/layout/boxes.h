@@ -1,4 +1,4 @@
-// Boxes as models, for tests that need something simple to lay out.
+// Boxes as models, for simple test scenes.
 #pragma once
 
 #include "core/io/model.h"
@@ -6,7 +6,7 @@
 namespace trivet {
 
 /// A closed box of these half extents about the origin. Two materials alternate over its faces, so
-/// that what groups faces by material changes their order.
+/// that grouping by material changes their order.
 inline Model box_model(double x, double y, double z) {
   std::vector<Vec3> corners;
   for (int i = 0; i < 8; ++i) corners.emplace_back(i & 1 ? x : -x, i & 2 ? y : -y, i & 4 ? z : -z);

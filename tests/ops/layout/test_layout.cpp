@@ -33,7 +33,7 @@ std::string text_of(const json& base, const json& c) {
   return layout.patch(removals).dump();
 }
 
-/// The reader's complaint; empty when there is none.
+/// The reader's error message; empty if there is none.
 std::string complaint(const std::string& text) {
   try {
     parse_layout(text, "a.json");
@@ -44,7 +44,7 @@ std::string complaint(const std::string& text) {
   return "";
 }
 
-TEST(Layout, corpus) {
+TEST(Layout, ReadsCorpus) {
   const json corpus = read_corpus();
   int num_good = 0, num_bad = 0;
   for (const json& c : corpus["cases"]) {
@@ -62,7 +62,7 @@ TEST(Layout, corpus) {
   EXPECT_GE(num_bad, 60);
 }
 
-TEST(Layout, values_arrive) {
+TEST(Layout, KeepsValues) {
   const Layout layout = parse_layout(read_corpus()["base"].dump(), "a.json");
   EXPECT_TRUE(layout.floor);
   ASSERT_EQ(layout.objects.size(), 2u);
@@ -86,7 +86,7 @@ TEST(Layout, values_arrive) {
   EXPECT_EQ(put.start.rotation.w, 1);
 }
 
-TEST(Layout, quaternions_get_unit_length) {
+TEST(Layout, NormalisesQuaternions) {
   json base = read_corpus()["base"];
   base["operations"][0]["rotation"] = {2, 0, 0, -2};
   const Layout layout = parse_layout(base.dump(), "a.json");
@@ -95,7 +95,7 @@ TEST(Layout, quaternions_get_unit_length) {
   EXPECT_NEAR(r.z, -std::sqrt(0.5), 1e-15);
 }
 
-TEST(Layout, written_and_read_to_the_same_bits) {
+TEST(Layout, RoundTripsToSameBits) {
   std::mt19937_64 rng(1);
   std::normal_distribution<double> normal;
   Layout layout;
@@ -125,7 +125,7 @@ TEST(Layout, written_and_read_to_the_same_bits) {
   }
 }
 
-// Every option away from its default; some whose bits need all digits.
+// Every option differs from its default; some need all digits for their bits.
 constexpr const char* kAllOperations[] = {
     R"({"op":"put","object":"a","position":[0.1,-0.3333333333333333,1e-07],)"
     R"("rotation":[0.0,1.0,0.0,0.0],"settle_left":true})",
@@ -155,7 +155,7 @@ constexpr const char* kAllOperations[] = {
     R"({"op":"group","object":"a","group":"set"})",
     R"({"op":"ungroup","object":"a"})"};
 
-TEST(Layout, operations_are_written_and_read_to_the_same_bits) {
+TEST(Layout, RoundTripsOperationsToSameBits) {
   for (const char* text : kAllOperations) {
     const json document = parse_json(text, "a.json");
     EXPECT_EQ(operation_json(read_operation(JsonPlace(document, "a.json"))).dump(), text);
@@ -170,13 +170,13 @@ TEST(Layout, operations_are_written_and_read_to_the_same_bits) {
   EXPECT_TRUE(push.settle_left);
 }
 
-TEST(Layout, long_values_are_cut_in_messages) {
+TEST(Layout, TruncatesLongValuesInMessages) {
   json base = read_corpus()["base"];
   base["objects"][1]["up"] = std::string(100'000, 'u');
   EXPECT_LT(complaint(base.dump()).size(), 200u);
 }
 
-TEST(Layout, random_bytes_and_cuts_never_crash) {
+TEST(Layout, SurvivesRandomBytesAndCuts) {
   std::mt19937_64 rng(2);
   const std::string good = read_corpus()["base"].dump();
   int num_refused = 0;
@@ -189,12 +189,12 @@ TEST(Layout, random_bytes_and_cuts_never_crash) {
   EXPECT_GT(num_refused, 4000);
 }
 
-TEST(Layout, deep_nesting_is_an_error_like_others) {
+TEST(Layout, ReportsDeepNesting) {
   EXPECT_NE(complaint(std::string(1'000'000, '[')), "");
   EXPECT_NE(complaint(std::string(100'000, '[') + std::string(100'000, ']')), "");
 }
 
-TEST(ReadTextFile, names_what_is_wrong) {
+TEST(ReadTextFile, NamesErrors) {
   const auto message = [](const std::string& path, std::uintmax_t limit) -> std::string {
     try {
       read_text_file(path, limit);

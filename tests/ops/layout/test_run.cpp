@@ -50,7 +50,7 @@ std::string put_at(const std::string& name, const std::string& position) {
 const std::string kSlab =
     object("slab", "slab.obj", ", \"fixed\": true, \"position\": [0, 0, 0.050001]");
 
-TEST(RunLayout, puts_cubes_on_a_slab) {
+TEST(RunLayout, PutsCubesOnSlab) {
   BoxSource boxes;
   const Layout layout =
       parsed(kSlab + "," + object("a", "cube.obj") + "," + object("b", "cube.obj"),
@@ -68,7 +68,7 @@ TEST(RunLayout, puts_cubes_on_a_slab) {
   EXPECT_NEAR(b.pose.translation.z(), 0.25, 1e-5);
 }
 
-TEST(RunLayout, a_model_is_read_once_and_shared) {
+TEST(RunLayout, ReadsSharedModelOnce) {
   BoxSource boxes;
   std::string objects = kSlab;
   for (int i = 0; i < 50; ++i)
@@ -86,7 +86,7 @@ TEST(RunLayout, a_model_is_read_once_and_shared) {
   EXPECT_EQ(scene.at(*scene.find("7_o")).model->path, "cube.obj");
 }
 
-TEST(RunLayout, an_object_that_starts_inside_another_is_refused_and_the_rest_goes_on) {
+TEST(RunLayout, RefusesStartInsideAnotherAndContinues) {
   BoxSource boxes;
   const Layout layout =
       parsed(kSlab + "," + object("a", "cube.obj", ", \"position\": [0, 0, 0.12]") + "," +
@@ -107,7 +107,7 @@ TEST(RunLayout, an_object_that_starts_inside_another_is_refused_and_the_rest_goe
   EXPECT_FALSE(run.scene.at(*run.scene.find("a")).placed);
 }
 
-TEST(RunLayout, stops_at_a_refusal_when_asked) {
+TEST(RunLayout, StopsAtRefusalOnRequest) {
   BoxSource boxes;
   const Layout layout =
       parsed(kSlab + "," + object("b", "cube.obj") + "," + object("c", "cube.obj"),
@@ -121,7 +121,7 @@ TEST(RunLayout, stops_at_a_refusal_when_asked) {
   EXPECT_FALSE(run.scene.at(*run.scene.find("c")).placed);
 }
 
-TEST(RunLayout, the_start_alone_shows_all_that_interpenetrates) {
+TEST(RunLayout, ReportsAllInterpenetrationsAtStart) {
   BoxSource boxes;
   const Layout layout =
       parsed(kSlab + "," + object("a", "cube.obj", ", \"position\": [0, 0, 0.12]") + "," +
@@ -143,7 +143,7 @@ std::string complaint(const Layout& layout, RunOptions options = {}) {
   return "";
 }
 
-TEST(RunLayout, the_first_model_that_fails_is_named_whatever_the_threads) {
+TEST(RunLayout, NamesFirstFailingModelWithAnyThreads) {
   std::string objects = kSlab;
   for (int i = 0; i < 40; ++i)
     objects.append(",").append(object(std::to_string(i) + "_o", std::to_string(i) + "_none.obj"));
@@ -156,7 +156,7 @@ TEST(RunLayout, the_first_model_that_fails_is_named_whatever_the_threads) {
   }
 }
 
-TEST(RunLayout, objects_beyond_all_measure_are_refused) {
+TEST(RunLayout, RefusesObjectsBeyondCoordinateLimit) {
   EXPECT_EQ(complaint(parsed(object("a", "cube.obj", ", \"scale\": 1e15"))), "");
   EXPECT_NE(
       complaint(parsed(object("a", "slab.obj", ", \"scale\": 1e15, \"position\": [9e14, 0, 0]")))
@@ -164,7 +164,7 @@ TEST(RunLayout, objects_beyond_all_measure_are_refused) {
       std::string::npos);
 }
 
-TEST(RunLayout, progress_tells_every_step_in_order) {
+TEST(RunLayout, ReportsProgressInOrder) {
   BoxSource boxes;
   std::vector<std::string> steps;
   RunOptions options;
@@ -178,7 +178,7 @@ TEST(RunLayout, progress_tells_every_step_in_order) {
   EXPECT_EQ(steps[3], "put a");
 }
 
-TEST(RunLayout, up_follows_the_model_unless_the_layout_says) {
+TEST(RunLayout, TakesUpAxisFromModelUnlessGiven) {
   const ModelSource source = [](const std::string& name, const Tessellation&) {
     Model model = box_model(0.1, 0.2, 0.3);
     model.up = name == "y.glb" ? UpAxis::Y : UpAxis::Z;

@@ -1,4 +1,4 @@
-// Things on things.
+// A pile of objects.
 #pragma once
 
 #include "ops/move/stage.h"

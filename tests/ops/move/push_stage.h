@@ -1,4 +1,4 @@
-// A box on a table, to be pushed.
+// A box on a table, for PUSH.
 #pragma once
 
 #include "ops/move/stage.h"

@@ -1,4 +1,4 @@
-// A scene for operations, and what must hold after each of them.
+// A scene for operations, and invariants checked after each of them.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@
 
 namespace trivet::test {
 
-/// Poses, states and links of all objects, to the bit.
+/// Poses, states and contacts of all objects, bit for bit.
 inline std::string snapshot(const Scene& scene) {
   std::string out;
   const auto add = [&](const auto& value) { out += nlohmann::json(value).dump() + " "; };
@@ -34,7 +34,7 @@ inline std::string snapshot(const Scene& scene) {
   return out;
 }
 
-/// Who lies on whom.
+/// Load-support list as text.
 inline std::string loads_text(const Scene& scene) {
   std::string out;
   for (const LoadSupport::Entry& e : load_support(scene).entries) {
@@ -50,7 +50,7 @@ class Stage {
  public:
   Scene scene;
 
-  /// Stands there, fixed.
+  /// Adds a fixed object at this position.
   ObjectId fix(const std::string& name, const Triangles& triangles, const Vec3& at = Vec3::Zero()) {
     const ObjectId id = scene.add(object_of(name, triangles, true));
     const OperationResult result = stand(scene, id, {{}, at});
@@ -74,9 +74,9 @@ class Stage {
   Vec3 position(const std::string& name) const { return at(name).pose.translation; }
   double clearance() const { return default_clearance(scene); }
 
-  /// Performs it and checks all that must hold whatever it is: refused, nothing has changed; done,
-  /// nothing interpenetrates, what is not at rest is said to be so, and the contacts are those
-  /// found anew.
+  /// Performs the operation and checks the invariants: if refused, no change; if done, no
+  /// interpenetration, objects not at rest are reported so, and the contacts equal those computed
+  /// afresh.
   OperationResult run(const Operation& operation) {
     const std::string before = snapshot(scene);
     const OperationResult result = perform(scene, operation);

@@ -1,4 +1,4 @@
-// Objects far out, and objects that are small in a large scene: the clearance becomes too coarse.
+// Distant objects, and small objects in a large scene: the clearance becomes too coarse.
 #include "stage.h"
 
 namespace trivet::test {
@@ -15,7 +15,7 @@ struct Table : Stage {
   }
 };
 
-TEST(Far, NoOperationLeadsThere) {
+TEST(Far, RefusesEveryOperationThatLeadsThere) {
   for (const double far : kFar) {
     Table s;
     s.refused(TranslateOperation{{"beside"}, Vec3(far, 0, 0)}, kSays);
@@ -32,8 +32,8 @@ TEST(Far, NoOperationLeadsThere) {
   }
 }
 
-// What falls from there lies near in the end; where double itself is too coarse it is refused.
-TEST(Far, AStartMayBeHigh) {
+// An object that falls from there ends nearby; where double itself is too coarse it is refused.
+TEST(Far, AcceptsHighStart) {
   Table s;
   const OperationResult result = s.run(PutOperation{{"beside"}, Pose{{}, Vec3(2, 0, 1e4)}, {}});
   EXPECT_TRUE(result.ok()) << result.reason();
@@ -41,7 +41,7 @@ TEST(Far, AStartMayBeHigh) {
   s.run(PutOperation{{"beside"}, Pose{{}, Vec3(2, 0, 1e14)}, {}});
 }
 
-TEST(Far, SaysWhatIsAccepted) {
+TEST(Far, NamesAcceptedRange) {
   Table s;
   const std::string reason =
       perform(s.scene, TranslateOperation{{"beside"}, Vec3(1e4, 0, 0)}).reason();
@@ -53,8 +53,8 @@ TEST(Far, SaysWhatIsAccepted) {
   EXPECT_TRUE(perform(s.scene, TranslateOperation{{"beside"}, Vec3(-0.5 * accepted, 0, 0)}).ok());
 }
 
-// The same metres are no distance for objects that are large themselves.
-TEST(Far, LargeScenesGoOn) {
+// The same distance is acceptable for large objects.
+TEST(Far, AcceptsLargeScenes) {
   Stage city;
   city.fix("ground", box_triangles(Vec3(5e4, 5e4, 10)), Vec3(0, 0, 11));
   city.put("tower", box_triangles(Vec3(20, 20, 100)), Vec3(0, 0, 500));
@@ -65,7 +65,7 @@ TEST(Far, LargeScenesGoOn) {
   EXPECT_TRUE(hall.run(TranslateOperation{{"cup of 10 cm"}, Vec3(0, 100, 0.1)}).ok());
 }
 
-TEST(Far, AClearanceThatIsAskedForCounts) {
+TEST(Far, UsesRequestedClearance) {
   Table s;
   SettleOptions fine;
   fine.clearance = 1e-3;

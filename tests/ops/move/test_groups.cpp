@@ -1,4 +1,4 @@
-// What lies on an object moves with it; what it leaves behind is named. The paper's Fig. 6: see
+// Loads of an object move with it; objects left without support are named. The paper's Fig. 6: see
 // figures/.
 #include <algorithm>
 
@@ -12,8 +12,8 @@ using test::Pile;
 using test::Stage;
 using End = OperationResult::End;
 
-// The table moves, and everything on it stays in its place.
-TEST(Group, MovesWithWhatItCarries) {
+// The table moves, and everything on it keeps its place relative to it.
+TEST(Group, MovesWithLoads) {
   Pile s;
   const Scene before = s.scene;
   const OperationResult result = s.run(TranslateOperation{{"table"}, Vec3(-1.0 / 3, 0.1, 0.7)});
@@ -29,7 +29,7 @@ TEST(Group, MovesWithWhatItCarries) {
   EXPECT_EQ(s.position("beside"), before.at(*before.find("beside")).pose.translation);
 }
 
-TEST(Group, TurnsWithWhatItCarries) {
+TEST(Group, TurnsWithLoads) {
   Pile s;
   TurnOperation o;
   o.object = "table", o.angle_deg = 90;
@@ -40,12 +40,12 @@ TEST(Group, TurnsWithWhatItCarries) {
   EXPECT_EQ(s.at("c").state, ObjectState::Stable);
 }
 
-// A load that sticks out collides first.
-TEST(Group, CollidesAsAWhole) {
+// A protruding load collides first.
+TEST(Group, CollidesAsWhole) {
   Pile s;
   s.fix("lamp", box_triangles(Vec3(0.01, 0.01, 0.5)), {0.2, 2, 0.5 + 0.6});
   s.scene.remove(*s.scene.find("beside"));
-  // Below the lamp the table passes; b (top at 0.7) does not.
+  // The table passes below the lamp; b (top at 0.7) does not.
   PushOperation o;
   o.object = "table", o.direction = Vec2(0, 1), o.distance = 3, o.slide = false;
   const OperationResult result = s.run(o);
@@ -65,7 +65,7 @@ TEST(Group, PutCarriesLoads) {
   EXPECT_NEAR(s.position("table").z(), 0.25, 1e-5);
 }
 
-TEST(Group, FixedAndLockedDoNotMove) {
+TEST(Group, DoesNotMoveFixedOrLocked) {
   Pile s;
   s.edit("c", [](Object& o) { o.locked = true; });
   s.refused(TranslateOperation{{"table"}, Vec3(0, 0, 1)}, "\"c\" is locked");
@@ -73,8 +73,8 @@ TEST(Group, FixedAndLockedDoNotMove) {
   EXPECT_TRUE(s.run(PickUpOperation{{"a"}, 0.1, {}}).ok());
 }
 
-// Objects of one group move as one, even if they do not touch.
-TEST(Group, MatesMoveAlong) {
+// Objects of one group move as one, even without contact.
+TEST(Group, MovesMembersAlong) {
   Pile s;
   s.edit("a", [](Object& o) { o.group = "g"; });
   s.edit("beside", [](Object& o) { o.group = "g"; });
@@ -83,7 +83,7 @@ TEST(Group, MatesMoveAlong) {
   EXPECT_NEAR(s.position("beside").y(), 1, 1e-12);
 }
 
-/// The same as with a group of the two, to the bit.
+/// Same result as with a group of the two, bit for bit.
 template <class Move>
 void expect_as_grouped(Move move) {
   SCOPED_TRACE(op_name(move));
@@ -99,7 +99,7 @@ void expect_as_grouped(Move move) {
   EXPECT_GT((together.position("beside") - Pile().position("beside")).norm(), 0.05);
 }
 
-TEST(Together, IsToMoveAsAGroup) {
+TEST(Together, MovesLikeGroup) {
   PushOperation push;
   push.direction = Vec2(1, 0.5), push.distance = 0.3;
   expect_as_grouped(push);
@@ -113,7 +113,7 @@ TEST(Together, IsToMoveAsAGroup) {
   expect_as_grouped(RotateOperation{{}, Vec3::UnitZ(), 20});
 }
 
-TEST(Together, AreHeldByTheSameHand) {
+TEST(Together, HoldsAllObjects) {
   Pile s;
   TranslateOperation move{{"table"}, Vec3(0, 0, 0.7)};
   move.together = {"beside"};
@@ -123,8 +123,8 @@ TEST(Together, AreHeldByTheSameHand) {
   EXPECT_EQ(s.at("b").state, ObjectState::Stable);
 }
 
-// Each by itself, not as one body: b, which lies on the table, is carried over its edge.
-TEST(Together, AreLetGoOneByOne) {
+// Each settles individually, not as one body: b, which lies on the table, is carried over its edge.
+TEST(Together, SettlesObjectsOneByOne) {
   Pile s;
   TranslateOperation move{{"b"}, Vec3(0, 0.6, 0.1)};
   move.together = {"beside"};
@@ -139,7 +139,7 @@ TEST(Together, AreLetGoOneByOne) {
   EXPECT_NEAR((s.position("beside") - s.position("b")).x(), 0.8, 2 * s.clearance());
 }
 
-TEST(Together, AreLetGoThoughTheyWereHeld) {
+TEST(Together, SettlesObjectsHeldBefore) {
   for (const bool grouped : {false, true}) {
     Pile s;
     TranslateOperation move{{"a"}, Vec3(0, 0, 0.1)};
@@ -158,7 +158,7 @@ TEST(Together, AreLetGoThoughTheyWereHeld) {
   }
 }
 
-TEST(Together, UnknownFixedLockedAndAbsentOnesAreNamed) {
+TEST(Together, NamesUnknownFixedLockedAndUnplaced) {
   Pile s;
   s.fix("lamp", box_triangles(Vec3(0.01, 0.01, 0.5)), {3, 2, 1});
   s.edit("b", [](Object& o) { o.locked = true; });
@@ -186,8 +186,8 @@ struct Bridge : Stage {
   }
 };
 
-// Taking a support away: the plank goes with the post that moves, off the other one.
-TEST(Group, NamesWhatIsLeftUnsupported) {
+// Removal of a support: the plank goes with the post that moves, off the other one.
+TEST(Group, NamesObjectsLeftUnsupported) {
   for (const bool settle_left : {false, true}) {
     Bridge s;
     const OperationResult result = s.run(TranslateOperation{{"left", settle_left}, Vec3(-1, 0, 0)});
@@ -208,8 +208,8 @@ TEST(Group, NamesWhatIsLeftUnsupported) {
   }
 }
 
-// A tilted table lets its load go: named, or settled when asked for.
-TEST(Group, WhatATiltedSupportCarriesIsNamedOrSettles) {
+// A tilted table drops its load: named, or settled on request.
+TEST(Group, NamesOrSettlesLoadsOfTiltedSupport) {
   for (const bool settle_left : {false, true}) {
     Stage s;
     s.put("tray", box_triangles(Vec3(0.5, 0.3, 0.02)), {0, 0, 1});
@@ -232,8 +232,8 @@ TEST(Group, WhatATiltedSupportCarriesIsNamedOrSettles) {
   }
 }
 
-/// A plank that hangs over the end of a table, above a post that it does not touch: the post is
-/// nearer than kBalanceTolerance clearances, and the plank would hardly sink.
+/// A plank that overhangs the end of a table, above a post without contact: the post is nearer than
+/// kBalanceTolerance clearances, and the plank would hardly sink.
 struct Propped : Stage {
   Propped() {
     put("table", box_triangles(Vec3(0.25, 0.25, 0.125)), {0, 0, 0.5});
@@ -256,8 +256,8 @@ struct Propped : Stage {
   }
 };
 
-// Sequence 76: what holds an object without touching it goes away.
-TEST(Group, NamesWhatLeanedOnSomethingNear) {
+// Sequence 76: an object that supports without contact goes away.
+TEST(Group, NamesObjectThatLeanedOnNearbyOne) {
   for (const bool settle_left : {false, true}) {
     for (const Operation& operation :
          {Operation{TranslateOperation{{"post", settle_left}, Vec3(0, 0.5, 0)}},
@@ -281,7 +281,7 @@ TEST(Group, NamesWhatLeanedOnSomethingNear) {
 }
 
 // The same when the plank moves along with the table, and the post stays.
-TEST(Group, NamesACarriedObjectThatLeanedOnSomethingNear) {
+TEST(Group, NamesCarriedObjectThatLeanedOnNearbyOne) {
   Propped s;
   s.edit("table", [](Object& table) { table.fixed = false, table.state = ObjectState::Held; });
   const OperationResult result = s.run(TranslateOperation{{"table"}, Vec3(-0.5, 0, 0)});

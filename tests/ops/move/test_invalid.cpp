@@ -1,5 +1,5 @@
-// What a free move left interpenetrating is said to be invalid for as long as it does: whatever is
-// done beside it, and whichever of the two goes away.
+// Objects left interpenetrating by a free move stay invalid as long as they interpenetrate,
+// whatever else is moved, and whichever of the two goes away.
 #include "pile.h"
 
 namespace trivet {
@@ -36,7 +36,7 @@ PutOperation put_at(const std::string& name, const Vec3& from) {
   return put;
 }
 
-TEST(Invalid, StaysSoWhateverIsDoneBesideIt) {
+TEST(Invalid, PersistsThroughOtherOperations) {
   Crossed s;
   s.go(put_at("cube", Vec3(0.02, 0.26, 1)));
   s.go(TranslateOperation{{"cube"}, Vec3(0, -0.05, 0)});
@@ -44,7 +44,7 @@ TEST(Invalid, StaysSoWhateverIsDoneBesideIt) {
   EXPECT_EQ(s.at("box").state, ObjectState::Invalid);
 }
 
-TEST(Invalid, IsNoMoreWhenTheOtherIsGone) {
+TEST(Invalid, EndsWhenOtherObjectIsGone) {
   for (const Operation& operation :
        {Operation{put_at("cup", Vec3(-0.5, 0, 1))}, Operation{DeleteOperation{{"cup"}}}}) {
     Crossed s;
@@ -54,7 +54,7 @@ TEST(Invalid, IsNoMoreWhenTheOtherIsGone) {
   }
 }
 
-TEST(Invalid, WhatThenHangsInTheAirIsNamed) {
+TEST(Invalid, NamesObjectThenLeftInAir) {
   Crossed s;
   TranslateOperation up{{"box"}, Vec3(0, 0, 0.05)};
   up.free = true;
@@ -64,7 +64,7 @@ TEST(Invalid, WhatThenHangsInTheAirIsNamed) {
   EXPECT_EQ(result.unsupported, std::vector<std::string>{"box"});
 }
 
-TEST(Invalid, IsALoadThatIsMovedIntoSomething) {
+TEST(Invalid, MarksLoadMovedIntoAnother) {
   test::Pile s;  // b is on the table, and c on b
   s.fix("lamp", box_triangles(Vec3(0.01, 0.01, 0.5)), {0.2, 2, 0.5 + 0.6});
   TranslateOperation o{{"table"}, Vec3(0, 2, 0)};
@@ -77,8 +77,8 @@ TEST(Invalid, IsALoadThatIsMovedIntoSomething) {
   EXPECT_EQ(s.at("b").state, ObjectState::Stable);
 }
 
-// Neither holds the other, however deep; nor does the floor what is sunk in it.
-TEST(Invalid, DoesNotHoldWhatItPassesThrough) {
+// Neither holds the other, however deep; nor does the floor hold objects sunk into it.
+TEST(Invalid, DoesNotHoldInterpenetratingObject) {
   for (const double deep : {1e-5, 1e-3, 2e-2}) {
     Crossed s;
     s.go(DeleteOperation{{"cup"}});
@@ -97,7 +97,7 @@ TEST(Invalid, DoesNotHoldWhatItPassesThrough) {
   }
 }
 
-TEST(Invalid, IsNamedWhereItIsInTheWayOfAMove) {
+TEST(Invalid, IsNamedWhenBlockingMove) {
   Crossed s;
   const auto reason = [&](TranslateOperation o, const std::vector<std::string>& together) {
     o.together = together;
@@ -111,7 +111,7 @@ TEST(Invalid, IsNamedWhereItIsInTheWayOfAMove) {
   EXPECT_EQ(reason({{"cube"}, up}, {}), "");
 }
 
-TEST(Invalid, AreTwoThatAreMovedAsOne) {
+TEST(Invalid, MovesBothAsOne) {
   Crossed s;
   TranslateOperation o{{"box"}, Vec3(0, 0, 0.5)};
   o.free = true;

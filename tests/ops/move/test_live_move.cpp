@@ -1,4 +1,4 @@
-// Moves that follow a hand: what they commit is what their operation does, to the bit.
+// Interactive moves commit the same as their operation, bit for bit.
 #include "ops/layout/json_text.h"
 #include "ops/operations/live_move.h"
 #include "stage.h"
@@ -24,7 +24,7 @@ struct Desk : Stage {
   }
 };
 
-// As a layout has it, so that nothing but what is written down counts.
+// As read from a layout, so that only the written values count.
 Operation through_json(const Operation& operation) {
   const nlohmann::json json = nlohmann::json::parse(operation_json(operation).dump());
   return read_operation(JsonPlace(json, "test"));
@@ -36,14 +36,14 @@ struct Drag {
   std::vector<double> amounts;
 };
 
-/// @return whether something was in the way.
+/// @return whether the move was blocked.
 bool expect_the_same(const Scene& scene, const Drag& drag) {
   Scene by_hand = scene;
   const std::string before = snapshot(scene);
   LiveMove live(by_hand, drag.operation, {});
   for (const Vec3& goal : drag.goals) live.follow(goal);
   for (const double amount : drag.amounts) live.follow(amount);
-  EXPECT_EQ(snapshot(by_hand), before) << "nothing is committed before the end";
+  EXPECT_EQ(snapshot(by_hand), before) << "no commit before the end";
   const Operation operation = live.operation();
   const std::vector<Placement> placements = live.placements();
   const OperationResult result = live.finish(by_hand);
@@ -67,7 +67,7 @@ T of(const std::string& object) {
   return operation;
 }
 
-TEST(LiveMove, CommitsWhatItsOperationDoes) {
+TEST(LiveMove, CommitsSameAsOperation) {
   const unsigned seed = 20261122;
   SCOPED_TRACE(seed);
   Random random(seed);
@@ -124,7 +124,7 @@ TEST(LiveMove, CommitsWhatItsOperationDoes) {
   EXPECT_LT(num_stopped, kNum * 3 / 4);
 }
 
-TEST(LiveMove, GoesRoundWhatAStraightWayWouldMeet) {
+TEST(LiveMove, GoesAroundObstaclesOfStraightPath) {
   Desk desk;
   auto push = of<PushOperation>("box");
   push.settle = false;
@@ -138,7 +138,7 @@ TEST(LiveMove, GoesRoundWhatAStraightWayWouldMeet) {
   EXPECT_NEAR((desk.position("box") - Vec3(0, 0.3, 0)).head<2>().norm(), 0, 1e-5);
 }
 
-TEST(LiveMove, RefusesWhatItCannotDo) {
+TEST(LiveMove, RefusesImpossibleMoves) {
   Desk desk;
   EXPECT_TRUE(LiveMove(desk.scene, of<PushOperation>("none"), {}).refused());
   EXPECT_TRUE(LiveMove(desk.scene, of<PushOperation>("table"), {}).refused());

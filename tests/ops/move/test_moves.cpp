@@ -1,4 +1,4 @@
-// TURN, PICK-UP, TRANSLATE and ROTATE, and what stops them. The paper's Fig. 5: see figures/.
+// TURN, PICK-UP, TRANSLATE and ROTATE, and their stops. The paper's Fig. 5: see figures/.
 #include "turn_stage.h"
 
 namespace trivet {
@@ -12,8 +12,8 @@ using End = OperationResult::End;
 
 double cosine(const Rotation& r) { return r.matrix()(0, 0); }
 
-// The other way round the edge would go into the floor.
-TEST(Turn, StopsAtOnceAgainstTheFloor) {
+// In the other direction the edge would enter the floor.
+TEST(Turn, StopsAtOnceAgainstFloor) {
   BoxOnFloor s;
   TurnOperation o = turn(TurnOperation::About::Line, -30);
   o.point = Vec3(0.2, 0, 0);
@@ -25,7 +25,7 @@ TEST(Turn, StopsAtOnceAgainstTheFloor) {
 
 // A wall at x = 0.21: the corner at distance sqrt(0.05) from the axis meets it at
 // cos(a + atan(1 / 2)) = 0.21 / sqrt(0.05).
-TEST(Turn, StopsAtAWall) {
+TEST(Turn, StopsAtWall) {
   BoxOnFloor s;
   s.fix("wall", box_triangles(Vec3(0.05, 1, 1)), {0.26, 0, 1 + 1e-5});
   const OperationResult result = s.run(turn(TurnOperation::About::Normal, 90));
@@ -37,7 +37,7 @@ TEST(Turn, StopsAtAWall) {
   EXPECT_NEAR(result.blocked_at.x(), 0.21, 1e-5);
 }
 
-TEST(Turn, RefusesWhatIsNotHeld) {
+TEST(Turn, RefusesContactThatDoesNotExist) {
   BoxOnFloor s;
   TurnOperation o = turn(TurnOperation::About::Normal, 10);
   o.with = "shelf";
@@ -49,7 +49,7 @@ TEST(Turn, RefusesWhatIsNotHeld) {
   s.refused(o, "does not touch anything");
 }
 
-TEST(PickUp, GoesAlongTheNormalAndDropsTheLinks) {
+TEST(PickUp, GoesAlongNormalAndDropsLinks) {
   BoxOnFloor s;
   const double z = s.position("box").z();
   const OperationResult result = s.run(PickUpOperation{{"box"}, 0.25, {}});
@@ -58,14 +58,14 @@ TEST(PickUp, GoesAlongTheNormalAndDropsTheLinks) {
   EXPECT_NEAR((s.position("box") - Vec3(0, 0, z + 0.25)).norm(), 0, s.clearance());
   EXPECT_TRUE(s.at("box").links.empty());
   EXPECT_EQ(s.at("box").state, ObjectState::Held);
-  EXPECT_FALSE(check_scene(s.scene, 1).ok());  // a hand is no support
+  EXPECT_FALSE(check_scene(s.scene, 1).ok());  // an object in the air is unsupported
   s.refused(PickUpOperation{{"box"}, 0.25, {}}, "lies on nothing");
   ASSERT_TRUE(s.run(PutOperation{{"box"}, s.at("box").pose}).ok());
   EXPECT_EQ(s.at("box").state, ObjectState::Stable);
   EXPECT_NEAR(s.position("box").z(), z, s.clearance());
 }
 
-TEST(PickUp, StopsBelowAShelf) {
+TEST(PickUp, StopsBelowShelf) {
   BoxOnFloor s;
   s.fix("shelf", box_triangles(Vec3(1, 1, 0.01)), {0, 0, 0.81});
   const OperationResult result = s.run(PickUpOperation{{"box"}, 0.25, "floor"});
@@ -74,7 +74,7 @@ TEST(PickUp, StopsBelowAShelf) {
   EXPECT_NEAR(s.position("box").z(), 0.5, 2 * s.clearance());
 }
 
-TEST(Translate, StopsAtCollisionOrGoesThrough) {
+TEST(Translate, StopsAtCollisionOrIgnoresIt) {
   BoxOnFloor s;
   s.fix("wall", box_triangles(Vec3(0.05, 1, 1)), {1, 0, 1 + 1e-5});
   TranslateOperation o{{"box"}, Vec3(0.9, 0, 0.1)};
@@ -91,7 +91,7 @@ TEST(Translate, StopsAtCollisionOrGoesThrough) {
   EXPECT_EQ(result.interpenetrates, std::vector<std::string>{"wall"});
   EXPECT_EQ(s.at("box").state, ObjectState::Invalid);
   EXPECT_GT(check_scene(s.scene, 1).interpenetrating_pairs(), 0);
-  // Nothing else goes until that is resolved.
+  // No other move works until that is resolved.
   s.refused(TranslateOperation{{"box"}, Vec3(0.5, 0, 0)}, "passes through \"wall\"");
   s.refused(PickUpOperation{{"box"}, 0.1, {}}, "passes through \"wall\"");
   o.by = Vec3(1, 0, 0);
@@ -102,7 +102,7 @@ TEST(Translate, StopsAtCollisionOrGoesThrough) {
   EXPECT_TRUE(check_scene(s.scene, 1).ok());
 }
 
-TEST(Translate, FreelyBelowTheFloor) {
+TEST(Translate, GoesFreelyBelowFloor) {
   BoxOnFloor s;
   TranslateOperation o{{"box"}, Vec3(0, 0, -0.1), false, true};
   o.free = true, o.settle = false;
@@ -110,7 +110,7 @@ TEST(Translate, FreelyBelowTheFloor) {
   EXPECT_EQ(s.at("box").state, ObjectState::Invalid);
 }
 
-TEST(Rotate, ManyTurnsAboutTheCentreOfMass) {
+TEST(Rotate, TurnsManyTimesAboutCentreOfMass) {
   BoxOnFloor s;
   ASSERT_TRUE(s.run(TranslateOperation{{"box"}, Vec3(0, 0, 1)}).ok());
   const Vec3 before = s.position("box");
@@ -121,14 +121,14 @@ TEST(Rotate, ManyTurnsAboutTheCentreOfMass) {
   EXPECT_NEAR(cosine(s.at("box").pose.rotation), std::sqrt(0.5), 1e-12);
 }
 
-TEST(Rotate, StopsAtTheFloor) {
+TEST(Rotate, StopsAtFloor) {
   BoxOnFloor s;
   const OperationResult result = s.run(RotateOperation{{"box"}, Vec3(0, 1, 0), 90, {}});
   EXPECT_EQ(result.end, End::Blocked);
   EXPECT_EQ(result.blocked_by.name, "floor");
 }
 
-TEST(Motion, TurnTimesAreTangents) {
+TEST(Motion, MeasuresTurnsByTangents) {
   for (double angle = -90; angle <= 90; angle += 0.37) {
     EXPECT_NEAR(turn_time(angle), std::tan(angle * M_PI / 360), 1e-15) << angle;
     EXPECT_NEAR(turned_deg(turn_time(angle)), angle, 1e-13) << angle;

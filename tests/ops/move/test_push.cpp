@@ -1,5 +1,4 @@
-// PUSH: what the paper says about steps, edges, walls and curved surfaces. Its Fig. 4: see
-// figures/.
+// PUSH: the paper's rules for steps, edges, walls and curved surfaces. Its Fig. 4: see figures/.
 #include <algorithm>
 
 #include "push_stage.h"
@@ -13,8 +12,8 @@ using test::Stage;
 using test::Table;
 using End = OperationResult::End;
 
-// A step of just the threshold is climbed; one by a few clearances higher is not.
-TEST(Push, ClimbsUpToTheThreshold) {
+// Climbs a step of exactly the threshold, but not one higher by a few clearances.
+TEST(Push, ClimbsUpToThreshold) {
   for (const double excess : {-4.0, 4.0}) {
     Table t;
     t.fix("step", box_triangles(Vec3(0.2, 0.5, 0.0078125)), {0.2, 0, t.top() + 0.0078125 + 1e-5});
@@ -25,8 +24,8 @@ TEST(Push, ClimbsUpToTheThreshold) {
   }
 }
 
-// Let go there it would fall: it is pulled back on, to where its centre is over the edge.
-TEST(Push, StaysOnTheTable) {
+// Released there it would fall: it is pulled back to where its centre is over the edge.
+TEST(Push, StaysOnTable) {
   for (const double distance : {3.0, 1.55}) {
     Table t;
     const OperationResult result = t.run(push(1, 0, distance));
@@ -37,8 +36,8 @@ TEST(Push, StaysOnTheTable) {
   }
 }
 
-// No obstacle and no gap is too small to be seen: a needle of 0.1 mm, a slit of 0.1 mm.
-TEST(Push, SeesWhatIsSmall) {
+// Detects even tiny obstacles and gaps: a needle of 0.1 mm, a slit of 0.1 mm.
+TEST(Push, DetectsTinyObstaclesAndSlits) {
   Table t;
   t.fix("needle", box_triangles(Vec3(5e-5, 5e-5, 0.05)), {0.3, 0.02, t.top() + 0.05 + 1e-5});
   OperationResult result = t.run(push(1, 0, 1));
@@ -46,7 +45,7 @@ TEST(Push, SeesWhatIsSmall) {
   EXPECT_EQ(result.blocked_by.name, "needle");
   EXPECT_NEAR(t.position("box").x(), 0.3 - 5e-5 - 0.1, 2.1 * t.clearance());
 
-  // A needle that is pushed over a slit between two tables, deeper than step_down, stops there.
+  // A needle pushed over a slit between two tables, deeper than step_down, stops there.
   Stage slit;
   slit.fix("left", box_triangles(Vec3(0.5, 0.5, 0.25)), {-0.5, 0, 0.25 + 1e-5});
   slit.fix("right", box_triangles(Vec3(0.5, 0.5, 0.25)), {0.501, 0, 0.25 + 1e-5});
@@ -56,7 +55,7 @@ TEST(Push, SeesWhatIsSmall) {
   EXPECT_NEAR(slit.position("box").x(), 0, 1e-5);
 }
 
-TEST(Push, SlidesAlongAWallAndPastItsEnd) {
+TEST(Push, SlidesAlongWallAndPastItsEnd) {
   Table t;
   // A wall along x + y = 0.2, turned by 45 degrees.
   const ObjectId wall =
@@ -86,7 +85,7 @@ TEST(Push, SlidesAlongAWallAndPastItsEnd) {
   EXPECT_NEAR(still.position("box").y(), 0, 1e-5);
 }
 
-TEST(Push, StopsInACorner) {
+TEST(Push, StopsInCorner) {
   Table t;
   t.fix("wall_x", box_triangles(Vec3(0.01, 0.5, 0.2)), {0.01, 0, t.top() + 0.2 + 1e-5});
   t.fix("wall_y", box_triangles(Vec3(0.3, 0.01, 0.2)), {-0.31, 0.21, t.top() + 0.2 + 1e-5});
@@ -96,7 +95,7 @@ TEST(Push, StopsInACorner) {
   EXPECT_NEAR(t.position("box").y(), 0.1, 1e-5);
 }
 
-TEST(Push, ToAPoint) {
+TEST(Push, GoesToPoint) {
   Table t;
   PushOperation o;
   o.object = "box";
@@ -119,7 +118,7 @@ TEST(Push, FollowsSlopes) {
     const OperationResult result = s.run(o);
     ASSERT_TRUE(result.ok()) << result.reason();
     EXPECT_EQ(result.end, End::Reached);
-    // Brute force: from high above, how far does it fall in this orientation?
+    // Brute force: distance of the fall from high above in this orientation.
     Scene copy = s.scene;
     const ObjectId id = *copy.find("box");
     TranslateOperation up{{"box"}, Vec3(0, 0, 0.5)}, down{{"box"}, Vec3(0, 0, -1)};
@@ -129,7 +128,7 @@ TEST(Push, FollowsSlopes) {
   }
 }
 
-// A steep slope that is higher than step_up is a wall: it is not crept up in small steps.
+// A steep slope higher than step_up is a wall: not climbed in small steps.
 TEST(Push, DoesNotCreepUpSteepSlopes) {
   for (const double deg : {70.0, 76.0, 84.0, 89.0}) {
     const double slope = std::tan(deg * M_PI / 180), height = 0.04, foot = height / slope;
@@ -150,7 +149,7 @@ TEST(Push, DoesNotCreepUpSteepSlopes) {
   }
 }
 
-TEST(Push, RefusesWhatCannotBePushed) {
+TEST(Push, RefusesImpossiblePushes) {
   Table t;
   t.scene.add(test::object_of("apple", box_triangles(Vec3(0.1, 0.1, 0.1))));
   PushOperation o = push(1, 0, 1);

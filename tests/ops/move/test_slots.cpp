@@ -1,4 +1,4 @@
-// An object between contacts that face each other is moved along them.
+// Moves of an object along opposing contacts on both sides.
 #include "stage.h"
 
 namespace trivet {
@@ -8,10 +8,9 @@ using test::box_triangles;
 using test::Stage;
 using End = OperationResult::End;
 
-constexpr double kThick = 0.03125, kDeep = 0.125, kHigh = 0.1875;  // half, of a book
+constexpr double kThick = 0.03125, kDeep = 0.125, kHigh = 0.1875;  // half sizes of a book
 
-/// A book on a board, with a book on either side of it `gap` away: in clearances, 1 as PUT leaves
-/// it.
+/// A book on a board between two books, each `gap` away: in clearances, 1 as PUT leaves it.
 struct BetweenBooks : Stage {
   explicit BetweenBooks(double gap) {
     fix("board", box_triangles(Vec3(1, 0.25, 0.03125)), {0, 0, 0.03125 + 1e-5});
@@ -29,7 +28,7 @@ struct BetweenBooks : Stage {
   }
 };
 
-TEST(Slot, ABookBetweenBooksIsTranslatedAlongThem) {
+TEST(Slot, TranslatesBookBetweenBooks) {
   for (const double gap : {1.0, 0.75, 0.5, 1.7}) {
     for (const Vec3& by : {Vec3(0, -0.4, 0), Vec3(0, 0, 0.4), Vec3(0, -0.3, 0.3)}) {
       BetweenBooks s(gap);
@@ -42,7 +41,7 @@ TEST(Slot, ABookBetweenBooksIsTranslatedAlongThem) {
   }
 }
 
-TEST(Slot, ABookBetweenBooksIsPickedUpAndPulledOut) {
+TEST(Slot, PicksUpAndPullsOutBookBetweenBooks) {
   for (const double gap : {1.0, 0.6}) {
     BetweenBooks s(gap);
     const Vec3 before = s.position("book");
@@ -62,8 +61,8 @@ TEST(Slot, ABookBetweenBooksIsPickedUpAndPulledOut) {
   }
 }
 
-// Against them it goes nowhere.
-TEST(Slot, ABookBetweenBooksIsNotPushedIntoThem) {
+// Against them it does not move.
+TEST(Slot, DoesNotPushBookIntoBooks) {
   BetweenBooks s(1);
   for (const double x : {-0.1, 0.1}) {
     const OperationResult result = s.run(TranslateOperation{{"book"}, Vec3(x, 0, 0)});
@@ -73,8 +72,8 @@ TEST(Slot, ABookBetweenBooksIsNotPushedIntoThem) {
   }
 }
 
-// A card that is let down into a slot, and taken out again.
-TEST(Slot, ACardGoesInAndOut) {
+// A card lowered into a slot, and taken out again.
+TEST(Slot, LowersAndRaisesCard) {
   Stage s;
   s.fix("front", box_triangles(Vec3(0.25, 0.0625, 0.0625)), {0, -0.0625, 0.0625 + 1e-5});
   const double c = s.clearance(), thick = 0.00048828125;  // half

@@ -1,4 +1,4 @@
-// A box on the floor, to be turned.
+// A box on the floor, for TURN.
 #pragma once
 
 #include "ops/move/stage.h"

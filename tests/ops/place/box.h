@@ -1,4 +1,4 @@
-// What the tests of places set down, and on what.
+// Objects and supports for the tests of places.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace trivet::test {
 
-/// A closed box of these half extents about its origin, not in the scene yet.
+/// A closed box of these half extents about its origin, unplaced.
 inline Object box_object(const std::string& name, const Vec3& half) {
   return object_of(name, box_triangles(half));
 }

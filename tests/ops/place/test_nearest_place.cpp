@@ -1,4 +1,4 @@
-// The nearest free place: against what is known by hand, and against all points in brute force.
+// The nearest free place: known answers, and brute force over all points.
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -12,10 +12,10 @@
 namespace trivet {
 namespace {
 
-constexpr double kHalf = 0.1;                           // of the cube that is set down
-constexpr double kTolerance = 2 * kHalf / 4096 + 5e-5;  // what is promised, and clearances
+constexpr double kHalf = 0.1;                           // of the cube to place
+constexpr double kTolerance = 2 * kHalf / 4096 + 5e-5;  // guaranteed accuracy, and clearances
 
-/// A scene that is no larger than the one thing in it, a table of 1 m, and a cube to set down.
+/// A scene no larger than its single object, a table of 1 m, and a cube to place.
 struct Room {
   Scene scene;
   Room() {
@@ -39,12 +39,12 @@ struct Room {
   }
 };
 
-/// From an upright cube at p to a box, seen from above.
+/// Distance from an upright cube at p to a box, seen from above.
 double distance(const Vec2& p, const Vec2& centre, const Vec2& half) {
   return ((p - centre).cwiseAbs() - half - Vec2::Constant(kHalf)).cwiseMax(0).norm();
 }
 
-TEST(NearestPlace, BesideTheOnlyThingThereIs) {
+TEST(NearestPlace, IsBesideOnlyObject) {
   for (const double keep : {0.0, 0.1, 0.2, 0.5, 2.0, 100.0}) {
     for (std::uint64_t seed = 0; seed < 2; ++seed) {
       Room room;
@@ -55,7 +55,7 @@ TEST(NearestPlace, BesideTheOnlyThingThereIs) {
   }
 }
 
-TEST(NearestPlace, ToAPointBesideTheMiddleOfATable) {
+TEST(NearestPlace, IsNearestToPointOffCentre) {
   struct Case {
     Vec2 at;
     double keep;
@@ -76,7 +76,7 @@ TEST(NearestPlace, ToAPointBesideTheMiddleOfATable) {
   }
 }
 
-TEST(NearestPlace, ThePointItselfIfItIsFree) {
+TEST(NearestPlace, IsPointItselfIfFree) {
   for (const Vec2& at : {Vec2(5, 5), Vec2(-0.75, 0.3), Vec2(123.4, -7)}) {
     Room room;
     ASSERT_TRUE(room.put_on("floor", at, 0.1).ok());
@@ -87,7 +87,7 @@ TEST(NearestPlace, ThePointItselfIfItIsFree) {
   EXPECT_LE((room.position().head<2>() - Vec2(0.123, 0.0456)).norm(), 1e-9);
 }
 
-TEST(NearestPlace, AtTheEdgeOfATableFromBesideIt) {
+TEST(NearestPlace, IsAtTableEdgeForPointBeside) {
   Room room;
   const OperationResult result = room.put_on("table", Vec2(3, 0.2), 0);
   ASSERT_TRUE(result.ok()) << result.reason();
@@ -96,7 +96,7 @@ TEST(NearestPlace, AtTheEdgeOfATableFromBesideIt) {
   EXPECT_NEAR(room.position().y(), 0.2, 0.02);
 }
 
-TEST(NearestPlace, AnyDistanceCanBeKeptWhereThereIsNothing) {
+TEST(NearestPlace, KeepsAnyDistanceOnEmptyFloor) {
   for (const double keep : {0.5, 5.0, 1e6}) {
     Room room;
     const OperationResult result = room.put_on("table", {}, keep);
@@ -104,7 +104,7 @@ TEST(NearestPlace, AnyDistanceCanBeKeptWhereThereIsNothing) {
   }
 }
 
-TEST(NearestPlace, ALargeDistanceIsKeptOnATableThatHasJustTheRoom) {
+TEST(NearestPlace, KeepsLargeDistanceOnTableWithJustEnoughRoom) {
   Room room;
   room.scene.add(test::box_object("post", Vec3(0.02, 0.02, 0.2)));
   ASSERT_TRUE(room.put_on("table", Vec2(-0.47, -0.47), 0, 0, "post").ok());
@@ -119,7 +119,7 @@ TEST(NearestPlace, ALargeDistanceIsKeptOnATableThatHasJustTheRoom) {
   }
 }
 
-TEST(NearestPlace, WhatMayNotMoveIsRefusedWithThatReason) {
+TEST(NearestPlace, RefusesFixedAndLockedWithReason) {
   for (const bool fixed : {true, false}) {
     Room room;
     edit_object(room.scene, *room.scene.find("table"),
@@ -131,7 +131,7 @@ TEST(NearestPlace, WhatMayNotMoveIsRefusedWithThatReason) {
   }
 }
 
-TEST(NearestPlace, NoNearerPointIsFree) {
+TEST(NearestPlace, HasNoNearerFreePoint) {
   test::Random random(11);
   int num_blocked = 0;
   for (int run = 0; run < 12; ++run) {
@@ -141,7 +141,7 @@ TEST(NearestPlace, NoNearerPointIsFree) {
       const Vec2 half(random.uniform(0.05, 0.4), random.uniform(0.05, 0.4));
       const Vec2 at(random.uniform(-1.5, 1.5), random.uniform(-1.5, 1.5));
       Object object = test::box_object("box" + std::to_string(i), Vec3(half.x(), half.y(), 0.3));
-      object.placed = true;  // boxes may overlap: that is nothing to the cube
+      object.placed = true;  // boxes may overlap: irrelevant to the cube
       object.fixed = true;
       object.pose.translation = Vec3(at.x(), at.y(), 0.3);
       room.scene.add(object);
@@ -171,7 +171,7 @@ TEST(NearestPlace, NoNearerPointIsFree) {
   EXPECT_GT(num_blocked, 6);
 }
 
-TEST(NearestPlace, TheSameBitsOnAnyNumberOfThreads) {
+TEST(NearestPlace, GivesSameBitsOnAnyNumberOfThreads) {
   std::vector<Vec3> found;
   for (const int threads : {1, 2, 5}) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
@@ -184,7 +184,7 @@ TEST(NearestPlace, TheSameBitsOnAnyNumberOfThreads) {
   for (size_t i = 2; i < found.size(); ++i) EXPECT_EQ(found[i], found[i % 2]);
 }
 
-TEST(NearerThan, AsAllPairsOfFaces) {
+TEST(NearerThan, AgreesWithAllPairsOfFaces) {
   test::Random random(4);
   const auto shape = test::shape_of(test::bumpy_sphere(8, 10, 0.3, 2));
   int num_near = 0;

@@ -1,4 +1,4 @@
-// Free places: against what is known by hand, and every offered place against the exact fall.
+// Free places: known answers, and an exact fall for every offered place.
 
 #include <gtest/gtest.h>
 
@@ -33,13 +33,13 @@ class Room {
   ObjectId add_table() {
     return add("table", test::box_triangles(Vec3(1, 0.5, 0.02)), Vec3(0, 0, kTop - 0.02));
   }
-  /// A box that stands on the table.
+  /// Adds a box that stands on the table.
   ObjectId add_box(const std::string& name, const Vec3& half, double x, double y) {
     return add(name, test::box_triangles(half), Vec3(x, y, kTop + half.z() + kClearance));
   }
   ObjectId add_cube() { return add("cube", test::box_triangles(Vec3(0.1, 0.1, 0.1)), {}); }
 
-  /// What an object that starts there meets first when it falls; nothing: the floor.
+  /// First contact of an object falling from there; nullopt: the floor.
   std::optional<ObjectId> met_first(ObjectId id, const Pose& start) const {
     std::vector<ObjectId> ids;
     std::vector<Body> bodies;
@@ -62,7 +62,7 @@ class Room {
   }
 };
 
-TEST(Places, TheNearestIsBesideWhatIsInTheWay) {
+TEST(Places, AreNearestBesideObstacle) {
   for (const double keep : {0.0, 0.05}) {
     Room room;
     const ObjectId table = room.add_table(), cube = room.add_cube();
@@ -79,7 +79,7 @@ TEST(Places, TheNearestIsBesideWhatIsInTheWay) {
   }
 }
 
-TEST(Places, EveryPlaceThatIsOfferedFallsOntoTheSupport) {
+TEST(Places, FallOntoSupportFromEveryOffer) {
   test::Random random(3);
   Room room;
   const ObjectId table = room.add_table();
@@ -104,7 +104,7 @@ TEST(Places, EveryPlaceThatIsOfferedFallsOntoTheSupport) {
   }
 }
 
-TEST(Places, TheSeedAloneDecides) {
+TEST(Places, DependOnSeedAlone) {
   Room room;
   const ObjectId table = room.add_table(), cube = room.add_cube();
   PlaceRequest request;
@@ -121,7 +121,7 @@ TEST(Places, TheSeedAloneDecides) {
   EXPECT_GT(firsts.size(), 15u);
 }
 
-TEST(Places, NoneOnATableThatIsTaken) {
+TEST(Places, AreEmptyOnFullTable) {
   Room room;
   const ObjectId table = room.add_table(), cube = room.add_cube();
   for (int i = 0; i < 10; ++i)
@@ -135,7 +135,7 @@ TEST(Places, NoneOnATableThatIsTaken) {
   EXPECT_GT(places.num_blocked, 1000);
 }
 
-TEST(Places, UnderACeilingAndOnALowerBoard) {
+TEST(Places, WorkUnderCeilingAndOnLowerBoard) {
   Room room;
   const auto boards =
       test::joined(test::moved(test::box_triangles(Vec3(0.4, 0.2, 0.01)), Vec3(0, 0, 0.3)),
@@ -156,7 +156,7 @@ TEST(Places, UnderACeilingAndOnALowerBoard) {
   }
 }
 
-TEST(Places, OnTheFloorBesideWhatStandsThere) {
+TEST(Places, LieOnFloorBesideObjects) {
   Room room;
   room.add("block", test::box_triangles(Vec3(0.5, 0.5, 0.5)), Vec3(0, 0, 0.5 + kClearance));
   const ObjectId cube = room.add_cube();

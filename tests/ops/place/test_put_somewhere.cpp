@@ -1,4 +1,4 @@
-// PUT where there is room: what is asked for holds at the end, whatever the shape.
+// PUT at a free place: the requested conditions hold at the end, for any shape.
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 namespace trivet {
 namespace {
 
-/// A table on the floor, and things to put on it.
+/// A table on the floor, and objects to put on it.
 struct Room {
   Scene scene;
   Room() {
@@ -28,7 +28,7 @@ struct Room {
   const Object& at(const std::string& name) { return std::as_const(scene).at(*scene.find(name)); }
 };
 
-TEST(PutSomewhere, FillsATableWithoutTouchingWhatIsThere) {
+TEST(PutSomewhere, FillsTableWithoutTouching) {
   test::Random random(5);
   Room room;
   PlaceOptions place;
@@ -52,7 +52,7 @@ TEST(PutSomewhere, FillsATableWithoutTouchingWhatIsThere) {
   }
   EXPECT_GT(num_placed, 12);
   EXPECT_TRUE(check_scene(room.scene).ok());
-  // What was asked for: at least 2 cm between any two.
+  // Requested: at least 2 cm between any two.
   std::vector<Body> bodies;
   for (const ObjectId id : room.scene.ids()) {
     const Object& o = std::as_const(room.scene).at(id);
@@ -63,7 +63,7 @@ TEST(PutSomewhere, FillsATableWithoutTouchingWhatIsThere) {
       EXPECT_TRUE(contact_points(bodies[i], bodies[j], 0.0199, 0).empty());
 }
 
-TEST(PutSomewhere, NearestToAPointOnTheFloor) {
+TEST(PutSomewhere, PutsNearestToPointOnFloor) {
   Room room;
   room.scene.add(test::box_object("crate", Vec3(0.2, 0.2, 0.2)));
   PlaceOptions place;
@@ -76,7 +76,7 @@ TEST(PutSomewhere, NearestToAPointOnTheFloor) {
   EXPECT_LE(at.head<2>().norm(), 0.65);
 }
 
-TEST(PutSomewhere, TheSameSeedGivesTheSameBits) {
+TEST(PutSomewhere, GivesSameBitsForSameSeed) {
   Vec3 first;
   for (int run = 0; run < 2; ++run) {
     Room room;
@@ -90,7 +90,7 @@ TEST(PutSomewhere, TheSameSeedGivesTheSameBits) {
   }
 }
 
-TEST(PutSomewhere, RefusedWithAReason) {
+TEST(PutSomewhere, RefusesWithReason) {
   Room room;
   room.scene.add(test::box_object("slab", Vec3(0.61, 0.41, 0.1)));
   PlaceOptions place;

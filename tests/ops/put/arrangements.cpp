@@ -12,7 +12,7 @@
 namespace trivet::test {
 namespace {
 
-/// The object over the scene, turned at random, `beside` the middle.
+/// The object above the scene, with random rotation, `beside` the middle.
 Arrangement above(std::string name, Scene scene, const Triangles& triangles, const Vec3& beside,
                   int index) {
   Random random(1000 + static_cast<unsigned>(index));
@@ -84,7 +84,7 @@ Arrangement torus_over_peg(int index) {
             Vec3(0, 0, 1e-5));
   Arrangement out =
       above("peg", std::move(scene), torus(0.1, 0.03, 20, 10), small_offset(index, 0.04), index);
-  if (index % 2)  // nearly level: it goes over the peg
+  if (index % 2)  // nearly level: falls over the peg
     out.start.rotation = Rotation::about_axis(Vec3::UnitX(), 0.02 * (index % 5));
   return out;
 }
@@ -143,7 +143,7 @@ Arrangement onto_slope(int index) {
   return above("slope", std::move(scene), some_shape(index, 0.2), small_offset(index, 0.2), index);
 }
 
-// --- what must hold --------------------------------------------------------------------------
+// --- invariants ------------------------------------------------------------------------------
 
 namespace {
 

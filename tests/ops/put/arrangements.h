@@ -1,4 +1,4 @@
-// Scenes in which something is about to be put onto something, and what must hold of every PUT.
+// Scenes for PUT on various supports, and invariants of every PUT.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace trivet::test {
 
-/// A scene with fixed supports, and one object that is not in it yet, above them.
+/// A scene with fixed supports, and one unplaced object above them.
 struct Arrangement {
   std::string name;
   Scene scene;
@@ -18,7 +18,7 @@ struct Arrangement {
   Pose start;
 };
 
-/// All deterministic; `index` chooses shape and orientation.
+/// All deterministic; `index` selects shape and orientation.
 Arrangement on_floor(int index);  // box, tetrahedron, cylinder, plate, torus, ball, ...
 Arrangement stick_on_saucer(int index);
 Arrangement into_bowl(int index);
@@ -32,20 +32,20 @@ Arrangement onto_slope(int index);
 
 using MakeArrangement = Arrangement (*)(int);
 
-/// Adds an object and stands it where it is; fixed.
+/// Adds a fixed object at its pose.
 ObjectId add_fixed(Scene& scene, const std::string& name, const Triangles& triangles,
                    const Vec3& at = Vec3::Zero(), const Rotation& rotation = {});
 
 /// One of the shapes of about the given size, by number.
 Triangles some_shape(int index, double size);
 
-/// Puts, and checks all that must hold afterwards: energy falls in every step, no crossings in
-/// double and float32, at rest, gaps within (0, 2] clearances, links and state consistent. When
-/// refused, the scene must be untouched.
+/// Puts, and checks the invariants: energy decreases in every step, no crossings in double and
+/// float32, at rest, gaps within (0, 2] clearances, contacts and state consistent. When refused,
+/// the scene must be unchanged.
 OperationResult checked_put(Scene& scene, ObjectId object, const Pose& start,
                             const SettleOptions& options = {});
 
-/// checked_put() twice, from the same scene: the same poses to the last bit.
+/// Runs checked_put() twice from the same scene: equal poses to the last bit.
 OperationResult put_twice(Arrangement& a, const SettleOptions& options = {});
 
 }  // namespace trivet::test

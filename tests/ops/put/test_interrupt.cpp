@@ -1,4 +1,4 @@
-// Operations that are cancelled or run out of time.
+// Operations that are cancelled or time out.
 #include <gtest/gtest.h>
 
 #include <thread>
@@ -21,7 +21,7 @@ OperationResult interrupted_put(const RunContext& context) {
   return result;
 }
 
-TEST(Interrupt, ACancelledPutLeavesTheSceneAsItWas) {
+TEST(Interrupt, CancelledPutKeepsScene) {
   const std::atomic<bool> cancel = true;
   RunContext context;
   context.cancel = &cancel;
@@ -31,7 +31,7 @@ TEST(Interrupt, ACancelledPutLeavesTheSceneAsItWas) {
   EXPECT_NE(result.reason().find("was cancelled"), std::string::npos);
 }
 
-TEST(Interrupt, APutOutOfTimeLeavesTheSceneAsItWas) {
+TEST(Interrupt, TimedOutPutKeepsScene) {
   RunContext context;
   context.time_budget_s = 1e-9;
   const OperationResult result = interrupted_put(context);
@@ -39,8 +39,8 @@ TEST(Interrupt, APutOutOfTimeLeavesTheSceneAsItWas) {
   EXPECT_NE(result.reason().find("did not end within 1e-09 s"), std::string::npos) << result.reason();
 }
 
-// Whenever the other thread says stop: the whole operation, or nothing.
-TEST(Interrupt, FromAnotherThreadAtAnyMoment) {
+// Cancellation at any moment: the whole operation, or no change.
+TEST(Interrupt, CancelsFromAnotherThreadAtAnyMoment) {
   int num_cancelled = 0;
   for (int round = 0; round < 40; ++round) {
     Arrangement a = into_bowl(round % 5);
@@ -63,7 +63,7 @@ TEST(Interrupt, FromAnotherThreadAtAnyMoment) {
   EXPECT_GT(num_cancelled, 0);
 }
 
-TEST(Interrupt, TimeEnoughChangesNothing) {
+TEST(Interrupt, AmpleTimeChangesNoResult) {
   Arrangement a = into_bowl(1), b = a;
   const std::atomic<bool> cancel = false;
   RunContext context;
@@ -74,7 +74,7 @@ TEST(Interrupt, TimeEnoughChangesNothing) {
   EXPECT_EQ(difference(a.scene, b.scene), "");
 }
 
-TEST(Interrupt, StaysWithWhatItSaidFirst) {
+TEST(Interrupt, KeepsFirstReason) {
   std::atomic<bool> cancel = true;
   RunContext context;
   context.cancel = &cancel;

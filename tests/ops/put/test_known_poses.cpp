@@ -1,4 +1,4 @@
-// PUTs with a known answer: boxes, stacks, heaps, exact ties; and everything that is refused.
+// PUTs with a known answer: boxes, stacks, heaps, exact ties; and all refusals.
 
 #include <gtest/gtest.h>
 
@@ -26,7 +26,7 @@ ObjectId add_box(Scene& scene, const std::string& name, const Vec3& half) {
   return scene.add(object_of(name, box_triangles(half)));
 }
 
-TEST(PutBox, FallsFlatByExactlyItsHeight) {
+TEST(PutBox, FallsFlatByExactHeight) {
   Scene scene;
   const ObjectId id = add_box(scene, "box", Vec3(0.5, 0.25, 0.125));
   const OperationResult result = test::checked_put(scene, id, {{}, Vec3(1, 2, 3)});
@@ -46,7 +46,7 @@ TEST(PutBox, FallsFlatByExactlyItsHeight) {
   EXPECT_EQ(box.least_friction, 0);
 }
 
-TEST(PutBox, TipsOntoItsSide) {
+TEST(PutBox, TipsOntoSide) {
   Scene scene;
   const ObjectId id = add_box(scene, "box", Vec3(0.1, 0.1, 0.4));
   // Tilted past its corner: tan(tilt) > 1 / 4.
@@ -57,14 +57,14 @@ TEST(PutBox, TipsOntoItsSide) {
   EXPECT_NEAR(scene.at(id).stability_margin, 0.1, 1e-5);
 }
 
-TEST(PutBox, RightsItselfWhenTiltedLittle) {
+TEST(PutBox, RightsItselfAfterSmallTilt) {
   Scene scene;
   const ObjectId id = add_box(scene, "box", Vec3(0.1, 0.1, 0.4));
   ASSERT_TRUE(test::checked_put(scene, id, {about(Vec3::UnitY(), 0.2), Vec3(0, 0, 1)}).ok());
   EXPECT_NEAR(scene.at(id).pose.translation.z(), 0.4, 1e-5);
 }
 
-TEST(PutBox, StaysOverATableEdgeOrFallsOff) {
+TEST(PutBox, StaysOverTableEdgeOrFallsOff) {
   for (const double overhang : {0.9, 0.99, 1.01, 1.1}) {  // of half its length
     Scene scene;
     const ObjectId table =
@@ -83,7 +83,7 @@ TEST(PutBox, StaysOverATableEdgeOrFallsOff) {
   }
 }
 
-TEST(PutModel, StandsUprightWithYUpAndItsScale) {
+TEST(PutModel, StandsUprightWithYUpAndScale) {
   Scene scene;
   Object object = object_of("bottle", test::moved(box_triangles(Vec3(5, 20, 5)), Vec3(0, 20, 0)));
   object.up = UpAxis::Y;
@@ -95,7 +95,7 @@ TEST(PutModel, StandsUprightWithYUpAndItsScale) {
   EXPECT_NEAR(scene.at(id).stability_margin, 0.05, 1e-5);
 }
 
-TEST(PutOptions, ClearanceIsTheGap) {
+TEST(PutOptions, ClearanceIsGap) {
   for (const double clearance : {1e-3, 1e-4, 1e-5, 3e-7}) {
     Scene scene;
     const ObjectId id = add_box(scene, "box", Vec3(0.5, 0.5, 0.5));
@@ -106,7 +106,7 @@ TEST(PutOptions, ClearanceIsTheGap) {
   }
 }
 
-TEST(PutOnTheFloor, ExactlyStandsItClear) {
+TEST(PutOnFloor, RaisesTouchingStartToClearance) {
   Scene scene;
   const ObjectId id = add_box(scene, "box", Vec3(0.25, 0.25, 0.25));
   const OperationResult result = put(scene, id, {{}, Vec3(1, 2, 0.25)});
@@ -115,7 +115,7 @@ TEST(PutOnTheFloor, ExactlyStandsItClear) {
   EXPECT_TRUE(check_scene(scene).ok());
 }
 
-TEST(PutAgain, MovesAnObjectAndItsLinks) {
+TEST(PutAgain, MovesObjectAndItsLinks) {
   Scene scene;
   const ObjectId table =
       add_fixed(scene, "table", box_triangles(Vec3(1, 1, 0.5)), Vec3(0, 0, 0.5 + 1e-5));
@@ -127,7 +127,7 @@ TEST(PutAgain, MovesAnObjectAndItsLinks) {
   EXPECT_NEAR(scene.at(id).pose.translation.z(), 0.2, 1e-4);
 }
 
-TEST(PutWithoutFloor, OntoATable) {
+TEST(PutWithoutFloor, LandsOnTable) {
   Scene scene;
   scene.floor = false;
   add_fixed(scene, "table", box_triangles(Vec3(1, 1, 0.5)), Vec3(0, 0, -7));
@@ -136,8 +136,8 @@ TEST(PutWithoutFloor, OntoATable) {
   EXPECT_NEAR(scene.at(id).pose.translation.z(), -6.3, 1e-4);
 }
 
-TEST(PutBeneath, FitsUnderATable) {
-  // The way down from the start is what counts, not from the top of the scene.
+TEST(PutBeneath, FitsUnderTable) {
+  // The fall begins at the start pose, not at the top of the scene.
   Scene scene;
   add_fixed(scene, "top", box_triangles(Vec3(1, 1, 0.05)), Vec3(0, 0, 1));
   const ObjectId id = add_box(scene, "box", Vec3(0.2, 0.2, 0.2));
@@ -147,7 +147,7 @@ TEST(PutBeneath, FitsUnderATable) {
 
 // --- several objects -------------------------------------------------------------------------
 
-TEST(PutStack, OfTwelveBoxes) {
+TEST(PutStack, StacksTwelveBoxes) {
   Scene scene;
   test::Random random(7);
   std::vector<ObjectId> boxes;
@@ -194,7 +194,7 @@ void expect_no_interpenetration(const Scene& scene) {
   EXPECT_TRUE(check.contained.empty());
 }
 
-TEST(PutHeap, OfTwentyBoxesIsTheSameTwice) {
+TEST(PutHeap, IsDeterministicForTwentyBoxes) {
   const Scene first = heap(20, true), second = heap(20, true);
   expect_no_interpenetration(first);
   EXPECT_EQ(first.ids().size(), 20u);
@@ -204,13 +204,13 @@ TEST(PutHeap, OfTwentyBoxesIsTheSameTwice) {
   EXPECT_GT(first.box().upper.z(), 0.15);  // a heap, not a layer
 }
 
-TEST(PutHeap, OfMixedShapes) {
+TEST(PutHeap, HandlesMixedShapes) {
   const Scene scene = heap(24, false);
   expect_no_interpenetration(scene);
   EXPECT_GT(scene.box().upper.z(), 0.15);
 }
 
-TEST(PutHeap, EveryBoxStaysAtRestUnderItsLoads) {
+TEST(PutHeap, KeepsEveryBoxAtRestUnderLoads) {
   const Scene scene = heap(20, true);
   for (const std::string& name : check_scene(scene).not_at_rest)
     ADD_FAILURE() << name << " is not at rest";
@@ -225,7 +225,7 @@ struct Tie {
   double height;  // of the centre at rest
 };
 
-TEST(PutTie, OnTheFloorIsBroken) {
+TEST(PutTie, IsBrokenOnFloor) {
   const double to_diagonal = std::acos(1 / std::sqrt(3.0));
   const Vec3 across = Vec3(1, -1, 0).normalized();
   const test::Triangles cube = box_triangles(Vec3(0.5, 0.5, 0.5));
@@ -252,7 +252,7 @@ TEST(PutTie, OnTheFloorIsBroken) {
   }
 }
 
-TEST(PutTie, ExactlyOverATableEdge) {
+TEST(PutTie, IsBrokenExactlyOverTableEdge) {
   Scene scene;
   add_fixed(scene, "table", box_triangles(Vec3(1, 1, 0.5)), Vec3(0, 0, 0.5 + 1e-5));
   const ObjectId id = add_box(scene, "box", Vec3(0.25, 0.125, 0.0625));
@@ -260,7 +260,7 @@ TEST(PutTie, ExactlyOverATableEdge) {
   ASSERT_TRUE(result.ok()) << result.reason();
 }
 
-TEST(PutTie, AStickBalancedOnARidge) {
+TEST(PutTie, TiltsStickBalancedOnRidge) {
   Scene scene;
   add_fixed(scene, "ridge", test::prism({{-0.25, 0}, {0.25, 0}, {0, 0.5}}, 1), Vec3(0, 0, 1e-5));
   const ObjectId id = add_box(scene, "stick", Vec3(0.5, 0.0625, 0.0625));
@@ -271,7 +271,7 @@ TEST(PutTie, AStickBalancedOnARidge) {
   EXPECT_NEAR(scene.at(id).least_friction, 2, 0.2);
 }
 
-TEST(PutTie, ABoxOnTheTipOfAnother) {
+TEST(PutTie, TiltsBoxOnTipOfAnother) {
   Scene scene;
   const double tip = std::sqrt(3.0) / 2;
   add_fixed(scene, "tip", box_triangles(Vec3(0.5, 0.5, 0.5)), Vec3(0, 0, tip + 1e-5),
@@ -298,7 +298,7 @@ struct Room {
     object = add_box(scene, "object", Vec3(0.125, 0.125, 0.125));
   }
 
-  /// Refused, saying `words`, and nothing changed.
+  /// Expects a refusal with `words`, and no change.
   void expect_refused(ObjectId id, const Pose& start, const std::vector<std::string>& words,
                       const SettleOptions& options = {}) {
     const Scene before = scene;
@@ -310,13 +310,13 @@ struct Room {
   }
 };
 
-TEST(PutRefuses, AStartThatCrosses) {
+TEST(PutRefuses, CrossingStart) {
   Room room;
   room.expect_refused(room.object, {{}, Vec3(0.3, 0, 1.3)}, {"\"object\"", "\"box\"", "start"});
   room.expect_refused(room.object, {{}, Vec3(0, 0, 1)}, {"\"object\"", "\"table\""});
 }
 
-TEST(PutRefuses, AStartThatTouchesExactly) {
+TEST(PutRefuses, ExactlyTouchingStart) {
   Scene scene;
   scene.floor = false;
   add_fixed(scene, "table", box_triangles(Vec3(1, 1, 0.5)), Vec3(0, 0, -0.5));
@@ -324,26 +324,26 @@ TEST(PutRefuses, AStartThatTouchesExactly) {
   EXPECT_FALSE(test::checked_put(scene, id, {{}, Vec3(0, 0, 0.25)}).ok());
 }
 
-TEST(PutRefuses, AStartInsideAClosedBox) {
+TEST(PutRefuses, StartInsideClosedBox) {
   Room room;
   room.expect_refused(room.object, {{}, room.scene.at(room.box).pose.translation},
                       {"\"object\" is inside \"box\""});
 }
 
-TEST(PutRefuses, AStartAroundAnotherObject) {
+TEST(PutRefuses, StartAroundAnotherObject) {
   Room room;
   room.scene.floor = false;
   const ObjectId large = add_box(room.scene, "large", Vec3(3, 3, 3));
   room.expect_refused(large, {{}, Vec3(0, 0, 0.5)}, {"\"table\" is inside \"large\""});
 }
 
-TEST(PutRefuses, AStartBelowTheFloor) {
+TEST(PutRefuses, StartBelowFloor) {
   Room room;
   room.expect_refused(room.object, {{}, Vec3(5, 0, 0.1)}, {"\"object\"", "floor"});
   room.expect_refused(room.object, {{}, Vec3(5, 0, -3)}, {"\"object\"", "floor"});
 }
 
-TEST(PutRefuses, WhatWouldFallForEver) {
+TEST(PutRefuses, EndlessFall) {
   Room room;
   room.scene.floor = false;
   room.expect_refused(room.object, {{}, Vec3(5, 0, 3)}, {"nothing is below \"object\""});
@@ -351,7 +351,7 @@ TEST(PutRefuses, WhatWouldFallForEver) {
   room.expect_refused(room.object, {{}, Vec3(1.1, 0, 3)}, {"nothing is below \"object\""});
 }
 
-TEST(Put, AFixedObjectComesInOnceAndStandsThere) {
+TEST(Put, StandsFixedObjectOnce) {
   Room room;
   const ObjectId id =
       room.scene.add(test::object_of("shelf", test::box_triangles(Vec3(0.1, 0.1, 0.1)), true));
@@ -363,12 +363,12 @@ TEST(Put, AFixedObjectComesInOnceAndStandsThere) {
   room.expect_refused(id, {{}, Vec3(0, 0, 5)}, {"\"shelf\" is fixed"});
 }
 
-TEST(PutRefuses, AFixedObject) {
+TEST(PutRefuses, FixedObject) {
   Room room;
   room.expect_refused(room.table, {{}, Vec3(0, 0, 5)}, {"\"table\" is fixed"});
 }
 
-TEST(PutRefuses, AnObjectWhoseLoadMayNotMove) {
+TEST(PutRefuses, ObjectWithImmovableLoad) {
   Room room;
   ASSERT_TRUE(put(room.scene, room.object, {{}, Vec3(0, 0, 3)}).ok());  // onto the box
   edit_object(room.scene, room.object, [](Object& o) { o.locked = true; });
@@ -376,7 +376,7 @@ TEST(PutRefuses, AnObjectWhoseLoadMayNotMove) {
                       {"\"object\" is locked and would have to move along"});
 }
 
-TEST(PutRefuses, AClearanceThatMakesNoSense) {
+TEST(PutRefuses, InvalidClearance) {
   Room room;
   for (const double clearance : {1e-13, 0.1}) {
     SettleOptions options;
@@ -393,13 +393,13 @@ TEST(PutRefuses, MoreMotionsThanAllowed) {
                       {"\"object\"", "1 motions"}, few);
 }
 
-TEST(PutRefuses, AnObjectThatIsPlacedStaysWhereItWas) {
+TEST(PutRefuses, KeepsPoseOfPlacedObject) {
   Room room;
   room.expect_refused(room.box, {{}, Vec3(0, 0, 0.5)}, {"\"box\"", "\"table\""});
   EXPECT_TRUE(room.scene.at(room.box).placed);
 }
 
-TEST(Stand, ChecksButDoesNotSettle) {
+TEST(Stand, ChecksWithoutSettling) {
   Room room;
   OperationResult result = stand(room.scene, room.object, {{}, Vec3(3, 0, 0.125 + 1e-6)});
   ASSERT_TRUE(result.ok()) << result.reason();
@@ -415,7 +415,7 @@ TEST(Stand, ChecksButDoesNotSettle) {
   EXPECT_EQ(test::difference(before, room.scene), "");
 }
 
-TEST(CheckScene, FindsWhatIsWrong) {
+TEST(CheckScene, FindsViolations) {
   Room room;
   EXPECT_TRUE(check_scene(room.scene).ok());
   ASSERT_TRUE(put(room.scene, room.object, {{}, Vec3(0, 0, 3)}).ok());
@@ -461,7 +461,7 @@ TEST(CheckScene, IsTheSameWithAnyNumberOfThreads) {
   }
 }
 
-TEST(CheckScene, UpdateContactsFindsTheSameAsPut) {
+TEST(CheckScene, UpdateContactsAgreesWithPut) {
   Scene scene = heap(8, false);
   const Scene before = scene;
   update_contacts(scene);

@@ -1,4 +1,4 @@
-// PUT on all kinds of things.
+// PUT on various supports.
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ namespace {
 
 using test::Arrangement;
 
-/// What an object came to lie on.
+/// Supports of an object after a PUT.
 struct Outcome {
   bool floor = false, first = false, second = false;  // first and second support of the scene
   Vec3 centre = Vec3::Zero();
@@ -32,7 +32,7 @@ Outcome outcome_of(const Arrangement& a) {
   return out;
 }
 
-/// Every one must end ok.
+/// Expects that every PUT succeeds.
 std::vector<Outcome> expect_all_ok(test::MakeArrangement make, int num) {
   std::vector<Outcome> outcomes;
   int num_motions = 0, most = 0;
@@ -57,23 +57,23 @@ double share(const std::vector<Outcome>& outcomes, Condition condition) {
          static_cast<double>(outcomes.size());
 }
 
-TEST(Put, OnTheFloor) {
+TEST(Put, LandsOnFloor) {
   const auto out = expect_all_ok(test::on_floor, 160);
   EXPECT_EQ(share(out, [](const Outcome& o) { return o.floor; }), 1);
 }
 
-TEST(Put, AStickOnASaucer) {
+TEST(Put, LandsStickOnSaucer) {
   const auto out = expect_all_ok(test::stick_on_saucer, 48);
   EXPECT_GT(share(out, [](const Outcome& o) { return o.first; }), 0.7);
 }
 
-TEST(Put, IntoABowl) {
+TEST(Put, LandsInBowl) {
   const auto out = expect_all_ok(test::into_bowl, 96);
   EXPECT_GT(share(out, [](const Outcome& o) { return o.first && !o.floor; }), 0.9);
   EXPECT_GT(share(out, [](const Outcome& o) { return o.centre.head<2>().norm() < 0.3; }), 0.9);
 }
 
-TEST(Put, ATorusOverAPeg) {
+TEST(Put, LandsTorusOverPeg) {
   const auto out = expect_all_ok(test::torus_over_peg, 60);
   // Around the peg, near its foot.
   const double around = share(
@@ -81,32 +81,33 @@ TEST(Put, ATorusOverAPeg) {
   EXPECT_GT(around, 0.4);
 }
 
-TEST(Put, OnTwoSupportsOfDifferentHeights) {
+TEST(Put, LandsOnTwoSupportsOfDifferentHeights) {
   const auto out = expect_all_ok(test::on_two_heights, 96);
   EXPECT_GT(share(out, [](const Outcome& o) { return o.first && o.second; }), 0.2);
 }
 
-TEST(Put, AgainstAWall) {
+TEST(Put, LandsAgainstWall) {
   const auto out = expect_all_ok(test::against_wall, 96);
   EXPECT_GT(share(out, [](const Outcome& o) { return o.first && o.floor; }), 0.1);
 }
 
-TEST(Put, IntoAWedge) {
+TEST(Put, LandsInWedge) {
   const auto out = expect_all_ok(test::into_wedge, 96);
   EXPECT_GT(share(out, [](const Outcome& o) { return o.first && o.second; }), 0.5);
 }
 
-TEST(Put, AHookOnABar) {
+TEST(Put, HangsHookOnBar) {
   const auto out = expect_all_ok(test::hook_on_bar, 48);
   EXPECT_GT(share(out, [](const Outcome& o) { return o.first && !o.floor; }), 0.9);
 }
 
-TEST(Put, OntoABall) { expect_all_ok(test::onto_ball, 96); }
-TEST(Put, OntoASlope) { expect_all_ok(test::onto_slope, 96); }
+TEST(Put, LandsOnBall) { expect_all_ok(test::onto_ball, 96); }
+TEST(Put, LandsOnSlope) { expect_all_ok(test::onto_slope, 96); }
 
-// It leans on three points of a cone, its centre 4.3e-5 outside their hull; the next contact is 32
-// clearances away, and the turn that closes this gap lowers the centre by 0.053 clearances only.
-TEST(Put, ATorusThatLacksALastClosingTurn) {
+// It leans on three points of a cone, its centre 4.3e-5 outside the support polygon; the next
+// contact is 32 clearances away, and the turn that closes this gap lowers the centre by only 0.053
+// clearances.
+TEST(Put, MakesLastClosingTurnOfTorus) {
   Arrangement a = test::torus_over_peg(221);
   const OperationResult result = test::put_twice(a);
   EXPECT_TRUE(result.ok()) << result.reason();
@@ -125,11 +126,11 @@ int num_refused(test::MakeArrangement make, int num) {
   return refused;
 }
 
-TEST(PutByLiteralRules, IsNeverStuckOnTheFloor) {
+TEST(PutByLiteralRules, IsNeverStuckOnFloor) {
   EXPECT_EQ(num_refused(test::on_floor, test::with_effort(160)), 0);
 }
 
-TEST(PutByLiteralRules, IsStuckOnSomeOfTheOtherScenes) {
+TEST(PutByLiteralRules, IsStuckInSomeOtherScenes) {
   const std::vector<std::pair<const char*, test::MakeArrangement>> kinds{
       {"saucer", test::stick_on_saucer}, {"bowl", test::into_bowl},
       {"peg", test::torus_over_peg},     {"two heights", test::on_two_heights},
@@ -148,7 +149,7 @@ TEST(PutByLiteralRules, IsStuckOnSomeOfTheOtherScenes) {
   EXPECT_LT(part, 0.4);
 }
 
-TEST(PutByLiteralRules, AWedgedObjectIsAcceptedIfOneWants) {
+TEST(PutByLiteralRules, AcceptsWedgedObjectOnRequest) {
   SettleOptions literal, accept;
   literal.literal_paper_rules = accept.literal_paper_rules = accept.accept_wedged = true;
   int num_wedged = 0;

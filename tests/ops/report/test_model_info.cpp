@@ -10,14 +10,14 @@ namespace {
 
 Topology topology_of(const Mesh& mesh) { return topology(make_adjacency(mesh)); }
 
-TEST(ModelInfo, a_box_is_closed_oriented_and_manifold) {
+TEST(ModelInfo, CallsBoxClosedOrientedAndManifold) {
   const Topology t = topology_of(box_model(1, 1, 1).mesh);
   EXPECT_TRUE(t.closed && t.oriented && t.manifold);
   EXPECT_EQ(t.num_edges, 18);
   EXPECT_EQ(t.boundary_edges + t.non_manifold_edges + t.flipped_edges, 0);
 }
 
-TEST(ModelInfo, a_missing_face_opens_the_box) {
+TEST(ModelInfo, CallsBoxWithMissingFaceOpen) {
   Mesh mesh = box_model(1, 1, 1).mesh;
   mesh.triangles.pop_back();
   const Topology t = topology_of(mesh);
@@ -26,7 +26,7 @@ TEST(ModelInfo, a_missing_face_opens_the_box) {
   EXPECT_EQ(t.boundary_edges, 3);
 }
 
-TEST(ModelInfo, a_turned_face_spoils_the_orientation) {
+TEST(ModelInfo, DetectsFlippedFace) {
   Mesh mesh = box_model(1, 1, 1).mesh;
   std::swap(mesh.triangles[0][0], mesh.triangles[0][1]);
   const Topology t = topology_of(mesh);
@@ -35,7 +35,7 @@ TEST(ModelInfo, a_turned_face_spoils_the_orientation) {
   EXPECT_EQ(t.flipped_edges, 3);
 }
 
-TEST(ModelInfo, a_fin_makes_it_non_manifold) {
+TEST(ModelInfo, CallsFinNonManifold) {
   Mesh mesh = box_model(1, 1, 1).mesh;
   const Index3 first = mesh.triangles[0];
   mesh.vertices.emplace_back(5, 5, 5);
@@ -46,7 +46,7 @@ TEST(ModelInfo, a_fin_makes_it_non_manifold) {
   EXPECT_EQ(t.boundary_edges, 2);
 }
 
-TEST(ModelInfo, text_and_json_tell_the_same) {
+TEST(ModelInfo, PrintsSameAsTextAndJson) {
   Model model = box_model(0.5, 1, 1.5);
   model.path = "box.obj";
   model.notes.push_back("lines left out: 3");

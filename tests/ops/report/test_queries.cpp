@@ -1,4 +1,4 @@
-// What holds an object, what lies on it, is it stable, and by what margin.
+// Queries: supports of an object, its loads, its stability and margin.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -10,7 +10,7 @@
 namespace trivet::test {
 namespace {
 
-// A plate of half width 0.5 on the floor, on it a cube, on the cube another beside its middle.
+// A plate of half width 0.5 on the floor, a cube on it, and on the cube another one off its centre.
 Scene tower() {
   Scene scene;
   const auto add = [&](const char* name, const Vec3& half, double x) {
@@ -31,7 +31,7 @@ std::vector<std::string> names(const Scene& scene, const std::vector<TouchedBy>&
 
 using Names = std::vector<std::string>;
 
-TEST(Queries, WhatHoldsAndWhatLiesOn) {
+TEST(Queries, ListSupportsAndLoads) {
   const Scene scene = tower();
   const ObjectId plate = *scene.find("plate"), low = *scene.find("low"), high = *scene.find("high");
   EXPECT_EQ(names(scene, held_by(scene, plate)), Names{"floor"});
@@ -43,7 +43,7 @@ TEST(Queries, WhatHoldsAndWhatLiesOn) {
   EXPECT_EQ(held_by(scene, low).front().contact->type, ContactType::Area);
 }
 
-TEST(Queries, AgreeWithTheLoadSupportList) {
+TEST(Queries, AgreeWithLoadSupportList) {
   const Scene scene = tower();
   for (const LoadSupport::Entry& entry : load_support(scene).entries) {
     std::vector<ObjectId> supports, loads;
@@ -57,7 +57,7 @@ TEST(Queries, AgreeWithTheLoadSupportList) {
   }
 }
 
-TEST(Queries, MarginsAloneAndWithEverythingLetGo) {
+TEST(Queries, ComputeMarginsAloneAndWithAllFree) {
   const Scene scene = tower();
   const ObjectId low = *scene.find("low"), high = *scene.find("high");
   EXPECT_TRUE(rest_of(scene, high).at_rest);

@@ -35,7 +35,7 @@ LayoutRun run_boxes(int num_threads = 0) {
   return run_layout(layout, source, options);
 }
 
-TEST(Report, has_the_keys_of_the_contract_in_its_order) {
+TEST(Report, HasKeysInDocumentedOrder) {
   ReportOptions options;
   options.version = "1.2.3";
   const Json report = Json::parse(report_json(run_boxes(), options));
@@ -65,7 +65,7 @@ TEST(Report, has_the_keys_of_the_contract_in_its_order) {
                                       "pairs", "not_at_rest"}));
 }
 
-TEST(Report, says_what_became_of_each_object) {
+TEST(Report, StatesOutcomeOfEachObject) {
   const Json report = Json::parse(report_json(run_boxes(), {}));
   const Json &slab = report["objects"][0], &a = report["objects"][1], &out = report["objects"][3];
   EXPECT_EQ(slab["state"], "fixed");
@@ -86,7 +86,7 @@ TEST(Report, says_what_became_of_each_object) {
   EXPECT_EQ(report["check"]["all_at_rest"], true);
 }
 
-TEST(Report, numbers_come_back_to_the_bit) {
+TEST(Report, RoundTripsNumbersBitwise) {
   const LayoutRun run = run_boxes();
   const Json report = Json::parse(report_json(run, {}));
   int num_checked = 0;
@@ -106,7 +106,7 @@ TEST(Report, numbers_come_back_to_the_bit) {
   EXPECT_GT(num_checked, 8);
 }
 
-TEST(Report, numbers_that_are_not_finite_are_null) {
+TEST(Report, WritesNonFiniteNumbersAsNull) {
   LayoutRun run = run_boxes();
   run.check.smallest_gap = kInfinity;
   edit_object(run.scene, run.scene.ids()[1], [](Object& o) { o.least_friction = kInfinity; });
@@ -121,13 +121,13 @@ std::string without_times(const std::string& report) {
   return json.dump();
 }
 
-TEST(Report, does_not_depend_on_threads) {
+TEST(Report, DoesNotDependOnThreads) {
   const std::string expected = without_times(report_json(run_boxes(1), {}));
   for (const int num_threads : {2, 8})
     EXPECT_EQ(without_times(report_json(run_boxes(num_threads), {})), expected);
 }
 
-TEST(Report, pairs_that_interpenetrate_are_named) {
+TEST(Report, NamesInterpenetratingPairs) {
   LayoutRun run = run_boxes();
   run.check.crossings.push_back({"a", "b", 7});
   run.check.contained.push_back({"b", "slab", 1});
@@ -140,7 +140,7 @@ TEST(Report, pairs_that_interpenetrate_are_named) {
   EXPECT_EQ(check["not_at_rest"], Json::array({"b"}));
 }
 
-TEST(Report, joined_paths) {
+TEST(Report, JoinsPaths) {
   EXPECT_EQ(joined_path("", "a/../b.obj"), "a/../b.obj");
   EXPECT_EQ(joined_path("..", "models/b.obj"), "../models/b.obj");
   EXPECT_EQ(joined_path("x", "../b.obj"), "b.obj");

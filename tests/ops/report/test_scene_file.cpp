@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder of its own for each test.
+/// Provides a folder per test.
 class SceneFileTest : public testing::Test {
  protected:
   SceneFileTest() {
@@ -32,7 +32,7 @@ class SceneFileTest : public testing::Test {
 
   std::string file(const std::string& name) const { return (m_folder / name).string(); }
 
-  /// A model file: a box with its faces in both materials, under this transform of its node.
+  /// Writes a model file: a box with its faces in both materials, under this transform of its node.
   void write_model(const std::string& name, const Vec3& half, const Affine& transform) const {
     ExportScene scene;
     const auto model = std::make_shared<const Model>(box_model(half.x(), half.y(), half.z()));
@@ -53,7 +53,7 @@ class SceneFileTest : public testing::Test {
       {"op": "put", "object": "a", "position": [0.1, 0.2, 1], "rotation": [1, 0.1, 0.2, 0.3]},
       {"op": "put", "object": "b", "position": [0.13, 0.2, 1], "rotation": [3, 1, 0, 2]}]})";
 
-  /// A transform whose products with float32 positions are no float32.
+  /// A transform whose products with float32 positions are not float32.
   Affine turned() const {
     Affine transform;
     transform.linear = Rotation::about_axis(Vec3(1, 2, 3).normalized(), 0.3).matrix();
@@ -88,7 +88,7 @@ class SceneFileTest : public testing::Test {
   fs::path m_folder;
 };
 
-/// The report of a scene without what happened to it.
+/// The report of a scene without the history of operations.
 std::string state_of(Scene scene) {
   LayoutRun run;
   run.scene = std::move(scene);
@@ -96,7 +96,7 @@ std::string state_of(Scene scene) {
   return report_json(run, {});
 }
 
-TEST_F(SceneFileTest, comes_back_whole_to_the_bit_without_the_models) {
+TEST_F(SceneFileTest, RoundTripsBitwiseWithoutModels) {
   const LayoutRun made = write_boxes(Affine());
   for (const char* model : {"slab.glb", "cube.glb"}) fs::remove(file(model));
   const SceneFile back = read_scene_file(file("scene.glb"));
@@ -110,7 +110,7 @@ TEST_F(SceneFileTest, comes_back_whole_to_the_bit_without_the_models) {
 }
 
 // A .glb groups faces by material; here they alternate.
-TEST_F(SceneFileTest, look_and_order_of_the_faces_come_back_too) {
+TEST_F(SceneFileTest, RoundTripsAppearanceAndOrderOfFaces) {
   m_layout = R"({"trivet": 1, "objects": [{"name": "a", "model": "cube.obj"}],
     "operations": [{"op": "put", "object": "a", "position": [0, 0, 1], "rotation": [3, 1, 0, 2]}]})";
   const Layout layout = parse_layout(m_layout, "a.json");
@@ -132,8 +132,8 @@ TEST_F(SceneFileTest, look_and_order_of_the_faces_come_back_too) {
   }
 }
 
-// The model's own nodes are kept below the object's: nothing is rounded, no model file is needed.
-TEST_F(SceneFileTest, geometry_under_turned_nodes_comes_back_to_the_bit) {
+// The model's own nodes are kept below the object's: no rounding, and no model file is needed.
+TEST_F(SceneFileTest, RoundTripsGeometryUnderTurnedNodesBitwise) {
   const LayoutRun made = write_boxes(turned());
   const SceneFile back = read_scene_file(file("scene.glb"));
   EXPECT_TRUE(back.notes.empty());
@@ -145,7 +145,7 @@ TEST_F(SceneFileTest, geometry_under_turned_nodes_comes_back_to_the_bit) {
   EXPECT_EQ(state_of(alone.scene), state_of(made.scene));
 }
 
-TEST_F(SceneFileTest, geometry_that_float32_cannot_hold_is_told_when_its_file_is_gone) {
+TEST_F(SceneFileTest, ReportsRoundedGeometryWhenModelIsGone) {
   m_layout = R"({"trivet": 1, "objects": [{"name": "a", "model": "cube.obj"}],
     "operations": [{"op": "put", "object": "a", "position": [0, 0, 1]}]})";
   const Layout layout = parse_layout(m_layout, "a.json");
@@ -161,7 +161,7 @@ TEST_F(SceneFileTest, geometry_that_float32_cannot_hold_is_told_when_its_file_is
   EXPECT_EQ(check_scene(rounded.scene).interpenetrating_pairs(), 0);
 }
 
-TEST_F(SceneFileTest, a_model_file_that_has_changed_is_not_taken) {
+TEST_F(SceneFileTest, IgnoresChangedModelFile) {
   write_boxes(turned());
   write_model("cube.glb", Vec3(0.06, 0.05, 0.05), turned());
   const SceneFile back = read_scene_file(file("scene.glb"));
@@ -169,7 +169,7 @@ TEST_F(SceneFileTest, a_model_file_that_has_changed_is_not_taken) {
   EXPECT_NEAR(back.scene.at(*back.scene.find("a")).shape->mass.volume, 1e-3, 1e-8);
 }
 
-TEST_F(SceneFileTest, an_unplaced_object_whose_model_is_gone_is_left_out_with_a_note) {
+TEST_F(SceneFileTest, OmitsUnplacedObjectWhoseModelIsGone) {
   write_boxes(Affine());
   fs::remove(file("other.glb"));
   const SceneFile back = read_scene_file(file("scene.glb"));
@@ -178,7 +178,7 @@ TEST_F(SceneFileTest, an_unplaced_object_whose_model_is_gone_is_left_out_with_a_
   EXPECT_NE(back.notes[0].find("\"out\""), std::string::npos);
 }
 
-TEST_F(SceneFileTest, a_model_far_from_its_origin_comes_back_to_the_bit) {
+TEST_F(SceneFileTest, RoundTripsFarModelBitwise) {
   Affine far;
   far.translation = Vec3(1000, -2000, 500);
   write_models(far);
@@ -207,7 +207,7 @@ nlohmann::json& node_of(nlohmann::json& j, const std::string& name) {
   throw std::runtime_error("no such node: " + name);
 }
 
-TEST_F(SceneFileTest, what_another_program_has_changed_is_refused) {
+TEST_F(SceneFileTest, RefusesChangesByOtherPrograms) {
   const auto expect = [&](const std::function<void(nlohmann::json&)>& change,
                           const std::string& what) {
     write_boxes(Affine());
@@ -230,7 +230,7 @@ TEST_F(SceneFileTest, what_another_program_has_changed_is_refused) {
          "\"b\"");
 }
 
-TEST_F(SceneFileTest, files_that_are_no_scene_are_refused) {
+TEST_F(SceneFileTest, RefusesOtherFiles) {
   EXPECT_NE(complaint(file("none.glb")), "");
   EXPECT_NE(complaint(m_folder.string()), "");
   std::ofstream(file("text.glb")) << "no glTF at all, but long enough to have a header";
@@ -240,7 +240,7 @@ TEST_F(SceneFileTest, files_that_are_no_scene_are_refused) {
   EXPECT_FALSE(is_scene_file(file("cube.glb")));
 }
 
-TEST_F(SceneFileTest, broken_files_never_crash) {
+TEST_F(SceneFileTest, SurvivesBrokenFiles) {
   write_boxes(Affine());
   std::ifstream in(file("scene.glb"), std::ios::binary);
   const std::string good{std::istreambuf_iterator<char>(in), {}};
@@ -253,10 +253,10 @@ TEST_F(SceneFileTest, broken_files_never_crash) {
     std::ofstream(file("broken.glb"), std::ios::binary) << bytes;
     num_refused += !complaint(file("broken.glb")).empty();
   }
-  EXPECT_GE(num_refused, 150);  // a byte of a name or a normal harms nothing
+  EXPECT_GE(num_refused, 150);  // a changed byte of a name or a normal is harmless
 }
 
-TEST_F(SceneFileTest, other_formats_hold_the_geometry) {
+TEST_F(SceneFileTest, WritesGeometryInOtherFormats) {
   write_boxes(Affine());
   const SceneFile back = read_scene_file(file("scene.glb"));
   for (const char* name : {"scene.obj", "scene.ply", "scene.stl"}) {
@@ -265,7 +265,7 @@ TEST_F(SceneFileTest, other_formats_hold_the_geometry) {
   }
 }
 
-TEST(Geometry, the_fingerprint_sees_every_bit_and_the_order) {
+TEST(Geometry, FingerprintDependsOnEveryBitAndOrder) {
   const Mesh mesh = box_model(1, 2, 3).mesh;
   const std::string fingerprint = geometry_fingerprint(mesh);
   Mesh other = mesh;
@@ -274,7 +274,7 @@ TEST(Geometry, the_fingerprint_sees_every_bit_and_the_order) {
   other = mesh;
   std::swap(other.triangles[2], other.triangles[3]);
   EXPECT_NE(geometry_fingerprint(other), fingerprint);
-  other = mesh;  // numbered in another way, the same triangles
+  other = mesh;  // different numbering, same triangles
   std::swap(other.vertices[0], other.vertices[1]);
   for (Index3& t : other.triangles)
     for (Index& v : t) v = v < 2 ? 1 - v : v;

@@ -69,7 +69,7 @@ void add(Scene& scene, Object object, const std::string& name) {
   scene.add(std::move(object));
 }
 
-// A board that does not move, somewhat above the floor, and `count` objects out of the scene.
+// A fixed board somewhat above the floor, and `count` unplaced objects.
 Scene start_scene(Random& random, ModelKind kind, int count) {
   Scene scene;
   Object board = object_of("board", box_triangles(Vec3(0.35, 0.3, 0.01)), true);
@@ -87,7 +87,7 @@ Scene start_scene(Random& random, ModelKind kind, int count) {
 
 // --- operations --------------------------------------------------------------------------------
 
-/// Any operation, of any object of the scene but the board.
+/// Any operation on any object of the scene except the board.
 class Choice {
  public:
   Choice(Random& random, const Scene& scene) : m_random(random), m_scene(scene) {}
@@ -251,7 +251,7 @@ class Sequence {
   }
 
  private:
-  /// @return whether to go on.
+  /// @return whether to continue.
   bool do_one(int i) {
     const Operation operation = Choice(m_random, m_session.scene()).operation(i);
     const Worker& worker = m_options.workers[static_cast<size_t>(i) % m_options.workers.size()];

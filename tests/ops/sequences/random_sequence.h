@@ -1,4 +1,4 @@
-// Random sequences of operations, each from its seed alone.
+// Random sequences of operations, each determined by its seed.
 #pragma once
 
 #include <cstdint>
@@ -14,32 +14,32 @@ inline constexpr int kOperations = 20;
 
 enum class ModelKind { OfTheProject, Real };
 
-/// What answers, with how many threads.
+/// Detector and number of threads.
 struct Worker {
-  Detector* detector = nullptr;  // null: box trees
+  Detector* detector = nullptr;  // null: BVHs
   int num_threads = 1;
 };
 
 struct SequenceOptions {
-  std::vector<Worker> workers = {{}};  // who take turns, an operation each
-  /// Asked after every operation that was done; null: nothing is. The sequence ends when it is
+  std::vector<Worker> workers = {{}};  // take turns, one operation each
+  /// Called after every completed operation; null: no check. The sequence ends when it returns
   /// false.
   std::function<bool(const Scene&)> holds;
-  bool tell = false;  // what is done
+  bool tell = false;  // print every operation
 };
 
 struct Outcome {
   std::uint64_t hash = 0;  // of the scenes after every operation
-  int num_done = 0;        // operations that were not refused
+  int num_done = 0;        // operations not refused
   double seconds = 0;      // of all operations
 };
 
-/// Performs it, undoes all of it and does it again; every state is the same to the bit.
+/// Performs the sequence, undoes and redoes it; every state is bitwise the same.
 Outcome run_sequence(unsigned seed, ModelKind kind, const SequenceOptions& options);
 
-/// 0 to `count` - 1, or what the environment says: TRIVET_SEQUENCE=76 or TRIVET_SEQUENCE=100-199.
+/// 0 to `count` - 1, or from the environment: TRIVET_SEQUENCE=76 or TRIVET_SEQUENCE=100-199.
 std::vector<unsigned> chosen_seeds(int count);
-/// Whether the environment names one sequence alone.
+/// Whether the environment selects a single sequence.
 bool is_one_seed();
 
 }  // namespace trivet::test

@@ -1,8 +1,8 @@
 // Random sequences of operations: after each of them the scene is valid, its load-support list is
-// the one that follows from the poses, and the whole session goes back to its start and forth to
-// its end, to the bit, on every backend and number of threads.
+// the one that follows from the poses, and the whole session is undone to its start and redone to
+// its end bit for bit, on every backend and number of threads.
 //
-// TRIVET_TEST_EFFORT=50 runs 2,000; TRIVET_SEQUENCE=76 runs one and tells what it does,
+// TRIVET_TEST_EFFORT=50 runs 2,000; TRIVET_SEQUENCE=76 runs one and prints its operations,
 // TRIVET_SEQUENCE=100-199 a hundred.
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@
 namespace trivet::test {
 namespace {
 
-// --- what must hold ----------------------------------------------------------------------------
+// --- invariants ------------------------------------------------------------------------------
 
 using Names = std::vector<std::string>;
 
@@ -42,13 +42,13 @@ bool is_reported(ObjectState state) {
   return state != ObjectState::Stable && state != ObjectState::Fixed;
 }
 
-// After a free move; it is said of one of the two.
+// After a free move; one of the two objects carries the state.
 bool is_invalid(const Scene& scene, const std::string& name) {
-  const auto id = scene.find(name);  // not the floor's
+  const auto id = scene.find(name);  // not found for the floor
   return id && scene.at(*id).state == ObjectState::Invalid;
 }
 
-// @return whether it holds.
+// @return whether the scene is valid.
 bool expect_valid(const Scene& scene) {
   bool valid = true;
   std::set<std::string> crossing;
@@ -62,7 +62,7 @@ bool expect_valid(const Scene& scene) {
     }
   for (const std::string& name : check.not_at_rest)
     if (!is_reported(scene.at(*scene.find(name)).state)) {
-      ADD_FAILURE() << name << " is not at rest, and nobody said so";
+      ADD_FAILURE() << name << " is not at rest, and not reported so";
       valid = false;
     }
   for (const ObjectId id : scene.ids())
@@ -95,7 +95,7 @@ void run_all(ModelKind kind, int count) {
               num_all, all.text().c_str());
 }
 
-TEST(SequencesOfTheProjectsModels, AreValidAndUndone) {
+TEST(SequencesOfBuiltInModels, AreValidAndUndone) {
   run_all(ModelKind::OfTheProject, with_effort(20));
 }
 
@@ -116,7 +116,7 @@ std::unique_ptr<Detector> detector(Backend backend, int num_threads) {
   return make_detector(options);
 }
 
-/// Of one backend, with several numbers of threads.
+/// Detectors of one backend, with several numbers of threads.
 class Workers {
  public:
   Workers(Backend backend, const std::vector<int>& nums_of_threads) {
@@ -141,7 +141,7 @@ class Workers {
   std::vector<Worker> m_workers;
 };
 
-/// All of them lead to the scenes to which box trees lead in one thread.
+/// Expects the same scenes as with BVHs in one thread.
 void compare(ModelKind kind, int count) {
   const std::vector<unsigned> seeds = chosen_seeds(count);
   std::vector<Outcome> expected;
@@ -170,7 +170,7 @@ void compare(ModelKind kind, int count) {
   }
 }
 
-TEST(SequencesOfTheProjectsModels, AreTheSameOnEveryBackendAndNumberOfThreads) {
+TEST(SequencesOfBuiltInModels, AreTheSameOnEveryBackendAndNumberOfThreads) {
   compare(ModelKind::OfTheProject, with_effort(2));
 }
 

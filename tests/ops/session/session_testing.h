@@ -8,7 +8,7 @@
 
 namespace trivet::test {
 
-/// Boxes "a", "b", "c" that are out of the scene.
+/// Unplaced boxes "a", "b", "c".
 inline Session small_session() {
   Scene scene;
   for (const char* name : {"a", "b", "c"})

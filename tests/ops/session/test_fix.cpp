@@ -1,4 +1,4 @@
-// Fixed objects become free where they are, and free ones fixed.
+// Fixed objects become free in place, and free ones fixed.
 #include <gtest/gtest.h>
 
 #include "apps/demo/demo.h"
@@ -19,7 +19,7 @@ ObjectState state_of(const Session& session, const std::string& name) {
   return session.scene().at(*session.scene().find(name)).state;
 }
 
-TEST(Fix, TheTableOfBreakfastIsMovedWithAllThatIsOnIt) {
+TEST(Fix, UnfixesTableOfBreakfastWithLoads) {
   const DemoLayout demo = make_demo("breakfast");
   const ModelSource models = [&](const std::string& file, const Tessellation&) {
     return demo.model(file);
@@ -48,9 +48,9 @@ TEST(Fix, TheTableOfBreakfastIsMovedWithAllThatIsOnIt) {
   EXPECT_EQ(difference(session.scene(), before), "");
 }
 
-TEST(Fix, IsRatedAsItLies) {
+TEST(Fix, RatesObjectAsItLies) {
   Session session = small_session();
-  for (const bool fixed : {true, false})  // before it comes into the scene
+  for (const bool fixed : {true, false})  // before it is placed
     ASSERT_TRUE(session.perform(FixOperation{"a", fixed}).ok());
   ASSERT_TRUE(session.perform(put_at("a", 0, 0)).ok());
   EXPECT_EQ(state_of(session, "a"), ObjectState::Stable);
@@ -60,7 +60,7 @@ TEST(Fix, IsRatedAsItLies) {
   ASSERT_TRUE(session.perform(FixOperation{"b", true}).ok());
   EXPECT_EQ(state_of(session, "b"), ObjectState::Fixed);
   EXPECT_FALSE(session.perform(translate_of("b", Vec3(0, 0, 0.5))).ok());
-  ASSERT_TRUE(session.perform(FixOperation{"b", true}).ok());               // nothing to do
+  ASSERT_TRUE(session.perform(FixOperation{"b", true}).ok());               // no change
   const OperationResult freed = session.perform(FixOperation{"b", false});  // in the air
   ASSERT_TRUE(freed.ok());
   EXPECT_EQ(freed.unsupported, std::vector<std::string>{"b"});
@@ -71,7 +71,7 @@ TEST(Fix, IsRatedAsItLies) {
   EXPECT_EQ(refused.reason(), "\"a\" is fixed: unfix it first");
 }
 
-TEST(Fix, WhatInterpenetratesIsNotFixed) {
+TEST(Fix, RefusesInterpenetratingObject) {
   Session session = small_session();
   ASSERT_TRUE(session.perform(put_at("a", 0, 0)).ok());
   ASSERT_TRUE(session.perform(put_at("b", 1, 0)).ok());

@@ -1,4 +1,4 @@
-// Journals: restored to the last committed step, whatever the last line looks like.
+// Journals restore the last committed step, however the last line ends.
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/resource.h>
@@ -81,17 +81,17 @@ void expect_same_session(const Session& a, const Session& b) {
   EXPECT_EQ(a.changed_since_saving(), b.changed_since_saving());
 }
 
-TEST_F(JournalFiles, ASessionIsRestoredWithItsHistory) {
+TEST_F(JournalFiles, RestoreSessionWithHistory) {
   OpenedSession opened = open();
   work(opened.session);
   RestoredSession restored = restore();
   EXPECT_TRUE(restored.exact);
   EXPECT_TRUE(restored.opened.notes.empty());
   expect_same_session(restored.opened.session, opened.session);
-  EXPECT_TRUE(restored.opened.session.redo());  // what was undone is there
+  EXPECT_TRUE(restored.opened.session.redo());  // the undone step is available
 }
 
-TEST_F(JournalFiles, StepsOfSeveralOperationsAndByHandAreRestored) {
+TEST_F(JournalFiles, RestoreStepsOfSeveralOperationsAndDrags) {
   OpenedSession opened = open();
   Session& session = opened.session;
   EXPECT_TRUE(session.perform_all({append_of("d", "box.obj"), put_at("d", 2, 1)}).ok());
@@ -108,7 +108,7 @@ TEST_F(JournalFiles, StepsOfSeveralOperationsAndByHandAreRestored) {
   expect_same_session(restored.opened.session, session);
 }
 
-TEST_F(JournalFiles, EveryTornLastLineIsDropped) {
+TEST_F(JournalFiles, DropTornLastLine) {
   {
     OpenedSession opened = open();
     work(opened.session);
@@ -127,7 +127,7 @@ TEST_F(JournalFiles, EveryTornLastLineIsDropped) {
   EXPECT_EQ(restore().opened.session.num_done(), 3u);
 }
 
-TEST_F(JournalFiles, GoesOnAfterATornLine) {
+TEST_F(JournalFiles, ContinueAfterTornLine) {
   {
     OpenedSession opened = open();
     work(opened.session);
@@ -144,7 +144,7 @@ TEST_F(JournalFiles, GoesOnAfterATornLine) {
   EXPECT_EQ(again.opened.session.steps().back().name, "put \"c\"");
 }
 
-TEST_F(JournalFiles, DamageBeforeTheLastLineIsTold) {
+TEST_F(JournalFiles, ReportDamageBeforeLastLine) {
   {
     OpenedSession opened = open();
     work(opened.session);
@@ -160,8 +160,8 @@ TEST_F(JournalFiles, DamageBeforeTheLastLineIsTold) {
   EXPECT_NE(complaint().find("is no journal"), std::string::npos);
 }
 
-// What rested when the scene was large rests by the same measure when it has become small.
-TEST_F(JournalFiles, TheFileSaysTheLargestClearanceThatTheSceneHad) {
+// An object at rest while the scene was large stays at rest by the same clearance in a small one.
+TEST_F(JournalFiles, StoreLargestClearanceOfScene) {
   OpenedSession opened = open();
   EXPECT_EQ(settled_clearance(opened), 0);
   ASSERT_TRUE(opened.session.perform(put_at("b", 8, 8)).ok());
@@ -174,7 +174,7 @@ TEST_F(JournalFiles, TheFileSaysTheLargestClearanceThatTheSceneHad) {
   EXPECT_EQ(read_scene_file(path("scene.glb"), {}).clearance, large);
 }
 
-TEST_F(JournalFiles, SavingOverTheStartLosesNothing) {
+TEST_F(JournalFiles, SurviveSavingOverStart) {
   {
     OpenedSession opened = open();
     work(opened.session);
@@ -187,7 +187,7 @@ TEST_F(JournalFiles, SavingOverTheStartLosesNothing) {
   EXPECT_TRUE(opened.session.scene().at(*opened.session.scene().find("a")).locked);
   EXPECT_EQ(opened.session.scene().at(*opened.session.scene().find("b")).group, "set");
   EXPECT_TRUE(opened.session.perform(put_at("c", 1, 1)).ok());
-  save_session(opened, "1", path("scene.glb"));  // the start file is another one now
+  save_session(opened, "1", path("scene.glb"));  // the start file is replaced
   EXPECT_FALSE(opened.session.is_modified());
   EXPECT_TRUE(opened.session.perform(put_at("b", 2, 1)).ok());
   const RestoredSession restored = restore();
@@ -196,7 +196,7 @@ TEST_F(JournalFiles, SavingOverTheStartLosesNothing) {
   EXPECT_EQ(restored.opened.session.layout().operations.size(), 7u);
 }
 
-TEST_F(JournalFiles, AStartFileThatIsGoneIsTold) {
+TEST_F(JournalFiles, ReportMissingStartFile) {
   { open(); }
   fs::remove(path("layout.json"));
   EXPECT_TRUE(restore().exact);  // under its second name
@@ -204,7 +204,7 @@ TEST_F(JournalFiles, AStartFileThatIsGoneIsTold) {
   EXPECT_NE(complaint().find("layout.json"), std::string::npos) << complaint();
 }
 
-TEST_F(JournalFiles, AChangedModelIsTold) {
+TEST_F(JournalFiles, ReportChangedModel) {
   {
     OpenedSession opened = open();
     work(opened.session);
@@ -218,19 +218,19 @@ TEST_F(JournalFiles, AChangedModelIsTold) {
   EXPECT_EQ(restored.opened.session.journal(), nullptr);
 }
 
-TEST_F(JournalFiles, TwoSessionsDoNotShareAJournal) {
+TEST_F(JournalFiles, RefuseSecondSession) {
   const OpenedSession opened = open();
-  EXPECT_THROW(open(), Error);         // there is one already
-  EXPECT_THROW(restore(true), Error);  // it is in use
+  EXPECT_THROW(open(), Error);         // the journal exists
+  EXPECT_THROW(restore(true), Error);  // the journal is in use
   EXPECT_NO_THROW(restore());
 }
 
-TEST_F(JournalFiles, AStepThatCannotBeWrittenIsNotDone) {
+TEST_F(JournalFiles, RefuseStepThatCannotBeWritten) {
   OpenedSession opened = open();
   ASSERT_TRUE(opened.session.perform(put_at("b", 1, 0)).ok());
   const Scene before = opened.session.scene();
   const std::string journal = read("j");
-  // No byte more may be written to any file.
+  // Limits the size of files to the current one.
   struct rlimit old {};
   getrlimit(RLIMIT_FSIZE, &old);
   signal(SIGXFSZ, SIG_IGN);

@@ -1,4 +1,4 @@
-// Undo, redo, history, what changed since saving, events.
+// Undo, redo, history, changes since saving, events.
 #include <gtest/gtest.h>
 
 #include "ops/operations/live_move.h"
@@ -13,7 +13,7 @@ std::vector<std::string> names(const Scene& scene, const std::vector<ObjectId>& 
   return out;
 }
 
-// One step of every kind that changes the list of objects, and puts among them.
+// One step of every kind that changes the list of objects, with PUTs in between.
 std::vector<Operation> some_operations() {
   return {put_at("a", 0, 0),
           put_at("b", 0.02, 0.01),
@@ -30,7 +30,7 @@ std::vector<Operation> some_operations() {
           delete_of("a")};
 }
 
-TEST(Session, UndoesToTheStartAndRedoesToTheEndToTheBit) {
+TEST(Session, UndoesAndRedoesEverythingBitwise) {
   Session session = small_session();
   std::vector<Scene> states{session.scene()};
   for (const Operation& operation : some_operations()) {
@@ -57,7 +57,7 @@ TEST(Session, UndoesToTheStartAndRedoesToTheEndToTheBit) {
   }
 }
 
-TEST(Session, SeveralOperationsAreOneStep) {
+TEST(Session, CommitsSeveralOperationsAsOneStep) {
   Session session = small_session();
   const Scene start = session.scene();
   ASSERT_TRUE(session.perform_all({put_at("a", 0, 0), put_at("b", 1, 0)}).ok());
@@ -76,7 +76,7 @@ TEST(Session, SeveralOperationsAreOneStep) {
   EXPECT_EQ(session.steps().size(), 1u);
 }
 
-TEST(Session, AMoveThatFollowsAHandIsOneStep) {
+TEST(Session, CommitsInteractiveMoveAsOneStep) {
   Session session = small_session();
   session.perform(put_at("a", 0, 0));
   const Scene start = session.scene();
@@ -98,7 +98,7 @@ TEST(Session, AMoveThatFollowsAHandIsOneStep) {
   EXPECT_EQ(difference(session.scene(), start), "");
 }
 
-TEST(Session, ANewStepForgetsWhatWasUndone) {
+TEST(Session, DropsRedoStepsOnNewStep) {
   Session session = small_session();
   session.perform(put_at("a", 0, 0));
   session.perform(put_at("b", 1, 0));
@@ -111,7 +111,7 @@ TEST(Session, ANewStepForgetsWhatWasUndone) {
   EXPECT_EQ(session.layout().operations.size(), 2u);
 }
 
-TEST(Session, ARefusedOperationIsNoStepAndChangesNothing) {
+TEST(Session, KeepsSceneAndHistoryOnRefusal) {
   Session session = small_session();
   session.perform(put_at("a", 0, 0));
   const Scene before = session.scene();
@@ -127,7 +127,7 @@ TEST(Session, ARefusedOperationIsNoStepAndChangesNothing) {
   EXPECT_EQ(session.steps().size(), 1u);
 }
 
-TEST(Session, ALockedObjectIsRefused) {
+TEST(Session, RefusesLockedObject) {
   Session session = small_session();
   session.perform(put_at("a", 0, 0));
   session.perform(LockOperation{"a", true});
@@ -140,32 +140,32 @@ TEST(Session, ALockedObjectIsRefused) {
   EXPECT_TRUE(session.perform(put_at("a", 1, 0)).ok());
 }
 
-TEST(Session, KnowsWhatChangedSinceSaving) {
+TEST(Session, TracksChangesSinceSaving) {
   Session session = small_session();
   EXPECT_FALSE(session.is_modified());
   session.perform(put_at("a", 0, 0));
   EXPECT_TRUE(session.is_modified());
   session.mark_saved("x.glb");
   EXPECT_FALSE(session.is_modified());
-  session.perform(put_at("b", 0.02, 0));  // onto a: a has another link
+  session.perform(put_at("b", 0.02, 0));  // onto a: a has another contact
   session.perform(put_at("c", 2, 0));
   EXPECT_EQ(names(session.scene(), session.changed_since_saving()),
             (std::vector<std::string>{"a", "b", "c"}));
   session.undo();
   session.undo();
   EXPECT_FALSE(session.is_modified());
-  session.undo();  // behind the saved state
+  session.undo();  // before the saved state
   EXPECT_TRUE(session.is_modified());
   EXPECT_EQ(names(session.scene(), session.changed_since_saving()),
             (std::vector<std::string>{"a"}));
-  session.perform(put_at("c", 3, 0));  // the saved state cannot be reached any more
+  session.perform(put_at("c", 3, 0));  // the saved state is no longer reachable
   EXPECT_EQ(names(session.scene(), session.changed_since_saving()),
             (std::vector<std::string>{"a", "c"}));
   session.undo();
   EXPECT_TRUE(session.is_modified());
 }
 
-TEST(Session, TellsWhatHappens) {
+TEST(Session, EmitsEvents) {
   Session session = small_session();
   std::vector<std::string> told;
   session.on_event([&](const SessionEvent& event) {
@@ -185,7 +185,7 @@ TEST(Session, TellsWhatHappens) {
                                             "0 delete \"b\" a (gone)", "4 x.glb"}));
 }
 
-TEST(Session, IsRefusedWhenItIsCancelled) {
+TEST(Session, RefusesWhenCancelled) {
   Session session = small_session();
   const Scene before = session.scene();
   const std::atomic<bool> cancel = true;

@@ -1,4 +1,4 @@
-// Which motions are tried, and in which order.
+// Candidate motions and their order.
 
 #include <gtest/gtest.h>
 
@@ -34,7 +34,7 @@ double drop_of(const Candidate& c, const Vec3& centre) {
   return centre.z() - moved_point(centre, c.motion, c.motion.limit).z();
 }
 
-TEST(GaussCandidates, WithoutContactItFalls) {
+TEST(GaussCandidates, FallWithoutContact) {
   const auto found = gauss({}, object_at({0, 0, 1}), 7);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].kind, Kind::Fall);
@@ -43,13 +43,13 @@ TEST(GaussCandidates, WithoutContactItFalls) {
   EXPECT_EQ(found[0].gain, 1);  // all of free fall
 }
 
-TEST(GaussCandidates, AWallDoesNotHinderTheFall) {
+TEST(GaussCandidates, FallBesideWall) {
   const auto found = gauss({contact({-1, 0, 0}, Vec3::UnitX())}, object_at({0, 0, 0}), 7);
   ASSERT_FALSE(found.empty());
   EXPECT_EQ(found[0].kind, Kind::Fall);
 }
 
-TEST(GaussCandidates, OnOnePointItTurnsTowardsTheGround) {
+TEST(GaussCandidates, TurnTowardsGroundOnOnePoint) {
   const Vec3 pivot(0, 0, 0), centre(1, 0, 1);
   const auto found = gauss({contact(pivot)}, object_at(centre), 7);
   ASSERT_EQ(found.size(), 1u);
@@ -59,7 +59,7 @@ TEST(GaussCandidates, OnOnePointItTurnsTowardsTheGround) {
   EXPECT_NEAR(found[0].motion.limit, 1, 1e-15);  // a quarter turn; lowest after 135 degrees
 }
 
-TEST(GaussCandidates, ATurnEndsWhereTheCentreIsLowest) {
+TEST(GaussCandidates, EndTurnAtLowestCentre) {
   // Hanging: the centre is 30 degrees from below the pivot.
   const double angle = M_PI / 6;
   const Vec3 centre(std::sin(angle), 0, -std::cos(angle));
@@ -69,7 +69,7 @@ TEST(GaussCandidates, ATurnEndsWhereTheCentreIsLowest) {
   EXPECT_NEAR(drop_of(found[0], centre), 1 - std::cos(angle), 1e-15);
 }
 
-TEST(GaussCandidates, OnTwoPointsTheLineIsTheOnlyOneThatPressesIntoNeither) {
+TEST(GaussCandidates, TurnOnlyAboutLineOnTwoPoints) {
   const auto found = gauss({contact({0, -1, 0}), contact({0, 1, 0})}, object_at({0.3, 0.2, 1}), 7);
   ASSERT_FALSE(found.empty());
   EXPECT_EQ(found[0].kind, Kind::TurnAboutLine);
@@ -77,7 +77,7 @@ TEST(GaussCandidates, OnTwoPointsTheLineIsTheOnlyOneThatPressesIntoNeither) {
   for (const Candidate& c : found) EXPECT_GT(drop_of(c, {0.3, 0.2, 1}), 0);
 }
 
-TEST(GaussCandidates, OnAThreeLeggedStoolThereIsNone) {
+TEST(GaussCandidates, AreEmptyOnThreeLeggedStool) {
   const std::vector<ContactPoint> legs{contact({1, 0, 0}), contact({-1, 1, 0}),
                                        contact({-1, -1, 0})};
   EXPECT_TRUE(gauss(legs, object_at({0, 0, 1}), 7).empty());
@@ -86,7 +86,7 @@ TEST(GaussCandidates, OnAThreeLeggedStoolThereIsNone) {
   EXPECT_EQ(tipping[0].kind, Kind::TurnAboutLine);
 }
 
-TEST(GaussCandidates, ExactTiesAreKickedToAllSides) {
+TEST(GaussCandidates, BreakExactTiesToAllSides) {
   const auto on_tip = gauss({contact({0, 0, 0})}, object_at({0, 0, 1}), 7);
   EXPECT_EQ(on_tip.size(), 8u);
   for (const Candidate& c : on_tip) EXPECT_NEAR(drop_of(c, {0, 0, 1}), 1, 1e-12);
@@ -96,7 +96,7 @@ TEST(GaussCandidates, ExactTiesAreKickedToAllSides) {
   EXPECT_EQ(num_lines, 2);  // either side
 }
 
-TEST(GaussCandidates, AreOrderedAndPressIntoNothing) {
+TEST(GaussCandidates, AreOrderedAndPressIntoNoContact) {
   test::Random random(1);
   int num_candidates = 0;
   for (int i = 0; i < 500; ++i) {
@@ -114,7 +114,7 @@ TEST(GaussCandidates, AreOrderedAndPressIntoNothing) {
       gain = c.gain;
       EXPECT_LE(c.motion.limit, c.kind == Kind::Fall ? 7 : 1);
       EXPECT_GT(c.motion.limit, 0);
-      // A little of it lowers the centre, and moves no contact point inwards.
+      // A small part of it lowers the centre, and moves no contact point inwards.
       const double little = 1e-6;
       EXPECT_LT(moved_point(object.centre, c.motion, little).z(), object.centre.z() + 1e-12);
       for (const ContactPoint& p : contacts)
@@ -124,7 +124,7 @@ TEST(GaussCandidates, AreOrderedAndPressIntoNothing) {
   EXPECT_GT(num_candidates, 500);
 }
 
-TEST(GaussCandidates, ManyContactsStayFew) {
+TEST(GaussCandidates, StayFewForManyContacts) {
   test::Random random(2);
   std::vector<ContactPoint> contacts;
   for (int k = 0; k < 2000; ++k)
@@ -132,7 +132,7 @@ TEST(GaussCandidates, ManyContactsStayFew) {
   EXPECT_LE(gauss(contacts, object_at({0, 0, 0}), 7).size(), 16u);
 }
 
-TEST(LastResorts, LowerTheCentreAndPartFromAllOtherContacts) {
+TEST(LastResorts, LowerCentreAndSeparateOtherContacts) {
   test::Random random(3);
   int num_candidates = 0;
   for (int i = 0; i < 500; ++i) {
@@ -156,7 +156,7 @@ TEST(LastResorts, LowerTheCentreAndPartFromAllOtherContacts) {
 
 // --- the paper's three cases -----------------------------------------------------------------
 
-TEST(PaperCandidates, FollowTheThreeCases) {
+TEST(PaperCandidates, FollowThreeCases) {
   const SettlingObject object = object_at({0.4, 0.1, 1});
   const auto fall = paper({}, object, 7);
   ASSERT_EQ(fall.size(), 1u);
@@ -176,7 +176,7 @@ TEST(PaperCandidates, FollowTheThreeCases) {
   EXPECT_TRUE(stable.empty());
 }
 
-TEST(PaperCandidates, PastTheEndOfALineItTurnsAboutTheNearerEnd) {
+TEST(PaperCandidates, TurnAboutNearerEndPastLine) {
   const SettlingObject object = object_at({0.4, 3, 1});
   const auto found = paper({contact({0, -1, 0}), contact({0, 1, 0})}, object, 7);
   ASSERT_EQ(found.size(), 1u);
@@ -184,7 +184,7 @@ TEST(PaperCandidates, PastTheEndOfALineItTurnsAboutTheNearerEnd) {
   EXPECT_EQ(found[0].motion.centre, Vec3(0, 1, 0));
 }
 
-TEST(PaperCandidates, OutsideAnAreaItTurnsAboutTheNearestSide) {
+TEST(PaperCandidates, TurnAboutNearestSideOutsideArea) {
   const SettlingObject object = object_at({1.5, 0, 1});
   std::vector<ContactPoint> square;
   for (const double x : {-1.0, 1.0})
@@ -196,9 +196,10 @@ TEST(PaperCandidates, OutsideAnAreaItTurnsAboutTheNearestSide) {
   EXPECT_GT(drop_of(found[0], object.centre), 0);
 }
 
-TEST(PaperCandidates, PressIntoASupportThatIsSteep) {
-  // The deadlock of the literal rules: past the end of a line it turns about that end alone,
-  // although the other end is on a support, too, and is pressed into it when that is higher.
+TEST(PaperCandidates, PressIntoSteepSupport) {
+  // The deadlock of the literal rules: past the end of a line, the object turns about that end
+  // alone, although the other end is supported too and is pressed into its support if that is
+  // higher.
   const std::vector<ContactPoint> contacts{contact({-1, 0, 0}), contact({1, 0, 1}, {1, 0, 0.3})};
   const SettlingObject object = object_at({-1.5, 0, 0.2});
   const auto literal = paper(contacts, object, 7);

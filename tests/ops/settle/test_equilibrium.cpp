@@ -1,4 +1,4 @@
-// Forces that balance: textbook cases.
+// Force equilibrium in textbook cases.
 
 #include <gtest/gtest.h>
 
@@ -30,7 +30,7 @@ double least(const std::vector<ContactPoint>& contacts, const Vec3& centre, doub
   return least_friction(contacts, centre, size, kTiny);
 }
 
-TEST(HullMargin, OfASquare) {
+TEST(HullMargin, MeasuresSquare) {
   const std::vector<Vec2> square{{0, 0}, {2, 0}, {2, 2}, {0, 2}, {1, 1}};
   EXPECT_EQ(hull_margin(square, {1, 1}), 1);
   EXPECT_EQ(hull_margin(square, {0.25, 1}), 0.25);
@@ -39,14 +39,14 @@ TEST(HullMargin, OfASquare) {
   EXPECT_EQ(hull_margin(square, {0, 1}), 0);
 }
 
-TEST(HullMargin, OfFewerPointsIsNeverPositive) {
+TEST(HullMargin, IsNeverPositiveForFewerPoints) {
   EXPECT_EQ(hull_margin({}, {0, 0}), -kInfinity);
   EXPECT_EQ(hull_margin({{3, 4}}, {0, 0}), -5);
   EXPECT_EQ(hull_margin({{-1, 2}, {1, 2}}, {0, 0}), -2);
-  EXPECT_EQ(hull_margin({{-1, 0}, {1, 0}, {0.5, 0}}, {0, 0}), 0);  // exactly over it
+  EXPECT_EQ(hull_margin({{-1, 0}, {1, 0}, {0.5, 0}}, {0, 0}), 0);  // exactly above it
 }
 
-TEST(CarryingMargin, LeavesOutSteepContacts) {
+TEST(CarryingMargin, IgnoresSteepContacts) {
   auto contacts = square();
   EXPECT_EQ(carrying_margin(contacts, {0.5, 0, 3}), 0.5);
   contacts.push_back(contact({5, 0, 0}, Vec3::UnitX()));
@@ -55,29 +55,29 @@ TEST(CarryingMargin, LeavesOutSteepContacts) {
   EXPECT_EQ(carrying_margin({contact({0, 0, 0}, Vec3::UnitX())}, {0, 0, 1}), -kInfinity);
 }
 
-TEST(Equilibrium, BoxOnTheGroundNeedsNoFriction) {
+TEST(Equilibrium, NeedsNoFrictionForBoxOnGround) {
   EXPECT_NEAR(equilibrium_residual(square(), {0.9, -0.9, 1}, 2, 0), 0, kTiny);
   EXPECT_EQ(least(square(), {0.9, -0.9, 1}), 0);
 }
 
-TEST(Equilibrium, BeyondTheHullNoFrictionHelps) {
+TEST(Equilibrium, FailsOutsideHullWithAnyFriction) {
   EXPECT_GT(equilibrium_residual(square(), {1.1, 0, 1}, 2, 5), 0.01);
   EXPECT_EQ(least(square(), {1.1, 0, 1}), kInfinity);
   // The missing torque: 0.1 beyond the edge, in weights times size.
   EXPECT_NEAR(equilibrium_residual(square(), {1.1, 0, 1}, 2, 0), 0.1 / 2, kTiny);
 }
 
-TEST(Equilibrium, NothingHoldsWithoutContacts) {
+TEST(Equilibrium, FailsWithoutContacts) {
   EXPECT_EQ(equilibrium_residual({}, Vec3::Zero(), 1, 1), kInfinity);
   EXPECT_EQ(least({}, Vec3::Zero()), kInfinity);
-  // Contacts that push down or sideways only: the whole weight is missing.
+  // Contacts that only push down or sideways: the whole weight is missing.
   EXPECT_NEAR(equilibrium_residual({contact({0, 0, 1}, -Vec3::UnitZ())}, Vec3::Zero(), 2, 0), 1,
               kTiny);
   EXPECT_NEAR(equilibrium_residual({contact({-1, 0, 0}, Vec3::UnitX())}, Vec3::Zero(), 2, 0), 1,
               kTiny);
 }
 
-TEST(LeastFriction, OfABlockOnASlopeIsTheTangent) {
+TEST(LeastFriction, IsTangentOfSlope) {
   for (const double angle : {0.05, 0.2, 0.5, 0.9, 1.2}) {
     const Mat3 slope = Rotation::about_axis(Vec3::UnitY(), std::tan(angle / 2)).matrix();
     const double mu = least(square(slope), slope * Vec3(0, 0, 0.1));
@@ -86,8 +86,8 @@ TEST(LeastFriction, OfABlockOnASlopeIsTheTangent) {
   }
 }
 
-TEST(LeastFriction, OfASlopeInAnyDirectionIsSafe) {
-  // The pyramid is inside the cone: it may ask for more, by 1 / cos(22.5 degrees), never for less.
+TEST(LeastFriction, IsSafeOnSlopeInAnyDirection) {
+  // The pyramid lies inside the cone: it may require more, by 1 / cos(22.5 degrees), never less.
   test::Random random(1);
   for (int i = 0; i < 200; ++i) {
     const double angle = random.uniform(0.05, 1.2), around = random.uniform(0, 2 * M_PI);
@@ -99,18 +99,18 @@ TEST(LeastFriction, OfASlopeInAnyDirectionIsSafe) {
   }
 }
 
-TEST(LeastFriction, TooSteepIsInfinite) {
+TEST(LeastFriction, IsInfiniteOnSteepSlope) {
   const Mat3 slope = Rotation::about_axis(Vec3::UnitY(), std::tan(0.5 * 1.5)).matrix();
   EXPECT_EQ(least(square(slope), slope * Vec3(0, 0, 0.01)), kInfinity);  // tan 1.5 = 14
 }
 
-TEST(LeastFriction, ATallBlockTopplesOnASlopeThatWouldHoldIt) {
+TEST(LeastFriction, IsInfiniteForTallBlockOnSlope) {
   const Mat3 slope = Rotation::about_axis(Vec3::UnitY(), std::tan(0.25)).matrix();  // 0.5 rad
   EXPECT_LT(least(square(slope), slope * Vec3(0, 0, 1.8)), 1);
   EXPECT_EQ(least(square(slope), slope * Vec3(0, 0, 1.9)), kInfinity);  // 1 / tan 0.5 = 1.83
 }
 
-TEST(LeastFriction, OfALadder) {
+TEST(LeastFriction, MatchesLadder) {
   // Uniform, leaning against a rough wall: mu = tan((90 degrees - angle to the ground) / 2).
   for (const double angle : {0.6, 1.0, 1.3}) {
     const Vec3 foot(std::cos(angle), 0, 0), head(0, 0, std::sin(angle));
@@ -121,33 +121,33 @@ TEST(LeastFriction, OfALadder) {
   }
 }
 
-TEST(LeastFriction, AVGrooveNeedsNone) {
+TEST(LeastFriction, IsZeroInVGroove) {
   const std::vector<ContactPoint> groove{
       contact({-1, -1, 0}, {1, 0, 1}), contact({-1, 1, 0}, {1, 0, 1}),
       contact({1, -1, 0}, {-1, 0, 1}), contact({1, 1, 0}, {-1, 0, 1})};
   EXPECT_EQ(least(groove, {0, 0, 0.5}), 0);
-  // Off the middle the normals leave a torque: friction must hold it.
+  // Off the middle, the normals leave a torque that friction must balance.
   const double mu = least(groove, {0.3, 0, 0.5});
   EXPECT_GT(mu, 0.01);
   EXPECT_LT(mu, 1);
 }
 
-TEST(LeastFriction, AHookHangsUnderItsPoint) {
+TEST(LeastFriction, IsZeroForHookUnderItsPoint) {
   EXPECT_EQ(least({contact({0, 0, 1})}, {0, 0, 0}), 0);
   EXPECT_EQ(least({contact({0, 0, 1})}, {0.01, 0, 0}), kInfinity);
-  EXPECT_EQ(least({contact({0, 0, -1})}, {0, 0, 0}), 0);  // balanced on a tip: forces balance
+  EXPECT_EQ(least({contact({0, 0, -1})}, {0, 0, 0}), 0);  // balanced on a tip: in force equilibrium
 }
 
-TEST(LeastFriction, AKnifeEdgeBalancesOnlyExactly) {
+TEST(LeastFriction, BalancesKnifeEdgeOnlyExactly) {
   const std::vector<ContactPoint> edge{contact({0, -1, 0}), contact({0, 1, 0})};
   EXPECT_EQ(least(edge, {0, 0.5, 1}), 0);
   EXPECT_EQ(least(edge, {0.01, 0, 1}), kInfinity);
   EXPECT_EQ(least(edge, {0, 1.5, 1}), kInfinity);
 }
 
-TEST(LeastFriction, PressingApartByAHairHoldsNothing) {
-  // Two contacts nearly on one line: friction at one against the other must not balance a body
-  // that leans over them.
+TEST(LeastFriction, RejectsNearlyCollinearContacts) {
+  // Two contacts nearly on one line: friction of one against the other must not balance a body that
+  // leans over them.
   const std::vector<ContactPoint> edge{contact({1e-6, -1, 0}), contact({-1e-6, 1, 0}, {1e-3, 0, 1}),
                                        contact({0, 0, 0}, {-1e-3, 0, 1})};
   EXPECT_EQ(least(edge, {0.3, 0, 1}), kInfinity);
@@ -168,7 +168,7 @@ TEST(Equilibrium, DoesNotDependOnScaleOrPlace) {
   }
 }
 
-TEST(Equilibrium, MoreFrictionNeverHurts) {
+TEST(Equilibrium, IsMonotonicInFriction) {
   test::Random random(3);
   int num_held = 0;
   for (int i = 0; i < 200; ++i) {
@@ -189,7 +189,7 @@ TEST(Equilibrium, MoreFrictionNeverHurts) {
   EXPECT_LT(num_held, 180);
 }
 
-TEST(Reduced, KeepsTheForcesOfManyContacts) {
+TEST(Reduced, KeepsForcesOfManyContacts) {
   test::Random random(4);
   for (int i = 0; i < 30; ++i) {
     std::vector<ContactPoint> contacts;
@@ -208,7 +208,7 @@ TEST(Reduced, KeepsTheForcesOfManyContacts) {
   EXPECT_EQ(reduced(square(), 40).size(), 4u);
 }
 
-TEST(IsAtRest, ByTheHullOrByForces) {
+TEST(IsAtRest, UsesHullOrForces) {
   EXPECT_TRUE(is_balanced(square(), {0.9, 0, 1}, 2, 1e-6));
   EXPECT_FALSE(is_balanced(square(), {1.1, 0, 1}, 2, 1e-6));
   EXPECT_TRUE(is_balanced({contact({0, 0, 1})}, {0, 0, 0}, 2, 1e-6));

@@ -1,4 +1,4 @@
-// Settling of one body among others that stand still, by its own interface.
+// Settling of one body among static ones, by its own interface.
 
 #include <gtest/gtest.h>
 
@@ -71,7 +71,7 @@ TEST(Settle, FallsAndRests) {
   EXPECT_GE(out.num_face_pairs, 8);
 }
 
-TEST(Settle, WhatRestsAlreadyDoesNotMove) {
+TEST(Settle, KeepsObjectAtRest) {
   const Pose start{{}, Vec3(0, 0, 0.5 + kEps)};
   const SettleOutcome out = settled(cube(), start, {});
   EXPECT_EQ(out.status, Status::AtRest);
@@ -79,7 +79,7 @@ TEST(Settle, WhatRestsAlreadyDoesNotMove) {
   EXPECT_EQ(out.pose.translation, start.translation);
 }
 
-TEST(Settle, OpensAGapThatIsTooSmall) {
+TEST(Settle, OpensTooSmallGap) {
   const SettleOutcome out = settled(cube(), {{}, Vec3(0, 0, 0.5 + 0.1 * kEps)}, {});
   EXPECT_EQ(out.status, Status::AtRest);
   ASSERT_FALSE(out.steps.empty());
@@ -88,7 +88,7 @@ TEST(Settle, OpensAGapThatIsTooSmall) {
   for (const ContactPoint& p : out.contacts[0].points) EXPECT_GE(p.gap, kLiftBelow * kEps);
 }
 
-TEST(Settle, WithoutAnythingBelowItFallsOut) {
+TEST(Settle, FallsOutWithoutSupport) {
   EXPECT_EQ(settled(cube(), {{}, Vec3(0, 0, 3)}, {}, false).status, Status::FallsOut);
   const Box slab(Vec3(1, 1, 0.1));
   const std::vector<Fixed> beside{{slab, Vec3(5, 0, 0)}};
@@ -97,7 +97,7 @@ TEST(Settle, WithoutAnythingBelowItFallsOut) {
   EXPECT_EQ(settled(cube(), {{}, Vec3(0, 0, 3)}, edge, false).status, Status::FallsOut);
 }
 
-TEST(Settle, StopsAtTheLimitOfMotions) {
+TEST(Settle, StopsAtLimitOfMotions) {
   SettleOptions options;
   options.max_motions = 1;
   const Rotation tilted = Rotation::about_axis(Vec3(1, 2, 3).normalized(), 0.4);
@@ -106,12 +106,12 @@ TEST(Settle, StopsAtTheLimitOfMotions) {
   EXPECT_LE(out.steps.size(), 2u);
 }
 
-TEST(Settle, AStartThatCrossesIsReported) {
+TEST(Settle, ReportsCrossingStart) {
   const std::vector<Fixed> fixed{{cube(), Vec3(0.5, 0.5, 0.7)}};
   EXPECT_EQ(settled(cube(), {{}, Vec3(0, 0, 0.6)}, fixed).status, Status::Crossing);
 }
 
-TEST(IsAtRest, OnlyWhereSomethingHoldsIt) {
+TEST(IsAtRest, HoldsOnlyOnSupport) {
   const Scene empty;
   const Neighbourhood others(empty, std::span<const ObjectId>());
   const auto rests = [&](const Vec3& at, const Rotation& rotation = {}) {
@@ -125,14 +125,14 @@ TEST(IsAtRest, OnlyWhereSomethingHoldsIt) {
   EXPECT_TRUE(rests(Vec3(0, 0, 0.5 + kEps)));
   EXPECT_FALSE(rests(Vec3(0, 0, 0.5 + 15 * kEps)));  // hovers
   EXPECT_FALSE(rests(Vec3(0, 0, 3)));
-  // On an edge, exactly and not: it balances, but does not rest.
+  // On an edge, exactly and nearly: in balance, but not at rest.
   const double high = std::sqrt(0.5) + kEps;
   EXPECT_FALSE(rests(Vec3(0, 0, high), Rotation::about_axis(Vec3::UnitX(), std::tan(M_PI / 8))));
   EXPECT_FALSE(
       rests(Vec3(0, 0, high), Rotation::about_axis(Vec3::UnitX(), std::tan(M_PI / 8 + 1e-4))));
 }
 
-TEST(Settle, ContactsAreListedByBodyTheFloorFirst) {
+TEST(Settle, ListsContactsByBodyFloorFirst) {
   const Box slab(Vec3(1, 1, 0.1));
   const std::vector<Fixed> fixed{{cube(), Vec3(9, 9, 9)},
                                  {cube(), Vec3(-1 - kEps, 0, 0.5)},
@@ -155,7 +155,7 @@ TEST(Settle, ContactsAreListedByBodyTheFloorFirst) {
   EXPECT_EQ(contacts_with(body, without_floor, 2 * kEps, 0.05 * kEps).size(), 2u);
 }
 
-TEST(Settle, StepsLeadFromTheStartToTheEnd) {
+TEST(Settle, StepsLeadFromStartToEnd) {
   test::Random random(1);
   const Box box(Vec3(0.3, 0.2, 0.1));
   const std::vector<Fixed> fixed{{cube(), Vec3(0, 0, 0.5 + 1e-5)}};

@@ -72,7 +72,7 @@ LaidOut convex_objects() {
   for (int i = 0; i < 3; ++i)  // a tower
     maker.put("box " + std::to_string(i), box_model(0.06, 0.05, 0.04),
               {i == 1 ? turned : Rotation{}, Vec3(0.4, 0.15, 0.8 + 0.1 * i)});
-  // From the edge of a box down to the table.
+  // Leans from the edge of a box down to the table.
   maker.put("leaning", box_model(0.12, 0.03, 0.004), {tilted, Vec3(0.4, 0.05, 0.9)});
   maker.put("on floor", box_model(0.1, 0.2, 0.15), {tilted, Vec3(1, 0, 1)});
   maker.put("on floor, too", box_model(0.1, 0.1, 0.1), {tilted, Vec3(1.02, 0.1, 1)});

@@ -1,4 +1,4 @@
-// Scenes to be simulated, laid out by Trivet.
+// Scenes for simulation, laid out by Trivet.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace trivet::test {
 
-/// What was let go, and where: the start of an object's PUT.
+/// A released object and the start pose of its PUT.
 struct LetGo {
   std::string name;
   Pose pose;

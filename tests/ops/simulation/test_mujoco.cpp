@@ -1,4 +1,4 @@
-// What MuJoCo makes of exported scenes: loads them, simulates them, and nothing moves.
+// MuJoCo on exported scenes: loads and simulates them, and no object moves.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -73,7 +73,7 @@ class Simulation {
   mjData* m_data = nullptr;
 };
 
-/// How far the corner of a body that moved most has moved, metres.
+/// Largest displacement of a body's corners, metres.
 double largest_move(const SimulationModel& model, const Affine& from, const Affine& to) {
   double largest = 0;
   for (const ConvexPart& part : model.parts)
@@ -82,7 +82,7 @@ double largest_move(const SimulationModel& model, const Affine& from, const Affi
   return largest;
 }
 
-TEST(MuJoCo, nothing_moves_in_a_scene_of_convex_objects) {
+TEST(MuJoCo, KeepsSceneOfConvexObjectsAtRest) {
   const TemporaryFolder folder;
   const LaidOut laid_out = convex_objects();
   const SimulationExport done = export_simulation(laid_out.scene, folder.file("scene.xml"));
@@ -106,9 +106,9 @@ TEST(MuJoCo, nothing_moves_in_a_scene_of_convex_objects) {
   EXPECT_EQ(num_free, laid_out.starts.size());
 }
 
-/// Beside it: MuJoCo lets the objects fall itself, one after the other from where Trivet's PUTs
-/// began. Reported, not judged.
-TEST(MuJoCo, the_same_scene_settled_by_mujoco) {
+/// For comparison: MuJoCo drops the objects itself, one after the other from the starts of Trivet's
+/// PUTs. Reported, not judged.
+TEST(MuJoCo, SettlesSameSceneItself) {
   const TemporaryFolder folder;
   const LaidOut laid_out = convex_objects();
   const SimulationExport done = export_simulation(laid_out.scene, folder.file("scene.xml"));
@@ -116,7 +116,7 @@ TEST(MuJoCo, the_same_scene_settled_by_mujoco) {
   ASSERT_TRUE(simulation);
   std::map<std::string, const SimulationBody*> body_of;
   for (const SimulationBody& body : done.scene.bodies) body_of[body.name] = &body;
-  // Those yet to come wait far below the floor, where nothing is; the plane holds what is beside.
+  // Waiting objects stay far below the floor, out of the way; the plane supports those beside.
   std::vector<Affine> rests;
   for (const LetGo& start : laid_out.starts)
     rests.push_back(simulation.pose(*body_of.at(start.name)));
@@ -137,7 +137,7 @@ TEST(MuJoCo, the_same_scene_settled_by_mujoco) {
   }
 }
 
-TEST(MuJoCo, masses_and_inertias_are_those_of_its_own_exact_ones) {
+TEST(MuJoCo, AgreesOnMassesAndInertias) {
   const TemporaryFolder folder;
   const LaidOut laid_out = convex_objects();
   SimulationOptions options;
@@ -153,7 +153,8 @@ TEST(MuJoCo, masses_and_inertias_are_those_of_its_own_exact_ones) {
     EXPECT_NEAR(m.body_mass[id], body.mass, 1e-12 * body.mass);
     const double* const i = m.body_inertia + 3 * id;
     EXPECT_NEAR(i[0] + i[1] + i[2], body.inertia.trace(), 1e-9 * body.inertia.trace());
-    // MuJoCo's own, of the volume of the part's mesh at density 1: a body is one part here.
+    // MuJoCo's own values, from the volume of the part's mesh at density 1: each body has one part
+    // here.
     const int geom = m.body_geomadr[id] + m.body_geomnum[id] - 1;
     ASSERT_EQ(m.geom_type[geom], mjGEOM_MESH);
     const double volume = volume_of(done.scene.models[body.model].parts.at(0));
@@ -166,7 +167,7 @@ TEST(MuJoCo, masses_and_inertias_are_those_of_its_own_exact_ones) {
 
 #else
 
-TEST(MuJoCo, nothing_moves_in_a_scene_of_convex_objects) {
+TEST(MuJoCo, KeepsSceneOfConvexObjectsAtRest) {
   GTEST_SKIP() << "this build has no MuJoCo (Debian: libmujoco-dev)";
 }
 

@@ -1,4 +1,4 @@
-// Exported scenes, read by the libraries of their formats: the same objects, poses, masses.
+// Exported scenes read by the libraries of their formats: the same objects, poses, masses.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -13,7 +13,7 @@
 #include <urdf_parser/urdf_parser.h>
 #endif
 #ifdef TRIVET_TEST_SDFORMAT
-// Its headers are not ours to mend.
+// Third-party headers are exempt from our warnings.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wpedantic"
 #include <sdf/sdf.hh>
@@ -25,19 +25,19 @@ namespace {
 
 using namespace trivet::test;
 
-/// Rotations as matrices, so that signs of quaternions do not matter.
+/// Compares rotations as matrices, so that signs of quaternions do not matter.
 void expect_same_pose(const Pose& pose, const Vec3& translation, const Rotation& rotation,
                       double tolerance) {
   EXPECT_LE((pose.translation - translation).norm(), tolerance);
   EXPECT_LE((pose.rotation.matrix() - rotation.matrix()).norm(), tolerance);
 }
 
-/// A scene with names that no format takes as they are.
+/// A scene with names that are invalid in every format.
 SimulationExport exported(const TemporaryFolder& folder, const std::string& file) {
   return export_simulation(convex_objects().scene, folder.file(file));
 }
 
-TEST(Urdf, is_read_by_urdfdom) {
+TEST(Urdf, IsReadByUrdfdom) {
 #ifdef TRIVET_TEST_URDFDOM
   const TemporaryFolder folder;
   const SimulationExport done = exported(folder, "scene.urdf");
@@ -69,7 +69,7 @@ TEST(Urdf, is_read_by_urdfdom) {
 #endif
 }
 
-TEST(Sdf, is_read_by_sdformat) {
+TEST(Sdf, IsReadBySdformat) {
 #ifdef TRIVET_TEST_SDFORMAT
   const TemporaryFolder folder;
   const SimulationExport done = exported(folder, "scene.sdf");
@@ -78,7 +78,7 @@ TEST(Sdf, is_read_by_sdformat) {
     ADD_FAILURE() << error.Message();
   ASSERT_EQ(root.WorldCount(), 1u);
   const sdf::World* const world = root.WorldByIndex(0);
-  EXPECT_EQ(world->ModelCount(), done.scene.bodies.size() + 1);  // and the floor
+  EXPECT_EQ(world->ModelCount(), done.scene.bodies.size() + 1);  // plus the floor
   for (const SimulationBody& body : done.scene.bodies) {
     const sdf::Model* const model = world->ModelByName(body.file_name);
     ASSERT_TRUE(model) << body.file_name;

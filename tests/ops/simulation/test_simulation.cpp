@@ -1,4 +1,4 @@
-// What is the same for all formats: names, parts, overlaps, friction, files.
+// Common features of all formats: names, parts, overlaps, friction, files.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -43,7 +43,7 @@ ConvexPart part_of(const Model& model) {
   return part;
 }
 
-TEST(Names, are_valid_and_unique) {
+TEST(Names, AreValidAndUnique) {
   EXPECT_EQ(valid_names({"a", "a b", "a_b", "2", "", "\xc3\xa4", "world"}, true, {"world"}),
             (std::vector<std::string>{"a", "a_b_2", "a_b", "_2", "_", "__", "world_2"}));
   EXPECT_EQ(valid_names({"x.y-z"}, true, {})[0], "x.y-z");
@@ -72,7 +72,7 @@ Model l_shape() {
   return model;
 }
 
-TEST(ConvexParts, hold_the_mesh) {
+TEST(ConvexParts, ContainMesh) {
   const Mesh mesh = l_shape().mesh;
   const Adjacency adjacency = make_adjacency(mesh);
   ASSERT_EQ(adjacency.components.size(), 1u);
@@ -90,7 +90,7 @@ TEST(ConvexParts, hold_the_mesh) {
   EXPECT_LT(volume, 3.3);  // the mesh has 3
 }
 
-TEST(ConvexParts, of_flat_meshes_have_a_thickness) {
+TEST(ConvexParts, GiveFlatMeshesThickness) {
   Mesh mesh = weld({{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)}});
   const ConvexParts flat = convex_parts(mesh, make_adjacency(mesh), PartRule::Components);
   ASSERT_EQ(flat.parts.size(), 1u);
@@ -100,18 +100,18 @@ TEST(ConvexParts, of_flat_meshes_have_a_thickness) {
   EXPECT_GT(volume_of(convex_parts(mesh, make_adjacency(mesh), PartRule::Hull).parts.at(0)), 0);
 }
 
-TEST(ConvexParts, shrink_by_the_clearance) {
+TEST(ConvexParts, ShrinkByClearance) {
   const ConvexPart box = part_of(box_model(0.3, 0.2, 0.1));
   Aabb bounds;
   for (const Vec3& v : shrunk(box, 0.01).vertices) bounds.extend(v);
   EXPECT_LE((bounds.upper - Vec3(0.29, 0.19, 0.09)).norm(), 1e-6);
   EXPECT_LE((bounds.lower + Vec3(0.29, 0.19, 0.09)).norm(), 1e-6);
-  bounds = {};  // no more than half of what there is
+  bounds = {};  // by at most half of the depth
   for (const Vec3& v : shrunk(box, 5).vertices) bounds.extend(v);
   EXPECT_LE((bounds.upper - Vec3(0.25, 0.15, 0.05)).norm(), 1e-6);
 }
 
-TEST(ConvexParts, shrunk_ones_are_inside_by_the_clearance_for_random_hulls) {
+TEST(ConvexParts, ShrinkRandomHullsByClearance) {
   Random random(7);
   for (int trial = 0; trial < 50; ++trial) {
     std::vector<Vec3> points;
@@ -130,7 +130,7 @@ TEST(ConvexParts, shrunk_ones_are_inside_by_the_clearance_for_random_hulls) {
   }
 }
 
-TEST(Overlap, of_boxes_is_known) {
+TEST(Overlap, MatchesKnownBoxes) {
   const ConvexPart box = part_of(box_model(0.5, 0.5, 0.5));
   const auto depth = [&](const Vec3& at) {
     return penetration_depth(PlacedPart(box, {}), PlacedPart(box, {Mat3::Identity(), at}));
@@ -142,7 +142,7 @@ TEST(Overlap, of_boxes_is_known) {
   EXPECT_EQ(depth(Vec3(1.1, 0, 0)), 0);
 }
 
-// Against brute force: the least depth over all face normals and pairs of edges.
+// Brute force: the least depth over all face normals and pairs of edges.
 double brute_depth(const PlacedPart& a, const PlacedPart& b, const ConvexPart& of_a,
                    const ConvexPart& of_b) {
   double least = kInfinity;
@@ -171,7 +171,7 @@ double brute_depth(const PlacedPart& a, const PlacedPart& b, const ConvexPart& o
   return std::max(0.0, least);
 }
 
-TEST(Overlap, is_that_of_brute_force) {
+TEST(Overlap, EqualsBruteForce) {
   Random random(11);
   int num_hits = 0;
   for (int trial = 0; trial < 300; ++trial) {
@@ -192,10 +192,10 @@ TEST(Overlap, is_that_of_brute_force) {
   EXPECT_LT(num_hits, 290);
 }
 
-TEST(Simulation, says_which_hulls_overlap_and_a_clearance_takes_them_apart) {
+TEST(Simulation, ReportsOverlapsAndSeparatesByClearance) {
   Scene scene;
   scene.floor = false;
-  // A small box in the notch of an L: only its hull is in the way.
+  // A small box in the notch of an L: it overlaps only the hull.
   add(scene, "l", l_shape(), {});
   add(scene, "in notch", box_model(0.2, 0.2, 0.2), {{}, Vec3(1.25, 1.25, 0.5)});
   const SimulationExport all = simulation_of(scene, "s", {});
@@ -213,7 +213,7 @@ TEST(Simulation, says_which_hulls_overlap_and_a_clearance_takes_them_apart) {
   EXPECT_EQ(simulation_of(boxes, "s", options).overlaps.size(), 0u);
 }
 
-TEST(Simulation, friction_is_what_an_object_or_its_loads_need) {
+TEST(Simulation, RaisesFrictionForObjectsAndTheirLoads) {
   Scene scene;
   const ObjectId a = add(scene, "a", box_model(0.1, 0.1, 0.1), {{}, Vec3(0, 0, 0.1)});
   const ObjectId b = add(scene, "b", box_model(0.1, 0.1, 0.1), {{}, Vec3(0, 0, 0.30001)});
@@ -227,7 +227,7 @@ TEST(Simulation, friction_is_what_an_object_or_its_loads_need) {
   EXPECT_DOUBLE_EQ(done.scene.bodies[2].friction, 0.6);
 }
 
-TEST(Simulation, inertia_of_a_box) {
+TEST(Simulation, ComputesInertiaOfBox) {
   Scene scene;
   add(scene, "a", box_model(0.1, 0.2, 0.3), {});
   SimulationOptions options;
@@ -239,7 +239,7 @@ TEST(Simulation, inertia_of_a_box) {
   EXPECT_LE((body.inertia - Mat3(expected.asDiagonal())).norm(), 1e-12);
 }
 
-TEST(Simulation, objects_of_one_model_share_its_files_and_scenes_a_folder) {
+TEST(Simulation, SharesFilesOfModelsAndFolders) {
   const TemporaryFolder folder;
   Scene scene;
   const ObjectId first = add(scene, "a", box_model(0.1, 0.1, 0.1), {{}, Vec3(0, 0, 0.1)});
@@ -254,11 +254,11 @@ TEST(Simulation, objects_of_one_model_share_its_files_and_scenes_a_folder) {
   const auto time = std::filesystem::last_write_time(one.files[1]);
   const SimulationExport two = export_simulation(scene, folder.file("two.sdf"), options);
   EXPECT_TRUE(std::equal(one.files.begin() + 1, one.files.end(), two.files.begin() + 1));
-  EXPECT_EQ(std::filesystem::last_write_time(two.files[1]), time);  // not written again
+  EXPECT_EQ(std::filesystem::last_write_time(two.files[1]), time);  // not rewritten
   EXPECT_EQ(content(one.files[0]).substr(0, 20), content(two.files[0]).substr(0, 20));
 }
 
-TEST(Simulation, what_cannot_be_written_leaves_the_old_file) {
+TEST(Simulation, KeepsOldFileOnWriteError) {
   const TemporaryFolder folder;
   Scene scene;
   add(scene, "a", box_model(0.1, 0.1, 0.1), {{}, Vec3(0, 0, 0.1)});

@@ -1,4 +1,4 @@
-// Whole scenes whose equilibrium is known by hand.
+// Scenes with an equilibrium known by hand.
 #include <gtest/gtest.h>
 
 #include "ops/check/check.h"
@@ -16,7 +16,7 @@ struct Pile {
   Scene scene;
   std::vector<ObjectId> ids;
 
-  // Placed as it is, whether it rests there or not.
+  // Placed at this pose, at rest there or not.
   void place(const std::string& name, const Triangles& triangles, const Vec3& at,
              bool fixed = false) {
     Object object = object_of(name, triangles, fixed);
@@ -33,7 +33,7 @@ struct Pile {
   }
 };
 
-// Boxes of length 1 and height 0.2, each shifted against the one below.
+// Boxes of length 1 and height 0.2, each offset from the one below.
 Pile leaning_pile(const std::vector<double>& offsets) {
   Pile pile;
   double x = 0, z = 0.1 + kGap;
@@ -67,14 +67,14 @@ void expect_balanced_forces(const Scene& scene, const Stability& found, double t
   }
 }
 
-TEST(Stability, AnEmptySceneIsStable) {
+TEST(Stability, AcceptsEmptyScene) {
   const Scene scene;
   const Stability found = stability(scene);
   EXPECT_TRUE(found.stable());
   EXPECT_EQ(found.margin, kInfinity);
 }
 
-TEST(Stability, OneBoxHasItsHalfWidthAsMarginAndItsWeightAsForce) {
+TEST(Stability, GivesMarginAndForceOfOneBox) {
   Pile pile = leaning_pile({0});
   const Stability found = pile.judge();
   EXPECT_TRUE(found.stable());
@@ -90,7 +90,7 @@ TEST(Stability, OneBoxHasItsHalfWidthAsMarginAndItsWeightAsForce) {
 
 // Every box rests on the one below (offset 0.3 of 0.5), but of the boxes above box0 the common
 // centre is 0.3 (m + 1) / 2 past box0's: beyond its edge from m = 3 on.
-TEST(Stability, OverhangsAddUp) {
+TEST(Stability, AddsUpOverhangs) {
   Pile three = leaning_pile({0, 0.3, 0.3});
   const Stability stands = three.judge();
   EXPECT_TRUE(stands.stable());
@@ -107,7 +107,7 @@ TEST(Stability, OverhangsAddUp) {
 }
 
 // The same by PUTs: each is accepted.
-TEST(Stability, APileOfPutsThatTopples) {
+TEST(Stability, DetectsTopplingPileOfPuts) {
   Scene scene;
   for (int i = 0; i < 4; ++i) {
     const ObjectId id =
@@ -119,7 +119,7 @@ TEST(Stability, APileOfPutsThatTopples) {
 }
 
 // The largest overhang of n equal boxes is the harmonic sum 1/2 (1 + 1/2 + ... + 1/n).
-TEST(Stability, TheHarmonicPileIsTheLimit) {
+TEST(Stability, AcceptsHarmonicPileUpToLimit) {
   for (const double factor : {0.99, 1.01}) {
     std::vector<double> offsets{0};
     for (int k = 8; k >= 1; --k) offsets.push_back(0.5 / k * factor);
@@ -129,7 +129,7 @@ TEST(Stability, TheHarmonicPileIsTheLimit) {
 }
 
 // Two towers, one of which topples: only its boxes are named.
-TEST(Stability, NamesOnlyWhatTopples) {
+TEST(Stability, NamesOnlyTopplingObjects) {
   Pile pile = leaning_pile({0, 0.3, 0.3, 0.3});
   pile.place("other", box_triangles(Vec3(0.5, 0.5, 0.1)), Vec3(9, 0, 0.1 + kGap));
   pile.place("upon", box_triangles(Vec3(0.5, 0.5, 0.1)), Vec3(9, 0, 0.3 + 2 * kGap));
@@ -137,7 +137,7 @@ TEST(Stability, NamesOnlyWhatTopples) {
 }
 
 // A counterweight at the inner end holds the overhang; the plank between carries both.
-TEST(Stability, ACounterweightHolds) {
+TEST(Stability, AcceptsCounterweight) {
   const Triangles plank = box_triangles(Vec3(1, 0.1, 0.05)), cube = box_triangles(Vec3(.1, .1, .1));
   for (const bool counterweight : {false, true}) {
     Pile pile;
@@ -155,7 +155,7 @@ TEST(Stability, ACounterweightHolds) {
 
 // A thin board leans between floor and wall, both with friction mu: it holds if its slope is at
 // least (1 - mu^2) / (2 mu) [textbook].
-TEST(Stability, ALadderNeedsItsFriction) {
+TEST(Stability, RequiresFrictionOfLadder) {
   const double slope = 1.0, half = 0.005;
   const double least = std::sqrt(2) - 1;  // (1 - mu^2) / (2 mu) = 1
   const Vec3 along = Vec3(1, 0, slope).normalized(), across = Vec3(-slope, 0, 1).normalized();
@@ -180,9 +180,9 @@ TEST(Stability, ALadderNeedsItsFriction) {
   }
 }
 
-// Two blocks lean against each other like an A: each alone would fall, both together hold by the
-// thrust between them, which no vertical force can give.
-TEST(Stability, TwoThatLeanOnEachOtherHoldTogether) {
+// Two blocks lean against each other like an A: each alone would fall, both together are held by
+// the thrust between them, which no vertical force can provide.
+TEST(Stability, AcceptsTwoBlocksLeaningOnEachOther) {
   const Triangles right = prism({{0.0, 0.0}, {0.3, 0.0}, {-0.1 + 0.3, 1.0}, {-0.4, 1.0}}, 0.2);
   Triangles left = right;
   for (Triangle& t : left)
@@ -221,7 +221,7 @@ Stability judged_at(Pile& pile, double friction) {
 }
 
 // The four above the lowest have their centre 2.5 offsets past its, and its edge is at 0.5.
-TEST(Stability, AnOverhangingStackFallsHoweverNarrowItsJoints) {
+TEST(Stability, FindsOverhangingStackUnstableAtNarrowJoints) {
   for (const double offset : {0.19, 0.201, 0.24}) {
     Pile pile;
     for (int i = 0; i < 5; ++i)
@@ -234,7 +234,7 @@ TEST(Stability, AnOverhangingStackFallsHoweverNarrowItsJoints) {
 
 // A half circle of equal wedges stands if it is thicker than 0.1075 of its middle radius
 // [Milankovitch 1907].
-TEST(Stability, AThinArchFallsHoweverNarrowItsJoints) {
+TEST(Stability, FindsThinArchUnstableAtNarrowJoints) {
   const auto arch = [](double inner) {
     constexpr int kWedges = 15;
     const double half = M_PI / (2 * kWedges);
@@ -255,7 +255,7 @@ TEST(Stability, AThinArchFallsHoweverNarrowItsJoints) {
   EXPECT_EQ(arch(0.85).status, Stability::Status::Stable);
 }
 
-TEST(Stability, APartThatIsTooLargeIsUnknown) {
+TEST(Stability, CallsTooLargePartUnknown) {
   Pile pile = leaning_pile({0, 0.3, 0.3, 0.3});
   update_contacts(pile.scene, kGap);
   StabilityOptions options;
@@ -263,7 +263,7 @@ TEST(Stability, APartThatIsTooLargeIsUnknown) {
   EXPECT_EQ(stability(pile.scene, options).status, Stability::Status::Unknown);
 }
 
-TEST(Shares, KeepTheTargetAndAreNotNegative) {
+TEST(Shares, ReachTargetAndAreNotNegative) {
   Random random(7);
   int num_inside = 0;
   for (int i = 0; i < 2000; ++i) {
@@ -272,7 +272,7 @@ TEST(Shares, KeepTheTargetAndAreNotNegative) {
     for (int k = 0; k < n; ++k)
       points.push_back(i % 3 == 0 ? Vec2(random.integer(-2, 2), random.integer(-2, 2))
                                   : Vec2(random.uniform(-1, 1), random.uniform(-1, 1)));
-    // A mean of the points: inside.
+    // A mean of the points, so inside.
     Vec2 target = Vec2::Zero();
     double sum = 0;
     for (const Vec2& p : points) {

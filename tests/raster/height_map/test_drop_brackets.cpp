@@ -54,7 +54,7 @@ TEST(DropBrackets, EqualPlainLoopsAtOddSizes) {
     }
 }
 
-// An object over a scene, and a grid of places for it.
+// An object above a scene, and a grid of places for it.
 struct Falls {
   Body object, scene;
   MapGrid grid;
@@ -93,7 +93,7 @@ struct Falls {
   }
 };
 
-TEST(DropBrackets, HoldTheExactFall) {
+TEST(DropBrackets, ContainExactFall) {
   constexpr unsigned kSeed = 31;
   const test::MeshPool pool(kSeed, 8);
   const int num_scenes = test::with_effort(60);
@@ -131,7 +131,7 @@ TEST(DropBrackets, HoldTheExactFall) {
   EXPECT_LT(width / num_bracketed, 20);
 }
 
-TEST(WidenedTop, IsTheHighestWithinReach) {
+TEST(WidenedTop, IsMaximumWithinReach) {
   test::Random random(8);
   for (const double pixels : {0.0, 1.0, 1.5, 3.7, 9.2}) {
     for (const int border : {static_cast<int>(pixels), 12}) {

@@ -1,4 +1,4 @@
-// Complete z-lists against every triangle clipped to every pixel, and against rays.
+// Compares complete z-lists with every triangle clipped to every pixel, and with rays.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -31,7 +31,7 @@ std::vector<Vec3> clipped(const std::vector<Vec3>& polygon, int axis, double sig
   return out;
 }
 
-// What of a triangle is in a pixel; `grown` pixels larger.
+// The part of a triangle in a pixel grown by `grown` pixels.
 std::vector<Vec3> in_pixel(const Triangle& t, int column, int row, double grown) {
   std::vector<Vec3> out(t.begin(), t.end());
   out = clipped(out, 0, 1, column + 1 + grown);
@@ -50,7 +50,7 @@ struct Counts {
   int present = 0, absent = 0, wrong = 0, centres = 0, rays = 0;
 };
 
-// One face, against all pixels.
+// Compares one face with all pixels.
 void compare(const CompleteZLists& lists, const Triangle& world, size_t body, Index face,
              Counts& counts) {
   const Projection& view = lists.projection();
@@ -61,7 +61,7 @@ void compare(const CompleteZLists& lists, const Triangle& world, size_t body, In
       const ZListItem* item = find(lists.list(column, row), body, face);
       const std::vector<Vec3> part = in_pixel(t, column, row, -1e-9);
       counts.wrong += !part.empty() && !item;                          // missed
-      counts.wrong += item && in_pixel(t, column, row, 0.03).empty();  // nowhere near
+      counts.wrong += item && in_pixel(t, column, row, 0.03).empty();  // not even near
       (item ? counts.present : counts.absent)++;
       if (!item) continue;
       for (const Vec3& p : part)
@@ -73,13 +73,13 @@ void compare(const CompleteZLists& lists, const Triangle& world, size_t body, In
       if (std::isnan(item->centre)) continue;
       ++counts.centres;
       const double centre = view.depth(item->centre);
-      for (const Vec3& p : in_pixel(t, column, row, -0.4999))  // next to the line
+      for (const Vec3& p : in_pixel(t, column, row, -0.4999))  // close to the line
         counts.wrong += std::abs(p.z() - centre) > 0.03 * view.pixel;
       counts.wrong += !(view.depth(item->lower) <= centre && centre <= view.depth(item->upper));
     }
 }
 
-TEST(CompleteZLists, HoldWhatIsInEveryPixel) {
+TEST(CompleteZLists, ContainAllFacesOfEveryPixel) {
   test::Random random(8);
   Counts counts;
   const int num = test::with_effort(600);
@@ -91,7 +91,7 @@ TEST(CompleteZLists, HoldWhatIsInEveryPixel) {
                                           ? test::bumpy_sphere(4, 6, 0.3, static_cast<unsigned>(i))
                                       : k == 1 ? test::box_triangles(random.in_cube(0.5).cwiseAbs())
                                                : test::soup(12, i % 5, random)));
-      const Rotation turn = i % 3 == 0 ? Rotation{} : random.rotation();  // edge-on, too
+      const Rotation turn = i % 3 == 0 ? Rotation{} : random.rotation();  // includes edge-on faces
       bodies.emplace_back(*shapes.back(),
                           world_from_object({turn, random.in_cube(1)}, UpAxis::Z, 1));
     }
@@ -110,8 +110,8 @@ TEST(CompleteZLists, HoldWhatIsInEveryPixel) {
   EXPECT_GT(counts.centres, counts.present / 10);
 }
 
-// A line through a solid goes in and out, in turn, as often in as out.
-TEST(CompleteZLists, LinesEnterAndLeaveSolids) {
+// A line through a solid enters and leaves alternately, equally often.
+TEST(CompleteZLists, EnterAndLeaveSolids) {
   const auto sphere = test::shape_of(test::bumpy_sphere(12, 18, 0.3, 3));
   std::vector<Triangle> inside_out = test::box_triangles({0.5, 0.6, 0.7});
   for (Triangle& t : inside_out) std::swap(t[0], t[1]);
@@ -181,7 +181,7 @@ TEST(CompleteZLists, AreTheSameWithAnyNumberOfThreads) {
   EXPECT_LT(one.num_covered(), size_t(one.projection().width) * one.projection().height);
 }
 
-TEST(CompleteZLists, OfNothingAreEmpty) {
+TEST(CompleteZLists, AreEmptyWithoutBodies) {
   const CompleteZLists lists({}, {});
   EXPECT_EQ(lists.projection().width, 0);
   EXPECT_EQ(lists.num_entries(), 0u);
@@ -200,7 +200,7 @@ void expect_refusal(const ProjectionOptions& options, const std::string& says) {
   }
 }
 
-TEST(CompleteZLists, SayWhatIsAccepted) {
+TEST(CompleteZLists, NameAcceptedOptions) {
   ProjectionOptions options;
   options.direction = Vec3::Zero();
   expect_refusal(options, "direction of z-lists is 0 0 0");

@@ -1,4 +1,4 @@
-// Every pixel that a triangle meets is touched: needles, segments and points included.
+// Coverage of every pixel that a triangle meets, including needles, segments and points.
 #include <gtest/gtest.h>
 
 #include "raster/coverage.h"
@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kSize = 24;
 
-// Of every shape; the third corner often on the edge of the others, up to rounding.
+// Triangles of every shape; the third corner often on the edge of the others, up to rounding.
 std::array<Vec2, 3> random_triangle(test::Random& random) {
   const auto point = [&] { return Vec2(random.uniform(-5, kSize + 5), random.uniform(-5, 29)); };
   std::array<Vec2, 3> p = {point(), point(), point()};
@@ -22,7 +22,7 @@ std::array<Vec2, 3> random_triangle(test::Random& random) {
   return p;
 }
 
-TEST(Coverage, TouchesEveryPixelThatATriangleMeets) {
+TEST(Coverage, TouchesEveryPixelThatTriangleMeets) {
   test::Random random(11);
   int num_inside = 0, num_touched = 0, num_met = 0;
   for (int i = 0; i < 20000; ++i) {

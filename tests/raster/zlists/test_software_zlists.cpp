@@ -14,7 +14,7 @@ constexpr unsigned kSeed = 1995;
 
 class SoftwareZListsAt : public ::testing::TestWithParam<int> {};
 
-TEST_P(SoftwareZListsAt, GiveTheAnswersOfBruteForce) {
+TEST_P(SoftwareZListsAt, EqualBruteForce) {
   const test::MeshPool pool(kSeed, 16);
   SoftwareZListOptions options;
   options.resolution = GetParam();
@@ -29,9 +29,9 @@ TEST_P(SoftwareZListsAt, GiveTheAnswersOfBruteForce) {
   std::cout << check.describe() << "\n";
 }
 
-// Once missed: a needle without area, whose rounded corners turned it over, so that one of its tiny
+// Regression: a needle without area was flipped by its rounded corners, so that one of its tiny
 // edges hid all of it.
-TEST(SoftwareZLists, SeeNeedlesWithoutInside) {
+TEST(SoftwareZLists, SeeNeedlesWithoutArea) {
   const test::MeshPool pool(kSeed, 16);
   for (const auto& [resolution, index] : {std::pair(64, 648394), std::pair(128, 1289301)}) {
     SoftwareZListOptions options;
@@ -44,7 +44,7 @@ TEST(SoftwareZLists, SeeNeedlesWithoutInside) {
   }
 }
 
-TEST(SoftwareZLists, GiveUpInsteadOfTakingAllMemory) {
+TEST(SoftwareZLists, GiveUpAtMemoryLimit) {
   const test::MeshPool pool(kSeed, 16);
   SoftwareZListOptions options;
   options.most_fragments = 8;
@@ -52,11 +52,11 @@ TEST(SoftwareZLists, GiveUpInsteadOfTakingAllMemory) {
   const test::StageCheck check = test::check_stage(stage, pool, kSeed, 0, 200);
   EXPECT_TRUE(check.failures.empty()) << check.describe();
   EXPECT_GT(check.num_unusable, 20);
-  EXPECT_NE(check.describe().find("in doubt"), std::string::npos) << check.describe();
+  EXPECT_NE(check.describe().find("doubtful"), std::string::npos) << check.describe();
 }
 
 // Large meshes, so that there is work for several threads.
-TEST(SoftwareZLists, ProposeTheSameWithAnyNumberOfThreads) {
+TEST(SoftwareZLists, ProposeSamePairsWithAnyNumberOfThreads) {
   const auto sphere = test::shape_of(test::bumpy_sphere(150, 200, 0.2, 3));
   const auto ground = test::shape_of(test::terrain(180, 2, 0.3, 4));
   for (const bool turning : {false, true}) {
