@@ -1,0 +1,104 @@
+"""Files at the edges: outputs that are inputs, closed streams, full disks, pipes."""
+import json
+import os
+import resource
+import shutil
+import signal
+import subprocess
+import threading
+import time
+
+from program import PROGRAM, SLAB, Case, grid_obj, main, put
+
+
+class InputsStay(Case):
+    """No verb overwrites a file that it reads, or that these name."""
+
+    def models(self):
+        """The cube in other formats, and a layout of each."""
+        self.trivet("run", self.layout([SLAB], name="slab.json"), "-o", "m.stl", "--quiet")
+        self.trivet("run", "slab.json", "-o", "m.glb", "--quiet")
+        self.trivet("run", "slab.json", "-o", "m.gltf", "--quiet")
+        self.trivet("run", "slab.json", "-o", "m.obj", "--quiet")
+
+    def test_run_keeps_the_models_of_its_layout(self):
+        self.models()
+        for model in ("m.obj", "m.stl", "m.glb", "m.gltf"):
+            layout = self.layout([{**SLAB, "model": model}])
+            self.refused("run", layout, "-o", model, says=(model, "is an input"))
+            self.refused("run", layout, "-o", "./x/../" + model, says="is an input")
+        self.refused("run", layout, "-o", "s.glb", "--report", "m.gltf", says="is an input")
+
+    def test_under_another_name(self):
+        self.models()
+        layout = self.layout([{**SLAB, "model": "m.glb"}])
+        os.symlink("m.glb", self.path("soft.glb"))
+        os.link(self.path("m.glb"), self.path("hard.glb"))
+        for name in ("soft.glb", "hard.glb"):
+            self.refused("run", layout, "-o", name, says=(name, "is an input"))
+
+    def test_files_beside(self):
+        self.models()
+        self.refused("run", self.layout([{**SLAB, "model": "m.gltf"}]), "-o", "s.glb",
+                     "--report", "m.bin", says=("m.bin", "named by", "m.gltf"))
+        self.refused("run", self.layout([{**SLAB, "model": "m.obj"}]), "-o", "s.glb",
+                     "--report", "m.mtl", says=("m.mtl", "named by", "m.obj"))
+        # What an export writes beside itself: n.gltf has named n.bin, which the model names too.
+        for name in ("n.gltf", "other.gltf"):
+            self.write(name, self.read("m.gltf").replace(b"m.bin", b"n.bin"))
+        shutil.copy(self.path("m.bin"), self.path("n.bin"))
+        self.refused("run", self.layout([{**SLAB, "model": "other.gltf"}]), "-o", "n.gltf",
+                     says=("n.bin", "named by", "other.gltf"))
+
+    def test_the_models_of_an_appended_object(self):
+        layout = self.layout([SLAB], [{"op": "append", "object": "a", "model": "cube.obj"}])
+        self.refused("run", layout, "-o", "cube.obj", says="is an input")
+
+    def test_the_models_of_a_scene(self):
+        layout = self.layout([SLAB, {"name": "a", "model": "cube.obj"}], [put("a", 0, 0, 1)])
+        self.trivet("run", layout, "-o", "s.glb")
+        for verb in (("put", "s.glb", "slab.obj", "--position", 0, 0, 2),
+                     ("push", "s.glb", "a", "--to", 0.1, 0),
+                     ("fix", "s.glb", "a")):
+            self.refused(*verb, "-o", "cube.obj", says="is an input")
+        self.refused("check", "s.glb", "--report", "cube.obj", says="is an input")
+        self.refused("check", layout, "--report", "cube.obj", says="is an input")
+        self.refused("export", "s.glb", "-o", "a.urdf", "--report", "slab.obj", says="is an input")
+        self.trivet("push", "s.glb", "a", "--to", 0.1, 0, "-o", "s.glb")  # in place is meant
+
+    def test_the_files_of_a_demo(self):
+        self.refused("demo", "spoon-saucer", "--export", "d", "-o", "s.glb", "--report",
+                     "d/layout.json", says="is an input")
+        self.assertFalse(os.path.exists(self.path("d")))
+
+    def session(self, lines, *arguments):
+        result = subprocess.run([PROGRAM, "session", *arguments], cwd=self.folder, text=True,
+                                input="".join(json.dumps(line) + "\n" for line in lines),
+                                capture_output=True, timeout=100)
+        return [json.loads(line) for line in result.stdout.splitlines()][1:]
+
+    def test_what_a_session_reads(self):
+        self.models()
+        layout = self.layout([{**SLAB, "model": "m.glb"}, {"name": "a", "model": "cube.obj"}])
+        before = self.read("m.glb")
+        answers = self.session([{"save": "m.glb"}, put("a", 0, 0, 1), {"save": "j.glb"},
+                                {"save": "s.glb"}], layout, "--journal", "j.glb")
+        self.assertEqual([a["status"] for a in answers], ["error", "ok", "error", "ok"])
+        for k in (0, 2):
+            self.assertIn("is an input", answers[k]["reason"])
+        self.assertEqual(self.read("m.glb"), before)
+        self.trivet("replay", "j.glb", "-o", "t.glb")
+        self.assertEqual(self.read("t.glb"), self.read("s.glb"))
+        self.refused("replay", "j.glb", "-o", "m.glb", says="is an input")
+
+    def test_a_start_that_is_called_like_its_copy(self):
+        self.trivet("run", self.layout([SLAB]), "-o", "s.glb")
+        os.rename(self.path("s.glb"), self.path("j.start"))
+        before = self.read("j.start")
+        self.session([{"op": "unfix", "object": "slab"}], "j.start", "--journal", "j")
+        self.assertEqual(self.read("j.start"), before)
+        self.trivet("replay", "j", "-o", "t.glb")
+
+
+if __name__ == "__main__":
+    main()
