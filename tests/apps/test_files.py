@@ -100,5 +100,72 @@ class InputsStay(Case):
         self.trivet("replay", "j", "-o", "t.glb")
 
 
+class ClosedStreams(Case):
+    """Who closes a standard stream finds nothing of it in a file."""
+
+    def closed(self, descriptors, *arguments, lines=()):
+        """The program with these descriptors closed. Gives status, output, errors."""
+        def close():
+            for descriptor in descriptors:
+                os.close(descriptor)
+        result = subprocess.run([PROGRAM, *map(str, arguments)], cwd=self.folder, preexec_fn=close,
+                                input="".join(json.dumps(line) + "\n" for line in lines).encode(),
+                                capture_output=True, timeout=100)
+        return result.returncode, result.stdout.decode(), result.stderr.decode()
+
+    def check_journal(self, steps):
+        """Every line of it is one that Trivet wrote, and it is replayed."""
+        lines = self.read("j").decode().splitlines()
+        self.assertEqual(len(lines), 1 + steps)
+        for line in lines:
+            self.assertIn("sum", json.loads(line))
+        self.trivet("replay", "j", "-o", "t.glb")
+
+    def test_a_session_without_standard_output(self):
+        layout = self.layout([SLAB, {"name": "a", "model": "cube.obj"}])
+        status, _, err = self.closed([1], "session", layout, "--journal", "j",
+                                     lines=[put("a", 0, 0, 1)])
+        self.assertEqual(status, 3)
+        self.assertIn("answers of the session cannot be written", err)
+        self.check_journal(0)
+
+    def test_a_session_whose_reader_has_gone(self):
+        layout = self.layout([SLAB, {"name": "a", "model": "cube.obj"}])
+        process = subprocess.Popen([PROGRAM, "session", layout, "--journal", "j"], cwd=self.folder,
+                                   stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                                   stderr=subprocess.PIPE, text=True)
+        process.stdout.readline()
+        process.stdout.close()
+        process.stdin.write(json.dumps(put("a", 0, 0, 1)) + "\n")
+        process.stdin.flush()  # and stays open: the session ends by itself
+        self.assertEqual(process.wait(timeout=60), 3)
+        self.assertIn("answers of the session cannot be written", process.stderr.read())
+        process.stdin.close()
+        process.stderr.close()
+        self.check_journal(1)
+
+    def test_a_session_on_a_full_disk(self):
+        layout = self.layout([SLAB, {"name": "a", "model": "cube.obj"}])
+        with open("/dev/full", "w") as full:
+            result = subprocess.run([PROGRAM, "session", layout, "--journal", "j"], cwd=self.folder,
+                                    stdin=subprocess.DEVNULL, stdout=full, stderr=subprocess.PIPE)
+        self.assertEqual(result.returncode, 3)
+        self.check_journal(0)
+
+    def test_results_do_not_depend_on_streams(self):
+        layout = self.two_cubes()
+        self.trivet("run", layout, "-o", "s.glb", "--report", "r.json")
+        for descriptors in ([0], [1], [2], [0, 1], [0, 1, 2]):
+            status, out, err = self.closed(descriptors, "run", layout, "-o", "t.glb", "--report",
+                                           "t.json", "--quiet")
+            self.assertEqual((status, out, err), (0, "", ""), descriptors)
+            self.assertEqual(self.read("t.glb"), self.read("s.glb"))
+
+    def test_what_cannot_be_told_is_an_error(self):
+        status, _, err = self.closed([1], "schema")
+        self.assertEqual(status, 3)
+        self.assertIn("the standard output cannot be written", err)
+
+
 if __name__ == "__main__":
     main()
