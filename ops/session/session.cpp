@@ -55,7 +55,7 @@ Session::Session(Scene scene, Layout layout, ModelSource models)
     : m_scene(std::move(scene)),
       m_layout(std::move(layout)),
       m_models(std::move(models)),
-      m_largest_clearance(default_clearance(m_scene)) {}
+      m_first_clearance(default_clearance(m_scene)) {}
 Session::~Session() = default;
 Session::Session(Session&&) noexcept = default;
 Session& Session::operator=(Session&&) noexcept = default;
@@ -70,7 +70,7 @@ OperationResult Session::run(SessionStep step, const std::function<Results()>& w
     m_scene.exchange(change);
     throw;
   }
-  Done done{m_scene.stop_recording(), {}};
+  Done done{m_scene.stop_recording(), {}, 0};
   const OperationResult result = step.results.back();
   if (!result.ok()) {
     m_scene.exchange(done.change);
@@ -81,6 +81,7 @@ OperationResult Session::run(SessionStep step, const std::function<Results()>& w
   m_scene.exchange(done.change);
   done.touched = united(std::move(done.touched), done.change.ids());  // after
   m_scene.exchange(done.change);
+  done.largest_clearance = std::max(largest_clearance(), default_clearance(m_scene));
   step.fingerprint = fingerprint(m_scene, done.touched);
   for (OperationResult& kept : step.results) kept.steps = {};
   try {
@@ -95,7 +96,6 @@ OperationResult Session::run(SessionStep step, const std::function<Results()>& w
   m_steps.push_back(std::move(step));
   m_done.push_back(std::move(done));
   ++m_position;
-  m_largest_clearance = std::max(m_largest_clearance, default_clearance(m_scene));
   tell({SessionEvent::Kind::Performed, m_steps.back().name, m_done.back().touched, &result});
   return result;
 }
