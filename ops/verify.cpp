@@ -7,17 +7,13 @@
 #include "core/base/tunables.h"
 #include "core/contact/body.h"
 #include "core/io/export.h"
+#include "ops/coarseness.h"
 
 namespace trivet {
 namespace {
 
 // float32 rounding of vertices and matrices, of the largest number in them.
 constexpr double kFloatSlack = 1.0 / (1 << 20);
-
-// Default clearance, of the smallest object's diagonal, beyond which a scene is refused: there
-// kHoverTolerance is an eighth of that object, and all its faces soon are in contact with all that
-// are near. Larger takes minutes for nothing; smaller refuses a cup of 10 cm on a floor of 1 km.
-constexpr double kCoarsestClearance = 1.0 / 64;
 
 Body body_of(const Object& object, const Pose& pose) {
   return {*object.shape, world_from_object(pose, object.up, object.scale)};

@@ -52,6 +52,11 @@ struct Places {
 std::vector<PlaceWindow> place_windows(const Scene& scene, ObjectId object,
                                        const PlaceRequest& request, double clearance);
 
+/// On the unbounded floor: places so far out that the distance is kept from everything, all round;
+/// those nearest to request.near first. None on a support, nor when there is nothing else.
+Places places_beyond(const Scene& scene, ObjectId object, const PlaceRequest& request,
+                     double clearance);
+
 /// @param clearance  metres, of the motions.
 /// @param brackets  who computes the brackets: the software, or drop_brackets_of() a detector.
 Places find_places(const Scene& scene, ObjectId object, const PlaceRequest& request,

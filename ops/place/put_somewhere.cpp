@@ -5,6 +5,7 @@
 
 #include "core/base/quoted.h"
 #include "core/base/tunables.h"
+#include "ops/coarseness.h"
 #include "ops/detect/detector.h"
 #include "ops/move/moves.h"
 #include "ops/place/exact_places.h"
@@ -55,6 +56,12 @@ class Somewhere {
                                : try_all(places, exact);
       if (done) return *done;
     }
+    // Where nothing is, there is room, unless the scene would get too large.
+    m_num_trials = 0;
+    const Places beyond = places_beyond(m_scene, m_id, request, clearance());
+    auto done = request.near ? try_nearest(beyond, exact, *request.near, kInfinity)
+                             : try_all(beyond, exact);
+    if (done) return *done;
     return refused(why_nowhere(places));
   }
 
@@ -66,12 +73,45 @@ class Somewhere {
         object.fixed && !object.placed ? "" : why_not_movable(m_scene, carried_with(m_scene, m_id));
     if (!why.empty()) return why;
     const std::string& on = m_operation.place->on;
-    if (on == kFloorName) return m_scene.floor ? "" : "there is no floor to put " + m_name + " on";
+    if (on == kFloorName && !m_scene.floor) return "there is no floor to put " + m_name + " on";
+    if (on == kFloorName) return why_too_far();
     if (!m_on) return "there is no object " + quoted(on) + " to put " + m_name + " on";
     for (const ObjectId id : carried_with(m_scene, m_id))
       if (id == *m_on) return m_name + " cannot be put on itself or on what it carries";
     if (!std::as_const(m_scene).at(*m_on).placed) return quoted(on) + " is not in the scene";
     return "";
+  }
+
+  // From which it is to be kept away.
+  std::vector<ObjectId> others() const {
+    const std::vector<ObjectId> carried = carried_with(m_scene, m_id);
+    std::vector<ObjectId> out;
+    for (const ObjectId id : m_scene.ids())
+      if (std::as_const(m_scene).at(id).placed && m_on != id &&
+          std::find(carried.begin(), carried.end(), id) == carried.end())
+        out.push_back(id);
+    return out;
+  }
+
+  // Two bodies at that distance make a scene at least as large.
+  std::string why_too_far() const {
+    const double keep = m_operation.place->keep;
+    std::vector<ObjectId> ids = others();
+    if (ids.empty()) return "";
+    ids.push_back(m_id);
+    double smallest = kInfinity;
+    for (const ObjectId id : ids) {
+      const Object& object = std::as_const(m_scene).at(id);
+      const double diagonal = object.scale * object.shape->box.diagonal();
+      if (diagonal > 0) smallest = std::min(smallest, diagonal);
+    }
+    const double farthest = largest_distance(smallest, m_options.clearance);
+    if (keep <= farthest) return "";
+    std::ostringstream out;
+    out << m_name << " cannot be kept " << keep << " m away from everything else: a scene so large "
+        << "is too coarse for its objects, the smallest of which is " << smallest
+        << " m; accepted: a distance to keep of up to " << farthest << " m";
+    return out.str();
   }
 
   PlaceRequest request() const {
@@ -81,13 +121,18 @@ class Somewhere {
     out.rotation = m_operation.start.rotation;
     out.near = place.near;
     out.seed = place.seed;
-    out.keep = place.keep;
+    out.keep = others().empty() ? 0 : place.keep;
     out.from = place.from;
     return out;
   }
 
   double clearance() const {
-    return m_options.clearance > 0 ? m_options.clearance : default_clearance(m_scene);
+    if (m_options.clearance > 0) return m_options.clearance;
+    if (const double usual = default_clearance(m_scene); usual > 0) return usual;
+    const Object& object = std::as_const(m_scene).at(m_id);  // the first of the scene
+    return default_clearance(
+        m_scene, Body(*object.shape, world_from_object(m_operation.start, object.up, object.scale))
+                     .world_box);
   }
 
   bool near_a_failure(const Pose& start, double spacing) const {
@@ -113,7 +158,8 @@ class Somewhere {
     OperationResult result = put_at(m_scene, start);
     result.milliseconds = m_stopwatch.milliseconds();
     if (result.status != OperationResult::Status::Refused) return result;
-    if (m_num_trials++ == 0) m_first_reason = result.reason;
+    ++m_num_trials;
+    if (m_first_reason.empty()) m_first_reason = result.reason;
     return std::nullopt;
   }
 
