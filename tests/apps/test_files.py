@@ -268,5 +268,48 @@ class ModelsSeeTheirFolder(Case):
             self.assertIn("m/slab.gltf", err)
 
 
+class FullDisks(Case):
+    """No room for the largest of several files: nothing is half-written, nothing is left over."""
+
+    def no_room(self, limit, *arguments):
+        """The program may write no file of more bytes. It must fail and leave all as it was."""
+        before = {name: self.read(name) for name in self.files()}
+        folders = {folder for folder, _, _ in os.walk(self.folder)}
+
+        def set_limit():
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)  # write() fails, as on a full disk
+            resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit))
+        result = subprocess.run([PROGRAM, *arguments], cwd=self.folder, preexec_fn=set_limit,
+                                restore_signals=False, capture_output=True, timeout=100)
+        self.assertEqual(result.returncode, 3, result.stderr)
+        self.assertIn(b"File too large", result.stderr)
+        self.assertNotIn(b"temporary", result.stderr)
+        self.assertEqual({name: self.read(name) for name in self.files()}, before)
+        self.assertEqual({folder for folder, _, _ in os.walk(self.folder)}, folders)
+
+    def test_exports_of_several_files(self):
+        self.write("grid.obj", grid_obj(30))
+        layout = self.layout([{**SLAB, "model": "grid.obj"}])
+        self.trivet("run", layout, "-o", "s.glb")
+        for name in ("a.obj", "a.gltf"):
+            self.no_room(2000, "run", layout, "-o", name)
+        for name in ("a.urdf", "a.xml", "a.usda"):
+            for more in ((), ("--meshes", "deep/below")):  # the scene is read through a smaller file
+                self.no_room(48_000, "export", "s.glb", "-o", name, *more)
+        # Old files stay.
+        self.trivet("run", layout, "-o", "a.obj")
+        self.write("a.mtl", self.read("a.mtl") + b"# changed\n")
+        self.no_room(2000, "run", layout, "-o", "a.obj")
+
+    def test_a_scene_and_its_report(self):
+        layout = self.two_cubes()
+        self.trivet("run", layout, "-o", "s.stl", "--report", "r.json")
+        size = len(self.read("s.stl"))
+        self.assertGreater(len(self.read("r.json")), size)
+        os.remove(self.path("s.stl"))
+        os.remove(self.path("r.json"))
+        self.no_room(size + 10, "run", layout, "-o", "s.stl", "--report", "r.json")
+
+
 if __name__ == "__main__":
     main()
