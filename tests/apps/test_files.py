@@ -268,6 +268,66 @@ class ModelsSeeTheirFolder(Case):
             self.assertIn("m/slab.gltf", err)
 
 
+class Pipes(Case):
+    """Layouts that are no regular files."""
+
+    def test_devices(self):
+        for device in ("/dev/zero", "/dev/urandom"):
+            begin = time.monotonic()
+            self.trivet("run", device, "-o", "s.glb", status=2)
+            self.assertLess(time.monotonic() - begin, 20)
+        self.refused("run", "/dev/null", "-o", "s.glb", says="/dev/null: is empty")
+
+    def test_a_pipe_that_is_fed(self):
+        text = self.read(self.two_cubes())
+        self.trivet("run", "layout.json", "-o", "s.glb")
+        os.mkfifo(self.path("fifo"))
+        writer = threading.Thread(target=self.feed, args=(text,))
+        writer.start()
+        self.trivet("run", "fifo", "-o", "t.glb")
+        writer.join()
+        self.assertEqual(self.read("t.glb"), self.read("s.glb"))
+        # Models lie relative to the layout, which is in /dev/fd here.
+        self.layout([{**SLAB, "model": self.path("slab.obj")}])
+        for command in ('"$0" run <(cat layout.json) -o u.glb',
+                        '(sleep 1; cat layout.json) | "$0" run /dev/stdin -o u.glb'):
+            subprocess.run(["bash", "-c", command, PROGRAM], cwd=self.folder, check=True,
+                           stdout=subprocess.DEVNULL, timeout=100)
+            self.trivet("check", "u.glb")
+            os.remove(self.path("u.glb"))
+
+    def feed(self, text):
+        time.sleep(0.5)
+        with open(self.path("fifo"), "wb") as fifo:
+            fifo.write(text[:100])
+            fifo.flush()
+            time.sleep(0.5)
+            fifo.write(text[100:])
+
+    def test_an_empty_pipe_is_empty(self):
+        for command in ('"$0" run <(true) -o u.glb', 'true | "$0" run /dev/stdin -o u.glb'):
+            result = subprocess.run(["bash", "-c", command, PROGRAM], cwd=self.folder, timeout=100,
+                                    capture_output=True)
+            self.assertEqual(result.returncode, 2)
+            self.assertIn(b"is empty", result.stderr)
+
+    def test_a_pipe_that_nobody_feeds(self):
+        os.mkfifo(self.path("fifo"))
+        begin = time.monotonic()
+        self.trivet("run", "fifo", "-o", "s.glb", status=2)
+        self.assertLess(time.monotonic() - begin, 60)
+        out, err = self.trivet("check", "fifo", status=2)
+        self.assertIn("fifo", err)
+
+    def test_an_endless_pipe(self):
+        for what in ("cat /dev/zero", "yes", "echo '{'; cat /dev/zero"):
+            command = '(%s) | "$0" run /dev/stdin -o u.glb' % what
+            result = subprocess.run(["bash", "-c", command, PROGRAM], cwd=self.folder, timeout=100,
+                                    capture_output=True)
+            self.assertEqual(result.returncode, 2)
+            self.assertIn(b"/dev/stdin: line ", result.stderr)
+
+
 class FullDisks(Case):
     """No room for the largest of several files: nothing is half-written, nothing is left over."""
 
