@@ -1,5 +1,6 @@
 #include "ops/operation.h"
 
+#include "core/base/nearest_name.h"
 #include "ops/edit.h"
 #include "ops/move/moves.h"
 
@@ -58,10 +59,12 @@ class Recording {
   bool m_own, m_kept = false;
 };
 
-OperationResult unknown(const std::string& name) {
+OperationResult unknown(const Scene& scene, const std::string& name) {
+  std::vector<std::string> names;
+  for (const ObjectId id : scene.ids()) names.push_back(scene.at(id).name);
   OperationResult result;
   result.status = OperationResult::Status::Refused;
-  result.reason = "there is no object \"" + name + "\"";
+  result.reason = "there is no object \"" + name + "\"" + did_you_mean(name, names);
   return result;
 }
 
@@ -94,7 +97,7 @@ const std::string& object_name(const Operation& operation) {
 OperationResult perform(Scene& scene, const Operation& operation, const SettleOptions& options) {
   const bool is_new = std::holds_alternative<AppendOperation>(operation);
   const std::optional<ObjectId> object = scene.find(object_name(operation));
-  if (!object && !is_new) return unknown(object_name(operation));
+  if (!object && !is_new) return unknown(scene, object_name(operation));
   Recording recording(scene);
   OperationResult result =
       std::visit(Performer{scene, object.value_or(ObjectId{}), options}, operation);
