@@ -7,6 +7,7 @@
 
 #include <cstdlib>
 
+#include "core/base/standard_streams.h"
 #include "core/io/isolated.h"
 
 namespace trivet::apps {
@@ -22,6 +23,7 @@ void limit(int resource, rlim_t value, rlim_t hard_extra = 0) {
 }  // namespace
 
 void import_and_exit(int argc, char** argv, ModelReader reader) {
+  open_standard_streams();
   if (argc != 8) _exit(2);
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   ImportLimits limits;

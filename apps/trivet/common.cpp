@@ -7,6 +7,7 @@
 #include <iostream>
 
 #include "core/base/error.h"
+#include "core/base/nearest_name.h"
 #include "core/io/isolated.h"
 #include "ops/layout/json_text.h"
 
@@ -161,7 +162,7 @@ CLI::Validator one_of(std::vector<std::string> accepted) {
       [=](const std::string& text) -> std::string {
         for (const std::string& name : accepted)
           if (text == name) return "";
-        return quoted(text) + "; accepted: " + list;
+        return quoted(text) + "; accepted: " + list + did_you_mean(text, accepted);
       },
       "");
 }

@@ -1,3 +1,7 @@
 #include "apps/trivet/program.h"
+#include "core/base/standard_streams.h"
 
-int main(int argc, char** argv) { return trivet::apps::run_program(argc, argv); }
+int main(int argc, char** argv) {
+  trivet::open_standard_streams();
+  return trivet::apps::run_program(argc, argv);
+}

@@ -13,6 +13,8 @@
 
 #include "core/base/error.h"
 #include "core/io/export.h"
+#include "core/io/overwrites.h"
+#include "core/io/staged_files.h"
 #include "ops/simulation/simulation.h"
 
 namespace trivet::apps {
@@ -24,23 +26,14 @@ namespace fs = std::filesystem;
   throw Error(Error::Kind::Environment, path + ": cannot be written: " + std::strerror(errno));
 }
 
-std::string identity_of(const std::string& path) {
-  std::error_code error;
-  const fs::path canonical = fs::weakly_canonical(fs::absolute(path), error);
-  return error ? path : canonical.string();
-}
-
 void check_distinct(const std::vector<std::string>& outputs,
                     const std::vector<std::string>& inputs) {
   for (size_t i = 0; i < outputs.size(); ++i) {
     for (size_t j = 0; j < i; ++j)
-      if (identity_of(outputs[i]) == identity_of(outputs[j]))
+      if (same_file(outputs[i], outputs[j]))
         throw Error(Error::Kind::BadInput,
                     outputs[i] + ": used for two outputs; accepted: different files");
-    for (const std::string& input : inputs)
-      if (identity_of(outputs[i]) == identity_of(input))
-        throw Error(Error::Kind::BadInput,
-                    outputs[i] + ": is an input and would be overwritten; accepted: another file");
+    check_not_an_input(outputs[i], inputs);
   }
 }
 
@@ -175,6 +168,11 @@ void check_outputs(const OutputPaths& paths, const std::vector<std::string>& inp
   check_files_beside(paths.scene);
 }
 
+void check_not_inputs(const OutputPaths& paths, const std::vector<std::string>& inputs) {
+  for (const std::string& path : {paths.scene, paths.report, paths.picture})
+    if (!path.empty()) check_not_an_input(path, inputs);
+}
+
 void check_files(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs) {
   std::vector<std::string> wanted;
   for (const std::string& path : outputs)
@@ -201,6 +199,9 @@ int Outputs::write(const LayoutRun& run, const Layout& layout, const RunOptions&
   // Everything that can fail, except the disk, comes first.
   const std::string png = m_picture ? m_picture->png(run.scene) : "";
   clear_progress_line(m_common);
+  StagedFiles beside;  // a full disk leaves none of all
+  if (!m_paths.report.empty()) beside.add(m_paths.report, report);
+  if (m_picture) beside.add(m_paths.picture, png);
   const std::string extension = extension_of(m_paths.scene);
   if (is_simulation_extension(extension))
     export_simulation(run.scene, m_paths.scene);
@@ -209,8 +210,7 @@ int Outputs::write(const LayoutRun& run, const Layout& layout, const RunOptions&
   else if (!m_paths.scene.empty())
     write_scene_file(run.scene, layout, {TRIVET_VERSION, folders.in_scene, options.settle.clearance},
                      m_paths.scene);
-  if (!m_paths.report.empty()) write_file_atomically(m_paths.report, report);
-  if (m_picture) write_file_atomically(m_paths.picture, png);
+  beside.commit();
   if (m_common.json)
     std::cout << report;
   else if (!m_common.quiet)

@@ -29,6 +29,10 @@ void add_output_options(CLI::App& app, OutputPaths& paths);
 /// @param inputs  files that must not be overwritten.
 void check_outputs(const OutputPaths& paths, const std::vector<std::string>& inputs);
 
+/// For inputs that only another input names: the models of a scene.
+/// @throws Error (BadInput) when an output is one of them.
+void check_not_inputs(const OutputPaths& paths, const std::vector<std::string>& inputs);
+
 /// @throws Error (BadInput) naming the accepted extensions.
 void check_extension(const std::string& path, const std::vector<std::string>& accepted);
 

@@ -10,6 +10,7 @@
 
 #include "apps/trivet/verbs.h"
 #include "core/base/error.h"
+#include "core/base/nearest_name.h"
 
 namespace trivet::apps {
 namespace {
@@ -47,12 +48,15 @@ std::vector<Verb> add_verbs(CLI::App& app, CommonOptions& common) {
 }
 
 // Hint shown for a missing or unknown verb.
-std::string accepted_verbs(const CLI::App& app) {
+std::string accepted_verbs(const CLI::App& app, const std::string& given = "") {
   if (!app.get_subcommands().empty()) return "";
   std::string list;
-  for (const CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; }))
-    list += (list.empty() ? "; accepted verbs: " : ", ") + verb->get_name();
-  return list;
+  std::vector<std::string> names;
+  for (const CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; })) {
+    names.push_back(verb->get_name());
+    list += (list.empty() ? "; accepted verbs: " : ", ") + names.back();
+  }
+  return list + did_you_mean(given, names);
 }
 
 int do_verb(const std::vector<Verb>& verbs, const CommonOptions& common) {
@@ -91,7 +95,9 @@ int run_program(int argc, char** argv) {
   } catch (const CLI::Success& e) {  // help and version
     return app.exit(e);
   } catch (const CLI::ParseError& e) {
-    return fail(json, "usage", e.what() + accepted_verbs(app) + " (see trivet --help)", kBadInput);
+    return fail(json, "usage",
+                e.what() + accepted_verbs(app, argc > 1 ? argv[1] : "") + " (see trivet --help)",
+                kBadInput);
   } catch (const Error& e) {
     const bool bad_input = e.kind() == Error::Kind::BadInput;
     return fail(json, bad_input ? "bad input" : "environment", e.what(),

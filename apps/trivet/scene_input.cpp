@@ -24,6 +24,12 @@ Scene scene_of_model(const std::string& path, const CommonOptions& common) {
 
 }  // namespace
 
+std::vector<std::string> names_of(const Scene& scene) {
+  std::vector<std::string> names;
+  for (const ObjectId id : scene.ids()) names.push_back(scene.at(id).name);
+  return names;
+}
+
 Scene read_scene_or_model(const std::string& path, const CommonOptions& common) {
   const std::string extension = extension_of(path);
   if ((extension != ".glb" && extension != ".gltf") || !is_scene_file(path))

@@ -10,4 +10,7 @@ namespace trivet::apps {
 /// Reads a scene written by trivet; or any model, alone, as it is and without a floor.
 Scene read_scene_or_model(const std::string& path, const CommonOptions& common);
 
+/// Of all objects, in their order.
+std::vector<std::string> names_of(const Scene& scene);
+
 }  // namespace trivet::apps

@@ -2,8 +2,10 @@
 #include <iostream>
 
 #include "apps/trivet/outputs.h"
+#include "apps/trivet/scene_input.h"
 #include "apps/trivet/verbs.h"
 #include "core/base/error.h"
+#include "core/base/nearest_name.h"
 #include "core/io/export.h"
 #include "ops/report/queries.h"
 #include "ops/report/report.h"
@@ -28,6 +30,7 @@ LayoutRun check_scene_file(const CheckArguments& arguments, const CommonOptions&
                            Detector& detector) {
   SceneFile file = read_scene_file(arguments.file, common.limits());
   for (const std::string& note : file.notes) print_note(common, note);
+  check_not_inputs({"", arguments.report, ""}, model_files(file.layout, folder_of(arguments.file)));
   RunOptions options = options_of(arguments, common, detector);
   if (!(options.settle.clearance > 0)) options.settle.clearance = file.clearance;
   LayoutRun run;
@@ -40,6 +43,7 @@ LayoutRun check_scene_file(const CheckArguments& arguments, const CommonOptions&
 LayoutRun check_layout(const CheckArguments& arguments, const CommonOptions& common,
                        Detector& detector) {
   const Layout layout = read_layout(arguments.file, common.limits().max_file_bytes);
+  check_not_inputs({"", arguments.report, ""}, model_files(layout, folder_of(arguments.file)));
   RunOptions options = options_of(arguments, common, detector);
   options.layout_file = arguments.file;
   const ModelSource models = models_in_folder(folder_of(arguments.file), common.limits());
@@ -58,7 +62,8 @@ int tell_of_object(const CheckArguments& arguments, const CommonOptions& common,
   const auto id = run.scene.find(arguments.object);
   if (!id)
     throw Error(Error::Kind::BadInput, "--object: \"" + arguments.object +
-                                           "\" is not accepted; accepted: the name of an object");
+                                           "\" is not accepted; accepted: the name of an object" +
+                                           did_you_mean(arguments.object, names_of(run.scene)));
   StabilityOptions options = arguments.stability;
   options.clearance = arguments.settle.settle.clearance;
   if (common.json)

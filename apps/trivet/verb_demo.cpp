@@ -57,6 +57,14 @@ void write_demo(const DemoLayout& demo, const DemoFolder& folder) {
   write_file_atomically(folder.file("layout.json"), layout_json(demo));
 }
 
+// What --export leaves for trivet run.
+std::vector<std::string> exported_files(const DemoLayout& demo, const std::string& folder) {
+  if (folder.empty()) return {};
+  std::vector<std::string> out{(fs::path(folder) / "layout.json").string()};
+  for (const DemoModel& made : demo.models) out.push_back((fs::path(folder) / made.file).string());
+  return out;
+}
+
 PictureRequest picture_from(const DemoView& view) {
   PictureRequest request;
   for (const Vec3& p : {view.eye, view.target})
@@ -68,7 +76,8 @@ PictureRequest picture_from(const DemoView& view) {
 // Runs from files, like a user would: the same bits with and without --export.
 int run_demo(const DemoArguments& arguments, const CommonOptions& common) {
   const DemoLayout demo = make_demo(arguments.name);
-  Outputs outputs(arguments.outputs, {}, common, picture_from(demo.view));
+  Outputs outputs(arguments.outputs, exported_files(demo, arguments.folder), common,
+                  picture_from(demo.view));
   const DemoFolder folder(arguments.folder);
   write_demo(demo, folder);
   const Layout layout = read_layout(folder.file("layout.json"));

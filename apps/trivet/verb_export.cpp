@@ -22,6 +22,8 @@ struct ExportArguments {
 Scene scene_of(const ExportArguments& arguments, const CommonOptions& common) {
   SceneFile file = read_scene_file(arguments.scene, common.limits());
   for (const std::string& note : file.notes) print_note(common, note);
+  check_not_inputs({arguments.output, arguments.report, ""},
+                   model_files(file.layout, folder_of(arguments.scene)));
   const double clearance = arguments.clearance > 0 ? arguments.clearance : file.clearance;
   update_contacts(file.scene, clearance);
   return std::move(file.scene);

@@ -1,7 +1,9 @@
 // Verbs that move one object of a scene: push, turn, pick-up, translate, rotate; and fix and unfix.
 #include "apps/trivet/outputs.h"
+#include "apps/trivet/scene_input.h"
 #include "apps/trivet/verbs.h"
 #include "core/base/error.h"
+#include "core/base/nearest_name.h"
 #include "ops/check/check.h"
 #include "ops/layout/operation_json.h"
 
@@ -37,12 +39,14 @@ int move(const MoveArguments& arguments, const Operation& asked, const CommonOpt
   Outputs outputs(arguments.outputs, {}, common);
   SceneFile file = read_scene_file(arguments.scene, common.limits());
   for (const std::string& note : file.notes) print_note(common, note);
+  check_not_inputs(arguments.outputs, model_files(file.layout, folder_of(arguments.scene)));
   std::vector<std::string> names = arguments.move.together;
   names.insert(names.begin(), arguments.move.object);
   for (const std::string& name : names)
     if (!file.scene.find(name))
       throw Error(Error::Kind::BadInput, arguments.scene + ": there is no object \"" + name +
-                                             "\"; accepted: the name of one of its objects");
+                                             "\"; accepted: the name of one of its objects" +
+                                             did_you_mean(name, names_of(file.scene)));
   const std::unique_ptr<Detector> detector = make_detector(common);
   RunOptions options = run_options(common, arguments.settle, detector.get());
   if (!(options.settle.clearance > 0)) options.settle.clearance = file.clearance;

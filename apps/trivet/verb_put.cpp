@@ -96,6 +96,7 @@ int put(const PutArguments& arguments, const CommonOptions& common) {
   Outputs outputs(arguments.outputs, {arguments.model}, common);
   SceneFile file = read_scene_file(arguments.scene, common.limits());
   for (const std::string& note : file.notes) print_note(common, note);
+  check_not_inputs(arguments.outputs, model_files(file.layout, folder_of(arguments.scene)));
   Layout addition;
   addition.objects.push_back(layout_object(arguments, file));
   addition.operations.push_back(PutOperation{{addition.objects.back().name}, start});

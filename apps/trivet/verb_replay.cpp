@@ -1,5 +1,6 @@
 #include "apps/trivet/outputs.h"
 #include "apps/trivet/verbs.h"
+#include "ops/session/journal.h"
 #include "ops/session/restore.h"
 
 namespace trivet::apps {
@@ -11,13 +12,14 @@ struct ReplayArguments {
 };
 
 int replay(const ReplayArguments& arguments, const CommonOptions& common) {
-  Outputs outputs(arguments.outputs, {arguments.journal}, common);
+  Outputs outputs(arguments.outputs, {arguments.journal, start_copy_of(arguments.journal)}, common);
   const std::unique_ptr<Detector> detector = make_detector(common);
   RunOptions options = run_options(common, {}, detector.get());
   RestoredSession restored = restore_session(arguments.journal, options, common.limits(), false);
   OpenedSession& opened = restored.opened;
   clear_progress_line(common);
   for (const std::string& note : opened.notes) print_note(common, note);
+  check_not_inputs(arguments.outputs, model_files(opened.session.layout(), opened.model_folder));
   LayoutRun run;
   run.scene = opened.session.scene();
   for (size_t i = 0; i < opened.session.num_done(); ++i) {
@@ -26,8 +28,9 @@ int replay(const ReplayArguments& arguments, const CommonOptions& common) {
       run.operations.push_back(
           {op_name(step.operations[k]), object_name(step.operations[k]), step.results[k]});
   }
-  options.settle.clearance = opened.clearance;
+  options.settle.clearance = settled_clearance(opened);
   finish_run(options, run);
+  run.scene = opened.session.scene();  // with its own contacts, as in the files that it saves
   const OutputPaths& paths = arguments.outputs;
   const int status = outputs.write(run, opened.session.layout(), options,
                                    {folder_from(paths.scene, opened.model_folder),

@@ -1,5 +1,3 @@
-#include <filesystem>
-
 #include "apps/trivet/outputs.h"
 #include "apps/trivet/verbs.h"
 #include "core/base/error.h"
@@ -28,12 +26,13 @@ int run(const RunArguments& arguments, const CommonOptions& common) {
   const Layout layout = read_layout(arguments.layout, common.limits().max_file_bytes);
   const std::string folder = folder_of(arguments.layout);
   std::unique_ptr<GltfScene> scene;
-  std::vector<std::string> inputs{arguments.layout};
+  std::vector<std::string> inputs = model_files(layout, folder);
   if (!layout.scene.empty()) {
-    inputs.push_back((std::filesystem::path(folder) / layout.scene).string());
-    scene = std::make_unique<GltfScene>(inputs.back(), layout.scene_rule, common.limits());
-    check_kind(arguments.outputs.scene, inputs.back());
+    const std::string& file = inputs.front();
+    scene = std::make_unique<GltfScene>(file, layout.scene_rule, common.limits());
+    check_kind(arguments.outputs.scene, file);
   }
+  inputs.push_back(arguments.layout);
   Outputs outputs(arguments.outputs, inputs, common);
   const std::unique_ptr<Detector> detector = make_detector(common);
   RunOptions options = run_options(common, arguments.settle, detector.get());

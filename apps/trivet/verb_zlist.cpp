@@ -23,6 +23,8 @@ struct ZListArguments {
 Scene scene_of(const ZListArguments& arguments, const CommonOptions& common, int& status) {
   if (extension_of(arguments.input) != ".json") return read_scene_or_model(arguments.input, common);
   const Layout layout = read_layout(arguments.input, common.limits().max_file_bytes);
+  check_not_inputs({"", arguments.dump, arguments.picture},
+                   model_files(layout, folder_of(arguments.input)));
   const std::unique_ptr<Detector> detector = make_detector(common);
   RunOptions options = run_options(common, arguments.settle, detector.get());
   options.layout_file = arguments.input;

@@ -60,7 +60,7 @@ GltfJson emissive_of(const aiMaterial& material, bool textured) {
 
 MaterialConverter::MaterialConverter(const aiScene& scene, const ImportLimits& limits, Model& model,
                                      GltfBuilder& builder)
-    : m_scene(scene), m_limits(limits), m_model(model), m_builder(builder) {}
+    : m_scene(scene), m_limits(limits), m_model(model), m_builder(builder), m_folder(model.path) {}
 
 size_t MaterialConverter::material(unsigned id) {
   if (id >= m_scene.mNumMaterials) id = 0;
@@ -152,7 +152,8 @@ SharedBytes MaterialConverter::image_bytes(const std::string& path) {
     entry->second = file_bytes(path);
   }
   if (!entry->second)
-    note("left out: the texture \"" + path + "\" (missing, or neither PNG nor JPEG)");
+    note("left out: the texture \"" + path +
+         "\", missing, outside the model's folder, or neither PNG nor JPEG");
   return entry->second;
 }
 
@@ -164,7 +165,7 @@ SharedBytes MaterialConverter::file_bytes(const std::string& path) const {
   for (const fs::path& candidate : {folder / relative, folder / fs::path(relative).filename(),
                                     folder / "textures" / fs::path(relative).filename()}) {
     std::error_code error;
-    if (!fs::is_regular_file(candidate, error)) continue;
+    if (!m_folder.has(candidate)) continue;
     const std::uintmax_t size = fs::file_size(candidate, error);
     if (error || size == 0 || size > m_limits.max_file_bytes) continue;
     std::string bytes(size, '\0');

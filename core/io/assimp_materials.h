@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/io/gltf_builder.h"
+#include "core/io/model_folder.h"
 
 struct aiScene;
 struct aiMaterial;
@@ -28,6 +29,7 @@ class MaterialConverter {
   const ImportLimits& m_limits;
   Model& m_model;
   GltfBuilder& m_builder;
+  const ModelFolder m_folder;
   std::map<unsigned, size_t> m_materials;
   std::map<std::string, SharedBytes> m_images;
   std::map<GltfJson, size_t> m_samplers, m_textures;

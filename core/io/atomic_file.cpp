@@ -6,9 +6,11 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <memory>
 
 #include "core/base/error.h"
 #include "core/io/export.h"
+#include "core/io/staged_files.h"
 
 namespace trivet {
 namespace {
@@ -42,10 +44,14 @@ class TemporaryFile {
 
   int descriptor() const { return m_descriptor; }
 
-  void close_and_rename(const fs::path& target) {
+  void sync_and_close(const fs::path& target) {
+    if (fsync(m_descriptor) != 0) fail(target.string(), errno);
     const int descriptor = m_descriptor;
     m_descriptor = -1;
     if (close(descriptor) != 0) fail(target.string(), errno);
+  }
+
+  void rename_to(const fs::path& target) {
     if (std::rename(m_path.c_str(), target.c_str()) != 0) fail(target.string(), errno);
     m_kept = true;
   }
@@ -94,23 +100,81 @@ void write_file_atomically(const std::string& path, const std::string& bytes) {
   write_file_atomically(path, [&](const ByteSink& write) { write(bytes); });
 }
 
-void write_file_atomically(const std::string& path, const FileContent& content) {
-  struct stat old {};
-  const bool exists = stat(path.c_str(), &old) == 0;
-  if (exists && S_ISDIR(old.st_mode)) fail(path, EISDIR);
-  if (exists && !S_ISREG(old.st_mode)) return write_through(path, content);
-  if (exists && faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) != 0) fail(path, errno);
+/// One file on its way; devices and pipes, which cannot be replaced, are written at the end.
+struct StagedFiles::File {
+  std::string path;
+  std::string late_bytes;  // of a device or pipe
+  fs::path target;
+  std::unique_ptr<TemporaryFile> temporary;
 
-  // Follows a symbolic link, so that the link itself stays.
+  File(const std::string& file, const FileContent& content) : path(file) {
+    struct stat old {};
+    const bool exists = stat(path.c_str(), &old) == 0;
+    if (exists && S_ISDIR(old.st_mode)) fail(path, EISDIR);
+    if (exists && !S_ISREG(old.st_mode)) {
+      content([&](const std::string& bytes) { late_bytes += bytes; });
+      return;
+    }
+    if (exists && faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) != 0) fail(path, errno);
+    // Follows a symbolic link, so that the link itself stays.
+    std::error_code error;
+    target = exists ? fs::canonical(path, error) : fs::absolute(path, error);
+    if (error) fail(path, error.value());
+    temporary = std::make_unique<TemporaryFile>(target);
+    content([&](const std::string& bytes) { write_all(temporary->descriptor(), bytes, path); });
+    if (exists) fchmod(temporary->descriptor(), old.st_mode & 07777);
+    temporary->sync_and_close(path);
+  }
+
+  void commit() {
+    if (!temporary)
+      return write_through(path, [this](const ByteSink& write) { write(late_bytes); });
+    temporary->rename_to(target);
+    sync_folder(target.parent_path());
+  }
+};
+
+StagedFiles::StagedFiles() = default;
+
+StagedFiles::~StagedFiles() {
+  m_files.clear();
+  std::error_code ignored;  // fs::remove() leaves folders alone that hold something
+  for (auto folder = m_folders.rbegin(); folder != m_folders.rend(); ++folder)
+    fs::remove(*folder, ignored);
+}
+
+void StagedFiles::add_folder(const std::string& path) {
+  std::vector<std::string> made;
   std::error_code error;
-  fs::path target = exists ? fs::canonical(path, error) : fs::absolute(path, error);
-  if (error) fail(path, error.value());
-  TemporaryFile temporary(target);
-  content([&](const std::string& bytes) { write_all(temporary.descriptor(), bytes, path); });
-  if (exists) fchmod(temporary.descriptor(), old.st_mode & 07777);
-  if (fsync(temporary.descriptor()) != 0) fail(path, errno);
-  temporary.close_and_rename(target);
-  sync_folder(target.parent_path());
+  for (fs::path folder = path; !folder.empty() && !fs::exists(folder, error);
+       folder = folder.parent_path())
+    made.insert(made.begin(), folder.string());
+  m_folders.insert(m_folders.end(), made.begin(), made.end());
+  fs::create_directories(path, error);
+  if (error) throw Error(Error::Kind::Environment, path + ": cannot be made: " + error.message());
+}
+
+void StagedFiles::add(const std::string& path, const std::string& bytes) {
+  add(path, [&](const ByteSink& write) { write(bytes); });
+}
+
+void StagedFiles::add(const std::string& path, const FileContent& content) {
+  m_files.push_back(std::make_unique<File>(path, content));
+}
+
+void StagedFiles::commit() {
+  for (const auto& file : m_files) file->commit();
+  m_files.clear();
+  m_folders.clear();
+}
+
+void write_file_atomically(const std::string& path, const FileContent& content) {
+  struct stat status {};
+  if (stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode))
+    return write_through(path, content);  // piece by piece
+  StagedFiles staged;
+  staged.add(path, content);
+  staged.commit();
 }
 
 }  // namespace trivet

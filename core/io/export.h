@@ -53,6 +53,10 @@ std::vector<Eigen::Vector3f> exported_positions(const ExportObject& object);
 ///   scene; Environment if it cannot be written.
 void write_scene(const ExportScene& scene, const std::string& path);
 
+/// The bytes of a format that is one file: ".glb", ".ply", ".stl".
+/// @throws Error (BadInput) for another extension.
+std::string scene_bytes(const ExportScene& scene, const std::string& extension);
+
 /// Checks the companion files that are known without a scene: the .bin of a .gltf, the .mtl of an
 /// .obj.
 /// @throws Error (BadInput) naming the file in the way.

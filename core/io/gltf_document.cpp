@@ -8,7 +8,9 @@
 #include <string_view>
 
 #include "core/base/error.h"
+#include "core/io/base64.h"
 #include "core/io/glb_container.h"
+#include "core/io/model_folder.h"
 
 namespace trivet {
 namespace {
@@ -19,29 +21,6 @@ namespace fs = std::filesystem;
 constexpr int kMaxDepth = 200;
 
 [[noreturn]] void fail(const std::string& reason) { throw Error(Error::Kind::BadInput, reason); }
-
-std::string decoded_base64(const std::string& text, size_t start) {
-  std::string out;
-  out.reserve((text.size() - start) / 4 * 3);
-  std::uint32_t bits = 0;
-  int num_bits = 0;
-  for (size_t i = start; i < text.size() && text[i] != '='; ++i) {
-    const char c = text[i];
-    const int value = c >= 'A' && c <= 'Z'   ? c - 'A'
-                      : c >= 'a' && c <= 'z' ? c - 'a' + 26
-                      : c >= '0' && c <= '9' ? c - '0' + 52
-                      : c == '+'             ? 62
-                      : c == '/'             ? 63
-                                             : -1;
-    if (value < 0) continue;
-    bits = bits << 6 | static_cast<std::uint32_t>(value);
-    num_bits += 6;
-    if (num_bits < 8) continue;
-    num_bits -= 8;
-    out += static_cast<char>(bits >> num_bits & 0xff);
-  }
-  return out;
-}
 
 std::string whole_file(const fs::path& path, std::uintmax_t max_bytes) {
   std::error_code error;
@@ -62,6 +41,8 @@ bool is_glb(const std::string& path) {
   std::string extension = fs::path(path).extension().string();
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   if (extension == ".glb") return true;
+  std::error_code error;
+  if (!fs::is_regular_file(path, error)) return false;  // opening a pipe would wait
   std::array<char, 4> begin{};
   std::ifstream in(path, std::ios::binary);
   return in.read(begin.data(), begin.size()) && std::string_view(begin.data(), 4) == "glTF";
@@ -70,7 +51,7 @@ bool is_glb(const std::string& path) {
 class DocumentReader {
  public:
   DocumentReader(const std::string& path, const ImportLimits& limits)
-      : m_path(path), m_limits(limits) {}
+      : m_path(path), m_limits(limits), m_folder(path) {}
 
   GltfDocument read() {
     const std::string text = read_gltf_text(m_path);
@@ -88,9 +69,10 @@ class DocumentReader {
     if (uri.rfind("data:", 0) == 0) {
       const size_t comma = uri.find(";base64,");
       if (comma == std::string::npos) fail("a data URI is not base64");
-      return decoded_base64(uri, comma + 8);
+      return decoded_base64(std::string_view(uri).substr(comma + 8));
     }
     const fs::path path = fs::path(m_path).parent_path() / decoded_uri(uri);
+    if (!m_folder.holds(path)) fail(outside_folder(uri));
     return whole_file(path, m_limits.max_file_bytes);
   }
 
@@ -167,6 +149,7 @@ class DocumentReader {
 
   const std::string m_path;
   const ImportLimits m_limits;
+  const ModelFolder m_folder;
   GltfDocument m_document;
   std::vector<size_t> m_starts, m_ends;  // of the file's buffers in the merged buffer
 };
@@ -188,6 +171,10 @@ GltfJson parse_gltf_json(const std::string& path, const std::string& text) {
 
 std::string read_gltf_text(const std::string& path) {
   constexpr std::uintmax_t kMaxJson = std::uintmax_t{4} << 30;
+  std::error_code error;
+  if (fs::exists(path, error) && !fs::is_regular_file(path, error) &&
+      !fs::is_directory(path, error))
+    fail(path + ": is a device or a pipe; accepted: a regular file");
   if (is_glb(path)) return read_glb_json(path);
   std::string text = whole_file(path, kMaxJson);
   const size_t first = text.find_first_not_of(" \t\r\n");

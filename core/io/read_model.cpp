@@ -9,6 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/io/assimp_appearance.h"
+#include "core/io/assimp_files.h"
 #include "core/io/assimp_geometry.h"
 #include "core/io/assimp_look.h"
 #include "core/io/gltf_document.h"
@@ -52,8 +53,16 @@ std::string printable(std::string text) {
   return text.empty() ? "unknown error" : text;
 }
 
-// Imports in two steps, as the second trusts the result of the first; equivalent to one.
-const aiScene& import_scene(Assimp::Importer& importer, const std::string& path) {
+// As the model has it: assimp puts its folder before it.
+std::string name_in_file(const std::string& file, const std::string& model) {
+  const std::string folder = fs::path(model).parent_path().string();
+  const bool before = !folder.empty() && file.rfind(folder + "/", 0) == 0;
+  return before ? file.substr(folder.size() + 1) : file;
+}
+
+// In two steps, as the second trusts what the first left behind; the result is that of one.
+const aiScene& import_scene(Assimp::Importer& importer, const ModelFiles& files,
+                            const std::string& path) {
   const aiScene* scene = importer.ReadFile(path, 0);
   if (scene && scene->mRootNode) {
     check_faces(path, *scene);
@@ -61,12 +70,38 @@ const aiScene& import_scene(Assimp::Importer& importer, const std::string& path)
   }
   if (!scene && std::string(importer.GetErrorString()).find("bad_alloc") != std::string::npos)
     throw std::bad_alloc();
+  if ((!scene || !scene->mRootNode) && !files.outside().empty())
+    fail(path, outside_folder(name_in_file(files.outside().front(), path)));
   if (!scene || !scene->mRootNode)
     fail(path, "cannot be read as a model: " + printable(importer.GetErrorString()));
   return *scene;
 }
 
-// Reads glTF from the file itself, to lose none of its data.
+// assimp takes names of buffers another way than glTF means them: they are looked at before.
+void check_buffers(const std::string& path) {
+  GltfJson json;
+  try {
+    json = parse_gltf_json(path, read_gltf_text(path));
+  } catch (const Error&) {
+    return;  // assimp will say so
+  }
+  const ModelFolder folder(path);
+  for (const GltfJson& buffer : member(json, "buffers")) {
+    const GltfJson& uri = member(buffer, "uri");
+    if (!uri.is_string() || uri.get_ref<const std::string&>().rfind("data:", 0) == 0) continue;
+    const auto name = uri.get<std::string>();
+    if (!folder.holds(fs::path(path).parent_path() / decoded_uri(name)))
+      fail(path, outside_folder(name));
+  }
+}
+
+bool is_gltf(const std::string& path) {
+  std::string extension = fs::path(path).extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension == ".gltf" || extension == ".glb";
+}
+
+// glTF from the file itself: nothing that it says gets lost on the way.
 void read_look(const aiScene& scene, const ImportLimits& limits, Model& model) {
   if (model.format != "gltf2") {
     model.look = look_of_assimp(scene, limits, model);
@@ -89,9 +124,14 @@ Model read_model(const std::string& path, const ImportLimits& limits) {
          format + " files are read only by the program trivet-import-cad, never in this process");
   try {
     Assimp::Importer importer;
+    auto* const files = new ModelFiles(path);
+    importer.SetIOHandler(files);  // owns it from here on
     check_extension(importer, path);
-    const aiScene& scene = import_scene(importer, path);
+    if (is_gltf(path)) check_buffers(path);
+    const aiScene& scene = import_scene(importer, *files, path);
     Model model;
+    for (const std::string& name : files->outside())
+      model.notes.push_back("left out: it " + outside_folder(name_in_file(name, path)));
     model.path = path;
     model.format = format_of(importer);
     read_materials(scene, model);

@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/io/gltf_builder.h"
+#include "core/io/staged_files.h"
 #include "core/io/writers.h"
 
 namespace trivet {
@@ -43,11 +44,11 @@ void write_gltf(const ExportScene& scene, const fs::path& target) {
   const fs::path folder = target.parent_path();
   for (const auto& [name, bytes] : files.images) check_file_beside(target.string(), name);
   if (!files.binary.empty()) check_file_beside(target.string(), files.binary_name);
-  for (const auto& [name, bytes] : files.images)
-    write_file_atomically((folder / name).string(), *bytes);
-  if (!files.binary.empty())
-    write_file_atomically((folder / files.binary_name).string(), files.binary);
-  write_file_atomically(target.string(), files.json);
+  StagedFiles staged;
+  for (const auto& [name, bytes] : files.images) staged.add((folder / name).string(), *bytes);
+  if (!files.binary.empty()) staged.add((folder / files.binary_name).string(), files.binary);
+  staged.add(target.string(), files.json);
+  staged.commit();
 }
 
 // Materials first: an existing OBJ never names a missing file.
@@ -55,8 +56,10 @@ void write_obj(const ExportScene& scene, const fs::path& target) {
   const std::string mtl = mtl_name(target);
   check_file_beside(target.string(), mtl);
   const ObjText text = obj_text(scene, mtl);
-  write_file_atomically((target.parent_path() / mtl).string(), text.mtl);
-  write_file_atomically(target.string(), text.obj);
+  StagedFiles staged;
+  staged.add((target.parent_path() / mtl).string(), text.mtl);
+  staged.add(target.string(), text.obj);
+  staged.commit();
 }
 
 }  // namespace
@@ -78,19 +81,23 @@ void check_files_beside(const std::string& path) {
   if (extension == ".obj") check_file_beside(target.string(), mtl_name(target));
 }
 
+std::string scene_bytes(const ExportScene& scene, const std::string& extension) {
+  if (extension == ".glb") return glb_bytes(gltf_document(scene));
+  if (extension == ".ply") return ply_bytes(scene);
+  if (extension == ".stl") return stl_bytes(scene);
+  throw Error(Error::Kind::BadInput,
+              "\"" + extension + "\" is no format of one file; accepted are .glb, .ply and .stl");
+}
+
 void write_scene(const ExportScene& scene, const std::string& path) {
   const fs::path target(path);
   const std::string extension = extension_of(target);
-  if (extension == ".glb") {
-    write_file_atomically(path, glb_bytes(gltf_document(scene)));
-  } else if (extension == ".gltf") {
+  if (extension == ".gltf") {
     write_gltf(scene, target);
   } else if (extension == ".obj") {
     write_obj(scene, target);
-  } else if (extension == ".ply") {
-    write_file_atomically(path, ply_bytes(scene));
-  } else if (extension == ".stl") {
-    write_file_atomically(path, stl_bytes(scene));
+  } else if (extension == ".glb" || extension == ".ply" || extension == ".stl") {
+    write_file_atomically(path, scene_bytes(scene, extension));
   } else {
     throw Error(Error::Kind::BadInput,
                 path + ": " + (extension.empty() ? "no extension" : "cannot write " + extension) +

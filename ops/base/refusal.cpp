@@ -4,6 +4,7 @@
 #include <sstream>
 #include <utility>
 
+#include "core/base/nearest_name.h"
 #include "core/base/quoted.h"
 
 namespace trivet {
@@ -48,6 +49,7 @@ class Writer {
       case Cause::UnknownObject:
         m_out << "there is no object " << name(0);
         if (has(1)) m_out << " to put " << name(1) << " on";
+        if (!m_r.detail.empty()) m_out << "; did you mean " << quoted(m_r.detail) << "?";
         return true;
       case Cause::InvalidName:
         m_out << quoted(m_r.objects[0].name)
@@ -210,6 +212,13 @@ class Writer {
           m_out << "; it was tried at " << whole("tried") << " others: first "
                 << message(*m_r.first);
         return true;
+      case Cause::KeepTooLarge:
+        m_out << name(0) << " cannot be kept " << number("keep")
+              << " m away from everything else: a scene so large is too coarse for its objects, the "
+                 "smallest of which is "
+              << number("diagonal") << " m; accepted: a distance to keep of up to "
+              << number("largest_keep") << " m";
+        return true;
       case Cause::RestsOnOther:
         m_out << name(0) << " would come to rest against " << name(1);
         return true;
@@ -245,6 +254,14 @@ Named named(const Scene& scene, const std::string& name) {
   if (name == kFloorName) return {name, Support::floor()};
   const std::optional<ObjectId> id = scene.find(name);
   return {name, id ? std::optional<Support>(*id) : std::nullopt};
+}
+
+Refusal unknown_object(const Scene& scene, const std::string& name) {
+  std::vector<std::string> names;
+  for (const ObjectId id : scene.ids()) names.push_back(scene.at(id).name);
+  Refusal why{Cause::UnknownObject, {{name, std::nullopt}}};
+  why.detail = nearest_name(name, names);
+  return why;
 }
 
 double Refusal::number(const std::string& key) const {
@@ -285,6 +302,7 @@ const char* to_string(Refusal::Cause cause) {
       {Cause::NoContact, "no_contact"},
       {Cause::PointContact, "point_contact"},
       {Cause::NoFreePlace, "no_free_place"},
+      {Cause::KeepTooLarge, "keep_too_large"},
       {Cause::RestsOnOther, "rests_on_other"},
       {Cause::RestsTooClose, "rests_too_close"},
       {Cause::Cancelled, "cancelled"},

@@ -25,7 +25,8 @@ struct Refusal {
   enum class Cause {
     // Arguments and names.
     InvalidArgument,  // detail: the argument, its value and what is accepted
-    UnknownObject,    // objects: the name, without a support; then the object to be put on it
+    UnknownObject,    // objects: the name, without a support; then the object to be put on it.
+                      // detail: the nearest name, or empty
     InvalidName,      // objects: the name
     NameTaken,        // objects: who has it
     ModelNotLoaded,   // objects: the new name. detail: the model
@@ -60,6 +61,7 @@ struct Refusal {
     // PUT where there is room.
     NoFreePlace,    // objects: it, the support. numbers: judged, spacing, beside, blocked, tried.
                     // first: of the first place that was tried
+    KeepTooLarge,   // objects: it. numbers: keep, diagonal, largest_keep
     RestsOnOther,   // objects: it, the other
     RestsTooClose,  // objects: it, the other
     // From outside.
@@ -89,6 +91,10 @@ struct Refusal {
   /// 0 when there is none.
   double number(const std::string& key) const;
 };
+
+/// Refusal of a name that the scene does not have, with the nearest one that it has. Looks at all
+/// objects.
+Refusal unknown_object(const Scene& scene, const std::string& name);
 
 /// "crossing", "wedged", "no_free_place", ...: what JSON has under "cause".
 const char* to_string(Refusal::Cause cause);

@@ -14,6 +14,8 @@
 #include "core/io/gltf_builder.h"
 #include "core/io/isolated.h"
 #include "core/io/look.h"
+#include "core/io/model_folder.h"
+#include "core/io/staged_files.h"
 #include "ops/inplace/scene_document.h"
 #include "ops/report/temporary_file.h"
 
@@ -306,7 +308,10 @@ std::vector<Vec3> GltfScene::written_positions(size_t object, const Mesh& mesh) 
 namespace {
 
 // Files that the scene names go along to another folder.
-void copy_companions(const GltfJson& root, const fs::path& from, const fs::path& target) {
+void copy_companions(const GltfJson& root, const std::string& scene, const fs::path& target,
+                     StagedFiles& staged) {
+  const fs::path from = fs::path(scene).parent_path();
+  const ModelFolder folder(scene);
   const fs::path to = target.parent_path();
   if (fs::weakly_canonical(from / ".") == fs::weakly_canonical(to / ".")) return;
   std::vector<std::string> wanted;
@@ -320,7 +325,7 @@ void copy_companions(const GltfJson& root, const fs::path& from, const fs::path&
         throw Error(Error::Kind::BadInput, "the scene names \"" + uri.get<std::string>() +
                                                "\", which lies outside its folder; accepted: an "
                                                "output in the scene's own folder");
-      if (fs::exists(from / file)) wanted.push_back(file.string());
+      if (folder.has(from / file)) wanted.push_back(file.string());
     }
   std::erase_if(wanted, [&](const std::string& file) {
     return fs::exists(to / file) &&
@@ -328,9 +333,9 @@ void copy_companions(const GltfJson& root, const fs::path& from, const fs::path&
   });
   for (const std::string& file : wanted) check_file_beside(target.string(), file);
   for (const std::string& file : wanted) {
-    std::error_code ignored;
-    fs::create_directories((to / file).parent_path(), ignored);
-    write_file_atomically((to / file).string(), whole_file((from / file).string()));
+    if (const fs::path below = (to / file).parent_path(); !below.empty())
+      staged.add_folder(below.string());
+    staged.add((to / file).string(), whole_file((from / file).string()));
   }
 }
 
@@ -356,12 +361,13 @@ void GltfScene::write(const std::string& path) const {
   if (extension_of(path) != extension_of(d.path))
     throw Error(Error::Kind::BadInput,
                 path + ": the scene stays what it is; accepted: " + extension_of(d.path));
-  const fs::path from = fs::path(d.path).parent_path();
   const bool glb = extension_of(path) == ".glb";
   const std::string json =
       d.json.dump(glb ? -1 : 1, ' ', false, GltfJson::error_handler_t::replace);
-  copy_companions(d.original, from, path);
-  write_file_atomically(path, glb ? with_json(whole_file(d.path), json) : json);
+  StagedFiles staged;
+  copy_companions(d.original, d.path, path, staged);
+  staged.add(path, glb ? with_json(whole_file(d.path), json) : json);
+  staged.commit();
 }
 
 }  // namespace trivet

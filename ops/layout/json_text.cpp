@@ -1,15 +1,14 @@
 #include "ops/layout/json_text.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <set>
 #include <sstream>
 
 #include "core/base/error.h"
+#include "core/base/nearest_name.h"
+#include "ops/layout/input_text.h"
 
 namespace trivet {
 namespace {
@@ -24,6 +23,13 @@ std::string joined(std::initializer_list<const char*> a, std::initializer_list<c
   std::string out;
   for (const auto& list : {a, b})
     for (const char* key : list) out += (out.empty() ? "" : ", ") + std::string(key);
+  return out;
+}
+
+std::vector<std::string> joined_keys(std::initializer_list<const char*> a,
+                                     std::initializer_list<const char*> b) {
+  std::vector<std::string> out(a.begin(), a.end());
+  out.insert(out.end(), b.begin(), b.end());
   return out;
 }
 
@@ -162,20 +168,7 @@ std::string overflow_message(const std::string& text, const std::string& what) {
 }  // namespace
 
 std::string read_text_file(const std::string& path, std::uintmax_t max_bytes) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) bad_input(path + ": is a folder, not a file");
-  errno = 0;
-  std::ifstream file(path, std::ios::binary);
-  if (!file) bad_input(path + ": cannot be opened: " + std::strerror(errno));
-  std::string text;
-  std::vector<char> block(1 << 16);
-  while (file.read(block.data(), static_cast<long>(block.size())) || file.gcount() > 0) {
-    text.append(block.data(), static_cast<size_t>(file.gcount()));
-    if (text.size() > max_bytes)
-      bad_input(path + ": is larger than the limit of " + std::to_string(max_bytes) + " bytes");
-  }
-  if (file.bad()) bad_input(path + ": cannot be read: " + std::strerror(errno));
-  return text;
+  return read_input_text(path, max_bytes, TextKind::Any);
 }
 
 json parse_json(const std::string& text, const std::string& file) {
@@ -230,7 +223,9 @@ void JsonPlace::expect_object(std::initializer_list<const char*> required,
   if (!m_value->is_object()) refuse("an object with the keys " + accepted);
   for (const auto& [key, value] : m_value->items())
     if (!contains(required, key) && !contains(optional, key))
-      child(key, value).fail("unknown key; accepted: " + accepted);
+      child(key, value)
+          .fail("unknown key; accepted: " + accepted +
+                did_you_mean(key, joined_keys(required, optional)));
   for (const char* key : required)
     if (!m_value->contains(key))
       fail("the key \"" + std::string(key) + "\" is missing; required: " + joined(required, {}));

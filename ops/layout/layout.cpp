@@ -5,6 +5,8 @@
 #include <map>
 #include <set>
 
+#include "core/base/nearest_name.h"
+#include "ops/layout/input_text.h"
 #include "ops/layout/json_text.h"
 #include "ops/layout/operation_json.h"
 
@@ -80,15 +82,18 @@ Operation read_known(const JsonPlace& place, std::set<std::string>& names) {
     add("object", name);
     return operation;
   }
-  if (!names.count(name)) place.at("object").refuse("the name of one of /objects");
+  const auto refuse = [&](const JsonPlace& where, const std::string& accepted) {
+    where.refuse(accepted + did_you_mean(where.text(), {names.begin(), names.end()}));
+  };
+  if (!names.count(name)) refuse(place.at("object"), "the name of one of /objects");
   if (const auto* o = std::get_if<DuplicateOperation>(&operation)) add("as", o->as);
   if (std::holds_alternative<DeleteOperation>(operation)) names.erase(name);
   if (const auto* put = std::get_if<PutOperation>(&operation))
     if (put->place && put->place->on != "floor" && !names.count(put->place->on))
-      place.at("on").refuse("\"floor\" or the name of one of /objects");
+      refuse(place.at("on"), "\"floor\" or the name of one of /objects");
   if (const auto together = place.find("together"))
     for (const JsonPlace& other : together->items())
-      if (!names.count(other.text())) other.refuse("the name of one of /objects");
+      if (!names.count(other.text())) refuse(other, "the name of one of /objects");
   return operation;
 }
 
@@ -128,7 +133,7 @@ Layout parse_layout(const std::string& text, const std::string& file) {
 }
 
 Layout read_layout(const std::string& path, std::uintmax_t max_bytes) {
-  return parse_layout(read_text_file(path, max_bytes), path);
+  return parse_layout(read_input_text(path, max_bytes, TextKind::Json), path);
 }
 
 std::string write_layout(const Layout& layout) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/nearest_name.h"
 #include "ops/layout/layout.h"
 
 namespace trivet {
@@ -281,12 +282,14 @@ Operation read_operation(const JsonPlace& place) {
   if (op.value() == "unfix") return read_fix(place, false);
   if (op.value() == "group") return read_group(place);
   if (op.value() == "ungroup") return read_ungroup(place);
-  if (op.value() == "stand") return read_stand(place);
-  if (op.value() == "unplace") return read_unplace(place);
+  const std::string given = op.value().is_string() ? op.value().get<std::string>() : "";
   op.refuse(
       "\"put\", \"push\", \"turn\", \"pick_up\", \"translate\", \"rotate\", \"append\", "
       "\"duplicate\", \"delete\", \"lock\", \"unlock\", \"fix\", \"unfix\", \"group\", "
-      "\"ungroup\", \"stand\" or \"unplace\"");
+      "\"ungroup\", \"stand\" or \"unplace\"" +
+      did_you_mean(given,
+                   {"put", "push", "turn", "pick_up", "translate", "rotate", "append", "duplicate",
+                    "delete", "lock", "unlock", "fix", "unfix", "group", "ungroup", "stand", "unplace"}));
 }
 
 UpAxis read_up(const JsonPlace& place) {

@@ -1,6 +1,9 @@
 #include "ops/layout/paths.h"
 
 #include <filesystem>
+#include <set>
+
+#include "ops/layout/layout.h"
 
 namespace trivet {
 
@@ -15,6 +18,20 @@ std::string folder_from(const std::string& from_file, const std::string& to_fold
   const fs::path way =
       whole(to_folder).lexically_proximate(whole(fs::path(from_file).parent_path()));
   return way == "." ? "" : way.generic_string();
+}
+
+std::vector<std::string> model_files(const Layout& layout, const std::string& folder) {
+  std::vector<std::string> out;
+  std::set<std::string> known;
+  const auto add = [&](const std::string& name) {
+    if (!name.empty() && known.insert(name).second)
+      out.push_back((fs::path(folder) / name).string());
+  };
+  add(layout.scene);
+  for (const LayoutObject& object : layout.objects) add(object.model);
+  for (const Operation& operation : layout.operations)
+    if (const auto* const append = std::get_if<AppendOperation>(&operation)) add(append->model);
+  return out;
 }
 
 }  // namespace trivet

@@ -43,8 +43,7 @@ class LiveMove::Hand {
       : m_operation(operation), m_run(options, without_budget(context)) {
     const auto id = scene.find(object_name(m_operation));
     if (!id) {
-      m_refused = trivet::refused(
-          {Refusal::Cause::UnknownObject, {{object_name(m_operation), std::nullopt}}});
+      m_refused = trivet::refused(unknown_object(scene, object_name(m_operation)));
       return;
     }
     m_planner.emplace(scene, *id, move_options(m_operation), op_name(m_operation), m_run,

@@ -55,7 +55,7 @@ MovePlanner::MovePlanner(const Scene& scene, ObjectId id, const JointMoveOptions
     if (const std::optional<ObjectId> found = scene.find(other))
       together.push_back(*found);
     else if (!unknown)
-      unknown = Refusal{Cause::UnknownObject, {{other, std::nullopt}}};
+      unknown = unknown_object(scene, other);
   begin(id, together, {});
   if (!unknown && !refused()) unknown = refuse_start(free);
   if (unknown) refuse(*unknown);

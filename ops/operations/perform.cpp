@@ -30,7 +30,7 @@ OperationResult perform(Transaction& outer, const Operation& operation,
   const std::string& name = object_name(operation);
   const std::optional<ObjectId> object = outer.scene().find(name);
   if (!object && !std::holds_alternative<AppendOperation>(operation))
-    return refused({Refusal::Cause::UnknownObject, {{name, std::nullopt}}});
+    return refused(unknown_object(outer.scene(), name));
   OperationRun run(options, context);
   Transaction inner(outer);
   OperationResult result = std::visit(

@@ -7,6 +7,7 @@
 #include "ops/operations/put.h"
 #include "ops/place/distance_query.h"
 #include "ops/place/exact_places.h"
+#include "ops/placement/coarseness.h"
 
 namespace trivet {
 namespace {
@@ -45,6 +46,12 @@ class FreePlaceSearch {
                                : try_all(places, exact);
       if (done) return std::move(*done);
     }
+    // On the unbounded floor there is room farther out, unless the scene would get too large.
+    m_num_trials = 0;
+    const Places beyond = places_beyond(m_scene, m_id, m_carried, request, clearance());
+    auto done = request.near ? try_nearest(beyond, exact, *request.near, kInfinity)
+                             : try_all(beyond, exact);
+    if (done) return std::move(*done);
     return refused(refuse_everywhere(places));
   }
 
@@ -63,13 +70,38 @@ class FreePlaceSearch {
       if (auto why = refuse_immovable(m_scene, m_carried)) return why;
     if (m_on.name == kFloorName) {
       if (!m_scene.floor) return Refusal{Cause::NoFloor, {m_name}};
-      return std::nullopt;
+      return refuse_keep();
     }
-    if (!m_on.support) return Refusal{Cause::UnknownObject, {m_on, m_name}};
+    if (!m_on.support) {
+      Refusal why = unknown_object(m_scene, m_on.name);
+      why.objects.push_back(m_name);
+      return why;
+    }
     for (const ObjectId id : m_carried)
       if (Support(id) == *m_on.support) return Refusal{Cause::OnItself, {m_name}};
     if (!m_scene.at(m_on.support->object()).placed) return Refusal{Cause::SupportNotPlaced, {m_on}};
     return std::nullopt;
+  }
+
+  /// The scene without the object, its loads and its support.
+  SceneExtent others() const {
+    std::vector<ObjectId> without = m_carried;
+    if (m_on.support && m_on.support->is_object()) without.push_back(m_on.support->object());
+    return m_scene.extent_without(without);
+  }
+
+  // Two bodies at that distance make a scene at least as large.
+  std::optional<Refusal> refuse_keep() const {
+    const double keep = m_operation.place->keep;
+    const SceneExtent others = this->others();
+    if (others.box.empty()) return std::nullopt;
+    const double size = size_of(m_scene.at(m_id));
+    const double smallest = std::min(others.smallest_diagonal, size > 0 ? size : kInfinity);
+    const double farthest = largest_distance(smallest, m_run.options.clearance);
+    if (keep <= farthest) return std::nullopt;
+    return Refusal{Cause::KeepTooLarge,
+                   {m_name},
+                   {{"keep", keep}, {"diagonal", smallest}, {"largest_keep", farthest}}};
   }
 
   PlaceRequest request() const {
@@ -79,13 +111,17 @@ class FreePlaceSearch {
     out.rotation = m_operation.start.rotation;
     out.near = place.near;
     out.seed = place.seed;
-    out.keep = place.keep;
+    out.keep = others().box.empty() ? 0 : place.keep;
     out.from = place.from;
     return out;
   }
 
   double clearance() const {
-    return clearance_of(m_scene, m_run.options);
+    const double usual = clearance_of(m_scene, m_run.options);
+    if (usual > 0) return usual;
+    // The first object of the scene.
+    const Object& object = m_scene.at(m_id);
+    return default_clearance(m_scene, body_of(object, m_operation.start).world_box);
   }
 
   bool near_a_failure(const Pose& start, double spacing) const {
@@ -106,8 +142,8 @@ class FreePlaceSearch {
   std::optional<MovePlan> try_here(const Pose& start) {
     MovePlan plan = put_at(start);
     if (plan.result.status != OperationResult::Status::Refused) return plan;
-    if (m_num_trials++ == 0)
-      m_first = std::make_shared<const Refusal>(std::move(*plan.result.refusal));
+    ++m_num_trials;
+    if (!m_first) m_first = std::make_shared<const Refusal>(std::move(*plan.result.refusal));
     return std::nullopt;
   }
 

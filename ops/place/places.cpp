@@ -11,6 +11,9 @@
 namespace trivet {
 namespace {
 
+// Between places beyond everything, of their distance.
+constexpr double kBeyondStep = 1.0 / 16;
+
 // Reproducible on every machine, unlike std::shuffle [Steele 2014, splitmix64].
 class Shuffler {
  public:
@@ -108,8 +111,8 @@ class PlaceSearch {
     const PlaceWindow to = m_request.within.value_or(area);
     const Vec2 size = to.upper - to.lower;
     const double pixel = pixel_of(m_setting, size);
-    // Beyond that everything is too near.
-    m_keep = std::min(m_request.keep, span_of_all(area));
+    // Beyond that everything is too near to all places.
+    m_keep = std::min(m_request.keep, span_of_all(to));
     m_coarse = static_cast<int>(std::max(1.0, std::ceil(m_keep / (kPlaceKeepPixels * pixel))));
     m_border = static_cast<int>(m_keep / (m_coarse * pixel) + kDiagonal);
     m_grid = MapGrid::about(m_setting.body.world_box, pixel, m_setting.body.world_box.lower.z());
@@ -275,6 +278,34 @@ std::vector<PlaceWindow> place_windows(const Scene& scene, ObjectId object,
     out.push_back(area_of(setting, request, 0));
   }
   out.push_back(all);
+  return out;
+}
+
+Places places_beyond(const Scene& scene, ObjectId object, std::span<const ObjectId> carried,
+                     const PlaceRequest& request, double clearance) {
+  const PlaceSetting setting(scene, object, carried, request, clearance);
+  Places out;
+  const Aabb box = setting.others.box();
+  if (!setting.on_floor() || box.empty()) return out;
+  // Half a width more than is asked for: far out, clearances are larger.
+  const double beyond = box.half_extent().head<2>().norm() + 2 * setting.width() + request.keep;
+  out.spacing = beyond * kBeyondStep;
+  const int half = static_cast<int>(std::ceil(1 / kBeyondStep));
+  // On the sides of a square about everything.
+  for (int k = -half; k < half; ++k)
+    for (const Vec2& at : {Vec2(k, -half), Vec2(half, k), Vec2(-k, half), Vec2(-half, -k)})
+      out.starts.push_back(setting.start(request.rotation,
+                                         Vec2(box.centre().head<2>() + beyond * kBeyondStep * at)));
+  if (request.near) {
+    const auto distance = [&](const Pose& start) {
+      return (start.translation.head<2>() + setting.centre.head<2>() - *request.near).squaredNorm();
+    };
+    std::stable_sort(out.starts.begin(), out.starts.end(),
+                     [&](const Pose& a, const Pose& b) { return distance(a) < distance(b); });
+  } else {
+    Shuffler(request.seed).shuffle(out.starts);
+  }
+  out.num_judged = static_cast<std::int64_t>(out.starts.size());
   return out;
 }
 

@@ -55,6 +55,11 @@ std::vector<PlaceWindow> place_windows(const Scene& scene, ObjectId object,
                                        std::span<const ObjectId> carried,
                                        const PlaceRequest& request, double clearance);
 
+/// Places on the unbounded floor so far out that the distance is kept from everything, all round;
+/// those nearest to request.near first. None on a support, nor in an empty scene.
+Places places_beyond(const Scene& scene, ObjectId object, std::span<const ObjectId> carried,
+                     const PlaceRequest& request, double clearance);
+
 /// @param clearance  metres, of the motions.
 /// @param brackets  computes the brackets: the software, or drop_brackets_of() a detector.
 Places find_places(const Scene& scene, ObjectId object, std::span<const ObjectId> carried,

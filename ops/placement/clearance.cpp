@@ -3,14 +3,10 @@
 #include <algorithm>
 
 #include "core/base/tunables.h"
+#include "ops/placement/coarseness.h"
 
 namespace trivet {
 namespace {
-
-// Default clearance, of the smallest object's diagonal, beyond which a scene is refused: there
-// kHoverTolerance is an eighth of that object, and all its faces soon are in contact with all that
-// are near. Larger takes minutes for nothing; smaller refuses a cup of 10 cm on a floor of 1 km.
-constexpr double kCoarsestClearance = 1.0 / 64;
 
 double clearance_in(const Aabb& box) {
   return kRelativeClearance * std::max(box.diagonal(), box.max_abs_coordinate());

@@ -1,11 +1,13 @@
 #include "ops/report/extras.h"
 
 #include <map>
+#include <set>
 
 #include "ops/layout/json_text.h"
 #include "ops/layout/operation_json.h"
 #include "ops/report/json_parts.h"
 #include "ops/report/report.h"
+#include "ops/report/stored_mesh.h"
 
 namespace trivet {
 namespace {
@@ -13,15 +15,19 @@ namespace {
 constexpr int kVersion = 1;
 constexpr double kMaxCount = 1e15;
 
-OrderedJson model_json(const Model& model, const SceneFileOptions& options) {
+// @param shown  by a node of the scene.
+OrderedJson model_json(const Model& model, bool shown, const SceneFileOptions& options) {
   const StoredGeometry stored = stored_geometry(model);
-  OrderedJson json = {{"path", joined_path(options.model_folder, model.path)},
-                      {"triangles", stored.num_triangles},
-                      {"fingerprint", stored.fingerprint},
-                      {"stored_fingerprint", stored.stored_fingerprint},
-                      {"centre", to_json(stored.centre)},
-                      {"face_order", stored.face_order}};
+  OrderedJson json = OrderedJson::object();
+  if (!model.path.empty()) json["path"] = joined_path(options.model_folder, model.path);
+  json.update({{"triangles", stored.num_triangles},
+               {"fingerprint", stored.fingerprint},
+               {"stored_fingerprint", stored.stored_fingerprint},
+               {"centre", to_json(stored.centre)},
+               {"face_order", stored.face_order}});
   if (stored.own_nodes) json["own_nodes"] = true;
+  if (model.path.empty() && (!shown || stored.stored_fingerprint != stored.fingerprint))
+    json["mesh"] = stored_mesh_json(model, !shown);
   write_tessellation(model.tessellation, json);
   return json;
 }
@@ -58,10 +64,10 @@ OrderedJson layout_json(Layout layout, const SceneFileOptions& options) {
 }
 
 ExtrasModel read_model_entry(const JsonPlace& place) {
-  place.expect_object({"path", "triangles", "fingerprint", "stored_fingerprint", "centre"},
-                      {"face_order", "own_nodes", "chord", "facet_angle_deg"});
+  place.expect_object({"triangles", "fingerprint", "stored_fingerprint", "centre"},
+                      {"path", "face_order", "own_nodes", "mesh", "chord", "facet_angle_deg"});
   ExtrasModel model;
-  model.path = place.at("path").text();
+  if (const auto path = place.find("path")) model.path = path->text();
   model.tessellation = read_tessellation(place, model.path);
   StoredGeometry& stored = model.geometry;
   stored.num_triangles = static_cast<std::int64_t>(place.at("triangles").number(0, kMaxCount));
@@ -70,6 +76,11 @@ ExtrasModel read_model_entry(const JsonPlace& place) {
   const std::vector<double> centre = place.at("centre").numbers(3, -1e300, 1e300);
   stored.centre = {centre[0], centre[1], centre[2]};
   if (const auto own = place.find("own_nodes")) stored.own_nodes = own->boolean();
+  if (const auto mesh = place.find("mesh")) {
+    model.mesh = std::make_shared<const Model>(read_stored_mesh(*mesh));
+    if (geometry_fingerprint(model.mesh->mesh) != stored.fingerprint)
+      mesh->fail("is not the mesh that Trivet wrote");
+  }
   if (const auto order = place.find("face_order"))
     for (const JsonPlace& run : order->items()) {
       const std::vector<double> entry = run.numbers(2, 0, kMaxCount);
@@ -115,10 +126,14 @@ std::string scene_extras(const Scene& scene, const Layout& layout,
                          const SceneFileOptions& options) {
   OrderedJson models = OrderedJson::array(), objects = OrderedJson::array();
   std::map<const Model*, size_t> index_of;
+  std::set<const Model*> shown;
+  for (const ObjectId id : scene.ids())
+    if (scene.at(id).placed) shown.insert(scene.at(id).model.get());
   for (const ObjectId id : scene.ids()) {
     const Object& object = scene.at(id);
     const auto [it, is_new] = index_of.emplace(object.model.get(), models.size());
-    if (is_new) models.push_back(model_json(*object.model, options));
+    if (is_new)
+      models.push_back(model_json(*object.model, shown.contains(object.model.get()), options));
     objects.push_back(stored_object_json(object, it->second));
   }
   OrderedJson json = {{"trivet", kVersion},

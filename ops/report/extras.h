@@ -3,7 +3,8 @@
 //   scene.extras.trivet: {"trivet": 1, "version", "floor", "clearance",
 //     "models":  [{"path", "triangles", "fingerprint", "stored_fingerprint", "centre",
 //                  "face_order", "own_nodes",            see geometry.h
-//                  "chord", "facet_angle_deg"}],               as a layout has them
+//                  "chord", "facet_angle_deg",                 as a layout has them
+//                  "mesh"}],                             see stored_mesh.h; no path: of no file
 //     "objects": [{"name", "model": index, "up", "scale", "fixed", "state",
 //                  "position", "rotation",               no position: out of the scene
 //                  "locked", "group"}],                  if it is
@@ -31,6 +32,7 @@ struct ExtrasModel {
   std::string path;
   Tessellation tessellation;  // of a model with curved surfaces
   StoredGeometry geometry;
+  std::shared_ptr<const Model> mesh;  // of no file, and not to be had from the scene; else null
 };
 
 struct ExtrasObject {

@@ -93,7 +93,7 @@ std::string report_json(const LayoutRun& run, const ReportOptions& options) {
 }
 
 std::string joined_path(const std::string& folder, const std::string& path) {
-  if (folder.empty()) return path;
+  if (folder.empty() || path.empty()) return path;  // "": of no file
   return (std::filesystem::path(folder) / path).lexically_normal().generic_string();
 }
 

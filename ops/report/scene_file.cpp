@@ -11,6 +11,7 @@
 #include "ops/report/glb_nodes.h"
 #include "ops/report/report.h"
 #include "ops/placement/clearance.h"
+#include "ops/report/temporary_file.h"
 
 namespace trivet {
 namespace {
@@ -28,6 +29,13 @@ ExportScene export_scene(const Scene& scene, const SceneFileOptions& options) {
     out.objects.push_back({object.name, object.model, object.world_from_object(),
                            node_extras(scene, object, entry, options)});
   }
+  return out;
+}
+
+ExportScene whole_export(const Scene& scene, const Layout& layout,
+                         const SceneFileOptions& options) {
+  ExportScene out = export_scene(scene, options);
+  out.extras_json = scene_extras(scene, layout, options);
   return out;
 }
 
@@ -76,13 +84,18 @@ class SceneReader {
     size_t next = 0;
     for (size_t i = 0; i < nodes.size(); ++i) {
       const ExtrasModel& entry = m_extras.models[i];
-      m_models.push_back(nodes[i].empty() ? own_file(entry) : best_of(entry, stored[next++]));
+      m_models.push_back(nodes[i].empty() ? unshown(entry) : best_of(entry, stored[next++]));
       if (!m_models.back()) continue;
       m_models.back()->path = entry.path;
       m_models.back()->tessellation = entry.tessellation;
       m_centre_of[m_models.back().get()] = entry.geometry.centre;
     }
     m_shapes.resize(nodes.size());
+  }
+
+  // Of a model that no node shows.
+  std::shared_ptr<Model> unshown(const ExtrasModel& entry) const {
+    return entry.mesh ? std::make_shared<Model>(*entry.mesh) : own_file(entry);
   }
 
   // The scene file's geometry if nothing was lost, else the model's own file, else with a note.
@@ -92,6 +105,10 @@ class SceneReader {
       fail_changed(m_path, "the geometry of \"" + entry.path + "\" was changed");
     if (entry.geometry.stored_fingerprint == entry.geometry.fingerprint)
       return std::make_shared<Model>(std::move(model));
+    if (entry.mesh) {
+      model.mesh = entry.mesh->mesh;
+      return std::make_shared<Model>(std::move(model));
+    }
     if (auto own = own_file(entry)) return own;
     m_file.notes.push_back("the geometry of \"" + entry.path +
                            "\" is that of the scene file, rounded to float32: the model file is "
@@ -100,6 +117,7 @@ class SceneReader {
   }
 
   std::shared_ptr<Model> own_file(const ExtrasModel& entry) const {
+    if (entry.path.empty()) return nullptr;
     try {
       const auto path = std::filesystem::path(m_folder) / entry.path;
       auto model =
@@ -163,9 +181,7 @@ class SceneReader {
 
 void write_scene_file(const Scene& scene, const Layout& layout, const SceneFileOptions& options,
                       const std::string& path) {
-  ExportScene out = export_scene(scene, options);
-  out.extras_json = scene_extras(scene, layout, options);
-  write_scene(out, path);
+  write_scene(whole_export(scene, layout, options), path);
 }
 
 SceneFile read_scene_file(const std::string& path, const ImportLimits& limits,
@@ -176,6 +192,24 @@ SceneFile read_scene_file(const std::string& path, const ImportLimits& limits,
     const std::string message = e.what();
     if (message.find(path) != std::string::npos) throw;
     throw Error(e.kind(), path + ": " + message);
+  }
+}
+
+std::string scene_file_bytes(const Scene& scene, const Layout& layout,
+                             const SceneFileOptions& options) {
+  return scene_bytes(whole_export(scene, layout, options), ".glb");
+}
+
+SceneFile read_scene_bytes(const std::string& bytes, const ImportLimits& limits,
+                           const std::string& folder) {
+  const TemporaryFile file(bytes, ".glb");
+  try {
+    return SceneReader(file.path(), limits, folder.empty() ? "." : folder).read();
+  } catch (const Error& e) {
+    std::string message = e.what();
+    for (size_t at; (at = message.find(file.path())) != std::string::npos;)
+      message.replace(at, file.path().size(), "scene");
+    throw Error(e.kind(), message);
   }
 }
 

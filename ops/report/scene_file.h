@@ -33,12 +33,21 @@ struct SceneFile {
 
 /// Reads a .glb that Trivet wrote. A model's geometry is taken from the scene file itself if that
 /// is known to give the same doubles; else from the model's own file, if it is still there and
-/// unchanged; else the float32 positions of the scene file are taken, and a note says so.
+/// unchanged; else the float32 positions of the scene file are taken, and a note says so. Models of
+/// no file (core/io/mesh_model.h) are whole in the scene file.
 /// @throws Error (BadInput): no glTF, not by Trivet, changed by another program since (geometry or
 ///   poses), of another version.
 /// @param folder  where relative model paths start; empty: that of the file.
 SceneFile read_scene_file(const std::string& path, const ImportLimits& limits = {},
                           const std::string& folder = {});
+
+/// The bytes of the .glb that write_scene_file() writes.
+std::string scene_file_bytes(const Scene& scene, const Layout& layout,
+                             const SceneFileOptions& options);
+/// read_scene_file() of such bytes. By way of temporary files.
+/// @param folder  where relative model paths start; empty: the current one.
+SceneFile read_scene_bytes(const std::string& bytes, const ImportLimits& limits = {},
+                           const std::string& folder = {});
 
 /// Whether the file is a .glb with Trivet's data. @throws Error (BadInput) when it is no glTF.
 bool is_scene_file(const std::string& path);

@@ -40,7 +40,8 @@ std::vector<std::string> whole_lines(const std::string& text) {
 // A second name costs nothing; where that cannot be, a copy.
 void keep_start_file(const std::string& start_file, const std::string& copy) {
   std::error_code error;
-  fs::remove(copy, error);  // of a journal that is gone
+  if (fs::equivalent(start_file, copy, error)) return;  // it is called that
+  fs::remove(copy, error);                              // of a journal that is gone
   fs::create_hard_link(fs::canonical(start_file, error), copy, error);
   if (!error) return;
   write_file_atomically(copy, read_text_file(start_file, kNoLimit));

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "core/base/error.h"
+#include "core/io/overwrites.h"
 #include "core/scene/fingerprint.h"
 #include "ops/layout/paths.h"
 #include "ops/report/scene_file.h"
@@ -137,6 +138,9 @@ double settled_clearance(const OpenedSession& opened) {
 }
 
 void save_session(OpenedSession& opened, const std::string& version, const std::string& path) {
+  std::vector<std::string> inputs = model_files(opened.session.layout(), opened.model_folder);
+  if (const Journal* const journal = opened.session.journal()) inputs.push_back(journal->path());
+  check_not_an_input(path, inputs);
   SceneFileOptions options;
   options.version = version;
   options.clearance = settled_clearance(opened);

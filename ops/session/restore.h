@@ -41,7 +41,7 @@ RestoredSession restore_session(const std::string& journal, const RunOptions& op
 double settled_clearance(const OpenedSession& opened);
 
 /// Writes the scene atomically, then notes in the session that it is saved.
-/// @throws Error as write_scene_file().
+/// @throws Error as write_scene_file(); BadInput when `path` is the journal or a model's file.
 void save_session(OpenedSession& opened, const std::string& version, const std::string& path);
 
 }  // namespace trivet

@@ -48,7 +48,7 @@ Session::Session(Scene scene, Layout layout, ModelSource models)
     : m_scene(std::move(scene)),
       m_layout(std::move(layout)),
       m_models(std::move(models)),
-      m_largest_clearance(default_clearance(m_scene)) {}
+      m_first_clearance(default_clearance(m_scene)) {}
 Session::~Session() = default;
 Session::Session(Session&&) noexcept = default;
 Session& Session::operator=(Session&&) noexcept = default;
@@ -73,6 +73,7 @@ OperationResult Session::run(SessionStep step, const std::function<Results(Trans
 void Session::keep(Transaction& transaction, SessionStep& step) {
   Done done;
   done.touched = transaction.touched();
+  done.largest_clearance = std::max(largest_clearance(), default_clearance(m_scene));
   step.fingerprint = fingerprint(m_scene, done.touched);
   for (OperationResult& kept : step.results) kept.steps = {};
   make_room(m_steps, m_position + 1);
@@ -83,7 +84,6 @@ void Session::keep(Transaction& transaction, SessionStep& step) {
   m_steps.push_back(std::move(step));
   m_done.push_back(std::move(done));
   ++m_position;
-  m_largest_clearance = std::max(m_largest_clearance, default_clearance(m_scene));
 }
 
 OperationResult Session::perform(const Operation& operation, const SettleOptions& options,

@@ -84,9 +84,12 @@ class Session {
   /// What makes this scene: the first layout and the operations that were done since.
   Layout layout() const;
 
-  /// Metres: the largest default clearance that the scene has had. What was at rest by it when the
-  /// scene was larger is no less so when it has shrunk: the scene is to be judged by this.
-  double largest_clearance() const { return m_largest_clearance; }
+  /// Metres: the largest default clearance that the scene has had, undone steps apart. What was at
+  /// rest by it when the scene was larger is no less so when it has shrunk: the scene is to be
+  /// judged by this.
+  double largest_clearance() const {
+    return m_position > 0 ? m_done[m_position - 1].largest_clearance : m_first_clearance;
+  }
 
   /// The scene as it is now is what the file has.
   void mark_saved(const std::string& file);
@@ -106,6 +109,7 @@ class Session {
   struct Done {
     SceneChange change;             // undoes it, or redoes it
     std::vector<ObjectId> touched;  // before and after it
+    double largest_clearance = 0;   // from the start up to this step
   };
 
   using Results = std::vector<OperationResult>;
@@ -121,7 +125,7 @@ class Session {
   std::vector<SessionStep> m_steps;
   std::vector<Done> m_done;  // of each step
   size_t m_position = 0;
-  double m_largest_clearance = 0;
+  double m_first_clearance = 0;           // the default one at the start
   size_t m_saved = 0;                     // how many steps were done when it was saved
   std::vector<ObjectId> m_changed_aside;  // by steps between the saved state and m_saved that were
                                           // undone and forgotten

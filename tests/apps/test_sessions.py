@@ -82,6 +82,111 @@ class Sessions(Case):
         self.assertEqual(again.ask(redo=True)["done"], 4)
         self.assertEqual(again.end(), 0)
 
+    def test_undo_and_redo_give_the_same_bytes(self):
+        live = Live(self.folder, self.start_layout())
+        live.ask(**put("b", 0.01, 0.02, 1))
+        live.ask(save="before.glb")
+        steps = (put("b", 900, 0, 1), {"op": "push", "object": "a", "to": [0.3, 0.1]},
+                 {"op": "delete", "object": "a"})
+        for i, step in enumerate(steps):
+            self.assertEqual(live.ask(**step)["status"], "ok")
+            live.ask(save="done%d.glb" % i)
+            live.ask(undo=True)
+            live.ask(save="undone.glb")
+            self.assertEqual(self.read("undone.glb"), self.read("before.glb"), step)
+            live.ask(redo=True)
+            live.ask(save="redone.glb")
+            self.assertEqual(self.read("redone.glb"), self.read("done%d.glb" % i), step)
+            live.ask(undo=True)
+        self.assertEqual(live.end(), 0)
+
+    def test_replay_gives_the_bytes_that_the_session_saved(self):
+        live = Live(self.folder, self.start_layout(), "--journal", "j")
+        live.ask(**put("b", 0.01, 0.02, 1))
+        live.ask(**put("b", 900, 0, 1))  # and back: its clearance stays that of the large scene
+        live.ask(**put("b", 0.012, 0.023, 1))
+        for to in ([0.3, 0.1], [0.123, -0.21], [0.05, 0.3]):
+            self.assertEqual(live.ask(op="push", object="a", to=to)["carried"], ["b"])
+            live.ask(op="turn", object="a", angle_deg=37)
+        live.ask(save="s.glb")
+        self.assertEqual(live.end(), 0)
+        self.trivet("replay", "j", "-o", "t.glb")
+        self.assertEqual(self.read("t.glb"), self.read("s.glb"))
+        again = Live(self.folder, "--journal", "j")
+        again.ask(save="u.glb")
+        self.assertEqual(again.end(), 0)
+        self.assertEqual(self.read("u.glb"), self.read("s.glb"))
+
+    def test_ids_come_back(self):
+        live = Live(self.folder, self.start_layout())
+        self.assertNotIn("id", live.start)
+        for i in ("a text", "", 0, -7, 1.5, 2**53 + 1):
+            for line in (put("b", 0, 0, 1), {"query": "b"}, {"undo": True}, {"cancel": True},
+                         {"nonsense": 1}, {"query": "none"}):
+                self.assertEqual(live.ask(**line, id=i)["id"], i)
+        for i in (None, True, [1], {"a": 1}):
+            answer = live.ask(cancel=True, id=i)
+            self.assertEqual(answer["status"], "error")
+            self.assertIn("text or a number", answer["reason"])
+        self.assertNotIn("id", live.ask(cancel=True))
+        self.assertEqual(live.end(), 0)
+
+    def test_answers_have_the_poses_of_all_that_moved(self):
+        live = Live(self.folder, self.start_layout())
+        known = {o["object"]: o for o in live.ask(query="objects")["objects"]}
+        self.assertEqual(list(known), ["slab", "a", "b"])
+        self.assertEqual((known["b"]["position"], known["b"]["state"]), (None, "unplaced"))
+        self.assertTrue(known["slab"]["fixed"])
+        moved = []
+        for line in (put("b", 0.01, 0.02, 1), {"op": "push", "object": "a", "to": [0.3, 0]},
+                     {"undo": True}, {"redo": True}, {"op": "delete", "object": "b"},
+                     {"op": "lock", "object": "slab"}, {"undo": True}, {"undo": True},
+                     {"op": "duplicate", "object": "b", "as": "c"}):
+            poses = live.ask(**line)["poses"]
+            moved.append([p["object"] for p in poses])
+            for pose in poses:
+                self.assertEqual(list(pose), ["object", "position", "rotation"])
+                known[pose["object"]] = {**known.get(pose["object"], {}), **pose}
+        self.assertEqual(moved, [["b"], ["a", "b"], ["a", "b"], ["a", "b"], ["b"], [], [], ["b"],
+                                 ["c"]])
+        self.assertIsNone(known["c"]["position"])
+        for now in live.ask(query="objects")["objects"]:
+            for key in ("position", "rotation"):
+                self.assertEqual(now[key], known[now["object"]][key], now["object"])
+        self.assertEqual(live.ask(query="b")["poses"], [])
+        self.assertEqual(live.end(), 0)
+
+    def test_an_object_called_objects(self):
+        live = Live(self.folder, self.start_layout())
+        live.ask(op="duplicate", object="a", **{"as": "objects"})
+        self.assertEqual(len(live.ask(query="objects")["objects"]), 4)
+        self.assertEqual(live.ask(query={"object": "objects"})["name"], "objects")
+        self.assertEqual(live.ask(query={"name": "a"})["status"], "error")
+        self.assertEqual(live.end(), 0)
+
+    def test_several_operations_as_one_step(self):
+        live = Live(self.folder, self.start_layout(), "--journal", "j")
+        push = {"op": "push", "object": "a", "to": [0.3, 0]}
+        answer = live.ask(do=[put("b", 0.01, 0.02, 1), push])
+        self.assertEqual((answer["status"], answer["done"]), ("ok", 1))
+        self.assertEqual([(r["op"], r["object"], r["ended"]) for r in answer["results"]],
+                         [("put", "b", "at_rest"), ("push", "a", "reached")])
+        self.assertEqual([p["object"] for p in answer["poses"]], ["a", "b"])
+        # All or nothing.
+        refused = live.ask(do=[{"op": "unfix", "object": "slab"}, put("b", 0, 0, -1)])
+        self.assertEqual((refused["status"], refused["poses"]), ("refused", []))
+        self.assertIn("reaches below", refused["reason"])
+        for wrong in ([], push, [push, {"undo": True}]):
+            self.assertEqual(live.ask(do=wrong)["status"], "error", wrong)
+        state = live.ask(cancel=True)
+        self.assertEqual((state["state"], state["done"]), (answer["state"], 1))
+        live.ask(save="s.glb")
+        self.assertEqual(live.ask(undo=True)["state"], live.start["state"])
+        live.ask(redo=True)
+        self.assertEqual(live.end(), 0)
+        self.trivet("replay", "j", "-o", "t.glb")
+        self.assertEqual(self.read("t.glb"), self.read("s.glb"))
+
     def test_answers_report_the_outcome(self):
         live = Live(self.folder, self.start_layout())
         answer = live.ask(**put("b", 0.01, 0.02, 1))

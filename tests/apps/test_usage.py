@@ -5,7 +5,7 @@ import pty
 import subprocess
 import unittest
 
-from program import PROGRAM, SOURCE_DIR, Case, main
+from program import PROGRAM, SLAB, SOURCE_DIR, Case, main, put
 
 VERBS = ("info", "run", "put", "check", "render", "demo", "schema")
 
@@ -76,6 +76,51 @@ class WrongUsage(Case):
             self.assertEqual((error["kind"], error["status"]), (kind, status))
             self.assertTrue(error["message"])
             self.assertEqual(err, "")
+
+
+class NearestNames(Case):
+    """What is refused for its name offers the one that was meant."""
+
+    def test_on_the_command_line(self):
+        self.trivet("run", self.layout([SLAB, {"name": "mug", "model": "cube.obj"}],
+                                       [put("mug", 0, 0, 1)]), "-o", "s.glb")
+        for arguments, meant in ((("pusch",), "push"), (("Run", "layout.json"), "run"),
+                                 (("run", "layout.json", "-o", "t.glb", "--backend", "GPU"), "gpu"),
+                                 (("demo", "brekfast", "-o", "t.glb"), "breakfast"),
+                                 (("push", "s.glb", "Mug", "--to", 0, 0, "-o", "t.glb"), "mug"),
+                                 (("fix", "s.glb", "slap", "-o", "t.glb"), "slab")):
+            self.refused(*arguments, says='did you mean "%s"?' % meant)
+        self.refused("check", "s.glb", "--object", "Slab", says='did you mean "slab"?')
+        err = self.refused("push", "s.glb", "teapot", "--to", 0, 0, "-o", "t.glb", says="teapot")
+        self.assertNotIn("mean", err)
+
+    def check_layout(self, text, meant):
+        self.refused("run", self.write("l.json", json.dumps(text)), "-o", "t.glb",
+                     says='did you mean "%s"?' % meant)
+
+    def test_in_layouts(self):
+        mug = {"name": "mug", "model": "cube.obj"}
+        base = {"trivet": 1, "objects": [SLAB, mug]}
+        for operation, meant in ((put("Mug", 0, 0, 1), "mug"), ({"op": "Push"}, "push"),
+                                 ({"op": "put", "object": "mug", "at": "anywhere", "on": "slap"},
+                                  "slab"),
+                                 ({"op": "pickup", "object": "mug"}, "pick_up"),
+                                 ({**put("mug", 0, 0, 1), "rotaton": [1, 0, 0, 0]}, "rotation"),
+                                 ({"op": "push", "object": "mug", "to": [0, 0],
+                                   "together": ["Slab"]}, "slab")):
+            self.check_layout({**base, "operations": [operation]}, meant)
+        self.check_layout({**base, "flor": True}, "floor")
+        self.check_layout({**base, "objects": [SLAB, {**mug, "Scale": 2}]}, "scale")
+
+    def test_in_sessions(self):
+        lines = [{"query": "Mug"}, {"op": "lock", "object": "mugg"}, {"op": "lok", "object": "mug"}]
+        result = subprocess.run([PROGRAM, "session", self.layout([{"name": "mug",
+                                                                   "model": "cube.obj"}])],
+                                input="".join(json.dumps(line) + "\n" for line in lines).encode(),
+                                cwd=self.folder, capture_output=True, timeout=100)
+        answers = [json.loads(line) for line in result.stdout.splitlines()][1:]
+        for answer, meant in zip(answers, ("mug", "mug", "lock"), strict=True):
+            self.assertIn('did you mean "%s"?' % meant, answer["reason"])
 
 
 class Streams(Case):

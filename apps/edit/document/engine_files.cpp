@@ -10,6 +10,7 @@
 #include "apps/edit/document/layout_paths.h"
 #include "core/base/error.h"
 #include "core/io/export.h"
+#include "core/io/overwrites.h"
 #include "ops/base/names.h"
 #include "ops/layout/paths.h"
 #include "ops/report/scene_file.h"
@@ -160,6 +161,7 @@ bool Engine::save_as(const std::string& file) {
 }
 
 bool Engine::export_to(const std::string& file) {
+  check_not_an_input(file, model_files(m_opened->session.layout(), m_opened->model_folder));
   SceneFileOptions options;
   options.version = m_options.version;
   options.clearance = settled_clearance(*m_opened);

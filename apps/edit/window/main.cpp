@@ -6,8 +6,10 @@
 #include <iostream>
 
 #include "apps/edit/window/main_window.h"
+#include "core/base/standard_streams.h"
 
 int main(int argc, char** argv) {
+  trivet::open_standard_streams();
   QApplication application(argc, argv);
   QCoreApplication::setOrganizationName("trivet");
   QCoreApplication::setApplicationName("trivet-edit");

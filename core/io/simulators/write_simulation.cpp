@@ -6,6 +6,7 @@
 #include "core/base/error.h"
 #include "core/io/export.h"
 #include "core/io/simulators/simulation_files.h"
+#include "core/io/staged_files.h"
 
 namespace trivet {
 namespace {
@@ -57,15 +58,7 @@ bool is_written(const fs::path& path, const std::string& bytes) {
   return file && content.str() == bytes;
 }
 
-void make_folder(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error)
-    throw Error(Error::Kind::Environment,
-                folder.string() + ": cannot be created: " + error.message());
-}
-
-/// Meshes and the scene file, in memory: everything that can fail, except the disk, comes first.
+/// Meshes and the scene file, in memory: all that can fail but the disk comes first.
 struct SimulationText {
   std::vector<MeshFile> meshes;
   std::string scene;
@@ -112,13 +105,15 @@ std::vector<std::string> write_simulation(SimulationScene& scene, const std::str
   const SimulationText text =
       text_of(scene, format, wanted.generic_string() + "/", options.mesh_prefix);
   std::vector<std::string> written{path};
-  if (!text.meshes.empty()) make_folder(folder);
+  StagedFiles staged;
+  if (!text.meshes.empty()) staged.add_folder(folder.string());
   for (const MeshFile& mesh : text.meshes) {
     const std::string target = (folder / mesh.name).string();
-    if (!is_written(target, mesh.bytes)) write_file_atomically(target, mesh.bytes);
+    if (!is_written(target, mesh.bytes)) staged.add(target, mesh.bytes);
     written.push_back(target);
   }
-  write_file_atomically(path, text.scene);
+  staged.add(path, text.scene);
+  staged.commit();
   return written;
 }
 

@@ -6,6 +6,8 @@
 #include "core/contact/contact_points.h"
 #include "ops/check/check.h"
 #include "ops/operations/perform.h"
+#include "ops/place/distance_query.h"
+#include "ops/placement/neighbourhood.h"
 
 namespace trivet {
 namespace {
@@ -76,7 +78,69 @@ TEST(PutSomewhere, PutsNearestToPointOnFloor) {
   EXPECT_LE(at.head<2>().norm(), 0.65);
 }
 
-TEST(PutSomewhere, GivesSameBitsForSameSeed) {
+// The smallest of them has a diagonal of 15 cm, which allows for scenes of 2,474 m.
+TEST(PutSomewhere, KeepsAnyDistanceOnTheFloor) {
+  for (const double keep : {1.0, 30.0, 500.0, 1500.0})
+    for (const bool near : {false, true}) {
+      Room room;
+      room.scene.add(test::box_object("cup", Vec3(0.04, 0.04, 0.05)));
+      PlaceOptions place;
+      place.on = "floor";
+      place.keep = keep;
+      if (near) place.near = Vec2(0.1, 0);
+      const OperationResult result = room.put_on("cup", place);
+      ASSERT_TRUE(result.ok()) << keep << (near ? " near: " : ": ") << result.reason();
+      const Body cup = body_of(room.at("cup")), table = body_of(room.at("table"));
+      EXPECT_FALSE(nearer_than(keep, cup, table)) << keep;
+      EXPECT_TRUE(!near || nearer_than(1.01 * keep + 0.1, cup, table)) << keep;
+    }
+}
+
+TEST(PutSomewhere, SaysWhyADistanceIsTooLarge) {
+  for (const double keep : {1e4, 1e6, 1e8, 1e12, 1e15})
+    for (const bool near : {false, true}) {
+      Room room;
+      room.scene.add(test::box_object("cup", Vec3(0.04, 0.04, 0.05)));
+      PlaceOptions place;
+      place.on = "floor";
+      place.keep = keep;
+      if (near) place.near = Vec2(0.1, 0);
+      const std::string reason = room.put_on("cup", place).reason();
+      EXPECT_NE(reason.find("cannot be kept"), std::string::npos) << reason;
+      EXPECT_NE(reason.find("accepted: a distance to keep of up to 247"), std::string::npos)
+          << reason;
+    }
+}
+
+TEST(PutSomewhere, KeepsAnyDistanceFromNothing) {
+  Scene scene;
+  scene.add(test::box_object("cup", Vec3(0.04, 0.04, 0.05)));
+  PutOperation o;
+  o.object = "cup";
+  o.place.emplace();
+  o.place->on = "floor";
+  o.place->keep = 1e15;
+  const OperationResult result = perform(scene, o);
+  EXPECT_TRUE(result.ok()) << result.reason();
+}
+
+// More than there is on a table: all is blocked, and the maps stay small.
+TEST(PutSomewhere, RefusesAnyDistanceOnATable) {
+  for (const double keep : {10.0, 1e6, 1e12, 1e15}) {
+    Room room;
+    room.scene.add(test::box_object("mat", Vec3(0.1, 0.1, 0.01)));
+    room.scene.add(test::box_object("cup", Vec3(0.04, 0.04, 0.05)));
+    PlaceOptions place;
+    place.on = "table";
+    ASSERT_TRUE(room.put_on("mat", place).ok());
+    place.keep = keep;
+    EXPECT_NE(room.put_on("cup", place).reason().find("no free place"), std::string::npos);
+    place.near = Vec2(0, 0);
+    EXPECT_NE(room.put_on("cup", place).reason().find("no free place"), std::string::npos);
+  }
+}
+
+TEST(PutSomewhere, TheSameSeedGivesTheSameBits) {
   Vec3 first;
   for (int run = 0; run < 2; ++run) {
     Room room;

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ops/put.h"
+#include "ops/operations/perform.h"
 #include "support/solids.h"
 
 namespace trivet::test {

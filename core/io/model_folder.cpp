@@ -1,0 +1,53 @@
+#include "core/io/model_folder.h"
+
+#include <algorithm>
+
+namespace trivet {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Empty: it cannot be told.
+fs::path resolved(const fs::path& path) {
+  std::error_code error;
+  const fs::path whole = fs::absolute(path, error);
+  if (error) return {};
+  fs::path out = fs::weakly_canonical(whole, error);
+  return error ? fs::path() : out;
+}
+
+bool is_below(const fs::path& file, const fs::path& folder) {
+  const auto end = std::mismatch(folder.begin(), folder.end(), file.begin(), file.end());
+  return end.first == folder.end() && end.second != file.end();
+}
+
+}  // namespace
+
+ModelFolder::ModelFolder(const std::string& model) {
+  const fs::path parent = fs::path(model).parent_path();
+  for (const fs::path& folder :
+       {resolved(parent.empty() ? "." : parent), resolved(model).parent_path()})
+    if (!folder.empty()) m_folders.push_back(folder);
+}
+
+bool ModelFolder::holds(const fs::path& file) const {
+  const fs::path whole = resolved(file);
+  return !whole.empty() && std::any_of(m_folders.begin(), m_folders.end(),
+                                       [&](const fs::path& f) { return is_below(whole, f); });
+}
+
+bool ModelFolder::has(const fs::path& file) const {
+  std::error_code error;
+  return holds(file) && fs::is_regular_file(file, error);
+}
+
+std::string outside_folder(const std::string& name) {
+  constexpr size_t kMaxLength = 100;
+  std::string shown = name.substr(0, kMaxLength) + (name.size() > kMaxLength ? "..." : "");
+  for (char& c : shown)
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+  return "names \"" + shown +
+         "\", which is outside its folder; accepted: files in the folder of the model or below it";
+}
+
+}  // namespace trivet

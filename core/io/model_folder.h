@@ -1,0 +1,30 @@
+// Files that a model names. Models are not trusted: they see their own folder and what is below it.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace trivet {
+
+/// The folder of a model. One that is a symbolic link has two: that of the link, and that of the
+/// file to which it leads.
+class ModelFolder {
+ public:
+  explicit ModelFolder(const std::string& model);
+
+  /// Whether this path leads to a place in the folder or below it, all symbolic links followed. The
+  /// file need not be there.
+  bool holds(const std::filesystem::path& file) const;
+  /// The same, of a regular file that is there: no folder, device or pipe.
+  bool has(const std::filesystem::path& file) const;
+
+ private:
+  std::vector<std::filesystem::path> m_folders;  // canonical
+};
+
+/// "names "../x.bin", which is outside its folder; accepted: ...". Of what the file says, not of
+/// what there is.
+std::string outside_folder(const std::string& name);
+
+}  // namespace trivet

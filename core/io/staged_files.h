@@ -1,0 +1,37 @@
+// Several files that belong together: all of them, or none.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/io/export.h"
+
+namespace trivet {
+
+/// Files are written beside their targets first, and renamed together at the end: a full disk
+/// leaves all as it was. Folders that are made for them vanish again, too.
+class StagedFiles {
+ public:
+  StagedFiles();
+  ~StagedFiles();  // what was not committed is gone
+  StagedFiles(const StagedFiles&) = delete;
+  StagedFiles& operator=(const StagedFiles&) = delete;
+
+  /// A folder for some of them, with those above it; it may be there.
+  /// @throws Error (Environment).
+  void add_folder(const std::string& path);
+  /// As write_file_atomically(), up to the rename. @throws Error (Environment).
+  void add(const std::string& path, const std::string& bytes);
+  void add(const std::string& path, const FileContent& content);
+  /// Renames in the order of add(): what names others comes last.
+  /// @throws Error (Environment) when the system refuses a rename; those before it are done.
+  void commit();
+
+ private:
+  struct File;
+  std::vector<std::unique_ptr<File>> m_files;
+  std::vector<std::string> m_folders;  // that were made, the outer ones first
+};
+
+}  // namespace trivet

@@ -1,0 +1,49 @@
+#include "core/mesh/weld_arrays.h"
+
+#include <limits>
+#include <string>
+
+#include "core/base/error.h"
+
+namespace trivet {
+namespace {
+
+[[noreturn]] void fail(const std::string& what, const std::string& accepted) {
+  throw Error(Error::Kind::BadInput, what + "; accepted: " + accepted);
+}
+
+std::string row(const char* what, size_t number) {
+  return std::string(what) + " " + std::to_string(number);
+}
+
+void check(std::span<const Vec3> vertices, std::span<const Index3> triangles) {
+  constexpr size_t kMost = std::numeric_limits<Index>::max();
+  if (triangles.empty()) fail("a mesh without triangles", "one at least");
+  if (vertices.size() > kMost || triangles.size() > kMost)
+    fail("a mesh of " + std::to_string(vertices.size()) + " vertices and " +
+             std::to_string(triangles.size()) + " triangles",
+         "up to " + std::to_string(kMost) + " of each");
+  for (size_t v = 0; v < vertices.size(); ++v)
+    if (!vertices[v].allFinite()) fail(row("vertex", v) + " is not finite", "finite coordinates");
+  for (size_t f = 0; f < triangles.size(); ++f)
+    for (const Index v : triangles[f])
+      if (v < 0 || static_cast<size_t>(v) >= vertices.size())
+        fail(row("triangle", f) + " has vertex " + std::to_string(v),
+             "0 to " + std::to_string(static_cast<long>(vertices.size()) - 1));
+}
+
+}  // namespace
+
+WeldedMesh weld(std::span<const Vec3> vertices, std::span<const Index3> triangles) {
+  check(vertices, triangles);
+  std::vector<Triangle> corners;
+  corners.reserve(triangles.size());
+  for (const Index3& t : triangles)
+    corners.push_back({vertices[t[0]], vertices[t[1]], vertices[t[2]]});
+  WeldedMesh out{weld(corners), std::vector<Index>(vertices.size(), -1)};
+  for (size_t f = 0; f < triangles.size(); ++f)
+    for (int k = 0; k < 3; ++k) out.new_id[triangles[f][k]] = out.mesh.triangles[f][k];
+  return out;
+}
+
+}  // namespace trivet

@@ -1,0 +1,375 @@
+"""Files at the edges: outputs that are inputs, closed streams, full disks, pipes."""
+import json
+import os
+import resource
+import shutil
+import signal
+import subprocess
+import threading
+import time
+
+from program import PROGRAM, SLAB, Case, grid_obj, main, put
+
+
+class InputsStay(Case):
+    """No verb overwrites a file that it reads, or that these name."""
+
+    def models(self):
+        """The cube in other formats, and a layout of each."""
+        self.trivet("run", self.layout([SLAB], name="slab.json"), "-o", "m.stl", "--quiet")
+        self.trivet("run", "slab.json", "-o", "m.glb", "--quiet")
+        self.trivet("run", "slab.json", "-o", "m.gltf", "--quiet")
+        self.trivet("run", "slab.json", "-o", "m.obj", "--quiet")
+
+    def test_run_keeps_the_models_of_its_layout(self):
+        self.models()
+        for model in ("m.obj", "m.stl", "m.glb", "m.gltf"):
+            layout = self.layout([{**SLAB, "model": model}])
+            self.refused("run", layout, "-o", model, says=(model, "is an input"))
+            self.refused("run", layout, "-o", "./x/../" + model, says="is an input")
+        self.refused("run", layout, "-o", "s.glb", "--report", "m.gltf", says="is an input")
+
+    def test_under_another_name(self):
+        self.models()
+        layout = self.layout([{**SLAB, "model": "m.glb"}])
+        os.symlink("m.glb", self.path("soft.glb"))
+        os.link(self.path("m.glb"), self.path("hard.glb"))
+        for name in ("soft.glb", "hard.glb"):
+            self.refused("run", layout, "-o", name, says=(name, "is an input"))
+
+    def test_files_beside(self):
+        self.models()
+        self.refused("run", self.layout([{**SLAB, "model": "m.gltf"}]), "-o", "s.glb",
+                     "--report", "m.bin", says=("m.bin", "named by", "m.gltf"))
+        self.refused("run", self.layout([{**SLAB, "model": "m.obj"}]), "-o", "s.glb",
+                     "--report", "m.mtl", says=("m.mtl", "named by", "m.obj"))
+        # What an export writes beside itself: n.gltf has named n.bin, which the model names too.
+        for name in ("n.gltf", "other.gltf"):
+            self.write(name, self.read("m.gltf").replace(b"m.bin", b"n.bin"))
+        shutil.copy(self.path("m.bin"), self.path("n.bin"))
+        self.refused("run", self.layout([{**SLAB, "model": "other.gltf"}]), "-o", "n.gltf",
+                     says=("n.bin", "named by", "other.gltf"))
+
+    def test_the_models_of_an_appended_object(self):
+        layout = self.layout([SLAB], [{"op": "append", "object": "a", "model": "cube.obj"}])
+        self.refused("run", layout, "-o", "cube.obj", says="is an input")
+
+    def test_the_models_of_a_scene(self):
+        layout = self.layout([SLAB, {"name": "a", "model": "cube.obj"}], [put("a", 0, 0, 1)])
+        self.trivet("run", layout, "-o", "s.glb")
+        for verb in (("put", "s.glb", "slab.obj", "--position", 0, 0, 2),
+                     ("push", "s.glb", "a", "--to", 0.1, 0),
+                     ("fix", "s.glb", "a")):
+            self.refused(*verb, "-o", "cube.obj", says="is an input")
+        self.refused("check", "s.glb", "--report", "cube.obj", says="is an input")
+        self.refused("check", layout, "--report", "cube.obj", says="is an input")
+        self.refused("export", "s.glb", "-o", "a.urdf", "--report", "slab.obj", says="is an input")
+        self.trivet("push", "s.glb", "a", "--to", 0.1, 0, "-o", "s.glb")  # in place is meant
+
+    def test_the_files_of_a_demo(self):
+        self.refused("demo", "spoon-saucer", "--export", "d", "-o", "s.glb", "--report",
+                     "d/layout.json", says="is an input")
+        self.assertFalse(os.path.exists(self.path("d")))
+
+    def session(self, lines, *arguments):
+        result = subprocess.run([PROGRAM, "session", *arguments], cwd=self.folder, text=True,
+                                input="".join(json.dumps(line) + "\n" for line in lines),
+                                capture_output=True, timeout=100)
+        return [json.loads(line) for line in result.stdout.splitlines()][1:]
+
+    def test_what_a_session_reads(self):
+        self.models()
+        layout = self.layout([{**SLAB, "model": "m.glb"}, {"name": "a", "model": "cube.obj"}])
+        before = self.read("m.glb")
+        answers = self.session([{"save": "m.glb"}, put("a", 0, 0, 1), {"save": "j.glb"},
+                                {"save": "s.glb"}], layout, "--journal", "j.glb")
+        self.assertEqual([a["status"] for a in answers], ["error", "ok", "error", "ok"])
+        for k in (0, 2):
+            self.assertIn("is an input", answers[k]["reason"])
+        self.assertEqual(self.read("m.glb"), before)
+        self.trivet("replay", "j.glb", "-o", "t.glb")
+        self.assertEqual(self.read("t.glb"), self.read("s.glb"))
+        self.refused("replay", "j.glb", "-o", "m.glb", says="is an input")
+
+    def test_a_start_that_is_called_like_its_copy(self):
+        self.trivet("run", self.layout([SLAB]), "-o", "s.glb")
+        os.rename(self.path("s.glb"), self.path("j.start"))
+        before = self.read("j.start")
+        self.session([{"op": "unfix", "object": "slab"}], "j.start", "--journal", "j")
+        self.assertEqual(self.read("j.start"), before)
+        self.trivet("replay", "j", "-o", "t.glb")
+
+
+class ClosedStreams(Case):
+    """Who closes a standard stream finds nothing of it in a file."""
+
+    def closed(self, descriptors, *arguments, lines=()):
+        """The program with these descriptors closed. Gives status, output, errors."""
+        def close():
+            for descriptor in descriptors:
+                os.close(descriptor)
+        result = subprocess.run([PROGRAM, *map(str, arguments)], cwd=self.folder, preexec_fn=close,
+                                input="".join(json.dumps(line) + "\n" for line in lines).encode(),
+                                capture_output=True, timeout=100)
+        return result.returncode, result.stdout.decode(), result.stderr.decode()
+
+    def check_journal(self, steps):
+        """Every line of it is one that Trivet wrote, and it is replayed."""
+        lines = self.read("j").decode().splitlines()
+        self.assertEqual(len(lines), 1 + steps)
+        for line in lines:
+            self.assertIn("sum", json.loads(line))
+        self.trivet("replay", "j", "-o", "t.glb")
+
+    def test_a_session_without_standard_output(self):
+        layout = self.layout([SLAB, {"name": "a", "model": "cube.obj"}])
+        status, _, err = self.closed([1], "session", layout, "--journal", "j",
+                                     lines=[put("a", 0, 0, 1)])
+        self.assertEqual(status, 3)
+        self.assertIn("answers of the session cannot be written", err)
+        self.check_journal(0)
+
+    def test_a_session_whose_reader_has_gone(self):
+        layout = self.layout([SLAB, {"name": "a", "model": "cube.obj"}])
+        process = subprocess.Popen([PROGRAM, "session", layout, "--journal", "j"], cwd=self.folder,
+                                   stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                                   stderr=subprocess.PIPE, text=True)
+        process.stdout.readline()
+        process.stdout.close()
+        process.stdin.write(json.dumps(put("a", 0, 0, 1)) + "\n")
+        process.stdin.flush()  # and stays open: the session ends by itself
+        self.assertEqual(process.wait(timeout=60), 3)
+        self.assertIn("answers of the session cannot be written", process.stderr.read())
+        process.stdin.close()
+        process.stderr.close()
+        self.check_journal(1)
+
+    def test_a_session_on_a_full_disk(self):
+        layout = self.layout([SLAB, {"name": "a", "model": "cube.obj"}])
+        with open("/dev/full", "w") as full:
+            result = subprocess.run([PROGRAM, "session", layout, "--journal", "j"], cwd=self.folder,
+                                    stdin=subprocess.DEVNULL, stdout=full, stderr=subprocess.PIPE)
+        self.assertEqual(result.returncode, 3)
+        self.check_journal(0)
+
+    def test_results_do_not_depend_on_streams(self):
+        layout = self.two_cubes()
+        self.trivet("run", layout, "-o", "s.glb", "--report", "r.json")
+        for descriptors in ([0], [1], [2], [0, 1], [0, 1, 2]):
+            status, out, err = self.closed(descriptors, "run", layout, "-o", "t.glb", "--report",
+                                           "t.json", "--quiet")
+            self.assertEqual((status, out, err), (0, "", ""), descriptors)
+            self.assertEqual(self.read("t.glb"), self.read("s.glb"))
+
+    def test_what_cannot_be_told_is_an_error(self):
+        status, _, err = self.closed([1], "schema")
+        self.assertEqual(status, 3)
+        self.assertIn("the standard output cannot be written", err)
+
+
+SECRET = "SECRET-7319"
+
+
+class ModelsSeeTheirFolder(Case):
+    """What lies outside a model's folder is neither read nor told of."""
+
+    def setUp(self):
+        super().setUp()
+        os.mkdir(self.path("m"))
+        self.trivet("run", self.layout([SLAB], name="slab.json"), "-o", "m/slab.gltf", "--quiet")
+        self.buffer = self.read("m/slab.bin")
+        self.write("secret.bin", self.buffer)
+        self.write("secret.txt", SECRET)
+        self.write("secret.mtl", "newmtl red\nKd 1 0 0\nmap_Kd secret.png\nnewmtl %s\n" % SECRET)
+        self.write("secret.png", b"\x89PNG\r\n\x1a\n" + SECRET.encode())
+        os.symlink("../secret.bin", self.path("m/link.bin"))
+        os.symlink("..", self.path("m/up"))
+        os.symlink("../secret.mtl", self.path("m/link.mtl"))
+        os.symlink("../secret.png", self.path("m/link.png"))
+
+    def gltf(self, uri, name="m/slab.gltf"):
+        json_ = json.loads(self.read("m/slab.gltf"))
+        json_["buffers"][0]["uri"] = uri
+        return self.write(name, json.dumps(json_))
+
+    def both(self, *arguments):
+        return (arguments, (*arguments, "--import-in-process"))
+
+    def test_buffers_of_gltf(self):
+        for uri in ("../secret.bin", "%2e%2e/secret.bin", "x/../../secret.bin",
+                    self.path("secret.bin"), "link.bin", "up/secret.bin", "../secret.txt",
+                    "/etc/passwd", "../m/../secret.bin", "/dev/zero", "../none.bin"):
+            self.gltf(uri)
+            for arguments in self.both("info", "m/slab.gltf"):
+                err = self.refused(*arguments, says=("m/slab.gltf: ", "outside its folder",
+                                                     "accepted: files in the folder"))
+                for leak in (SECRET, "root:", "bytes", "missing"):
+                    self.assertNotIn(leak, err)
+        layout = self.layout([], [], scene="m/slab.gltf")
+        self.refused("run", layout, "-o", "s.gltf", says="outside its folder")
+
+    def test_files_in_the_folder_and_below(self):
+        self.write("m/below/b.bin", self.buffer)
+        os.symlink("below/b.bin", self.path("m/inside.bin"))
+        for uri in ("slab.bin", "below/b.bin", "inside.bin", "../m/slab.bin", "up/m/slab.bin"):
+            self.gltf(uri, "m/ok.gltf")
+            for arguments in self.both("info", "m/ok.gltf"):
+                self.trivet(*arguments)
+        os.symlink("m/slab.gltf", self.path("linked.gltf"))  # the files are where the link leads
+        self.write("slab.bin", "")
+        os.remove(self.path("slab.bin"))
+        self.gltf("slab.bin")
+        os.symlink("m/slab.bin", self.path("slab.bin"))
+        self.trivet("info", "linked.gltf")
+
+    def notes(self, name, *more):
+        out = self.trivet("info", name, "--json", *more)[0]
+        self.assertNotIn(SECRET, out)
+        return json.loads(out)["notes"]
+
+    def test_materials_of_obj(self):
+        cube = self.read("cube.obj").decode()
+        for name in ("../secret.mtl", self.path("secret.mtl"), "link.mtl", "up/secret.mtl"):
+            self.write("m/a.obj", "mtllib %s\nusemtl red\n" % name + cube)
+            for arguments in self.both():
+                text = " ".join(self.notes("m/a.obj", *arguments))
+                # assimp takes absolute names for relative ones: such a file is not there.
+                if not os.path.isabs(name):
+                    self.assertIn("outside its folder", text, name)
+        self.write("m/own.mtl", "newmtl red\nKd 1 0 0\n")
+        self.write("m/a.obj", "mtllib own.mtl\nusemtl red\n" + cube)
+        self.assertEqual(self.notes("m/a.obj"), [])
+
+    def test_textures(self):
+        obj = "mtllib own.mtl\nusemtl red\nvt 0 0\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1/1 2/1 3/1\n"
+        self.write("m/a.obj", obj)
+        for name in ("../secret.png", self.path("secret.png"), "link.png", "up/secret.png"):
+            self.write("m/own.mtl", "newmtl red\nmap_Kd %s\n" % name)
+            for arguments in self.both():
+                self.assertIn("left out: the texture", " ".join(self.notes("m/a.obj", *arguments)))
+            self.trivet("run", self.layout([{**SLAB, "model": "m/a.obj"}]), "-o", "s.glb")
+            self.assertNotIn(SECRET.encode(), self.read("s.glb"))
+
+    def test_images_of_gltf(self):
+        json_ = json.loads(self.read("m/slab.gltf"))
+        for name in ("../secret.png", self.path("secret.png"), "link.png", "up/secret.png"):
+            json_["images"] = [{"uri": name}]
+            json_["textures"] = [{"source": 0}]
+            json_["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"] = {"index": 0}
+            self.write("m/a.gltf", json.dumps(json_))
+            self.trivet("run", self.layout([{**SLAB, "model": "m/a.gltf"}]), "-o", "s.glb")
+            self.assertNotIn(SECRET.encode(), self.read("s.glb"))
+
+    def test_pipes_are_no_files_of_a_model(self):
+        os.mkfifo(self.path("m/fifo.bin"))
+        self.gltf("fifo.bin")
+        for arguments in self.both("info", "m/slab.gltf"):
+            out, err = self.trivet(*arguments, status=2)
+            self.assertIn("m/slab.gltf", err)
+
+
+class Pipes(Case):
+    """Layouts that are no regular files."""
+
+    def test_devices(self):
+        for device in ("/dev/zero", "/dev/urandom"):
+            begin = time.monotonic()
+            self.trivet("run", device, "-o", "s.glb", status=2)
+            self.assertLess(time.monotonic() - begin, 20)
+        self.refused("run", "/dev/null", "-o", "s.glb", says="/dev/null: is empty")
+
+    def test_a_pipe_that_is_fed(self):
+        text = self.read(self.two_cubes())
+        self.trivet("run", "layout.json", "-o", "s.glb")
+        os.mkfifo(self.path("fifo"))
+        writer = threading.Thread(target=self.feed, args=(text,))
+        writer.start()
+        self.trivet("run", "fifo", "-o", "t.glb")
+        writer.join()
+        self.assertEqual(self.read("t.glb"), self.read("s.glb"))
+        # Models lie relative to the layout, which is in /dev/fd here.
+        self.layout([{**SLAB, "model": self.path("slab.obj")}])
+        for command in ('"$0" run <(cat layout.json) -o u.glb',
+                        '(sleep 1; cat layout.json) | "$0" run /dev/stdin -o u.glb'):
+            subprocess.run(["bash", "-c", command, PROGRAM], cwd=self.folder, check=True,
+                           stdout=subprocess.DEVNULL, timeout=100)
+            self.trivet("check", "u.glb")
+            os.remove(self.path("u.glb"))
+
+    def feed(self, text):
+        time.sleep(0.5)
+        with open(self.path("fifo"), "wb") as fifo:
+            fifo.write(text[:100])
+            fifo.flush()
+            time.sleep(0.5)
+            fifo.write(text[100:])
+
+    def test_an_empty_pipe_is_empty(self):
+        for command in ('"$0" run <(true) -o u.glb', 'true | "$0" run /dev/stdin -o u.glb'):
+            result = subprocess.run(["bash", "-c", command, PROGRAM], cwd=self.folder, timeout=100,
+                                    capture_output=True)
+            self.assertEqual(result.returncode, 2)
+            self.assertIn(b"is empty", result.stderr)
+
+    def test_a_pipe_that_nobody_feeds(self):
+        os.mkfifo(self.path("fifo"))
+        begin = time.monotonic()
+        self.trivet("run", "fifo", "-o", "s.glb", status=2)
+        self.assertLess(time.monotonic() - begin, 60)
+        out, err = self.trivet("check", "fifo", status=2)
+        self.assertIn("fifo", err)
+
+    def test_an_endless_pipe(self):
+        for what in ("cat /dev/zero", "yes", "echo '{'; cat /dev/zero"):
+            command = '(%s) | "$0" run /dev/stdin -o u.glb' % what
+            result = subprocess.run(["bash", "-c", command, PROGRAM], cwd=self.folder, timeout=100,
+                                    capture_output=True)
+            self.assertEqual(result.returncode, 2)
+            self.assertIn(b"/dev/stdin: line ", result.stderr)
+
+
+class FullDisks(Case):
+    """No room for the largest of several files: nothing is half-written, nothing is left over."""
+
+    def no_room(self, limit, *arguments):
+        """The program may write no file of more bytes. It must fail and leave all as it was."""
+        before = {name: self.read(name) for name in self.files()}
+        folders = {folder for folder, _, _ in os.walk(self.folder)}
+
+        def set_limit():
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)  # write() fails, as on a full disk
+            resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit))
+        result = subprocess.run([PROGRAM, *arguments], cwd=self.folder, preexec_fn=set_limit,
+                                restore_signals=False, capture_output=True, timeout=100)
+        self.assertEqual(result.returncode, 3, result.stderr)
+        self.assertIn(b"File too large", result.stderr)
+        self.assertNotIn(b"temporary", result.stderr)
+        self.assertEqual({name: self.read(name) for name in self.files()}, before)
+        self.assertEqual({folder for folder, _, _ in os.walk(self.folder)}, folders)
+
+    def test_exports_of_several_files(self):
+        self.write("grid.obj", grid_obj(30))
+        layout = self.layout([{**SLAB, "model": "grid.obj"}])
+        self.trivet("run", layout, "-o", "s.glb")
+        for name in ("a.obj", "a.gltf"):
+            self.no_room(2000, "run", layout, "-o", name)
+        for name in ("a.urdf", "a.xml", "a.usda"):
+            for more in ((), ("--meshes", "deep/below")):  # the scene is read through a smaller file
+                self.no_room(48_000, "export", "s.glb", "-o", name, *more)
+        # Old files stay.
+        self.trivet("run", layout, "-o", "a.obj")
+        self.write("a.mtl", self.read("a.mtl") + b"# changed\n")
+        self.no_room(2000, "run", layout, "-o", "a.obj")
+
+    def test_a_scene_and_its_report(self):
+        layout = self.two_cubes()
+        self.trivet("run", layout, "-o", "s.stl", "--report", "r.json")
+        size = len(self.read("s.stl"))
+        self.assertGreater(len(self.read("r.json")), size)
+        os.remove(self.path("s.stl"))
+        os.remove(self.path("r.json"))
+        self.no_room(size + 10, "run", layout, "-o", "s.stl", "--report", "r.json")
+
+
+if __name__ == "__main__":
+    main()
