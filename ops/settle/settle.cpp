@@ -10,6 +10,7 @@
 #include "ops/detect/detector.h"
 #include "ops/settle/candidates.h"
 #include "ops/settle/equilibrium.h"
+#include "ops/settle/subsets.h"
 
 namespace trivet {
 namespace {
@@ -32,10 +33,11 @@ class Settling {
       if (lift_if_needed(points)) continue;
       if (carrying_margin(points, m_object.centre) >= kRestMargin * m_object.size)
         return finish(SettleOutcome::Status::AtRest);
+      if (may_stay(points) && is_held(points)) return finish(SettleOutcome::Status::AtRest);
       const Candidates candidates = candidate_motions(points);
       Outcome outcome = give_way(candidates.sticking, kEnergyDrop);
       if (outcome == Outcome::Stuck) {
-        const bool balanced = is_balanced();
+        const bool balanced = balance(points_to_balance());
         const std::vector<Candidate> motions =
             balanced ? carrying_motions(points) : candidates.last_resorts;
         if (balanced && (m_problem.options.literal_paper_rules || none_sinks(motions)))
@@ -52,9 +54,8 @@ class Settling {
 
   bool is_at_rest() {
     const std::vector<ContactPoint> points = look_around();
-    if (carrying_margin(points, m_object.centre) >= kRestMargin * m_object.size) return true;
-    if (!is_balanced()) return false;
-    return none_sinks(carrying_motions(points));
+    return carrying_margin(points, m_object.centre) >= kRestMargin * m_object.size ||
+           is_held(points);
   }
 
  private:
@@ -94,6 +95,16 @@ class Settling {
     return points;
   }
 
+  // Of all bodies, each point with the fixed body that it is on.
+  std::vector<TouchedPoint> touched(double num_clearances) const {
+    const double tolerance = num_clearances * clearance();
+    std::vector<TouchedPoint> out;
+    for (size_t i = 0; i < m_bodies.size(); ++i)
+      for (const ContactsWith& c : contacts_of(i, tolerance))
+        for (const ContactPoint& p : merged(c.points, tolerance)) out.push_back({c.fixed, p});
+    return out;
+  }
+
   FirstContact query(const Motion& motion) {
     FirstContactQuery q;
     q.moving = m_bodies;
@@ -117,9 +128,43 @@ class Settling {
   }
 
   // What lies on the object is no pivot for it.
+  static bool may_be_pivot(const ContactPoint& c) { return c.normal.z() >= -kSupportNormalZ; }
+
   std::vector<Candidate> carrying_motions(std::vector<ContactPoint> points) const {
-    std::erase_if(points, [](const ContactPoint& c) { return c.normal.z() < -kSupportNormalZ; });
+    std::erase_if(points, [](const ContactPoint& c) { return !may_be_pivot(c); });
     return gauss_candidates(points, m_object, fall_limit()).sticking;
+  }
+
+  // An object that rests where it starts does not move.
+  bool may_stay(const std::vector<ContactPoint>& points) const {
+    return !m_sank && !points.empty() && !m_problem.options.literal_paper_rules;
+  }
+
+  // Whether what it touches, or some of it, balances the object and gives no turn that lowers it.
+  // An object that hovers turns about what is below.
+  bool is_held(const std::vector<ContactPoint>& points) {
+    const std::vector<ContactPoint> near = points_to_balance();
+    if (!balance(near)) return false;
+    return none_sinks(carrying_motions(points.empty() ? near : points)) || is_held_by_some();
+  }
+
+  // Rest must not end because of one more contact: bodies that give pivots are left out in turn. As
+  // obstacles they stay.
+  bool is_held_by_some() {
+    const std::vector<TouchedPoint> close = touched(kContactTolerance),
+                                    near = touched(kBalanceTolerance);
+    std::vector<Index> bodies;
+    for (const TouchedPoint& t : close)
+      if (may_be_pivot(t.point)) bodies.push_back(t.fixed);
+    std::sort(bodies.begin(), bodies.end());
+    bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
+    return holds_without_some(bodies, [&](const std::vector<Index>& left_out) {
+      const std::vector<ContactPoint> carrying = points_without(near, left_out);
+      if (!balance(carrying)) return Hold::Never;
+      const std::vector<ContactPoint> pivots = points_without(close, left_out);
+      return none_sinks(carrying_motions(pivots.empty() ? carrying : pivots)) ? Hold::Yes
+                                                                              : Hold::No;
+    });
   }
 
   // By more than the contacts' tolerance.
@@ -139,6 +184,7 @@ class Settling {
     m_out.pose = moved_pose(m_out.pose, motion, time);
     for (Pose& pose : m_out.carried) pose = moved_pose(pose, motion, time);
     m_out.steps.push_back({kind, m_out.pose, drop});
+    m_sank = m_sank || kind != SettleStep::Kind::Lift;
   }
 
   Candidates candidate_motions(const std::vector<ContactPoint>& points) const {
@@ -180,9 +226,12 @@ class Settling {
   }
 
   // Contacts that a last closing motion, too short to be executed, would close count as well.
-  bool is_balanced() const {
+  std::vector<ContactPoint> points_to_balance() const {
     const double tolerance = kBalanceTolerance * clearance();
-    const std::vector<ContactPoint> near = all_points_with(contacts_of(0, tolerance), tolerance);
+    return all_points_with(contacts_of(0, tolerance), tolerance);
+  }
+
+  bool balance(const std::vector<ContactPoint>& near) const {
     const bool touches = std::any_of(near.begin(), near.end(), [&](const ContactPoint& c) {
       return c.gap <= kHoverTolerance * clearance();
     });
@@ -199,6 +248,7 @@ class Settling {
   SettlingObject m_object;
   std::vector<Body> m_bodies;  // the object, then what it carries
   int m_num_lifts = 0;
+  bool m_sank = false;
 };
 
 }  // namespace
@@ -241,9 +291,9 @@ std::vector<ContactPoint> all_points(const std::vector<ContactsWith>& contacts, 
 
 bool is_balanced(const std::vector<ContactPoint>& contacts, const Vec3& centre, double size,
                  double clearance) {
-  return carrying_margin(contacts, centre) >= kRestMargin * size ||
-         equilibrium_residual(contacts, centre, size, kLargestFriction) <=
-             residual_tolerance(size, clearance);
+  if (carrying_margin(contacts, centre) >= kRestMargin * size) return true;
+  const double enough = residual_tolerance(size, clearance);
+  return equilibrium_residual(contacts, centre, size, kLargestFriction, enough) <= enough;
 }
 
 bool is_at_rest(const SettleProblem& problem) { return Settling(problem).is_at_rest(); }

@@ -1,0 +1,236 @@
+// One more contact with something fixed never takes support away.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+#include "core/base/tunables.h"
+#include "ops/check.h"
+#include "ops/move/commit_group.h"
+#include "ops/put.h"
+#include "ops/settle/equilibrium.h"
+#include "ops/settle/subsets.h"
+#include "rest_cases.h"
+#include "support/effort.h"
+#include "support/shared_data.h"
+#include "support/solids.h"
+
+namespace trivet {
+namespace {
+
+using test::RestCase;
+using test::Side;
+using Status = SettleOutcome::Status;
+
+constexpr double kFrictionStep = 1.011;  // least_friction() is known to 1 %
+
+struct Rating {
+  double margin, friction;
+};
+
+Rating rating_of(const RestCase& rest) {
+  const std::vector<ContactPoint> points = rest.contacts();
+  const Vec3 centre = rest.body().world_from_object.apply(rest.shape->mass.centre);
+  return {
+      carrying_margin(points, centre),
+      least_friction(points, centre, rest.size(), residual_tolerance(rest.size(), rest.clearance))};
+}
+
+struct Count {
+  int cases = 0, by_forces = 0, neighbours = 0;
+  int lost = 0, worse = 0, moved = 0;
+};
+
+void compare(const RestCase& rest, const Rating& before, const RestCase& more, Count& count) {
+  ++count.neighbours;
+  const bool rests = is_at_rest(more.problem());
+  const Rating after = rating_of(more);
+  const bool rated = after.margin >= before.margin - 1e-12 * rest.size() &&
+                     after.friction <= kFrictionStep * before.friction + 1e-3;
+  const SettleOutcome out = settle(more.problem());
+  const bool stays = out.status == Status::AtRest && out.steps.empty();
+  EXPECT_TRUE(rests) << more.name;
+  EXPECT_TRUE(rated) << more.name << ": margin " << before.margin << " -> " << after.margin
+                     << ", friction " << before.friction << " -> " << after.friction;
+  EXPECT_TRUE(stays) << more.name << ": moves " << out.steps.size() << " times";
+  count.lost += !rests;
+  count.worse += !rated;
+  count.moved += !stays;
+}
+
+// What rests stays where it is, alone and with each of six neighbours.
+Count expect_more_contacts_hold(const test::Stock& stock, int num) {
+  Count count;
+  for (int i = 0; i < num; ++i) {
+    SCOPED_TRACE("case " + std::to_string(i));
+    const auto rest = test::rest_case(stock, i);
+    if (!rest) continue;
+    const Rating before = rating_of(*rest);
+    ++count.cases;
+    count.by_forces += before.margin < kRestMargin * rest->size();
+    test::Random random(9000 + static_cast<unsigned>(i));
+    for (const Side side : {Side::Above, Side::Beside, Side::Below})
+      for (int k = 0; k < 2; ++k)
+        if (const auto neighbour = test::neighbour_of(*rest, stock, side, random))
+          compare(*rest, before, rest->with(*neighbour), count);
+  }
+  std::printf("%d objects at rest, %d by forces; %d neighbours: %d lost, %d worse, %d moved\n",
+              count.cases, count.by_forces, count.neighbours, count.lost, count.worse, count.moved);
+  return count;
+}
+
+TEST(OneMoreContact, LeavesSolidsAtRest) {
+  const int num = test::with_effort(400);
+  const Count count = expect_more_contacts_hold(test::made_stock(), num);
+  EXPECT_GT(count.cases, num / 3);
+  EXPECT_GT(20 * count.by_forces, count.cases);
+  EXPECT_GT(count.neighbours, 4 * count.cases);
+}
+
+TEST(OneMoreContact, LeavesModelsOfTheDemosAtRest) {
+  const int num = test::with_effort(100);
+  const Count count = expect_more_contacts_hold(test::demo_stock(), num);
+  EXPECT_GT(count.cases, num / 3);
+}
+
+TEST(OneMoreContact, LeavesRealModelsAtRest) {
+  TRIVET_NEEDS_DATA("models/contactdb_bowl.stl");
+  const int num = test::with_effort(100);
+  const Count count = expect_more_contacts_hold(test::real_stock(), num);
+  EXPECT_GT(count.cases, num / 3);
+}
+
+// --- in a scene --------------------------------------------------------------------------------
+
+Object object_of(const std::string& name, const std::shared_ptr<const Shape>& shape,
+                 const Affine& world, bool fixed) {
+  Object object;
+  object.name = name;
+  object.shape = shape;
+  object.fixed = fixed;
+  object.scale = world.linear.col(0).norm();
+  object.pose = {Rotation::from_matrix(world.linear / object.scale), world.translation};
+  return object;
+}
+
+ObjectId add_placed(Scene& scene, Object object) {
+  object.placed = true;
+  return scene.add(std::move(object));
+}
+
+Scene scene_of(const RestCase& rest) {
+  Scene scene;
+  scene.floor = rest.floor;
+  add_placed(scene, object_of("object", rest.shape, rest.body().world_from_object, false));
+  for (size_t i = 0; i < rest.fixed.size(); ++i)
+    add_placed(scene, object_of("fixed" + std::to_string(i), rest.shapes[i],
+                                rest.fixed[i].world_from_object, true));
+  update_contacts(scene, rest.clearance);
+  return scene;
+}
+
+// @return whether the neighbour could stand there, free of all others.
+bool expect_stays_stable(Scene scene, const RestCase& rest, const Body& neighbour,
+                         const std::shared_ptr<const Shape>& shape) {
+  const ObjectId object = *scene.find("object");
+  const Object before = std::as_const(scene).at(object);
+  EXPECT_EQ(before.state, ObjectState::Stable);
+  const Object added = object_of("neighbour", shape, neighbour.world_from_object, true);
+  SettleOptions options;
+  options.clearance = rest.clearance;
+  if (!stand(scene, scene.add(added), added.pose, options).ok()) return false;
+  EXPECT_TRUE(check_scene(scene, 1, rest.clearance).not_at_rest.empty());
+  OperationResult result;
+  rate_left_alone(scene, object, rest.clearance, result);
+  EXPECT_TRUE(result.unsupported.empty());
+  update_contacts(scene, rest.clearance);
+  const Object& after = std::as_const(scene).at(object);
+  EXPECT_EQ(after.state, ObjectState::Stable);
+  EXPECT_GE(after.stability_margin, before.stability_margin - 1e-12);
+  EXPECT_LE(after.least_friction, kFrictionStep * before.least_friction + 1e-3);
+  return true;
+}
+
+TEST(OneMoreContact, LeavesObjectsOfASceneStable) {
+  const test::Stock stock = test::made_stock();
+  int num_stood = 0;
+  const int num = test::with_effort(200);
+  for (int i = 0; i < num; ++i) {
+    SCOPED_TRACE("case " + std::to_string(i));
+    const auto rest = test::rest_case(stock, i);
+    if (!rest) continue;
+    const Scene scene = scene_of(*rest);
+    test::Random random(9000 + static_cast<unsigned>(i));
+    for (const Side side : {Side::Above, Side::Beside, Side::Below})
+      if (const auto n = test::neighbour_of(*rest, stock, side, random))
+        num_stood += expect_stays_stable(scene, *rest, *n, test::shape_in(stock, *n));
+  }
+  EXPECT_GT(num_stood, num / 3);
+}
+
+// --- cases by hand -----------------------------------------------------------------------------
+
+// The fall is too short to count; the turn that follows is not.
+TEST(IsAtRest, NotOnAnEdgeThatItHoversOver) {
+  const auto cube = test::shape_of(test::box_triangles(Vec3(0.5, 0.5, 0.5)));
+  SettleProblem problem;
+  problem.shape = cube.get();
+  problem.clearance = 1e-6;
+  for (const double gap : {1.0, 5.0}) {
+    problem.start = {Rotation::about_axis(Vec3::UnitX(), std::tan(M_PI / 8)),
+                     Vec3(0, 0, std::sqrt(0.5) + gap * problem.clearance)};
+    EXPECT_FALSE(is_at_rest(problem)) << gap;
+    problem.start = {{}, Vec3(0, 0, 0.5 + gap * problem.clearance)};
+    EXPECT_TRUE(is_at_rest(problem)) << gap;
+  }
+}
+
+// --- which are left out ------------------------------------------------------------------------
+
+TEST(HoldsWithoutSome, AgreesWithAllSubsets) {
+  test::Random random(1);
+  int num_held = 0;
+  for (int i = 0; i < 500; ++i) {
+    const int n = random.integer(0, 6);
+    std::vector<Index> bodies;
+    for (int k = 0; k < n; ++k) bodies.push_back(2 * k - 1);
+    // Some sets hold; those without all of `needed` never do.
+    const auto mask_of = [&](const std::vector<Index>& left_out) {
+      unsigned mask = 0;
+      for (const Index body : left_out) mask |= 1u << ((body + 1) / 2);
+      return mask;
+    };
+    const unsigned needed = random.integer(0, 63) & random.integer(0, 63);
+    const unsigned holding = random.integer(0, 63), other = random.integer(0, 63);
+    const auto judge = [&](unsigned mask) {
+      if (mask & needed) return Hold::Never;
+      return mask == holding || mask == other ? Hold::Yes : Hold::No;
+    };
+    bool expected = false;
+    for (unsigned mask = 1; mask < 1u << n; ++mask) expected |= judge(mask) == Hold::Yes;
+    const bool found = holds_without_some(
+        bodies, [&](const std::vector<Index>& left_out) { return judge(mask_of(left_out)); });
+    EXPECT_EQ(found, expected) << i;
+    num_held += found;
+  }
+  EXPECT_GT(num_held, 50);
+  EXPECT_LT(num_held, 450);
+}
+
+TEST(HoldsWithoutSome, LeavesOutOneAtATimeFirstAndEnds) {
+  std::vector<Index> bodies;
+  for (Index k = 0; k < 50; ++k) bodies.push_back(k);
+  int num = 0;
+  const auto never_found = [&](const std::vector<Index>& left_out) {
+    EXPECT_EQ(left_out.size(), ++num <= 50 ? 1u : 2u);
+    return Hold::No;
+  };
+  EXPECT_FALSE(holds_without_some(bodies, never_found));
+  EXPECT_EQ(num, kMaxSubsets);
+  EXPECT_FALSE(holds_without_some({}, never_found));
+}
+
+}  // namespace
+}  // namespace trivet
