@@ -33,7 +33,7 @@ class Settling {
       if (lift_if_needed(points)) continue;
       if (carrying_margin(points, m_object.centre) >= kRestMargin * m_object.size)
         return finish(SettleOutcome::Status::AtRest);
-      if (may_stay(points) && is_held(points)) return finish(SettleOutcome::Status::AtRest);
+      if (may_stay(points)) return finish(SettleOutcome::Status::AtRest);
       const Candidates candidates = candidate_motions(points);
       Outcome outcome = give_way(candidates.sticking, kEnergyDrop);
       if (outcome == Outcome::Stuck) {
@@ -135,17 +135,22 @@ class Settling {
     return gauss_candidates(points, m_object, fall_limit()).sticking;
   }
 
-  // An object that rests where it starts does not move.
-  bool may_stay(const std::vector<ContactPoint>& points) const {
-    return !m_sank && !points.empty() && !m_problem.options.literal_paper_rules;
+  // An object that hovers turns about what is below.
+  bool none_sinks_about(const std::vector<ContactPoint>& close,
+                        const std::vector<ContactPoint>& near) {
+    return none_sinks(carrying_motions(close.empty() ? near : close));
   }
 
   // Whether what it touches, or some of it, balances the object and gives no turn that lowers it.
-  // An object that hovers turns about what is below.
   bool is_held(const std::vector<ContactPoint>& points) {
     const std::vector<ContactPoint> near = points_to_balance();
-    if (!balance(near)) return false;
-    return none_sinks(carrying_motions(points.empty() ? near : points)) || is_held_by_some();
+    return balance(near) && (none_sinks_about(points, near) || is_held_by_some());
+  }
+
+  // At the start: whether it is held, although some turn would lower it by more than closing a gap.
+  bool may_stay(const std::vector<ContactPoint>& points) {
+    if (m_sank || points.empty() || m_problem.options.literal_paper_rules) return false;
+    return !none_sinks(candidate_motions(points).sticking) && is_held(points);
   }
 
   // Rest must not end because of one more contact: bodies that give pivots are left out in turn. As
@@ -161,9 +166,7 @@ class Settling {
     return holds_without_some(bodies, [&](const std::vector<Index>& left_out) {
       const std::vector<ContactPoint> carrying = points_without(near, left_out);
       if (!balance(carrying)) return Hold::Never;
-      const std::vector<ContactPoint> pivots = points_without(close, left_out);
-      return none_sinks(carrying_motions(pivots.empty() ? carrying : pivots)) ? Hold::Yes
-                                                                              : Hold::No;
+      return none_sinks_about(points_without(close, left_out), carrying) ? Hold::Yes : Hold::No;
     });
   }
 

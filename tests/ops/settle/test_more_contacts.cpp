@@ -4,18 +4,13 @@
 
 #include <cmath>
 #include <cstdio>
-#include <utility>
 
 #include "core/base/tunables.h"
-#include "ops/check.h"
-#include "ops/move/commit_group.h"
-#include "ops/put.h"
 #include "ops/settle/equilibrium.h"
 #include "ops/settle/subsets.h"
 #include "rest_cases.h"
 #include "support/effort.h"
 #include "support/shared_data.h"
-#include "support/solids.h"
 
 namespace trivet {
 namespace {
@@ -50,11 +45,14 @@ void compare(const RestCase& rest, const Rating& before, const RestCase& more, C
   const bool rated = after.margin >= before.margin - 1e-12 * rest.size() &&
                      after.friction <= kFrictionStep * before.friction + 1e-3;
   const SettleOutcome out = settle(more.problem());
-  const bool stays = out.status == Status::AtRest && out.steps.empty();
+  double sunk = 0;  // the last turns close gaps
+  for (const SettleStep& step : out.steps) sunk += step.energy_drop;
+  const bool stays = out.status == Status::AtRest && sunk <= kBalanceTolerance * more.clearance;
   EXPECT_TRUE(rests) << more.name;
   EXPECT_TRUE(rated) << more.name << ": margin " << before.margin << " -> " << after.margin
                      << ", friction " << before.friction << " -> " << after.friction;
-  EXPECT_TRUE(stays) << more.name << ": moves " << out.steps.size() << " times";
+  EXPECT_TRUE(stays) << more.name << ": sinks by " << sunk << " in " << out.steps.size()
+                     << " motions";
   count.lost += !rests;
   count.worse += !rated;
   count.moved += !stays;
@@ -100,74 +98,6 @@ TEST(OneMoreContact, LeavesRealModelsAtRest) {
   const int num = test::with_effort(100);
   const Count count = expect_more_contacts_hold(test::real_stock(), num);
   EXPECT_GT(count.cases, num / 3);
-}
-
-// --- in a scene --------------------------------------------------------------------------------
-
-Object object_of(const std::string& name, const std::shared_ptr<const Shape>& shape,
-                 const Affine& world, bool fixed) {
-  Object object;
-  object.name = name;
-  object.shape = shape;
-  object.fixed = fixed;
-  object.scale = world.linear.col(0).norm();
-  object.pose = {Rotation::from_matrix(world.linear / object.scale), world.translation};
-  return object;
-}
-
-ObjectId add_placed(Scene& scene, Object object) {
-  object.placed = true;
-  return scene.add(std::move(object));
-}
-
-Scene scene_of(const RestCase& rest) {
-  Scene scene;
-  scene.floor = rest.floor;
-  add_placed(scene, object_of("object", rest.shape, rest.body().world_from_object, false));
-  for (size_t i = 0; i < rest.fixed.size(); ++i)
-    add_placed(scene, object_of("fixed" + std::to_string(i), rest.shapes[i],
-                                rest.fixed[i].world_from_object, true));
-  update_contacts(scene, rest.clearance);
-  return scene;
-}
-
-// @return whether the neighbour could stand there, free of all others.
-bool expect_stays_stable(Scene scene, const RestCase& rest, const Body& neighbour,
-                         const std::shared_ptr<const Shape>& shape) {
-  const ObjectId object = *scene.find("object");
-  const Object before = std::as_const(scene).at(object);
-  EXPECT_EQ(before.state, ObjectState::Stable);
-  const Object added = object_of("neighbour", shape, neighbour.world_from_object, true);
-  SettleOptions options;
-  options.clearance = rest.clearance;
-  if (!stand(scene, scene.add(added), added.pose, options).ok()) return false;
-  EXPECT_TRUE(check_scene(scene, 1, rest.clearance).not_at_rest.empty());
-  OperationResult result;
-  rate_left_alone(scene, object, rest.clearance, result);
-  EXPECT_TRUE(result.unsupported.empty());
-  update_contacts(scene, rest.clearance);
-  const Object& after = std::as_const(scene).at(object);
-  EXPECT_EQ(after.state, ObjectState::Stable);
-  EXPECT_GE(after.stability_margin, before.stability_margin - 1e-12);
-  EXPECT_LE(after.least_friction, kFrictionStep * before.least_friction + 1e-3);
-  return true;
-}
-
-TEST(OneMoreContact, LeavesObjectsOfASceneStable) {
-  const test::Stock stock = test::made_stock();
-  int num_stood = 0;
-  const int num = test::with_effort(200);
-  for (int i = 0; i < num; ++i) {
-    SCOPED_TRACE("case " + std::to_string(i));
-    const auto rest = test::rest_case(stock, i);
-    if (!rest) continue;
-    const Scene scene = scene_of(*rest);
-    test::Random random(9000 + static_cast<unsigned>(i));
-    for (const Side side : {Side::Above, Side::Beside, Side::Below})
-      if (const auto n = test::neighbour_of(*rest, stock, side, random))
-        num_stood += expect_stays_stable(scene, *rest, *n, test::shape_in(stock, *n));
-  }
-  EXPECT_GT(num_stood, num / 3);
 }
 
 // --- cases by hand -----------------------------------------------------------------------------
