@@ -25,8 +25,8 @@ struct Candidate {
 /// The sticking motions of a body held by contacts with infinite friction: fall, turn about one
 /// contact point, turn about the line through two; those against which no other contact stands, in
 /// the order of Gauss' principle of least constraint.
-/// [SETTLING section 3, rule 2; generalises the three cases of Shinya 1995, 5.3, which get stuck
-/// where supports differ in height or slope.]
+/// Generalises the three cases of Shinya 1995, 5.3, which get stuck where supports differ in height
+/// or slope.
 /// @param fall_limit  metres.
 struct Candidates {
   std::vector<Candidate> sticking;

@@ -2,7 +2,9 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include "core/contact/contact_points.h"
 #include "ops/settle/linear_program.h"
@@ -12,7 +14,9 @@ namespace {
 
 constexpr double kFrictionLimit = 10;    // of all contacts together, in weights
 constexpr double kSameNormal = 0.999;    // cosine
-constexpr size_t kProgramContacts = 40;  // a linear program of more gains nothing
+constexpr size_t kProgramContacts = 40;  // of the first linear program
+constexpr size_t kMoreContacts = 8;      // that join it at once
+constexpr double kGain = 1e-6;  // of a force that joins, in parts of itself; CLP knows 1e-7
 
 double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
@@ -23,27 +27,66 @@ double distance_to_segment(const Vec2& p, const Vec2& a, const Vec2& b) {
   return (p - a - t * d).norm();
 }
 
-LinearProgram make_program(const std::vector<ContactPoint>& contacts, const Vec3& centre,
-                           double size, double friction) {
-  using Entry = LinearProgram::Entry;
-  LinearProgram program;
-  for (const double weight : {0.0, 0.0, 1.0, 0.0, 0.0, 0.0}) program.add_row(weight, weight);
-  program.add_row(0, kFrictionLimit);
-  for (const ContactPoint& c : contacts) {
-    const auto add_force = [&](const Vec3& f, double part) {
-      const Vec3 t = (c.point - centre).cross(f) / size;
-      const Entry entries[] = {{0, f.x()}, {1, f.y()}, {2, f.z()}, {3, t.x()},
-                               {4, t.y()}, {5, t.z()}, {6, part}};
-      program.add_column(entries, 0);
+using Entry = LinearProgram::Entry;
+
+/// A body's weight against the forces that contacts can give.
+struct Weight {
+  Vec3 centre;
+  double size, friction;
+
+  // Calls f(entries) with the column of each force that spans the contact's pyramid.
+  template <class F>
+  void for_each_force(const ContactPoint& c, const F& f) const {
+    const auto column = [&](const Vec3& force, double part) {
+      const Vec3 t = (c.point - centre).cross(force) / size;
+      f(std::array<Entry, 7>{{{0, force.x()},
+                              {1, force.y()},
+                              {2, force.z()},
+                              {3, t.x()},
+                              {4, t.y()},
+                              {5, t.z()},
+                              {6, part}}});
     };
-    add_force(c.normal, 0);
+    column(c.normal, 0);
     if (friction > 0)
-      for (const Vec3& f : friction_pyramid(c.normal, friction)) add_force(f, friction);
+      for (const Vec3& force : friction_pyramid(c.normal, friction)) column(force, friction);
   }
-  for (int row = 0; row < 6; ++row)
-    for (const double sign : {1.0, -1.0}) program.add_column(std::array{Entry{row, sign}}, 1);
-  return program;
-}
+
+  LinearProgram program(const std::vector<ContactPoint>& contacts) const {
+    LinearProgram out;
+    for (const double weight : {0.0, 0.0, 1.0, 0.0, 0.0, 0.0}) out.add_row(weight, weight);
+    out.add_row(0, kFrictionLimit);
+    for (const ContactPoint& c : contacts)
+      for_each_force(c, [&](const auto& entries) { out.add_column(entries, 0); });
+    for (int row = 0; row < 6; ++row)
+      for (const double sign : {1.0, -1.0}) out.add_column(std::array{Entry{row, sign}}, 1);
+    return out;
+  }
+
+  // How fast a force of the contact would lower the cost at these prices.
+  double gain(const ContactPoint& c, const std::vector<double>& prices) const {
+    double best = 0;
+    for_each_force(c, [&](const auto& entries) {
+      double sum = 0;
+      for (const Entry& e : entries) sum += e.value * prices[static_cast<size_t>(e.row)];
+      best = std::max(best, sum);
+    });
+    return best;
+  }
+
+  // Those that would lower the cost fastest: at most kMoreContacts.
+  std::vector<ContactPoint> best(const std::vector<ContactPoint>& contacts,
+                                 const std::vector<double>& prices) const {
+    std::vector<std::pair<double, size_t>> order;
+    for (size_t i = 0; i < contacts.size(); ++i)
+      if (const double g = gain(contacts[i], prices); g > kGain) order.emplace_back(-g, i);
+    std::sort(order.begin(), order.end());
+    std::vector<ContactPoint> out;
+    for (size_t k = 0; k < std::min(order.size(), kMoreContacts); ++k)
+      out.push_back(contacts[order[k].second]);
+    return out;
+  }
+};
 
 // The farthest from what is chosen already, again and again.
 std::vector<ContactPoint> farthest(const std::vector<ContactPoint>& points, size_t limit) {
@@ -109,18 +152,27 @@ double carrying_margin(const std::vector<ContactPoint>& contacts, const Vec3& ce
 }
 
 double equilibrium_residual(const std::vector<ContactPoint>& contacts, const Vec3& centre,
-                            double size, double friction) {
+                            double size, double friction, double enough) {
   if (contacts.empty()) return kInfinity;
-  const LinearProgram::Solution solution =
-      make_program(reduced(contacts, kProgramContacts), centre, size, friction)
-          .solve(false);  // all is of size one already
-  return solution.optimal ? solution.objective : kInfinity;
+  const Weight weight{centre, size, friction};
+  std::vector<ContactPoint> chosen = reduced(contacts, kProgramContacts);
+  double least = kInfinity;
+  while (true) {
+    const LinearProgram::Solution solution =
+        weight.program(chosen).solve(false);  // all is of size one already
+    if (!solution.optimal) return least;
+    least = solution.objective;
+    if (least <= enough || chosen.size() >= contacts.size()) return least;
+    const std::vector<ContactPoint> more = weight.best(contacts, solution.prices);
+    if (more.empty()) return least;
+    chosen.insert(chosen.end(), more.begin(), more.end());
+  }
 }
 
 double least_friction(const std::vector<ContactPoint>& contacts, const Vec3& centre, double size,
                       double tolerance) {
   const auto holds = [&](double friction) {
-    return equilibrium_residual(contacts, centre, size, friction) <= tolerance;
+    return equilibrium_residual(contacts, centre, size, friction, tolerance) <= tolerance;
   };
   if (carrying_margin(contacts, centre, 1 - 1e-9) >= 0 || holds(0)) return 0;
   if (!holds(kLargestFriction)) return kInfinity;

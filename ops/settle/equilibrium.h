@@ -25,10 +25,12 @@ double carrying_margin(const std::vector<ContactPoint>& contacts, const Vec3& ce
 
 /// Least sum of missing force (in weights) and missing torque (in weights x `size`), by linear
 /// programming (CLP) over friction pyramids of 8 edges inside the cones. All friction together is
-/// at most 10 weights.
-/// @param size  metres, of the object. @return 0: equilibrium; infinity: no contact.
+/// at most 10 weights. Of many contacts a sample comes first; others join as long as they lower the
+/// sum (column generation), so that a further contact never raises it.
+/// @param size  metres, of the object. @param enough  any sum up to this will do.
+/// @return 0: equilibrium; infinity: no contact.
 double equilibrium_residual(const std::vector<ContactPoint>& contacts, const Vec3& centre,
-                            double size, double friction);
+                            double size, double friction, double enough = 0);
 
 /// Smallest friction coefficient with a residual of at most `tolerance`, to 1 %; infinity when even
 /// kLargestFriction does not do.

@@ -9,6 +9,7 @@
 #include "core/scene/scene.h"
 #include "ops/settle/candidates.h"
 #include "ops/settle/equilibrium.h"
+#include "ops/settle/subsets.h"
 
 namespace trivet {
 namespace {
@@ -31,12 +32,12 @@ class Settling {
       if (lift_if_needed(points)) continue;
       if (carrying_margin(points, m_object.centre) >= kRestMargin * m_object.size)
         return finish(SettleOutcome::Status::AtRest);
-      if (m_num_lifts > kLiftsOfRocking && is_balanced() && none_sinks(carrying_motions(points)))
-        return finish(SettleOutcome::Status::AtRest);
+      if (is_rocking() && is_held(points)) return finish(SettleOutcome::Status::AtRest);
+      if (may_stay(points)) return finish(SettleOutcome::Status::AtRest);
       const Candidates candidates = candidate_motions(points);
       Outcome outcome = give_way(candidates.sticking, kEnergyDrop);
       if (outcome == Outcome::Stuck) {
-        const bool balanced = is_balanced();
+        const bool balanced = balance(points_to_balance());
         const std::vector<Candidate> motions =
             balanced ? carrying_motions(points) : candidates.last_resorts;
         if (balanced && (m_problem.options.literal_paper_rules || none_sinks(motions)))
@@ -53,9 +54,8 @@ class Settling {
 
   bool is_at_rest() {
     const std::vector<ContactPoint> points = look_around();
-    if (carrying_margin(points, m_object.centre) >= kRestMargin * m_object.size) return true;
-    if (!is_balanced()) return false;
-    return none_sinks(carrying_motions(points));
+    return carrying_margin(points, m_object.centre) >= kRestMargin * m_object.size ||
+           is_held(points);
   }
 
  private:
@@ -94,6 +94,22 @@ class Settling {
     return points;
   }
 
+  // Numbers partners for subsets.
+  static Index number_of(const Support& with) {
+    return with.is_floor() ? -1 : static_cast<Index>(with.object().index);
+  }
+
+  // Contact points of all bodies, each with the number of its partner.
+  std::vector<TouchedPoint> touched(double num_clearances) const {
+    const double tolerance = num_clearances * clearance();
+    std::vector<TouchedPoint> out;
+    for (size_t i = 0; i < m_bodies.size(); ++i)
+      for (const ContactsWith& c : contacts_of(i, tolerance))
+        for (const ContactPoint& p : merged(c.points, tolerance))
+          out.push_back({number_of(c.with), p});
+    return out;
+  }
+
   FirstContact query(const Motion& motion) {
     Clearance keep;
     keep.distance = clearance();
@@ -114,10 +130,52 @@ class Settling {
     return std::isfinite(depth) && depth > 0 ? depth : 0;
   }
 
-  // What lies on the object is no pivot for it.
+  // A load is no pivot.
+  static bool may_be_pivot(const ContactPoint& c) { return c.normal.z() >= -kSupportNormalZ; }
+
   std::vector<Candidate> carrying_motions(std::vector<ContactPoint> points) const {
-    std::erase_if(points, [](const ContactPoint& c) { return c.normal.z() < -kSupportNormalZ; });
+    std::erase_if(points, [](const ContactPoint& c) { return !may_be_pivot(c); });
     return gauss_candidates(points, m_object, fall_limit()).sticking;
+  }
+
+  // An object that hovers turns about what is below.
+  bool none_sinks_about(const std::vector<ContactPoint>& close,
+                        const std::vector<ContactPoint>& near) {
+    return none_sinks(carrying_motions(close.empty() ? near : close));
+  }
+
+  // Whether what it touches, or some of it, balances the object and gives no turn that lowers it.
+  bool is_held(const std::vector<ContactPoint>& points) {
+    const std::vector<ContactPoint> near = points_to_balance();
+    return balance(near) && (none_sinks_about(points, near) || is_held_by_some());
+  }
+
+  // Whether gaps were opened again and again, which an object thinner than the contacts' tolerance
+  // goes on with.
+  bool is_rocking() const { return m_num_lifts > kLiftsOfRocking; }
+
+  // At the start: whether it is held, although some turn would lower it by more than closing a gap.
+  // Contacts that are merely near do not count: the turn would close these.
+  bool may_stay(const std::vector<ContactPoint>& points) {
+    if (m_sank || points.empty() || m_problem.options.literal_paper_rules) return false;
+    return balance(points) && !none_sinks(candidate_motions(points).sticking) && is_held(points);
+  }
+
+  // Rest must not end because of one more contact: bodies that give pivots are left out in turn. As
+  // obstacles they stay.
+  bool is_held_by_some() {
+    const std::vector<TouchedPoint> close = touched(kContactTolerance),
+                                    near = touched(kBalanceTolerance);
+    std::vector<Index> bodies;
+    for (const TouchedPoint& t : close)
+      if (may_be_pivot(t.point)) bodies.push_back(t.fixed);
+    std::sort(bodies.begin(), bodies.end());
+    bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
+    return holds_without_some(bodies, [&](const std::vector<Index>& left_out) {
+      const std::vector<ContactPoint> carrying = points_without(near, left_out);
+      if (!balance(carrying)) return Hold::Never;
+      return none_sinks_about(points_without(close, left_out), carrying) ? Hold::Yes : Hold::No;
+    });
   }
 
   // By more than the contacts' tolerance.
@@ -137,6 +195,7 @@ class Settling {
     m_out.pose = moved_pose(m_out.pose, motion, time);
     for (Pose& pose : m_out.carried) pose = moved_pose(pose, motion, time);
     m_out.steps.push_back({kind, m_out.pose, drop});
+    m_sank = m_sank || kind != SettleStep::Kind::Lift;
   }
 
   Candidates candidate_motions(const std::vector<ContactPoint>& points) const {
@@ -178,9 +237,12 @@ class Settling {
   }
 
   // Contacts that a last closing motion, too short to be executed, would close count as well.
-  bool is_balanced() const {
+  std::vector<ContactPoint> points_to_balance() const {
     const double tolerance = kBalanceTolerance * clearance();
-    const std::vector<ContactPoint> near = all_points_with(contacts_of(0, tolerance), tolerance);
+    return all_points_with(contacts_of(0, tolerance), tolerance);
+  }
+
+  bool balance(const std::vector<ContactPoint>& near) const {
     const bool touches = std::any_of(near.begin(), near.end(), [&](const ContactPoint& c) {
       return c.gap <= kHoverTolerance * clearance();
     });
@@ -197,6 +259,7 @@ class Settling {
   SettlingObject m_object;
   std::vector<Body> m_bodies;  // the object, then what it carries
   int m_num_lifts = 0;
+  bool m_sank = false;
 };
 
 }  // namespace
@@ -216,9 +279,9 @@ Vec3 smallest_lift(const std::vector<ContactPoint>& points, double clearance) {
 
 bool is_balanced(const std::vector<ContactPoint>& contacts, const Vec3& centre, double size,
                  double clearance) {
-  return carrying_margin(contacts, centre) >= kRestMargin * size ||
-         equilibrium_residual(contacts, centre, size, kLargestFriction) <=
-             residual_tolerance(size, clearance);
+  if (carrying_margin(contacts, centre) >= kRestMargin * size) return true;
+  const double enough = residual_tolerance(size, clearance);
+  return equilibrium_residual(contacts, centre, size, kLargestFriction, enough) <= enough;
 }
 
 bool is_at_rest(const SettleProblem& problem) { return Settling(problem).is_at_rest(); }

@@ -189,6 +189,45 @@ TEST(Equilibrium, IsMonotonicInFriction) {
   EXPECT_LT(num_held, 180);
 }
 
+TEST(Equilibrium, OneMoreContactNeverHurts) {
+  test::Random random(5);
+  int num_held = 0;
+  for (int i = 0; i < 200; ++i) {
+    std::vector<ContactPoint> contacts;
+    const int n = i % 2 ? random.integer(2, 8) : random.integer(30, 300);
+    const double up = random.uniform(-2, 0.5);
+    for (int k = 0; k < n; ++k)
+      contacts.push_back(contact(random.in_cube(1), random.direction() + up * Vec3::UnitZ()));
+    const Vec3 centre = random.in_cube(1.2);
+    const double mu = random.uniform(0, 1);
+    const double margin = carrying_margin(contacts, centre), friction = least(contacts, centre);
+    const double residual = equilibrium_residual(contacts, centre, 2, mu);
+    for (int k = 0; k < 20; ++k)  // most of them from above
+      contacts.push_back(contact(random.in_cube(1), random.direction() - Vec3::UnitZ()));
+    EXPECT_GE(carrying_margin(contacts, centre), margin - 1e-12) << i;
+    EXPECT_LE(equilibrium_residual(contacts, centre, 2, mu), residual + 1e-5) << i;
+    EXPECT_LE(least(contacts, centre), friction) << i;
+    num_held += std::isfinite(friction);
+  }
+  EXPECT_GT(num_held, 50);
+  EXPECT_LT(num_held, 190);
+}
+
+// A sample of 40 contacts may leave out those that matter.
+TEST(Equilibrium, FindsResidualOfAllOfManyContacts) {
+  test::Random random(6);
+  for (int i = 0; i < 40; ++i) {
+    std::vector<ContactPoint> crowd, all;
+    for (int k = 0; k < 200; ++k)
+      crowd.push_back(contact(random.in_cube(1), random.direction() - 2 * Vec3::UnitZ()));
+    all = crowd;
+    for (const ContactPoint& c : square()) all.push_back(c);
+    const Vec3 centre(random.uniform(-0.8, 0.8), random.uniform(-0.8, 0.8), 0.5);
+    EXPECT_NEAR(equilibrium_residual(all, centre, 2, 0), 0, 1e-5) << i;
+    EXPECT_GT(equilibrium_residual(crowd, centre, 2, 0), 0.5);
+  }
+}
+
 TEST(Reduced, KeepsForcesOfManyContacts) {
   test::Random random(4);
   for (int i = 0; i < 30; ++i) {

@@ -246,8 +246,10 @@ TEST(Stability, FindsThinArchUnstableAtNarrowJoints) {
     Pile pile;
     for (int i = 0; i < kWedges; ++i) {
       pile.place("wedge" + std::to_string(i), wedge, Vec3(0, 0, 2 * kNarrow));
-      pile.scene.at(pile.ids.back()).pose.rotation =
-          Rotation::about_axis(Vec3::UnitY(), std::tan((i - (kWedges - 1) / 2) * half));
+      edit_object(pile.scene, pile.ids.back(), [&](Object& object) {
+        object.pose.rotation =
+            Rotation::about_axis(Vec3::UnitY(), std::tan((i - (kWedges - 1) / 2) * half));
+      });
     }
     return judged_at(pile, 0.5);
   };
