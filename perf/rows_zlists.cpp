@@ -6,11 +6,11 @@
 #include "perf/result_hash.h"
 #include "perf/rows.h"
 #include "perf/sweeps.h"
-#include "raster/height_map.h"
-#include "raster/software_zlists.h"
+#include "raster/height_map/height_map.h"
+#include "raster/zlist/software_zlists.h"
 #ifdef TRIVET_PERF_GPU
-#include "gpu/drop_brackets_gpu.h"
-#include "gpu/zlist_gpu.h"
+#include "gpu/zlist/drop_brackets_gpu.h"
+#include "gpu/zlist/zlist_gpu.h"
 #endif
 
 namespace trivet::perf {

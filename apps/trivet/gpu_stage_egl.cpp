@@ -1,6 +1,6 @@
 #include "apps/trivet/common.h"
-#include "gpu/drop_brackets_gpu.h"
-#include "gpu/zlist_gpu.h"
+#include "gpu/zlist/drop_brackets_gpu.h"
+#include "gpu/zlist/zlist_gpu.h"
 
 namespace trivet::apps {
 

@@ -193,8 +193,7 @@ int Outputs::write(const LayoutRun& run, const Layout& layout, const RunOptions&
   ReportOptions report_options;
   report_options.version = TRIVET_VERSION;
   report_options.model_folder = folders.in_report;
-  if (options.context.detector)
-    tell_work(*options.context.detector, m_common, &report_options);
+  if (options.context.detector) tell_work(*options.context.detector, m_common, &report_options);
   const std::string report = report_json(run, report_options);
   // Everything that can fail, except the disk, comes first.
   const std::string png = m_picture ? m_picture->png(run.scene) : "";
@@ -208,8 +207,8 @@ int Outputs::write(const LayoutRun& run, const Layout& layout, const RunOptions&
   else if (in_place && (extension == ".glb" || extension == ".gltf"))
     in_place->write(m_paths.scene);
   else if (!m_paths.scene.empty())
-    write_scene_file(run.scene, layout, {TRIVET_VERSION, folders.in_scene, options.settle.clearance},
-                     m_paths.scene);
+    write_scene_file(run.scene, layout,
+                     {TRIVET_VERSION, folders.in_scene, options.settle.clearance}, m_paths.scene);
   beside.commit();
   if (m_common.json)
     std::cout << report;

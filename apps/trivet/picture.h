@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/scene/scene.h"
-#include "gpu/image.h"
+#include "gpu/egl/image.h"
 
 namespace trivet::apps {
 

@@ -1,9 +1,9 @@
 #include <map>
 
 #include "apps/trivet/picture.h"
-#include "gpu/egl_context.h"
-#include "gpu/image.h"
-#include "gpu/picture.h"
+#include "gpu/egl/egl_context.h"
+#include "gpu/egl/image.h"
+#include "gpu/picture/picture.h"
 
 namespace trivet::apps {
 

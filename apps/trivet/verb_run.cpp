@@ -41,8 +41,8 @@ int run(const RunArguments& arguments, const CommonOptions& common) {
   const LayoutRun result =
       scene ? run_in_scene(layout, *scene, options)
             : run_layout(layout, models_in_folder(folder, common.limits()), options);
-  return outputs.write(result, layout, options,
-                       {folder_from(arguments.outputs.scene, folder), ""}, scene.get());
+  return outputs.write(result, layout, options, {folder_from(arguments.outputs.scene, folder), ""},
+                       scene.get());
 }
 
 }  // namespace

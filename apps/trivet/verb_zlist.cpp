@@ -32,7 +32,8 @@ Scene scene_of(const ZListArguments& arguments, const CommonOptions& common, int
       run_layout(layout, models_in_folder(folder_of(arguments.input), common.limits()), options);
   for (const OperationRecord& record : run.operations) {
     if (record.result.ok()) continue;
-    print_note(common, record.op + " \"" + record.object + "\": refused: " + record.result.reason());
+    print_note(common,
+               record.op + " \"" + record.object + "\": refused: " + record.result.reason());
     status = 1;
   }
   return std::move(run.scene);

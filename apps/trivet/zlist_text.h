@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/io/export.h"
-#include "raster/complete_zlists.h"
+#include "raster/zlist/complete_zlists.h"
 
 namespace trivet::apps {
 

@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/io/mesh/normals.h"
 #include "core/io/model.h"
-#include "core/io/normals.h"
 
 namespace trivet {
 

@@ -1,7 +1,7 @@
 #include "core/io/look.h"
 
 #include "core/base/error.h"
-#include "core/io/gltf_copy.h"
+#include "core/io/gltf/gltf_copy.h"
 
 namespace trivet {
 namespace {

@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "core/base/error.h"
-#include "core/io/gltf_builder.h"
+#include "core/io/gltf/gltf_builder.h"
 
 namespace trivet {
 namespace {

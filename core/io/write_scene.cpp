@@ -5,7 +5,7 @@
 #include <iterator>
 
 #include "core/base/error.h"
-#include "core/io/gltf_builder.h"
+#include "core/io/gltf/gltf_builder.h"
 #include "core/io/staged_files.h"
 #include "core/io/writers.h"
 

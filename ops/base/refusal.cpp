@@ -99,7 +99,8 @@ class Writer {
         return true;
       case Cause::InvalidClearance:
         m_out << "a clearance of " << number("clearance") << " m is not between "
-              << number("smallest") << " and " << number("largest") << " m for a scene of this size";
+              << number("smallest") << " and " << number("largest")
+              << " m for a scene of this size";
         return true;
       default:
         return false;
@@ -213,11 +214,12 @@ class Writer {
                 << message(*m_r.first);
         return true;
       case Cause::KeepTooLarge:
-        m_out << name(0) << " cannot be kept " << number("keep")
-              << " m away from everything else: a scene so large is too coarse for its objects, the "
-                 "smallest of which is "
-              << number("diagonal") << " m; accepted: a distance to keep of up to "
-              << number("largest_keep") << " m";
+        m_out
+            << name(0) << " cannot be kept " << number("keep")
+            << " m away from everything else: a scene so large is too coarse for its objects, the "
+               "smallest of which is "
+            << number("diagonal") << " m; accepted: a distance to keep of up to "
+            << number("largest_keep") << " m";
         return true;
       case Cause::RestsOnOther:
         m_out << name(0) << " would come to rest against " << name(1);
@@ -265,8 +267,8 @@ Refusal unknown_object(const Scene& scene, const std::string& name) {
 }
 
 double Refusal::number(const std::string& key) const {
-  const auto it = std::find_if(numbers.begin(), numbers.end(),
-                               [&](const Number& n) { return n.key == key; });
+  const auto it =
+      std::find_if(numbers.begin(), numbers.end(), [&](const Number& n) { return n.key == key; });
   return it == numbers.end() ? 0 : it->value;
 }
 

@@ -1,7 +1,7 @@
 #include "ops/detect/backend.h"
 
 #include "core/base/error.h"
-#include "raster/software_zlists.h"
+#include "raster/zlist/software_zlists.h"
 
 namespace trivet {
 namespace {

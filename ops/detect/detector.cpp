@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "core/base/error.h"
-#include "raster/drop_brackets.h"
+#include "raster/height_map/drop_brackets.h"
 
 namespace trivet {
 namespace {

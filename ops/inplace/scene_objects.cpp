@@ -8,14 +8,14 @@
 #include <map>
 
 #include "core/base/error.h"
-#include "ops/base/names.h"
 #include "core/base/hash.h"
 #include "core/io/export.h"
-#include "core/io/gltf_builder.h"
+#include "core/io/gltf/gltf_builder.h"
 #include "core/io/isolated.h"
 #include "core/io/look.h"
 #include "core/io/model_folder.h"
 #include "core/io/staged_files.h"
+#include "ops/base/names.h"
 #include "ops/inplace/scene_document.h"
 #include "ops/report/temporary_file.h"
 

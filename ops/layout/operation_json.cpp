@@ -287,9 +287,9 @@ Operation read_operation(const JsonPlace& place) {
       "\"put\", \"push\", \"turn\", \"pick_up\", \"translate\", \"rotate\", \"append\", "
       "\"duplicate\", \"delete\", \"lock\", \"unlock\", \"fix\", \"unfix\", \"group\", "
       "\"ungroup\", \"stand\" or \"unplace\"" +
-      did_you_mean(given,
-                   {"put", "push", "turn", "pick_up", "translate", "rotate", "append", "duplicate",
-                    "delete", "lock", "unlock", "fix", "unfix", "group", "ungroup", "stand", "unplace"}));
+      did_you_mean(given, {"put", "push", "turn", "pick_up", "translate", "rotate", "append",
+                           "duplicate", "delete", "lock", "unlock", "fix", "unfix", "group",
+                           "ungroup", "stand", "unplace"}));
 }
 
 UpAxis read_up(const JsonPlace& place) {

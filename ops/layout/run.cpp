@@ -7,9 +7,9 @@
 
 #include "core/base/error.h"
 #include "core/scene/transaction.h"
+#include "ops/layout/json_text.h"
 #include "ops/operations/perform.h"
 #include "ops/placement/clearance.h"
-#include "ops/layout/json_text.h"
 
 namespace trivet {
 namespace {
@@ -112,8 +112,9 @@ void run_operations(const Layout& layout, const RunOptions& options, LayoutRun& 
     const Operation& operation = layout.operations[i];
     const std::string op = op_name(operation), &object = object_name(operation);
     report_progress(options, op, object, i, layout.operations.size());
-    OperationResult result =
-        stopped_at ? not_tried(*stopped_at) : perform(run.scene, operation, options.settle, options.context);
+    OperationResult result = stopped_at
+                                 ? not_tried(*stopped_at)
+                                 : perform(run.scene, operation, options.settle, options.context);
     run.operations.push_back({op, object, std::move(result)});
     note_refusal();
   }

@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "ops/base/context.h"
+#include "ops/base/options.h"
+#include "ops/base/outcome.h"
 #include "ops/check/check.h"
 #include "ops/layout/layout.h"
 #include "ops/layout/load.h"
-#include "ops/base/outcome.h"
-#include "ops/base/options.h"
 #include "ops/stability/stability.h"
 
 namespace trivet {

@@ -172,9 +172,8 @@ class GroupCommit {
     const ObjectId id = m_group.ids()[i];
     std::vector<ContactsWith> contacts = m_group.contacts(i);
     std::erase_if(contacts, [&](const ContactsWith& c) {
-      return std::any_of(
-          m_plan.crossed.begin(), m_plan.crossed.end(),
-          [&](const Interpenetration& x) { return x.id == id && x.with == c.with; });
+      return std::any_of(m_plan.crossed.begin(), m_plan.crossed.end(),
+                         [&](const Interpenetration& x) { return x.id == id && x.with == c.with; });
     });
     return contacts;
   }
@@ -221,9 +220,8 @@ class GroupCommit {
       // A group that settles together may not rest alone.
       if (is_object && m_plan.settled && m_group.ids().size() == 1) return otherwise;
       if (rests()) return ObjectState::Stable;
-      const bool by_hand = is_object
-                               ? otherwise != ObjectState::Stable
-                               : otherwise == ObjectState::Held && has(m_group.driven(), id);
+      const bool by_hand = is_object ? otherwise != ObjectState::Stable
+                                     : otherwise == ObjectState::Held && has(m_group.driven(), id);
       return by_hand ? otherwise : left_alone(m_scene, id, m_plan.result);
     };
     rate_as(m_transaction, id, m_group.clearance(),
@@ -251,8 +249,8 @@ OperationResult commit(Transaction& transaction, MovePlan plan, OperationRun& ru
     if (plan.release && !plan.result.unsupported.empty()) {
       settle_unsupported(transaction, run, plan.group->clearance(), *plan.release, plan.result);
       if (run.interrupt.reason())
-        run.interrupt.refuse(
-            plan.op, named(transaction.scene(), Support(plan.group->ids()[0])), plan.result);
+        run.interrupt.refuse(plan.op, named(transaction.scene(), Support(plan.group->ids()[0])),
+                             plan.result);
     }
   }
   plan.result.milliseconds = run.stopwatch.milliseconds();

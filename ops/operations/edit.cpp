@@ -166,8 +166,7 @@ OperationResult apply(Transaction& transaction, const StandOperation& o, Operati
   if (object.locked) return refused(locked(scene, id));
   if (object.fixed && was_placed) return refused({Cause::Fixed, {named(scene, Support(id))}});
   if (auto why = refuse_stand(scene, id, o.pose, run.options)) return refused(std::move(*why));
-  const double clearance =
-      clearance_of(scene, run.options, expected_box(scene, object, o.pose));
+  const double clearance = clearance_of(scene, run.options, expected_box(scene, object, o.pose));
   std::vector<ObjectId> dependents;
   if (was_placed) dependents = dependents_of(scene, id);
   stand_at(transaction, id, o.pose, clearance);

@@ -14,8 +14,7 @@ bool leans_on_any(const Object& object, const Neighbourhood& outside) {
   if (!object.placed || !leans(object)) return false;
   const Aabb box = body_of(object).world_box;
   const double reach = size_of(object);
-  return (outside.scene().floor && box.lower.z() <= reach) ||
-         !outside.ids_near(box, reach).empty();
+  return (outside.scene().floor && box.lower.z() <= reach) || !outside.ids_near(box, reach).empty();
 }
 
 }  // namespace trivet

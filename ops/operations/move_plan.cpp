@@ -36,8 +36,7 @@ std::optional<Refusal> refuse_unsettled(const MovingGroup& group, const SettleOu
     case SettleOutcome::Status::FallsOut:
       return Refusal{Cause::NothingBelow, {name}};
     case SettleOutcome::Status::TooManyMotions:
-      return Refusal{
-          Cause::TooManyMotions, {name}, {{"max_motions", double(options.max_motions)}}};
+      return Refusal{Cause::TooManyMotions, {name}, {{"max_motions", double(options.max_motions)}}};
     case SettleOutcome::Status::Crossing:
       return Refusal{Cause::TouchesAtStart, {name}};
   }
@@ -172,8 +171,8 @@ MovePlan MovePlanner::finish_freely() {
   m_result.moved = (m_group->pose().translation - m_group->object().pose.translation).norm();
   std::vector<Interpenetration> crossed;
   if (!is_too_far())
-    crossed = interpenetrations(m_scene, m_group->placements(), true,
-                                std::numeric_limits<size_t>::max());
+    crossed =
+        interpenetrations(m_scene, m_group->placements(), true, std::numeric_limits<size_t>::max());
   MovePlan out = plan();
   out.changes_scene = out.result.ok();
   out.is_free = true;

@@ -9,10 +9,10 @@
 #include <variant>
 #include <vector>
 
+#include "core/index/shape.h"
 #include "core/io/model.h"
 #include "core/io/tessellation.h"
 #include "core/motion/pose.h"
-#include "core/index/shape.h"
 
 namespace trivet {
 
@@ -68,10 +68,10 @@ struct TurnOperation : JointMoveOptions {
                                     // with the most contact (area before line before point)
   std::optional<Vec3> point;        // nullopt: the contact's centre
   std::optional<Vec3> centre;       // Normal: a point on the axis; nullopt: the contact's centre
-  std::optional<Vec3> axis;         // Point: nullopt: the contact's normal. Line: selects one of its
-                                    // directions; nullopt: the one in which the object's centre rises
-  double angle_deg = 0;             // right-handed
-  bool settle = false;              // release it at the end
+  std::optional<Vec3> axis;  // Point: nullopt: the contact's normal. Line: selects one of its
+                             // directions; nullopt: the one in which the object's centre rises
+  double angle_deg = 0;      // right-handed
+  bool settle = false;       // release it at the end
 };
 
 /// Away along the contact normal; deletes the links; the object is held then. "pick_up"

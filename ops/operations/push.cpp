@@ -30,8 +30,7 @@ Push::Push(MovePlanner& planner, const PushOperation& o)
   const bool carried = std::any_of(m_touches.begin(), m_touches.end(), [](const Touch& t) {
     return t.point.normal.z() > kSupportNormalZ;
   });
-  if (!carried)
-    m_planner.refuse({Refusal::Cause::NothingToSlideOn, {m_planner.name()}});
+  if (!carried) m_planner.refuse({Refusal::Cause::NothingToSlideOn, {m_planner.name()}});
 }
 
 void Push::find_contacts() {
@@ -109,8 +108,8 @@ Push::Next Push::go(const SlidePlan& plan, double length) {
   const Motion motion = Motion::translation(plan.velocity / speed, way * speed);
   const ObstacleContact found = m_group.first_contact(motion);
   if (found.status == FirstContact::Status::Crossing) {
-    m_planner.refuse({Refusal::Cause::AlreadyTouches,
-                      {m_planner.name(), named(m_group.scene(), found.with)}});
+    m_planner.refuse(
+        {Refusal::Cause::AlreadyTouches, {m_planner.name(), named(m_group.scene(), found.with)}});
     return Next::Stop;
   }
   const double time = std::min(found.time, motion.limit);
@@ -150,9 +149,9 @@ Push::Next Push::give_up_steep(const SlidePlan& plan) {
   m_climb = false;
   // What was in the way up there is not here; the steep surface itself is.
   const size_t i = plan.blocker;
-  const Obstacle steep =
-      i < m_touches.size() ? Obstacle{m_normals[i], m_touches[i].point.point, m_touches[i].with}
-                           : m_obstacles[i - m_touches.size()];
+  const Obstacle steep = i < m_touches.size()
+                             ? Obstacle{m_normals[i], m_touches[i].point.point, m_touches[i].with}
+                             : m_obstacles[i - m_touches.size()];
   m_obstacles = {steep};
   return Next::GoOn;
 }

@@ -164,7 +164,7 @@ class FreePlaceSearch {
   // Nearest to the point where the object can be set down, or, if it does not stay there (it tips
   // over an edge, for example), where it stays.
   std::optional<MovePlan> try_nearest(const Places& places, const ExactPlaces& exact,
-                                             const Vec2& near, double reach) {
+                                      const Vec2& near, double reach) {
     const std::optional<Vec2> nearest = exact.nearest(places);
     if (!nearest || (*nearest - near).norm() > reach) return std::nullopt;
     if (auto done = try_here(exact.start(*nearest))) return done;

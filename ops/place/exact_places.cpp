@@ -62,9 +62,11 @@ bool ExactPlaces::fits(const Vec2& at) const {
   const Clearance keep{m_setting.clearance};
   std::vector<Body> fixed = m_setting.others.near(below, 2 * keep.largest_stop()).bodies;
   if (m_setting.support) fixed.insert(fixed.begin(), *m_setting.support);  // wins ties
-  const FirstContact found =
-      first_contact({{&body, 1}, fixed, m_setting.others.floor(),
-                     Motion::translation(-Vec3::UnitZ(), fall), keep});
+  const FirstContact found = first_contact({{&body, 1},
+                                            fixed,
+                                            m_setting.others.floor(),
+                                            Motion::translation(-Vec3::UnitZ(), fall),
+                                            keep});
   if (found.status != FirstContact::Status::Contact) return false;
   if (m_setting.on_floor() ? found.fixed != FirstContact::kFloor : found.fixed != 0) return false;
   world.translation.z() -= found.time;

@@ -6,7 +6,7 @@
 #include "core/base/tunables.h"
 #include "core/contact/pair_contact.h"
 #include "ops/place/place_setting.h"
-#include "raster/height_map.h"
+#include "raster/height_map/height_map.h"
 
 namespace trivet {
 namespace {

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "core/scene/scene.h"
-#include "raster/drop_brackets.h"
+#include "raster/height_map/drop_brackets.h"
 
 namespace trivet {
 
@@ -27,9 +27,9 @@ struct PlaceWindow {
 
 struct PlaceRequest {
   Support on;
-  Rotation rotation;           // of the object when it is released
-  std::optional<Vec2> near;    // the fitting place nearest to this comes first, by the centre of
-                               // mass seen from above, metres; nullopt: an order from the seed
+  Rotation rotation;         // of the object when it is released
+  std::optional<Vec2> near;  // the fitting place nearest to this comes first, by the centre of
+                             // mass seen from above, metres; nullopt: an order from the seed
   std::uint64_t seed = 0;
   double keep = 0;             // metres to stay away from everything but the support, sideways
   std::optional<double> from;  // height z of the underside at the start; what is above the object
@@ -63,6 +63,7 @@ Places places_beyond(const Scene& scene, ObjectId object, std::span<const Object
 /// @param clearance  metres, of the motions.
 /// @param brackets  computes the brackets: the software, or drop_brackets_of() a detector.
 Places find_places(const Scene& scene, ObjectId object, std::span<const ObjectId> carried,
-                   const PlaceRequest& request, double clearance, const DropBracketFunction& brackets = drop_brackets);
+                   const PlaceRequest& request, double clearance,
+                   const DropBracketFunction& brackets = drop_brackets);
 
 }  // namespace trivet

@@ -6,8 +6,8 @@
 #include "core/base/error.h"
 #include "core/base/hash.h"
 #include "core/io/appearance.h"
-#include "core/io/float_export.h"
 #include "core/io/isolated.h"
+#include "core/io/mesh/float_export.h"
 #include "ops/report/glb_nodes.h"
 
 namespace trivet {

@@ -56,8 +56,9 @@ std::vector<TouchedBy> held_by(const Scene& scene, ObjectId object) {
 }
 
 std::vector<TouchedBy> lying_on(const Scene& scene, ObjectId object) {
-  return links_where(scene, object,
-                     [](const Link& link) { return link.with.is_object() && weighs_on(link.contact); });
+  return links_where(scene, object, [](const Link& link) {
+    return link.with.is_object() && weighs_on(link.contact);
+  });
 }
 
 RestOfObject rest_of(const Scene& scene, ObjectId id) {

@@ -28,9 +28,8 @@ OrderedJson objects_json(const Scene& scene, const ReportOptions& options) {
 
 OrderedJson operation_json(const OperationRecord& record) {
   const OperationResult& result = record.result;
-  OrderedJson json = {{"op", record.op},
-                      {"object", record.object},
-                      {"status", result.ok() ? "ok" : "refused"}};
+  OrderedJson json = {
+      {"op", record.op}, {"object", record.object}, {"status", result.ok() ? "ok" : "refused"}};
   add_refusal(result, json);
   json["motions"] = result.num_motions;
   json["milliseconds"] = result.milliseconds;

@@ -5,12 +5,12 @@
 
 #include "core/base/error.h"
 #include "core/io/export.h"
-#include "core/io/float_export.h"
 #include "core/io/isolated.h"
+#include "core/io/mesh/float_export.h"
+#include "ops/placement/clearance.h"
 #include "ops/report/extras.h"
 #include "ops/report/glb_nodes.h"
 #include "ops/report/report.h"
-#include "ops/placement/clearance.h"
 #include "ops/report/temporary_file.h"
 
 namespace trivet {

@@ -5,11 +5,11 @@
 #include "core/base/error.h"
 #include "core/io/overwrites.h"
 #include "core/scene/fingerprint.h"
+#include "ops/check/check.h"
 #include "ops/layout/paths.h"
+#include "ops/placement/clearance.h"
 #include "ops/report/scene_file.h"
 #include "ops/session/journal.h"
-#include "ops/check/check.h"
-#include "ops/placement/clearance.h"
 
 namespace trivet {
 namespace {

@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "ops/layout/layout.h"
-#include "ops/layout/load.h"
 #include "ops/base/context.h"
 #include "ops/base/options.h"
 #include "ops/base/outcome.h"
+#include "ops/layout/layout.h"
+#include "ops/layout/load.h"
 #include "ops/operations/operations.h"
 
 namespace trivet {
@@ -24,10 +24,10 @@ class Transaction;
 
 /// Operations that are done and undone as one.
 struct SessionStep {
-  std::string name;                   // "put \"cup\"", "delete 3 objects"
-  std::vector<Operation> operations;  // one, but for perform_all()
-  SettleOptions settle;               // it was done with
-  std::uint64_t fingerprint = 0;      // of the objects it changed, as it left them
+  std::string name;                           // "put \"cup\"", "delete 3 objects"
+  std::vector<Operation> operations;          // one, but for perform_all()
+  SettleOptions settle;                       // it was done with
+  std::uint64_t fingerprint = 0;              // of the objects it changed, as it left them
   std::vector<OperationResult> results = {};  // of the operations, without their steps to watch
 };
 

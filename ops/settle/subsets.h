@@ -1,5 +1,5 @@
-// Subsets of contacts: an object also rests when some of its contacts would hold it alone, so that a
-// further contact never takes rest away.
+// Subsets of contacts: an object also rests when some of its contacts would hold it alone, so that
+// a further contact never takes rest away.
 #pragma once
 
 #include <functional>

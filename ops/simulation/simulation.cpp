@@ -8,7 +8,7 @@
 #include "core/base/error.h"
 #include "core/base/tunables.h"
 #include "core/convex/hull_overlap.h"
-#include "core/io/float_export.h"
+#include "core/io/mesh/float_export.h"
 #include "ops/simulation/overlaps.h"
 #include "ops/stability/stability.h"
 

@@ -35,7 +35,7 @@ struct DocumentOptions {
   std::string version;   // of the program; written to saved files
   SettleOptions settle;  // of all operations
   RunContext context;
-  int num_threads = 0;   // of loading; 0: all cores
+  int num_threads = 0;  // of loading; 0: all cores
   ImportLimits limits;
 };
 

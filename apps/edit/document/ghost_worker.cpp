@@ -85,7 +85,8 @@ Ghost GhostWorker::answer_to(const Request& request) {
   }
   ghost.object = *id;
   Transaction trial(*m_scene);
-  const OperationResult result = perform(trial, request.operation, request.options, request.context);
+  const OperationResult result =
+      perform(trial, request.operation, request.options, request.context);
   const Scene& scene = *m_scene;
   ghost.ok = result.ok();
   if (ghost.ok) describe(scene, result, ghost);

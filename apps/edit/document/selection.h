@@ -13,8 +13,8 @@ namespace trivet::edit {
 struct ActiveContact {
   enum class Part { Area, Edge, Point };
   Support with;
-  Part part = Part::Area;        // held part: all of it, an edge of its hull, or a point
-  Vec3 near = Vec3::Zero();      // world; selects the nearest edge or point
+  Part part = Part::Area;    // held part: all of it, an edge of its hull, or a point
+  Vec3 near = Vec3::Zero();  // world; selects the nearest edge or point
 
   friend bool operator==(const ActiveContact&, const ActiveContact&) = default;
 };

@@ -33,8 +33,9 @@ void note_in_the_way(const Scene& scene, const LiveMove& live, DragSnapshot& dra
   if (is_free(live.operation()))
     drag.faces = crossing_faces(scene, live.placements());
   else if (drag.blocked_by.support)
-    drag.faces = blocking_faces(scene, live.placements(), {*drag.blocked_by.support, drag.blocked_at},
-                                kContactTolerance * live.clearance());
+    drag.faces =
+        blocking_faces(scene, live.placements(), {*drag.blocked_by.support, drag.blocked_at},
+                       kContactTolerance * live.clearance());
 }
 
 }  // namespace

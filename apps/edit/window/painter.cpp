@@ -3,7 +3,7 @@
 #include <QElapsedTimer>
 
 #include "core/base/error.h"
-#include "gpu/live_view.h"
+#include "gpu/live/live_view.h"
 
 namespace trivet::edit {
 namespace {

@@ -9,8 +9,8 @@
 #include <QSpinBox>
 #include <map>
 
-#include "gpu/egl_context.h"
-#include "gpu/image.h"
+#include "gpu/egl/egl_context.h"
+#include "gpu/egl/image.h"
 
 namespace trivet::edit {
 namespace {

@@ -6,8 +6,8 @@
 #include <atomic>
 #include <thread>
 
-#include "gpu/live_scene.h"
-#include "gpu/picture.h"
+#include "gpu/live/live_scene.h"
+#include "gpu/picture/picture.h"
 
 class QWidget;
 

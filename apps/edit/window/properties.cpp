@@ -29,7 +29,8 @@ QString rotation_text(const Rotation& rotation) {
 QString contacts_text(const Object& object, const SceneSnapshot& scene) {
   QStringList lines;
   for (const Link& link : object.links) {
-    const ObjectSnapshot* const with = link.with.is_object() ? scene.find(link.with.object()) : nullptr;
+    const ObjectSnapshot* const with =
+        link.with.is_object() ? scene.find(link.with.object()) : nullptr;
     const QString name = with ? QString::fromStdString((*with)->name) : Properties::tr("floor");
     lines << Properties::tr("%1: %2 (%3)")
                  .arg(name, QString::fromUtf8(to_string(link.contact.type)))

@@ -180,9 +180,9 @@ void TestWindow::puts_by_clicking() {
   QVERIFY(spoon.state == ObjectState::Stable);
   bool on_saucer = false;
   for (const Link& link : spoon.links)
-    on_saucer = on_saucer ||
-                (link.with.is_object() &&
-                 m_document->snapshot()->find(link.with.object())->object->name == "saucer");
+    on_saucer =
+        on_saucer || (link.with.is_object() &&
+                      m_document->snapshot()->find(link.with.object())->object->name == "saucer");
   QVERIFY2(on_saucer, "the spoon lies on the saucer");
   m_user->look("spoon_on_saucer");
 }

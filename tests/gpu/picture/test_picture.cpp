@@ -8,7 +8,7 @@
 #include <string>
 
 #include "core/base/error.h"
-#include "gpu/picture.h"
+#include "gpu/picture/picture.h"
 #include "support/mesa_leaks.h"
 
 namespace trivet {

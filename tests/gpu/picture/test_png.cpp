@@ -8,7 +8,7 @@
 #include <string>
 
 #include "core/base/error.h"
-#include "gpu/image.h"
+#include "gpu/egl/image.h"
 
 namespace trivet {
 namespace {

@@ -7,7 +7,7 @@
 #include <cstdlib>
 
 #include "core/base/error.h"
-#include "gpu/zlist_gpu.h"
+#include "gpu/zlist/zlist_gpu.h"
 #include "support/check_stage.h"
 
 namespace trivet {

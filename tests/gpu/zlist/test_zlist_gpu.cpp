@@ -9,8 +9,8 @@
 
 #include "core/base/error.h"
 #include "core/contact/zlist_self_test.h"
-#include "gpu/egl_context.h"
-#include "gpu/zlist_gpu.h"
+#include "gpu/egl/egl_context.h"
+#include "gpu/zlist/zlist_gpu.h"
 #include "support/check_stage.h"
 #include "support/effort.h"
 #include "support/mesa_leaks.h"

@@ -3,8 +3,8 @@
 
 #include "core/base/error.h"
 #include "ops/detect/backend.h"
-#include "raster/drop_brackets.h"
-#include "raster/software_zlists.h"
+#include "raster/height_map/drop_brackets.h"
+#include "raster/zlist/software_zlists.h"
 #include "support/random_queries.h"
 
 namespace trivet {

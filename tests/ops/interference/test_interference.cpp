@@ -2,10 +2,10 @@
 #include "core/base/tunables.h"
 #include "core/contact/triangle_distance.h"
 #include "core/exact/predicates.h"
-#include "ops/placement/interference.h"
-#include "ops/operations/live_move.h"
-#include "ops/move/stage.h"
 #include "ops/base/stopwatch.h"
+#include "ops/move/stage.h"
+#include "ops/operations/live_move.h"
+#include "ops/placement/interference.h"
 #include "ops/placement/neighbourhood.h"
 #include "support/effort.h"
 

@@ -99,7 +99,8 @@ TEST(RunLayout, RefusesStartInsideAnotherAndContinues) {
   for (int i = 0; i < 2; ++i) {
     const OperationRecord& r = run.operations[i];
     EXPECT_FALSE(r.result.ok());
-    EXPECT_NE(r.result.reason().find("\"" + r.object + "\""), std::string::npos) << r.result.reason();
+    EXPECT_NE(r.result.reason().find("\"" + r.object + "\""), std::string::npos)
+        << r.result.reason();
     EXPECT_NE(r.result.reason().find("\"slab\""), std::string::npos) << r.result.reason();
   }
   EXPECT_TRUE(run.operations[2].result.ok());
@@ -117,7 +118,8 @@ TEST(RunLayout, StopsAtRefusalOnRequest) {
   const LayoutRun run = run_layout(layout, boxes.source(), options);
   ASSERT_EQ(run.operations.size(), 2u);
   EXPECT_FALSE(run.operations[1].result.ok());
-  EXPECT_EQ(run.operations[1].result.reason(), "not tried, because put of \"b\" was refused before");
+  EXPECT_EQ(run.operations[1].result.reason(),
+            "not tried, because put of \"b\" was refused before");
   EXPECT_FALSE(run.scene.at(*run.scene.find("c")).placed);
 }
 

@@ -1,9 +1,9 @@
 // Interactive moves commit the same as their operation, bit for bit.
 #include "ops/layout/json_text.h"
 #include "ops/operations/live_move.h"
-#include "stage.h"
 #include "ops/operations/perform.h"
 #include "ops/placement/neighbourhood.h"
+#include "stage.h"
 #include "support/random_shapes.h"
 #include "support/same_scene.h"
 

@@ -36,7 +36,8 @@ TEST(Interrupt, TimedOutPutKeepsScene) {
   context.time_budget_s = 1e-9;
   const OperationResult result = interrupted_put(context);
   EXPECT_EQ(result.status, OperationResult::Status::OutOfTime);
-  EXPECT_NE(result.reason().find("did not end within 1e-09 s"), std::string::npos) << result.reason();
+  EXPECT_NE(result.reason().find("did not end within 1e-09 s"), std::string::npos)
+      << result.reason();
 }
 
 // Cancellation at any moment: the whole operation, or no change.

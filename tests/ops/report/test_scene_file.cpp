@@ -9,7 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/io/export.h"
-#include "core/io/glb_container.h"
+#include "core/io/gltf/glb_container.h"
 #include "ops/layout/boxes.h"
 #include "ops/report/geometry.h"
 #include "ops/report/report.h"

@@ -17,7 +17,7 @@
 #include "support/effort.h"
 #include "support/shared_data.h"
 #ifdef TRIVET_HAS_GPU
-#include "gpu/zlist_gpu.h"
+#include "gpu/zlist/zlist_gpu.h"
 #endif
 
 namespace trivet::test {

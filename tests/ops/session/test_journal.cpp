@@ -11,10 +11,10 @@
 #include "core/io/export.h"
 #include "ops/layout/json_text.h"
 #include "ops/operations/live_move.h"
+#include "ops/placement/clearance.h"
 #include "ops/report/scene_file.h"
 #include "ops/session/journal.h"
 #include "ops/session/restore.h"
-#include "ops/placement/clearance.h"
 #include "session_testing.h"
 #include "support/temporary_folder.h"
 

@@ -191,7 +191,8 @@ TEST(Session, RefusesWhenCancelled) {
   const std::atomic<bool> cancel = true;
   RunContext context;
   context.cancel = &cancel;
-  EXPECT_EQ(session.perform(put_at("a", 0, 0), {}, context).status, OperationResult::Status::Cancelled);
+  EXPECT_EQ(session.perform(put_at("a", 0, 0), {}, context).status,
+            OperationResult::Status::Cancelled);
   EXPECT_EQ(difference(session.scene(), before), "");
   EXPECT_TRUE(session.steps().empty());
 }

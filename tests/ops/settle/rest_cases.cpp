@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "apps/demo/shapes/models.h"
 #include "core/base/tunables.h"
 #include "core/io/model.h"
-#include "apps/demo/shapes/models.h"
 #include "support/shared_data.h"
 #include "support/solids.h"
 
@@ -162,8 +162,7 @@ SettleProblem RestCase::problem(const Neighbourhood& others) const {
 
 std::vector<ContactPoint> RestCase::contacts() const {
   const double tolerance = kContactTolerance * clearance;
-  return all_points(contacts_with(body(), others(), tolerance, kFootSlack * clearance),
-                    tolerance);
+  return all_points(contacts_with(body(), others(), tolerance, kFootSlack * clearance), tolerance);
 }
 
 void RestCase::add(const FixedBody& body) {

@@ -1,10 +1,10 @@
-#include "core/scene/transaction.h"
 #include "ops/simulation/simulated_scene.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
 
 #include "apps/demo/shapes/models.h"
+#include "core/scene/transaction.h"
 #include "ops/check/check.h"
 #include "ops/layout/boxes.h"
 #include "ops/operations/perform.h"

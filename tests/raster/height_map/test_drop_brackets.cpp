@@ -5,7 +5,7 @@
 
 #include <cstdio>
 
-#include "raster/height_map.h"
+#include "raster/height_map/height_map.h"
 #include "support/effort.h"
 #include "support/random_queries.h"
 

@@ -1,0 +1,151 @@
+#include <assimp/importerdesc.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+
+#include <assimp/Importer.hpp>
+#include <filesystem>
+#include <new>
+#include <sstream>
+
+#include "core/base/error.h"
+#include "core/io/assimp/assimp_appearance.h"
+#include "core/io/assimp/assimp_files.h"
+#include "core/io/assimp/assimp_geometry.h"
+#include "core/io/assimp/assimp_look.h"
+#include "core/io/gltf/gltf_document.h"
+#include "core/io/model.h"
+#include "core/io/preflight.h"
+
+namespace trivet {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail(const std::string& path, const std::string& reason) {
+  throw Error(Error::Kind::BadInput, path + ": " + reason);
+}
+
+void check_extension(const Assimp::Importer& importer, const std::string& path) {
+  const std::string extension = fs::path(path).extension().string();
+  if (!extension.empty() && importer.IsExtensionSupported(extension)) return;
+  fail(path, (extension.empty() ? "has no file extension" : "no importer for " + extension) +
+                 ("; accepted: .obj, .ply, .stl, .gltf, .glb, .fbx, .dae, .3ds, .step, .iges, "
+                  ".brep and others"));
+}
+
+// First extension in the importer's list; glTF 1 and 2 share theirs and differ in the name.
+std::string format_of(const Assimp::Importer& importer) {
+  const aiImporterDesc* description =
+      importer.GetImporterInfo(importer.GetPropertyInteger("importerIndex", -1));
+  if (!description) return "";
+  std::string format;
+  std::istringstream(description->mFileExtensions) >> format;
+  const bool gltf2 = std::string(description->mName).find("glTF2") != std::string::npos;
+  return gltf2 ? "gltf2" : format;
+}
+
+// Reduces an assimp message, which may span lines and contain file bytes, to one printable line.
+std::string printable(std::string text) {
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
+  constexpr size_t kMaxLength = 300;
+  if (text.size() > kMaxLength) text = text.substr(0, kMaxLength) + "...";
+  return text.empty() ? "unknown error" : text;
+}
+
+// As the model has it: assimp puts its folder before it.
+std::string name_in_file(const std::string& file, const std::string& model) {
+  const std::string folder = fs::path(model).parent_path().string();
+  const bool before = !folder.empty() && file.rfind(folder + "/", 0) == 0;
+  return before ? file.substr(folder.size() + 1) : file;
+}
+
+// In two steps, as the second trusts what the first left behind; the result is that of one.
+const aiScene& import_scene(Assimp::Importer& importer, const ModelFiles& files,
+                            const std::string& path) {
+  const aiScene* scene = importer.ReadFile(path, 0);
+  if (scene && scene->mRootNode) {
+    check_faces(path, *scene);
+    scene = importer.ApplyPostProcessing(aiProcess_Triangulate);
+  }
+  if (!scene && std::string(importer.GetErrorString()).find("bad_alloc") != std::string::npos)
+    throw std::bad_alloc();
+  if ((!scene || !scene->mRootNode) && !files.outside().empty())
+    fail(path, outside_folder(name_in_file(files.outside().front(), path)));
+  if (!scene || !scene->mRootNode)
+    fail(path, "cannot be read as a model: " + printable(importer.GetErrorString()));
+  return *scene;
+}
+
+// assimp takes names of buffers another way than glTF means them: they are looked at before.
+void check_buffers(const std::string& path) {
+  GltfJson json;
+  try {
+    json = parse_gltf_json(path, read_gltf_text(path));
+  } catch (const Error&) {
+    return;  // assimp will say so
+  }
+  const ModelFolder folder(path);
+  for (const GltfJson& buffer : member(json, "buffers")) {
+    const GltfJson& uri = member(buffer, "uri");
+    if (!uri.is_string() || uri.get_ref<const std::string&>().rfind("data:", 0) == 0) continue;
+    const auto name = uri.get<std::string>();
+    if (!folder.holds(fs::path(path).parent_path() / decoded_uri(name)))
+      fail(path, outside_folder(name));
+  }
+}
+
+bool is_gltf(const std::string& path) {
+  std::string extension = fs::path(path).extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension == ".gltf" || extension == ".glb";
+}
+
+// glTF from the file itself: nothing that it says gets lost on the way.
+void read_look(const aiScene& scene, const ImportLimits& limits, Model& model) {
+  if (model.format != "gltf2") {
+    model.look = look_of_assimp(scene, limits, model);
+    return;
+  }
+  try {
+    const GltfDocument document = read_gltf_document(model.path, limits);
+    model.look = look_of_gltf(document, scene_roots(document.json), model.notes);
+  } catch (const Error& e) {
+    model.notes.push_back(std::string("hierarchy and textures left out: ") + e.what());
+  }
+}
+
+}  // namespace
+
+Model read_model(const std::string& path, const ImportLimits& limits) {
+  check_file(path, limits);
+  if (const std::string format = cad_format(path); !format.empty())
+    fail(path,
+         format + " files are read only by the program trivet-import-cad, never in this process");
+  try {
+    Assimp::Importer importer;
+    auto* const files = new ModelFiles(path);
+    importer.SetIOHandler(files);  // owns it from here on
+    check_extension(importer, path);
+    if (is_gltf(path)) check_buffers(path);
+    const aiScene& scene = import_scene(importer, *files, path);
+    Model model;
+    for (const std::string& name : files->outside())
+      model.notes.push_back("left out: it " + outside_folder(name_in_file(name, path)));
+    model.path = path;
+    model.format = format_of(importer);
+    read_materials(scene, model);
+    read_frame(scene, model);
+    read_geometry(scene, limits, model);
+    read_look(scene, limits, model);
+    return model;
+  } catch (const Error&) {
+    throw;
+  } catch (const std::bad_alloc&) {
+    fail(path, "runs out of memory; the file is broken or too large");
+  } catch (const std::exception& e) {
+    fail(path, "cannot be read as a model: " + printable(e.what()));
+  }
+}
+
+}  // namespace trivet

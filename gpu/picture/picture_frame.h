@@ -1,0 +1,37 @@
+// Private to gpu: the picture frame and the camera in it.
+//
+// The picture frame is the world moved and scaled so that the box of all objects is centred on the
+// origin and has a diagonal of 1. All GPU work uses it, in float32, so that biases and fade-outs
+// are the same for a scene of a millimetre and of a kilometre.
+#pragma once
+
+#include "gpu/picture/picture.h"
+
+namespace trivet {
+
+/// frame = (world - centre) * scale.
+struct PictureFrame {
+  Vec3 centre = Vec3::Zero();
+  double scale = 1;
+  Aabb world_box;       // of all finite vertices; a unit cube if there are none
+  double floor_z = 0;   // frame
+  double radius = 0.5;  // horizontal, of the box, frame
+
+  Vec3 apply(const Vec3& world) const { return (world - centre) * scale; }
+};
+
+PictureFrame make_picture_frame(const PictureScene& scene);
+/// Frame of a scene with that box; of a unit cube if it is empty.
+PictureFrame frame_of_box(const Aabb& world_box);
+
+/// A camera in the picture frame. A point p is at ndc (x, y) where
+/// p - eye is a multiple of forward + x * right + y * up.
+struct FrameCamera {
+  Vec3 eye, forward;  // forward is a unit vector
+  Vec3 right, up;     // scaled by the tangents of half the field of view
+};
+
+/// @throws Error (BadInput) if the camera is not finite, has no direction or too wide an angle.
+FrameCamera make_frame_camera(const Camera& camera, double aspect, const PictureFrame& frame);
+
+}  // namespace trivet

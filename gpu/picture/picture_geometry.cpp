@@ -1,0 +1,60 @@
+#include "gpu/picture/picture_geometry.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace trivet {
+
+PictureGeometry::PictureGeometry(const PictureScene& scene, const PictureFrame& frame) {
+  std::map<const PictureMesh*, std::size_t> known;
+  for (const PictureObject& object : scene.objects) {
+    const auto [entry, is_new] = known.emplace(object.mesh, m_meshes.size());
+    if (is_new) m_meshes.push_back(upload_mesh(*object.mesh));
+    const UploadedMesh& mesh = m_meshes[entry->second];
+    if (!mesh.empty()) add_instance(object, entry->second, frame);
+  }
+}
+
+void PictureGeometry::add_instance(const PictureObject& object, std::size_t mesh,
+                                   const PictureFrame& frame) {
+  const Affine& pose = object.world_from_object;
+  Instance instance;
+  instance.mesh = mesh;
+  instance.placement = place_mesh(m_meshes[mesh], pose, frame);
+  const auto highlight = object.highlight.value_or(std::array<float, 4>{});
+  for (int i = 0; i < 4; ++i)
+    instance.highlight[i] =
+        std::isfinite(highlight[i]) ? std::clamp(highlight[i], 0.0f, 1.0f) : 0.0f;
+  m_instances.push_back(instance);
+  for (int i = 0; i < 8; ++i)
+    m_hull_points.push_back(frame.apply(pose.apply(box_corner(m_meshes[mesh].box, i))));
+}
+
+void PictureGeometry::draw(const GlProgram& program, Part part) const {
+  const GLint frame_from_object = program.uniform("frame_from_object");
+  const GLint frame_from_normal = program.uniform("frame_from_normal");
+  const GLint highlight = program.uniform("highlight");
+  const GLint seed = program.uniform("seed");
+  const GLint first_triangle = program.uniform("first_triangle");
+  for (std::size_t i = 0; i < m_instances.size(); ++i) {
+    const Instance& instance = m_instances[i];
+    const UploadedMesh& mesh = m_meshes[instance.mesh];
+    const GLint first = part == Part::Opaque ? 0 : mesh.num_opaque;
+    const GLsizei count = part == Part::Opaque ? mesh.num_opaque : mesh.num_see_through;
+    if (count == 0) continue;
+    glUniformMatrix4fv(frame_from_object, 1, GL_FALSE, instance.placement.frame_from_object.data());
+    glUniformMatrix3fv(frame_from_normal, 1, GL_FALSE, instance.placement.frame_from_normal.data());
+    glUniform4fv(highlight, 1, instance.highlight.data());
+    glUniform1ui(seed, static_cast<GLuint>(i));
+    glUniform1i(first_triangle, first / 3);
+    glActiveTexture(GL_TEXTURE1);
+    glBindTexture(GL_TEXTURE_BUFFER, mesh.corner_texture.id());
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_BUFFER, mesh.material_texture.id());
+    glBindVertexArray(mesh.vertex_array.id());
+    glDrawArrays(GL_TRIANGLES, first, count);
+  }
+}
+
+}  // namespace trivet

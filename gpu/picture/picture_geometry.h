@@ -1,0 +1,41 @@
+// Private to gpu: the triangles of a picture in graphics memory.
+#pragma once
+
+#include <vector>
+
+#include "gpu/picture/picture_mesh.h"
+
+namespace trivet {
+
+/// All objects of a scene, ready to draw; shared meshes are stored once.
+class PictureGeometry {
+ public:
+  /// @throws Error (Environment) for lack of graphics memory.
+  PictureGeometry(const PictureScene& scene, const PictureFrame& frame);
+
+  /// Opaque triangles cast shadows without a fragment shader, see-through ones need one.
+  enum class Part { Opaque, SeeThrough };
+
+  /// Draws that part of all objects with the program in use, which takes position, normal, face
+  /// normal and material at locations 0 to 3, the texture buffers of the materials on unit 0 and of
+  /// the corners on unit 1, and its uniforms `frame_from_object`, `frame_from_normal`, `highlight`,
+  /// `seed` and `first_triangle`.
+  void draw(const GlProgram& program, Part part) const;
+
+  /// Corners of the objects' boxes, frame: all objects lie in their convex hull.
+  const std::vector<Vec3>& hull_points() const { return m_hull_points; }
+
+ private:
+  struct Instance {
+    std::size_t mesh = 0;
+    MeshPlacement placement;
+    Eigen::Vector4f highlight;
+  };
+  void add_instance(const PictureObject& object, std::size_t mesh, const PictureFrame& frame);
+
+  std::vector<UploadedMesh> m_meshes;
+  std::vector<Instance> m_instances;
+  std::vector<Vec3> m_hull_points;
+};
+
+}  // namespace trivet

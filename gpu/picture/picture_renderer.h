@@ -1,0 +1,80 @@
+// Private to gpu: renders one picture, tile by tile.
+//
+// Accumulates many cheap views instead of a few complex ones: each sub-pixel view is shaded by six
+// directional lights with hard shadows, and the sum over the views is anti-aliased, softly shadowed
+// and ambiently occluded, without the artefacts of screen-space methods.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "gpu/egl/gl_objects.h"
+#include "gpu/picture/picture_frame.h"
+#include "gpu/picture/picture_geometry.h"
+#include "gpu/picture/picture_lights.h"
+
+namespace trivet {
+
+struct PicturePrograms {
+  PicturePrograms();
+  GlProgram surface, surface_see_through, shadow, shadow_see_through, floor_light, light, develop;
+};
+
+/// Textures of one tile, shadow maps, the floor's light, and their framebuffers.
+struct PictureTargets {
+  PictureTargets(int width, int height, int map_size);
+  GlTexture surfaces, depth, sums, developed, floor_light, maps;
+  GlFramebuffer draw_surfaces, draw_sums, draw_developed, draw_floor_light;
+  std::array<GlFramebuffer, kLightsPerView> draw_maps;
+};
+
+/// A rectangle of pixels, counted from the lower left of the picture.
+struct PictureTile {
+  int x = 0, y = 0, width = 0, height = 0;
+};
+
+class PictureRenderer {
+ public:
+  /// `options` must outlive it. Needs a current context throughout its lifetime.
+  PictureRenderer(const PictureScene& scene, const Camera& camera, const PictureOptions& options);
+
+  Image render();
+
+ private:
+  using Lights = std::array<PictureLight, kLightsPerView>;
+
+  bool casts_shadows(int light) const {
+    return light == 0 ? m_options.shadows : m_options.ambient_occlusion;
+  }
+  double floor_radius() const { return std::max(m_frame.radius, 0.05); }  // minimum for thin posts
+  void set_map_sizes(int key_px, int other_px);
+  void find_depth_range();
+  std::vector<PictureTile> tiles() const;
+  void render_view(int view, const PictureTile& tile);
+  void measure_floor_light();
+  void draw_shadow_maps(int view, const Lights& lights);
+  void draw_surfaces(int view, const PictureTile& tile);
+  void draw_geometry(const GlProgram& opaque, const GlProgram& see_through,
+                     const Eigen::Matrix4f& clip_from_frame, int view, const PictureTile& tile);
+  void add_light(int view, const PictureTile& tile, const Lights& lights);
+  void set_view_uniforms(int view, const PictureTile& tile);
+  void set_light_uniforms(const GlProgram& program, const Lights& lights);
+  void develop(const PictureTile& tile, Image& image);
+  Eigen::Matrix4f clip_from_frame(const PictureTile& tile, const Vec2& jitter_px) const;
+
+  const PictureOptions& m_options;
+  bool m_has_floor;
+  PictureFrame m_frame;
+  FrameCamera m_camera;
+  PictureLights m_lights;
+  std::array<int, kLightsPerView> m_map_px{};
+  double m_near = 0.01, m_far = 10;
+  PicturePrograms m_programs;
+  PictureGeometry m_geometry;
+  PictureTargets m_targets;
+  GlVertexArray m_no_attributes;  // the core profile requires a vertex array to draw
+  std::array<ShadowMap, kLightsPerView> m_maps;
+};
+
+}  // namespace trivet

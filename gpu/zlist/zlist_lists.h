@@ -1,0 +1,71 @@
+// Private to gpu: a view of the moving and the fixed faces, and the resulting lists.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/contact/zlist_stage.h"
+#include "gpu/zlist/zlist_mesh_cache.h"
+#include "gpu/zlist/zlist_structs.h"
+
+namespace trivet {
+
+/// A body as placed in the image. README.md defines blur.
+struct ZListBody {
+  const GpuMesh* mesh = nullptr;
+  Index body = 0;                // in the query's span
+  std::uint32_t first_face = 0;  // number of its first face among all of the view
+  std::array<float, 12> rows{};  // pixels from object, row by row; object relative to its centre
+  float blur = 0, depth_blur = 0;
+};
+
+/// Complete input of a rasteriser. Lengths in pixels, also depths along a translation; depths of a
+/// rotation are angles.
+struct ZListView {
+  Motion::Kind kind = Motion::Kind::Translation;
+  int width = 0, height = 0;
+  float first_radius = 0;
+  float period = 0;       // of depth: a whole turn, or 0
+  float first_depth = 0;  // origin of angles
+  float sample_error = 0;
+  float horizon = 0;  // later times are irrelevant
+  std::vector<ZListBody> moving, fixed;
+};
+
+using ZListEntry = glsl::Entry;
+
+/// Complete lists of the doubtful pixels, unordered; times are depths, see ZListView.
+struct ZLists {
+  bool overflow = false;  // more entries than fit: the other fields are meaningless
+  float upper = 0;        // two samples meet by then; the horizon if none do
+  float lower = 0;        // no contact before this
+  std::int64_t num_pixels = 0, num_doubtful = 0, bytes_read_back = 0;
+  std::vector<ZListEntry> entries;
+};
+
+/// A way of using the hardware. All need a current context to be created and destroyed.
+class ZListRaster {
+ public:
+  virtual ~ZListRaster() = default;
+  virtual const char* method() const = 0;     // for display
+  virtual std::size_t num_bytes() const = 0;  // of graphics memory, without meshes
+  /// Whether this many views fit, the largest with that many pixels.
+  virtual bool has_room(std::size_t num_views, std::size_t num_pixels) const = 0;
+  /// Draws views of one kind of motion together; if the lists exceed the limit together, all are
+  /// empty.
+  /// @param bounds_alone  compute no lists.
+  /// @throws Error (Environment) when OpenGL fails.
+  virtual std::vector<ZLists> rasterise(std::span<const ZListView> views, bool bounds_alone) = 0;
+};
+
+/// OpenGL 4.3: compute shaders. @param max_entries  of the lists of all views of a batch.
+std::unique_ptr<ZListRaster> make_compute_raster(std::uint32_t max_entries);
+/// OpenGL 3.3: framebuffers that blend maxima, transform feedback.
+/// @param resolution  of the largest view, both ways. @param max_entries  of moving, or fixed,
+/// faces.
+std::unique_ptr<ZListRaster> make_blend_raster(int resolution, std::uint32_t max_entries);
+
+}  // namespace trivet

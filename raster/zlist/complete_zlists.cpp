@@ -1,0 +1,295 @@
+#include "raster/zlist/complete_zlists.h"
+
+#include <tbb/task_arena.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <tuple>
+
+#include "core/base/error.h"
+#include "raster/zlist/depth_map.h"
+#include "raster/zlist/parallel.h"
+
+namespace trivet {
+namespace {
+
+constexpr int kLargestResolution = 8192;
+constexpr double kSmallestPixel =
+    1e-9;                         // of the largest coordinate: still distinguishable in double
+constexpr double kEdgeOn = 1e-9;  // sine of the angle to a face seen edge-on
+constexpr size_t kEntriesBetweenChecks = 1 << 16;
+
+void require(bool holds, const std::string& text) {
+  if (!holds) throw Error(Error::Kind::BadInput, text);
+}
+
+std::string number(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%g", x);
+  return text;
+}
+
+void check(const ProjectionOptions& o) {
+  const double length = o.direction.norm();
+  require(length > 0 && length < kInfinity,
+          "direction of z-lists is " + number(o.direction.x()) + " " + number(o.direction.y()) +
+              " " + number(o.direction.z()) + "; accepted: finite and not 0 0 0");
+  require(o.resolution >= 1 && o.resolution <= kLargestResolution,
+          "resolution of z-lists is " + std::to_string(o.resolution) + "; accepted: 1 to " +
+              std::to_string(kLargestResolution));
+  require(o.num_threads >= 0, "number of threads of z-lists is " + std::to_string(o.num_threads) +
+                                  "; accepted: 0 (all) or more");
+  if (!o.region) return;
+  const Vec2 size = o.region->upper - o.region->lower;
+  require(size.minCoeff() > 0 && size.maxCoeff() < kInfinity,
+          "region of z-lists is " + number(size.x()) + " m wide and " + number(size.y()) +
+              " m high; accepted: above 0");
+}
+
+// Looking along `direction` with the head up.
+Projection axes_of(const Vec3& direction) {
+  Projection out;
+  out.direction = direction.normalized();
+  const Vec3 z = Vec3::UnitZ();
+  const Vec3 up = std::abs(out.direction.z()) < 1 - 1e-9 ? z : Vec3(Vec3::UnitY());
+  out.up = (up - out.direction.dot(up) * out.direction).normalized();
+  // Removes signed zeros and rounding residue, which would confuse readers.
+  for (Vec3* axis : {&out.direction, &out.up, &out.right}) {
+    if (axis == &out.right) out.right = out.direction.cross(out.up);
+    *axis = (axis->array().abs() < 1e-15).select(0.0, *axis);
+  }
+  return out;
+}
+
+Mat3 rows_of(const Projection& p) {
+  Mat3 rows;
+  rows << p.right.transpose(), p.up.transpose(), p.direction.transpose();
+  return rows;
+}
+
+Aabb extent_of(std::span<const Body> bodies, const Mat3& image_from_world) {
+  Aabb out;
+  for (const Body& body : bodies) {
+    const Mat3 linear = image_from_world * body.world_from_object.linear;
+    const Vec3 shift = image_from_world * body.world_from_object.translation;
+    for (const Vec3& v : body.shape->mesh.vertices) out.extend(linear * v + shift);
+  }
+  return out;
+}
+
+void set_window(const Aabb& extent, const ProjectionOptions& options, Projection& out) {
+  Vec2 lower = extent.lower.head<2>(), upper = extent.upper.head<2>();
+  if (options.region) lower = options.region->lower, upper = options.region->upper;
+  const double least = kSmallestPixel * std::max(extent.max_abs_coordinate(), 1e-300);
+  const Vec2 size = upper - lower;
+  out.pixel = size.maxCoeff() / options.resolution;
+  if (options.region)
+    require(out.pixel >= least, "region of z-lists has pixels of " + number(out.pixel) +
+                                    " m; accepted: " + number(least) +
+                                    " m or more, for coordinates of this size");
+  out.pixel = std::max(out.pixel, least);
+  const auto count = [&](double length) {
+    return std::clamp(static_cast<int>(std::ceil(length / out.pixel - 1e-9)), 1,
+                      options.resolution);
+  };
+  out.width = count(size.x());
+  out.height = count(size.y());
+  // Centres the contents.
+  out.corner = 0.5 * (lower + upper - out.pixel * Vec2(out.width, out.height));
+  if (options.region) out.corner = lower;
+  // Starts one pixel ahead, so that relative margins of depths cover the rounding of coordinates.
+  out.nearest = extent.lower.z() - out.pixel;
+}
+
+ZListFrame frame_of(const Projection& p) {
+  ZListFrame frame;
+  frame.width = p.width;
+  frame.height = p.height;
+  frame.pixel = p.pixel;
+  frame.image_from_world = rows_of(p);
+  frame.origin = p.corner.x() * p.right + p.corner.y() * p.up + p.nearest * p.direction;
+  return frame;
+}
+
+std::vector<Index> all_of(std::span<const Body> bodies) {
+  std::vector<Index> out(bodies.size());
+  for (size_t i = 0; i < out.size(); ++i) out[i] = static_cast<Index>(i);
+  return out;
+}
+
+// Draws every face of a layer, on many threads, each with its own sink.
+template <class Sink, class Make>
+void draw_all(const Layer& layer, const View& view, int num_threads, Make make) {
+  for_each_part(layer.num_faces(), num_threads, [&](size_t, size_t first, size_t last) {
+    TriangleRaster raster(view);
+    Sink sink = make();
+    for (size_t f = first; f < last && !sink.full(); ++f) {
+      sink.face = static_cast<std::uint32_t>(f);
+      raster.draw(layer.corners(sink.face), sink);
+    }
+  });
+}
+
+// Counts entries per pixel; gives up when there are too many.
+class CountSink final : public SpanSink {
+ public:
+  CountSink(std::vector<std::uint64_t>& counts, int width, std::atomic<size_t>& total, size_t most)
+      : m_counts(counts), m_width(width), m_total(total), m_most(most) {}
+  ~CountSink() { m_total += m_new; }
+  void span(const Span& s) override {
+    std::uint64_t* count = &m_counts[size_t(s.row) * m_width + s.first];
+    for (int i = 0; i < s.count; ++i)
+      std::atomic_ref(count[i]).fetch_add(1, std::memory_order_relaxed);
+    m_new += static_cast<size_t>(s.count);
+  }
+  bool full() {
+    if (m_new >= kEntriesBetweenChecks) m_total += std::exchange(m_new, 0);
+    return m_total.load(std::memory_order_relaxed) > m_most;
+  }
+
+ private:
+  std::vector<std::uint64_t>& m_counts;
+  int m_width;
+  std::atomic<size_t>& m_total;
+  size_t m_most, m_new = 0;
+};
+
+// Stores entries in their places, unordered within a pixel.
+class StoreSink final : public SpanSink {
+ public:
+  StoreSink(const Layer& layer, int width, std::vector<std::uint64_t>& next,
+            std::vector<ZListItem>& items)
+      : m_layer(layer), m_width(width), m_next(next), m_items(items) {}
+  void span(const Span& s) override {
+    const Layer::FaceId id = m_layer.id(face);
+    std::uint64_t* next = &m_next[size_t(s.row) * m_width + s.first];
+    for (int i = 0; i < s.count; ++i) {
+      const size_t at = std::atomic_ref(next[i]).fetch_add(1, std::memory_order_relaxed);
+      m_items[at] = {static_cast<std::uint32_t>(id.body), static_cast<std::uint32_t>(id.face),
+                     s.lower[i], s.upper[i],
+                     s.centre_error <= kLargestCentreError ? s.centre[i] : std::nanf("")};
+    }
+  }
+  bool full() const { return false; }
+
+ private:
+  const Layer& m_layer;
+  int m_width;
+  std::vector<std::uint64_t>& m_next;
+  std::vector<ZListItem>& m_items;
+};
+
+bool nearer(const ZListItem& a, const ZListItem& b) {
+  return std::tie(a.lower, a.upper, a.body, a.face) < std::tie(b.lower, b.upper, b.body, b.face);
+}
+
+// Sign for whether a line of sight enters at a face's front; MassProperties defines solids.
+signed char winding_of(const Shape& shape) {
+  if (shape.mass.rule != MassRule::Volume) return 0;
+  const Vec3 origin = shape.box.centre();
+  double volume = 0;
+  for (Index f = 0; f < static_cast<Index>(shape.mesh.triangles.size()); ++f) {
+    const Triangle t = shape.mesh.triangle(f);
+    volume += (t[0] - origin).cross(t[1] - origin).dot(t[2] - origin);
+  }
+  return volume < 0 ? -1 : 1;
+}
+
+}  // namespace
+
+const char* to_string(Crossing crossing) {
+  switch (crossing) {
+    case Crossing::Enters:
+      return "enters";
+    case Crossing::Leaves:
+      return "leaves";
+    case Crossing::Along:
+      return "along";
+    default:
+      return "unknown";
+  }
+}
+
+CompleteZLists::CompleteZLists(std::span<const Body> bodies, const ProjectionOptions& options)
+    : m_bodies(bodies), m_projection(axes_of(options.direction)) {
+  check(options);
+  const int cores = tbb::this_task_arena::max_concurrency();
+  const int threads = options.num_threads > 0 ? options.num_threads : cores;
+  for (const Body& body : bodies) m_winding.push_back(winding_of(*body.shape));
+  const Aabb extent = extent_of(bodies, rows_of(m_projection));
+  if (extent.empty()) return;
+  set_window(extent, options, m_projection);
+  const size_t num_pixels = size_t(m_projection.width) * m_projection.height;
+  require(num_pixels * sizeof(m_ends[0]) <= options.most_bytes,
+          size_text() + " need more than the " + std::to_string(options.most_bytes >> 20) +
+              " MiB allowed");
+  draw(options.most_bytes, threads);
+  for_each_part(num_pixels, threads, [&](size_t, size_t first, size_t last) {
+    for (size_t i = first; i < last; ++i)
+      std::sort(m_items.begin() + (i ? m_ends[i - 1] : 0), m_items.begin() + m_ends[i], nearer);
+  });
+}
+
+void CompleteZLists::draw(size_t most_bytes, int num_threads) {
+  const ZListFrame frame = frame_of(m_projection);
+  const Layer layer(frame, m_bodies, all_of(m_bodies));
+  const View view = View::whole(frame, false);
+  m_ends.resize(size_t(view.width) * view.height);
+  const size_t most = (most_bytes - m_ends.size() * sizeof(m_ends[0])) / sizeof(ZListItem);
+  std::atomic<size_t> total = 0;
+  draw_all<CountSink>(layer, view, num_threads,
+                      [&] { return CountSink(m_ends, view.width, total, most); });
+  require(total <= most, size_text() + " have more than " + std::to_string(most) +
+                             " entries, the most that fit into the " +
+                             std::to_string(most_bytes >> 20) +
+                             " MiB allowed; take fewer pixels or a smaller "
+                             "region");
+  // Items of a pixel start where those of the previous one end; storing advances each start to its
+  // end.
+  std::uint64_t start = 0;
+  for (std::uint64_t& next : m_ends) start += std::exchange(next, start);
+  m_items.resize(total);
+  draw_all<StoreSink>(layer, view, num_threads,
+                      [&] { return StoreSink(layer, view.width, m_ends, m_items); });
+}
+
+std::string CompleteZLists::size_text() const {
+  return "z-lists of " + std::to_string(m_projection.width) + " x " +
+         std::to_string(m_projection.height) + " pixels";
+}
+
+std::span<const ZListItem> CompleteZLists::list(int column, int row) const {
+  const size_t at = size_t(row) * m_projection.width + column;
+  const std::uint64_t first = at > 0 ? m_ends[at - 1] : 0;
+  return {m_items.data() + first, m_ends[at] - first};
+}
+
+Crossing CompleteZLists::crossing(const ZListItem& item) const {
+  if (m_winding[item.body] == 0) return Crossing::Unknown;
+  const Triangle t = m_bodies[item.body].triangle(static_cast<Index>(item.face));
+  const Vec3 n = (t[1] - t[0]).cross(t[2] - t[0]);
+  const double along = m_winding[item.body] * n.dot(m_projection.direction);
+  if (std::abs(along) <= kEdgeOn * n.norm()) return Crossing::Along;
+  return along < 0 ? Crossing::Enters : Crossing::Leaves;
+}
+
+std::size_t CompleteZLists::num_bytes() const {
+  return m_ends.size() * sizeof(m_ends[0]) + m_items.size() * sizeof(m_items[0]);
+}
+
+std::size_t CompleteZLists::num_covered() const {
+  std::size_t out = 0;
+  for (size_t i = 0; i < m_ends.size(); ++i) out += m_ends[i] > (i ? m_ends[i - 1] : 0);
+  return out;
+}
+
+std::size_t CompleteZLists::longest() const {
+  std::size_t out = 0;
+  for (size_t i = 0; i < m_ends.size(); ++i)
+    out = std::max<std::size_t>(out, m_ends[i] - (i ? m_ends[i - 1] : 0));
+  return out;
+}
+
+}  // namespace trivet

@@ -1,0 +1,80 @@
+#include "raster/zlist/coverage.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace trivet {
+namespace {
+
+// Twice the area, relative to the squared longest edge, below which its sign may be rounding error.
+constexpr double kNoInside = 1e-9;
+
+int clamped(double x, int low, int high) {
+  return static_cast<int>(std::clamp(x, static_cast<double>(low), static_cast<double>(high)));
+}
+
+}  // namespace
+
+Coverage::Coverage(const std::array<Vec2, 3>& p, double half_x, double half_y, int width,
+                   int height) {
+  const Vec2 e = p[1] - p[0], f = p[2] - p[0];
+  const double signed_area2 = e.x() * f.y() - e.y() * f.x();
+  const double sign = signed_area2 < 0 ? -1 : 1;
+  m_area2 = sign * signed_area2;
+  m_squared_size = std::max({e.squaredNorm(), f.squaredNorm(), (f - e).squaredNorm()});
+  for (int k = 0; k < 3; ++k) {
+    const Vec2 d = sign * (p[(k + 1) % 3] - p[k]);
+    m_edges[k] = {-d.y(), d.x(), p[k]};
+    m_reach[k] = std::abs(d.y()) * half_x + std::abs(d.x()) * half_y;
+  }
+  if (m_area2 <= kNoInside * m_squared_size) use_longest_edge();
+  // Pixel i has its centre at i + 1/2.
+  const Vec2 low = p[0].cwiseMin(p[1]).cwiseMin(p[2]), high = p[0].cwiseMax(p[1]).cwiseMax(p[2]);
+  m_first_column = clamped(std::ceil(low.x() - half_x - 0.5), 0, width);
+  m_last_column = clamped(std::floor(high.x() + half_x - 0.5), -1, width - 1);
+  m_first_row = clamped(std::ceil(low.y() - half_y - 0.5), 0, height);
+  m_last_row = clamped(std::floor(high.y() + half_y - 0.5), -1, height - 1);
+}
+
+// Rounding may have flipped a degenerate triangle, and an edge of it to any direction: use a band
+// about the longest edge, which contains the third corner.
+void Coverage::use_longest_edge() {
+  int longest = 0;
+  const auto squared = [&](int k) {
+    return m_edges[k].a * m_edges[k].a + m_edges[k].b * m_edges[k].b;
+  };
+  for (int k = 1; k < 3; ++k)
+    if (squared(k) > squared(longest)) longest = k;
+  const Edge e = m_edges[longest];
+  const double reach = m_reach[longest] + 2 * kNoInside * m_squared_size;
+  m_edges = {e, Edge{-e.a, -e.b, e.p}, Edge{0, 0, e.p}};
+  m_reach = {reach, reach, 0};
+}
+
+Coverage::Columns Coverage::columns(int row, const std::array<double, 3>& reach) const {
+  double first = m_first_column, last = m_last_column;
+  for (int k = 0; k < 3; ++k) {
+    const Edge& e = m_edges[k];
+    // a i + q >= 0
+    const double q = e.b * (row + 0.5 - e.p.y()) + e.a * (0.5 - e.p.x()) + reach[k];
+    if (e.a > 0) {
+      first = std::max(first, -q / e.a);
+    } else if (e.a < 0) {
+      last = std::min(last, q / -e.a);
+    } else if (q < 0) {
+      return {0, -1};
+    }
+  }
+  if (!(first <= last)) return {0, -1};
+  return {static_cast<int>(std::ceil(first)), static_cast<int>(std::floor(last))};
+}
+
+Coverage::Columns Coverage::inside(int row, double shrink) const {
+  if (m_area2 <= 1e-5 * m_squared_size) return {0, -1};
+  std::array<double, 3> reach;
+  for (int k = 0; k < 3; ++k)
+    reach[k] = -shrink * (std::abs(m_edges[k].a) + std::abs(m_edges[k].b));
+  return columns(row, reach);
+}
+
+}  // namespace trivet

@@ -1,0 +1,46 @@
+#include "raster/zlist/software_zlists.h"
+
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "raster/zlist/zlist_search.h"
+
+namespace trivet {
+namespace {
+
+constexpr int kLargestResolution = 4096;
+
+}  // namespace
+
+SoftwareZLists::SoftwareZLists(const SoftwareZListOptions& options) : m_options(options) {
+  const auto require = [](bool holds, const std::string& text) {
+    if (!holds) throw Error(Error::Kind::BadInput, text);
+  };
+  require(options.resolution >= 0 && options.resolution <= kLargestResolution,
+          "resolution of z-lists is " + std::to_string(options.resolution) +
+              "; accepted: 0 (automatic) to " + std::to_string(kLargestResolution));
+  require(options.num_threads >= 0, "number of threads of z-lists is " +
+                                        std::to_string(options.num_threads) +
+                                        "; accepted: 0 (all) or more");
+  require(
+      options.zoom_levels >= 0 && options.zoom_levels <= 4,
+      "zoom levels of z-lists are " + std::to_string(options.zoom_levels) + "; accepted: 0 to 4");
+  if (m_options.num_threads == 0)
+    m_options.num_threads = std::max(1, tbb::this_task_arena::max_concurrency());
+}
+
+Proposal SoftwareZLists::propose(const FirstContactQuery& query, double horizon) {
+  const int resolution =
+      m_options.resolution ? m_options.resolution : zlist_resolution_of_processors(query);
+  const ZListFrame frame = make_zlist_frame(query, horizon, resolution);
+  if (!frame.empty()) return ZListSearch(query, frame, m_options).run();
+  Proposal nothing;
+  nothing.usable = true;
+  nothing.lower = kInfinity;
+  return nothing;
+}
+
+}  // namespace trivet
