@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "apps/demo/demo.h"
-#include "ops/layout/run.h"
+#include "ops/files/layout/run.h"
 #include "ops/operations/perform.h"
 
 namespace trivet::perf {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/scene/scene.h"
-#include "ops/layout/layout.h"
+#include "ops/files/layout/layout.h"
 #include "tests/support/random_shapes.h"
 
 namespace trivet::perf {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/io/model.h"
-#include "ops/layout/layout.h"
+#include "ops/files/layout/layout.h"
 
 namespace trivet {
 

@@ -9,7 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/nearest_name.h"
 #include "core/io/isolated.h"
-#include "ops/layout/json_text.h"
+#include "ops/files/json/json_text.h"
 
 namespace trivet::apps {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "core/io/model.h"
 #include "ops/detect/backend.h"
-#include "ops/layout/run.h"
+#include "ops/files/layout/run.h"
 
 namespace trivet::apps {
 

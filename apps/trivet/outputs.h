@@ -7,11 +7,11 @@
 
 #include "apps/trivet/common.h"
 #include "apps/trivet/picture.h"
-#include "ops/inplace/scene_objects.h"
-#include "ops/layout/paths.h"
-#include "ops/layout/run.h"
-#include "ops/report/report.h"
-#include "ops/report/scene_file.h"
+#include "ops/files/inplace/scene_objects.h"
+#include "ops/files/layout/paths.h"
+#include "ops/files/layout/run.h"
+#include "ops/files/report/report.h"
+#include "ops/files/report/scene_file.h"
 
 namespace trivet::apps {
 

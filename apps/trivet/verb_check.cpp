@@ -7,8 +7,8 @@
 #include "core/base/error.h"
 #include "core/base/nearest_name.h"
 #include "core/io/export.h"
-#include "ops/report/queries.h"
-#include "ops/report/report.h"
+#include "ops/files/report/queries.h"
+#include "ops/files/report/report.h"
 
 namespace trivet::apps {
 namespace {

@@ -4,7 +4,7 @@
 #include "apps/trivet/verbs.h"
 #include "core/base/error.h"
 #include "core/io/export.h"
-#include "ops/report/tables.h"
+#include "ops/files/report/tables.h"
 #include "ops/simulation/simulation.h"
 
 namespace trivet::apps {

@@ -3,7 +3,7 @@
 #include "apps/trivet/verbs.h"
 #include "core/index/shape.h"
 #include "core/io/isolated.h"
-#include "ops/report/model_info.h"
+#include "ops/files/report/model_info.h"
 
 namespace trivet::apps {
 

@@ -5,7 +5,7 @@
 #include "core/base/error.h"
 #include "core/base/nearest_name.h"
 #include "ops/check/check.h"
-#include "ops/layout/operation_json.h"
+#include "ops/files/json/operation_json.h"
 
 namespace trivet::apps {
 namespace {

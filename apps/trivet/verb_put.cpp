@@ -7,7 +7,7 @@
 #include "core/io/isolated.h"
 #include "ops/base/names.h"
 #include "ops/operations/perform.h"
-#include "ops/report/geometry.h"
+#include "ops/files/report/geometry.h"
 
 namespace trivet::apps {
 namespace {

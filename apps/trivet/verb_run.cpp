@@ -1,7 +1,7 @@
 #include "apps/trivet/outputs.h"
 #include "apps/trivet/verbs.h"
 #include "core/base/error.h"
-#include "ops/inplace/run_in_scene.h"
+#include "ops/files/inplace/run_in_scene.h"
 
 namespace trivet::apps {
 namespace {

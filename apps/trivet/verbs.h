@@ -33,6 +33,6 @@ Verb add_replay(CLI::App& app, const CommonOptions& common);
 Verb add_zlist(CLI::App& app, const CommonOptions& common);
 Verb add_schema(CLI::App& app, const CommonOptions& common);
 
-extern const char* const kLayoutSchema;  // text of ops/layout/layout.schema.json
+extern const char* const kLayoutSchema;  // text of ops/files/layout/layout.schema.json
 
 }  // namespace trivet::apps

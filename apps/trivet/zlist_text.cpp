@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "ops/layout/json_text.h"
+#include "ops/files/json/json_text.h"
 
 namespace trivet::apps {
 namespace {

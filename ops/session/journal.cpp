@@ -13,8 +13,8 @@
 #include "core/base/error.h"
 #include "core/base/hash.h"
 #include "core/io/export.h"
-#include "ops/layout/operation_json.h"
-#include "ops/layout/paths.h"
+#include "ops/files/json/operation_json.h"
+#include "ops/files/layout/paths.h"
 #include "ops/session/journal_text.h"
 #include "ops/session/session.h"
 

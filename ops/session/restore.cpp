@@ -6,9 +6,9 @@
 #include "core/io/overwrites.h"
 #include "core/scene/fingerprint.h"
 #include "ops/check/check.h"
-#include "ops/layout/paths.h"
+#include "ops/files/layout/paths.h"
 #include "ops/placement/clearance.h"
-#include "ops/report/scene_file.h"
+#include "ops/files/report/scene_file.h"
 #include "ops/session/journal.h"
 
 namespace trivet {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "ops/layout/run.h"
+#include "ops/files/layout/run.h"
 #include "ops/session/session.h"
 
 namespace trivet {

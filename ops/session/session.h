@@ -12,8 +12,8 @@
 #include "ops/base/context.h"
 #include "ops/base/options.h"
 #include "ops/base/outcome.h"
-#include "ops/layout/layout.h"
-#include "ops/layout/load.h"
+#include "ops/files/layout/layout.h"
+#include "ops/files/layout/load.h"
 #include "ops/operations/operations.h"
 
 namespace trivet {

@@ -1,7 +1,7 @@
 #include <cstdio>
 #include <sstream>
 
-#include "ops/layout/json_text.h"
+#include "ops/files/json/json_text.h"
 #include "ops/simulation/simulation.h"
 
 namespace trivet {

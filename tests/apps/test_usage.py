@@ -24,7 +24,7 @@ class Help(Case):
             self.assertEqual(self.trivet(verb, "--version")[0], self.trivet("--version")[0])
 
     def test_schema_prints_the_published_file(self):
-        with open(os.path.join(SOURCE_DIR, "ops/layout/layout.schema.json")) as file:
+        with open(os.path.join(SOURCE_DIR, "ops/files/layout/layout.schema.json")) as file:
             self.assertEqual(self.trivet("schema")[0], file.read())
 
 

@@ -12,8 +12,8 @@
 #include "core/io/export.h"
 #include "core/io/overwrites.h"
 #include "ops/base/names.h"
-#include "ops/layout/paths.h"
-#include "ops/report/scene_file.h"
+#include "ops/files/layout/paths.h"
+#include "ops/files/report/scene_file.h"
 #include "ops/session/journal.h"
 
 namespace trivet::edit {

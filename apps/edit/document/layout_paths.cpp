@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "ops/layout/paths.h"
+#include "ops/files/layout/paths.h"
 #include "ops/session/journal.h"
 
 namespace trivet::edit {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "ops/layout/layout.h"
+#include "ops/files/layout/layout.h"
 
 namespace trivet {
 struct JournalContent;

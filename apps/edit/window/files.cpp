@@ -8,7 +8,7 @@
 
 #include "apps/edit/window/import_dialog.h"
 #include "apps/edit/window/main_window.h"
-#include "ops/report/scene_file.h"
+#include "ops/files/report/scene_file.h"
 
 namespace trivet::edit {
 namespace {

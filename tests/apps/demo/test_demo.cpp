@@ -5,8 +5,8 @@
 
 #include "apps/demo/demo.h"
 #include "core/base/error.h"
-#include "ops/layout/operation_json.h"
-#include "ops/layout/run.h"
+#include "ops/files/json/operation_json.h"
+#include "ops/files/layout/run.h"
 
 namespace trivet {
 namespace {

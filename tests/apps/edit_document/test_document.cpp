@@ -1,7 +1,7 @@
 #include <fstream>
 
 #include "apps/edit_document/testing.h"
-#include "ops/report/scene_file.h"
+#include "ops/files/report/scene_file.h"
 
 namespace trivet::edit::test {
 namespace {

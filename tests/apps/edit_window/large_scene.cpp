@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <ctime>
 
-#include "ops/layout/layout.h"
+#include "ops/files/layout/layout.h"
 
 namespace trivet::edit::test {
 namespace {

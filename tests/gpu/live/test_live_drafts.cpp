@@ -5,7 +5,7 @@
 
 #include "apps/demo/demo.h"
 #include "live_stage.h"
-#include "ops/layout/run.h"
+#include "ops/files/layout/run.h"
 
 namespace trivet {
 namespace {

@@ -8,9 +8,9 @@
 #include <random>
 
 #include "core/base/error.h"
-#include "ops/layout/json_text.h"
-#include "ops/layout/layout.h"
-#include "ops/layout/operation_json.h"
+#include "ops/files/json/json_text.h"
+#include "ops/files/layout/layout.h"
+#include "ops/files/json/operation_json.h"
 
 namespace trivet {
 namespace {

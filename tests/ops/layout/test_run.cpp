@@ -6,7 +6,7 @@
 
 #include "core/base/error.h"
 #include "ops/layout/boxes.h"
-#include "ops/layout/run.h"
+#include "ops/files/layout/run.h"
 
 namespace trivet {
 namespace {

@@ -1,5 +1,5 @@
 // Interactive moves commit the same as their operation, bit for bit.
-#include "ops/layout/json_text.h"
+#include "ops/files/json/json_text.h"
 #include "ops/operations/live_move.h"
 #include "ops/operations/perform.h"
 #include "ops/placement/neighbourhood.h"

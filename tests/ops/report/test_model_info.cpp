@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "ops/layout/boxes.h"
-#include "ops/report/model_info.h"
+#include "ops/files/report/model_info.h"
 
 namespace trivet {
 namespace {

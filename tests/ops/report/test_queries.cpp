@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "ops/operations/perform.h"
-#include "ops/report/queries.h"
+#include "ops/files/report/queries.h"
 #include "support/solids.h"
 
 namespace trivet::test {

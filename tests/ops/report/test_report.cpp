@@ -4,7 +4,7 @@
 
 #include "core/scene/transaction.h"
 #include "ops/layout/boxes.h"
-#include "ops/report/report.h"
+#include "ops/files/report/report.h"
 
 namespace trivet {
 namespace {

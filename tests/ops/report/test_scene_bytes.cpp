@@ -13,7 +13,7 @@
 #include "core/scene/fingerprint.h"
 #include "ops/check/check.h"
 #include "ops/operations/perform.h"
-#include "ops/report/scene_file.h"
+#include "ops/files/report/scene_file.h"
 #include "support/solids.h"
 
 namespace trivet {

@@ -11,9 +11,9 @@
 #include "core/io/export.h"
 #include "core/io/gltf/glb_container.h"
 #include "ops/layout/boxes.h"
-#include "ops/report/geometry.h"
-#include "ops/report/report.h"
-#include "ops/report/scene_file.h"
+#include "ops/files/report/geometry.h"
+#include "ops/files/report/report.h"
+#include "ops/files/report/scene_file.h"
 
 namespace trivet {
 namespace {

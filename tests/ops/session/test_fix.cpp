@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "apps/demo/demo.h"
-#include "ops/layout/run.h"
+#include "ops/files/layout/run.h"
 #include "session_testing.h"
 
 namespace trivet::test {

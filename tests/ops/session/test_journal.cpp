@@ -9,10 +9,10 @@
 
 #include "core/base/error.h"
 #include "core/io/export.h"
-#include "ops/layout/json_text.h"
+#include "ops/files/json/json_text.h"
 #include "ops/operations/live_move.h"
 #include "ops/placement/clearance.h"
-#include "ops/report/scene_file.h"
+#include "ops/files/report/scene_file.h"
 #include "ops/session/journal.h"
 #include "ops/session/restore.h"
 #include "session_testing.h"

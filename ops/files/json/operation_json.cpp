@@ -1,0 +1,320 @@
+#include "ops/files/json/operation_json.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/nearest_name.h"
+#include "ops/files/layout/layout.h"
+
+namespace trivet {
+namespace {
+
+Vec2 read_vec2(const JsonPlace& place, double limit) {
+  const std::vector<double> p = place.numbers(2, -limit, limit);
+  return {p[0], p[1]};
+}
+
+Vec3 read_vec3(const JsonPlace& place, double limit) {
+  const std::vector<double> p = place.numbers(3, -limit, limit);
+  return {p[0], p[1], p[2]};
+}
+
+Vec2 read_vector(const JsonPlace& place, const Vec2&) { return read_vec2(place, kMaxLength); }
+Vec3 read_vector(const JsonPlace& place, const Vec3&) { return read_vec3(place, kMaxLength); }
+
+template <class Vec>
+void read_via(const JsonPlace& place, std::vector<Vec>& out) {
+  if (const auto via = place.find("via"))
+    for (const JsonPlace& item : via->items()) out.push_back(read_vector(item, Vec()));
+}
+
+Rotation read_rotation(const JsonPlace& place) {
+  const std::vector<double> q = place.numbers(4, -kMaxQuaternionComponent, kMaxQuaternionComponent);
+  if (const auto rotation = unit_rotation({q[0], q[1], q[2], q[3]})) return *rotation;
+  place.refuse("a quaternion [w, x, y, z] whose length is not zero");
+}
+
+template <class Vec>
+Vec direction(const JsonPlace& place, const Vec& v) {
+  if (v.cwiseAbs().maxCoeff() < kMinDirectionComponent)
+    place.refuse("a direction whose length is not zero");
+  return v;
+}
+
+void read_to(const JsonPlace& place, const char* key, bool& out) {
+  if (const auto found = place.find(key)) out = found->boolean();
+}
+
+void read_to(const JsonPlace& place, const char* key, double lower, double upper, double& out) {
+  if (const auto found = place.find(key)) out = found->number(lower, upper);
+}
+
+void read_to(const JsonPlace& place, const char* key, std::optional<Vec3>& out) {
+  if (const auto found = place.find(key)) out = read_vec3(*found, kMaxLength);
+}
+
+void read_to(const JsonPlace& place, const char* key, std::optional<std::string>& out) {
+  if (const auto found = place.find(key)) out = found->text();
+}
+
+std::string read_new_name(const JsonPlace& place) {
+  const std::string name = place.text();
+  if (name == "floor") place.refuse("any name but \"floor\", which is the floor");
+  return name;
+}
+
+void read_common(const JsonPlace& place, MoveOptions& move) {
+  move.object = place.at("object").text();
+  read_to(place, "settle_left", move.settle_left);
+}
+
+void read_common(const JsonPlace& place, JointMoveOptions& move) {
+  read_common(place, static_cast<MoveOptions&>(move));
+  if (const auto together = place.find("together"))
+    for (const JsonPlace& other : together->items()) move.together.push_back(other.text());
+}
+
+PlaceOptions read_place(const JsonPlace& place) {
+  place.expect_object({"op", "object", "on"},
+                      {"at", "seed", "keep", "from", "rotation", "settle_left"});
+  PlaceOptions out;
+  out.on = place.at("on").text();
+  if (const auto at = place.find("at")) {
+    if (at->value().is_array())
+      out.near = read_vec2(*at, kMaxLength);
+    else if (at->value() != "anywhere")
+      at->refuse("\"anywhere\" or a point [x, y]");
+  }
+  if (const auto seed = place.find("seed")) {
+    if (!seed->value().is_number_unsigned() || seed->value().get<std::uint64_t>() > kMaxSeed)
+      seed->refuse("a whole number from 0 to 2^53");
+    out.seed = seed->value().get<std::uint64_t>();
+  }
+  read_to(place, "keep", 0, kMaxLength, out.keep);
+  if (const auto from = place.find("from")) out.from = from->number(-kMaxLength, kMaxLength);
+  return out;
+}
+
+PutOperation read_put(const JsonPlace& place) {
+  if (place.find("on")) {
+    PutOperation put;
+    put.place = read_place(place);
+    read_common(place, put);
+    if (const auto rotation = place.find("rotation")) put.start.rotation = read_rotation(*rotation);
+    return put;
+  }
+  place.expect_object({"op", "object", "position"}, {"rotation", "settle_left"});
+  PutOperation put;
+  read_common(place, put);
+  put.start = read_pose(place);
+  return put;
+}
+
+PushOperation read_push(const JsonPlace& place) {
+  PushOperation push;
+  if (place.find("to")) {
+    place.expect_object({"op", "object", "to"}, {"via", "step_up", "step_down", "slide", "settle",
+                                                 "together", "settle_left"});
+    push.to = read_vec2(place.at("to"), kMaxLength);
+    read_via(place, push.via);
+  } else {
+    place.expect_object({"op", "object", "direction", "distance"},
+                        {"step_up", "step_down", "slide", "settle", "together", "settle_left"});
+    const JsonPlace towards = place.at("direction");
+    push.direction = direction(towards, read_vec2(towards, kMaxDirectionComponent));
+    push.distance = place.at("distance").number(0, kMaxLength);
+  }
+  read_common(place, push);
+  read_to(place, "step_up", 0, kMaxLength, push.step_up);
+  read_to(place, "step_down", 0, kMaxLength, push.step_down);
+  read_to(place, "slide", push.slide);
+  read_to(place, "settle", push.settle);
+  return push;
+}
+
+TurnOperation::About read_about(const JsonPlace& place) {
+  if (place.value() == "normal") return TurnOperation::About::Normal;
+  if (place.value() == "line") return TurnOperation::About::Line;
+  if (place.value() == "point") return TurnOperation::About::Point;
+  place.refuse("\"normal\", \"line\" or \"point\"");
+}
+
+// An axis that an operation may do without.
+void read_axis(const JsonPlace& place, std::optional<Vec3>& out) {
+  if (const auto axis = place.find("axis"))
+    out = direction(*axis, read_vec3(*axis, kMaxDirectionComponent));
+}
+
+TurnOperation read_turn(const JsonPlace& place) {
+  TurnOperation turn;
+  if (place.find("about")) turn.about = read_about(place.at("about"));
+  switch (turn.about) {
+    case TurnOperation::About::Normal:
+      place.expect_object({"op", "object", "angle_deg"},
+                          {"about", "with", "centre", "settle", "together", "settle_left"});
+      read_to(place, "centre", turn.centre);
+      break;
+    case TurnOperation::About::Line:
+    case TurnOperation::About::Point:
+      place.expect_object({"op", "object", "about", "angle_deg"},
+                          {"with", "point", "axis", "settle", "together", "settle_left"});
+      read_to(place, "point", turn.point);
+      read_axis(place, turn.axis);
+      break;
+  }
+  read_common(place, turn);
+  read_to(place, "with", turn.with);
+  turn.angle_deg = place.at("angle_deg").number(-kMaxAngleDeg, kMaxAngleDeg);
+  read_to(place, "settle", turn.settle);
+  return turn;
+}
+
+PickUpOperation read_pick_up(const JsonPlace& place) {
+  place.expect_object({"op", "object", "distance"}, {"with", "together", "settle_left"});
+  PickUpOperation pick_up;
+  read_common(place, pick_up);
+  pick_up.distance = place.at("distance").number(0, kMaxLength);
+  read_to(place, "with", pick_up.with);
+  return pick_up;
+}
+
+TranslateOperation read_translate(const JsonPlace& place) {
+  place.expect_object({"op", "object", "by"}, {"via", "free", "settle", "together", "settle_left"});
+  TranslateOperation translate;
+  read_common(place, translate);
+  translate.by = read_vec3(place.at("by"), kMaxLength);
+  read_via(place, translate.via);
+  read_to(place, "free", translate.free);
+  read_to(place, "settle", translate.settle);
+  return translate;
+}
+
+RotateOperation read_rotate(const JsonPlace& place) {
+  place.expect_object({"op", "object", "axis", "angle_deg"},
+                      {"centre", "free", "settle", "together", "settle_left"});
+  RotateOperation rotate;
+  read_common(place, rotate);
+  rotate.axis = direction(place.at("axis"), read_vec3(place.at("axis"), kMaxDirectionComponent));
+  rotate.angle_deg = place.at("angle_deg").number(-kMaxAngleDeg, kMaxAngleDeg);
+  read_to(place, "centre", rotate.centre);
+  read_to(place, "free", rotate.free);
+  read_to(place, "settle", rotate.settle);
+  return rotate;
+}
+
+AppendOperation read_append(const JsonPlace& place) {
+  place.expect_object({"op", "object", "model"},
+                      {"scale", "up", "fixed", "chord", "facet_angle_deg"});
+  AppendOperation append;
+  append.object = read_new_name(place.at("object"));
+  append.model = place.at("model").text();
+  read_to(place, "scale", kMinScale, kMaxScale, append.scale);
+  if (const auto up = place.find("up")) append.up = read_up(*up);
+  read_to(place, "fixed", append.fixed);
+  append.tessellation = read_tessellation(place, append.model);
+  return append;
+}
+
+DuplicateOperation read_duplicate(const JsonPlace& place) {
+  place.expect_object({"op", "object", "as"}, {});
+  return {place.at("object").text(), read_new_name(place.at("as"))};
+}
+
+DeleteOperation read_delete(const JsonPlace& place) {
+  place.expect_object({"op", "object"}, {"settle_left"});
+  DeleteOperation operation;
+  read_common(place, operation);
+  return operation;
+}
+
+StandOperation read_stand(const JsonPlace& place) {
+  place.expect_object({"op", "object", "position"}, {"rotation", "settle_left"});
+  StandOperation operation;
+  read_common(place, operation);
+  operation.pose = read_pose(place);
+  return operation;
+}
+
+UnplaceOperation read_unplace(const JsonPlace& place) {
+  place.expect_object({"op", "object"}, {"settle_left"});
+  UnplaceOperation operation;
+  read_common(place, operation);
+  return operation;
+}
+
+LockOperation read_lock(const JsonPlace& place, bool locked) {
+  place.expect_object({"op", "object"}, {});
+  return {place.at("object").text(), locked};
+}
+
+FixOperation read_fix(const JsonPlace& place, bool fixed) {
+  place.expect_object({"op", "object"}, {});
+  return {place.at("object").text(), fixed};
+}
+
+GroupOperation read_group(const JsonPlace& place) {
+  place.expect_object({"op", "object", "group"}, {});
+  return {place.at("object").text(), place.at("group").text()};
+}
+
+GroupOperation read_ungroup(const JsonPlace& place) {
+  place.expect_object({"op", "object"}, {});
+  return {place.at("object").text(), ""};
+}
+
+}  // namespace
+
+Operation read_operation(const JsonPlace& place) {
+  if (!place.value().is_object()) place.refuse("an object with the keys op, object, ...");
+  const JsonPlace op = place.at("op");
+  if (op.value() == "put") return read_put(place);
+  if (op.value() == "push") return read_push(place);
+  if (op.value() == "turn") return read_turn(place);
+  if (op.value() == "pick_up") return read_pick_up(place);
+  if (op.value() == "translate") return read_translate(place);
+  if (op.value() == "rotate") return read_rotate(place);
+  if (op.value() == "append") return read_append(place);
+  if (op.value() == "duplicate") return read_duplicate(place);
+  if (op.value() == "delete") return read_delete(place);
+  if (op.value() == "lock") return read_lock(place, true);
+  if (op.value() == "unlock") return read_lock(place, false);
+  if (op.value() == "fix") return read_fix(place, true);
+  if (op.value() == "unfix") return read_fix(place, false);
+  if (op.value() == "group") return read_group(place);
+  if (op.value() == "ungroup") return read_ungroup(place);
+  const std::string given = op.value().is_string() ? op.value().get<std::string>() : "";
+  op.refuse(
+      "\"put\", \"push\", \"turn\", \"pick_up\", \"translate\", \"rotate\", \"append\", "
+      "\"duplicate\", \"delete\", \"lock\", \"unlock\", \"fix\", \"unfix\", \"group\", "
+      "\"ungroup\", \"stand\" or \"unplace\"" +
+      did_you_mean(given, {"put", "push", "turn", "pick_up", "translate", "rotate", "append",
+                           "duplicate", "delete", "lock", "unlock", "fix", "unfix", "group",
+                           "ungroup", "stand", "unplace"}));
+}
+
+UpAxis read_up(const JsonPlace& place) {
+  if (place.value() == "y") return UpAxis::Y;
+  if (place.value() == "z") return UpAxis::Z;
+  place.refuse("\"y\" or \"z\"");
+}
+
+Tessellation read_tessellation(const JsonPlace& place, const std::string& model) {
+  Tessellation out;
+  read_to(place, "chord", kMinChord, kMaxChord, out.chord);
+  read_to(place, "facet_angle_deg", kMinFacetAngleDeg, kMaxFacetAngleDeg, out.facet_angle_deg);
+  for (const char* const key : {"chord", "facet_angle_deg"})
+    if (const auto found = place.find(key); found && cad_format(model).empty())
+      found->fail("\"" + model +
+                  "\" has no curved surfaces; accepted: with models in STEP, IGES or BREP (.step "
+                  ".stp .iges .igs .brep .brp)");
+  return out;
+}
+
+Pose read_pose(const JsonPlace& place) {
+  Pose pose;
+  pose.translation = read_vec3(place.at("position"), kMaxLength);
+  if (const auto rotation = place.find("rotation")) pose.rotation = read_rotation(*rotation);
+  return pose;
+}
+
+}  // namespace trivet

@@ -1,0 +1,162 @@
+#include "ops/files/layout/layout.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "core/base/nearest_name.h"
+#include "ops/files/json/input_text.h"
+#include "ops/files/json/json_text.h"
+#include "ops/files/json/operation_json.h"
+
+namespace trivet {
+namespace {
+
+constexpr int kVersion = 1;
+constexpr double kUnitTolerance = 4e-15;
+
+constexpr std::pair<const char*, SceneRule> kSceneRules[] = {
+    {"roots", SceneRule::Roots}, {"groups", SceneRule::Groups}, {"meshes", SceneRule::Meshes}};
+
+SceneRule read_scene_rule(const JsonPlace& place) {
+  for (const auto& [name, rule] : kSceneRules)
+    if (place.value() == name) return rule;
+  place.refuse("\"roots\", \"groups\" or \"meshes\"");
+}
+
+std::string read_name(const JsonPlace& place) {
+  const std::string name = place.text();
+  if (name == "floor") place.refuse("any name but \"floor\", which is the floor");
+  return name;
+}
+
+// One that the scene has, where the scene has it.
+LayoutObject read_scene_object(const JsonPlace& place) {
+  place.expect_object({"name"}, {"fixed"});
+  LayoutObject object;
+  object.name = read_name(place.at("name"));
+  if (const auto fixed = place.find("fixed")) object.fixed = fixed->boolean();
+  return object;
+}
+
+LayoutObject read_object(const JsonPlace& place) {
+  place.expect_object({"name", "model"},
+                      {"scale", "up", "fixed", "chord", "facet_angle_deg", "position", "rotation"});
+  LayoutObject object;
+  object.name = read_name(place.at("name"));
+  object.model = place.at("model").text();
+  if (const auto scale = place.find("scale")) object.scale = scale->number(kMinScale, kMaxScale);
+  if (const auto up = place.find("up")) object.up = read_up(*up);
+  if (const auto fixed = place.find("fixed")) object.fixed = fixed->boolean();
+  object.tessellation = read_tessellation(place, object.model);
+  if (place.find("position")) object.pose = read_pose(place);
+  if (const auto rotation = place.find("rotation"); rotation && !object.pose)
+    rotation->fail(
+        "a rotation without a position; accepted: both, or neither for an object that "
+        "is out of the scene until it is put");
+  return object;
+}
+
+std::vector<LayoutObject> read_objects(const JsonPlace& place, bool of_scene) {
+  std::vector<LayoutObject> objects;
+  std::map<std::string, size_t> index_of;
+  for (const JsonPlace& item : place.items()) {
+    objects.push_back(of_scene ? read_scene_object(item) : read_object(item));
+    const auto [it, is_new] = index_of.emplace(objects.back().name, objects.size() - 1);
+    if (!is_new)
+      item.at("name").fail(item.at("name").value().dump() + " is already the name of /objects/" +
+                           std::to_string(it->second) + "; accepted: a name of its own");
+  }
+  return objects;
+}
+
+// @param names  of the objects at this point; brought up to date.
+Operation read_known(const JsonPlace& place, std::set<std::string>& names) {
+  Operation operation = read_operation(place);
+  const std::string& name = object_name(operation);
+  const auto add = [&](const char* key, const std::string& new_name) {
+    if (!names.insert(new_name).second) place.at(key).refuse("a name that no object has");
+  };
+  if (std::holds_alternative<AppendOperation>(operation)) {
+    add("object", name);
+    return operation;
+  }
+  const auto refuse = [&](const JsonPlace& where, const std::string& accepted) {
+    where.refuse(accepted + did_you_mean(where.text(), {names.begin(), names.end()}));
+  };
+  if (!names.count(name)) refuse(place.at("object"), "the name of one of /objects");
+  if (const auto* o = std::get_if<DuplicateOperation>(&operation)) add("as", o->as);
+  if (std::holds_alternative<DeleteOperation>(operation)) names.erase(name);
+  if (const auto* put = std::get_if<PutOperation>(&operation))
+    if (put->place && put->place->on != "floor" && !names.count(put->place->on))
+      refuse(place.at("on"), "\"floor\" or the name of one of /objects");
+  if (const auto together = place.find("together"))
+    for (const JsonPlace& other : together->items())
+      if (!names.count(other.text())) refuse(other, "the name of one of /objects");
+  return operation;
+}
+
+}  // namespace
+
+std::optional<Rotation> unit_rotation(const std::array<double, 4>& q) {
+  const auto is_large = [](double c) { return std::abs(c) >= kMinQuaternionComponent; };
+  if (std::none_of(q.begin(), q.end(), is_large)) return std::nullopt;
+  const Rotation rotation{q[0], q[1], q[2], q[3]};
+  const double squared_length = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
+  return std::abs(squared_length - 1) <= kUnitTolerance ? rotation : rotation.normalized();
+}
+
+Layout parse_layout(const std::string& text, const std::string& file) {
+  const nlohmann::json document = parse_json(text, file);
+  const JsonPlace root(document, file);
+  root.expect_object({"trivet", "objects"}, {"floor", "scene", "scene_objects", "operations"});
+  const JsonPlace version = root.at("trivet");
+  if (!version.value().is_number() || version.value() != kVersion)
+    version.refuse(std::to_string(kVersion) + ", the version of the layout format");
+
+  Layout layout;
+  if (const auto scene = root.find("scene")) layout.scene = scene->text();
+  if (const auto rule = root.find("scene_objects")) {
+    if (layout.scene.empty()) rule->fail("there is no \"scene\" for it");
+    layout.scene_rule = read_scene_rule(*rule);
+  }
+  layout.floor = layout.scene.empty();  // a scene has its own
+  if (const auto floor = root.find("floor")) layout.floor = floor->boolean();
+  layout.objects = read_objects(root.at("objects"), !layout.scene.empty());
+  std::set<std::string> names;
+  for (const LayoutObject& object : layout.objects) names.insert(object.name);
+  if (const auto operations = root.find("operations"))
+    for (const JsonPlace& item : operations->items())
+      layout.operations.push_back(read_known(item, names));
+  return layout;
+}
+
+Layout read_layout(const std::string& path, std::uintmax_t max_bytes) {
+  return parse_layout(read_input_text(path, max_bytes, TextKind::Json), path);
+}
+
+std::string write_layout(const Layout& layout) {
+  using Json = nlohmann::ordered_json;
+  Json json = {{"trivet", kVersion}, {"floor", layout.floor}};
+  if (!layout.scene.empty()) {
+    json["scene"] = layout.scene;
+    for (const auto& [name, rule] : kSceneRules)
+      if (rule == layout.scene_rule) json["scene_objects"] = name;
+  }
+  json["objects"] = Json::array();
+  for (const LayoutObject& o : layout.objects) {
+    Json entry = {{"name", o.name}};
+    if (layout.scene.empty()) entry.update({{"model", o.model}, {"scale", o.scale}});
+    if (o.up) entry["up"] = *o.up == UpAxis::Y ? "y" : "z";
+    if (o.fixed) entry["fixed"] = true;
+    write_tessellation(o.tessellation, entry);
+    if (o.pose) write_pose(*o.pose, entry);
+    json["objects"].push_back(std::move(entry));
+  }
+  json["operations"] = Json::array();
+  for (const Operation& o : layout.operations) json["operations"].push_back(operation_json(o));
+  return readable_json(json);
+}
+
+}  // namespace trivet

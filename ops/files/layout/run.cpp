@@ -1,0 +1,196 @@
+#include "ops/files/layout/run.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "core/base/error.h"
+#include "core/scene/transaction.h"
+#include "ops/files/json/json_text.h"
+#include "ops/operations/perform.h"
+#include "ops/placement/clearance.h"
+
+namespace trivet {
+namespace {
+
+std::string place(const RunOptions& options, size_t object, const std::string& key) {
+  return options.layout_file + ": /objects/" + std::to_string(object) + key;
+}
+
+// The models in the order in which objects first name them.
+std::vector<ModelRequest> model_requests(const Layout& layout) {
+  std::vector<ModelRequest> requests;
+  std::set<ModelRequest> seen;
+  for (const LayoutObject& object : layout.objects) {
+    const ModelRequest request{object.model, object.tessellation};
+    if (seen.insert(request).second) requests.push_back(request);
+  }
+  return requests;
+}
+
+// A model's error gets the place that asked for it.
+ModelSource with_place(const Layout& layout, const ModelSource& models, const RunOptions& options) {
+  if (options.layout_file.empty()) return models;
+  return [&](const std::string& name, const Tessellation& tessellation) {
+    try {
+      return models(name, tessellation);
+    } catch (const Error& e) {
+      const auto asks = [&](const LayoutObject& o) {
+        return o.model == name && o.tessellation == tessellation;
+      };
+      const auto it = std::find_if(layout.objects.begin(), layout.objects.end(), asks);
+      const auto index = static_cast<size_t>(it - layout.objects.begin());
+      throw Error(e.kind(), place(options, index, "/model: ") + e.what());
+    }
+  };
+}
+
+/// A loaded model, and how far from its origin it reaches, in units of its file.
+struct SizedModel {
+  LoadedModel loaded;
+  double reach = 0;
+};
+
+void check_reach(const LayoutObject& object, double reach, size_t index,
+                 const RunOptions& options) {
+  const double offset = object.pose ? object.pose->translation.cwiseAbs().maxCoeff() : 0;
+  const double total = object.scale * reach + offset;
+  if (total <= kMaxLength) return;
+  throw Error(Error::Kind::BadInput, place(options, index, ": \"") + object.name + "\" reaches " +
+                                         short_number(total) + " metres; accepted: up to " +
+                                         short_number(kMaxLength));
+}
+
+std::map<ModelRequest, SizedModel> load_all(const Layout& layout, const ModelSource& models,
+                                            const RunOptions& options) {
+  const std::vector<ModelRequest> requests = model_requests(layout);
+  const std::vector<LoadedModel> loaded = load_models(requests, with_place(layout, models, options),
+                                                      options.num_threads, options.progress);
+  std::map<ModelRequest, SizedModel> by_request;
+  for (size_t i = 0; i < requests.size(); ++i)
+    by_request[requests[i]] = {loaded[i],
+                               loaded[i].model->mesh.box().max_abs_coordinate() * std::sqrt(3.0)};
+  return by_request;
+}
+
+void report_progress(const RunOptions& options, const std::string& stage, const std::string& item,
+                     size_t done, size_t total) {
+  if (options.progress) options.progress({stage, item, done, total});
+}
+
+// Whatever the layout says to stand; refusals are recorded.
+void stand_objects(const Layout& layout, const RunOptions& options, LayoutRun& run) {
+  for (size_t i = 0; i < layout.objects.size(); ++i) {
+    const LayoutObject& object = layout.objects[i];
+    if (!object.pose) continue;
+    report_progress(options, "stand", object.name, i, layout.objects.size());
+    const ObjectId id = *run.scene.find(object.name);
+    OperationResult result = stand(run.scene, id, *object.pose, options.settle);
+    if (!result.ok()) run.operations.push_back({"stand", object.name, std::move(result)});
+  }
+}
+
+OperationResult not_tried(const OperationRecord& stopped_at) {
+  Refusal why{Refusal::Cause::NotTried, {{stopped_at.object, std::nullopt}}};
+  why.detail = stopped_at.op;
+  return refused(std::move(why));
+}
+
+}  // namespace
+
+void run_operations(const Layout& layout, const RunOptions& options, LayoutRun& run) {
+  const OperationRecord* stopped_at = nullptr;
+  run.operations.reserve(run.operations.size() + layout.operations.size());
+  const auto note_refusal = [&] {
+    if (!options.stop_at_refusal || stopped_at || run.operations.empty()) return;
+    if (!run.operations.back().result.ok()) stopped_at = &run.operations.back();
+  };
+
+  note_refusal();
+  for (size_t i = 0; i < layout.operations.size(); ++i) {
+    const Operation& operation = layout.operations[i];
+    const std::string op = op_name(operation), &object = object_name(operation);
+    report_progress(options, op, object, i, layout.operations.size());
+    OperationResult result = stopped_at
+                                 ? not_tried(*stopped_at)
+                                 : perform(run.scene, operation, options.settle, options.context);
+    run.operations.push_back({op, object, std::move(result)});
+    note_refusal();
+  }
+}
+
+void finish_run(const RunOptions& options, LayoutRun& run) {
+  report_progress(options, "check", "", 0, 1);
+  update_contacts(run.scene, options.settle.clearance);
+  run.check = check_scene(run.scene, options.num_threads, options.settle.clearance);
+  StabilityOptions stability_options = options.stability;
+  stability_options.clearance = options.settle.clearance;
+  run.stability = stability(run.scene, stability_options);
+  report_progress(options, "check", "", 1, 1);
+}
+
+bool LayoutRun::ok() const {
+  const auto is_ok = [](const OperationRecord& r) { return r.result.ok(); };
+  return std::all_of(operations.begin(), operations.end(), is_ok) && check.ok();
+}
+
+Scene make_scene(const Layout& layout, const ModelSource& models, const RunOptions& options) {
+  if (!layout.scene.empty())
+    throw Error(Error::Kind::BadInput, options.layout_file +
+                                           ": /scene: is not accepted here; accepted: layouts of "
+                                           "models. Scenes in place are laid out by trivet run");
+  const std::map<ModelRequest, SizedModel> by_request = load_all(layout, models, options);
+  Scene scene;
+  scene.floor = layout.floor;
+  for (size_t i = 0; i < layout.objects.size(); ++i) {
+    const LayoutObject& wanted = layout.objects[i];
+    const SizedModel& sized = by_request.at({wanted.model, wanted.tessellation});
+    check_reach(wanted, sized.reach, i, options);
+    Object object;
+    object.name = wanted.name;
+    object.model = sized.loaded.model;
+    object.shape = sized.loaded.shape;
+    object.up = wanted.up.value_or(object.model->up);
+    object.scale = wanted.scale;
+    object.fixed = wanted.fixed;
+    scene.add(std::move(object));
+  }
+  return scene;
+}
+
+LayoutRun run_layout(const Layout& without_models, const ModelSource& models,
+                     const RunOptions& options) {
+  LayoutRun run;
+  run.scene = make_scene(without_models, models, options);
+  Layout layout = without_models;
+  for (Operation& operation : layout.operations)
+    if (auto* append = std::get_if<AppendOperation>(&operation))
+      load_model(run.scene, models, *append);
+  stand_objects(layout, options, run);
+  run_operations(layout, options, run);
+  finish_run(options, run);
+  return run;
+}
+
+LayoutRun run_start_only(const Layout& layout, const ModelSource& models,
+                         const RunOptions& options) {
+  LayoutRun run;
+  run.scene = make_scene(layout, models, options);
+  Transaction transaction(run.scene);
+  for (const LayoutObject& wanted : layout.objects) {
+    if (!wanted.pose) continue;
+    transaction.edit(*run.scene.find(wanted.name), [&](Object& object) {
+      object.pose = *wanted.pose;
+      object.placed = true;
+    });
+  }
+  transaction.commit();
+  if (const auto why =
+          refuse_too_coarse(run.scene, std::span<const PlacedBox>(), options.settle.clearance))
+    throw Error(Error::Kind::BadInput, options.layout_file + ": " + message(*why));
+  finish_run(options, run);
+  return run;
+}
+
+}  // namespace trivet

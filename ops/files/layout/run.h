@@ -1,0 +1,62 @@
+// Runs a layout: loads its models, stands objects where it says, then does its operations.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ops/base/context.h"
+#include "ops/base/options.h"
+#include "ops/base/outcome.h"
+#include "ops/check/check.h"
+#include "ops/files/layout/layout.h"
+#include "ops/files/layout/load.h"
+#include "ops/stability/stability.h"
+
+namespace trivet {
+
+struct RunOptions {
+  SettleOptions settle;
+  RunContext context;
+  StabilityOptions stability;    // of the scene as a whole, at the end
+  int num_threads = 0;           // 0: all cores; results do not depend on it
+  bool stop_at_refusal = false;  // else a refusal is recorded, and the next operation done
+  ProgressCallback progress;     // may be empty
+  std::string layout_file;       // for messages
+};
+
+/// What became of one operation. An object that cannot stand where the layout says is recorded as a
+/// refused operation "stand", ahead of the others.
+struct OperationRecord {
+  std::string op, object;
+  OperationResult result;
+};
+
+struct LayoutRun {
+  Scene scene;
+  std::vector<OperationRecord> operations;
+  SceneCheck check;
+  Stability stability;
+
+  bool ok() const;  // no refusal, and the check passed; it says nothing of the stability
+};
+
+/// Objects of the layout, all of them out of the scene yet; one Model and one Shape per model.
+/// @throws Error (BadInput) for a model that cannot be read and for an object that reaches beyond
+///   kMaxLength, with its place in the layout; what `models` throws.
+Scene make_scene(const Layout& layout, const ModelSource& models, const RunOptions& options);
+
+/// Does the operations of the layout on a scene that has its objects.
+void run_operations(const Layout& layout, const RunOptions& options, LayoutRun& run);
+
+/// Brings contacts and states up to date with the poses, checks the scene and judges its stability.
+void finish_run(const RunOptions& options, LayoutRun& run);
+
+/// Stands objects in the order of the layout, then does the operations, then checks the scene.
+LayoutRun run_layout(const Layout& layout, const ModelSource& models, const RunOptions& options);
+
+/// The objects that stand from the start, exactly as the layout has them, whether they may or not:
+/// for a check that names all pairs that interpenetrate. No operation is done.
+LayoutRun run_start_only(const Layout& layout, const ModelSource& models,
+                         const RunOptions& options);
+
+}  // namespace trivet

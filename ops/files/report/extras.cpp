@@ -1,0 +1,183 @@
+#include "ops/files/report/extras.h"
+
+#include <map>
+#include <set>
+
+#include "ops/files/json/json_text.h"
+#include "ops/files/json/operation_json.h"
+#include "ops/files/report/json_parts.h"
+#include "ops/files/report/report.h"
+#include "ops/files/report/stored_mesh.h"
+
+namespace trivet {
+namespace {
+
+constexpr int kVersion = 1;
+constexpr double kMaxCount = 1e15;
+
+// @param shown  by a node of the scene.
+OrderedJson model_json(const Model& model, bool shown, const SceneFileOptions& options) {
+  const StoredGeometry stored = stored_geometry(model);
+  OrderedJson json = OrderedJson::object();
+  if (!model.path.empty()) json["path"] = joined_path(options.model_folder, model.path);
+  json.update({{"triangles", stored.num_triangles},
+               {"fingerprint", stored.fingerprint},
+               {"stored_fingerprint", stored.stored_fingerprint},
+               {"centre", to_json(stored.centre)},
+               {"face_order", stored.face_order}});
+  if (stored.own_nodes) json["own_nodes"] = true;
+  if (model.path.empty() && (!shown || stored.stored_fingerprint != stored.fingerprint))
+    json["mesh"] = stored_mesh_json(model, !shown);
+  write_tessellation(model.tessellation, json);
+  return json;
+}
+
+OrderedJson stored_object_json(const Object& object, size_t model) {
+  OrderedJson json = {
+      {"name", object.name},   {"model", model},        {"up", object.up == UpAxis::Y ? "y" : "z"},
+      {"scale", object.scale}, {"fixed", object.fixed}, {"state", to_string(object.state)}};
+  if (object.locked) json["locked"] = true;
+  if (!object.group.empty()) json["group"] = object.group;
+  if (!object.placed) return json;
+  const Rotation& r = object.pose.rotation;
+  json["position"] = to_json(object.pose.translation);
+  json["rotation"] = {r.w, r.x, r.y, r.z};
+  return json;
+}
+
+OrderedJson load_support_json(const Scene& scene) {
+  OrderedJson json = OrderedJson::array();
+  for (const LoadSupport::Entry& entry : load_support(scene).entries) {
+    OrderedJson loads = OrderedJson::array();
+    for (const ObjectId id : entry.loads) loads.push_back(scene.at(id).name);
+    json.push_back({{"object", scene.at(entry.object).name},
+                    {"supports", supports_json(scene, entry)},
+                    {"loads", std::move(loads)}});
+  }
+  return json;
+}
+
+OrderedJson layout_json(Layout layout, const SceneFileOptions& options) {
+  for (LayoutObject& object : layout.objects)
+    object.model = joined_path(options.model_folder, object.model);
+  return OrderedJson::parse(write_layout(layout));
+}
+
+ExtrasModel read_model_entry(const JsonPlace& place) {
+  place.expect_object({"triangles", "fingerprint", "stored_fingerprint", "centre"},
+                      {"path", "face_order", "own_nodes", "mesh", "chord", "facet_angle_deg"});
+  ExtrasModel model;
+  if (const auto path = place.find("path")) model.path = path->text();
+  model.tessellation = read_tessellation(place, model.path);
+  StoredGeometry& stored = model.geometry;
+  stored.num_triangles = static_cast<std::int64_t>(place.at("triangles").number(0, kMaxCount));
+  stored.fingerprint = place.at("fingerprint").text();
+  stored.stored_fingerprint = place.at("stored_fingerprint").text();
+  const std::vector<double> centre = place.at("centre").numbers(3, -1e300, 1e300);
+  stored.centre = {centre[0], centre[1], centre[2]};
+  if (const auto own = place.find("own_nodes")) stored.own_nodes = own->boolean();
+  if (const auto mesh = place.find("mesh")) {
+    model.mesh = std::make_shared<const Model>(read_stored_mesh(*mesh));
+    if (geometry_fingerprint(model.mesh->mesh) != stored.fingerprint)
+      mesh->fail("is not the mesh that Trivet wrote");
+  }
+  if (const auto order = place.find("face_order"))
+    for (const JsonPlace& run : order->items()) {
+      const std::vector<double> entry = run.numbers(2, 0, kMaxCount);
+      stored.face_order.push_back(
+          {static_cast<std::int64_t>(entry[0]), static_cast<std::int64_t>(entry[1])});
+    }
+  return model;
+}
+
+ObjectState read_state(const JsonPlace& place) {
+  for (const ObjectState state :
+       {ObjectState::Unplaced, ObjectState::Fixed, ObjectState::Stable, ObjectState::Wedged,
+        ObjectState::Held, ObjectState::Unsupported, ObjectState::Invalid})
+    if (place.value() == to_string(state)) return state;
+  place.refuse(
+      "\"unplaced\", \"fixed\", \"stable\", \"wedged\", \"held\", \"unsupported\" or \"invalid\"");
+}
+
+// Poses come from Trivet and are taken as they are: no bit may change.
+ExtrasObject read_object_entry(const JsonPlace& place, size_t num_models) {
+  place.expect_object({"name", "model", "up", "scale", "fixed", "state"},
+                      {"position", "rotation", "locked", "group"});
+  ExtrasObject object;
+  object.name = place.at("name").text();
+  const double last_model = static_cast<double>(num_models) - 1;
+  object.model = static_cast<size_t>(place.at("model").number(0, last_model));
+  object.up = place.at("up").value() == "y" ? UpAxis::Y : UpAxis::Z;
+  object.scale = place.at("scale").number(kMinScale, kMaxScale);
+  object.fixed = place.at("fixed").boolean();
+  object.state = read_state(place.at("state"));
+  if (const auto locked = place.find("locked")) object.locked = locked->boolean();
+  if (const auto group = place.find("group")) object.group = group->text();
+  if (!place.find("position")) return object;
+  const std::vector<double> t = place.at("position").numbers(3, -kMaxLength, kMaxLength);
+  const std::vector<double> r = place.at("rotation").numbers(4, -2, 2);
+  object.pose = Pose{{r[0], r[1], r[2], r[3]}, {t[0], t[1], t[2]}};
+  return object;
+}
+
+}  // namespace
+
+std::string scene_extras(const Scene& scene, const Layout& layout,
+                         const SceneFileOptions& options) {
+  OrderedJson models = OrderedJson::array(), objects = OrderedJson::array();
+  std::map<const Model*, size_t> index_of;
+  std::set<const Model*> shown;
+  for (const ObjectId id : scene.ids())
+    if (scene.at(id).placed) shown.insert(scene.at(id).model.get());
+  for (const ObjectId id : scene.ids()) {
+    const Object& object = scene.at(id);
+    const auto [it, is_new] = index_of.emplace(object.model.get(), models.size());
+    if (is_new)
+      models.push_back(model_json(*object.model, shown.contains(object.model.get()), options));
+    objects.push_back(stored_object_json(object, it->second));
+  }
+  OrderedJson json = {{"trivet", kVersion},
+                      {"version", options.version},
+                      {"floor", scene.floor},
+                      {"clearance", options.clearance}};
+  json["models"] = std::move(models);
+  json["objects"] = std::move(objects);
+  json["load_support"] = load_support_json(scene);
+  json["layout"] = layout_json(layout, options);
+  return OrderedJson{{"trivet", std::move(json)}}.dump();
+}
+
+std::string node_extras(const Scene& scene, const Object& object, const LoadSupport::Entry* entry,
+                        const SceneFileOptions& options) {
+  const std::string path = joined_path(options.model_folder, object.model->path);
+  return OrderedJson{{"trivet", object_json(scene, object, entry, path)}}.dump();
+}
+
+TrivetExtras parse_scene_extras(const std::string& text, const std::string& file) {
+  const nlohmann::json document = parse_json(text.empty() ? "{}" : text, file);
+  const auto found = JsonPlace(document, file + " (extras of the scene)").find("trivet");
+  if (!found)
+    JsonPlace(document, file).fail("has no data of Trivet; accepted: scenes that Trivet wrote");
+  const JsonPlace& root = *found;
+  root.expect_object({"trivet", "version", "floor", "clearance", "models", "objects", "layout"},
+                     {"load_support"});
+  if (root.at("trivet").value() != kVersion) root.at("trivet").refuse(std::to_string(kVersion));
+
+  TrivetExtras extras;
+  extras.floor = root.at("floor").boolean();
+  extras.clearance = root.at("clearance").number(0, kMaxLength);
+  for (const JsonPlace& item : root.at("models").items())
+    extras.models.push_back(read_model_entry(item));
+  for (const JsonPlace& item : root.at("objects").items())
+    extras.objects.push_back(read_object_entry(item, extras.models.size()));
+  extras.layout = parse_layout(root.at("layout").value().dump(), root.at("layout").where());
+  return extras;
+}
+
+bool has_trivet_extras(const std::string& text) {
+  if (text.empty()) return false;
+  const nlohmann::json document = nlohmann::json::parse(text, nullptr, false);
+  return document.is_object() && document.contains("trivet");
+}
+
+}  // namespace trivet

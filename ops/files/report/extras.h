@@ -1,0 +1,63 @@
+// What Trivet keeps in the `extras` of a scene file beside what glTF itself can hold.
+//
+//   scene.extras.trivet: {"trivet": 1, "version", "floor", "clearance",
+//     "models":  [{"path", "triangles", "fingerprint", "stored_fingerprint", "centre",
+//                  "face_order", "own_nodes",            see geometry.h
+//                  "chord", "facet_angle_deg",                 as a layout has them
+//                  "mesh"}],                             see stored_mesh.h; no path: of no file
+//     "objects": [{"name", "model": index, "up", "scale", "fixed", "state",
+//                  "position", "rotation",               no position: out of the scene
+//                  "locked", "group"}],                  if it is
+//     "load_support": [{"object", "supports", "loads"}], "floor" is the floor
+//     "layout":  {...}}                                  as a layout file, of what made the scene
+//   node.extras.trivet: the object's entry of a report
+//
+// Trivet reads back the first only; the second is for other programs. Paths are relative to the
+// scene file.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ops/files/report/geometry.h"
+#include "ops/files/report/scene_file.h"
+
+namespace trivet {
+
+std::string scene_extras(const Scene& scene, const Layout& layout, const SceneFileOptions& options);
+std::string node_extras(const Scene& scene, const Object& object, const LoadSupport::Entry* entry,
+                        const SceneFileOptions& options);
+
+struct ExtrasModel {
+  std::string path;
+  Tessellation tessellation;  // of a model with curved surfaces
+  StoredGeometry geometry;
+  std::shared_ptr<const Model> mesh;  // of no file, and not to be had from the scene; else null
+};
+
+struct ExtrasObject {
+  std::string name;
+  size_t model = 0;
+  UpAxis up = UpAxis::Z;
+  double scale = 1;
+  bool fixed = false;
+  bool locked = false;
+  std::string group;
+  ObjectState state = ObjectState::Unplaced;
+  std::optional<Pose> pose;
+};
+
+struct TrivetExtras {
+  bool floor = true;
+  double clearance = 0;
+  std::vector<ExtrasModel> models;
+  std::vector<ExtrasObject> objects;
+  Layout layout;
+};
+
+/// @param text  the extras of a scene; empty when it has none.
+/// @throws Error (BadInput) naming the file and the place.
+TrivetExtras parse_scene_extras(const std::string& text, const std::string& file);
+bool has_trivet_extras(const std::string& text);
+
+}  // namespace trivet

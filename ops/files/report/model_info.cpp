@@ -1,0 +1,153 @@
+#include "ops/files/report/model_info.h"
+
+#include <algorithm>
+#include <sstream>
+
+#include "core/io/look.h"
+#include "ops/files/json/json_text.h"
+#include "ops/files/report/json_parts.h"
+
+namespace trivet {
+namespace {
+
+const char* up_reason(const Model& model) {
+  return model.up_from_format ? "the format or the file says so"
+                              : "the format does not say; z is taken";
+}
+
+std::string yes_no(bool value) { return value ? "yes" : "no"; }
+
+// What goes along with the geometry to glTF; null: nothing but materials and normals.
+OrderedJson look_json(const Model& model) {
+  if (!model.look) return nullptr;
+  const LookCounts c = count(*model.look);
+  return {{"nodes", c.nodes},       {"meshes", c.meshes}, {"materials", c.materials},
+          {"textures", c.textures}, {"images", c.images}, {"image_bytes", c.image_bytes},
+          {"cameras", c.cameras},   {"lights", c.lights}};
+}
+
+std::string look_text(const Model& model) {
+  if (!model.look) return "";
+  const LookCounts c = count(*model.look);
+  std::ostringstream out;
+  out << "  look        nodes " << c.nodes << ", meshes " << c.meshes << ", materials "
+      << c.materials << ", textures " << c.textures << " of " << c.images << " images ("
+      << c.image_bytes << " bytes), cameras " << c.cameras << ", lights " << c.lights << "\n";
+  return out.str();
+}
+
+// How curved surfaces became triangles; null: there were none.
+OrderedJson polygonised_json(const Model& model) {
+  if (!model.polygonised) return nullptr;
+  const Polygonisation& p = *model.polygonised;
+  return {{"faces", p.num_faces},
+          {"edges", p.num_edges},
+          {"failed_faces", p.num_failed_faces},
+          {"chord", p.chord},
+          {"facet_angle_deg", model.tessellation.facet_angle_deg},
+          {"deviation", p.deviation},
+          {"within_chord", p.deviation <= p.chord}};
+}
+
+std::string polygonised_text(const Model& model) {
+  if (!model.polygonised) return "";
+  const Polygonisation& p = *model.polygonised;
+  std::ostringstream out;
+  out.precision(3);
+  out << "  polygonised " << p.num_faces << " faces, " << p.num_edges << " edges, left out "
+      << p.num_failed_faces << " faces; chord " << p.chord << " m, angle "
+      << model.tessellation.facet_angle_deg << " degrees; largest deviation measured "
+      << p.deviation << " m" << (p.deviation <= p.chord ? "" : ", NOT within the chord") << "\n";
+  return out.str();
+}
+
+std::string vector_text(const Vec3& v) {
+  std::ostringstream out;
+  out << v.x() << " " << v.y() << " " << v.z();
+  return out.str();
+}
+
+}  // namespace
+
+Topology topology(const Adjacency& adjacency) {
+  Topology out;
+  out.num_edges = adjacency.edge_faces.size();
+  for (Index e = 0; e < adjacency.edge_faces.size(); ++e) {
+    const auto wings = adjacency.edge_faces[e];
+    out.boundary_edges += wings.size() == 1;
+    out.non_manifold_edges += wings.size() > 2;
+    out.flipped_edges += wings.size() == 2 && wings[0].forward == wings[1].forward;
+  }
+  const auto& parts = adjacency.components;
+  out.closed = std::all_of(parts.begin(), parts.end(), [](const auto& c) { return c.even; });
+  out.oriented = std::all_of(parts.begin(), parts.end(), [](const auto& c) { return c.balanced; });
+  out.oriented |= out.flipped_edges == 0 && out.non_manifold_edges == 0;
+  out.manifold = out.non_manifold_edges == 0;
+  return out;
+}
+
+std::string model_info_json(const Model& model, const Shape& shape) {
+  const Topology t = topology(shape.adjacency);
+  const Aabb box = shape.mesh.box();
+  OrderedJson json = {{"file", model.path},
+                      {"format", model.format},
+                      {"nodes", model.num_nodes},
+                      {"materials", model.materials.size()},
+                      {"look", look_json(model)},
+                      {"polygonised", polygonised_json(model)},
+                      {"triangles", shape.mesh.triangles.size()},
+                      {"vertices", shape.mesh.vertices.size()},
+                      {"edges", t.num_edges},
+                      {"components", shape.adjacency.components.size()},
+                      {"closed", t.closed},
+                      {"oriented", t.oriented},
+                      {"manifold", t.manifold},
+                      {"boundary_edges", t.boundary_edges},
+                      {"non_manifold_edges", t.non_manifold_edges},
+                      {"flipped_edges", t.flipped_edges}};
+  json["box"] = {{"lower", to_json(box.lower)}, {"upper", to_json(box.upper)}};
+  json["size"] = to_json(Vec3(box.upper - box.lower));
+  json["up"] = model.up == UpAxis::Y ? "y" : "z";
+  json["up_reason"] = up_reason(model);
+  json["metres_per_unit"] =
+      model.metres_per_unit ? OrderedJson(*model.metres_per_unit) : OrderedJson();
+  json["mass_rule"] = to_string(shape.mass.rule);
+  json["centre"] = to_json(shape.mass.centre);
+  json["volume"] = shape.mass.volume;
+  json["area"] = shape.mass.area;
+  json["notes"] = model.notes;
+  return readable_json(json);
+}
+
+std::string model_info_text(const Model& model, const Shape& shape) {
+  const Topology t = topology(shape.adjacency);
+  const Aabb box = shape.mesh.box();
+  std::ostringstream out;
+  out.precision(9);
+  out << model.path << "\n"
+      << "  format      " << model.format << ", nodes " << model.num_nodes << ", materials "
+      << model.materials.size() << "\n"
+      << look_text(model) << polygonised_text(model) << "  triangles   "
+      << shape.mesh.triangles.size() << ", vertices " << shape.mesh.vertices.size()
+      << ", components " << shape.adjacency.components.size() << "\n"
+      << "  closed      " << yes_no(t.closed) << ", oriented " << yes_no(t.oriented)
+      << ", manifold " << yes_no(t.manifold) << "\n"
+      << "  edges       " << t.num_edges << ", at the boundary " << t.boundary_edges
+      << ", non-manifold " << t.non_manifold_edges << ", flipped " << t.flipped_edges << "\n"
+      << "  box         " << vector_text(box.lower) << " to " << vector_text(box.upper) << "\n"
+      << "  size        " << vector_text(box.upper - box.lower) << " in units of the file\n"
+      << "  up          " << (model.up == UpAxis::Y ? "y" : "z") << " (" << up_reason(model)
+      << ")\n"
+      << "  unit        ";
+  if (model.metres_per_unit)
+    out << *model.metres_per_unit << " metres, says the file (reported, not applied)\n";
+  else
+    out << "the file does not say\n";
+  out << "  mass        by " << to_string(shape.mass.rule) << ", centre "
+      << vector_text(shape.mass.centre) << "\n"
+      << "  volume      " << shape.mass.volume << ", area " << shape.mass.area << "\n";
+  for (const std::string& note : model.notes) out << "  note        " << note << "\n";
+  return out.str();
+}
+
+}  // namespace trivet

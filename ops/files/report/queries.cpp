@@ -1,0 +1,114 @@
+#include "ops/files/report/queries.h"
+
+#include <sstream>
+
+#include "core/base/quoted.h"
+#include "ops/operations/moving_group.h"
+#include "ops/files/report/json_parts.h"
+
+namespace trivet {
+namespace {
+
+template <class Predicate>
+std::vector<TouchedBy> links_where(const Scene& scene, ObjectId object, Predicate&& wanted) {
+  std::vector<TouchedBy> out;
+  for (const Link& link : scene.at(object).links)
+    if (wanted(link)) out.push_back({link.with, &link.contact});
+  return out;
+}
+
+OrderedJson touched_json(const Scene& scene, const std::vector<TouchedBy>& touched) {
+  OrderedJson json = OrderedJson::array();
+  for (const TouchedBy& t : touched) {
+    OrderedJson points = OrderedJson::array(), hull = OrderedJson::array();
+    for (const ContactPoint& p : t.contact->points) points.push_back(to_json(p.point));
+    for (const Vec3& p : t.contact->hull) hull.push_back(to_json(p));
+    json.push_back({{"name", named(scene, t.with).name},
+                    {"type", to_string(t.contact->type)},
+                    {"points", std::move(points)},
+                    {"hull", std::move(hull)},
+                    {"normal", to_json(t.contact->normal)},
+                    {"gap", t.contact->gap}});
+  }
+  return json;
+}
+
+std::string names_of(const Scene& scene, const std::vector<TouchedBy>& touched) {
+  std::string out;
+  for (const TouchedBy& t : touched) {
+    out += out.empty() ? "" : ", ";
+    out += t.with.is_object() ? quoted(named(scene, t.with).name) : "the floor";
+    out += std::string(" (") + to_string(t.contact->type) + ")";
+  }
+  return out.empty() ? "nothing" : out;
+}
+
+const ObjectStability* find(const Stability& all, ObjectId object) {
+  for (const ObjectStability& o : all.objects)
+    if (o.object == object) return &o;
+  return nullptr;
+}
+
+}  // namespace
+
+std::vector<TouchedBy> held_by(const Scene& scene, ObjectId object) {
+  return links_where(scene, object, [](const Link& link) { return holds_up(link.contact); });
+}
+
+std::vector<TouchedBy> lying_on(const Scene& scene, ObjectId object) {
+  return links_where(scene, object, [](const Link& link) {
+    return link.with.is_object() && weighs_on(link.contact);
+  });
+}
+
+RestOfObject rest_of(const Scene& scene, ObjectId id) {
+  const Object& object = scene.at(id);
+  return {object.state == ObjectState::Stable || object.state == ObjectState::Fixed,
+          object.stability_margin, object.least_friction};
+}
+
+std::string object_query_json(const Scene& scene, ObjectId id, const StabilityOptions& options) {
+  const Object& object = scene.at(id);
+  const RestOfObject rest = rest_of(scene, id);
+  OrderedJson json = {{"name", object.name},
+                      {"state", to_string(object.state)},
+                      {"held_by", touched_json(scene, held_by(scene, id))},
+                      {"lying_on", touched_json(scene, lying_on(scene, id))}};
+  json["carries"] = OrderedJson::array();
+  for (const ObjectId with : carried_with(scene, id))
+    if (with != id) json["carries"].push_back(scene.at(with).name);
+  json["at_rest"] = rest.at_rest;
+  json["stability_margin"] = rest.margin;
+  json["least_friction"] = rest.least_friction;
+  const Stability all = stability(scene, options);
+  if (const ObjectStability* o = find(all, id))
+    json["with_all_free"] = {{"stable", all.stable()},
+                             {"topples", o->topples},
+                             {"margin", o->margin},
+                             {"weight", o->weight}};
+  return json.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
+}
+
+std::string object_query_text(const Scene& scene, ObjectId id, const StabilityOptions& options) {
+  const Object& object = scene.at(id);
+  std::ostringstream out;
+  out << "\"" << object.name << "\": " << to_string(object.state) << "\n"
+      << "  held by: " << names_of(scene, held_by(scene, id)) << "\n"
+      << "  lying on it: " << names_of(scene, lying_on(scene, id)) << "\n"
+      << "  carries: " << carried_with(scene, id).size() - 1 << "\n";
+  if (!object.placed || object.fixed) return out.str();
+  if (object.state == ObjectState::Invalid) return out.str() + "  interpenetrates something\n";
+  out << "  margin to tipping: " << object.stability_margin
+      << " m; least friction: " << object.least_friction << "\n";
+  const Stability all = stability(scene, options);
+  if (const ObjectStability* o = find(all, id)) {
+    out << "  with everything let go: ";
+    if (o->topples)
+      out << "topples\n";
+    else
+      out << to_string(all.status) << ", margin " << o->margin << " m\n";
+  }
+  return out.str();
+}
+
+}  // namespace trivet

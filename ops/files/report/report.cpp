@@ -1,0 +1,99 @@
+#include "ops/files/report/report.h"
+
+#include <filesystem>
+#include <map>
+
+#include "ops/files/json/json_text.h"
+#include "ops/files/report/json_parts.h"
+
+namespace trivet {
+namespace {
+
+constexpr int kReportVersion = 1;
+
+OrderedJson objects_json(const Scene& scene, const ReportOptions& options) {
+  const LoadSupport load_support_list = load_support(scene);
+  std::map<std::uint32_t, const LoadSupport::Entry*> entry_of;
+  for (const LoadSupport::Entry& e : load_support_list.entries) entry_of[e.object.index] = &e;
+
+  OrderedJson json = OrderedJson::array();
+  for (const ObjectId id : scene.ids()) {
+    const Object& object = scene.at(id);
+    const auto it = entry_of.find(id.index);
+    json.push_back(object_json(scene, object, it == entry_of.end() ? nullptr : it->second,
+                               joined_path(options.model_folder, object.model->path)));
+  }
+  return json;
+}
+
+OrderedJson operation_json(const OperationRecord& record) {
+  const OperationResult& result = record.result;
+  OrderedJson json = {
+      {"op", record.op}, {"object", record.object}, {"status", result.ok() ? "ok" : "refused"}};
+  add_refusal(result, json);
+  json["motions"] = result.num_motions;
+  json["milliseconds"] = result.milliseconds;
+  if (result.ok()) add_outcome(result, json);
+  return json;
+}
+
+OrderedJson operations_json(const std::vector<OperationRecord>& operations) {
+  OrderedJson json = OrderedJson::array();
+  for (const OperationRecord& record : operations) json.push_back(operation_json(record));
+  return json;
+}
+
+void append_pairs(const std::vector<SceneCheck::PairFinding>& findings, const char* kind,
+                  OrderedJson& json) {
+  for (const SceneCheck::PairFinding& f : findings)
+    json.push_back({{"a", f.a}, {"b", f.b}, {"kind", kind}, {"count", f.count}});
+}
+
+OrderedJson check_json(const SceneCheck& check) {
+  OrderedJson pairs = OrderedJson::array();
+  append_pairs(check.crossings, "crossing", pairs);
+  append_pairs(check.float32_crossings, "float32_crossing", pairs);
+  append_pairs(check.contained, "contained", pairs);
+  return {{"interpenetrating_pairs", check.interpenetrating_pairs()},
+          {"smallest_gap", check.smallest_gap},
+          {"all_at_rest", check.not_at_rest.empty()},
+          {"pairs", std::move(pairs)},
+          {"not_at_rest", check.not_at_rest}};
+}
+
+OrderedJson work_json(const DetectionWork& work) {
+  return {{"queries", work.num_queries},
+          {"body_pairs", work.zlist.body_pairs},
+          {"pixels", work.zlist.pixels},
+          {"doubtful_pixels", work.zlist.doubtful_pixels},
+          {"proposed_face_pairs", work.zlist.face_pairs},
+          {"bytes_read_back", work.zlist.bytes_read_back},
+          {"fallbacks", work.fallbacks},
+          {"places", work.places},
+          {"places_on_gpu", work.places_on_gpu},
+          {"node_pairs", work.node_pairs},
+          {"decided_face_pairs", work.face_pairs},
+          {"stalled_queries", work.stalled}};
+}
+
+}  // namespace
+
+std::string report_json(const LayoutRun& run, const ReportOptions& options) {
+  OrderedJson json = {{"trivet", kReportVersion},
+                      {"version", options.version},
+                      {"backend", options.backend},
+                      {"device", options.device}};
+  if (options.work) json["work"] = work_json(*options.work);
+  json["objects"] = objects_json(run.scene, options);
+  json["operations"] = operations_json(run.operations);
+  json["check"] = check_json(run.check);
+  json["stability"] = stability_json(run.scene, run.stability);
+  return readable_json(json);
+}
+
+std::string joined_path(const std::string& folder, const std::string& path) {
+  if (folder.empty() || path.empty()) return path;  // "": of no file
+  return (std::filesystem::path(folder) / path).lexically_normal().generic_string();
+}
+
+}  // namespace trivet
