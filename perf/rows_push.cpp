@@ -34,7 +34,7 @@ Scene many_tables(const Scene& one, int count, double clearance) {
       Object object = one.at(id);
       object.name += text("_%d", i);
       object.pose.translation += kTableSpacing * Vec3(i % 8, i / 8, 0);
-      object.links.clear();
+      object.contacts.clear();
       out.add(std::move(object));
     }
   update_contacts(out, clearance);

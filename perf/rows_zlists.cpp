@@ -63,7 +63,7 @@ struct Left {
   double pixels = 0, doubtful = 0, pairs = 0, bytes = 0;
   int count = 0, wrong = 0, unusable = 0;
 
-  void add(const Proposal& p, bool right) {
+  void add(const CandidatePairs& p, bool right) {
     ++count;
     wrong += !right;
     unusable += !p.usable;
@@ -92,7 +92,7 @@ void add_data(const Cases& cases, const Method& method, const Samples& samples, 
                               left.pairs / count, left.bytes / count, left.unusable));
 }
 
-void ask_box_trees(const SpherePair& spheres, Cases& cases) {
+void ask_bvhs(const SpherePair& spheres, Cases& cases) {
   Row row{"BVHs", {}, 0, 0, "built once per mesh; the others need no preprocessing"};
   test::Random random(23);
   Left left;
@@ -118,7 +118,7 @@ bool is_right(const FirstContact& found, const FirstContact& truth, ResultHash& 
   return right;
 }
 
-bool holds(const Proposal& proposal, const FirstContact& truth, ResultHash& hash) {
+bool holds(const CandidatePairs& proposal, const FirstContact& truth, ResultHash& hash) {
   const double time = truth.status == FirstContact::Status::Free ? kInfinity : truth.time;
   const bool right =
       proposal.lower <= time && (time <= proposal.upper || proposal.upper == kInfinity);
@@ -127,12 +127,12 @@ bool holds(const Proposal& proposal, const FirstContact& truth, ResultHash& hash
 }
 
 // CPU times include all threads, as a driver may have its own.
-bool ask_stage(ZListStage& stage, const FirstContactQuery& query, const Method& method,
-               const Asked& asked, const Cases& cases, Samples& samples, Proposal& proposal) {
+bool ask_stage(CandidateFinder& stage, const FirstContactQuery& query, const Method& method,
+               const Asked& asked, const Cases& cases, Samples& samples, CandidatePairs& proposal) {
   FirstContact found;
   const auto ask = [&] {
     if (method.bounds_alone)
-      proposal = stage.propose(query, query.motion.limit);
+      proposal = stage.find_candidates(query, query.motion.limit);
     else
       found = first_contact(query, stage, &proposal);
   };
@@ -142,7 +142,7 @@ bool ask_stage(ZListStage& stage, const FirstContactQuery& query, const Method& 
                              : is_right(found, asked.truth, *cases.hash);
 }
 
-void add_stage(const Cases& cases, const Method& method, ZListStage& stage) {
+void add_stage(const Cases& cases, const Method& method, CandidateFinder& stage) {
   Row row{method.what, {}, method.goal_ms, method.compares ? cases.bvh_cpu_ms : 0, ""};
   Left left;
   const Stopwatch stopwatch;
@@ -151,7 +151,7 @@ void add_stage(const Cases& cases, const Method& method, ZListStage& stage) {
     const Body moving = a.sweep.moving(), fixed = a.sweep.fixed();
     const FirstContactQuery query{
         {&moving, 1}, {&fixed, 1}, false, a.sweep.motion, a.sweep.clearance};
-    Proposal proposal;
+    CandidatePairs proposal;
     const bool right = ask_stage(stage, query, method, a, cases, row.samples, proposal);
     left.add(proposal, right);
   }
@@ -186,7 +186,7 @@ void software_rows(const Cases& cases) {
 
 #ifdef TRIVET_PERF_GPU
 void gpu_row(const Cases& cases, GpuZListOptions options) {
-  const auto stage = make_gpu_zlist_stage(options);
+  const auto stage = make_gpu_candidate_finder(options);
   Method method{options.bounds_alone ? "GPU min/max" : "GPU lists", stage->name(),
                 options.resolution};
   if (options.force_fallback) method.name += ", OpenGL 3.3";
@@ -216,7 +216,7 @@ void gpu_rows(const Cases& cases) {
 // All sweeps in one pass, as layers of one image.
 void gpu_batch_row(const Cases& cases) try {
   if (cases.num_triangles > 15'000) return;
-  const auto stage = make_gpu_zlist_stage({.resolution = 128});
+  const auto stage = make_gpu_candidate_finder({.resolution = 128});
   std::vector<Body> bodies;
   for (const Asked& a : cases.sweeps) {
     bodies.push_back(a.sweep.moving());
@@ -231,7 +231,7 @@ void gpu_batch_row(const Cases& cases) try {
                        cases.sweeps[i].sweep.clearance});
   Row row{stage->name() + text(", 128 pixels, all %zu together", queries.size()), {}, 0, 0, ""};
   std::vector<FirstContact> found;
-  std::vector<Proposal> proposals;
+  std::vector<CandidatePairs> proposals;
   for (int i = 0; i < 5; ++i) {
     const auto ask = [&] { found = first_contacts(queries, *stage, &proposals); };
     const Took took = timed(ask, CLOCK_PROCESS_CPUTIME_ID);
@@ -257,7 +257,7 @@ void rows_of(int num_triangles, Report& report) {
                    (kind == Motion::Kind::Translation ? "drop" : "quarter turn"));
     ResultHash hash;
     Cases cases{num_triangles, kind, {}, 0, &report, &hash};
-    ask_box_trees(spheres, cases);
+    ask_bvhs(spheres, cases);
     software_rows(cases);
 #ifdef TRIVET_PERF_GPU
     if (num_triangles != 1'000'000) {  // 150K and 1.5M suffice, and it is slow

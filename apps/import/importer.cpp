@@ -8,7 +8,7 @@
 #include <cstdlib>
 
 #include "core/base/standard_streams.h"
-#include "core/io/isolated.h"
+#include "core/io/sandboxed_import.h"
 
 namespace trivet::apps {
 namespace {

@@ -1,4 +1,5 @@
-// Common part of the programs that import one model for another process (core/io/isolated.h).
+// Common part of the programs that import one model for another process
+// (core/io/sandboxed_import.h).
 #pragma once
 
 #include "core/io/model.h"

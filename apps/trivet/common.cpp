@@ -8,7 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/base/nearest_name.h"
-#include "core/io/isolated.h"
+#include "core/io/sandboxed_import.h"
 #include "ops/files/json/json_text.h"
 
 namespace trivet::apps {

@@ -47,7 +47,7 @@ std::unique_ptr<Detector> make_detector(const CommonOptions& common);
 
 /// Candidate finder by z-lists on the GPU. @throws Error (Environment) if unavailable, and in a
 /// build without it.
-std::unique_ptr<ZListStage> make_gpu_stage();
+std::unique_ptr<CandidateFinder> make_gpu_stage();
 /// Brackets of falls at many places, on the GPU. @throws Error (Environment) likewise.
 DropBracketFunction make_gpu_brackets();
 

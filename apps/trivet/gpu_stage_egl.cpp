@@ -4,7 +4,7 @@
 
 namespace trivet::apps {
 
-std::unique_ptr<ZListStage> make_gpu_stage() { return make_gpu_zlist_stage(); }
+std::unique_ptr<CandidateFinder> make_gpu_stage() { return make_gpu_candidate_finder(); }
 
 DropBracketFunction make_gpu_brackets() {
   return [gpu = std::make_shared<GpuDropBrackets>()](

@@ -12,7 +12,7 @@ namespace {
 
 }  // namespace
 
-std::unique_ptr<ZListStage> make_gpu_stage() { refuse(); }
+std::unique_ptr<CandidateFinder> make_gpu_stage() { refuse(); }
 DropBracketFunction make_gpu_brackets() { refuse(); }
 
 }  // namespace trivet::apps

@@ -1,7 +1,7 @@
 #include "apps/trivet/scene_input.h"
 
 #include "apps/trivet/outputs.h"
-#include "core/io/isolated.h"
+#include "core/io/sandboxed_import.h"
 #include "core/scene/transaction.h"
 
 namespace trivet::apps {

@@ -2,7 +2,7 @@
 
 #include "apps/trivet/verbs.h"
 #include "core/index/shape.h"
-#include "core/io/isolated.h"
+#include "core/io/sandboxed_import.h"
 #include "ops/files/report/model_info.h"
 
 namespace trivet::apps {

@@ -4,10 +4,10 @@
 #include "apps/trivet/outputs.h"
 #include "apps/trivet/verbs.h"
 #include "core/base/error.h"
-#include "core/io/isolated.h"
+#include "core/io/sandboxed_import.h"
 #include "ops/base/names.h"
-#include "ops/operations/perform.h"
 #include "ops/files/report/geometry.h"
+#include "ops/operations/perform.h"
 
 namespace trivet::apps {
 namespace {

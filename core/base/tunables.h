@@ -65,10 +65,10 @@ inline constexpr double kLastEnergyDrop = 1e-3;
 /// object's size.
 inline constexpr double kRestMargin = 1e-6;
 /// Gaps below this many clearances are reopened (a sliding edge halves its gap at every event).
-inline constexpr double kLiftBelow = 0.5;
-/// Largest length of a separating motion, in clearances; at most kMaxLifts are made.
-inline constexpr double kLargestLift = 20;
-inline constexpr int kMaxLifts = 200;
+inline constexpr double kSeparateBelow = 0.5;
+/// Largest length of a separating motion, in clearances; at most kMaxSeparatingMotions are made.
+inline constexpr double kLargestSeparatingMotion = 20;
+inline constexpr int kMaxSeparatingMotions = 200;
 inline constexpr int kLiftSweeps = 300;
 /// After so many lifts an object whose contacts balance, and that cannot sink by more than
 /// kBalanceTolerance, is at rest: thinner than the contacts' tolerance, it would rock to and fro.

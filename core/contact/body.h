@@ -25,19 +25,19 @@ struct Body {
 };
 
 /// The boxes of a body's tree in a frame of unit scale (metres), as axis-aligned boxes there.
-struct BoxTree {
+struct PlacedBvh {
   const Bvh& bvh;
   Mat3 linear, abs_linear;
   Vec3 translation;
   double scale;
   bool own_frame = false;  // only scaled: boxes stay as they are
 
-  BoxTree(const Bvh& tree, const Mat3& m, const Vec3& t, double s)
+  PlacedBvh(const Bvh& tree, const Mat3& m, const Vec3& t, double s)
       : bvh(tree), linear(m), abs_linear(m.cwiseAbs()), translation(t), scale(s) {}
   /// In the world.
-  explicit BoxTree(const Body& body)
-      : BoxTree(body.shape->bvh, body.world_from_object.linear, body.world_from_object.translation,
-                body.scale()) {}
+  explicit PlacedBvh(const Body& body)
+      : PlacedBvh(body.shape->bvh, body.world_from_object.linear,
+                  body.world_from_object.translation, body.scale()) {}
 
   struct Box {
     Vec3 centre, half;
@@ -63,8 +63,8 @@ struct UnitFrame {
   explicit UnitFrame(const Body& fixed);
   Vec3 point(const Vec3& world) const { return unit_from_world * (world - origin); }
   Vec3 direction(const Vec3& world) const { return unit_from_world * world; }
-  BoxTree tree(const Body& other) const;  // of another body, in this frame
-  BoxTree own_tree(const Body& fixed) const;
+  PlacedBvh tree(const Body& other) const;  // of another body, in this frame
+  PlacedBvh own_tree(const Body& fixed) const;
 };
 
 }  // namespace trivet

@@ -113,7 +113,7 @@ class ContactSearch {
 
   std::vector<ContactPoint> run() {
     if (m_object.shape->bvh.nodes.empty() || m_support.shape->bvh.nodes.empty()) return {};
-    const BoxTree::Box box_object = m_tree_object.box(0), box_support = m_tree_support.box(0);
+    const PlacedBvh::Box box_object = m_tree_object.box(0), box_support = m_tree_support.box(0);
     visit(0, 0, box_object, box_support, nullptr);
     std::vector<ContactPoint> points = first_of_each(m_found);
     std::vector<ContactPoint> more = ends();
@@ -126,7 +126,7 @@ class ContactSearch {
   }
 
  private:
-  bool apart(const BoxTree::Box& a, const BoxTree::Box& b) const {
+  bool apart(const PlacedBvh::Box& a, const PlacedBvh::Box& b) const {
     const Vec3 d = a.centre - b.centre;
     if ((d.cwiseAbs().array() > (a.half + b.half).array() + m_reach).any()) return true;
     for (int k = 0; k < 3; ++k) {
@@ -137,7 +137,7 @@ class ContactSearch {
   }
 
   // `leaf` is the tight box of the node that is a leaf already.
-  void visit(Index ia, Index ib, const BoxTree::Box& box_a, const BoxTree::Box& box_b,
+  void visit(Index ia, Index ib, const PlacedBvh::Box& box_a, const PlacedBvh::Box& box_b,
              const LeafBox* leaf) {
     if (apart(box_a, box_b)) return;
     const BvhNode &a = m_tree_object.bvh.nodes[ia], &b = m_tree_support.bvh.nodes[ib];
@@ -311,7 +311,7 @@ class ContactSearch {
   double m_tolerance, m_slack, m_reach = 0;
   FlushFaces m_flush;
   UnitFrame m_frame;
-  BoxTree m_tree_object, m_tree_support;
+  PlacedBvh m_tree_object, m_tree_support;
   std::array<Vec3, 3> m_own_axis;  // of the object
   std::vector<ContactPoint> m_found;
   std::vector<End> m_ends;
@@ -319,9 +319,9 @@ class ContactSearch {
   PairSet m_tried_vertices, m_tried_faces;  // of the object and the support, one of them a face
 };
 
-void collect_floor_vertices(const Body& object, const BoxTree& tree, Index node, double tolerance,
+void collect_floor_vertices(const Body& object, const PlacedBvh& tree, Index node, double tolerance,
                             std::vector<Index>& vertices) {
-  const BoxTree::Box box = tree.box(node);
+  const PlacedBvh::Box box = tree.box(node);
   if (box.centre.z() - box.half.z() > tolerance * 1.001 + 1e-14 * std::abs(box.centre.z())) return;
   const BvhNode& n = tree.bvh.nodes[node];
   if (!n.is_leaf()) {
@@ -345,7 +345,7 @@ std::vector<ContactPoint> contact_points(const Body& object, const Body& support
 std::vector<ContactPoint> floor_contact_points(const Body& object, double tolerance) {
   std::vector<Index> vertices;
   if (!object.shape->bvh.nodes.empty())
-    collect_floor_vertices(object, BoxTree(object), 0, tolerance, vertices);
+    collect_floor_vertices(object, PlacedBvh(object), 0, tolerance, vertices);
   std::sort(vertices.begin(), vertices.end());
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   std::vector<ContactPoint> out;

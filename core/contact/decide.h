@@ -1,4 +1,4 @@
-// One candidate of first contact, decided: what box trees, z-lists and brute force share. Private.
+// One candidate of first contact, decided: what BVHs, z-lists and brute force share. Private.
 #pragma once
 
 #include "core/contact/first_contact.h"

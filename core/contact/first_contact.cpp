@@ -73,12 +73,12 @@ class PairTraversal {
 
  private:
   // Before this time the two boxes are farther apart than any pair stops; infinity: always.
-  double bound(const BoxTree::Box& a, const BoxTree::Box& b) const {
+  double bound(const PlacedBvh::Box& a, const PlacedBvh::Box& b) const {
     return m_query.motion.kind == Motion::Kind::Translation ? translation_bound(a, b)
                                                             : rotation_bound(a, b);
   }
 
-  double translation_bound(const BoxTree::Box& a, const BoxTree::Box& b) const {
+  double translation_bound(const PlacedBvh::Box& a, const PlacedBvh::Box& b) const {
     double enter = 0, leave = kInfinity;
     for (int k = 0; k < 3; ++k) {
       const double reach = a.half[k] + b.half[k] + m_margin;
@@ -94,7 +94,7 @@ class PairTraversal {
     return enter <= leave ? enter : kInfinity;
   }
 
-  double rotation_bound(const BoxTree::Box& a, const BoxTree::Box& b) const {
+  double rotation_bound(const PlacedBvh::Box& a, const PlacedBvh::Box& b) const {
     const Vec3 r = a.centre - m_centre;
     const double height = m_axis.dot(r);
     const Vec3 radial = r - height * m_axis, tangent = m_axis.cross(r);
@@ -114,7 +114,7 @@ class PairTraversal {
 
   // The same along the moving body's own axes, which turn with it: its boxes are tight there. Of a
   // rotation only whether they keep the boxes apart for as long as it matters: no roots needed.
-  double own_axes_bound(const BoxTree::Box& a, const BoxTree::Box& b) const {
+  double own_axes_bound(const PlacedBvh::Box& a, const PlacedBvh::Box& b) const {
     const bool turning = m_motion.kind == Motion::Kind::Rotation;
     const Vec3 q = b.centre - m_centre, d = b.centre - a.centre;
     double until = 0;
@@ -134,7 +134,7 @@ class PairTraversal {
   }
 
   // The ring that the moving box's sphere sweeps about the axis: heights and radii are kept.
-  bool misses_ring(const BoxTree::Box& a, const BoxTree::Box& b, double height,
+  bool misses_ring(const PlacedBvh::Box& a, const PlacedBvh::Box& b, double height,
                    const Vec3& radial) const {
     const Vec3 q = b.centre - m_centre;
     const double height_b = m_axis.dot(q), reach = a.radius + b.radius + m_margin;
@@ -143,7 +143,7 @@ class PairTraversal {
   }
 
   // The same for the leaf of one body and a box of the other, from the leaf's tight box.
-  bool leaf_clear(const LeafBox& leaf, bool leaf_moves, const BoxTree::Box& box) const {
+  bool leaf_clear(const LeafBox& leaf, bool leaf_moves, const PlacedBvh::Box& box) const {
     for (int k = 0; k < 3; ++k) {
       const auto [gap, side] = leaf.outside(k, box);
       const Vec3 n = side * leaf.axis[k], x = box.centre - m_centre;
@@ -162,7 +162,7 @@ class PairTraversal {
     double bound;
     double gap;  // of the boxes' spheres, at time 0
     Index a, b;
-    BoxTree::Box box_a, box_b;
+    PlacedBvh::Box box_a, box_b;
 
     bool before(const Next& other) const {
       return std::tie(bound, gap) < std::tie(other.bound, other.gap);
@@ -170,7 +170,7 @@ class PairTraversal {
   };
 
   // The bound of a pair of nodes; `leaf` is the tight box of the one that is a leaf already.
-  Next next(Index a, Index b, const BoxTree::Box& box_a, const BoxTree::Box& box_b, bool open_a,
+  Next next(Index a, Index b, const PlacedBvh::Box& box_a, const PlacedBvh::Box& box_b, bool open_a,
             const LeafBox* leaf) const {
     ++m_best.work.node_pairs;
     double until = bound(box_a, box_b);
@@ -181,7 +181,7 @@ class PairTraversal {
             box_b};
   }
 
-  void visit(Index ia, Index ib, const BoxTree::Box& box_a, const BoxTree::Box& box_b,
+  void visit(Index ia, Index ib, const PlacedBvh::Box& box_a, const PlacedBvh::Box& box_b,
              const LeafBox* leaf) {
     const BvhNode &a = m_a.bvh.nodes[ia], &b = m_b.bvh.nodes[ib];
     if (a.is_leaf() && b.is_leaf()) return try_leaves(a, b);
@@ -219,7 +219,7 @@ class PairTraversal {
   Index m_moving, m_fixed;
   FirstContact& m_best;
   UnitFrame m_frame;
-  BoxTree m_a, m_b;
+  PlacedBvh m_a, m_b;
   Motion m_motion;  // in this frame, about the origin
   Vec3 m_axis, m_centre;
   std::array<Vec3, 3> m_own_axis, m_own_axis_abs;  // of the moving body
@@ -242,7 +242,7 @@ class FloorTraversal {
 
  private:
   double bound(Index node) const {
-    const BoxTree::Box box = m_tree.box(node);
+    const PlacedBvh::Box box = m_tree.box(node);
     const Motion& motion = m_query.motion;
     const double gap = box.centre.z() - box.half.z() - m_margin;
     const HeightFunction centre =
@@ -274,7 +274,7 @@ class FloorTraversal {
   const FirstContactQuery& m_query;
   Index m_moving;
   FirstContact& m_best;
-  BoxTree m_tree;
+  PlacedBvh m_tree;
   double m_margin;
 };
 

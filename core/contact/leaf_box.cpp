@@ -37,12 +37,12 @@ LeafBox::LeafBox(const Body& body, const BvhNode& leaf, const UnitFrame& frame) 
       }
 }
 
-LeafBox::Outside LeafBox::outside(int k, const BoxTree::Box& box) const {
+LeafBox::Outside LeafBox::outside(int k, const PlacedBvh::Box& box) const {
   const double x = axis[k].dot(box.centre), above = x - upper[k], below = lower[k] - x;
   return above > below ? Outside{above - box.radius, 1.0} : Outside{below - box.radius, -1.0};
 }
 
-double LeafBox::gap(const BoxTree::Box& box) const {
+double LeafBox::gap(const PlacedBvh::Box& box) const {
   return std::max({outside(0, box).gap, outside(1, box).gap, outside(2, box).gap});
 }
 

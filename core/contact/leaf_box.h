@@ -20,9 +20,9 @@ struct LeafBox {
     double gap;   // of the box's sphere beyond the leaf along the axis; negative: overlap
     double side;  // +1: beyond `upper`, -1: beyond `lower`
   };
-  Outside outside(int k, const BoxTree::Box& box) const;
+  Outside outside(int k, const PlacedBvh::Box& box) const;
   /// Largest of the three gaps: a lower bound of the distance.
-  double gap(const BoxTree::Box& box) const;
+  double gap(const PlacedBvh::Box& box) const;
 };
 
 }  // namespace trivet

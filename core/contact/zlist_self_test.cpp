@@ -47,14 +47,14 @@ Motion make_motion(int number, const Vec3& place, Numbers& numbers) {
   return Motion::rotation(place + 1.5 * numbers.point(), axis, 1);
 }
 
-bool contains(const Proposal& proposal, const FirstContact& truth) {
+bool contains(const CandidatePairs& proposal, const FirstContact& truth) {
   return std::any_of(proposal.pairs.begin(), proposal.pairs.end(), [&](const FacePair& p) {
     return p.face_moving == truth.face_moving && p.face_fixed == truth.face_fixed &&
            p.not_before <= truth.time;
   });
 }
 
-std::string wrong(const Proposal& proposal, const FirstContact& truth) {
+std::string wrong(const CandidatePairs& proposal, const FirstContact& truth) {
   const double time = truth.status == FirstContact::Status::Free ? kInfinity : truth.time;
   if (!proposal.usable) return "no proposal: " + proposal.why;
   if (proposal.upper < time) return "the upper bound is too early";
@@ -65,7 +65,7 @@ std::string wrong(const Proposal& proposal, const FirstContact& truth) {
 
 }  // namespace
 
-std::string self_test(ZListStage& stage) {
+std::string self_test(CandidateFinder& stage) {
   Numbers numbers;
   const std::shared_ptr<const Shape> shapes[] = {make_faces(numbers), make_faces(numbers)};
   for (int i = 0; i < kNumQueries; ++i) {
@@ -75,7 +75,8 @@ std::string self_test(ZListStage& stage) {
         fixed(*shapes[1], Affine());
     FirstContactQuery query{{&moving, 1}, {&fixed, 1}, false, {}, {1e-6}};
     query.motion = make_motion(i, place, numbers);
-    const std::string what = wrong(stage.propose(query, query.motion.limit), first_contact(query));
+    const std::string what =
+        wrong(stage.find_candidates(query, query.motion.limit), first_contact(query));
     if (!what.empty()) return "query " + std::to_string(i) + ": " + what;
   }
   return "";

@@ -29,7 +29,7 @@ double horizon_of(const FirstContactQuery& query, const FirstContact& floor_cont
 }
 
 // `best` is the contact with the floor. Sets `found` to be not usable where it cannot be right.
-FirstContact decide(const FirstContactQuery& query, FirstContact best, Proposal& found) {
+FirstContact decide(const FirstContactQuery& query, FirstContact best, CandidatePairs& found) {
   if (found.usable) {
     decide_pairs(query, found.pairs, best);
     // A stage's upper bound only filters: where no pair keeps it, the stage was wrong.
@@ -43,30 +43,33 @@ FirstContact decide(const FirstContactQuery& query, FirstContact best, Proposal&
 
 }  // namespace
 
-std::vector<Proposal> ZListStage::propose_many(std::span<const FirstContactQuery> queries,
-                                               std::span<const double> horizons) {
-  std::vector<Proposal> out;
-  for (std::size_t i = 0; i < queries.size(); ++i) out.push_back(propose(queries[i], horizons[i]));
+std::vector<CandidatePairs> CandidateFinder::find_candidates_for_all(
+    std::span<const FirstContactQuery> queries, std::span<const double> horizons) {
+  std::vector<CandidatePairs> out;
+  for (std::size_t i = 0; i < queries.size(); ++i)
+    out.push_back(find_candidates(queries[i], horizons[i]));
   return out;
 }
 
-FirstContact first_contact(const FirstContactQuery& query, ZListStage& stage, Proposal* proposal) {
+FirstContact first_contact(const FirstContactQuery& query, CandidateFinder& stage,
+                           CandidatePairs* proposal) {
   const FirstContact floor = first_floor_contact_of(query);
-  Proposal found = stage.propose(query, horizon_of(query, floor));
+  CandidatePairs found = stage.find_candidates(query, horizon_of(query, floor));
   const FirstContact out = decide(query, floor, found);
   if (proposal) *proposal = std::move(found);
   return out;
 }
 
 std::vector<FirstContact> first_contacts(std::span<const FirstContactQuery> queries,
-                                         ZListStage& stage, std::vector<Proposal>* proposals) {
+                                         CandidateFinder& stage,
+                                         std::vector<CandidatePairs>* proposals) {
   std::vector<FirstContact> out;
   std::vector<double> horizons;
   for (const FirstContactQuery& query : queries) {
     out.push_back(first_floor_contact_of(query));
     horizons.push_back(horizon_of(query, out.back()));
   }
-  std::vector<Proposal> found = stage.propose_many(queries, horizons);
+  std::vector<CandidatePairs> found = stage.find_candidates_for_all(queries, horizons);
   for (std::size_t i = 0; i < queries.size(); ++i) out[i] = decide(queries[i], out[i], found[i]);
   if (proposals) *proposals = std::move(found);
   return out;

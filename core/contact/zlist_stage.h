@@ -1,4 +1,4 @@
-// Where candidates for first contact may come from beside the box trees: z-lists along the motion.
+// Where candidates for first contact may come from beside the BVHs: z-lists along the motion.
 //
 // A stage only proposes; first_contact() of two triangles decides. So every stage, on any hardware,
 // gives the same bits, as long as it leaves out no pair of faces that can be first.
@@ -30,7 +30,7 @@ struct ZListWork {
 
 /// What a stage knows after a query. Every pair of faces whose first contact is no later than
 /// `upper` is among `pairs`, and its time is at least its `not_before`.
-struct Proposal {
+struct CandidatePairs {
   bool usable = false;          // false: the stage gave up (`why`); take another
   std::string why;              // for people
   double lower = 0;             // nothing touches before
@@ -41,32 +41,32 @@ struct Proposal {
 
 /// Finds, by rasterising along the motion, the pairs of faces that can be first. The floor is no
 /// business of a stage. Not re-entrant: one query at a time.
-class ZListStage {
+class CandidateFinder {
  public:
-  virtual ~ZListStage() = default;
+  virtual ~CandidateFinder() = default;
   virtual std::string name() const = 0;  // "software", "gpu (llvmpipe ...)"
   /// What it runs on: "cpu", or the renderer of OpenGL.
   virtual std::string device() const { return "cpu"; }
 
   /// @param horizon  contacts later than this do not matter; at most query.motion.limit.
   /// Pairs stop at distances of up to query.clearance.largest_stop(): "touch" above means that.
-  virtual Proposal propose(const FirstContactQuery& query, double horizon) = 0;
+  virtual CandidatePairs find_candidates(const FirstContactQuery& query, double horizon) = 0;
 
   /// The same for many queries (candidate places, axes of a turn): one by one, unless a stage knows
   /// better. @param horizons  of each query.
-  virtual std::vector<Proposal> propose_many(std::span<const FirstContactQuery> queries,
-                                             std::span<const double> horizons);
+  virtual std::vector<CandidatePairs> find_candidates_for_all(
+      std::span<const FirstContactQuery> queries, std::span<const double> horizons);
 };
 
 /// The same bits as first_contact(query), with pairs from `stage`; where the stage gives up or
-/// proves wrong, from the box trees.
-/// @param proposal  if not null, what the stage said; not usable when the box trees had to answer.
-FirstContact first_contact(const FirstContactQuery& query, ZListStage& stage,
-                           Proposal* proposal = nullptr);
+/// proves wrong, from the BVHs.
+/// @param proposal  if not null, what the stage said; not usable when the BVHs had to answer.
+FirstContact first_contact(const FirstContactQuery& query, CandidateFinder& stage,
+                           CandidatePairs* proposal = nullptr);
 
 /// The same for many queries, which the stage sees together.
 std::vector<FirstContact> first_contacts(std::span<const FirstContactQuery> queries,
-                                         ZListStage& stage,
-                                         std::vector<Proposal>* proposals = nullptr);
+                                         CandidateFinder& stage,
+                                         std::vector<CandidatePairs>* proposals = nullptr);
 
 }  // namespace trivet

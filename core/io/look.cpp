@@ -22,8 +22,9 @@ void check_positions(const GltfJson& root) {
 
 }  // namespace
 
-std::shared_ptr<const Look> look_of_gltf(const GltfDocument& source, const std::vector<int>& roots,
-                                         std::vector<std::string>& notes) {
+std::shared_ptr<const Appearance> appearance_of_gltf(const GltfDocument& source,
+                                                     const std::vector<int>& roots,
+                                                     std::vector<std::string>& notes) {
   const auto give_up = [&](const std::string& reason) {
     notes.push_back("hierarchy and textures left out: " + reason);
     return nullptr;
@@ -31,7 +32,7 @@ std::shared_ptr<const Look> look_of_gltf(const GltfDocument& source, const std::
   try {
     GltfBuilder builder;
     GltfCopier copier(builder);
-    Look look;
+    Appearance look;
     for (const int root : roots)
       look.roots.push_back(static_cast<int>(copier.copy_tree(source, root)));
     auto document = std::make_shared<GltfDocument>(builder.take(GltfJson::object()));
@@ -39,7 +40,7 @@ std::shared_ptr<const Look> look_of_gltf(const GltfDocument& source, const std::
     for (const std::string& what : copier.left_out()) notes.push_back("left out: " + what);
     if (!member(source.json, "animations").empty()) notes.push_back("left out: animations");
     look.document = std::move(document);
-    return std::make_shared<const Look>(std::move(look));
+    return std::make_shared<const Appearance>(std::move(look));
   } catch (const Error& e) {
     return give_up(e.what());
   } catch (const GltfJson::exception& e) {
@@ -47,10 +48,10 @@ std::shared_ptr<const Look> look_of_gltf(const GltfDocument& source, const std::
   }
 }
 
-LookCounts count(const Look& look) {
+AppearanceCounts count(const Appearance& look) {
   const GltfJson& root = look.document->json;
   const auto size = [&](const char* list) { return member(root, list).size(); };
-  LookCounts out;
+  AppearanceCounts out;
   out.nodes = size("nodes"), out.meshes = size("meshes"), out.materials = size("materials");
   out.textures = size("textures"), out.images = size("images"), out.cameras = size("cameras");
   for (const SharedBytes& bytes : look.document->images)

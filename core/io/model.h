@@ -20,7 +20,7 @@ struct Material {
   float roughness = 0.6f;
 };
 
-struct Look;
+struct Appearance;
 
 /// Everything read from one file. Geometry is exact: float32 positions of the file, node matrices
 /// (float32) multiplied in double, row by row.
@@ -39,13 +39,13 @@ struct Model {
   int num_nodes = 0;
   // Hierarchy, texture coordinates, textures, cameras, lights, for export to glTF. Null if the
   // members above are complete.
-  std::shared_ptr<const Look> look;
+  std::shared_ptr<const Appearance> appearance;
   // For formats with curved surfaces: requested tessellation, and the result at import.
   Tessellation tessellation;
   std::optional<Polygonisation> polygonised;
 };
 
-/// Limits for untrusted files. The last three apply to import_model() (isolated.h).
+/// Limits for untrusted files. The last three apply to import_model() (sandboxed_import.h).
 struct ImportLimits {
   std::uintmax_t max_file_bytes = std::uintmax_t{4} << 30;
   std::int64_t max_triangles = 50'000'000;

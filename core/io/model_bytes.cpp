@@ -27,7 +27,7 @@ void put_list(std::string& out, const std::vector<T>& items) {
   out.append(reinterpret_cast<const char*>(items.data()), items.size() * sizeof(T));
 }
 
-void put_look(std::string& out, const Look& look) {
+void put_look(std::string& out, const Appearance& look) {
   const GltfDocument& document = *look.document;
   put(out, document.json.dump(-1, ' ', false, GltfJson::error_handler_t::replace));
   put(out, document.binary);
@@ -137,7 +137,7 @@ void get_polygonisation(ByteReader& in, Model& model) {
 }
 
 // Copied as from a file, which validates every reference.
-std::shared_ptr<const Look> get_look(ByteReader& in) {
+std::shared_ptr<const Appearance> get_look(ByteReader& in) {
   GltfDocument document;
   document.json = parse_gltf_json("importer", std::string(in.text()));
   document.binary = in.text();
@@ -148,7 +148,7 @@ std::shared_ptr<const Look> get_look(ByteReader& in) {
     document.images.push_back(present ? std::make_shared<const std::string>(bytes) : nullptr);
   }
   std::vector<std::string> ignored;
-  return look_of_gltf(document, in.list<int>(), ignored);
+  return appearance_of_gltf(document, in.list<int>(), ignored);
 }
 
 Model get_model(ByteReader& in, const ImportLimits& limits) {
@@ -164,7 +164,7 @@ Model get_model(ByteReader& in, const ImportLimits& limits) {
   const std::uint64_t num_notes = in.count();
   for (std::uint64_t i = 0; i < num_notes; ++i) model.notes.emplace_back(in.text());
   get_polygonisation(in, model);
-  if (in.get<std::uint8_t>()) model.look = get_look(in);
+  if (in.get<std::uint8_t>()) model.appearance = get_look(in);
   in.expect(in.at_end());
   return model;
 }
@@ -194,8 +194,8 @@ std::string bytes_of_model(const Model& model) {
   for (const std::string& note : model.notes) put(out, note);
   append_bytes(out, std::uint8_t{model.polygonised.has_value()});
   if (model.polygonised) put_polygonisation(out, *model.polygonised);
-  append_bytes(out, std::uint8_t{model.look != nullptr});
-  if (model.look) put_look(out, *model.look);
+  append_bytes(out, std::uint8_t{model.appearance != nullptr});
+  if (model.appearance) put_look(out, *model.appearance);
   return out;
 }
 

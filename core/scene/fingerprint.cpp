@@ -21,9 +21,9 @@ void add_to(Hash& hash, const ContactPoint& p) {
   hash.add(static_cast<std::uint64_t>(p.feature_support));
 }
 
-void add_to(Hash& hash, const Link& link) {
-  const Contact& c = link.contact;
-  hash.add(link.with.is_object() ? std::uint64_t{link.with.object().index} : ~std::uint64_t{0});
+void add_to(Hash& hash, const ObjectContact& entry) {
+  const Contact& c = entry.contact;
+  hash.add(entry.with.is_object() ? std::uint64_t{entry.with.object().index} : ~std::uint64_t{0});
   hash.add(static_cast<std::uint64_t>(c.type));
   hash.add(std::uint64_t{c.points.size()});
   for (const ContactPoint& p : c.points) add_to(hash, p);
@@ -47,8 +47,8 @@ void add_to(Hash& hash, const Object& object) {
   hash.add(r.w).add(r.x).add(r.y).add(r.z);
   add_to(hash, object.pose.translation);
   hash.add(object.stability_margin).add(object.least_friction);
-  hash.add(std::uint64_t{object.links.size()});
-  for (const Link& link : object.links) add_to(hash, link);
+  hash.add(std::uint64_t{object.contacts.size()});
+  for (const ObjectContact& entry : object.contacts) add_to(hash, entry);
 }
 
 std::uint64_t fingerprint(const Scene& scene, std::span<const ObjectId> ids) {

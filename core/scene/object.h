@@ -25,7 +25,7 @@ enum class ObjectState {
 const char* to_string(ObjectState state);  // "unplaced", "fixed", "stable", ...
 
 /// Contact with another object or the floor, seen from one object.
-struct Link {
+struct ObjectContact {
   Support with;
   Contact contact;
 };
@@ -43,9 +43,9 @@ struct Object {
   double stability_margin = 0;  // metres the centre of mass is inside the hull of the contacts that
                                 // carry, seen from above; negative: outside (leaning, hanging)
   double least_friction = 0;    // smallest Coulomb coefficient that holds it; infinity: none does
-  std::vector<Link> links;      // what it touches, as of the last operation that moved it
-  bool locked = false;          // no operation may move it, but it is not fixed: it may topple
-  std::string group;            // objects of one group move as one; empty: of none
+  std::vector<ObjectContact> contacts;  // what it touches, as of the last operation that moved it
+  bool locked = false;  // no operation may move it, but it is not fixed: it may topple
+  std::string group;    // objects of one group move as one; empty: of none
 
   Affine world_from_object() const { return trivet::world_from_object(pose, up, scale); }
   Vec3 centre_of_mass() const { return world_from_object().apply(shape->mass.centre); }

@@ -63,7 +63,7 @@ ObjectId Scene::add(Object object) {
 void Scene::remove(ObjectId id) {
   assert(contains(id));
   keep(id.index);
-  link(id, {});
+  set_contacts(id, {});
   m_slots[id.index].object.reset();
   --m_num_objects;
   refresh(id.index);
@@ -150,25 +150,26 @@ SceneExtent Scene::extent_without(std::span<const ObjectId> left_out) const {
   return m_index.tree().extent_without(slots);
 }
 
-void Scene::link(ObjectId id, std::vector<Link> links) {
+void Scene::set_contacts(ObjectId id, std::vector<ObjectContact> object_contacts) {
   // All that allocates comes first: nothing is half done when memory runs out.
-  std::map<std::uint32_t, std::vector<Link>> seen_by_others;
-  const auto note = [&](const Link& l) -> std::vector<Link>* {
+  std::map<std::uint32_t, std::vector<ObjectContact>> seen_by_others;
+  const auto note = [&](const ObjectContact& l) -> std::vector<ObjectContact>* {
     if (l.with.is_floor() || l.with == Support(id)) return nullptr;
     const auto [it, is_new] = seen_by_others.try_emplace(l.with.object().index);
     if (is_new) {
-      it->second = at(l.with.object()).links;
-      std::erase_if(it->second, [&](const Link& other) { return other.with == Support(id); });
+      it->second = at(l.with.object()).contacts;
+      std::erase_if(it->second,
+                    [&](const ObjectContact& other) { return other.with == Support(id); });
     }
     return &it->second;
   };
-  for (const Link& l : at(id).links) note(l);
-  for (const Link& l : links)
-    if (std::vector<Link>* others = note(l)) others->push_back({id, reversed(l.contact)});
+  for (const ObjectContact& l : at(id).contacts) note(l);
+  for (const ObjectContact& l : object_contacts)
+    if (std::vector<ObjectContact>* others = note(l)) others->push_back({id, reversed(l.contact)});
   keep(id.index);
   for (const auto& [index, others] : seen_by_others) keep(index);
-  for (auto& [index, others] : seen_by_others) m_slots[index].object->links = std::move(others);
-  m_slots[id.index].object->links = std::move(links);
+  for (auto& [index, others] : seen_by_others) m_slots[index].object->contacts = std::move(others);
+  m_slots[id.index].object->contacts = std::move(object_contacts);
 }
 
 Scene::Open& Scene::Open::operator=(const Open&) noexcept {
@@ -273,7 +274,7 @@ LoadSupport load_support(const Scene& scene) {
     const Object& object = scene.at(id);
     if (!object.placed) continue;
     LoadSupport::Entry entry{id, false, {}, {}};
-    for (const Link& l : object.links) {
+    for (const ObjectContact& l : object.contacts) {
       if (holds_up(l.contact)) {
         if (l.with.is_object())
           entry.supports.push_back(l.with.object());

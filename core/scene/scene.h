@@ -92,7 +92,7 @@ class Scene {
   /// To be called when a slot has changed.
   void refresh(size_t index) noexcept;
   void swap_with(SceneChange& change) noexcept;
-  void link(ObjectId id, std::vector<Link> links);
+  void set_contacts(ObjectId id, std::vector<ObjectContact> object_contacts);
 
   std::vector<Slot> m_slots;
   std::vector<std::uint32_t> m_generations;  // the last of each slot; undo does not take them back

@@ -31,9 +31,9 @@ void Transaction::remove(ObjectId id) {
   m_scene.remove(id);
 }
 
-void Transaction::link(ObjectId id, std::vector<Link> links) {
+void Transaction::link(ObjectId id, std::vector<ObjectContact> object_contacts) {
   assert(is_innermost());
-  m_scene.link(id, std::move(links));
+  m_scene.set_contacts(id, std::move(object_contacts));
 }
 
 Transaction::Refresh::Refresh(Transaction& transaction, ObjectId id)

@@ -32,8 +32,8 @@ class Transaction {
   void remove(ObjectId id);
   /// Replaces what the object touches; those it touches see the same contact from their side.
   /// Costs what the object touched and touches, not the scene.
-  void link(ObjectId id, std::vector<Link> links);
-  void unlink(ObjectId id) { link(id, {}); }
+  void set_contacts(ObjectId id, std::vector<ObjectContact> object_contacts);
+  void clear_contacts(ObjectId id) { link(id, {}); }
 
   /// Calls change(Object&), which changes anything but the name; links by link() only. When it
   /// throws, what it did is in the scene until this is taken back.

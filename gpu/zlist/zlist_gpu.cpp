@@ -39,7 +39,7 @@ enum class Trouble { None, Meshes, Entries, Pairs };
 
 struct Answer {
   Trouble trouble = Trouble::None;
-  Proposal proposal;  // valid if there is no trouble
+  CandidatePairs proposal;  // valid if there is no trouble
 };
 
 const char* to_string(Trouble trouble) {
@@ -66,7 +66,7 @@ class GpuLists {
   GpuLists& operator=(const GpuLists&) = delete;
 
   /// Answers queries with one kind of motion, within the available memory.
-  std::vector<Answer> propose(std::span<const Ask> asks);
+  std::vector<Answer> find_candidates(std::span<const Ask> asks);
   bool has_room(std::size_t num_asks, std::size_t largest) const {
     return m_raster->has_room(num_asks, largest);
   }
@@ -113,14 +113,14 @@ GpuLists::~GpuLists() {
   }
 }
 
-Proposal gives_up(const std::string& why) {
-  Proposal out;
+CandidatePairs gives_up(const std::string& why) {
+  CandidatePairs out;
   out.why = why;
   return out;
 }
 
-Proposal nothing_touches(double horizon) {
-  Proposal out;
+CandidatePairs nothing_touches(double horizon) {
+  CandidatePairs out;
   out.usable = true;
   out.lower = horizon;
   return out;
@@ -129,7 +129,7 @@ Proposal nothing_touches(double horizon) {
 Answer answer_of(const Ask& ask, const ZListView& view, bool bounds_alone, ZLists& lists) {
   if (lists.overflow) return {Trouble::Entries, {}};
   Answer out;
-  Proposal& p = out.proposal;
+  CandidatePairs& p = out.proposal;
   if (bounds_alone)
     p.why = "only bounds were requested";
   else if (!make_pairs(view, lists, ask.frame, p.pairs))
@@ -145,7 +145,7 @@ Answer answer_of(const Ask& ask, const ZListView& view, bool bounds_alone, ZList
   return out;
 }
 
-std::vector<Answer> GpuLists::propose(std::span<const Ask> asks) {
+std::vector<Answer> GpuLists::find_candidates(std::span<const Ask> asks) {
   const EglContext::Current current(m_context);
   m_meshes->begin_query();
   std::vector<ZListView> views;
@@ -160,7 +160,7 @@ std::vector<Answer> GpuLists::propose(std::span<const Ask> asks) {
   return out;
 }
 
-class GpuZListStage : public ZListStage {
+class GpuZListStage : public CandidateFinder {
  public:
   explicit GpuZListStage(const GpuZListOptions& options)
       : m_options(options),
@@ -170,16 +170,16 @@ class GpuZListStage : public ZListStage {
 
   std::string name() const override { return "gpu (" + m_device + ")"; }
   std::string device() const override { return m_device; }
-  Proposal propose(const FirstContactQuery& query, double horizon) override;
-  std::vector<Proposal> propose_many(std::span<const FirstContactQuery> queries,
-                                     std::span<const double> horizons) override;
+  CandidatePairs find_candidates(const FirstContactQuery& query, double horizon) override;
+  std::vector<CandidatePairs> find_candidates_for_all(std::span<const FirstContactQuery> queries,
+                                                      std::span<const double> horizons) override;
 
  private:
   int resolution_of(const FirstContactQuery& query) const;
   int other_resolution(Trouble trouble, int resolution) const;
   std::optional<std::vector<Answer>> try_asking(std::span<const Ask> asks);
   void ask_together(std::vector<Ask>& asks, std::span<const FirstContactQuery> queries,
-                    std::vector<Proposal>& out);
+                    std::vector<CandidatePairs>& out);
 
   GpuZListOptions m_options;
   std::unique_ptr<GpuLists> m_lists;  // null after an error
@@ -193,7 +193,7 @@ std::optional<std::vector<Answer>> GpuZListStage::try_asking(std::span<const Ask
   while (m_num_errors < kMostErrors) {
     try {
       if (!m_lists) m_lists = std::make_unique<GpuLists>(m_options);
-      auto out = m_lists->propose(asks);
+      auto out = m_lists->find_candidates(asks);
       m_num_errors = 0;
       return out;
     } catch (const Error& error) {
@@ -218,7 +218,7 @@ int GpuZListStage::other_resolution(Trouble trouble, int resolution) const {
   return may_be_finer && !m_options.force_fallback ? finer : 0;
 }
 
-Proposal GpuZListStage::propose(const FirstContactQuery& query, double horizon) {
+CandidatePairs GpuZListStage::find_candidates(const FirstContactQuery& query, double horizon) {
   Trouble trouble = Trouble::None;
   for (int resolution = resolution_of(query), tries = 0; resolution > 0 && tries < 2; ++tries) {
     const Ask ask{&query, horizon, make_zlist_frame(query, horizon, resolution)};
@@ -234,24 +234,24 @@ Proposal GpuZListStage::propose(const FirstContactQuery& query, double horizon) 
 
 // Empties `asks`. Queries in trouble, perhaps because of another one, are retried alone.
 void GpuZListStage::ask_together(std::vector<Ask>& asks, std::span<const FirstContactQuery> queries,
-                                 std::vector<Proposal>& out) {
+                                 std::vector<CandidatePairs>& out) {
   if (asks.empty()) return;
   auto answers = try_asking(asks);
   for (std::size_t i = 0; i < asks.size(); ++i) {
-    Proposal& proposal = out[static_cast<std::size_t>(asks[i].query - queries.data())];
+    CandidatePairs& proposal = out[static_cast<std::size_t>(asks[i].query - queries.data())];
     if (!answers)
       proposal = gives_up(m_last_error);
     else if ((*answers)[i].trouble == Trouble::None)
       proposal = std::move((*answers)[i].proposal);
     else
-      proposal = propose(*asks[i].query, asks[i].horizon);
+      proposal = find_candidates(*asks[i].query, asks[i].horizon);
   }
   asks.clear();
 }
 
-std::vector<Proposal> GpuZListStage::propose_many(std::span<const FirstContactQuery> queries,
-                                                  std::span<const double> horizons) {
-  std::vector<Proposal> out(queries.size());
+std::vector<CandidatePairs> GpuZListStage::find_candidates_for_all(
+    std::span<const FirstContactQuery> queries, std::span<const double> horizons) {
+  std::vector<CandidatePairs> out(queries.size());
   for (const auto kind : {Motion::Kind::Translation, Motion::Kind::Rotation}) {
     std::vector<Ask> asks;
     std::size_t largest = 0;
@@ -284,7 +284,7 @@ void check_range(const char* what, int value, int least, int largest) {
 
 }  // namespace
 
-std::unique_ptr<ZListStage> make_gpu_zlist_stage(const GpuZListOptions& options) {
+std::unique_ptr<CandidateFinder> make_gpu_candidate_finder(const GpuZListOptions& options) {
   if (options.resolution != 0)
     check_range("resolution", options.resolution, kLeastResolution, kLargestResolution);
   check_range("largest number of entries", options.max_list_entries, kLeastEntries, kMostEntries);

@@ -21,12 +21,12 @@ struct GpuZListOptions {
 
 /// Candidate finder with its own context, made current only while it works. Meshes stay in graphics
 /// memory, up to the limit, by the identity assigned by make_shape(). A lost context is recreated;
-/// after three consecutive OpenGL errors no query is usable. With OpenGL 4.3, propose_many() draws
-/// as many queries together as memory allows, as layers of one image: 64 of 128 pixels. One thread
-/// at a time. Drivers have bugs: run self_test() of core/contact/zlist_self_test.h before relying
-/// on it, as make_detector() of ops does.
+/// after three consecutive OpenGL errors no query is usable. With OpenGL 4.3,
+/// find_candidates_for_all() draws as many queries together as memory allows, as layers of one
+/// image: 64 of 128 pixels. One thread at a time. Drivers have bugs: run self_test() of
+/// core/contact/zlist_self_test.h before relying on it, as make_detector() of ops does.
 /// @throws Error (Environment) naming what is missing: EGL, OpenGL 3.3, or memory; (BadInput) for
 ///   an option out of range.
-std::unique_ptr<ZListStage> make_gpu_zlist_stage(const GpuZListOptions& options = {});
+std::unique_ptr<CandidateFinder> make_gpu_candidate_finder(const GpuZListOptions& options = {});
 
 }  // namespace trivet

@@ -6,12 +6,12 @@
 namespace trivet {
 namespace {
 
-std::unique_ptr<ZListStage> gpu_stage(const BackendOptions& options) {
+std::unique_ptr<CandidateFinder> gpu_stage(const BackendOptions& options) {
   std::string why;
   try {
     if (!options.make_gpu_stage)
       throw Error(Error::Kind::Environment, "this build has no GPU support");
-    std::unique_ptr<ZListStage> stage = options.make_gpu_stage();
+    std::unique_ptr<CandidateFinder> stage = options.make_gpu_stage();
     why = self_test(*stage);
     if (why.empty()) return stage;
     why = stage->name() + " fails its self-test: " + why;
@@ -22,7 +22,7 @@ std::unique_ptr<ZListStage> gpu_stage(const BackendOptions& options) {
   return nullptr;
 }
 
-std::unique_ptr<ZListStage> software_stage(const BackendOptions& options) {
+std::unique_ptr<CandidateFinder> software_stage(const BackendOptions& options) {
   SoftwareZListOptions software;
   software.num_threads = options.num_threads;
   return std::make_unique<SoftwareZLists>(software);
@@ -41,7 +41,7 @@ Backend backend_from_name(const std::string& name) {
 
 std::unique_ptr<Detector> make_detector(const BackendOptions& options) {
   if (options.backend == Backend::Gpu)
-    if (std::unique_ptr<ZListStage> stage = gpu_stage(options)) {
+    if (std::unique_ptr<CandidateFinder> stage = gpu_stage(options)) {
       auto detector = std::make_unique<Detector>(std::move(stage), "gpu");
       detector->use_gpu_brackets(options.make_gpu_brackets, options.note);
       return detector;

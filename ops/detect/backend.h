@@ -12,10 +12,10 @@ namespace trivet {
 
 /// Answers are the same bits with all of them; they differ in time (perf/README.md).
 enum class Backend {
-  Auto,      // the fastest for single queries, as measured: box trees
+  Auto,      // the fastest for single queries, as measured: BVHs
   Gpu,       // z-lists on the graphics hardware
   Software,  // z-lists in memory
-  Bvh,       // box trees alone
+  Bvh,       // BVHs alone
 };
 
 /// From "auto", "gpu", "software" or "bvh". @throws Error (BadInput) for anything else.
@@ -24,8 +24,8 @@ Backend backend_from_name(const std::string& name);
 struct BackendOptions {
   Backend backend = Backend::Auto;
   int num_threads = 0;  // of software z-lists; 0: all cores
-  /// Makes the stage for Backend::Gpu, such as make_gpu_zlist_stage(); empty: a build without.
-  std::function<std::unique_ptr<ZListStage>()> make_gpu_stage;
+  /// Makes the stage for Backend::Gpu, such as make_gpu_candidate_finder(); empty: a build without.
+  std::function<std::unique_ptr<CandidateFinder>()> make_gpu_stage;
   /// Makes what computes brackets of falls for Backend::Gpu, such as a GpuDropBrackets; empty:
   /// software.
   std::function<DropBracketFunction()> make_gpu_brackets;

@@ -53,7 +53,7 @@ FirstContact Detector::first_contact(const FirstContactQuery& query) {
   ++m_work.num_queries;
   FirstContact found;
   if (m_stage) {
-    Proposal proposal;
+    CandidatePairs proposal;
     found = trivet::first_contact(query, *m_stage, &proposal);
     add(proposal.work, m_work.zlist);
     m_work.fallbacks += !proposal.usable;

@@ -14,10 +14,10 @@ namespace trivet {
 /// What queries cost, added up.
 struct DetectionWork {
   std::int64_t num_queries = 0;
-  std::int64_t node_pairs = 0;     // of box trees
+  std::int64_t node_pairs = 0;     // of BVHs
   std::int64_t face_pairs = 0;     // decided exactly
   std::int64_t stalled = 0;        // queries whose answer may be early, see FirstContact::stalled
-  std::int64_t fallbacks = 0;      // queries that a z-list stage gave up; box trees answered
+  std::int64_t fallbacks = 0;      // queries that a z-list stage gave up; BVHs answered
   std::int64_t places = 0;         // judged by height maps, see drop_brackets()
   std::int64_t places_on_gpu = 0;  // of these
   ZListWork zlist;
@@ -26,9 +26,9 @@ struct DetectionWork {
 /// Answers are the same bits whatever the stage. One thread at a time.
 class Detector {
  public:
-  /// Box trees alone.
+  /// BVHs alone.
   Detector() = default;
-  Detector(std::unique_ptr<ZListStage> stage, std::string name)
+  Detector(std::unique_ptr<CandidateFinder> stage, std::string name)
       : m_stage(std::move(stage)), m_name(std::move(name)) {}
 
   FirstContact first_contact(const FirstContactQuery& query);
@@ -49,7 +49,7 @@ class Detector {
   std::string device() const { return m_stage ? m_stage->device() : "cpu"; }
 
  private:
-  std::unique_ptr<ZListStage> m_stage;
+  std::unique_ptr<CandidateFinder> m_stage;
   std::string m_name = "bvh";
   std::function<DropBracketFunction()> m_make_brackets;
   std::function<void(const std::string&)> m_note;
@@ -57,7 +57,7 @@ class Detector {
   DetectionWork m_work;
 };
 
-/// By `detector`, or by box trees when it is null. Costs what is near the way: fixed bodies beyond
+/// By `detector`, or by BVHs when it is null. Costs what is near the way: fixed bodies beyond
 /// the box that the motion sweeps are left out before.
 FirstContact first_contact(const FirstContactQuery& query, Detector* detector);
 /// By `detector`, or in software when it is null.

@@ -143,11 +143,11 @@ class GroupCommit {
 
   // Partners of these contacts are to be rated, too, unless they rest on their own contacts
   // whatever the member does on them or beside them.
-  void touch(const std::vector<Link>& links) {
-    for (const Link& link : links) {
-      if (link.with.is_floor()) continue;
-      const ObjectId with = link.with.object();
-      if (!stands_on_its_own(m_scene.at(with)) || weighs_on(link.contact)) add_partner(with);
+  void touch(const std::vector<ObjectContact>& object_contacts) {
+    for (const ObjectContact& entry : object_contacts) {
+      if (entry.with.is_floor()) continue;
+      const ObjectId with = entry.with.object();
+      if (!stands_on_its_own(m_scene.at(with)) || weighs_on(entry.contact)) add_partner(with);
     }
   }
 
@@ -183,26 +183,26 @@ class GroupCommit {
     const ObjectId id = m_group.ids()[i];
     const Object& object = m_scene.at(id);
     const std::vector<ContactsWith> contacts = contacts_of(i);
-    std::vector<Link> links =
-        links_of(object, m_group.pose(i), m_scene, contacts, m_group.clearance());
-    touch(links);
-    touch(object.links);
+    std::vector<ObjectContact> object_contacts =
+        object_contacts_of(object, m_group.pose(i), m_scene, contacts, m_group.clearance());
+    touch(object_contacts);
+    touch(object.contacts);
     const bool leans = leave(object);
     if (m_group.ids().size() == 1) m_contacts = contacts;
-    bool rated_again = has(m_group.driven(), id) || move.tilted() || !links.empty() || leans ||
-                       is_invalid(m_scene, id) || crosses(id);
-    for (const Link& link : object.links)
-      if (link.with.is_object() && is_member(link.with.object()))
-        links.push_back({link.with, move.contact(link.contact)});
+    bool rated_again = has(m_group.driven(), id) || move.tilted() || !object_contacts.empty() ||
+                       leans || is_invalid(m_scene, id) || crosses(id);
+    for (const ObjectContact& entry : object.contacts)
+      if (entry.with.is_object() && is_member(entry.with.object()))
+        object_contacts.push_back({entry.with, move.contact(entry.contact)});
       else
         rated_again = true;
     if (rated_again) m_to_rate.push_back(id);
-    m_links.push_back(std::move(links));
+    m_object_contacts.push_back(std::move(object_contacts));
   }
 
   void place(Index i) {
     const ObjectId id = m_group.ids()[i];
-    m_transaction.link(id, std::move(m_links[i]));
+    m_transaction.set_contacts(id, std::move(m_object_contacts[i]));
     m_transaction.edit(id, [&](Object& object) {
       object.pose = m_group.pose(i);
       object.placed = true;
@@ -233,7 +233,7 @@ class GroupCommit {
   MovePlan& m_plan;
   const MovingGroup& m_group;
   std::set<std::uint32_t> m_members;  // slots
-  std::vector<std::vector<Link>> m_links;
+  std::vector<std::vector<ObjectContact>> m_object_contacts;
   IdSet m_partners;
   std::vector<ObjectId> m_to_rate;
   std::optional<std::vector<ContactsWith>> m_contacts;  // of an object that moves alone
@@ -264,7 +264,8 @@ void commit_object(Transaction& transaction, ObjectId id, const Pose& pose, Obje
                       state == ObjectState::Invalid;
   const RestRating rating = unheld ? rate_unheld(seen, pose, contacts, clearance)
                                    : rate_rest(seen, pose, contacts, clearance);
-  transaction.link(id, links_of(seen, pose, transaction.scene(), contacts, clearance));
+  transaction.set_contacts(
+      id, object_contacts_of(seen, pose, transaction.scene(), contacts, clearance));
   transaction.edit(id, [&](Object& object) {
     object.pose = pose;
     object.placed = true;
@@ -282,8 +283,8 @@ void rate_left_alone(Transaction& transaction, ObjectId id, double clearance,
 std::vector<ObjectId> dependents_of(const Scene& scene, ObjectId id) {
   const Object& object = scene.at(id);
   IdSet out;
-  for (const Link& link : object.links)
-    if (link.with.is_object()) out.add(link.with.object());
+  for (const ObjectContact& entry : object.contacts)
+    if (entry.with.is_object()) out.add(entry.with.object());
   for (const ObjectId other : leaning_on(scene, object, Neighbourhood(scene, id))) out.add(other);
   for (const ObjectId other : scene.invalid_objects())
     if (other != id) out.add(other);

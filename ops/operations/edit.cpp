@@ -117,7 +117,7 @@ OperationResult apply(Transaction& transaction, const UnplaceOperation& o, Opera
   if (!scene.at(id).placed) return refused({Cause::NotPlaced, {named(scene, Support(id))}});
   const double clearance = clearance_of(scene, run.options);
   const std::vector<ObjectId> dependents = dependents_of(scene, id);
-  transaction.unlink(id);
+  transaction.clear_contacts(id);
   transaction.edit(id, [](Object& object) {
     object.placed = false;
     object.pose = {};

@@ -15,9 +15,9 @@ constexpr double kSmallestDirection = 1e-3;  // of summed-up unit normals: oppos
 Vec3 away_from_contacts(const Scene& scene, const MovingGroup& group,
                         const std::optional<std::string>& with) {
   Vec3 sum = Vec3::Zero();
-  for (const Link& link : group.object().links) {
-    const std::string name = named(scene, link.with).name;
-    if (with ? name == *with : holds_up(link.contact)) sum += link.contact.normal;
+  for (const ObjectContact& entry : group.object().contacts) {
+    const std::string name = named(scene, entry.with).name;
+    if (with ? name == *with : holds_up(entry.contact)) sum += entry.contact.normal;
   }
   const double length = sum.norm();
   return length > kSmallestDirection ? Vec3(sum / length) : Vec3(Vec3::Zero());

@@ -185,7 +185,7 @@ std::vector<Placement> LiveMove::placements() const {
 std::vector<ContactPoint> LiveMove::contacts() const {
   std::vector<ContactPoint> out;
   if (m_hand->group())
-    for (const Touch& touch : m_hand->group()->touches()) out.push_back(touch.point);
+    for (const GroupContact& touch : m_hand->group()->group_contacts()) out.push_back(touch.point);
   return out;
 }
 

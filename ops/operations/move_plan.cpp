@@ -102,7 +102,7 @@ bool MovePlanner::interrupted() {
 }
 
 double MovePlanner::advance(const Motion& motion, SettleStep::Kind kind) {
-  m_group->separate(m_group->touches());
+  m_group->separate(m_group->group_contacts());
   const ObstacleContact found = m_group->first_contact(motion);
   if (found.status == FirstContact::Status::Crossing) {
     refuse({Cause::AlreadyTouches, {name(), named(m_scene, found.with)}});

@@ -32,9 +32,9 @@ class IdList {
 };
 
 void append_loads(const Scene& scene, ObjectId id, IdList& ids) {
-  for (const Link& link : scene.at(id).links)
-    if (link.with.is_object() && weighs_on(link.contact) && !scene.at(link.with.object()).fixed)
-      ids.add(link.with.object());
+  for (const ObjectContact& entry : scene.at(id).contacts)
+    if (entry.with.is_object() && weighs_on(entry.contact) && !scene.at(entry.with.object()).fixed)
+      ids.add(entry.with.object());
 }
 
 void append_group_members(const Scene& scene, ObjectId id, IdList& ids) {
@@ -173,8 +173,8 @@ const std::vector<ContactsWith>& MovingGroup::contacts(Index member) const {
   return *known;
 }
 
-std::vector<Touch> MovingGroup::touches() const {
-  std::vector<Touch> out;
+std::vector<GroupContact> MovingGroup::group_contacts() const {
+  std::vector<GroupContact> out;
   for (Index m = 0; m < static_cast<Index>(m_bodies.size()); ++m)
     for (const ContactsWith& c : contacts(m))
       for (const ContactPoint& p : merged(c.points, kContactTolerance * m_clearance))
@@ -182,32 +182,32 @@ std::vector<Touch> MovingGroup::touches() const {
   return out;
 }
 
-std::optional<Vec3> MovingGroup::lift_for_sliding(const std::vector<ContactPoint>& points,
-                                                  double part) const {
-  const Vec3 d = smallest_lift(points, part * kSlideGap * m_clearance);
-  if (!(d.norm() > 0) || d.norm() > kLargestLift * m_clearance) return std::nullopt;
+std::optional<Vec3> MovingGroup::separating_motion_for_sliding(
+    const std::vector<ContactPoint>& points, double part) const {
+  const Vec3 d = smallest_separating_motion(points, part * kSlideGap * m_clearance);
+  if (!(d.norm() > 0) || d.norm() > kLargestSeparatingMotion * m_clearance) return std::nullopt;
   const bool opens_all = std::all_of(points.begin(), points.end(), [&](const ContactPoint& p) {
     return p.gap + p.normal.dot(d) >= part * kSlideBelow * m_clearance;
   });
   return opens_all ? std::optional(d) : std::nullopt;
 }
 
-bool MovingGroup::separate(const std::vector<Touch>& touches) {
+bool MovingGroup::separate(const std::vector<GroupContact>& group_contacts) {
   m_motion_clearance = m_clearance;
   std::vector<ContactPoint> points;
-  for (const Touch& t : touches) points.push_back(t.point);
+  for (const GroupContact& t : group_contacts) points.push_back(t.point);
   const auto is_open = [&](double part) {
     return std::all_of(points.begin(), points.end(), [&](const ContactPoint& p) {
       return p.gap >= part * kSlideBelow * m_clearance;
     });
   };
   if (is_open(1)) return false;
-  std::optional<Vec3> d = lift_for_sliding(points, 1);
+  std::optional<Vec3> d = separating_motion_for_sliding(points, 1);
   for (const double part : kTightParts) {
     if (d) break;
     m_motion_clearance = part * m_clearance;
     if (is_open(part)) return false;
-    d = lift_for_sliding(points, part);
+    d = separating_motion_for_sliding(points, part);
   }
   if (!d) {
     m_motion_clearance = m_clearance;

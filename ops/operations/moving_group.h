@@ -25,7 +25,7 @@ std::vector<ObjectId> driven_with(const Scene& scene, ObjectId object,
 std::optional<Refusal> refuse_immovable(const Scene& scene, std::span<const ObjectId> ids);
 
 /// A contact point of a member with an object outside the group or the floor.
-struct Touch {
+struct GroupContact {
   Index member = 0;
   Support with;
   ContactPoint point;
@@ -60,12 +60,12 @@ class MovingGroup {
   /// Contacts of a member with the outside, within kContactTolerance clearances; cached until the
   /// group moves.
   const std::vector<ContactsWith>& contacts(Index member) const;
-  std::vector<Touch> touches() const;
+  std::vector<GroupContact> group_contacts() const;
   /// Opens gaps a little, so that the group can slide along its contacts; see kSlideGap. Between
   /// contacts that oppose each other there may be no room for that: the group goes to the middle,
   /// and motions keep a part of the clearance only, until the next separate().
   /// @return whether it has moved.
-  bool separate(const std::vector<Touch>& touches);
+  bool separate(const std::vector<GroupContact>& group_contacts);
   /// Settles from where the group is; the group then is where it ended.
   SettleOutcome settle(Interrupt* interrupt);
 
@@ -84,7 +84,8 @@ class MovingGroup {
 
  private:
   void update();
-  std::optional<Vec3> lift_for_sliding(const std::vector<ContactPoint>& points, double part) const;
+  std::optional<Vec3> separating_motion_for_sliding(const std::vector<ContactPoint>& points,
+                                                    double part) const;
 
   const Scene* m_scene;
   std::vector<ObjectId> m_ids, m_driven;

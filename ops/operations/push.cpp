@@ -27,17 +27,17 @@ Push::Push(MovePlanner& planner, const PushOperation& o)
       m_shortest(kShortest * planner.group().clearance()) {
   find_contacts();
   note_way(false);
-  const bool carried = std::any_of(m_touches.begin(), m_touches.end(), [](const Touch& t) {
-    return t.point.normal.z() > kSupportNormalZ;
-  });
+  const bool carried =
+      std::any_of(m_group_contacts.begin(), m_group_contacts.end(),
+                  [](const GroupContact& t) { return t.point.normal.z() > kSupportNormalZ; });
   if (!carried) m_planner.refuse({Refusal::Cause::NothingToSlideOn, {m_planner.name()}});
 }
 
 void Push::find_contacts() {
   const Vec3 offset = m_group.here().offset;
-  if (m_found_at != offset) m_touches = m_group.touches(), m_found_at = offset;
+  if (m_found_at != offset) m_group_contacts = m_group.group_contacts(), m_found_at = offset;
   m_normals.clear();
-  for (const Touch& t : m_touches) m_normals.push_back(t.point.normal);
+  for (const GroupContact& t : m_group_contacts) m_normals.push_back(t.point.normal);
   for (const Obstacle& o : m_obstacles) m_normals.push_back(o.normal);
 }
 
@@ -65,7 +65,7 @@ Push::Next Push::event() {
   if (length <= m_shortest) return stop(OperationResult::End::Reached);
   find_contacts();
   // The contacts stay the same but for their gaps.
-  if (!m_is_separated && m_group.separate(m_touches)) m_found_at = m_group.here().offset;
+  if (!m_is_separated && m_group.separate(m_group_contacts)) m_found_at = m_group.here().offset;
   m_is_separated = true;
   const Vec3 direction = level(left / length);
   const SlidePlan way = slide(direction);
@@ -87,8 +87,8 @@ SlidePlan Push::slide(const Vec3& direction) const {
 }
 
 double Push::end_of(size_t contact, const Vec3& velocity) const {
-  if (contact >= m_touches.size()) return kUnknownEnd * m_group.clearance();
-  const Touch& t = m_touches[contact];
+  if (contact >= m_group_contacts.size()) return kUnknownEnd * m_group.clearance();
+  const GroupContact& t = m_group_contacts[contact];
   std::optional<Body> fixed;
   if (t.with.is_object()) fixed = body_of(m_group.scene().at(t.with.object()));
   return contact_end(m_group.bodies()[t.member], fixed ? &*fixed : nullptr, t.point, velocity,
@@ -149,9 +149,10 @@ Push::Next Push::give_up_steep(const SlidePlan& plan) {
   m_climb = false;
   // What was in the way up there is not here; the steep surface itself is.
   const size_t i = plan.blocker;
-  const Obstacle steep = i < m_touches.size()
-                             ? Obstacle{m_normals[i], m_touches[i].point.point, m_touches[i].with}
-                             : m_obstacles[i - m_touches.size()];
+  const Obstacle steep =
+      i < m_group_contacts.size()
+          ? Obstacle{m_normals[i], m_group_contacts[i].point.point, m_group_contacts[i].with}
+          : m_obstacles[i - m_group_contacts.size()];
   m_obstacles = {steep};
   return Next::GoOn;
 }
@@ -242,11 +243,11 @@ Push::Next Push::stop(OperationResult::End end) {
 
 // A step is what could be climbed if it were allowed to: up to the object's own height.
 Push::Next Push::stop_blocked(size_t contact) {
-  const bool touch = contact < m_touches.size();
+  const bool touch = contact < m_group_contacts.size();
   const Support with =
-      touch ? m_touches[contact].with : m_obstacles[contact - m_touches.size()].with;
-  const Vec3 point =
-      touch ? m_touches[contact].point.point : m_obstacles[contact - m_touches.size()].point;
+      touch ? m_group_contacts[contact].with : m_obstacles[contact - m_group_contacts.size()].with;
+  const Vec3 point = touch ? m_group_contacts[contact].point.point
+                           : m_obstacles[contact - m_group_contacts.size()].point;
   m_planner.note_blocked(with, point);
   const Vec2 left = way_left();
   const Place here = m_group.here();
@@ -311,7 +312,7 @@ std::optional<Vec3> Push::last_place_that_holds() {
 void Push::release() {
   find_contacts();
   std::vector<ContactPoint> points;
-  for (const Touch& t : m_touches)
+  for (const GroupContact& t : m_group_contacts)
     if (t.member == 0) points.push_back(t.point);
   if (m_planner.is_joint() ||
       carrying_margin(points, m_group.centre()) >= kRestMargin * m_group.size())

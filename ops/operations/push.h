@@ -32,9 +32,9 @@ namespace trivet {
 /// A resumable push, for interactive drags, too. Nothing is committed here.
 ///
 /// Invariants between events: the group is free of collision; m_way ends where it is; m_normals are
-/// those of m_touches, then of m_obstacles, in this order, as contacts are numbered by SlidePlan;
-/// m_obstacles are what stopped the last motion and is not among m_touches; m_steep is set while a
-/// steep surface is followed.
+/// those of m_group_contacts, then of m_obstacles, in this order, as contacts are numbered by
+/// SlidePlan; m_obstacles are what stopped the last motion and is not among m_group_contacts;
+/// m_steep is set while a steep surface is followed.
 class Push {
  public:
   /// Refuses when nothing carries the object.
@@ -92,8 +92,8 @@ class Push {
   const PushOperation& m_options;
   double m_shortest;  // metres, a few clearances: shorter ways are none
   Vec2 m_goal = Vec2::Zero();
-  std::vector<Touch> m_touches;
-  std::optional<Vec3> m_found_at;  // the offset at which m_touches were found
+  std::vector<GroupContact> m_group_contacts;
+  std::optional<Vec3> m_found_at;  // the offset at which m_group_contacts were found
   std::vector<Vec3> m_normals;     // of the touches, then of the obstacles
   std::vector<Obstacle> m_obstacles;
   std::optional<Steep> m_steep;

@@ -13,7 +13,7 @@ Pose clear_of_floor(const Scene& scene, const Object& object, Pose pose, double 
   const Affine world = world_from_object(pose, object.up, object.scale);
   double lowest = kInfinity;
   for (const Vec3& v : object.shape->mesh.vertices) lowest = std::min(lowest, world.apply(v).z());
-  if (lowest < kLiftBelow * clearance) pose.translation.z() += clearance - lowest;
+  if (lowest < kSeparateBelow * clearance) pose.translation.z() += clearance - lowest;
   return pose;
 }
 

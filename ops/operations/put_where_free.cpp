@@ -195,7 +195,7 @@ class FreePlaceSearch {
 
   // After it has settled: on the support alone, and as far from everything else as asked for.
   std::optional<Refusal> refuse_end(const MovingGroup& group) const {
-    for (const Touch& touch : group.touches())
+    for (const GroupContact& touch : group.group_contacts())
       if (touch.with != *m_on.support)
         return Refusal{Cause::RestsOnOther, {m_name, named(m_scene, touch.with)}};
     const double keep = m_operation.place->keep;

@@ -5,12 +5,12 @@ namespace trivet {
 namespace {
 
 // The contact that is asked for; else the one that holds most. Null: there is none.
-const Link* held_link(const Scene& scene, const Object& object,
-                      const std::optional<std::string>& with) {
-  const Link* best = nullptr;
-  for (const Link& link : object.links)
-    if (!with || named(scene, link.with).name == *with)
-      if (!best || holds_more(link, *best)) best = &link;
+const ObjectContact* held_contact(const Scene& scene, const Object& object,
+                                  const std::optional<std::string>& with) {
+  const ObjectContact* best = nullptr;
+  for (const ObjectContact& entry : object.contacts)
+    if (!with || named(scene, entry.with).name == *with)
+      if (!best || holds_more(entry, *best)) best = &entry;
   return best;
 }
 
@@ -18,19 +18,19 @@ const Link* held_link(const Scene& scene, const Object& object,
 
 std::optional<TurnAxis> axis_or_refusal(MovePlanner& planner, const TurnOperation& o) {
   const Scene& scene = planner.scene();
-  const Link* link = held_link(scene, planner.group().object(), o.with);
-  if (!link) {
+  const ObjectContact* entry = held_contact(scene, planner.group().object(), o.with);
+  if (!entry) {
     Refusal why{Refusal::Cause::NoContact, {planner.name()}};
     if (o.with) why.objects.push_back(named(scene, *o.with));
     why.detail = "to turn about";
     planner.refuse(why);
     return std::nullopt;
   }
-  if (o.about == TurnOperation::About::Line && link->contact.hull.size() < 2) {
-    planner.refuse({Refusal::Cause::PointContact, {planner.name(), named(scene, link->with)}});
+  if (o.about == TurnOperation::About::Line && entry->contact.hull.size() < 2) {
+    planner.refuse({Refusal::Cause::PointContact, {planner.name(), named(scene, entry->with)}});
     return std::nullopt;
   }
-  return turn_axis(planner.group().object(), link->contact, o);
+  return turn_axis(planner.group().object(), entry->contact, o);
 }
 
 MovePlan finish_turn(MovePlanner& planner, const TurnOperation& o) {

@@ -30,9 +30,9 @@ Vec3 chosen_direction(const Vec3& along, const Vec3& line, const Vec3& centre, d
 
 }  // namespace
 
-bool holds_more(const Link& a, const Link& b) {
-  const auto rank = [](const Link& link) {
-    return std::make_tuple(holds_up(link.contact), link.contact.type, link.contact.normal.z());
+bool holds_more(const ObjectContact& a, const ObjectContact& b) {
+  const auto rank = [](const ObjectContact& entry) {
+    return std::make_tuple(holds_up(entry.contact), entry.contact.type, entry.contact.normal.z());
   };
   return rank(a) > rank(b);
 }

@@ -15,7 +15,7 @@ struct TurnAxis {
 
 /// Whether a TURN that is not told which contact holds `a` rather than `b`, links of one object:
 /// those that support before others, then those with more contact, then those that are more level.
-bool holds_more(const Link& a, const Link& b);
+bool holds_more(const ObjectContact& a, const ObjectContact& b);
 
 /// The centre of a contact: of its hull's area, of its line, of its points.
 Vec3 centre_of(const Contact& contact);

@@ -9,7 +9,7 @@ namespace trivet {
 namespace {
 
 // A lower bound, low enough to be one after rounding.
-double gap(const BoxTree::Box& a, const BoxTree::Box& b) {
+double gap(const PlacedBvh::Box& a, const PlacedBvh::Box& b) {
   const Vec3 apart = (a.centre - b.centre).cwiseAbs() - a.half - b.half;
   const double rounding = 1e-14 * (a.centre.cwiseAbs() + b.centre.cwiseAbs()).maxCoeff();
   return apart.cwiseMax(0).norm() - rounding;
@@ -29,13 +29,13 @@ bool faces_nearer(double distance, const Body& a, const BvhNode& leaf_a, const B
 }  // namespace
 
 bool nearer_than(double distance, const Body& a, const Body& b) {
-  const BoxTree tree_a(a), tree_b(b);
+  const PlacedBvh tree_a(a), tree_b(b);
   if (tree_a.bvh.nodes.empty() || tree_b.bvh.nodes.empty()) return false;
   std::vector<std::pair<Index, Index>> open{{0, 0}};
   while (!open.empty()) {
     const auto [i, j] = open.back();
     open.pop_back();
-    const BoxTree::Box box_a = tree_a.box(i), box_b = tree_b.box(j);
+    const PlacedBvh::Box box_a = tree_a.box(i), box_b = tree_b.box(j);
     if (gap(box_a, box_b) >= distance) continue;
     const BvhNode &node_a = tree_a.bvh.nodes[i], &node_b = tree_b.bvh.nodes[j];
     if (node_a.is_leaf() && node_b.is_leaf()) {

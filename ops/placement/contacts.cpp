@@ -37,19 +37,21 @@ std::vector<ContactPoint> all_points(const std::vector<ContactsWith>& contacts, 
   return all;
 }
 
-std::vector<Link> links_of(const Object& object, const Pose& pose, const Scene& scene,
-                           const std::vector<ContactsWith>& contacts, double clearance) {
+std::vector<ObjectContact> object_contacts_of(const Object& object, const Pose& pose,
+                                              const Scene& scene,
+                                              const std::vector<ContactsWith>& contacts,
+                                              double clearance) {
   const Body body = body_of(object, pose);
   const double extent = kContactExtent * size_of(object);
-  std::vector<Link> links;
+  std::vector<ObjectContact> object_contacts;
   for (const ContactsWith& c : contacts) {
     const auto points = merged(c.points, kContactTolerance * clearance);
     Body support;
     if (c.with.is_object()) support = body_of(scene.at(c.with.object()));
-    links.push_back(
+    object_contacts.push_back(
         {c.with, make_contact(points, body, c.with.is_floor() ? nullptr : &support, extent)});
   }
-  return links;
+  return object_contacts;
 }
 
 }  // namespace trivet

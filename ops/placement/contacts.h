@@ -25,7 +25,9 @@ std::vector<ContactsWith> touching(const Body& body, const Neighbourhood& others
 std::vector<ContactPoint> all_points(const std::vector<ContactsWith>& contacts, double distance);
 
 /// Contacts of an object at `pose` as links.
-std::vector<Link> links_of(const Object& object, const Pose& pose, const Scene& scene,
-                           const std::vector<ContactsWith>& contacts, double clearance);
+std::vector<ObjectContact> object_contacts_of(const Object& object, const Pose& pose,
+                                              const Scene& scene,
+                                              const std::vector<ContactsWith>& contacts,
+                                              double clearance);
 
 }  // namespace trivet

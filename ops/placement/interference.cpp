@@ -63,9 +63,9 @@ bool add_crossing(ObjectId id_a, const PlacedShape& a, ObjectId id_b, const Plac
 }
 
 // With a vertex below a height.
-void add_low_faces(ObjectId id, const PlacedShape& placed, const BoxTree& tree, Index node,
+void add_low_faces(ObjectId id, const PlacedShape& placed, const PlacedBvh& tree, Index node,
                    double height, Collector& out) {
-  const BoxTree::Box box = tree.box(node);
+  const PlacedBvh::Box box = tree.box(node);
   const double rounding = placed.slack + 1e-14 * std::abs(box.centre.z());
   if (box.centre.z() - box.half.z() - rounding > height) return;
   const BvhNode& n = tree.bvh.nodes[node];
@@ -83,7 +83,7 @@ void add_low_faces(ObjectId id, const PlacedShape& placed, const BoxTree& tree, 
 
 void add_low_faces(ObjectId id, const Body& body, const PlacedShape& placed, double height,
                    Collector& out) {
-  if (!body.shape->bvh.nodes.empty()) add_low_faces(id, placed, BoxTree(body), 0, height, out);
+  if (!body.shape->bvh.nodes.empty()) add_low_faces(id, placed, PlacedBvh(body), 0, height, out);
 }
 
 void add_crossing_floor(ObjectId id, const Body& body, const ObjectInWorld& here, Collector& out) {

@@ -29,7 +29,7 @@ class Settling {
       if (m_problem.interrupt && m_problem.interrupt->reason())
         return finish(SettleOutcome::Status::Interrupted);
       const std::vector<ContactPoint> points = look_around();
-      if (lift_if_needed(points)) continue;
+      if (separate_if_needed(points)) continue;
       if (carrying_margin(points, m_object.centre) >= kRestMargin * m_object.size)
         return finish(SettleOutcome::Status::AtRest);
       if (is_rocking() && is_held(points)) return finish(SettleOutcome::Status::AtRest);
@@ -152,7 +152,7 @@ class Settling {
 
   // Whether gaps were opened again and again, which an object thinner than the contacts' tolerance
   // goes on with.
-  bool is_rocking() const { return m_num_lifts > kLiftsOfRocking; }
+  bool is_rocking() const { return m_num_separating_motions > kLiftsOfRocking; }
 
   // At the start: whether it is held, although some turn would lower it by more than closing a gap.
   // Contacts that are merely near do not count: the turn would close these.
@@ -221,14 +221,16 @@ class Settling {
   }
 
   // Gaps that shrank below half the clearance are opened again, by the smallest translation.
-  bool lift_if_needed(const std::vector<ContactPoint>& points) {
+  bool separate_if_needed(const std::vector<ContactPoint>& points) {
     double smallest = kInfinity;
     for (const ContactPoint& c : points) smallest = std::min(smallest, c.gap);
-    if (smallest >= kLiftBelow * clearance() || m_num_lifts >= kMaxLifts) return false;
-    ++m_num_lifts;
-    const Vec3 d = smallest_lift(points, clearance());
+    if (smallest >= kSeparateBelow * clearance() ||
+        m_num_separating_motions >= kMaxSeparatingMotions)
+      return false;
+    ++m_num_separating_motions;
+    const Vec3 d = smallest_separating_motion(points, clearance());
     const double length = d.norm();
-    if (!(length > 0) || length > kLargestLift * clearance()) return false;
+    if (!(length > 0) || length > kLargestSeparatingMotion * clearance()) return false;
     const Motion motion = Motion::translation(d / length, length);
     const double time = std::min(query(motion).time, length);
     if (time < 0.1 * length) return false;
@@ -258,13 +260,13 @@ class Settling {
   SettleOutcome m_out;
   SettlingObject m_object;
   std::vector<Body> m_bodies;  // the object, then what it carries
-  int m_num_lifts = 0;
+  int m_num_separating_motions = 0;
   bool m_sank = false;
 };
 
 }  // namespace
 
-Vec3 smallest_lift(const std::vector<ContactPoint>& points, double clearance) {
+Vec3 smallest_separating_motion(const std::vector<ContactPoint>& points, double clearance) {
   std::vector<double> weights(points.size(), 0.0);
   Vec3 d = Vec3::Zero();
   for (int sweep = 0; sweep < kLiftSweeps; ++sweep)

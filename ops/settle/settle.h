@@ -61,7 +61,7 @@ struct SettleOutcome {
 SettleOutcome settle(const SettleProblem& problem);
 
 /// The least translation d with normal . d >= clearance - gap for all contacts [Hildreth 1957].
-Vec3 smallest_lift(const std::vector<ContactPoint>& points, double clearance);
+Vec3 smallest_separating_motion(const std::vector<ContactPoint>& points, double clearance);
 
 /// Whether the centre is inside the hull of the contacts that carry, or contact forces balance.
 bool is_balanced(const std::vector<ContactPoint>& contacts, const Vec3& centre, double size,

@@ -17,13 +17,13 @@ FreeBodies free_bodies(const Scene& scene, double density) {
                           object.scale * object.shape->box.diagonal()});
   }
   for (Index i = 0; i < static_cast<Index>(out.bodies.size()); ++i)
-    for (const Link& link : scene.at(out.bodies[i].id).links) {
+    for (const ObjectContact& entry : scene.at(out.bodies[i].id).contacts) {
       const auto other =
-          link.with.is_object() ? body_index.find(link.with.object().index) : body_index.end();
+          entry.with.is_object() ? body_index.find(entry.with.object().index) : body_index.end();
       const Index from = other == body_index.end() ? BodyContact::kGround : other->second;
       if (from != BodyContact::kGround && from < i) continue;  // seen from the other side already
-      for (const ContactPoint& p : link.contact.points)
-        out.touches.push_back({i, from, link.with, p});
+      for (const ContactPoint& p : entry.contact.points)
+        out.touches.push_back({i, from, entry.with, p});
     }
   return out;
 }

@@ -32,12 +32,12 @@ SoftwareZLists::SoftwareZLists(const SoftwareZListOptions& options) : m_options(
     m_options.num_threads = std::max(1, tbb::this_task_arena::max_concurrency());
 }
 
-Proposal SoftwareZLists::propose(const FirstContactQuery& query, double horizon) {
+CandidatePairs SoftwareZLists::find_candidates(const FirstContactQuery& query, double horizon) {
   const int resolution =
       m_options.resolution ? m_options.resolution : zlist_resolution_of_processors(query);
   const ZListFrame frame = make_zlist_frame(query, horizon, resolution);
   if (!frame.empty()) return ZListSearch(query, frame, m_options).run();
-  Proposal nothing;
+  CandidatePairs nothing;
   nothing.usable = true;
   nothing.lower = kInfinity;
   return nothing;

@@ -21,12 +21,12 @@ struct SoftwareZListOptions {
 /// sides; lists only in pixels whose lower bound does not exceed it, zoomed in where they are long.
 /// README.md proves that no pair is missed. Needs no preprocessing of the meshes. Cost O(vertices +
 /// faces + touched pixels + pairs left). The same candidates with any number of threads.
-class SoftwareZLists : public ZListStage {
+class SoftwareZLists : public CandidateFinder {
  public:
   /// @throws Error (BadInput) for options out of range.
   explicit SoftwareZLists(const SoftwareZListOptions& options = {});
   std::string name() const override { return "software"; }
-  Proposal propose(const FirstContactQuery& query, double horizon) override;
+  CandidatePairs find_candidates(const FirstContactQuery& query, double horizon) override;
 
  private:
   SoftwareZListOptions m_options;

@@ -110,11 +110,11 @@ bool ZListSearch::give_up(const char* why) {
   return false;
 }
 
-Proposal ZListSearch::run() {
+CandidatePairs ZListSearch::run() {
   Lists lists;
   const bool done = draw_base(lists) && resolve(View::whole(m_frame, true), 0, kAnyPairs, lists);
   if (done) return proposal();
-  Proposal out;
+  CandidatePairs out;
   out.why = m_why;
   out.work = m_work;
   return out;
@@ -311,10 +311,10 @@ void ZListSearch::drop_duplicates() {
                      m_candidates.end());
 }
 
-Proposal ZListSearch::proposal() {
+CandidatePairs ZListSearch::proposal() {
   drop_duplicates();
   const float upper = m_upper.get();
-  Proposal out;
+  CandidatePairs out;
   out.usable = true;
   for (const Candidate& c : m_candidates) {
     const Layer::FaceId a = m_moving.id(c.moving), b = m_fixed.id(c.fixed);

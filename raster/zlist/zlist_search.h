@@ -35,7 +35,7 @@ class ZListSearch {
  public:
   ZListSearch(const FirstContactQuery& query, const ZListFrame& frame,
               const SoftwareZListOptions& options);
-  Proposal run();
+  CandidatePairs run();
 
  private:
   struct Candidate {
@@ -63,7 +63,7 @@ class ZListSearch {
   bool add_pairs(const Pixel& pixel);
   void drop_duplicates();
   bool give_up(const char* why);
-  Proposal proposal();
+  CandidatePairs proposal();
 
   const FirstContactQuery& m_query;
   const ZListFrame& m_frame;

@@ -13,7 +13,7 @@ auto key(const FacePair& p) {
   return std::tie(p.not_before, p.moving, p.fixed, p.face_moving, p.face_fixed);
 }
 
-std::string wrong_order(const Proposal& proposal) {
+std::string wrong_order(const CandidatePairs& proposal) {
   const auto before = [](const FacePair& a, const FacePair& b) { return key(a) < key(b); };
   if (!std::is_sorted(proposal.pairs.begin(), proposal.pairs.end(), before)) return "unsorted";
   std::vector<std::array<Index, 4>> pairs;
@@ -25,7 +25,7 @@ std::string wrong_order(const Proposal& proposal) {
 }
 
 // Compares bounds with the truth; stages do not know the floor.
-std::string wrong_bounds(const Proposal& proposal, const FirstContact& truth) {
+std::string wrong_bounds(const CandidatePairs& proposal, const FirstContact& truth) {
   const bool touches = truth.status != FirstContact::Status::Free;
   const double time = touches ? truth.time : kInfinity;
   if (proposal.upper < time) return "upper bound too early";
@@ -45,8 +45,8 @@ std::int64_t num_faces(const std::vector<PosedShape>& bodies) {
   return out;
 }
 
-void check(const RandomQuery& q, ZListStage& stage, StageCheck& out) {
-  Proposal proposal;
+void check(const RandomQuery& q, CandidateFinder& stage, StageCheck& out) {
+  CandidatePairs proposal;
   const FirstContact found = q.with_stage(stage, &proposal), truth = q.fast();
   out.num_contacts += truth.status == FirstContact::Status::Contact;
   out.num_crossings += truth.status == FirstContact::Status::Crossing;
@@ -79,7 +79,8 @@ std::string StageCheck::describe() const {
   return out.str();
 }
 
-StageCheck check_stage(ZListStage& stage, const MeshPool& pool, unsigned seed, int first, int num) {
+StageCheck check_stage(CandidateFinder& stage, const MeshPool& pool, unsigned seed, int first,
+                       int num) {
   StageCheck out;
   out.num = num;
   for (int i = 0; i < num; ++i)

@@ -22,6 +22,7 @@ struct StageCheck {
 /// Runs queries number first .. first + num - 1 with the stage and compares with BVHs and brute
 /// force, bit for bit; checks the bounds, the order of the pairs and that none occurs twice. The
 /// last quarter are groups of bodies over the floor.
-StageCheck check_stage(ZListStage& stage, const MeshPool& pool, unsigned seed, int first, int num);
+StageCheck check_stage(CandidateFinder& stage, const MeshPool& pool, unsigned seed, int first,
+                       int num);
 
 }  // namespace trivet::test

@@ -95,7 +95,7 @@ FirstContact RandomQuery::brute_force() const {
   return ask([](const FirstContactQuery& q) { return first_contact_brute_force(q); });
 }
 
-FirstContact RandomQuery::with_stage(ZListStage& stage, Proposal* proposal) const {
+FirstContact RandomQuery::with_stage(CandidateFinder& stage, CandidatePairs* proposal) const {
   return ask([&](const FirstContactQuery& q) { return first_contact(q, stage, proposal); });
 }
 

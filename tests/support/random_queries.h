@@ -35,7 +35,7 @@ struct RandomQuery {
 
   FirstContact fast() const;
   FirstContact brute_force() const;
-  FirstContact with_stage(ZListStage& stage, Proposal* proposal = nullptr) const;
+  FirstContact with_stage(CandidateFinder& stage, CandidatePairs* proposal = nullptr) const;
   /// Moves everything to its pose at `time`.
   void advance(double time);
   std::string describe() const;  // full digits

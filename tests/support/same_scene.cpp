@@ -16,7 +16,7 @@ bool same(const ContactPoint& a, const ContactPoint& b) {
          a.feature_object == b.feature_object && a.feature_support == b.feature_support;
 }
 
-bool same(const Link& a, const Link& b) {
+bool same(const ObjectContact& a, const ObjectContact& b) {
   const Contact &x = a.contact, &y = b.contact;
   return a.with == b.with && x.type == y.type && x.hull == y.hull && x.normal == y.normal &&
          x.gap == y.gap && x.faces_object == y.faces_object && x.faces_support == y.faces_support &&
@@ -33,9 +33,10 @@ std::string difference(const Object& a, const Object& b) {
   if (!same(a.pose, b.pose)) return "pose";
   if (a.stability_margin != b.stability_margin || a.least_friction != b.least_friction)
     return "rating";
-  const bool links = std::equal(a.links.begin(), a.links.end(), b.links.begin(), b.links.end(),
-                                [](const Link& x, const Link& y) { return same(x, y); });
-  return links ? "" : "links";
+  const bool object_contacts =
+      std::equal(a.contacts.begin(), a.contacts.end(), b.contacts.begin(), b.contacts.end(),
+                 [](const ObjectContact& x, const ObjectContact& y) { return same(x, y); });
+  return object_contacts ? "" : "links";
 }
 
 }  // namespace

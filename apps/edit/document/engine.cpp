@@ -2,7 +2,7 @@
 
 #include "apps/edit/document/results.h"
 #include "core/base/error.h"
-#include "core/io/isolated.h"
+#include "core/io/sandboxed_import.h"
 #include "ops/placement/neighbourhood.h"
 
 namespace trivet::edit {

@@ -16,10 +16,10 @@ void describe(const Scene& scene, const OperationResult& result, Ghost& ghost) {
   for (const std::string& name : result.carried)
     if (const auto id = scene.find(name)) ghost.members.push_back({*id, scene.at(*id).pose});
   ghost.state = object.state;
-  for (const Link& link : object.links) {
-    if (!holds_up(link.contact)) continue;
-    if (link.with.is_object()) ghost.objects.push_back(link.with.object());
-    for (const ContactPoint& p : link.contact.points) ghost.points.push_back(p.point);
+  for (const ObjectContact& entry : object.contacts) {
+    if (!holds_up(entry.contact)) continue;
+    if (entry.with.is_object()) ghost.objects.push_back(entry.with.object());
+    for (const ContactPoint& p : entry.contact.points) ghost.points.push_back(p.point);
   }
 }
 

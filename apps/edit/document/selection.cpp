@@ -30,20 +30,22 @@ Selection pruned(Selection selection, const SceneSnapshot& scene) {
   if (!selection.contact) return selection;
   const auto active = selection.active();
   const ObjectSnapshot* const object = active ? scene.find(*active) : nullptr;
-  const auto still = [&](const Link& link) { return link.with == selection.contact->with; };
-  if (!object || std::none_of((*object)->links.begin(), (*object)->links.end(), still))
+  const auto still = [&](const ObjectContact& entry) {
+    return entry.with == selection.contact->with;
+  };
+  if (!object || std::none_of((*object)->contacts.begin(), (*object)->contacts.end(), still))
     selection.contact.reset();
   return selection;
 }
 
-const Link* active_link(const Selection& selection, const SceneSnapshot& scene) {
+const ObjectContact* active_object_contact(const Selection& selection, const SceneSnapshot& scene) {
   const auto active = selection.active();
   const ObjectSnapshot* const object = active ? scene.find(*active) : nullptr;
   if (!object) return nullptr;
-  const Link* best = nullptr;
-  for (const Link& link : (*object)->links) {
-    if (selection.contact && link.with == selection.contact->with) return &link;
-    if (!best || holds_more(link, *best)) best = &link;
+  const ObjectContact* best = nullptr;
+  for (const ObjectContact& entry : (*object)->contacts) {
+    if (selection.contact && entry.with == selection.contact->with) return &entry;
+    if (!best || holds_more(entry, *best)) best = &entry;
   }
   return best;
 }

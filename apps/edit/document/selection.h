@@ -37,6 +37,6 @@ Selection pruned(Selection selection, const SceneSnapshot& scene);
 
 /// Contact of the active selection; else, among the contacts that support the active object, the
 /// largest. Null: none.
-const Link* active_link(const Selection& selection, const SceneSnapshot& scene);
+const ObjectContact* active_object_contact(const Selection& selection, const SceneSnapshot& scene);
 
 }  // namespace trivet::edit

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "apps/edit/document/same_pose.h"
-#include "core/motion/between.h"
+#include "core/motion/pose_interpolation.h"
 
 namespace trivet::edit {
 namespace {
@@ -40,7 +40,7 @@ std::optional<SettledWay> settled_way(const Scene& scene, const Operation& opera
   way.lengths = {0};
   for (size_t i = 1; i < way.poses.size(); ++i)
     way.lengths.push_back(way.lengths.back() +
-                          length_between(way.poses[i - 1], way.poses[i], 0.5 * way.size));
+                          path_length(way.poses[i - 1], way.poses[i], 0.5 * way.size));
   if (!(way.length() > 0)) return std::nullopt;
   return way;
 }
@@ -51,7 +51,8 @@ Pose pose_on(const SettledWay& way, double part) {
   const auto next = std::upper_bound(way.lengths.begin(), way.lengths.end(), at);
   const auto i = static_cast<size_t>(next - way.lengths.begin());
   const double before = way.lengths[i - 1];
-  return between(way.poses[i - 1], way.poses[i], (at - before) / (way.lengths[i] - before));
+  return interpolate_pose(way.poses[i - 1], way.poses[i],
+                          (at - before) / (way.lengths[i] - before));
 }
 
 }  // namespace trivet::edit

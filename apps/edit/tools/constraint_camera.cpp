@@ -13,18 +13,19 @@ constexpr double kSmallest = 1e-3;  // least extent of the frame, metres
 constexpr double kAlongZ = 0.9;
 
 // Towards the viewer, unit.
-Vec3 direction(const Link* link, const Selection& selection, const std::optional<Vec3>& axis) {
+Vec3 direction(const ObjectContact* entry, const Selection& selection,
+               const std::optional<Vec3>& axis) {
   if (axis && axis->norm() > 0) return axis->normalized();
-  if (!link) return Vec3::UnitZ();
+  if (!entry) return Vec3::UnitZ();
   const bool edge = selection.contact && selection.contact->part == ActiveContact::Part::Edge;
-  if (edge && link->contact.hull.size() > 1) {
-    const auto [a, b] = held_line(link->contact, selection.contact->near);
+  if (edge && entry->contact.hull.size() > 1) {
+    const auto [a, b] = held_line(entry->contact, selection.contact->near);
     const Vec3 along = (b - a).normalized();
     // Seen from the usual side: front, right, above.
     const double side = along.dot(Vec3(0.1, -1, 0.3));
     return side < 0 ? Vec3(-along) : along;
   }
-  return link->contact.normal;
+  return entry->contact.normal;
 }
 
 }  // namespace
@@ -36,8 +37,8 @@ View constraint_view(const SceneSnapshot& scene, const Selection& selection,
   const bool placed = object && (*object)->placed;
   Aabb box = placed ? world_box(*object->object) : scene.box();
   if (box.empty()) box = {Vec3::Constant(-0.5), Vec3::Constant(0.5)};
-  const Link* const link = placed ? active_link(selection, scene) : nullptr;
-  const Vec3 back = direction(link, selection, axis);
+  const ObjectContact* const entry = placed ? active_object_contact(selection, scene) : nullptr;
+  const Vec3 back = direction(entry, selection, axis);
   const double size = std::max(kSmallest, box.diagonal()) * (placed ? kFrame : 1.1);
   Aabb everything = scene.box();
   everything.extend(box);

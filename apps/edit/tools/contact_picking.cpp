@@ -23,8 +23,8 @@ struct Best {
   }
 };
 
-void offer_parts(const Link& link, const View& view, const Vec2& px, Best& best) {
-  const std::vector<Vec3>& hull = link.contact.hull;
+void offer_parts(const ObjectContact& entry, const View& view, const Vec2& px, Best& best) {
+  const std::vector<Vec3>& hull = entry.contact.hull;
   std::vector<Vec2> outline;
   for (const Vec3& p : hull) {
     const auto at = view.project(p);
@@ -34,16 +34,16 @@ void offer_parts(const Link& link, const View& view, const Vec2& px, Best& best)
   for (const Vec3& p : hull) {
     const auto at = view.project(p);
     const double distance = (*at - px).norm();
-    if (distance <= kPointPx) best.offer({link.with, ActiveContact::Part::Point, p}, distance);
+    if (distance <= kPointPx) best.offer({entry.with, ActiveContact::Part::Point, p}, distance);
   }
   for (size_t i = 0; hull.size() > 1 && i < hull.size(); ++i) {
     const size_t j = (i + 1) % hull.size();
     const double distance = distance_px(px, outline[i], outline[j]);
     if (distance <= kEdgePx)
-      best.offer({link.with, ActiveContact::Part::Edge, 0.5 * (hull[i] + hull[j])}, distance);
+      best.offer({entry.with, ActiveContact::Part::Edge, 0.5 * (hull[i] + hull[j])}, distance);
   }
-  if (link.contact.type == ContactType::Area && is_inside(px, outline))
-    best.offer({link.with, ActiveContact::Part::Area, centre_of(link.contact)}, 0);
+  if (entry.contact.type == ContactType::Area && is_inside(px, outline))
+    best.offer({entry.with, ActiveContact::Part::Area, centre_of(entry.contact)}, 0);
 }
 
 }  // namespace
@@ -71,7 +71,7 @@ std::optional<ActiveContact> pick_contact(const SceneSnapshot& scene, const Sele
   const ObjectSnapshot* const object = id ? scene.find(*id) : nullptr;
   Best best;
   if (object)
-    for (const Link& link : (*object)->links) offer_parts(link, view, px, best);
+    for (const ObjectContact& entry : (*object)->contacts) offer_parts(entry, view, px, best);
   return best.contact;
 }
 

@@ -87,8 +87,8 @@ std::string PutTool::hint() const {
 bool PushTool::grab(const PointerEvent& event) {
   const ObjectSnapshot* const object = grab_object(event);
   if (!object) return false;
-  const Link* const link = active_link(m_document.selection(), scene());
-  m_normal = link && link->contact.normal.z() > 0.1 ? link->contact.normal : Vec3(Vec3::UnitZ());
+  const ObjectContact* const entry = active_object_contact(m_document.selection(), scene());
+  m_normal = entry && entry->contact.normal.z() > 0.1 ? entry->contact.normal : Vec3(Vec3::UnitZ());
   m_start = (*object)->pose.translation;
   return true;
 }
@@ -119,8 +119,8 @@ std::string PushTool::hint() const {
 
 bool PickUpTool::grab(const PointerEvent& event) {
   if (!grab_object(event)) return false;
-  const Link* const link = active_link(m_document.selection(), scene());
-  m_direction = link ? link->contact.normal : Vec3(Vec3::UnitZ());
+  const ObjectContact* const entry = active_object_contact(m_document.selection(), scene());
+  m_direction = entry ? entry->contact.normal : Vec3(Vec3::UnitZ());
   return true;
 }
 

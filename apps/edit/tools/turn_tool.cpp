@@ -14,13 +14,13 @@ constexpr double kAxisPx = 60;
 TurnOperation turn_about(const SceneSnapshot& scene, const Selection& selection,
                          const Vec3& view_axis) {
   TurnOperation turn;
-  const Link* const link = active_link(selection, scene);
-  if (!link) return turn;
-  turn.with = link->with.is_object() ? (*scene.find(link->with.object()))->name : "floor";
+  const ObjectContact* const entry = active_object_contact(selection, scene);
+  if (!entry) return turn;
+  turn.with = entry->with.is_object() ? (*scene.find(entry->with.object()))->name : "floor";
   if (!selection.contact || selection.contact->part == ActiveContact::Part::Area) return turn;
   turn.point = selection.contact->near;
   const bool edge =
-      selection.contact->part == ActiveContact::Part::Edge && link->contact.hull.size() > 1;
+      selection.contact->part == ActiveContact::Part::Edge && entry->contact.hull.size() > 1;
   turn.about = edge ? TurnOperation::About::Line : TurnOperation::About::Point;
   if (!edge)
     turn.axis = Vec3(rounded(view_axis.x(), 1e-6), rounded(view_axis.y(), 1e-6),
@@ -40,14 +40,14 @@ bool TurnTool::grab(const PointerEvent& event) {
 
 std::optional<Operation> TurnTool::begin() {
   const ObjectSnapshot* const object = active();
-  const Link* const link = active_link(m_document.selection(), scene());
+  const ObjectContact* const entry = active_object_contact(m_document.selection(), scene());
   if (!object) return std::nullopt;
   TurnOperation turn = turn_about(scene(), m_document.selection(), m_pressed->view.axes().back);
   turn.object = (*object)->name;
   turn.settle = m_options.let_go;
   turn.settle_left = m_options.settle_left;
-  if (link) {
-    m_axis = turn_axis(*object->object, link->contact, turn);
+  if (entry) {
+    m_axis = turn_axis(*object->object, entry->contact, turn);
     // Fixes the direction of the axis, so that the turn follows the mouse.
     if (turn.about == TurnOperation::About::Line) turn.axis = m_axis->direction;
     m_turning = Turning(*m_pressed, m_axis->centre, m_axis->direction);
@@ -74,10 +74,10 @@ Overlay TurnTool::overlay(const View& view) const {
   }
   Selection shown = m_document.selection();
   if (m_hovered) shown.contact = m_hovered;
-  const Link* const link = active_link(shown, scene());
-  if (!link || !shown.contact) return overlay;
+  const ObjectContact* const entry = active_object_contact(shown, scene());
+  if (!entry || !shown.contact) return overlay;
   const double size = kCrossPx * view.metres_per_px(view.depth(shown.contact->near));
-  for (const auto& [a, b] : contact_lines(link->contact, *shown.contact, size))
+  for (const auto& [a, b] : contact_lines(entry->contact, *shown.contact, size))
     overlay.lines.push_back({Overlay::Role::HoverEdge, a, b});
   return overlay;
 }

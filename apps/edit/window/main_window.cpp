@@ -261,12 +261,12 @@ void MainWindow::aim_constraint_window() {
   const View view = constraint_view(*snapshot, m_document.selection(), std::nullopt,
                                     m_constraint->width(), m_constraint->height());
   m_constraint->set_camera(ViewCamera::of(view));
-  const Link* const link = active_link(m_document.selection(), *snapshot);
-  const ObjectSnapshot* const with = link && link->with ? snapshot->find(*link->with) : nullptr;
+  const ObjectContact* const entry = active_object_contact(m_document.selection(), *snapshot);
+  const ObjectSnapshot* const with = entry && entry->with ? snapshot->find(*entry->with) : nullptr;
   m_frames[3]->set_note(
-      !link ? tr("from above")
-            : aim_note(m_document.selection())
-                  .arg(with ? QString::fromStdString((*with)->name) : tr("the floor")));
+      !entry ? tr("from above")
+             : aim_note(m_document.selection())
+                   .arg(with ? QString::fromStdString((*with)->name) : tr("the floor")));
 }
 
 SceneView& MainWindow::view(WindowKind kind) {

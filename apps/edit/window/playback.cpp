@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "apps/edit/document/same_pose.h"
-#include "core/motion/between.h"
+#include "core/motion/pose_interpolation.h"
 
 namespace trivet::edit {
 namespace {
@@ -88,7 +88,7 @@ bool Playback::moves(ObjectId id) const {
 Pose Playback::pose_of(const ObjectSnapshot& object) const {
   if (!moves(object.id)) return object->pose;
   if (const auto straight = m_straight.find(object.id.index); straight != m_straight.end())
-    return straight_between(straight->second, object->pose, progress());
+    return interpolate_straight(straight->second, object->pose, progress());
   const SettledWay& way = *m_now->way;
   const Pose first = pose_on(way, progress());
   return object.id == way.moved.front() ? first

@@ -28,13 +28,13 @@ QString rotation_text(const Rotation& rotation) {
 
 QString contacts_text(const Object& object, const SceneSnapshot& scene) {
   QStringList lines;
-  for (const Link& link : object.links) {
+  for (const ObjectContact& entry : object.contacts) {
     const ObjectSnapshot* const with =
-        link.with.is_object() ? scene.find(link.with.object()) : nullptr;
+        entry.with.is_object() ? scene.find(entry.with.object()) : nullptr;
     const QString name = with ? QString::fromStdString((*with)->name) : Properties::tr("floor");
     lines << Properties::tr("%1: %2 (%3)")
-                 .arg(name, QString::fromUtf8(to_string(link.contact.type)))
-                 .arg(link.contact.points.size());
+                 .arg(name, QString::fromUtf8(to_string(entry.contact.type)))
+                 .arg(entry.contact.points.size());
   }
   return lines.isEmpty() ? Properties::tr("none") : lines.join("\n");
 }

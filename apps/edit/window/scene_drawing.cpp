@@ -200,8 +200,8 @@ void SceneDrawing::add_contacts(LiveOverlay& overlay, const Object& object,
   const Aabb box = world_box(object);
   const double metres = view.metres_per_px(std::max(view.depth(box.centre()), 0.0));
   const double length = std::min(kNormalPx * metres, kNormalOfObject * box.diagonal());
-  for (const Link& link : object.links) {
-    const Contact& contact = link.contact;
+  for (const ObjectContact& entry : object.contacts) {
+    const Contact& contact = entry.contact;
     overlay.add_polygon(contact.hull, with_alpha(kContactRed, 0.30f), Hidden::Faint);
     if (contact.hull.size() > 1) overlay.add_loop(contact.hull, kContactRed, 1.8f, Hidden::Faint);
     // For many points, marks only the corners of the hull, and one normal for all.

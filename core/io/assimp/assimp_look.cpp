@@ -176,8 +176,8 @@ class LookMaker {
   LookMaker(const aiScene& scene, const ImportLimits& limits, Model& model)
       : m_scene(scene), m_model(model), m_materials(scene, limits, model, m_builder) {}
 
-  std::shared_ptr<const Look> make() {
-    Look look;
+  std::shared_ptr<const Appearance> make() {
+    Appearance look;
     const aiNode& root = *m_scene.mRootNode;
     // assimp's own root is skipped unless it carries a transform, meshes or attributes.
     if (root.mTransformation.IsIdentity() && root.mNumMeshes == 0 && !has_attachment(root)) {
@@ -187,7 +187,7 @@ class LookMaker {
       look.roots.push_back(static_cast<int>(add_node(root, 0)));
     }
     look.document = std::make_shared<const GltfDocument>(m_builder.take(GltfJson::object()));
-    return std::make_shared<const Look>(std::move(look));
+    return std::make_shared<const Appearance>(std::move(look));
   }
 
  private:
@@ -349,8 +349,8 @@ bool has_look(const aiScene& scene) {
 
 }  // namespace
 
-std::shared_ptr<const Look> look_of_assimp(const aiScene& scene, const ImportLimits& limits,
-                                           Model& model) {
+std::shared_ptr<const Appearance> appearance_of_assimp(const aiScene& scene,
+                                                       const ImportLimits& limits, Model& model) {
   if (!has_look(scene)) return nullptr;
   try {
     return LookMaker(scene, limits, model).make();

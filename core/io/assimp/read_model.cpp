@@ -104,12 +104,12 @@ bool is_gltf(const std::string& path) {
 // glTF from the file itself: nothing that it says gets lost on the way.
 void read_look(const aiScene& scene, const ImportLimits& limits, Model& model) {
   if (model.format != "gltf2") {
-    model.look = look_of_assimp(scene, limits, model);
+    model.appearance = appearance_of_assimp(scene, limits, model);
     return;
   }
   try {
     const GltfDocument document = read_gltf_document(model.path, limits);
-    model.look = look_of_gltf(document, scene_roots(document.json), model.notes);
+    model.appearance = appearance_of_gltf(document, scene_roots(document.json), model.notes);
   } catch (const Error& e) {
     model.notes.push_back(std::string("hierarchy and textures left out: ") + e.what());
   }

@@ -11,7 +11,7 @@ namespace trivet {
 /// it: the tolerance is reduced until the measurement is within. Faces share the points of their
 /// edges, so that solids are closed. Metres (BREP has no unit: millimetres are assumed), z up,
 /// rounded to float32. A material per part and colour, named after the part. For untrusted files:
-/// call it in a separate process (core/io/isolated.h).
+/// call it in a separate process (core/io/sandboxed_import.h).
 ///
 /// @throws Error (BadInput) naming the file: unreadable, no face, a chord too small for the model's
 ///   size, too many triangles. Thread-safety: Open CASCADE's readers keep state in globals; calls

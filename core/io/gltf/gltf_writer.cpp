@@ -78,7 +78,7 @@ bool is_identity(const GltfJson& node) {
 }
 
 // The only node, if it adds nothing to its mesh: the object's own node can then replace it.
-const GltfJson* only_mesh(const Look& look) {
+const GltfJson* only_mesh(const Appearance& look) {
   if (look.roots.size() != 1) return nullptr;
   const GltfJson root(static_cast<unsigned>(look.roots.front()));
   const GltfJson& node = element(look.document->json, "nodes", root);
@@ -109,8 +109,8 @@ class SceneWriter {
     const Model& model = *object.model;
     GltfJson node = {{"name", object.name}};
     const Vec3 centre = export_centre(model, model.mesh.box());
-    if (model.look)
-      add_look(*model.look, centre, node);
+    if (model.appearance)
+      add_look(*model.appearance, centre, node);
     else if (const int mesh = stored_mesh(object); mesh >= 0)
       node["mesh"] = mesh;
     add_matrix(node_matrix(object, centre), node);
@@ -133,7 +133,7 @@ class SceneWriter {
 
   // Places the model's own nodes below the object's; each object gets copies, as a node has one
   // parent.
-  void add_look(const Look& look, const Vec3& centre, GltfJson& node) {
+  void add_look(const Appearance& look, const Vec3& centre, GltfJson& node) {
     if (const GltfJson* mesh = only_mesh(look); mesh && centre.isZero()) {
       node["mesh"] = m_copier.copy_mesh(*look.document, *mesh);
       return;

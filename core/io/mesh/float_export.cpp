@@ -43,7 +43,7 @@ float finite_float(double value, const ExportObject& object) {
 
 Vec3 export_centre(const Model& model, const Aabb& mesh_box) {
   const Vec3 centre = local_centre(mesh_box);
-  return model.look ? Vec3(centre.cast<float>().cast<double>()) : centre;
+  return model.appearance ? Vec3(centre.cast<float>().cast<double>()) : centre;
 }
 
 LocalVertices local_vertices(const Model& model) {
@@ -65,7 +65,8 @@ NodeMatrix node_matrix(const ExportObject& object, const Vec3& centre) {
 }
 
 ExportedPlacement::ExportedPlacement(const ExportObject& object, const Aabb& mesh_box)
-    : m_centre(export_centre(*object.model, mesh_box)), m_has_look(object.model->look != nullptr) {
+    : m_centre(export_centre(*object.model, mesh_box)),
+      m_has_look(object.model->appearance != nullptr) {
   const NodeMatrix rows = node_matrix(object, m_centre);
   for (int r = 0; r < 3; ++r) {
     for (int c = 0; c < 3; ++c) m_y_up_from_local.linear(r, c) = rows[r][c];

@@ -11,9 +11,9 @@
 #include "core/base/hash.h"
 #include "core/io/export.h"
 #include "core/io/gltf/gltf_builder.h"
-#include "core/io/isolated.h"
 #include "core/io/look.h"
 #include "core/io/model_folder.h"
+#include "core/io/sandboxed_import.h"
 #include "core/io/staged_files.h"
 #include "ops/base/names.h"
 #include "ops/files/inplace/scene_document.h"
@@ -205,7 +205,7 @@ void GltfScene::Document::find_objects() {
 
 Model GltfScene::Document::read(size_t object) const {
   std::vector<std::string> notes;
-  const auto look = look_of_gltf(resolved, {bare[object]}, notes);
+  const auto look = appearance_of_gltf(resolved, {bare[object]}, notes);
   if (!look)
     throw Error(Error::Kind::BadInput,
                 path + ": \"" + objects[object].name + "\": " + notes.back());

@@ -7,7 +7,7 @@
 #include <mutex>
 #include <thread>
 
-#include "core/io/isolated.h"
+#include "core/io/sandboxed_import.h"
 
 namespace trivet {
 namespace {

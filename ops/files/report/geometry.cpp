@@ -6,8 +6,8 @@
 #include "core/base/error.h"
 #include "core/base/hash.h"
 #include "core/io/appearance.h"
-#include "core/io/isolated.h"
 #include "core/io/mesh/float_export.h"
+#include "core/io/sandboxed_import.h"
 #include "ops/files/report/glb_nodes.h"
 
 namespace trivet {
@@ -96,7 +96,7 @@ StoredGeometry stored_geometry(const Model& model) {
   StoredGeometry out;
   out.num_triangles = static_cast<std::int64_t>(model.mesh.triangles.size());
   out.fingerprint = geometry_fingerprint(model.mesh);
-  if (model.look) {
+  if (model.appearance) {
     out.stored_fingerprint = out.fingerprint;
     out.centre = export_centre(model, model.mesh.box());
     out.own_nodes = true;
@@ -135,7 +135,7 @@ std::vector<Model> read_node_models(
   for (size_t i = 0; i < nodes.size(); ++i) {
     const auto count = static_cast<size_t>(nodes[i].second.num_triangles);
     models.push_back(part_of(all, first, count));
-    models.back().look = parts.look(i);
+    models.back().appearance = parts.look(i);
     first += count;
   }
   return models;

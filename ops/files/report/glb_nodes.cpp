@@ -74,9 +74,10 @@ NodeModels::NodeModels(const std::string& path, const std::vector<ModelNode>& no
     const size_t id = document.json["nodes"].size();
     ids.push_back(id);
     document.json["nodes"].push_back(bare);
-    m_looks.push_back(wanted.own_nodes
-                          ? look_of_gltf(document, look_roots(bare, static_cast<int>(id)), notes)
-                          : nullptr);
+    m_looks.push_back(
+        wanted.own_nodes
+            ? appearance_of_gltf(document, look_roots(bare, static_cast<int>(id)), notes)
+            : nullptr);
   }
   for (const auto& [name, node] : roots) document.json["nodes"][node].erase("children");
   document.json["scenes"] = GltfJson::array({{{"nodes", std::move(ids)}}});

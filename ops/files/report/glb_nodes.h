@@ -30,11 +30,11 @@ class NodeModels {
 
   const std::string& path() const { return m_file->path(); }
   /// Of a node with own nodes; else null.
-  std::shared_ptr<const Look> look(size_t node) const { return m_looks[node]; }
+  std::shared_ptr<const Appearance> look(size_t node) const { return m_looks[node]; }
 
  private:
   std::unique_ptr<TemporaryFile> m_file;
-  std::vector<std::shared_ptr<const Look>> m_looks;
+  std::vector<std::shared_ptr<const Appearance>> m_looks;
 };
 
 /// The 16 numbers of the matrix of each root node, column by column; the identity when it has none.

@@ -76,7 +76,7 @@ void add_outcome(const OperationResult& result, OrderedJson& json) {
 
 OrderedJson contacts_json(const Scene& scene, const Object& object) {
   OrderedJson json = OrderedJson::array();
-  for (const Link& link : object.links) {
+  for (const ObjectContact& link : object.contacts) {
     OrderedJson points = OrderedJson::array();
     for (const ContactPoint& p : link.contact.points) points.push_back(to_json(p.point));
     json.push_back({{"with", named(scene, link.with).name},

@@ -19,16 +19,16 @@ std::string yes_no(bool value) { return value ? "yes" : "no"; }
 
 // What goes along with the geometry to glTF; null: nothing but materials and normals.
 OrderedJson look_json(const Model& model) {
-  if (!model.look) return nullptr;
-  const LookCounts c = count(*model.look);
+  if (!model.appearance) return nullptr;
+  const AppearanceCounts c = count(*model.appearance);
   return {{"nodes", c.nodes},       {"meshes", c.meshes}, {"materials", c.materials},
           {"textures", c.textures}, {"images", c.images}, {"image_bytes", c.image_bytes},
           {"cameras", c.cameras},   {"lights", c.lights}};
 }
 
 std::string look_text(const Model& model) {
-  if (!model.look) return "";
-  const LookCounts c = count(*model.look);
+  if (!model.appearance) return "";
+  const AppearanceCounts c = count(*model.appearance);
   std::ostringstream out;
   out << "  look        nodes " << c.nodes << ", meshes " << c.meshes << ", materials "
       << c.materials << ", textures " << c.textures << " of " << c.images << " images ("

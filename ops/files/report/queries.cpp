@@ -3,17 +3,17 @@
 #include <sstream>
 
 #include "core/base/quoted.h"
-#include "ops/operations/moving_group.h"
 #include "ops/files/report/json_parts.h"
+#include "ops/operations/moving_group.h"
 
 namespace trivet {
 namespace {
 
 template <class Predicate>
-std::vector<TouchedBy> links_where(const Scene& scene, ObjectId object, Predicate&& wanted) {
+std::vector<TouchedBy> contacts_where(const Scene& scene, ObjectId object, Predicate&& wanted) {
   std::vector<TouchedBy> out;
-  for (const Link& link : scene.at(object).links)
-    if (wanted(link)) out.push_back({link.with, &link.contact});
+  for (const ObjectContact& entry : scene.at(object).contacts)
+    if (wanted(entry)) out.push_back({entry.with, &entry.contact});
   return out;
 }
 
@@ -52,12 +52,13 @@ const ObjectStability* find(const Stability& all, ObjectId object) {
 }  // namespace
 
 std::vector<TouchedBy> held_by(const Scene& scene, ObjectId object) {
-  return links_where(scene, object, [](const Link& link) { return holds_up(link.contact); });
+  return contacts_where(scene, object,
+                        [](const ObjectContact& entry) { return holds_up(entry.contact); });
 }
 
 std::vector<TouchedBy> lying_on(const Scene& scene, ObjectId object) {
-  return links_where(scene, object, [](const Link& link) {
-    return link.with.is_object() && weighs_on(link.contact);
+  return contacts_where(scene, object, [](const ObjectContact& entry) {
+    return entry.with.is_object() && weighs_on(entry.contact);
   });
 }
 

@@ -5,13 +5,13 @@
 
 #include "core/base/error.h"
 #include "core/io/export.h"
-#include "core/io/isolated.h"
 #include "core/io/mesh/float_export.h"
-#include "ops/placement/clearance.h"
+#include "core/io/sandboxed_import.h"
 #include "ops/files/report/extras.h"
 #include "ops/files/report/glb_nodes.h"
 #include "ops/files/report/report.h"
 #include "ops/files/report/temporary_file.h"
+#include "ops/placement/clearance.h"
 
 namespace trivet {
 namespace {

@@ -61,8 +61,8 @@ Rows contact_rows(const Scene& scene) {
   for (const ObjectId id : scene.ids()) {
     const Object& object = scene.at(id);
     if (!object.placed) continue;
-    for (size_t i = 0; i < object.links.size(); ++i) {
-      const Link& link = object.links[i];
+    for (size_t i = 0; i < object.contacts.size(); ++i) {
+      const ObjectContact& link = object.contacts[i];
       for (const ContactPoint& p : link.contact.points) {
         OrderedJson row = {{"object", object.name},
                            {"with", named(scene, link.with).name},

@@ -160,7 +160,7 @@ void expect_supports(const Supports& supports, const std::vector<std::string>& o
 
 std::set<std::string> touched_by(const Scene& scene, const std::string& object) {
   std::set<std::string> out;
-  for (const Link& link : scene.at(*scene.find(object)).links)
+  for (const ObjectContact& link : scene.at(*scene.find(object)).contacts)
     out.insert(named(scene, link.with).name);
   return out;
 }

@@ -19,7 +19,7 @@ std::string wrong_with(const SceneSnapshot& snapshot) {
   scene.floor = snapshot.floor;
   for (const ObjectSnapshot& o : snapshot.objects) {
     Object object = *o.object;
-    object.links.clear();
+    object.contacts.clear();
     scene.add(std::move(object));
   }
   const SceneCheck check = check_scene(scene, 1, snapshot.clearance);

@@ -3,7 +3,7 @@
 
 #include "apps/edit/document/settled_way.h"
 #include "apps/edit_document/testing.h"
-#include "core/motion/between.h"
+#include "core/motion/pose_interpolation.h"
 #include "support/random_shapes.h"
 
 namespace trivet::edit::test {
@@ -29,21 +29,22 @@ TEST(SettledWay, TurnsAboutAxisOfStepBetweenPoses) {
     const Vec3 centre = random.in_cube(1), axis = random.direction();
     const double angle = random.uniform(1e-4, 3);
     const Pose to = turned(from, centre, axis, angle);
-    EXPECT_LT(apart(between(from, to, 0), from), 1e-9);
-    EXPECT_LT(apart(between(from, to, 1), to), 1e-9);
+    EXPECT_LT(apart(interpolate_pose(from, to, 0), from), 1e-9);
+    EXPECT_LT(apart(interpolate_pose(from, to, 1), to), 1e-9);
     for (const double part : {0.25, 0.5, 0.9})
-      EXPECT_LT(apart(between(from, to, part), turned(from, centre, axis, part * angle)), 1e-7);
+      EXPECT_LT(apart(interpolate_pose(from, to, part), turned(from, centre, axis, part * angle)),
+                1e-7);
   }
 }
 
 TEST(SettledWay, GoesStraightBetweenPoses) {
   const Pose from{{}, Vec3(1, 2, 3)}, to{{}, Vec3(2, 2, 1)};
-  EXPECT_EQ(between(from, to, 0.5).translation, Vec3(1.5, 2, 2));
+  EXPECT_EQ(interpolate_pose(from, to, 0.5).translation, Vec3(1.5, 2, 2));
   const Pose upside_down{{0, 1, 0, 0}, Vec3(2, 2, 1)};
-  const Pose half = straight_between(from, upside_down, 0.5);
+  const Pose half = interpolate_straight(from, upside_down, 0.5);
   EXPECT_EQ(half.translation, Vec3(1.5, 2, 2));
   EXPECT_LT(apart(half, {Rotation{1, 1, 0, 0}.normalized(), half.translation}), 1e-12);
-  EXPECT_LT(apart(straight_between(from, upside_down, 1), upside_down), 1e-12);
+  EXPECT_LT(apart(interpolate_straight(from, upside_down, 1), upside_down), 1e-12);
 }
 
 class Watched : public testing::Test {

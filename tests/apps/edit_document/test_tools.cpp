@@ -73,8 +73,8 @@ TEST_F(Tools, LayOutSpoonSaucerFromEmptyScene) {
   toolbox.take(ToolKind::Turn);
   document->select_only(document.id("saucer"));
   const Object& saucer = document.object("saucer");
-  ASSERT_FALSE(saucer.links.empty());
-  const std::vector<Vec3>& hull = saucer.links[0].contact.hull;
+  ASSERT_FALSE(saucer.contacts.empty());
+  const std::vector<Vec3>& hull = saucer.contacts[0].contact.hull;
   ASSERT_GE(hull.size(), 3u);
   const Vec3 middle = 0.5 * (hull[0] + hull[1]);
   const Vec3 room = Vec3::Constant((hull[1] - hull[0]).norm());
@@ -189,8 +189,8 @@ TEST_F(Tools, ConstraintWindowLooksAlongNormalAndHeldEdge) {
   const View along = constraint_view(scene, selection, std::nullopt, 640, 480);
   EXPECT_TRUE(along.orthographic);
   EXPECT_NEAR(along.forward().z(), -1, 1e-6);
-  const std::vector<Vec3>& hull = document.object("saucer").links[0].contact.hull;
-  selection.contact = ActiveContact{document.object("saucer").links[0].with,
+  const std::vector<Vec3>& hull = document.object("saucer").contacts[0].contact.hull;
+  selection.contact = ActiveContact{document.object("saucer").contacts[0].with,
                                     ActiveContact::Part::Edge, 0.5 * (hull[0] + hull[1])};
   const View edge = constraint_view(scene, selection, std::nullopt, 640, 480);
   EXPECT_NEAR(std::abs(edge.forward().dot((hull[1] - hull[0]).normalized())), 1, 1e-9);

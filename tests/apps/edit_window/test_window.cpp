@@ -179,10 +179,10 @@ void TestWindow::puts_by_clicking() {
   const Object& spoon = m_user->object("spoon");
   QVERIFY(spoon.state == ObjectState::Stable);
   bool on_saucer = false;
-  for (const Link& link : spoon.links)
+  for (const ObjectContact& entry : spoon.contacts)
     on_saucer =
-        on_saucer || (link.with.is_object() &&
-                      m_document->snapshot()->find(link.with.object())->object->name == "saucer");
+        on_saucer || (entry.with.is_object() &&
+                      m_document->snapshot()->find(entry.with.object())->object->name == "saucer");
   QVERIFY2(on_saucer, "the spoon lies on the saucer");
   m_user->look("spoon_on_saucer");
 }
@@ -205,11 +205,12 @@ void TestWindow::turns_about_an_edge() {
   select_and("spoon", "turn");
   QVERIFY(m_user->wait());
   const Rotation before = m_user->object("spoon").pose.rotation;
-  const Link* const link = active_link(m_document->selection(), *m_document->snapshot());
-  QVERIFY(link && !link->contact.points.empty());
-  const auto& hull = link->contact.hull;
+  const ObjectContact* const entry =
+      active_object_contact(m_document->selection(), *m_document->snapshot());
+  QVERIFY(entry && !entry->contact.points.empty());
+  const auto& hull = entry->contact.hull;
   const Vec3 edge =
-      hull.size() > 1 ? Vec3(0.5 * (hull[0] + hull[1])) : link->contact.points[0].point;
+      hull.size() > 1 ? Vec3(0.5 * (hull[0] + hull[1])) : entry->contact.points[0].point;
   m_user->click(Window::Constraint, edge);
   QVERIFY(m_user->wait());
   m_user->look("edge");

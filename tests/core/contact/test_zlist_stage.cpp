@@ -11,21 +11,21 @@ namespace trivet {
 namespace {
 
 /// Returns the candidates set by the test.
-class ScriptedStage : public ZListStage {
+class ScriptedStage : public CandidateFinder {
  public:
-  explicit ScriptedStage(std::function<Proposal(const FirstContactQuery&)> say)
+  explicit ScriptedStage(std::function<CandidatePairs(const FirstContactQuery&)> say)
       : m_say(std::move(say)) {}
   std::string name() const override { return "scripted"; }
-  Proposal propose(const FirstContactQuery& query, double /*horizon*/) override {
+  CandidatePairs find_candidates(const FirstContactQuery& query, double /*horizon*/) override {
     return m_say(query);
   }
 
  private:
-  std::function<Proposal(const FirstContactQuery&)> m_say;
+  std::function<CandidatePairs(const FirstContactQuery&)> m_say;
 };
 
-Proposal everything(const FirstContactQuery& query) {
-  Proposal out;
+CandidatePairs everything(const FirstContactQuery& query) {
+  CandidatePairs out;
   out.usable = true;
   for (Index m = 0; m < static_cast<Index>(query.moving.size()); ++m)
     for (Index f = 0; f < static_cast<Index>(query.fixed.size()); ++f)
@@ -38,13 +38,13 @@ Proposal everything(const FirstContactQuery& query) {
 constexpr unsigned kSeed = 77;
 constexpr int kNum = 300;
 
-TEST(ZListStage, GivesAnswerOfBruteForceFromAllPairs) {
+TEST(CandidateFinder, GivesAnswerOfBruteForceFromAllPairs) {
   const test::MeshPool pool(kSeed, 12);
   ScriptedStage stage(everything);
   int num_contacts = 0;
   for (int i = 0; i < kNum; ++i) {
     const test::RandomQuery q = test::random_query(pool, kSeed, i);
-    Proposal proposal;
+    CandidatePairs proposal;
     const FirstContact found = q.with_stage(stage, &proposal);
     EXPECT_TRUE(test::same_answer(found, q.brute_force())) << q.describe();
     EXPECT_TRUE(proposal.usable);
@@ -53,11 +53,11 @@ TEST(ZListStage, GivesAnswerOfBruteForceFromAllPairs) {
   EXPECT_GT(num_contacts, kNum / 5);
 }
 
-TEST(ZListStage, IsIgnoredWhenGivingUpOrWrong) {
+TEST(CandidateFinder, IsIgnoredWhenGivingUpOrWrong) {
   const test::MeshPool pool(kSeed, 12);
-  ScriptedStage gives_up([](const FirstContactQuery&) { return Proposal{}; });
+  ScriptedStage gives_up([](const FirstContactQuery&) { return CandidatePairs{}; });
   ScriptedStage wrong([](const FirstContactQuery&) {
-    Proposal out;  // contact by time 0, but no pair
+    CandidatePairs out;  // contact by time 0, but no pair
     out.usable = true;
     out.upper = 0;
     return out;
@@ -66,7 +66,7 @@ TEST(ZListStage, IsIgnoredWhenGivingUpOrWrong) {
   for (int i = 0; i < kNum; ++i) {
     const test::RandomQuery q = test::random_query(pool, kSeed, i);
     for (ScriptedStage* stage : {&gives_up, &wrong}) {
-      Proposal proposal;
+      CandidatePairs proposal;
       const FirstContact found = q.with_stage(*stage, &proposal);
       EXPECT_TRUE(test::same_answer(found, q.fast())) << q.describe();
       num_fallbacks += !proposal.usable;

@@ -146,7 +146,7 @@ GltfJson expected_lamp(const std::string& path) {
 TEST_F(LookTest, KeepsGltfUnchanged) {
   const std::string lamp = write_lamp(folder());
   const Model model = read_model(lamp);
-  ASSERT_TRUE(model.look);
+  ASSERT_TRUE(model.appearance);
   expect_parts(model.notes.empty() ? "" : model.notes.front(), {"left out", "ACME_secret"});
   const GltfJson expected = expected_lamp(lamp);
   for (const char* name : {"s.glb", "s.gltf"}) {
@@ -229,7 +229,7 @@ TEST_F(LookTest, TurnsFarModelsAboutPivot) {
   json["nodes"][0]["translation"] = {1000, 20, -500};
   write_lamp(folder());
   const Model model = read_model(write("far.gltf", json.dump()));
-  ASSERT_TRUE(model.look);
+  ASSERT_TRUE(model.appearance);
   const ExportScene scene = two_of(model);
   write_scene(scene, path("s.glb"));
   const GltfDocument written = read_gltf_document(path("s.glb"), {});
@@ -255,7 +255,7 @@ TEST_F(LookTest, ReadsObjWithTexture) {
       write("t.obj",
             "mtllib t.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nvt 0.25 0\nvt 1 0\nvt 0 0.75\n"
             "o top\nusemtl oak\nf 1/1 2/2 3/3\nf 1/1 3/3 2/2\no leg\nusemtl ash\nf 1/1 2/2 4/3\n"));
-  ASSERT_TRUE(model.look);
+  ASSERT_TRUE(model.appearance);
   expect_parts(model.notes.empty() ? "" : model.notes.back(), {"left out", "lost.png"});
   write_scene(two_of(model), path("s.glb"));
   const GltfDocument written = read_gltf_document(path("s.glb"), {});
@@ -284,9 +284,9 @@ TEST_F(LookTest, ReadsObjWithTexture) {
 }
 
 TEST_F(LookTest, IsNullForPlainModels) {
-  EXPECT_FALSE(read_model(write("t.obj", testing::tetrahedron_obj())).look);
-  EXPECT_FALSE(read_model(write("t.ply", testing::tetrahedron_ply())).look);
-  EXPECT_FALSE(read_model(write("t.stl", testing::tetrahedron_stl())).look);
+  EXPECT_FALSE(read_model(write("t.obj", testing::tetrahedron_obj())).appearance);
+  EXPECT_FALSE(read_model(write("t.ply", testing::tetrahedron_ply())).appearance);
+  EXPECT_FALSE(read_model(write("t.stl", testing::tetrahedron_stl())).appearance);
 }
 
 TEST_F(LookTest, ReadsVertexColoursOfPly) {
@@ -296,7 +296,7 @@ TEST_F(LookTest, ReadsVertexColoursOfPly) {
             "property float z\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n"
             "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
             "0 0 0 255 0 0\n1 0 0 0 255 0\n0 1 0 0 0 188\n3 0 1 2\n"));
-  ASSERT_TRUE(model.look);
+  ASSERT_TRUE(model.appearance);
   write_scene(two_of(model), path("s.glb"));
   const GltfDocument written = read_gltf_document(path("s.glb"), {});
   const GltfJson& attributes = written.json["meshes"][0]["primitives"][0]["attributes"];
@@ -316,7 +316,7 @@ TEST_F(LookTest, LeavesOutBrokenLooks) {
   write_lamp(folder());
   const auto note_of = [&](const GltfJson& json) {
     const Model model = read_model(write("broken.gltf", json.dump()));
-    EXPECT_FALSE(model.look);
+    EXPECT_FALSE(model.appearance);
     EXPECT_EQ(model.mesh.triangles.size(), 8u);
     return model.notes.empty() ? "" : model.notes.back();
   };
@@ -330,7 +330,7 @@ TEST_F(LookTest, NotesMissingImages) {
   const std::string lamp = write_lamp(folder());
   std::filesystem::remove(folder() / "c.jpg");
   const Model model = read_model(lamp);
-  ASSERT_TRUE(model.look);
+  ASSERT_TRUE(model.appearance);
   expect_parts(model.notes.front(), {"left out", "image"});
   write_scene(two_of(model), path("s.glb"));
   EXPECT_EQ(read_gltf_document(path("s.glb"), {}).images.size(), 1u);
@@ -343,12 +343,12 @@ TEST_F(LookTest, EmbedsOnlyImages) {
   json["images"][1]["uri"] = "/etc/passwd";
   write("secret.txt", "a secret");
   const Model model = read_model(write("spy.gltf", json.dump()));
-  ASSERT_TRUE(model.look);
-  EXPECT_EQ(count(*model.look).images, 0u);
+  ASSERT_TRUE(model.appearance);
+  EXPECT_EQ(count(*model.appearance).images, 0u);
 }
 
 TEST_F(LookTest, CountsForDisplay) {
-  const LookCounts counts = count(*read_model(write_lamp(folder())).look);
+  const AppearanceCounts counts = count(*read_model(write_lamp(folder())).appearance);
   EXPECT_EQ(counts.nodes, 4u);
   EXPECT_EQ(counts.meshes, 1u);
   EXPECT_EQ(counts.textures, 2u);

@@ -97,15 +97,15 @@ void RandomChanges::move(Transaction& transaction, ObjectId id) {
 }
 
 void RandomChanges::link(Transaction& transaction, ObjectId id) {
-  std::vector<Link> links;
+  std::vector<ObjectContact> object_contacts;
   for (const ObjectId other : transaction.scene().ids())
-    if (other != id && m_random.integer(0, 9) == 0) links.push_back({other, {}});
-  if (m_random.integer(0, 1)) links.push_back({});
-  for (Link& link : links) {
-    link.contact.gap = m_random.uniform(0, 1);
-    link.contact.points.resize(m_random.integer(1, 3));
+    if (other != id && m_random.integer(0, 9) == 0) object_contacts.push_back({other, {}});
+  if (m_random.integer(0, 1)) object_contacts.push_back({});
+  for (ObjectContact& entry : object_contacts) {
+    entry.contact.gap = m_random.uniform(0, 1);
+    entry.contact.points.resize(m_random.integer(1, 3));
   }
-  transaction.link(id, links);
+  transaction.set_contacts(id, object_contacts);
 }
 
 void RandomChanges::apply(Transaction& transaction) {

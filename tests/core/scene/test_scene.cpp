@@ -83,9 +83,9 @@ TEST(SceneBox, ContainsOnlyPlacedObjects) {
 
 // --- contacts --------------------------------------------------------------------------------
 
-void link(Scene& scene, ObjectId id, std::vector<Link> links) {
+void link(Scene& scene, ObjectId id, std::vector<ObjectContact> object_contacts) {
   Transaction transaction(scene);
-  transaction.link(id, std::move(links));
+  transaction.set_contacts(id, std::move(object_contacts));
   transaction.commit();
 }
 
@@ -105,9 +105,9 @@ TEST(SceneLinks, AppearOnBothSides) {
   Scene scene;
   const ObjectId a = scene.add(cube("a")), b = scene.add(cube("b"));
   link(scene, a, {{b, some_contact()}, {std::nullopt, some_contact()}});
-  ASSERT_EQ(scene.at(a).links.size(), 2u);
-  ASSERT_EQ(scene.at(b).links.size(), 1u);  // the floor stores none
-  const Link& mirrored = scene.at(b).links[0];
+  ASSERT_EQ(scene.at(a).contacts.size(), 2u);
+  ASSERT_EQ(scene.at(b).contacts.size(), 1u);  // the floor stores none
+  const ObjectContact& mirrored = scene.at(b).contacts[0];
   EXPECT_EQ(mirrored.with, Support(a));
   const Contact& c = mirrored.contact;
   EXPECT_EQ(c.normal, -Vec3::UnitZ());
@@ -140,16 +140,16 @@ TEST(SceneLinks, AreReplacedAndRemovedOnBothSides) {
   const ObjectId a = scene.add(cube("a")), b = scene.add(cube("b")), c = scene.add(cube("c"));
   link(scene, a, {{b, some_contact()}});
   link(scene, c, {{b, some_contact()}});
-  EXPECT_EQ(scene.at(b).links.size(), 2u);
+  EXPECT_EQ(scene.at(b).contacts.size(), 2u);
   link(scene, a, {{c, some_contact()}});  // no longer with b
-  ASSERT_EQ(scene.at(b).links.size(), 1u);
-  EXPECT_EQ(scene.at(b).links[0].with, Support(c));
-  EXPECT_EQ(scene.at(c).links.size(), 2u);
+  ASSERT_EQ(scene.at(b).contacts.size(), 1u);
+  EXPECT_EQ(scene.at(b).contacts[0].with, Support(c));
+  EXPECT_EQ(scene.at(c).contacts.size(), 2u);
   link(scene, c, {});
-  for (const ObjectId id : {a, b, c}) EXPECT_TRUE(scene.at(id).links.empty());
+  for (const ObjectId id : {a, b, c}) EXPECT_TRUE(scene.at(id).contacts.empty());
   link(scene, a, {{b, some_contact()}});
   scene.remove(b);
-  EXPECT_TRUE(scene.at(a).links.empty());
+  EXPECT_TRUE(scene.at(a).contacts.empty());
 }
 
 // --- load-support list -----------------------------------------------------------------------

@@ -38,10 +38,10 @@ TEST(Transaction, HoldsWhatWasTouchedAndNothingElse) {
   const ObjectId a = scene.add(cube("a")), b = scene.add(cube("b")), c = scene.add(cube("c"));
   scene.add(cube("d"));
   Transaction first(scene);
-  first.link(a, {{b, contact_at(1)}});
+  first.set_contacts(a, {{b, contact_at(1)}});
   first.commit();
   Transaction second(scene);
-  second.link(a, {{c, contact_at(2)}});  // b loses a link, c gets one
+  second.set_contacts(a, {{c, contact_at(2)}});  // b loses a link, c gets one
   EXPECT_EQ(second.touched(), (std::vector{a, b, c}));
   EXPECT_EQ(second.commit().ids(), (std::vector{a, b, c}));
 }
@@ -50,12 +50,12 @@ TEST(Transaction, UndoesAndRedoesPosesAndLinksToTheBit) {
   Scene scene;
   const ObjectId a = scene.add(cube("a")), b = scene.add(cube("b"));
   Transaction first(scene);
-  first.link(a, {{b, contact_at(1)}});
+  first.set_contacts(a, {{b, contact_at(1)}});
   first.commit();
   const Scene before = scene;
   Transaction second(scene);
   second.edit(a, [](Object& o) { o.pose.translation = Vec3(1, 2, 3), o.placed = true; });
-  second.link(b, {{std::nullopt, contact_at(3)}, {a, contact_at(4)}});
+  second.set_contacts(b, {{std::nullopt, contact_at(3)}, {a, contact_at(4)}});
   SceneChange change = second.commit();
   const Scene after = scene;
   for (int round = 0; round < 3; ++round) {
@@ -72,7 +72,7 @@ TEST(Transaction, BringsRemovedObjectsBackWithTheirIdsLinksAndOrder) {
   Scene scene;
   const ObjectId a = scene.add(cube("a")), b = scene.add(cube("b")), c = scene.add(cube("c"));
   Transaction first(scene);
-  first.link(a, {{b, contact_at(1)}, {c, contact_at(2)}});
+  first.set_contacts(a, {{b, contact_at(1)}, {c, contact_at(2)}});
   first.commit();
   const Scene before = scene;
   Transaction second(scene);
@@ -86,11 +86,11 @@ TEST(Transaction, BringsRemovedObjectsBackWithTheirIdsLinksAndOrder) {
   EXPECT_TRUE(scene.contains(a));
   EXPECT_FALSE(scene.contains(d));
   EXPECT_EQ(scene.ids(), (std::vector{a, b, c}));
-  EXPECT_EQ(scene.at(b).links.size(), 1u);
+  EXPECT_EQ(scene.at(b).contacts.size(), 1u);
   scene.exchange(change);
   EXPECT_TRUE(scene.contains(d));
   EXPECT_EQ(scene.at(d).name, "d");
-  EXPECT_TRUE(scene.at(b).links.empty());
+  EXPECT_TRUE(scene.at(b).contacts.empty());
 }
 
 TEST(Transaction, NeverGivesAnIdOfAnUndoneObjectAgain) {

@@ -38,7 +38,7 @@ int exit_status_with(const char* variable, const char* value, const Body& body) 
 TEST(ZListGpuAbsent, ReportsMissingEgl) {
   const int status = exit_status_with("__EGL_VENDOR_LIBRARY_FILENAMES", "/nonexistent", [] {
     try {
-      make_gpu_zlist_stage();
+      make_gpu_candidate_finder();
       return 10;
     } catch (const Error& error) {
       if (error.kind() != Error::Kind::Environment) return 11;
@@ -51,7 +51,7 @@ TEST(ZListGpuAbsent, ReportsMissingEgl) {
 
 TEST(ZListGpuAbsent, WorksWithoutCompute) {
   const int status = exit_status_with("MESA_GL_VERSION_OVERRIDE", "3.3", [] {
-    const auto stage = make_gpu_zlist_stage({.resolution = 64});
+    const auto stage = make_gpu_candidate_finder({.resolution = 64});
     if (stage->name().find("blended framebuffers") == std::string::npos) return 10;
     const test::MeshPool pool(kSeed, 4);
     const test::StageCheck check = test::check_stage(*stage, pool, kSeed, 0, 60);

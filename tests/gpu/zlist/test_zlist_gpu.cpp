@@ -21,9 +21,9 @@ namespace {
 constexpr unsigned kSeed = 5309;
 
 /// Null if the machine has no EGL.
-std::unique_ptr<ZListStage> make_stage(const GpuZListOptions& options) {
+std::unique_ptr<CandidateFinder> make_stage(const GpuZListOptions& options) {
   try {
-    return make_gpu_zlist_stage(options);
+    return make_gpu_candidate_finder(options);
   } catch (const Error& error) {
     const std::string why = error.what();
     if (!why.starts_with("no EGL") && !why.starts_with("no OpenGL")) throw;
@@ -94,7 +94,7 @@ TEST_P(ZListGpuBothWays, HandlesFlatContacts) {
   TRIVET_SKIP_WITHOUT_EGL(stage);
   for (const double gap : {1e-6, 0.3}) {
     const test::RandomQuery q = flat_contact(24, gap);
-    Proposal proposal;
+    CandidatePairs proposal;
     EXPECT_TRUE(test::same_answer(q.with_stage(*stage, &proposal), q.fast()));
     EXPECT_TRUE(proposal.usable) << proposal.why;
   }
@@ -105,7 +105,7 @@ TEST_P(ZListGpuBothWays, GivesUpOnLargeFlatContacts) {
   const auto stage = make_stage({.resolution = 32, .force_fallback = GetParam()});
   TRIVET_SKIP_WITHOUT_EGL(stage);
   const test::RandomQuery q = flat_contact(250, 0.3);
-  Proposal proposal;
+  CandidatePairs proposal;
   EXPECT_TRUE(test::same_answer(q.with_stage(*stage, &proposal), q.fast()));
   EXPECT_FALSE(proposal.usable);
   EXPECT_NE(proposal.why.find("pairs"), std::string::npos) << proposal.why;
@@ -119,7 +119,7 @@ TEST_P(ZListGpuBothWays, ComputesSameBoundsWithoutLists) {
   const test::MeshPool pool(kSeed, 4);
   for (int i = 0; i < 60; ++i) {
     const test::RandomQuery q = test::random_query(pool, kSeed, i);
-    Proposal whole, part;
+    CandidatePairs whole, part;
     q.with_stage(*stage, &whole);
     EXPECT_TRUE(test::same_answer(q.with_stage(*bounds, &part), q.fast()));
     EXPECT_EQ(part.upper, whole.upper);
@@ -135,7 +135,7 @@ TEST_P(ZListGpuBothWays, RetriesLongListsWithLargerPixels) {
       make_stage({.resolution = 128, .max_list_entries = 1 << 14, .force_fallback = GetParam()});
   TRIVET_SKIP_WITHOUT_EGL(stage);
   const test::RandomQuery coarse = flat_contact(24, 0.3), fine = flat_contact(96, 0.3);
-  Proposal proposal;
+  CandidatePairs proposal;
   EXPECT_TRUE(test::same_answer(coarse.with_stage(*stage, &proposal), coarse.fast()));
   EXPECT_TRUE(proposal.usable) << proposal.why;
   EXPECT_LE(proposal.work.pixels, 32 * 32);
@@ -175,7 +175,7 @@ TEST_P(ZListGpuBothWays, HandlesFlatLandings) {
   const int num = test::with_effort(GetParam() ? 60 : 200);
   for (int i = 0; i < num; ++i) {
     const test::RandomQuery q = flat_landing(i);
-    Proposal proposal;
+    CandidatePairs proposal;
     const FirstContact truth = q.brute_force();
     EXPECT_TRUE(test::same_answer(q.with_stage(*stage, &proposal), truth)) << q.describe();
     EXPECT_TRUE(proposal.usable) << proposal.why;
@@ -225,13 +225,13 @@ TEST_P(ZListGpuBothWays, AnswersManyQueriesTogether) {
     const std::size_t n = bodies.size();
     queries.push_back({bodies[n - 2], bodies[n - 1], q.floor, q.motion, q.clearance});
   }
-  std::vector<Proposal> proposals;
+  std::vector<CandidatePairs> proposals;
   const std::vector<FirstContact> found = first_contacts(queries, *stage, &proposals);
   int num_contacts = 0;
   for (int i = 0; i < num; ++i) {
     EXPECT_TRUE(test::same_answer(found[i], cases[i].fast())) << cases[i].describe();
     EXPECT_TRUE(proposals[i].usable) << proposals[i].why;
-    Proposal alone;
+    CandidatePairs alone;
     cases[i].with_stage(*stage, &alone);
     EXPECT_EQ(alone.pairs.size(), proposals[i].pairs.size()) << cases[i].describe();
     EXPECT_EQ(alone.work.doubtful_pixels, proposals[i].work.doubtful_pixels);
@@ -242,7 +242,7 @@ TEST_P(ZListGpuBothWays, AnswersManyQueriesTogether) {
 
 std::string why_refused(const GpuZListOptions& options) {
   try {
-    make_gpu_zlist_stage(options);
+    make_gpu_candidate_finder(options);
     return "";
   } catch (const Error& error) {
     return error.what();
@@ -260,7 +260,7 @@ TEST_P(ZListGpuBothWays, ReportsTooLittleMemory) {
   const std::size_t needed = (std::stoul(why.substr(at + 5)) + 1) << 10;
   const auto stage = make_stage({.memory_bytes = needed, .force_fallback = fallback});
   const test::RandomQuery q = flat_contact(24, 0.3);
-  Proposal proposal;
+  CandidatePairs proposal;
   EXPECT_TRUE(test::same_answer(q.with_stage(*stage, &proposal), q.fast()));
   EXPECT_FALSE(proposal.usable);
   EXPECT_NE(proposal.why.find("memory"), std::string::npos) << proposal.why;
@@ -296,7 +296,7 @@ TEST_P(ZListGpuBothWays, DistinguishesMeshesAtSameAddress) {
     test::RandomQuery q = test::random_query(pool, kSeed, 7 * i);
     if (i % 2 == 0) q.fixed[0].shape = without_identity(*q.fixed[0].shape);
     places.insert(q.moving[0].shape.get());
-    Proposal proposal;
+    CandidatePairs proposal;
     EXPECT_TRUE(test::same_answer(q.with_stage(*stage, &proposal), q.fast())) << q.describe();
     EXPECT_TRUE(proposal.usable) << proposal.why;
   }
@@ -308,7 +308,7 @@ TEST_P(ZListGpuBothWays, RecoversFromLostContext) {
   const auto stage = make_stage({.resolution = 64, .force_fallback = GetParam()});
   TRIVET_SKIP_WITHOUT_EGL(stage);
   const test::RandomQuery q = flat_contact(4, 0.3);
-  Proposal proposal;
+  CandidatePairs proposal;
   EXPECT_TRUE(test::same_answer(q.with_stage(*stage, &proposal), q.fast()));
   EXPECT_TRUE(proposal.usable);
   const EglContext another;  // on the same display
@@ -349,18 +349,18 @@ TEST_P(ZListGpuBothWays, DoesNotLeak) {
 INSTANTIATE_TEST_SUITE_P(Ways, ZListGpuBothWays, testing::Bool());
 
 /// Repeats another stage's candidates without the first pair.
-class Forgetful : public ZListStage {
+class Forgetful : public CandidateFinder {
  public:
-  explicit Forgetful(ZListStage& stage) : m_stage(stage) {}
+  explicit Forgetful(CandidateFinder& stage) : m_stage(stage) {}
   std::string name() const override { return "forgetful"; }
-  Proposal propose(const FirstContactQuery& query, double horizon) override {
-    Proposal out = m_stage.propose(query, horizon);
+  CandidatePairs find_candidates(const FirstContactQuery& query, double horizon) override {
+    CandidatePairs out = m_stage.find_candidates(query, horizon);
     if (!out.pairs.empty() && ++m_num % 8 == 0) out.pairs.clear();
     return out;
   }
 
  private:
-  ZListStage& m_stage;
+  CandidateFinder& m_stage;
   int m_num = 0;
 };
 

@@ -11,11 +11,11 @@ namespace trivet {
 namespace {
 
 /// Software z-lists that omit every second face.
-class ForgetfulStage : public ZListStage {
+class ForgetfulStage : public CandidateFinder {
  public:
   std::string name() const override { return "forgetful"; }
-  Proposal propose(const FirstContactQuery& query, double horizon) override {
-    Proposal out = m_stage.propose(query, horizon);
+  CandidatePairs find_candidates(const FirstContactQuery& query, double horizon) override {
+    CandidatePairs out = m_stage.find_candidates(query, horizon);
     std::erase_if(out.pairs, [](const FacePair& p) { return p.face_moving % 2 == 0; });
     return out;
   }
@@ -24,10 +24,10 @@ class ForgetfulStage : public ZListStage {
   SoftwareZLists m_stage;
 };
 
-class StageThatGivesUp : public ZListStage {
+class StageThatGivesUp : public CandidateFinder {
  public:
   std::string name() const override { return "lazy"; }
-  Proposal propose(const FirstContactQuery&, double) override { return {}; }
+  CandidatePairs find_candidates(const FirstContactQuery&, double) override { return {}; }
 };
 
 TEST(Backend, ListsNamesOfCommandLine) {
@@ -53,7 +53,7 @@ TEST(Backend, ReplacesUnavailableGpuBySoftware) {
   options.backend = Backend::Gpu;
   options.note = [&](const std::string& note) { notes.push_back(note); };
   EXPECT_EQ(make_detector(options)->name(), "software");  // a build without GPU support
-  options.make_gpu_stage = []() -> std::unique_ptr<ZListStage> {
+  options.make_gpu_stage = []() -> std::unique_ptr<CandidateFinder> {
     throw Error(Error::Kind::Environment, "no EGL here");
   };
   EXPECT_EQ(make_detector(options)->name(), "software");

@@ -152,8 +152,8 @@ TEST(Figure5, TurnsLineContactAboutLine) {
   EXPECT_NEAR(s.position("box").x(), 0.2 - 0.2 * c + 0.3 * si, 2 * s.clearance());
   EXPECT_NEAR(s.position("box").z(), clearance + 0.2 * si + 0.3 * c, 2 * s.clearance());
   EXPECT_EQ(s.at("box").state, ObjectState::Held);
-  ASSERT_EQ(s.at("box").links.size(), 1u);
-  EXPECT_EQ(s.at("box").links[0].contact.type, ContactType::Line);
+  ASSERT_EQ(s.at("box").contacts.size(), 1u);
+  EXPECT_EQ(s.at("box").contacts[0].contact.type, ContactType::Line);
 
   // A line contact: on by 30 degrees, past its balance (33.7), and released: it falls on its side.
   o.point.reset();
@@ -177,8 +177,8 @@ TEST(Figure5, TurnsPointContactAboutAnyAxis) {
   EXPECT_EQ(result.end, End::Reached);
   const Vec3 corner = s.at("box").world_from_object().apply(Vec3(0.2f, 0.1f, -0.3f));
   EXPECT_NEAR((corner - Vec3(0.2f, 0.1f, clearance)).norm(), 0, 2 * s.clearance());
-  ASSERT_EQ(s.at("box").links.size(), 1u);
-  EXPECT_EQ(s.at("box").links[0].contact.type, ContactType::Point);
+  ASSERT_EQ(s.at("box").contacts.size(), 1u);
+  EXPECT_EQ(s.at("box").contacts[0].contact.type, ContactType::Point);
   EXPECT_EQ(s.at("box").state, ObjectState::Held);
 }
 
@@ -190,11 +190,11 @@ TEST(Figure6, ListsLoadsAndSupports) {
             "beside on floor; ");
   // Seen from above, the corners of the smaller face, where it lies.
   const auto lies_in = [&](const std::string& load, const Vec2& at, double half) {
-    for (const Link& link : s.at(load).links) {
-      if (!holds_up(link.contact)) continue;
-      EXPECT_EQ(link.contact.type, ContactType::Area);
-      ASSERT_EQ(link.contact.hull.size(), 4u);
-      for (const Vec3& corner : link.contact.hull) {
+    for (const ObjectContact& entry : s.at(load).contacts) {
+      if (!holds_up(entry.contact)) continue;
+      EXPECT_EQ(entry.contact.type, ContactType::Area);
+      ASSERT_EQ(entry.contact.hull.size(), 4u);
+      for (const Vec3& corner : entry.contact.hull) {
         EXPECT_NEAR(std::abs(corner.x() - at.x()), half, 1e-7) << load;
         EXPECT_NEAR(std::abs(corner.y() - at.y()), half, 1e-7) << load;
       }
@@ -222,8 +222,8 @@ TEST(Figure18, TiltsAboutChosenEdge) {
     const double c = std::cos(angle * M_PI / 180), si = std::sin(angle * M_PI / 180);
     const Vec3 expected(0.3, 0.05 + 0.15 * c - 0.02 * si, low + 0.15 * si + 0.02 * c);
     EXPECT_NEAR((s.position("box") - expected).norm(), 0, 2 * s.clearance());
-    ASSERT_EQ(s.at("box").links.size(), 1u);
-    const Contact& contact = s.at("box").links[0].contact;
+    ASSERT_EQ(s.at("box").contacts.size(), 1u);
+    const Contact& contact = s.at("box").contacts[0].contact;
     EXPECT_EQ(contact.type, angle < 90 ? ContactType::Line : ContactType::Area);
     for (const Vec3& p : contact.hull) EXPECT_LE(p.y(), 0.05 + 1e-6);
     EXPECT_EQ(s.at("box").state, angle < 90 ? ObjectState::Held : ObjectState::Stable);

@@ -25,9 +25,9 @@ inline std::string snapshot(const Scene& scene) {
     const Rotation& r = o.pose.rotation;
     out += "\n" + o.name + " " + to_string(o.state) + " ";
     for (const double x : {t.x(), t.y(), t.z(), r.w, r.x, r.y, r.z, o.stability_margin}) add(x);
-    for (const Link& link : o.links) {
-      out += named(scene, link.with).name + " ";
-      for (const ContactPoint& p : link.contact.points)
+    for (const ObjectContact& entry : o.contacts) {
+      out += named(scene, entry.with).name + " ";
+      for (const ContactPoint& p : entry.contact.points)
         for (const double x : {p.point.x(), p.point.y(), p.point.z(), p.normal.z(), p.gap}) add(x);
     }
   }

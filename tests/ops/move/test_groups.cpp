@@ -240,7 +240,7 @@ struct Propped : Stage {
     put("post", box_triangles(Vec3(0.0625, 0.0625, 0.125)), {0.5, 0, 0.5});
     const double e = clearance();
     Transaction transaction(scene);
-    transaction.unlink(*scene.find("table"));
+    transaction.clear_contacts(*scene.find("table"));
     transaction.commit();
     edit("table", [&](Object& table) {
       table.pose.translation.z() += 14 * e;
@@ -251,7 +251,7 @@ struct Propped : Stage {
     const OperationResult result = stand(scene, plank, {{}, Vec3(0.3125, 0, 0.28125 + 16 * e)});
     EXPECT_TRUE(result.ok()) << result.reason();
     EXPECT_EQ(at("plank").state, ObjectState::Stable);
-    EXPECT_EQ(at("plank").links.size(), 1u);
+    EXPECT_EQ(at("plank").contacts.size(), 1u);
     EXPECT_LT(at("plank").stability_margin, 0);
   }
 };

@@ -56,7 +56,7 @@ TEST(PickUp, GoesAlongNormalAndDropsLinks) {
   ASSERT_TRUE(result.ok()) << result.reason();
   EXPECT_EQ(result.end, End::Reached);
   EXPECT_NEAR((s.position("box") - Vec3(0, 0, z + 0.25)).norm(), 0, s.clearance());
-  EXPECT_TRUE(s.at("box").links.empty());
+  EXPECT_TRUE(s.at("box").contacts.empty());
   EXPECT_EQ(s.at("box").state, ObjectState::Held);
   EXPECT_FALSE(check_scene(s.scene, 1).ok());  // an object in the air is unsupported
   s.refused(PickUpOperation{{"box"}, 0.25, {}}, "lies on nothing");

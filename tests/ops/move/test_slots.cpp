@@ -24,7 +24,7 @@ struct BetweenBooks : Stage {
       EXPECT_TRUE(result.ok()) << result.reason();
     }
     EXPECT_EQ(at("book").state, ObjectState::Stable);
-    EXPECT_EQ(at("book").links.size(), 3u);
+    EXPECT_EQ(at("book").contacts.size(), 3u);
   }
 };
 

@@ -49,8 +49,8 @@ TEST(PutSomewhere, FillsTableWithoutTouching) {
       continue;
     }
     ++num_placed;
-    ASSERT_EQ(room.at(name).links.size(), 1u);
-    EXPECT_EQ(room.scene.at(room.at(name).links[0].with.object()).name, "table");
+    ASSERT_EQ(room.at(name).contacts.size(), 1u);
+    EXPECT_EQ(room.scene.at(room.at(name).contacts[0].with.object()).name, "table");
   }
   EXPECT_GT(num_placed, 12);
   EXPECT_TRUE(check_scene(room.scene).ok());

@@ -158,7 +158,7 @@ void expect_falling_energy(const Object& object, const Pose& start, double clear
     const double drop = centre_at(object, pose).z() - centre_at(object, step.pose_after).z();
     EXPECT_NEAR(drop, step.energy_drop, 1e-3 * clearance);
     if (step.kind == SettleStep::Kind::Lift)
-      EXPECT_GE(drop, -kLargestLift * clearance);
+      EXPECT_GE(drop, -kLargestSeparatingMotion * clearance);
     else
       EXPECT_GE(step.energy_drop, kLastEnergyDrop * clearance);
     pose = step.pose_after;
@@ -170,12 +170,12 @@ void expect_consistent(const Scene& scene, ObjectId id, double clearance,
   const Object& object = scene.at(id);
   EXPECT_TRUE(object.placed);
   EXPECT_EQ(object.state, ObjectState::Stable);
-  EXPECT_FALSE(object.links.empty());
+  EXPECT_FALSE(object.contacts.empty());
   EXPECT_EQ(result.num_motions, static_cast<int>(result.steps.size()));
   EXPECT_GE(result.num_queries, result.num_motions);
-  for (const Link& link : object.links) {
-    EXPECT_FALSE(link.contact.points.empty());
-    for (const ContactPoint& p : link.contact.points) {
+  for (const ObjectContact& entry : object.contacts) {
+    EXPECT_FALSE(entry.contact.points.empty());
+    for (const ContactPoint& p : entry.contact.points) {
       EXPECT_GT(p.gap, 0);
       EXPECT_LE(p.gap, kContactTolerance * clearance);
     }

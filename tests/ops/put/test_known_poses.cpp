@@ -38,10 +38,10 @@ TEST(PutBox, FallsFlatByExactHeight) {
   EXPECT_EQ(box.pose.translation.head<2>(), Vec2(1, 2));
   EXPECT_NEAR(box.pose.translation.z(), 0.125 + clearance, 0.1 * clearance);
   EXPECT_NEAR(result.steps[0].energy_drop, 3 - box.pose.translation.z(), 1e-12);
-  ASSERT_EQ(box.links.size(), 1u);
-  EXPECT_TRUE(box.links[0].with.is_floor());
-  EXPECT_EQ(box.links[0].contact.type, ContactType::Area);
-  EXPECT_EQ(box.links[0].contact.hull.size(), 4u);
+  ASSERT_EQ(box.contacts.size(), 1u);
+  EXPECT_TRUE(box.contacts[0].with.is_floor());
+  EXPECT_EQ(box.contacts[0].contact.type, ContactType::Area);
+  EXPECT_EQ(box.contacts[0].contact.hull.size(), 4u);
   EXPECT_NEAR(box.stability_margin, 0.25, 1e-6);
   EXPECT_EQ(box.least_friction, 0);
 }
@@ -75,7 +75,7 @@ TEST(PutBox, StaysOverTableEdgeOrFallsOff) {
     const Object& box = scene.at(id);
     if (overhang < 1) {
       EXPECT_NEAR(box.pose.translation.z(), 1.05, 1e-4);
-      EXPECT_EQ(box.links[0].with, Support(table));
+      EXPECT_EQ(box.contacts[0].with, Support(table));
       EXPECT_NEAR(box.stability_margin, 0.2 * (1 - overhang), 1e-5);
     } else {
       EXPECT_LT(box.pose.translation.z(), 0.9);
@@ -102,7 +102,7 @@ TEST(PutOptions, ClearanceIsGap) {
     SettleOptions options;
     options.clearance = clearance;
     ASSERT_TRUE(test::checked_put(scene, id, {{}, Vec3(0, 0, 2)}, options).ok());
-    EXPECT_NEAR(scene.at(id).links[0].contact.gap, clearance, 1e-12);
+    EXPECT_NEAR(scene.at(id).contacts[0].contact.gap, clearance, 1e-12);
   }
 }
 
@@ -111,7 +111,7 @@ TEST(PutOnFloor, RaisesTouchingStartToClearance) {
   const ObjectId id = add_box(scene, "box", Vec3(0.25, 0.25, 0.25));
   const OperationResult result = put(scene, id, {{}, Vec3(1, 2, 0.25)});
   ASSERT_TRUE(result.ok()) << result.reason();
-  EXPECT_GT(scene.at(id).links[0].contact.gap, 0);
+  EXPECT_GT(scene.at(id).contacts[0].contact.gap, 0);
   EXPECT_TRUE(check_scene(scene).ok());
 }
 
@@ -121,9 +121,9 @@ TEST(PutAgain, MovesObjectAndItsLinks) {
       add_fixed(scene, "table", box_triangles(Vec3(1, 1, 0.5)), Vec3(0, 0, 0.5 + 1e-5));
   const ObjectId id = add_box(scene, "box", Vec3(0.2, 0.2, 0.2));
   ASSERT_TRUE(test::checked_put(scene, id, {{}, Vec3(0, 0, 2)}).ok());
-  EXPECT_EQ(scene.at(table).links.size(), 1u);
+  EXPECT_EQ(scene.at(table).contacts.size(), 1u);
   ASSERT_TRUE(test::checked_put(scene, id, {{}, Vec3(3, 0, 2)}).ok());
-  EXPECT_TRUE(scene.at(table).links.empty());
+  EXPECT_TRUE(scene.at(table).contacts.empty());
   EXPECT_NEAR(scene.at(id).pose.translation.z(), 0.2, 1e-4);
 }
 
@@ -159,7 +159,7 @@ TEST(PutStack, StacksTwelveBoxes) {
     ASSERT_TRUE(result.ok()) << result.reason();
     EXPECT_LE(result.num_motions, 3);
     EXPECT_NEAR(scene.at(boxes[i]).pose.translation.z(), 0.1 * i + 0.05, 1e-4);
-    EXPECT_EQ(scene.at(boxes[i]).links[0].contact.type, ContactType::Area);
+    EXPECT_EQ(scene.at(boxes[i]).contacts[0].contact.type, ContactType::Area);
   }
   EXPECT_TRUE(check_scene(scene).ok());
   const LoadSupport list = load_support(scene);
@@ -409,7 +409,7 @@ TEST(Stand, ChecksWithoutSettling) {
   ASSERT_TRUE(result.ok());
   EXPECT_EQ(room.scene.at(room.object).state, ObjectState::Wedged);
   EXPECT_EQ(room.scene.at(room.object).least_friction, kInfinity);
-  EXPECT_TRUE(room.scene.at(room.object).links.empty());
+  EXPECT_TRUE(room.scene.at(room.object).contacts.empty());
   const Scene before = room.scene;
   EXPECT_FALSE(stand(room.scene, room.object, {{}, Vec3(0, 0, 1)}).ok());
   EXPECT_EQ(test::difference(before, room.scene), "");
@@ -467,7 +467,7 @@ TEST(CheckScene, UpdateContactsAgreesWithPut) {
   update_contacts(scene);
   for (const ObjectId id : scene.ids()) {
     EXPECT_EQ(scene.at(id).state, before.at(id).state);
-    EXPECT_EQ(scene.at(id).links.size(), before.at(id).links.size());
+    EXPECT_EQ(scene.at(id).contacts.size(), before.at(id).contacts.size());
   }
 }
 

@@ -23,10 +23,10 @@ struct Outcome {
 Outcome outcome_of(const Arrangement& a) {
   Outcome out;
   const auto ids = a.scene.ids();
-  for (const Link& link : a.scene.at(a.object).links) {
-    out.floor |= link.with.is_floor();
-    out.first |= link.with == Support(ids[0]);
-    out.second |= ids.size() > 2 && link.with == Support(ids[1]);
+  for (const ObjectContact& entry : a.scene.at(a.object).contacts) {
+    out.floor |= entry.with.is_floor();
+    out.first |= entry.with == Support(ids[0]);
+    out.second |= ids.size() > 2 && entry.with == Support(ids[1]);
   }
   out.centre = a.scene.at(a.object).centre_of_mass();
   return out;

@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "core/scene/transaction.h"
-#include "ops/layout/boxes.h"
 #include "ops/files/report/report.h"
+#include "ops/layout/boxes.h"
 
 namespace trivet {
 namespace {
@@ -101,7 +101,7 @@ TEST(Report, RoundTripsNumbersBitwise) {
       EXPECT_EQ(report["objects"][i]["centre_of_mass"][r], object.centre_of_mass()[r]);
     }
     EXPECT_EQ(m[15], 1.0);
-    for (const Link& link : object.links) num_checked += link.contact.points.size();
+    for (const ObjectContact& entry : object.contacts) num_checked += entry.contact.points.size();
   }
   EXPECT_GT(num_checked, 8);
 }

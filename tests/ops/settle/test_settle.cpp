@@ -85,7 +85,7 @@ TEST(Settle, OpensTooSmallGap) {
   ASSERT_FALSE(out.steps.empty());
   EXPECT_EQ(out.steps[0].kind, SettleStep::Kind::Lift);
   EXPECT_LT(out.steps[0].energy_drop, 0);
-  for (const ContactPoint& p : out.contacts[0].points) EXPECT_GE(p.gap, kLiftBelow * kEps);
+  for (const ContactPoint& p : out.contacts[0].points) EXPECT_GE(p.gap, kSeparateBelow * kEps);
 }
 
 TEST(Settle, FallsOutWithoutSupport) {

@@ -66,7 +66,7 @@ TEST(SoftwareZLists, ProposeSamePairsWithAnyNumberOfThreads) {
     q.clearance.distance = 1e-6;
     q.motion = turning ? Motion::rotation({3, 0, 2}, Vec3(0, -1, 0.1).normalized(), 1)
                        : Motion::translation(-Vec3::UnitZ(), 5);
-    Proposal one, four;
+    CandidatePairs one, four;
     SoftwareZListOptions options;
     SoftwareZLists single(options);
     const FirstContact found = q.with_stage(single, &one);

@@ -15,10 +15,10 @@ namespace trivet {
 ///
 /// @throws Error: BadInput as read_model(), and for a crash or an exceeded limit; Environment if
 ///   the program is missing or cannot be started.
-Model read_model_isolated(const std::string& path, const ImportLimits& limits,
-                          const Tessellation& tessellation = {});
+Model read_model_sandboxed(const std::string& path, const ImportLimits& limits,
+                           const Tessellation& tessellation = {});
 
-/// read_model_isolated() if limits.importer names a program, else read_model().
+/// read_model_sandboxed() if limits.importer names a program, else read_model().
 Model import_model(const std::string& path, const ImportLimits& limits,
                    const Tessellation& tessellation = {});
 

@@ -7,7 +7,7 @@ namespace trivet {
 
 /// Metres from one pose to another: the path of the origin, and the arc at distance `radius` from
 /// it, turning the short way.
-double length_between(const Pose& from, const Pose& to, double radius);
+double path_length(const Pose& from, const Pose& to, double radius);
 
 /// Pose of a carried load when the object is at `now`, given that the load ends at `end` when the
 /// object ends at `object_end`.
@@ -15,10 +15,10 @@ Pose carried_pose(const Pose& now, const Pose& object_end, const Pose& end);
 
 /// Interpolates between two poses of one motion: a straight line, a turn about a fixed axis, or a
 /// screw.
-Pose between(const Pose& from, const Pose& to, double part);
+Pose interpolate_pose(const Pose& from, const Pose& to, double part);
 
 /// Interpolates between two poses without a known motion: the origin goes straight while the object
 /// turns.
-Pose straight_between(const Pose& from, const Pose& to, double part);
+Pose interpolate_straight(const Pose& from, const Pose& to, double part);
 
 }  // namespace trivet

@@ -1,4 +1,4 @@
-#include "core/motion/between.h"
+#include "core/motion/pose_interpolation.h"
 
 #include <Eigen/Geometry>
 #include <cmath>
@@ -31,7 +31,7 @@ Rotation part_of(const Turn& turn, double part) {
 
 }  // namespace
 
-double length_between(const Pose& from, const Pose& to, double radius) {
+double path_length(const Pose& from, const Pose& to, double radius) {
   return (to.translation - from.translation).norm() +
          radius * turn_between(from.rotation, to.rotation).angle;
 }
@@ -42,7 +42,7 @@ Pose carried_pose(const Pose& now, const Pose& object_end, const Pose& end) {
           Vec3(now.translation + turn.matrix() * (end.translation - object_end.translation))};
 }
 
-Pose between(const Pose& from, const Pose& to, double part) {
+Pose interpolate_pose(const Pose& from, const Pose& to, double part) {
   const Vec3 way = to.translation - from.translation;
   const Turn turn = turn_between(from.rotation, to.rotation);
   if (turn.angle < kSmallestTurn) return {from.rotation, Vec3(from.translation + part * way)};
@@ -57,7 +57,7 @@ Pose between(const Pose& from, const Pose& to, double part) {
           Vec3(from.translation - arm + rotation.matrix() * arm + part * along)};
 }
 
-Pose straight_between(const Pose& from, const Pose& to, double part) {
+Pose interpolate_straight(const Pose& from, const Pose& to, double part) {
   const Turn turn = turn_between(from.rotation, to.rotation);
   return {(part_of(turn, part) * from.rotation).normalized(),
           Vec3(from.translation + part * (to.translation - from.translation))};

@@ -1,4 +1,4 @@
-#include "core/io/isolated.h"
+#include "core/io/sandboxed_import.h"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -183,8 +183,8 @@ bool write_all(int descriptor, std::string_view bytes) {
 
 }  // namespace
 
-Model read_model_isolated(const std::string& path, const ImportLimits& given,
-                          const Tessellation& tessellation) {
+Model read_model_sandboxed(const std::string& path, const ImportLimits& given,
+                           const Tessellation& tessellation) {
   check_file(path, given);  // checks that need no other process
   const std::string importer = importer_of(path, given);
   const ImportLimits limits = with_defaults(given, path);
@@ -210,7 +210,7 @@ Model read_model_isolated(const std::string& path, const ImportLimits& given,
 Model import_model(const std::string& path, const ImportLimits& limits,
                    const Tessellation& tessellation) {
   return limits.importer.empty() ? read_model(path, limits)
-                                 : read_model_isolated(path, limits, tessellation);
+                                 : read_model_sandboxed(path, limits, tessellation);
 }
 
 std::string find_importer() {
