@@ -19,7 +19,8 @@ namespace trivet::perf {
 namespace {
 
 constexpr const char* kUsage =
-    "usage: trivet_perf [--out FOLDER] [--only first-contact|put|push|zlists|settling|shapes]\n"
+    "usage: trivet_perf [--out FOLDER] [--only "
+    "first-contact|put|push|scale|zlists|settling|shapes]\n"
     "Prints the table; with --out also writes FOLDER/<date>-<n>core.md (with --only PART:\n"
     "-<n>core-PART.md), and of z-lists a .csv beside it, for plot_zlists.py.\n";
 
@@ -30,6 +31,7 @@ struct Part {
 constexpr Part kParts[] = {{"first-contact", first_contact_rows},
                            {"put", put_rows},
                            {"push", push_rows},
+                           {"scale", scale_rows},
                            {"zlists", zlist_rows},
                            {"settling", settling_rows},
                            {"shapes", shape_rows}};

@@ -24,7 +24,7 @@ class Scene {
 
   /// Strong guarantee. @throws Error (BadInput) when the name is empty or taken.
   ObjectId add(Object object);
-  /// Objects that touched it lose their links with it. Strong guarantee.
+  /// Objects that touched it lose their contacts with it. Strong guarantee.
   void remove(ObjectId id);
   bool contains(ObjectId id) const;
   const Object& at(ObjectId id) const;  // asserts that the id is alive
@@ -119,7 +119,7 @@ class SceneChange {
 /// The same contact seen from the other object.
 Contact reversed(const Contact& contact);
 
-/// Who holds an object and who lies on it, derived from the links of all objects.
+/// Load-support list: supports and loads of every object, derived from the contacts.
 struct LoadSupport {
   struct Entry {
     ObjectId object;

@@ -31,7 +31,7 @@ void Transaction::remove(ObjectId id) {
   m_scene.remove(id);
 }
 
-void Transaction::link(ObjectId id, std::vector<ObjectContact> object_contacts) {
+void Transaction::set_contacts(ObjectId id, std::vector<ObjectContact> object_contacts) {
   assert(is_innermost());
   m_scene.set_contacts(id, std::move(object_contacts));
 }

@@ -33,10 +33,10 @@ class Transaction {
   /// Replaces what the object touches; those it touches see the same contact from their side.
   /// Costs what the object touched and touches, not the scene.
   void set_contacts(ObjectId id, std::vector<ObjectContact> object_contacts);
-  void clear_contacts(ObjectId id) { link(id, {}); }
+  void clear_contacts(ObjectId id) { set_contacts(id, {}); }
 
-  /// Calls change(Object&), which changes anything but the name; links by link() only. When it
-  /// throws, what it did is in the scene until this is taken back.
+  /// Calls change(Object&), which changes anything but the name; contacts by set_contacts() only.
+  /// When it throws, what it did is in the scene until this is taken back.
   template <class Change>
   void edit(ObjectId id, Change&& change) {
     const Refresh refresh(*this, id);

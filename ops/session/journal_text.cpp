@@ -1,8 +1,8 @@
 #include "ops/session/journal_text.h"
 
 #include "core/base/hash.h"
-#include "ops/files/layout/layout.h"
 #include "ops/files/json/operation_json.h"
+#include "ops/files/layout/layout.h"
 
 namespace trivet {
 namespace {

@@ -7,8 +7,8 @@
 #include "core/scene/fingerprint.h"
 #include "ops/check/check.h"
 #include "ops/files/layout/paths.h"
-#include "ops/placement/clearance.h"
 #include "ops/files/report/scene_file.h"
+#include "ops/placement/clearance.h"
 #include "ops/session/journal.h"
 
 namespace trivet {

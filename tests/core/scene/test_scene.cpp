@@ -104,7 +104,7 @@ Contact some_contact() {
 TEST(SceneLinks, AppearOnBothSides) {
   Scene scene;
   const ObjectId a = scene.add(cube("a")), b = scene.add(cube("b"));
-  link(scene, a, {{b, some_contact()}, {std::nullopt, some_contact()}});
+  link(scene, a, {{b, some_contact()}, {Support::floor(), some_contact()}});
   ASSERT_EQ(scene.at(a).contacts.size(), 2u);
   ASSERT_EQ(scene.at(b).contacts.size(), 1u);  // the floor stores none
   const ObjectContact& mirrored = scene.at(b).contacts[0];

@@ -9,8 +9,8 @@
 
 #include "core/base/error.h"
 #include "ops/files/json/json_text.h"
-#include "ops/files/layout/layout.h"
 #include "ops/files/json/operation_json.h"
+#include "ops/files/layout/layout.h"
 
 namespace trivet {
 namespace {

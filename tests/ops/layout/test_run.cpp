@@ -5,8 +5,8 @@
 #include <set>
 
 #include "core/base/error.h"
-#include "ops/layout/boxes.h"
 #include "ops/files/layout/run.h"
+#include "ops/layout/boxes.h"
 
 namespace trivet {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "ops/layout/boxes.h"
 #include "ops/files/report/model_info.h"
+#include "ops/layout/boxes.h"
 
 namespace trivet {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "ops/operations/perform.h"
 #include "ops/files/report/queries.h"
+#include "ops/operations/perform.h"
 #include "support/solids.h"
 
 namespace trivet::test {

@@ -12,8 +12,8 @@
 #include "core/mesh/weld_arrays.h"
 #include "core/scene/fingerprint.h"
 #include "ops/check/check.h"
-#include "ops/operations/perform.h"
 #include "ops/files/report/scene_file.h"
+#include "ops/operations/perform.h"
 #include "support/solids.h"
 
 namespace trivet {

@@ -10,10 +10,10 @@
 #include "core/base/error.h"
 #include "core/io/export.h"
 #include "core/io/gltf/glb_container.h"
-#include "ops/layout/boxes.h"
 #include "ops/files/report/geometry.h"
 #include "ops/files/report/report.h"
 #include "ops/files/report/scene_file.h"
+#include "ops/layout/boxes.h"
 
 namespace trivet {
 namespace {
