@@ -282,6 +282,8 @@ Operation read_operation(const JsonPlace& place) {
   if (op.value() == "unfix") return read_fix(place, false);
   if (op.value() == "group") return read_group(place);
   if (op.value() == "ungroup") return read_ungroup(place);
+  if (op.value() == "stand") return read_stand(place);
+  if (op.value() == "unplace") return read_unplace(place);
   const std::string given = op.value().is_string() ? op.value().get<std::string>() : "";
   op.refuse(
       "\"put\", \"push\", \"turn\", \"pick_up\", \"translate\", \"rotate\", \"append\", "

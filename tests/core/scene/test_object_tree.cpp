@@ -20,9 +20,9 @@ std::vector<Index> visited(const ObjectTree& tree, const Aabb& box, double margi
   std::vector<Index> out;
   int asked = 0;
   tree.visit(
-      [&](const Aabb& there) {
+      [&](const ObjectTree::Extent& there) {
         ++asked;
-        return overlaps(there, box, margin);
+        return overlaps(there.box, box, margin);
       },
       [&](Index slot) { out.push_back(slot); });
   std::sort(out.begin(), out.end());

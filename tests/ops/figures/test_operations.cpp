@@ -25,7 +25,7 @@ TEST(Figure1, AreaContactAllowsMotionsAcrossAndAlongNormal) {
   const auto moved = [&](const Vec3& by) {
     Stage t = s;
     const OperationResult result = t.run(TranslateOperation{{"box"}, by});
-    EXPECT_EQ(result.end == End::Reached, result.blocked_by.empty());
+    EXPECT_EQ(result.end == End::Reached, result.blocked_by.name.empty());
     return result.moved;
   };
   const double nothing = 1.1 * s.clearance();  // gaps open or close

@@ -129,13 +129,13 @@ TEST(Interference, ReportsReachedLimit) {
 // Two balls of 160,000 faces at nearly the same place: prints the cost of the query.
 TEST(Interference, StaysWithinLimitOfPairs) {
   Stage stage;
-  stage.fix("a", ball(0.2, 200, 400), {0, 0, 0.5});
+  const ObjectId a = stage.fix("a", ball(0.2, 200, 400), {0, 0, 0.5});
   const ObjectId b = stage.scene.add(object_of("b", ball(0.2, 200, 400)));
   const Placement moved{b, {{}, Vec3(0.01, 0, 0.5)}};
   Stopwatch watch;
   const InterferingFaces crossing = crossing_faces(stage.scene, {&moved, 1});
   const double ms = watch.milliseconds();
-  const InterferingFaces near = blocking_faces(stage.scene, {&moved, 1}, {"a", Vec3::Zero()}, 1e-5);
+  const InterferingFaces near = blocking_faces(stage.scene, {&moved, 1}, {a, Vec3::Zero()}, 1e-5);
   std::printf("%d pairs of fine faces: crossing %.2f ms, blocking %.2f ms\n", kMostFacePairs, ms,
               watch.milliseconds() - ms);
   for (const InterferingFaces& found : {crossing, near}) {
@@ -164,7 +164,7 @@ Faces blocking_by_brute_force(const Scene& scene, const std::vector<Placement>& 
     return std::abs(normal.dot(direction)) > 0.1 * normal.norm();
   };
   std::vector<Pair> near;
-  const Object& b = scene.at(*scene.find(blockage.by));
+  const Object& b = scene.at(blockage.by.object());
   for (const Placement& placement : moved) {
     const Object& a = scene.at(placement.id);
     for (Index i = 0; i < num_faces(a); ++i)
@@ -212,7 +212,7 @@ TEST(Interference, FindsAllBlockingFaces) {
     const OperationResult& result = live.result();
     if (result.end != OperationResult::End::Blocked) continue;
     ++num_blocked;
-    const Blockage blockage{result.blocked_by.name, result.blocked_at};
+    const Blockage blockage{*result.blocked_by.support, result.blocked_at};
     const InterferingFaces found =
         blocking_faces(heap.scene, live.placements(), blockage, tolerance, kNoLimit);
     ASSERT_EQ(found.objects.size(), 2u) << "of the moving object and of the one that stopped it";
@@ -235,8 +235,8 @@ TEST(Interference, OmitsSupportingFacesOfBlocker) {
   push.object = "box";
   LiveMove live(stage.scene, push, {});
   live.follow(Vec3(0.45, 0, 0));
-  ASSERT_EQ(live.result().blocked_by, "step");
-  const Blockage blockage{live.result().blocked_by, live.result().blocked_at};
+  ASSERT_EQ(live.result().blocked_by.name, "step");
+  const Blockage blockage{*live.result().blocked_by.support, live.result().blocked_at};
   const double tolerance = kContactTolerance * stage.clearance();
   const InterferingFaces found =
       blocking_faces(stage.scene, live.placements(), blockage, tolerance);
@@ -257,10 +257,11 @@ TEST(Interference, HandlesFloor) {
   const std::vector<Placement> there{{*stage.scene.find("box"), stage.at("box").pose}};
   const double tolerance = kContactTolerance * stage.clearance();
   const InterferingFaces found =
-      blocking_faces(stage.scene, there, {"floor", Vec3::Zero()}, tolerance);
+      blocking_faces(stage.scene, there, {Support::floor(), Vec3::Zero()}, tolerance);
   ASSERT_EQ(found.objects.size(), 1u);
   EXPECT_GE(found.objects[0].faces.size(), 2u) << "all with a corner there";
-  EXPECT_TRUE(blocking_faces(stage.scene, there, {"nobody", Vec3::Zero()}, tolerance).empty());
+  const ObjectId none{99, 1};
+  EXPECT_TRUE(blocking_faces(stage.scene, there, {none, Vec3::Zero()}, tolerance).empty());
   EXPECT_TRUE(crossing_faces(stage.scene, there).empty());
 }
 

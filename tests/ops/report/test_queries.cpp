@@ -25,7 +25,7 @@ Scene tower() {
 
 std::vector<std::string> names(const Scene& scene, const std::vector<TouchedBy>& touched) {
   std::vector<std::string> out;
-  for (const TouchedBy& t : touched) out.push_back(t.object ? scene.at(*t.object).name : "floor");
+  for (const TouchedBy& t : touched) out.push_back(named(scene, t.with).name);
   return out;
 }
 
@@ -49,8 +49,8 @@ TEST(Queries, AgreeWithLoadSupportList) {
     std::vector<ObjectId> supports, loads;
     bool on_floor = false;
     for (const TouchedBy& t : held_by(scene, entry.object))
-      t.object ? supports.push_back(*t.object) : void(on_floor = true);
-    for (const TouchedBy& t : lying_on(scene, entry.object)) loads.push_back(*t.object);
+      t.with.is_object() ? supports.push_back(t.with.object()) : void(on_floor = true);
+    for (const TouchedBy& t : lying_on(scene, entry.object)) loads.push_back(t.with.object());
     EXPECT_EQ(supports, entry.supports);
     EXPECT_EQ(loads, entry.loads);
     EXPECT_EQ(on_floor, entry.on_floor);

@@ -221,7 +221,7 @@ TEST(Simulation, RaisesFrictionForObjectsAndTheirLoads) {
   update_contacts(scene, 1e-4);
   edit_object(scene, b, [](Object& o) { o.least_friction = 0.8; });
   const SimulationExport done = simulation_of(scene, "s", {});
-  EXPECT_EQ(scene.at(a).links.size(), 2u);
+  EXPECT_EQ(scene.at(a).contacts.size(), 2u);
   EXPECT_DOUBLE_EQ(done.scene.bodies[0].friction, 1.0);  // carries b
   EXPECT_DOUBLE_EQ(done.scene.bodies[1].friction, 1.0);
   EXPECT_DOUBLE_EQ(done.scene.bodies[2].friction, 0.6);

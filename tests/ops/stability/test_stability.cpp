@@ -1,6 +1,7 @@
 // Scenes with an equilibrium known by hand.
 #include <gtest/gtest.h>
 
+#include "core/scene/transaction.h"
 #include "ops/check/check.h"
 #include "ops/operations/perform.h"
 #include "ops/stability/certificate.h"

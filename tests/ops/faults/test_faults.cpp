@@ -1,0 +1,162 @@
+// Memory that runs out in the middle of an operation: the scene is as before or as after, never
+// between.
+#include <gtest/gtest.h>
+
+#include <new>
+
+#include "core/scene/allocation_faults.h"
+#include "core/scene/fingerprint.h"
+#include "ops/operations/live_move.h"
+#include "ops/operations/perform.h"
+#include "ops/session/session.h"
+#include "support/effort.h"
+#include "support/random_shapes.h"
+#include "support/solids.h"
+
+namespace trivet {
+namespace {
+
+using test::AllocationFault;
+
+constexpr int kNumBoxes = 5;
+
+/// A board on the floor and some boxes, in a pile if `seed` says so; the last one is not placed.
+Scene random_scene(test::Random& random) {
+  Scene scene;
+  const ObjectId board =
+      scene.add(test::object_of("board", test::box_triangles(Vec3(0.5, 0.5, 0.02)), true));
+  EXPECT_TRUE(stand(scene, board, {{}, Vec3(0, 0, 0.03)}).ok());
+  for (int i = 0; i < kNumBoxes; ++i) {
+    const Vec3 half(random.uniform(0.03, 0.1), random.uniform(0.03, 0.1), 0.05);
+    const std::string name = "box" + std::to_string(i);
+    const ObjectId id = scene.add(test::object_of(name, test::box_triangles(half)));
+    if (i + 1 == kNumBoxes) break;
+    const Vec3 from(random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1), 0.8);
+    put(scene, id, {random.rotation(), from});
+  }
+  return scene;
+}
+
+Operation random_operation(test::Random& random) {
+  const std::string name = "box" + std::to_string(random.integer(0, kNumBoxes - 1));
+  const Vec3 from(random.uniform(-0.3, 0.3), random.uniform(-0.3, 0.3), 0.8);
+  const bool release = random.integer(0, 1) == 1;
+  switch (random.integer(0, 6)) {
+    case 0:
+      return PutOperation{{name, release}, {random.rotation(), from}, {}};
+    case 1:
+      return PushOperation{{{name, release}}, Vec2(random.uniform(-1, 1), 1), 0.1};
+    case 2:
+      return TranslateOperation{{{name, release}}, Vec3(0.05, 0, 0.1), false, release};
+    case 3:
+      return RotateOperation{{{name, release}}, random.direction(), 40, {}, true};
+    case 4:
+      return DeleteOperation{{name, release}};
+    case 5:
+      return UnplaceOperation{{name, release}};
+    default:
+      return DuplicateOperation{name, "copy"};
+  }
+}
+
+// Which of up to `most` allocations fail: all of few, some of many.
+std::vector<std::int64_t> chosen(std::int64_t num, std::int64_t most, test::Random& random) {
+  std::vector<std::int64_t> out;
+  for (std::int64_t n = 0; n < num; ++n)
+    if (num <= most || random.integer(0, static_cast<int>(num / most)) == 0) out.push_back(n);
+  return out;
+}
+
+/// Runs `work(scene)` with each of the chosen allocations failing. @return how many failed.
+template <class Work>
+int expect_all_or_nothing(const Scene& start, const Work& work, test::Random& random) {
+  const std::uint64_t before = fingerprint(start);
+  Scene whole = start;
+  std::int64_t num_allocations = 0;
+  {
+    const AllocationFault count;
+    work(whole);
+    num_allocations = count.num_allocations();
+  }
+  const std::uint64_t after = fingerprint(whole);
+  int num_failed = 0;
+  for (const std::int64_t n : chosen(num_allocations, 60, random)) {
+    Scene scene = start;
+    {
+      const AllocationFault fault(n);
+      try {
+        work(scene);
+      } catch (const std::bad_alloc&) {
+        ++num_failed;
+      }
+    }
+    const std::uint64_t now = fingerprint(scene);
+    EXPECT_TRUE(now == before || now == after) << "allocation " << n;
+    EXPECT_TRUE(scene.is_consistent()) << "allocation " << n;
+    if (testing::Test::HasFailure()) return num_failed;
+  }
+  return num_failed;
+}
+
+TEST(OperationFaults, LeaveSceneAsBeforeOrAsAfter) {
+  int num_failed = 0;
+  for (int i = 0; i < test::with_effort(60) && !HasFailure(); ++i) {
+    SCOPED_TRACE("sequence " + std::to_string(i));
+    test::Random random(100 + i);
+    const Scene start = random_scene(random);
+    const Operation operation = random_operation(random);
+    SCOPED_TRACE(op_name(operation));
+    num_failed += expect_all_or_nothing(
+        start, [&](Scene& scene) { perform(scene, operation); }, random);
+  }
+  EXPECT_GT(num_failed, 500);
+}
+
+TEST(OperationFaults, LeaveSceneOfInteractiveMoveAsBeforeOrAsAfter) {
+  int num_failed = 0;
+  for (int i = 0; i < test::with_effort(15) && !HasFailure(); ++i) {
+    SCOPED_TRACE("drag " + std::to_string(i));
+    test::Random random(300 + i);
+    const Scene start = random_scene(random);
+    const auto drag = [](Scene& scene) {
+      LiveMove live(scene, PushOperation{{{"box0"}}}, {});
+      for (const double x : {0.02, 0.05, 0.1}) live.follow(Vec3(x, 0.03, 0));
+      live.finish(scene);
+    };
+    num_failed += expect_all_or_nothing(start, drag, random);
+  }
+  EXPECT_GT(num_failed, 50);
+}
+
+// A session that failed goes on as if nothing had been asked for.
+TEST(OperationFaults, LeaveSessionUsable) {
+  test::Random random(7);
+  const Scene start = random_scene(random);
+  const PushOperation push{{{"box0"}}, Vec2(1, 0.3), 0.05};
+  Session whole(start, {}, {});
+  whole.perform(push);
+  const std::uint64_t after = fingerprint(whole.scene());
+  for (std::int64_t n = 0; n < 2000; n += 7) {
+    Session session(start, {}, {});
+    bool failed = false;
+    {
+      const AllocationFault fault(n);
+      try {
+        session.perform(push);
+      } catch (const std::bad_alloc&) {
+        failed = true;
+      }
+    }
+    if (failed) {
+      ASSERT_EQ(fingerprint(session.scene()), fingerprint(start)) << n;
+      ASSERT_EQ(session.num_done(), 0u) << n;
+      session.perform(push);
+    }
+    ASSERT_EQ(fingerprint(session.scene()), after) << n;
+    ASSERT_TRUE(session.undo()) << n;
+    ASSERT_EQ(fingerprint(session.scene()), fingerprint(start)) << n;
+  }
+}
+
+}  // namespace
+}  // namespace trivet
