@@ -1,6 +1,8 @@
 // Cost of one operation as the scene grows: only what is near counts.
 #include <stdexcept>
 
+#include "core/io/mesh_model.h"
+#include "core/mesh/weld_arrays.h"
 #include "core/scene/transaction.h"
 #include "ops/check/check.h"
 #include "ops/operations/perform.h"
@@ -8,7 +10,6 @@
 #include "perf/result_hash.h"
 #include "perf/rows.h"
 #include "perf/scenes.h"
-#include "tests/support/solids.h"
 
 namespace trivet::perf {
 namespace {
@@ -30,10 +31,31 @@ Vec3 place_of(int i, int num) {
   return kSpacing * Vec3(i % side - side / 2, i / side - side / 2, 0) + Vec3(0, 0, 0.05 + 2e-6);
 }
 
+/// A cube about the origin.
+Object cube(double half) {
+  std::vector<Vec3> corners;
+  for (int i = 0; i < 8; ++i)
+    corners.push_back(half * Vec3(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1));
+  const std::vector<Index3> faces{{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                                  {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+  Object out;
+  out.name = "box";
+  out.model = std::make_shared<const Model>(model_of_mesh(weld(corners, faces).mesh));
+  out.shape = make_shape(out.model->mesh);
+  return out;
+}
+
+PushOperation push_of(double distance) {
+  PushOperation push;
+  push.object = "box_0";
+  push.distance = distance;
+  return push;
+}
+
 /// Boxes that stand on the floor in rows, and "box", which is not placed.
 Scene boxes_in_rows(int num) {
   Scene scene;
-  Object box = test::object_of("box", test::box_triangles(Vec3(0.05, 0.05, 0.05)));
+  Object box = cube(0.05);
   for (int i = 0; i < num; ++i) {
     Object one = box;
     one.name = text("box_%d", i);
@@ -62,7 +84,7 @@ Samples repeated(Scene& scene, const Operation& operation, ResultHash& hash) {
 
 Samples session_steps(Session& session) {
   Samples samples;
-  const PushOperation push{{{"box_0"}}, Vec2(1, 0), 0.01};
+  const PushOperation push = push_of(0.01);
   for (int i = 0; i < kRepetitions; ++i) {
     samples.add(timed([&] {
       if (!session.perform(push, options()).ok()) throw std::runtime_error("push is refused");
@@ -86,8 +108,7 @@ void scale_rows(Report& report) {
     const Rotation tilted = Rotation::about_axis(Vec3(1, 2, 3).normalized(), 0.2);
     report.add({"PUT between four of them",
                 repeated(*scene, PutOperation{{"box"}, {tilted, free}, {}}, hash), 0, 0, ""});
-    report.add({"PUSH by 5 cm",
-                repeated(*scene, PushOperation{{{"box_0"}}, Vec2(1, 0), 0.05}, hash), 0, 0, ""});
+    report.add({"PUSH by 5 cm", repeated(*scene, push_of(0.05), hash), 0, 0, ""});
     report.add_hash(hash.value());
     Samples check;
     SceneCheck found;

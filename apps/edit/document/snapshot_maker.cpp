@@ -14,7 +14,7 @@ constexpr size_t kMostInvalid = 32;  // limit for the search of crossing faces
 
 std::shared_ptr<const std::vector<InvalidObject>> with_faces_lit(const Scene& scene) {
   std::vector<InvalidObject> found;
-  for (const ObjectId id : invalid_objects(scene)) {
+  for (const ObjectId id : scene.invalid_objects()) {
     if (found.size() == kMostInvalid) break;
     const Placement here{id, scene.at(id).pose};
     found.push_back({id, crossing_faces(scene, {&here, 1})});

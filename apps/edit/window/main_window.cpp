@@ -262,7 +262,8 @@ void MainWindow::aim_constraint_window() {
                                     m_constraint->width(), m_constraint->height());
   m_constraint->set_camera(ViewCamera::of(view));
   const ObjectContact* const entry = active_object_contact(m_document.selection(), *snapshot);
-  const ObjectSnapshot* const with = entry && entry->with ? snapshot->find(*entry->with) : nullptr;
+  const ObjectSnapshot* const with =
+      entry && entry->with.is_object() ? snapshot->find(entry->with.object()) : nullptr;
   m_frames[3]->set_note(
       !entry ? tr("from above")
              : aim_note(m_document.selection())

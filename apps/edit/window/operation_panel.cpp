@@ -245,7 +245,7 @@ void OperationPanel::add_turn(QFormLayout& form) {
     if (const auto& contact = m_document.selection().contact) {
       turn.point = contact->near;
       const ObjectSnapshot* const with =
-          contact->with ? m_document.snapshot()->find(*contact->with) : nullptr;
+          contact->with.is_object() ? m_document.snapshot()->find(contact->with.object()) : nullptr;
       turn.with = with ? (*with)->name : std::string("floor");
     }
     turn.angle_deg = by->value();

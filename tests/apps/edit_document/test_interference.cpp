@@ -22,7 +22,7 @@ class Interference : public testing::Test {
         hand.move(*from + way * i / 20);
         document->wait_until_idle();
         const auto snapshot = document->snapshot();
-        if (snapshot->drag && !snapshot->drag->blocked_by.empty()) return snapshot;
+        if (snapshot->drag && !snapshot->drag->blocked_by.name.empty()) return snapshot;
       }
       hand.key(KeyEvent::Key::Escape);
       hand.release(*from);
@@ -64,8 +64,8 @@ TEST_F(Interference, HighlightsTouchingFacesOfBlockedDrag) {
   ASSERT_TRUE(blocked) << "the drag was not blocked";
   const DragSnapshot& drag = *blocked->drag;
   const FacesOfObject* const moved = of(*blocked, drag.faces, "glass_back");
-  const FacesOfObject* const stands = of(*blocked, drag.faces, drag.blocked_by);
-  ASSERT_TRUE(moved && stands) << "blocked by " << drag.blocked_by;
+  const FacesOfObject* const stands = of(*blocked, drag.faces, drag.blocked_by.name);
+  ASSERT_TRUE(moved && stands) << "blocked by " << drag.blocked_by.name;
   EXPECT_LT(distance(*blocked, *moved, *stands), 1e-5) << "metres: they touch";
   EXPECT_LT(moved->faces.size(), document.object("glass_back").shape->mesh.triangles.size() / 4)
       << "not the whole object";

@@ -37,6 +37,16 @@ Scene random_scene(test::Random& random) {
   return scene;
 }
 
+PushOperation push_of(const std::string& name, bool release, const Vec2& direction,
+                      double distance) {
+  PushOperation push;
+  push.object = name;
+  push.settle_left = release;
+  push.direction = direction;
+  push.distance = distance;
+  return push;
+}
+
 Operation random_operation(test::Random& random) {
   const std::string name = "box" + std::to_string(random.integer(0, kNumBoxes - 1));
   const Vec3 from(random.uniform(-0.3, 0.3), random.uniform(-0.3, 0.3), 0.8);
@@ -45,7 +55,7 @@ Operation random_operation(test::Random& random) {
     case 0:
       return PutOperation{{name, release}, {random.rotation(), from}, {}};
     case 1:
-      return PushOperation{{{name, release}}, Vec2(random.uniform(-1, 1), 1), 0.1};
+      return push_of(name, release, Vec2(random.uniform(-1, 1), 1), 0.1);
     case 2:
       return TranslateOperation{{{name, release}}, Vec3(0.05, 0, 0.1), false, release};
     case 3:
@@ -119,7 +129,7 @@ TEST(OperationFaults, LeaveSceneOfInteractiveMoveAsBeforeOrAsAfter) {
     test::Random random(300 + i);
     const Scene start = random_scene(random);
     const auto drag = [](Scene& scene) {
-      LiveMove live(scene, PushOperation{{{"box0"}}}, {});
+      LiveMove live(scene, push_of("box0", false, Vec2(1, 0), 0), {});
       for (const double x : {0.02, 0.05, 0.1}) live.follow(Vec3(x, 0.03, 0));
       live.finish(scene);
     };
@@ -132,7 +142,7 @@ TEST(OperationFaults, LeaveSceneOfInteractiveMoveAsBeforeOrAsAfter) {
 TEST(OperationFaults, LeaveSessionUsable) {
   test::Random random(7);
   const Scene start = random_scene(random);
-  const PushOperation push{{{"box0"}}, Vec2(1, 0.3), 0.05};
+  const PushOperation push = push_of("box0", false, Vec2(1, 0.3), 0.05);
   Session whole(start, {}, {});
   whole.perform(push);
   const std::uint64_t after = fingerprint(whole.scene());
