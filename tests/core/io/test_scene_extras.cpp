@@ -66,7 +66,7 @@ TEST_F(SceneExtrasTest, ReportsBrokenFiles) {
   expect_refused(bytes, {"longer than the file"});
   bytes = good;
   bytes[20] = '[';
-  expect_refused(bytes, {"broken"});
+  expect_refused(bytes, {"malformed"});
   bytes = good;
   std::memset(bytes.data() + 8, 0, 4);
   expect_refused(bytes, {});
