@@ -164,7 +164,7 @@ class ClosedStreams(Case):
     def test_what_cannot_be_told_is_an_error(self):
         status, _, err = self.closed([1], "schema")
         self.assertEqual(status, 3)
-        self.assertIn("the standard output cannot be written", err)
+        self.assertIn("cannot write to the standard output", err)
 
 
 SECRET = "SECRET-7319"

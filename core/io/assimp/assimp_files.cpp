@@ -4,7 +4,7 @@
 
 namespace trivet {
 
-bool ModelFiles::may_open(const std::string& file) const {
+bool FolderIoSystem::may_open(const std::string& file) const {
   constexpr size_t kMaxNames = 100;
   if (file == m_model || m_folder.has(file)) return true;
   const bool known = std::find(m_outside.begin(), m_outside.end(), file) != m_outside.end();
@@ -12,11 +12,11 @@ bool ModelFiles::may_open(const std::string& file) const {
   return false;
 }
 
-bool ModelFiles::Exists(const char* file) const {
+bool FolderIoSystem::Exists(const char* file) const {
   return may_open(file) && DefaultIOSystem::Exists(file);
 }
 
-Assimp::IOStream* ModelFiles::Open(const char* file, const char* mode) {
+Assimp::IOStream* FolderIoSystem::Open(const char* file, const char* mode) {
   const bool reads = std::string(mode).find_first_of("wa+") == std::string::npos;
   return reads && may_open(file) ? DefaultIOSystem::Open(file, mode) : nullptr;
 }

@@ -12,9 +12,9 @@ namespace trivet {
 
 /// Opens for reading the model itself and regular files in its folder and below; all others are not
 /// there.
-class ModelFiles : public Assimp::DefaultIOSystem {
+class FolderIoSystem : public Assimp::DefaultIOSystem {
  public:
-  explicit ModelFiles(const std::string& model) : m_model(model), m_folder(model) {}
+  explicit FolderIoSystem(const std::string& model) : m_model(model), m_folder(model) {}
 
   bool Exists(const char* file) const override;
   Assimp::IOStream* Open(const char* file, const char* mode) override;

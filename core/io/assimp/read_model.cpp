@@ -61,7 +61,7 @@ std::string name_in_file(const std::string& file, const std::string& model) {
 }
 
 // In two steps, as the second trusts what the first left behind; the result is that of one.
-const aiScene& import_scene(Assimp::Importer& importer, const ModelFiles& files,
+const aiScene& import_scene(Assimp::Importer& importer, const FolderIoSystem& files,
                             const std::string& path) {
   const aiScene* scene = importer.ReadFile(path, 0);
   if (scene && scene->mRootNode) {
@@ -124,7 +124,7 @@ Model read_model(const std::string& path, const ImportLimits& limits) {
          format + " files are read only by the program trivet-import-cad, never in this process");
   try {
     Assimp::Importer importer;
-    auto* const files = new ModelFiles(path);
+    auto* const files = new FolderIoSystem(path);
     importer.SetIOHandler(files);  // owns it from here on
     check_extension(importer, path);
     if (is_gltf(path)) check_buffers(path);
