@@ -138,7 +138,7 @@ class Cad(CadCase):
         self.refused("info", "cube.obj", "--chord", "1e-3",
                      says=["--chord", "cube.obj", "no curved surfaces"])
         self.refused("info", "ball.step", "--import-in-process",
-                     says=["ball.step: STEP files are read by the program trivet-import-cad"])
+                     says=["ball.step: STEP files are read only by the program trivet-import-cad"])
         self.refused("info", "ball.step", "--chord", "2e-6", "--import-seconds", "0.05",
                      says=["ball.step", "longer than the limit"])
         layout = self.layout([{"name": "a", "model": "half.step", "chord": 1e-3}])

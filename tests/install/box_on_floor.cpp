@@ -37,7 +37,7 @@ int main() {
   start.translation.z() = 0.5;
   const trivet::OperationResult result = trivet::put(scene, box, start);
   if (!result.ok()) {
-    std::fprintf(stderr, "refused: %s\n", result.reason.c_str());
+    std::fprintf(stderr, "refused: %s\n", result.reason().c_str());
     return 1;
   }
   const double height = scene.at(box).pose.translation.z();
