@@ -121,6 +121,7 @@ std::vector<Interpenetration> interpenetrations(const Scene& scene,
 }
 
 std::vector<Support> passed_through(const Scene& scene, ObjectId id) {
+  if (scene.invalid_objects().empty()) return {};
   const Object& object = scene.at(id);
   const ObjectInWorld here = in_world(object, object.pose);
   std::vector<ObjectId> near = Neighbourhood(scene, id).ids_near(here.box, here.floats.slack);
