@@ -78,9 +78,10 @@ void Session::keep(Transaction& transaction, SessionStep& step) {
   for (OperationResult& kept : step.results) kept.steps = {};
   make_room(m_steps, m_position + 1);
   make_room(m_done, m_position + 1);
+  std::vector<ObjectId> changed_aside = changed_aside_without_undone();
   if (m_journal) m_journal->append_step(step);
   done.change = transaction.commit();
-  forget_undone();
+  forget_undone(std::move(changed_aside));
   m_steps.push_back(std::move(step));
   m_done.push_back(std::move(done));
   ++m_position;
@@ -118,12 +119,16 @@ OperationResult Session::finish(LiveMove& live) {
              [&](Transaction& transaction) { return Results{live.finish(transaction)}; });
 }
 
-void Session::forget_undone() {
-  if (m_saved > m_position) {
-    for (size_t i = m_position; i < m_saved; ++i)
-      m_changed_aside = united(std::move(m_changed_aside), m_done[i].touched);
-    m_saved = m_position;
-  }
+// Objects that differ from the saved state once the undone steps are forgotten.
+std::vector<ObjectId> Session::changed_aside_without_undone() const {
+  std::vector<ObjectId> out = m_changed_aside;
+  for (size_t i = m_position; i < m_saved; ++i) out = united(std::move(out), m_done[i].touched);
+  return out;
+}
+
+void Session::forget_undone(std::vector<ObjectId> changed_aside) noexcept {
+  m_changed_aside = std::move(changed_aside);
+  m_saved = std::min(m_saved, m_position);
   m_steps.erase(m_steps.begin() + static_cast<long>(m_position), m_steps.end());
   m_done.erase(m_done.begin() + static_cast<long>(m_position), m_done.end());
 }

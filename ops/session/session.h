@@ -115,7 +115,8 @@ class Session {
   using Results = std::vector<OperationResult>;
   OperationResult run(SessionStep step, const std::function<Results(Transaction&)>& work);
   void keep(Transaction& transaction, SessionStep& step);
-  void forget_undone();
+  std::vector<ObjectId> changed_aside_without_undone() const;
+  void forget_undone(std::vector<ObjectId> changed_aside) noexcept;
   void step_over(size_t step, SessionEvent::Kind kind);
   void tell(const SessionEvent& event) const;
 
