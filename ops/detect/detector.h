@@ -57,9 +57,6 @@ class Detector {
   DetectionWork m_work;
 };
 
-/// By `detector`, or by BVHs when it is null. Costs what is near the way: fixed bodies beyond
-/// the box that the motion sweeps are left out before.
-FirstContact first_contact(const FirstContactQuery& query, Detector* detector);
 /// By `detector`, or in software when it is null.
 DropBracketFunction drop_brackets_of(Detector* detector);
 
