@@ -25,6 +25,7 @@ struct ZListWork {
   std::int64_t pixels = 0;           // stage 2: with moving faces, and fixed ones not ruled out
   std::int64_t doubtful_pixels = 0;  // stage 3: in which the first contact may be
   std::int64_t face_pairs = 0;       // proposed
+  std::int64_t confirmed_pairs = 0;  // of these, by boxes swept along the motion
   std::int64_t bytes_read_back = 0;  // from a GPU
 };
 

@@ -9,8 +9,8 @@ namespace trivet {
 
 /// What is done between construction and commit() is taken back by the destructor otherwise, to the
 /// bit, ids too, whatever happens: taking back allocates nothing and cannot fail. Objects are kept
-/// as they were at their first change, so that the cost is theirs, not the scene's. Scene::floor is
-/// not watched.
+/// as they were at their first change, so that the cost is theirs, not the scene's. Scene::floor and
+/// Scene::floor_material are not watched.
 ///
 /// Transactions nest, the last one opened ends first: an inner one commits into the outer one, and
 /// takes back what was done since its own beginning only. While an inner one is open, the outer one

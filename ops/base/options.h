@@ -9,6 +9,11 @@ struct SettleOptions {
   double clearance = 0;
   /// The paper's three cases literally, for comparison, instead of the enumerated Gauss principle.
   bool literal_paper_rules = false;
+  /// Settle with (nearly) perfect friction, as the paper does; otherwise by materials.
+  bool perfect_friction = true;
+  /// Judge the connected part of the scene as a whole after an operation: what does not stand gives
+  /// way, or the operation is refused.
+  bool whole_at_rest = false;
   /// Refuse an operation that needs more motions.
   int max_motions = 5000;
   /// Accept an object that can neither move nor be shown to be supported, as ObjectState::Wedged;

@@ -28,6 +28,13 @@ struct SettleStep {
   double energy_drop;  // metres that the centre of mass went down; negative for Lift
 };
 
+/// An object that an operation moved though it was not asked to: it gave way.
+struct GaveWay {
+  std::string name;
+  double moved = 0;  // metres, of its centre of mass
+  double turned_deg = 0;
+};
+
 struct OperationResult {
   enum class Status {
     Ok,
@@ -59,6 +66,7 @@ struct OperationResult {
   std::vector<std::string> carried;          // loads and group members that moved along
   std::vector<std::string> unsupported;      // free objects that nothing holds any more
   std::vector<std::string> settled;          // released objects, in order
+  std::vector<GaveWay> gave_way;             // in the scene's order
   std::vector<std::string> interpenetrates;  // after a free move; "floor" too
 
   bool ok() const { return status == Status::Ok; }

@@ -155,6 +155,10 @@ class Writer {
       case Cause::NothingBelow:
         m_out << "nothing is below " << name(0) << ": it would fall for ever";
         return true;
+      case Cause::Topples:
+        m_out << "the scene would not stand at friction " << number("friction") << ": "
+              << names_from(1) << " would move";
+        return true;
       case Cause::Wedged:
         m_out << name(0) << " is wedged " << wedged_where()
               << ": it can neither sink further nor be held there";
@@ -197,8 +201,13 @@ class Writer {
 
   std::string wedged_where() const {
     if (m_r.objects.size() < 2) return "in the air";
-    std::string out = (m_r.objects.size() == 2 ? "against " : "between ") + name(1);
-    for (size_t i = 2; i < m_r.objects.size(); ++i) out.append(" and ").append(name(i));
+    return (m_r.objects.size() == 2 ? "against " : "between ") + names_from(1);
+  }
+
+  std::string names_from(size_t first) const {
+    std::string out;
+    for (size_t i = first; i < m_r.objects.size(); ++i)
+      out.append(out.empty() ? "" : " and ").append(name(i));
     return out;
   }
 
@@ -295,6 +304,7 @@ const char* to_string(Refusal::Cause cause) {
       {Cause::Float32BelowFloor, "float32_below_floor"},
       {Cause::AlreadyTouches, "already_touches"},
       {Cause::NothingBelow, "nothing_below"},
+      {Cause::Topples, "topples"},
       {Cause::Wedged, "wedged"},
       {Cause::TouchesAtStart, "touches_at_start"},
       {Cause::TooManyMotions, "too_many_motions"},

@@ -50,6 +50,7 @@ struct Refusal {
     // Motion and rest.
     AlreadyTouches,    // objects: it, the other
     NothingBelow,      // objects: it
+    Topples,           // objects: it, those that would move. numbers: friction
     Wedged,            // objects: it, all between which it is wedged
     TouchesAtStart,    // objects: it
     TooManyMotions,    // objects: it. numbers: max_motions
