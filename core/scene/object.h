@@ -9,7 +9,7 @@
 #include "core/index/shape.h"
 #include "core/io/model.h"
 #include "core/motion/pose.h"
-#include "core/scene/material.h"
+#include "core/scene/physics_material.h"
 #include "core/scene/support.h"
 
 namespace trivet {
@@ -37,7 +37,7 @@ struct Object {
   std::shared_ptr<const Shape> shape;  // geometry, shared by all objects of this model
   UpAxis up = UpAxis::Z;
   double scale = 1;  // metres per file unit
-  Material material;
+  PhysicsMaterial material;
   bool fixed = false;
   bool placed = false;
   Pose pose;

@@ -21,7 +21,7 @@ using SceneExtent = ObjectTree::Extent;
 class Scene {
  public:
   bool floor = true;
-  Material floor_material;
+  PhysicsMaterial floor_material;
 
   /// Strong guarantee. @throws Error (BadInput) when the name is empty or taken.
   ObjectId add(Object object);
