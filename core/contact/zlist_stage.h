@@ -27,6 +27,7 @@ struct ZListWork {
   std::int64_t face_pairs = 0;       // proposed
   std::int64_t confirmed_pairs = 0;  // of these, by boxes swept along the motion
   std::int64_t bytes_read_back = 0;  // from a GPU
+  std::int64_t read_backs = 0;       // times that the processor waited for a GPU's results
 };
 
 /// What a stage knows after a query. Every pair of faces whose first contact is no later than
@@ -48,6 +49,8 @@ class CandidateFinder {
   virtual std::string name() const = 0;  // "software", "gpu (llvmpipe ...)"
   /// What it runs on: "cpu", or the renderer of OpenGL.
   virtual std::string device() const { return "cpu"; }
+  /// How a GPU is used: "framebuffer" or "compute"; empty: not a matter of this stage.
+  virtual std::string method() const { return ""; }
 
   /// @param horizon  contacts later than this do not matter; at most query.motion.limit.
   /// Pairs stop at distances of up to query.clearance.largest_stop(): "touch" above means that.

@@ -14,6 +14,7 @@ void add(const ZListWork& work, ZListWork& sum) {
   sum.doubtful_pixels += work.doubtful_pixels;
   sum.face_pairs += work.face_pairs;
   sum.bytes_read_back += work.bytes_read_back;
+  sum.read_backs += work.read_backs;
 }
 
 }  // namespace

@@ -47,6 +47,8 @@ class Detector {
   const std::string& name() const { return m_name; }
   /// What it runs on: "cpu", or the renderer of OpenGL.
   std::string device() const { return m_stage ? m_stage->device() : "cpu"; }
+  /// How a GPU is used, see CandidateFinder::method(); empty without one.
+  std::string method() const { return m_stage ? m_stage->method() : ""; }
 
  private:
   std::unique_ptr<CandidateFinder> m_stage;
