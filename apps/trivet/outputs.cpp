@@ -103,7 +103,11 @@ std::string check_summary(const SceneCheck& check) {
 std::string stability_summary(const LayoutRun& run) {
   const Stability& found = run.stability;
   std::ostringstream out;
-  out << "stability: " << to_string(found.status) << " at friction " << found.friction;
+  out << "stability: " << to_string(found.status) << " at ";
+  if (found.friction)
+    out << "friction " << *found.friction;
+  else
+    out << "the materials' friction";
   if (found.stable() && found.margin < kInfinity) out << ", margin " << found.margin << " m";
   if (found.status == Stability::Status::Unknown) out << ": " << found.why_unknown;
   out << "\n";

@@ -112,8 +112,9 @@ Verb add_check(CLI::App& app, const CommonOptions& common) {
                    "margin");
   verb->add_option(
           "--friction", arguments->stability.friction,
-          "Coulomb friction coefficient with which the scene must stand as a whole; default: 5, "
-          "as assumed by settling")
+          "Coulomb friction coefficient of all contacts, with which the scene must stand as a "
+          "whole; "
+          "default: of each pair the smaller of its materials', which are 0.5 where none is given")
       ->check(number_from(0, 1e3));
   add_settle_options(*verb, arguments->settle);
   return {verb, [arguments, &common] { return check(*arguments, common); }};

@@ -5,9 +5,12 @@
 
 #include "core/base/tunables.h"
 #include "core/contact/contact_points.h"
+#include "ops/settle/equilibrium.h"
 
 namespace trivet {
 namespace {
+
+double square(double x) { return x * x; }
 
 double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
@@ -62,15 +65,15 @@ struct Sides {
   std::vector<std::vector<Side>> below, above;  // of each body
 };
 
-Sides sides_of(const FreeBodies& all, double friction) {
-  // A vertical force is inside the cone about the normal.
-  const double least_z = 1 / std::sqrt(1 + friction * friction);
+Sides sides_of(const FreeBodies& all, double factor) {
   Sides sides;
   sides.below.resize(all.bodies.size());
   sides.above.resize(all.bodies.size());
   for (size_t i = 0; i < all.touches.size(); ++i) {
     const BodyContact& t = all.touches[i];
     const double z = t.contact.normal.z();
+    // A vertical force is inside the cone about the normal.
+    const double least_z = 1 / std::sqrt(1 + square(factor * t.friction));
     if (z >= least_z) {
       sides.below[t.on].push_back({i, t.from});
       if (t.from != BodyContact::kGround) sides.above[t.from].push_back({i, t.on});
@@ -84,8 +87,8 @@ Sides sides_of(const FreeBodies& all, double friction) {
 
 class Descent {
  public:
-  Descent(const FreeBodies& all, double friction)
-      : m_all(all), m_sides(sides_of(all, friction)), m_waiting_for(all.bodies.size()) {
+  Descent(const FreeBodies& all, double factor)
+      : m_all(all), m_sides(sides_of(all, factor)), m_waiting_for(all.bodies.size()) {
     m_out.bodies.resize(all.bodies.size());
     m_out.forces.assign(all.touches.size(), 0.0);
   }
@@ -154,8 +157,8 @@ std::vector<double> shares(const std::vector<Vec2>& points, const Vec2& target, 
   return out;
 }
 
-Certificate vertical_certificate(const FreeBodies& all, double friction) {
-  return Descent(all, friction).run();
+Certificate vertical_certificate(const FreeBodies& all, double factor) {
+  return Descent(all, factor).run();
 }
 
 }  // namespace trivet

@@ -20,7 +20,8 @@ struct Certificate {
 /// of its own weight and theirs passes through the hull of the contact points that can carry; it is
 /// then shared among them. Sufficient, not necessary: arches and what leans need more.
 /// Cost O(touches log touches).
-Certificate vertical_certificate(const FreeBodies& all, double friction);
+/// @param factor  of all coefficients of friction.
+Certificate vertical_certificate(const FreeBodies& all, double factor = 1);
 
 /// Non-negative parts, summing up to 1, of points whose weighted mean is `target`: the mean over
 /// the corners of the hull of the parts that the fan of triangles about that corner gives, so that

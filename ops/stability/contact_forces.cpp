@@ -19,8 +19,8 @@ constexpr int kRowsPerBody = 7;
 
 class ForceProgram {
  public:
-  ForceProgram(const FreeBodies& part, double friction)
-      : m_part(part), m_friction(friction), m_carried(carried_weights(part)) {
+  explicit ForceProgram(const FreeBodies& part, double factor = 1)
+      : m_part(part), m_factor(factor), m_carried(carried_weights(part)) {
     add_rows();
     for (const BodyContact& t : m_part.touches) add_touch(t);
     m_first_missing = m_num_columns;
@@ -62,6 +62,7 @@ class ForceProgram {
       out.missing.push_back(missing);
       out.moves.push_back(motion > kMoves);
     }
+    out.motions = motions_of(solution);
     for (const Spanned& s : m_spanned) {
       Vec3 force = Vec3::Zero();
       for (size_t k = 0; k < s.edges.size(); ++k)
@@ -72,6 +73,28 @@ class ForceProgram {
   }
 
  private:
+  // Prices are virtual velocities against all contact forces, so that bodies go the other way; they
+  // belong to rows that are scaled by what a body carries, and by its size.
+  std::vector<VirtualMotion> motions_of(const LinearProgram::Solution& solution) const {
+    std::vector<VirtualMotion> out(m_part.bodies.size());
+    double fastest = 0, power = 0;
+    for (size_t i = 0; i < out.size(); ++i) {
+      const FreeBody& body = m_part.bodies[i];
+      for (int k = 0; k < 3; ++k) {
+        out[i].velocity[k] = -solution.prices[row_of(i) + k] / m_carried[i];
+        out[i].spin[k] = -solution.prices[row_of(i) + 3 + k] / (m_carried[i] * body.size);
+      }
+      fastest = std::max(fastest, out[i].velocity.norm() + out[i].spin.norm() * body.size / 2);
+      power -= body.weight * out[i].velocity.z();
+    }
+    const double scale = fastest > 0 ? (power < 0 ? -1 : 1) / fastest : 0;  // gravity drives it
+    for (VirtualMotion& m : out) {
+      m.velocity *= scale;
+      m.spin *= scale;
+    }
+    return out;
+  }
+
   // A touch's forces are sums of these edges, in `unit` newtons.
   struct Spanned {
     int first_column;
@@ -118,13 +141,14 @@ class ForceProgram {
   void add_touch(const BodyContact& t) {
     const bool ground = t.from == BodyContact::kGround;
     const double unit = ground ? m_carried[t.on] : std::min(m_carried[t.on], m_carried[t.from]);
+    const double friction = m_factor * t.friction;
     Spanned spanned{m_num_columns, unit, {t.contact.normal}};
-    if (m_friction > 0)
-      for (const Vec3& edge : friction_pyramid(t.contact.normal, m_friction))
+    if (friction > 0)
+      for (const Vec3& edge : friction_pyramid(t.contact.normal, friction))
         spanned.edges.push_back(edge);
     for (size_t k = 0; k < spanned.edges.size(); ++k) {
       std::vector<Entry> entries;
-      const double part = k == 0 ? 0 : m_friction;
+      const double part = k == 0 ? 0 : friction;
       append_force(t.on, t.contact.point, unit * spanned.edges[k], unit * part, entries);
       if (!ground)
         append_force(t.from, t.contact.point, -unit * spanned.edges[k], unit * part, entries);
@@ -149,7 +173,7 @@ class ForceProgram {
   }
 
   const FreeBodies& m_part;
-  const double m_friction;
+  const double m_factor;
   const std::vector<double> m_carried;
   LinearProgram m_program;
   std::vector<Spanned> m_spanned;
@@ -158,20 +182,20 @@ class ForceProgram {
 
 }  // namespace
 
-PartForces contact_forces(const FreeBodies& part, double friction) {
-  ForceProgram program(part, friction);
+PartForces contact_forces(const FreeBodies& part, double factor) {
+  ForceProgram program(part, factor);
   program.add_missing(1, kInfinity);
   const LinearProgram::Solution solution = program.solve();
   return solution.optimal ? program.forces_of(solution) : PartForces{};
 }
 
-double shift_margin(const FreeBodies& part, double friction, double tolerance) {
+double shift_margin(const FreeBodies& part, double tolerance) {
   constexpr double d = 0.70710678118654752;
   double largest = 0, margin = kInfinity;
   for (const FreeBody& body : part.bodies) largest = std::max(largest, body.size);
   for (const Vec2& way : {Vec2(1, 0), Vec2(d, d), Vec2(0, 1), Vec2(-d, d), Vec2(-1, 0),
                           Vec2(-d, -d), Vec2(0, -1), Vec2(d, -d)}) {
-    ForceProgram program(part, friction);
+    ForceProgram program(part);
     program.add_missing(0, tolerance);
     program.add_shift(Vec3(way.x(), way.y(), 0), largest);
     const LinearProgram::Solution solution = program.solve();

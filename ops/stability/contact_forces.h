@@ -12,19 +12,21 @@ struct PartForces {
   std::vector<double> missing;  // of each body: force and torque / size, in parts of its weight
                                 // and its loads' together
   std::vector<bool> moves;      // each body: in the motion that proves the lack of balance
-  std::vector<Vec3> forces;     // newtons, of each touch, on its body `on`
-  double residual = 0;          // sum of `missing`
+  std::vector<VirtualMotion> motions;  // of each body: that one; see ObjectStability::motion
+  std::vector<Vec3> forces;            // newtons, of each touch, on its body `on`
+  double residual = 0;                 // sum of `missing`
 };
 
 /// The forces that leave the least missing, by linear programming over friction pyramids of 8
 /// edges. All friction at a body together is at most 10 times the weight that it carries, or two
 /// contacts a hair apart could hold anything by pressing against each other.
 /// @param part  one connected part, its bodies and touches alone.
-PartForces contact_forces(const FreeBodies& part, double friction);
+/// @param factor  of all coefficients of friction.
+PartForces contact_forces(const FreeBodies& part, double factor = 1);
 
 /// How far all weights may be shifted together, sideways, in the worst of 8 directions, while not
 /// more than `tolerance` is missing. @return metres, at most the largest body's size; negative:
 /// more than that is missing without any shift.
-double shift_margin(const FreeBodies& part, double friction, double tolerance);
+double shift_margin(const FreeBodies& part, double tolerance);
 
 }  // namespace trivet

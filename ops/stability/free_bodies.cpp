@@ -4,16 +4,18 @@
 #include <map>
 #include <numeric>
 
+#include "core/scene/friction.h"
+
 namespace trivet {
 
-FreeBodies free_bodies(const Scene& scene, double density) {
+FreeBodies free_bodies(const Scene& scene, std::optional<double> friction) {
   FreeBodies out;
   std::map<std::uint32_t, Index> body_index;
   for (const ObjectId id : scene.ids()) {
     const Object& object = scene.at(id);
     if (!object.placed || object.fixed) continue;
     body_index[id.index] = static_cast<Index>(out.bodies.size());
-    out.bodies.push_back({id, object.centre_of_mass(), weight_of(object, density),
+    out.bodies.push_back({id, object.centre_of_mass(), weight_of(object),
                           object.scale * object.shape->box.diagonal()});
   }
   for (Index i = 0; i < static_cast<Index>(out.bodies.size()); ++i)
@@ -22,8 +24,9 @@ FreeBodies free_bodies(const Scene& scene, double density) {
           entry.with.is_object() ? body_index.find(entry.with.object().index) : body_index.end();
       const Index from = other == body_index.end() ? BodyContact::kGround : other->second;
       if (from != BodyContact::kGround && from < i) continue;  // seen from the other side already
+      const double mu = friction.value_or(friction_between(scene, out.bodies[i].id, entry.with));
       for (const ContactPoint& p : entry.contact.points)
-        out.touches.push_back({i, from, entry.with, p});
+        out.touches.push_back({i, from, entry.with, mu, p});
     }
   return out;
 }

@@ -19,6 +19,7 @@ struct BodyContact {
   static constexpr Index kGround = -1;  // the floor or a fixed object
   Index on = 0, from = kGround;         // bodies
   Support partner;                      // the object of `from`, a fixed one, or the floor
+  double friction = kDefaultFriction;   // Coulomb's coefficient
   ContactPoint contact;
 };
 
@@ -28,7 +29,8 @@ struct FreeBodies {
   std::vector<BodyContact> touches;  // sorted by `on`
 };
 
-FreeBodies free_bodies(const Scene& scene, double density);
+/// @param friction  of all contacts; none: friction_between() each pair.
+FreeBodies free_bodies(const Scene& scene, std::optional<double> friction = {});
 
 /// Which connected part each body is in, by contacts between bodies; parts are numbered in the
 /// order of their first body.

@@ -5,8 +5,10 @@
 
 #include "core/base/tunables.h"
 #include "core/contact/contact_points.h"
+#include "core/scene/friction.h"
 #include "ops/placement/clearance.h"
 #include "ops/placement/contacts.h"
+#include "ops/settle/equilibrium.h"
 #include "ops/settle/settle.h"
 #include "ops/stability/certificate.h"
 #include "ops/stability/contact_forces.h"
@@ -22,23 +24,29 @@ class StabilityCheck {
       : m_scene(scene),
         m_options(options),
         m_clearance(options.clearance > 0 ? options.clearance : default_clearance(scene)),
-        m_all(free_bodies(scene, options.density)) {}
+        m_all(free_bodies(scene, options.friction)) {}
 
   Stability run() {
     m_out.friction = m_options.friction;
     if (const Object* invalid = first_invalid()) return not_judged(*invalid);
-    const Certificate certificate = vertical_certificate(m_all, m_options.friction);
+    const Certificate certificate = vertical_certificate(m_all);
+    const Certificate reserve = vertical_certificate(m_all, kMarginalFriction);
     const std::vector<Index> part_of = connected_parts(m_all);
     const Index num_parts =
         part_of.empty() ? 0 : 1 + *std::max_element(part_of.begin(), part_of.end());
-    std::vector<char> failed(num_parts, 0);
+    std::vector<char> failed(num_parts, 0), no_reserve(num_parts, 0);
     for (size_t i = 0; i < part_of.size(); ++i) {
-      m_out.objects.push_back({m_all.bodies[i].id, m_all.bodies[i].weight, false, 0});
+      m_out.objects.push_back({m_all.bodies[i].id, m_all.bodies[i].weight});
       if (!certificate.bodies[i].certified) failed[part_of[i]] = 1;
+      if (!reserve.bodies[i].certified) no_reserve[part_of[i]] = 1;
     }
     take_certified(certificate, part_of, failed);
-    for (Index p = 0; p < num_parts; ++p)
-      if (failed[p]) solve_part(p, part_of);
+    for (Index p = 0; p < num_parts; ++p) {
+      if (failed[p])
+        solve_part(members_of(p, part_of));
+      else if (no_reserve[p])
+        judge_reserve(bodies_of_part(members_of(p, part_of)), members_of(p, part_of));
+    }
     finish();
     return std::move(m_out);
   }
@@ -51,8 +59,7 @@ class StabilityCheck {
     return nullptr;
   }
   Stability not_judged(const Object& invalid) {
-    for (const FreeBody& body : m_all.bodies)
-      m_out.objects.push_back({body.id, body.weight, false, 0});
+    for (const FreeBody& body : m_all.bodies) m_out.objects.push_back({body.id, body.weight});
     worsen("\"" + invalid.name + "\" interpenetrates something");
     m_out.margin = 0;
     return std::move(m_out);
@@ -61,11 +68,17 @@ class StabilityCheck {
   void take_certified(const Certificate& certificate, const std::vector<Index>& part_of,
                       const std::vector<char>& failed) {
     for (size_t i = 0; i < part_of.size(); ++i)
-      if (!failed[part_of[i]]) m_out.objects[i].margin = certificate.bodies[i].margin;
+      if (!failed[part_of[i]]) set_margin(i, certificate.bodies[i].margin);
     for (size_t i = 0; i < m_all.touches.size(); ++i) {
       const BodyContact& t = m_all.touches[i];
       if (!failed[part_of[t.on]]) add_force(m_all, t, Vec3(0, 0, certificate.forces[i]));
     }
+  }
+
+  // Of what does not topple.
+  void set_margin(size_t i, double margin) {
+    m_out.objects[i].margin = margin;
+    m_out.objects[i].marginal = margin < kMarginalShift * m_all.bodies[i].size;
   }
 
   void add_force(const FreeBodies& bodies, const BodyContact& t, const Vec3& force) {
@@ -106,8 +119,9 @@ class StabilityCheck {
       const Index from = floor ? BodyContact::kGround : find(c.with.object());
       if (from != BodyContact::kGround && from <= i) continue;
       if (!floor && from == BodyContact::kGround && !m_scene.at(c.with.object()).fixed) continue;
+      const double friction = m_options.friction.value_or(friction_between(m_scene, id, c.with));
       for (const ContactPoint& p : reduced(merged(c.points, tolerance), kPairContacts))
-        part.touches.push_back({i, from, c.with, p});
+        part.touches.push_back({i, from, c.with, friction, p});
     }
   }
 
@@ -117,27 +131,46 @@ class StabilityCheck {
     return std::min(sum, 1e-2);
   }
 
-  void solve_part(Index p, const std::vector<Index>& part_of) {
-    m_out.method = Stability::Method::LinearProgram;
+  static std::vector<Index> members_of(Index p, const std::vector<Index>& part_of) {
     std::vector<Index> members;
     for (Index i = 0; i < static_cast<Index>(part_of.size()); ++i)
       if (part_of[i] == p) members.push_back(i);
-    if (static_cast<int>(members.size()) > m_options.max_program_objects)
+    return members;
+  }
+
+  bool is_small(const std::vector<Index>& members) const {
+    return static_cast<int>(members.size()) <= m_options.max_program_objects;
+  }
+
+  // Of a part that holds: whether it does with a little less friction, too.
+  void judge_reserve(const FreeBodies& part, const std::vector<Index>& members) {
+    if (is_small(members)) {
+      const PartForces found = contact_forces(part, kMarginalFriction);
+      if (found.solved && found.residual <= tolerance_of(part)) return;
+    }
+    for (const Index i : members) m_out.objects[i].marginal = true;
+  }
+
+  void solve_part(const std::vector<Index>& members) {
+    m_out.method = Stability::Method::LinearProgram;
+    if (!is_small(members))
       return worsen("a part of " + std::to_string(members.size()) +
                     " objects is too large for a proof");
     const FreeBodies part = bodies_of_part(members);
-    const PartForces found = contact_forces(part, m_options.friction);
+    const PartForces found = contact_forces(part);
     if (!found.solved) return worsen("the linear program was not solved");
     const double tolerance = tolerance_of(part);
     m_out.residual = std::max(m_out.residual, found.residual);
     const bool balanced = found.residual <= tolerance;
     if (!balanced) m_out.status = Stability::Status::Unstable;
-    const double margin =
-        balanced ? std::max(0.0, shift_margin(part, m_options.friction, tolerance)) : 0.0;
+    const double margin = balanced ? std::max(0.0, shift_margin(part, tolerance)) : 0.0;
     for (size_t k = 0; k < members.size(); ++k) {
-      m_out.objects[members[k]].topples = !balanced && found.moves[k];
-      m_out.objects[members[k]].margin = margin;
+      ObjectStability& object = m_out.objects[members[k]];
+      object.topples = !balanced && found.moves[k];
+      if (object.topples) object.motion = found.motions[k];
+      if (balanced) set_margin(members[k], margin);
     }
+    if (balanced) judge_reserve(part, members);
     for (size_t k = 0; k < part.touches.size(); ++k)
       add_force(part, part.touches[k], found.forces[k]);
   }
@@ -151,12 +184,20 @@ class StabilityCheck {
   void finish() {
     if (m_out.status != Stability::Status::Unknown) m_out.why_unknown.clear();
     for (const ObjectStability& o : m_out.objects) m_out.margin = std::min(m_out.margin, o.margin);
+    judge_marginal();
     std::map<std::uint32_t, size_t> rank;  // of slots
     for (const FreeBody& body : m_all.bodies) rank.emplace(body.id.index, rank.size());
     std::stable_sort(m_out.forces.begin(), m_out.forces.end(),
                      [&](const ContactForce& a, const ContactForce& b) {
                        return rank.at(a.on.index) < rank.at(b.on.index);
                      });
+  }
+
+  void judge_marginal() {
+    const auto is_marginal = [](const ObjectStability& o) { return o.marginal; };
+    if (m_out.status == Stability::Status::Stable &&
+        std::any_of(m_out.objects.begin(), m_out.objects.end(), is_marginal))
+      m_out.status = Stability::Status::Marginal;
   }
 
   const Scene& m_scene;
@@ -172,6 +213,8 @@ const char* to_string(Stability::Status status) {
   switch (status) {
     case Stability::Status::Stable:
       return "stable";
+    case Stability::Status::Marginal:
+      return "marginal";
     case Stability::Status::Unstable:
       return "unstable";
     case Stability::Status::Unknown:

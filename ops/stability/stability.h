@@ -11,16 +11,12 @@
 #include <vector>
 
 #include "core/scene/scene.h"
-#include "ops/settle/equilibrium.h"
 
 namespace trivet {
 
 struct StabilityOptions {
-  /// Coulomb's coefficient at all contacts. The default is what settling assumes; dry things of
-  /// every day have 0.3 to 0.8.
-  double friction = kSettlingFriction;
-  /// kg/m^3, of everything; objects without volume weigh as a wall of kWallThickness.
-  double density = 1000;
+  /// Coulomb's coefficient at all contacts; none: of each pair, by its materials.
+  std::optional<double> friction;
   /// Parts with more objects than this are not given to the linear program, whose time grows with
   /// about the cube: the scene is then Unknown.
   int max_program_objects = 200;
@@ -35,10 +31,21 @@ struct ContactForce {
   Vec3 point, force;
 };
 
+/// Of a body, at one moment.
+struct VirtualMotion {
+  Vec3 velocity = Vec3::Zero();  // of the centre of mass
+  Vec3 spin = Vec3::Zero();      // right-handed
+};
+
 struct ObjectStability {
   ObjectId object;
-  double weight = 0;     // newtons
-  bool topples = false;  // moves when the scene is let go
+  double weight = 0;      // newtons
+  bool topples = false;   // moves when the scene is let go
+  bool marginal = false;  // does not topple, but see Stability::Status
+  /// Of what topples: which way, of the motion that proves it. Metres and radians for each metre of
+  /// the fastest object of its part, |velocity| + |spin| size / 2. What slides lifts off in it by
+  /// the friction angle: a certificate, not what would be seen.
+  VirtualMotion motion = {};
   /// Metres by which all weights of the scene may be shifted sideways together, in the worst
   /// direction, before this object gives way (of a part that the linear program decided: before
   /// the part does); 0 when it topples or nothing is known.
@@ -48,6 +55,8 @@ struct ObjectStability {
 struct Stability {
   enum class Status {
     Stable,    // forces inside the friction cones balance all weights
+    Marginal,  // the same, but not shown for kMarginalFriction times the coefficients, or an object
+               // gives way when all weights shift by kMarginalShift of its size
     Unstable,  // none do: proven by a motion that nothing stops
     Unknown,   // see why_unknown
   };
@@ -55,24 +64,27 @@ struct Stability {
   Status status = Status::Stable;
   Method method = Method::Certificate;  // LinearProgram: of a part at least
   std::string why_unknown;              // empty unless it is
-  double friction = 0;
+  std::optional<double> friction;       // at all contacts; none: by the materials
   double residual = 0;  // force and torque (over the object's size) that is missing, in parts of
                         // the weight that the object and its loads have; the largest sum of a part
   double margin = kInfinity;             // the least of the objects; infinity: no free object
   std::vector<ObjectStability> objects;  // placed and not fixed, in the order of Scene::ids()
-  std::vector<ContactForce> forces;      // on these, in their order; complete only when Stable
+  std::vector<ContactForce> forces;      // on these, in their order; complete only when stable()
 
-  bool stable() const { return status == Status::Stable; }
+  bool stable() const { return status == Status::Stable || status == Status::Marginal; }
 };
-const char* to_string(Stability::Status status);  // "stable", "unstable", "unknown"
+const char* to_string(Stability::Status status);  // "stable", "marginal", "unstable", "unknown"
 const char* to_string(Stability::Method method);  // "certificate", "linear program"
 
 /// Uses the links of the scene; see update_contacts(). Contacts of parts that fail the certificate
 /// are looked for again, within kBalanceTolerance clearances, as settling does.
 Stability stability(const Scene& scene, const StabilityOptions& options = {});
 
+inline constexpr double kMarginalFriction = 0.99, kMarginalShift = 1e-3;
 inline constexpr double kGravity = 9.80665;  // m/s^2
 /// Newtons. By volume, or by area and kWallThickness where there is none.
+/// @param density  kg/m^3
 double weight_of(const Object& object, double density);
+inline double weight_of(const Object& object) { return weight_of(object, object.material.density); }
 
 }  // namespace trivet

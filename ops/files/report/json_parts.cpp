@@ -36,7 +36,8 @@ OrderedJson stability_json(const Scene& scene, const Stability& stability) {
                       {"force", to_json(f.force)}});
   OrderedJson json = {{"status", to_string(stability.status)},
                       {"method", to_string(stability.method)},
-                      {"friction", stability.friction},
+                      {"friction", stability.friction ? OrderedJson(*stability.friction)
+                                                      : OrderedJson("materials")},
                       {"residual", stability.residual},
                       {"margin", stability.margin},
                       {"topples", std::move(topples)},

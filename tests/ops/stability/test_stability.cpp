@@ -4,6 +4,7 @@
 #include "core/scene/transaction.h"
 #include "ops/check/check.h"
 #include "ops/operations/perform.h"
+#include "ops/settle/equilibrium.h"
 #include "ops/stability/certificate.h"
 #include "ops/stability/stability.h"
 #include "support/solids.h"
@@ -207,6 +208,92 @@ TEST(Stability, AcceptsTwoBlocksLeaningOnEachOther) {
   EXPECT_GT(both.margin, 0);
   expect_balanced_forces(one.scene, both, 1e-3);
   EXPECT_FALSE(one.judge(0.05).stable()) << "the feet slip";
+}
+
+// A block on a slope of 1 in 3, both with these coefficients of friction.
+Stability block_on_slope(double block, double ramp) {
+  constexpr double kSlope = 1 / 3.0;
+  Pile pile;
+  pile.place("ramp", prism({{-1.5, 0.0}, {1.5, 0.0}, {1.5, 1.0}}, 0.5), Vec3(0, 0, kGap), true);
+  pile.place("block", box_triangles(Vec3(0.1, 0.1, 0.05)), Vec3::Zero());
+  const Vec3 normal = Vec3(-kSlope, 0, 1).normalized();
+  edit_object(pile.scene, pile.ids[1], [&](Object& object) {
+    object.pose.rotation = Rotation::about_axis(Vec3(0, -1, 0), std::tan(std::atan(kSlope) / 2));
+    object.pose.translation = Vec3(0, 0, 0.5 + kGap) + (0.05 + kGap) * normal;
+    object.material.friction = block;
+  });
+  edit_object(pile.scene, pile.ids[0], [&](Object& object) { object.material.friction = ramp; });
+  StabilityOptions options;
+  options.clearance = kGap;
+  update_contacts(pile.scene, kGap);
+  EXPECT_EQ(pile.scene.at(pile.ids[1]).contacts.size(), 1u);
+  return stability(pile.scene, options);
+}
+
+// It stays while the smaller of both is above the slope; the pyramid inside the cone may ask for
+// 1 / cos 22.5 degrees more.
+TEST(Stability, TakesFrictionOfEachPair) {
+  EXPECT_TRUE(block_on_slope(0.37, 2).stable());
+  EXPECT_TRUE(block_on_slope(2, 0.37).stable());
+  EXPECT_FALSE(block_on_slope(0.32, 2).stable());
+  EXPECT_FALSE(block_on_slope(2, 0.32).stable());
+  EXPECT_FALSE(block_on_slope(0.32, 2).friction.has_value()) << "no one coefficient was used";
+}
+
+// The pile of AddsUpOverhangs turns about the edge of the lowest box, towards +x, the block of
+// TakesFrictionOfEachPair goes down the slope.
+TEST(Stability, TellsWhichWayThingsTopple) {
+  Pile pile = leaning_pile({0, 0.3, 0.3, 0.3});
+  for (const ObjectStability& o : pile.judge().objects) {
+    if (!o.topples) {
+      EXPECT_TRUE(o.motion.velocity.isZero(0) && o.motion.spin.isZero(0));
+      continue;
+    }
+    EXPECT_GT(o.motion.spin.y(), 0.1) << "over the edge";
+    EXPECT_LT(std::abs(o.motion.spin.x()) + std::abs(o.motion.spin.z()), 1e-5);
+    EXPECT_LE(o.motion.velocity.norm(), 1 + 1e-9);
+  }
+  const Vec3 down = Vec3(-3, 0, -1).normalized();
+  const Stability slides = block_on_slope(0.2, 0.2);
+  ASSERT_EQ(slides.objects.size(), 1u);
+  ASSERT_TRUE(slides.objects[0].topples);
+  EXPECT_GT(slides.objects[0].motion.velocity.normalized().dot(down), 0.9) << "and lifts off";
+}
+
+// Stable, marginal, unstable as friction or overhang grow.
+TEST(Stability, CallsNarrowlyStableMarginal) {
+  EXPECT_EQ(block_on_slope(0.37, 1).status, Stability::Status::Stable);
+  double least = 0.2;  // that the octagonal cone needs
+  for (double step = 0.1; step > 1e-5; step /= 2)
+    if (!block_on_slope(least + step, 1).stable()) least += step;
+  EXPECT_EQ(block_on_slope(1.005 * least, 1).status, Stability::Status::Marginal);
+  EXPECT_EQ(block_on_slope(1.02 * least, 1).status, Stability::Status::Stable);
+  EXPECT_EQ(block_on_slope(0.99 * least, 1).status, Stability::Status::Unstable);
+  for (const double offset : {0.49, 0.4999, 0.51}) {
+    const Stability found = leaning_pile({0, offset}).judge();
+    EXPECT_EQ(found.status, offset < 0.499 ? Stability::Status::Stable
+                            : offset < 0.5 ? Stability::Status::Marginal
+                                           : Stability::Status::Unstable)
+        << offset;
+    EXPECT_EQ(found.objects[1].marginal, found.status == Stability::Status::Marginal);
+    EXPECT_FALSE(found.objects[0].marginal);
+  }
+}
+
+// As AcceptsCounterweight, but the counterweight may be too light.
+TEST(Stability, TakesDensityOfEachObject) {
+  const Triangles plank = box_triangles(Vec3(1, 0.1, 0.05)), cube = box_triangles(Vec3(.1, .1, .1));
+  for (const double density : {100.0, 1000.0}) {
+    Pile pile;
+    pile.place("edge", box_triangles(Vec3(0.5, 0.5, 0.5)), Vec3(0, 0, 0.5 + kGap), true);
+    pile.place("plank", plank, Vec3(0.4, 0, 1.05 + 2 * kGap));
+    pile.place("end", cube, Vec3(1.3, 0, 1.2 + 3 * kGap));
+    pile.place("weight", cube, Vec3(-0.5, 0, 1.2 + 3 * kGap));
+    edit_object(pile.scene, pile.ids[3], [&](Object& o) { o.material.density = density; });
+    const Stability found = pile.judge();
+    EXPECT_EQ(found.stable(), density == 1000);
+    EXPECT_NEAR(found.objects[2].weight, density * 0.008 * kGravity, 1e-6 * density);
+  }
 }
 
 // What follows has joints far below the clearance: what lies in one plane beside a joint, such as
