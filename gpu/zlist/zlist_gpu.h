@@ -11,7 +11,8 @@ namespace trivet {
 
 /// How the hardware finds the depths of pixels. Both give the same answers.
 enum class GpuMethod {
-  Auto,         // the faster one on this renderer, measured once per process
+  Auto,         // the faster one, measured once per process and renderer; on renderers that run on
+                // the CPU Framebuffer, unless measure_gpu_methods() was asked
   Framebuffer,  // it rasterises; OpenGL 3.3
   Compute,      // it computes; OpenGL 4.3
 };

@@ -92,6 +92,14 @@ Known& known() {
   return instance;
 }
 
+std::optional<GpuMethodTimes> known_times(const EglContext& context,
+                                          const GpuZListOptions& options) {
+  const std::lock_guard lock(known().mutex);
+  const auto found = known().times.find({context.renderer(), options.most_gl_version});
+  if (found == known().times.end()) return std::nullopt;
+  return found->second;
+}
+
 }  // namespace
 
 GpuMethod gpu_method_from_name(const std::string& name) {
@@ -111,14 +119,14 @@ GpuMethodTimes measure_gpu_methods(const GpuZListOptions& options) {
 }
 
 std::unique_ptr<CandidateFinder> make_faster_candidate_finder(GpuZListOptions options) {
-  const auto times_known = [&]() -> std::optional<GpuMethodTimes> {
-    const EglContext context({options.allow_software, options.most_gl_version});
-    const std::lock_guard lock(known().mutex);
-    const auto found = known().times.find({context.renderer(), options.most_gl_version});
-    if (found == known().times.end()) return std::nullopt;
-    return found->second;
-  }();
-  options.method = (times_known ? *times_known : measure_gpu_methods(options)).faster();
+  options.method = GpuMethod::Framebuffer;
+  const EglContext context({options.allow_software, options.most_gl_version});
+  if (std::min(context.gl_version(), options.most_gl_version) < 43)
+    return make_gpu_candidate_finder(options);
+  std::optional<GpuMethodTimes> times = known_times(context, options);
+  // Its compiler takes seconds for the shaders of both, and neither is much faster there.
+  if (!times && !context.is_software()) times = measure_gpu_methods(options);
+  if (times) options.method = times->faster();
   return make_gpu_candidate_finder(options);
 }
 
