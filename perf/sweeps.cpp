@@ -42,8 +42,10 @@ Mesh make_sphere_mesh(int num_triangles, unsigned seed) {
 }
 
 SpherePair make_sphere_pair(int num_triangles) {
-  return {num_triangles, make_shape(make_sphere_mesh(num_triangles, 1)),
-          make_shape(make_sphere_mesh(num_triangles, 2))};
+  SpherePair out{num_triangles, make_shape(make_sphere_mesh(num_triangles, 1)),
+                 make_shape(make_sphere_mesh(num_triangles, 2))};
+  for (const Shape* shape : {out.moving.get(), out.fixed.get()}) shape->bvh();
+  return out;
 }
 
 Body Sweep::moving() const { return body_of(*spheres->moving, pose_moving); }

@@ -8,7 +8,8 @@
 
 namespace trivet::perf {
 
-/// Two different closed meshes with the given number of triangles, radius about 1 m.
+/// Two different closed meshes with the given number of triangles, radius about 1 m; their trees
+/// are built.
 struct SpherePair {
   int num_triangles = 0;
   std::shared_ptr<const Shape> moving, fixed;

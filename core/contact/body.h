@@ -12,7 +12,7 @@ struct Body {
   Aabb world_box;            // holds all vertices
 
   Body() = default;
-  /// The box from the root of the shape's tree.
+  /// The box is that of the root of the shape's tree, which it does not need.
   Body(const Shape& s, const Affine& m);
 
   Vec3 vertex(Index v) const { return world_from_object.apply(shape->mesh.vertices[v]); }
@@ -36,7 +36,7 @@ struct PlacedBvh {
       : bvh(tree), linear(m), abs_linear(m.cwiseAbs()), translation(t), scale(s) {}
   /// In the world.
   explicit PlacedBvh(const Body& body)
-      : PlacedBvh(body.shape->bvh, body.world_from_object.linear,
+      : PlacedBvh(body.shape->bvh(), body.world_from_object.linear,
                   body.world_from_object.translation, body.scale()) {}
 
   struct Box {

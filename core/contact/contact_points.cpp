@@ -112,7 +112,7 @@ class ContactSearch {
   }
 
   std::vector<ContactPoint> run() {
-    if (m_object.shape->bvh.nodes.empty() || m_support.shape->bvh.nodes.empty()) return {};
+    if (!m_object.shape->has_faces() || !m_support.shape->has_faces()) return {};
     const PlacedBvh::Box box_object = m_tree_object.box(0), box_support = m_tree_support.box(0);
     visit(0, 0, box_object, box_support, nullptr);
     std::vector<ContactPoint> points = first_of_each(m_found);
@@ -344,7 +344,7 @@ std::vector<ContactPoint> contact_points(const Body& object, const Body& support
 
 std::vector<ContactPoint> floor_contact_points(const Body& object, double tolerance) {
   std::vector<Index> vertices;
-  if (!object.shape->bvh.nodes.empty())
+  if (object.shape->has_faces())
     collect_floor_vertices(object, PlacedBvh(object), 0, tolerance, vertices);
   std::sort(vertices.begin(), vertices.end());
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());

@@ -15,4 +15,9 @@ void decide_faces(const FirstContactQuery& query, Index moving, Index fixed, Ind
 void decide_floor_vertex(const FirstContactQuery& query, Index moving, Index vertex,
                          FirstContact& best);
 
+/// The same for all vertices of a moving body, by its tree or, for a body whose tree need not be
+/// built for that, one by one.
+void decide_floor(const FirstContactQuery& query, Index moving, FirstContact& best);
+void decide_floor_without_tree(const FirstContactQuery& query, Index moving, FirstContact& best);
+
 }  // namespace trivet

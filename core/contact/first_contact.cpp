@@ -7,34 +7,12 @@
 #include <optional>
 #include <tuple>
 
+#include "core/contact/approach.h"
 #include "core/contact/decide.h"
 #include "core/contact/leaf_box.h"
 
 namespace trivet {
 namespace {
-
-// How a box of the moving body comes nearer to something fixed, along one axis.
-struct Approach {
-  double gap;             // between the boxes along the axis, less the largest stop
-  double extent;          // of the moving box along the axis, to one side
-  double radius;          // of its sphere
-  HeightFunction centre;  // A and B of its centre; f0 is not used
-};
-
-// A turning box stays within two bounds: itself grown by the chord 2 sin(angle / 2) times the
-// radius (for s <= 1 that chord is at most 2 s + 0.8285 s^2, over 1 + s^2), and its sphere.
-HeightFunction grown_box(const Approach& x) {
-  return {x.gap, x.centre.A + 0.41425 * x.radius, x.centre.B - x.radius};
-}
-HeightFunction sphere_of_box(const Approach& x) {
-  return {x.gap + x.extent - x.radius, x.centre.A, x.centre.B};
-}
-
-double box_until(const Approach& x, Motion::Kind kind) {
-  if (x.gap <= 0) return 0;
-  if (kind == Motion::Kind::Translation) return first_zero({x.gap, 0, x.centre.B}, kind);
-  return std::max(first_zero(grown_box(x), kind), first_zero(sphere_of_box(x), kind));
-}
 
 bool turning_box_clear_until(const Approach& x, double horizon) {
   constexpr auto kTurn = Motion::Kind::Rotation;
@@ -227,57 +205,6 @@ class PairTraversal {
   double m_margin;
 };
 
-// The moving body against the floor: only vertices can be first.
-class FloorTraversal {
- public:
-  FloorTraversal(const FirstContactQuery& query, Index moving, FirstContact& best)
-      : m_query(query),
-        m_moving(moving),
-        m_best(best),
-        m_tree(query.moving[moving]),
-        m_margin(query.clearance.largest_stop() * 1.002 +
-                 1e-14 * m_tree.translation.cwiseAbs().maxCoeff()) {}
-
-  void run() { visit(0); }
-
- private:
-  double bound(Index node) const {
-    const PlacedBvh::Box box = m_tree.box(node);
-    const Motion& motion = m_query.motion;
-    const double gap = box.centre.z() - box.half.z() - m_margin;
-    const HeightFunction centre =
-        height_of_moving_point(0, Vec3::UnitZ(), box.centre - motion.centre, motion);
-    return box_until({gap, box.half.z(), box.radius, centre}, motion.kind);
-  }
-
-  void visit(Index node) {
-    const BvhNode& n = m_tree.bvh.nodes[node];
-    if (n.is_leaf()) {
-      for (Index i = 0; i < n.num_faces; ++i)
-        for (const Index vertex :
-             m_query.moving[m_moving].shape->mesh.triangles[m_tree.bvh.faces[n.second_child + i]])
-          decide_floor_vertex(m_query, m_moving, vertex, m_best);
-      return;
-    }
-    m_best.work.node_pairs += 2;
-    Index first = node + 1, second = n.second_child;
-    double bound_first = bound(first), bound_second = bound(second);
-    if (bound_second < bound_first) {
-      std::swap(first, second);
-      std::swap(bound_first, bound_second);
-    }
-    const double limit = m_query.motion.limit;
-    if (bound_first <= m_best.time && bound_first <= limit) visit(first);
-    if (bound_second <= m_best.time && bound_second <= limit) visit(second);
-  }
-
-  const FirstContactQuery& m_query;
-  Index m_moving;
-  FirstContact& m_best;
-  PlacedBvh m_tree;
-  double m_margin;
-};
-
 }  // namespace
 
 FirstContact first_contact(const FirstContactQuery& query) {
@@ -290,10 +217,10 @@ FirstContact first_contact(const FirstContactQuery& query) {
   };
   std::vector<Candidate> candidates;
   for (Index m = 0; m < static_cast<Index>(query.moving.size()); ++m) {
-    if (query.moving[m].shape->bvh.nodes.empty()) continue;
-    if (query.floor) FloorTraversal(query, m, best).run();
+    if (!query.moving[m].shape->has_faces()) continue;
+    if (query.floor) decide_floor(query, m, best);
     for (Index f = 0; f < static_cast<Index>(query.fixed.size()); ++f) {
-      if (query.fixed[f].shape->bvh.nodes.empty()) continue;
+      if (!query.fixed[f].shape->has_faces()) continue;
       const double bound = PairTraversal(query, m, f, best).root_bound();
       if (bound <= query.motion.limit) candidates.push_back({bound, m, f});
     }

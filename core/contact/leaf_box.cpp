@@ -15,7 +15,7 @@ Triangle in_frame(const Triangle& t, const UnitFrame& frame) {
 }  // namespace
 
 LeafBox::LeafBox(const Body& body, const BvhNode& leaf, const UnitFrame& frame) {
-  const Index* faces = &body.shape->bvh.faces[leaf.second_child];
+  const Index* faces = &body.shape->bvh().faces[leaf.second_child];
   const Triangle t = in_frame(body.triangle(faces[0]), frame);
   const std::array<Vec3, 3> edge{t[1] - t[0], t[2] - t[1], t[0] - t[2]};
   const Vec3& longest = *std::max_element(

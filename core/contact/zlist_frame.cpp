@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/outward.h"
+
 // Nothing here is an answer: libm is allowed, and every bound has room for its rounding.
 
 namespace trivet {
@@ -27,7 +29,7 @@ struct Extent {
 };
 
 std::array<Vec3, 8> corners(const Body& body, const Mat3& image_from_world, const Vec3& origin) {
-  const Aabb box = body.shape->bvh.nodes[0].box();
+  const Aabb box = rounded_outwards(body.shape->box);
   std::array<Vec3, 8> out;
   for (int i = 0; i < 8; ++i) {
     const Vec3 corner(i & 1 ? box.upper.x() : box.lower.x(), i & 2 ? box.upper.y() : box.lower.y(),
@@ -125,7 +127,7 @@ class FrameMaker {
   static bool turns(const Motion& motion) { return motion.kind == Motion::Kind::Rotation; }
 
   Extent extent(const Body& body) {
-    if (body.shape->bvh.nodes.empty()) return {};
+    if (!body.shape->has_faces()) return {};
     m_spread = std::max(
         {m_spread, body.world_box.max_abs_coordinate(), m_frame.origin.cwiseAbs().maxCoeff()});
     const auto box = corners(body, m_frame.image_from_world, m_frame.origin);

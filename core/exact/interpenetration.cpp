@@ -17,7 +17,7 @@ constexpr int kMaxRays = 100;
 // Sideways component of a ray per upward component; vertical rays would run along walls.
 constexpr double kTilt = 1e-2;
 
-bool has_faces(const PlacedShape& placed) { return !placed.shape->bvh.nodes.empty(); }
+bool has_faces(const PlacedShape& placed) { return placed.shape->has_faces(); }
 
 // -------------------------------------------------------------------------------------------------
 // Containment
@@ -37,7 +37,7 @@ BoxFrame ray_frame(const Ray& ray) {
 }
 
 const Bvh& ray_tree() {
-  static const Bvh tree{{BvhNode{{-1, 0, 0}, {1, 0, 0}, 0, 1}}, {0}};
+  static const Bvh tree{{BvhNode{{-1, 0, 0}, {1, 0, 0}, 0, 1}}, {0}, {}};
   return tree;
 }
 
@@ -73,9 +73,9 @@ std::optional<bool> starts_inside(const Ray& ray, const PlacedShape& outer) {
   std::vector<Index> crossed_by_ray;  // other even components, once per crossing
   bool grazes = false;
   const auto axes = SeparatingAxes::of_segment(ray_frame(ray), box_frame(outer));
-  visit_near_leaves(ray_tree(), outer.shape->bvh, axes, [&](const BvhNode&, const BvhNode& leaf) {
+  visit_near_leaves(ray_tree(), outer.shape->bvh(), axes, [&](const BvhNode&, const BvhNode& leaf) {
     for (Index slot = leaf.second_child; slot < leaf.second_child + leaf.num_faces; ++slot) {
-      const Index face = outer.shape->bvh.faces[slot];
+      const Index face = outer.shape->bvh().faces[slot];
       const Index id = adjacency.face_component[face];
       const Component& component = adjacency.components[id];
       if (!component.balanced && !component.even) continue;
@@ -102,7 +102,7 @@ std::optional<bool> starts_inside(const Ray& ray, const PlacedShape& outer) {
 // that fills the square evenly [Roberts 2018].
 Ray ray_from(const Vec3& point, const PlacedShape& outer, int attempt) {
   const Vec3 half =
-      outer.world_from_object.linear.cwiseAbs() * outer.shape->bvh.nodes[0].box().half_extent();
+      outer.world_from_object.linear.cwiseAbs() * outer.shape->bvh().nodes[0].box().half_extent();
   // The last term moves the end even if the box is tiny and far from the origin.
   const double height = 4 * (half.norm() + outer.slack) + 1e-6 * point.cwiseAbs().maxCoeff();
   const auto tilt = [&](double step) {
@@ -122,7 +122,7 @@ bool is_inside(const Vec3& point, const PlacedShape& outer) {
 bool in_box_of_closed_component(const Vec3& point, const PlacedShape& outer) {
   const SeparatingAxes axes(point_frame(point), box_frame(outer));
   const Aabb origin{Vec3::Zero(), Vec3::Zero()};
-  if (axes.separate(origin, outer.shape->bvh.nodes[0].box())) return false;
+  if (axes.separate(origin, outer.shape->bvh().nodes[0].box())) return false;
   const auto& components = outer.shape->adjacency.components;
   return std::any_of(components.begin(), components.end(),
                      [&](const Component& c) { return c.even && !axes.separate(origin, c.box); });
@@ -131,7 +131,7 @@ bool in_box_of_closed_component(const Vec3& point, const PlacedShape& outer) {
 }  // namespace
 
 BoxFrame box_frame(const PlacedShape& placed) {
-  const Aabb box = placed.shape->bvh.nodes[0].box();
+  const Aabb box = placed.shape->bvh().nodes[0].box();
   return {placed.world_from_object, box.lower.cwiseAbs().cwiseMax(box.upper.cwiseAbs()),
           placed.slack};
 }
@@ -152,7 +152,7 @@ std::int64_t count_crossings(const PlacedShape& a, const PlacedShape& b, std::in
                              std::optional<CrossingPair>* first) {
   if (first) first->reset();
   if (!has_faces(a) || !has_faces(b) || limit <= 0) return 0;
-  const Bvh &tree_a = a.shape->bvh, &tree_b = b.shape->bvh;
+  const Bvh &tree_a = a.shape->bvh(), &tree_b = b.shape->bvh();
   const SeparatingAxes axes(box_frame(a), box_frame(b));
   std::int64_t count = 0;
   const auto add = [&](Index face_a, Index face_b) {

@@ -16,7 +16,7 @@ Triangle world_triangle(const PlacedShape& placed, Index face);
 template <class Visit>
 void visit_near_faces(const PlacedShape& a, const PlacedShape& b, double distance,
                       const Visit& visit) {
-  const Bvh &tree_a = a.shape->bvh, &tree_b = b.shape->bvh;
+  const Bvh &tree_a = a.shape->bvh(), &tree_b = b.shape->bvh();
   if (tree_a.nodes.empty() || tree_b.nodes.empty()) return;
   BoxFrame frame_a = box_frame(a);
   frame_a.slack += distance;

@@ -3,12 +3,6 @@
 // the tree are then computed from the mesh's doubles.
 #include "core/index/bvh.h"
 
-#if __has_include(<embree4/rtcore.h>)
-#include <embree4/rtcore.h>
-#else
-#include <embree3/rtcore.h>
-#endif
-
 #include <algorithm>
 #include <cmath>
 #include <deque>
@@ -19,13 +13,12 @@
 #include <string>
 
 #include "core/base/error.h"
+#include "core/base/outward.h"
+#include "core/index/embree.h"
+#include "core/index/slabs.h"
 
 namespace trivet {
 namespace {
-
-#if RTC_VERSION_MAJOR != 3 && RTC_VERSION_MAJOR != 4
-#error "Trivet supports Embree 3 and 4; check rtcBuildBVH before adding another version"
-#endif
 
 /// Node in the builders' format.
 struct BuildNode {
@@ -38,19 +31,6 @@ struct BuildNode {
 // ---------------------------------------------------------------------------------------------
 // Embree
 // ---------------------------------------------------------------------------------------------
-
-RTCDevice shared_device() {
-  // Never released: at exit, Embree's and TBB's own statics may already be gone.
-  static const RTCDevice device = [] {
-    const RTCDevice made = rtcNewDevice(nullptr);
-    if (!made)
-      throw Error(Error::Kind::Environment, "Embree cannot start (error " +
-                                                std::to_string(rtcGetDeviceError(nullptr)) +
-                                                "); it needs a processor with SSE2 and memory");
-    return made;
-  }();
-  return device;
-}
 
 BuildNode* allocate_node(RTCThreadLocalAllocator allocator) {
   constexpr size_t kAlignment = 16;
@@ -85,14 +65,11 @@ void set_child_boxes(void* node, const RTCBounds** boxes, unsigned num_children,
                                                        boxes[i]->lower_z + boxes[i]->upper_z};
 }
 
-struct ReleaseBvh {
-  void operator()(RTCBVH bvh) const { rtcReleaseBVH(bvh); }
-};
-using BvhMemory = std::unique_ptr<std::remove_pointer_t<RTCBVH>, ReleaseBvh>;
+using BvhMemory = EmbreePointer<RTCBVH>;
 
 /// The root, in `memory`; null if the tree would be too deep. Reorders the primitives.
 const BuildNode* build_by_embree(std::vector<RTCBuildPrimitive>& primitives, BvhMemory& memory) {
-  const RTCDevice device = shared_device();
+  const RTCDevice device = embree_device();
   memory.reset(rtcNewBVH(device));
   RTCBuildArguments arguments = rtcDefaultBuildArguments();
   arguments.buildQuality = RTC_BUILD_QUALITY_MEDIUM;
@@ -163,18 +140,6 @@ BuildNode* build_by_median(const std::vector<RTCBuildPrimitive>& primitives,
 // ---------------------------------------------------------------------------------------------
 // The tree
 // ---------------------------------------------------------------------------------------------
-
-/// The largest float not above x.
-float float_below(double x) {
-  const float f = static_cast<float>(x);
-  return f > x ? std::nextafter(f, -std::numeric_limits<float>::infinity()) : f;
-}
-
-/// The smallest float not below x.
-float float_above(double x) {
-  const float f = static_cast<float>(x);
-  return f < x ? std::nextafter(f, std::numeric_limits<float>::infinity()) : f;
-}
 
 std::vector<RTCBuildPrimitive> make_primitives(const Mesh& mesh) {
   const Aabb box = mesh.box();
@@ -263,6 +228,7 @@ Bvh build_bvh(const Mesh& mesh) {
   append(*root, bvh);
   bvh.nodes.shrink_to_fit();
   set_boxes(mesh, bvh);
+  bvh.slabs = make_slabs(mesh, bvh);
   return bvh;
 }
 

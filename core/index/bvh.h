@@ -27,12 +27,22 @@ struct BvhNode {
   }
 };
 
+/// Slab that holds the faces of a node: lower <= normal . (p - centre of the node's box) <= upper
+/// for all their points p, rounded outwards. A piece of a smooth surface is much thinner than its
+/// box, whatever its orientation [Gottschalk 1996].
+struct BvhSlab {
+  std::array<float, 3> normal{};  // of the faces together; length 1 or a little less; 0: none
+  float lower = 0, upper = 0;
+};
+
 struct Bvh {
   std::vector<BvhNode> nodes;  // empty for a mesh without triangles
   std::vector<Index> faces;    // face slots, leaf by leaf
+  std::vector<BvhSlab> slabs;  // of the nodes
 
   size_t size_bytes() const {
-    return nodes.size() * sizeof(BvhNode) + faces.size() * sizeof(Index);
+    return nodes.size() * sizeof(BvhNode) + faces.size() * sizeof(Index) +
+           slabs.size() * sizeof(BvhSlab);
   }
 };
 

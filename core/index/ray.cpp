@@ -79,18 +79,19 @@ void keep_earlier(const LocalRay& ray, const Mesh& mesh, Index face, double unti
 std::optional<RayHit> first_hit(const Shape& shape, const Affine& world_from_object, const Ray& ray,
                                 double until) {
   std::optional<RayHit> best;
-  if (shape.bvh.nodes.empty()) return best;
+  if (!shape.has_faces()) return best;
+  const Bvh& bvh = shape.bvh();
   const LocalRay local(world_from_object, ray);
   std::array<Index, kMaxBvhDepth + 1> stack;
   size_t num_waiting = 0;
   stack[num_waiting++] = 0;
   while (num_waiting > 0) {
     const Index id = stack[--num_waiting];
-    const BvhNode& node = shape.bvh.nodes[id];
+    const BvhNode& node = bvh.nodes[id];
     if (!local.may_meet(node.box(), best ? best->time : until)) continue;
     if (node.is_leaf()) {
       for (Index i = 0; i < node.num_faces; ++i)
-        keep_earlier(local, shape.mesh, shape.bvh.faces[node.second_child + i], until, best);
+        keep_earlier(local, shape.mesh, bvh.faces[node.second_child + i], until, best);
       continue;
     }
     stack[num_waiting++] = node.second_child;

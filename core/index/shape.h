@@ -11,15 +11,26 @@
 
 namespace trivet {
 
+struct ShapeIndex;
+
 struct Shape {
   std::uint64_t id = 0;  // unique among shapes of make_shape(); 0: made otherwise
   Mesh mesh;
   Aabb box;  // of the mesh
   Adjacency adjacency;
   MassProperties mass;
-  Bvh bvh;
+  std::shared_ptr<ShapeIndex> index;  // shared by copies
+
+  Shape();
+
+  bool has_faces() const { return !mesh.triangles.empty(); }
+  /// Built when first asked for: z-lists and pictures do without.
+  /// @throws Error as build_bvh(); the next call tries again.   Thread-safe.
+  const Bvh& bvh() const;
+  bool has_bvh() const;
 };
 
+/// Without the BVH.
 std::shared_ptr<const Shape> make_shape(Mesh mesh);
 
 }  // namespace trivet

@@ -19,8 +19,8 @@ bool faces_nearer(double distance, const Body& a, const BvhNode& leaf_a, const B
                   const BvhNode& leaf_b) {
   for (Index i = 0; i < leaf_a.num_faces; ++i)
     for (Index j = 0; j < leaf_b.num_faces; ++j) {
-      const Triangle s = a.triangle(a.shape->bvh.faces[leaf_a.second_child + i]);
-      const Triangle t = b.triangle(b.shape->bvh.faces[leaf_b.second_child + j]);
+      const Triangle s = a.triangle(a.shape->bvh().faces[leaf_a.second_child + i]);
+      const Triangle t = b.triangle(b.shape->bvh().faces[leaf_b.second_child + j]);
       if (closest_points(s, t).distance < distance) return true;
     }
   return false;

@@ -83,7 +83,7 @@ void add_low_faces(ObjectId id, const PlacedShape& placed, const PlacedBvh& tree
 
 void add_low_faces(ObjectId id, const Body& body, const PlacedShape& placed, double height,
                    Collector& out) {
-  if (!body.shape->bvh.nodes.empty()) add_low_faces(id, placed, PlacedBvh(body), 0, height, out);
+  if (body.shape->has_faces()) add_low_faces(id, placed, PlacedBvh(body), 0, height, out);
 }
 
 void add_crossing_floor(ObjectId id, const Body& body, const ObjectInWorld& here, Collector& out) {

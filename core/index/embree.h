@@ -1,0 +1,34 @@
+// Embree 3.12 to 3.13 and 4: what differs between them is here. Private: only this folder uses it.
+#pragma once
+
+#if __has_include(<embree4/rtcore.h>)
+#include <embree4/rtcore.h>
+#else
+#include <embree3/rtcore.h>
+#endif
+
+#include <memory>
+#include <type_traits>
+
+namespace trivet {
+
+#if RTC_VERSION_MAJOR != 3 && RTC_VERSION_MAJOR != 4
+#error "Trivet supports Embree 3 and 4; check embree.h before adding another version"
+#endif
+
+/// Of the whole program; made when first needed.
+/// @throws Error (Environment) when Embree cannot start.
+RTCDevice embree_device();
+
+struct ReleaseEmbree {
+  void operator()(RTCBVH bvh) const { rtcReleaseBVH(bvh); }
+  void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
+  void operator()(RTCGeometry geometry) const { rtcReleaseGeometry(geometry); }
+};
+template <class Handle>
+using EmbreePointer = std::unique_ptr<std::remove_pointer_t<Handle>, ReleaseEmbree>;
+
+/// @throws Error (Environment) if Embree has failed since the last call; `what` was being done.
+void throw_embree_error(const char* what);
+
+}  // namespace trivet
