@@ -20,7 +20,7 @@ namespace {
 
 constexpr const char* kUsage =
     "usage: trivet_perf [--out FOLDER] [--only "
-    "first-contact|put|push|scale|zlists|settling|shapes]\n"
+    "first-contact|put|push|scale|zlists|confirm|settling|shapes]\n"
     "Prints the table; with --out also writes FOLDER/<date>-<n>core.md (with --only PART:\n"
     "-<n>core-PART.md), and of z-lists a .csv beside it, for plot_zlists.py.\n";
 
@@ -33,6 +33,7 @@ constexpr Part kParts[] = {{"first-contact", first_contact_rows},
                            {"push", push_rows},
                            {"scale", scale_rows},
                            {"zlists", zlist_rows},
+                           {"confirm", confirm_rows},
                            {"settling", settling_rows},
                            {"shapes", shape_rows}};
 

@@ -12,11 +12,7 @@ namespace {
 
 }  // namespace
 
-std::unique_ptr<CandidateFinder> make_gpu_stage(const std::string&, int,
-                                                std::function<void(const std::string&)>) {
-  refuse();
-}
-
+std::unique_ptr<CandidateFinder> make_gpu_stage() { refuse(); }
 DropBracketFunction make_gpu_brackets() { refuse(); }
 
 }  // namespace trivet::apps

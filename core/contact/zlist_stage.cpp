@@ -2,19 +2,31 @@
 
 #include <algorithm>
 
+#include "core/contact/confirm.h"
 #include "core/contact/decide.h"
 
 namespace trivet {
 namespace {
 
-// Nothing but the floor is in the way.
+/// Decided before Embree is asked about the others.
+constexpr std::size_t kFirstPairs = 64;
+
+// Builds no tree: a stage needs none, either.
 FirstContact first_floor_contact_of(const FirstContactQuery& query) {
-  FirstContactQuery only_floor = query;
-  only_floor.fixed = {};
-  return first_contact(only_floor);
+  FirstContact best;
+  if (!query.floor) return best;
+  for (Index m = 0; m < static_cast<Index>(query.moving.size()); ++m) {
+    const Shape& shape = *query.moving[m].shape;
+    if (!shape.has_faces()) continue;
+    if (shape.has_bvh())
+      decide_floor(query, m, best);
+    else
+      decide_floor_without_tree(query, m, best);
+  }
+  return best;
 }
 
-void decide_pairs(const FirstContactQuery& query, const std::vector<FacePair>& pairs,
+void decide_pairs(const FirstContactQuery& query, std::span<const FacePair> pairs,
                   FirstContact& best) {
   for (const FacePair& p : pairs) {
     if (p.not_before > std::min(best.time, query.motion.limit)) return;
@@ -24,14 +36,35 @@ void decide_pairs(const FirstContactQuery& query, const std::vector<FacePair>& p
   }
 }
 
-double horizon_of(const FirstContactQuery& query, const FirstContact& floor_contact) {
-  return std::min(floor_contact.time, query.motion.limit);
+double horizon_of(const FirstContactQuery& query, const FirstContact& best) {
+  return std::min(best.time, query.motion.limit);
+}
+
+// The pairs after the first `num_first`, if they are many, less those that Embree does not confirm.
+void confirm_others(const FirstContactQuery& query, double horizon, std::size_t num_first,
+                    const Confirmation& confirmation, CandidatePairs& found) {
+  const auto end = std::partition_point(found.pairs.begin(), found.pairs.end(),
+                                        [&](const FacePair& p) { return p.not_before <= horizon; });
+  const auto num_pairs = static_cast<std::size_t>(end - found.pairs.begin());
+  if (num_pairs < num_first + std::max<std::size_t>(1, confirmation.fewest_pairs)) return;
+  std::vector<FacePair> others(found.pairs.begin() + static_cast<std::ptrdiff_t>(num_first), end);
+  const std::size_t num_asked = others.size();
+  if (!confirm_pairs(query, std::min(horizon, found.upper), others)) return;
+  found.work.asked_pairs = static_cast<std::int64_t>(num_asked);
+  found.work.confirmed_pairs = static_cast<std::int64_t>(others.size());
+  found.pairs.resize(num_first);
+  found.pairs.insert(found.pairs.end(), others.begin(), others.end());
 }
 
 // `best` is the contact with the floor. Sets `found` to be not usable where it cannot be right.
-FirstContact decide(const FirstContactQuery& query, FirstContact best, CandidatePairs& found) {
+FirstContact decide(const FirstContactQuery& query, FirstContact best, CandidatePairs& found,
+                    const Confirmation& confirmation) {
   if (found.usable) {
-    decide_pairs(query, found.pairs, best);
+    const std::size_t num_first = std::min(kFirstPairs, found.pairs.size());
+    decide_pairs(query, std::span(found.pairs).first(num_first), best);
+    if (confirmation.enabled)
+      confirm_others(query, horizon_of(query, best), num_first, confirmation, found);
+    decide_pairs(query, std::span(found.pairs).subspan(num_first), best);
     // A stage's upper bound only filters: where no pair keeps it, the stage was wrong.
     if (found.upper < kInfinity && best.time > found.upper) {
       found.usable = false;
@@ -52,17 +85,18 @@ std::vector<CandidatePairs> CandidateFinder::find_candidates_for_all(
 }
 
 FirstContact first_contact(const FirstContactQuery& query, CandidateFinder& stage,
-                           CandidatePairs* proposal) {
+                           CandidatePairs* proposal, const Confirmation& confirmation) {
   const FirstContact floor = first_floor_contact_of(query);
   CandidatePairs found = stage.find_candidates(query, horizon_of(query, floor));
-  const FirstContact out = decide(query, floor, found);
+  const FirstContact out = decide(query, floor, found, confirmation);
   if (proposal) *proposal = std::move(found);
   return out;
 }
 
 std::vector<FirstContact> first_contacts(std::span<const FirstContactQuery> queries,
                                          CandidateFinder& stage,
-                                         std::vector<CandidatePairs>* proposals) {
+                                         std::vector<CandidatePairs>* proposals,
+                                         const Confirmation& confirmation) {
   std::vector<FirstContact> out;
   std::vector<double> horizons;
   for (const FirstContactQuery& query : queries) {
@@ -70,7 +104,8 @@ std::vector<FirstContact> first_contacts(std::span<const FirstContactQuery> quer
     horizons.push_back(horizon_of(query, out.back()));
   }
   std::vector<CandidatePairs> found = stage.find_candidates_for_all(queries, horizons);
-  for (std::size_t i = 0; i < queries.size(); ++i) out[i] = decide(queries[i], out[i], found[i]);
+  for (std::size_t i = 0; i < queries.size(); ++i)
+    out[i] = decide(queries[i], out[i], found[i], confirmation);
   if (proposals) *proposals = std::move(found);
   return out;
 }

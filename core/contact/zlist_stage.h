@@ -4,6 +4,7 @@
 // gives the same bits, as long as it leaves out no pair of faces that can be first.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -25,7 +26,8 @@ struct ZListWork {
   std::int64_t pixels = 0;           // stage 2: with moving faces, and fixed ones not ruled out
   std::int64_t doubtful_pixels = 0;  // stage 3: in which the first contact may be
   std::int64_t face_pairs = 0;       // proposed
-  std::int64_t confirmed_pairs = 0;  // of these, by boxes swept along the motion
+  std::int64_t asked_pairs = 0;      // of these, put to Embree; see Confirmation
+  std::int64_t confirmed_pairs = 0;  // of these, can meet in time by boxes along the motion
   std::int64_t bytes_read_back = 0;  // from a GPU
   std::int64_t read_backs = 0;       // times that the processor waited for a GPU's results
 };
@@ -62,15 +64,27 @@ class CandidateFinder {
       std::span<const FirstContactQuery> queries, std::span<const double> horizons);
 };
 
+/// Embree between a stage's proposal and the closed form, see confirm_pairs(). The first pairs are
+/// decided at once: they lower the horizon, which leaves fewer pairs to ask about.
+struct Confirmation {
+  bool enabled = true;
+  /// Asks only about so many pairs or more: a few are decided sooner than Embree has built a scene.
+  /// Measured by trivet_perf --only confirm.
+  std::size_t fewest_pairs = 512;
+};
+
 /// The same bits as first_contact(query), with pairs from `stage`; where the stage gives up or
 /// proves wrong, from the BVHs.
-/// @param proposal  if not null, what the stage said; not usable when the BVHs had to answer.
+/// @param proposal  if not null, what the stage said, less the pairs that were not confirmed; not
+///   usable when the BVHs had to answer.
 FirstContact first_contact(const FirstContactQuery& query, CandidateFinder& stage,
-                           CandidatePairs* proposal = nullptr);
+                           CandidatePairs* proposal = nullptr,
+                           const Confirmation& confirmation = {});
 
 /// The same for many queries, which the stage sees together.
 std::vector<FirstContact> first_contacts(std::span<const FirstContactQuery> queries,
                                          CandidateFinder& stage,
-                                         std::vector<CandidatePairs>* proposals = nullptr);
+                                         std::vector<CandidatePairs>* proposals = nullptr,
+                                         const Confirmation& confirmation = {});
 
 }  // namespace trivet

@@ -13,6 +13,8 @@ void add(const ZListWork& work, ZListWork& sum) {
   sum.pixels += work.pixels;
   sum.doubtful_pixels += work.doubtful_pixels;
   sum.face_pairs += work.face_pairs;
+  sum.asked_pairs += work.asked_pairs;
+  sum.confirmed_pairs += work.confirmed_pairs;
   sum.bytes_read_back += work.bytes_read_back;
   sum.read_backs += work.read_backs;
 }
@@ -24,7 +26,7 @@ FirstContact Detector::first_contact(const FirstContactQuery& query) {
   FirstContact found;
   if (m_stage) {
     CandidatePairs proposal;
-    found = trivet::first_contact(query, *m_stage, &proposal);
+    found = trivet::first_contact(query, *m_stage, &proposal, m_confirmation);
     add(proposal.work, m_work.zlist);
     m_work.fallbacks += !proposal.usable;
   } else {

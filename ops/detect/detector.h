@@ -32,6 +32,8 @@ class Detector {
       : m_stage(std::move(stage)), m_name(std::move(name)) {}
 
   FirstContact first_contact(const FirstContactQuery& query);
+  /// Of a stage's proposals, from now on.
+  void set_confirmation(const Confirmation& confirmation) { m_confirmation = confirmation; }
 
   /// Computes brackets on a GPU from now on, if `make` can; see DropBracketFunction. It is called
   /// when they are first asked for.
@@ -53,6 +55,7 @@ class Detector {
  private:
   std::unique_ptr<CandidateFinder> m_stage;
   std::string m_name = "bvh";
+  Confirmation m_confirmation;
   std::function<DropBracketFunction()> m_make_brackets;
   std::function<void(const std::string&)> m_note;
   DropBracketFunction m_gpu_brackets;  // empty: not made yet, or software does it

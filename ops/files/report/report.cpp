@@ -67,6 +67,8 @@ OrderedJson work_json(const DetectionWork& work) {
           {"pixels", work.zlist.pixels},
           {"doubtful_pixels", work.zlist.doubtful_pixels},
           {"proposed_face_pairs", work.zlist.face_pairs},
+          {"asked_face_pairs", work.zlist.asked_pairs},
+          {"confirmed_face_pairs", work.zlist.confirmed_pairs},
           {"bytes_read_back", work.zlist.bytes_read_back},
           {"fallbacks", work.fallbacks},
           {"places", work.places},

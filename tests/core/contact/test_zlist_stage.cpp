@@ -75,5 +75,28 @@ TEST(CandidateFinder, IsIgnoredWhenGivingUpOrWrong) {
   EXPECT_GT(num_fallbacks, kNum);
 }
 
+/// The same shapes, whose trees are not built.
+std::vector<test::PosedShape> without_trees(std::vector<test::PosedShape> bodies) {
+  for (test::PosedShape& b : bodies) b.shape = make_shape(b.shape->mesh);
+  return bodies;
+}
+
+TEST(CandidateFinder, NeedsNoTrees) {
+  const test::MeshPool pool(kSeed, 12);
+  ScriptedStage stage(everything);
+  int num_on_floor = 0;
+  for (int i = 0; i < kNum; ++i) {
+    test::RandomQuery q = test::random_group_query(pool, kSeed, i);
+    q.moving = without_trees(q.moving);
+    q.fixed = without_trees(q.fixed);
+    const FirstContact found = q.with_stage(stage);
+    for (const auto* bodies : {&q.moving, &q.fixed})
+      for (const test::PosedShape& b : *bodies) ASSERT_FALSE(b.shape->has_bvh()) << q.describe();
+    EXPECT_TRUE(test::same_answer(found, q.fast())) << q.describe();
+    num_on_floor += found.status != FirstContact::Status::Free && found.fixed < 0;
+  }
+  EXPECT_GT(num_on_floor, kNum / 10);
+}
+
 }  // namespace
 }  // namespace trivet
