@@ -20,7 +20,9 @@ RESOLUTIONS = (128, 256, 512, 1024)
 # Colours distinguishable for the colour-blind [Okabe 2008].
 STYLE = {"box trees": ("#000000", "o"), "software, 1 thread": ("#0072B2", "s"),
          "software, 2 threads": ("#56B4E9", "D"), "GPU min/max": ("#E69F00", "^"),
-         "GPU lists": ("#D55E00", "v"), "GPU lists, OpenGL 3.3": ("#CC79A7", "<")}
+         "GPU lists": ("#D55E00", "v"), "GPU lists, OpenGL 3.3": ("#CC79A7", "<"),  # before 0.2
+         "framebuffers, depths": ("#E69F00", "^"), "framebuffers": ("#D55E00", "v"),
+         "framebuffers, software lists": ("#009E73", "P"), "compute": ("#CC79A7", "<")}
 
 
 def read(path):
@@ -48,7 +50,7 @@ def draw(axes, points, method, label, **style):
 
 def over_triangles(axes, rows, motion):
     for method in STYLE:
-        if method.startswith("GPU"):
+        if method.startswith(("GPU", "framebuffers", "compute")):
             at = {128: "-", 1024: ":"}
         else:
             at = {0: "-"}

@@ -20,7 +20,8 @@ constexpr int kSweeps = 12;
 constexpr double kBudget_ms = 2000;  // for a row; then the remaining sweeps are skipped
 constexpr double kLong_ms = 400;     // longer queries are not repeated with warm caches
 constexpr int kResolutions[] = {0, 128, 256, 512, 1024};  // 0: automatic
-constexpr int kPlaces = 64;                               // by 64
+constexpr int kGpuResolutions[] = {0, 128, 512};
+constexpr int kPlaces = 64;  // by 64
 
 constexpr const char* kColumns =
     "motion,triangles,method,resolution,median_ms,p95_ms,cpu_ms,queries,pixels,doubtful_pixels,"
@@ -185,38 +186,67 @@ void software_rows(const Cases& cases) {
 }
 
 #ifdef TRIVET_PERF_GPU
-void gpu_row(const Cases& cases, GpuZListOptions options) {
-  const auto stage = make_gpu_candidate_finder(options);
-  Method method{options.bounds_alone ? "GPU min/max" : "GPU lists", stage->name(),
-                options.resolution};
-  if (options.force_fallback) method.name += ", OpenGL 3.3";
-  method.what += options.resolution == 0 ? ", own choice of pixels, "
-                                         : text(", %d pixels, ", options.resolution);
-  method.what += options.bounds_alone ? "min/max alone" : "complete";
+// A way of the GPU stage.
+struct GpuWay {
+  const char* series;
+  GpuMethod method;
+  int gl_version;
+  GpuListing listing;
+  bool bounds_alone;
+};
+
+// Depths alone, then with lists, so that the difference is the cost of the lists.
+constexpr GpuWay kGpuWays[] = {
+    {"framebuffers, depths", GpuMethod::Framebuffer, 46, GpuListing::Gpu, true},
+    {"framebuffers", GpuMethod::Framebuffer, 46, GpuListing::Gpu, false},
+    {"framebuffers, software lists", GpuMethod::Framebuffer, 46, GpuListing::Software, false},
+    {"compute, depths", GpuMethod::Compute, 46, GpuListing::Gpu, true},
+    {"compute", GpuMethod::Compute, 46, GpuListing::Gpu, false},
+    {"compute, software lists", GpuMethod::Compute, 46, GpuListing::Software, false},
+    {"framebuffers, OpenGL 3.3", GpuMethod::Framebuffer, 33, GpuListing::Gpu, false},
+};
+
+GpuZListOptions options_of(const GpuWay& way, int resolution) {
+  GpuZListOptions options;
+  options.resolution = resolution;
+  options.method = way.method;
+  options.most_gl_version = way.gl_version;
+  options.bounds_alone = way.bounds_alone;
+  options.listing = way.listing;
+  if (way.listing == GpuListing::Software)
+    options.software_lists = std::make_shared<SoftwareDoubtfulLists>();
+  return options;
+}
+
+void gpu_row(const Cases& cases, const GpuWay& way, int resolution) {
+  const auto stage = make_gpu_candidate_finder(options_of(way, resolution));
+  Method method{way.series, stage->name(), resolution};
+  method.what += resolution == 0 ? ", own choice of pixels, " : text(", %d pixels, ", resolution);
+  method.what += way.bounds_alone                      ? "depths alone"
+                 : way.listing == GpuListing::Software ? "lists in software"
+                                                       : "complete";
   method.compares = false;
-  method.bounds_alone = options.bounds_alone;
+  method.bounds_alone = way.bounds_alone;
   add_stage(cases, method, *stage);
 }
 
 void gpu_rows(const Cases& cases) {
-  for (const bool fallback : {false, true})
-    for (const bool bounds_alone : {true, false})
-      for (const int resolution : kResolutions) try {
-          if (fallback && cases.num_triangles > 150'000) break;
-          GpuZListOptions options;
-          options.resolution = resolution;
-          options.force_fallback = fallback;
-          options.bounds_alone = bounds_alone;
-          gpu_row(cases, options);
-        } catch (const Error& e) {
-          cases.report->remark("z-lists on the GPU", e.what());
-        }
+  for (const GpuWay& way : kGpuWays)
+    for (const int resolution : kGpuResolutions) try {
+        if (way.gl_version == 33 && cases.num_triangles > 150'000) break;
+        gpu_row(cases, way, resolution);
+      } catch (const Error& e) {
+        cases.report->remark("z-lists on the GPU", e.what());
+      }
 }
 
 // All sweeps in one pass, as layers of one image.
-void gpu_batch_row(const Cases& cases) try {
+void gpu_batch_row(const Cases& cases, GpuMethod method) try {
   if (cases.num_triangles > 15'000) return;
-  const auto stage = make_gpu_candidate_finder({.resolution = 128});
+  GpuZListOptions options;
+  options.resolution = 128;
+  options.method = method;
+  const auto stage = make_gpu_candidate_finder(options);
   std::vector<Body> bodies;
   for (const Asked& a : cases.sweeps) {
     bodies.push_back(a.sweep.moving());
@@ -262,7 +292,8 @@ void rows_of(int num_triangles, Report& report) {
 #ifdef TRIVET_PERF_GPU
     if (num_triangles != 1'000'000) {  // 150K and 1.5M suffice, and it is slow
       gpu_rows(cases);
-      gpu_batch_row(cases);
+      gpu_batch_row(cases, GpuMethod::Framebuffer);
+      gpu_batch_row(cases, GpuMethod::Compute);
     }
 #endif
     report.add_hash(hash.value());

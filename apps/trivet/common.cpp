@@ -40,6 +40,11 @@ void add_common_options(CLI::App& app, CommonOptions& common) {
                  "Broad phase that finds candidate pairs; results do not depend on it")
       ->check(one_of({"auto", "gpu", "software", "bvh"}))
       ->group(group);
+  app.add_option(
+         "--gpu-method", common.gpu_method,
+         "How --backend gpu finds depths; auto: the faster one; results do not depend on it")
+      ->check(one_of({"auto", "framebuffer", "compute"}))
+      ->group(group);
   app.add_option("--threads", common.num_threads, "0: all cores; results do not depend on it")
       ->check(integer_from(0, 4096))
       ->group(group);
@@ -113,9 +118,11 @@ std::unique_ptr<Detector> make_detector(const CommonOptions& common) {
   BackendOptions options;
   options.backend = backend_from_name(common.backend);
   options.num_threads = common.num_threads;
-  options.make_gpu_stage = make_gpu_stage;
-  options.make_gpu_brackets = make_gpu_brackets;
   options.note = [&common](const std::string& note) { print_note(common, note); };
+  options.make_gpu_stage = [&common, note = options.note] {
+    return make_gpu_stage(common.gpu_method, common.num_threads, note);
+  };
+  options.make_gpu_brackets = make_gpu_brackets;
   return make_detector(options);
 }
 

@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <array>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -16,7 +17,8 @@ namespace trivet::apps {
 /// Options of every verb.
 struct CommonOptions {
   std::string backend = "auto";
-  int num_threads = 0;  // 0: all cores
+  std::string gpu_method = "auto";  // see GpuMethod
+  int num_threads = 0;              // 0: all cores
   bool json = false;
   bool quiet = false;
   bool verbose = false;
@@ -47,7 +49,9 @@ std::unique_ptr<Detector> make_detector(const CommonOptions& common);
 
 /// Candidate finder by z-lists on the GPU. @throws Error (Environment) if unavailable, and in a
 /// build without it.
-std::unique_ptr<CandidateFinder> make_gpu_stage();
+/// @param note  told when the hardware is lost later.
+std::unique_ptr<CandidateFinder> make_gpu_stage(const std::string& method, int num_threads,
+                                                std::function<void(const std::string&)> note);
 /// Brackets of falls at many places, on the GPU. @throws Error (Environment) likewise.
 DropBracketFunction make_gpu_brackets();
 

@@ -12,7 +12,11 @@ namespace {
 
 }  // namespace
 
-std::unique_ptr<CandidateFinder> make_gpu_stage() { refuse(); }
+std::unique_ptr<CandidateFinder> make_gpu_stage(const std::string&, int,
+                                                std::function<void(const std::string&)>) {
+  refuse();
+}
+
 DropBracketFunction make_gpu_brackets() { refuse(); }
 
 }  // namespace trivet::apps

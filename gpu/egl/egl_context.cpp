@@ -11,7 +11,7 @@
 namespace trivet {
 namespace {
 
-constexpr int kVersions[] = {45, 43, 41, 40, 33};
+constexpr int kVersions[] = {46, 45, 43, 41, 40, 33};
 
 Error environment(const std::string& message) { return {Error::Kind::Environment, message}; }
 
@@ -62,7 +62,7 @@ struct EglContext::State {
   ~State() {
     if (context != EGL_NO_CONTEXT) eglDestroyContext(display.get(), context);
   }
-  void create();
+  void create(int most_version);
 
   EglDisplayUse display;
   EGLContext context = EGL_NO_CONTEXT;
@@ -72,12 +72,13 @@ struct EglContext::State {
   std::vector<std::string> failures;
 };
 
-void EglContext::State::create() {
+void EglContext::State::create(int most_version) {
   if (!display.has_extension("EGL_KHR_surfaceless_context"))
     throw environment("cannot draw without a surface (no EGL_KHR_surfaceless_context)");
   if (!eglBindAPI(EGL_OPENGL_API)) throw environment("no OpenGL, " + last_egl_error());
   const EGLConfig config = choose_config(display);
   for (const int wanted : kVersions) {
+    if (wanted > most_version) continue;
     context = create_context(display, config, wanted);
     if (context != EGL_NO_CONTEXT) break;
   }
@@ -92,7 +93,7 @@ EglContext::EglContext(const EglOptions& options) {
       if (candidate.software && !options.allow_software)
         throw environment("software renderers are disabled");
       m_state = std::make_unique<State>(candidate);
-      m_state->create();
+      m_state->create(options.most_version);
       const Current current(*this);
       m_state->renderer = gl_text(GL_RENDERER);
       m_state->vendor = gl_text(GL_VENDOR);

@@ -9,9 +9,10 @@ namespace trivet {
 
 struct EglOptions {
   bool allow_software = true;  // false: refuse renderers that run on the CPU
+  int most_version = 46;       // asks for no later OpenGL; drivers may give one
 };
 
-/// OpenGL core profile, 4.5 if available, else down to 3.3, without window or surface: draw into
+/// OpenGL core profile, 4.6 if available, else down to 3.3, without window or surface: draw into
 /// framebuffer objects only. EGL devices are tried first, hardware before software, then Mesa's
 /// surfaceless platform. Drivers' own messages are not suppressed.
 ///

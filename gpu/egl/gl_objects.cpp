@@ -183,14 +183,18 @@ void set_linear(const GlTexture& texture) {
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
 }
 
-GlTexture make_depth_array(int size, int layers) {
+GlTexture make_texture_array(GLenum internal_format, int width, int height, int layers) {
   GlTexture texture = GlTexture::create();
   glBindTexture(GL_TEXTURE_2D_ARRAY, texture.id());
-  glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_DEPTH_COMPONENT32F, size, size, layers, 0,
-               GL_DEPTH_COMPONENT, GL_FLOAT, nullptr);
+  glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, static_cast<GLint>(internal_format), width, height, layers,
+               0, client_format(internal_format), client_type(internal_format), nullptr);
   set_nearest(GL_TEXTURE_2D_ARRAY);
-  check_gl("making shadow maps");
+  check_gl("making textures");
   return texture;
+}
+
+GlTexture make_depth_array(int size, int layers) {
+  return make_texture_array(GL_DEPTH_COMPONENT32F, size, size, layers);
 }
 
 GlFramebuffer make_framebuffer(std::initializer_list<GLuint> colours, GLuint depth) {
@@ -221,6 +225,14 @@ GlFramebuffer make_framebuffer(const GlRenderbuffer& colour, const GlRenderbuffe
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
   glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colour.id());
   glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth.id());
+  check_framebuffer();
+  return framebuffer;
+}
+
+GlFramebuffer make_layered_framebuffer(GLuint colour_array) {
+  GlFramebuffer framebuffer = GlFramebuffer::create();
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
+  glFramebufferTexture(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, colour_array, 0);
   check_framebuffer();
   return framebuffer;
 }
@@ -264,6 +276,19 @@ void check_gl(const char* stage) {
   char number[16];
   std::snprintf(number, sizeof number, " (0x%04x)", code);
   throw environment(std::string("OpenGL failed while ") + stage + ": " + name + number);
+}
+
+void check_no_reset() {
+  GLenum status = GL_NO_ERROR;
+  if (epoxy_gl_version() >= 45 || epoxy_has_gl_extension("GL_KHR_robustness"))
+    status = glGetGraphicsResetStatus();
+  else if (epoxy_has_gl_extension("GL_ARB_robustness"))
+    status = glGetGraphicsResetStatusARB();
+  if (status == GL_NO_ERROR) return;
+  throw environment(std::string("the graphics hardware was reset, ") +
+                    (status == GL_GUILTY_CONTEXT_RESET     ? "GL_GUILTY_CONTEXT_RESET"
+                     : status == GL_INNOCENT_CONTEXT_RESET ? "GL_INNOCENT_CONTEXT_RESET"
+                                                           : "GL_UNKNOWN_CONTEXT_RESET"));
 }
 
 }  // namespace trivet

@@ -110,6 +110,9 @@ GlTexture make_texture_2d(GLenum internal_format, int width, int height);
 /// Switches a texture to linear filtering.
 void set_linear(const GlTexture& texture);
 
+/// Makes an array of textures, likewise.
+GlTexture make_texture_array(GLenum internal_format, int width, int height, int layers);
+
 /// Makes an array of float32 depth textures, likewise.
 GlTexture make_depth_array(int size, int layers);
 
@@ -123,6 +126,9 @@ GlRenderbuffer make_renderbuffer(GLenum internal_format, int width, int height, 
 /// A framebuffer of a colour and a depth renderbuffer.
 GlFramebuffer make_framebuffer(const GlRenderbuffer& colour, const GlRenderbuffer& depth);
 
+/// A framebuffer of all layers of an array; geometry shaders choose among them.
+GlFramebuffer make_layered_framebuffer(GLuint colour_array);
+
 /// A framebuffer of one layer of a depth array and no colour.
 GlFramebuffer make_depth_framebuffer(GLuint depth_array, int layer);
 
@@ -132,5 +138,10 @@ Image read_picture(int width, int height);
 /// Checks for OpenGL errors since the last call.
 /// @throws Error (Environment) naming `stage` and the OpenGL error.
 void check_gl(const char* stage);
+
+/// Checks whether the graphics hardware was reset since the context was made: its objects are lost,
+/// and so are results that were read. Contexts without robustness never tell.
+/// @throws Error (Environment) with the driver's reason.
+void check_no_reset();
 
 }  // namespace trivet

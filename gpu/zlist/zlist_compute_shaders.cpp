@@ -16,13 +16,10 @@ float unordered(uint key) {
 }
 )";
 
-// All views of a batch are layers of one image. It has planes of ordered floats: 0 moving faces'
-// front, 1 their rear, 2 a sample of them, 3 the nearest fixed face. An instance is a body in a
-// view.
+// All views of a batch are layers of one image. An instance is a body in a view.
 const char* const kBuffers = R"(
 layout(std430, binding = 0) readonly buffer Vertices { float vertices[]; };
 layout(std430, binding = 1) readonly buffer Corners { uint corners[]; };
-layout(std430, binding = 2) buffer Image { uint image[]; };
 layout(std430, binding = 4) writeonly buffer Entries { Entry entries[]; };
 layout(std430, binding = 5) buffer Large { uvec2 large[]; };  // instance, face
 layout(std430, binding = 6) readonly buffer Instances { Instance instances[]; };
@@ -48,27 +45,49 @@ void load_instance(uint i) {
   load_view(instances[i].layer);
 }
 
-uint at(uint plane, ivec2 pixel) {
-  return (plane * num_layers + layer) * layer_pixels + uint(pixel.y * size.x + pixel.x);
+uint pixel_number(ivec2 pixel) {
+  return layer * layer_pixels + uint(pixel.y * size.x + pixel.x);
 }
+)";
+
+// Planes of ordered floats: 0 moving faces' front, 1 their rear, 2 a sample of them, 3 the nearest
+// fixed face.
+const char* const kStorage = R"(
+layout(std430, binding = 2) buffer Image { uint image[]; };
+
+uint at(uint plane, ivec2 pixel) { return plane * num_layers * layer_pixels + pixel_number(pixel); }
 bool has_moving(ivec2 pixel) { return image[at(0u, pixel)] != 0u; }
+float front_at(ivec2 pixel) { return unordered(image[at(0u, pixel)]); }
+float rear_at(ivec2 pixel) { return unordered(image[at(1u, pixel)]); }
+bool has_nearest(ivec2 pixel) { return image[at(3u, pixel)] != 0xffffffffu; }
+float nearest_at(ivec2 pixel) { return unordered(image[at(3u, pixel)]); }
+)";
+
+const char* const kFramebuffers = R"(
+uniform sampler2DArray moving, nearest;
+
+ivec3 texel(ivec2 pixel) { return ivec3(pixel, int(layer)); }
+float front_at(ivec2 pixel) { return texelFetch(moving, texel(pixel), 0).x; }
+float rear_at(ivec2 pixel) { return -texelFetch(moving, texel(pixel), 0).y; }
+bool has_nearest(ivec2 pixel) { return !is_none(texelFetch(nearest, texel(pixel), 0).x); }
+float nearest_at(ivec2 pixel) { return -texelFetch(nearest, texel(pixel), 0).x; }
 )";
 
 std::string struct_of(const char* name, const char* fields) {
   return std::string("struct ") + name + " { " + fields + " };\n";
 }
 
-std::string buffers() {
+std::string buffers(Depths depths) {
   return struct_of("Instance", glsl::kInstanceFields) + struct_of("Layer", glsl::kLayerFields) +
          struct_of("Entry", glsl::kEntryFields) + "layout(std430, binding = 3) buffer Counters { " +
-         glsl::kCountersFields + " };\n" + kBuffers;
+         glsl::kCountersFields + " };\n" + kBuffers +
+         (depths == Depths::Storage ? kStorage : empty_texels() + kFramebuffers);
 }
 
 const char* const kDoubtful = R"(
 bool is_doubtful(ivec2 pixel) {
-  uint nearest = image[at(3u, pixel)];
-  if (nearest == 0xffffffffu) return false;
-  return below(unordered(nearest) - unordered(image[at(0u, pixel)])) <= unordered(layers[layer].upper);
+  if (!has_nearest(pixel)) return false;
+  return below(nearest_at(pixel) - front_at(pixel)) <= unordered(layers[layer].upper);
 }
 )";
 
@@ -99,7 +118,7 @@ void meet_sample(vec2 fixed_sample, uint moving_key) {
 void visit(Face face, ivec2 pixel, uint id) {
   if (!has_moving(pixel)) return;
   Cell cell = look(face, pixel);
-  float rear = unordered(image[at(1u, pixel)]);
+  float rear = rear_at(pixel);
   for (int i = 0; i < cell.num_spans; ++i) {
     float shift = next_turn(cell.span[i].y, rear);
     if (is_behind(cell.span[i].y, rear)) continue;
@@ -112,31 +131,34 @@ void visit(Face face, ivec2 pixel, uint id) {
 )";
 
 const char* const kAddEntry = R"(
-const bool kOnlyDoubtful = true;
 uniform uint max_entries;
 
 void add_entry(ivec2 pixel, vec2 span, uint id) {
   uint i = atomicAdd(num_entries, 1u);
   if (i >= max_entries) return;
-  entries[i] = Entry(at(0u, pixel), span.x, span.y, first_face + id);
+  entries[i] = Entry(pixel_number(pixel), span.x, span.y, first_face + id);
 }
 )";
 
 const char* const kVisitMovingLists = R"(
+const bool kOnlyDoubtful = true;
+
 void visit(Face face, ivec2 pixel, uint id) {
   if (!is_doubtful(pixel)) return;
   Cell cell = look(face, pixel);
-  float nearest = unordered(image[at(3u, pixel)]);
+  float near = nearest_at(pixel);
   for (int i = 0; i < cell.num_spans; ++i)
-    if (below(nearest - cell.span[i].y) <= unordered(layers[layer].upper)) add_entry(pixel, cell.span[i], id);
+    if (below(near - cell.span[i].y) <= unordered(layers[layer].upper)) add_entry(pixel, cell.span[i], id);
 }
 )";
 
 const char* const kVisitFixedLists = R"(
+const bool kOnlyDoubtful = true;
+
 void visit(Face face, ivec2 pixel, uint id) {
   if (!is_doubtful(pixel)) return;
   Cell cell = look(face, pixel);
-  float front = unordered(image[at(0u, pixel)]), rear = unordered(image[at(1u, pixel)]);
+  float front = front_at(pixel), rear = rear_at(pixel);
   for (int i = 0; i < cell.num_spans; ++i) {
     float shift = next_turn(cell.span[i].y, rear);
     if (is_behind(cell.span[i].y, rear)) continue;
@@ -194,17 +216,32 @@ void main() {
 }
 )";
 
-const char* const kReduce = R"(
+// With framebuffers, bounds of the time are in the pixels of the fixed faces.
+const char* const kUpperBounds = R"(
 layout(local_size_x = 8, local_size_y = 8) in;
 
 void main() {
   load_view(gl_GlobalInvocationID.z);
   ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
   if (any(greaterThanEqual(pixel, size))) return;
-  uint nearest = image[at(3u, pixel)];
-  if (nearest == 0xffffffffu) return;
+  float time = texelFetch(nearest, texel(pixel), 0).y;
+  if (is_none(time)) return;
+  uint key = ordered(-time);
+  if (layers[layer].upper > key) atomicMin(layers[layer].upper, key);
+}
+)";
+
+const char* const kReduce = R"(
+layout(local_size_x = 8, local_size_y = 8) in;
+uniform uint hands_over;
+
+void main() {
+  load_view(gl_GlobalInvocationID.z);
+  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+  if (any(greaterThanEqual(pixel, size))) return;
+  if (!has_nearest(pixel)) return;
   atomicAdd(layers[layer].num_pixels, 1u);
-  uint gap = ordered(below(max(0.0, unordered(nearest) - unordered(image[at(0u, pixel)]))));
+  uint gap = ordered(below(max(0.0, nearest_at(pixel) - front_at(pixel))));
   if (layers[layer].lower > gap) atomicMin(layers[layer].lower, gap);
   if (!is_doubtful(pixel)) return;
   atomicAdd(layers[layer].num_doubtful, 1u);
@@ -212,6 +249,7 @@ void main() {
   atomicMin(layers[layer].low_y, uint(pixel.y));
   atomicMax(layers[layer].high_x, uint(pixel.x));
   atomicMax(layers[layer].high_y, uint(pixel.y));
+  if (hands_over != 0u) add_entry(pixel, vec2(0.0), 0u);
 }
 )";
 
@@ -232,18 +270,23 @@ std::string with_version(const std::string& body) {
   return "#version 430 core\n" + inputs("") + body;
 }
 
+std::string over_pixels(Depths depths, const std::string& body) {
+  return with_version(model(Motion::Kind::Translation) + kOrdered + buffers(depths) + body);
+}
+
 }  // namespace
 
-std::string compute(Motion::Kind kind, Pass pass) {
+std::string compute(Motion::Kind kind, Pass pass, Depths depths) {
   const bool lists = pass == Pass::MovingLists || pass == Pass::FixedLists;
-  return with_version(model(kind) + kOrdered + buffers() +
+  return with_version(model(kind) + kOrdered + buffers(depths) +
                       (lists ? std::string(kDoubtful) + kAddEntry : std::string()) +
                       visit_of(pass) + kMain);
 }
 
-std::string reduction() {
-  return with_version(model(Motion::Kind::Translation) + kOrdered + buffers() + kDoubtful +
-                      kReduce);
+std::string upper_bounds() { return over_pixels(Depths::Framebuffers, kUpperBounds); }
+
+std::string reduction(Depths depths) {
+  return over_pixels(depths, std::string(kDoubtful) + kAddEntry + kReduce);
 }
 
 }  // namespace trivet::zlist_shaders

@@ -42,30 +42,42 @@ struct ZLists {
   bool overflow = false;  // more entries than fit: the other fields are meaningless
   float upper = 0;        // two samples meet by then; the horizon if none do
   float lower = 0;        // no contact before this
-  std::int64_t num_pixels = 0, num_doubtful = 0, bytes_read_back = 0;
-  std::vector<ZListEntry> entries;
+  std::int64_t num_pixels = 0, num_doubtful = 0;
+  std::int64_t bytes_read_back = 0, read_backs = 0;  // of a batch: in its first view
+  std::vector<ZListEntry> entries;                   // or doubtful pixels, without depths and face
 };
+
+/// What a rasteriser hands over.
+enum class ZListOutput { Bounds, DoubtfulPixels, Lists };
 
 /// A way of using the hardware. All need a current context to be created and destroyed.
 class ZListRaster {
  public:
   virtual ~ZListRaster() = default;
-  virtual const char* method() const = 0;     // for display
-  virtual std::size_t num_bytes() const = 0;  // of graphics memory, without meshes
-  /// Whether this many views fit, the largest with that many pixels.
-  virtual bool has_room(std::size_t num_views, std::size_t num_pixels) const = 0;
+  virtual const char* description() const = 0;  // for display
+  virtual std::size_t num_bytes() const = 0;    // of graphics memory, without meshes
+  /// Whether this many views with that many bodies fit, the widest and the highest of that size.
+  virtual bool has_room(std::size_t num_views, std::size_t num_bodies, int width,
+                        int height) const = 0;
+  /// Whether lists in many small pixels take long.
+  virtual bool prefers_large_pixels() const { return false; }
   /// Draws views of one kind of motion together; if the lists exceed the limit together, all are
   /// empty.
-  /// @param bounds_alone  compute no lists.
   /// @throws Error (Environment) when OpenGL fails.
-  virtual std::vector<ZLists> rasterise(std::span<const ZListView> views, bool bounds_alone) = 0;
+  virtual std::vector<ZLists> rasterise(std::span<const ZListView> views, ZListOutput output) = 0;
+  /// Replaces the doubtful pixels of the last call, whose views these are, by lists.
+  virtual void list(std::span<const ZListView> views, std::vector<ZLists>& lists) = 0;
 };
+
+/// The most pixels of all layers together.
+inline constexpr std::size_t kMaxZListPixels = 1 << 20;
 
 /// OpenGL 4.3: compute shaders. @param max_entries  of the lists of all views of a batch.
 std::unique_ptr<ZListRaster> make_compute_raster(std::uint32_t max_entries);
-/// OpenGL 3.3: framebuffers that blend maxima, transform feedback.
-/// @param resolution  of the largest view, both ways. @param max_entries  of moving, or fixed,
-/// faces.
-std::unique_ptr<ZListRaster> make_blend_raster(int resolution, std::uint32_t max_entries);
+/// OpenGL 4.3: depths by framebuffers that blend maxima, then as above.
+std::unique_ptr<ZListRaster> make_framebuffer_raster(std::uint32_t max_entries);
+/// OpenGL 3.3: the same framebuffers, lists by transform feedback.
+/// @param max_entries  of the moving, or fixed, faces of a view.
+std::unique_ptr<ZListRaster> make_feedback_raster(std::uint32_t max_entries);
 
 }  // namespace trivet

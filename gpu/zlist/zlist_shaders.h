@@ -26,14 +26,23 @@ std::string inputs(const char* qualifier);
 std::string model(Motion::Kind kind);
 std::string rotation_model();  // a part of it
 
-/// OpenGL 4.3.
-std::string compute(Motion::Kind kind, Pass pass);
-std::string reduction();  // bounds, doubtful pixels
+/// Where shaders find the depths of the pixels.
+enum class Depths { Storage, Framebuffers };
 
-/// OpenGL 3.3. One quad per face, over the pixels it may cover.
+/// OpenGL 4.3. Passes Moving and Fixed need storage.
+std::string compute(Motion::Kind kind, Pass pass, Depths depths);
+std::string upper_bounds();            // from the pixels of framebuffers
+std::string reduction(Depths depths);  // bounds, doubtful pixels
+
+/// OpenGL 3.3: framebuffers that blend maxima, so minima are negated. Moving: front, -rear, sample.
+/// Fixed: -nearest, -bound of the time. One quad per face, over the pixels it may cover.
 std::string face_vertex(Motion::Kind kind);
 std::string quad_geometry(Motion::Kind kind);
 std::string depth_fragment(Motion::Kind kind, Pass pass);
+std::string empty_texels();  // kNone, is_none()
+
+/// OpenGL 3.3, for one view of a batch.
+std::string list_vertex(Motion::Kind kind);
 /// Emits a point for each list entry, for transform feedback of `record`. A run processes some
 /// doubtful pixels; if it exceeds its entry limit, it ends with pixel kTooMany.
 std::string list_geometry(Motion::Kind kind, Pass pass);

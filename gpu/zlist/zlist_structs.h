@@ -1,4 +1,4 @@
-// Private to gpu: what the compute shaders of z-lists read and write, as C++ and as GLSL.
+// Private to gpu: what the shaders of z-lists read and write, as C++ and as GLSL.
 #pragma once
 
 #include <cstddef>
@@ -11,12 +11,13 @@ namespace trivet::glsl {
 TRIVET_SHADER_STRUCT(Instance, vec4 rows[3]; float blur, depth_blur; uint first_face, layer;);
 static_assert(offsetof(Instance, blur) == 48 && sizeof(Instance) == 64);
 
-/// A view. upper, lower: ordered depths. low_x to high_y: of the doubtful pixels.
+/// A view. upper, lower: ordered depths. low_x to high_y: of the doubtful pixels. Four texels, like
+/// an instance: framebuffers read both as textures.
 TRIVET_SHADER_STRUCT(Layer, ivec2 size; float first_radius, sample_error, period, first_depth;
                      uint upper, lower; uint num_pixels, num_doubtful;
-                     uint low_x, low_y, high_x, high_y;);
+                     uint low_x, low_y, high_x, high_y, unused[2];);
 static_assert(offsetof(Layer, first_radius) == 8 && offsetof(Layer, upper) == 24);
-static_assert(offsetof(Layer, low_x) == 40 && sizeof(Layer) == 56);
+static_assert(offsetof(Layer, low_x) == 40 && sizeof(Layer) == 64);
 
 /// large_groups: of the second dispatch.
 TRIVET_SHADER_STRUCT(Counters, uint num_entries, num_large; uint large_groups[3];);

@@ -100,6 +100,43 @@ class MovingSink final : public SpanSink {
   int m_width;
 };
 
+/// Moving faces in the pixels of a mask; the map is that of all pixels.
+class MaskedSink final : public SpanSink {
+ public:
+  static constexpr bool kCentres = true;
+  MaskedSink(const std::vector<char>& mask, const View& view)
+      : map(view.width, view.height), m_mask(mask) {}
+
+  DepthMap map;
+  std::vector<Fragment> found;
+  std::size_t most = 0;
+  bool overflow = false;
+
+  void span(const Span& s) override {
+    map.add(s);
+    const int at = s.row * map.width + s.first;
+    for (int i = 0; i < s.count; ++i)
+      if (s.lower[i] <= s.upper[i]) add(at + i, face, s.lower[i], s.upper[i]);
+  }
+  void small(const SmallFace& f) {
+    map.add(f);
+    for (int y = f.y0; y <= f.y1; ++y)
+      for (int x = f.x0; x <= f.x1; ++x) add(y * map.width + x, f.face, f.lower, f.upper);
+  }
+  void sample(int pixel, float depth, float error) { map.add_sample(pixel, depth, error); }
+
+ private:
+  void add(int pixel, std::uint32_t id, float lower, float upper) {
+    if (!m_mask[pixel]) return;
+    if (found.size() < most)
+      found.push_back({pixel, id, lower, upper});
+    else
+      overflow = true;
+  }
+
+  const std::vector<char>& m_mask;
+};
+
 /// Keeps all fragments, and the map: for few faces, in a zoomed view.
 class ZoomSink final : public SpanSink {
  public:

@@ -13,9 +13,7 @@ namespace {
 
 constexpr int kLargestResolution = 4096;
 
-}  // namespace
-
-SoftwareZLists::SoftwareZLists(const SoftwareZListOptions& options) : m_options(options) {
+SoftwareZListOptions checked(SoftwareZListOptions options) {
   const auto require = [](bool holds, const std::string& text) {
     if (!holds) throw Error(Error::Kind::BadInput, text);
   };
@@ -28,9 +26,14 @@ SoftwareZLists::SoftwareZLists(const SoftwareZListOptions& options) : m_options(
   require(
       options.zoom_levels >= 0 && options.zoom_levels <= 4,
       "zoom levels of z-lists are " + std::to_string(options.zoom_levels) + "; accepted: 0 to 4");
-  if (m_options.num_threads == 0)
-    m_options.num_threads = std::max(1, tbb::this_task_arena::max_concurrency());
+  if (options.num_threads == 0)
+    options.num_threads = std::max(1, tbb::this_task_arena::max_concurrency());
+  return options;
 }
+
+}  // namespace
+
+SoftwareZLists::SoftwareZLists(const SoftwareZListOptions& options) : m_options(checked(options)) {}
 
 CandidatePairs SoftwareZLists::find_candidates(const FirstContactQuery& query, double horizon) {
   const int resolution =
@@ -41,6 +44,14 @@ CandidatePairs SoftwareZLists::find_candidates(const FirstContactQuery& query, d
   nothing.usable = true;
   nothing.lower = kInfinity;
   return nothing;
+}
+
+SoftwareDoubtfulLists::SoftwareDoubtfulLists(const SoftwareZListOptions& options)
+    : m_options(checked(options)) {}
+
+CandidatePairs SoftwareDoubtfulLists::find_candidates(const FirstContactQuery& query,
+                                                      const ZListFrame& frame, const Doubt& doubt) {
+  return ZListSearch(query, frame, m_options).run(doubt);
 }
 
 }  // namespace trivet

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "core/contact/zlist_stage.h"
+#include "core/contact/doubtful_lists.h"
 
 namespace trivet {
 
@@ -27,6 +27,20 @@ class SoftwareZLists : public CandidateFinder {
   explicit SoftwareZLists(const SoftwareZListOptions& options = {});
   std::string name() const override { return "software"; }
   CandidatePairs find_candidates(const FirstContactQuery& query, double horizon) override;
+
+ private:
+  SoftwareZListOptions m_options;
+};
+
+/// Lists in the pixels that another stage's depths leave in doubt: the second half of the above.
+/// Moving and fixed faces are drawn once each, cut to those pixels. The
+/// resolution is the frame's, not the options'. The same candidates with any number of threads.
+class SoftwareDoubtfulLists : public DoubtfulLists {
+ public:
+  /// @throws Error (BadInput) for options out of range.
+  explicit SoftwareDoubtfulLists(const SoftwareZListOptions& options = {});
+  CandidatePairs find_candidates(const FirstContactQuery& query, const ZListFrame& frame,
+                                 const Doubt& doubt) override;
 
  private:
   SoftwareZListOptions m_options;

@@ -5,8 +5,7 @@
 #include <limits>
 #include <tuple>
 
-#include "raster/zlist/fragment_sinks.h"
-#include "raster/zlist/parallel.h"
+#include "raster/zlist/draw_parts.h"
 
 namespace trivet {
 namespace {
@@ -25,44 +24,6 @@ constexpr float kOneFragment = 0.5F;
 constexpr size_t kManyFaces = 4096, kStride = 16;
 
 float rounded_up(double x) { return static_cast<float>(x) * 1.000001F; }
-
-// Runs every part of a layer with its own sink.
-template <class Sink, class Make, class Done>
-bool draw_parts(const Layer& layer, const View& view, const Wanted& wanted, size_t stride,
-                int num_threads, Make make, Done done, FaceBoxes* boxes = nullptr) {
-  const size_t count = layer.num_faces(), parts = num_parts(count / stride, num_threads);
-  std::vector<Sink> sinks(parts, make());
-  std::vector<char> complete(parts);
-  for_each_part(count, static_cast<int>(parts), [&](size_t part, size_t first, size_t last) {
-    Sink& sink = sinks[part];
-    TriangleRaster raster(view);
-    complete[part] =
-        view.turning()
-            ? draw_faces<true>(layer, view, wanted, first, last, stride, raster, sink)
-            : draw_faces<false>(layer, view, wanted, first, last, stride, raster, sink, boxes);
-  });
-  for (Sink& sink : sinks) done(sink);
-  return std::find(complete.begin(), complete.end(), 0) == complete.end();
-}
-
-// Region of pixels in [0, width) x ... with non-empty intervals, and the hull of the intervals,
-// grown by `later` at the upper end.
-Wanted wanted_of(const std::vector<float>& lower, const std::vector<float>& upper, int width,
-                 float later) {
-  Wanted out{kInf, -kInf, width, std::numeric_limits<int>::max(), -1, -1};
-  for (size_t i = 0; i < lower.size(); ++i) {
-    if (!(lower[i] <= upper[i])) continue;
-    const int x = static_cast<int>(i) % width, y = static_cast<int>(i) / width;
-    out.x0 = std::min(out.x0, x);
-    out.x1 = std::max(out.x1, x);
-    out.y0 = std::min(out.y0, y);
-    out.y1 = std::max(out.y1, y);
-    out.lower = std::min(out.lower, lower[i]);
-    out.upper = std::max(out.upper, upper[i]);
-  }
-  if (out.x1 >= 0) out.upper += later + 1e-6F * (std::abs(out.upper) + later);
-  return out;
-}
 
 // Sorts by pixel and face; pieces of one face of a rotation are merged into one fragment.
 void sort_fragments(std::vector<Fragment>& list) {
@@ -112,8 +73,12 @@ bool ZListSearch::give_up(const char* why) {
 
 CandidatePairs ZListSearch::run() {
   Lists lists;
-  const bool done = draw_base(lists) && resolve(View::whole(m_frame, true), 0, kAnyPairs, lists);
-  if (done) return proposal();
+  const bool drawn = draw_base(lists);
+  return finish(drawn, lists);
+}
+
+CandidatePairs ZListSearch::finish(bool drawn, Lists& lists) {
+  if (drawn && resolve(View::whole(m_frame, true), 0, kAnyPairs, lists)) return proposal();
   CandidatePairs out;
   out.why = m_why;
   out.work = m_work;

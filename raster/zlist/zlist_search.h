@@ -1,9 +1,10 @@
-// One query of SoftwareZLists: from a frame to the candidate pairs of faces. Private.
+// One query of SoftwareZLists, or the rest of one: from a frame to the candidate pairs of faces.
+// Private.
 #pragma once
 
 #include <atomic>
 
-#include "core/contact/zlist_stage.h"
+#include "core/contact/doubtful_lists.h"
 #include "raster/zlist/depth_map.h"
 #include "raster/zlist/software_zlists.h"
 
@@ -36,6 +37,8 @@ class ZListSearch {
   ZListSearch(const FirstContactQuery& query, const ZListFrame& frame,
               const SoftwareZListOptions& options);
   CandidatePairs run();
+  /// Only in the doubtful pixels.
+  CandidatePairs run(const Doubt& doubt);
 
  private:
   struct Candidate {
@@ -51,7 +54,11 @@ class ZListSearch {
     std::span<Fragment> moving, fixed;
   };
 
+  CandidatePairs finish(bool drawn, Lists& lists);
   bool draw_base(Lists& lists);
+  bool draw_doubtful(const std::vector<std::uint32_t>& pixels, Lists& lists);
+  bool collect_moving_in(const std::vector<char>& mask, const Wanted& wanted, const View& view,
+                         DepthMap& map, std::vector<Fragment>& out);
   void sample_upper_bound(const View& view, const DepthMap& map);
   bool collect_fixed(const View& view, const DepthMap& map, std::vector<Fragment>& out);
   bool collect_moving(const View& view, const std::vector<Fragment>& fixed,

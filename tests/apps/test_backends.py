@@ -134,15 +134,28 @@ class Backends(Case):
         self.assertIn("used instead of the GPU", err)
 
     def test_without_opengl_4_3(self):
-        """z-lists work with blended framebuffers; places need compute shaders."""
+        """z-lists work with framebuffers; places need compute shaders."""
         report, err = self.on_gpu_with(MESA_GL_VERSION_OVERRIDE="3.3")
-        if not self.has_gpu or "blended framebuffers" not in report["device"]:
+        if not self.has_gpu or "OpenGL 3.3" not in report["device"]:
             self.skipTest("no GPU here, or its driver does not obey MESA_GL_VERSION_OVERRIDE")
         self.assertEqual(report["backend"], "gpu")
         self.assertGreater(report["work"]["pixels"], 0)
         self.assertEqual(report["work"]["places_on_gpu"], 0)
         self.assertEqual(err.count("trivet: note:"), 1, err)
         self.assertIn("places are judged in software instead", err)
+
+    def test_methods(self):
+        """--gpu-method is named in the report; results do not depend on it."""
+        layout = self.two_cubes()
+        self.trivet("run", layout, "-o", "bvh.glb", "--report", "bvh.json")
+        for method, name in (("framebuffer", "framebuffers"), ("compute", "compute shaders")):
+            _, err = self.trivet("run", layout, "-o", "gpu.glb", "--report", "gpu.json",
+                                 "--backend", "gpu", "--gpu-method", method, "--verbose")
+            report = self.read_json("gpu.json")
+            self.assertEqual(self.read("bvh.glb"), self.read("gpu.glb"))
+            if self.has_gpu:
+                self.assertIn(name, report["device"])
+                self.assertIn(name, err)
 
     def test_places(self):
         """--backend selects the evaluation of places; results do not depend on it."""

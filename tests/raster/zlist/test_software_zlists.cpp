@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <iostream>
+#include <set>
 
 #include "raster/zlist/software_zlists.h"
 #include "support/check_stage.h"
@@ -84,6 +85,70 @@ TEST(SoftwareZLists, ProposeSamePairsWithAnyNumberOfThreads) {
       EXPECT_EQ(one.pairs[i].not_before, four.pairs[i].not_before);
     }
   }
+}
+
+/// Lists where nothing is known yet: every pixel is doubtful.
+class ListsEverywhere : public CandidateFinder {
+ public:
+  ListsEverywhere(int resolution, const SoftwareZListOptions& options)
+      : m_resolution(resolution), m_lists(options) {}
+  std::string name() const override { return "lists everywhere"; }
+  CandidatePairs find_candidates(const FirstContactQuery& query, double horizon) override {
+    const ZListFrame frame = make_zlist_frame(query, horizon, m_resolution);
+    Doubt doubt;
+    for (int i = frame.width * frame.height; i-- > 0;)
+      doubt.pixels.push_back(static_cast<std::uint32_t>(i));
+    if (!frame.empty()) return m_lists.find_candidates(query, frame, doubt);
+    CandidatePairs nothing;
+    nothing.usable = true;
+    nothing.lower = kInfinity;
+    return nothing;
+  }
+
+ private:
+  int m_resolution;
+  SoftwareDoubtfulLists m_lists;
+};
+
+TEST(SoftwareDoubtfulLists, EqualBruteForce) {
+  const test::MeshPool pool(kSeed, 16);
+  for (const int threads : {1, 4})
+    for (const int resolution : {16, 64}) {
+      SoftwareZListOptions options;
+      options.num_threads = threads;
+      ListsEverywhere stage(resolution, options);
+      const int num = test::with_effort(1000);
+      const test::StageCheck check =
+          test::check_stage(stage, pool, kSeed, 70000 + resolution * 100, num);
+      EXPECT_TRUE(check.failures.empty()) << check.describe();
+      EXPECT_GT(check.num_contacts, num / 5) << check.describe();
+      EXPECT_LE(check.num_unusable, num / 500) << check.describe();
+      EXPECT_LT(check.num_pairs, check.num_all_pairs / 4) << check.describe();
+    }
+}
+
+/// A fall onto a ramp, from which every pixel but those of the ramp's foot is taken away.
+TEST(SoftwareDoubtfulLists, LookNowhereElse) {
+  test::RandomQuery q;
+  q.moving.push_back({test::shape_of(test::bumpy_sphere(8, 12, 0, 1)), {{}, {0, 0, 4}}, 0.5});
+  q.fixed.push_back({test::shape_of(test::terrain(8, 2, 0, 1)), {}});
+  q.motion = Motion::translation(-Vec3::UnitZ(), 6);
+  q.clearance.distance = 1e-6;
+  q.ask([](const FirstContactQuery& query) {
+    const ZListFrame frame = make_zlist_frame(query, 6, 32);
+    SoftwareDoubtfulLists lists;
+    EXPECT_TRUE(lists.find_candidates(query, frame, {}).pairs.empty());
+    const auto pixel = static_cast<std::uint32_t>(frame.height / 2 * frame.width + frame.width / 2);
+    const CandidatePairs some = lists.find_candidates(query, frame, {{pixel}, kInfinity});
+    std::set<Index> faces;
+    for (const FacePair& p : some.pairs) faces.insert(p.face_fixed);
+    EXPECT_GT(faces.size(), 0u);
+    EXPECT_LT(faces.size(), 8u);  // of 128
+    EXPECT_LT(some.upper, kInfinity);
+    const CandidatePairs before = lists.find_candidates(query, frame, {{pixel}, 1});
+    EXPECT_TRUE(before.pairs.empty());  // all pairs there are later
+    return 0;
+  });
 }
 
 INSTANTIATE_TEST_SUITE_P(Resolutions, SoftwareZListsAt,

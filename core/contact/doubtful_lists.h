@@ -1,0 +1,31 @@
+// Between two stages of z-lists: what depths alone leave in doubt, and who makes the lists there.
+//
+// The paper's composition [Shinya 1995, 5.1]: depths per pixel from graphics hardware, then
+// complete lists in software, but only in the pixels that the depths do not settle. Whoever draws
+// the depths and whoever makes the lists agree on nothing but the frame.
+#pragma once
+
+#include "core/contact/zlist_frame.h"
+#include "core/contact/zlist_stage.h"
+
+namespace trivet {
+
+/// What the depths of a query leave in doubt.
+struct Doubt {
+  /// row * frame.width + column, each once. Of every pair of faces whose first contact is no later
+  /// than `upper`, the point of the fixed face that is met first lies in one of these pixels.
+  std::vector<std::uint32_t> pixels;
+  double upper = kInfinity;  // difference of depths by which something touches, see ZListFrame
+};
+
+/// Makes complete lists in doubtful pixels, and pairs of faces from them. Not re-entrant.
+class DoubtfulLists {
+ public:
+  virtual ~DoubtfulLists() = default;
+  /// @param frame  of the query, not empty.
+  /// @return as CandidateFinder::find_candidates(), for the frame's horizon.
+  virtual CandidatePairs find_candidates(const FirstContactQuery& query, const ZListFrame& frame,
+                                         const Doubt& doubt) = 0;
+};
+
+}  // namespace trivet

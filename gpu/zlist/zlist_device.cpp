@@ -1,0 +1,190 @@
+#include "gpu/zlist/zlist_device.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "core/base/error.h"
+#include "gpu/zlist/zlist_pairs.h"
+#include "gpu/zlist/zlist_view.h"
+
+namespace trivet {
+namespace {
+
+/// Least graphics memory reserved for meshes.
+constexpr std::size_t kLeastMeshBytes = 8 << 10;
+/// Doubtful pixels up to which GpuListing::Auto lists in software, on renderers that run on the
+/// CPU.
+constexpr std::int64_t kMostInSoftware = 1 << 12;
+/// OpenGL with compute shaders.
+constexpr int kComputes = 43;
+
+Error environment(const std::string& message) { return {Error::Kind::Environment, message}; }
+
+EglOptions context_options(const GpuZListOptions& options) {
+  if (options.faults.is_gone && options.faults.is_gone())
+    throw environment("no OpenGL context: the device is gone");
+  return {options.allow_software, options.most_gl_version};
+}
+
+std::unique_ptr<ZListRaster> make_raster(const GpuZListOptions& options, int gl_version) {
+  const auto max_entries = static_cast<std::uint32_t>(options.max_list_entries);
+  if (options.method == GpuMethod::Framebuffer)
+    return gl_version >= kComputes ? make_framebuffer_raster(max_entries)
+                                   : make_feedback_raster(max_entries);
+  if (gl_version >= kComputes) return make_compute_raster(max_entries);
+  throw environment("z-lists by compute shaders need OpenGL 4.3, here is " +
+                    std::to_string(gl_version / 10) + "." + std::to_string(gl_version % 10) +
+                    "; accepted: the method framebuffer");
+}
+
+ZListAnswer answer_of(const ZListAsk& ask, const ZListView& view, bool bounds_alone,
+                      ZLists& lists) {
+  if (lists.overflow) return {ZListTrouble::Entries, {}};
+  ZListAnswer out;
+  CandidatePairs& p = out.proposal;
+  if (bounds_alone)
+    p.why = "only bounds were requested";
+  else if (!make_pairs(view, lists, ask.frame, p.pairs))
+    return {ZListTrouble::Pairs, {}};
+  p.usable = !bounds_alone;
+  p.lower = std::min(ask.frame.time_before(lists.lower), ask.horizon);
+  if (lists.upper < view.horizon) p.upper = ask.frame.time_after(lists.upper);
+  return out;
+}
+
+ZListAnswer answer_in_software(const ZListAsk& ask, const ZListView& view, const ZLists& lists,
+                               DoubtfulLists& software) {
+  Doubt doubt;
+  for (const ZListEntry& e : lists.entries) doubt.pixels.push_back(e.pixel);
+  if (lists.upper < view.horizon) doubt.upper = lists.upper;
+  ZListAnswer out{ZListTrouble::None, software.find_candidates(*ask.query, ask.frame, doubt)};
+  CandidatePairs& p = out.proposal;
+  p.lower = std::max(p.lower, std::min(ask.frame.time_before(lists.lower), ask.horizon));
+  return out;
+}
+
+void set_work(const ZListAsk& ask, const ZLists& lists, CandidatePairs& p) {
+  p.work.body_pairs = static_cast<std::int64_t>(ask.frame.pairs.size());
+  p.work.pixels = lists.num_pixels;
+  p.work.doubtful_pixels = lists.num_doubtful;
+  p.work.face_pairs = static_cast<std::int64_t>(p.pairs.size());
+  p.work.bytes_read_back = lists.bytes_read_back;
+  p.work.read_backs = lists.read_backs;
+}
+
+std::size_t num_bodies(std::span<const ZListView> views) {
+  std::size_t out = 0;
+  for (const ZListView& v : views) out += v.moving.size() + v.fixed.size();
+  return out;
+}
+
+}  // namespace
+
+const char* to_string(ZListTrouble trouble) {
+  switch (trouble) {
+    case ZListTrouble::Meshes:
+      return "the meshes do not fit into the graphics memory";
+    case ZListTrouble::Bodies:
+      return "too many bodies for the textures of this OpenGL";
+    case ZListTrouble::Entries:
+      return "the lists of doubtful pixels do not fit into the graphics memory";
+    default:
+      return "too many candidate pairs of faces";
+  }
+}
+
+ZListDevice::ZListDevice(const GpuZListOptions& options)
+    : m_options(options), m_context(context_options(options)) {
+  const EglContext::Current current(m_context);
+  m_raster = make_raster(options, gl_version());
+  const std::size_t needed = m_raster->num_bytes() + kLeastMeshBytes;
+  if (needed > options.memory_bytes) {
+    m_raster.reset();
+    throw environment("z-lists need " + std::to_string(needed >> 10) +
+                      " KiB of graphics memory, more than the " +
+                      std::to_string(options.memory_bytes >> 10) + " KiB allowed");
+  }
+  GLint64 max_buffer_bytes = std::numeric_limits<GLint64>::max();
+  if (gl_version() >= kComputes)
+    glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &max_buffer_bytes);
+  m_meshes = std::make_unique<ZListMeshCache>(options.memory_bytes - m_raster->num_bytes(),
+                                              static_cast<std::size_t>(max_buffer_bytes));
+}
+
+ZListDevice::~ZListDevice() {
+  try {
+    const EglContext::Current current(m_context);
+    m_meshes.reset();
+    m_raster.reset();
+  } catch (const Error&) {  // the context is lost, with all its objects
+    const EglContext::None none;
+    m_meshes.reset();
+    m_raster.reset();
+  }
+}
+
+int ZListDevice::gl_version() const {
+  return std::min(m_context.gl_version(), m_options.most_gl_version);
+}
+
+std::string ZListDevice::description() const {
+  const int version = gl_version();
+  return m_context.renderer() + ", " + m_raster->description() + ", OpenGL " +
+         std::to_string(version / 10) + "." + std::to_string(version % 10);
+}
+
+void ZListDevice::check_alive() const {
+  check_no_reset();
+  if (m_options.faults.resets && m_options.faults.resets())
+    throw environment("the graphics hardware was reset, injected");
+}
+
+ZListOutput ZListDevice::first_output() const {
+  if (m_options.bounds_alone) return ZListOutput::Bounds;
+  if (!m_options.software_lists || m_options.listing == GpuListing::Gpu) return ZListOutput::Lists;
+  if (m_options.listing == GpuListing::Auto && !m_context.is_software()) return ZListOutput::Lists;
+  return ZListOutput::DoubtfulPixels;
+}
+
+bool ZListDevice::lists_in_software(const std::vector<ZLists>& lists) const {
+  if (m_options.listing == GpuListing::Software) return true;
+  std::int64_t num_doubtful = 0;
+  for (const ZLists& l : lists) num_doubtful += l.num_doubtful;
+  return num_doubtful <= kMostInSoftware;
+}
+
+std::vector<ZListAnswer> ZListDevice::answer(std::span<const ZListAsk> asks,
+                                             std::span<const ZListView> views) {
+  const ZListOutput output = first_output();
+  std::vector<ZLists> lists = m_raster->rasterise(views, output);
+  const bool in_software = output == ZListOutput::DoubtfulPixels && lists_in_software(lists);
+  if (output == ZListOutput::DoubtfulPixels && !in_software) m_raster->list(views, lists);
+  check_alive();
+  std::vector<ZListAnswer> out;
+  for (std::size_t i = 0; i < asks.size(); ++i) {
+    out.push_back(in_software
+                      ? answer_in_software(asks[i], views[i], lists[i], *m_options.software_lists)
+                      : answer_of(asks[i], views[i], m_options.bounds_alone, lists[i]));
+    set_work(asks[i], lists[i], out.back().proposal);
+  }
+  return out;
+}
+
+std::vector<ZListAnswer> ZListDevice::find_candidates(std::span<const ZListAsk> asks) {
+  const EglContext::Current current(m_context);
+  m_meshes->begin_query();
+  std::vector<ZListView> views;
+  int width = 0, height = 0;
+  for (const ZListAsk& ask : asks) {
+    views.push_back(make_view(*ask.query, ask.frame, *m_meshes));
+    if (views.back().fixed.empty())
+      return std::vector<ZListAnswer>(asks.size(), {ZListTrouble::Meshes, {}});
+    width = std::max(width, ask.frame.width);
+    height = std::max(height, ask.frame.height);
+  }
+  if (!m_raster->has_room(asks.size(), num_bodies(views), width, height))
+    return std::vector<ZListAnswer>(asks.size(), {ZListTrouble::Bodies, {}});
+  return answer(asks, views);
+}
+
+}  // namespace trivet
