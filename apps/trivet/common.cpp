@@ -87,6 +87,14 @@ void add_settle_options(CLI::App& app, SettleArguments& arguments) {
   app.add_flag("--accept-wedged", settle.accept_wedged,
                "Accept wedged objects, which can neither move nor be shown to be supported")
       ->group(group);
+  app.add_flag("--perfect-friction,!--finite-friction", settle.perfect_friction,
+               "Settle as the paper does, with nearly perfect friction (default), or with that of "
+               "the materials")
+      ->group(group);
+  app.add_flag("--whole-at-rest,!--each-at-rest", settle.whole_at_rest,
+               "What an operation unbalances gives way, or it is refused; otherwise each object is "
+               "at rest on what stands still (default)")
+      ->group(group);
   app.add_flag("--literal-paper-rules", settle.literal_paper_rules,
                "Settle by exactly the paper's three cases, for comparison")
       ->group(group);

@@ -89,7 +89,7 @@ void add_rest_findings(const PlacedObject& o, const Neighbourhood& others, doubl
   const auto contacts = touching(body_of(o.object()), others, clearance);
   for (const ContactsWith& c : contacts)
     for (const ContactPoint& p : c.points) check.smallest_gap = std::min(check.smallest_gap, p.gap);
-  if (!o.object().fixed && !rests_at(o.object(), o.object().pose, others, clearance))
+  if (!o.object().fixed && !rests_at(o.object(), o.object().pose, others, {clearance}))
     check.not_at_rest.push_back(o.object().name);
 }
 
@@ -147,7 +147,7 @@ ObjectState state_as_it_lies(const Scene& scene, ObjectId id, const Neighbourhoo
   const ObjectState was = object.state;
   if (was == ObjectState::Invalid && refuse_interpenetration(scene, id, object.pose, true))
     return was;
-  if (rests_at(object, object.pose, others, clearance)) return ObjectState::Stable;
+  if (rests_at(object, object.pose, others, {clearance})) return ObjectState::Stable;
   if (was == ObjectState::Held || was == ObjectState::Invalid) return ObjectState::Held;
   return was == ObjectState::Unsupported ? was : ObjectState::Wedged;
 }
@@ -164,7 +164,7 @@ void update_contacts(Scene& scene, double clearance) {
     const auto contacts = touching(body_of(object), others, clearance);
     const ObjectState state =
         object.fixed ? ObjectState::Fixed : state_as_it_lies(scene, id, others, clearance);
-    commit_object(transaction, id, object.pose, state, contacts, clearance);
+    commit_object(transaction, id, object.pose, state, contacts, {clearance});
   }
   transaction.commit();
 }

@@ -69,8 +69,9 @@ void add_name(std::vector<std::string>& names, const std::string& name) {
 }
 
 // Whether the centre is inside the hull of the contacts that carry: at rest, without more ado.
-bool stands_on(const Object& object, const std::vector<ContactsWith>& contacts, double clearance) {
-  return rate_unheld(object, object.pose, contacts, clearance).stability_margin >=
+bool stands_on(const Scene& scene, const Object& object, const std::vector<ContactsWith>& contacts,
+               const RestRules& rules) {
+  return rate_unheld(scene, object, object.pose, contacts, rules).stability_margin >=
          kRestMargin * size_of(object);
 }
 
@@ -96,7 +97,7 @@ void set_rating(Object& object, ObjectState state, const RestRating& rating) {
 /// @param known  its contacts, if they are. @param state  calls its argument to learn whether the
 ///   object is at rest.
 template <class State>
-void rate_as(Transaction& transaction, ObjectId id, double clearance,
+void rate_as(Transaction& transaction, ObjectId id, const RestRules& rules,
              const std::vector<ContactsWith>* known, const State& state) {
   const Scene& scene = transaction.scene();
   const Object& seen = scene.at(id);
@@ -105,14 +106,14 @@ void rate_as(Transaction& transaction, ObjectId id, double clearance,
   Neighbourhood others(scene, id);
   others.leave_out(crossed);
   const std::vector<ContactsWith> contacts =
-      known ? *known : touching(body_of(seen), others, clearance);
+      known ? *known : touching(body_of(seen), others, rules.clearance);
   const bool stays = is_invalid(scene, id) && !crossed.empty();
   const ObjectState now = stays ? ObjectState::Invalid : state([&] {
-    return stands_on(seen, contacts, clearance) || rests_at(seen, seen.pose, others, clearance);
+    return stands_on(scene, seen, contacts, rules) || rests_at(seen, seen.pose, others, rules);
   });
   const bool rests = now == ObjectState::Stable || now == ObjectState::Wedged;
-  const RestRating rating = rests ? rate_rest(seen, seen.pose, contacts, clearance)
-                                  : rate_unheld(seen, seen.pose, contacts, clearance);
+  const RestRating rating = rests ? rate_rest(scene, seen, seen.pose, contacts, rules)
+                                  : rate_unheld(scene, seen, seen.pose, contacts, rules);
   transaction.edit(id, [&](Object& object) { set_rating(object, now, rating); });
 }
 
@@ -120,11 +121,12 @@ void rate_as(Transaction& transaction, ObjectId id, double clearance,
 /// was, then poses and links change, then ratings.
 class GroupCommit {
  public:
-  GroupCommit(Transaction& transaction, MovePlan& plan)
+  GroupCommit(Transaction& transaction, MovePlan& plan, const SettleOptions& options)
       : m_transaction(transaction),
         m_scene(transaction.scene()),
         m_plan(plan),
-        m_group(*plan.group) {}
+        m_group(*plan.group),
+        m_rules(rest_rules(options, m_group.clearance())) {}
 
   void run() {
     const RigidMove move(m_scene.at(m_group.ids()[0]).pose, m_group.pose());
@@ -224,14 +226,14 @@ class GroupCommit {
                                      : otherwise == ObjectState::Held && has(m_group.driven(), id);
       return by_hand ? otherwise : left_alone(m_scene, id, m_plan.result);
     };
-    rate_as(m_transaction, id, m_group.clearance(),
-            is_object && m_contacts ? &*m_contacts : nullptr, state);
+    rate_as(m_transaction, id, m_rules, is_object && m_contacts ? &*m_contacts : nullptr, state);
   }
 
   Transaction& m_transaction;
   const Scene& m_scene;
   MovePlan& m_plan;
   const MovingGroup& m_group;
+  const RestRules m_rules;
   std::set<std::uint32_t> m_members;  // slots
   std::vector<std::vector<ObjectContact>> m_object_contacts;
   IdSet m_partners;
@@ -245,7 +247,7 @@ OperationResult commit(Transaction& transaction, MovePlan plan, OperationRun& ru
   if (plan.changes_scene) {
     for (const Interpenetration& c : plan.crossed)
       add_name(plan.result.interpenetrates, named(transaction.scene(), c.with).name);
-    GroupCommit(transaction, plan).run();
+    GroupCommit(transaction, plan, run.options).run();
     if (plan.release && !plan.result.unsupported.empty()) {
       settle_unsupported(transaction, run, plan.group->clearance(), *plan.release, plan.result);
       if (run.interrupt.reason())
@@ -258,14 +260,14 @@ OperationResult commit(Transaction& transaction, MovePlan plan, OperationRun& ru
 }
 
 void commit_object(Transaction& transaction, ObjectId id, const Pose& pose, ObjectState state,
-                   const std::vector<ContactsWith>& contacts, double clearance) {
+                   const std::vector<ContactsWith>& contacts, const RestRules& rules) {
   const Object& seen = transaction.scene().at(id);
   const bool unheld = state == ObjectState::Held || state == ObjectState::Unsupported ||
                       state == ObjectState::Invalid;
-  const RestRating rating = unheld ? rate_unheld(seen, pose, contacts, clearance)
-                                   : rate_rest(seen, pose, contacts, clearance);
+  const RestRating rating = unheld ? rate_unheld(transaction.scene(), seen, pose, contacts, rules)
+                                   : rate_rest(transaction.scene(), seen, pose, contacts, rules);
   transaction.set_contacts(
-      id, object_contacts_of(seen, pose, transaction.scene(), contacts, clearance));
+      id, object_contacts_of(seen, pose, transaction.scene(), contacts, rules.clearance));
   transaction.edit(id, [&](Object& object) {
     object.pose = pose;
     object.placed = true;
@@ -273,9 +275,9 @@ void commit_object(Transaction& transaction, ObjectId id, const Pose& pose, Obje
   });
 }
 
-void rate_left_alone(Transaction& transaction, ObjectId id, double clearance,
+void rate_left_alone(Transaction& transaction, ObjectId id, const RestRules& rules,
                      OperationResult& result) {
-  rate_as(transaction, id, clearance, nullptr, [&](const auto& rests) {
+  rate_as(transaction, id, rules, nullptr, [&](const auto& rests) {
     return rests() ? ObjectState::Stable : left_alone(transaction.scene(), id, result);
   });
 }

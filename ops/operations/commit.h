@@ -4,6 +4,7 @@
 
 #include "core/scene/transaction.h"
 #include "ops/operations/move_plan.h"
+#include "ops/settle/rest.h"
 
 namespace trivet {
 
@@ -17,11 +18,11 @@ OperationResult commit(Transaction& transaction, MovePlan plan, OperationRun& ru
 
 /// Gives one object a pose and a state, rates its rest and links it with its contacts.
 void commit_object(Transaction& transaction, ObjectId id, const Pose& pose, ObjectState state,
-                   const std::vector<ContactsWith>& contacts, double clearance);
+                   const std::vector<ContactsWith>& contacts, const RestRules& rules);
 
 /// Rates an object again when something that it touched is gone; if it is not at rest any more, it
 /// becomes ObjectState::Unsupported and is named in result.unsupported.
-void rate_left_alone(Transaction& transaction, ObjectId id, double clearance,
+void rate_left_alone(Transaction& transaction, ObjectId id, const RestRules& rules,
                      OperationResult& result);
 
 /// Objects to rate again when this one leaves: its contacts, those that may lean on it, and those

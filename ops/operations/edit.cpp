@@ -35,7 +35,8 @@ Refusal locked(const Scene& scene, ObjectId id) {
 void leave(Transaction& transaction, const std::vector<ObjectId>& dependents,
            const MoveOptions& move, const char* op, const Named& object, double clearance,
            OperationRun& run, OperationResult& result) {
-  for (const ObjectId id : dependents) rate_left_alone(transaction, id, clearance, result);
+  for (const ObjectId id : dependents)
+    rate_left_alone(transaction, id, rest_rules(run.options, clearance), result);
   if (!move.settle_left) return;
   settle_unsupported(transaction, run, clearance, {}, result);
   if (run.interrupt.reason()) run.interrupt.refuse(op, object, result);
@@ -54,14 +55,14 @@ std::optional<Refusal> refuse_stand(const Scene& scene, ObjectId id, const Pose&
   return why;
 }
 
-void stand_at(Transaction& transaction, ObjectId id, const Pose& pose, double clearance) {
+void stand_at(Transaction& transaction, ObjectId id, const Pose& pose, const RestRules& rules) {
   const Object& object = transaction.scene().at(id);
   const Neighbourhood others(transaction.scene(), id);
   ObjectState state = ObjectState::Fixed;
   if (!object.fixed)
-    state = rests_at(object, pose, others, clearance) ? ObjectState::Stable : ObjectState::Wedged;
-  commit_object(transaction, id, pose, state, touching(body_of(object, pose), others, clearance),
-                clearance);
+    state = rests_at(object, pose, others, rules) ? ObjectState::Stable : ObjectState::Wedged;
+  commit_object(transaction, id, pose, state,
+                touching(body_of(object, pose), others, rules.clearance), rules);
 }
 
 }  // namespace
@@ -144,12 +145,12 @@ OperationResult apply(Transaction& transaction, const FixOperation& o, Operation
   if (o.fixed) {
     if (auto why = refuse_stand(scene, id, scene.at(id).pose, run.options))
       return refused(std::move(*why));
-    stand_at(transaction, id, scene.at(id).pose, clearance);
+    stand_at(transaction, id, scene.at(id).pose, rest_rules(run.options, clearance));
     return done();
   }
   OperationResult result = done();
   transaction.edit(id, [](Object& object) { object.state = ObjectState::Stable; });
-  rate_left_alone(transaction, id, clearance, result);
+  rate_left_alone(transaction, id, rest_rules(run.options, clearance), result);
   return result;
 }
 
@@ -169,7 +170,7 @@ OperationResult apply(Transaction& transaction, const StandOperation& o, Operati
   const double clearance = clearance_of(scene, run.options, expected_box(scene, object, o.pose));
   std::vector<ObjectId> dependents;
   if (was_placed) dependents = dependents_of(scene, id);
-  stand_at(transaction, id, o.pose, clearance);
+  stand_at(transaction, id, o.pose, rest_rules(run.options, clearance));
   OperationResult result = done();
   leave(transaction, dependents, o, "stand", named(scene, Support(id)), clearance, run, result);
   result.milliseconds = run.stopwatch.milliseconds();

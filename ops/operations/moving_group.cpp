@@ -6,9 +6,12 @@
 
 #include "core/base/tunables.h"
 #include "core/contact/contact_points.h"
+#include "ops/stability/stability.h"
 
 namespace trivet {
 namespace {
+
+constexpr int kMotionsOfGivingWay = 300;
 
 // Where opposite contacts leave no room for kSlideGap, motions keep the first of these parts of the
 // clearance for which there is room. A quarter is 4 half-ulps of float32; below, the exact test of
@@ -222,19 +225,36 @@ bool MovingGroup::separate(const std::vector<GroupContact>& group_contacts) {
 }
 
 SettleOutcome MovingGroup::settle(Interrupt* interrupt) {
+  return settle(interrupt, m_options, false, 1);
+}
+
+SettleOutcome MovingGroup::give_way(Interrupt* interrupt, double longest_turn) {
+  SettleOptions options = m_options;
+  options.perfect_friction = false;
+  const bool alone = m_ids.size() == 1;
+  options.max_motions = alone ? std::min(options.max_motions, kMotionsOfGivingWay) : 0;
+  return settle(interrupt, options, true, alone ? 1 : longest_turn);
+}
+
+SettleOutcome MovingGroup::settle(Interrupt* interrupt, const SettleOptions& options,
+                                  bool loads_weigh, double longest_turn) {
   std::vector<CarriedShape> carried;
+  const double weight = weight_of(object());
   for (size_t i = 1; i < m_ids.size(); ++i) {
     const Object& load = m_scene->at(m_ids[i]);
-    carried.push_back({load.shape.get(), load.up, load.scale, m_poses[i]});
+    carried.push_back({load.shape.get(), load.up, load.scale, m_poses[i], load.material.friction,
+                       loads_weigh ? weight_of(load) / weight : 0});
   }
   SettleProblem problem;
   problem.shape = object().shape.get();
   problem.up = object().up;
   problem.scale = object().scale;
+  problem.friction = object().material.friction;
   problem.start = m_poses[0];
   problem.others = &m_outside;
   problem.clearance = m_clearance;
-  problem.options = m_options;
+  problem.options = options;
+  problem.longest_turn = longest_turn;
   problem.detector = m_detector;
   problem.interrupt = interrupt;
   problem.carried = carried;

@@ -68,6 +68,9 @@ class MovingGroup {
   bool separate(const std::vector<GroupContact>& group_contacts);
   /// Settles from where the group is; the group then is where it ended.
   SettleOutcome settle(Interrupt* interrupt);
+  /// As a rigid body of which all members weigh, with finite friction: one motion of a group, up to
+  /// `longest_turn` (see SettleProblem); an object without loads settles.
+  SettleOutcome give_way(Interrupt* interrupt, double longest_turn);
 
   /// Poses of all members, to come back to.
   struct Place {
@@ -84,6 +87,8 @@ class MovingGroup {
 
  private:
   void update();
+  SettleOutcome settle(Interrupt* interrupt, const SettleOptions& options, bool loads_weigh,
+                       double longest_turn);
   std::optional<Vec3> separating_motion_for_sliding(const std::vector<ContactPoint>& points,
                                                     double part) const;
 

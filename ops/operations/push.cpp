@@ -314,8 +314,8 @@ void Push::release() {
   std::vector<ContactPoint> points;
   for (const GroupContact& t : m_group_contacts)
     if (t.member == 0) points.push_back(t.point);
-  if (m_planner.is_joint() ||
-      carrying_margin(points, m_group.centre()) >= kRestMargin * m_group.size())
+  const bool stands = carrying_margin(points, m_group.centre()) >= kRestMargin * m_group.size();
+  if (m_planner.is_joint() || (stands && !has_finite_friction(m_planner.options())))
     return m_planner.release();  // it stands there
   Place end = m_group.here();
   if (const auto outcome = settled_from(end.offset)) return m_planner.end_settled(*outcome);

@@ -21,16 +21,6 @@ constexpr size_t kMaxLastResorts = 8;
 constexpr double kPartingSpeed = 1e-3;  // relative, at which a last resort leaves other contacts
 constexpr int kProjectionSweeps = 200;
 
-// Turning about `axis` through `point` until the centre is lowest, at most a quarter turn.
-Motion turn(const Vec3& point, const Vec3& axis, const Vec3& centre) {
-  const Vec3 r = centre - point;
-  const double a = r.z() - axis.z() * axis.dot(r), b = axis.cross(r).z();
-  // z(t) = const + a cos t + b sin t is lowest at cos t = -a / h, sin t = -b / h.
-  const double h = std::sqrt(a * a + b * b);
-  const double s = h - a > 0 ? -b / (h - a) : kQuarterTurn;
-  return Motion::rotation(point, axis, s > 0 && s < kQuarterTurn ? s : kQuarterTurn);
-}
-
 bool stands_against(const std::vector<ContactPoint>& contacts, const Vec3& point,
                     const Vec3& axis) {
   return std::any_of(contacts.begin(), contacts.end(), [&](const ContactPoint& c) {
@@ -84,16 +74,8 @@ class Enumeration {
     const double level = r.head<2>().norm();
     if (level > kTie * m_object.size)
       return add(SettleStep::Kind::TurnAboutPoint, p, Vec3(-r.y(), r.x(), 0) / level);
-    constexpr double d = 0.70710678118654752;
-    for (const auto& [x, y] : {std::pair{1.0, 0.0},
-                               {d, d},
-                               {0.0, 1.0},
-                               {-d, d},
-                               {-1.0, 0.0},
-                               {-d, -d},
-                               {0.0, -1.0},
-                               {d, -d}})
-      add(SettleStep::Kind::TurnAboutPoint, p, Vec3(x, y, 0));
+    for (const Vec2& d : kEightWays)
+      add(SettleStep::Kind::TurnAboutPoint, p, Vec3(d.x(), d.y(), 0));
   }
 
   void about_line(const Vec3& p, const Vec3& q) {
@@ -126,7 +108,7 @@ class Enumeration {
     if (axis == Vec3::Zero() || axis.cross(r).z() >= 0 || stands_against(m_contacts, point, axis))
       return;
     m_out.last_resorts.push_back({SettleStep::Kind::TurnAboutPoint,
-                                  turn(point, axis, m_object.centre),
+                                  turn_to_lowest(point, axis, m_object.centre),
                                   gauss_gain(axis, r, m_object.radius_squared)});
   }
 
@@ -135,7 +117,7 @@ class Enumeration {
       if (kind == SettleStep::Kind::TurnAboutPoint) add_last_resort(point, axis);
       return;
     }
-    m_out.sticking.push_back({kind, turn(point, axis, m_object.centre),
+    m_out.sticking.push_back({kind, turn_to_lowest(point, axis, m_object.centre),
                               gauss_gain(axis, m_object.centre - point, m_object.radius_squared)});
   }
 
@@ -151,7 +133,7 @@ Candidate paper_point(const Vec3& p, const SettlingObject& object) {
   const double level = r.head<2>().norm();
   const Vec3 axis =
       level > kTie * object.size ? Vec3(Vec3(-r.y(), r.x(), 0) / level) : Vec3(Vec3::UnitX());
-  return {SettleStep::Kind::TurnAboutPoint, turn(p, axis, object.centre), 0};
+  return {SettleStep::Kind::TurnAboutPoint, turn_to_lowest(p, axis, object.centre), 0};
 }
 
 Candidate paper_line(const Vec3& p, const Vec3& q, const SettlingObject& object) {
@@ -161,7 +143,7 @@ Candidate paper_line(const Vec3& p, const Vec3& q, const SettlingObject& object)
   if (along > 1) return paper_point(q, object);
   Vec3 axis = d.normalized();
   if (axis.cross(object.centre - p).z() > 0) axis = -axis;
-  return {SettleStep::Kind::TurnAboutLine, turn(p, axis, object.centre), 0};
+  return {SettleStep::Kind::TurnAboutLine, turn_to_lowest(p, axis, object.centre), 0};
 }
 
 // Hull seen from above: the edge or corner nearest to the centre.
@@ -183,6 +165,15 @@ std::vector<Candidate> paper_area(const std::vector<ContactPoint>& contacts,
 }
 
 }  // namespace
+
+Motion turn_to_lowest(const Vec3& point, const Vec3& axis, const Vec3& centre) {
+  const Vec3 r = centre - point;
+  const double a = r.z() - axis.z() * axis.dot(r), b = axis.cross(r).z();
+  // z(t) = const + a cos t + b sin t is lowest at cos t = -a / h, sin t = -b / h.
+  const double h = std::sqrt(a * a + b * b);
+  const double s = h - a > 0 ? -b / (h - a) : kQuarterTurn;
+  return Motion::rotation(point, axis, s > 0 && s < kQuarterTurn ? s : kQuarterTurn);
+}
 
 Candidates gauss_candidates(const std::vector<ContactPoint>& all, const SettlingObject& object,
                             double fall_limit) {

@@ -1,6 +1,7 @@
 // The motions by which an object may give way, best first.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "core/contact/contact.h"
@@ -21,6 +22,16 @@ struct Candidate {
   Motion motion;  // its limit: where the centre is lowest, at most a quarter turn
   double gain;    // Gauss: squared initial acceleration that the motion takes of free fall, of g^2
 };
+
+/// The turn about `axis` through `point` until `centre` is lowest, at most a quarter turn.
+Motion turn_to_lowest(const Vec3& point, const Vec3& axis, const Vec3& centre);
+
+/// Directions in the plane, for exact ties.
+inline const std::array<Vec2, 8> kEightWays = [] {
+  constexpr double d = 0.70710678118654752;
+  return std::array<Vec2, 8>{Vec2(1, 0),  Vec2(d, d),   Vec2(0, 1),  Vec2(-d, d),
+                             Vec2(-1, 0), Vec2(-d, -d), Vec2(0, -1), Vec2(d, -d)};
+}();
 
 /// The sticking motions of a body held by contacts with infinite friction: fall, turn about one
 /// contact point, turn about the line through two; those against which no other contact stands, in

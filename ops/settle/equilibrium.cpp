@@ -32,11 +32,11 @@ using Entry = LinearProgram::Entry;
 /// A body's weight against the forces that contacts can give.
 struct Weight {
   Vec3 centre;
-  double size, friction;
+  double size;
 
   // Calls f(entries) with the column of each force that spans the contact's pyramid.
   template <class F>
-  void for_each_force(const ContactPoint& c, const F& f) const {
+  void for_each_force(const FrictionContact& c, const F& f) const {
     const auto column = [&](const Vec3& force, double part) {
       const Vec3 t = (c.point - centre).cross(force) / size;
       f(std::array<Entry, 7>{{{0, force.x()},
@@ -48,15 +48,15 @@ struct Weight {
                               {6, part}}});
     };
     column(c.normal, 0);
-    if (friction > 0)
-      for (const Vec3& force : friction_pyramid(c.normal, friction)) column(force, friction);
+    if (c.friction > 0)
+      for (const Vec3& force : friction_pyramid(c.normal, c.friction)) column(force, c.friction);
   }
 
-  LinearProgram program(const std::vector<ContactPoint>& contacts) const {
+  LinearProgram program(const std::vector<FrictionContact>& contacts) const {
     LinearProgram out;
     for (const double weight : {0.0, 0.0, 1.0, 0.0, 0.0, 0.0}) out.add_row(weight, weight);
     out.add_row(0, kFrictionLimit);
-    for (const ContactPoint& c : contacts)
+    for (const FrictionContact& c : contacts)
       for_each_force(c, [&](const auto& entries) { out.add_column(entries, 0); });
     for (int row = 0; row < 6; ++row)
       for (const double sign : {1.0, -1.0}) out.add_column(std::array{Entry{row, sign}}, 1);
@@ -64,7 +64,7 @@ struct Weight {
   }
 
   // How fast a force of the contact would lower the cost at these prices.
-  double gain(const ContactPoint& c, const std::vector<double>& prices) const {
+  double gain(const FrictionContact& c, const std::vector<double>& prices) const {
     double best = 0;
     for_each_force(c, [&](const auto& entries) {
       double sum = 0;
@@ -75,13 +75,13 @@ struct Weight {
   }
 
   // Those that would lower the cost fastest: at most kMoreContacts.
-  std::vector<ContactPoint> best(const std::vector<ContactPoint>& contacts,
-                                 const std::vector<double>& prices) const {
+  std::vector<FrictionContact> best(const std::vector<FrictionContact>& contacts,
+                                    const std::vector<double>& prices) const {
     std::vector<std::pair<double, size_t>> order;
     for (size_t i = 0; i < contacts.size(); ++i)
       if (const double g = gain(contacts[i], prices); g > kGain) order.emplace_back(-g, i);
     std::sort(order.begin(), order.end());
-    std::vector<ContactPoint> out;
+    std::vector<FrictionContact> out;
     for (size_t k = 0; k < std::min(order.size(), kMoreContacts); ++k)
       out.push_back(contacts[order[k].second]);
     return out;
@@ -89,7 +89,8 @@ struct Weight {
 };
 
 // The farthest from what is chosen already, again and again.
-std::vector<ContactPoint> farthest(const std::vector<ContactPoint>& points, size_t limit) {
+template <class Point>
+std::vector<Point> farthest(const std::vector<Point>& points, size_t limit) {
   std::vector<double> distance(points.size(), kInfinity);
   std::vector<char> chosen(points.size(), 0);
   size_t next = 0;
@@ -102,30 +103,55 @@ std::vector<ContactPoint> farthest(const std::vector<ContactPoint>& points, size
     }
     next = best;
   }
-  std::vector<ContactPoint> out;
+  std::vector<Point> out;
   for (size_t i = 0; i < points.size(); ++i)
     if (chosen[i]) out.push_back(points[i]);
   return out;
 }
 
 // Of points with one normal, those whose feet on the plane are the hull's corners.
-std::vector<ContactPoint> hull_points(const std::vector<ContactPoint>& points) {
+template <class Point>
+std::vector<Point> hull_points(const std::vector<Point>& points) {
   if (points.size() < 4) return points;
   const auto [u, v] = tangents(points.front().normal);
-  const auto flat = [&, u = u, v = v](const ContactPoint& p) {
+  const auto flat = [&, u = u, v = v](const Point& p) {
     return Vec2(u.dot(p.point), v.dot(p.point));
   };
   std::vector<Vec2> all;
-  for (const ContactPoint& p : points) all.push_back(flat(p));
+  for (const Point& p : points) all.push_back(flat(p));
   std::vector<Vec2> hull = convex_hull(all);
-  std::vector<ContactPoint> out;
-  for (const ContactPoint& p : points) {
+  std::vector<Point> out;
+  for (const Point& p : points) {
     const auto at = std::find(hull.begin(), hull.end(), flat(p));
     if (at == hull.end()) continue;
     out.push_back(p);
     hull.erase(at);  // each corner once
   }
   return out;
+}
+
+bool same_friction(const ContactPoint&, const ContactPoint&) { return true; }
+bool same_friction(const FrictionContact& a, const FrictionContact& b) {
+  return a.friction == b.friction;
+}
+
+template <class Point>
+std::vector<Point> reduced_points(const std::vector<Point>& contacts, size_t limit) {
+  if (contacts.size() <= limit) return contacts;
+  std::vector<std::vector<Point>> groups;
+  for (const Point& c : contacts) {
+    const auto same = std::find_if(groups.begin(), groups.end(), [&](const auto& group) {
+      return group.front().normal.dot(c.normal) > kSameNormal && same_friction(group.front(), c);
+    });
+    if (same == groups.end())
+      groups.push_back({c});
+    else
+      same->push_back(c);
+  }
+  std::vector<Point> out;
+  for (const auto& group : groups)
+    for (const Point& c : hull_points(group)) out.push_back(c);
+  return out.size() <= limit ? out : farthest(out, limit);
 }
 
 }  // namespace
@@ -151,11 +177,26 @@ double carrying_margin(const std::vector<ContactPoint>& contacts, const Vec3& ce
   return hull_margin(points, centre.head<2>());
 }
 
+double friction_margin(const std::vector<FrictionContact>& contacts, const Vec3& centre) {
+  std::vector<Vec2> points;
+  for (const FrictionContact& c : contacts)
+    if (c.normal.z() >= 1 / std::sqrt(1 + c.friction * c.friction))
+      points.push_back(c.point.head<2>());
+  return hull_margin(points, centre.head<2>());
+}
+
 double equilibrium_residual(const std::vector<ContactPoint>& contacts, const Vec3& centre,
                             double size, double friction, double enough) {
+  std::vector<FrictionContact> same;
+  for (const ContactPoint& c : contacts) same.push_back({c, friction});
+  return friction_residual(same, centre, size, enough);
+}
+
+double friction_residual(const std::vector<FrictionContact>& contacts, const Vec3& centre,
+                         double size, double enough) {
   if (contacts.empty()) return kInfinity;
-  const Weight weight{centre, size, friction};
-  std::vector<ContactPoint> chosen = reduced(contacts, kProgramContacts);
+  const Weight weight{centre, size};
+  std::vector<FrictionContact> chosen = reduced(contacts, kProgramContacts);
   double least = kInfinity;
   while (true) {
     const LinearProgram::Solution solution =
@@ -163,7 +204,7 @@ double equilibrium_residual(const std::vector<ContactPoint>& contacts, const Vec
     if (!solution.optimal) return least;
     least = solution.objective;
     if (least <= enough || chosen.size() >= contacts.size()) return least;
-    const std::vector<ContactPoint> more = weight.best(contacts, solution.prices);
+    const std::vector<FrictionContact> more = weight.best(contacts, solution.prices);
     if (more.empty()) return least;
     chosen.insert(chosen.end(), more.begin(), more.end());
   }
@@ -185,21 +226,11 @@ double least_friction(const std::vector<ContactPoint>& contacts, const Vec3& cen
 }
 
 std::vector<ContactPoint> reduced(const std::vector<ContactPoint>& contacts, size_t limit) {
-  if (contacts.size() <= limit) return contacts;
-  std::vector<std::vector<ContactPoint>> groups;
-  for (const ContactPoint& c : contacts) {
-    const auto same = std::find_if(groups.begin(), groups.end(), [&](const auto& group) {
-      return group.front().normal.dot(c.normal) > kSameNormal;
-    });
-    if (same == groups.end())
-      groups.push_back({c});
-    else
-      same->push_back(c);
-  }
-  std::vector<ContactPoint> out;
-  for (const auto& group : groups)
-    for (const ContactPoint& c : hull_points(group)) out.push_back(c);
-  return out.size() <= limit ? out : farthest(out, limit);
+  return reduced_points(contacts, limit);
+}
+
+std::vector<FrictionContact> reduced(const std::vector<FrictionContact>& contacts, size_t limit) {
+  return reduced_points(contacts, limit);
 }
 
 }  // namespace trivet

@@ -15,6 +15,11 @@ inline constexpr double kCarryingNormalZ = 0.2;
 /// What an object that cannot sink any further may need to be held.
 inline constexpr double kLargestFriction = 10.0;
 
+/// A contact and Coulomb's coefficient of the two surfaces.
+struct FrictionContact : ContactPoint {
+  double friction = 0;
+};
+
 /// How far the centre is inside the convex hull of the points, both seen from above.
 /// @return metres; negative outside; -infinity without points.
 double hull_margin(const std::vector<Vec2>& points, const Vec2& centre);
@@ -22,6 +27,9 @@ double hull_margin(const std::vector<Vec2>& points, const Vec2& centre);
 /// The margin of the contacts that carry: their normal's z is at least `min_normal_z`.
 double carrying_margin(const std::vector<ContactPoint>& contacts, const Vec3& centre,
                        double min_normal_z = kCarryingNormalZ);
+
+/// The margin of contacts that can carry a vertical force: it lies in their friction cones.
+double friction_margin(const std::vector<FrictionContact>& contacts, const Vec3& centre);
 
 /// Least sum of missing force (in weights) and missing torque (in weights x `size`), by linear
 /// programming (CLP) over friction pyramids of 8 edges inside the cones. All friction together is
@@ -31,6 +39,9 @@ double carrying_margin(const std::vector<ContactPoint>& contacts, const Vec3& ce
 /// @return 0: equilibrium; infinity: no contact.
 double equilibrium_residual(const std::vector<ContactPoint>& contacts, const Vec3& centre,
                             double size, double friction, double enough = 0);
+/// The same, each contact with its own friction.
+double friction_residual(const std::vector<FrictionContact>& contacts, const Vec3& centre,
+                         double size, double enough = 0);
 
 /// Smallest friction coefficient with a residual of at most `tolerance`, to 1 %; infinity when even
 /// kLargestFriction does not do.
@@ -40,5 +51,6 @@ double least_friction(const std::vector<ContactPoint>& contacts, const Vec3& cen
 /// At most about `limit` contacts with (nearly) the same span of forces: per direction of normal
 /// the convex hull of the points, then the points farthest from each other.
 std::vector<ContactPoint> reduced(const std::vector<ContactPoint>& contacts, size_t limit);
+std::vector<FrictionContact> reduced(const std::vector<FrictionContact>& contacts, size_t limit);
 
 }  // namespace trivet

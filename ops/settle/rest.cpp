@@ -1,6 +1,10 @@
 #include "ops/settle/rest.h"
 
+#include <algorithm>
+
 #include "core/base/tunables.h"
+#include "core/contact/contact_points.h"
+#include "core/scene/friction.h"
 #include "ops/placement/verify.h"
 #include "ops/settle/equilibrium.h"
 #include "ops/settle/settle.h"
@@ -12,17 +16,43 @@ Vec3 centre_at(const Object& object, const Pose& pose) {
   return body_of(object, pose).world_from_object.apply(object.shape->mass.centre);
 }
 
+double margin_of(const Scene& scene, const Object& object, const Pose& pose,
+                 const std::vector<ContactsWith>& contacts, const RestRules& rules) {
+  const double distance = kContactTolerance * rules.clearance;
+  if (rules.perfect_friction)
+    return carrying_margin(all_points(contacts, distance), centre_at(object, pose));
+  return friction_margin(friction_contacts(scene, object.material.friction, contacts, distance),
+                         centre_at(object, pose));
+}
+
 }  // namespace
 
+std::vector<FrictionContact> friction_contacts(const Scene& scene, double friction,
+                                               const std::vector<ContactsWith>& contacts,
+                                               double distance) {
+  std::vector<FrictionContact> out;
+  for (const ContactsWith& c : contacts) {
+    const double of_pair = std::min(friction, material_of(scene, c.with).friction);
+    for (const ContactPoint& p : merged(c.points, distance)) out.push_back({p, of_pair});
+  }
+  return out;
+}
+
+RestRules rest_rules(const SettleOptions& options, double clearance) {
+  return {clearance, !has_finite_friction(options)};
+}
+
 bool rests_at(const Object& object, const Pose& pose, const Neighbourhood& others,
-              double clearance) {
+              const RestRules& rules) {
   SettleProblem problem;
   problem.shape = object.shape.get();
   problem.up = object.up;
   problem.scale = object.scale;
+  problem.friction = object.material.friction;
   problem.start = pose;
   problem.others = &others;
-  problem.clearance = clearance;
+  problem.clearance = rules.clearance;
+  problem.options.perfect_friction = rules.perfect_friction;
   return is_at_rest(problem);
 }
 
@@ -32,19 +62,18 @@ Neighbourhood holders(const Scene& scene, ObjectId id) {
   return out;
 }
 
-RestRating rate_rest(const Object& object, const Pose& pose,
-                     const std::vector<ContactsWith>& contacts, double clearance) {
-  const auto points = all_points(contacts, kContactTolerance * clearance);
-  const Vec3 centre = centre_at(object, pose);
+RestRating rate_rest(const Scene& scene, const Object& object, const Pose& pose,
+                     const std::vector<ContactsWith>& contacts, const RestRules& rules) {
+  const auto points = all_points(contacts, kContactTolerance * rules.clearance);
   const double size = size_of(object);
-  return {carrying_margin(points, centre),
-          least_friction(points, centre, size, residual_tolerance(size, clearance))};
+  return {margin_of(scene, object, pose, contacts, rules),
+          least_friction(points, centre_at(object, pose), size,
+                         residual_tolerance(size, rules.clearance))};
 }
 
-RestRating rate_unheld(const Object& object, const Pose& pose,
-                       const std::vector<ContactsWith>& contacts, double clearance) {
-  const auto points = all_points(contacts, kContactTolerance * clearance);
-  return {carrying_margin(points, centre_at(object, pose)), kInfinity};
+RestRating rate_unheld(const Scene& scene, const Object& object, const Pose& pose,
+                       const std::vector<ContactsWith>& contacts, const RestRules& rules) {
+  return {margin_of(scene, object, pose, contacts, rules), kInfinity};
 }
 
 }  // namespace trivet

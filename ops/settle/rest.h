@@ -3,25 +3,41 @@
 
 #include <vector>
 
+#include "ops/base/options.h"
 #include "ops/placement/contacts.h"
+#include "ops/settle/equilibrium.h"
 
 namespace trivet {
 
+/// What rest is judged by.
+struct RestRules {
+  double clearance = 0;  // metres, > 0
+  bool perfect_friction = true;
+};
+
+RestRules rest_rules(const SettleOptions& options, double clearance);
+
 /// Whether an object would be at rest at `pose`; see is_at_rest().
 bool rests_at(const Object& object, const Pose& pose, const Neighbourhood& others,
-              double clearance);
+              const RestRules& rules);
 
 /// Neighbours that may hold an object where the scene has it: all but those that it passes through.
 Neighbourhood holders(const Scene& scene, ObjectId id);
+
+/// Contacts of an object of this coefficient, each with that of the pair; those at one place are
+/// one.
+std::vector<FrictionContact> friction_contacts(const Scene& scene, double friction,
+                                               const std::vector<ContactsWith>& contacts,
+                                               double distance);
 
 /// Margin to tipping and least friction; see Object.
 struct RestRating {
   double stability_margin = 0, least_friction = 0;
 };
-RestRating rate_rest(const Object& object, const Pose& pose,
-                     const std::vector<ContactsWith>& contacts, double clearance);
+RestRating rate_rest(const Scene& scene, const Object& object, const Pose& pose,
+                     const std::vector<ContactsWith>& contacts, const RestRules& rules);
 /// Rating of an object that contacts do not hold: no friction is enough, and none is looked for.
-RestRating rate_unheld(const Object& object, const Pose& pose,
-                       const std::vector<ContactsWith>& contacts, double clearance);
+RestRating rate_unheld(const Scene& scene, const Object& object, const Pose& pose,
+                       const std::vector<ContactsWith>& contacts, const RestRules& rules);
 
 }  // namespace trivet

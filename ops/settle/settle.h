@@ -18,20 +18,24 @@
 
 namespace trivet {
 
-/// A load of the object, which moves with it as one rigid body. It collides, but weighs nothing:
-/// the object is judged as if it were alone.
+/// A load of the object, which moves with it as one rigid body.
 struct CarriedShape {
   const Shape* shape = nullptr;
   UpAxis up = UpAxis::Z;
   double scale = 1;
   Pose start;
+  double friction = kDefaultFriction;  // of its material
+  /// In parts of the object's. 0: it collides, but weighs nothing: the object is judged as if it
+  /// were alone.
+  double mass = 0;
 };
 
 struct SettleProblem {
   const Shape* shape = nullptr;
   UpAxis up = UpAxis::Z;
   double scale = 1;
-  Pose start;  // free of interpenetration
+  double friction = kDefaultFriction;  // of its material; SettleOptions::perfect_friction: unused
+  Pose start;                          // free of interpenetration
   const Neighbourhood* others = nullptr;
   double clearance = 0;  // metres, > 0
   SettleOptions options;
@@ -39,12 +43,13 @@ struct SettleProblem {
   Interrupt* interrupt = nullptr;  // checked before every motion; null: never stops
   std::span<const CarriedShape> carried = {};
   const std::vector<ContactsWith>* contacts_at_start = nullptr;  // of the object, if they are known
+  double longest_turn = 1;  // tan(angle / 2) of one motion, with finite friction
 };
 
 struct SettleOutcome {
   enum class Status {
     AtRest,          // the hull of carrying contacts holds it, or contact forces balance
-    Wedged,          // nothing lowers it, and no forces balance
+    Wedged,          // nothing lowers it (by much), and no forces balance
     FallsOut,        // nothing is below it
     TooManyMotions,  // options.max_motions
     Crossing,        // the start crosses something
@@ -59,6 +64,9 @@ struct SettleOutcome {
 };
 
 SettleOutcome settle(const SettleProblem& problem);
+
+/// Whether friction is that of the materials.
+bool has_finite_friction(const SettleOptions& options);
 
 /// The least translation d with normal . d >= clearance - gap for all contacts [Hildreth 1957].
 Vec3 smallest_separating_motion(const std::vector<ContactPoint>& points, double clearance);

@@ -1,0 +1,198 @@
+#include "ops/settle/friction_candidates.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "ops/settle/coulomb.h"
+
+namespace trivet {
+namespace {
+
+constexpr size_t kMaxPivots = 48;
+constexpr size_t kMaxTurns = 16;
+constexpr size_t kMaxRubbing = 24;      // contacts of the first motion
+constexpr double kParting = 1e-3;       // relative speed at which a contact parts
+constexpr double kApproach = 1e-4;      // relative speed into a contact that still counts as none
+constexpr double kNoSupport = 1e-6;     // normal.z below which a contact does not hinder a fall
+constexpr double kOnAxis = 4;           // clearances: too near to the axis to slide
+constexpr double kTie = 1e-9;           // of the size: the centre is exactly over the axis
+constexpr double kLeastSinking = 1e-3;  // of the speed
+constexpr double kLeastTurning = 1e-3;  // of the speed of the centre, at half the size
+/// Sliding in the linear program's pyramid may need less friction than in the round cone: by cos
+/// 22.5 degrees. Motions are found for that, so that whatever is not at rest has one.
+constexpr double kSlidingFriction = 0.92;
+/// Turns about contacts and slides keep what they touch: they go before an approximate turn that is
+/// no better.
+constexpr double kAsGood = 1.02;
+
+double gauss_gain(const RubbingObject& body, const Twist& t) {
+  const double metric =
+      t.velocity.squaredNorm() + t.turning.dot(Vec3(body.inertia_per_mass * t.turning));
+  return metric > 0 ? t.velocity.z() * t.velocity.z() / metric : 0;
+}
+
+class Turns {
+ public:
+  Turns(const std::vector<FrictionContact>& contacts, const RubbingObject& body, bool dilatant)
+      : m_contacts(contacts), m_body(body), m_dilatant(dilatant) {}
+
+  void about_point(const Vec3& p) {
+    const Vec3 r = m_body.object.centre - p;
+    const double level = r.head<2>().norm();
+    if (level > kTie * m_body.object.size)
+      return add(SettleStep::Kind::TurnAboutPoint, p, Vec3(-r.y(), r.x(), 0) / level);
+    for (const Vec2& d : kEightWays)
+      add(SettleStep::Kind::TurnAboutPoint, p, Vec3(d.x(), d.y(), 0));
+  }
+
+  void about_line(const Vec3& p, const Vec3& q) {
+    const Vec3 d = q - p;
+    const double length = d.norm();
+    if (length <= kTie * m_body.object.size) return;
+    const Vec3 axis = d / length;
+    const double down = axis.cross(m_body.object.centre - p).z();
+    const bool tie = std::abs(down) <= kTie * m_body.object.size;
+    if (down < 0 || tie) add(SettleStep::Kind::TurnAboutLine, p, axis);
+    if (down > 0 || tie) add(SettleStep::Kind::TurnAboutLine, p, -axis);
+  }
+
+  std::vector<Candidate> take() { return std::move(m_out); }
+
+ private:
+  // All contacts beside the axis part; with friction that would hinder the turn otherwise.
+  bool parts(const Vec3& point, const Vec3& axis) const {
+    return std::all_of(m_contacts.begin(), m_contacts.end(), [&](const FrictionContact& c) {
+      const Vec3 speed = axis.cross(c.point - point);
+      const double total = speed.norm(), along = speed.dot(c.normal);
+      if (total <= kOnAxis * m_body.clearance) return true;
+      const double across = (speed - along * c.normal).norm();
+      return along >= (m_dilatant ? c.friction * across : kParting * total);
+    });
+  }
+
+  void add(SettleStep::Kind kind, const Vec3& point, const Vec3& axis) {
+    if (!parts(point, axis)) return;
+    const Vec3 r = m_body.object.centre - point;
+    m_out.push_back({kind, turn_to_lowest(point, axis, m_body.object.centre),
+                     kAsGood * gauss_gain(m_body, {axis.cross(r), axis})});
+  }
+
+  const std::vector<FrictionContact>& m_contacts;
+  const RubbingObject& m_body;
+  const bool m_dilatant;
+  std::vector<Candidate> m_out;
+};
+
+class FirstMotion {
+ public:
+  FirstMotion(const std::vector<FrictionContact>& contacts, const RubbingObject& body)
+      : m_contacts(reduced(contacts, kMaxRubbing)), m_body(body) {}
+
+  std::vector<Candidate> run() {
+    const Twist t = solve(true);
+    const double turning = 0.5 * m_body.object.size * t.turning.norm();
+    if (turning > kLeastTurning * t.velocity.norm()) {
+      add_turn(t);
+      add_slide(solve(false).velocity);
+    } else {
+      add_slide(t.velocity);
+    }
+    return std::move(m_out);
+  }
+
+ private:
+  Twist solve(bool may_turn) const {
+    CoulombBody body{m_body.object.centre, 1, m_body.object.size, Mat3::Zero()};
+    if (may_turn) body.inverse_inertia_per_mass = m_body.inertia_per_mass.inverse();
+    std::vector<CoulombContact> rubbing;
+    for (const FrictionContact& c : m_contacts)
+      rubbing.push_back(
+          {0, CoulombContact::kGround, c.point, c.normal, kSlidingFriction * c.friction, 0});
+    return first_motion({body}, rubbing).front();
+  }
+
+  bool stands_against(const Twist& t) const {
+    return std::any_of(m_contacts.begin(), m_contacts.end(), [&](const FrictionContact& c) {
+      const Vec3 speed = t.at(c.point - m_body.object.centre);
+      return speed.dot(c.normal) < -kApproach * (speed.norm() + t.velocity.norm());
+    });
+  }
+
+  // A screw is no exact motion: its turn alone, until it has gone a part of the size.
+  void add_turn(const Twist& screw) {
+    const double rate = screw.turning.norm();
+    const Vec3 axis = screw.turning / rate;
+    const Twist t{screw.velocity - screw.velocity.dot(axis) * axis, screw.turning};
+    if (t.velocity.z() > -kLeastSinking * t.velocity.norm() || stands_against(t)) return;
+    const Vec3 point = m_body.object.centre + t.turning.cross(t.velocity) / (rate * rate);
+    Motion turn = turn_to_lowest(point, axis, m_body.object.centre);
+    const double angle =
+        kSlideStep * m_body.object.size / (t.velocity.norm() / rate + 0.5 * m_body.object.size);
+    turn.limit = std::min(turn.limit, 0.5 * angle);
+    m_out.push_back({SettleStep::Kind::Slide, turn, gauss_gain(m_body, t)});
+  }
+
+  void add_slide(const Vec3& velocity) {
+    const double speed = velocity.norm();
+    if (!(speed > 0) || velocity.z() > -kLeastSinking * speed) return;
+    const Twist t{velocity / speed, Vec3::Zero()};
+    if (stands_against(t)) return;
+    m_out.push_back({SettleStep::Kind::Slide,
+                     Motion::translation(t.velocity, kSlideStep * m_body.object.size),
+                     kAsGood * gauss_gain(m_body, {velocity, Vec3::Zero()})});
+  }
+
+  const std::vector<FrictionContact> m_contacts;
+  const RubbingObject& m_body;
+  std::vector<Candidate> m_out;
+};
+
+}  // namespace
+
+std::vector<Candidate> sticking_turns(const std::vector<FrictionContact>& all,
+                                      const RubbingObject& body, bool dilatant) {
+  const std::vector<FrictionContact> contacts = reduced(all, kMaxPivots);
+  Turns turns(contacts, body, dilatant);
+  for (size_t i = 0; i < contacts.size(); ++i) {
+    turns.about_point(contacts[i].point);
+    for (size_t j = i + 1; j < contacts.size(); ++j)
+      turns.about_line(contacts[i].point, contacts[j].point);
+  }
+  std::vector<Candidate> out = turns.take();
+  sort_by_gain(out);
+  if (out.size() > kMaxTurns) out.resize(kMaxTurns);
+  return out;
+}
+
+std::vector<Candidate> coulomb_motions(const std::vector<FrictionContact>& contacts,
+                                       const RubbingObject& body) {
+  if (contacts.empty()) return {};
+  return FirstMotion(contacts, body).run();
+}
+
+std::vector<Candidate> frictionless_slide(const std::vector<FrictionContact>& contacts,
+                                          const RubbingObject& body) {
+  std::vector<Vec3> normals;
+  for (const FrictionContact& c : reduced(contacts, kMaxRubbing)) normals.push_back(c.normal);
+  const Vec3 way = parting_direction(normals, -Vec3::UnitZ(), kParting);
+  if (normals.empty() || way.z() > -kLeastSinking) return {};
+  const Motion slide = Motion::translation(way, kSlideStep * body.object.size);
+  return {{SettleStep::Kind::Slide, slide, way.z() * way.z()}};
+}
+
+std::vector<Candidate> fall(const std::vector<FrictionContact>& contacts, double limit) {
+  const bool hindered = std::any_of(contacts.begin(), contacts.end(),
+                                    [](const auto& c) { return c.normal.z() >= kNoSupport; });
+  if (hindered) return {};
+  return {{SettleStep::Kind::Fall, Motion::translation(-Vec3::UnitZ(), limit), kAsGood}};
+}
+
+void sort_by_gain(std::vector<Candidate>& candidates) {
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.gain > b.gain; });
+}
+
+}  // namespace trivet

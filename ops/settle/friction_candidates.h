@@ -1,0 +1,44 @@
+// The motions by which an object may give way when friction is finite.
+#pragma once
+
+#include <vector>
+
+#include "ops/settle/candidates.h"
+#include "ops/settle/equilibrium.h"
+
+namespace trivet {
+
+/// Length of a step that slides, relative to the object's size: surfaces and directions change on
+/// the way. Smaller follows curves more closely and takes longer.
+inline constexpr double kSlideStep = 0.1;
+
+/// What the rules with friction need to know of the object.
+struct RubbingObject {
+  SettlingObject object;
+  Mat3 inertia_per_mass;
+  double clearance;  // metres
+};
+
+/// Turns about one contact point, or the line through two, at which all other contacts part; in the
+/// order of Gauss' principle. @param dilatant  they part faster than the friction cone's slope: no
+/// friction, however it acts, can hinder such a turn, and forces that balance allow none that
+/// starts with falling energy.
+std::vector<Candidate> sticking_turns(const std::vector<FrictionContact>& contacts,
+                                      const RubbingObject& body, bool dilatant);
+
+/// The first motion with friction as exact motions: its turn about the screw axis, and the first
+/// motion without turning; those that no contact stands against.
+std::vector<Candidate> coulomb_motions(const std::vector<FrictionContact>& contacts,
+                                       const RubbingObject& body);
+
+/// Down along all contacts, as if nothing rubbed. Empty: they leave no way down.
+std::vector<Candidate> frictionless_slide(const std::vector<FrictionContact>& contacts,
+                                          const RubbingObject& body);
+
+/// A fall, if no contact hinders it.
+std::vector<Candidate> fall(const std::vector<FrictionContact>& contacts, double limit);
+
+/// Best first; of two that are as good, the earlier one.
+void sort_by_gain(std::vector<Candidate>& candidates);
+
+}  // namespace trivet

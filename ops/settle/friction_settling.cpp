@@ -1,0 +1,235 @@
+#include "ops/settle/friction_settling.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "core/base/tunables.h"
+#include "core/contact/contact_points.h"
+#include "ops/settle/friction_candidates.h"
+#include "ops/settle/settling_body.h"
+
+namespace trivet {
+namespace {
+
+constexpr double kEnough = 0.2;         // of the predicted drop: the motion was no creeping
+constexpr double kEnoughOfSize = 1e-3;  // a drop that is never small
+constexpr int kMaxBlockers = 8;         // that join the contacts of one motion
+constexpr int kMaxSmallSteps = 60;      // accepted in all, when nothing better is found
+constexpr double kClosing = 2 * kBalanceTolerance;  // clearances that closing gaps may move it
+constexpr double kLongestSlide = 4;                 // steps, where the contact goes on
+constexpr size_t kMaxMotions = 1000;                // creeping
+
+class FrictionSettling {
+ public:
+  explicit FrictionSettling(const SettleProblem& problem) : m_problem(problem), m_body(problem) {}
+
+  SettleOutcome run() {
+    const size_t most = static_cast<size_t>(m_problem.options.max_motions);
+    while (m_body.outcome().steps.size() <= most) {
+      if (m_problem.interrupt && m_problem.interrupt->reason())
+        return m_body.finish(SettleOutcome::Status::Interrupted);
+      const std::vector<ContactPoint> points = look_around();
+      if (m_body.separate_if_needed(points)) continue;
+      if (is_held() == Hold::Firmly || has_closed_too_much())
+        return m_body.finish(SettleOutcome::Status::AtRest);
+      switch (give_way()) {
+        case Outcome::Moved:
+          break;
+        case Outcome::Stuck:
+          return finish_stuck();
+        case Outcome::FallsOut:
+          return m_body.finish(SettleOutcome::Status::FallsOut);
+        case Outcome::Crossing:
+          return m_body.finish(SettleOutcome::Status::Crossing);
+      }
+    }
+    return m_body.finish(SettleOutcome::Status::TooManyMotions);
+  }
+
+  bool is_at_rest() {
+    look_around();
+    return is_held() != Hold::No;
+  }
+
+ private:
+  enum class Hold {
+    No,
+    Nearly,  // by contacts that are farther away than touching ones
+    Firmly,
+  };
+  enum class Outcome { Moved, Stuck, FallsOut, Crossing };
+
+  const SettlingObject& object() const { return m_body.object(); }
+  double clearance() const { return m_body.clearance(); }
+  size_t num_steps() const { return m_body.outcome().steps.size(); }
+  RubbingObject rubbing() const { return {object(), m_body.inertia_per_mass(), clearance()}; }
+
+  std::vector<ContactPoint> look_around() {
+    std::vector<ContactPoint> points = m_body.look_around();
+    m_close = m_body.friction_points(kContactTolerance);
+    return points;
+  }
+
+  // --- rest ------------------------------------------------------------------------------------
+
+  bool balances(const std::vector<FrictionContact>& contacts) const {
+    const double enough = residual_tolerance(object().size, clearance());
+    return !contacts.empty() &&
+           friction_residual(contacts, object().centre, object().size, enough) <= enough;
+  }
+
+  // No turn lowers it that no friction can hinder: it does not merely balance on a tip.
+  bool none_topples(const std::vector<FrictionContact>& contacts) {
+    const double tolerance = kBalanceTolerance * clearance();
+    const std::vector<Candidate> turns = sticking_turns(contacts, rubbing(), true);
+    return std::none_of(turns.begin(), turns.end(), [&](const Candidate& c) {
+      if (m_body.sinks_by(c.motion, c.motion.limit) <= tolerance) return false;
+      return m_body.sinks_by(c.motion, std::min(m_body.query(c.motion).time, c.motion.limit)) >
+             tolerance;
+    });
+  }
+
+  Hold is_held() {
+    if (friction_margin(m_close, object().centre) >= kRestMargin * object().size)
+      return Hold::Firmly;
+    if (balances(m_close)) return none_topples(m_close) ? Hold::Firmly : Hold::No;
+    const std::vector<FrictionContact> near = m_body.friction_points(kBalanceTolerance);
+    const bool touches = std::any_of(near.begin(), near.end(), [&](const FrictionContact& c) {
+      return c.gap <= kHoverTolerance * clearance();
+    });
+    if (!touches || !balances(near) || !none_topples(m_close.empty() ? near : m_close))
+      return Hold::No;
+    if (!m_held_at) m_held_at = {m_body.here(), object().centre};
+    return Hold::Nearly;
+  }
+
+  // Held by contacts that are near it may close their gaps, but not go on from there.
+  bool has_closed_too_much() {
+    if (!m_held_at || (object().centre - m_held_at->centre).norm() <= kClosing * clearance())
+      return false;
+    go_back_to_hold();
+    return true;
+  }
+
+  void go_back_to_hold() {
+    m_body.go_back(m_held_at->place);
+    look_around();
+  }
+
+  SettleOutcome finish_stuck() {
+    if (!m_held_at) return m_body.finish(SettleOutcome::Status::Wedged);
+    if (is_held() == Hold::No) go_back_to_hold();
+    return m_body.finish(SettleOutcome::Status::AtRest);
+  }
+
+  // --- motions ---------------------------------------------------------------------------------
+
+  /// A motion as far as it gets.
+  struct Trial {
+    Candidate candidate;
+    double time = 0, drop = 0;
+  };
+
+  Outcome give_way() {
+    m_best.reset();
+    const RubbingObject body = rubbing();
+    std::vector<FrictionContact> contacts = m_close;
+    for (int round = 0; round <= kMaxBlockers; ++round) {
+      const size_t num_known = contacts.size();
+      std::vector<Candidate> motions = coulomb_motions(contacts, body);
+      if (round == 0) {
+        for (const Candidate& c : fall(m_close, m_body.fall_limit())) motions.push_back(c);
+        for (const Candidate& c : sticking_turns(m_close, body, false)) motions.push_back(c);
+      }
+      sort_by_gain(motions);
+      for (const Candidate& c : frictionless_slide(contacts, body)) motions.push_back(c);
+      for (const Candidate& c : motions)
+        if (const auto done = attempt(c, contacts)) return *done;
+      if (contacts.size() == num_known) break;
+    }
+    return take_best();
+  }
+
+  // Executes it if it gets far enough. @return nothing if it does not; what blocks it joins the
+  // contacts then.
+  std::optional<Outcome> attempt(const Candidate& candidate,
+                                 std::vector<FrictionContact>& contacts) {
+    Candidate c = candidate;
+    const bool slides = c.kind == SettleStep::Kind::Slide;
+    if (slides && c.motion.kind == Motion::Kind::Translation) c.motion.limit *= m_slide_steps;
+    if (c.motion.kind == Motion::Kind::Rotation)
+      c.motion.limit = std::min(c.motion.limit, m_problem.longest_turn);
+    const ObstacleContact found = m_body.query(c.motion);
+    if (found.status == FirstContact::Status::Crossing && num_steps() == 0)
+      return Outcome::Crossing;
+    if (c.kind == SettleStep::Kind::Fall && found.status == FirstContact::Status::Free)
+      return Outcome::FallsOut;
+    const double time = std::min(found.time, c.motion.limit);
+    const Trial trial{c, time, m_body.sinks_by(c.motion, time)};
+    const double predicted = m_body.sinks_by(c.motion, c.motion.limit);
+    if (trial.drop >= kEnergyDrop * clearance() &&
+        trial.drop >= std::min(kEnough * predicted, kEnoughOfSize * object().size)) {
+      execute(trial);
+      return Outcome::Moved;
+    }
+    if (!m_best || trial.drop > m_best->drop) m_best = trial;
+    if (slides && found.status == FirstContact::Status::Contact)
+      contacts.push_back(
+          {{found.point, found.normal, found.gap, ContactFeatures::ClosestPoints, 0, 0},
+           friction_with(found)});
+    return std::nullopt;
+  }
+
+  double friction_with(const ObstacleContact& found) const {
+    return m_body.friction_with(found.moving, found.with);
+  }
+
+  void execute(const Trial& t) {
+    const Motion& m = t.candidate.motion;
+    const bool slid = t.candidate.kind == SettleStep::Kind::Slide &&
+                      m.kind == Motion::Kind::Translation && t.time >= m.limit;
+    // A fall closes the gap that a slide opens.
+    if (slid)
+      m_slide_steps = std::min(2 * m_slide_steps, kLongestSlide);
+    else if (t.candidate.kind != SettleStep::Kind::Fall ||
+             t.drop > kFlatSlide * m_slide_steps * object().size)
+      m_slide_steps = 1;
+    m_body.execute(t.candidate.kind, m, t.time, t.drop);
+  }
+
+  // The motion that gets farthest, though not far: a limited number of times.
+  Outcome take_best() {
+    if (num_steps() >= kMaxMotions || m_num_small_steps >= kMaxSmallSteps) return Outcome::Stuck;
+    if (!m_best || m_best->drop < kLastEnergyDrop * clearance()) return Outcome::Stuck;
+    ++m_num_small_steps;
+    execute(*m_best);
+    return Outcome::Moved;
+  }
+
+  static constexpr double kFlatSlide = 1e-3;  // of the size: the surface went on
+
+  struct HeldAt {
+    SettlingBody::Place place;
+    Vec3 centre;
+  };
+
+  const SettleProblem& m_problem;
+  SettlingBody m_body;
+  std::vector<FrictionContact> m_close;
+  std::optional<HeldAt> m_held_at;
+  std::optional<Trial> m_best;
+  double m_slide_steps = 1;
+  int m_num_small_steps = 0;
+};
+
+}  // namespace
+
+SettleOutcome settle_with_friction(const SettleProblem& problem) {
+  return FrictionSettling(problem).run();
+}
+
+bool rests_with_friction(const SettleProblem& problem) {
+  return FrictionSettling(problem).is_at_rest();
+}
+
+}  // namespace trivet

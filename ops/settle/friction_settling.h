@@ -1,0 +1,17 @@
+// Settling with Coulomb friction by the materials: slides, turns and falls.
+#pragma once
+
+#include "ops/settle/settle.h"
+
+namespace trivet {
+
+/// As settle(). Rest is tested before every motion, by forces: where they balance, nothing moves,
+/// even if something could. Motions, best first: a fall; turns at which all other contacts part;
+/// the first motion with friction (coulomb.h) as a turn or a translation; down as if nothing
+/// rubbed. Each is exact, ends at the first contact at the latest, and lowers the centre of mass.
+SettleOutcome settle_with_friction(const SettleProblem& problem);
+
+/// As is_at_rest().
+bool rests_with_friction(const SettleProblem& problem);
+
+}  // namespace trivet

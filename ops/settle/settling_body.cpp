@@ -1,0 +1,186 @@
+#include "ops/settle/settling_body.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/tunables.h"
+#include "core/contact/contact_points.h"
+#include "core/scene/friction.h"
+#include "ops/settle/rest.h"
+
+namespace trivet {
+namespace {
+
+constexpr double kLeastInertia = 1e-4;  // of a mass of 1, in squares of the size
+
+// Numbers partners for subsets.
+Index number_of(const Support& with) {
+  return with.is_floor() ? -1 : static_cast<Index>(with.object().index);
+}
+
+Mat3 inertia_in_world(const Shape& shape, const Body& body) {
+  return inertia_per_mass(body.world_from_object.linear * shape.mass.covariance *
+                          body.world_from_object.linear.transpose());
+}
+
+}  // namespace
+
+SettlingBody::SettlingBody(const SettleProblem& problem) : m_problem(problem) {
+  m_out.pose = problem.start;
+  const Shape& shape = *problem.shape;
+  m_object.size = problem.scale * shape.box.diagonal();
+  m_object.radius_squared = problem.scale * problem.scale * shape.mass.radius_squared;
+  for (const CarriedShape& c : problem.carried) {
+    m_out.carried.push_back(c.start);
+    m_loads_weigh = m_loads_weigh || c.mass > 0;
+  }
+}
+
+std::vector<ContactPoint> SettlingBody::look_around() {
+  m_bodies = {Body(*m_problem.shape, world_from_object(m_out.pose, m_problem.up, m_problem.scale))};
+  for (size_t i = 0; i < m_problem.carried.size(); ++i) {
+    const CarriedShape& c = m_problem.carried[i];
+    m_bodies.emplace_back(*c.shape, world_from_object(m_out.carried[i], c.up, c.scale));
+  }
+  weigh();
+  m_out.contacts = m_problem.contacts_at_start && m_out.steps.empty()
+                       ? *m_problem.contacts_at_start
+                       : contacts_with(m_bodies[0], *m_problem.others,
+                                       kContactTolerance * clearance(), kFootSlack * clearance());
+  return points(kContactTolerance);
+}
+
+Vec3 SettlingBody::centre_of(size_t body) const {
+  const Shape& shape = body == 0 ? *m_problem.shape : *m_problem.carried[body - 1].shape;
+  return m_bodies[body].world_from_object.apply(shape.mass.centre);
+}
+
+void SettlingBody::weigh() {
+  m_object.centre = centre_of(0);
+  if (!m_loads_weigh) return;
+  Vec3 moment = m_object.centre;
+  double mass = 1;
+  Aabb box = m_bodies[0].world_box;
+  for (size_t i = 1; i < m_bodies.size(); ++i) {
+    moment += mass_of(i) * centre_of(i);
+    mass += mass_of(i);
+    box.extend(m_bodies[i].world_box);
+  }
+  m_object.centre = moment / mass;
+  if (m_out.steps.empty()) m_object.size = box.diagonal();
+}
+
+Mat3 SettlingBody::inertia_per_mass() const {
+  Mat3 sum = Mat3::Zero();
+  double mass = 0;
+  for (size_t i = 0; i < m_bodies.size(); ++i) {
+    const Shape& shape = i == 0 ? *m_problem.shape : *m_problem.carried[i - 1].shape;
+    const Vec3 arm = centre_of(i) - m_object.centre;
+    sum += mass_of(i) * (inertia_in_world(shape, m_bodies[i]) +
+                         arm.squaredNorm() * Mat3::Identity() - arm * arm.transpose());
+    mass += mass_of(i);
+  }
+  return sum / mass + kLeastInertia * m_object.size * m_object.size * Mat3::Identity();
+}
+
+// The object's own within kContactTolerance are known.
+std::vector<ContactsWith> SettlingBody::contacts_of(size_t body, double num_clearances) const {
+  if (body == 0 && num_clearances == kContactTolerance) return m_out.contacts;
+  return contacts_with(m_bodies[body], *m_problem.others, num_clearances * clearance(),
+                       kFootSlack * clearance());
+}
+
+std::vector<ContactPoint> SettlingBody::points(double num_clearances) const {
+  std::vector<ContactPoint> out;
+  for (size_t i = 0; i < m_bodies.size(); ++i) {
+    const auto more = all_points(contacts_of(i, num_clearances), num_clearances * clearance());
+    out.insert(out.end(), more.begin(), more.end());
+  }
+  return out;
+}
+
+double SettlingBody::own_friction(Index body) const {
+  return body == 0 ? m_problem.friction : m_problem.carried[body - 1].friction;
+}
+
+double SettlingBody::friction_with(Index body, const Support& with) const {
+  return std::min(own_friction(body), material_of(m_problem.others->scene(), with).friction);
+}
+
+std::vector<FrictionContact> SettlingBody::friction_points(double num_clearances) const {
+  std::vector<FrictionContact> out;
+  for (size_t i = 0; i < m_bodies.size(); ++i) {
+    const auto more =
+        friction_contacts(m_problem.others->scene(), own_friction(static_cast<Index>(i)),
+                          contacts_of(i, num_clearances), num_clearances * clearance());
+    out.insert(out.end(), more.begin(), more.end());
+  }
+  return out;
+}
+
+std::vector<TouchedPoint> SettlingBody::touched(double num_clearances) const {
+  std::vector<TouchedPoint> out;
+  for (size_t i = 0; i < m_bodies.size(); ++i)
+    for (const ContactsWith& c : contacts_of(i, num_clearances))
+      for (const ContactPoint& p : merged(c.points, num_clearances * clearance()))
+        out.push_back({number_of(c.with), p});
+  return out;
+}
+
+ObstacleContact SettlingBody::query(const Motion& motion) {
+  Clearance keep;
+  keep.distance = clearance();
+  const ObstacleContact found =
+      first_contact(m_bodies, *m_problem.others, motion, keep, m_problem.detector);
+  ++m_out.num_queries;
+  m_out.num_face_pairs += found.work.face_pairs;
+  return found;
+}
+
+double SettlingBody::fall_limit() const {
+  const bool floor = m_problem.others->floor();
+  const double lowest = std::min(floor ? 0.0 : kInfinity, m_problem.others->box().lower.z());
+  Aabb box;
+  for (const Body& b : m_bodies) box.extend(b.world_box);
+  const double depth = box.upper.z() - lowest;
+  return std::isfinite(depth) && depth > 0 ? depth : 0;
+}
+
+double SettlingBody::sinks_by(const Motion& motion, double time) const {
+  return m_object.centre.z() - moved_point(m_object.centre, motion, time).z();
+}
+
+void SettlingBody::execute(SettleStep::Kind kind, const Motion& motion, double time, double drop) {
+  m_out.pose = moved_pose(m_out.pose, motion, time);
+  for (Pose& pose : m_out.carried) pose = moved_pose(pose, motion, time);
+  m_out.steps.push_back({kind, m_out.pose, drop});
+}
+
+bool SettlingBody::separate_if_needed(const std::vector<ContactPoint>& points) {
+  double smallest = kInfinity;
+  for (const ContactPoint& c : points) smallest = std::min(smallest, c.gap);
+  if (smallest >= kSeparateBelow * clearance() || m_num_separating_motions >= kMaxSeparatingMotions)
+    return false;
+  ++m_num_separating_motions;
+  const Vec3 d = smallest_separating_motion(points, clearance());
+  const double length = d.norm();
+  if (!(length > 0) || length > kLargestSeparatingMotion * clearance()) return false;
+  const Motion motion = Motion::translation(d / length, length);
+  const double time = std::min(query(motion).time, length);
+  if (time < 0.1 * length) return false;
+  execute(SettleStep::Kind::Lift, motion, time, -d.z() * time / length);
+  return true;
+}
+
+void SettlingBody::go_back(const Place& place) {
+  m_out.pose = place.pose;
+  m_out.carried = place.carried;
+  m_out.steps.resize(place.num_steps, {});
+}
+
+SettleOutcome SettlingBody::finish(SettleOutcome::Status status) {
+  m_out.status = status;
+  return std::move(m_out);
+}
+
+}  // namespace trivet

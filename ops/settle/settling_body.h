@@ -1,0 +1,72 @@
+// The object that settles, with what it carries: where it is, what it touches, how it moves.
+#pragma once
+
+#include <vector>
+
+#include "ops/settle/candidates.h"
+#include "ops/settle/equilibrium.h"
+#include "ops/settle/settle.h"
+#include "ops/settle/subsets.h"
+
+namespace trivet {
+
+/// Works on copies of poses. Refers to its problem.
+class SettlingBody {
+ public:
+  explicit SettlingBody(const SettleProblem& problem);
+
+  /// Bodies, centre and contacts at the present pose, which all below means until the next motion.
+  /// @return contacts of all bodies.
+  std::vector<ContactPoint> look_around();
+  /// Centre of mass, size; with loads that weigh, of all together.
+  const SettlingObject& object() const { return m_object; }
+  /// Of a mass of 1, about the centre; a little is added, so that lines and points have some.
+  Mat3 inertia_per_mass() const;
+  /// Contacts of all bodies within `num_clearances`; those at one place are one.
+  std::vector<ContactPoint> points(double num_clearances) const;
+  std::vector<FrictionContact> friction_points(double num_clearances) const;
+  /// The same, each with the number of its partner.
+  std::vector<TouchedPoint> touched(double num_clearances) const;
+
+  /// Coulomb's coefficient of a body against something outside.
+  double friction_with(Index body, const Support& with) const;
+
+  ObstacleContact query(const Motion& motion);
+  /// Metres that it may fall before it is below everything; 0 when nothing is below.
+  double fall_limit() const;
+  double sinks_by(const Motion& motion, double time) const;
+  void execute(SettleStep::Kind kind, const Motion& motion, double time, double drop);
+  /// Opens gaps that shrank below half the clearance, by the smallest translation.
+  /// @return whether it has moved.
+  bool separate_if_needed(const std::vector<ContactPoint>& points);
+  int num_separating_motions() const { return m_num_separating_motions; }
+
+  /// A place to come back to.
+  struct Place {
+    Pose pose;
+    std::vector<Pose> carried;
+    size_t num_steps = 0;
+  };
+  Place here() const { return {m_out.pose, m_out.carried, m_out.steps.size()}; }
+  void go_back(const Place& place);
+
+  double clearance() const { return m_problem.clearance; }
+  const SettleOutcome& outcome() const { return m_out; }
+  SettleOutcome finish(SettleOutcome::Status status);
+
+ private:
+  std::vector<ContactsWith> contacts_of(size_t body, double num_clearances) const;
+  double own_friction(Index body) const;
+  double mass_of(size_t body) const { return body == 0 ? 1 : m_problem.carried[body - 1].mass; }
+  Vec3 centre_of(size_t body) const;
+  void weigh();
+
+  const SettleProblem& m_problem;
+  SettleOutcome m_out;
+  SettlingObject m_object;
+  std::vector<Body> m_bodies;  // the object, then what it carries
+  bool m_loads_weigh = false;
+  int m_num_separating_motions = 0;
+};
+
+}  // namespace trivet
