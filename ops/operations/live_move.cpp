@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cassert>
 
-#include "ops/operations/commit.h"
 #include "ops/operations/move_parts.h"
 #include "ops/operations/push.h"
+#include "ops/operations/whole.h"
 
 namespace trivet {
 namespace {
@@ -96,7 +96,8 @@ class LiveMove::Hand {
   OperationResult finish(Transaction& transaction) {
     if (!m_planner) return m_refused;
     assert(&transaction.scene() == &m_planner->scene());
-    return commit(transaction, plan(), m_run);
+    return commit_at_rest(transaction, plan(), m_run,
+                          named(transaction.scene(), object_name(m_operation)));
   }
 
  private:

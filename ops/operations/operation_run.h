@@ -1,17 +1,26 @@
 // One operation on its way: its options, its circumstances, and when it began.
 #pragma once
 
+#include <functional>
+#include <optional>
+
 #include "ops/base/interrupt.h"
 #include "ops/base/options.h"
+#include "ops/base/refusal.h"
 #include "ops/base/stopwatch.h"
 
 namespace trivet {
+
+struct MovePlan;
 
 struct OperationRun {
   SettleOptions options;
   Detector* detector = nullptr;  // null: BVHs
   Interrupt interrupt;
   Stopwatch stopwatch;
+  /// What a plan would be refused for once committed; asked of each place that a PUT tries. Empty:
+  /// nothing.
+  std::function<std::optional<Refusal>(const MovePlan&)> refuse_commit;
 
   OperationRun(const SettleOptions& settle, const RunContext& context)
       : options(settle), detector(context.detector), interrupt(context) {}

@@ -3,6 +3,7 @@
 #include "ops/operations/commit.h"
 #include "ops/operations/edit.h"
 #include "ops/operations/validate.h"
+#include "ops/operations/whole.h"
 
 namespace trivet {
 namespace {
@@ -13,13 +14,29 @@ concept Plannable = requires(const Scene& scene, ObjectId id, const Move& o, Ope
   { plan(scene, id, o, run) } -> std::same_as<MovePlan>;
 };
 
+/// Edits that may take away what something rests on. Where an object stands is given.
+template <class Any>
+constexpr bool kUnbalances =
+    std::is_same_v<Any, DeleteOperation> || std::is_same_v<Any, UnplaceOperation> ||
+    std::is_same_v<Any, FixOperation>;
+
 template <class Any>
 OperationResult perform_one(Transaction& transaction, ObjectId id, const Any& o,
                             OperationRun& run) {
-  if constexpr (Plannable<Any>)
-    return commit(transaction, plan(transaction.scene(), id, o, run), run);
-  else
-    return apply(transaction, o, run);
+  const Named name = named(transaction.scene(), o.object);
+  if constexpr (Plannable<Any>) {
+    if (std::is_same_v<Any, PutOperation> && run.options.whole_at_rest)
+      run.refuse_commit = [&](const MovePlan& plan) {
+        Transaction trial(transaction);  // taken back
+        return commit_at_rest(trial, plan, run, name).refusal;
+      };
+    return commit_at_rest(transaction, plan(transaction.scene(), id, o, run), run, name);
+  } else {
+    OperationResult result = apply(transaction, o, run);
+    if (kUnbalances<Any> && run.options.whole_at_rest && result.ok())
+      settle_whole(transaction, name, clearance_of(transaction.scene(), run.options), run, result);
+    return result;
+  }
 }
 
 }  // namespace

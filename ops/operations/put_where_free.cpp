@@ -134,8 +134,11 @@ class FreePlaceSearch {
     PutOperation put = m_operation;
     put.place.reset();
     put.start = start;
-    return plan_put_from_start(m_scene, m_id, put, m_run,
-                               [this](const MovingGroup& group) { return refuse_end(group); });
+    MovePlan plan = plan_put_from_start(
+        m_scene, m_id, put, m_run, [this](const MovingGroup& group) { return refuse_end(group); });
+    if (plan.result.ok() && m_run.refuse_commit)
+      if (auto why = m_run.refuse_commit(plan)) plan.result.refuse(std::move(*why));
+    return plan;
   }
 
   // nullopt: refused there.

@@ -3,11 +3,13 @@
 
     tests/referee/campaign.py --trivet build/release/apps/trivet --referee PATH/referee \\
         --shared ../shared [--set floor,pair,pile] [--out DIR] [--same-as OTHER_TRIVET] [--threads 1,2]
-        [--backends software,gpu] [--match REGEX]
+        [--backends software,gpu] [--match REGEX] [--friction MU [--whole]] [--every N] [--heaps 4x50]
 
 floor: every model in 5 random orientations, put onto the floor.
 pair:  every model in 5 random orientations, put onto one of 10 other models that stand there fixed.
-pile:  4 heaps of 50 objects.
+pile:  heaps, 4 of 50 objects.
+--friction: settled with this coefficient, by the referee judged at it. --whole: every operation leaves
+the whole scene at rest, or is refused; the referee judges the whole scene, too.
 --same-as, --threads and --backends run each layout again, by another build, with other numbers of
 threads or other sources of candidates: reports (apart from milliseconds, and what a backend says of
 itself) and scenes must be the same bytes. Without --referee, no other check is made.
@@ -65,9 +67,10 @@ def pair_layouts(layouts, models):
             yield f"pair_{i:02d}_{k}", layout.json
 
 
-def pile_layouts(layouts, models, args):
-    args.objects, args.radius = 50, None
-    for k in range(4):
+def pile_layouts(layouts, models, args, heaps):
+    count, args.objects = map(int, heaps.split("x"))
+    args.radius = None
+    for k in range(count):
         layout = layouts.make_pile(models, random.Random(f"pile {k}"), args)
         yield f"pile_{k}", layout.json
 
@@ -139,16 +142,20 @@ def differences(options, base, scene, report):
 def verdict_of(options, base, scene, report):
     if not options.referee:
         return {"verdict": True}
+    rules = (["--mu", str(options.friction)] if options.friction else []) + \
+        (["--whole"] if options.whole else [])
     done = subprocess.run([options.referee, report, "--layout", base + ".json", "--scene",
-                           scene, "--json"], capture_output=True, text=True)
+                           scene, "--json", *rules], capture_output=True, text=True)
     return json.loads(done.stdout) if done.returncode in (0, 1) else {}
 
 
 def judge(options, name, layout):
     base = os.path.join(options.out, name)
+    if options.friction:
+        layout = {**layout, "material": {"friction": options.friction}}
     with open(base + ".json", "w") as file:
         json.dump(layout, file)
-    scene, path = run_trivet(options.trivet, base, "")
+    scene, path = run_trivet(options.trivet, base, "", *options.rules)
     report = read_report(path)
     totals = verdict_of(options, base, scene, path)
     different = differences(options, base, scene, report)
@@ -158,12 +165,12 @@ def judge(options, name, layout):
 
 TOTALS = ["interpenetrating_pairs", "float32_interpenetrating_pairs", "below_floor",
           "float32_below_floor", "contained", "hovering", "unstable", "false_supports",
-          "not_rigid", "scene_mismatch", "layout_mismatch"]
+          "not_rigid", "scene_mismatch", "layout_mismatch", "unstable_as_a_whole"]
 
 
 def run_set(options, title, layouts):
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
-        chosen = (item for item in layouts if re.search(options.match, item[0]))
+        chosen = [item for item in layouts if re.search(options.match, item[0])][::options.every]
         results = list(pool.map(lambda item: judge(options, *item), chosen))
     operations = [o for _, ops, _, _ in results for o in ops]
     done = [o for o in operations if o["status"] == "ok"]
@@ -197,19 +204,25 @@ def main():
     parser.add_argument("--jobs", type=int, default=1, help="parallel jobs; 1 for fair times")
     parser.add_argument("--match", default="", help="regular expression: only scenes with matching names, "
                         "such as pair_6[89]")
+    parser.add_argument("--friction", type=float, help="Coulomb's coefficient; default: perfect friction")
+    parser.add_argument("--whole", action="store_true", help="every operation leaves the whole at rest")
+    parser.add_argument("--every", type=int, default=1, help="every N-th scene only")
+    parser.add_argument("--heaps", default="4x50", help="number and size of the heaps")
     parser.add_argument("--same-as", help="another build of trivet to compare with")
     parser.add_argument("--threads", default="", help="numbers of threads to compare, comma-separated")
     parser.add_argument("--backends", default="", help="bvh, software, gpu, with commas")
     options = parser.parse_args()
     options.work = BackendWork()
+    options.rules = (["--finite-friction"] if options.friction else []) + \
+        (["--whole-at-rest"] if options.whole else [])
     options.shared, options.out = os.path.abspath(options.shared), os.path.abspath(options.out)
     os.makedirs(options.out, exist_ok=True)
     layouts, models, args = read_models(options.shared, options.out)
     sets = {"floor": lambda: floor_layouts(layouts, models),
             "pair": lambda: pair_layouts(layouts, models),
-            "pile": lambda: pile_layouts(layouts, models, args)}
+            "pile": lambda: pile_layouts(layouts, models, args, options.heaps)}
     titles = {"floor": "80 models x 5 on the floor", "pair": "80 models x 5 on another model",
-              "pile": "4 heaps of 50 objects"}
+              "pile": f"heaps, {options.heaps} objects"}
     print("| scenes | number | PUTs ok | true | findings | PUT ms median | p95 | max | differ |\n"
           "|---|---|---|---|---|---|---|---|---|")
     ok = [run_set(options, titles[name], sets[name]()) for name in options.set.split(",")]

@@ -86,6 +86,9 @@ std::optional<Message> message_of(const Scene& scene, const Operation& operation
       message.faces = faces_that_stopped(scene, operation, result, clearance);
     }
   }
+  std::vector<std::string> gave_way;
+  for (const GaveWay& g : result.gave_way) gave_way.push_back(g.name);
+  if (!gave_way.empty()) add_sentence(what, quoted(gave_way) + " gave way");
   if (!result.unsupported.empty())
     add_sentence(what, quoted(result.unsupported) + " left without support");
   if (!result.interpenetrates.empty())
@@ -93,7 +96,7 @@ std::optional<Message> message_of(const Scene& scene, const Operation& operation
   if (what.empty()) return std::nullopt;
   if (!result.unsupported.empty() || !result.interpenetrates.empty())
     message.kind = Message::Kind::Warning;
-  for (const auto* const names : {&result.unsupported, &result.interpenetrates})
+  for (const auto* const names : {&gave_way, &result.unsupported, &result.interpenetrates})
     for (const std::string& other : *names) add(message.objects, scene.find(other));
   message.text = name.append(": ").append(what);
   return message;

@@ -72,6 +72,12 @@ void add_outcome(const OperationResult& result, OrderedJson& json) {
   add("carried", result.carried);
   add("unsupported", result.unsupported);
   add("settled", result.settled);
+  if (!result.gave_way.empty()) {
+    OrderedJson objects = OrderedJson::array();
+    for (const GaveWay& g : result.gave_way)
+      objects.push_back({{"name", g.name}, {"moved", g.moved}, {"turned_deg", g.turned_deg}});
+    json["gave_way"] = std::move(objects);
+  }
   add("interpenetrates", result.interpenetrates);
 }
 

@@ -1,0 +1,208 @@
+#include "ops/operations/whole.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "core/base/tunables.h"
+#include "ops/operations/commit.h"
+#include "ops/operations/joint_motion.h"
+#include "ops/stability/part.h"
+
+namespace trivet {
+namespace {
+
+constexpr int kMaxRounds = 24;        // joint motions and judgements
+constexpr int kMaxMotions = 120;      // of single objects with their loads, in one round
+constexpr int kMaxMotionsOfOne = 30;  // of these, of one object
+constexpr double kLongestTurn = 0.1;  // of an object with loads, tan(angle / 2): loads slide then
+constexpr int kMaxProgramObjects = 200;
+
+class Whole {
+ public:
+  Whole(Transaction& transaction, const Named& object, double clearance, OperationRun& run,
+        OperationResult& result)
+      : m_transaction(transaction),
+        m_scene(transaction.scene()),
+        m_object(object),
+        m_clearance(clearance),
+        m_run(run),
+        m_result(result) {}
+
+  void settle() {
+    for (const ObjectId id : m_scene.invalid_objects())
+      if (m_scene.at(id).placed) return;  // nothing else holds until that is resolved
+    PartVerdict verdict = judge();
+    for (int round = 0; !verdict.stands && round < kMaxRounds; ++round) {
+      if (stopped() || !give_way(verdict)) break;
+      verdict = judge();
+    }
+    if (stopped()) return;
+    if (!verdict.stands) return refuse(verdict);
+    note_who_gave_way();
+  }
+
+ private:
+  bool stopped() const { return m_run.interrupt.reason().has_value(); }
+
+  PartVerdict judge() const {
+    return judge_parts(m_scene, parts(), m_clearance, kMaxProgramObjects);
+  }
+
+  std::vector<ObjectId> parts() const {
+    std::vector<ObjectId> seeds = m_transaction.touched();
+    std::erase_if(seeds, [&](ObjectId id) { return !m_scene.contains(id); });
+    return connected_with(m_scene, seeds);
+  }
+
+  bool give_way(const PartVerdict& verdict) {
+    if (move_each(m_transaction, verdict.topples)) return true;
+    const FreeBodies part = near_bodies(m_scene, parts(), m_clearance, std::nullopt);
+    note_poses(verdict.topples);
+    return move_jointly(m_transaction, part, verdict.topples, m_clearance, m_run,
+                        [this](Transaction& inner, const std::vector<ObjectId>& moved) {
+                          move_each(inner, moved);
+                        });
+  }
+
+  // Each with its loads, the lowest first, until each holds alone.
+  bool move_each(Transaction& transaction, const std::vector<ObjectId>& ids) {
+    std::vector<ObjectId> waiting = ids;
+    std::map<std::uint32_t, int> num_tries;
+    bool moved = false;
+    for (int n = 0; !waiting.empty() && n < kMaxMotions && !stopped(); ++n) {
+      const auto lowest =
+          std::min_element(waiting.begin(), waiting.end(),
+                           [&](ObjectId a, ObjectId b) { return height(a) < height(b); });
+      const ObjectId id = *lowest;
+      waiting.erase(lowest);
+      if (++num_tries[id.index] > kMaxMotionsOfOne) continue;
+      const std::vector<ObjectId> touched = partners(id);
+      if (!move_one(transaction, id)) continue;
+      moved = true;
+      for (const auto& more : {std::vector{id}, touched, partners(id)})
+        for (const ObjectId other : more)
+          if (std::find(waiting.begin(), waiting.end(), other) == waiting.end())
+            waiting.push_back(other);
+    }
+    return moved;
+  }
+
+  double height(ObjectId id) const { return m_scene.at(id).centre_of_mass().z(); }
+
+  bool may_move(ObjectId id) const {
+    const Object& object = m_scene.at(id);
+    return object.placed && !object.fixed && object.state != ObjectState::Held &&
+           object.state != ObjectState::Invalid;
+  }
+
+  std::vector<ObjectId> partners(ObjectId id) const {
+    std::vector<ObjectId> out;
+    for (const ObjectContact& entry : m_scene.at(id).contacts)
+      if (entry.with.is_object() && may_move(entry.with.object()))
+        out.push_back(entry.with.object());
+    return out;
+  }
+
+  bool move_one(Transaction& transaction, ObjectId id) {
+    MovePlan plan;
+    plan.group.emplace(m_scene, id, std::span<const ObjectId>(), m_clearance, m_run.options,
+                       m_run.detector);
+    MovingGroup& group = *plan.group;
+    if (!std::all_of(group.ids().begin(), group.ids().end(),
+                     [&](ObjectId member) { return may_move(member); }) ||
+        refuse_immovable(m_scene, group.ids()))
+      return false;
+    note_poses(group.ids());
+    const SettleOutcome outcome = group.give_way(&m_run.interrupt, kLongestTurn);
+    double drop = 0;
+    for (const SettleStep& step : outcome.steps) drop += step.energy_drop;
+    const bool lies = outcome.status == SettleOutcome::Status::AtRest ||
+                      outcome.status == SettleOutcome::Status::TooManyMotions ||
+                      outcome.status == SettleOutcome::Status::Wedged;
+    if (!lies || stopped() || drop < kEnergyDrop * m_clearance ||
+        refuse_interpenetration(m_scene, group.placements(), true))
+      return false;
+    plan.otherwise = outcome.status == SettleOutcome::Status::AtRest ? ObjectState::Stable
+                                                                     : ObjectState::Unsupported;
+    plan.settled = plan.otherwise == ObjectState::Stable;
+    plan.changes_scene = true;
+    commit(transaction, std::move(plan), m_run);
+    m_result.num_motions += static_cast<int>(outcome.steps.size());
+    return true;
+  }
+
+  void note_poses(std::span<const ObjectId> ids) {
+    for (const ObjectId id : ids) m_before.emplace(id.index, Placement{id, m_scene.at(id).pose});
+  }
+
+  void note_who_gave_way() {
+    RestRules rules = rest_rules(m_run.options, m_clearance);
+    for (const ObjectId id : m_scene.ids()) {
+      const auto before = m_before.find(id.index);
+      if (before == m_before.end()) continue;
+      const Object& object = m_scene.at(id);
+      if (object.state == ObjectState::Unsupported)
+        rate_left_alone(m_transaction, id, rules, m_result);
+      const Rotation &p = before->second.pose.rotation, &q = object.pose.rotation;
+      const Vec3 from =
+          body_of(object, before->second.pose).world_from_object.apply(object.shape->mass.centre);
+      const double moved = (object.centre_of_mass() - from).norm();
+      const Rotation turn = (q * Rotation{p.w, -p.x, -p.y, -p.z}).normalized();
+      const double turned = angle_deg(turn);
+      if (object.name != m_object.name && (moved > 0 || turned > 0))
+        m_result.gave_way.push_back({object.name, moved, turned});
+    }
+    std::erase_if(m_result.unsupported, [&](const std::string& name) {
+      const auto id = m_scene.find(name);
+      return id && m_scene.at(*id).state != ObjectState::Unsupported;
+    });
+  }
+
+  static double angle_deg(const Rotation& r) {
+    const double sine = std::sqrt(r.x * r.x + r.y * r.y + r.z * r.z), cosine = std::abs(r.w);
+    return sine <= cosine ? turned_deg(sine / cosine) : 180 - turned_deg(cosine / sine);
+  }
+
+  void refuse(const PartVerdict& verdict) {
+    Refusal why{Refusal::Cause::Topples, {m_object}};
+    double friction = kInfinity;
+    for (const ObjectId id : verdict.topples) {
+      why.objects.push_back(named(m_scene, Support(id)));
+      friction = std::min(friction, m_scene.at(id).material.friction);
+    }
+    why.numbers = {{"friction", friction}};
+    m_result.refuse(std::move(why));
+  }
+
+  Transaction& m_transaction;
+  const Scene& m_scene;
+  const Named& m_object;
+  const double m_clearance;
+  OperationRun& m_run;
+  OperationResult& m_result;
+  std::map<std::uint32_t, Placement> m_before;  // by slot
+};
+
+}  // namespace
+
+void settle_whole(Transaction& transaction, const Named& object, double clearance,
+                  OperationRun& run, OperationResult& result) {
+  Whole(transaction, object, clearance, run, result).settle();
+}
+
+OperationResult commit_at_rest(Transaction& transaction, MovePlan plan, OperationRun& run,
+                               const Named& object) {
+  const double clearance = plan.group ? plan.group->clearance() : 0;
+  const char* const op = plan.op;
+  const bool settles = run.options.whole_at_rest && plan.changes_scene && !plan.is_free;
+  OperationResult result = commit(transaction, std::move(plan), run);
+  if (!settles || !result.ok()) return result;
+  settle_whole(transaction, object, clearance, run, result);
+  if (run.interrupt.reason()) run.interrupt.refuse(op, object, result);
+  result.milliseconds = run.stopwatch.milliseconds();
+  return result;
+}
+
+}  // namespace trivet
