@@ -7,13 +7,12 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/base/float32.h"
 #include "core/base/tunables.h"
 #include "core/mesh/hull.h"
 
 namespace trivet {
 namespace {
-
-Vec3 as_float32(const Vec3& p) { return p.cast<float>().cast<double>(); }
 
 Vec3 mean_of(std::span<const Vec3> points) {
   Vec3 sum = Vec3::Zero();

@@ -18,9 +18,23 @@ struct ExportObject {
   std::string extras_json;  // glTF `extras` of the node; empty: none
 };
 
+/// Origin of a scene's exported float32 positions, metres. Zero near the world's origin; for a
+/// scene that reaches farther than 16 m and 8 of its diagonals a grid point near it: float32 digits
+/// then describe the scene, not its distance. Depends on the box alone.
+Vec3 export_origin(const Aabb& scene_box);
+
+/// The same transform with world coordinates relative to `origin`.
+inline Affine relative_to(const Vec3& origin, Affine world_from_object) {
+  world_from_object.translation -= origin;
+  return world_from_object;
+}
+
 struct ExportScene {
   std::vector<ExportObject> objects;
   std::string extras_json;  // glTF `extras` of the scene; empty: none
+  /// What is written is relative to it: export_origin(). glTF has a root node that translates back,
+  /// in double; OBJ, PLY and STL name it in their headers.
+  Vec3 origin = Vec3::Zero();
 };
 
 /// Position of a vertex as a reader of the glTF computes it, in doubles (world, z up): the float32
@@ -29,7 +43,7 @@ struct ExportScene {
 /// positions; the code that writes the file computes them.
 class ExportedPlacement {
  public:
-  /// @param mesh_box  of object.model->mesh.
+  /// @param object  its model may be null: of no appearance. @param mesh_box  of its mesh.
   /// @throws Error (BadInput) naming the object when its pose is beyond the range of float32.
   ExportedPlacement(const ExportObject& object, const Aabb& mesh_box);
   Vec3 operator()(const Vec3& vertex) const;

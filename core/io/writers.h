@@ -24,17 +24,19 @@ void append_bytes(std::string& out, const T& value) {
 GltfDocument gltf_document(const ExportScene& scene);
 GltfJson material_json(const Material& material);
 
-/// World coordinates, z up: the float32 of exported_positions(), nine significant digits.
+/// World coordinates relative to the scene's origin, z up: the float32 of exported_positions(),
+/// nine significant digits.
 struct ObjText {
   std::string obj, mtl;
 };
 /// `mtl_name` is the file name of the material library in the OBJ.
 ObjText obj_text(const ExportScene& scene, const std::string& mtl_name);
 
-/// World coordinates, z up, binary little endian; one mesh, geometry only.
+/// World coordinates relative to the scene's origin, z up, binary little endian; one mesh, geometry
+/// only.
 std::string ply_bytes(const ExportScene& scene);
 
-/// World coordinates, z up, binary; geometry only.
+/// World coordinates relative to the scene's origin, z up, binary; geometry only.
 std::string stl_bytes(const ExportScene& scene);
 
 }  // namespace trivet

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "core/base/tunables.h"
+#include "core/io/export.h"
 #include "core/scene/transaction.h"
 #include "ops/operations/commit.h"
 #include "ops/placement/clearance.h"
@@ -22,10 +23,11 @@ struct PlacedObject {
 };
 
 std::vector<PlacedObject> placed_objects(const Scene& scene) {
+  const Vec3 origin = export_origin(scene.box());
   std::vector<PlacedObject> out;
   for (const ObjectId id : scene.ids()) {
     const Object& object = scene.at(id);
-    if (object.placed) out.push_back({id, in_world(object, object.pose)});
+    if (object.placed) out.push_back({id, in_world(object, object.pose, origin)});
   }
   return out;
 }
@@ -55,9 +57,9 @@ std::vector<PairToCheck> near_pairs(const Scene& scene, const std::vector<Placed
 
 void add_floor_findings(const PlacedObject& o, SceneCheck& check) {
   if (o.world.box.lower.z() >= 0) return;
-  if (const auto n = num_below_floor(o.world.doubles))
+  if (const auto n = num_below_floor(o.world))
     check.crossings.push_back({o.object().name, "floor", n});
-  if (const auto n = num_below_floor(o.world.floats))
+  if (const auto n = num_floats_below_floor(o.world))
     check.float32_crossings.push_back({o.object().name, "floor", n});
 }
 
@@ -74,7 +76,7 @@ std::vector<std::vector<Support>> crossed_by(const std::vector<PlacedObject>& ob
                                              const std::vector<PairToCheck>& pairs) {
   std::vector<std::vector<Support>> out(objects.size());
   for (size_t i = 0; i < objects.size(); ++i)
-    if (objects[i].world.box.lower.z() < 0 && num_below_floor(objects[i].world.doubles))
+    if (objects[i].world.box.lower.z() < 0 && num_below_floor(objects[i].world))
       out[i].push_back(Support::floor());
   for (const PairToCheck& p : pairs)
     if (!p.verdict.clear()) {

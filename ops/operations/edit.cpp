@@ -42,14 +42,29 @@ void leave(Transaction& transaction, const std::vector<ObjectId>& dependents,
   if (run.interrupt.reason()) run.interrupt.refuse(op, object, result);
 }
 
+// Takes an object out of the scene, by `remove()`, and sees to those that touched it.
+template <class Remove>
+OperationResult take_away(Transaction& transaction, ObjectId id, const MoveOptions& move,
+                          const char* op, OperationRun& run, const Remove& remove) {
+  const Scene& scene = transaction.scene();
+  if (scene.at(id).locked) return refused(locked(scene, id));
+  const double clearance = clearance_of(scene, run.options);
+  const Named name = named(scene, Support(id));
+  const std::vector<ObjectId> dependents = dependents_of(scene, id);
+  remove();
+  OperationResult result = done();
+  leave(transaction, dependents, move, op, name, clearance, run, result);
+  return result;
+}
+
 // Refuses a pose that cannot be committed as it is.
 std::optional<Refusal> refuse_stand(const Scene& scene, ObjectId id, const Pose& pose,
                                     const SettleOptions& options) {
-  const double usual = default_clearance(scene, expected_box(scene, scene.at(id), pose));
+  const ClearanceRange range = clearance_range(scene, expected_box(scene, scene.at(id), pose));
   const Placement stands{id, pose};
   if (auto why = refuse_too_coarse(scene, {&stands, 1}, options.clearance)) return why;
-  if (auto why = refuse_clearance(options.clearance > 0 ? options.clearance : usual, usual))
-    return why;
+  const double clearance = options.clearance > 0 ? options.clearance : range.usual;
+  if (auto why = refuse_clearance(clearance, range)) return why;
   auto why = refuse_interpenetration(scene, id, pose, true);
   if (why) why->at = Refusal::At::Given;
   return why;
@@ -78,7 +93,7 @@ OperationResult apply(Transaction& transaction, const AppendOperation& o, Operat
   object.name = o.object;
   object.model = o.model_data;
   object.shape = o.shape;
-  object.up = o.up.value_or(object.model->up);
+  object.up = o.up.value_or(object.model ? object.model->up : UpAxis::Z);
   object.scale = o.scale;
   object.fixed = o.fixed;
   transaction.add(std::move(object));
@@ -99,35 +114,24 @@ OperationResult apply(Transaction& transaction, const DuplicateOperation& o, Ope
 }
 
 OperationResult apply(Transaction& transaction, const DeleteOperation& o, OperationRun& run) {
-  const Scene& scene = transaction.scene();
   const ObjectId id = id_of(transaction, o.object);
-  if (scene.at(id).locked) return refused(locked(scene, id));
-  const double clearance = clearance_of(scene, run.options);
-  const Named name = named(scene, Support(id));
-  const std::vector<ObjectId> dependents = dependents_of(scene, id);
-  transaction.remove(id);
-  OperationResult result = done();
-  leave(transaction, dependents, o, "delete", name, clearance, run, result);
-  return result;
+  return take_away(transaction, id, o, "delete", run, [&] { transaction.remove(id); });
 }
 
 OperationResult apply(Transaction& transaction, const UnplaceOperation& o, OperationRun& run) {
-  const Scene& scene = transaction.scene();
   const ObjectId id = id_of(transaction, o.object);
-  if (scene.at(id).locked) return refused(locked(scene, id));
-  if (!scene.at(id).placed) return refused({Cause::NotPlaced, {named(scene, Support(id))}});
-  const double clearance = clearance_of(scene, run.options);
-  const std::vector<ObjectId> dependents = dependents_of(scene, id);
-  transaction.clear_contacts(id);
-  transaction.edit(id, [](Object& object) {
-    object.placed = false;
-    object.pose = {};
-    object.state = ObjectState::Unplaced;
-    object.stability_margin = object.least_friction = 0;
+  const Object& here = transaction.scene().at(id);
+  if (!here.placed && !here.locked)
+    return refused({Cause::NotPlaced, {named(transaction.scene(), Support(id))}});
+  return take_away(transaction, id, o, "unplace", run, [&] {
+    transaction.clear_contacts(id);
+    transaction.edit(id, [](Object& object) {
+      object.placed = false;
+      object.pose = {};
+      object.state = ObjectState::Unplaced;
+      object.stability_margin = object.least_friction = 0;
+    });
   });
-  OperationResult result = done();
-  leave(transaction, dependents, o, "unplace", named(scene, Support(id)), clearance, run, result);
-  return result;
 }
 
 OperationResult apply(Transaction& transaction, const LockOperation& o, OperationRun&) {

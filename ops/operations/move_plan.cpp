@@ -69,8 +69,8 @@ MovePlanner::MovePlanner(const Scene& scene, ObjectId id, const MoveOptions& mov
 void MovePlanner::begin(ObjectId id, const std::vector<ObjectId>& together,
                         const std::vector<PlacedBox>& started) {
   const Object& object = m_scene.at(id);
-  const double usual = default_clearance(m_scene, m_is_put ? started.front().box : Aabb{});
-  const double clearance = options().clearance > 0 ? options().clearance : usual;
+  const ClearanceRange range = clearance_range(m_scene, m_is_put ? started.front().box : Aabb{});
+  const double clearance = options().clearance > 0 ? options().clearance : range.usual;
   m_group.emplace(m_scene, id, together, clearance, options(), m_run.detector);
   m_joint = !together.empty() && m_group->driven().size() > 1;
   // A fixed object comes in once, and then stays there.
@@ -78,7 +78,7 @@ void MovePlanner::begin(ObjectId id, const std::vector<ObjectId>& together,
   std::optional<Refusal> why;
   if (!comes_in) why = refuse_immovable(m_scene, m_group->ids());
   if (!why) why = refuse_too_coarse(m_scene, started, options().clearance);
-  if (!why) why = refuse_clearance(clearance, usual);
+  if (!why) why = refuse_clearance(clearance, range);
   if (why) refuse(*why);
 }
 

@@ -3,18 +3,31 @@
 #include <algorithm>
 
 #include "core/base/tunables.h"
+#include "core/io/export.h"
 #include "ops/placement/coarseness.h"
 
 namespace trivet {
 namespace {
 
-double clearance_in(const Aabb& box) {
-  return kRelativeClearance * std::max(box.diagonal(), box.max_abs_coordinate());
+ClearanceRange range_in(const Aabb& box) {
+  const double reach = box.max_abs_coordinate();
+  const Vec3 origin = export_origin(box);
+  const Aabb exported{box.lower - origin, box.upper - origin};
+  const double size = std::max(box.diagonal(), exported.max_abs_coordinate());
+  const double rounding = kSmallestClearance * std::max(size, reach);
+  return {std::max(kRelativeClearance * size, rounding), rounding,
+          std::max(kLargestClearance * size, rounding)};
 }
 
 std::vector<ObjectId> ids_of(std::span<const PlacedBox> moved) {
   std::vector<ObjectId> out;
   for (const PlacedBox& m : moved) out.push_back(m.id);
+  return out;
+}
+
+std::vector<PlacedBox> boxes_of(const Scene& scene, std::span<const Placement> moved) {
+  std::vector<PlacedBox> out;
+  for (const Placement& p : moved) out.push_back({p.id, body_of(scene.at(p.id), p.pose).world_box});
   return out;
 }
 
@@ -53,10 +66,14 @@ struct Culprits {
 
 }  // namespace
 
-double default_clearance(const Scene& scene, const Aabb& extra) {
+ClearanceRange clearance_range(const Scene& scene, const Aabb& extra) {
   Aabb box = scene.box();
   box.extend(extra);
-  return clearance_in(box);
+  return range_in(box);
+}
+
+double default_clearance(const Scene& scene, const Aabb& extra) {
+  return clearance_range(scene, extra).usual;
 }
 
 double clearance_of(const Scene& scene, const SettleOptions& options, const Aabb& extra) {
@@ -74,22 +91,24 @@ Aabb expected_box(const Scene& scene, const Object& object, const Pose& start) {
   return box;
 }
 
-std::optional<Refusal> refuse_clearance(double clearance, double usual) {
-  const double size = usual / kRelativeClearance;
-  if (clearance >= kSmallestClearance * size && clearance <= kLargestClearance * size)
-    return std::nullopt;
-  return Refusal{Refusal::Cause::InvalidClearance,
-                 {},
-                 {{"clearance", clearance},
-                  {"smallest", kSmallestClearance * size},
-                  {"largest", kLargestClearance * size}}};
+std::optional<Refusal> refuse_clearance(double clearance, const ClearanceRange& accepted) {
+  if (clearance >= accepted.smallest && clearance <= accepted.largest) return std::nullopt;
+  return Refusal{
+      Refusal::Cause::InvalidClearance,
+      {},
+      {{"clearance", clearance}, {"smallest", accepted.smallest}, {"largest", accepted.largest}}};
+}
+
+Vec3 origin_with(const Scene& scene, std::span<const Placement> moved) {
+  return export_origin(extent_with(scene, boxes_of(scene, moved)).box);
 }
 
 std::optional<Refusal> refuse_too_coarse(const Scene& scene, std::span<const PlacedBox> moved,
                                          double clearance) {
   const SceneExtent extent = extent_with(scene, moved);
   const double accepted = kCoarsestClearance * extent.smallest_diagonal;
-  const double usual = clearance_in(extent.box);
+  const ClearanceRange range = range_in(extent.box);
+  const double usual = range.usual;
   if (usual <= accepted || (clearance > 0 && clearance <= accepted)) return std::nullopt;
   const Culprits culprits(scene, moved);
   Refusal why;
@@ -99,18 +118,15 @@ std::optional<Refusal> refuse_too_coarse(const Scene& scene, std::span<const Pla
   why.numbers = {{"coordinate", culprits.coordinate},
                  {"clearance", usual},
                  {"diagonal", culprits.diagonal},
-                 {"largest_coordinate", accepted / kRelativeClearance}};
-  if (accepted > kSmallestClearance * usual / kRelativeClearance)
-    why.numbers.push_back({"largest_clearance", accepted});
+                 {"largest_coordinate",
+                  accepted / (usual > range.smallest ? kRelativeClearance : kSmallestClearance)}};
+  if (accepted > range.smallest) why.numbers.push_back({"largest_clearance", accepted});
   return why;
 }
 
 std::optional<Refusal> refuse_too_coarse(const Scene& scene, std::span<const Placement> moved,
                                          double clearance) {
-  std::vector<PlacedBox> boxes;
-  for (const Placement& p : moved)
-    boxes.push_back({p.id, body_of(scene.at(p.id), p.pose).world_box});
-  return refuse_too_coarse(scene, boxes, clearance);
+  return refuse_too_coarse(scene, boxes_of(scene, moved), clearance);
 }
 
 }  // namespace trivet

@@ -10,8 +10,16 @@
 
 namespace trivet {
 
-/// kRelativeClearance of the scene's size or its largest coordinate, with `extra` (the object to
-/// be placed) in it. Metres.
+/// Clearances of a scene, metres. All follow the scene's size, or, near the world's origin, its
+/// largest coordinate; far from it (export_origin()), coordinates only bound them from below.
+struct ClearanceRange {
+  double usual;  // the default: kRelativeClearance
+  double smallest, largest;
+};
+/// @param extra  the object to be placed, in it, too.
+ClearanceRange clearance_range(const Scene& scene, const Aabb& extra = {});
+
+/// The usual one.
 double default_clearance(const Scene& scene, const Aabb& extra = {});
 
 /// The clearance that is asked for, else the default.
@@ -27,9 +35,11 @@ struct PlacedBox {
   Aabb box;
 };
 
-/// Refuses clearances beyond kSmallestClearance and kLargestClearance of the scene's size.
-/// @param usual  the default clearance.
-std::optional<Refusal> refuse_clearance(double clearance, double usual);
+/// Refuses clearances beyond the scene's smallest and largest.
+std::optional<Refusal> refuse_clearance(double clearance, const ClearanceRange& accepted);
+
+/// Origin of the exported floats of a scene in which `moved` are elsewhere than it has them.
+Vec3 origin_with(const Scene& scene, std::span<const Placement> moved);
 
 /// Refuses a scene in which the default clearance would be larger than 1/64 of the smallest
 /// object's diagonal, because something is far out or very large.

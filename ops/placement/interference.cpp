@@ -10,6 +10,7 @@
 #include "core/contact/triangle_distance.h"
 #include "core/exact/near_faces.h"
 #include "core/exact/predicates.h"
+#include "ops/placement/clearance.h"
 
 namespace trivet {
 namespace {
@@ -81,15 +82,18 @@ void add_low_faces(ObjectId id, const PlacedShape& placed, const PlacedBvh& tree
   }
 }
 
-void add_low_faces(ObjectId id, const Body& body, const PlacedShape& placed, double height,
-                   Collector& out) {
-  if (body.shape->has_faces()) add_low_faces(id, placed, PlacedBvh(body), 0, height, out);
+void add_low_faces(ObjectId id, const PlacedShape& placed, double height, Collector& out) {
+  if (!placed.shape->has_faces()) return;
+  const Body body(*placed.shape, placed.world_from_object);
+  add_low_faces(id, placed, PlacedBvh(body), 0, height, out);
 }
 
-void add_crossing_floor(ObjectId id, const Body& body, const ObjectInWorld& here, Collector& out) {
+void add_crossing_floor(ObjectId id, const ObjectInWorld& here, Collector& out) {
   if (here.box.lower.z() >= 0) return;
-  const bool doubles = num_below_floor(here.doubles) > 0;
-  add_low_faces(id, body, doubles ? here.doubles : here.floats, 0, out);
+  if (num_below_floor(here))
+    add_low_faces(id, here.doubles, 0, out);
+  else
+    add_low_faces(id, here.floats, -here.origin.z(), out);
 }
 
 /// A face near another, and the direction from that which stands to that which moves: unit; zero
@@ -167,16 +171,16 @@ InterferingFaces crossing_faces(const Scene& scene, std::span<const Placement> m
   std::vector<ObjectId> ids;
   for (const Placement& placement : moved) ids.push_back(placement.id);
   const Neighbourhood outside(scene, ids);
+  const Vec3 origin = origin_with(scene, moved);
   for (const Placement& placement : moved) {
     const Object& object = scene.at(placement.id);
-    const Body body = body_of(object, placement.pose);
-    const ObjectInWorld here = in_world(object, placement.pose);
-    if (scene.floor) add_crossing_floor(placement.id, body, here, out);
+    const ObjectInWorld here = in_world(object, placement.pose, origin);
+    if (scene.floor) add_crossing_floor(placement.id, here, out);
     bool any = false;
     std::vector<std::pair<ObjectId, ObjectInWorld>> others;
     for (const ObjectId id : outside.ids_near(here.box, here.floats.slack)) {
       const Object& other = scene.at(id);
-      others.emplace_back(id, in_world(other, other.pose));
+      others.emplace_back(id, in_world(other, other.pose, origin));
       any |= add_crossing(placement.id, here.doubles, id, others.back().second.doubles, out);
     }
     for (size_t i = 0; i < others.size() && !any; ++i)
@@ -198,7 +202,7 @@ InterferingFaces blocking_faces(const Scene& scene, std::span<const Placement> m
   for (const Placement& placement : moved) {
     const Placed here(scene.at(placement.id), placement);
     if (!by)
-      add_low_faces(here.id, here.body, here.shape, tolerance, out);
+      add_low_faces(here.id, here.shape, tolerance, out);
     else if (overlaps(here.body.world_box, by->body.world_box, 1.001 * tolerance))
       find_near_pairs(here, *by, blockage.at, tolerance, out, found);
   }

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "core/io/export.h"
+#include "ops/placement/clearance.h"
 
 namespace trivet {
 namespace {
@@ -22,11 +23,18 @@ Refusal refusal_of(const PairVerdict& v, const Named& a, const Named& b) {
   return {Cause::Float32Contact, {a, b}};
 }
 
+std::int64_t num_below(const PlacedShape& placed, double height) {
+  std::int64_t count = 0;
+  for (Index v = 0; v < static_cast<Index>(placed.shape->mesh.vertices.size()); ++v)
+    count += placed.position(v).z() < height;
+  return count;
+}
+
 std::optional<Refusal> refuse_below_floor(const Named& name, const ObjectInWorld& here,
                                           bool floats) {
   if (here.box.lower.z() >= 0) return std::nullopt;
-  if (num_below_floor(here.doubles)) return Refusal{Cause::BelowFloor, {name}};
-  if (floats && num_below_floor(here.floats)) return Refusal{Cause::Float32BelowFloor, {name}};
+  if (num_below_floor(here)) return Refusal{Cause::BelowFloor, {name}};
+  if (floats && num_floats_below_floor(here)) return Refusal{Cause::Float32BelowFloor, {name}};
   return std::nullopt;
 }
 
@@ -46,50 +54,77 @@ void find_interpenetrations(const Scene& scene, ObjectId id, const ObjectInWorld
   for (const ObjectId other_id : others) {
     if (out.size() >= limit) return;
     const Object& other = scene.at(other_id);
-    const PairVerdict v = verify_pair(here, in_world(other, other.pose), floats, 1);
+    const PairVerdict v = verify_pair(here, in_world(other, other.pose, here.origin), floats, 1);
     if (!v.clear())
       out.push_back({id, other_id, refusal_of(v, name_of(scene, id), name_of(scene, other_id))});
   }
 }
 
+bool floats_touch(const ObjectInWorld& a, const ObjectInWorld& b) {
+  return overlaps(a.box, b.box) && count_crossings(a.floats, b.floats, 1) > 0;
+}
+
+Refusal float_contact(const Scene& scene, ObjectId a, ObjectId b) {
+  return {Cause::Float32Contact, {name_of(scene, a), name_of(scene, b)}};
+}
+
 /// Members of a group against each other, on the exported floats alone.
-std::optional<Refusal> refuse_float_contact(const Scene& scene, std::span<const Placement> moved) {
+std::optional<Refusal> refuse_float_contact(const Scene& scene, std::span<const Placement> moved,
+                                            const Vec3& origin) {
   std::vector<ObjectInWorld> here;
-  for (const Placement& p : moved) here.push_back(in_world(scene.at(p.id), p.pose));
+  for (const Placement& p : moved) here.push_back(in_world(scene.at(p.id), p.pose, origin));
   for (size_t i = 0; i < here.size(); ++i)
-    for (size_t j = i + 1; j < here.size(); ++j) {
-      if (!overlaps(here[i].box, here[j].box)) continue;
-      PairVerdict v;
-      v.float_crossings = count_crossings(here[i].floats, here[j].floats, 1);
-      if (!v.clear())
-        return refusal_of(v, name_of(scene, moved[i].id), name_of(scene, moved[j].id));
+    for (size_t j = i + 1; j < here.size(); ++j)
+      if (floats_touch(here[i], here[j])) return float_contact(scene, moved[i].id, moved[j].id);
+  return std::nullopt;
+}
+
+/// Objects that stay, about another origin than so far: their floats are rounded anew.
+std::optional<Refusal> refuse_new_origin(const Scene& scene, std::span<const Placement> moved,
+                                         const Vec3& origin) {
+  std::vector<ObjectId> ids;
+  for (const Placement& p : moved) ids.push_back(p.id);
+  const Neighbourhood staying(scene, ids);
+  for (const ObjectId id : staying.ids_near(scene.box(), 0)) {
+    if (is_invalid(scene, id)) continue;
+    const ObjectInWorld here = in_world(scene.at(id), scene.at(id).pose, origin);
+    if (scene.floor && here.box.lower.z() < 0 && num_floats_below_floor(here))
+      return Refusal{Cause::Float32BelowFloor, {name_of(scene, id)}};
+    for (const ObjectId other_id : staying.ids_near(here.box, here.floats.slack)) {
+      const Object& other = scene.at(other_id);
+      if (other_id.index <= id.index || is_invalid(scene, other_id)) continue;
+      if (floats_touch(here, in_world(other, other.pose, origin)))
+        return float_contact(scene, id, other_id);
     }
+  }
   return std::nullopt;
 }
 
 }  // namespace
 
-ObjectInWorld in_world(const Object& object, const Pose& pose) {
+ObjectInWorld in_world(const Object& object, const Pose& pose, const Vec3& origin) {
   ObjectInWorld out;
   out.object = &object;
+  out.origin = origin;
   const Body body = body_of(object, pose);
   const Affine& world = body.world_from_object;
   out.box = body.world_box;
   const double spread = object.scale * object.shape->box.max_abs_coordinate();
-  const double slack = kFloatSlack * std::max(out.box.max_abs_coordinate(), spread);
+  const Aabb exported{out.box.lower - origin, out.box.upper - origin};
+  const double slack = kFloatSlack * std::max(exported.max_abs_coordinate(), spread);
+  const Affine near = relative_to(origin, world);
   out.doubles = {object.shape.get(), nullptr, world, 0, {}};
-  out.floats = {object.shape.get(), nullptr, world, slack,
-                ExportedPlacement({object.name, object.model, world, {}}, object.shape->box)};
+  out.floats = {object.shape.get(), nullptr, near, slack,
+                ExportedPlacement({object.name, object.model, near, {}}, object.shape->box)};
   out.box.lower -= Vec3::Constant(slack);
   out.box.upper += Vec3::Constant(slack);
   return out;
 }
 
-std::int64_t num_below_floor(const PlacedShape& placed) {
-  std::int64_t count = 0;
-  for (Index v = 0; v < static_cast<Index>(placed.shape->mesh.vertices.size()); ++v)
-    count += placed.position(v).z() < 0;
-  return count;
+std::int64_t num_below_floor(const ObjectInWorld& here) { return num_below(here.doubles, 0); }
+
+std::int64_t num_floats_below_floor(const ObjectInWorld& here) {
+  return num_below(here.floats, -here.origin.z());
 }
 
 PairVerdict verify_pair(const ObjectInWorld& a, const ObjectInWorld& b, bool floats,
@@ -110,10 +145,11 @@ std::vector<Interpenetration> interpenetrations(const Scene& scene,
   std::vector<ObjectId> ids;
   for (const Placement& p : moved) ids.push_back(p.id);
   const Neighbourhood others(scene, ids);
+  const Vec3 origin = origin_with(scene, moved);
   std::vector<Interpenetration> out;
   for (const Placement& p : moved) {
     if (out.size() >= limit) break;
-    const ObjectInWorld here = in_world(scene.at(p.id), p.pose);
+    const ObjectInWorld here = in_world(scene.at(p.id), p.pose, origin);
     find_interpenetrations(scene, p.id, here, others.ids_near(here.box, here.floats.slack), floats,
                            limit, out);
   }
@@ -123,7 +159,7 @@ std::vector<Interpenetration> interpenetrations(const Scene& scene,
 std::vector<Support> passed_through(const Scene& scene, ObjectId id) {
   if (scene.invalid_objects().empty()) return {};
   const Object& object = scene.at(id);
-  const ObjectInWorld here = in_world(object, object.pose);
+  const ObjectInWorld here = in_world(object, object.pose, export_origin(scene.box()));
   std::vector<ObjectId> near = Neighbourhood(scene, id).ids_near(here.box, here.floats.slack);
   const bool invalid = is_invalid(scene, id);
   if (!invalid) std::erase_if(near, [&](ObjectId other) { return !is_invalid(scene, other); });
@@ -139,8 +175,12 @@ std::optional<Refusal> refuse_interpenetration(const Scene& scene, std::span<con
                                                bool floats) {
   const std::vector<Interpenetration> found = interpenetrations(scene, moved, floats, 1);
   if (!found.empty()) return found.front().refusal;
-  if (!floats || moved.size() < 2) return std::nullopt;
-  return refuse_float_contact(scene, moved);
+  if (!floats) return std::nullopt;
+  const Vec3 origin = origin_with(scene, moved);
+  if (moved.size() > 1)
+    if (auto why = refuse_float_contact(scene, moved, origin)) return why;
+  if (origin == export_origin(scene.box())) return std::nullopt;
+  return refuse_new_origin(scene, moved, origin);
 }
 
 std::optional<Refusal> refuse_interpenetration(const Scene& scene, ObjectId id, const Pose& pose,

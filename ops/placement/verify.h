@@ -15,13 +15,17 @@ namespace trivet {
 struct ObjectInWorld {
   const Object* object = nullptr;
   Aabb box;  // holds both
-  PlacedShape doubles, floats;
+  PlacedShape doubles;
+  PlacedShape floats;  // relative to the origin
+  Vec3 origin;         // of the export
 };
+/// @param origin  export_origin() of the scene.
 /// @throws Error (BadInput) when the pose is beyond the range of float32.
-ObjectInWorld in_world(const Object& object, const Pose& pose);
+ObjectInWorld in_world(const Object& object, const Pose& pose, const Vec3& origin);
 
 /// Vertices below the floor z = 0.
-std::int64_t num_below_floor(const PlacedShape& placed);
+std::int64_t num_below_floor(const ObjectInWorld& here);
+std::int64_t num_floats_below_floor(const ObjectInWorld& here);
 
 /// Faces of `a` and `b` that intersect on the doubles and on the exported floats, and components of
 /// one inside the other.
@@ -52,7 +56,8 @@ std::vector<Interpenetration> interpenetrations(const Scene& scene,
 std::vector<Support> passed_through(const Scene& scene, ObjectId id);
 
 /// Refuses poses that interpenetrate others, of objects that keep their places among each other.
-/// Among each other only the exported floats are tested.
+/// Among each other only the exported floats are tested; so are all objects where the move gives
+/// the export another origin.
 /// @param floats  the exported floats, too.
 std::optional<Refusal> refuse_interpenetration(const Scene& scene, std::span<const Placement> moved,
                                                bool floats);

@@ -9,6 +9,7 @@
 #include "core/base/tunables.h"
 #include "core/convex/hull_overlap.h"
 #include "core/io/mesh/float_export.h"
+#include "ops/files/report/models_of_shapes.h"
 #include "ops/simulation/overlaps.h"
 #include "ops/stability/stability.h"
 
@@ -109,7 +110,7 @@ class SceneMaker {
     model.model = object.model;
     model.link_from_object = world_from_object({}, object.up, object.scale);
     const Vec3 shift =
-        model.link_from_object.apply(export_centre(*object.model, object.shape->box));
+        model.link_from_object.apply(export_centre(object.model.get(), object.shape->box));
     model.link_from_object.translation = -shift;
     m_shifts.push_back(shift);
     if (m_options.collision != CollisionRule::Mesh) {
@@ -169,7 +170,8 @@ void check_collision_rule(CollisionRule rule, const std::string& path) {
 
 SimulationExport simulation_of(const Scene& scene, const std::string& name,
                                const SimulationOptions& options) {
-  return SceneMaker(scene, name, options).make();
+  const WholeModels whole(scene);
+  return SceneMaker(whole.scene(), name, options).make();
 }
 
 SimulationExport export_simulation(const Scene& scene, const std::string& path,

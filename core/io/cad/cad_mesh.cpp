@@ -17,6 +17,7 @@
 #include <set>
 
 #include "core/base/error.h"
+#include "core/base/float32.h"
 #include "core/base/tunables.h"
 #include "core/io/cad/cad_faces.h"
 #include "core/io/cad/cad_parts.h"
@@ -193,7 +194,7 @@ class Polygoniser {
     for (const CadNode& node : mesh.nodes) {
       const gp_Pnt p = gp_Pnt(node.position.x(), node.position.y(), node.position.z());
       const Vec3 point = kMetresPerMillimetre * to_vec3(p.Transformed(place));
-      points.push_back(point.cast<float>().cast<double>());
+      points.push_back(as_float32(point));
       if (!points.back().allFinite()) fail(m_model, "has coordinates that are not finite");
       gp_Pnt ignored;
       gp_Vec du, dv;

@@ -13,6 +13,7 @@ namespace trivet {
 namespace {
 
 constexpr const char* kPivotName = "pivot";
+constexpr const char* kOriginName = "origin";
 
 /// One vertex of a primitive: glTF has one index for position and normal together.
 struct CornerKey {
@@ -96,7 +97,9 @@ class SceneWriter {
 
   GltfDocument write(const ExportScene& scene) {
     GltfJson roots = GltfJson::array();
-    for (const ExportObject& object : scene.objects) roots.push_back(add_object(object));
+    for (const ExportObject& object : scene.objects)
+      roots.push_back(add_object(relative_to(scene.origin, object)));
+    if (!roots.empty() && !scene.origin.isZero(0)) roots = {add_origin(scene.origin, roots)};
     GltfJson scene_json = GltfJson::object();
     if (!roots.empty()) scene_json["nodes"] = std::move(roots);
     if (!scene.extras_json.empty())
@@ -105,10 +108,18 @@ class SceneWriter {
   }
 
  private:
+  // In double, as JSON's numbers are: readers that compute so lose nothing.
+  size_t add_origin(const Vec3& origin, const GltfJson& children) {
+    const Vec3 y_up(origin.x(), origin.z(), 0.0 - origin.y());
+    return m_builder.add("nodes", {{"name", kOriginName},
+                                   {"translation", {y_up.x(), y_up.y(), y_up.z()}},
+                                   {"children", children}});
+  }
+
   size_t add_object(const ExportObject& object) {
     const Model& model = *object.model;
     GltfJson node = {{"name", object.name}};
-    const Vec3 centre = export_centre(model, model.mesh.box());
+    const Vec3 centre = export_centre(&model, model.mesh.box());
     if (model.appearance)
       add_look(*model.appearance, centre, node);
     else if (const int mesh = stored_mesh(object); mesh >= 0)

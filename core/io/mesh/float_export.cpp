@@ -3,12 +3,18 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/base/float32.h"
 
 namespace trivet {
 namespace {
 
 // A mesh farther than this many diagonals from its origin loses digits that centring preserves.
 constexpr double kFarInDiagonals = 2.0;
+
+// A scene that reaches farther, in metres and in diagonals, is exported about an origin of its own.
+// Nearer, clearances that follow coordinates are below 16 micrometres or invisible beside it.
+constexpr double kFarScene = 16.0;
+constexpr double kFarSceneInDiagonals = 8.0;
 
 [[noreturn]] void fail_range(const ExportObject& object) {
   throw Error(Error::Kind::BadInput, "object '" + object.name +
@@ -41,14 +47,31 @@ float finite_float(double value, const ExportObject& object) {
 
 }  // namespace
 
-Vec3 export_centre(const Model& model, const Aabb& mesh_box) {
+Vec3 export_origin(const Aabb& scene_box) {
+  const double size = scene_box.diagonal(), reach = scene_box.max_abs_coordinate();
+  if (!(size > 0) || !(reach > std::max(kFarScene, kFarSceneInDiagonals * size)))
+    return Vec3::Zero();
+  // A power of two of two to four diagonals: a scene that grows a little keeps its origin.
+  const double grid = std::ldexp(1.0, std::ilogb(size) + 2);
+  Vec3 origin = Vec3::Zero();
+  if (!std::isfinite(grid) || !scene_box.centre().allFinite()) return origin;
+  for (int i = 0; i < 3; ++i) origin[i] = grid * std::round(scene_box.centre()[i] / grid) + 0.0;
+  return origin;
+}
+
+Vec3 export_centre(const Model* model, const Aabb& mesh_box) {
   const Vec3 centre = local_centre(mesh_box);
-  return model.appearance ? Vec3(centre.cast<float>().cast<double>()) : centre;
+  return model && model->appearance ? as_float32(centre) : centre;
+}
+
+ExportObject relative_to(const Vec3& origin, ExportObject object) {
+  object.world_from_object = relative_to(origin, object.world_from_object);
+  return object;
 }
 
 LocalVertices local_vertices(const Model& model) {
   LocalVertices out;
-  out.centre = export_centre(model, model.mesh.box());
+  out.centre = export_centre(&model, model.mesh.box());
   out.positions.reserve(model.mesh.vertices.size());
   for (const Vec3& p : model.mesh.vertices) out.positions.push_back((p - out.centre).cast<float>());
   return out;
@@ -65,8 +88,8 @@ NodeMatrix node_matrix(const ExportObject& object, const Vec3& centre) {
 }
 
 ExportedPlacement::ExportedPlacement(const ExportObject& object, const Aabb& mesh_box)
-    : m_centre(export_centre(*object.model, mesh_box)),
-      m_has_look(object.model->appearance != nullptr) {
+    : m_centre(export_centre(object.model.get(), mesh_box)),
+      m_has_look(object.model && object.model->appearance) {
   const NodeMatrix rows = node_matrix(object, m_centre);
   for (int r = 0; r < 3; ++r) {
     for (int c = 0; c < 3; ++c) m_y_up_from_local.linear(r, c) = rows[r][c];
@@ -77,8 +100,8 @@ ExportedPlacement::ExportedPlacement(const ExportObject& object, const Aabb& mes
 Vec3 ExportedPlacement::operator()(const Vec3& vertex) const {
   Vec3 local = vertex - m_centre;
   // An appearance's float32 vertices pass through its own nodes, in double, as on import.
-  if (!m_has_look) local = local.cast<float>().cast<double>();
-  const Eigen::Vector3f y_up = m_y_up_from_local.apply(local).cast<float>();
+  if (!m_has_look) local = as_float32(local);
+  const Vec3 y_up = as_float32(m_y_up_from_local.apply(local));
   return {y_up.x(), -y_up.z(), y_up.y()};
 }
 

@@ -10,7 +10,11 @@ namespace trivet {
 
 /// Origin of the object's node: zero unless the mesh lies far from its own origin, where a float32
 /// matrix loses digits. Coordinates are float32 numbers for models with an appearance.
-Vec3 export_centre(const Model& model, const Aabb& mesh_box);
+/// @param model  null: of no appearance.
+Vec3 export_centre(const Model* model, const Aabb& mesh_box);
+
+/// The object with its pose relative to `origin`.
+ExportObject relative_to(const Vec3& origin, ExportObject object);
 
 /// Vertices as stored in the file for models without an appearance: object frame minus `centre`,
 /// rounded to float32.

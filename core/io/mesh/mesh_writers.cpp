@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/io/appearance.h"
 #include "core/io/colour.h"
+#include "core/io/mesh/float_export.h"
 #include "core/io/writers.h"
 
 namespace trivet {
@@ -27,6 +28,23 @@ void append_line(std::string& out, const char* keyword, std::initializer_list<fl
   out += '\n';
 }
 
+// What a reader has to add to the positions: " x y z" in digits that give the doubles back. Empty:
+// nothing.
+std::string origin_text(const ExportScene& scene) {
+  if (scene.origin.isZero(0)) return "";
+  std::string out = ", origin";
+  for (const double value : scene.origin) {
+    char buffer[32];
+    const auto end = std::to_chars(buffer, buffer + sizeof buffer, value);
+    out.append(" ").append(buffer, end.ptr);
+  }
+  return out;
+}
+
+std::vector<Eigen::Vector3f> positions_in(const ExportScene& scene, const ExportObject& object) {
+  return exported_positions(relative_to(scene.origin, object));
+}
+
 // OBJ names end at white space, in most readers.
 std::string word(const std::string& name, const char* fallback) {
   std::string out = name.empty() ? fallback : name;
@@ -37,14 +55,14 @@ std::string word(const std::string& name, const char* fallback) {
 
 class ObjWriter {
  public:
-  explicit ObjWriter(const std::string& mtl_name) {
-    m_out.obj = "# Trivet: metres, z up\nmtllib " + mtl_name + "\n";
+  ObjWriter(const ExportScene& scene, const std::string& mtl_name) : m_scene(scene) {
+    m_out.obj = "# Trivet: metres, z up" + origin_text(scene) + "\nmtllib " + mtl_name + "\n";
     m_out.mtl = "# Trivet\n";
   }
 
   void add(const ExportObject& object) {
     m_out.obj += "o " + word(object.name, "object") + "\n";
-    for (const Eigen::Vector3f& p : exported_positions(object))
+    for (const Eigen::Vector3f& p : positions_in(m_scene, object))
       append_line(m_out.obj, "v", {p.x(), p.y(), p.z()});
     for (const MaterialFaces& group : faces_by_material(*object.model)) {
       m_out.obj += "usemtl " + material_name(*object.model, group.material) + "\n";
@@ -89,6 +107,7 @@ class ObjWriter {
     append_line(m_out.mtl, "Pm", {material.metallic});
   }
 
+  const ExportScene& m_scene;
   ObjText m_out;
   size_t m_first_vertex = 1;
   std::map<std::pair<const Model*, Index>, std::string> m_names;
@@ -116,21 +135,22 @@ Counts count(const ExportScene& scene, const char* format) {
 }  // namespace
 
 ObjText obj_text(const ExportScene& scene, const std::string& mtl_name) {
-  ObjWriter writer(mtl_name);
+  ObjWriter writer(scene, mtl_name);
   for (const ExportObject& object : scene.objects) writer.add(object);
   return writer.take();
 }
 
 std::string ply_bytes(const ExportScene& scene) {
   const Counts total = count(scene, "PLY");
-  std::string out = "ply\nformat binary_little_endian 1.0\ncomment Trivet: metres, z up\n";
+  std::string out = "ply\nformat binary_little_endian 1.0\ncomment Trivet: metres, z up" +
+                    origin_text(scene) + "\n";
   out += "element vertex " + std::to_string(total.vertices) + "\n";
   for (const char* axis : {"x", "y", "z"}) out += std::string("property float ") + axis + "\n";
   out += "element face " + std::to_string(total.faces) + "\n";
   out += "property list uchar int vertex_indices\nend_header\n";
   out.reserve(out.size() + 12 * total.vertices + 13 * total.faces);
   for (const ExportObject& object : scene.objects)
-    for (const Eigen::Vector3f& p : exported_positions(object))
+    for (const Eigen::Vector3f& p : positions_in(scene, object))
       for (int i = 0; i < 3; ++i) append_bytes(out, p[i]);
   Index first_vertex = 0;
   for (const ExportObject& object : scene.objects) {
@@ -145,12 +165,12 @@ std::string ply_bytes(const ExportScene& scene) {
 
 std::string stl_bytes(const ExportScene& scene) {
   const Counts total = count(scene, "STL");
-  std::string out = "Trivet: binary STL, metres, z up";
+  std::string out = "Trivet: binary STL, metres, z up" + origin_text(scene);
   out.resize(80, '\0');
   append_bytes(out, static_cast<std::uint32_t>(total.faces));
   out.reserve(out.size() + 50 * total.faces);
   for (const ExportObject& object : scene.objects) {
-    const std::vector<Eigen::Vector3f> positions = exported_positions(object);
+    const std::vector<Eigen::Vector3f> positions = positions_in(scene, object);
     for (const Index3& face : object.model->mesh.triangles) {
       const Vec3 a = positions[face[0]].cast<double>();
       const Vec3 normal =

@@ -7,7 +7,9 @@
 
 #include "core/base/error.h"
 #include "core/base/quoted.h"
+#include "core/base/tunables.h"
 #include "core/exact/interpenetration.h"
+#include "core/io/export.h"
 #include "ops/files/json/json_text.h"
 #include "ops/placement/clearance.h"
 #include "ops/placement/verify.h"
@@ -140,13 +142,24 @@ void check_written(const GltfScene& source, const Scene& scene, SceneCheck& chec
     }
 }
 
+// The scene's own nodes place its objects in the world in float32, whose steps grow with
+// coordinates: so must the default clearance.
+double default_clearance_in_world(const Scene& scene) {
+  const ClearanceRange range = clearance_range(scene);
+  const double coordinates = kRelativeClearance * scene.box().max_abs_coordinate();
+  return std::clamp(coordinates, range.usual, range.largest);
+}
+
 }  // namespace
 
-LayoutRun run_in_scene(const Layout& layout, GltfScene& source, const RunOptions& options) {
+LayoutRun run_in_scene(const Layout& layout, GltfScene& source, const RunOptions& given) {
+  RunOptions options = given;
   check_operations(layout, options);
   const std::map<size_t, const LayoutObject*> picked = picked_objects(layout, source, options);
   LayoutRun run;
   run.scene = make_scene(layout, source, picked, options);
+  if (!(options.settle.clearance > 0) && !export_origin(run.scene.box()).isZero(0))
+    options.settle.clearance = default_clearance_in_world(run.scene);
   if (const auto why =
           refuse_too_coarse(run.scene, std::span<const PlacedBox>(), options.settle.clearance))
     throw Error(Error::Kind::BadInput, source.path() + ": " + message(*why));

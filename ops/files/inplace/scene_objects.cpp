@@ -8,6 +8,7 @@
 #include <map>
 
 #include "core/base/error.h"
+#include "core/base/float32.h"
 #include "core/base/hash.h"
 #include "core/io/export.h"
 #include "core/io/gltf/gltf_builder.h"
@@ -300,8 +301,7 @@ std::vector<Vec3> GltfScene::written_positions(size_t object, const Mesh& mesh) 
   out.reserve(mesh.vertices.size());
   const auto unstretch = inverse({found.stretch, Vec3::Zero()});
   if (unstretch) world = composed(world, *unstretch);
-  for (const Vec3& v : mesh.vertices)
-    out.push_back(z_up(world.apply(v).cast<float>().cast<double>()));
+  for (const Vec3& v : mesh.vertices) out.push_back(z_up(as_float32(world.apply(v))));
   return out;
 }
 

@@ -3,6 +3,7 @@
 #include <map>
 #include <set>
 
+#include "core/io/export.h"
 #include "ops/files/json/json_text.h"
 #include "ops/files/json/operation_json.h"
 #include "ops/files/report/json_parts.h"
@@ -143,6 +144,8 @@ std::string scene_extras(const Scene& scene, const Layout& layout,
   json["models"] = std::move(models);
   json["objects"] = std::move(objects);
   json["load_support"] = load_support_json(scene);
+  const Vec3 origin = export_origin(scene.box());
+  if (!origin.isZero(0)) json["origin"] = to_json(origin);
   json["layout"] = layout_json(layout, options);
   return OrderedJson{{"trivet", std::move(json)}}.dump();
 }
@@ -160,12 +163,16 @@ TrivetExtras parse_scene_extras(const std::string& text, const std::string& file
     JsonPlace(document, file).fail("has no data of Trivet; accepted: scenes that Trivet wrote");
   const JsonPlace& root = *found;
   root.expect_object({"trivet", "version", "floor", "clearance", "models", "objects", "layout"},
-                     {"load_support"});
+                     {"load_support", "origin"});
   if (root.at("trivet").value() != kVersion) root.at("trivet").refuse(std::to_string(kVersion));
 
   TrivetExtras extras;
   extras.floor = root.at("floor").boolean();
   extras.clearance = root.at("clearance").number(0, kMaxLength);
+  if (const auto place = root.find("origin")) {
+    const std::vector<double> at = place->numbers(3, -kMaxLength, kMaxLength);
+    extras.origin = {at[0], at[1], at[2]};
+  }
   for (const JsonPlace& item : root.at("models").items())
     extras.models.push_back(read_model_entry(item));
   for (const JsonPlace& item : root.at("objects").items())

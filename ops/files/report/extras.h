@@ -9,6 +9,9 @@
 //                  "position", "rotation",               no position: out of the scene
 //                  "locked", "group"}],                  if it is
 //     "load_support": [{"object", "supports", "loads"}], "floor" is the floor
+//     "origin": [x, y, z],                              what the nodes' poses are relative to, z
+//     up;
+//                                                       none: 0
 //     "layout":  {...}}                                  as a layout file, of what made the scene
 //   node.extras.trivet: the object's entry of a report
 //
@@ -50,6 +53,7 @@ struct ExtrasObject {
 struct TrivetExtras {
   bool floor = true;
   double clearance = 0;
+  Vec3 origin = Vec3::Zero();
   std::vector<ExtrasModel> models;
   std::vector<ExtrasObject> objects;
   Layout layout;

@@ -98,7 +98,7 @@ StoredGeometry stored_geometry(const Model& model) {
   out.fingerprint = geometry_fingerprint(model.mesh);
   if (model.appearance) {
     out.stored_fingerprint = out.fingerprint;
-    out.centre = export_centre(model, model.mesh.box());
+    out.centre = export_centre(&model, model.mesh.box());
     out.own_nodes = true;
     return out;
   }

@@ -8,13 +8,41 @@
 namespace trivet {
 namespace {
 
-// Names of the scene's own nodes; a model's nodes below them may be called the same.
-std::map<std::string, int> roots_by_name(const GltfJson& root) {
+const GltfJson& node_of(const GltfJson& root, int node) {
+  return element(root, "nodes", GltfJson(static_cast<unsigned>(node)));
+}
+
+// The root that all objects of a scene far from the world's origin are below; else null. Objects'
+// own nodes have Trivet's extras.
+const GltfJson* origin_node(const GltfJson& root, const std::vector<int>& roots) {
+  if (roots.size() != 1) return nullptr;
+  const GltfJson& node = node_of(root, roots.front());
+  return node.contains("extras") || !node.contains("translation") ? nullptr : &node;
+}
+
+// Names of the objects' nodes; a model's nodes below them may be called the same.
+std::map<std::string, int> objects_by_name(const GltfJson& root) {
   std::map<std::string, int> out;
   if (member(root, "nodes").empty()) return out;
-  for (const int node : scene_roots(root))
-    out.emplace(name_of(element(root, "nodes", GltfJson(static_cast<unsigned>(node)))), node);
+  std::vector<int> nodes = scene_roots(root);
+  if (const GltfJson* origin = origin_node(root, nodes)) {
+    nodes.clear();
+    for (const GltfJson& child : member(*origin, "children"))
+      nodes.push_back(static_cast<int>(index_from(child)));
+  }
+  for (const int node : nodes) out.emplace(name_of(node_of(root, node)), node);
   return out;
+}
+
+Vec3 origin_of(const GltfJson& root) {
+  if (member(root, "nodes").empty()) return Vec3::Zero();
+  const GltfJson* node = origin_node(root, scene_roots(root));
+  if (!node) return Vec3::Zero();
+  std::vector<double> t;
+  for (const GltfJson& entry : (*node)["translation"])
+    t.push_back(entry.is_number() ? entry.get<double>() : 0);
+  t.resize(3);
+  return {t[0], 0.0 - t[2], t[1]};
 }
 
 // A node like the object's own, but with nothing of its pose and of Trivet's data.
@@ -59,7 +87,7 @@ std::vector<double> matrix_of(const GltfJson& node) {
 NodeModels::NodeModels(const std::string& path, const std::vector<ModelNode>& nodes,
                        const ImportLimits& limits) {
   GltfDocument document = read_gltf_document(path, limits);
-  const std::map<std::string, int> roots = roots_by_name(document.json);
+  const std::map<std::string, int> roots = objects_by_name(document.json);
   GltfJson ids = GltfJson::array();
   std::vector<std::string> notes;
   for (const ModelNode& wanted : nodes) {
@@ -85,11 +113,12 @@ NodeModels::NodeModels(const std::string& path, const std::vector<ModelNode>& no
   m_file = std::make_unique<TemporaryFile>(glb_bytes(std::move(document)), ".glb");
 }
 
-std::vector<NodePose> read_node_poses(const std::string& path) {
+NodePoses read_node_poses(const std::string& path) {
   const GltfJson root = parse_gltf_json(path, read_gltf_text(path));
-  std::vector<NodePose> poses;
-  for (const auto& [name, node] : roots_by_name(root))
-    poses.push_back({name, matrix_of(root["nodes"][node])});
+  NodePoses poses;
+  poses.origin = origin_of(root);
+  for (const auto& [name, node] : objects_by_name(root))
+    poses.nodes.push_back({name, matrix_of(root["nodes"][node])});
   return poses;
 }
 

@@ -37,11 +37,16 @@ class NodeModels {
   std::vector<std::shared_ptr<const Appearance>> m_looks;
 };
 
-/// The 16 numbers of the matrix of each root node, column by column; the identity when it has none.
+/// The 16 numbers of the matrix of an object's node, column by column; the identity when it has
+/// none.
 struct NodePose {
   std::string name;
   std::vector<double> matrix;  // empty: given in another way than Trivet writes it
 };
-std::vector<NodePose> read_node_poses(const std::string& path);
+struct NodePoses {
+  std::vector<NodePose> nodes;
+  Vec3 origin = Vec3::Zero();  // translation of the root that all are below, z up; zero: of none
+};
+NodePoses read_node_poses(const std::string& path);
 
 }  // namespace trivet

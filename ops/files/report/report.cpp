@@ -5,6 +5,7 @@
 
 #include "ops/files/json/json_text.h"
 #include "ops/files/report/json_parts.h"
+#include "ops/files/report/models_of_shapes.h"
 
 namespace trivet {
 namespace {
@@ -21,7 +22,7 @@ OrderedJson objects_json(const Scene& scene, const ReportOptions& options) {
     const Object& object = scene.at(id);
     const auto it = entry_of.find(id.index);
     json.push_back(object_json(scene, object, it == entry_of.end() ? nullptr : it->second,
-                               joined_path(options.model_folder, object.model->path)));
+                               joined_path(options.model_folder, model_path(object))));
   }
   return json;
 }

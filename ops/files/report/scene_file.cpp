@@ -9,6 +9,7 @@
 #include "core/io/sandboxed_import.h"
 #include "ops/files/report/extras.h"
 #include "ops/files/report/glb_nodes.h"
+#include "ops/files/report/models_of_shapes.h"
 #include "ops/files/report/report.h"
 #include "ops/files/report/temporary_file.h"
 #include "ops/placement/clearance.h"
@@ -21,6 +22,7 @@ ExportScene export_scene(const Scene& scene, const SceneFileOptions& options) {
   const LoadSupport list = load_support(scene);
   for (const LoadSupport::Entry& entry : list.entries) entry_of[entry.object.index] = &entry;
   ExportScene out;
+  out.origin = export_origin(scene.box());
   for (const ObjectId id : scene.ids()) {
     const Object& object = scene.at(id);
     if (!object.placed) continue;
@@ -34,8 +36,9 @@ ExportScene export_scene(const Scene& scene, const SceneFileOptions& options) {
 
 ExportScene whole_export(const Scene& scene, const Layout& layout,
                          const SceneFileOptions& options) {
-  ExportScene out = export_scene(scene, options);
-  out.extras_json = scene_extras(scene, layout, options);
+  const WholeModels whole(scene);
+  ExportScene out = export_scene(whole.scene(), options);
+  out.extras_json = scene_extras(whole.scene(), layout, options);
   return out;
 }
 
@@ -153,13 +156,15 @@ class SceneReader {
   // What other programs see must be what Trivet has.
   void check_poses() const {
     std::map<std::string, std::vector<double>> matrix_of;
-    for (NodePose& node : read_node_poses(m_path)) matrix_of[node.name] = std::move(node.matrix);
+    NodePoses nodes = read_node_poses(m_path);
+    if (nodes.origin != m_extras.origin) fail_changed(m_path, "the scene was moved");
+    for (NodePose& node : nodes.nodes) matrix_of[node.name] = std::move(node.matrix);
     for (const ObjectId id : m_file.scene.ids()) {
       const Object& object = m_file.scene.at(id);
       if (!object.placed) continue;
-      const NodeMatrix rows =
-          node_matrix({object.name, object.model, object.world_from_object(), ""},
-                      m_centre_of.at(object.model.get()));
+      const NodeMatrix rows = node_matrix(
+          {object.name, object.model, relative_to(m_extras.origin, object.world_from_object()), ""},
+          m_centre_of.at(object.model.get()));
       const std::vector<double>& columns = matrix_of[object.name];
       bool same = columns.size() == 16;
       for (int r = 0; same && r < 3; ++r)

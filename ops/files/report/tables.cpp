@@ -5,6 +5,7 @@
 
 #include "core/io/export.h"
 #include "ops/files/report/json_parts.h"
+#include "ops/files/report/models_of_shapes.h"
 
 namespace trivet {
 namespace {
@@ -42,7 +43,7 @@ Rows pose_rows(const Scene& scene) {
   for (const ObjectId id : scene.ids()) {
     const Object& object = scene.at(id);
     OrderedJson row = {{"name", object.name},
-                       {"model", object.model->path},
+                       {"model", model_path(object)},
                        {"state", to_string(object.state)},
                        {"fixed", object.fixed}};
     add_pose(row, object);

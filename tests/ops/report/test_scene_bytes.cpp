@@ -116,6 +116,26 @@ TEST(SceneBytes, OfFloat32MeshesHoldNoSecondCopy) {
   expect_same(read_back(bytes), scene);
 }
 
+// Programs may leave Object::model out.
+TEST(SceneBytes, OfObjectsWithoutModelsComeBackWhole) {
+  Scene scene;
+  const auto shape = make_shape(weld(test::box_triangles(Vec3(0.3, 0.2, 1.0 / 3))));
+  for (const char* name : {"a", "b"}) {
+    Object object;
+    object.name = name;
+    object.shape = shape;
+    scene.add(std::move(object));
+  }
+  ASSERT_TRUE(stand(scene, *scene.find("a"), {{}, Vec3(0, 0, 0.34)}).ok());
+  ASSERT_TRUE(put(scene, *scene.find("b"), {{}, Vec3(0, 0, 2)}).ok());
+  update_contacts(scene);
+  EXPECT_TRUE(check_scene(scene).not_at_rest.size() == 1);  // "a" stands above the floor
+  const Scene back = read_back(scene_file_bytes(scene, {}, {}));
+  EXPECT_EQ(fingerprint(back), fingerprint(scene));
+  EXPECT_EQ(back.at(*back.find("a")).shape->mesh.vertices, shape->mesh.vertices);
+  EXPECT_EQ(back.at(*back.find("a")).model, back.at(*back.find("b")).model);
+}
+
 std::string complaint(const std::string& bytes) {
   try {
     read_scene_bytes(bytes);
