@@ -5,6 +5,7 @@
 #include <IGESCAFControl_Reader.hxx>
 #include <Quantity_ColorRGBA.hxx>
 #include <STEPCAFControl_Reader.hxx>
+#include <STEPConstruct_ExternRefs.hxx>
 #include <TDF_LabelSequence.hxx>
 #include <TDataStd_Name.hxx>
 #include <TDocStd_Document.hxx>
@@ -19,9 +20,12 @@
 #include <optional>
 
 #include "core/base/error.h"
+#include "core/base/quoted.h"
 
 namespace trivet {
 namespace {
+
+constexpr size_t kMaxNameLength = 100;
 
 using Colour = std::array<float, 4>;
 
@@ -131,6 +135,19 @@ class Walk {
   CadParts& m_out;
 };
 
+// Open CASCADE would open the files that a STEP file names, wherever they are.
+void refuse_other_files(const std::string& path, const STEPCAFControl_Reader& reader) {
+  STEPConstruct_ExternRefs references(reader.Reader().WS());
+  references.LoadExternRefs();
+  for (Standard_Integer i = 1; i <= references.NbExternRefs(); ++i) {
+    const Standard_CString name = references.FileName(i);
+    if (!name || !*name) continue;
+    fail(path, "names another file, " + quoted(std::string(name).substr(0, kMaxNameLength)) +
+                   ", which is not opened; accepted: one STEP file with all parts");
+  }
+}
+void refuse_other_files(const std::string&, const IGESCAFControl_Reader&) {}
+
 template <class Reader>
 void transfer(const std::string& path, const char* format, CadParts& out) {
   Document document;
@@ -139,6 +156,7 @@ void transfer(const std::string& path, const char* format, CadParts& out) {
   reader.SetColorMode(true);
   if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
     fail(path, std::string("cannot be read as ") + format);
+  refuse_other_files(path, reader);
   reader.Transfer(document.get());  // broken parts are left out
   Walk(document, out).all();
 }

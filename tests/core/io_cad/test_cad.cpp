@@ -251,6 +251,56 @@ TEST_F(Cad, ReadsNamesAndColoursOfAssembly) {
   EXPECT_EQ(model.corner_normals.size(), model.mesh.triangles.size());
 }
 
+/// Writes an assembly in several STEP files, of which `path` names the others.
+void write_assembly_of_files(const std::string& path) {
+  Handle(TDocStd_Document) document;
+  XCAFApp_Application::GetApplication()->NewDocument("MDTV-XCAF", document);
+  const auto shapes = XCAFDoc_DocumentTool::ShapeTool(document->Main());
+  const TDF_Label all = shapes->NewShape();
+  for (const char* name : {"part_a", "part_b"}) {
+    const TDF_Label label = shapes->AddShape(ball(), false);
+    TDataStd_Name::Set(label, name);
+    shapes->AddComponent(all, label, TopLoc_Location());
+  }
+  TDataStd_Name::Set(all, "all");
+  shapes->UpdateAssemblies();
+  STEPCAFControl_Writer writer;
+  EXPECT_TRUE(writer.Transfer(document, STEPControl_AsIs, "secret_"));
+  EXPECT_EQ(writer.Write(path.c_str()), IFSelect_RetDone);
+  XCAFApp_Application::GetApplication()->Close(document);
+}
+
+std::string text_of(const std::string& path) {
+  std::ifstream stream(path);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+// Untrusted models open no files; Open CASCADE would, in any folder.
+TEST_F(Cad, RefusesFilesThatNameOthers) {
+  const std::string path = file("all.stp");
+  write_assembly_of_files(path);
+  const std::string text = text_of(path);
+  ASSERT_NE(text.find("secret_"), std::string::npos);
+  const auto message = [&] {
+    try {
+      read_cad_model(path);
+    } catch (const Error& e) {
+      EXPECT_EQ(e.kind(), Error::Kind::BadInput);
+      return std::string(e.what());
+    }
+    return std::string();
+  };
+  EXPECT_NE(message().find("names another file, \"secret_"), std::string::npos) << message();
+  for (const char* other : {"../../x_", "/etc/x_"}) {
+    std::string changed = text;
+    for (size_t at; (at = changed.find("secret_")) != std::string::npos;)
+      changed.replace(at, 7, other);
+    std::ofstream(path) << changed;
+    EXPECT_NE(message().find(std::string("names another file, \"") + other), std::string::npos)
+        << message();
+  }
+}
+
 TEST_F(Cad, TakesNormalsFromSurface) {
   const Model model = read_cad_model(written(ball(), "made.step"));
   for (size_t f = 0; f < model.mesh.triangles.size(); ++f) {
