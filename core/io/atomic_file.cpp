@@ -43,6 +43,7 @@ class TemporaryFile {
   TemporaryFile& operator=(const TemporaryFile&) = delete;
 
   int descriptor() const { return m_descriptor; }
+  const fs::path& path() const { return m_path; }
 
   void sync_and_close(const fs::path& target) {
     if (fsync(m_descriptor) != 0) fail(target.string(), errno);
@@ -106,12 +107,14 @@ struct StagedFiles::File {
   std::string late_bytes;  // of a device or pipe
   fs::path target;
   std::unique_ptr<TemporaryFile> temporary;
+  bool replaces = false, is_committed = false;
+  std::string old;  // second name of what was there; empty: none
 
   File(const std::string& file, const FileContent& content) : path(file) {
-    struct stat old {};
-    const bool exists = stat(path.c_str(), &old) == 0;
-    if (exists && S_ISDIR(old.st_mode)) fail(path, EISDIR);
-    if (exists && !S_ISREG(old.st_mode)) {
+    struct stat there {};
+    const bool exists = replaces = stat(path.c_str(), &there) == 0;
+    if (exists && S_ISDIR(there.st_mode)) fail(path, EISDIR);
+    if (exists && !S_ISREG(there.st_mode)) {
       content([&](const std::string& bytes) { late_bytes += bytes; });
       return;
     }
@@ -122,15 +125,34 @@ struct StagedFiles::File {
     if (error) fail(path, error.value());
     temporary = std::make_unique<TemporaryFile>(target);
     content([&](const std::string& bytes) { write_all(temporary->descriptor(), bytes, path); });
-    if (exists) fchmod(temporary->descriptor(), old.st_mode & 07777);
+    if (exists) fchmod(temporary->descriptor(), there.st_mode & 07777);
     temporary->sync_and_close(path);
   }
+
+  ~File() {
+    if (!old.empty()) unlink(old.c_str());
+  }
+  File(const File&) = delete;
+  File& operator=(const File&) = delete;
 
   void commit() {
     if (!temporary)
       return write_through(path, [this](const ByteSink& write) { write(late_bytes); });
     temporary->rename_to(target);
+    is_committed = true;
     sync_folder(target.parent_path());
+  }
+
+  /// A second name for what is there; file systems without hard links have none.
+  void keep_old() {
+    if (!temporary || !replaces) return;
+    const std::string name = temporary->path().string() + ".old";
+    if (link(target.c_str(), name.c_str()) == 0) old = name;
+  }
+  void take_back() noexcept {
+    if (!is_committed) return;
+    if (!old.empty() && std::rename(old.c_str(), target.c_str()) == 0) old.clear();
+    if (!replaces) unlink(target.c_str());
   }
 };
 
@@ -163,7 +185,13 @@ void StagedFiles::add(const std::string& path, const FileContent& content) {
 }
 
 void StagedFiles::commit() {
-  for (const auto& file : m_files) file->commit();
+  for (size_t i = 0; i + 1 < m_files.size(); ++i) m_files[i]->keep_old();
+  try {
+    for (const auto& file : m_files) file->commit();
+  } catch (...) {
+    for (const auto& file : m_files) file->take_back();
+    throw;
+  }
   m_files.clear();
   m_folders.clear();
 }

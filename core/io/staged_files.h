@@ -25,7 +25,8 @@ class StagedFiles {
   void add(const std::string& path, const std::string& bytes);
   void add(const std::string& path, const FileContent& content);
   /// Renames in the order of add(): what names others comes last.
-  /// @throws Error (Environment) when the system refuses a rename; those before it are done.
+  /// @throws Error (Environment) when the system refuses a rename; those before it are taken back
+  ///   (but for files that were replaced where there are no hard links).
   void commit();
 
  private:
