@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cassert>
+#include <iterator>
 #include <type_traits>
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/make_room.h"
 #include "core/base/tunables.h"
 
 namespace trivet {
@@ -152,23 +154,26 @@ SceneExtent Scene::extent_without(std::span<const ObjectId> left_out) const {
 
 void Scene::set_contacts(ObjectId id, std::vector<ObjectContact> object_contacts) {
   // All that allocates comes first: nothing is half done when memory runs out.
-  std::map<std::uint32_t, std::vector<ObjectContact>> seen_by_others;
+  std::map<std::uint32_t, std::vector<ObjectContact>> new_of_others;
   const auto note = [&](const ObjectContact& l) -> std::vector<ObjectContact>* {
     if (l.with.is_floor() || l.with == Support(id)) return nullptr;
-    const auto [it, is_new] = seen_by_others.try_emplace(l.with.object().index);
-    if (is_new) {
-      it->second = at(l.with.object()).contacts;
-      std::erase_if(it->second,
-                    [&](const ObjectContact& other) { return other.with == Support(id); });
-    }
-    return &it->second;
+    assert(contains(l.with.object()));
+    return &new_of_others[l.with.object().index];
   };
   for (const ObjectContact& l : at(id).contacts) note(l);
   for (const ObjectContact& l : object_contacts)
     if (std::vector<ObjectContact>* others = note(l)) others->push_back({id, reversed(l.contact)});
   keep(id.index);
-  for (const auto& [index, others] : seen_by_others) keep(index);
-  for (auto& [index, others] : seen_by_others) m_slots[index].object->contacts = std::move(others);
+  for (const auto& [index, news] : new_of_others) {
+    keep(index);
+    std::vector<ObjectContact>& contacts = m_slots[index].object->contacts;
+    make_room(contacts, contacts.size() + news.size());
+  }
+  for (auto& [index, news] : new_of_others) {
+    std::vector<ObjectContact>& contacts = m_slots[index].object->contacts;
+    std::erase_if(contacts, [&](const ObjectContact& other) { return other.with == Support(id); });
+    std::move(news.begin(), news.end(), std::back_inserter(contacts));
+  }
   m_slots[id.index].object->contacts = std::move(object_contacts);
 }
 

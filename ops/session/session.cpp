@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/make_room.h"
 #include "core/scene/fingerprint.h"
 #include "core/scene/transaction.h"
 #include "ops/operations/live_move.h"
@@ -34,12 +35,6 @@ std::vector<ObjectId> united(std::vector<ObjectId> a, const std::vector<ObjectId
   std::sort(a.begin(), a.end(), by_slot);
   a.erase(std::unique(a.begin(), a.end()), a.end());
   return a;
-}
-
-// So that nothing is left to fail once the journal has the step.
-template <class T>
-void make_room(std::vector<T>& items, size_t count) {
-  if (items.capacity() < count) items.reserve(std::max(count, 2 * items.capacity()));
 }
 
 }  // namespace
@@ -76,6 +71,7 @@ void Session::keep(Transaction& transaction, SessionStep& step) {
   done.largest_clearance = std::max(largest_clearance(), default_clearance(m_scene));
   step.fingerprint = fingerprint(m_scene, done.touched);
   for (OperationResult& kept : step.results) kept.steps = {};
+  // Nothing is left to fail once the journal has the step.
   make_room(m_steps, m_position + 1);
   make_room(m_done, m_position + 1);
   std::vector<ObjectId> changed_aside = changed_aside_without_undone();
