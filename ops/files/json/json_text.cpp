@@ -265,6 +265,11 @@ bool JsonPlace::boolean() const {
   return m_value->get<bool>();
 }
 
+double JsonPlace::number() const {
+  if (!m_value->is_number()) refuse("a number");
+  return m_value->get<double>();
+}
+
 double JsonPlace::number(double lower, double upper) const {
   const double value = m_value->is_number() ? m_value->get<double>() : NAN;
   if (!(lower <= value && value <= upper))
@@ -272,11 +277,17 @@ double JsonPlace::number(double lower, double upper) const {
   return value;
 }
 
-std::vector<double> JsonPlace::numbers(size_t count, double lower, double upper) const {
+std::vector<double> JsonPlace::numbers(size_t count) const {
   if (!m_value->is_array() || m_value->size() != count)
     refuse("an array of " + std::to_string(count) + " numbers");
   std::vector<double> out;
-  for (const JsonPlace& item : items()) out.push_back(item.number(lower, upper));
+  for (const JsonPlace& item : items()) out.push_back(item.number());
+  return out;
+}
+
+std::vector<double> JsonPlace::numbers(size_t count, double lower, double upper) const {
+  std::vector<double> out = numbers(count);
+  for (const JsonPlace& item : items()) item.number(lower, upper);
   return out;
 }
 

@@ -35,7 +35,9 @@ class JsonPlace {
 
   std::string text() const;  // not empty, without control characters
   bool boolean() const;
+  double number() const;  // any
   double number(double lower, double upper) const;
+  std::vector<double> numbers(size_t count) const;
   std::vector<double> numbers(size_t count, double lower, double upper) const;
 
   const nlohmann::json& value() const { return *m_value; }

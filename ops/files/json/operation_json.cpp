@@ -5,22 +5,24 @@
 
 #include "core/base/nearest_name.h"
 #include "ops/files/layout/layout.h"
+#include "ops/operations/validate.h"
 
 namespace trivet {
 namespace {
 
-Vec2 read_vec2(const JsonPlace& place, double limit) {
-  const std::vector<double> p = place.numbers(2, -limit, limit);
+// Values alone: ranges are those of find_invalid_argument(), at the end.
+Vec2 read_vec2(const JsonPlace& place) {
+  const std::vector<double> p = place.numbers(2);
   return {p[0], p[1]};
 }
 
-Vec3 read_vec3(const JsonPlace& place, double limit) {
-  const std::vector<double> p = place.numbers(3, -limit, limit);
+Vec3 read_vec3(const JsonPlace& place) {
+  const std::vector<double> p = place.numbers(3);
   return {p[0], p[1], p[2]};
 }
 
-Vec2 read_vector(const JsonPlace& place, const Vec2&) { return read_vec2(place, kMaxLength); }
-Vec3 read_vector(const JsonPlace& place, const Vec3&) { return read_vec3(place, kMaxLength); }
+Vec2 read_vector(const JsonPlace& place, const Vec2&) { return read_vec2(place); }
+Vec3 read_vector(const JsonPlace& place, const Vec3&) { return read_vec3(place); }
 
 template <class Vec>
 void read_via(const JsonPlace& place, std::vector<Vec>& out) {
@@ -34,15 +36,12 @@ Rotation read_rotation(const JsonPlace& place) {
   place.refuse("a quaternion [w, x, y, z] whose length is not zero");
 }
 
-template <class Vec>
-Vec direction(const JsonPlace& place, const Vec& v) {
-  if (v.cwiseAbs().maxCoeff() < kMinDirectionComponent)
-    place.refuse("a direction whose length is not zero");
-  return v;
-}
-
 void read_to(const JsonPlace& place, const char* key, bool& out) {
   if (const auto found = place.find(key)) out = found->boolean();
+}
+
+void read_to(const JsonPlace& place, const char* key, double& out) {
+  if (const auto found = place.find(key)) out = found->number();
 }
 
 void read_to(const JsonPlace& place, const char* key, double lower, double upper, double& out) {
@@ -50,7 +49,7 @@ void read_to(const JsonPlace& place, const char* key, double lower, double upper
 }
 
 void read_to(const JsonPlace& place, const char* key, std::optional<Vec3>& out) {
-  if (const auto found = place.find(key)) out = read_vec3(*found, kMaxLength);
+  if (const auto found = place.find(key)) out = read_vec3(*found);
 }
 
 void read_to(const JsonPlace& place, const char* key, std::optional<std::string>& out) {
@@ -81,18 +80,24 @@ PlaceOptions read_place(const JsonPlace& place) {
   out.on = place.at("on").text();
   if (const auto at = place.find("at")) {
     if (at->value().is_array())
-      out.near = read_vec2(*at, kMaxLength);
+      out.near = read_vec2(*at);
     else if (at->value() != "anywhere")
       at->refuse("\"anywhere\" or a point [x, y]");
   }
   if (const auto seed = place.find("seed")) {
-    if (!seed->value().is_number_unsigned() || seed->value().get<std::uint64_t>() > kMaxSeed)
-      seed->refuse("a whole number from 0 to 2^53");
+    if (!seed->value().is_number_unsigned()) seed->refuse("a whole number from 0 to 2^53");
     out.seed = seed->value().get<std::uint64_t>();
   }
-  read_to(place, "keep", 0, kMaxLength, out.keep);
-  if (const auto from = place.find("from")) out.from = from->number(-kMaxLength, kMaxLength);
+  read_to(place, "keep", out.keep);
+  if (const auto from = place.find("from")) out.from = from->number();
   return out;
+}
+
+// What put and stand have in common.
+Pose read_posed(const JsonPlace& place, MoveOptions& move) {
+  place.expect_object({"op", "object", "position"}, {"rotation", "settle_left"});
+  read_common(place, move);
+  return read_pose(place);
 }
 
 PutOperation read_put(const JsonPlace& place) {
@@ -103,10 +108,8 @@ PutOperation read_put(const JsonPlace& place) {
     if (const auto rotation = place.find("rotation")) put.start.rotation = read_rotation(*rotation);
     return put;
   }
-  place.expect_object({"op", "object", "position"}, {"rotation", "settle_left"});
   PutOperation put;
-  read_common(place, put);
-  put.start = read_pose(place);
+  put.start = read_posed(place, put);
   return put;
 }
 
@@ -115,18 +118,17 @@ PushOperation read_push(const JsonPlace& place) {
   if (place.find("to")) {
     place.expect_object({"op", "object", "to"}, {"via", "step_up", "step_down", "slide", "settle",
                                                  "together", "settle_left"});
-    push.to = read_vec2(place.at("to"), kMaxLength);
+    push.to = read_vec2(place.at("to"));
     read_via(place, push.via);
   } else {
     place.expect_object({"op", "object", "direction", "distance"},
                         {"step_up", "step_down", "slide", "settle", "together", "settle_left"});
-    const JsonPlace towards = place.at("direction");
-    push.direction = direction(towards, read_vec2(towards, kMaxDirectionComponent));
-    push.distance = place.at("distance").number(0, kMaxLength);
+    push.direction = read_vec2(place.at("direction"));
+    push.distance = place.at("distance").number();
   }
   read_common(place, push);
-  read_to(place, "step_up", 0, kMaxLength, push.step_up);
-  read_to(place, "step_down", 0, kMaxLength, push.step_down);
+  read_to(place, "step_up", push.step_up);
+  read_to(place, "step_down", push.step_down);
   read_to(place, "slide", push.slide);
   read_to(place, "settle", push.settle);
   return push;
@@ -137,12 +139,6 @@ TurnOperation::About read_about(const JsonPlace& place) {
   if (place.value() == "line") return TurnOperation::About::Line;
   if (place.value() == "point") return TurnOperation::About::Point;
   place.refuse("\"normal\", \"line\" or \"point\"");
-}
-
-// An axis that an operation may do without.
-void read_axis(const JsonPlace& place, std::optional<Vec3>& out) {
-  if (const auto axis = place.find("axis"))
-    out = direction(*axis, read_vec3(*axis, kMaxDirectionComponent));
 }
 
 TurnOperation read_turn(const JsonPlace& place) {
@@ -159,12 +155,12 @@ TurnOperation read_turn(const JsonPlace& place) {
       place.expect_object({"op", "object", "about", "angle_deg"},
                           {"with", "point", "axis", "settle", "together", "settle_left"});
       read_to(place, "point", turn.point);
-      read_axis(place, turn.axis);
+      read_to(place, "axis", turn.axis);
       break;
   }
   read_common(place, turn);
   read_to(place, "with", turn.with);
-  turn.angle_deg = place.at("angle_deg").number(-kMaxAngleDeg, kMaxAngleDeg);
+  turn.angle_deg = place.at("angle_deg").number();
   read_to(place, "settle", turn.settle);
   return turn;
 }
@@ -173,7 +169,7 @@ PickUpOperation read_pick_up(const JsonPlace& place) {
   place.expect_object({"op", "object", "distance"}, {"with", "together", "settle_left"});
   PickUpOperation pick_up;
   read_common(place, pick_up);
-  pick_up.distance = place.at("distance").number(0, kMaxLength);
+  pick_up.distance = place.at("distance").number();
   read_to(place, "with", pick_up.with);
   return pick_up;
 }
@@ -182,7 +178,7 @@ TranslateOperation read_translate(const JsonPlace& place) {
   place.expect_object({"op", "object", "by"}, {"via", "free", "settle", "together", "settle_left"});
   TranslateOperation translate;
   read_common(place, translate);
-  translate.by = read_vec3(place.at("by"), kMaxLength);
+  translate.by = read_vec3(place.at("by"));
   read_via(place, translate.via);
   read_to(place, "free", translate.free);
   read_to(place, "settle", translate.settle);
@@ -194,8 +190,8 @@ RotateOperation read_rotate(const JsonPlace& place) {
                       {"centre", "free", "settle", "together", "settle_left"});
   RotateOperation rotate;
   read_common(place, rotate);
-  rotate.axis = direction(place.at("axis"), read_vec3(place.at("axis"), kMaxDirectionComponent));
-  rotate.angle_deg = place.at("angle_deg").number(-kMaxAngleDeg, kMaxAngleDeg);
+  rotate.axis = read_vec3(place.at("axis"));
+  rotate.angle_deg = place.at("angle_deg").number();
   read_to(place, "centre", rotate.centre);
   read_to(place, "free", rotate.free);
   read_to(place, "settle", rotate.settle);
@@ -208,7 +204,7 @@ AppendOperation read_append(const JsonPlace& place) {
   AppendOperation append;
   append.object = read_new_name(place.at("object"));
   append.model = place.at("model").text();
-  read_to(place, "scale", kMinScale, kMaxScale, append.scale);
+  read_to(place, "scale", append.scale);
   if (const auto up = place.find("up")) append.up = read_up(*up);
   read_to(place, "fixed", append.fixed);
   append.tessellation = read_tessellation(place, append.model);
@@ -220,25 +216,18 @@ DuplicateOperation read_duplicate(const JsonPlace& place) {
   return {place.at("object").text(), read_new_name(place.at("as"))};
 }
 
-DeleteOperation read_delete(const JsonPlace& place) {
+// Delete and unplace.
+template <class Removal>
+Removal read_removal(const JsonPlace& place) {
   place.expect_object({"op", "object"}, {"settle_left"});
-  DeleteOperation operation;
+  Removal operation;
   read_common(place, operation);
   return operation;
 }
 
 StandOperation read_stand(const JsonPlace& place) {
-  place.expect_object({"op", "object", "position"}, {"rotation", "settle_left"});
   StandOperation operation;
-  read_common(place, operation);
-  operation.pose = read_pose(place);
-  return operation;
-}
-
-UnplaceOperation read_unplace(const JsonPlace& place) {
-  place.expect_object({"op", "object"}, {"settle_left"});
-  UnplaceOperation operation;
-  read_common(place, operation);
+  operation.pose = read_posed(place, operation);
   return operation;
 }
 
@@ -262,9 +251,7 @@ GroupOperation read_ungroup(const JsonPlace& place) {
   return {place.at("object").text(), ""};
 }
 
-}  // namespace
-
-Operation read_operation(const JsonPlace& place) {
+Operation read_values(const JsonPlace& place) {
   if (!place.value().is_object()) place.refuse("an object with the keys op, object, ...");
   const JsonPlace op = place.at("op");
   if (op.value() == "put") return read_put(place);
@@ -275,7 +262,7 @@ Operation read_operation(const JsonPlace& place) {
   if (op.value() == "rotate") return read_rotate(place);
   if (op.value() == "append") return read_append(place);
   if (op.value() == "duplicate") return read_duplicate(place);
-  if (op.value() == "delete") return read_delete(place);
+  if (op.value() == "delete") return read_removal<DeleteOperation>(place);
   if (op.value() == "lock") return read_lock(place, true);
   if (op.value() == "unlock") return read_lock(place, false);
   if (op.value() == "fix") return read_fix(place, true);
@@ -283,7 +270,7 @@ Operation read_operation(const JsonPlace& place) {
   if (op.value() == "group") return read_group(place);
   if (op.value() == "ungroup") return read_ungroup(place);
   if (op.value() == "stand") return read_stand(place);
-  if (op.value() == "unplace") return read_unplace(place);
+  if (op.value() == "unplace") return read_removal<UnplaceOperation>(place);
   const std::string given = op.value().is_string() ? op.value().get<std::string>() : "";
   op.refuse(
       "\"put\", \"push\", \"turn\", \"pick_up\", \"translate\", \"rotate\", \"append\", "
@@ -292,6 +279,15 @@ Operation read_operation(const JsonPlace& place) {
       did_you_mean(given, {"put", "push", "turn", "pick_up", "translate", "rotate", "append",
                            "duplicate", "delete", "lock", "unlock", "fix", "unfix", "group",
                            "ungroup", "stand", "unplace"}));
+}
+
+}  // namespace
+
+Operation read_operation(const JsonPlace& place) {
+  Operation operation = read_values(place);
+  if (const auto found = find_invalid_argument(operation))
+    place.at(found->key.c_str()).refuse(found->accepted);
+  return operation;
 }
 
 UpAxis read_up(const JsonPlace& place) {
@@ -314,7 +310,8 @@ Tessellation read_tessellation(const JsonPlace& place, const std::string& model)
 
 Pose read_pose(const JsonPlace& place) {
   Pose pose;
-  pose.translation = read_vec3(place.at("position"), kMaxLength);
+  const std::vector<double> p = place.at("position").numbers(3, -kMaxLength, kMaxLength);
+  pose.translation = {p[0], p[1], p[2]};
   if (const auto rotation = place.find("rotation")) pose.rotation = read_rotation(*rotation);
   return pose;
 }
