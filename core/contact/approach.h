@@ -1,4 +1,4 @@
-// How long boxes of a moving body stay clear of something fixed, along one axis. Private.
+// Time until which boxes of a moving body stay clear of something fixed, along one axis. Private.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 
 namespace trivet {
 
-/// How a box of the moving body comes nearer to something fixed, along one axis.
+/// Approach of a moving box to something fixed, along one axis.
 struct Approach {
   double gap;             // between the boxes along the axis, less the largest stop
   double extent;          // of the moving box along the axis, to one side

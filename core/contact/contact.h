@@ -1,4 +1,4 @@
-// Where two bodies touch: contact points with normals, grouped by pair of objects.
+// Contact points with normals, grouped by pair of objects.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ namespace trivet {
 enum class ContactType { Point, Line, Area };
 const char* to_string(ContactType type);  // "point", "line", "area"
 
-/// Which features of the two meshes meet; ids refer to the meshes' vertices, edges and faces.
+/// Features of the two meshes that meet; ids refer to the meshes' vertices, edges and faces.
 /// ClosestPoints: of two faces; a vertex beside an edge or a vertex, or a corner of the overlap of
 /// flat faces. There may be several for one pair of faces.
 enum class ContactFeatures { VertexFace, FaceVertex, EdgeEdge, ClosestPoints };

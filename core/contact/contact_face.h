@@ -12,7 +12,7 @@ namespace trivet {
 /// Height over length below which a face has no normal.
 inline constexpr double kFlatFace = 1e-9;
 
-/// What costs no root: most pairs of faces need no more.
+/// The parts of a face that need no square root: enough for most pairs.
 struct PlainFace {
   Triangle corners;
   std::array<Vec3, 3> edge;  // from each corner to the next
@@ -32,7 +32,7 @@ struct PlainFace {
                          n.dot(t[2] - corners[0])};
     return {std::min({h[0], h[1], h[2]}), std::max({h[0], h[1], h[2]})};
   }
-  /// Whether t is on one side of the plane and farther than `distance`: only if
+  /// True if t is on one side of the plane and farther than `distance`: only if
   /// ContactFace::separates() says so, too.
   bool clearly_separates(const Triangle& t, double distance) const {
     const double squared = area_normal.squaredNorm(), longest = longest_squared();
@@ -65,7 +65,7 @@ struct ContactFace : PlainFace {
     return low > distance || high < -distance;
   }
 
-  /// Whether the foot of p on the plane is inside the face, or outside by `slack` at most.
+  /// True if the foot of p on the plane is inside the face, or outside by `slack` at most.
   bool is_below(const Vec3& p, double slack) const {
     for (int k = 0; k < 3; ++k) {
       const Vec3 outward = edge[k].cross(normal);

@@ -193,8 +193,8 @@ class ContactSearch {
     m_flush.add(a, face_a, b, face_b);
   }
 
-  // How far past the end of a feature a foot may be: not far against the height, or the direction
-  // between the surfaces is another one.
+  // Distance by which a foot may lie past the end of a feature: small against the height, as the
+  // direction between the surfaces changes there.
   double slack_at(double height) const { return std::min(m_slack, kFootSlope * height); }
 
   // @return whether the foot is on the face, or was.
@@ -249,7 +249,7 @@ class ContactSearch {
     return foot;
   }
 
-  // Where vertices and ends of (parallel) edges are the nearest, each once.
+  // Nearest vertices and ends of (parallel) edges, each once.
   std::vector<ContactPoint> ends() {
     std::sort(m_ends.begin(), m_ends.end(), [](const End& x, const End& y) {
       return std::tuple_cat(x.features(), std::tie(x.face_object, x.face_support)) <

@@ -1,4 +1,4 @@
-// Which features of two bodies touch, found from their poses alone.
+// Touching features of two bodies, from their poses alone.
 #pragma once
 
 #include "core/contact/body.h"
@@ -23,7 +23,7 @@ std::vector<ContactPoint> contact_points(const Body& object, const Body& support
 /// The same with the floor z = 0: vertices.
 std::vector<ContactPoint> floor_contact_points(const Body& object, double tolerance);
 
-/// Whether points are nearer to each other than `distance` and have the same normal (to 1e-2).
+/// True if the points are nearer to each other than `distance` and have the same normal (to 1e-2).
 bool same_place(const ContactPoint& p, const ContactPoint& q, double distance);
 
 /// Points at the same place become one, the one with the smallest gap (then the first).

@@ -1,4 +1,4 @@
-// Whether a surface goes below a plane: there, the plane is none of a contact. Private.
+// Surfaces that dip below a plane, which then is not the plane of a contact. Private.
 #pragma once
 
 #include "core/base/tunables.h"

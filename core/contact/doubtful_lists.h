@@ -10,7 +10,7 @@
 
 namespace trivet {
 
-/// What the depths of a query leave in doubt.
+/// Lists where the depths of a query leave doubt.
 struct Doubt {
   /// row * frame.width + column, each once. Of every pair of faces whose first contact is no later
   /// than `upper`, the point of the fixed face that is met first lies in one of these pixels.

@@ -132,7 +132,7 @@ class PairTraversal {
     return false;
   }
 
-  // Nothing later matters.
+  // Later contacts do not matter.
   double horizon() const { return std::min(m_best.time, m_query.motion.limit); }
   bool hopeless(double bound) const { return bound > horizon(); }
 

@@ -16,7 +16,7 @@ struct FirstContactQuery {
   Clearance clearance;
 };
 
-/// Which faces were tried; what a query cost.
+/// Cost of a query, in pairs of boxes and faces.
 struct QueryWork {
   std::int64_t node_pairs = 0, face_pairs = 0;
   std::int64_t stalled_pairs = 0;  // of face_pairs: gave up, see PairContact::Status::Stalled

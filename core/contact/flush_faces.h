@@ -1,4 +1,4 @@
-// Where flat faces lie on each other: the corners of their overlap. Private.
+// Corners of the overlap of flat faces that lie on each other. Private.
 //
 // Edges that are nearly parallel have no crossing and no common normal that rounding leaves alone,
 // so a flat face on a flat face may show none of its corners as vertex over face or crossing edges.

@@ -24,7 +24,7 @@ struct HeightMap {
   size_t index(int column, int row) const { return size_t(row) * width + column; }
 };
 
-/// How far the object falls at one place until it touches the scene: in [lower, upper].
+/// Drop of the object at one place until it touches the scene: in [lower, upper].
 /// upper infinite: perhaps never; lower infinite: never; lower negative: it may start inside.
 struct DropBracket {
   float lower, upper;

@@ -15,7 +15,7 @@ class MotionBoxes {
   /// @param horizon  faces are swept up to this time, at most the motion's limit.
   MotionBoxes(const FirstContactQuery& query, double horizon);
 
-  /// What the face passes through until the horizon.
+  /// Space that the face passes through until the horizon.
   Aabb moving(const Triangle& world) const;
   /// What is nearer to the face than any pair stops. Of a turn, the same box may be met one period
   /// earlier or later.

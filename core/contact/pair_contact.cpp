@@ -134,7 +134,7 @@ Vec3 plane_direction(const State& s, const ClosestPoints& closest) {
   return n.normalized();
 }
 
-// How long the best of the planes keeps the triangles apart.
+// Time until which the best of the planes keeps the triangles apart.
 double until_best_plane(const State& s, const ClosestPoints& closest, double target) {
   const Vec3 towards_a = closest.point_a - closest.point_b;
   const Vec3 n = plane_direction(s, closest);
@@ -152,7 +152,7 @@ double until_plane(const State& s, const Vec3& n, double target) {
   return s.turning() ? std::max(first, until_moving_plane(s, n, target)) : first;
 }
 
-// How long `n` or, made perpendicular to an edge, one of its neighbours keeps the triangles apart.
+// The same of `n` and of its neighbours, each made perpendicular to an edge.
 double until_plane_along_edges(const State& s, const std::array<Vec3, 6>& edges, const Vec3& n,
                                double target) {
   double first = until_plane(s, n, target);

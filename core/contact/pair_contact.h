@@ -17,7 +17,7 @@
 
 namespace trivet {
 
-/// How close motions may bring things.
+/// Distance that motions keep, and its tolerances.
 struct Clearance {
   double distance = 0;  // metres, > 0
 

@@ -1,4 +1,4 @@
-// Which pairs of features were tried already: neighbouring faces share their vertices. Private.
+// Pairs of features that were tried: neighbouring faces share their vertices. Private.
 #pragma once
 
 #include <cstdint>

@@ -29,7 +29,7 @@ struct Prepared {
   }
 };
 
-// Whether the foot of x on the plane of t is inside t.
+// True if the foot of the perpendicular from x to the plane of t is inside t.
 bool over_inside(const Vec3& x, const Prepared& t) {
   for (int k = 0; k < 3; ++k)
     if (t.normal.cross(t.edge[k]).dot(x - t.p[k]) < 0) return false;

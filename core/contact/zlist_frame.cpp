@@ -7,7 +7,7 @@
 
 #include "core/base/outward.h"
 
-// Nothing here is an answer: libm is allowed, and every bound has room for its rounding.
+// Bounds alone, no answers: libm is allowed, and every bound has room for its rounding.
 
 namespace trivet {
 namespace {
@@ -18,7 +18,7 @@ constexpr double kTimeSlack = 1e-12;    // relative
 constexpr double kSpreadSlack = 1e-14;  // of coordinates, relative to the largest
 constexpr double kLargestRadius = 5e4;  // pixels; float32 still tells 0.01 pixels apart
 
-// What a body covers: columns, rows and depths; metres, and radians of a turn.
+// Extent of a body: columns, rows and depths; metres, and radians of a turn.
 struct Extent {
   Vec3 lower = Vec3::Constant(kInfinity), upper = Vec3::Constant(-kInfinity);
 
@@ -45,8 +45,8 @@ Extent straight_extent(const std::array<Vec3, 8>& box) {
   return out;
 }
 
-// How far the convex hull of the corners is from the axis. Its nearest point is a corner or lies
-// on an edge, which is the image of an edge of the box.
+// Distance of the corners' convex hull from the axis. Its nearest point is a corner or lies on an
+// edge, which is the image of an edge of the box.
 double smallest_radius(const std::array<Vec3, 8>& box) {
   double out = 0;
   const auto try_direction = [&](Vec2 d) {

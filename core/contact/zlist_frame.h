@@ -1,4 +1,4 @@
-// Where the z-lists of one query are drawn: what a GPU and software share before the first pixel.
+// Image plane of a query's z-lists: shared by GPU and software before the first pixel.
 //
 // A motion is a shift of depth, seen along it. Image coordinates (column, row) and depth:
 // - translation: (u, v) across the direction and w along it, all in pixels; time = depth x pixel;
@@ -43,7 +43,7 @@ struct ZListFrame {
   /// so that results near the image have few digits and fit float32.
   Affine pixels_from_object(const Body& body) const;
 
-  /// How much larger the depths of a moving face may be, and smaller, by its growth.
+  /// Upper bound of the change in a moving face's depths that its growth causes.
   /// @param smallest_radius  pixels; rotation only: of the part of the fixed face in question.
   double depth_growth(double smallest_radius) const;
 

@@ -1,4 +1,4 @@
-// Where candidates for first contact may come from beside the BVHs: z-lists along the motion.
+// Candidates for first contact from z-lists along the motion, instead of from BVHs.
 //
 // A stage only proposes; first_contact() of two triangles decides. So every stage, on any hardware,
 // gives the same bits, as long as it leaves out no pair of faces that can be first.
@@ -20,7 +20,7 @@ struct FacePair {
   double not_before;              // lower bound of its time, >= 0; see Motion
 };
 
-/// What the stages of a query left over, and what they read back; counts.
+/// Counts of what the stages of a query left over and read back.
 struct ZListWork {
   std::int64_t body_pairs = 0;       // stage 1: boxes meet during the motion
   std::int64_t pixels = 0;           // stage 2: with moving faces, and fixed ones not ruled out
@@ -32,7 +32,7 @@ struct ZListWork {
   std::int64_t read_backs = 0;       // times that the processor waited for a GPU's results
 };
 
-/// What a stage knows after a query. Every pair of faces whose first contact is no later than
+/// Result of a stage. Every pair of faces whose first contact is no later than
 /// `upper` is among `pairs`, and its time is at least its `not_before`.
 struct CandidatePairs {
   bool usable = false;          // false: the stage gave up (`why`); take another
@@ -49,9 +49,9 @@ class CandidateFinder {
  public:
   virtual ~CandidateFinder() = default;
   virtual std::string name() const = 0;  // "software", "gpu (llvmpipe ...)"
-  /// What it runs on: "cpu", or the renderer of OpenGL.
+  /// Device: "cpu", or the renderer of OpenGL.
   virtual std::string device() const { return "cpu"; }
-  /// How a GPU is used: "framebuffer" or "compute"; empty: not a matter of this stage.
+  /// Use of the GPU: "framebuffer" or "compute"; empty: of no GPU.
   virtual std::string method() const { return ""; }
 
   /// @param horizon  contacts later than this do not matter; at most query.motion.limit.

@@ -53,7 +53,7 @@ struct Object {
   Vec3 centre_of_mass() const { return world_from_object().apply(shape->mass.centre); }
 };
 
-/// Whether the centre of mass of an object at rest is inside the support polygon of its contacts:
+/// True if the centre of mass of an object at rest is inside the support polygon of its contacts:
 /// it then rests whatever else is near.
 bool stands_on_its_own(const Object& object);
 /// At rest, but not on its own: perhaps by what it leans on.

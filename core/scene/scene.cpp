@@ -52,7 +52,7 @@ ObjectId Scene::add(Object object) {
     refresh(index);
   }
   keep(index);
-  // Nothing below can fail.
+  // From here on, no allocation.
   Slot& slot = m_slots[index];
   slot.generation = ++m_generations[index];
   slot.order = m_next_order++;

@@ -130,7 +130,7 @@ struct LoadSupport {
   std::vector<Entry> entries;  // placed objects, in the order of Scene::ids()
 };
 
-/// Whether a contact, seen from one object, may carry it; and whether it may lie on the other.
+/// True if a contact, seen from one object, may carry it; true if it may lie on the other.
 /// Of an uneven contact both may be true.
 bool holds_up(const Contact& contact);
 bool weighs_on(const Contact& contact);

@@ -13,7 +13,7 @@ namespace trivet {
 ObjectTree::Extent extent_of(const Object& object);
 
 /// Follows the objects: whoever changes one calls set() afterwards. Only reserve() allocates.
-/// What was said about a slot is taken back without looking at the object that is there now.
+/// Keeps what it stored about a slot, so that entries are removed without the object.
 class SceneIndex {
  public:
   /// Makes room for slots 0 to num_slots - 1; new ones are not known as free yet. Strong guarantee.

@@ -61,7 +61,7 @@ SceneChange Transaction::commit() noexcept {
   assert(is_innermost());
   m_open = false;
   m_scene.m_open.change = m_outer;
-  // What the outer one keeps already is older; only the tree nodes of the rest change hands.
+  // Entries that the outer one has are older and stay; the rest change hands as tree nodes.
   if (m_outer) m_outer->m_slots.merge(m_before.m_slots), m_before.m_slots.clear();
   return std::move(m_before);
 }

@@ -7,9 +7,9 @@
 
 namespace trivet {
 
-/// What is done between construction and commit() is taken back by the destructor otherwise, to the
-/// bit, ids too, whatever happens: taking back allocates nothing and cannot fail. Objects are kept
-/// as they were at their first change, so that the cost is theirs, not the scene's. Scene::floor and
+/// Without commit(), the destructor rolls back all changes since construction, to the bit, ids too:
+/// a rollback allocates nothing and cannot fail. Objects are kept as they were at their first
+/// change, so that the cost is theirs, not the scene's. Scene::floor and
 /// Scene::floor_material are not watched.
 ///
 /// Transactions nest, the last one opened ends first: an inner one commits into the outer one, and
@@ -36,7 +36,7 @@ class Transaction {
   void clear_contacts(ObjectId id) { set_contacts(id, {}); }
 
   /// Calls change(Object&), which changes anything but the name; contacts by set_contacts() only.
-  /// When it throws, what it did is in the scene until this is taken back.
+  /// If it throws, its changes stay in the scene until the rollback.
   template <class Change>
   void edit(ObjectId id, Change&& change) {
     const Refresh refresh(*this, id);

@@ -1,7 +1,7 @@
 // Stops an operation from outside: another thread cancels it, or its time is up.
 //
 // Every operation makes one Interrupt of its context when it begins, and checks it between motions.
-// When it says stop, the operation ends by refuse() and leaves the scene as it was.
+// After a stop, the operation ends by refuse() and leaves the scene as it was.
 #pragma once
 
 #include <chrono>

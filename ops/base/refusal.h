@@ -70,7 +70,7 @@ struct Refusal {
     OutOfTime,  // objects: it. detail: the operation. numbers: seconds
     NotTried,   // objects: whose operation was refused before. detail: that operation
   };
-  /// What the exact test looked at.
+  /// Pose that the exact test looked at.
   enum class At {
     End,    // the pose that the operation would commit
     Start,  // the start pose of a PUT

@@ -1,4 +1,4 @@
-// What an operation took.
+// Time of an operation.
 #pragma once
 
 #include <chrono>

@@ -1,4 +1,4 @@
-// Which source of candidates answers queries, and what happens when it cannot.
+// Choice of the source of candidates, and of its replacement if it fails.
 #pragma once
 
 #include <functional>

@@ -11,7 +11,7 @@
 
 namespace trivet {
 
-/// What queries cost, added up.
+/// Summed cost of queries.
 struct DetectionWork {
   std::int64_t num_queries = 0;
   std::int64_t node_pairs = 0;     // of BVHs
@@ -40,16 +40,16 @@ class Detector {
   /// @param note  told, once, when software does it instead. May be empty.
   void use_gpu_brackets(std::function<DropBracketFunction()> make,
                         std::function<void(const std::string&)> note);
-  /// How far an object falls at many places; the same bits from software and GPU.
+  /// Drops of an object at many places; the same bits from software and GPU.
   std::vector<DropBracket> drop_brackets(const HeightMap& object, const HeightMap& scene,
                                          int columns, int rows);
 
   const DetectionWork& work() const { return m_work; }
   /// "bvh", "software" or "gpu".
   const std::string& name() const { return m_name; }
-  /// What it runs on: "cpu", or the renderer of OpenGL.
+  /// Device: "cpu", or the renderer of OpenGL.
   std::string device() const { return m_stage ? m_stage->device() : "cpu"; }
-  /// How a GPU is used, see CandidateFinder::method(); empty without one.
+  /// Use of the GPU, see CandidateFinder::method(); empty without one.
   std::string method() const { return m_stage ? m_stage->method() : ""; }
 
  private:

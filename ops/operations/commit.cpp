@@ -68,7 +68,7 @@ void add_name(std::vector<std::string>& names, const std::string& name) {
   if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
 }
 
-// Whether the centre is inside the hull of the contacts that carry: at rest, without more ado.
+// True if the centre is inside the hull of the contacts that carry: at rest without further tests.
 bool stands_on(const Scene& scene, const Object& object, const std::vector<ContactsWith>& contacts,
                const RestRules& rules) {
   return rate_unheld(scene, object, object.pose, contacts, rules).stability_margin >=

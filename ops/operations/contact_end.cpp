@@ -23,7 +23,7 @@ struct Exit {
   int edge = 0;
 };
 
-// Where p + t velocity leaves the face; never earlier than `now`.
+// Exit of p + t velocity from the face; never earlier than `now`.
 Exit leaves(const Triangle& t, const Vec3& normal, const Vec3& p, const Vec3& velocity,
             double now) {
   Exit exit;

@@ -1,4 +1,4 @@
-// How long a contact lasts while the object slides.
+// End of a contact while the object slides.
 #pragma once
 
 #include "core/contact/body.h"

@@ -13,9 +13,9 @@ namespace {
 
 constexpr int kMotionsOfGivingWay = 300;
 
-// Where opposite contacts leave no room for kSlideGap, motions keep the first of these parts of the
-// clearance for which there is room. A quarter is 4 half-ulps of float32; below, the exact test of
-// the exported values would refuse what was reached.
+// Fractions of the clearance that motions keep between opposite contacts without room for
+// kSlideGap: the first one for which there is room. A quarter is 4 half-ulps of float32; below, the
+// exact test of the exported values would refuse what was reached.
 constexpr double kTightParts[] = {0.85, 0.7, 0.5, 0.35, 0.25};
 
 /// A list without duplicates that keeps its order.

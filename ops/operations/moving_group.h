@@ -79,7 +79,7 @@ class MovingGroup {
   };
   Place here() const { return {m_origins, m_offset}; }
   void go_back(const Place& place);
-  /// Whether any member is elsewhere than in the scene.
+  /// True if any member is elsewhere than in the scene.
   bool has_moved() const;
 
   std::int64_t num_queries() const { return m_num_queries; }

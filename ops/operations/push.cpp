@@ -131,7 +131,7 @@ Push::Next Push::go(const SlidePlan& plan, double length) {
   return Next::GoOn;
 }
 
-// How far a steep rise or drop may still be followed; nothing: the plan's is not steep.
+// Length of a steep rise or drop that may still be followed; nullopt: the plan's is not steep.
 std::optional<double> Push::steep_allowance(const SlidePlan& plan) {
   const double rise = plan.velocity.z(), z = m_group.pose().translation.z();
   if (std::abs(rise) <= kSteepRise) return std::nullopt;
@@ -147,7 +147,7 @@ Push::Next Push::give_up_steep(const SlidePlan& plan) {
   m_steep.reset();
   if (plan.velocity.z() < 0) return stop(OperationResult::End::Edge);
   m_climb = false;
-  // What was in the way up there is not here; the steep surface itself is.
+  // The obstacle up there is not here; the steep surface itself is.
   const size_t i = plan.blocker;
   const Obstacle steep =
       i < m_group_contacts.size()

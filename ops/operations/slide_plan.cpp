@@ -15,7 +15,7 @@ double level_speed(const Vec3& normal, const Vec3& direction) {
   return normal.x() * direction.x() + normal.y() * direction.y();
 }
 
-// What a contact makes the object rise per metre; of a ceiling, what it lets it rise at most.
+// Rise per metre that a contact forces on the object; of a ceiling, the most that it allows.
 double rise(const Vec3& normal, const Vec3& direction) {
   return -level_speed(normal, direction) / normal.z();
 }

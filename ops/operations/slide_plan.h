@@ -1,4 +1,4 @@
-// Which way a pushed object can go on, from the contacts that it has.
+// Direction in which a pushed object can go on, from its contacts.
 #pragma once
 
 #include <functional>
@@ -13,7 +13,7 @@ namespace trivet {
 /// degrees.
 inline constexpr double kSteepRise = 1.7320508075688772;
 
-/// Whether a contact with this normal makes what goes in `direction` rise by more than that.
+/// True if a contact with this normal makes what goes in `direction` rise by more than that.
 bool is_steep(const Vec3& normal, const Vec3& direction);
 
 /// A way on: as far in the direction, seen from above, as `velocity` has metres there (one).

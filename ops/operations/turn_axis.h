@@ -1,4 +1,4 @@
-// What a TURN is about: the axis that a contact gives [Shinya 1995, Fig. 5]. Editors ask it, too.
+// Axis of a TURN, from a contact [Shinya 1995, Fig. 5]; for editors, too.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@ struct TurnAxis {
   Vec3 direction = Vec3::UnitZ();  // unit; the turn is right-handed
 };
 
-/// Whether a TURN that is not told which contact holds `a` rather than `b`, links of one object:
+/// True if a TURN that is not told which contact holds `a` rather than `b`, links of one object:
 /// those that support before others, then those with more contact, then those that are more level.
 bool holds_more(const ObjectContact& a, const ObjectContact& b);
 

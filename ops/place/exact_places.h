@@ -11,10 +11,10 @@ class ExactPlaces {
   ExactPlaces(const Scene& scene, ObjectId object, std::span<const ObjectId> carried,
               const PlaceRequest& request, double clearance);
 
-  /// Whether the object, its centre of mass over `at`, falls onto the support before it meets
+  /// True if the object, its centre of mass over `at`, falls onto the support before it meets
   /// anything else, with the centre over the support, and keeps its distance where it stops.
   bool fits(const Vec2& at) const;
-  /// What distances of places are exact to, metres.
+  /// Error of the distances of places, metres.
   double tolerance() const { return m_tolerance; }
   Pose start(const Vec2& at) const { return m_setting.start(m_rotation, at); }
   Vec2 centre_at(const Pose& start) const {

@@ -1,4 +1,4 @@
-// How large a scene may be for its smallest object.
+// Largest scene for its smallest object.
 #pragma once
 
 #include "core/base/tunables.h"
@@ -10,7 +10,7 @@ namespace trivet {
 /// are near. Larger takes minutes for nothing; smaller refuses a cup of 10 cm on a floor of 1 km.
 inline constexpr double kCoarsestClearance = 1.0 / 64;
 
-/// How far apart two objects of a scene can be, metres.
+/// Largest distance of two objects of a scene, metres.
 /// @param smallest_diagonal  of the smallest object.
 /// @param clearance  that was asked for; 0: none was.
 inline double largest_distance(double smallest_diagonal, double clearance) {

@@ -144,9 +144,9 @@ void find_near_pairs(const Placed& moved, const Placed& fixed, const Vec3& stopp
   });
 }
 
-// Those in the direction of the pair that is nearest to where the motion was stopped. Of an object
-// with faces that look there, only these: of a box the side that runs into a wall, not those that
-// reach it with an edge.
+// Faces of pairs in about the direction of the pair nearest to where the motion was stopped. If
+// some of an object's faces look there, only these: the side of a box that runs into a wall, not
+// those that reach it with an edge.
 void add_those_alike(const std::vector<NearPair>& found, Collector& out) {
   const auto nearest = std::min_element(
       found.begin(), found.end(),

@@ -25,7 +25,7 @@ struct Placement {
 };
 
 Body body_of(const Object& object, const Pose& pose);
-/// Where the scene has it.
+/// In its pose in the scene.
 Body body_of(const Object& object);
 /// Diagonal of the object's own box, metres.
 double size_of(const Object& object);

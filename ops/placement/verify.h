@@ -51,8 +51,8 @@ std::vector<Interpenetration> interpenetrations(const Scene& scene,
                                                 std::span<const Placement> moved, bool floats,
                                                 size_t limit);
 
-/// What an object passes through where the scene has it; none of that holds it. Only pairs of
-/// which one is ObjectState::Invalid are tested: no other pair interpenetrates.
+/// Objects, and the floor, that an object passes through in its pose in the scene; they do not hold
+/// it. Only pairs with one of ObjectState::Invalid are tested: no other pair interpenetrates.
 std::vector<Support> passed_through(const Scene& scene, ObjectId id);
 
 /// Refuses poses that interpenetrate others, of objects that keep their places among each other.

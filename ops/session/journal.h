@@ -24,7 +24,7 @@ namespace trivet {
 
 struct SessionStep;
 
-/// What the session began with.
+/// Start of the session.
 struct JournalStart {
   std::string file;  // layout or scene; relative to the journal's folder
   std::uintmax_t bytes = 0;

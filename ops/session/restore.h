@@ -37,7 +37,7 @@ struct RestoredSession {
 RestoredSession restore_session(const std::string& journal, const RunOptions& options,
                                 const ImportLimits& limits, bool go_on);
 
-/// What a file of the scene says that it was settled with; 0: the default.
+/// Clearance that a file of the scene states; 0: the default.
 double settled_clearance(const OpenedSession& opened);
 
 /// Writes the scene atomically, then notes in the session that it is saved.

@@ -71,7 +71,7 @@ void Session::keep(Transaction& transaction, SessionStep& step) {
   done.largest_clearance = std::max(largest_clearance(), default_clearance(m_scene));
   step.fingerprint = fingerprint(m_scene, done.touched);
   for (OperationResult& kept : step.results) kept.steps = {};
-  // Nothing is left to fail once the journal has the step.
+  // Room first: once the journal has the step, no allocation may fail.
   make_room(m_steps, m_position + 1);
   make_room(m_done, m_position + 1);
   std::vector<ObjectId> changed_aside = changed_aside_without_undone();

@@ -81,7 +81,7 @@ class Session {
   const std::vector<SessionStep>& steps() const { return m_steps; }
   size_t num_done() const { return m_position; }
 
-  /// What makes this scene: the first layout and the operations that were done since.
+  /// Layout that gives this scene: the first one and the operations done since.
   Layout layout() const;
 
   /// Metres: the largest default clearance that the scene has had, undone steps apart. What was at
@@ -93,7 +93,7 @@ class Session {
 
   /// The scene as it is now is what the file has.
   void mark_saved(const std::string& file);
-  /// Whether steps were done or undone since then.
+  /// True if steps were done or undone since then.
   bool is_modified() const;
   /// The objects that those steps touched; those that are gone too. Sorted by slot.
   std::vector<ObjectId> changed_since_saving() const;

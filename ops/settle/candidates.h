@@ -10,7 +10,7 @@
 
 namespace trivet {
 
-/// What the rules need to know of the object; world, metres.
+/// The object as the rules see it; world, metres.
 struct SettlingObject {
   Vec3 centre;            // of mass
   double radius_squared;  // of gyration

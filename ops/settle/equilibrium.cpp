@@ -63,7 +63,7 @@ struct Weight {
     return out;
   }
 
-  // How fast a force of the contact would lower the cost at these prices.
+  // Rate at which a force of the contact would lower the cost at these prices.
   double gain(const FrictionContact& c, const std::vector<double>& prices) const {
     double best = 0;
     for_each_force(c, [&](const auto& entries) {
@@ -74,7 +74,7 @@ struct Weight {
     return best;
   }
 
-  // Those that would lower the cost fastest: at most kMoreContacts.
+  // The contacts that would lower the cost fastest: at most kMoreContacts.
   std::vector<FrictionContact> best(const std::vector<FrictionContact>& contacts,
                                     const std::vector<double>& prices) const {
     std::vector<std::pair<double, size_t>> order;

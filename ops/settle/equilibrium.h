@@ -12,7 +12,7 @@ namespace trivet {
 /// friction would let two contacts a hair apart hold anything by pressing against each other.
 inline constexpr double kSettlingFriction = 5.0;
 inline constexpr double kCarryingNormalZ = 0.2;
-/// What an object that cannot sink any further may need to be held.
+/// Largest friction coefficient assumed for an object that cannot sink any further.
 inline constexpr double kLargestFriction = 10.0;
 
 /// A contact and Coulomb's coefficient of the two surfaces.
@@ -20,7 +20,7 @@ struct FrictionContact : ContactPoint {
   double friction = 0;
 };
 
-/// How far the centre is inside the convex hull of the points, both seen from above.
+/// Distance of the centre inside the convex hull of the points, both seen from above.
 /// @return metres; negative outside; -infinity without points.
 double hull_margin(const std::vector<Vec2>& points, const Vec2& centre);
 

@@ -9,7 +9,7 @@
 
 namespace trivet {
 
-/// What rest is judged by.
+/// Rules by which rest is judged.
 struct RestRules {
   double clearance = 0;  // metres, > 0
   bool perfect_friction = true;
@@ -17,7 +17,7 @@ struct RestRules {
 
 RestRules rest_rules(const SettleOptions& options, double clearance);
 
-/// Whether an object would be at rest at `pose`; see is_at_rest().
+/// True if an object would be at rest at `pose`; see is_at_rest().
 bool rests_at(const Object& object, const Pose& pose, const Neighbourhood& others,
               const RestRules& rules);
 

@@ -74,14 +74,14 @@ class Settling {
     return none_sinks(carrying_motions(close.empty() ? near : close));
   }
 
-  // Whether what it touches, or some of it, balances the object and gives no turn that lowers it.
+  // True if all contacts, or some of them, balance the object and no turn about them lowers it.
   bool is_held(const std::vector<ContactPoint>& points) {
     const std::vector<ContactPoint> near = m_body.points(kBalanceTolerance);
     return balance(near) && (none_sinks_about(points, near) || is_held_by_some());
   }
 
-  // Whether gaps were opened again and again, which an object thinner than the contacts' tolerance
-  // goes on with.
+  // True if gaps were opened again and again: an object thinner than the contacts' tolerance never
+  // stops doing that.
   bool is_rocking() const { return m_body.num_separating_motions() > kLiftsOfRocking; }
 
   // At the start: whether it is held, although some turn would lower it by more than closing a gap.

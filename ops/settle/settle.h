@@ -65,17 +65,17 @@ struct SettleOutcome {
 
 SettleOutcome settle(const SettleProblem& problem);
 
-/// Whether friction is that of the materials.
+/// True if friction is that of the materials.
 bool has_finite_friction(const SettleOptions& options);
 
 /// The least translation d with normal . d >= clearance - gap for all contacts [Hildreth 1957].
 Vec3 smallest_separating_motion(const std::vector<ContactPoint>& points, double clearance);
 
-/// Whether the centre is inside the hull of the contacts that carry, or contact forces balance.
+/// True if the centre is inside the hull of the contacts that carry, or contact forces balance.
 bool is_balanced(const std::vector<ContactPoint>& contacts, const Vec3& centre, double size,
                  double clearance);
 
-/// Whether an object at `problem.start` is held there: something is within kHoverTolerance, the
+/// True if an object at `problem.start` is held there: something is within kHoverTolerance, the
 /// centre is inside the hull of the contacts that carry, or forces balance and no motion would
 /// lower it by more than the contacts' tolerance (a cone on its tip is balanced, but does not
 /// rest).

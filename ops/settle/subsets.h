@@ -29,7 +29,7 @@ enum class Hold {
 /// Subsets that are asked at most: all of up to 6 bodies.
 inline constexpr int kMaxSubsets = 64;
 
-/// Whether what is left holds when one or more of `bodies` (sorted, each once) are left out. Fewer
+/// True if what is left holds when one or more of `bodies` (sorted, each once) are left out. Fewer
 /// are left out first; the order is that of the indices.
 bool holds_without_some(const std::vector<Index>& bodies,
                         const std::function<Hold(const std::vector<Index>& left_out)>& hold);

@@ -10,7 +10,7 @@
 
 namespace trivet {
 
-/// What simulators collide with.
+/// Collision geometry of simulators.
 enum class CollisionRule {
   Hull,           // one convex hull per object
   Components,     // a hull per component of the mesh
@@ -58,7 +58,7 @@ SimulationExport simulation_of(const Scene& scene, const std::string& name,
 SimulationExport export_simulation(const Scene& scene, const std::string& path,
                                    const SimulationOptions& options = {});
 
-/// What was written: {"files", "density", "collision", "objects": [{"name", "file_name", "fixed",
+/// The export as JSON: {"files", "density", "collision", "objects": [{"name", "file_name", "fixed",
 /// "mass", "friction", "parts"}], "overlaps": [{"a", "b", "depth", "part_pairs"}],
 /// "notes"}.
 std::string simulation_json(const SimulationExport& done, const SimulationOptions& options);

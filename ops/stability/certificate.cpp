@@ -56,7 +56,8 @@ std::vector<double> shares_of_polygon(const std::vector<Vec2>& hull, const Vec2&
   return out;
 }
 
-// Which touches hold a body up, and which lie on it, with the sign that brings the normal to it.
+// Contacts that hold a body up, and those that lie on it, with the sign that turns the normal to
+// it.
 struct Sides {
   struct Side {
     size_t touch;

@@ -32,8 +32,8 @@ struct FreeBodies {
 /// @param friction  of all contacts; none: friction_between() each pair.
 FreeBodies free_bodies(const Scene& scene, std::optional<double> friction = {});
 
-/// Which connected part each body is in, by contacts between bodies; parts are numbered in the
-/// order of their first body.
+/// Connected part of each body, by contacts between bodies; parts are numbered in the order of
+/// their first body.
 std::vector<Index> connected_parts(const FreeBodies& all);
 
 }  // namespace trivet

@@ -14,7 +14,7 @@ Affine local_transform(const GltfJson& node);
 
 /// First b, then a.
 Affine composed(const Affine& a, const Affine& b);
-/// Nothing when it is singular.
+/// Nullopt if it is singular.
 std::optional<Affine> inverse(const Affine& a);
 
 /// Gives the node this transform, in the form that it has: a matrix, else translation, rotation and

@@ -99,7 +99,7 @@ Scene make_scene(const Layout& layout, const GltfScene& source,
   return scene;
 }
 
-// What lies as it came is none of our business, unless it was picked.
+// Ignores findings between objects that were not selected.
 void keep_findings_of(const std::set<std::string>& picked, SceneCheck& check) {
   for (auto* findings : {&check.crossings, &check.float32_crossings, &check.contained})
     std::erase_if(*findings, [&](const SceneCheck::PairFinding& f) {

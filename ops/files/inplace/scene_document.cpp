@@ -24,7 +24,7 @@ bool is_group(const GltfJson& root, const NodeTree& tree, int node) {
   return true;
 }
 
-// Where exporters put everything into one node, what is in it counts.
+// Skips nodes into which exporters put the whole scene.
 std::vector<int> without_wrappers(const GltfJson& root, const NodeTree& tree) {
   std::vector<int> level = tree.roots;
   while (true) {

@@ -153,7 +153,7 @@ std::string GltfScene::Document::unique_name(int node, std::map<std::string, int
   return name;
 }
 
-// What a skeleton deforms is where its joints are, not where its node is.
+// Deformed by a skeleton: such meshes are at its joints, not at their node.
 bool GltfScene::Document::has_skin_below(int node) const {
   std::vector<int> stack{node};
   while (!stack.empty()) {

@@ -37,12 +37,12 @@ class GltfScene {
   /// The geometry in the frame of the object's pose: world = pose x (x, -z, y) x geometry.
   ModelSource models() const;
 
-  /// Where each object is from now on. @throws Error (BadInput) naming the object when its node
+  /// New poses of the objects. @throws Error (BadInput) naming the object when its node
   /// cannot be given that place: its transform is animated or not invertible, or would have shear.
   void move(const std::vector<Pose>& poses);
-  /// Whether move() has given its node a new transform.
+  /// True if move() has given its node a new transform.
   bool is_moved(size_t object) const;
-  /// Where a reader of the file sees the object's geometry, in float32: y up turned to z up.
+  /// The object's vertices as a reader of the file sees them, in float32: y up turned to z up.
   std::vector<Vec3> written_positions(size_t object, const Mesh& mesh) const;
 
   /// The scene with its nodes' new transforms. Whatever else is in the file is equal as JSON, or

@@ -46,7 +46,7 @@ class InputFile {
   InputFile(const InputFile&) = delete;
   InputFile& operator=(const InputFile&) = delete;
 
-  /// How many bytes there were; 0 at the end.
+  /// Number of bytes read; 0 at the end.
   size_t read(std::vector<char>& block) {
     using Clock = std::chrono::steady_clock;
     const auto deadline = Clock::now() + std::chrono::seconds(kSecondsForWriter);
@@ -91,7 +91,7 @@ std::string read_input_text(const std::string& path, std::uintmax_t max_bytes, T
     text.append(block.data(), count);
     if (text.size() > max_bytes)
       bad_input(path + ": is larger than the limit of " + std::to_string(max_bytes) + " bytes");
-    // What is no JSON may be endless; the parser will say so of its beginning.
+    // Other text may be endless; its beginning is enough for the parser to refuse it.
     if (kind == TextKind::Json && !may_be_json(text)) break;
   }
   return text;

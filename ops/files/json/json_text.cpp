@@ -133,7 +133,7 @@ class ParserWatch {
   std::vector<Level> m_levels;
 };
 
-// What the parser quotes may be any bytes; messages are one line of text.
+// Messages are one line of text; the parser may quote any bytes.
 std::string printable(std::string text) {
   constexpr size_t kMaxLength = 200;
   if (text.size() > kMaxLength) text = text.substr(0, kMaxLength) + "...";

@@ -93,7 +93,7 @@ PlaceOptions read_place(const JsonPlace& place) {
   return out;
 }
 
-// What put and stand have in common.
+// Common part of put and stand.
 Pose read_posed(const JsonPlace& place, MoveOptions& move) {
   place.expect_object({"op", "object", "position"}, {"rotation", "settle_left"});
   read_common(place, move);

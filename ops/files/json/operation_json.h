@@ -11,7 +11,7 @@ namespace trivet {
 /// @throws Error (BadInput) with the place, the value and what is accepted.
 Operation read_operation(const JsonPlace& place);
 
-/// That read_operation() reads to the same bits; what has its default is left out.
+/// JSON that read_operation() reads to the same bits; defaults are left out.
 nlohmann::ordered_json operation_json(const Operation& operation);
 
 /// "y" or "z".
@@ -19,7 +19,7 @@ UpAxis read_up(const JsonPlace& place);
 
 /// "chord" and "facet_angle_deg" of a model; refused for formats of triangles.
 Tessellation read_tessellation(const JsonPlace& place, const std::string& model);
-/// What is not the default.
+/// Values that are not the default.
 void write_tessellation(const Tessellation& tessellation, nlohmann::ordered_json& json);
 
 /// "position" and "rotation" (optional, the identity) of an object. See unit_rotation().

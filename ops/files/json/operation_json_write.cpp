@@ -1,4 +1,4 @@
-// How operations are written down; operation_json.cpp reads them.
+// Operations as JSON; operation_json.cpp reads them.
 #include <optional>
 
 #include "ops/files/json/operation_json.h"

@@ -14,7 +14,7 @@
 
 namespace trivet {
 
-/// Which nodes of a glTF scene are objects, each with all below it.
+/// Rule for which nodes of a glTF scene are objects, each with all below it.
 enum class SceneRule {
   Roots,   // those at the top, or in the one node at the top that holds them all
   Groups,  // the first on the way down that has a mesh, or only children with meshes of their own

@@ -13,7 +13,7 @@
 
 namespace trivet {
 
-/// What long work is at; for those who show it.
+/// Progress of long work, for display.
 struct Progress {
   std::string stage;  // "load", "stand", "put", "check"
   std::string item;   // a model or an object
@@ -27,7 +27,7 @@ using ModelSource = std::function<Model(const std::string& name, const Tessellat
 /// Models from files, with paths relative to `folder`.
 ModelSource models_in_folder(const std::string& folder, const ImportLimits& limits = {});
 
-/// A model as objects ask for it: whoever asks for the same gets the same.
+/// Cache key: equal requests share a model.
 struct ModelRequest {
   std::string name;
   Tessellation tessellation = {};

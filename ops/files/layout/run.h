@@ -24,7 +24,7 @@ struct RunOptions {
   std::string layout_file;       // for messages
 };
 
-/// What became of one operation. An object that cannot stand where the layout says is recorded as a
+/// Result of one operation. An object that cannot stand where the layout says is recorded as a
 /// refused operation "stand", ahead of the others.
 struct OperationRecord {
   std::string op, object;

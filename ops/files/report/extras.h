@@ -1,4 +1,4 @@
-// What Trivet keeps in the `extras` of a scene file beside what glTF itself can hold.
+// Trivet's data in the `extras` of a scene file: all that glTF itself cannot hold.
 //
 //   scene.extras.trivet: {"trivet": 1, "version", "floor", "clearance",
 //     "models":  [{"path", "triangles", "fingerprint", "stored_fingerprint", "centre",

@@ -13,7 +13,7 @@
 namespace trivet {
 namespace {
 
-// Which group of equal material every face is in, as the file has the groups.
+// Group of equal material of each face, numbered as in the file.
 std::vector<std::int64_t> group_of_faces(const Model& model) {
   std::vector<std::int64_t> group_of(model.mesh.triangles.size());
   std::int64_t group = 0;

@@ -1,4 +1,4 @@
-// How a model's triangles get into a scene file and back out to the same bits.
+// A model's triangles in a scene file, and back to the same bits.
 //
 // A .glb holds float32 positions, about a centre when the model lies far from its origin, and its
 // triangles in groups by material. Most models are float32 from the start, so that nothing is lost
@@ -15,7 +15,7 @@
 
 namespace trivet {
 
-/// What has to be known to get a model back out of a scene file.
+/// Data needed to restore a model from a scene file.
 struct StoredGeometry {
   std::int64_t num_triangles = 0;
   std::string fingerprint;         // of the model's triangles, in double

@@ -60,7 +60,7 @@ GltfJson bare_node(const GltfJson& root, const GltfJson& node, const ModelNode& 
   return out;
 }
 
-// What the model's look begins with: the nodes below, or the mesh alone.
+// Roots of the model's appearance: the nodes below, or the mesh alone.
 std::vector<int> look_roots(const GltfJson& node, int id) {
   std::vector<int> out;
   for (const GltfJson& child : member(node, "children"))

@@ -23,7 +23,7 @@ OrderedJson stability_json(const Scene& scene, const Stability& stability);
 void add_refusal(const OperationResult& result, OrderedJson& json);
 /// Why an operation that was done ended, and what became of others: "ended", "blocked_by", ...
 void add_outcome(const OperationResult& result, OrderedJson& json);
-/// What the object touches.
+/// Contacts of the object.
 OrderedJson contacts_json(const Scene& scene, const Object& object);
 
 /// One entry of a report's "objects".

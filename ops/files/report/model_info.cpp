@@ -17,7 +17,7 @@ const char* up_reason(const Model& model) {
 
 std::string yes_no(bool value) { return value ? "yes" : "no"; }
 
-// What goes along with the geometry to glTF; null: nothing but materials and normals.
+// Appearance that goes to glTF with the geometry; null: materials and normals alone.
 OrderedJson look_json(const Model& model) {
   if (!model.appearance) return nullptr;
   const AppearanceCounts c = count(*model.appearance);
@@ -36,7 +36,7 @@ std::string look_text(const Model& model) {
   return out.str();
 }
 
-// How curved surfaces became triangles; null: there were none.
+// Polygonisation of curved surfaces; null: there were none.
 OrderedJson polygonised_json(const Model& model) {
   if (!model.polygonised) return nullptr;
   const Polygonisation& p = *model.polygonised;

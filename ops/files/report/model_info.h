@@ -1,4 +1,4 @@
-// What `trivet info` says about a model, as text and as JSON.
+// Output of `trivet info`, as text and as JSON.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace trivet {
 
-/// How the faces of a mesh hang together. Faces with two equal corners have fewer edges.
+/// Connectivity of a mesh. Faces with two equal corners have fewer edges.
 struct Topology {
   std::int64_t num_edges = 0;
   std::int64_t boundary_edges = 0;      // at one face

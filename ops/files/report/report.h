@@ -10,7 +10,7 @@
 
 namespace trivet {
 
-/// What a report says about the program that wrote it.
+/// Data of the program that writes a report.
 struct ReportOptions {
   std::string version;
   std::string backend = "bvh";

@@ -127,7 +127,7 @@ class SceneReader {
           std::make_shared<Model>(import_model(path.string(), m_limits, entry.tessellation));
       if (geometry_fingerprint(model->mesh) == entry.geometry.fingerprint) return model;
     } catch (const Error&) {
-      // As good as missing.
+      // Treated as missing.
     }
     return nullptr;
   }
@@ -153,7 +153,7 @@ class SceneReader {
     m_file.scene.add(std::move(object));
   }
 
-  // What other programs see must be what Trivet has.
+  // Other programs must see the scene that Trivet has.
   void check_poses() const {
     std::map<std::string, std::vector<double>> matrix_of;
     NodePoses nodes = read_node_poses(m_path);

@@ -49,7 +49,7 @@ std::string scene_file_bytes(const Scene& scene, const Layout& layout,
 SceneFile read_scene_bytes(const std::string& bytes, const ImportLimits& limits = {},
                            const std::string& folder = {});
 
-/// Whether the file is a .glb with Trivet's data. @throws Error (BadInput) when it is no glTF.
+/// True if the file is a .glb with Trivet's data. @throws Error (BadInput) when it is no glTF.
 bool is_scene_file(const std::string& path);
 
 }  // namespace trivet
