@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/nearest_name.h"
 #include "core/io/sandboxed_import.h"
+#include "ops/detect/calibration_file.h"
 #include "ops/files/json/json_text.h"
 
 namespace trivet::apps {
@@ -37,7 +38,7 @@ ImportLimits CommonOptions::limits() const {
 void add_common_options(CLI::App& app, CommonOptions& common) {
   const char* const group = "Options of all verbs";
   app.add_option("--backend", common.backend,
-                 "Broad phase that finds candidate pairs; results do not depend on it")
+                 "What finds candidate pairs of faces; results do not depend on it")
       ->check(one_of({"auto", "gpu", "software", "bvh"}))
       ->group(group);
   app.add_option(
@@ -122,10 +123,22 @@ void check_tessellation(const Tessellation& tessellation, const std::string& mod
                   ".stp .iges .igs .brep .brp)");
 }
 
+std::shared_ptr<Machine> make_machine(const CommonOptions& common) {
+  MachineOptions options;
+  options.version = TRIVET_VERSION;
+  options.hardware = graphics_hardware_here();
+  options.gpu = gpu_sources(common.num_threads);
+  options.num_threads = common.num_threads;
+  options.file = calibration_path();
+  options.note = [&common](const std::string& note) { print_note(common, note); };
+  return std::make_shared<Machine>(std::move(options));
+}
+
 std::unique_ptr<Detector> make_detector(const CommonOptions& common) {
   BackendOptions options;
   options.backend = backend_from_name(common.backend);
   options.num_threads = common.num_threads;
+  if (options.backend == Backend::Auto) options.machine = make_machine(common);
   options.note = [&common](const std::string& note) { print_note(common, note); };
   options.make_gpu_stage = [&common, note = options.note] {
     return make_gpu_stage(common.gpu_method, common.num_threads, note);

@@ -47,6 +47,13 @@ void check_tessellation(const Tessellation& tessellation, const std::string& mod
 /// Detector by --backend; notes on standard error if that is unavailable.
 std::unique_ptr<Detector> make_detector(const CommonOptions& common);
 
+/// What `auto` chooses from, and how fast it is here. `common` must outlive it.
+std::shared_ptr<Machine> make_machine(const CommonOptions& common);
+
+/// Graphics hardware as the kernel shows it; empty: none, or a build without GPU support.
+std::string graphics_hardware_here();
+/// Methods on the GPU that `auto` may choose.
+std::vector<GpuSource> gpu_sources(int num_threads);
 /// Candidate finder by z-lists on the GPU. @throws Error (Environment) if unavailable, and in a
 /// build without it.
 /// @param note  told when the hardware is lost later.

@@ -1,17 +1,42 @@
 #include "apps/trivet/common.h"
+#include "gpu/egl/graphics_hardware.h"
 #include "gpu/zlist/drop_brackets_gpu.h"
 #include "gpu/zlist/zlist_gpu.h"
 #include "raster/zlist/software_zlists.h"
 
 namespace trivet::apps {
 
-std::unique_ptr<CandidateFinder> make_gpu_stage(const std::string& method, int num_threads,
-                                                std::function<void(const std::string&)> note) {
+std::string graphics_hardware_here() { return graphics_hardware(); }
+
+namespace {
+
+GpuZListOptions options_of(GpuMethod method, int num_threads) {
   SoftwareZListOptions lists;
   lists.num_threads = num_threads;
   GpuZListOptions options;
-  options.method = gpu_method_from_name(method);
+  options.method = method;
   options.software_lists = std::make_shared<SoftwareDoubtfulLists>(lists);
+  return options;
+}
+
+GpuSource source_of(const char* name, GpuMethod method, int num_threads) {
+  return {name, [=](bool allow_software) {
+            GpuZListOptions options = options_of(method, num_threads);
+            options.allow_software = allow_software;
+            return make_gpu_candidate_finder(options);
+          }};
+}
+
+}  // namespace
+
+std::vector<GpuSource> gpu_sources(int num_threads) {
+  return {source_of("gpu framebuffer", GpuMethod::Framebuffer, num_threads),
+          source_of("gpu compute", GpuMethod::Compute, num_threads)};
+}
+
+std::unique_ptr<CandidateFinder> make_gpu_stage(const std::string& method, int num_threads,
+                                                std::function<void(const std::string&)> note) {
+  GpuZListOptions options = options_of(gpu_method_from_name(method), num_threads);
   options.note = std::move(note);
   return make_gpu_candidate_finder(options);
 }

@@ -12,11 +12,12 @@ namespace {
 
 }  // namespace
 
+std::string graphics_hardware_here() { return ""; }
+std::vector<GpuSource> gpu_sources(int) { return {}; }
 std::unique_ptr<CandidateFinder> make_gpu_stage(const std::string&, int,
                                                 std::function<void(const std::string&)>) {
   refuse();
 }
-
 DropBracketFunction make_gpu_brackets() { refuse(); }
 
 }  // namespace trivet::apps

@@ -31,6 +31,7 @@ Verb add_demo(CLI::App& app, const CommonOptions& common);
 Verb add_session(CLI::App& app, const CommonOptions& common);
 Verb add_replay(CLI::App& app, const CommonOptions& common);
 Verb add_zlist(CLI::App& app, const CommonOptions& common);
+Verb add_backends(CLI::App& app, const CommonOptions& common);
 Verb add_schema(CLI::App& app, const CommonOptions& common);
 
 extern const char* const kLayoutSchema;  // text of ops/files/layout/layout.schema.json

@@ -1,6 +1,7 @@
 #include "ops/detect/backend.h"
 
 #include "core/base/error.h"
+#include "ops/detect/chooser.h"
 #include "raster/zlist/software_zlists.h"
 
 namespace trivet {
@@ -48,6 +49,9 @@ std::unique_ptr<Detector> make_detector(const BackendOptions& options) {
     }
   if (options.backend == Backend::Gpu || options.backend == Backend::Software)
     return std::make_unique<Detector>(software_stage(options), "software");
+  if (options.backend == Backend::Auto && options.machine && options.machine->has_hardware())
+    return std::make_unique<Detector>(
+        std::make_unique<BackendChooser>(options.machine, options.note));
   return std::make_unique<Detector>();
 }
 

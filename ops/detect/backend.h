@@ -7,12 +7,13 @@
 
 #include "core/contact/zlist_self_test.h"
 #include "ops/detect/detector.h"
+#include "ops/detect/machine.h"
 
 namespace trivet {
 
 /// Answers are the same bits with all of them; they differ in time (perf/README.md).
 enum class Backend {
-  Auto,      // the fastest for single queries, as measured: BVHs
+  Auto,      // for each query the fastest on this machine, as measured; see Machine
   Gpu,       // z-lists on the graphics hardware
   Software,  // z-lists in memory
   Bvh,       // BVHs alone
@@ -24,6 +25,8 @@ Backend backend_from_name(const std::string& name);
 struct BackendOptions {
   Backend backend = Backend::Auto;
   int num_threads = 0;  // of software z-lists; 0: all cores
+  /// For Backend::Auto, one object for all threads. Null, or without hardware: BVHs.
+  std::shared_ptr<Machine> machine;
   /// Makes the stage for Backend::Gpu, such as make_gpu_candidate_finder(); empty: a build without.
   std::function<std::unique_ptr<CandidateFinder>()> make_gpu_stage;
   /// Makes what computes brackets of falls for Backend::Gpu, such as a GpuDropBrackets; empty:

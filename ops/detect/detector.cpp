@@ -3,6 +3,8 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "ops/base/stopwatch.h"
+#include "ops/detect/chooser.h"
 #include "raster/height_map/drop_brackets.h"
 
 namespace trivet {
@@ -21,20 +23,42 @@ void add(const ZListWork& work, ZListWork& sum) {
 
 }  // namespace
 
+Detector::Detector() = default;
+Detector::Detector(std::unique_ptr<CandidateFinder> stage, std::string name)
+    : m_stage(std::move(stage)), m_name(std::move(name)) {}
+Detector::Detector(std::unique_ptr<BackendChooser> chooser) : m_chooser(std::move(chooser)) {}
+Detector::~Detector() = default;
+
+std::string Detector::name() const { return m_chooser ? m_chooser->names() : m_name; }
+
+std::string Detector::device() const {
+  if (m_chooser) return m_chooser->device();
+  return m_stage ? m_stage->device() : "cpu";
+}
+
+std::string Detector::method() const {
+  if (m_chooser) return m_chooser->method();
+  return m_stage ? m_stage->method() : "";
+}
+
 FirstContact Detector::first_contact(const FirstContactQuery& query) {
+  const Stopwatch stopwatch;
   ++m_work.num_queries;
-  FirstContact found;
-  if (m_stage) {
-    CandidatePairs proposal;
-    found = trivet::first_contact(query, *m_stage, &proposal, m_confirmation);
-    add(proposal.work, m_work.zlist);
-    m_work.fallbacks += !proposal.usable;
-  } else {
-    found = trivet::first_contact(query);
-  }
+  CandidateFinder* const stage = m_chooser ? m_chooser->stage_for(query) : m_stage.get();
+  const FirstContact found = stage ? ask_stage(query, *stage) : trivet::first_contact(query);
   m_work.node_pairs += found.work.node_pairs;
   m_work.face_pairs += found.work.face_pairs;
   m_work.stalled += found.stalled;
+  m_work.seconds += stopwatch.milliseconds() / 1000;
+  return found;
+}
+
+FirstContact Detector::ask_stage(const FirstContactQuery& query, CandidateFinder& stage) {
+  CandidatePairs proposal;
+  const FirstContact found = trivet::first_contact(query, stage, &proposal, m_confirmation);
+  add(proposal.work, m_work.zlist);
+  m_work.fallbacks += !proposal.usable;
+  if (m_chooser) m_chooser->answered(proposal.usable, proposal.why);
   return found;
 }
 

@@ -14,6 +14,7 @@ namespace trivet {
 /// Summed cost of queries.
 struct DetectionWork {
   std::int64_t num_queries = 0;
+  double seconds = 0;              // of these queries, wall clock
   std::int64_t node_pairs = 0;     // of BVHs
   std::int64_t face_pairs = 0;     // decided exactly
   std::int64_t stalled = 0;        // queries whose answer may be early, see FirstContact::stalled
@@ -23,13 +24,17 @@ struct DetectionWork {
   ZListWork zlist;
 };
 
+class BackendChooser;
+
 /// Answers are the same bits whatever the stage. One thread at a time.
 class Detector {
  public:
   /// BVHs alone.
-  Detector() = default;
-  Detector(std::unique_ptr<CandidateFinder> stage, std::string name)
-      : m_stage(std::move(stage)), m_name(std::move(name)) {}
+  Detector();
+  Detector(std::unique_ptr<CandidateFinder> stage, std::string name);
+  /// The stage that `chooser` takes for each query.
+  explicit Detector(std::unique_ptr<BackendChooser> chooser);
+  ~Detector();
 
   FirstContact first_contact(const FirstContactQuery& query);
   /// Of a stage's proposals, from now on.
@@ -45,15 +50,18 @@ class Detector {
                                          int columns, int rows);
 
   const DetectionWork& work() const { return m_work; }
-  /// "bvh", "software" or "gpu".
-  const std::string& name() const { return m_name; }
+  /// "bvh", "software" or "gpu"; of a chooser, those that have answered so far: "bvh, gpu compute".
+  std::string name() const;
   /// Device: "cpu", or the renderer of OpenGL.
-  std::string device() const { return m_stage ? m_stage->device() : "cpu"; }
+  std::string device() const;
   /// Use of the GPU, see CandidateFinder::method(); empty without one.
-  std::string method() const { return m_stage ? m_stage->method() : ""; }
+  std::string method() const;
 
  private:
+  FirstContact ask_stage(const FirstContactQuery& query, CandidateFinder& stage);
+
   std::unique_ptr<CandidateFinder> m_stage;
+  std::unique_ptr<BackendChooser> m_chooser;
   std::string m_name = "bvh";
   Confirmation m_confirmation;
   std::function<DropBracketFunction()> m_make_brackets;

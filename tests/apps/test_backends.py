@@ -186,5 +186,62 @@ class Backends(Case):
             self.assertIn(words, err)
 
 
+class Calibration(Case):
+    """`trivet backends`, and what it keeps in the user's cache folder."""
+
+    def backends(self, *arguments, **env):
+        out, err = self.trivet("backends", "--json", *arguments,
+                               env={"XDG_CACHE_HOME": self.path("cache"), **env})
+        return json.loads(out), err
+
+    def without_drivers(self, *arguments, **env):
+        """Software renderers are slow to start."""
+        return self.backends(*arguments, __EGL_VENDOR_LIBRARY_FILENAMES="/nonexistent", **env)
+
+    def test_measures_and_keeps(self):
+        first, err = self.backends()
+        self.assertEqual(err, "")
+        self.assertEqual(first["file"], self.path("cache/trivet/backends.json"))
+        self.assertEqual([s["name"] for s in first["sources"]][:2], ["bvh", "software"])
+        self.assertEqual([c["triangles"] for c in first["choices"]], [1000, 15000, 150000, 1500000])
+        usable = {"bvh", "software"} | {s["name"] for s in first["sources"] if not s["on_cpu"]}
+        for choice in first["choices"]:
+            self.assertLessEqual({choice["fall"], choice["turn"]}, usable)
+            if not first["hardware"]:
+                self.assertEqual({choice["fall"], choice["turn"]}, {"bvh"})
+        self.assertEqual(self.files().count("cache/trivet/backends.json"), 1)
+        second, _ = self.backends()
+        self.assertEqual(second, first)
+        third, err = self.without_drivers("--recalibrate")
+        self.assertEqual(err, "")
+        self.assertNotEqual(third["seconds"], first["seconds"])
+        text, _ = self.trivet("backends", env={"XDG_CACHE_HOME": self.path("cache")})
+        self.assertIn("auto takes", text)
+
+    def test_damaged_file_is_replaced_with_a_note(self):
+        self.write("cache/trivet/backends.json", "{")
+        found, err = self.without_drivers()
+        self.assertEqual(err.count("trivet: note:"), 1, err)
+        self.assertIn("measured again", err)
+        self.assertEqual(self.without_drivers(), (found, ""))
+
+    def test_goes_on_where_nothing_can_be_kept(self):
+        self.write("file", "")
+        _, err = self.without_drivers(XDG_CACHE_HOME=self.path("file"))
+        self.assertEqual(err.count("trivet: note:"), 1, err)
+        self.assertIn("cannot be kept", err)
+
+    def test_auto_without_hardware_reads_and_writes_nothing(self):
+        hardware = self.without_drivers()[0]["hardware"]
+        self.write("cache/trivet/backends.json", "{")
+        _, err = self.trivet("run", self.two_cubes(), "-o", "s.glb", "--report", "r.json",
+                             env={"XDG_CACHE_HOME": self.path("cache")})
+        if hardware:
+            self.skipTest("there is graphics hardware here")
+        self.assertEqual(err, "")
+        self.assertEqual(self.read("cache/trivet/backends.json"), b"{")
+        self.assertEqual(self.read_json("r.json")["backend"], "bvh")
+
+
 if __name__ == "__main__":
     main()

@@ -1,0 +1,131 @@
+#include "ops/detect/chooser.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/base/error.h"
+
+namespace trivet {
+namespace {
+
+constexpr int kMostFailures = 8;
+
+/// Triangles of all bodies, and of those that have no BVH yet.
+struct Triangles {
+  double all = 0, new_ones = 0;
+};
+
+Triangles triangles_of(const FirstContactQuery& query) {
+  Triangles out;
+  for (const std::span<const Body> bodies : {query.moving, query.fixed})
+    for (const Body& body : bodies) {
+      const auto count = static_cast<double>(body.shape->mesh.triangles.size());
+      out.all += count;
+      if (!body.shape->has_bvh()) out.new_ones += count;
+    }
+  return out;
+}
+
+}  // namespace
+
+BackendChooser::BackendChooser(std::shared_ptr<Machine> machine,
+                               std::function<void(const std::string&)> note)
+    : m_machine(std::move(machine)), m_note(std::move(note)) {}
+
+double BackendChooser::ms(const SourceCost& source, const QuerySize& size) const {
+  return m_given_up.contains(source.name) ? kInfinity : source.ms(size);
+}
+
+// Whether no source can be faster than BVHs, even if all bodies count for them and none for it.
+bool BackendChooser::is_small(Motion::Kind kind, double triangles) const {
+  double bvh = kInfinity, others = kInfinity;
+  for (const SourceCost& source : m_calibration->sources)
+    if (source.name == Calibration::kBvh)
+      bvh = ms(source, {kind, triangles, 0});
+    else
+      others = std::min(others, ms(source, {kind, 0, 0}));
+  return bvh <= others;
+}
+
+double BackendChooser::to_pay_ms(const SourceCost& source, double new_triangles) const {
+  return (m_ready.contains(source.name) ? 0 : source.start_ms) +
+         source.ms_per_new_triangle * new_triangles;
+}
+
+// Null: BVHs, as nothing else can be used.
+const SourceCost* BackendChooser::choose(const QuerySize& size, double new_triangles) {
+  const SourceCost* best = nullptr;
+  double best_ms = kInfinity;
+  for (const SourceCost& source : m_calibration->sources) {
+    const double owed = to_pay_ms(source, new_triangles) - m_saved_ms[source.name];
+    const double total = ms(source, size) + std::max(0.0, owed);
+    if (total < best_ms) best_ms = total, best = &source;
+  }
+  if (!best) return nullptr;
+  m_saved_ms[best->name] = 0;
+  for (const SourceCost& source : m_calibration->sources)
+    if (to_pay_ms(source, new_triangles) > 0)
+      m_saved_ms[source.name] += std::max(0.0, ms(*best, size) - ms(source, size));
+  return best;
+}
+
+// False: it was given up, or the calibration is another one now.
+bool BackendChooser::make_ready(const SourceCost& source) {
+  if (m_ready.contains(source.name)) return true;
+  try {
+    std::unique_ptr<CandidateFinder> stage = m_machine->make_stage(source.name);
+    const bool is_other = stage && stage->device() != source.device && !m_recalibrated;
+    m_ready[source.name] = std::move(stage);
+    if (!is_other) return true;
+    m_recalibrated = true;  // another renderer than the one that was measured
+    m_calibration = m_machine->recalibrate(m_calibration);
+  } catch (const Error& error) {
+    m_given_up.insert(source.name);
+    if (m_note) m_note(std::string(error.what()) + "; auto goes on without " + source.name);
+  }
+  return false;
+}
+
+CandidateFinder* BackendChooser::use(const std::string& name) {
+  if (name != m_current) m_failures = 0;
+  m_current = name;
+  m_used.insert(name);
+  CandidateFinder* const stage = name == Calibration::kBvh ? nullptr : m_ready.at(name).get();
+  if (stage && stage->device() != "cpu") {
+    m_device = stage->device();
+    m_method = stage->method();
+  }
+  return stage;
+}
+
+CandidateFinder* BackendChooser::stage_for(const FirstContactQuery& query) {
+  if (!m_calibration) m_calibration = m_machine->calibration();
+  const Triangles triangles = triangles_of(query);
+  if (triangles.new_ones == 0 && is_small(query.motion.kind, triangles.all))
+    return use(Calibration::kBvh);
+  const QuerySize size = size_of(query);
+  while (true) {
+    const auto kept = m_calibration;  // `source` is in it
+    const SourceCost* const source = choose(size, triangles.new_ones);
+    if (!source) return use(Calibration::kBvh);
+    if (make_ready(*source)) return use(source->name);
+  }
+}
+
+void BackendChooser::answered(bool usable, const std::string& why) {
+  m_failures = usable ? 0 : m_failures + 1;
+  if (m_failures < kMostFailures || m_current == Calibration::kBvh) return;
+  m_given_up.insert(m_current);
+  m_ready.erase(m_current);
+  m_failures = 0;
+  if (m_note) m_note(why + "; auto goes on without " + m_current);
+}
+
+std::string BackendChooser::names() const {
+  if (m_used.empty()) return Calibration::kBvh;
+  std::string out;
+  for (const std::string& name : m_used) out += (out.empty() ? "" : ", ") + name;
+  return out;
+}
+
+}  // namespace trivet

@@ -1,0 +1,54 @@
+// The choice of `auto`: for each query the source of candidates that is expected to be fastest.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+
+#include "ops/detect/machine.h"
+
+namespace trivet {
+
+/// One per detector. What must be made ready first (a GPU's context, shaders and self-test; BVHs of
+/// meshes that have none yet) is made when the queries so far would have paid for it, as one buys
+/// skis when the rents reach their price: what is asked a few times ends without it. A source that
+/// fails is given up with one note.
+class BackendChooser {
+ public:
+  explicit BackendChooser(std::shared_ptr<Machine> machine,
+                          std::function<void(const std::string&)> note = {});
+
+  /// The stage to ask; null: BVHs. Valid until answered().
+  CandidateFinder* stage_for(const FirstContactQuery& query);
+  /// To be told whether the stage's proposal was usable: several failures in a row end its use.
+  void answered(bool usable, const std::string& why);
+
+  /// Sources used so far, such as "bvh" or "bvh, gpu compute"; "bvh" before the first query.
+  std::string names() const;
+  /// Renderer of the last GPU source used, and how it is used; "cpu" and empty if none was.
+  const std::string& device() const { return m_device; }
+  const std::string& method() const { return m_method; }
+
+ private:
+  using Stages = std::map<std::string, std::unique_ptr<CandidateFinder>>;
+
+  bool is_small(Motion::Kind kind, double triangles) const;
+  double ms(const SourceCost& source, const QuerySize& size) const;
+  double to_pay_ms(const SourceCost& source, double new_triangles) const;
+  const SourceCost* choose(const QuerySize& size, double new_triangles);
+  bool make_ready(const SourceCost& source);
+  CandidateFinder* use(const std::string& name);
+
+  std::shared_ptr<Machine> m_machine;
+  std::function<void(const std::string&)> m_note;
+  std::shared_ptr<const Calibration> m_calibration;  // null: not asked for yet
+  Stages m_ready;
+  std::map<std::string, double> m_saved_ms;  // what each source not ready would have saved so far
+  std::set<std::string> m_given_up, m_used;
+  std::string m_current = Calibration::kBvh, m_device = "cpu", m_method;
+  bool m_recalibrated = false;
+  int m_failures = 0;  // of the current source, in a row
+};
+
+}  // namespace trivet

@@ -1,0 +1,90 @@
+#include "ops/detect/machine.h"
+
+#include <filesystem>
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/contact/zlist_self_test.h"
+#include "ops/detect/calibration_file.h"
+#include "raster/zlist/software_zlists.h"
+
+namespace trivet {
+
+Machine::Machine(MachineOptions options) : m_options(std::move(options)) {}
+
+Machine::Machine(MachineOptions options, Calibration calibration)
+    : m_options(std::move(options)),
+      m_calibration(std::make_shared<const Calibration>(std::move(calibration))) {}
+
+MachineKey Machine::key() const {
+  return {m_options.version, processor_name(), m_options.hardware};
+}
+
+std::shared_ptr<const Calibration> Machine::calibration() {
+  const std::lock_guard lock(m_mutex);
+  if (!m_calibration) m_calibration = read();
+  if (!m_calibration) m_calibration = measure();
+  return m_calibration;
+}
+
+std::shared_ptr<const Calibration> Machine::recalibrate(
+    const std::shared_ptr<const Calibration>& old) {
+  const std::lock_guard lock(m_mutex);
+  if (!m_calibration || m_calibration == old) m_calibration = measure();
+  return m_calibration;
+}
+
+std::string Machine::choice(const QuerySize& size) {
+  if (!has_hardware()) return Calibration::kBvh;
+  const std::shared_ptr<const Calibration> known = calibration();
+  const SourceCost* const found = known->fastest(size);
+  return found ? found->name : Calibration::kBvh;
+}
+
+std::unique_ptr<CandidateFinder> Machine::make_stage(const std::string& name) const {
+  if (name == Calibration::kBvh) return nullptr;
+  if (name == Calibration::kSoftware) {
+    SoftwareZListOptions options;
+    options.num_threads = m_options.num_threads;
+    return std::make_unique<SoftwareZLists>(options);
+  }
+  for (const GpuSource& source : m_options.gpu) {
+    if (source.name != name) continue;
+    auto stage = source.make(false);
+    const std::string wrong = self_test(*stage);
+    if (wrong.empty()) return stage;
+    throw Error(Error::Kind::Environment, stage->name() + " fails its self-test: " + wrong);
+  }
+  throw Error(Error::Kind::Environment, "this build has no \"" + name + "\"");
+}
+
+void Machine::tell(const std::string& note) const {
+  if (m_options.note) m_options.note(note);
+}
+
+// Null if there is none, or none for this machine.
+std::shared_ptr<const Calibration> Machine::read() const {
+  std::error_code error;
+  if (m_options.file.empty() || !std::filesystem::exists(m_options.file, error)) return nullptr;
+  std::string why = "it is of another version, processor or driver";
+  try {
+    auto found = std::make_shared<const Calibration>(read_calibration(m_options.file));
+    if (found->key == key()) return found;
+  } catch (const Error& damaged) {
+    why = damaged.what();
+  }
+  tell(m_options.file + " is not used: " + why + "; the backends are measured again");
+  return nullptr;
+}
+
+std::shared_ptr<const Calibration> Machine::measure() const {
+  auto found = std::make_shared<const Calibration>(calibrate(key(), m_options.gpu));
+  if (!m_options.file.empty()) try {
+      write_calibration(*found, m_options.file);
+    } catch (const Error& error) {
+      tell(std::string("the calibration of the backends cannot be kept: ") + error.what());
+    }
+  return found;
+}
+
+}  // namespace trivet
