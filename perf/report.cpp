@@ -67,7 +67,7 @@ std::string Report::markdown() const {
   for (const Line& line : m_rows)
     out += line.is_section ? "| **" + line.row.what + "** | | | | | | | |\n"
                            : row_text(line.row) + "\n";
-  return out;
+  return out + m_appendix;
 }
 
 }  // namespace trivet::perf

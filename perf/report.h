@@ -35,6 +35,8 @@ class Report {
   void remark(const std::string& what, const std::string& outcome) {
     add({what, {}, 0, 0, outcome});
   }
+  /// Adds text of its own below the table.
+  void append(const std::string& markdown) { m_appendix += markdown; }
   /// Adds a line of comma-separated values for plots; the first names the columns.
   void add_data(const std::string& line) { m_data += line + "\n"; }
   const std::string& data() const { return m_data; }
@@ -58,7 +60,7 @@ class Report {
     Row row;
   };
   std::vector<Line> m_rows;
-  std::string m_data;
+  std::string m_data, m_appendix;
   std::optional<std::uint64_t> m_hash;
 };
 

@@ -10,6 +10,7 @@ void put_rows(Report& report);            // the demos, also refined
 void scale_rows(Report& report);          // operations among 100 to 100,000 objects
 void real_scale_rows(Report& report);     // the same among real models, if there are any
 void push_rows(Report& report);           // one step of a PUSH, and a table with its loads
+void table1_rows(Report& report);         // the paper's Table 1, by candidate finder
 void zlist_rows(Report& report);          // z-lists and BVHs, same motions; free places
 void confirm_rows(Report& report);        // Embree between z-lists and the closed form
 void settling_rows(Report& report);       // ours, Bullet's and MuJoCo's, from the same starts

@@ -11,13 +11,8 @@
 namespace trivet::perf {
 namespace {
 
-constexpr double kStep = 0.005;        // metres: motion of a mouse between two frames
 constexpr int kTables[] = {10, 67};    // tables of BREAKFAST; 67: 1M triangles
 constexpr double kTableSpacing = 2.5;  // metres
-constexpr double kHalf = 0.70710678118654752;
-
-const Vec2 kDirections[] = {{1, 0},  {kHalf, kHalf},   {0, 1},  {-kHalf, kHalf},
-                            {-1, 0}, {-kHalf, -kHalf}, {0, -1}, {kHalf, -kHalf}};
 
 Scene laid_out_breakfast() {
   DemoScene demo = make_demo_scene("breakfast");
@@ -48,9 +43,10 @@ Samples push_steps(Scene& scene, const std::vector<std::string>& names, bool set
   options.clearance = clearance;
   Samples samples;
   for (const std::string& name : names)
-    for (const Vec2& direction : kDirections) {
+    for (const Vec2& direction : kPushDirections) {
       PushOperation push;
-      push.object = name, push.direction = direction, push.distance = kStep, push.settle = settle;
+      push.object = name, push.direction = direction, push.distance = kPushStep,
+      push.settle = settle;
       Transaction trial(scene);
       OperationResult result;
       const Took took = timed([&] { result = perform(scene, push, options); });

@@ -10,6 +10,8 @@
 namespace trivet::perf {
 namespace {
 
+constexpr double kHalf = 0.70710678118654752;
+
 // Point k of n on an edge, with the same bits from either end.
 Vec3 on_edge(const Mesh& mesh, Index from, Index to, int k, int n) {
   if (from > to) return on_edge(mesh, to, from, n - k, n);
@@ -39,6 +41,15 @@ Model refined_model(const Model& model, int splits) {
 }
 
 }  // namespace
+
+const std::array<Vec2, 8> kPushDirections{{{1, 0},
+                                           {kHalf, kHalf},
+                                           {0, 1},
+                                           {-kHalf, kHalf},
+                                           {-1, 0},
+                                           {-kHalf, -kHalf},
+                                           {0, -1},
+                                           {kHalf, -kHalf}}};
 
 Mesh refined(const Mesh& mesh, int splits) {
   if (splits == 1) return mesh;

@@ -1,6 +1,7 @@
 // The demos as scenes for measuring PUT, optionally with refined models.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,11 @@ int splits_for(const DemoScene& demo, std::int64_t num_triangles);
 /// The same surface with splits^2 coplanar triangles for each one (up to rounding); neighbours stay
 /// welded.
 Mesh refined(const Mesh& mesh, int splits);
+
+/// A step of PUSH, metres, as of a mouse between two frames, and the eight directions that are
+/// tried.
+inline constexpr double kPushStep = 0.005;
+extern const std::array<Vec2, 8> kPushDirections;
 
 /// A start of the layout with a random orientation, and up to `jitter` metres aside.
 Pose random_start(const Pose& start, double jitter, test::Random& random);

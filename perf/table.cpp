@@ -1,16 +1,20 @@
 // trivet_perf: all measurements in one run, printed as one table.
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <ctime>
 #include <filesystem>
-#include <fstream>
+#include <sstream>
 #include <stdexcept>
+#include <string>
 #include <thread>
+#include <vector>
 
 #include "core/io/export.h"
 #include "ops/base/stopwatch.h"
+#include "ops/detect/calibration.h"
 #include "perf/fcl_baseline.h"
 #include "perf/rows.h"
 #include "perf/settling.h"
@@ -19,8 +23,8 @@ namespace trivet::perf {
 namespace {
 
 constexpr const char* kUsage =
-    "usage: trivet_perf [--out FOLDER] [--only "
-    "first-contact|put|push|scale|zlists|confirm|settling|shapes]\n"
+    "usage: trivet_perf [--out FOLDER] [--only PART,...]\n"
+    "Parts: first-contact, put, push, table1, scale, zlists, confirm, settling, shapes.\n"
     "Prints the table; with --out also writes FOLDER/<date>-<n>core.md (with --only PART:\n"
     "-<n>core-PART.md), and of z-lists a .csv beside it, for plot_zlists.py.\n";
 
@@ -31,6 +35,7 @@ struct Part {
 constexpr Part kParts[] = {{"first-contact", first_contact_rows},
                            {"put", put_rows},
                            {"push", push_rows},
+                           {"table1", table1_rows},
                            {"scale", scale_rows},
                            {"zlists", zlist_rows},
                            {"confirm", confirm_rows},
@@ -38,8 +43,21 @@ constexpr Part kParts[] = {{"first-contact", first_contact_rows},
                            {"shapes", shape_rows}};
 
 struct Arguments {
-  std::string folder, only;
+  std::string folder;
+  std::vector<std::string> only;  // empty: all
 };
+
+std::vector<std::string> split(const std::string& list) {
+  std::vector<std::string> out;
+  std::istringstream in(list);
+  for (std::string part; std::getline(in, part, ',');) {
+    const auto is_it = [&](const Part& p) { return part == p.name; };
+    if (std::none_of(std::begin(kParts), std::end(kParts), is_it))
+      throw std::invalid_argument("no part '" + part + "'\n" + kUsage);
+    out.push_back(part);
+  }
+  return out;
+}
 
 Arguments parse(int argc, char** argv) {
   Arguments out;
@@ -48,18 +66,11 @@ Arguments parse(int argc, char** argv) {
     if (has_value && !std::strcmp(argv[i], "--out"))
       out.folder = argv[++i];
     else if (has_value && !std::strcmp(argv[i], "--only"))
-      out.only = argv[++i];
+      out.only = split(argv[++i]);
     else
       throw std::invalid_argument(std::string("not accepted: ") + argv[i] + "\n" + kUsage);
   }
   return out;
-}
-
-std::string processor() {
-  std::ifstream file("/proc/cpuinfo");
-  for (std::string line; std::getline(file, line);)
-    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
-  return "unknown processor";
 }
 
 double load_average() {
@@ -78,9 +89,8 @@ unsigned num_cores() { return std::max(1u, std::thread::hardware_concurrency());
 
 std::string heading(double load_before, double minutes, const Report& report) {
   return "# Measurements of " + date() + "\n\n" +
-         text("%s, %u cores; %s. Load before %.1f, after %.1f; the run took %.1f minutes.\n",
-              processor().c_str(), num_cores(), "gcc " __VERSION__, load_before, load_average(),
-              minutes) +
+         text("%s; %s. Load before %.1f, after %.1f; the run took %.1f minutes.\n",
+              processor_name().c_str(), "gcc " __VERSION__, load_before, load_average(), minutes) +
          "All on one core, in one thread, unless a row says all cores; models, BVHs "
          "and\nsimulators' tasks are prepared beforehand and not timed. FCL " +
          fcl_version() + ". Bullet " + bullet_version() + ". MuJoCo " + mujoco_version() +
@@ -95,20 +105,17 @@ int run(const Arguments& arguments) {
   const double load_before = load_average();
   Report report;
   const Stopwatch stopwatch;
-  bool any = false;
-  for (const Part& part : kParts) {
-    if (!arguments.only.empty() && arguments.only != part.name) continue;
-    any = true;
-    part.rows(report);
-  }
-  if (!any) throw std::invalid_argument("no part '" + arguments.only + "'\n" + kUsage);
+  const std::vector<std::string>& only = arguments.only;
+  for (const Part& part : kParts)
+    if (only.empty() || std::find(only.begin(), only.end(), part.name) != only.end())
+      part.rows(report);
   const double minutes = stopwatch.elapsed().wall_ms / 60'000;
   const std::string page = heading(load_before, minutes, report) + report.markdown();
   std::fputs(page.c_str(), stdout);
   if (!arguments.folder.empty()) {
     std::filesystem::create_directories(arguments.folder);
     std::string name = arguments.folder + text("/%s-%ucore", date().c_str(), num_cores());
-    if (!arguments.only.empty()) name += "-" + arguments.only;
+    for (const std::string& part : only) name += "-" + part;
     write_file_atomically(name + ".md", page);
     if (!report.data().empty()) write_file_atomically(name + ".csv", report.data());
   }

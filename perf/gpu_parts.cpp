@@ -1,0 +1,76 @@
+#include "core/base/error.h"
+#include "perf/frame_time.h"
+#include "perf/gpu_stages.h"
+#ifdef TRIVET_PERF_GPU
+#include "gpu/live/live_view.h"
+#include "gpu/zlist/zlist_gpu.h"
+#include "raster/zlist/software_zlists.h"
+#endif
+
+namespace trivet::perf {
+
+#ifdef TRIVET_PERF_GPU
+namespace {
+
+constexpr int kFrames = 9;
+
+LiveScene live_scene(const Scene& scene) {
+  LiveScene out;
+  for (const ObjectId id : scene.ids()) {
+    const Object& object = scene.at(id);
+    if (!object.placed) continue;
+    LiveObject live;
+    live.model = object.model;
+    live.world_from_object = object.world_from_object();
+    out.objects.push_back(live);
+  }
+  return out;
+}
+
+}  // namespace
+
+std::vector<GpuSource> gpu_stages() {
+  std::vector<GpuSource> out;
+  for (const GpuMethod method : {GpuMethod::Framebuffer, GpuMethod::Compute})
+    out.push_back({method == GpuMethod::Compute ? "compute shaders" : "framebuffers",
+                   [=](bool allow_software) {
+                     GpuZListOptions options;
+                     options.allow_software = allow_software;
+                     options.method = method;
+                     options.software_lists =
+                         std::make_shared<SoftwareDoubtfulLists>(SoftwareZListOptions{});
+                     return make_gpu_candidate_finder(options);
+                   }});
+  return out;
+}
+
+std::string frame_text(const Scene& scene, Report& report) try {
+  EglContext context;
+  LiveView view(context);
+  LiveScene live = live_scene(scene);
+  LiveCamera camera;
+  const Aabb box = scene.box();
+  camera.target = box.centre();
+  camera.eye = camera.target + Vec3(1, -2, 1.5);
+  camera = framed(camera, box, 16.0 / 9);
+  LiveOptions options;
+  options.width = 1280, options.height = 720;
+  view.draw(live, camera, options);
+  Row row{"a frame of 1280 x 720, an object moved, " + context.renderer(), {}, 0, 0, ""};
+  for (int i = 0; i < kFrames; ++i) {
+    live.objects.back().world_from_object.translation.z() += 1e-3;
+    row.samples.add(timed([&] { view.draw(live, camera, options); }, CLOCK_PROCESS_CPUTIME_ID));
+  }
+  const std::string out = text("%.3g", row.samples.median_ms());
+  report.add(std::move(row));
+  return out;
+} catch (const Error& error) {
+  report.remark("a frame of 1280 x 720", error.what());
+  return "-";
+}
+#else
+std::vector<GpuSource> gpu_stages() { return {}; }
+std::string frame_text(const Scene&, Report&) { return "-"; }
+#endif
+
+}  // namespace trivet::perf

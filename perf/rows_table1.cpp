@@ -1,0 +1,207 @@
+// Table 1 of [Shinya 1995], whole: milliseconds of a movement of PUT and of PUSH in the paper's two
+// scenes, by what finds the candidates.
+#include <functional>
+#include <stdexcept>
+
+#include "core/base/error.h"
+#include "ops/detect/backend.h"
+#include "ops/operations/perform.h"
+#include "perf/frame_time.h"
+#include "perf/gpu_stages.h"
+#include "perf/result_hash.h"
+#include "perf/rows.h"
+#include "perf/scenes.h"
+
+namespace trivet::perf {
+namespace {
+
+constexpr double kBudget_ms = 5000;  // of a cell; the first cases are the same in all of them
+constexpr double kJitter = 0.02;     // metres, of random starts
+constexpr int kRounds = 10;          // of PUTs of all objects
+
+struct Case {
+  const Scene* before;
+  Operation operation;
+  ObjectId object;
+  std::optional<std::uint64_t> truth = {};  // hash of the outcome, from BVHs
+};
+
+struct TestScene {
+  const char* name;
+  const char* complexity;     // in the paper
+  std::vector<Scene> stages;  // before each PUT; the last one is complete
+  std::vector<Case> puts, pushes;
+  std::int64_t num_triangles = 0;
+};
+
+void add_pushes(TestScene& out) {
+  const Scene& complete = out.stages.back();
+  for (const Vec2& direction : kPushDirections)
+    for (const ObjectId id : complete.ids()) {
+      if (complete.at(id).fixed) continue;
+      PushOperation push;
+      push.object = complete.at(id).name;
+      push.direction = direction, push.distance = kPushStep, push.settle = false;
+      out.pushes.push_back({&complete, push, id});
+    }
+}
+
+TestScene make_test_scene(const char* name, const char* demo_name, const char* complexity,
+                          int splits) {
+  DemoScene demo = make_demo_scene(demo_name, splits);
+  TestScene out{name, complexity, {}, {}, {}, demo.num_triangles};
+  for (const PutOperation& put : demo.operations) {
+    out.stages.push_back(demo.scene);
+    if (!perform(demo.scene, put).ok()) throw std::runtime_error(put.object + " cannot be put");
+  }
+  out.stages.push_back(demo.scene);
+  test::Random random(5);
+  for (int round = 0; round < kRounds; ++round)
+    for (size_t i = 0; i < demo.operations.size(); ++i) {
+      PutOperation put = demo.operations[i];
+      put.start = random_start(put.start, kJitter, random);
+      out.puts.push_back({&out.stages[i], put, *out.stages[i].find(put.object)});
+    }
+  add_pushes(out);
+  return out;
+}
+
+/// A cell of the table.
+struct Cell {
+  Samples samples;  // of operations
+  std::vector<double> movement_ms, detection_ms;
+  int refused = 0, wrong = 0;
+};
+
+std::uint64_t hash_of(const OperationResult& result, const Object& object) {
+  ResultHash hash;
+  hash.add(static_cast<std::uint64_t>(result.status));
+  hash.add(object.pose);
+  return hash.value();
+}
+
+/// @param per_motion  whether a motion is a movement, not the whole operation.
+void measure_case(Case& c, bool per_motion, Detector& detector, Cell& cell) {
+  OperationResult result;
+  Scene after;
+  double detection_s = 0;
+  const auto run = [&] {
+    after = *c.before;
+    const double before_s = detector.work().seconds;
+    RunContext context;
+    context.detector = &detector;
+    const Took took =
+        timed([&] { result = perform(after, c.operation, {}, context); }, CLOCK_PROCESS_CPUTIME_ID);
+    detection_s = detector.work().seconds - before_s;
+    return took;
+  };
+  Took took = run();
+  if (took.wall_ms < kLong_ms) took = run();  // with warm caches
+  const std::uint64_t hash = hash_of(result, after.at(c.object));
+  if (!c.truth) c.truth = hash;
+  cell.wrong += hash != *c.truth;
+  if (!result.ok()) {
+    ++cell.refused;
+    return;
+  }
+  const int movements = per_motion ? result.num_motions : 1;
+  if (movements == 0) return;
+  cell.samples.add(took);
+  cell.movement_ms.push_back(took.wall_ms / movements);
+  cell.detection_ms.push_back(1000 * detection_s / movements);
+}
+
+Cell measure(std::vector<Case>& cases, bool per_motion, Detector& detector) {
+  Cell cell;
+  const Stopwatch stopwatch;
+  for (Case& c : cases) {
+    if (stopwatch.elapsed().wall_ms > kBudget_ms) break;
+    measure_case(c, per_motion, detector, cell);
+  }
+  return cell;
+}
+
+std::string digits(double ms) { return text(ms >= 100 ? "%.0f" : ms >= 10 ? "%.1f" : "%.2g", ms); }
+
+std::string cell_text(const Cell& cell) {
+  if (cell.movement_ms.empty()) return "none in time";
+  return digits(median(cell.movement_ms)) + " (" + digits(median(cell.detection_ms)) + ")";
+}
+
+void add_row(const std::string& what, const Cell& cell, Report& report) {
+  std::string outcome = text("medians of a movement: %s ms, of these detection %s ms; refused %d",
+                             digits(median(cell.movement_ms)).c_str(),
+                             digits(median(cell.detection_ms)).c_str(), cell.refused);
+  outcome += cell.wrong ? text("; WRONG %d", cell.wrong) : "; the same bits";
+  report.add({what, cell.samples, 0, 0, outcome});
+}
+
+/// A line of the table: what finds the candidates.
+struct Finder {
+  std::string name;
+  std::function<std::unique_ptr<Detector>()> make;
+};
+
+std::vector<Finder> finders() {
+  std::vector<Finder> out = {{"BVHs", [] { return std::make_unique<Detector>(); }},
+                             {"z-lists in software, all cores", [] {
+                                BackendOptions options;
+                                options.backend = Backend::Software;
+                                return make_detector(options);
+                              }}};
+  for (const GpuSource& source : gpu_stages())
+    out.push_back(
+        {source.name, [=] { return std::make_unique<Detector>(source.make(true), "gpu"); }});
+  return out;
+}
+
+std::string line(const std::vector<std::string>& cells) {
+  std::string out = "|";
+  for (const std::string& cell : cells) out += " " + cell + " |";
+  return out + "\n";
+}
+
+std::string scene_lines(TestScene& scene, const std::vector<std::string>& paper, Report& report) {
+  const std::string ours = text("%zu objects, %s triangles", scene.stages.back().num_objects(),
+                                short_count(scene.num_triangles).c_str());
+  report.section(std::string("Table 1 of [Shinya 1995]: ") + scene.name + ", " + ours);
+  const std::string frame = frame_text(scene.stages.back(), report);
+  std::string out;
+  if (!paper.empty())
+    out += line({scene.name, scene.complexity, "the paper, 1995", paper[0], paper[1], paper[2]});
+  for (const Finder& finder : finders()) try {
+      const std::unique_ptr<Detector> detector = finder.make();
+      std::string name = finder.name;
+      if (detector->device() != "cpu") name += ", " + detector->device();
+      const Cell put = measure(scene.puts, true, *detector);
+      add_row("PUT, any orientation, " + name, put, report);
+      const Cell push = measure(scene.pushes, false, *detector);
+      add_row("PUSH by 5 mm, " + name, push, report);
+      out += line({scene.name, ours, name, cell_text(put), cell_text(push), frame});
+    } catch (const Error& error) {
+      report.remark(finder.name, error.what());
+    }
+  return out;
+}
+
+}  // namespace
+
+void table1_rows(Report& report) {
+  TestScene spoon = make_test_scene("SPOON-SAUCER", "spoon-saucer", "2 objects, 0.9K polygons", 1);
+  std::string lines = scene_lines(spoon, {"410", "1,100", ""}, report);
+  TestScene breakfast = make_test_scene("BREAKFAST", "breakfast", "24 objects, 15K polygons", 1);
+  lines += scene_lines(breakfast, {"2,000", "4,000", "400"}, report);
+  DemoScene coarse = make_demo_scene("breakfast");
+  TestScene fine = make_test_scene("BREAKFAST, every triangle split", "breakfast", "",
+                                   splits_for(coarse, 1'500'000));
+  lines += scene_lines(fine, {}, report);
+  report.append(
+      "\n## Table 1 of the paper\n\nMilliseconds per movement, in brackets those of detection: "
+      "medians, wall clock. A movement of PUT is a motion\nup to the next contact, with its "
+      "share of everything until the pose is committed; of PUSH a step of 5 mm along the\n"
+      "surface. Display: a frame of 1280 x 720 after an object has moved.\n\n" +
+      line({"scene", "complexity", "detection by", "PUT", "PUSH/PULL", "display"}) +
+      "|---|---|---|--:|--:|--:|\n" + lines);
+}
+
+}  // namespace trivet::perf
