@@ -15,6 +15,7 @@
 #include "core/io/export.h"
 #include "core/io/overwrites.h"
 #include "core/io/staged_files.h"
+#include "ops/files/report/verdict.h"
 #include "ops/simulation/simulation.h"
 
 namespace trivet::apps {
@@ -104,22 +105,6 @@ std::string check_summary(const SceneCheck& check) {
   append_findings(out, check.float32_crossings, "pairs of faces interpenetrate in float32");
   append_findings(out, check.contained, "parts of the first are inside the second");
   for (const std::string& name : check.not_at_rest) out << "  \"" << name << "\" is not at rest\n";
-  return out.str();
-}
-
-std::string stability_summary(const LayoutRun& run) {
-  const Stability& found = run.stability;
-  std::ostringstream out;
-  out << "stability: " << to_string(found.status) << " at ";
-  if (found.friction)
-    out << "friction " << *found.friction;
-  else
-    out << "the materials' friction";
-  if (found.stable() && found.margin < kInfinity) out << ", margin " << found.margin << " m";
-  if (found.status == Stability::Status::Unknown) out << ": " << found.why_unknown;
-  out << "\n";
-  for (const ObjectStability& o : found.objects)
-    if (o.topples) out << "  \"" << run.scene.at(o.object).name << "\" would topple\n";
   return out.str();
 }
 
@@ -246,7 +231,7 @@ std::string summary(const LayoutRun& run) {
   for (const ObjectId id : ids) num_placed += run.scene.at(id).placed;
   out << count_of(ids.size(), "object") << ", " << num_placed << " in the scene; "
       << count_of(run.operations.size(), "operation") << ", " << num_refused << " refused\n"
-      << check_summary(run.check) << stability_summary(run);
+      << check_summary(run.check) << verdict_text(run.scene, run.stability);
   return out.str();
 }
 

@@ -35,6 +35,10 @@ void add_to(Hash& hash, const ObjectContact& entry) {
   add_to(hash, c.faces_support);
 }
 
+void add_to(Hash& hash, const PhysicsMaterial& material) {
+  hash.add(material.name).add(material.friction).add(material.density).add(material.restitution);
+}
+
 }  // namespace
 
 void add_to(Hash& hash, const Object& object) {
@@ -43,6 +47,7 @@ void add_to(Hash& hash, const Object& object) {
   hash.add(static_cast<std::uint64_t>(object.state));
   hash.add(std::uint64_t{object.fixed} | std::uint64_t{object.placed} << 1 |
            std::uint64_t{object.locked} << 2);
+  add_to(hash, object.material);
   const Rotation& r = object.pose.rotation;
   hash.add(r.w).add(r.x).add(r.y).add(r.z);
   add_to(hash, object.pose.translation);
@@ -61,7 +66,10 @@ std::uint64_t fingerprint(const Scene& scene, std::span<const ObjectId> ids) {
 }
 
 std::uint64_t fingerprint(const Scene& scene) {
-  return Hash(fingerprint(scene, scene.ids())).add(std::uint64_t{scene.floor}).value();
+  Hash hash(fingerprint(scene, scene.ids()));
+  hash.add(std::uint64_t{scene.floor});
+  add_to(hash, scene.floor_material);
+  return hash.value();
 }
 
 }  // namespace trivet

@@ -8,8 +8,8 @@
 
 namespace trivet {
 
-/// Adds all of an object but its geometry: name, pose, state, rating, lock, group, links with all
-/// their contact points.
+/// Adds all of an object but its geometry: name, material, pose, state, rating, lock, group, links
+/// with all their contact points.
 void add_to(Hash& hash, const Object& object);
 
 /// Of these objects, those that are gone included. Cost: the objects, not the scene.

@@ -96,6 +96,7 @@ OperationResult apply(Transaction& transaction, const AppendOperation& o, Operat
   object.up = o.up.value_or(object.model ? object.model->up : UpAxis::Z);
   object.scale = o.scale;
   object.fixed = o.fixed;
+  if (o.material) object.material = *o.material;
   transaction.add(std::move(object));
   return done();
 }
@@ -109,6 +110,7 @@ OperationResult apply(Transaction& transaction, const DuplicateOperation& o, Ope
   object.shape = original.shape;
   object.up = original.up;
   object.scale = original.scale;
+  object.material = original.material;
   transaction.add(std::move(object));
   return done();
 }
@@ -156,6 +158,12 @@ OperationResult apply(Transaction& transaction, const FixOperation& o, Operation
   transaction.edit(id, [](Object& object) { object.state = ObjectState::Stable; });
   rate_left_alone(transaction, id, rest_rules(run.options, clearance), result);
   return result;
+}
+
+OperationResult apply(Transaction& transaction, const MaterialOperation& o, OperationRun&) {
+  transaction.edit(id_of(transaction, o.object),
+                   [&](Object& object) { object.material = o.material; });
+  return done();
 }
 
 OperationResult apply(Transaction& transaction, const GroupOperation& o, OperationRun&) {

@@ -1,5 +1,5 @@
 // Edits of the scene's list of objects, and of objects that do not move by motions: append,
-// duplicate, delete, lock, fix, group, stand, unplace.
+// duplicate, delete, lock, fix, material, group, stand, unplace.
 #pragma once
 
 #include "core/scene/transaction.h"
@@ -14,7 +14,7 @@ namespace trivet {
 /// not loaded.
 OperationResult apply(Transaction& transaction, const AppendOperation& o, OperationRun& run);
 
-/// A new object of the same model, scale and axis, free, not placed until it is put.
+/// A new object of the same model, scale, axis and material, free, not placed until it is put.
 OperationResult apply(Transaction& transaction, const DuplicateOperation& o, OperationRun& run);
 
 /// Refused: the object is locked. Objects left without support are named, and settle if asked to.
@@ -28,6 +28,9 @@ OperationResult apply(Transaction& transaction, const LockOperation& o, Operatio
 /// its loads stay on it, and if nothing holds it, it is named like objects that a move leaves.
 /// Refused: to fix an object that interpenetrates another.
 OperationResult apply(Transaction& transaction, const FixOperation& o, OperationRun& run);
+
+/// Only what the object is made of: nothing moves, and no state changes.
+OperationResult apply(Transaction& transaction, const MaterialOperation& o, OperationRun& run);
 
 /// Objects of one group move as one.
 OperationResult apply(Transaction& transaction, const GroupOperation& o, OperationRun& run);

@@ -15,6 +15,7 @@ const char* op_name(const Operation& operation) {
     const char* operator()(const DeleteOperation&) { return "delete"; }
     const char* operator()(const LockOperation& o) { return o.locked ? "lock" : "unlock"; }
     const char* operator()(const FixOperation& o) { return o.fixed ? "fix" : "unfix"; }
+    const char* operator()(const MaterialOperation&) { return "material"; }
     const char* operator()(const GroupOperation& o) {
       return o.group.empty() ? "ungroup" : "group";
     }

@@ -13,6 +13,7 @@
 #include "core/io/model.h"
 #include "core/io/tessellation.h"
 #include "core/motion/pose.h"
+#include "core/scene/physics_material.h"
 
 namespace trivet {
 
@@ -109,6 +110,8 @@ struct AppendOperation {
   std::shared_ptr<const Model> model_data;  // filled by load_model(); not written down
   std::shared_ptr<const Shape> shape;
   Tessellation tessellation = {};  // of a model with curved surfaces
+  std::optional<PhysicsMaterial> material =
+      {};  // nullopt: a layout's default, else PhysicsMaterial
 };
 
 /// A new object of the same model, not placed until it is put. "duplicate"
@@ -141,19 +144,25 @@ struct FixOperation {
   bool fixed = true;
 };
 
+/// What it is made of; nothing moves. "material"
+struct MaterialOperation {
+  std::string object;
+  PhysicsMaterial material;
+};
+
 /// Objects of one group move as one. "group", "ungroup"
 struct GroupOperation {
   std::string object;
   std::string group;  // empty: taken out of its group
 };
 
-using Operation =
-    std::variant<PutOperation, PushOperation, TurnOperation, PickUpOperation, TranslateOperation,
-                 RotateOperation, AppendOperation, DuplicateOperation, DeleteOperation,
-                 LockOperation, FixOperation, GroupOperation, StandOperation, UnplaceOperation>;
+using Operation = std::variant<PutOperation, PushOperation, TurnOperation, PickUpOperation,
+                               TranslateOperation, RotateOperation, AppendOperation,
+                               DuplicateOperation, DeleteOperation, LockOperation, FixOperation,
+                               MaterialOperation, GroupOperation, StandOperation, UnplaceOperation>;
 
 /// "put", "push", "turn", "pick_up", "translate", "rotate", "append", "duplicate", "delete",
-/// "lock", "unlock", "fix", "unfix", "group", "ungroup", "stand", "unplace"
+/// "lock", "unlock", "fix", "unfix", "material", "group", "ungroup", "stand", "unplace"
 const char* op_name(const Operation& operation);
 const std::string& object_name(const Operation& operation);
 

@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "core/base/limits.h"
+#include "core/scene/materials.h"
 
 namespace trivet {
 namespace {
@@ -61,6 +62,14 @@ class Checker {
     rotation("rotation", pose.rotation);
   }
 
+  void material(const PhysicsMaterial& m) {
+    range("friction", m.friction, kMinFriction, kMaxFriction);
+    range("density", m.density, kMinDensity, kMaxDensity);
+    range("restitution", m.restitution, 0, kMaxRestitution);
+    if (!m.name.empty() && !is_preset(m))
+      complain("material", "\"" + m.name + "\"", "no name, or a preset's with its numbers");
+  }
+
   std::optional<InvalidArgument> take() { return std::move(m_found); }
 
  private:
@@ -116,7 +125,10 @@ void check(const RotateOperation& o, Checker& checker) {
 
 void check(const AppendOperation& o, Checker& checker) {
   checker.range("scale", o.scale, kMinScale, kMaxScale);
+  if (o.material) checker.material(*o.material);
 }
+
+void check(const MaterialOperation& o, Checker& checker) { checker.material(o.material); }
 
 void check(const StandOperation& o, Checker& checker) { checker.pose(o.pose); }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/scene/materials.h"
+
 namespace trivet::test {
 namespace {
 
@@ -28,6 +30,7 @@ std::string difference(const Object& a, const Object& b) {
   if (a.name != b.name) return "name";
   if (a.model != b.model || a.shape != b.shape) return "model";
   if (a.up != b.up || a.scale != b.scale) return "scale";
+  if (!same_material(a.material, b.material)) return "material";
   if (a.locked != b.locked || a.group != b.group) return "lock or group";
   if (a.fixed != b.fixed || a.placed != b.placed || a.state != b.state) return "state";
   if (!same(a.pose, b.pose)) return "pose";
@@ -42,7 +45,7 @@ std::string difference(const Object& a, const Object& b) {
 }  // namespace
 
 std::string difference(const Scene& a, const Scene& b) {
-  if (a.floor != b.floor) return "floor";
+  if (a.floor != b.floor || !same_material(a.floor_material, b.floor_material)) return "floor";
   if (a.ids() != b.ids()) return "ids";
   for (const ObjectId id : a.ids())
     if (const std::string d = difference(a.at(id), b.at(id)); !d.empty())

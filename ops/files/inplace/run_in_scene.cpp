@@ -83,6 +83,7 @@ Scene make_scene(const Layout& layout, const GltfScene& source,
   }
   Scene scene;
   scene.floor = layout.floor;
+  scene.floor_material = layout.floor_material.value_or(layout.material);
   for (size_t i = 0; i < source.objects().size(); ++i) {
     const LoadedModel& loaded = models[index_of.at(source.model_name(i))];
     const auto pick = picked.find(i);
@@ -92,6 +93,8 @@ Scene make_scene(const Layout& layout, const GltfScene& source,
     object.shape = loaded.shape;
     object.up = UpAxis::Y;
     object.fixed = pick == picked.end() || pick->second->fixed;
+    object.material = layout.material;
+    if (pick != picked.end() && pick->second->material) object.material = *pick->second->material;
     object.pose = source.objects()[i].pose;
     object.placed = true;
     scene.add(std::move(object));

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/nearest_name.h"
+#include "ops/files/json/material_json.h"
 #include "ops/files/layout/layout.h"
 #include "ops/operations/validate.h"
 
@@ -200,13 +201,14 @@ RotateOperation read_rotate(const JsonPlace& place) {
 
 AppendOperation read_append(const JsonPlace& place) {
   place.expect_object({"op", "object", "model"},
-                      {"scale", "up", "fixed", "chord", "facet_angle_deg"});
+                      {"scale", "up", "fixed", "material", "chord", "facet_angle_deg"});
   AppendOperation append;
   append.object = read_new_name(place.at("object"));
   append.model = place.at("model").text();
   read_to(place, "scale", append.scale);
   if (const auto up = place.find("up")) append.up = read_up(*up);
   read_to(place, "fixed", append.fixed);
+  if (const auto material = place.find("material")) append.material = read_material(*material);
   append.tessellation = read_tessellation(place, append.model);
   return append;
 }
@@ -241,6 +243,11 @@ FixOperation read_fix(const JsonPlace& place, bool fixed) {
   return {place.at("object").text(), fixed};
 }
 
+MaterialOperation read_material_operation(const JsonPlace& place) {
+  place.expect_object({"op", "object", "material"}, {});
+  return {place.at("object").text(), read_material(place.at("material"))};
+}
+
 GroupOperation read_group(const JsonPlace& place) {
   place.expect_object({"op", "object", "group"}, {});
   return {place.at("object").text(), place.at("group").text()};
@@ -267,6 +274,7 @@ Operation read_values(const JsonPlace& place) {
   if (op.value() == "unlock") return read_lock(place, false);
   if (op.value() == "fix") return read_fix(place, true);
   if (op.value() == "unfix") return read_fix(place, false);
+  if (op.value() == "material") return read_material_operation(place);
   if (op.value() == "group") return read_group(place);
   if (op.value() == "ungroup") return read_ungroup(place);
   if (op.value() == "stand") return read_stand(place);
@@ -274,11 +282,11 @@ Operation read_values(const JsonPlace& place) {
   const std::string given = op.value().is_string() ? op.value().get<std::string>() : "";
   op.refuse(
       "\"put\", \"push\", \"turn\", \"pick_up\", \"translate\", \"rotate\", \"append\", "
-      "\"duplicate\", \"delete\", \"lock\", \"unlock\", \"fix\", \"unfix\", \"group\", "
-      "\"ungroup\", \"stand\" or \"unplace\"" +
+      "\"duplicate\", \"delete\", \"lock\", \"unlock\", \"fix\", \"unfix\", \"material\", "
+      "\"group\", \"ungroup\", \"stand\" or \"unplace\"" +
       did_you_mean(given, {"put", "push", "turn", "pick_up", "translate", "rotate", "append",
-                           "duplicate", "delete", "lock", "unlock", "fix", "unfix", "group",
-                           "ungroup", "stand", "unplace"}));
+                           "duplicate", "delete", "lock", "unlock", "fix", "unfix", "material",
+                           "group", "ungroup", "stand", "unplace"}));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // Operations as JSON; operation_json.cpp reads them.
 #include <optional>
 
+#include "ops/files/json/material_json.h"
 #include "ops/files/json/operation_json.h"
 
 namespace trivet {
@@ -107,6 +108,7 @@ void write(const AppendOperation& append, Json& json) {
   write_if(append.scale != 1, "scale", append.scale, json);
   if (append.up) json["up"] = *append.up == UpAxis::Y ? "y" : "z";
   write_if(append.fixed, "fixed", true, json);
+  if (append.material) json["material"] = material_json(*append.material);
   write_tessellation(append.tessellation, json);
 }
 
@@ -121,6 +123,8 @@ void write(const UnplaceOperation&, Json&) {}
 void write(const LockOperation&, Json&) {}
 
 void write(const FixOperation&, Json&) {}
+
+void write(const MaterialOperation& o, Json& json) { json["material"] = material_json(o.material); }
 
 void write(const GroupOperation& group, Json& json) {
   write_if(!group.group.empty(), "group", group.group, json);

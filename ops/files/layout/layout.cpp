@@ -8,6 +8,7 @@
 #include "core/base/nearest_name.h"
 #include "ops/files/json/input_text.h"
 #include "ops/files/json/json_text.h"
+#include "ops/files/json/material_json.h"
 #include "ops/files/json/operation_json.h"
 
 namespace trivet {
@@ -33,22 +34,24 @@ std::string read_name(const JsonPlace& place) {
 
 // One that the scene has, where the scene has it.
 LayoutObject read_scene_object(const JsonPlace& place) {
-  place.expect_object({"name"}, {"fixed"});
+  place.expect_object({"name"}, {"fixed", "material"});
   LayoutObject object;
   object.name = read_name(place.at("name"));
   if (const auto fixed = place.find("fixed")) object.fixed = fixed->boolean();
+  if (const auto material = place.find("material")) object.material = read_material(*material);
   return object;
 }
 
 LayoutObject read_object(const JsonPlace& place) {
-  place.expect_object({"name", "model"},
-                      {"scale", "up", "fixed", "chord", "facet_angle_deg", "position", "rotation"});
+  place.expect_object({"name", "model"}, {"scale", "up", "fixed", "material", "chord",
+                                          "facet_angle_deg", "position", "rotation"});
   LayoutObject object;
   object.name = read_name(place.at("name"));
   object.model = place.at("model").text();
   if (const auto scale = place.find("scale")) object.scale = scale->number(kMinScale, kMaxScale);
   if (const auto up = place.find("up")) object.up = read_up(*up);
   if (const auto fixed = place.find("fixed")) object.fixed = fixed->boolean();
+  if (const auto material = place.find("material")) object.material = read_material(*material);
   object.tessellation = read_tessellation(place, object.model);
   if (place.find("position")) object.pose = read_pose(place);
   if (const auto rotation = place.find("rotation"); rotation && !object.pose)
@@ -110,7 +113,8 @@ std::optional<Rotation> unit_rotation(const std::array<double, 4>& q) {
 Layout parse_layout(const std::string& text, const std::string& file) {
   const nlohmann::json document = parse_json(text, file);
   const JsonPlace root(document, file);
-  root.expect_object({"trivet", "objects"}, {"floor", "scene", "scene_objects", "operations"});
+  root.expect_object({"trivet", "objects"}, {"floor", "material", "floor_material", "scene",
+                                             "scene_objects", "operations"});
   const JsonPlace version = root.at("trivet");
   if (!version.value().is_number() || version.value() != kVersion)
     version.refuse(std::to_string(kVersion) + ", the version of the layout format");
@@ -123,6 +127,9 @@ Layout parse_layout(const std::string& text, const std::string& file) {
   }
   layout.floor = layout.scene.empty();  // a scene has its own
   if (const auto floor = root.find("floor")) layout.floor = floor->boolean();
+  if (const auto material = root.find("material")) layout.material = read_material(*material);
+  if (const auto material = root.find("floor_material"))
+    layout.floor_material = read_material(*material);
   layout.objects = read_objects(root.at("objects"), !layout.scene.empty());
   std::set<std::string> names;
   for (const LayoutObject& object : layout.objects) names.insert(object.name);
@@ -139,6 +146,8 @@ Layout read_layout(const std::string& path, std::uintmax_t max_bytes) {
 std::string write_layout(const Layout& layout) {
   using Json = nlohmann::ordered_json;
   Json json = {{"trivet", kVersion}, {"floor", layout.floor}};
+  write_material("material", layout.material, json);
+  if (layout.floor_material) json["floor_material"] = material_json(*layout.floor_material);
   if (!layout.scene.empty()) {
     json["scene"] = layout.scene;
     for (const auto& [name, rule] : kSceneRules)
@@ -150,6 +159,7 @@ std::string write_layout(const Layout& layout) {
     if (layout.scene.empty()) entry.update({{"model", o.model}, {"scale", o.scale}});
     if (o.up) entry["up"] = *o.up == UpAxis::Y ? "y" : "z";
     if (o.fixed) entry["fixed"] = true;
+    if (o.material) entry["material"] = material_json(*o.material);
     write_tessellation(o.tessellation, entry);
     if (o.pose) write_pose(*o.pose, entry);
     json["objects"].push_back(std::move(entry));

@@ -10,6 +10,7 @@
 #include "core/base/limits.h"
 #include "core/io/tessellation.h"
 #include "core/motion/pose.h"
+#include "core/scene/physics_material.h"
 #include "ops/operations/operations.h"
 
 namespace trivet {
@@ -29,13 +30,16 @@ struct LayoutObject {
   bool fixed = false;
   std::optional<Pose>
       pose;  // stands there from the start; nothing: out of the scene until it is put
-  Tessellation tessellation = {};  // of a model with curved surfaces
+  Tessellation tessellation = {};                // of a model with curved surfaces
+  std::optional<PhysicsMaterial> material = {};  // nothing: the layout's
 };
 
 struct Layout {
   bool floor = true;
   std::string scene;  // a glTF file whose objects are picked, relative to the layout; empty: none
   SceneRule scene_rule = SceneRule::Roots;
+  PhysicsMaterial material;                       // of what has none of its own
+  std::optional<PhysicsMaterial> floor_material;  // nothing: the same
   std::vector<LayoutObject> objects;
   std::vector<Operation> operations;  // on objects of these names
 };

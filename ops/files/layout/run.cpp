@@ -143,6 +143,7 @@ Scene make_scene(const Layout& layout, const ModelSource& models, const RunOptio
   const std::map<ModelRequest, SizedModel> by_request = load_all(layout, models, options);
   Scene scene;
   scene.floor = layout.floor;
+  scene.floor_material = layout.floor_material.value_or(layout.material);
   for (size_t i = 0; i < layout.objects.size(); ++i) {
     const LayoutObject& wanted = layout.objects[i];
     const SizedModel& sized = by_request.at({wanted.model, wanted.tessellation});
@@ -154,6 +155,7 @@ Scene make_scene(const Layout& layout, const ModelSource& models, const RunOptio
     object.up = wanted.up.value_or(object.model->up);
     object.scale = wanted.scale;
     object.fixed = wanted.fixed;
+    object.material = wanted.material.value_or(layout.material);
     scene.add(std::move(object));
   }
   return scene;
@@ -165,8 +167,10 @@ LayoutRun run_layout(const Layout& without_models, const ModelSource& models,
   run.scene = make_scene(without_models, models, options);
   Layout layout = without_models;
   for (Operation& operation : layout.operations)
-    if (auto* append = std::get_if<AppendOperation>(&operation))
+    if (auto* append = std::get_if<AppendOperation>(&operation)) {
       load_model(run.scene, models, *append);
+      if (!append->material) append->material = layout.material;
+    }
   stand_objects(layout, options, run);
   run_operations(layout, options, run);
   finish_run(options, run);

@@ -5,6 +5,7 @@
 
 #include "core/io/export.h"
 #include "ops/files/json/json_text.h"
+#include "ops/files/json/material_json.h"
 #include "ops/files/json/operation_json.h"
 #include "ops/files/report/json_parts.h"
 #include "ops/files/report/report.h"
@@ -39,6 +40,7 @@ OrderedJson stored_object_json(const Object& object, size_t model) {
       {"scale", object.scale}, {"fixed", object.fixed}, {"state", to_string(object.state)}};
   if (object.locked) json["locked"] = true;
   if (!object.group.empty()) json["group"] = object.group;
+  write_material("material", object.material, json);
   if (!object.placed) return json;
   const Rotation& r = object.pose.rotation;
   json["position"] = to_json(object.pose.translation);
@@ -103,7 +105,7 @@ ObjectState read_state(const JsonPlace& place) {
 // Poses come from Trivet and are taken as they are: no bit may change.
 ExtrasObject read_object_entry(const JsonPlace& place, size_t num_models) {
   place.expect_object({"name", "model", "up", "scale", "fixed", "state"},
-                      {"position", "rotation", "locked", "group"});
+                      {"position", "rotation", "locked", "group", "material"});
   ExtrasObject object;
   object.name = place.at("name").text();
   const double last_model = static_cast<double>(num_models) - 1;
@@ -114,6 +116,7 @@ ExtrasObject read_object_entry(const JsonPlace& place, size_t num_models) {
   object.state = read_state(place.at("state"));
   if (const auto locked = place.find("locked")) object.locked = locked->boolean();
   if (const auto group = place.find("group")) object.group = group->text();
+  if (const auto material = place.find("material")) object.material = read_material(*material);
   if (!place.find("position")) return object;
   const std::vector<double> t = place.at("position").numbers(3, -kMaxLength, kMaxLength);
   const std::vector<double> r = place.at("rotation").numbers(4, -2, 2);
@@ -141,6 +144,7 @@ std::string scene_extras(const Scene& scene, const Layout& layout,
                       {"version", options.version},
                       {"floor", scene.floor},
                       {"clearance", options.clearance}};
+  write_material("floor_material", scene.floor_material, json);
   json["models"] = std::move(models);
   json["objects"] = std::move(objects);
   json["load_support"] = load_support_json(scene);
@@ -163,11 +167,13 @@ TrivetExtras parse_scene_extras(const std::string& text, const std::string& file
     JsonPlace(document, file).fail("has no data of Trivet; accepted: scenes that Trivet wrote");
   const JsonPlace& root = *found;
   root.expect_object({"trivet", "version", "floor", "clearance", "models", "objects", "layout"},
-                     {"load_support", "origin"});
+                     {"load_support", "origin", "floor_material"});
   if (root.at("trivet").value() != kVersion) root.at("trivet").refuse(std::to_string(kVersion));
 
   TrivetExtras extras;
   extras.floor = root.at("floor").boolean();
+  if (const auto material = root.find("floor_material"))
+    extras.floor_material = read_material(*material);
   extras.clearance = root.at("clearance").number(0, kMaxLength);
   if (const auto place = root.find("origin")) {
     const std::vector<double> at = place->numbers(3, -kMaxLength, kMaxLength);

@@ -1,13 +1,13 @@
 // Trivet's data in the `extras` of a scene file: all that glTF itself cannot hold.
 //
-//   scene.extras.trivet: {"trivet": 1, "version", "floor", "clearance",
+//   scene.extras.trivet: {"trivet": 1, "version", "floor", "floor_material", "clearance",
 //     "models":  [{"path", "triangles", "fingerprint", "stored_fingerprint", "centre",
 //                  "face_order", "own_nodes",            see geometry.h
 //                  "chord", "facet_angle_deg",                 as a layout has them
 //                  "mesh"}],                             see stored_mesh.h; no path: of no file
 //     "objects": [{"name", "model": index, "up", "scale", "fixed", "state",
 //                  "position", "rotation",               no position: out of the scene
-//                  "locked", "group"}],                  if it is
+//                  "locked", "group", "material"}],      if it is, has
 //     "load_support": [{"object", "supports", "loads"}], "floor" is the floor
 //     "origin": [x, y, z],                              what the nodes' poses are relative to, z
 //     up;
@@ -46,12 +46,14 @@ struct ExtrasObject {
   bool fixed = false;
   bool locked = false;
   std::string group;
+  PhysicsMaterial material;
   ObjectState state = ObjectState::Unplaced;
   std::optional<Pose> pose;
 };
 
 struct TrivetExtras {
   bool floor = true;
+  PhysicsMaterial floor_material;
   double clearance = 0;
   Vec3 origin = Vec3::Zero();
   std::vector<ExtrasModel> models;

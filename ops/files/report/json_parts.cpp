@@ -1,5 +1,8 @@
 #include "ops/files/report/json_parts.h"
 
+#include "ops/files/json/material_json.h"
+#include "ops/files/report/verdict.h"
+
 namespace trivet {
 
 OrderedJson to_json(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
@@ -21,13 +24,29 @@ OrderedJson supports_json(const Scene& scene, const LoadSupport::Entry& entry) {
   return json;
 }
 
+OrderedJson object_stability_json(const Scene& scene, const ObjectStability& o) {
+  const Object& object = scene.at(o.object);
+  OrderedJson json = {{"name", object.name},
+                      {"weight", o.weight},
+                      {"margin", o.margin},
+                      {"marginal", o.marginal},
+                      {"topples", o.topples},
+                      {"least_friction", object.least_friction},
+                      {"friction", least_pair_friction(scene, o.object)}};
+  if (!o.topples) return json;
+  json["way"] = way_text(object, o.motion);
+  json["velocity"] = to_json(o.motion.velocity);
+  json["spin"] = to_json(o.motion.spin);
+  return json;
+}
+
 OrderedJson stability_json(const Scene& scene, const Stability& stability) {
   OrderedJson topples = OrderedJson::array(), objects = OrderedJson::array(),
               forces = OrderedJson::array();
   for (const ObjectStability& o : stability.objects) {
     const std::string& name = scene.at(o.object).name;
     if (o.topples) topples.push_back(name);
-    objects.push_back({{"name", name}, {"weight", o.weight}, {"margin", o.margin}});
+    objects.push_back(object_stability_json(scene, o));
   }
   for (const ContactForce& f : stability.forces)
     forces.push_back({{"on", scene.at(f.on).name},
@@ -38,6 +57,7 @@ OrderedJson stability_json(const Scene& scene, const Stability& stability) {
                       {"method", to_string(stability.method)},
                       {"friction", stability.friction ? OrderedJson(*stability.friction)
                                                       : OrderedJson("materials")},
+                      {"friction_of_a_pair", "smaller"},
                       {"residual", stability.residual},
                       {"margin", stability.margin},
                       {"topples", std::move(topples)},
@@ -104,6 +124,7 @@ OrderedJson object_json(const Scene& scene, const Object& object, const LoadSupp
   json["world_from_file"] = placed ? to_json(object.world_from_object()) : OrderedJson();
   json["centre_of_mass"] = placed ? to_json(object.centre_of_mass()) : OrderedJson();
   json["mass_rule"] = to_string(object.shape->mass.rule);
+  json["material"] = whole_material_json(object.material);
   json["state"] = to_string(object.state);
   json["supported_by"] = entry ? supports_json(scene, *entry) : OrderedJson::array();
   json["contacts"] = placed ? contacts_json(scene, object) : OrderedJson::array();

@@ -18,6 +18,7 @@ OrderedJson to_json(const Affine& affine);
 /// "floor" or the names, in the order of the scene.
 OrderedJson supports_json(const Scene& scene, const LoadSupport::Entry& entry);
 /// The scene as a whole.
+OrderedJson object_stability_json(const Scene& scene, const ObjectStability& stability);
 OrderedJson stability_json(const Scene& scene, const Stability& stability);
 /// Refusal of an operation: "reason", the sentence; "cause", "objects" and "numbers" for programs.
 void add_refusal(const OperationResult& result, OrderedJson& json);

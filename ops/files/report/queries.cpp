@@ -1,9 +1,11 @@
 #include "ops/files/report/queries.h"
 
+#include <algorithm>
 #include <sstream>
 
 #include "core/base/quoted.h"
 #include "ops/files/report/json_parts.h"
+#include "ops/files/report/verdict.h"
 #include "ops/operations/moving_group.h"
 
 namespace trivet {
@@ -49,6 +51,38 @@ const ObjectStability* find(const Stability& all, ObjectId object) {
   return nullptr;
 }
 
+OrderedJson with_all_free_json(const Scene& scene, const Stability& all, const ObjectStability& o) {
+  OrderedJson json = object_stability_json(scene, o);
+  json.erase("name");
+  json["stable"] = all.stable();
+  json["forces"] = OrderedJson::array();
+  for (const ContactForce& f : all.forces)
+    if (f.on == o.object)
+      json["forces"].push_back({{"from", named(scene, f.from).name},
+                                {"point", to_json(f.point)},
+                                {"force", to_json(f.force)}});
+  return json;
+}
+
+// What each neighbour presses with, in the order in which they are met.
+std::string forces_text(const Scene& scene, const Stability& all, ObjectId object) {
+  std::vector<std::pair<Support, Vec3>> sums;
+  for (const ContactForce& f : all.forces) {
+    if (f.on != object) continue;
+    const auto it = std::find_if(sums.begin(), sums.end(),
+                                 [&](const auto& sum) { return sum.first == f.from; });
+    if (it == sums.end())
+      sums.emplace_back(f.from, f.force);
+    else
+      it->second += f.force;
+  }
+  std::ostringstream out;
+  for (const auto& [from, force] : sums)
+    out << "    " << (from.is_object() ? quoted(named(scene, from).name) : "the floor")
+        << " presses with " << force.x() << " " << force.y() << " " << force.z() << " N\n";
+  return out.str();
+}
+
 }  // namespace
 
 std::vector<TouchedBy> held_by(const Scene& scene, ObjectId object) {
@@ -83,10 +117,7 @@ std::string object_query_json(const Scene& scene, ObjectId id, const StabilityOp
   json["least_friction"] = rest.least_friction;
   const Stability all = stability(scene, options);
   if (const ObjectStability* o = find(all, id))
-    json["with_all_free"] = {{"stable", all.stable()},
-                             {"topples", o->topples},
-                             {"margin", o->margin},
-                             {"weight", o->weight}};
+    json["with_all_free"] = with_all_free_json(scene, all, *o);
   return json.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
 }
 
@@ -100,14 +131,17 @@ std::string object_query_text(const Scene& scene, ObjectId id, const StabilityOp
   if (!object.placed || object.fixed) return out.str();
   if (object.state == ObjectState::Invalid) return out.str() + "  interpenetrates something\n";
   out << "  margin to tipping: " << object.stability_margin
-      << " m; least friction: " << object.least_friction << "\n";
+      << " m; least friction: " << object.least_friction << ", its contacts have "
+      << least_pair_friction(scene, id) << "\n";
   const Stability all = stability(scene, options);
   if (const ObjectStability* o = find(all, id)) {
     out << "  with everything let go: ";
     if (o->topples)
-      out << "topples\n";
+      out << "topples: " << way_text(object, o->motion) << "\n";
     else
-      out << to_string(all.status) << ", margin " << o->margin << " m\n";
+      out << to_string(all.status) << ", margin " << o->margin << " m\n"
+          << "    weight " << o->weight << " N\n"
+          << forces_text(scene, all, id);
   }
   return out.str();
 }

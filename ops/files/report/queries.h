@@ -30,8 +30,9 @@ RestOfObject rest_of(const Scene& scene, ObjectId object);
 
 /// {"name", "state", "held_by": [{"name", "type", "points", "hull", "normal", "gap"}], "lying_on":
 /// [the same], "carries": [names], "at_rest", "stability_margin", "least_friction",
-/// "with_all_free":
-/// {"stable", "topples", "margin", "weight"}}
+/// "with_all_free": {"weight", "margin", "marginal", "topples", "least_friction", "friction",
+/// "stable", "forces": [{"from", "point", "force"}], and of what topples "way", "velocity",
+/// "spin"}}
 std::string object_query_json(const Scene& scene, ObjectId object, const StabilityOptions& options);
 /// For people.
 std::string object_query_text(const Scene& scene, ObjectId object, const StabilityOptions& options);

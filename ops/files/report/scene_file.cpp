@@ -67,6 +67,7 @@ class SceneReader {
   SceneFile read() {
     read_models();
     m_file.scene.floor = m_extras.floor;
+    m_file.scene.floor_material = m_extras.floor_material;
     for (const ExtrasObject& object : m_extras.objects) add_object(object);
     check_poses();
     m_file.layout = std::move(m_extras.layout);
@@ -150,6 +151,7 @@ class SceneReader {
     if (entry.pose) object.pose = *entry.pose;
     object.state = entry.state;
     object.locked = entry.locked, object.group = entry.group;
+    object.material = entry.material;
     m_file.scene.add(std::move(object));
   }
 

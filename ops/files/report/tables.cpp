@@ -52,6 +52,10 @@ Rows pose_rows(const Scene& scene) {
     const bool rests = object.placed && !object.fixed;
     row["stability_margin"] = rests ? OrderedJson(object.stability_margin) : OrderedJson();
     row["least_friction"] = rests ? OrderedJson(object.least_friction) : OrderedJson();
+    row["material"] = object.material.name;
+    row["friction"] = object.material.friction;
+    row["density"] = object.material.density;
+    row["restitution"] = object.material.restitution;
     rows.push_back(std::move(row));
   }
   return rows;
@@ -115,7 +119,11 @@ std::vector<std::string> columns(Table table) {
           "com_y",
           "com_z",
           "stability_margin",
-          "least_friction"};
+          "least_friction",
+          "material",
+          "friction",
+          "density",
+          "restitution"};
 }
 
 std::string csv_field(const OrderedJson& value) {

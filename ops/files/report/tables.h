@@ -1,16 +1,18 @@
 // Poses and contacts as tables, for numpy, pandas and spreadsheets.
 //
 //   poses     a row per object: name, model, state, fixed, x, y, z, qw, qx, qy, qz, scale, up,
-//             m00 ... m23, com_x, com_y, com_z, stability_margin, least_friction
+//             m00 ... m23, com_x, com_y, com_z, stability_margin, least_friction, material,
+//             friction, density, restitution
 //   contacts  a row per contact point, of both objects that touch: object, with, contact, type,
 //             x, y, z, nx, ny, nz, gap
 //
 // World: metres, z up. x y z and the unit quaternion place the model's own coordinates: world =
 // position + rotation x up x scale x file; m is the same as three rows of a matrix. `com` is the
-// centre of mass. `contact` counts the contacts of an object, whose points have rows of their own;
-// the normal points to `object`; gap is of the point, metres; `with` may be "floor". Numbers have
-// as many digits as give them back, 17 at most. Empty (JSON: null): an object that is not in the
-// scene has no pose, a fixed one no margin; what is infinite is "inf" (JSON: null).
+// centre of mass. `material` is a preset's name or empty. `contact` counts the contacts of an
+// object, whose points have rows of their own; the normal points to `object`; gap is of the point,
+// metres; `with` may be "floor". Numbers have as many digits as give them back, 17 at most. Empty
+// (JSON: null): an object that is not in the scene has no pose, a fixed one no margin; what is
+// infinite is "inf" (JSON: null).
 #pragma once
 
 #include <string>

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "core/base/error.h"
+#include "core/scene/materials.h"
 #include "ops/files/json/json_text.h"
 #include "ops/files/json/operation_json.h"
 #include "ops/files/layout/layout.h"
@@ -146,6 +147,10 @@ constexpr const char* kAllOperations[] = {
     R"({"op":"append","object":"a","model":"m.obj","scale":0.3333333333333333,"up":"y",)"
     R"("fixed":true})",
     R"({"op":"append","object":"a","model":"m.obj"})",
+    R"({"op":"append","object":"a","model":"m.obj","material":"wood"})",
+    R"({"op":"material","object":"a","material":"rubber"})",
+    R"({"op":"material","object":"a",)"
+    R"("material":{"friction":0.3333333333333333,"density":700.5,"restitution":0.1}})",
     R"({"op":"duplicate","object":"a","as":"b"})",
     R"({"op":"delete","object":"a","settle_left":true})",
     R"({"op":"lock","object":"a"})",
@@ -168,6 +173,25 @@ TEST(Layout, RoundTripsOperationsToSameBits) {
   EXPECT_EQ(push.step_down, 0.03);
   EXPECT_FALSE(push.slide || push.settle);
   EXPECT_TRUE(push.settle_left);
+}
+
+TEST(Layout, GivesMaterials) {
+  json base = read_corpus()["base"];
+  base["material"] = {{"friction", 0.7}};
+  base["objects"][1]["material"] = "steel";
+  const Layout layout = parse_layout(base.dump(), "a.json");
+  EXPECT_EQ(layout.material.friction, 0.7);
+  EXPECT_EQ(layout.material.density, PhysicsMaterial().density);
+  EXPECT_FALSE(layout.floor_material || layout.objects[0].material);
+  ASSERT_TRUE(layout.objects[1].material);
+  EXPECT_TRUE(same_material(*layout.objects[1].material, *material_preset("steel")));
+  EXPECT_EQ(write_layout(parse_layout(write_layout(layout), "a.json")), write_layout(layout));
+}
+
+TEST(Layout, SchemaListsAllPresets) {
+  std::ifstream file(TRIVET_SOURCE_DIR "/ops/files/layout/layout.schema.json");
+  const json schema = json::parse(file);
+  EXPECT_EQ(schema["$defs"]["material"]["oneOf"][0]["enum"], json(material_names()));
 }
 
 TEST(Layout, TruncatesLongValuesInMessages) {

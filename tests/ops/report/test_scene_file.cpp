@@ -109,6 +109,22 @@ TEST_F(SceneFileTest, RoundTripsBitwiseWithoutModels) {
   EXPECT_FALSE(back.scene.at(*back.scene.find("out")).placed);
 }
 
+TEST_F(SceneFileTest, KeepsPhysicsMaterials) {
+  m_layout.replace(m_layout.find("\"objects\""), 0,
+                   R"("material": {"friction": 0.3333333333333333}, "floor_material": "stone", )");
+  m_layout.replace(m_layout.find("\"scale\": 0.7"), 0, R"("material": "wood", )");
+  const LayoutRun made = write_boxes(Affine());
+  const SceneFile back = read_scene_file(file("scene.glb"));
+  EXPECT_EQ(state_of(back.scene), state_of(made.scene));
+  const auto material = [&](const char* name) {
+    return back.scene.at(*back.scene.find(name)).material;
+  };
+  EXPECT_EQ(material("a").name, "wood");
+  EXPECT_EQ(material("a").density, 700);
+  EXPECT_EQ(material("out").friction, 0.3333333333333333);
+  EXPECT_EQ(back.scene.floor_material.name, "stone");
+}
+
 // A .glb groups faces by material; here they alternate.
 TEST_F(SceneFileTest, RoundTripsAppearanceAndOrderOfFaces) {
   m_layout = R"({"trivet": 1, "objects": [{"name": "a", "model": "cube.obj"}],

@@ -108,6 +108,21 @@ TEST_F(JournalFiles, RestoreStepsOfSeveralOperationsAndDrags) {
   expect_same_session(restored.opened.session, session);
 }
 
+TEST_F(JournalFiles, RestoreMaterials) {
+  {
+    OpenedSession opened = open();
+    ASSERT_TRUE(opened.session.perform(MaterialOperation{"b", {"", 0.3, 700, 0.1}}).ok());
+    AppendOperation append = append_of("c", "box.obj");
+    append.material = PhysicsMaterial{"", 0.2, 500, 0};
+    ASSERT_TRUE(opened.session.perform(append).ok());
+  }
+  const RestoredSession restored = restore();
+  EXPECT_TRUE(restored.exact);
+  const Scene& scene = restored.opened.session.scene();
+  EXPECT_EQ(scene.at(*scene.find("b")).material.friction, 0.3);
+  EXPECT_EQ(scene.at(*scene.find("c")).material.density, 500);
+}
+
 TEST_F(JournalFiles, DropTornLastLine) {
   {
     OpenedSession opened = open();

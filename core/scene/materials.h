@@ -1,0 +1,28 @@
+// Physics materials by name, and what a material may be.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/scene/physics_material.h"
+
+namespace trivet {
+
+/// Materials of everyday things, dry and clean. A coefficient belongs to a pair of surfaces; these
+/// are of a surface against its own kind or, where the source has only that, against wood or
+/// concrete. Static coefficients where they are safe to count on, else the sliding one. Sources:
+/// materials.cpp. Sorted by name. Scenes and layouts keep the name alone: a better value gets a new
+/// name.
+std::span<const PhysicsMaterial> material_presets();
+std::vector<std::string> material_names();
+/// Nothing: no such preset.
+std::optional<PhysicsMaterial> material_preset(const std::string& name);
+
+/// Whether numbers and name are the same.
+bool same_material(const PhysicsMaterial& a, const PhysicsMaterial& b);
+/// Whether it is the preset of its name; of no name: never.
+bool is_preset(const PhysicsMaterial& material);
+
+}  // namespace trivet

@@ -1,0 +1,22 @@
+// Whether a scene stands, in words: what topples and which way, what is near it.
+#pragma once
+
+#include <string>
+
+#include "core/scene/scene.h"
+#include "ops/stability/stability.h"
+
+namespace trivet {
+
+/// "tips towards (1.00, 0.00)", "slides towards (0.71, 0.00, -0.71)", "sinks", of an object that
+/// topples; world, unit vectors. Tips: its ends go farther by turning than its centre goes.
+std::string way_text(const Object& object, const VirtualMotion& motion);
+
+/// The smallest coefficient of friction of an object's contacts, by the materials; infinity: it has
+/// none.
+double least_pair_friction(const Scene& scene, ObjectId object);
+
+/// A line for the scene, and one for each object that topples or is marginal.
+std::string verdict_text(const Scene& scene, const Stability& stability);
+
+}  // namespace trivet
