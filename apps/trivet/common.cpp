@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/nearest_name.h"
 #include "core/io/sandboxed_import.h"
+#include "core/scene/materials.h"
 #include "ops/detect/calibration_file.h"
 #include "ops/files/json/json_text.h"
 
@@ -132,6 +133,34 @@ std::shared_ptr<Machine> make_machine(const CommonOptions& common) {
   options.file = calibration_path();
   options.note = [&common](const std::string& note) { print_note(common, note); };
   return std::make_shared<Machine>(std::move(options));
+}
+
+std::optional<PhysicsMaterial> MaterialArguments::material() const {
+  if (preset.empty() && !friction && !density && !restitution) return std::nullopt;
+  PhysicsMaterial out = preset.empty() ? PhysicsMaterial{} : *material_preset(preset);
+  out.friction = friction.value_or(out.friction);
+  out.density = density.value_or(out.density);
+  out.restitution = restitution.value_or(out.restitution);
+  if (!is_preset(out)) out.name.clear();
+  return out;
+}
+
+void add_material_options(CLI::App& app, MaterialArguments& arguments) {
+  const char* const group = "Material";
+  app.add_option("--material", arguments.preset, "What the object is made of")
+      ->check(one_of(material_names()))
+      ->group(group);
+  app.add_option(
+         "--friction", arguments.friction,
+         "Coulomb friction coefficient; default: 0.5. Of two surfaces the smaller one holds")
+      ->check(number_from(kMinFriction, kMaxFriction))
+      ->group(group);
+  app.add_option("--density", arguments.density, "kg/m^3; default: 1000")
+      ->check(number_from(kMinDensity, kMaxDensity))
+      ->group(group);
+  app.add_option("--restitution", arguments.restitution, "For simulators; default: 0")
+      ->check(number_from(0, kMaxRestitution))
+      ->group(group);
 }
 
 std::unique_ptr<Detector> make_detector(const CommonOptions& common) {

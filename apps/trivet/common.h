@@ -5,6 +5,7 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,17 @@ void add_settle_options(CLI::App& app, SettleArguments& arguments);
 void add_tessellation_options(CLI::App& app, Tessellation& tessellation);
 /// @throws Error (BadInput) if they were given for a triangle format.
 void check_tessellation(const Tessellation& tessellation, const std::string& model);
+
+/// --material, --friction, --density and --restitution: a preset, numbers, or a preset with some
+/// numbers changed.
+struct MaterialArguments {
+  std::string preset;
+  std::optional<double> friction, density, restitution;
+
+  /// Nothing: none of them was given.
+  std::optional<PhysicsMaterial> material() const;
+};
+void add_material_options(CLI::App& app, MaterialArguments& arguments);
 
 /// Detector by --backend; notes on standard error if that is unavailable.
 std::unique_ptr<Detector> make_detector(const CommonOptions& common);

@@ -146,6 +146,8 @@ void add_output_options(CLI::App& app, OutputPaths& paths) {
       "Write the scene: .glb, .gltf, .obj, .ply, .stl, or a simulator format of trivet export");
   app.add_option("--report", paths.report, "Write the report, JSON");
   app.add_option("--picture", paths.picture, "Write a picture, .png");
+  app.add_flag("--allow-unstable", paths.allow_unstable,
+               "Exit with 0 even if the scene does not stand as a whole");
 }
 
 void check_extension(const std::string& path, const std::vector<std::string>& accepted) {
@@ -212,7 +214,9 @@ int Outputs::write(const LayoutRun& run, const Layout& layout, const RunOptions&
     std::cout << report;
   else if (!m_common.quiet)
     std::cout << summary(run);
-  return run.ok() ? 0 : 1;
+  const bool stands = m_paths.allow_unstable || options.settle.perfect_friction ||
+                      run.stability.status != Stability::Status::Unstable;
+  return run.ok() && stands ? 0 : 1;
 }
 
 std::string summary(const LayoutRun& run) {

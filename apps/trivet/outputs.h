@@ -17,6 +17,7 @@ namespace trivet::apps {
 
 struct OutputPaths {
   std::string scene, report, picture;  // empty: not requested
+  bool allow_unstable = false;         // an exit status of 0 though the scene does not stand
 };
 /// Prefixes of the models' relative paths.
 struct ModelFolders {
@@ -47,7 +48,10 @@ class Outputs {
           const CommonOptions& common, const PictureRequest& picture = {});
 
   /// Writes all files and prints a summary on standard output; the report itself with --json.
-  /// @return the exit status: 1 if an operation was refused or the check failed.
+  /// @return the exit status: 1 if an operation was refused, the check failed, or the scene does
+  /// not
+  ///   stand as a whole. Settled with perfect friction it stands only by luck: then it does not
+  ///   count.
   /// @param in_place  the scene whose nodes were moved: .glb and .gltf are that scene.
   int write(const LayoutRun& run, const Layout& layout, const RunOptions& options,
             const ModelFolders& folders, const GltfScene* in_place = nullptr);

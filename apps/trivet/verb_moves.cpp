@@ -1,4 +1,5 @@
-// Verbs that move one object of a scene: push, turn, pick-up, translate, rotate; and fix and unfix.
+// Verbs that move one object of a scene: push, turn, pick-up, translate, rotate; and fix, unfix and
+// material.
 #include "apps/trivet/outputs.h"
 #include "apps/trivet/scene_input.h"
 #include "apps/trivet/verbs.h"
@@ -79,7 +80,7 @@ struct MoveVerb {
     app->add_option("object", arguments->move.object, "Name of the object")
         ->required()
         ->type_name("OBJECT");
-    if constexpr (std::is_empty_v<Own>) return;
+    if constexpr (std::is_empty_v<Own> || std::is_same_v<Own, MaterialArguments>) return;
     app->add_flag("--settle-left", arguments->move.settle_left,
                   "Let objects that lose their support settle");
     app->add_option("--together", arguments->move.together,
@@ -197,6 +198,19 @@ Verb add_fix(CLI::App& app, const CommonOptions& common) {
 
 Verb add_unfix(CLI::App& app, const CommonOptions& common) {
   return add_fixing(app, common, false, "Unfix an object: it can be moved, with its loads");
+}
+
+Verb add_material(CLI::App& app, const CommonOptions& common) {
+  MoveVerb<MaterialArguments> verb(app, "material", "Say what an object is made of");
+  add_material_options(*verb.app, *verb.own);
+  return verb.done(common, [](const MaterialArguments& given) -> Operation {
+    const auto material = given.material();
+    if (!material)
+      throw Error(Error::Kind::BadInput,
+                  "material needs one; accepted: --material NAME, --friction, --density, "
+                  "--restitution");
+    return MaterialOperation{"", *material};
+  });
 }
 
 Verb add_push(CLI::App& app, const CommonOptions& common) {

@@ -17,6 +17,7 @@ struct PutArguments {
   std::vector<double> position, rotation{1, 0, 0, 0};
   double scale = 1;
   Tessellation tessellation;
+  MaterialArguments material;
   OutputPaths outputs;
   SettleArguments settle;
 };
@@ -74,6 +75,7 @@ LayoutObject layout_object(const PutArguments& arguments, const SceneFile& file)
                 .generic_string();
   object.scale = arguments.scale;
   object.tessellation = arguments.tessellation;
+  object.material = arguments.material.material();
   if (!arguments.up.empty()) object.up = arguments.up == "y" ? UpAxis::Y : UpAxis::Z;
   return object;
 }
@@ -98,6 +100,7 @@ int put(const PutArguments& arguments, const CommonOptions& common) {
   for (const std::string& note : file.notes) print_note(common, note);
   check_not_inputs(arguments.outputs, model_files(file.layout, folder_of(arguments.scene)));
   Layout addition;
+  addition.material = file.layout.material;
   addition.objects.push_back(layout_object(arguments, file));
   addition.operations.push_back(PutOperation{{addition.objects.back().name}, start});
   const std::unique_ptr<Detector> detector = make_detector(common);
@@ -147,6 +150,7 @@ Verb add_put(CLI::App& app, const CommonOptions& common) {
                    "Up axis of the file; default: as its format states, else z")
       ->check(one_of({"y", "z"}));
   add_tessellation_options(*verb, arguments->tessellation);
+  add_material_options(*verb, arguments->material);
   add_output_options(*verb, arguments->outputs);
   verb->get_option("--output")->required();
   add_settle_options(*verb, arguments->settle);

@@ -24,6 +24,7 @@ Verb add_translate(CLI::App& app, const CommonOptions& common);
 Verb add_rotate(CLI::App& app, const CommonOptions& common);
 Verb add_fix(CLI::App& app, const CommonOptions& common);
 Verb add_unfix(CLI::App& app, const CommonOptions& common);
+Verb add_material(CLI::App& app, const CommonOptions& common);
 Verb add_check(CLI::App& app, const CommonOptions& common);
 Verb add_export(CLI::App& app, const CommonOptions& common);
 Verb add_render(CLI::App& app, const CommonOptions& common);

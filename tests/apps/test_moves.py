@@ -1,4 +1,5 @@
 """Verbs that move an object of a scene, and the same operations in a layout."""
+import json
 import unittest
 
 from program import SLAB, Case, main, put
@@ -56,6 +57,31 @@ class Moves(Case):
         operation, places, _, _ = self.move("push", "u.glb", "a", "--to", 0, 0.2)
         self.assertEqual(operation["carried"], ["on_a"])
         self.assertAlmostEqual(places["on_a"][1], 0.2, 5)
+
+    def test_materials(self):
+        self.trivet("material", "s.glb", "a", "--material", "wood", "-o", "m.glb")
+        self.trivet("material", "m.glb", "b", "--material", "steel", "--friction", 0.3, "-o", "m.glb")
+        self.trivet("put", "m.glb", "cube.obj", "--position", 0.7, 0, 1, "--material", "ice",
+                    "--name", "ice", "-o", "m.glb", "--report", "m.json")
+        report = self.read_json("m.json")
+        materials = {o["name"]: o["material"] for o in report["objects"]}
+        self.assertEqual(materials["a"], {"name": "wood", "friction": 0.45, "density": 700,
+                                          "restitution": 0.6})
+        self.assertEqual(materials["b"], {"name": None, "friction": 0.3, "density": 7850,
+                                          "restitution": 0.6})
+        self.assertEqual(materials["slab"], {"name": None, "friction": 0.5, "density": 1000,
+                                             "restitution": 0})
+        self.assertEqual(materials["ice"]["name"], "ice")
+        self.assertEqual(report["stability"]["friction"], "materials")
+        self.assertEqual(report["stability"]["friction_of_a_pair"], "smaller")
+        friction = {o["name"]: o["friction"] for o in report["stability"]["objects"]}
+        self.assertEqual(friction, {"a": 0.45, "b": 0.3, "on_a": 0.45, "ice": 0.1})
+        out, _ = self.trivet("check", "m.glb", "--object", "b", "--json")
+        self.assertEqual(json.loads(out)["with_all_free"]["friction"], 0.3)
+        for arguments, says in ((("--material", "wod"), "did you mean \"wood\""),
+                                (("--friction", 0), "accepted: numbers from 0.001 to 10"),
+                                (("--restitution", 2), "accepted: numbers from 0 to 1"), ((), "--material NAME")):
+            self.refused("material", "s.glb", "a", *arguments, "-o", "x.glb", says=says)
 
     def test_turn(self):
         operation, _, report, _ = self.move("turn", "s.glb", "a", "--angle-deg", -30)
