@@ -5,7 +5,7 @@
 #include "core/base/error.h"
 #include "core/io/export.h"
 #include "ops/files/report/tables.h"
-#include "ops/simulation/simulation.h"
+#include "ops/simulation/simulate.h"
 
 namespace trivet::apps {
 namespace {
@@ -14,9 +14,10 @@ const std::string kSimulators = "Simulators", kTables = "Tables";
 
 struct ExportArguments {
   std::string scene, output, report;
-  std::string collision = "components", table = "poses";
+  std::string collision = "fitted", table = "poses";
   SimulationOptions options;
   double clearance = 0;
+  double simulate = 0;  // seconds
 };
 
 Scene scene_of(const ExportArguments& arguments, const CommonOptions& common) {
@@ -35,19 +36,34 @@ int export_table(const ExportArguments& arguments, const CommonOptions& common) 
   return 0;
 }
 
+void check_can_simulate(const ExportArguments& arguments) {
+  if (!(arguments.simulate > 0)) return;
+  const std::string extension = extension_of(arguments.output);
+  if (!can_simulate())
+    throw Error(Error::Kind::BadInput,
+                "--simulate is not part of this build; accepted: a build with MuJoCo (Debian: "
+                "libmujoco-dev)");
+  if (extension != ".xml" && extension != ".mjcf")
+    throw Error(Error::Kind::BadInput, "--simulate: MuJoCo does not read " + arguments.output +
+                                           "; accepted: .xml and .mjcf");
+}
+
 int export_for_simulator(const ExportArguments& arguments, const CommonOptions& common) {
   SimulationOptions options = arguments.options;
   options.collision = collision_rule_from_name(arguments.collision);
   check_collision_rule(options.collision, arguments.output);
+  check_can_simulate(arguments);
   const SimulationExport done =
       export_simulation(scene_of(arguments, common), arguments.output, options);
-  const std::string report = simulation_json(done, options);
+  std::optional<SimulatedScene> simulated;
+  if (arguments.simulate > 0) simulated = simulate(done, arguments.simulate);
+  const std::string report = simulation_json(done, options, simulated ? &*simulated : nullptr);
   if (!arguments.report.empty()) write_file_atomically(arguments.report, report);
   if (common.json)
     std::cout << report;
   else if (!common.quiet)
-    std::cout << simulation_text(done);
-  return 0;
+    std::cout << simulation_text(done) << (simulated ? simulated_text(*simulated) : "");
+  return simulated && !stays(*simulated) ? 1 : 0;
 }
 
 int export_scene(const ExportArguments& arguments, const CommonOptions& common,
@@ -69,18 +85,30 @@ void add_simulator_options(CLI::App& verb, ExportArguments& arguments) {
   verb.add_option("--report", arguments.report,
                   "Write a report, JSON: names, masses, overlapping convex parts")
       ->group(kSimulators);
-  verb.add_option("--density", options.density, "Density, kg/m^3; default: 1000")
+  verb.add_option("--density", options.density,
+                  "Density of everything, kg/m^3; default: of materials")
       ->check(number_from(1e-6, 1e6))
       ->group(kSimulators);
   verb.add_option("--friction", options.friction,
-                  "Coulomb friction coefficient, raised for objects that need more; default: 0.6")
+                  "Coulomb friction coefficient of everything; default: of materials")
       ->check(number_from(0, 1e3))
       ->group(kSimulators);
   verb.add_option(
           "--collision", arguments.collision,
-          "Collision geometry: one hull per object, a hull per component (default), pieces of "
-          "a convex decomposition, or the mesh itself")
+          "Collision geometry: hulls of components, split where they would cover other objects "
+          "(fitted, default), one hull per object, a hull per component, pieces of a convex "
+          "decomposition, or the mesh itself")
       ->check(one_of(collision_rule_names()))
+      ->group(kSimulators);
+  verb.add_option("--max-overlap", options.max_overlap,
+                  "Metres by which convex parts of two objects may overlap; 0: 1/10,000 of the "
+                  "smaller one. More is an error")
+      ->check(number_from(0, 1e3))
+      ->group(kSimulators);
+  verb.add_option("--simulate", arguments.simulate,
+                  "Run MuJoCo on what was written for so many seconds, and tell what moved; exit "
+                  "status 1 if by more than a centimetre. For .xml and .mjcf")
+      ->check(number_from(0, 1e4))
       ->group(kSimulators);
   verb.add_option("--hull-clearance", options.hull_clearance,
                   "Move the faces of hulls inwards by these metres; default: 0")

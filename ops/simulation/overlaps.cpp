@@ -7,6 +7,8 @@
 namespace trivet {
 namespace {
 
+constexpr double kNear = 1e-3;  // of the scene's size
+
 struct PlacedBody {
   const SimulationBody* body;
   std::vector<PlacedPart> parts;
@@ -39,7 +41,29 @@ void count(PartOverlap& overlap, double depth, double least) {
 
 }  // namespace
 
-std::vector<PartOverlap> part_overlaps(const SimulationScene& scene) {
+size_t num_near_parts(const SimulationScene& scene) {
+  const std::vector<PlacedBody> bodies = placed_bodies(scene);
+  Aabb all;
+  for (const PlacedBody& body : bodies) all.extend(body.box);
+  const double margin = bodies.empty() ? 0 : kNear * all.diagonal();
+  size_t count = 0;
+  for (size_t i = 0; i < bodies.size(); ++i) {
+    const PlacedBody& a = bodies[i];
+    if (scene.floor && !a.body->fixed)
+      for (const PlacedPart& part : a.parts) count += part.box.lower.z() < margin;
+    for (size_t j = i + 1; j < bodies.size(); ++j) {
+      if (a.body->fixed && bodies[j].body->fixed) continue;
+      if (!overlaps(a.box, bodies[j].box, margin)) continue;
+      for (const PlacedPart& of_a : a.parts)
+        for (const PlacedPart& of_b : bodies[j].parts)
+          count += overlaps(of_a.box, of_b.box, margin);
+    }
+  }
+  return count;
+}
+
+std::vector<PartOverlap> part_overlaps(const SimulationScene& scene,
+                                       const std::function<double(size_t, size_t)>& limit) {
   const std::vector<PlacedBody> bodies = placed_bodies(scene);
   std::vector<PartOverlap> out;
   const auto keep = [&](PartOverlap overlap) {
@@ -48,14 +72,14 @@ std::vector<PartOverlap> part_overlaps(const SimulationScene& scene) {
   for (size_t i = 0; i < bodies.size(); ++i) {
     const PlacedBody& a = bodies[i];
     if (scene.floor && !a.body->fixed) {
-      PartOverlap overlap{a.body->name, "floor"};
+      PartOverlap overlap{a.body->name, "floor", i, i, 0, limit(i, i), 0};
       for (const PlacedPart& part : a.parts) count(overlap, -part.box.lower.z(), rounding(a.box));
       keep(std::move(overlap));
     }
     for (size_t j = i + 1; j < bodies.size(); ++j) {
       const PlacedBody& b = bodies[j];
       if ((a.body->fixed && b.body->fixed) || !overlaps(a.box, b.box)) continue;
-      PartOverlap overlap{a.body->name, b.body->name};
+      PartOverlap overlap{a.body->name, b.body->name, i, j, 0, limit(i, j), 0};
       for (const PlacedPart& of_a : a.parts)
         for (const PlacedPart& of_b : b.parts)
           count(overlap, penetration_depth(of_a, of_b), rounding(a.box));

@@ -2,22 +2,23 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <map>
+#include <set>
 #include <tuple>
 
 #include "core/base/error.h"
 #include "core/base/tunables.h"
-#include "core/convex/hull_overlap.h"
 #include "core/io/mesh/float_export.h"
+#include "core/scene/friction.h"
+#include "ops/files/json/json_text.h"
 #include "ops/files/report/models_of_shapes.h"
+#include "ops/simulation/fitted_parts.h"
 #include "ops/simulation/overlaps.h"
 #include "ops/stability/stability.h"
 
 namespace trivet {
 namespace {
-
-/// A quarter more than what is needed: simulators' contacts are soft.
-constexpr double kFrictionReserve = 1.25;
 
 Mesh in_frame(const Mesh& mesh, const Affine& frame_from_object) {
   Mesh out;
@@ -31,42 +32,36 @@ PartRule part_rule(CollisionRule rule) {
   return rule == CollisionRule::Decomposition ? PartRule::Decomposition : PartRule::Components;
 }
 
+bool is_mjcf(const std::string& path) {
+  const std::string extension = std::filesystem::path(path).extension().string();
+  return extension == ".xml" || extension == ".mjcf";
+}
+
 class SceneMaker {
  public:
   SceneMaker(const Scene& scene, const std::string& name, const SimulationOptions& options)
-      : m_scene(scene), m_options(options), m_frictions(frictions_of(scene, options.friction)) {
+      : m_scene(scene), m_options(options) {
     m_out.scene.name = name;
     m_out.scene.floor = scene.floor;
-    m_out.scene.floor_friction = options.friction;
+    m_out.scene.floor_friction = options.friction.value_or(scene.floor_material.friction);
+    m_out.scene.floor_restitution = scene.floor_material.restitution;
     m_out.scene.gravity = kGravity;
   }
 
   SimulationExport make() {
     for (const ObjectId id : m_scene.ids())
       if (m_scene.at(id).placed) add(id);
-    if (m_out.scene.floor)  // carries what needs most
-      for (const SimulationBody& body : m_out.scene.bodies)
-        m_out.scene.floor_friction = std::max(m_out.scene.floor_friction, body.friction);
-    if (m_options.collision != CollisionRule::Mesh) m_out.overlaps = part_overlaps(m_out.scene);
+    if (m_options.collision == CollisionRule::Mesh) return std::move(m_out);
+    if (m_options.collision == CollisionRule::Fitted)
+      add_fitted_parts();
+    else
+      add_parts();
+    m_out.overlaps = part_overlaps(m_out.scene, limit());
+    m_out.scene.num_near_parts = num_near_parts(m_out.scene);
     return std::move(m_out);
   }
 
  private:
-  /// Enough for the object and for what lies on it.
-  static std::map<std::uint32_t, double> frictions_of(const Scene& scene, double friction) {
-    std::map<std::uint32_t, double> out;
-    const auto need = [&](ObjectId id) {
-      const Object& object = scene.at(id);
-      const double least = object.fixed ? 0 : kFrictionReserve * object.least_friction;
-      return least < kInfinity ? std::max(least, friction) : friction;
-    };
-    for (const LoadSupport::Entry& entry : load_support(scene).entries) {
-      double& of_object = out[entry.object.index] = need(entry.object);
-      for (const ObjectId load : entry.loads) of_object = std::max(of_object, need(load));
-    }
-    return out;
-  }
-
   void add(ObjectId id) {
     const Object& object = m_scene.at(id);
     const MassProperties& properties = object.shape->mass;
@@ -75,9 +70,9 @@ class SceneMaker {
     body.model = model_of(object);
     const Affine& link_from_object = m_out.scene.models[body.model].link_from_object;
     body.world_from_link = object.pose;
-    body.world_from_link.translation += object.pose.rotation.matrix() * shift_of(body.model);
+    body.world_from_link.translation += object.pose.rotation.matrix() * m_shifts[body.model];
     body.fixed = object.fixed;
-    body.mass = weight_of(object, m_options.density) / kGravity;
+    body.mass = weight_of(object, m_options.density.value_or(object.material.density)) / kGravity;
     if (!(body.mass > 0))
       throw Error(Error::Kind::BadInput,
                   "\"" + object.name + "\" has no size and so no mass; it cannot be simulated");
@@ -89,12 +84,26 @@ class SceneMaker {
       covariance += wall * wall / 12 * Mat3::Identity();
     }
     body.inertia = body.mass * inertia_per_mass(covariance);
-    const auto friction = m_frictions.find(id.index);
-    body.friction = friction == m_frictions.end() ? m_options.friction : friction->second;
+    body.friction = m_options.friction.value_or(object.material.friction);
+    body.restitution = object.material.restitution;
+    add_notes(id);
+    m_sizes.push_back(object.scale * object.shape->box.diagonal());
+    m_out.scene.bodies.push_back(std::move(body));
+  }
+
+  void add_notes(ObjectId id) {
+    const Object& object = m_scene.at(id);
     if (object.state != ObjectState::Fixed && object.state != ObjectState::Stable)
       m_out.notes.push_back("\"" + object.name + "\" is " + to_string(object.state) +
                             ": it will move");
-    m_out.scene.bodies.push_back(std::move(body));
+    double friction = kInfinity;
+    for (const ObjectContact& entry : object.contacts)
+      friction = std::min(friction,
+                          m_options.friction.value_or(friction_between(m_scene, id, entry.with)));
+    if (!object.fixed && object.least_friction > friction)
+      m_out.notes.push_back("\"" + object.name + "\" needs friction " +
+                            short_number(object.least_friction) + ", its contacts have " +
+                            short_number(friction) + ": it will move");
   }
 
   size_t model_of(const Object& object) {
@@ -113,32 +122,98 @@ class SceneMaker {
         model.link_from_object.apply(export_centre(object.model.get(), object.shape->box));
     model.link_from_object.translation = -shift;
     m_shifts.push_back(shift);
-    if (m_options.collision != CollisionRule::Mesh) {
-      ConvexParts parts = convex_parts(in_frame(object.shape->mesh, model.link_from_object),
-                                       object.shape->adjacency, part_rule(m_options.collision));
-      for (const std::string& note : parts.notes)
-        m_out.notes.push_back("\"" + object.model->path + "\": " + note);
-      for (ConvexPart& part : parts.parts)
-        model.parts.push_back(m_options.hull_clearance > 0 ? shrunk(part, m_options.hull_clearance)
-                                                           : std::move(part));
-    }
+    m_shapes.push_back(object.shape.get());
     m_out.scene.models.push_back(std::move(model));
   }
 
-  const Vec3& shift_of(size_t model) const { return m_shifts[model]; }
+  std::function<double(size_t, size_t)> limit() const {
+    return [this](size_t a, size_t b) {
+      return m_options.max_overlap > 0 ? m_options.max_overlap
+                                       : kMaxPartOverlap * std::min(m_sizes[a], m_sizes[b]);
+    };
+  }
+
+  void set_parts(SimulationModel& model, std::vector<ConvexPart> parts) const {
+    for (ConvexPart& part : parts)
+      model.parts.push_back(m_options.hull_clearance > 0 ? shrunk(part, m_options.hull_clearance)
+                                                         : std::move(part));
+  }
+
+  void add_parts() {
+    for (size_t i = 0; i < m_out.scene.models.size(); ++i) {
+      SimulationModel& model = m_out.scene.models[i];
+      ConvexParts parts = convex_parts(in_frame(m_shapes[i]->mesh, model.link_from_object),
+                                       m_shapes[i]->adjacency, part_rule(m_options.collision));
+      for (const std::string& note : parts.notes)
+        m_out.notes.push_back("\"" + model.model->path + "\": " + note);
+      set_parts(model, std::move(parts.parts));
+    }
+  }
+
+  void add_fitted_parts() {
+    std::vector<SimulationModel>& models = m_out.scene.models;
+    std::vector<Mesh> meshes;
+    for (size_t i = 0; i < models.size(); ++i)
+      meshes.push_back(in_frame(m_shapes[i]->mesh, models[i].link_from_object));
+    std::vector<HullTree> trees;
+    trees.reserve(models.size());
+    for (size_t i = 0; i < models.size(); ++i)
+      trees.emplace_back(meshes[i], m_shapes[i]->adjacency,
+                         kWallThickness * meshes[i].box().diagonal());
+    std::vector<FittedBody> bodies;
+    for (const SimulationBody& body : m_out.scene.bodies)
+      bodies.push_back(
+          {body.model, world_from_object(body.world_from_link, UpAxis::Z, 1), body.fixed});
+    fit_parts(trees, bodies, m_out.scene.floor, limit());
+    for (size_t i = 0; i < models.size(); ++i) set_parts(models[i], trees[i].parts());
+  }
 
   const Scene& m_scene;
   const SimulationOptions& m_options;
-  const std::map<std::uint32_t, double> m_frictions;
   SimulationExport m_out;
   std::map<std::tuple<const Model*, UpAxis, double>, size_t> m_models;
-  std::vector<Vec3> m_shifts;  // of the models: from the pose to the link frame
+  std::vector<Vec3> m_shifts;          // of the models: from the pose to the link frame
+  std::vector<const Shape*> m_shapes;  // of the models
+  std::vector<double> m_sizes;         // of the bodies
 };
+
+bool is_too_deep(const PartOverlap& overlap) { return overlap.depth > overlap.allowed; }
+
+/// The triangles themselves for what parts cannot follow.
+void use_meshes(SimulationExport& done) {
+  std::set<size_t> models;
+  for (const PartOverlap& o : done.overlaps)
+    if (is_too_deep(o))
+      for (const size_t body : {o.body_a, o.body_b}) models.insert(done.scene.bodies[body].model);
+  for (const size_t i : models) {
+    SimulationModel& model = done.scene.models[i];
+    model.parts.clear();
+    done.notes.push_back("\"" + model.model->path +
+                         "\": its triangles collide, as no convex parts leave room for others");
+  }
+  std::erase_if(done.overlaps, is_too_deep);
+}
+
+void refuse_overlaps(const SimulationExport& done, const std::string& path,
+                     const SimulationOptions& options) {
+  const auto num = std::count_if(done.overlaps.begin(), done.overlaps.end(), is_too_deep);
+  if (num == 0) return;
+  const PartOverlap& o = *std::find_if(done.overlaps.begin(), done.overlaps.end(), is_too_deep);
+  throw Error(Error::Kind::BadInput,
+              path + ": convex parts of \"" + o.a + "\" and \"" + o.b + "\" overlap by " +
+                  short_number(o.depth) + " metres, more than " + short_number(o.allowed) +
+                  (num > 1 ? ", and of " + std::to_string(num - 1) + " more pairs" : "") +
+                  ": a simulator would push them apart; accepted: " +
+                  (options.collision == CollisionRule::Fitted ? "" : "--collision fitted, ") +
+                  "--max-overlap from " + short_number(done.overlaps.front().depth) +
+                  (is_mjcf(path) ? "" : ", --collision mesh"));
+}
 
 }  // namespace
 
 const std::vector<std::string>& collision_rule_names() {
-  static const std::vector<std::string> names = {"hull", "components", "decomposition", "mesh"};
+  static const std::vector<std::string> names = {"fitted", "hull", "components", "decomposition",
+                                                 "mesh"};
   return names;
 }
 
@@ -150,22 +225,21 @@ CollisionRule collision_rule_from_name(const std::string& name) {
   const std::vector<std::string>& names = collision_rule_names();
   const auto it = std::find(names.begin(), names.end(), name);
   if (it == names.end())
-    throw Error(
-        Error::Kind::BadInput,
-        "\"" + name + "\" is not accepted; accepted: hull, components, decomposition, mesh");
+    throw Error(Error::Kind::BadInput,
+                "\"" + name +
+                    "\" is not accepted; accepted: fitted, hull, components, decomposition, mesh");
   return static_cast<CollisionRule>(it - names.begin());
 }
 
 void check_collision_rule(CollisionRule rule, const std::string& path) {
-  const std::string extension = std::filesystem::path(path).extension().string();
-  if (rule == CollisionRule::Mesh && (extension == ".xml" || extension == ".mjcf"))
+  if (rule == CollisionRule::Mesh && is_mjcf(path))
     throw Error(Error::Kind::BadInput,
                 "--collision: \"mesh\" is not accepted for MJCF, as MuJoCo takes the hulls of "
-                "meshes; accepted: hull, components, decomposition");
+                "meshes; accepted: fitted, hull, components, decomposition");
   if (rule == CollisionRule::Decomposition && !can_decompose())
     throw Error(Error::Kind::BadInput,
                 "--collision: \"decomposition\" is not part of this build (Debian: "
-                "libbullet-extras-dev); accepted: hull, components, mesh");
+                "libbullet-extras-dev); accepted: fitted, hull, components, mesh");
 }
 
 SimulationExport simulation_of(const Scene& scene, const std::string& name,
@@ -178,6 +252,8 @@ SimulationExport export_simulation(const Scene& scene, const std::string& path,
                                    const SimulationOptions& options) {
   check_collision_rule(options.collision, path);
   SimulationExport out = simulation_of(scene, std::filesystem::path(path).stem().string(), options);
+  if (options.collision == CollisionRule::Fitted && !is_mjcf(path)) use_meshes(out);
+  refuse_overlaps(out, path, options);
   out.files = write_simulation(out.scene, path, options.files);
   return out;
 }

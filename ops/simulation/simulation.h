@@ -2,6 +2,7 @@
 // objects, and which parts overlap.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,31 +13,39 @@ namespace trivet {
 
 /// Collision geometry of simulators.
 enum class CollisionRule {
+  Fitted,         // components, split where their hulls would cover other objects; the default
   Hull,           // one convex hull per object
   Components,     // a hull per component of the mesh
   Decomposition,  // components that are not convex are cut into pieces
   Mesh,           // the triangles themselves; not for MuJoCo, which takes their hull
 };
 CollisionRule collision_rule_from_name(const std::string& name);
-const std::vector<std::string>& collision_rule_names();  // "hull", "components", ...
+const std::vector<std::string>& collision_rule_names();  // "fitted", "hull", ...
 const char* to_string(CollisionRule rule);
 /// @throws Error (BadInput) when the format of the file, or this build, has no such rule.
 void check_collision_rule(CollisionRule rule, const std::string& path);
 
 struct SimulationOptions {
-  double density = 1000;  // kg/m^3; objects without volume weigh as a wall of kWallThickness
-  double friction = 0.6;  // of everything; more where an object needs it, see below
-  CollisionRule collision = CollisionRule::Components;
+  std::optional<double> density;   // kg/m^3, of everything; none: of the materials
+  std::optional<double> friction;  // of everything; none: of the materials
+  CollisionRule collision = CollisionRule::Fitted;
+  double max_overlap = 0;     // metres; 0: kMaxPartOverlap of the smaller of two objects
   double hull_clearance = 0;  // metres by which faces of convex parts are moved inwards
   SimulationFileOptions files;
 };
 
 /// Two objects whose parts overlap, though their triangles do not: simulators push them apart.
 struct PartOverlap {
-  std::string a, b;  // names; "floor"
-  double depth = 0;  // metres, of the deepest pair of parts
+  std::string a, b;               // names; "floor"
+  size_t body_a = 0, body_b = 0;  // of SimulationScene::bodies; of the floor: the same
+  double depth = 0;               // metres, of the deepest pair of parts
+  double allowed = 0;             // metres
   int num_part_pairs = 0;
 };
+
+struct SimulatedScene;  // see simulate.h
+
+inline constexpr double kMaxPartOverlap = 1e-4;
 
 struct SimulationExport {
   SimulationScene scene;
@@ -45,23 +54,28 @@ struct SimulationExport {
   std::vector<std::string> files;  // the scene file first
 };
 
-/// Masses by the objects' mass rules, inertias exact. An object's friction is the option, or a
-/// quarter more than what it, or something on it, needs to stay (`least_friction`) where that is
-/// more: whichever way a simulator combines two coefficients, it is enough.
+/// Masses by the objects' mass rules, inertias exact, friction and restitution of the materials.
+/// Notes name what needs more friction than its contacts have.
 /// @param scene  with links and least_friction; objects that are not placed are left out.
 /// @param name  of the scene, in the file.
 /// @throws Error (BadInput): an object without size, Decomposition in a build without it.
 SimulationExport simulation_of(const Scene& scene, const std::string& name,
                                const SimulationOptions& options);
 
-/// simulation_of(), written; see write_simulation(). Named after the file.
+/// simulation_of(), written; see write_simulation(). Named after the file. Objects that fitted
+/// parts cannot follow get their triangles, where the format has them.
+/// @throws Error (BadInput) when parts of different objects overlap by more than is allowed, which
+///   pushes them apart in a simulator; nothing is written.
 SimulationExport export_simulation(const Scene& scene, const std::string& path,
                                    const SimulationOptions& options = {});
 
-/// The export as JSON: {"files", "density", "collision", "objects": [{"name", "file_name", "fixed",
-/// "mass", "friction", "parts"}], "overlaps": [{"a", "b", "depth", "part_pairs"}],
-/// "notes"}.
-std::string simulation_json(const SimulationExport& done, const SimulationOptions& options);
+/// The export as JSON: {"files", "density", "friction" (a number or "materials"), "collision",
+/// "objects": [{"name", "file_name", "fixed", "mass", "friction", "restitution", "parts"}],
+/// "overlaps": [{"a", "b", "depth", "allowed", "part_pairs"}], "notes"}.
+/// With a simulation also "simulated": {"simulator", "seconds", "warnings", "objects": [{"name",
+/// "moved", "turned_deg"}]}, metres.
+std::string simulation_json(const SimulationExport& done, const SimulationOptions& options,
+                            const SimulatedScene* simulated = nullptr);
 /// For people: a few lines.
 std::string simulation_text(const SimulationExport& done);
 

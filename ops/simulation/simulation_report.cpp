@@ -1,16 +1,34 @@
-#include <cstdio>
+#include <algorithm>
 #include <sstream>
 
 #include "ops/files/json/json_text.h"
-#include "ops/simulation/simulation.h"
+#include "ops/simulation/simulate.h"
 
 namespace trivet {
+namespace {
 
-std::string simulation_json(const SimulationExport& done, const SimulationOptions& options) {
-  using Json = nlohmann::ordered_json;
+using Json = nlohmann::ordered_json;
+
+constexpr double kTold = 1e-3;  // metres
+
+Json simulated_json(const SimulatedScene& simulated) {
+  Json json = {{"simulator", simulated.simulator},
+               {"seconds", simulated.seconds},
+               {"warnings", simulated.num_warnings}};
+  json["objects"] = Json::array();
+  for (const SimulatedObject& o : simulated.objects)
+    json["objects"].push_back({{"name", o.name}, {"moved", o.moved}, {"turned_deg", o.turned_deg}});
+  return json;
+}
+
+}  // namespace
+
+std::string simulation_json(const SimulationExport& done, const SimulationOptions& options,
+                            const SimulatedScene* simulated) {
   Json json = {{"trivet", 1},
                {"files", done.files},
-               {"density", options.density},
+               {"density", options.density ? Json(*options.density) : Json("materials")},
+               {"friction", options.friction ? Json(*options.friction) : Json("materials")},
                {"collision", to_string(options.collision)},
                {"hull_clearance", options.hull_clearance},
                {"floor_friction", done.scene.floor_friction}};
@@ -21,12 +39,17 @@ std::string simulation_json(const SimulationExport& done, const SimulationOption
                                {"fixed", body.fixed},
                                {"mass", body.mass},
                                {"friction", body.friction},
+                               {"restitution", body.restitution},
                                {"parts", done.scene.models[body.model].parts.size()}});
   json["overlaps"] = Json::array();
   for (const PartOverlap& o : done.overlaps)
-    json["overlaps"].push_back(
-        {{"a", o.a}, {"b", o.b}, {"depth", o.depth}, {"part_pairs", o.num_part_pairs}});
+    json["overlaps"].push_back({{"a", o.a},
+                                {"b", o.b},
+                                {"depth", o.depth},
+                                {"allowed", o.allowed},
+                                {"part_pairs", o.num_part_pairs}});
   json["notes"] = done.notes;
+  if (simulated) json["simulated"] = simulated_json(*simulated);
   return readable_json(json);
 }
 
@@ -45,6 +68,28 @@ std::string simulation_text(const SimulationExport& done) {
   out << done.scene.bodies.size() << " objects, " << done.files.size() - 1 << " mesh files, "
       << num_renamed << " renamed, " << done.overlaps.size()
       << " pairs whose convex parts overlap\n";
+  return out.str();
+}
+
+bool stays(const SimulatedScene& simulated) {
+  const auto is_near = [](const SimulatedObject& o) { return o.moved <= kStays; };
+  return simulated.num_warnings == 0 &&
+         std::all_of(simulated.objects.begin(), simulated.objects.end(), is_near);
+}
+
+std::string simulated_text(const SimulatedScene& simulated) {
+  std::vector<SimulatedObject> moved = simulated.objects;
+  std::erase_if(moved, [](const SimulatedObject& o) { return o.moved <= kTold; });
+  std::stable_sort(
+      moved.begin(), moved.end(),
+      [](const SimulatedObject& a, const SimulatedObject& b) { return a.moved > b.moved; });
+  std::ostringstream out;
+  for (const SimulatedObject& o : moved)
+    out << "\"" << o.name << "\" moved by " << short_number(o.moved) << " m, turned by "
+        << short_number(o.turned_deg) << " degrees\n";
+  out << simulated.simulator << ", " << simulated.seconds << " s: " << moved.size() << " of "
+      << simulated.objects.size() << " objects moved by more than a millimetre, "
+      << simulated.num_warnings << " warnings\n";
   return out.str();
 }
 

@@ -87,7 +87,8 @@ class Simulators(Exports):
         self.refused("export", "s.glb", "-o", "s.abc", says=[".abc", ".urdf", ".csv"])
         self.refused("export", "s.glb", "-o", "s.xml", "--collision", "mesh", says="hulls")
         self.refused("export", "s.glb", "-o", "s.xml", "--collision", "spheres",
-                     says=["spheres", "components"])
+                     says=["spheres", "components", "fitted"])
+        self.refused("export", "s.glb", "-o", "s.sdf", "--simulate", 1, says="--simulate")
         self.refused("export", "s.glb", "-o", "s.xml", "--report", "s.xml", says="two outputs")
         self.refused("export", "cube.obj", "-o", "s.xml", says="cube.obj")
         self.refused("export", "s.glb", "-o", "nowhere/s.xml", says="nowhere", status=3)

@@ -1,10 +1,15 @@
 // MuJoCo's MJCF, for version 2.2 and later.
+#include <algorithm>
+#include <iterator>
+
 #include "core/io/simulators/simulation_files.h"
 
 namespace trivet {
 namespace {
 
 using Element = tinyxml2::XMLElement;
+
+constexpr size_t kContactsOfPair = 4, kRowsOfContact = 4, kMinContacts = 100, kMaxContacts = 1000;
 
 std::string quaternion_text(const Rotation& r) { return numbers_text({r.w, r.x, r.y, r.z}); }
 
@@ -14,13 +19,17 @@ std::string stem(const std::string& file) { return file.substr(0, file.rfind('.'
 class MjcfWriter {
  public:
   MjcfWriter(const SimulationScene& scene, const MeshFiles& meshes, const std::string& folder)
-      : m_scene(scene), m_meshes(meshes), m_folder(folder) {}
+      : m_scene(scene), m_meshes(meshes), m_folder(folder) {
+    m_frictions.insert(scene.floor_friction);
+    for (const SimulationBody& body : scene.bodies) m_frictions.insert(body.friction);
+  }
 
   std::string text() {
     m_document.InsertEndChild(m_document.NewComment(kMadeBy));
     Element* const root = add_child(&m_document, "mujoco", {{"model", m_scene.name}});
     add_child(root, "compiler",
               {{"angle", "radian"}, {"meshdir", m_folder}, {"inertiafromgeom", "false"}});
+    add_size(root);
     // With a single contact point per pair of meshes, the default in MuJoCo 2, boxes rock and
     // drift. Elliptic cones with stiff friction keep objects from creeping down slopes.
     Element* const option = add_child(root, "option",
@@ -41,6 +50,7 @@ class MjcfWriter {
                  {"type", "plane"},
                  {"group", "2"},
                  {"size", "0 0 1"},
+                 {"priority", priority_text(m_scene.floor_friction)},
                  {"friction", friction_text(m_scene.floor_friction)}});
     for (const SimulationBody& body : m_scene.bodies) add_body(world, body);
     return xml_text(m_document);
@@ -83,6 +93,21 @@ class MjcfWriter {
     }
   }
 
+  // MuJoCo 2 drops contacts beyond its buffer, whose default does not know the parts. Its memory
+  // grows with the square.
+  void add_size(Element* root) const {
+    const size_t contacts =
+        std::clamp(kContactsOfPair * m_scene.num_near_parts, kMinContacts, kMaxContacts);
+    add_child(root, "size",
+              {{"njmax", std::to_string(kRowsOfContact * contacts)},
+               {"nconmax", std::to_string(contacts)}});
+  }
+
+  // Of two geoms the one with the higher priority gives the friction: the smaller one.
+  std::string priority_text(double friction) const {
+    return std::to_string(std::distance(m_frictions.upper_bound(friction), m_frictions.end()));
+  }
+
   static std::string friction_text(double sliding) {
     return number_text(sliding) +
            " 0.005 0.0001";  // metres: MuJoCo's default torsional and rolling friction
@@ -110,12 +135,14 @@ class MjcfWriter {
       add_child(element, "geom",
                 {{"class", "collision"},
                  {"mesh", stem(part)},
+                 {"priority", priority_text(body.friction)},
                  {"friction", friction_text(body.friction)}});
   }
 
   const SimulationScene& m_scene;
   const MeshFiles& m_meshes;
   const std::string m_folder;
+  std::set<double> m_frictions;
   tinyxml2::XMLDocument m_document;
 };
 

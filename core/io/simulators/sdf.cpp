@@ -10,8 +10,12 @@ std::string pose_text(const Vec3& p, const Rotation& r) {
   return numbers_text({p.x(), p.y(), p.z(), r.x, r.y, r.z, r.w});
 }
 
-void add_friction(Element* collision, double friction) {
-  Element* const both = add_child(add_child(collision, "surface"), "friction");
+// Gazebo's engines take the smaller coefficient of two.
+void add_surface(Element* collision, double friction, double restitution) {
+  Element* const surface = add_child(collision, "surface");
+  if (restitution > 0)
+    add_text(add_child(surface, "bounce"), "restitution_coefficient", number_text(restitution));
+  Element* const both = add_child(surface, "friction");
   Element* const ode = add_child(both, "ode");  // Gazebo's DART reads this one too
   Element* const bullet = add_child(both, "bullet");
   add_text(ode, "mu", number_text(friction));
@@ -38,7 +42,7 @@ void add_inertial(Element* link, const SimulationBody& body) {
   add_text(inertia, "izz", number_text(i(2, 2)));
 }
 
-void add_floor(Element* world, double friction) {
+void add_floor(Element* world, const SimulationScene& scene) {
   Element* const model = add_child(world, "model", {{"name", "floor"}});
   add_text(model, "static", "true");
   Element* const link = add_child(model, "link", {{"name", "link"}});
@@ -47,7 +51,8 @@ void add_floor(Element* world, double friction) {
     Element* const plane = add_child(add_child(shape, "geometry"), "plane");
     add_text(plane, "normal", "0 0 1");
     add_text(plane, "size", "100 100");
-    if (std::string(tag) == "collision") add_friction(shape, friction);
+    if (std::string(tag) == "collision")
+      add_surface(shape, scene.floor_friction, scene.floor_restitution);
   }
 }
 
@@ -66,7 +71,7 @@ void add_model(Element* world, const SimulationBody& body, const ModelFiles& fil
     Element* const collision =
         add_child(link, "collision", {{"name", "collision_" + std::to_string(count++)}});
     add_mesh(collision, folder + part);
-    add_friction(collision, body.friction);
+    add_surface(collision, body.friction, body.restitution);
   }
   add_mesh(add_child(link, "visual", {{"name", "visual"}}), folder + files.whole);
 }
@@ -84,7 +89,7 @@ std::string sdf_text(const SimulationScene& scene, const MeshFiles& meshes,
   Element* const light = add_child(world, "light", {{"name", "sun"}, {"type", "directional"}});
   add_text(light, "pose", "0 0 10 0 0 0");
   add_text(light, "direction", "-0.3 0.2 -0.9");
-  if (scene.floor) add_floor(world, scene.floor_friction);
+  if (scene.floor) add_floor(world, scene);
   for (const SimulationBody& body : scene.bodies)
     add_model(world, body, meshes.of_model(body.model), folder);
   return xml_text(document);

@@ -32,16 +32,18 @@ struct SimulationBody {
   double mass = 0;              // kilograms
   Vec3 centre = Vec3::Zero();   // of mass, link frame
   Mat3 inertia = Mat3::Zero();  // kg m^2, about `centre`, axes of the link frame
-  double friction = 0;          // Coulomb's coefficient
+  double friction = 0;          // Coulomb's coefficient; of two bodies the smaller one is meant
+  double restitution = 0;
 };
 
 struct SimulationScene {
   std::string name;
   bool floor = true;  // at z = 0
-  double floor_friction = 0;
+  double floor_friction = 0, floor_restitution = 0;
   double gravity = 9.80665;  // along -z
   std::vector<SimulationModel> models;
   std::vector<SimulationBody> bodies;
+  size_t num_near_parts = 0;  // pairs of parts that may touch, for simulators that want to know
 };
 
 struct SimulationFileOptions {

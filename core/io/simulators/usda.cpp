@@ -204,37 +204,40 @@ void add_transform(UsdaText& text, const Pose& pose) {
   text.line("uniform token[] xformOpOrder = [\"xformOp:translate\", \"xformOp:orient\"]");
 }
 
-/// One physical material for each coefficient of friction.
-class Frictions {
+/// One physical material for each pair of friction and restitution. Of two surfaces PhysX shall
+/// take the smaller coefficient of friction, not their mean.
+class Surfaces {
  public:
-  explicit Frictions(const SimulationScene& scene) {
-    if (scene.floor) add(scene.floor_friction);
-    for (const SimulationBody& body : scene.bodies) add(body.friction);
+  explicit Surfaces(const SimulationScene& scene) {
+    if (scene.floor) add(scene.floor_friction, scene.floor_restitution);
+    for (const SimulationBody& body : scene.bodies) add(body.friction, body.restitution);
   }
-  std::string binding(double friction) const {
-    return "rel material:binding:physics = </World/Looks/" + m_names.at(friction) + ">";
+  std::string binding(double friction, double restitution) const {
+    return "rel material:binding:physics = </World/Looks/" + m_names.at({friction, restitution}) +
+           ">";
   }
   void write(UsdaText& text) const {
     text.open("Scope", "Looks");
-    for (const auto& [friction, name] : m_names) {
-      text.open("Material", name, {apis({"PhysicsMaterialAPI"})});
-      text.line("float physics:dynamicFriction = " + number_text(friction));
-      text.line("float physics:restitution = 0");
-      text.line("float physics:staticFriction = " + number_text(friction));
+    for (const auto& [surface, name] : m_names) {
+      text.open("Material", name, {apis({"PhysicsMaterialAPI", "PhysxMaterialAPI"})});
+      text.line("float physics:dynamicFriction = " + number_text(surface.first));
+      text.line("float physics:restitution = " + number_text(surface.second));
+      text.line("float physics:staticFriction = " + number_text(surface.first));
+      text.line("uniform token physxMaterial:frictionCombineMode = \"min\"");
       text.close();
     }
     text.close();
   }
 
  private:
-  void add(double friction) {
-    m_names.try_emplace(friction, "Friction" + std::to_string(m_names.size()));
+  void add(double friction, double restitution) {
+    m_names.try_emplace({friction, restitution}, "Surface" + std::to_string(m_names.size()));
   }
-  std::map<double, std::string> m_names;
+  std::map<std::pair<double, double>, std::string> m_names;
 };
 
 void add_body(UsdaText& text, const SimulationBody& body, const std::string& layer,
-              const Frictions& frictions) {
+              const Surfaces& surfaces) {
   const std::string reference = "prepend references = @./" + layer + "@";
   // A collider without a rigid body is static.
   text.open("Xform", body.file_name,
@@ -242,7 +245,7 @@ void add_body(UsdaText& text, const SimulationBody& body, const std::string& lay
                         : apis({"PhysicsRigidBodyAPI", "PhysicsMassAPI", "MaterialBindingAPI"}),
              reference});
   text.line("custom string trivet:name = " + quoted(body.name));
-  text.line(frictions.binding(body.friction));
+  text.line(surfaces.binding(body.friction, body.restitution));
   if (!body.fixed) {
     const PrincipalInertia inertia = principal(body.inertia);
     text.line("point3f physics:centerOfMass = " + tuple(body.centre));
@@ -268,23 +271,23 @@ std::vector<MeshFile> usda_meshes(const SimulationScene& scene) {
 
 std::string usda_text(const SimulationScene& scene, const std::vector<std::string>& layers,
                       const std::string& folder) {
-  const Frictions frictions(scene);
+  const Surfaces surfaces(scene);
   UsdaText text("World");
   text.open("Xform", "World");
   text.open("PhysicsScene", "PhysicsScene");
   text.line("vector3f physics:gravityDirection = (0, 0, -1)");
   text.line("float physics:gravityMagnitude = " + number_text(scene.gravity));
   text.close();
-  frictions.write(text);
+  surfaces.write(text);
   if (scene.floor) {
     text.open("Plane", "floor", {apis({"PhysicsCollisionAPI", "MaterialBindingAPI"})});
     text.line("uniform token axis = \"Z\"");
     text.line("uniform token purpose = \"guide\"");
-    text.line(frictions.binding(scene.floor_friction));
+    text.line(surfaces.binding(scene.floor_friction, scene.floor_restitution));
     text.close();
   }
   for (const SimulationBody& body : scene.bodies)
-    add_body(text, body, folder + layers[body.model], frictions);
+    add_body(text, body, folder + layers[body.model], surfaces);
   text.close();
   return text.take();
 }

@@ -2,10 +2,18 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
+#include <fstream>
 #include <map>
+#include <set>
 
+#include "core/base/error.h"
+#include "core/scene/transaction.h"
+#include "ops/files/layout/run.h"
+#include "ops/layout/boxes.h"
+#include "ops/simulation/simulate.h"
 #include "ops/simulation/simulated_scene.h"
 #include "ops/simulation/simulation.h"
+#include "support/shared_data.h"
 #include "support/temporary_folder.h"
 
 #ifdef TRIVET_TEST_MUJOCO
@@ -37,6 +45,7 @@ class Simulation {
 
   explicit operator bool() const { return m_model; }
   const mjModel& model() const { return *m_model; }
+  const mjData& data() const { return *m_data; }
 
   int body(const SimulationBody& b) const {
     return mj_name2id(m_model, mjOBJ_BODY, b.file_name.c_str());
@@ -158,8 +167,85 @@ TEST(MuJoCo, AgreesOnMassesAndInertias) {
     const int geom = m.body_geomadr[id] + m.body_geomnum[id] - 1;
     ASSERT_EQ(m.geom_type[geom], mjGEOM_MESH);
     const double volume = volume_of(done.scene.models[body.model].parts.at(0));
-    EXPECT_NEAR(body.mass, options.density * volume, 1e-4 * body.mass) << body.name;
+    EXPECT_NEAR(body.mass, *options.density * volume, 1e-4 * body.mass) << body.name;
   }
+}
+
+// A brick on a slab that lies on the floor: of each pair the smaller coefficient.
+TEST(MuJoCo, TakesSmallerFrictionOfPairs) {
+  const TemporaryFolder folder;
+  Scene scene;
+  const auto add = [&](const char* name, const Model& model, const Vec3& at, double friction) {
+    Object object;
+    object.name = name;
+    object.model = std::make_shared<const Model>(model);
+    object.shape = make_shape(model.mesh);
+    object.pose.translation = at, object.placed = true;
+    object.material.friction = friction;
+    scene.add(std::move(object));
+  };
+  add("slab", box_model(0.5, 0.5, 0.05), Vec3(0, 0, 0.05), 0.7);
+  add("brick", box_model(0.1, 0.1, 0.1), Vec3(0, 0, 0.2), 0.3);
+  scene.floor_material.friction = 0.2;
+  export_simulation(scene, folder.file("scene.xml"));
+  Simulation simulation(folder.file("scene.xml"));
+  ASSERT_TRUE(simulation);
+  simulation.run(0.1);
+  std::set<double> found;
+  for (int i = 0; i < simulation.data().ncon; ++i)
+    found.insert(simulation.data().contact[i].friction[0]);
+  EXPECT_EQ(found, (std::set<double>{0.2, 0.3}));
+}
+
+TEST(MuJoCo, SimulatesWhatWasExported) {
+  if (!can_simulate()) GTEST_SKIP() << "this build has no MuJoCo (Debian: libmujoco-dev)";
+  const TemporaryFolder folder;
+  LaidOut laid_out = convex_objects();
+  SimulationOptions options;
+  options.friction = 1;
+  const SimulationExport stands =
+      export_simulation(laid_out.scene, folder.file("scene.xml"), options);
+  const SimulatedScene quiet = simulate(stands, 1);
+  EXPECT_EQ(quiet.objects.size(), laid_out.starts.size());
+  EXPECT_TRUE(stays(quiet));
+  for (const SimulatedObject& o : quiet.objects) EXPECT_LT(o.moved, 1e-3) << o.name;
+  const ObjectId box = *laid_out.scene.find("on floor");
+  edit_object(laid_out.scene, box, [](Object& o) { o.pose.translation.z() += 0.5; });
+  const SimulatedScene falls =
+      simulate(export_simulation(laid_out.scene, folder.file("up.xml"), options), 1);
+  EXPECT_FALSE(stays(falls));
+  for (const SimulatedObject& o : falls.objects)
+    if (o.name == "on floor") {
+      EXPECT_GT(o.moved, 0.4);
+    }
+}
+
+// Ten household objects in a bin, put one after another. With a hull for each component the bin is
+// full, and all are thrown out. Whether they rest is up to friction, too: all need less than 2.
+TEST(MuJoCo, LeavesObjectsInBin) {
+  TRIVET_NEEDS_DATA("models/drake_bin.gltf");
+  std::ifstream file(TRIVET_SOURCE_DIR "/tests/ops/simulation/bin.json");
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  const Layout layout = parse_layout(text, "bin.json");
+  const LayoutRun run = run_layout(layout, models_in_folder(shared_data("models")), {});
+  ASSERT_TRUE(run.ok());
+  const TemporaryFolder folder;
+  SimulationOptions options;
+  options.friction = 2;
+  const SimulationExport done = export_simulation(run.scene, folder.file("bin.xml"), options);
+  for (const PartOverlap& o : done.overlaps) EXPECT_LE(o.depth, o.allowed) << o.a << " " << o.b;
+  const SimulatedScene simulated = simulate(done, 5);
+  ASSERT_EQ(simulated.objects.size(), 10u);
+  EXPECT_EQ(simulated.num_warnings, 0);
+  int num_moved = 0;
+  for (const SimulatedObject& o : simulated.objects) {
+    std::printf("%-20s moved %.3g mm\n", o.name.c_str(), 1000 * o.moved);
+    num_moved += o.moved > 1e-3;
+    EXPECT_LT(o.moved, 1e-2) << o.name;
+  }
+  EXPECT_LE(num_moved, 1);
+  options.collision = CollisionRule::Components;
+  EXPECT_THROW(export_simulation(run.scene, folder.file("hulls.xml"), options), Error);
 }
 
 }  // namespace

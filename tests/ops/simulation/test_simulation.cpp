@@ -1,6 +1,7 @@
 // Common features of all formats: names, parts, overlaps, friction, files.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -8,6 +9,8 @@
 
 #include "core/base/error.h"
 #include "core/convex/hull_overlap.h"
+#include "core/convex/hull_tree.h"
+#include "core/scene/materials.h"
 #include "core/scene/transaction.h"
 #include "ops/check/check.h"
 #include "ops/layout/boxes.h"
@@ -198,7 +201,9 @@ TEST(Simulation, ReportsOverlapsAndSeparatesByClearance) {
   // A small box in the notch of an L: it overlaps only the hull.
   add(scene, "l", l_shape(), {});
   add(scene, "in notch", box_model(0.2, 0.2, 0.2), {{}, Vec3(1.25, 1.25, 0.5)});
-  const SimulationExport all = simulation_of(scene, "s", {});
+  SimulationOptions components;
+  components.collision = CollisionRule::Components;
+  const SimulationExport all = simulation_of(scene, "s", components);
   ASSERT_EQ(all.overlaps.size(), 1u);
   EXPECT_EQ(all.overlaps[0].a, "l");
   EXPECT_EQ(all.overlaps[0].b, "in notch");
@@ -213,18 +218,134 @@ TEST(Simulation, ReportsOverlapsAndSeparatesByClearance) {
   EXPECT_EQ(simulation_of(boxes, "s", options).overlaps.size(), 0u);
 }
 
-TEST(Simulation, RaisesFrictionForObjectsAndTheirLoads) {
+TEST(Simulation, TakesFrictionAndDensityOfMaterials) {
   Scene scene;
   const ObjectId a = add(scene, "a", box_model(0.1, 0.1, 0.1), {{}, Vec3(0, 0, 0.1)});
   const ObjectId b = add(scene, "b", box_model(0.1, 0.1, 0.1), {{}, Vec3(0, 0, 0.30001)});
-  add(scene, "c", box_model(0.1, 0.1, 0.1), {{}, Vec3(1, 0, 0.1)});
+  scene.floor_material = *material_preset("ice");
   update_contacts(scene, 1e-4);
+  edit_object(scene, a, [](Object& o) { o.material = *material_preset("steel"); });
   edit_object(scene, b, [](Object& o) { o.least_friction = 0.8; });
   const SimulationExport done = simulation_of(scene, "s", {});
-  EXPECT_EQ(scene.at(a).contacts.size(), 2u);
-  EXPECT_DOUBLE_EQ(done.scene.bodies[0].friction, 1.0);  // carries b
-  EXPECT_DOUBLE_EQ(done.scene.bodies[1].friction, 1.0);
-  EXPECT_DOUBLE_EQ(done.scene.bodies[2].friction, 0.6);
+  EXPECT_EQ(done.scene.floor_friction, 0.1);
+  EXPECT_EQ(done.scene.bodies[0].friction, 0.4);
+  EXPECT_EQ(done.scene.bodies[0].restitution, 0.6);
+  EXPECT_NEAR(done.scene.bodies[0].mass, 7850 * 0.008, 1e-9);
+  EXPECT_EQ(done.scene.bodies[1].friction, 0.5);
+  ASSERT_EQ(done.notes.size(), 1u);
+  EXPECT_EQ(done.notes[0], "\"b\" needs friction 0.8, its contacts have 0.4: it will move");
+  SimulationOptions options;
+  options.friction = 0.9, options.density = 100;
+  const SimulationExport other = simulation_of(scene, "s", options);
+  EXPECT_EQ(other.scene.bodies[0].friction, 0.9);
+  EXPECT_EQ(other.scene.floor_friction, 0.9);
+  EXPECT_NEAR(other.scene.bodies[0].mass, 100 * 0.008, 1e-9);
+  EXPECT_TRUE(other.notes.empty());
+}
+
+// A box without lid, of walls with both sides.
+Model open_box(double half, double height, double wall) {
+  std::vector<Triangle> triangles;
+  const auto add_box = [&](const Vec3& size, const Vec3& at) {
+    for (const Triangle& t : moved(box_triangles(size), at)) triangles.push_back(t);
+  };
+  const double out = half + wall;
+  add_box(Vec3(out, out, wall / 2), Vec3(0, 0, -wall / 2));
+  for (const double side : {-1.0, 1.0}) {
+    add_box(Vec3(wall / 2, out, height / 2), Vec3(side * (half + wall / 2), 0, height / 2));
+    add_box(Vec3(out, wall / 2, height / 2), Vec3(0, side * (half + wall / 2), height / 2));
+  }
+  Model model = box_model(1, 1, 1);
+  model.mesh = weld(triangles);
+  model.face_material.assign(triangles.size(), 0);
+  return model;
+}
+
+bool is_inside(const ConvexPart& part, const Vec3& p, double slack) {
+  for (const Index3& t : part.triangles) {
+    const Vec3& a = part.vertices[t[0]];
+    const Vec3 n = (part.vertices[t[1]] - a).cross(part.vertices[t[2]] - a);
+    if (n.norm() > 0 && n.normalized().dot(p - a) > slack) return false;
+  }
+  return true;
+}
+
+TEST(HullTree, LeavesContainSurfaceHoweverFine) {
+  Random random(5);
+  int num_split = 0;
+  for (int trial = 0; trial < 20; ++trial) {
+    const Mesh mesh = trial % 2 ? weld(bumpy_sphere(6, 10, 0.3, static_cast<unsigned>(trial)))
+                                : weld(soup(40, 0, random));
+    const Adjacency adjacency = make_adjacency(mesh);
+    HullTree tree(mesh, adjacency, 0.01);
+    for (int k = 0; k < 60; ++k) {
+      std::vector<Index> leaves;
+      for (Index i = 0; i < tree.num_nodes(); ++i)
+        if (tree.node(i).is_leaf()) leaves.push_back(i);
+      ASSERT_EQ(leaves.size(), tree.num_leaves());
+      num_split += tree.refine(leaves[random.integer(0, static_cast<int>(leaves.size()) - 1)]);
+    }
+    const std::vector<ConvexPart> parts = tree.parts();
+    ASSERT_EQ(parts.size(), tree.num_leaves());
+    for (size_t f = 0; f < mesh.triangles.size(); ++f) {
+      const Triangle t = mesh.triangle(static_cast<Index>(f));
+      const Vec3 points[] = {t[0], t[1], t[2], (t[0] + t[1] + t[2]) / 3};
+      EXPECT_TRUE(std::any_of(parts.begin(), parts.end(),
+                              [&](const ConvexPart& part) {
+                                return std::all_of(
+                                    std::begin(points), std::end(points),
+                                    [&](const Vec3& p) { return is_inside(part, p, 1e-5); });
+                              }))
+          << trial << " " << f;
+    }
+  }
+  EXPECT_GT(num_split, 300);
+}
+
+TEST(HullTree, KeepsConvexSolidsAndStopsAtTriangles) {
+  const Mesh box = weld(box_triangles(Vec3(1, 2, 3)));
+  const Adjacency of_box = make_adjacency(box);
+  HullTree convex(box, of_box, 0.01);
+  EXPECT_FALSE(convex.refine(0));
+  const Mesh l = l_shape().mesh;
+  const Adjacency of_l = make_adjacency(l);
+  HullTree tree(l, of_l, 0.01);
+  for (Index i = 0; i < tree.num_nodes(); ++i)
+    while (tree.node(i).is_leaf() && tree.refine(i)) {
+    }
+  EXPECT_EQ(tree.num_leaves(), l.triangles.size());
+}
+
+// The small box inside is in the way of the hull of the whole, of which no part is too near then.
+TEST(Simulation, FitsPartsOfContainersAroundContents) {
+  Scene scene;
+  Model box = open_box(0.2, 0.2, 0.01);
+  const Adjacency adjacency = make_adjacency(box.mesh);
+  add(scene, "box", box, {{}, Vec3(0, 0, 0.010001)});
+  add(scene, "content", box_model(0.05, 0.05, 0.05), {{}, Vec3(0.1, 0.1, 0.060002)});
+  add(scene, "l", l_shape(), {{}, Vec3(1, 1, 1e-6)});
+  add(scene, "in notch", box_model(0.2, 0.2, 0.2), {{}, Vec3(2.2001, 2.2001, 0.5)});
+  scene.floor = true;
+  SimulationOptions options;
+  options.collision = CollisionRule::Hull;
+  const SimulationExport hulls = simulation_of(scene, "s", options);
+  EXPECT_EQ(hulls.overlaps.size(), 2u);
+  const TemporaryFolder folder;
+  try {
+    export_simulation(scene, folder.file("s.xml"), options);
+    ADD_FAILURE() << "written with overlaps";
+  } catch (const Error& e) {
+    EXPECT_NE(std::string(e.what()).find("overlap by"), std::string::npos) << e.what();
+    EXPECT_NE(std::string(e.what()).find("--collision fitted"), std::string::npos) << e.what();
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder.file("s.xml")));
+  const SimulationExport done = export_simulation(scene, folder.file("s.xml"));
+  for (const PartOverlap& o : done.overlaps) EXPECT_LE(o.depth, o.allowed) << o.a << " " << o.b;
+  options.max_overlap = 1;
+  EXPECT_NO_THROW(export_simulation(scene, folder.file("s.xml"), options));
+  EXPECT_LT(done.scene.models[0].parts.size(), 12u) << "what is convex stays whole";
+  EXPECT_GE(done.scene.models[2].parts.size(), 2u);
+  EXPECT_LT(done.scene.models[2].parts.size(), 12u);
 }
 
 TEST(Simulation, ComputesInertiaOfBox) {

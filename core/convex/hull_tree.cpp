@@ -1,0 +1,175 @@
+#include "core/convex/hull_tree.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <numeric>
+
+#include "core/base/error.h"
+#include "core/base/tunables.h"
+#include "core/mesh/hull.h"
+
+namespace trivet {
+namespace {
+
+constexpr double kConvexDefect = 1e-6;  // of a component's volume
+
+double volume_of_hull(const std::vector<Vec3>& points) {
+  const ConvexHull hull = convex_hull(points);
+  if (hull.vertices.empty()) return 0;
+  Vec3 inside = Vec3::Zero();
+  for (const Index v : hull.vertices)
+    inside += points[v] / static_cast<double>(hull.vertices.size());
+  double volume = 0;
+  for (const Index3& t : hull.triangles)
+    volume +=
+        std::abs((points[t[0]] - inside).cross(points[t[1]] - inside).dot(points[t[2]] - inside)) /
+        6;
+  return volume;
+}
+
+double enclosed_volume(const Mesh& mesh, std::span<const Index> faces) {
+  double volume = 0;
+  const Vec3& origin = mesh.vertices[mesh.triangles[faces[0]][0]];
+  for (const Index f : faces) {
+    const Triangle t = mesh.triangle(f);
+    volume += (t[0] - origin).cross(t[1] - origin).dot(t[2] - origin) / 6;
+  }
+  return std::abs(volume);
+}
+
+}  // namespace
+
+HullTree::HullTree(const Mesh& mesh, const Adjacency& adjacency, double shell)
+    : m_mesh(mesh), m_adjacency(adjacency), m_shell(shell) {
+  const size_t num_components = adjacency.components.size();
+  const bool whole = num_components > kMaxParts;
+  std::vector<std::vector<Index>> faces(whole ? 1 : num_components);
+  for (size_t f = 0; f < adjacency.face_component.size(); ++f)
+    faces[whole ? 0 : adjacency.face_component[f]].push_back(static_cast<Index>(f));
+  for (std::vector<Index>& of_root : faces) {
+    if (of_root.empty()) continue;
+    m_nodes.push_back(make_node(std::move(of_root), true));
+    m_is_convex.push_back(!whole && is_convex_solid(m_num_roots));
+    ++m_num_roots;
+  }
+  m_num_leaves = m_nodes.size();
+}
+
+bool HullTree::is_convex_solid(Index root) const {
+  const std::vector<Index>& faces = m_nodes[root].faces;
+  if (!m_adjacency.components[m_adjacency.face_component[faces[0]]].balanced) return false;
+  return enclosed_volume(m_mesh, faces) >= (1 - kConvexDefect) * volume_of_hull(corners(faces));
+}
+
+std::vector<ConvexPart> HullTree::parts() const {
+  std::vector<ConvexPart> out;
+  for (const Node& node : m_nodes)
+    if (node.is_leaf()) out.push_back(node.part);
+  return out;
+}
+
+bool HullTree::refine(Index leaf) {
+  if (m_nodes[leaf].backed) {
+    m_nodes[leaf] = make_node(std::move(m_nodes[leaf].faces), false);
+    return true;
+  }
+  if (m_nodes[leaf].faces.size() < 2) return false;
+  if (leaf < m_num_roots && m_is_convex[leaf]) return false;
+  const auto [a, b] = halves(m_nodes[leaf].faces);
+  Node of_a, of_b;
+  try {
+    of_a = make_node(a, true);
+    of_b = make_node(b, true);
+  } catch (const Error&) {
+    return false;  // too small for hulls of their own
+  }
+  m_nodes[leaf].children = {static_cast<Index>(m_nodes.size()),
+                            static_cast<Index>(m_nodes.size()) + 1};
+  m_nodes.push_back(std::move(of_a));
+  m_nodes.push_back(std::move(of_b));
+  m_nodes[leaf].faces = {};
+  ++m_num_leaves;
+  return true;
+}
+
+HullTree::Node HullTree::make_node(std::vector<Index> faces, bool backed) const {
+  Node node;
+  std::vector<Vec3> points = corners(faces);
+  if (backed) {
+    std::vector<Vec3> behind = backed_corners(faces);
+    node.backed = !behind.empty();
+    points.insert(points.end(), behind.begin(), behind.end());
+  }
+  solid_hull(points, node.part);
+  for (const Vec3& v : node.part.vertices) node.box.extend(v);
+  node.faces = std::move(faces);
+  return node;
+}
+
+std::vector<Vec3> HullTree::corners(std::span<const Index> faces) const {
+  std::vector<Index> ids;
+  for (const Index f : faces)
+    ids.insert(ids.end(), m_mesh.triangles[f].begin(), m_mesh.triangles[f].end());
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  std::vector<Vec3> out;
+  for (const Index v : ids) out.push_back(m_mesh.vertices[v]);
+  return out;
+}
+
+// The corners moved back along the mean normal until the part is as thick as a shell.
+std::vector<Vec3> HullTree::backed_corners(std::span<const Index> faces) const {
+  Vec3 normal = Vec3::Zero();
+  for (const Index f : faces) {
+    const Triangle t = m_mesh.triangle(f);
+    normal += (t[1] - t[0]).cross(t[2] - t[0]);
+  }
+  if (!(normal.norm() > 0)) return {};
+  normal.normalize();
+  std::vector<Vec3> points = corners(faces);
+  double low = kInfinity, high = -kInfinity;
+  for (const Vec3& p : points) {
+    low = std::min(low, normal.dot(p));
+    high = std::max(high, normal.dot(p));
+  }
+  const double missing = m_shell - (high - low);
+  if (!(missing > 0)) return {};
+  for (Vec3& p : points) p -= missing * normal;
+  return points;
+}
+
+// Of planes across the axes the one with the least volume in both hulls.
+std::array<std::vector<Index>, 2> HullTree::halves(const std::vector<Index>& faces) const {
+  std::array<std::vector<Index>, 2> best;
+  double least = kInfinity;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto where = [&](Index f) {
+      const Triangle t = m_mesh.triangle(f);
+      return t[0][axis] + t[1][axis] + t[2][axis];
+    };
+    std::vector<Index> sorted = faces;
+    std::stable_sort(sorted.begin(), sorted.end(),
+                     [&](Index a, Index b) { return where(a) < where(b); });
+    const double low = where(sorted.front()), high = where(sorted.back());
+    std::vector<size_t> cuts{sorted.size() / 2};
+    for (const double part : {0.25, 0.5, 0.75}) {
+      const double limit = low + part * (high - low);
+      const auto it = std::partition_point(sorted.begin(), sorted.end(),
+                                           [&](Index f) { return where(f) < limit; });
+      cuts.push_back(static_cast<size_t>(it - sorted.begin()));
+    }
+    for (const size_t cut : cuts) {
+      if (cut == 0 || cut == sorted.size()) continue;
+      const std::span<const Index> all(sorted);
+      const double volume =
+          volume_of_hull(corners(all.first(cut))) + volume_of_hull(corners(all.subspan(cut)));
+      if (!(volume < least)) continue;
+      least = volume;
+      const auto middle = sorted.begin() + static_cast<long>(cut);
+      best = {std::vector<Index>(sorted.begin(), middle), std::vector<Index>(middle, sorted.end())};
+    }
+  }
+  return best;
+}
+
+}  // namespace trivet

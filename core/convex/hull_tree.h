@@ -1,0 +1,58 @@
+// Convex parts of a mesh that follow it as closely as is asked for, where it is asked for.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/convex/convex_parts.h"
+
+namespace trivet {
+
+/// A hull for each component of a mesh (of more than kMaxParts: one for all), and below it hulls of
+/// halves of its faces, down to single triangles, made when refine() asks for them. The leaves are
+/// the parts: together their hulls contain the whole surface, and the more of them there are the
+/// less they contain beside it. Parts thinner than a shell, such as those of a wall's one side, are
+/// thickened behind their faces by what is missing, unless refine() says that there is no room.
+class HullTree {
+ public:
+  /// @param mesh  in the unit and frame of the parts; outlives this, like `adjacency`, of the same
+  ///   faces. @param shell  metres (units of the mesh).
+  HullTree(const Mesh& mesh, const Adjacency& adjacency, double shell);
+
+  struct Node {
+    ConvexPart part;
+    Aabb box;
+    std::vector<Index> faces;         // of a leaf
+    std::array<Index, 2> children{};  // 0, 0: a leaf
+    bool backed = false;              // thickened behind its faces
+    bool is_leaf() const { return children[0] == 0; }
+  };
+  const Node& node(Index i) const { return m_nodes[i]; }
+  Index num_nodes() const { return static_cast<Index>(m_nodes.size()); }
+  Index num_roots() const { return m_num_roots; }  // nodes 0, 1, ...
+  size_t num_leaves() const { return m_num_leaves; }
+  std::vector<ConvexPart> parts() const;  // of the leaves
+
+  /// A closer fit of this leaf: without what is behind its faces, or as two. @return whether there
+  /// is one; not of a single triangle, nor of a convex solid.
+  bool refine(Index leaf);
+
+ private:
+  Node make_node(std::vector<Index> faces, bool backed) const;
+  std::array<std::vector<Index>, 2> halves(const std::vector<Index>& faces) const;
+  std::vector<Vec3> corners(std::span<const Index> faces) const;
+  std::vector<Vec3> backed_corners(std::span<const Index> faces) const;
+  bool is_convex_solid(Index root) const;
+
+  const Mesh& m_mesh;
+  const Adjacency& m_adjacency;
+  const double m_shell;
+  std::vector<Node> m_nodes;
+  std::vector<bool> m_is_convex;  // of the roots
+  Index m_num_roots = 0;
+  size_t m_num_leaves = 0;
+};
+
+}  // namespace trivet

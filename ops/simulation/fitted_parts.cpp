@@ -1,0 +1,142 @@
+#include "ops/simulation/fitted_parts.h"
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+
+#include "core/convex/hull_overlap.h"
+
+namespace trivet {
+namespace {
+
+class PartFitter {
+ public:
+  PartFitter(std::vector<HullTree>& trees, const std::vector<FittedBody>& bodies,
+             const std::function<double(size_t, size_t)>& limit)
+      : m_trees(trees), m_bodies(bodies), m_limit(limit), m_placed(bodies.size()) {}
+
+  // Halves get a thickness again, so that what was settled may be open once more.
+  void run(bool floor) {
+    do {
+      m_changed = false;
+      for (size_t a = 0; a < m_bodies.size(); ++a) {
+        if (floor && !m_bodies[a].fixed) fit_to_floor(a);
+        for (size_t b = a + 1; b < m_bodies.size(); ++b)
+          if (!m_bodies[a].fixed || !m_bodies[b].fixed) fit(a, b);
+      }
+    } while (m_changed);
+  }
+
+ private:
+  struct Placed {
+    std::unique_ptr<PlacedPart> part;
+    bool backed = false;
+  };
+  struct Pair {
+    Index a, b;
+  };
+
+  HullTree& tree(size_t body) { return m_trees[m_bodies[body].tree]; }
+
+  const PlacedPart& placed(size_t body, Index node) {
+    std::vector<Placed>& all = m_placed[body];
+    if (all.size() <= static_cast<size_t>(node)) all.resize(node + 1);
+    const HullTree::Node& of_tree = tree(body).node(node);
+    Placed& out = all[node];
+    if (!out.part || out.backed != of_tree.backed) {
+      out.part = std::make_unique<PlacedPart>(of_tree.part, m_bodies[body].world_from_link);
+      out.backed = of_tree.backed;
+    }
+    return *out.part;
+  }
+
+  std::vector<Index> leaves(size_t body, const Aabb* near) {
+    std::vector<Index> open, out;
+    for (Index i = tree(body).num_roots(); i-- > 0;) open.push_back(i);
+    while (!open.empty()) {
+      const Index i = open.back();
+      open.pop_back();
+      const HullTree::Node& node = tree(body).node(i);
+      if (!node.is_leaf())
+        open.insert(open.end(), node.children.rbegin(), node.children.rend());
+      else if (!near || overlaps(placed(body, i).box, *near))
+        out.push_back(i);
+    }
+    return out;
+  }
+
+  Aabb box(size_t body) {
+    Aabb out;
+    for (const Index leaf : leaves(body, nullptr)) out.extend(placed(body, leaf).box);
+    return out;
+  }
+
+  bool refine(size_t body, Index leaf) {
+    if (!tree(body).node(leaf).backed && tree(body).num_leaves() >= kMaxFittedParts) return false;
+    if (!tree(body).refine(leaf)) return false;
+    return m_changed = true;
+  }
+
+  void fit_to_floor(size_t body) {
+    std::vector<Index> open = leaves(body, nullptr);
+    while (!open.empty()) {
+      const Index i = open.back();
+      open.pop_back();
+      const HullTree::Node& node = tree(body).node(i);
+      if (!node.is_leaf())
+        open.insert(open.end(), node.children.begin(), node.children.end());
+      else if (-placed(body, i).box.lower.z() > m_limit(body, body) && refine(body, i))
+        open.push_back(i);
+    }
+  }
+
+  void fit(size_t a, size_t b) {
+    const Aabb box_a = box(a), box_b = box(b);
+    if (!overlaps(box_a, box_b)) return;
+    std::vector<Pair> open;
+    const std::vector<Index> of_b = leaves(b, &box_a);
+    for (const Index i : leaves(a, &box_b))
+      for (const Index j : of_b) open.push_back({i, j});
+    while (!open.empty()) {
+      const Pair pair = open.back();
+      open.pop_back();
+      const HullTree::Node &of_a = tree(a).node(pair.a), &of_b_node = tree(b).node(pair.b);
+      if (!of_a.is_leaf()) {
+        for (const Index child : of_a.children) open.push_back({child, pair.b});
+      } else if (!of_b_node.is_leaf()) {
+        for (const Index child : of_b_node.children) open.push_back({pair.a, child});
+      } else if (is_too_deep(a, b, pair) && refine_one(a, b, pair)) {
+        open.push_back(pair);
+      }
+    }
+  }
+
+  bool is_too_deep(size_t a, size_t b, const Pair& pair) {
+    const PlacedPart &of_a = placed(a, pair.a), &of_b = placed(b, pair.b);
+    return overlaps(of_a.box, of_b.box) && penetration_depth(of_a, of_b) > m_limit(a, b);
+  }
+
+  // What is only thickness goes first, then the larger part gives way.
+  bool refine_one(size_t a, size_t b, const Pair& pair) {
+    const HullTree::Node &of_a = tree(a).node(pair.a), &of_b = tree(b).node(pair.b);
+    const bool a_first =
+        of_a.backed != of_b.backed ? of_a.backed : of_a.box.diagonal() >= of_b.box.diagonal();
+    if (a_first) return refine(a, pair.a) || refine(b, pair.b);
+    return refine(b, pair.b) || refine(a, pair.a);
+  }
+
+  std::vector<HullTree>& m_trees;
+  const std::vector<FittedBody>& m_bodies;
+  const std::function<double(size_t, size_t)>& m_limit;
+  std::vector<std::vector<Placed>> m_placed;  // of each body, by node
+  bool m_changed = false;
+};
+
+}  // namespace
+
+void fit_parts(std::vector<HullTree>& trees, const std::vector<FittedBody>& bodies, bool floor,
+               const std::function<double(size_t, size_t)>& limit) {
+  PartFitter(trees, bodies, limit).run(floor);
+}
+
+}  // namespace trivet

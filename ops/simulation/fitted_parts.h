@@ -1,0 +1,28 @@
+// Private. Convex parts that leave room for the other objects.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "core/convex/hull_tree.h"
+#include "core/motion/pose.h"
+
+namespace trivet {
+
+/// A body of a scene for simulators whose parts are the leaves of a tree.
+struct FittedBody {
+  size_t tree = 0;
+  Affine world_from_link;
+  bool fixed = false;
+};
+
+/// Refines the trees until no parts of two bodies, or of a free one and the floor at z = 0, overlap
+/// by more than `limit`(body, body; of the floor twice the same). What is not near other bodies is
+/// left as it is. A tree gets at most kMaxFittedParts leaves: what overlaps then, stays.
+/// Deterministic.   Cost: pairs of parts whose boxes overlap, in a few rounds.
+void fit_parts(std::vector<HullTree>& trees, const std::vector<FittedBody>& bodies, bool floor,
+               const std::function<double(size_t, size_t)>& limit);
+
+inline constexpr size_t kMaxFittedParts = 1024;
+
+}  // namespace trivet

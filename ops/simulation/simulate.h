@@ -1,0 +1,38 @@
+// Exported scenes in a simulator: what moves?
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ops/simulation/simulation.h"
+
+namespace trivet {
+
+struct SimulatedObject {
+  std::string name;
+  double moved = 0;       // metres, of the corner of its parts that went farthest
+  double turned_deg = 0;  // from its first to its last pose
+};
+
+struct SimulatedScene {
+  std::string simulator;  // "MuJoCo 2.2.2"
+  double seconds = 0;
+  int num_warnings = 0;                  // of the simulator: contacts that had no room, instability
+  std::vector<SimulatedObject> objects;  // the free ones, in the scene's order
+};
+
+/// Whether this build has a simulator.
+bool can_simulate();
+
+/// Loads the MJCF file of an export and lets it go, in MuJoCo, in this process.
+/// @throws Error (BadInput): a build without it, another format or a file that MuJoCo refuses.
+SimulatedScene simulate(const SimulationExport& done, double seconds);
+
+/// Whether all stayed: no object moved by more than kStays metres, and no warning.
+bool stays(const SimulatedScene& simulated);
+inline constexpr double kStays = 0.01;
+
+/// For people: who moved by more than a millimetre, farthest first.
+std::string simulated_text(const SimulatedScene& simulated);
+
+}  // namespace trivet
