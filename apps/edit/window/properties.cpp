@@ -1,9 +1,14 @@
 #include "apps/edit/window/properties.h"
 
 #include <QLocale>
+#include <QSignalBlocker>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+
+#include "core/base/limits.h"
+#include "core/scene/materials.h"
+#include "ops/stability/stability.h"
 
 namespace trivet::edit {
 namespace {
@@ -49,6 +54,22 @@ QString mass_text(const Object& object) {
                                      : Properties::tr("volume, %1 litres").arg(litres);
 }
 
+QDoubleSpinBox* number_box(double lower, double upper, int decimals, double step,
+                           const QString& suffix) {
+  auto* const box = new QDoubleSpinBox;
+  box->setRange(lower, upper);
+  box->setDecimals(decimals);
+  box->setSingleStep(step);
+  box->setSuffix(suffix);
+  box->setKeyboardTracking(false);
+  return box;
+}
+
+QString weight_text(const Object& object) {
+  const double kilograms = weight_of(object) / kGravity;
+  return kilograms < 1 ? number(1000 * kilograms, 1) + " g" : number(kilograms, 3) + " kg";
+}
+
 }  // namespace
 
 QString length_text(double metres) {
@@ -66,7 +87,11 @@ Properties::Properties(Document& document, QWidget* parent)
       m_empty(new QLabel(tr("Select an object to see its pose, its contacts, and how firmly "
                             "it rests."))),
       m_form(new QFormLayout),
-      m_content(new QWidget) {
+      m_content(new QWidget),
+      m_preset(new QComboBox),
+      m_friction(number_box(kMinFriction, kMaxFriction, 3, 0.05, {})),
+      m_density(number_box(kMinDensity, kMaxDensity, 0, 50, tr(" kg/m³"))),
+      m_restitution(number_box(0, kMaxRestitution, 2, 0.05, {})) {
   auto* const inside = new QWidget;
   auto* const column = new QVBoxLayout(inside);
   column->setContentsMargins(10, 8, 10, 8);
@@ -81,6 +106,7 @@ Properties::Properties(Document& document, QWidget* parent)
   m_form->setVerticalSpacing(4);
   m_form->setLabelAlignment(Qt::AlignLeft | Qt::AlignTop);
   m_content->setLayout(m_form);
+  add_material();
   column->addWidget(m_empty);
   column->addWidget(m_name);
   column->addWidget(m_content);
@@ -91,6 +117,59 @@ Properties::Properties(Document& document, QWidget* parent)
   connect(&m_document, &Document::snapshot_changed, this, &Properties::show_object);
   connect(&m_document, &Document::selection_changed, this, &Properties::show_object);
   show_object();
+}
+
+void Properties::add_material() {
+  m_preset->setObjectName("material");
+  m_friction->setObjectName("friction");
+  m_preset->addItem(tr("numbers"));
+  for (const std::string& name : material_names()) m_preset->addItem(QString::fromStdString(name));
+  const auto add = [&](const QString& name, QWidget* field, const QString& tip) {
+    auto* const title = new QLabel(name);
+    title->setObjectName("faint");
+    title->setToolTip(tip);
+    field->setToolTip(tip);
+    m_form->addRow(title, field);
+  };
+  add(tr("Material"), m_preset, tr("A preset, or the numbers below"));
+  add(tr("Friction"), m_friction,
+      tr("Coulomb coefficient; of two surfaces in contact the smaller one holds"));
+  add(tr("Density"), m_density, tr("For weights, and for simulators"));
+  add(tr("Restitution"), m_restitution, tr("For simulators: nothing bounces here"));
+  connect(m_preset, &QComboBox::activated, this, [this](int index) {
+    if (index > 0) take_material(*material_preset(m_preset->itemText(index).toStdString()));
+  });
+  const std::pair<QDoubleSpinBox*, double PhysicsMaterial::*> numbers[] = {
+      {m_friction, &PhysicsMaterial::friction},
+      {m_density, &PhysicsMaterial::density},
+      {m_restitution, &PhysicsMaterial::restitution}};
+  for (const auto& [box, member] : numbers)
+    connect(box, &QDoubleSpinBox::valueChanged, this, [this, member = member](double value) {
+      PhysicsMaterial material = m_material;  // what is not changed keeps all its digits
+      material.name.clear();
+      material.*member = value;
+      take_material(material);
+    });
+}
+
+void Properties::show_material(const PhysicsMaterial& material) {
+  m_material = material;
+  const QSignalBlocker preset(m_preset), friction(m_friction), density(m_density),
+      restitution(m_restitution);
+  m_preset->setCurrentIndex(
+      is_preset(material) ? m_preset->findText(QString::fromStdString(material.name)) : 0);
+  m_friction->setValue(material.friction);
+  m_density->setValue(material.density);
+  m_restitution->setValue(material.restitution);
+}
+
+void Properties::take_material(const PhysicsMaterial& material) {
+  const auto snapshot = m_document.snapshot();
+  std::vector<Operation> operations;
+  for (const ObjectId id : m_document.selection().objects)
+    if (const ObjectSnapshot* const object = snapshot->find(id))
+      operations.push_back(MaterialOperation{(*object)->name, material});
+  if (!operations.empty()) m_document.perform_all("material", std::move(operations));
 }
 
 void Properties::set(const QString& name, const QString& value, const QString& tip) {
@@ -140,6 +219,8 @@ void Properties::show_object() {
       : std::isfinite(object.least_friction) ? number(object.least_friction, 3)
                                              : tr("no coefficient holds it"),
       tr("Smallest Coulomb coefficient that holds the object"));
+  show_material(object.material);
+  set(tr("Weight"), weight_text(object), tr("Objects are of uniform density"));
   set(tr("Mass by"), mass_text(object), tr("Objects are of uniform density"));
   set(tr("Touches"), contacts_text(object, *snapshot));
   set(tr("Triangles"),

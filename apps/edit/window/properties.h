@@ -1,6 +1,8 @@
 // Properties of the active object: pose, mass, contacts, stability.
 #pragma once
 
+#include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QLabel>
 #include <QScrollArea>
@@ -19,6 +21,10 @@ class Properties : public QScrollArea {
 
  private:
   void show_object();
+  void add_material();
+  void show_material(const PhysicsMaterial& material);
+  /// Makes all selected objects of it, as one step.
+  void take_material(const PhysicsMaterial& material);
   void set(const QString& name, const QString& value, const QString& tip = {});
 
   Document& m_document;
@@ -27,6 +33,9 @@ class Properties : public QScrollArea {
   QFormLayout* m_form;
   QWidget* m_content;
   std::map<QString, QLabel*> m_values;
+  PhysicsMaterial m_material;  // of the active object
+  QComboBox* m_preset;
+  QDoubleSpinBox *m_friction, *m_density, *m_restitution;
 };
 
 /// "12.5 mm", "1.25 m"
