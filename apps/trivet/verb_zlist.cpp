@@ -1,21 +1,29 @@
 #include <iostream>
 
+#include "apps/trivet/motion_lists.h"
 #include "apps/trivet/outputs.h"
 #include "apps/trivet/scene_input.h"
 #include "apps/trivet/verbs.h"
 #include "apps/trivet/zlist_picture.h"
 #include "core/base/error.h"
 #include "ops/base/stopwatch.h"
+#include "ops/placement/clearance.h"
+#include "raster/zlist/software_zlists.h"
 
 namespace trivet::apps {
 namespace {
+
+constexpr int kResolution = 256, kMotionResolution = 64, kLargestMotionResolution = 1024;
+constexpr const char* kOfDirections[] = {"--direction", "--region", "--pixel", "--show",
+                                         "--max-memory-mb"};
 
 struct ZListArguments {
   std::string input, picture, dump, show = "length";
   std::vector<double> direction{0, 0, -1}, region;
   std::vector<int> pixel;
-  int resolution = 256;
+  int resolution = 0;  // 0: kResolution, or kMotionResolution
   double max_memory_mb = 1024;
+  MotionRequest motion;
   SettleArguments settle;
 };
 
@@ -42,7 +50,7 @@ Scene scene_of(const ZListArguments& arguments, const CommonOptions& common, int
 ProjectionOptions projection_of(const ZListArguments& arguments, const CommonOptions& common) {
   ProjectionOptions out;
   out.direction = Vec3(arguments.direction[0], arguments.direction[1], arguments.direction[2]);
-  out.resolution = arguments.resolution;
+  out.resolution = arguments.resolution ? arguments.resolution : kResolution;
   out.num_threads = common.num_threads;
   out.most_bytes = static_cast<std::size_t>(arguments.max_memory_mb * 1e6);
   if (const std::vector<double>& r = arguments.region; !r.empty())
@@ -72,11 +80,55 @@ void print_names(const ZListsOf& what) {
   std::cout << "\n";
 }
 
-int zlist(const ZListArguments& arguments, const CommonOptions& common) {
-  check_outputs({"", arguments.dump, arguments.picture}, {arguments.input});
-  if (!arguments.picture.empty()) png_of({});
-  int status = 0;
-  const Scene scene = scene_of(arguments, common, status);
+int resolution_of_motion(const ZListArguments& arguments) {
+  const int asked = arguments.resolution ? arguments.resolution : kMotionResolution;
+  if (asked <= kLargestMotionResolution) return asked;
+  throw Error(Error::Kind::BadInput,
+              "--resolution: " + std::to_string(asked) + " is not accepted; accepted: 1 to " +
+                  std::to_string(kLargestMotionResolution) + " for a motion");
+}
+
+// On the GPU if that is asked for and can be had.
+std::unique_ptr<CandidateFinder> finder_of(const CommonOptions& common) {
+  if (common.backend == "gpu") try {
+      const auto note = [&common](const std::string& text) { print_note(common, text); };
+      std::unique_ptr<CandidateFinder> gpu =
+          make_gpu_stage(common.gpu_method, common.num_threads, note);
+      const std::string why = self_test(*gpu);
+      if (why.empty()) return gpu;
+      print_note(common, gpu->name() + " fails its self-test: " + why + "; software is used");
+    } catch (const Error& error) {
+      print_note(common, std::string(error.what()) + "; z-lists in software are used instead");
+    }
+  SoftwareZListOptions options;
+  options.num_threads = common.num_threads;
+  return std::make_unique<SoftwareZLists>(options);
+}
+
+void zlist_of_motion(const Scene& scene, const ZListArguments& arguments,
+                     const CommonOptions& common) {
+  const int resolution = resolution_of_motion(arguments);
+  MotionLists what = motion_of(scene, arguments.motion);
+  const std::unique_ptr<CandidateFinder> finder = finder_of(common);
+  what.finder = finder->name();
+  const double clearance = clearance_of(scene, arguments.settle.settle);
+  const Stopwatch stopwatch;
+  what.lists = motion_zlists(what.query(scene.floor, clearance), *finder, resolution);
+  what.milliseconds = stopwatch.milliseconds();
+  clear_progress_line(common);
+  if (!arguments.picture.empty())
+    write_file_atomically(arguments.picture, png_of(motion_picture(what)));
+  if (!arguments.dump.empty())
+    write_file_atomically(arguments.dump,
+                          [&](const ByteSink& write) { write_motion(what, write); });
+  if (common.json)
+    std::cout << motion_json(what);
+  else if (!common.quiet)
+    std::cout << motion_text(what);
+}
+
+void zlist_of_direction(const Scene& scene, const ZListArguments& arguments,
+                        const CommonOptions& common) {
   ZListsOf what;
   for (const ObjectId id : scene.ids()) {
     const Object& object = scene.at(id);
@@ -101,7 +153,63 @@ int zlist(const ZListArguments& arguments, const CommonOptions& common) {
     std::cout << zlists_text(what, pixel);
   if (!common.json && !common.quiet && show_of(arguments.show) == ZListShow::Objects)
     print_names(what);
+}
+
+int zlist(const ZListArguments& arguments, const CommonOptions& common) {
+  check_outputs({"", arguments.dump, arguments.picture}, {arguments.input});
+  if (!arguments.picture.empty()) png_of({});
+  if (arguments.motion.raise > 0 && !arguments.motion.is_set())
+    throw Error(Error::Kind::BadInput,
+                "--raise: nothing is lifted; accepted: with --drop, --move or --turn");
+  int status = 0;
+  const Scene scene = scene_of(arguments, common, status);
+  if (arguments.motion.is_set())
+    zlist_of_motion(scene, arguments, common);
+  else
+    zlist_of_direction(scene, arguments, common);
   return status;
+}
+
+void add_motion_options(CLI::App& verb, MotionRequest& motion) {
+  const char* const group = "Of a motion, instead of a direction";
+  CLI::Option* const drop =
+      verb.add_option("--drop", motion.drop, "This object falls, with its loads")->group(group);
+  CLI::Option* const move =
+      verb.add_option("--move", motion.move, "It moves by --along")->group(group);
+  CLI::Option* const turn =
+      verb.add_option("--turn", motion.turn, "It turns about --axis by --angle-deg")->group(group);
+  drop->excludes(move)->excludes(turn);
+  move->excludes(turn);
+  for (CLI::Option* const option : {drop, move, turn}) {
+    option->type_name("NAME");
+    for (const char* const other : kOfDirections) option->excludes(verb.get_option(other));
+  }
+  const auto number = number_from(-kMaxLength, kMaxLength);
+  verb.add_option("--along", motion.along, "Displacement, metres")
+      ->expected(3)
+      ->type_name("X Y Z")
+      ->check(number)
+      ->needs(move)
+      ->group(group);
+  verb.add_option("--axis", motion.axis, "Axis of the turn; default: up")
+      ->expected(3)
+      ->type_name("X Y Z")
+      ->check(number)
+      ->needs(turn)
+      ->group(group);
+  verb.add_option("--centre", motion.centre, "A point on it; default: the centre of mass")
+      ->expected(3)
+      ->type_name("X Y Z")
+      ->check(number)
+      ->needs(turn)
+      ->group(group);
+  verb.add_option("--angle-deg", motion.angle_deg, "Right-handed; default: 90")
+      ->check(number_from(-90, 90))
+      ->needs(turn)
+      ->group(group);
+  verb.add_option("--raise", motion.raise, "Lift it by so many metres first")
+      ->check(number_from(0, kMaxLength))
+      ->group(group);
 }
 
 }  // namespace
@@ -110,7 +218,7 @@ Verb add_zlist(CLI::App& app, const CommonOptions& common) {
   CLI::App* const verb = app.add_subcommand(
       "zlist",
       "Print the z-lists of a scene along a direction: all faces in every pixel, sorted by depth, "
-      "without the floor");
+      "without the floor; or those of a motion: fronts of what moves and of what is in the way");
   const auto arguments = std::make_shared<ZListArguments>();
   verb->add_option("input", arguments->input,
                    "A scene written by trivet, a layout (run first), or any model")
@@ -120,7 +228,8 @@ Verb add_zlist(CLI::App& app, const CommonOptions& common) {
       ->expected(3)
       ->type_name("X Y Z")
       ->check(number_from(-kMaxLength, kMaxLength));
-  verb->add_option("--resolution", arguments->resolution, "Pixels along the longer side")
+  verb->add_option("--resolution", arguments->resolution,
+                   "Pixels along the longer side; default: 256, of a motion 64")
       ->check(integer_from(1, 8192));
   verb->add_option("--region", arguments->region,
                    "Zoom in: two corners, metres to the right and up; default: everything")
@@ -137,6 +246,7 @@ Verb add_zlist(CLI::App& app, const CommonOptions& common) {
   verb->add_option("--dump", arguments->dump, "Write all lists, as JSON lines");
   verb->add_option("--max-memory-mb", arguments->max_memory_mb, "Refuse longer lists")
       ->check(number_from(1, 1e6));
+  add_motion_options(*verb, arguments->motion);
   add_settle_options(*verb, arguments->settle);
   return {verb, [arguments, &common] { return zlist(*arguments, common); }};
 }

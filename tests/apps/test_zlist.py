@@ -126,6 +126,105 @@ class ZLists(Case):
         self.refused("zlist", "cube.obj", "-o", "p.jpg", says=(".png",))
         self.refused("zlist", "cube.obj", "--dump", "cube.obj", says=("is an input",))
 
+    def motion(self, *arguments, status=0):
+        """The head and the pixels of a dump, which agree with --json."""
+        self.trivet("zlist", *arguments, "--dump", "motion.jsonl", status=status)
+        head, *pixels = [json.loads(line) for line in self.read("motion.jsonl").splitlines()]
+        printed = self.zlist(*arguments)
+        for one in (head, printed):
+            one.pop("milliseconds")
+        self.assertEqual(head, printed)
+        return head, pixels
+
+    def scene(self):
+        """Two cubes of 0.1 m, "a" on the floor and "b" on it."""
+        self.trivet("run", self.layout(
+            [{"name": "a", "model": "cube.obj"}, {"name": "b", "model": "cube.obj"}],
+            [put("a", 0, 0, 0.1), put("b", 0.03, 0, 0.3)]), "-o", "s.glb")
+        return "s.glb"
+
+    def test_drop(self):
+        """A cube lifted by 0.2 m falls back onto the other one."""
+        head, pixels = self.motion(self.scene(), "--drop", "b", "--raise", 0.2, "--resolution", 16)
+        self.assertEqual(head["motion"]["direction"], [0, 0, -1])
+        self.assertEqual((head["moving"], head["fixed"]), (["b"], ["a"]))
+        self.assertEqual((head["image"]["right"], head["image"]["up"]), ([1, 0, 0], [0, 1, 0]))
+        self.assertEqual(head["image"]["unit"], "mm")
+        contact, bounds = head["contact"], head["bounds"]
+        self.assertEqual((contact["status"], contact["moving"], contact["fixed"]),
+                         ("contact", "b", "a"))
+        self.assertAlmostEqual(contact["at"], 0.2, places=5)
+        self.assertLessEqual(bounds["lower"], contact["at"])
+        self.assertGreaterEqual(bounds["upper"], contact["at"])
+        self.assertAlmostEqual(bounds["floor"], 0.3, places=4)
+        both = [p for p in pixels if p["gap"] is not None]
+        self.assertEqual(len(both), head["image"]["pixels"])
+        self.assertEqual(sum(p["doubtful"] for p in both), head["image"]["doubtful_pixels"])
+        self.assertGreater(len(both), 100)
+        for p in both:
+            self.assertAlmostEqual(p["gap"], 200, delta=0.5)
+            self.assertAlmostEqual(p["fixed"] - p["moving"], p["gap"], delta=1e-3)
+        self.assertIn((contact["faces"], True),
+                      [([p["face_moving"], p["face_fixed"]], p["not_before"] <= contact["at"])
+                       for p in head["pairs"]])
+        self.assertEqual(head["work"]["confirmed_pairs"], len(head["pairs"]))
+
+    def test_loads_move_along(self):
+        head, _ = self.motion(self.scene(), "--move", "a", "--along", 0, 0, 0.5)
+        self.assertEqual((head["moving"], head["fixed"]), (["a", "b"], []))
+        self.assertEqual(head["contact"], {"status": "free"})
+        self.assertEqual(head["bounds"], {"lower": None, "upper": None, "floor": None})
+
+    def test_turn(self):
+        """About a vertical axis beside both cubes, the upper one meets nothing; about a level one, the
+        floor's neighbour."""
+        free, _ = self.motion(self.scene(), "--turn", "b", "--raise", 0.01,
+                              "--centre", 0.5, 0, 0)
+        self.assertEqual((free["contact"]["status"], free["image"]["unit"]), ("free", "deg"))
+        head, _ = self.motion(self.scene(), "--turn", "b", "--raise", 0.05, "--axis", 0, 2, 0,
+                              "--angle-deg", 60, "--centre", -0.3, 0, 0.15)
+        self.assertEqual(head["motion"]["axis"], [0, 1, 0])
+        self.assertAlmostEqual(head["motion"]["limit"], 60)
+        contact, bounds = head["contact"], head["bounds"]
+        self.assertEqual((contact["status"], contact["fixed"]), ("contact", "a"))
+        self.assertLess(0, contact["at"])
+        self.assertLess(contact["at"], 60)
+        self.assertLessEqual(bounds["lower"], contact["at"])
+        self.assertGreaterEqual(bounds["upper"] or 90, contact["at"])
+
+    def test_picture_and_text_of_a_motion(self):
+        scene = self.scene()
+        out, err = self.trivet("zlist", scene, "--drop", "b", "--raise", 0.1, "-o", "m.png",
+                               status=(0, 3))
+        if "makes no pictures" in err:
+            return
+        for words in ("z-lists of b, moving along 0 0 -1", "doubtful", "bounds: not before", "of a",
+                      "proposed by software"):
+            self.assertIn(words, out)
+        width, height = png_size(self.read("m.png"))
+        self.assertGreater(width, 3 * 300)
+        self.assertGreater(height, 300)
+
+    def test_the_gpu_finds_the_same_contact(self):
+        scene = self.scene()
+        a, b = (self.zlist(scene, "--backend", backend, "--drop", "b", "--raise", 0.1)
+                for backend in ("software", "gpu"))
+        self.assertEqual((a["contact"], a["image"], a["bounds"]),
+                         (b["contact"], b["image"], b["bounds"]))
+
+    def test_bad_motions(self):
+        scene = self.scene()
+        self.refused("zlist", scene, "--drop", "c", says=("--drop", '"c"', "name of an object"))
+        self.refused("zlist", scene, "--move", "b", says=("--move", "--along"))
+        self.refused("zlist", scene, "--move", "b", "--along", 0, 0, 0, says=("--along", "but 0"))
+        self.refused("zlist", scene, "--turn", "b", "--axis", 0, 0, 0, says=("--axis", "but 0"))
+        self.refused("zlist", scene, "--turn", "b", "--angle-deg", 0, says=("--angle-deg", "but not 0"))
+        self.refused("zlist", scene, "--turn", "b", "--angle-deg", 91, says=("--angle-deg", "-90 to 90"))
+        self.refused("zlist", scene, "--drop", "b", "--turn", "a", says=("--drop", "--turn"))
+        self.refused("zlist", scene, "--drop", "b", "--pixel", 1, 1, says=("--pixel",))
+        self.refused("zlist", scene, "--drop", "b", "--resolution", 2000, says=("1 to 1024",))
+        self.refused("zlist", scene, "--raise", 1, says=("--raise", "--drop"))
+
     def test_memory_limit(self):
         """Memory is bounded: an error before allocation."""
         quad = "v 0 0 %d\nv 1 0 %d\nv 1 1 %d\nv 0 1 %d\n"
