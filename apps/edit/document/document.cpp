@@ -208,7 +208,7 @@ void Document::drag_refused(std::uint64_t drag) {
 // --- ghost -------------------------------------------------------------------------------------
 
 void Document::request_ghost(const Operation& operation) {
-  m_engine->request_ghost(++m_ghost_request, operation);
+  m_engine->request_ghost(++m_ghost_request, operation, m_snapshot);
 }
 
 void Document::clear_ghost() {
@@ -222,6 +222,42 @@ void Document::show_ghost(std::uint64_t request, Ghost ghost) {
   if (request != m_ghost_request) return;
   m_ghost = std::move(ghost);
   Q_EMIT ghost_changed();
+}
+
+// --- detection ---------------------------------------------------------------------------------
+
+void Document::choose_detection(BackendOptions options) {
+  m_detection_notes.clear();
+  m_engine->choose_detection(std::move(options));
+}
+
+void Document::show_moves_by(const Answering& answering) {
+  m_detection.moves = answering;
+  Q_EMIT detection_changed();
+}
+
+void Document::show_previews_by(const Answering& answering) {
+  m_detection.previews = answering;
+  Q_EMIT detection_changed();
+}
+
+// Several threads may have the same trouble.
+void Document::show_detection_note(const std::string& note) {
+  if (m_detection_notes.insert(note).second) Q_EMIT detection_noted(QString::fromStdString(note));
+}
+
+void Document::watch_zlists(bool on) {
+  m_watches = on;
+  m_engine->watch_zlists(on);
+  if (on) return;
+  m_zlists.reset();
+  Q_EMIT zlists_changed();
+}
+
+void Document::show_zlists(std::shared_ptr<const ZListView> view) {
+  if (!m_watches) return;
+  m_zlists = std::move(view);
+  Q_EMIT zlists_changed();
 }
 
 bool Document::wait_until_idle(int timeout_ms) {

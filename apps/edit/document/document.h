@@ -14,6 +14,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,8 @@
 #include "apps/edit/document/message.h"
 #include "apps/edit/document/selection.h"
 #include "apps/edit/document/snapshot.h"
+#include "apps/edit/document/thread_detector.h"
+#include "apps/edit/document/zlist_view.h"
 #include "core/io/model.h"
 #include "ops/operations/perform.h"
 
@@ -35,8 +38,14 @@ struct DocumentOptions {
   std::string version;   // of the program; written to saved files
   SettleOptions settle;  // of all operations
   RunContext context;
-  int num_threads = 0;  // of loading; 0: all cores
+  BackendOptions detection;  // `note` is not used: see detection_noted()
+  int num_threads = 0;       // of loading; 0: all cores
   ImportLimits limits;
+};
+
+/// Who answers the queries of each thread that asks.
+struct Detection {
+  Answering moves, previews;
 };
 
 /// All steps of the session; redoable ones last.
@@ -160,6 +169,20 @@ class Document : public QObject {
   void clear_ghost();
   const std::optional<Ghost>& ghost() const { return m_ghost; }
 
+  // --- detection -------------------------------------------------------------------------------
+
+  /// Other detectors from the next move on; results do not depend on it. Each thread makes its own
+  /// when no move refers to the old one.
+  void choose_detection(BackendOptions options);
+  const Detection& detection() const { return m_detection; }
+
+  /// Whether z-lists of the motion under the hand are computed: of drags, and of the fall of a PUT
+  /// that is previewed. On the thread of ghosts, for at most a fifth of its time.
+  void watch_zlists(bool on);
+  bool watches_zlists() const { return m_watches; }
+  /// The latest; null: none yet.
+  const std::shared_ptr<const ZListView>& zlists() const { return m_zlists; }
+
   /// Runs the event loop until no job, drag or ghost is pending. For tests.
   /// @return false on timeout.
   bool wait_until_idle(int timeout_ms = 60000);
@@ -174,6 +197,10 @@ class Document : public QObject {
   void progressed(const QString& what, int done, int total);
   void message(const trivet::edit::Message& message);
   void ghost_changed();
+  void detection_changed();
+  /// Why another detector answers than was chosen. Each note once per choice.
+  void detection_noted(const QString& note);
+  void zlists_changed();
   void drag_ended(bool committed);
   void finished(quint64 job, bool ok);
 
@@ -193,6 +220,10 @@ class Document : public QObject {
   void show_scene(std::shared_ptr<const SceneSnapshot> snapshot);
   void show_drag(std::shared_ptr<const SceneSnapshot> snapshot, std::uint64_t drag, double ms);
   void show_ghost(std::uint64_t request, Ghost ghost);
+  void show_zlists(std::shared_ptr<const ZListView> view);
+  void show_moves_by(const Answering& answering);
+  void show_previews_by(const Answering& answering);
+  void show_detection_note(const std::string& note);
   void drag_refused(std::uint64_t drag);
   void set_selection(Selection selection);
   void select_named(const std::vector<std::string>& names);
@@ -203,9 +234,12 @@ class Document : public QObject {
   History m_history;
   std::string m_file, m_title, m_busy_with;
   std::optional<Ghost> m_ghost;
+  Detection m_detection;
+  std::set<std::string> m_detection_notes;  // since the last choice
+  std::shared_ptr<const ZListView> m_zlists;
   std::uint64_t m_drag = 0, m_ghost_request = 0;  // numbers of the latest ones
   std::vector<double> m_drag_milliseconds;
-  bool m_modified = false, m_dragging = false;
+  bool m_modified = false, m_dragging = false, m_watches = false;
   int m_num_jobs = 0;
   Job m_last_job = 0;
   std::unique_ptr<Engine> m_engine;

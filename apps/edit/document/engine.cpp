@@ -22,11 +22,8 @@ DocumentOptions with_importer(DocumentOptions options) {
 Engine::Engine(Document& document, DocumentOptions options)
     : m_document(document),
       m_options(with_importer(std::move(options))),
-      m_ghosts([this](std::uint64_t request, Ghost ghost) {
-        tell([request, ghost = std::move(ghost)](Document& shown) {
-          shown.show_ghost(request, ghost);
-        });
-      }),
+      m_detector(with_notes(m_options.detection)),
+      m_ghosts(with_notes(m_options.detection), ghost_listener()),
       m_thread([this] { run(); }) {}
 
 Engine::~Engine() {
@@ -38,6 +35,21 @@ Engine::~Engine() {
   }
   m_wake.notify_all();
   m_thread.join();
+}
+
+GhostWorker::Listener Engine::ghost_listener() {
+  GhostWorker::Listener listener;
+  listener.ghost = [this](std::uint64_t request, Ghost ghost) {
+    tell(
+        [request, ghost = std::move(ghost)](Document& shown) { shown.show_ghost(request, ghost); });
+  };
+  listener.zlists = [this](std::shared_ptr<const ZListView> view) {
+    tell([view = std::move(view)](Document& shown) { shown.show_zlists(view); });
+  };
+  listener.answering = [this](const Answering& answering) {
+    tell([answering](Document& shown) { shown.show_previews_by(answering); });
+  };
+  return listener;
 }
 
 void Engine::post(Document::Job job, const std::string& what, Work work) {
@@ -75,6 +87,7 @@ void Engine::run() {
     }
     const bool ok = !forgotten && run(item);
     if (item.job != 0) tell([job = item.job, ok](Document& shown) { shown.end(job, ok); });
+    renew_detector();
     --m_num_open;
   }
 }
@@ -160,6 +173,7 @@ SettleOptions Engine::settle_options() const {
 
 RunContext Engine::context() const {
   RunContext context = m_options.context;
+  context.detector = m_detector.get();
   context.cancel = &m_cancel;
   return context;
 }
@@ -207,7 +221,12 @@ void Engine::begin_drag(std::uint64_t drag, const Operation& operation) {
           Engine& e = engine;
           e.m_live.emplace(
               e.m_opened->session.begin_live(operation, e.settle_options(), e.context()));
-          if (!e.m_live->refused()) return true;
+          if (!e.m_live->refused()) {
+            const Placement start = e.m_live->placements().front();
+            e.m_motion.emplace(operation, start.pose,
+                               size_of(e.m_opened->session.scene().at(start.id)));
+            return true;
+          }
           e.tell(e.m_live->result(), operation);
           e.m_live.reset();
           e.tell([drag](Document& shown) { shown.drag_refused(drag); });
@@ -240,11 +259,21 @@ void Engine::follow() {
   else
     m_live->follow(goal->by);
   if (m_live->refused()) return;  // end_drag() reports the reason
-  tell([snapshot = m_snapshots.make_drag(m_opened->session.scene(), *m_live), drag = m_drag,
-        when = goal->when](Document& shown) {
+  const auto snapshot = m_snapshots.make_drag(m_opened->session.scene(), *m_live);
+  tell([snapshot, drag = m_drag, when = goal->when](Document& shown) {
     const std::chrono::duration<double, std::milli> took = DragGoal::Clock::now() - when;
     shown.show_drag(snapshot, drag, took.count());
   });
+  watch_drag(snapshot, *goal);
+}
+
+// Another thread computes the z-lists.
+void Engine::watch_drag(const std::shared_ptr<const SceneSnapshot>& snapshot,
+                        const DragGoal& goal) {
+  std::vector<Placement> moving = m_live->placements();
+  const std::optional<Motion> motion = m_motion->next(moving.front().pose, goal);
+  if (m_watches && motion)
+    m_ghosts.watch({snapshot, std::move(moving), *motion, m_live->clearance()});
 }
 
 bool Engine::end_drag(std::uint64_t drag) {
@@ -284,16 +313,43 @@ void Engine::show_again() {
   tell([snapshot = m_snapshots.make_again()](Document& shown) { shown.show_scene(snapshot); });
 }
 
+// --- detection ---------------------------------------------------------------------------------
+
+BackendOptions Engine::with_notes(BackendOptions options) {
+  options.note = [this](const std::string& note) {
+    tell([note](Document& shown) { shown.show_detection_note(note); });
+  };
+  return options;
+}
+
+void Engine::choose_detection(BackendOptions options) {
+  options = with_notes(std::move(options));
+  m_detector.choose(options);
+  m_ghosts.choose(std::move(options));
+  post({0, "detection", [](Engine&) { return true; }});  // renews it
+}
+
+// Between moves, which refer to the detector.
+void Engine::renew_detector() {
+  if (!m_live) m_detector.renew();
+  if (const Answering now = m_detector.answering(); !(now == m_told)) {
+    m_told = now;
+    tell([now](Document& shown) { shown.show_moves_by(now); });
+  }
+}
+
 // --- ghost -------------------------------------------------------------------------------------
 
-void Engine::request_ghost(std::uint64_t request, const Operation& operation) {
-  post({0, "ghost", [request, operation](Engine& engine) {
+void Engine::request_ghost(std::uint64_t request, const Operation& operation,
+                           std::shared_ptr<const SceneSnapshot> shown) {
+  if (!m_watches) shown = nullptr;
+  post({0, "ghost", [request, operation, shown = std::move(shown)](Engine& engine) {
           std::unique_ptr<Scene> scene;
           if (!engine.m_ghosts_know)
             scene = std::make_unique<Scene>(engine.m_opened->session.scene());
           engine.m_ghosts_know = true;
           engine.m_ghosts.request(request, operation, engine.settle_options(), engine.context(),
-                                  std::move(scene));
+                                  std::move(scene), shown);
           return true;
         }});
 }

@@ -10,9 +10,11 @@
 
 #include "apps/edit/document/document.h"
 #include "apps/edit/document/drag_goal.h"
+#include "apps/edit/document/drag_motion.h"
 #include "apps/edit/document/file_lock.h"
 #include "apps/edit/document/ghost_worker.h"
 #include "apps/edit/document/snapshot_maker.h"
+#include "apps/edit/document/thread_detector.h"
 #include "ops/operations/live_move.h"
 #include "ops/session/restore.h"
 
@@ -32,7 +34,12 @@ class Engine {
   /// Sets the goal; the latest wins.
   void steer(const DragGoal& goal);
   void cancel_drag(std::uint64_t drag);
-  void request_ghost(std::uint64_t request, const Operation& operation);
+  void request_ghost(std::uint64_t request, const Operation& operation,
+                     std::shared_ptr<const SceneSnapshot> shown);
+  /// Other detectors, made by the threads that ask, when nothing refers to the old ones.
+  void choose_detection(BackendOptions options);
+  /// Whether z-lists of what is dragged or previewed are computed.
+  void watch_zlists(bool on) { m_watches = on; }
   /// Whether no work or signal is pending.
   bool is_idle() const { return m_num_open == 0 && m_ghosts.is_idle(); }
 
@@ -65,7 +72,11 @@ class Engine {
   void run();
   bool run(const Item& item);
   void follow();
+  void watch_drag(const std::shared_ptr<const SceneSnapshot>& snapshot, const DragGoal& goal);
   void show_again();
+  void renew_detector();
+  BackendOptions with_notes(BackendOptions options);
+  GhostWorker::Listener ghost_listener();
   SettleOptions settle_options() const;
   RunContext context() const;
   void tell(std::function<void(Document&)> what);
@@ -91,7 +102,11 @@ class Engine {
   std::string m_file, m_title;
   std::unique_ptr<FileLock> m_lock;
   SnapshotMaker m_snapshots;
-  std::optional<LiveMove> m_live;
+  ThreadDetector m_detector;
+  Answering m_told;                // last shown
+  std::optional<LiveMove> m_live;  // refers to the detector
+  std::optional<DragMotion> m_motion;
+  std::atomic<bool> m_watches = false;
   std::uint64_t m_drag = 0;
   bool m_ghosts_know = false;  // the ghost worker has the current scene
 

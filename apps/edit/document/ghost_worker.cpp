@@ -4,10 +4,17 @@
 
 #include "apps/edit/document/results.h"
 #include "core/scene/transaction.h"
+#include "ops/operations/moving_group.h"
 #include "ops/operations/perform.h"
+#include "ops/placement/clearance.h"
+#include "raster/zlist/software_zlists.h"
 
 namespace trivet::edit {
 namespace {
+
+constexpr int kViewResolution = 64;  // of the depth images, pixels
+constexpr auto kLeastRest = std::chrono::milliseconds(50);
+constexpr int kRestPerWork = 4;
 
 // Describes the result of the operation.
 void describe(const Scene& scene, const OperationResult& result, Ghost& ghost) {
@@ -25,8 +32,10 @@ void describe(const Scene& scene, const OperationResult& result, Ghost& ghost) {
 
 }  // namespace
 
-GhostWorker::GhostWorker(Answer answer)
-    : m_answer(std::move(answer)), m_thread([this] { run(); }) {}
+GhostWorker::GhostWorker(BackendOptions detection, Listener listener)
+    : m_listener(std::move(listener)),
+      m_detector(std::move(detection)),
+      m_thread([this] { run(); }) {}
 
 GhostWorker::~GhostWorker() {
   {
@@ -38,12 +47,22 @@ GhostWorker::~GhostWorker() {
   m_thread.join();
 }
 
-void GhostWorker::request(std::uint64_t number, const Operation& operation,
-                          const SettleOptions& options, const RunContext& context,
-                          std::unique_ptr<Scene> scene) {
+void GhostWorker::choose(BackendOptions detection) {
   {
     const std::lock_guard lock(m_mutex);
-    m_next = Request{number, operation, options, context, std::chrono::steady_clock::now()};
+    m_detector.choose(std::move(detection));
+    m_renew = true;
+  }
+  m_wake.notify_all();
+}
+
+void GhostWorker::request(std::uint64_t number, const Operation& operation,
+                          const SettleOptions& options, const RunContext& context,
+                          std::unique_ptr<Scene> scene,
+                          std::shared_ptr<const SceneSnapshot> shown) {
+  {
+    const std::lock_guard lock(m_mutex);
+    m_next = Request{number, operation, options, context, std::move(shown), Clock::now()};
     m_next->context.cancel = &m_cancel;
     if (scene) m_next_scene = std::move(scene);
     m_cancel = true;
@@ -51,28 +70,109 @@ void GhostWorker::request(std::uint64_t number, const Operation& operation,
   m_wake.notify_all();
 }
 
+void GhostWorker::watch(ZListQuestion question) {
+  {
+    const std::lock_guard lock(m_mutex);
+    m_question = std::move(question);
+  }
+  m_wake.notify_all();
+}
+
 bool GhostWorker::is_idle() const {
   const std::lock_guard lock(m_mutex);
-  return !m_next && !m_works;
+  return !m_next && !m_question && !m_renew && !m_works;
+}
+
+// Waits for one.
+GhostWorker::Task GhostWorker::next_task(Request& request, ZListQuestion& question) {
+  std::unique_lock lock(m_mutex);
+  m_works = false;
+  const auto may_look = [&] { return m_question && Clock::now() >= m_rested; };
+  while (!m_stop && !m_renew && !m_next && !may_look())
+    if (m_question)
+      m_wake.wait_until(lock, m_rested);
+    else
+      m_wake.wait(lock);
+  m_works = true;
+  if (m_stop) return Task::Stop;
+  if (std::exchange(m_renew, false)) return Task::Renew;
+  if (m_next) {
+    request = std::move(*m_next);
+    m_next.reset();
+    if (m_next_scene) m_scene = std::move(m_next_scene);
+    m_cancel = false;
+    return Task::Ghost;
+  }
+  question = std::move(*m_question);
+  m_question.reset();
+  return Task::ZLists;
 }
 
 void GhostWorker::run() {
   for (;;) {
     Request request;
-    {
-      std::unique_lock lock(m_mutex);
-      m_works = false;
-      m_wake.wait(lock, [&] { return m_stop || m_next; });
-      if (m_stop) return;
-      request = std::move(*m_next);
-      m_next.reset();
-      if (m_next_scene) m_scene = std::move(m_next_scene);
-      m_cancel = false;
-      m_works = true;
+    ZListQuestion question;
+    switch (next_task(request, question)) {
+      case Task::Stop:
+        return;
+      case Task::Renew:
+        renew();
+        break;
+      case Task::Ghost: {
+        Ghost ghost = answer_to(request);
+        if (!m_cancel) m_listener.ghost(request.number, std::move(ghost));
+        if (auto fall = fall_of(request)) watch(std::move(*fall));
+        renew();
+        break;
+      }
+      case Task::ZLists:
+        show_zlists(question);
+        break;
     }
-    Ghost ghost = answer_to(request);
-    if (!m_cancel) m_answer(request.number, std::move(ghost));
   }
+}
+
+void GhostWorker::renew() {
+  m_detector.renew();
+  if (const Answering now = m_detector.answering(); !(now == m_told)) {
+    m_told = now;
+    m_listener.answering(now);
+  }
+}
+
+// The motion with which a PUT begins.
+std::optional<ZListQuestion> GhostWorker::fall_of(const Request& request) const {
+  const auto* const put = std::get_if<PutOperation>(&request.operation);
+  if (!put || put->place || !request.shown || !m_scene) return std::nullopt;
+  const auto id = m_scene->find(put->object);
+  if (!id) return std::nullopt;
+  ZListQuestion out;
+  out.clearance = clearance_of(*m_scene, request.options);
+  MovingGroup group(*m_scene, *id, {}, out.clearance, request.options, nullptr);
+  group.place(put->start);
+  out.scene = request.shown;
+  out.moving = group.placements();
+  Aabb all = group.outside().box();
+  const Aabb here = group.box();
+  all.extend(here);
+  const double bottom = m_scene->floor ? std::min(0.0, all.lower.z()) : all.lower.z();
+  out.motion = Motion::translation(-Vec3::UnitZ(), here.upper.z() - bottom);
+  return out;
+}
+
+// Rests for kRestPerWork times as long as it took, so that drags keep the processor.
+void GhostWorker::show_zlists(const ZListQuestion& question) {
+  const auto begin = Clock::now();
+  SoftwareZLists software;
+  CandidateFinder* const gpu = m_detector.gpu_stage();
+  auto view = std::make_shared<const ZListView>(
+      zlist_view(question, gpu ? *gpu : software, kViewResolution));
+  const auto end = Clock::now();
+  {
+    const std::lock_guard lock(m_mutex);
+    m_rested = end + std::max<Clock::duration>(kLeastRest, kRestPerWork * (end - begin));
+  }
+  m_listener.zlists(std::move(view));
 }
 
 Ghost GhostWorker::answer_to(const Request& request) {
@@ -85,8 +185,9 @@ Ghost GhostWorker::answer_to(const Request& request) {
   }
   ghost.object = *id;
   Transaction trial(*m_scene);
-  const OperationResult result =
-      perform(trial, request.operation, request.options, request.context);
+  RunContext context = request.context;
+  context.detector = m_detector.get();
+  const OperationResult result = perform(trial, request.operation, request.options, context);
   const Scene& scene = *m_scene;
   ghost.ok = result.ok();
   if (ghost.ok) describe(scene, result, ghost);

@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include "apps/edit/window/main_window.h"
+#include "core/base/error.h"
 #include "core/base/standard_streams.h"
 
 int main(int argc, char** argv) {
@@ -21,21 +22,33 @@ int main(int argc, char** argv) {
   parser.addPositionalArgument("file", "A scene (.glb), a layout (.json), or a model to import",
                                "[FILE]");
   parser.addOption({"demo", "Opens a demo: spoon-saucer, breakfast, office1, office2", "name"});
+  parser.addOption({"backend",
+                    "Who finds what stops a motion: auto, bvh, software or gpu; results do not "
+                    "depend on it",
+                    "name"});
+  parser.addOption({"gpu-method", "How a GPU does it: auto, framebuffer or compute", "name"});
   parser.process(application);
   try {
+    trivet::edit::DetectionChoice detection = trivet::edit::saved_detection();
+    if (parser.isSet("backend")) detection.backend = parser.value("backend");
+    if (parser.isSet("gpu-method")) detection.gpu_method = parser.value("gpu-method");
     trivet::edit::DocumentOptions options;
     options.version = TRIVET_VERSION;
+    options.detection = trivet::edit::backend_options(detection);
     options.recovery_folder =
         QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation).toStdString();
     QDir().mkpath(QString::fromStdString(options.recovery_folder));
     trivet::edit::Document document(options);
-    trivet::edit::MainWindow window(document);
+    trivet::edit::MainWindow window(document, detection);
     window.show();
     if (parser.isSet("demo"))
       window.open_demo(parser.value("demo"));
     else if (!parser.positionalArguments().isEmpty())
       window.open_file(parser.positionalArguments().front());
     return QApplication::exec();
+  } catch (const trivet::Error& error) {
+    std::cerr << "trivet-edit: " << error.what() << "\n";
+    return error.kind() == trivet::Error::Kind::BadInput ? 2 : 3;
   } catch (const std::exception& error) {
     std::cerr << "trivet-edit: " << error.what() << "\n";
     return 3;

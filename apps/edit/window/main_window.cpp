@@ -8,11 +8,14 @@
 #include <algorithm>
 
 #include "apps/edit/tools/constraint_camera.h"
+#include "apps/edit/window/preferences_dialog.h"
 
 namespace trivet::edit {
 namespace {
 
 constexpr int kBusyAfterMs = 250;  // quicker jobs show no progress
+constexpr int kNoteMs = 12000;     // for which a note stays in the status bar
+constexpr int kWidestAnswering = 320;
 
 QString aim_note(const Selection& selection) {
   switch (selection.contact ? selection.contact->part : ActiveContact::Part::Area) {
@@ -28,11 +31,15 @@ QString aim_note(const Selection& selection) {
 
 }  // namespace
 
-MainWindow::MainWindow(Document& document)
-    : m_document(document), m_toolbox(document), m_drawing(document, m_toolbox) {
+MainWindow::MainWindow(Document& document, const DetectionChoice& detection)
+    : m_document(document),
+      m_toolbox(document),
+      m_drawing(document, m_toolbox),
+      m_detection(detection) {
   setObjectName("trivet-edit");
   setAcceptDrops(true);
   make_views();
+  make_zlist_dock();
   make_actions();
   make_status_bar();
   connect_document();
@@ -45,6 +52,7 @@ MainWindow::MainWindow(Document& document)
 MainWindow::~MainWindow() {
   m_toolbox.changed = nullptr;
   m_document.disconnect(this);
+  m_zlist_dock->disconnect(this);
   delete takeCentralWidget();  // delete before the members used by the views
 }
 
@@ -99,12 +107,30 @@ void MainWindow::arrange_views() {
   setCentralWidget(m_pages);
 }
 
+// Off by default: nothing is computed for it then.
+void MainWindow::make_zlist_dock() {
+  m_zlists = new ZListPanel(m_document);
+  m_zlist_dock = new QDockWidget(tr("z-lists of the motion"), this);
+  m_zlist_dock->setObjectName("zlist_dock");
+  m_zlist_dock->setWidget(m_zlists);
+  addDockWidget(Qt::BottomDockWidgetArea, m_zlist_dock);
+  m_zlist_dock->hide();
+  connect(m_zlist_dock, &QDockWidget::visibilityChanged, this, [this] {
+    const bool on = !m_zlist_dock->isHidden();
+    if (on != m_document.watches_zlists()) m_document.watch_zlists(on);
+    action("zlists")->setChecked(on);
+    place_message_bar();
+  });
+}
+
 void MainWindow::make_status_bar() {
   m_hint = new QLabel, m_count = new QLabel, m_busy = new QLabel;
   m_hint->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   m_hint->setIndent(8);
   m_count->setObjectName("faint");
   m_count->setContentsMargins(8, 0, 8, 0);
+  m_answering = new QLabel;
+  m_answering->setObjectName("faint");
   m_progress = new QProgressBar;
   m_progress->setFixedSize(140, 12);
   m_progress->setTextVisible(false);
@@ -113,7 +139,7 @@ void MainWindow::make_status_bar() {
   m_cancel->setToolTip(tr("Stop the running operation; the scene stays unchanged (Escape)"));
   statusBar()->addWidget(m_hint, 1);
   for (QWidget* const widget :
-       std::initializer_list<QWidget*>{m_busy, m_progress, m_cancel, m_count})
+       std::initializer_list<QWidget*>{m_busy, m_progress, m_cancel, m_answering, m_count})
     statusBar()->addPermanentWidget(widget);
   statusBar()->setSizeGripEnabled(false);
   for (QWidget* const widget : std::initializer_list<QWidget*>{m_busy, m_progress, m_cancel})
@@ -138,6 +164,10 @@ void MainWindow::connect_document() {
   connect(&m_document, &Document::history_changed, this, &MainWindow::update_title);
   connect(&m_document, &Document::file_changed, this, &MainWindow::update_title);
   connect(&m_document, &Document::ghost_changed, this, &MainWindow::update_status);
+  connect(&m_document, &Document::detection_changed, this, &MainWindow::show_detection);
+  connect(&m_document, &Document::detection_noted, this,
+          [this](const QString& note) { statusBar()->showMessage(note, kNoteMs); });
+  show_detection();
   connect(&m_document, &Document::busy_changed, this, [this] {
     // Dismisses messages about earlier operations.
     if (m_document.is_busy() && !m_was_busy) m_message_bar->dismiss();
@@ -203,6 +233,28 @@ void MainWindow::update_status() {
   QString count = tr("Objects: %1").arg(snapshot->objects.size());
   if (selected > 0) count += tr(", selected: %1").arg(selected);
   m_count->setText(count);
+}
+
+void MainWindow::show_detection() {
+  const Detection& now = m_document.detection();
+  const QString text = in_words(now.moves);
+  m_answering->setText(
+      m_answering->fontMetrics().elidedText(text, Qt::ElideRight, kWidestAnswering));
+  m_answering->setToolTip(tr("Collision detection. Moves: %1. Previews: %2. See Preferences.")
+                              .arg(text, in_words(now.previews)));
+}
+
+void MainWindow::ask_preferences() {
+  auto* const dialog = new PreferencesDialog(m_document, m_detection, this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &PreferencesDialog::detection_chosen, this,
+          [this](const DetectionChoice& choice) {
+            if (choice == m_detection) return;
+            m_detection = choice;
+            save_detection(choice);
+            m_document.choose_detection(backend_options(choice));
+          });
+  dialog->show();
 }
 
 void MainWindow::update_actions() {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QAction>
+#include <QDockWidget>
 #include <QLabel>
 #include <QMainWindow>
 #include <QProgressBar>
@@ -13,6 +14,7 @@
 #include <map>
 
 #include "apps/edit/window/control_window.h"
+#include "apps/edit/window/detection_choice.h"
 #include "apps/edit/window/help.h"
 #include "apps/edit/window/icons.h"
 #include "apps/edit/window/message_bar.h"
@@ -20,6 +22,7 @@
 #include "apps/edit/window/scene_view.h"
 #include "apps/edit/window/start_page.h"
 #include "apps/edit/window/view_frame.h"
+#include "apps/edit/window/zlist_panel.h"
 
 namespace trivet::edit {
 
@@ -27,7 +30,8 @@ class MainWindow : public QMainWindow {
   Q_OBJECT
 
  public:
-  explicit MainWindow(Document& document);
+  /// @param detection  what the document was made with.
+  explicit MainWindow(Document& document, const DetectionChoice& detection = {});
   ~MainWindow() override;
 
   // For the command line and tests.
@@ -54,6 +58,7 @@ class MainWindow : public QMainWindow {
   // main_window.cpp
   void make_views();
   void arrange_views();
+  void make_zlist_dock();
   void make_status_bar();
   void connect_document();
   void show_workspace();
@@ -61,6 +66,8 @@ class MainWindow : public QMainWindow {
   void update_title();
   void update_actions();
   void update_status();
+  void show_detection();
+  void ask_preferences();
   void show_busy();
   void take_tool(ToolKind kind);
   void show_tool();
@@ -136,7 +143,10 @@ class MainWindow : public QMainWindow {
   ViewFrames m_frames = {};
   ViewFrame* m_maximised = nullptr;
   MessageBar* m_message_bar = nullptr;
-  QLabel *m_hint = nullptr, *m_count = nullptr, *m_busy = nullptr;
+  QDockWidget* m_zlist_dock = nullptr;
+  ZListPanel* m_zlists = nullptr;
+  DetectionChoice m_detection;
+  QLabel *m_hint = nullptr, *m_count = nullptr, *m_busy = nullptr, *m_answering = nullptr;
   QProgressBar* m_progress = nullptr;
   QToolButton* m_cancel = nullptr;
   QTimer m_busy_for_long;

@@ -121,6 +121,7 @@ void MainWindow::make_edit_actions() {
   add_action(
       "group", tr("&Group"), tr("Ctrl+G"), [this] { group_selected(true); },
       tr("Group: its objects always move together"));
+  add_action("preferences", tr("&Preferences…"), tr("Ctrl+,"), [this] { ask_preferences(); });
   add_action("ungroup", tr("Ungroup"), tr("Ctrl+Shift+G"), [this] { group_selected(false); });
 }
 
@@ -212,6 +213,11 @@ void MainWindow::make_drawing_actions() {
   option("shadows", tr("S&hadows"), &DrawingOptions::shadows);
   option("contacts", tr("C&ontacts of the active object"), &DrawingOptions::contacts);
   option("watch settling", tr("&Watch settling"), &DrawingOptions::watch_settling);
+  add_action(
+      "zlists", tr("&z-lists of the motion"), tr("Z"),
+      [this] { m_zlist_dock->setVisible(action("zlists")->isChecked()); },
+      tr("z-lists: depths along the motion of what is dragged or put"))
+      ->setCheckable(true);
   add_action("dark", tr("&Dark theme"), {}, [this] {
     set_dark(action("dark")->isChecked());
   })->setCheckable(true);
@@ -233,12 +239,12 @@ void MainWindow::make_menus() {
   fill(*file, m_actions,
        {"", "import", "", "save", "save as", "", "export", "picture", "", "start page", "quit"});
   menu(tr("&Edit"), {"undo", "redo", "", "duplicate", "delete", "", "select all", "select none", "",
-                     "lock", "unlock", "fix", "unfix", "", "group", "ungroup"});
+                     "lock", "unlock", "fix", "unfix", "", "group", "ungroup", "", "preferences"});
   menu(tr("&Object"), {"select", "put", "push", "turn", "pick up", "move", "rotate", "", "put here",
                        "pick up now"});
   menu(tr("&View"),
        {"frame", "frame all", "", "top", "side", "front", "follow contact", "", "maximise",
-        "reset layout", "", "shadows", "contacts", "watch settling", "dark"});
+        "reset layout", "", "shadows", "contacts", "watch settling", "zlists", "dark"});
   menu(tr("&Help"), {"two minutes", "shortcuts", "about"});
   m_context_menu = new QMenu(this);
   fill(*m_context_menu, m_actions,

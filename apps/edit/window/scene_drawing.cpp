@@ -62,6 +62,7 @@ SceneDrawing::SceneDrawing(Document& document, Toolbox& toolbox, QObject* parent
     m_ghost_moved.start();
     Q_EMIT changed();
   });
+  connect(&m_document, &Document::zlists_changed, this, &SceneDrawing::changed);
   connect(&m_document, &Document::message, this, &SceneDrawing::light);
   connect(&m_playback, &Playback::changed, this, &SceneDrawing::changed);
 }
@@ -154,6 +155,7 @@ LiveScene SceneDrawing::scene(const View& view) const {
   add_active(out, view);
   add_drag(out);
   add_interference(out.overlay);
+  add_zlists(out.overlay);
   if (!m_playback.is_on()) add_tool(out.overlay, view);  // handles appear at the final pose
   for (const Vec3& point : m_lit.points)
     out.overlay.points.push_back(
@@ -269,6 +271,22 @@ void SceneDrawing::add_blocking(LiveOverlay& overlay, const InterferingFaces& fa
       if (of.faces.size() <= kManyFaces)
         overlay.add_loop({t[0], t[1], t[2]}, edge, 1.5f, Hidden::Shown);
     }
+}
+
+// Pairs of faces of the z-list view, for as long as its motion is under the hand.
+void SceneDrawing::add_zlists(LiveOverlay& overlay) const {
+  const std::shared_ptr<const ZListView> view = m_document.zlists();
+  const auto snapshot = m_document.snapshot();
+  const bool in_hand = snapshot->drag || m_document.ghost();
+  if (!view || !in_hand || view->committed != snapshot->committed) return;
+  const auto add = [&](const std::vector<Triangle>& faces, const QColor& colour) {
+    for (const Triangle& t : faces) {
+      overlay.triangles.push_back({t, live_colour(colour, 0.6f), Hidden::Faint});
+      overlay.add_loop({t[0], t[1], t[2]}, live_colour(colour), 1.2f, Hidden::Shown);
+    }
+  };
+  add(view->fixed_faces, m_theme.fixed_face());
+  add(view->moving_faces, m_theme.moving_face());
 }
 
 void SceneDrawing::add_tool(LiveOverlay& overlay, const View& view) const {

@@ -17,8 +17,9 @@ void write_models(const std::string& demo, const TemporaryFolder& folder) {
   }
 }
 
-Recorder::Recorder(const std::string& recovery_folder) {
+Recorder::Recorder(const std::string& recovery_folder, BackendOptions detection) {
   DocumentOptions options;
+  options.detection = std::move(detection);
   options.recovery_folder = recovery_folder;
   options.version = "test";
   m_document = std::make_unique<Document>(options);

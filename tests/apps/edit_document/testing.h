@@ -16,7 +16,7 @@ void write_models(const std::string& demo, const TemporaryFolder& folder);
 /// A document, recording its messages.
 class Recorder {
  public:
-  explicit Recorder(const std::string& recovery_folder);
+  explicit Recorder(const std::string& recovery_folder, BackendOptions detection = {});
 
   Document& operator*() const { return *m_document; }
   Document* operator->() const { return m_document.get(); }

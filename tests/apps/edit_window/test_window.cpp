@@ -20,6 +20,7 @@
 #include "apps/edit_window/together.h"
 #include "apps/edit_window/tour.h"
 #include "apps/edit_window/user.h"
+#include "apps/edit_window/zlists_watched.h"
 #include "core/io/export.h"
 #include "support/effort.h"
 
@@ -70,6 +71,7 @@ class TestWindow : public QObject {
   void asks_before_work_is_lost();
   void moves_several_at_once();
   void lights_what_interferes();
+  void shows_zlists_of_motions();
   void plays_what_settles();
   void shows_full_scenes_at_every_size();
   void shows_dialogs_and_menus();
@@ -351,6 +353,8 @@ void TestWindow::asks_before_work_is_lost() {
 void TestWindow::moves_several_at_once() { move_several(*m_document, *m_window, *m_user); }
 
 void TestWindow::lights_what_interferes() { look_at_interference(*m_document, *m_window, *m_user); }
+
+void TestWindow::shows_zlists_of_motions() { look_at_zlists(*m_document, *m_window, *m_user); }
 
 void TestWindow::plays_what_settles() { watch_settling(*m_document, *m_window, *m_user); }
 

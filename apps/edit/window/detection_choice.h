@@ -1,0 +1,27 @@
+// Which detector the user wants: from the command line, or kept in the settings.
+#pragma once
+
+#include <QString>
+
+#include "apps/edit/document/document.h"
+
+namespace trivet::edit {
+
+/// By name: see backend_from_name(), gpu_method_from_name().
+struct DetectionChoice {
+  QString backend = "auto";     // "auto", "bvh", "software", "gpu"
+  QString gpu_method = "auto";  // "auto", "framebuffer", "compute"
+  bool operator==(const DetectionChoice&) const = default;
+};
+
+/// With the factories of gpu. @throws Error (BadInput) for a name that is not accepted.
+BackendOptions backend_options(const DetectionChoice& choice);
+
+/// The defaults where the settings hold no accepted name.
+DetectionChoice saved_detection();
+void save_detection(const DetectionChoice& choice);
+
+/// Such as "box trees", "z-lists: framebuffer, llvmpipe (LLVM 15.0.6, 256 bits)".
+QString in_words(const Answering& answering);
+
+}  // namespace trivet::edit

@@ -1,0 +1,68 @@
+#include "apps/edit/window/preferences_dialog.h"
+
+#include <QDialogButtonBox>
+#include <QFormLayout>
+
+namespace trivet::edit {
+
+PreferencesDialog::PreferencesDialog(Document& document, const DetectionChoice& choice,
+                                     QWidget* parent)
+    : QDialog(parent), m_document(document), m_answering(new QLabel) {
+  setWindowTitle(tr("Preferences"));
+  m_backend = make_box("backend",
+                       {{"auto", tr("Automatic: the fastest here")},
+                        {"bvh", tr("Box trees")},
+                        {"software", tr("z-lists in software")},
+                        {"gpu", tr("z-lists on the graphics card")}},
+                       choice.backend);
+  m_method = make_box("gpu_method",
+                      {{"auto", tr("Automatic: the faster one")},
+                       {"framebuffer", tr("Framebuffers")},
+                       {"compute", tr("Compute shaders")}},
+                      choice.gpu_method);
+  auto* const form = new QFormLayout(this);
+  form->setContentsMargins(20, 20, 20, 14);
+  form->setVerticalSpacing(10);
+  auto* const about = new QLabel(
+      tr("Who finds what stops a motion. Results are the same with all of them, to the bit."));
+  about->setWordWrap(true);
+  form->addRow(about);
+  form->addRow(tr("Collision detection"), m_backend);
+  form->addRow(tr("On the graphics card by"), m_method);
+  m_answering->setObjectName("faint");
+  m_answering->setWordWrap(true);
+  form->addRow(m_answering);
+  auto* const buttons = new QDialogButtonBox(QDialogButtonBox::Close);
+  form->addRow(buttons);
+  setMinimumWidth(460);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  connect(&m_document, &Document::detection_changed, this, &PreferencesDialog::show_answering);
+  show_answering();
+}
+
+QComboBox* PreferencesDialog::make_box(const char* name,
+                                       std::initializer_list<std::pair<const char*, QString>> items,
+                                       const QString& current) {
+  auto* const box = new QComboBox;
+  box->setObjectName(name);
+  for (const auto& [key, text] : items) box->addItem(text, QString(key));
+  box->setCurrentIndex(std::max(0, box->findData(current)));
+  connect(box, &QComboBox::activated, this, [this] {
+    m_method->setEnabled(choice().backend != "bvh" && choice().backend != "software");
+    Q_EMIT detection_chosen(choice());
+  });
+  return box;
+}
+
+DetectionChoice PreferencesDialog::choice() const {
+  return {m_backend->currentData().toString(), m_method->currentData().toString()};
+}
+
+void PreferencesDialog::show_answering() {
+  const Detection& now = m_document.detection();
+  m_method->setEnabled(choice().backend != "bvh" && choice().backend != "software");
+  m_answering->setText(
+      tr("Answering now: %1; previews: %2").arg(in_words(now.moves), in_words(now.previews)));
+}
+
+}  // namespace trivet::edit

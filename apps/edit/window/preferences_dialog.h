@@ -1,0 +1,34 @@
+// Preferences that take effect at once: who answers first-contact queries.
+#pragma once
+
+#include <QComboBox>
+#include <QDialog>
+#include <QLabel>
+
+#include "apps/edit/window/detection_choice.h"
+
+namespace trivet::edit {
+
+class PreferencesDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  /// @param document  tells who answers.
+  PreferencesDialog(Document& document, const DetectionChoice& choice, QWidget* parent);
+
+ Q_SIGNALS:
+  void detection_chosen(const trivet::edit::DetectionChoice& choice);
+
+ private:
+  QComboBox* make_box(const char* name,
+                      std::initializer_list<std::pair<const char*, QString>> items,
+                      const QString& current);
+  DetectionChoice choice() const;
+  void show_answering();
+
+  Document& m_document;
+  QComboBox *m_backend, *m_method;
+  QLabel* m_answering;
+};
+
+}  // namespace trivet::edit

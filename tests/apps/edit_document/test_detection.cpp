@@ -1,0 +1,218 @@
+// Drags end at the same poses, to the bit, whoever answers, whoever fails, and whenever.
+#include <atomic>
+
+#include "apps/edit_document/hand.h"
+#include "core/base/error.h"
+#include "gpu/zlist/zlist_gpu.h"
+#include "raster/zlist/software_zlists.h"
+
+namespace trivet::edit::test {
+namespace {
+
+/// Poses of all that moves, of every snapshot of every drag, one after another.
+using Poses = std::vector<double>;
+
+void append(const Pose& pose, Poses& out) {
+  const Rotation& r = pose.rotation;
+  out.insert(out.end(), {r.w, r.x, r.y, r.z, pose.translation.x(), pose.translation.y(),
+                         pose.translation.z()});
+}
+
+/// BREAKFAST in a document, and a mouse.
+struct Table {
+  explicit Table(BackendOptions detection = {})
+      : document(folder.file("recovery"), std::move(detection)),
+        toolbox(*document),
+        hand(document, toolbox) {
+    QObject::connect(&*document, &Document::snapshot_changed, [this] {
+      const auto snapshot = document->snapshot();
+      if (!snapshot->drag) return;
+      for (const ObjectId id : snapshot->drag->moving) append((*snapshot->find(id))->pose, poses);
+    });
+    QObject::connect(&*document, &Document::detection_noted,
+                     [this](const QString& note) { notes << note; });
+    if (!document.done(document->open_demo("breakfast")))
+      throw std::runtime_error(document.last_text());
+    hand.look_at(document->snapshot()->box());
+  }
+
+  void drag(const std::string& name, const Vec2& way) {
+    const auto at = hand.seen(name);
+    ASSERT_TRUE(at) << name;
+    hand.drag(*at, *at + way, 8);
+  }
+  /// Pushed until something stops it, moved through the air, and turned.
+  void drag_several() {
+    toolbox.take(ToolKind::Push);
+    drag("teapot", Vec2(40, -12));
+    drag("glass_back", Vec2(-60, 10));
+    drag("plate_front", Vec2(25, -20));
+    toolbox.take(ToolKind::Move);
+    drag("jug", Vec2(20, -50));
+    drag("bowl", Vec2(-40, 5));
+    toolbox.take(ToolKind::Turn);
+    drag("loaf", Vec2(30, 30));
+    for (const ObjectSnapshot& object : document->snapshot()->objects) append(object->pose, poses);
+  }
+
+  TemporaryFolder folder;
+  Recorder document;
+  Toolbox toolbox;
+  Hand hand;
+  Poses poses;
+  QStringList notes;
+};
+
+BackendOptions backend(Backend which) {
+  BackendOptions options;
+  options.backend = which;
+  return options;
+}
+
+const Poses& poses_of_bvhs() {
+  static const Poses poses = [] {
+    Table table(backend(Backend::Bvh));
+    table.drag_several();
+    return table.poses;
+  }();
+  return poses;
+}
+
+/// Counts queries that another stage answers; fails from a number of queries on.
+class TestStage : public CandidateFinder {
+ public:
+  enum class Failure { None, Throws, GivesUp };
+  TestStage(std::unique_ptr<CandidateFinder> stage, std::atomic<int>& num_usable,
+            Failure failure = Failure::None, int fails_after = 0)
+      : m_stage(std::move(stage)),
+        m_num_usable(num_usable),
+        m_failure(failure),
+        m_fails_after(fails_after) {}
+  std::string name() const override { return m_stage->name(); }
+  std::string device() const override { return m_stage->device(); }
+  CandidatePairs find_candidates(const FirstContactQuery& query, double horizon) override {
+    if (m_failure != Failure::None && ++m_num_asked > m_fails_after) {
+      if (m_failure == Failure::Throws) throw Error(Error::Kind::Environment, "the device is gone");
+      CandidatePairs none;
+      none.why = "the device is gone";
+      return none;
+    }
+    CandidatePairs found = m_stage->find_candidates(query, horizon);
+    m_num_usable += found.usable;
+    return found;
+  }
+
+ private:
+  std::unique_ptr<CandidateFinder> m_stage;
+  std::atomic<int>& m_num_usable;
+  Failure m_failure;
+  int m_fails_after, m_num_asked = 0;
+};
+
+BackendOptions on_gpu(bool framebuffer, std::atomic<int>& num_usable) {
+  BackendOptions options = backend(Backend::Gpu);
+  options.make_gpu_stage = [framebuffer, &num_usable] {
+    GpuZListOptions gpu;
+    gpu.method = framebuffer ? GpuMethod::Framebuffer : GpuMethod::Compute;
+    return std::make_unique<TestStage>(make_gpu_candidate_finder(gpu), num_usable);
+  };
+  return options;
+}
+
+class EditorDetectionBy : public testing::TestWithParam<const char*> {};
+
+TEST_P(EditorDetectionBy, GivesTheSamePosesInEveryDrag) {
+  const std::string which = GetParam();
+  std::atomic<int> num_usable = 0;
+  BackendOptions options = backend(Backend::Software);
+  if (which == "framebuffer" || which == "compute") {
+    options = on_gpu(which == "framebuffer", num_usable);
+    try {
+      options.make_gpu_stage();
+    } catch (const Error& error) {
+      GTEST_SKIP() << error.what();
+    }
+  }
+  Table table(options);
+  table.drag_several();
+  EXPECT_GT(table.poses.size(), 7u * 100);
+  EXPECT_EQ(table.poses, poses_of_bvhs());
+  EXPECT_EQ(table.document->detection().moves.name, which == "software" ? "software" : "gpu");
+  EXPECT_EQ(table.document->detection().previews.name, table.document->detection().moves.name);
+  EXPECT_TRUE(table.notes.empty()) << table.notes.join("\n").toStdString();
+  if (which != "software") {
+    EXPECT_GT(num_usable, 100);
+    EXPECT_NE(table.document->detection().moves.device, "cpu");
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Backends, EditorDetectionBy,
+                         testing::Values("software", "framebuffer", "compute"),
+                         [](const auto& which) { return std::string(which.param); });
+
+TEST(EditorDetection, CanBeChangedInTheMiddleOfADrag) {
+  const auto drag = [](bool changes) {
+    Table table(backend(Backend::Bvh));
+    table.toolbox.take(ToolKind::Push);
+    const Vec2 at = table.hand.seen("teapot").value();
+    table.hand.move(at);
+    table.hand.press(at);
+    for (int i = 1; i <= 12; ++i) {
+      table.hand.move(at + i * Vec2(4, -1));
+      if (changes && i == 4) table.document->choose_detection(backend(Backend::Software));
+      EXPECT_TRUE(table.document->wait_until_idle());
+      // The move goes on with what it began with.
+      EXPECT_EQ(table.document->detection().moves.name, "bvh");
+    }
+    table.hand.release(at + Vec2(48, -12));
+    EXPECT_TRUE(table.document->wait_until_idle());
+    EXPECT_EQ(table.document->detection().moves.name, changes ? "software" : "bvh");
+    table.drag("plate_front", Vec2(25, -20));
+    if (changes) table.document->choose_detection(backend(Backend::Bvh));
+    table.drag("bowl", Vec2(-30, 10));
+    EXPECT_EQ(table.document->detection().moves.name, "bvh");
+    append(table.document.object("teapot").pose, table.poses);
+    return table.poses;
+  };
+  EXPECT_EQ(drag(true), drag(false));
+}
+
+TEST(EditorDetection, FallsBackWithOneNoteWithoutAGpu) {
+  BackendOptions options = backend(Backend::Gpu);
+  options.make_gpu_stage = []() -> std::unique_ptr<CandidateFinder> {
+    throw Error(Error::Kind::Environment, "no graphics here");
+  };
+  Table table(options);
+  table.drag_several();
+  EXPECT_EQ(table.poses, poses_of_bvhs());
+  EXPECT_EQ(table.document->detection().moves.name, "software");
+  EXPECT_EQ(table.document->detection().previews.name, "software");
+  ASSERT_EQ(table.notes.size(), 1) << table.notes.join("\n").toStdString();
+  EXPECT_TRUE(table.notes[0].contains("no graphics here"));
+  // A new choice may fail again, and says so again.
+  table.document->choose_detection(options);
+  ASSERT_TRUE(table.document->wait_until_idle());
+  EXPECT_EQ(table.notes.size(), 2);
+}
+
+TEST(EditorDetection, GoesOnWhenTheGpuFailsInTheMiddle) {
+  for (const auto failure : {TestStage::Failure::Throws, TestStage::Failure::GivesUp}) {
+    std::atomic<int> num_usable = 0;
+    BackendOptions options = backend(Backend::Gpu);
+    options.make_gpu_stage = [&, failure] {
+      return std::make_unique<TestStage>(std::make_unique<SoftwareZLists>(), num_usable, failure,
+                                         60);
+    };
+    Table table(options);
+    EXPECT_EQ(table.document->detection().moves.name, "gpu");
+    table.drag_several();
+    EXPECT_EQ(table.poses, poses_of_bvhs());
+    EXPECT_GT(num_usable, 60);  // beyond the self-test
+    EXPECT_EQ(table.document->detection().moves.name, "software");
+    ASSERT_EQ(table.notes.size(), 1) << table.notes.join("\n").toStdString();
+    EXPECT_TRUE(table.notes[0].contains("the device is gone"));
+  }
+}
+
+}  // namespace
+}  // namespace trivet::edit::test
