@@ -19,7 +19,8 @@ constexpr double kSteps[] = {0.1, 0.02};   // of the size of the fastest
 /// finer ones block each other.
 constexpr double kSame[] = {2e-3, 0.03, 0.3};
 constexpr double kParting = 1e-3;
-constexpr double kEnough = 0.2;  // of the predicted drop of energy
+constexpr double kEnough = 0.2;    // of the predicted drop of energy
+constexpr double kAtLeast = 0.02;  // the same, when no step gets that far
 constexpr int kPasses = 3;
 constexpr double kOnlySlides = 1e-4;    // turning, of the speed
 constexpr double kLeastInertia = 1e-3;  // of a mass of 1, in squares of the size
@@ -44,8 +45,10 @@ class JointMotion {
     for (const BodyContact& t : part.touches) add_contact(t);
   }
 
-  bool run() {
-    if (m_motion.bodies.empty()) return false;
+  bool run() { return !m_motion.bodies.empty() && (run(kEnough) || run(kAtLeast)); }
+
+ private:
+  bool run(double enough) {
     for (const double step : kSteps) {
       solve(step);
       if (!(m_duration > 0) || !(predicted() > 0)) return false;
@@ -55,13 +58,12 @@ class JointMotion {
         if (groups.size() == num_groups) continue;
         num_groups = groups.size();
         if (m_run.interrupt.reason()) return false;
-        if (attempt(groups)) return true;
+        if (attempt(groups, enough)) return true;
       }
     }
     return false;
   }
 
- private:
   CoulombBody body_at(size_t i) const {
     const FreeBody& body = m_part.bodies[i];
     const Object& object = m_scene.at(body.id);
@@ -106,7 +108,7 @@ class JointMotion {
     return sum;
   }
 
-  bool attempt(const std::vector<TwistGroup>& groups) {
+  bool attempt(const std::vector<TwistGroup>& groups, double enough) {
     const double before = energy(m_scene);
     Transaction trial(m_transaction);
     std::vector<ObjectId> moved;
@@ -124,7 +126,7 @@ class JointMotion {
     double lightest = kInfinity;
     for (const CoulombBody& body : m_motion.bodies) lightest = std::min(lightest, body.weight);
     const double gain = before - energy(m_scene);
-    if (gain < kEnergyDrop * m_clearance * lightest || gain < kEnough * predicted()) return false;
+    if (gain < kEnergyDrop * m_clearance * lightest || gain < enough * predicted()) return false;
     trial.commit();
     return true;
   }

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "ops/settle/coulomb.h"
+#include "ops/settle/settle.h"
 
 namespace trivet {
 namespace {
@@ -24,6 +24,8 @@ constexpr double kLeastTurning = 1e-3;  // of the speed of the centre, at half t
 /// Sliding in the linear program's pyramid may need less friction than in the round cone: by cos
 /// 22.5 degrees. Motions are found for that, so that whatever is not at rest has one.
 constexpr double kSlidingFriction = 0.92;
+constexpr double kRoom = 1.2;          // for a screw, of what its turn takes at first
+constexpr double kFarthestAway = 1.0;  // of a step
 /// Turns about contacts and slides keep what they touch: they go before an approximate turn that is
 /// no better.
 constexpr double kAsGood = 1.02;
@@ -91,12 +93,14 @@ class FirstMotion {
   FirstMotion(const std::vector<FrictionContact>& contacts, const RubbingObject& body)
       : m_contacts(reduced(contacts, kMaxRubbing)), m_body(body) {}
 
-  std::vector<Candidate> run() {
+  CoulombMotions run() {
     const Twist t = solve(true);
     const double turning = 0.5 * m_body.object.size * t.turning.norm();
     if (turning > kLeastTurning * t.velocity.norm()) {
       add_turn(t);
       add_slide(solve(false).velocity);
+      m_out.screw = t;
+      m_out.duration = kSlideStep * m_body.object.size / (t.velocity.norm() + turning);
     } else {
       add_slide(t.velocity);
     }
@@ -132,7 +136,7 @@ class FirstMotion {
     const double angle =
         kSlideStep * m_body.object.size / (t.velocity.norm() / rate + 0.5 * m_body.object.size);
     turn.limit = std::min(turn.limit, 0.5 * angle);
-    m_out.push_back({SettleStep::Kind::Slide, turn, gauss_gain(m_body, t)});
+    m_out.exact.push_back({SettleStep::Kind::Slide, turn, gauss_gain(m_body, t)});
   }
 
   void add_slide(const Vec3& velocity) {
@@ -140,14 +144,14 @@ class FirstMotion {
     if (!(speed > 0) || velocity.z() > -kLeastSinking * speed) return;
     const Twist t{velocity / speed, Vec3::Zero()};
     if (stands_against(t)) return;
-    m_out.push_back({SettleStep::Kind::Slide,
-                     Motion::translation(t.velocity, kSlideStep * m_body.object.size),
-                     kAsGood * gauss_gain(m_body, {velocity, Vec3::Zero()})});
+    m_out.exact.push_back({SettleStep::Kind::Slide,
+                           Motion::translation(t.velocity, kSlideStep * m_body.object.size),
+                           kAsGood * gauss_gain(m_body, {velocity, Vec3::Zero()})});
   }
 
   const std::vector<FrictionContact> m_contacts;
   const RubbingObject& m_body;
-  std::vector<Candidate> m_out;
+  CoulombMotions m_out;
 };
 
 }  // namespace
@@ -167,10 +171,32 @@ std::vector<Candidate> sticking_turns(const std::vector<FrictionContact>& all,
   return out;
 }
 
-std::vector<Candidate> coulomb_motions(const std::vector<FrictionContact>& contacts,
-                                       const RubbingObject& body) {
+CoulombMotions coulomb_motions(const std::vector<FrictionContact>& contacts,
+                               const RubbingObject& body) {
   if (contacts.empty()) return {};
   return FirstMotion(contacts, body).run();
+}
+
+std::optional<ScrewMotions> screw_motions(const std::vector<FrictionContact>& contacts,
+                                          const RubbingObject& body, const Twist& screw,
+                                          double duration) {
+  const double rate = screw.turning.norm();
+  const Vec3 axis = screw.turning / rate;
+  const Vec3 along = screw.velocity.dot(axis) * axis;
+  const Twist turning{screw.velocity - along, screw.turning};
+  std::vector<ContactPoint> pressed;  // with gaps that lack what the turn would take
+  for (const FrictionContact& c : contacts) {
+    pressed.push_back(c);
+    const double approach = -c.normal.dot(turning.at(c.point - body.object.centre)) * duration;
+    pressed.back().gap = approach > 0 ? -kRoom * approach : 0;
+  }
+  const Vec3 away = smallest_separating_motion(pressed, 0);
+  const double length = away.norm();
+  if (length > kFarthestAway * kSlideStep * body.object.size) return std::nullopt;
+  const Vec3 centre = body.object.centre + turning.turning.cross(turning.velocity) / (rate * rate);
+  return ScrewMotions{
+      Motion::translation(length > 0 ? Vec3(away / length) : Vec3(Vec3::UnitZ()), length),
+      Motion::rotation(centre, axis, std::min(0.5 * rate * duration, 1.0)), along * duration};
 }
 
 std::vector<Candidate> frictionless_slide(const std::vector<FrictionContact>& contacts,

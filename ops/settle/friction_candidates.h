@@ -1,9 +1,11 @@
 // The motions by which an object may give way when friction is finite.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "ops/settle/candidates.h"
+#include "ops/settle/coulomb.h"
 #include "ops/settle/equilibrium.h"
 
 namespace trivet {
@@ -12,7 +14,7 @@ namespace trivet {
 /// the way. Smaller follows curves more closely and takes longer.
 inline constexpr double kSlideStep = 0.1;
 
-/// The object as the rules with friction see it.
+/// What the rules with friction need to know of the object.
 struct RubbingObject {
   SettlingObject object;
   Mat3 inertia_per_mass;
@@ -26,10 +28,26 @@ struct RubbingObject {
 std::vector<Candidate> sticking_turns(const std::vector<FrictionContact>& contacts,
                                       const RubbingObject& body, bool dilatant);
 
-/// The first motion with friction as exact motions: its turn about the screw axis, and the first
-/// motion without turning; those that no contact stands against.
-std::vector<Candidate> coulomb_motions(const std::vector<FrictionContact>& contacts,
-                                       const RubbingObject& body);
+/// The first motion with friction, and exact motions for it: its turn about the screw axis, and the
+/// first motion without turning; those that no contact stands against.
+struct CoulombMotions {
+  std::vector<Candidate> exact;
+  Twist screw;          // of the centre of mass
+  double duration = 0;  // seconds in which the screw goes a step; 0: it does not turn
+};
+CoulombMotions coulomb_motions(const std::vector<FrictionContact>& contacts,
+                               const RubbingObject& body);
+
+/// A screw as three exact motions: away from what its turn alone would press into, the turn, and
+/// back with its translation.
+struct ScrewMotions {
+  Motion away, turn;
+  Vec3 along;  // the screw's translation; to be followed by the way back
+};
+/// @return nothing: contacts leave no such way.
+std::optional<ScrewMotions> screw_motions(const std::vector<FrictionContact>& contacts,
+                                          const RubbingObject& body, const Twist& screw,
+                                          double duration);
 
 /// Down along all contacts, as if nothing rubbed. Empty: they leave no way down.
 std::vector<Candidate> frictionless_slide(const std::vector<FrictionContact>& contacts,

@@ -17,6 +17,7 @@ constexpr int kMaxBlockers = 8;         // that join the contacts of one motion
 constexpr int kMaxSmallSteps = 60;      // accepted in all, when nothing better is found
 constexpr double kClosing = 2 * kBalanceTolerance;  // clearances that closing gaps may move it
 constexpr double kLongestSlide = 4;                 // steps, where the contact goes on
+constexpr double kScrewSteps[] = {1, 0.2};          // parts of a step
 constexpr size_t kMaxMotions = 1000;                // creeping
 
 class FrictionSettling {
@@ -136,7 +137,8 @@ class FrictionSettling {
     std::vector<FrictionContact> contacts = m_close;
     for (int round = 0; round <= kMaxBlockers; ++round) {
       const size_t num_known = contacts.size();
-      std::vector<Candidate> motions = coulomb_motions(contacts, body);
+      CoulombMotions first = coulomb_motions(contacts, body);
+      std::vector<Candidate>& motions = first.exact;
       if (round == 0) {
         for (const Candidate& c : fall(m_close, m_body.fall_limit())) motions.push_back(c);
         for (const Candidate& c : sticking_turns(m_close, body, false)) motions.push_back(c);
@@ -145,6 +147,7 @@ class FrictionSettling {
       for (const Candidate& c : frictionless_slide(contacts, body)) motions.push_back(c);
       for (const Candidate& c : motions)
         if (const auto done = attempt(c, contacts)) return *done;
+      if (first.duration > 0 && execute_screw(contacts, body, first)) return Outcome::Moved;
       if (contacts.size() == num_known) break;
     }
     return take_best();
@@ -178,6 +181,41 @@ class FrictionSettling {
           {{found.point, found.normal, found.gap, ContactFeatures::ClosestPoints, 0, 0},
            friction_with(found)});
     return std::nullopt;
+  }
+
+  bool execute_screw(const std::vector<FrictionContact>& contacts, const RubbingObject& body,
+                     const CoulombMotions& first) {
+    return std::any_of(std::begin(kScrewSteps), std::end(kScrewSteps), [&](double part) {
+      return execute_screw(contacts, body, first.screw, part * first.duration);
+    });
+  }
+
+  // The screw in three motions, none of which has to lower the object; all together have to.
+  bool execute_screw(const std::vector<FrictionContact>& contacts, const RubbingObject& body,
+                     const Twist& screw, double duration) {
+    const auto motions = screw_motions(contacts, body, screw, duration);
+    if (!motions) return false;
+    const SettlingBody::Place start = m_body.here();
+    const double before = object().centre.z();
+    const double away = go(SettleStep::Kind::Lift, motions->away);
+    const double turned = go(SettleStep::Kind::Slide, motions->turn) / motions->turn.limit;
+    const Vec3 back = turned * motions->along - away * motions->away.axis;
+    const double length = back.norm();
+    if (length > 0) go(SettleStep::Kind::Slide, Motion::translation(back / length, length));
+    const double drop = before - object().centre.z();
+    if (drop >= kEnergyDrop * clearance() && drop >= -kEnough * screw.velocity.z() * duration)
+      return true;
+    m_body.go_back(start);
+    m_body.update();
+    return false;
+  }
+
+  double go(SettleStep::Kind kind, const Motion& motion) {
+    if (!(motion.limit > 0)) return 0;
+    const double time = std::min(m_body.query(motion).time, motion.limit);
+    m_body.execute(kind, motion, time, m_body.sinks_by(motion, time));
+    m_body.update();
+    return time;
   }
 
   double friction_with(const ObstacleContact& found) const {

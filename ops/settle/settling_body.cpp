@@ -36,13 +36,17 @@ SettlingBody::SettlingBody(const SettleProblem& problem) : m_problem(problem) {
   }
 }
 
-std::vector<ContactPoint> SettlingBody::look_around() {
+void SettlingBody::update() {
   m_bodies = {Body(*m_problem.shape, world_from_object(m_out.pose, m_problem.up, m_problem.scale))};
   for (size_t i = 0; i < m_problem.carried.size(); ++i) {
     const CarriedShape& c = m_problem.carried[i];
     m_bodies.emplace_back(*c.shape, world_from_object(m_out.carried[i], c.up, c.scale));
   }
   weigh();
+}
+
+std::vector<ContactPoint> SettlingBody::look_around() {
+  update();
   m_out.contacts = m_problem.contacts_at_start && m_out.steps.empty()
                        ? *m_problem.contacts_at_start
                        : contacts_with(m_bodies[0], *m_problem.others,

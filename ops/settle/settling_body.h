@@ -18,6 +18,8 @@ class SettlingBody {
   /// Bodies, centre and contacts at the present pose, which all below means until the next motion.
   /// @return contacts of all bodies.
   std::vector<ContactPoint> look_around();
+  /// Bodies and centre alone, after a motion: its contacts are unknown then.
+  void update();
   /// Centre of mass, size; with loads that weigh, of all together.
   const SettlingObject& object() const { return m_object; }
   /// Of a mass of 1, about the centre; a little is added, so that lines and points have some.

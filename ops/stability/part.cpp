@@ -97,9 +97,10 @@ FreeBodies near_bodies(const Scene& scene, std::span<const ObjectId> ids, double
 }
 
 double balance_tolerance(const FreeBodies& part, double clearance) {
-  double sum = 0;
-  for (const FreeBody& body : part.bodies) sum += residual_tolerance(body.size, clearance);
-  return std::min(sum, 1e-2);
+  double largest = 0;
+  for (const FreeBody& body : part.bodies)
+    largest = std::max(largest, residual_tolerance(body.size, clearance));
+  return largest;
 }
 
 PartVerdict judge_parts(const Scene& scene, std::span<const ObjectId> ids, double clearance,

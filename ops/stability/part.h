@@ -21,7 +21,8 @@ std::vector<ObjectId> connected_with(const Scene& scene, std::span<const ObjectI
 FreeBodies near_bodies(const Scene& scene, std::span<const ObjectId> ids, double clearance,
                        std::optional<double> friction);
 
-/// What may be missing to the balance of these bodies; see residual_tolerance().
+/// What may be missing to the balance of these bodies together: that of one of them, see
+/// residual_tolerance(). (stability() allows the sum.)
 double balance_tolerance(const FreeBodies& part, double clearance);
 
 struct PartVerdict {
@@ -30,7 +31,7 @@ struct PartVerdict {
   std::vector<ObjectId> topples;  // sorted by slot
 };
 
-/// True if connected parts stand: by the vertical certificate, else by contact forces.
+/// Whether connected parts stand: by the vertical certificate, else by contact forces.
 /// @param ids  as connected_with() returns them.
 PartVerdict judge_parts(const Scene& scene, std::span<const ObjectId> ids, double clearance,
                         int max_program_objects);
