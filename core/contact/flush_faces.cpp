@@ -10,12 +10,10 @@
 #include "core/contact/contact_points.h"
 #include "core/contact/dips.h"
 #include "core/contact/plane_axes.h"
+#include "core/contact/rounding.h"
 
 namespace trivet {
 namespace {
-
-// Heights below this, of the coordinates, are rounding of 0.
-constexpr double kRounding = 4e-15;
 
 // A triangle cut by the three sides of another has six corners at most.
 class ClippedTriangle {

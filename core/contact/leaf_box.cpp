@@ -3,10 +3,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "core/contact/rounding.h"
+
 namespace trivet {
 namespace {
-
-constexpr double kFlat = 1e-20;  // squared area over the longest edge to the fourth
 
 Triangle in_frame(const Triangle& t, const UnitFrame& frame) {
   return {frame.point(t[0]), frame.point(t[1]), frame.point(t[2])};

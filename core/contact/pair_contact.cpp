@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/tunables.h"
+#include "core/contact/rounding.h"
 #include "core/contact/triangle_distance.h"
 
 // a, b: corners of the moving and of the fixed triangle, relative to a point on the axis.
@@ -12,11 +13,6 @@
 
 namespace trivet {
 namespace {
-
-// Some squared area below this, of the longest edge to the fourth, has no usable normal.
-constexpr double kFlat = 1e-20;
-// Distances below this, of the pair's extent, are rounding of 0.
-constexpr double kRounding = 4e-15;
 
 struct State {
   Triangle a, b;

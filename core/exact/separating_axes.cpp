@@ -8,7 +8,7 @@ namespace {
 // A world coordinate of a point is rounded 4 times on its way from the object frame; the
 // projections of the frame, of centre and half extent of the box, and their sums, less than 28
 // times in all. Each is at most half an ulp of the sum of the magnitudes.
-constexpr double kRounding = 64 * 0x1p-53;
+constexpr double kBoxRounding = 64 * 0x1p-53;
 
 }  // namespace
 
@@ -47,7 +47,8 @@ void SeparatingAxes::add(const Vec3& direction, const BoxFrame& a, const BoxFram
   axis.of_a = a.world_from_object.linear.transpose() * n;
   axis.of_b = b.world_from_object.linear.transpose() * n;
   axis.offset = n.dot(b.world_from_object.translation - a.world_from_object.translation);
-  axis.margin = (1 + kRounding) * (a.slack + b.slack) + kRounding * (magnitude(a) + magnitude(b));
+  axis.margin =
+      (1 + kBoxRounding) * (a.slack + b.slack) + kBoxRounding * (magnitude(a) + magnitude(b));
 }
 
 bool SeparatingAxes::separate(const Aabb& box_a, const Aabb& box_b) const {

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void fail(const std::string& path, int error) {
+[[noreturn]] void fail_to_write(const std::string& path, int error) {
   throw Error(Error::Kind::Environment, path + ": cannot be written: " + std::strerror(error));
 }
 
@@ -32,7 +32,7 @@ class TemporaryFile {
       m_path = target.parent_path() / (stem + std::to_string(getpid()) + "_" + std::to_string(i));
       // 0666 less the umask, as for any new file; mkstemp would make it private.
       m_descriptor = open(m_path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-      if (m_descriptor < 0 && errno != EEXIST) fail(target.string(), errno);
+      if (m_descriptor < 0 && errno != EEXIST) fail_to_write(target.string(), errno);
     }
   }
   ~TemporaryFile() {
@@ -46,14 +46,14 @@ class TemporaryFile {
   const fs::path& path() const { return m_path; }
 
   void sync_and_close(const fs::path& target) {
-    if (fsync(m_descriptor) != 0) fail(target.string(), errno);
+    if (fsync(m_descriptor) != 0) fail_to_write(target.string(), errno);
     const int descriptor = m_descriptor;
     m_descriptor = -1;
-    if (close(descriptor) != 0) fail(target.string(), errno);
+    if (close(descriptor) != 0) fail_to_write(target.string(), errno);
   }
 
   void rename_to(const fs::path& target) {
-    if (std::rename(m_path.c_str(), target.c_str()) != 0) fail(target.string(), errno);
+    if (std::rename(m_path.c_str(), target.c_str()) != 0) fail_to_write(target.string(), errno);
     m_kept = true;
   }
 
@@ -69,7 +69,7 @@ void write_all(int descriptor, const std::string& bytes, const std::string& path
   while (next < end) {
     const ssize_t written = write(descriptor, next, static_cast<size_t>(end - next));
     if (written < 0 && errno == EINTR) continue;
-    if (written < 0) fail(path, errno);
+    if (written < 0) fail_to_write(path, errno);
     next += written;
   }
 }
@@ -85,14 +85,14 @@ void sync_folder(const fs::path& folder) {
 // Devices and pipes cannot be replaced: /dev/stdout, /dev/null, a FIFO.
 void write_through(const std::string& path, const FileContent& content) {
   const int descriptor = open(path.c_str(), O_WRONLY | O_CLOEXEC);
-  if (descriptor < 0) fail(path, errno);
+  if (descriptor < 0) fail_to_write(path, errno);
   try {
     content([&](const std::string& bytes) { write_all(descriptor, bytes, path); });
   } catch (...) {
     close(descriptor);
     throw;
   }
-  if (close(descriptor) != 0) fail(path, errno);
+  if (close(descriptor) != 0) fail_to_write(path, errno);
 }
 
 }  // namespace
@@ -113,16 +113,17 @@ struct StagedFiles::File {
   File(const std::string& file, const FileContent& content) : path(file) {
     struct stat there {};
     const bool exists = replaces = stat(path.c_str(), &there) == 0;
-    if (exists && S_ISDIR(there.st_mode)) fail(path, EISDIR);
+    if (exists && S_ISDIR(there.st_mode)) fail_to_write(path, EISDIR);
     if (exists && !S_ISREG(there.st_mode)) {
       content([&](const std::string& bytes) { late_bytes += bytes; });
       return;
     }
-    if (exists && faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) != 0) fail(path, errno);
+    if (exists && faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) != 0)
+      fail_to_write(path, errno);
     // Follows a symbolic link, so that the link itself stays.
     std::error_code error;
     target = exists ? fs::canonical(path, error) : fs::absolute(path, error);
-    if (error) fail(path, error.value());
+    if (error) fail_to_write(path, error.value());
     temporary = std::make_unique<TemporaryFile>(target);
     content([&](const std::string& bytes) { write_all(temporary->descriptor(), bytes, path); });
     if (exists) fchmod(temporary->descriptor(), there.st_mode & 07777);

@@ -6,7 +6,7 @@
 namespace trivet {
 namespace {
 
-constexpr int kFloat = 5126;
+constexpr int kFloatComponent = 5126;
 
 // Rejects integer positions, allowed by extensions, and sparse ones: importers differ there.
 void check_positions(const GltfJson& root) {
@@ -15,7 +15,7 @@ void check_positions(const GltfJson& root) {
       const GltfJson& position = member(member(primitive, "attributes"), "POSITION");
       if (position.is_null()) continue;
       const GltfJson& accessor = element(root, "accessors", position);
-      if (member(accessor, "componentType") != kFloat || accessor.contains("sparse"))
+      if (member(accessor, "componentType") != kFloatComponent || accessor.contains("sparse"))
         throw Error(Error::Kind::BadInput, "positions that are not plain float32");
     }
 }

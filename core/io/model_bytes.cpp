@@ -11,9 +11,9 @@
 namespace trivet {
 namespace {
 
-constexpr std::string_view kMagic = "TRIVET-MODEL-1\n";
+constexpr std::string_view kModelMagic = "TRIVET-MODEL-1\n";
 enum class Content : std::uint8_t { Model, Error };
-constexpr double kMaxCoordinate = 1e30;  // as read_model() accepts
+constexpr double kMaxReadCoordinate = 1e30;  // as read_model() accepts
 
 void put(std::string& out, std::string_view text) {
   append_bytes(out, std::uint64_t{text.size()});
@@ -95,7 +95,7 @@ void get_mesh(ByteReader& in, const ImportLimits& limits, Mesh& mesh) {
   mesh.vertices = in.list<Vec3>();
   mesh.triangles = in.list<Index3>();
   for (const Vec3& p : mesh.vertices)
-    in.expect(p.allFinite() && p.cwiseAbs().maxCoeff() <= kMaxCoordinate);
+    in.expect(p.allFinite() && p.cwiseAbs().maxCoeff() <= kMaxReadCoordinate);
   in.expect(!mesh.triangles.empty() &&
             static_cast<std::int64_t>(mesh.triangles.size()) <= limits.max_triangles);
   for (const Index3& triangle : mesh.triangles)
@@ -172,7 +172,7 @@ Model get_model(ByteReader& in, const ImportLimits& limits) {
 }  // namespace
 
 std::string bytes_of_model(const Model& model) {
-  std::string out(kMagic);
+  std::string out(kModelMagic);
   append_bytes(out, Content::Model);
   put(out, model.format);
   put_list(out, model.mesh.vertices);
@@ -200,7 +200,7 @@ std::string bytes_of_model(const Model& model) {
 }
 
 std::string bytes_of_error(Error::Kind kind, const std::string& message) {
-  std::string out(kMagic);
+  std::string out(kModelMagic);
   append_bytes(out, Content::Error);
   append_bytes(out, std::uint8_t{kind == Error::Kind::Environment});
   put(out, message);
@@ -210,7 +210,7 @@ std::string bytes_of_error(Error::Kind kind, const std::string& message) {
 Model model_from_bytes(std::string_view bytes, const std::string& path,
                        const ImportLimits& limits) {
   ByteReader in(bytes);
-  in.expect(in.take(std::min(bytes.size(), kMagic.size())) == kMagic);
+  in.expect(in.take(std::min(bytes.size(), kModelMagic.size())) == kModelMagic);
   if (in.get<Content>() == Content::Error) {
     const bool environment = in.get<std::uint8_t>() != 0;
     throw Error(environment ? Error::Kind::Environment : Error::Kind::BadInput,

@@ -12,16 +12,12 @@
 #include <fstream>
 #include <sstream>
 
-#include "core/base/error.h"
+#include "core/base/bad_input.h"
 
 namespace trivet {
 namespace {
 
 namespace fs = std::filesystem;
-
-[[noreturn]] void fail(const std::string& path, const std::string& reason) {
-  throw Error(Error::Kind::BadInput, path + ": " + reason);
-}
 
 bool has_extension(const std::string& path, const std::string& wanted) {
   std::string extension = fs::path(path).extension().string();
@@ -50,21 +46,21 @@ void check_ply(const std::string& path, std::istream& in, std::uintmax_t bytes) 
   std::uint64_t expected = 0, found = 0;
   do {
     if (!next_line(in, line))
-      fail(path, "cannot be read as a model: the PLY header has no end_header");
+      bad_file(path, "cannot be read as a model: the PLY header has no end_header");
     std::istringstream words(line);
     std::uint64_t count = 0;
     words >> keyword >> value >> count;
     if (keyword == "format") ascii = value == "ascii";
     if (keyword == "element" && count > bytes)  // each takes at least a byte
-      fail(path, "is truncated: a file of " + std::to_string(bytes) + " bytes cannot hold " +
-                     std::to_string(count) + " elements \"" + value + "\"");
+      bad_file(path, "is truncated: a file of " + std::to_string(bytes) + " bytes cannot hold " +
+                         std::to_string(count) + " elements \"" + value + "\"");
     if (keyword == "element") expected += count;
   } while (line.substr(0, line.find_last_not_of(" \t") + 1) != "end_header");
   if (!ascii) return;
   while (found < expected && next_line(in, line)) ++found;
   if (found < expected)
-    fail(path, "is truncated: " + std::to_string(found) + " of " + std::to_string(expected) +
-                   " lines of PLY data");
+    bad_file(path, "is truncated: " + std::to_string(found) + " of " + std::to_string(expected) +
+                       " lines of PLY data");
 }
 
 }  // namespace
@@ -72,19 +68,19 @@ void check_ply(const std::string& path, std::istream& in, std::uintmax_t bytes) 
 void check_file(const std::string& path, const ImportLimits& limits) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
-  if (status.type() == fs::file_type::not_found) fail(path, "no such file");
-  if (status.type() == fs::file_type::none) fail(path, "cannot be read: " + error.message());
-  if (status.type() == fs::file_type::directory) fail(path, "is a folder, not a model file");
-  if (status.type() != fs::file_type::regular) fail(path, "is not a regular file");
+  if (status.type() == fs::file_type::not_found) bad_file(path, "no such file");
+  if (status.type() == fs::file_type::none) bad_file(path, "cannot be read: " + error.message());
+  if (status.type() == fs::file_type::directory) bad_file(path, "is a folder, not a model file");
+  if (status.type() != fs::file_type::regular) bad_file(path, "is not a regular file");
   errno = 0;
   std::ifstream in(path, std::ios::binary);
-  if (!in) fail(path, std::string("cannot be read: ") + std::strerror(errno));
+  if (!in) bad_file(path, std::string("cannot be read: ") + std::strerror(errno));
   const std::uintmax_t bytes = fs::file_size(path, error);
-  if (error) fail(path, "cannot be read: " + error.message());
-  if (bytes == 0) fail(path, "the file is empty");
+  if (error) bad_file(path, "cannot be read: " + error.message());
+  if (bytes == 0) bad_file(path, "the file is empty");
   if (bytes > limits.max_file_bytes)
-    fail(path, std::to_string(bytes) + " bytes, more than the limit of " +
-                   std::to_string(limits.max_file_bytes));
+    bad_file(path, std::to_string(bytes) + " bytes, more than the limit of " +
+                       std::to_string(limits.max_file_bytes));
   if (has_extension(path, ".ply")) check_ply(path, in, bytes);
 }
 
@@ -99,11 +95,11 @@ void check_faces(const std::string& path, const aiScene& scene) {
                std::to_string(f);
       };
       if (face.mNumIndices == 0)
-        fail(path, where() + " has no corners; the file is broken or truncated");
+        bad_file(path, where() + " has no corners; the file is broken or truncated");
       const unsigned last = *std::max_element(face.mIndices, face.mIndices + face.mNumIndices);
       if (last >= mesh.mNumVertices)
-        fail(path, where() + " refers to vertex " + std::to_string(last) + " of " +
-                       std::to_string(mesh.mNumVertices));
+        bad_file(path, where() + " refers to vertex " + std::to_string(last) + " of " +
+                           std::to_string(mesh.mNumVertices));
     }
   }
 }

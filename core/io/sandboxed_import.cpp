@@ -31,10 +31,6 @@ constexpr double kBaseSeconds = 60, kSecondsPerByte = 1e-6;
 constexpr std::uintmax_t kBaseMemory = std::uintmax_t{1} << 30, kMemoryPerByte = 64;
 constexpr int kOutput = 3;  // descriptor on which trivet-import answers
 
-[[noreturn]] void fail(const std::string& path, const std::string& reason) {
-  throw Error(Error::Kind::BadInput, path + ": " + reason);
-}
-
 [[noreturn]] void fail_environment(const std::string& what, int error) {
   throw Error(Error::Kind::Environment, what + ": " + std::strerror(error));
 }
@@ -140,8 +136,8 @@ std::string received(int descriptor, const std::string& path, const ImportLimits
   while (true) {
     const double left = std::chrono::duration<double>(deadline - Clock::now()).count();
     if (left <= 0)
-      fail(path, "reading it took longer than the limit of " +
-                     std::to_string(static_cast<long>(std::ceil(limits.max_seconds))) + " s");
+      bad_file(path, "reading it took longer than the limit of " +
+                         std::to_string(static_cast<long>(std::ceil(limits.max_seconds))) + " s");
     pollfd waiting{descriptor, POLLIN, 0};
     const int ready = poll(&waiting, 1, static_cast<int>(std::min(left * 1e3 + 1, 1e6)));
     if (ready < 0 && errno != EINTR) fail_environment(path + ": cannot be awaited", errno);
@@ -151,7 +147,7 @@ std::string received(int descriptor, const std::string& path, const ImportLimits
     if (count < 0) fail_environment(path + ": cannot be received", errno);
     if (count == 0) return out;
     out.append(block, 0, static_cast<size_t>(count));
-    if (out.size() > limits.max_memory_bytes) fail(path, "output exceeds the memory limit");
+    if (out.size() > limits.max_memory_bytes) bad_file(path, "output exceeds the memory limit");
   }
 }
 
@@ -162,13 +158,13 @@ void check_end(int status, const std::string& importer, const std::string& path,
     throw Error(Error::Kind::Environment, importer + ": cannot be started");
   const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
   if (signal == SIGXCPU)
-    fail(path, "reading it took longer than the limit of " +
-                   std::to_string(static_cast<long>(std::ceil(limits.max_seconds))) + " s");
-  fail(path, "cannot be read as a model: the importer ended with " +
-                 (signal ? std::string(strsignal(signal))
-                         : "status " + std::to_string(WEXITSTATUS(status))) +
-                 "; the file is broken, or needs more memory than the limit of " +
-                 std::to_string(limits.max_memory_bytes >> 20) + " MiB");
+    bad_file(path, "reading it took longer than the limit of " +
+                       std::to_string(static_cast<long>(std::ceil(limits.max_seconds))) + " s");
+  bad_file(path, "cannot be read as a model: the importer ended with " +
+                     (signal ? std::string(strsignal(signal))
+                             : "status " + std::to_string(WEXITSTATUS(status))) +
+                     "; the file is broken, or needs more memory than the limit of " +
+                     std::to_string(limits.max_memory_bytes >> 20) + " MiB");
 }
 
 bool write_all(int descriptor, std::string_view bytes) {
@@ -203,7 +199,7 @@ Model read_model_sandboxed(const std::string& path, const ImportLimits& given,
   } catch (const Error& e) {
     const std::string message = e.what();
     if (message.rfind(path, 0) == 0 || e.kind() != Error::Kind::BadInput) throw;
-    fail(path, message);
+    bad_file(path, message);
   }
 }
 

@@ -12,8 +12,6 @@ namespace {
 
 using Cause = Refusal::Cause;
 
-constexpr const char* kFloorName = "floor";
-
 /// Writes one sentence per cause.
 class Writer {
  public:

@@ -103,4 +103,7 @@ const char* to_string(Refusal::Cause cause);
 /// The sentence for people: geometric, names the objects.
 std::string message(const Refusal& refusal);
 
+/// The floor, as files and people call it; no object is named so.
+inline constexpr const char* kFloorName = "floor";
+
 }  // namespace trivet

@@ -64,10 +64,6 @@ bool has(const std::vector<ObjectId>& ids, ObjectId id) {
   return std::find(ids.begin(), ids.end(), id) != ids.end();
 }
 
-void add_name(std::vector<std::string>& names, const std::string& name) {
-  if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
-}
-
 // True if the centre is inside the hull of the contacts that carry: at rest without further tests.
 bool stands_on(const Scene& scene, const Object& object, const std::vector<ContactsWith>& contacts,
                const RestRules& rules) {
@@ -81,10 +77,6 @@ ObjectState left_alone(const Scene& scene, ObjectId id, OperationResult& result)
   if (object.state == ObjectState::Held || object.state == ObjectState::Wedged) return object.state;
   add_name(result.unsupported, object.name);
   return ObjectState::Unsupported;
-}
-
-bool is_invalid(const Scene& scene, ObjectId id) {
-  return scene.at(id).state == ObjectState::Invalid;
 }
 
 void set_rating(Object& object, ObjectState state, const RestRating& rating) {
@@ -242,6 +234,10 @@ class GroupCommit {
 };
 
 }  // namespace
+
+void add_name(std::vector<std::string>& names, const std::string& name) {
+  if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+}
 
 OperationResult commit(Transaction& transaction, MovePlan plan, OperationRun& run) {
   if (plan.changes_scene) {

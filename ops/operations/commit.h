@@ -36,4 +36,7 @@ std::vector<ObjectId> dependents_of(const Scene& scene, ObjectId id);
 void settle_unsupported(Transaction& transaction, OperationRun& run, double clearance,
                         const std::vector<ObjectId>& only, OperationResult& result);
 
+/// Unless it is there.
+void add_name(std::vector<std::string>& names, const std::string& name);
+
 }  // namespace trivet

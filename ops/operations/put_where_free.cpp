@@ -14,7 +14,6 @@ namespace {
 
 using Cause = Refusal::Cause;
 
-constexpr const char* kFloorName = "floor";
 constexpr size_t kMaxDoubtful = 1024;  // places at which the distance is measured
 
 /// Search for one object. Plans are pure: no trial touches the scene.

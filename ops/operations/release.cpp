@@ -10,10 +10,6 @@ namespace {
 
 constexpr int kMaxReleases = 8;  // of one object in one operation
 
-void add_name(std::vector<std::string>& names, const std::string& name) {
-  if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
-}
-
 class Release {
  public:
   Release(Transaction& transaction, OperationRun& run, double clearance,

@@ -8,7 +8,7 @@
 namespace trivet {
 namespace {
 
-constexpr double kTie = 1e-9;  // of the size: the centre is over the line
+constexpr double kOverLine = 1e-9;  // of the size: the centre is over the line
 
 double squared_distance(const Vec3& p, const Vec3& a, const Vec3& b) {
   const Vec3 d = b - a;
@@ -21,9 +21,9 @@ double squared_distance(const Vec3& p, const Vec3& a, const Vec3& b) {
 Vec3 chosen_direction(const Vec3& along, const Vec3& line, const Vec3& centre, double size,
                       const std::optional<Vec3>& wanted) {
   double sign = wanted ? along.dot(*wanted) : along.cross(centre - line).z();
-  if (std::abs(sign) <= kTie * (wanted ? wanted->norm() : size)) {
+  if (std::abs(sign) <= kOverLine * (wanted ? wanted->norm() : size)) {
     sign = 0;
-    for (int k = 0; k < 3 && std::abs(sign) <= kTie; ++k) sign = along[k];
+    for (int k = 0; k < 3 && std::abs(sign) <= kOverLine; ++k) sign = along[k];
   }
   return sign < 0 ? Vec3(-along) : along;
 }

@@ -40,10 +40,6 @@ std::optional<Refusal> refuse_below_floor(const Named& name, const ObjectInWorld
 
 Named name_of(const Scene& scene, ObjectId id) { return named(scene, Support(id)); }
 
-bool is_invalid(const Scene& scene, ObjectId id) {
-  return scene.at(id).state == ObjectState::Invalid;
-}
-
 /// Interpenetrations of one object with `others`, and with the floor.
 void find_interpenetrations(const Scene& scene, ObjectId id, const ObjectInWorld& here,
                             std::span<const ObjectId> others, bool floats, size_t limit,

@@ -55,6 +55,10 @@ std::vector<Interpenetration> interpenetrations(const Scene& scene,
 /// it. Only pairs with one of ObjectState::Invalid are tested: no other pair interpenetrates.
 std::vector<Support> passed_through(const Scene& scene, ObjectId id);
 
+inline bool is_invalid(const Scene& scene, ObjectId id) {
+  return scene.at(id).state == ObjectState::Invalid;
+}
+
 /// Refuses poses that interpenetrate others, of objects that keep their places among each other.
 /// Among each other only the exported floats are tested; so are all objects where the move gives
 /// the export another origin.

@@ -22,7 +22,7 @@ namespace trivet {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr auto kNoLimit = std::numeric_limits<std::uintmax_t>::max();
+constexpr auto kAnySize = std::numeric_limits<std::uintmax_t>::max();
 
 [[noreturn]] void fail(const std::string& path, const std::string& what, int error) {
   throw Error(Error::Kind::Environment, path + ": " + what + ": " + std::strerror(error));
@@ -44,7 +44,7 @@ void keep_start_file(const std::string& start_file, const std::string& copy) {
   fs::remove(copy, error);                              // of a journal that is gone
   fs::create_hard_link(fs::canonical(start_file, error), copy, error);
   if (!error) return;
-  write_file_atomically(copy, read_text_file(start_file, kNoLimit));
+  write_file_atomically(copy, read_text_file(start_file, kAnySize));
 }
 
 }  // namespace
@@ -52,13 +52,13 @@ void keep_start_file(const std::string& start_file, const std::string& copy) {
 std::string start_copy_of(const std::string& journal) { return journal + ".start"; }
 
 std::string hash_of_file(const std::string& path, std::uintmax_t& bytes) {
-  const std::string text = read_text_file(path, kNoLimit);
+  const std::string text = read_text_file(path, kAnySize);
   bytes = text.size();
   return Hash().add(text).text();
 }
 
 JournalContent read_journal(const std::string& path) {
-  const std::string text = read_text_file(path, kNoLimit);
+  const std::string text = read_text_file(path, kAnySize);
   const std::vector<std::string> lines = whole_lines(text);
   size_t num_valid = 0;
   JournalContent content;

@@ -7,7 +7,7 @@
 namespace trivet {
 namespace {
 
-constexpr int kVersion = 1;
+constexpr int kJournalVersion = 1;
 constexpr double kMaxBytes = 1e15;
 const char* const kSumKey = ",\"sum\":\"";
 constexpr size_t kSumSize = 8 + 16 + 2;  // ,"sum":"0123456789abcdef"}
@@ -70,7 +70,7 @@ std::uint64_t read_state(const JsonPlace& place) {
 }
 
 JournalJson start_json(const JournalStart& start) {
-  return {{"trivet_journal", kVersion},
+  return {{"trivet_journal", kJournalVersion},
           {"start", {{"file", start.file}, {"bytes", start.bytes}, {"hash", start.hash}}},
           {"settle", settle_json(start.settle)},
           {"state", hash_text(start.state)}};
@@ -79,8 +79,8 @@ JournalJson start_json(const JournalStart& start) {
 JournalStart read_start(const JsonPlace& place) {
   place.expect_object({"trivet_journal", "start", "settle", "state"}, {});
   const JsonPlace version = place.at("trivet_journal");
-  if (version.value() != kVersion)
-    version.refuse(std::to_string(kVersion) + ", the version of the journal");
+  if (version.value() != kJournalVersion)
+    version.refuse(std::to_string(kJournalVersion) + ", the version of the journal");
   const JsonPlace file = place.at("start");
   file.expect_object({"file", "bytes", "hash"}, {});
   JournalStart start;

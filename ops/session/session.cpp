@@ -26,13 +26,13 @@ std::string name_of(const std::vector<Operation>& operations) {
   return name;
 }
 
-bool by_slot(ObjectId a, ObjectId b) {
+bool by_slot_and_age(ObjectId a, ObjectId b) {
   return std::make_pair(a.index, a.generation) < std::make_pair(b.index, b.generation);
 }
 
 std::vector<ObjectId> united(std::vector<ObjectId> a, const std::vector<ObjectId>& b) {
   a.insert(a.end(), b.begin(), b.end());
-  std::sort(a.begin(), a.end(), by_slot);
+  std::sort(a.begin(), a.end(), by_slot_and_age);
   a.erase(std::unique(a.begin(), a.end()), a.end());
   return a;
 }

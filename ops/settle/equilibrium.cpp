@@ -12,7 +12,7 @@
 namespace trivet {
 namespace {
 
-constexpr double kFrictionLimit = 10;    // of all contacts together, in weights
+constexpr double kTotalFriction = 10;    // of all contacts together, in weights
 constexpr double kSameNormal = 0.999;    // cosine
 constexpr size_t kProgramContacts = 40;  // of the first linear program
 constexpr size_t kMoreContacts = 8;      // that join it at once
@@ -55,7 +55,7 @@ struct Weight {
   LinearProgram program(const std::vector<FrictionContact>& contacts) const {
     LinearProgram out;
     for (const double weight : {0.0, 0.0, 1.0, 0.0, 0.0, 0.0}) out.add_row(weight, weight);
-    out.add_row(0, kFrictionLimit);
+    out.add_row(0, kTotalFriction);
     for (const FrictionContact& c : contacts)
       for_each_force(c, [&](const auto& entries) { out.add_column(entries, 0); });
     for (int row = 0; row < 6; ++row)

@@ -12,13 +12,13 @@ namespace {
 
 double square(double x) { return x * x; }
 
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+double cross_2d(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 // Parts of three corners; negative outside.
 std::array<double, 3> barycentric(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& p) {
-  const double area = cross(b - a, c - a);
+  const double area = cross_2d(b - a, c - a);
   if (!(area > 0)) return {-kInfinity, -kInfinity, -kInfinity};
-  const double wb = cross(p - a, c - a) / area, wc = cross(b - a, p - a) / area;
+  const double wb = cross_2d(p - a, c - a) / area, wc = cross_2d(b - a, p - a) / area;
   return {1 - wb - wc, wb, wc};
 }
 

@@ -31,7 +31,7 @@ struct PartVerdict {
   std::vector<ObjectId> topples;  // sorted by slot
 };
 
-/// Whether connected parts stand: by the vertical certificate, else by contact forces.
+/// Verdict whether connected parts stand: by the vertical certificate, else by contact forces.
 /// @param ids  as connected_with() returns them.
 PartVerdict judge_parts(const Scene& scene, std::span<const ObjectId> ids, double clearance,
                         int max_program_objects);

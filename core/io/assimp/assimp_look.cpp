@@ -17,8 +17,6 @@
 namespace trivet {
 namespace {
 
-constexpr int kMaxDepth = 500;  // of nodes
-
 std::string text_of(const aiString& text) { return text.C_Str(); }
 
 bool is_triangle(const aiFace& face) { return face.mNumIndices == 3; }
@@ -200,7 +198,7 @@ class LookMaker {
   }
 
   size_t add_node(const aiNode& node, int depth) {
-    if (depth > kMaxDepth) throw Error(Error::Kind::BadInput, "nodes are nested too deeply");
+    if (depth > kMaxNodeDepth) throw Error(Error::Kind::BadInput, "nodes are nested too deeply");
     GltfJson out = GltfJson::object();
     if (node.mName.length) out["name"] = text_of(node.mName);
     if (!is_affine(node.mTransformation))
@@ -332,7 +330,7 @@ class LookMaker {
 };
 
 int num_mesh_nodes(const aiNode& node, bool& transformed, int depth) {
-  if (depth > kMaxDepth) return 0;
+  if (depth > kMaxNodeDepth) return 0;
   transformed |= !node.mTransformation.IsIdentity();
   int count = node.mNumMeshes > 0;
   for (unsigned i = 0; i < node.mNumChildren; ++i)

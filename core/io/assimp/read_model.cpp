@@ -7,6 +7,7 @@
 #include <new>
 #include <sstream>
 
+#include "core/base/bad_input.h"
 #include "core/base/error.h"
 #include "core/io/assimp/assimp_appearance.h"
 #include "core/io/assimp/assimp_files.h"
@@ -21,16 +22,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void fail(const std::string& path, const std::string& reason) {
-  throw Error(Error::Kind::BadInput, path + ": " + reason);
-}
-
 void check_extension(const Assimp::Importer& importer, const std::string& path) {
   const std::string extension = fs::path(path).extension().string();
   if (!extension.empty() && importer.IsExtensionSupported(extension)) return;
-  fail(path, (extension.empty() ? "has no file extension" : "no importer for " + extension) +
-                 ("; accepted: .obj, .ply, .stl, .gltf, .glb, .fbx, .dae, .3ds, .step, .iges, "
-                  ".brep and others"));
+  bad_file(path, (extension.empty() ? "has no file extension" : "no importer for " + extension) +
+                     ("; accepted: .obj, .ply, .stl, .gltf, .glb, .fbx, .dae, .3ds, .step, .iges, "
+                      ".brep and others"));
 }
 
 // First extension in the importer's list; glTF 1 and 2 share theirs and differ in the name.
@@ -71,9 +68,9 @@ const aiScene& import_scene(Assimp::Importer& importer, const FolderIoSystem& fi
   if (!scene && std::string(importer.GetErrorString()).find("bad_alloc") != std::string::npos)
     throw std::bad_alloc();
   if ((!scene || !scene->mRootNode) && !files.outside().empty())
-    fail(path, outside_folder(name_in_file(files.outside().front(), path)));
+    bad_file(path, outside_folder(name_in_file(files.outside().front(), path)));
   if (!scene || !scene->mRootNode)
-    fail(path, "cannot be read as a model: " + printable(importer.GetErrorString()));
+    bad_file(path, "cannot be read as a model: " + printable(importer.GetErrorString()));
   return *scene;
 }
 
@@ -91,7 +88,7 @@ void check_buffers(const std::string& path) {
     if (!uri.is_string() || uri.get_ref<const std::string&>().rfind("data:", 0) == 0) continue;
     const auto name = uri.get<std::string>();
     if (!folder.holds(fs::path(path).parent_path() / decoded_uri(name)))
-      fail(path, outside_folder(name));
+      bad_file(path, outside_folder(name));
   }
 }
 
@@ -120,8 +117,9 @@ void read_look(const aiScene& scene, const ImportLimits& limits, Model& model) {
 Model read_model(const std::string& path, const ImportLimits& limits) {
   check_file(path, limits);
   if (const std::string format = cad_format(path); !format.empty())
-    fail(path,
-         format + " files are read only by the program trivet-import-cad, never in this process");
+    bad_file(
+        path,
+        format + " files are read only by the program trivet-import-cad, never in this process");
   try {
     Assimp::Importer importer;
     auto* const files = new FolderIoSystem(path);
@@ -142,9 +140,9 @@ Model read_model(const std::string& path, const ImportLimits& limits) {
   } catch (const Error&) {
     throw;
   } catch (const std::bad_alloc&) {
-    fail(path, "runs out of memory; the file is broken or too large");
+    bad_file(path, "runs out of memory; the file is broken or too large");
   } catch (const std::exception& e) {
-    fail(path, "cannot be read as a model: " + printable(e.what()));
+    bad_file(path, "cannot be read as a model: " + printable(e.what()));
   }
 }
 

@@ -19,7 +19,7 @@
 #include <map>
 #include <optional>
 
-#include "core/base/error.h"
+#include "core/base/bad_input.h"
 #include "core/base/quoted.h"
 
 namespace trivet {
@@ -28,10 +28,6 @@ namespace {
 constexpr size_t kMaxNameLength = 100;
 
 using Colour = std::array<float, 4>;
-
-[[noreturn]] void fail(const std::string& path, const std::string& reason) {
-  throw Error(Error::Kind::BadInput, path + ": " + reason);
-}
 
 std::string name_of(const TDF_Label& label) {
   Handle(TDataStd_Name) name;
@@ -142,8 +138,8 @@ void refuse_other_files(const std::string& path, const STEPCAFControl_Reader& re
   for (Standard_Integer i = 1; i <= references.NbExternRefs(); ++i) {
     const Standard_CString name = references.FileName(i);
     if (!name || !*name) continue;
-    fail(path, "names another file, " + quoted(std::string(name).substr(0, kMaxNameLength)) +
-                   ", which is not opened; accepted: one STEP file with all parts");
+    bad_file(path, "names another file, " + quoted(std::string(name).substr(0, kMaxNameLength)) +
+                       ", which is not opened; accepted: one STEP file with all parts");
   }
 }
 void refuse_other_files(const std::string&, const IGESCAFControl_Reader&) {}
@@ -155,7 +151,7 @@ void transfer(const std::string& path, const char* format, CadParts& out) {
   reader.SetNameMode(true);
   reader.SetColorMode(true);
   if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
-    fail(path, std::string("cannot be read as ") + format);
+    bad_file(path, std::string("cannot be read as ") + format);
   refuse_other_files(path, reader);
   reader.Transfer(document.get());  // broken parts are left out
   Walk(document, out).all();
@@ -177,7 +173,7 @@ CadParts read_cad_parts(const std::string& path) {
     CadPart part;
     part.name = std::filesystem::path(path).stem().string();
     if (!BRepTools::Read(part.shape, path.c_str(), BRep_Builder()))
-      fail(path, "cannot be read as BREP");
+      bad_file(path, "cannot be read as BREP");
     out.materials.push_back({});
     out.materials.back().name = part.name;
     out.parts.push_back(std::move(part));

@@ -8,20 +8,17 @@
 #include <fstream>
 #include <limits>
 
+#include "core/base/bad_input.h"
 #include "core/base/error.h"
 #include "core/io/writers.h"
 
 namespace trivet {
 namespace {
 
-constexpr std::uint32_t kMagic = 0x46546C67;        // "glTF"
+constexpr std::uint32_t kGlbMagic = 0x46546C67;     // "glTF"
 constexpr std::uint32_t kJsonChunk = 0x4E4F534A;    // "JSON"
 constexpr std::uint32_t kBinaryChunk = 0x004E4942;  // "BIN"
 constexpr size_t kHeaderBytes = 12, kChunkHeaderBytes = 8;
-
-[[noreturn]] void fail(const std::string& path, const std::string& reason) {
-  throw Error(Error::Kind::BadInput, path + ": " + reason);
-}
 
 void append_chunk(std::string& out, std::uint32_t type, const std::string& data, char padding) {
   const size_t padded = (data.size() + 3) / 4 * 4;
@@ -37,15 +34,16 @@ struct Header {
 static_assert(sizeof(Header) == kHeaderBytes + kChunkHeaderBytes);
 
 void check_header(const std::string& path, const Header& header, std::uintmax_t file_bytes) {
-  if (header.magic != kMagic) fail(path, "is not binary glTF: it does not begin with 'glTF'");
+  if (header.magic != kGlbMagic)
+    bad_file(path, "is not binary glTF: it does not begin with 'glTF'");
   if (header.version != 2)
-    fail(path, "glTF version " + std::to_string(header.version) + "; accepted: 2");
+    bad_file(path, "glTF version " + std::to_string(header.version) + "; accepted: 2");
   if (header.total_bytes > file_bytes)
-    fail(path, "is truncated: " + std::to_string(file_bytes) + " bytes of " +
-                   std::to_string(header.total_bytes));
-  if (header.json_type != kJsonChunk) fail(path, "the first glTF chunk is not JSON");
+    bad_file(path, "is truncated: " + std::to_string(file_bytes) + " bytes of " +
+                       std::to_string(header.total_bytes));
+  if (header.json_type != kJsonChunk) bad_file(path, "the first glTF chunk is not JSON");
   if (sizeof(Header) + std::uint64_t{header.json_bytes} > header.total_bytes)
-    fail(path, "the glTF JSON chunk is longer than the file");
+    bad_file(path, "the glTF JSON chunk is longer than the file");
 }
 
 }  // namespace
@@ -59,7 +57,7 @@ std::string pack_glb(std::string json, const std::string& binary) {
                                            " bytes, more than the 4 GiB limit of binary glTF");
   std::string out;
   out.reserve(total);
-  append_bytes(out, kMagic);
+  append_bytes(out, kGlbMagic);
   append_bytes(out, std::uint32_t{2});
   append_bytes(out, static_cast<std::uint32_t>(total));
   append_chunk(out, kJsonChunk, json, ' ');
@@ -69,18 +67,18 @@ std::string pack_glb(std::string json, const std::string& binary) {
 
 std::string read_glb_json(const std::string& path) {
   std::error_code error;
-  if (std::filesystem::is_directory(path, error)) fail(path, "is a folder, not a scene file");
+  if (std::filesystem::is_directory(path, error)) bad_file(path, "is a folder, not a scene file");
   errno = 0;
   std::ifstream in(path, std::ios::binary);
-  if (!in) fail(path, std::string("cannot be read: ") + std::strerror(errno));
+  if (!in) bad_file(path, std::string("cannot be read: ") + std::strerror(errno));
   const std::uintmax_t file_bytes = std::filesystem::file_size(path, error);
-  if (error) fail(path, "cannot be read: " + error.message());
+  if (error) bad_file(path, "cannot be read: " + error.message());
   Header header;
   if (file_bytes < sizeof header || !in.read(reinterpret_cast<char*>(&header), sizeof header))
-    fail(path, "is not binary glTF: only " + std::to_string(file_bytes) + " bytes");
+    bad_file(path, "is not binary glTF: only " + std::to_string(file_bytes) + " bytes");
   check_header(path, header, file_bytes);
   std::string json(header.json_bytes, '\0');
-  if (!in.read(json.data(), header.json_bytes)) fail(path, "cannot be read to its end");
+  if (!in.read(json.data(), header.json_bytes)) bad_file(path, "cannot be read to its end");
   return json;
 }
 

@@ -3,14 +3,10 @@
 #include <algorithm>
 #include <array>
 
-#include "core/base/error.h"
+#include "core/base/bad_input.h"
 
 namespace trivet {
 namespace {
-
-constexpr int kMaxDepth = 500;  // of nodes
-
-[[noreturn]] void fail(const std::string& reason) { throw Error(Error::Kind::BadInput, reason); }
 
 // Extensions without references by index, or only with references handled here.
 bool is_known(const std::string& extension) {
@@ -76,8 +72,8 @@ size_t GltfCopier::copy_tree(const GltfDocument& source, int node) {
 }
 
 size_t GltfCopier::copy_node(const GltfDocument& source, int node, int depth) {
-  if (depth > kMaxDepth || !m_tree.insert(node).second)
-    fail("its nodes do not form a tree, or nest too deeply");
+  if (depth > kMaxNodeDepth || !m_tree.insert(node).second)
+    bad_input("its nodes do not form a tree, or nest too deeply");
   GltfJson out = element(source.json, "nodes", GltfJson(static_cast<unsigned>(node)));
   keep_known_extensions(source, out);
   if (out.contains("mesh")) out["mesh"] = copy_mesh(source, out["mesh"]);
@@ -111,7 +107,7 @@ size_t GltfCopier::copy_mesh(const GltfDocument& source, const GltfJson& mesh) {
 
 GltfJson GltfCopier::primitive_of(const GltfDocument& source, GltfJson primitive) {
   if (member(primitive, "extensions").contains("KHR_draco_mesh_compression"))
-    fail("a mesh is compressed (Draco), which is not supported");
+    bad_input("a mesh is compressed (Draco), which is not supported");
   keep_known_extensions(source, primitive);
   const auto copy_attributes = [&](const GltfJson& attributes) {
     GltfJson out = GltfJson::object();
@@ -148,7 +144,7 @@ size_t GltfCopier::copy_view(const GltfDocument& source, const GltfJson& index) 
     const size_t offset = index_from(member(out, "byteOffset"));
     const size_t length = index_from(member(out, "byteLength"));
     if (offset > source.binary.size() || length > source.binary.size() - offset)
-      fail("a buffer view extends beyond its buffer");
+      bad_input("a buffer view extends beyond its buffer");
     const std::string_view bytes = std::string_view(source.binary).substr(offset, length);
     return m_target.add_view(std::move(out), bytes, offset % 4);
   });

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <string_view>
 
+#include "core/base/bad_input.h"
 #include "core/base/error.h"
 #include "core/io/base64.h"
 #include "core/io/gltf/glb_container.h"
@@ -18,21 +19,19 @@ namespace {
 namespace fs = std::filesystem;
 
 // dump() recurses; a hostile file must not exhaust the stack.
-constexpr int kMaxDepth = 200;
-
-[[noreturn]] void fail(const std::string& reason) { throw Error(Error::Kind::BadInput, reason); }
+constexpr int kMaxJsonDepth = 200;
 
 std::string whole_file(const fs::path& path, std::uintmax_t max_bytes) {
   std::error_code error;
-  if (fs::is_directory(path, error)) fail(path.string() + ": is a folder, not a file");
+  if (fs::is_directory(path, error)) bad_input(path.string() + ": is a folder, not a file");
   const auto bytes = fs::is_regular_file(path, error) ? fs::file_size(path, error) : 0;
-  if (error || bytes == 0) fail(path.string() + ": is missing or empty");
+  if (error || bytes == 0) bad_input(path.string() + ": is missing or empty");
   if (bytes > max_bytes)
-    fail(path.string() + ": " + std::to_string(bytes) + " bytes, more than the limit of " +
-         std::to_string(max_bytes));
+    bad_input(path.string() + ": " + std::to_string(bytes) + " bytes, more than the limit of " +
+              std::to_string(max_bytes));
   std::string out(bytes, '\0');
   if (!std::ifstream(path, std::ios::binary).read(out.data(), static_cast<long>(bytes)))
-    fail(path.string() + ": cannot be read");
+    bad_input(path.string() + ": cannot be read");
   return out;
 }
 
@@ -57,7 +56,8 @@ class DocumentReader {
     const std::string text = read_gltf_text(m_path);
     m_document.json = parse_gltf_json(m_path, text);
     std::string chunk = is_glb(m_path) ? read_glb_binary(m_path, text.size()) : "";
-    if (!member(m_document.json, "asset").is_object()) fail("the JSON has no \"asset\" object");
+    if (!member(m_document.json, "asset").is_object())
+      bad_input("the JSON has no \"asset\" object");
     read_buffers(std::move(chunk));
     move_views();
     read_images();
@@ -68,11 +68,11 @@ class DocumentReader {
   std::string bytes_of_uri(const std::string& uri) const {
     if (uri.rfind("data:", 0) == 0) {
       const size_t comma = uri.find(";base64,");
-      if (comma == std::string::npos) fail("a data URI is not base64");
+      if (comma == std::string::npos) bad_input("a data URI is not base64");
       return decoded_base64(std::string_view(uri).substr(comma + 8));
     }
     const fs::path path = fs::path(m_path).parent_path() / decoded_uri(uri);
-    if (!m_folder.holds(path)) fail(outside_folder(uri));
+    if (!m_folder.holds(path)) bad_input(outside_folder(uri));
     return whole_file(path, m_limits.max_file_bytes);
   }
 
@@ -84,13 +84,14 @@ class DocumentReader {
           uri.is_string() ? bytes_of_uri(uri.get<std::string>()) : std::exchange(chunk, {});
       const size_t length = index_from(member(buffers[i], "byteLength"));
       if (length > bytes.size())
-        fail("buffer " + std::to_string(i) + " has " + std::to_string(bytes.size()) +
-             " bytes, expected " + std::to_string(length));
+        bad_input("buffer " + std::to_string(i) + " has " + std::to_string(bytes.size()) +
+                  " bytes, expected " + std::to_string(length));
       m_starts.push_back(m_document.binary.size());
       m_ends.push_back(m_starts.back() + length);
       m_document.binary.append(bytes, 0, length);
       m_document.binary.resize((m_document.binary.size() + 3) / 4 * 4);
-      if (m_document.binary.size() > m_limits.max_file_bytes) fail("the buffers exceed the limit");
+      if (m_document.binary.size() > m_limits.max_file_bytes)
+        bad_input("the buffers exceed the limit");
     }
   }
 
@@ -99,13 +100,13 @@ class DocumentReader {
     if (!m_document.json.contains("bufferViews")) return;
     for (GltfJson& view : m_document.json["bufferViews"]) {
       const size_t buffer = index_from(member(view, "buffer"));
-      if (buffer >= m_starts.size()) fail("a buffer view refers to a missing buffer");
+      if (buffer >= m_starts.size()) bad_input("a buffer view refers to a missing buffer");
       const GltfJson& given = member(view, "byteOffset");
       const size_t offset = given.is_null() ? 0 : index_from(given);
       const size_t length = index_from(member(view, "byteLength"));
       const size_t available = m_ends[buffer] - m_starts[buffer];
       if (offset > available || length > available - offset)
-        fail("a buffer view extends beyond its buffer");
+        bad_input("a buffer view extends beyond its buffer");
       view["buffer"] = 0;
       view["byteOffset"] = m_starts[buffer] + offset;
     }
@@ -115,7 +116,7 @@ class DocumentReader {
   void read_images() {
     if (!m_document.json.contains("images")) return;
     for (GltfJson& image : m_document.json["images"]) {
-      if (!image.is_object()) fail("an image is not an object");
+      if (!image.is_object()) bad_input("an image is not an object");
       m_document.images.push_back(bytes_of(image));
       name_after_file(image);
       image.erase("uri");
@@ -158,14 +159,15 @@ class DocumentReader {
 
 GltfJson parse_gltf_json(const std::string& path, const std::string& text) {
   const auto check_depth = [&](int depth, GltfJson::parse_event_t, GltfJson&) {
-    if (depth > kMaxDepth)
-      fail(path + ": the glTF JSON is nested deeper than " + std::to_string(kMaxDepth) + " levels");
+    if (depth > kMaxJsonDepth)
+      bad_input(path + ": the glTF JSON is nested deeper than " + std::to_string(kMaxJsonDepth) +
+                " levels");
     return true;
   };
   try {
     return GltfJson::parse(text, check_depth);
   } catch (const GltfJson::exception& e) {
-    fail(path + ": the glTF JSON is malformed: " + e.what());
+    bad_input(path + ": the glTF JSON is malformed: " + e.what());
   }
 }
 
@@ -174,12 +176,12 @@ std::string read_gltf_text(const std::string& path) {
   std::error_code error;
   if (fs::exists(path, error) && !fs::is_regular_file(path, error) &&
       !fs::is_directory(path, error))
-    fail(path + ": is a device or a pipe; accepted: a regular file");
+    bad_input(path + ": is a device or a pipe; accepted: a regular file");
   if (is_glb(path)) return read_glb_json(path);
   std::string text = whole_file(path, kMaxJson);
   const size_t first = text.find_first_not_of(" \t\r\n");
   if (first == text.npos || text[first] != '{')
-    fail(path + ": is not glTF, neither binary nor JSON; accepted: .glb and .gltf");
+    bad_input(path + ": is not glTF, neither binary nor JSON; accepted: .glb and .gltf");
   return text;
 }
 
@@ -187,10 +189,10 @@ GltfDocument read_gltf_document(const std::string& path, const ImportLimits& lim
   try {
     return DocumentReader(path, limits).read();
   } catch (const GltfJson::exception& e) {
-    fail(path + ": is not valid glTF: " + e.what());
+    bad_input(path + ": is not valid glTF: " + e.what());
   } catch (const Error& e) {
     const std::string message = e.what();
-    fail(message.rfind(path, 0) == 0 ? message : path + ": is not valid glTF: " + message);
+    bad_input(message.rfind(path, 0) == 0 ? message : path + ": is not valid glTF: " + message);
   }
 }
 
@@ -217,10 +219,10 @@ const GltfJson& element(const GltfJson& root, const char* list, const GltfJson& 
   const GltfJson& found = member(root, list);
   const size_t i = index_from(index);
   if (!found.is_array() || i >= found.size())
-    fail("refers to element " + std::to_string(i) + " of \"" + list + "\", which has " +
-         std::to_string(found.is_array() ? found.size() : 0));
+    bad_input("refers to element " + std::to_string(i) + " of \"" + list + "\", which has " +
+              std::to_string(found.is_array() ? found.size() : 0));
   if (!found[i].is_object())
-    fail("element " + std::to_string(i) + " of \"" + list + "\" is not an object");
+    bad_input("element " + std::to_string(i) + " of \"" + list + "\" is not an object");
   return found[i];
 }
 
@@ -235,8 +237,8 @@ size_t index_from(const GltfJson& value) {
       value.is_number_unsigned() || (value.is_number_integer() && value.get<std::int64_t>() >= 0);
   if (unsigned_or_positive && value.get<std::uint64_t>() < std::uint64_t{1} << 53)
     return value.get<size_t>();
-  fail(value.dump(-1, ' ', false, GltfJson::error_handler_t::replace).substr(0, 40) +
-       " is not an index or a size");
+  bad_input(value.dump(-1, ' ', false, GltfJson::error_handler_t::replace).substr(0, 40) +
+            " is not an index or a size");
 }
 
 std::vector<int> scene_roots(const GltfJson& root) {

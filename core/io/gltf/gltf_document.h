@@ -49,4 +49,7 @@ std::vector<int> scene_roots(const GltfJson& root);
 /// "image/png" or "image/jpeg", by the first bytes; "": not supported by glTF.
 std::string image_type(const std::string& bytes);
 
+/// Deeper trees of nodes are refused: those who walk them recurse.
+inline constexpr int kMaxNodeDepth = 500;
+
 }  // namespace trivet

@@ -24,11 +24,11 @@ void add_surface(Element* collision, double friction, double restitution) {
   add_text(bullet, "friction2", number_text(friction));
 }
 
-void add_mesh(Element* parent, const std::string& uri) {
+void add_mesh_shape(Element* parent, const std::string& uri) {
   add_text(add_child(add_child(parent, "geometry"), "mesh"), "uri", uri);
 }
 
-void add_inertial(Element* link, const SimulationBody& body) {
+void add_inertia(Element* link, const SimulationBody& body) {
   Element* const inertial = add_child(link, "inertial");
   add_text(inertial, "pose", vector_text(body.centre) + " 0 0 0");
   add_text(inertial, "mass", number_text(body.mass));
@@ -42,7 +42,7 @@ void add_inertial(Element* link, const SimulationBody& body) {
   add_text(inertia, "izz", number_text(i(2, 2)));
 }
 
-void add_floor(Element* world, const SimulationScene& scene) {
+void add_ground(Element* world, const SimulationScene& scene) {
   Element* const model = add_child(world, "model", {{"name", "floor"}});
   add_text(model, "static", "true");
   Element* const link = add_child(model, "link", {{"name", "link"}});
@@ -65,15 +65,15 @@ void add_model(Element* world, const SimulationBody& body, const ModelFiles& fil
   add_text(model, "static", body.fixed ? "true" : "false");
   add_text(model, "allow_auto_disable", "true");  // may sleep: at rest
   Element* const link = add_child(model, "link", {{"name", "link"}});
-  add_inertial(link, body);
+  add_inertia(link, body);
   int count = 0;
   for (const std::string& part : files.parts) {
     Element* const collision =
         add_child(link, "collision", {{"name", "collision_" + std::to_string(count++)}});
-    add_mesh(collision, folder + part);
+    add_mesh_shape(collision, folder + part);
     add_surface(collision, body.friction, body.restitution);
   }
-  add_mesh(add_child(link, "visual", {{"name", "visual"}}), folder + files.whole);
+  add_mesh_shape(add_child(link, "visual", {{"name", "visual"}}), folder + files.whole);
 }
 
 }  // namespace
@@ -89,7 +89,7 @@ std::string sdf_text(const SimulationScene& scene, const MeshFiles& meshes,
   Element* const light = add_child(world, "light", {{"name", "sun"}, {"type", "directional"}});
   add_text(light, "pose", "0 0 10 0 0 0");
   add_text(light, "direction", "-0.3 0.2 -0.9");
-  if (scene.floor) add_floor(world, scene);
+  if (scene.floor) add_ground(world, scene);
   for (const SimulationBody& body : scene.bodies)
     add_model(world, body, meshes.of_model(body.model), folder);
   return xml_text(document);

@@ -13,14 +13,10 @@
 #include <thread>
 #include <vector>
 
-#include "core/base/error.h"
+#include "core/base/bad_input.h"
 
 namespace trivet {
 namespace {
-
-[[noreturn]] void bad_input(const std::string& message) {
-  throw Error(Error::Kind::BadInput, message);
-}
 
 // An object, and no zero byte in the last block of it.
 bool may_be_json(const std::string& text) {

@@ -6,18 +6,12 @@
 #include <set>
 #include <sstream>
 
-#include "core/base/error.h"
+#include "core/base/bad_input.h"
 #include "core/base/nearest_name.h"
 #include "ops/files/json/input_text.h"
 
 namespace trivet {
 namespace {
-
-using nlohmann::json;
-
-[[noreturn]] void bad_input(const std::string& message) {
-  throw Error(Error::Kind::BadInput, message);
-}
 
 std::string joined(std::initializer_list<const char*> a, std::initializer_list<const char*> b) {
   std::string out;
@@ -38,15 +32,15 @@ bool contains(std::initializer_list<const char*> keys, const std::string& key) {
 }
 
 // Long values are cut, so that a message stays a line.
-std::string shown(const json& value) {
+std::string shown(const nlohmann::json& value) {
   constexpr size_t kMaxLength = 60;
-  std::string text = value.dump(-1, ' ', true, json::error_handler_t::replace);
+  std::string text = value.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
   if (text.size() > kMaxLength) text = text.substr(0, kMaxLength) + "...";
   return text;
 }
 
 void append_plain(const nlohmann::ordered_json& value, std::string& out) {
-  out += value.dump(-1, ' ', false, json::error_handler_t::replace);
+  out += value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 void append_readable(const nlohmann::ordered_json& value, const std::string& indent,
@@ -61,7 +55,8 @@ void append_readable(const nlohmann::ordered_json& value, const std::string& ind
     out += separator;
     out += deeper;
     if (value.is_object())
-      out += nlohmann::json(key).dump(-1, ' ', false, json::error_handler_t::replace) + ": ";
+      out +=
+          nlohmann::json(key).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + ": ";
     append_readable(entry, indent + ' ', out);
     separator = one_line ? ", " : ",";
   }
@@ -75,24 +70,24 @@ class ParserWatch {
  public:
   explicit ParserWatch(const std::string& file) : m_file(file) {}
 
-  bool operator()(json::parse_event_t event, const json& parsed) {
+  bool operator()(nlohmann::json::parse_event_t event, const nlohmann::json& parsed) {
     switch (event) {
-      case json::parse_event_t::object_start:
-      case json::parse_event_t::array_start:
+      case nlohmann::json::parse_event_t::object_start:
+      case nlohmann::json::parse_event_t::array_start:
         count_item();
         if (m_levels.size() >= kMaxDepth)
           bad_input(m_file + ": " + pointer() + ": nested too deep; accepted: up to " +
                     std::to_string(kMaxDepth) + " levels");
-        m_levels.push_back({event == json::parse_event_t::array_start, -1, {}, {}});
+        m_levels.push_back({event == nlohmann::json::parse_event_t::array_start, -1, {}, {}});
         break;
-      case json::parse_event_t::object_end:
-      case json::parse_event_t::array_end:
+      case nlohmann::json::parse_event_t::object_end:
+      case nlohmann::json::parse_event_t::array_end:
         m_levels.pop_back();
         break;
-      case json::parse_event_t::key:
+      case nlohmann::json::parse_event_t::key:
         enter_key(parsed.get<std::string>());
         break;
-      case json::parse_event_t::value:
+      case nlohmann::json::parse_event_t::value:
         count_item();
         break;
     }
@@ -171,16 +166,18 @@ std::string read_text_file(const std::string& path, std::uintmax_t max_bytes) {
   return read_input_text(path, max_bytes, TextKind::Any);
 }
 
-json parse_json(const std::string& text, const std::string& file) {
+nlohmann::json parse_json(const std::string& text, const std::string& file) {
   if (text.find_first_not_of(" \t\r\n") == std::string::npos)
     bad_input(file + ": is empty; accepted: a JSON object");
   ParserWatch watch(file);
   try {
-    return json::parse(
-        text, [&](int, json::parse_event_t event, json& parsed) { return watch(event, parsed); });
-  } catch (const json::out_of_range& e) {
+    return nlohmann::json::parse(
+        text, [&](int, nlohmann::json::parse_event_t event, nlohmann::json& parsed) {
+          return watch(event, parsed);
+        });
+  } catch (const nlohmann::json::out_of_range& e) {
     bad_input(file + ": " + overflow_message(text, e.what()));
-  } catch (const json::exception& e) {
+  } catch (const nlohmann::json::exception& e) {
     bad_input(file + ": " + printable(without_prefix(e.what())));
   }
 }
@@ -203,7 +200,7 @@ std::string short_number(double value) {
   return out.str();
 }
 
-JsonPlace JsonPlace::child(const std::string& token, const json& value) const {
+JsonPlace JsonPlace::child(const std::string& token, const nlohmann::json& value) const {
   return JsonPlace(value, m_file, m_pointer + "/" + pointer_token(token));
 }
 
@@ -247,7 +244,8 @@ std::vector<JsonPlace> JsonPlace::items() const {
   if (!m_value->is_array()) refuse("an array");
   std::vector<JsonPlace> out;
   out.reserve(m_value->size());
-  for (const json& item : *m_value) out.push_back(child(std::to_string(out.size()), item));
+  for (const nlohmann::json& item : *m_value)
+    out.push_back(child(std::to_string(out.size()), item));
   return out;
 }
 

@@ -14,8 +14,8 @@
 namespace trivet {
 namespace {
 
-constexpr int kVersion = 1;
-constexpr double kUnitTolerance = 4e-15;
+constexpr int kLayoutVersion = 1;
+constexpr double kUnitRounding = 4e-15;
 
 constexpr std::pair<const char*, SceneRule> kSceneRules[] = {
     {"roots", SceneRule::Roots}, {"groups", SceneRule::Groups}, {"meshes", SceneRule::Meshes}};
@@ -107,7 +107,7 @@ std::optional<Rotation> unit_rotation(const std::array<double, 4>& q) {
   if (std::none_of(q.begin(), q.end(), is_large)) return std::nullopt;
   const Rotation rotation{q[0], q[1], q[2], q[3]};
   const double squared_length = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
-  return std::abs(squared_length - 1) <= kUnitTolerance ? rotation : rotation.normalized();
+  return std::abs(squared_length - 1) <= kUnitRounding ? rotation : rotation.normalized();
 }
 
 Layout parse_layout(const std::string& text, const std::string& file) {
@@ -116,8 +116,8 @@ Layout parse_layout(const std::string& text, const std::string& file) {
   root.expect_object({"trivet", "objects"}, {"floor", "material", "floor_material", "scene",
                                              "scene_objects", "operations"});
   const JsonPlace version = root.at("trivet");
-  if (!version.value().is_number() || version.value() != kVersion)
-    version.refuse(std::to_string(kVersion) + ", the version of the layout format");
+  if (!version.value().is_number() || version.value() != kLayoutVersion)
+    version.refuse(std::to_string(kLayoutVersion) + ", the version of the layout format");
 
   Layout layout;
   if (const auto scene = root.find("scene")) layout.scene = scene->text();
@@ -145,7 +145,7 @@ Layout read_layout(const std::string& path, std::uintmax_t max_bytes) {
 
 std::string write_layout(const Layout& layout) {
   using Json = nlohmann::ordered_json;
-  Json json = {{"trivet", kVersion}, {"floor", layout.floor}};
+  Json json = {{"trivet", kLayoutVersion}, {"floor", layout.floor}};
   write_material("material", layout.material, json);
   if (layout.floor_material) json["floor_material"] = material_json(*layout.floor_material);
   if (!layout.scene.empty()) {

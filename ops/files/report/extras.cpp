@@ -14,7 +14,7 @@
 namespace trivet {
 namespace {
 
-constexpr int kVersion = 1;
+constexpr int kExtrasVersion = 1;
 constexpr double kMaxCount = 1e15;
 
 // @param shown  by a node of the scene.
@@ -140,7 +140,7 @@ std::string scene_extras(const Scene& scene, const Layout& layout,
       models.push_back(model_json(*object.model, shown.contains(object.model.get()), options));
     objects.push_back(stored_object_json(object, it->second));
   }
-  OrderedJson json = {{"trivet", kVersion},
+  OrderedJson json = {{"trivet", kExtrasVersion},
                       {"version", options.version},
                       {"floor", scene.floor},
                       {"clearance", options.clearance}};
@@ -168,7 +168,8 @@ TrivetExtras parse_scene_extras(const std::string& text, const std::string& file
   const JsonPlace& root = *found;
   root.expect_object({"trivet", "version", "floor", "clearance", "models", "objects", "layout"},
                      {"load_support", "origin", "floor_material"});
-  if (root.at("trivet").value() != kVersion) root.at("trivet").refuse(std::to_string(kVersion));
+  if (root.at("trivet").value() != kExtrasVersion)
+    root.at("trivet").refuse(std::to_string(kExtrasVersion));
 
   TrivetExtras extras;
   extras.floor = root.at("floor").boolean();

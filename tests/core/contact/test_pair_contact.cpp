@@ -15,7 +15,7 @@
 namespace trivet {
 namespace {
 
-using Status = PairContact::Status;
+using PairStatus = PairContact::Status;
 
 struct PairCase {
   Triangle moving, fixed;
@@ -66,7 +66,7 @@ PairCase random_case(unsigned seed, int index) {
   c.motion = next_motion(c, random);
   for (int attempt = 0; index % 3 == 0 && attempt < 4 && !c.starts_near; ++attempt) {
     const PairContact found = c.contact();
-    c.starts_near = found.status == Status::Contact;
+    c.starts_near = found.status == PairStatus::Contact;
     if (c.starts_near) c.moving = c.moved(found.time);
     c.motion = next_motion(c, random);
   }
@@ -94,13 +94,13 @@ double smallest_distance(const PairCase& c, double end) {
 /// Describes the error in the answer; empty: correct.
 std::string complaint(const PairCase& c, const PairContact& found) {
   const double start = c.distance(0), tolerance = c.tolerance();
-  if (found.status == Status::Crossing)
+  if (found.status == PairStatus::Crossing)
     return test::reference_distance(c.moving, c.fixed) <= tolerance ? "" : "no crossing";
   const double target = c.clearance.target(start);
   const double least = target * (1 - 1e-9) - tolerance;
-  const double end = found.status == Status::Free ? c.motion.limit : found.time;
+  const double end = found.status == PairStatus::Free ? c.motion.limit : found.time;
   if (smallest_distance(c, end) < least) return "too close on the way";
-  if (found.status != Status::Contact) return "";
+  if (found.status != PairStatus::Contact) return "";
   if (found.time > c.motion.limit) return "beyond the limit";
   const double gap = c.distance(found.time);
   if (gap > (1 + kTargetSlack) * target + tolerance) return "stops too early";
@@ -122,9 +122,9 @@ TEST(PairContact, MissesNoApproachAndStopsAtTarget) {
   for (int i = 0; i < num_cases && num_wrong < 5; ++i) {
     const PairCase c = random_case(kSeed, i);
     const PairContact found = c.contact();
-    num_contact += found.status == Status::Contact;
-    num_crossing += found.status == Status::Crossing;
-    num_stalled += found.status == Status::Stalled;
+    num_contact += found.status == PairStatus::Contact;
+    num_crossing += found.status == PairStatus::Crossing;
+    num_stalled += found.status == PairStatus::Stalled;
     num_near += c.starts_near;
     const std::string why = complaint(c, found);
     num_wrong += !why.empty();
@@ -148,7 +148,7 @@ TEST(PairContact, DoesNotDependOnBestKnownTime) {
   for (int i = 0; i < test::with_effort(10000); ++i) {
     const PairCase c = random_case(kSeed, i);
     const PairContact free = c.contact();
-    if (free.status != Status::Contact) continue;
+    if (free.status != PairStatus::Contact) continue;
     for (const double factor : {1.0, 1.5}) {
       const PairContact bounded =
           first_contact(c.moving, c.fixed, c.motion, c.clearance, factor * free.time);
@@ -158,7 +158,7 @@ TEST(PairContact, DoesNotDependOnBestKnownTime) {
       EXPECT_EQ(bounded.gap, free.gap);
     }
     EXPECT_EQ(first_contact(c.moving, c.fixed, c.motion, c.clearance, 0.5 * free.time).status,
-              Status::Free);
+              PairStatus::Free);
   }
 }
 
@@ -198,7 +198,7 @@ void visit_motions(unsigned seed, double low, double high, int num_cases, const 
       c.motion = exact_motion(c, random);
       const PairContact found = c.contact();
       visit(c, found);
-      if (found.status == Status::Contact) c.moving = c.moved(found.time);
+      if (found.status == PairStatus::Contact) c.moving = c.moved(found.time);
     }
   }
 }
@@ -206,7 +206,7 @@ void visit_motions(unsigned seed, double low, double high, int num_cases, const 
 int num_stalled(unsigned seed, double low, double high, int num_cases) {
   int num = 0;
   visit_motions(seed, low, high, num_cases, [&](const PairCase&, const PairContact& found) {
-    num += found.status == Status::Stalled;
+    num += found.status == PairStatus::Stalled;
   });
   return num;
 }
@@ -229,7 +229,7 @@ TEST(PairContact, CountsPairsThatRunOutOfPlanes) {
     query.clearance = c.clearance;
     FirstContact first;
     decide_faces(query, 0, 0, 0, 0, c.moving, c.fixed, first);
-    EXPECT_EQ(first.stalled, found.status == Status::Stalled);
+    EXPECT_EQ(first.stalled, found.status == PairStatus::Stalled);
     EXPECT_EQ(first.work.stalled_pairs, first.stalled);
     num_first += first.stalled;
     // An earlier contact of another pair makes it irrelevant, and keeps the count.
@@ -256,7 +256,7 @@ PairContact drop(const Triangle& t, double length = 10) {
 
 TEST(PairContact, VertexFallsOnFace) {
   const PairContact c = drop({Vec3(0, 0, 1), Vec3(1, 0, 2), Vec3(0, 1, 2)});
-  EXPECT_EQ(c.status, Status::Contact);
+  EXPECT_EQ(c.status, PairStatus::Contact);
   EXPECT_NEAR(c.time, 1 - 1e-6, 1e-15);
   EXPECT_NEAR(c.gap, 1e-6, 1e-15);
   EXPECT_EQ(c.normal, Vec3::UnitZ());
@@ -266,9 +266,9 @@ TEST(PairContact, VertexFallsOnFace) {
 TEST(PairContact, FaceFallsFlat) {
   const Triangle above{Vec3(-1, -1, 2), Vec3(1, -1, 2), Vec3(0, 1, 2)};
   const PairContact c = drop(above);
-  EXPECT_EQ(c.status, Status::Contact);
+  EXPECT_EQ(c.status, PairStatus::Contact);
   EXPECT_NEAR(c.time, 2 - 1e-6, 1e-15);
-  EXPECT_EQ(drop(above, 1.9).status, Status::Free);
+  EXPECT_EQ(drop(above, 1.9).status, PairStatus::Free);
 }
 
 TEST(PairContact, CrossingEdgesMeet) {
@@ -276,7 +276,7 @@ TEST(PairContact, CrossingEdgesMeet) {
   const Triangle ridge{Vec3(0, -2, 1), Vec3(0, 2, 1), Vec3(0, 0, -5)};
   const PairContact c =
       first_contact(beam, ridge, Motion::translation(-Vec3::UnitZ(), 10), kClearance);
-  EXPECT_EQ(c.status, Status::Contact);
+  EXPECT_EQ(c.status, PairStatus::Contact);
   EXPECT_NEAR(c.time, 2 - 1e-6, 1e-15);
   EXPECT_LT((c.point - Vec3(0, 0.5, 1)).norm(), 1e-15);
 }
@@ -287,8 +287,8 @@ TEST(PairContact, DistinguishesPassesOutsideAndInsideClearance) {
     const double y = -1 - distance;
     return drop({Vec3(0, y, 1), Vec3(0, y, 2), Vec3(0, y, 2)}).status;
   };
-  EXPECT_EQ(pass(1.0001e-6 * (1 + kTargetSlack)), Status::Free);
-  EXPECT_EQ(pass(0.9999e-6), Status::Contact);
+  EXPECT_EQ(pass(1.0001e-6 * (1 + kTargetSlack)), PairStatus::Free);
+  EXPECT_EQ(pass(0.9999e-6), PairStatus::Contact);
 }
 
 TEST(PairContact, SlidesFreelyAlongFaceAtRest) {
@@ -297,9 +297,9 @@ TEST(PairContact, SlidesFreelyAlongFaceAtRest) {
     const auto along = [&](const Vec3& d) {
       return first_contact(t, kFloor, Motion::translation(d, 0.5), kClearance).status;
     };
-    EXPECT_EQ(along(Vec3::UnitX()), Status::Free);
-    EXPECT_EQ(along(Vec3::UnitZ()), Status::Free);
-    EXPECT_EQ(along(-Vec3::UnitZ()), Status::Contact);
+    EXPECT_EQ(along(Vec3::UnitX()), PairStatus::Free);
+    EXPECT_EQ(along(Vec3::UnitZ()), PairStatus::Free);
+    EXPECT_EQ(along(-Vec3::UnitZ()), PairStatus::Contact);
   }
 }
 
@@ -313,16 +313,16 @@ TEST(PairContact, TurnAboutOwnPointKeepsContact) {
   const Triangle t{Vec3(0, 0, 1e-6), Vec3(1, 0, 1), Vec3(0, 0.2, 1)};
   const Motion tilt = Motion::rotation(t[0], Vec3::UnitY(), 1);
   const PairContact c = first_contact(t, kFloor, tilt, kClearance);
-  EXPECT_EQ(c.status, Status::Contact);
+  EXPECT_EQ(c.status, PairStatus::Contact);
   // The corner at (1, 0, 1) comes down after 45 degrees, over the outside of the floor's triangle:
   // its edge to the pivot meets the floor's edge.
   EXPECT_NEAR(2 * std::atan(c.time), M_PI / 4, 1e-5);
 }
 
 TEST(PairContact, ReportsCrossingAtStart) {
-  EXPECT_EQ(drop({Vec3(0, 0, -1), Vec3(0, 0, 1), Vec3(1, 0, 1)}).status, Status::Crossing);
-  EXPECT_EQ(drop(kFloor).status, Status::Crossing);
-  EXPECT_EQ(drop({Vec3(0, 0, 0), Vec3(1, 0, 1), Vec3(0, 1, 1)}).status, Status::Crossing);
+  EXPECT_EQ(drop({Vec3(0, 0, -1), Vec3(0, 0, 1), Vec3(1, 0, 1)}).status, PairStatus::Crossing);
+  EXPECT_EQ(drop(kFloor).status, PairStatus::Crossing);
+  EXPECT_EQ(drop({Vec3(0, 0, 0), Vec3(1, 0, 1), Vec3(0, 1, 1)}).status, PairStatus::Crossing);
 }
 
 TEST(Clearance, AppliesHysteresisToTarget) {

@@ -12,7 +12,7 @@
 namespace trivet {
 namespace {
 
-constexpr unsigned kSeed = 4711;
+constexpr unsigned kFrameSeed = 4711;
 constexpr double kTurn = 2 * M_PI;
 
 struct Seen {
@@ -54,13 +54,13 @@ void expect_seen(const ZListFrame& frame, const FirstContactQuery& q, const Firs
 }
 
 TEST(ZListFrame, CoversEveryFirstContact) {
-  const test::MeshPool pool(kSeed, 12);
+  const test::MeshPool pool(kFrameSeed, 12);
   const int num = test::with_effort(6000);
   int num_contacts = 0, num_empty = 0;
   for (int i = 0; i < num; ++i) {
     SCOPED_TRACE(i);
-    test::RandomQuery q = i % 2 ? test::random_group_query(pool, kSeed, i / 2)
-                                : test::random_query(pool, kSeed, i / 2);
+    test::RandomQuery q = i % 2 ? test::random_group_query(pool, kFrameSeed, i / 2)
+                                : test::random_query(pool, kFrameSeed, i / 2);
     q.floor = false;
     q.ask([&](const FirstContactQuery& query) {
       const ZListFrame frame = make_zlist_frame(query, query.motion.limit, 8 << i % 7);

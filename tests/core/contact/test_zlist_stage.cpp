@@ -35,15 +35,15 @@ CandidatePairs everything(const FirstContactQuery& query) {
   return out;
 }
 
-constexpr unsigned kSeed = 77;
+constexpr unsigned kStageSeed = 77;
 constexpr int kNum = 300;
 
 TEST(CandidateFinder, GivesAnswerOfBruteForceFromAllPairs) {
-  const test::MeshPool pool(kSeed, 12);
+  const test::MeshPool pool(kStageSeed, 12);
   ScriptedStage stage(everything);
   int num_contacts = 0;
   for (int i = 0; i < kNum; ++i) {
-    const test::RandomQuery q = test::random_query(pool, kSeed, i);
+    const test::RandomQuery q = test::random_query(pool, kStageSeed, i);
     CandidatePairs proposal;
     const FirstContact found = q.with_stage(stage, &proposal);
     EXPECT_TRUE(test::same_answer(found, q.brute_force())) << q.describe();
@@ -54,7 +54,7 @@ TEST(CandidateFinder, GivesAnswerOfBruteForceFromAllPairs) {
 }
 
 TEST(CandidateFinder, IsIgnoredWhenGivingUpOrWrong) {
-  const test::MeshPool pool(kSeed, 12);
+  const test::MeshPool pool(kStageSeed, 12);
   ScriptedStage gives_up([](const FirstContactQuery&) { return CandidatePairs{}; });
   ScriptedStage wrong([](const FirstContactQuery&) {
     CandidatePairs out;  // contact by time 0, but no pair
@@ -64,7 +64,7 @@ TEST(CandidateFinder, IsIgnoredWhenGivingUpOrWrong) {
   });
   int num_fallbacks = 0;
   for (int i = 0; i < kNum; ++i) {
-    const test::RandomQuery q = test::random_query(pool, kSeed, i);
+    const test::RandomQuery q = test::random_query(pool, kStageSeed, i);
     for (ScriptedStage* stage : {&gives_up, &wrong}) {
       CandidatePairs proposal;
       const FirstContact found = q.with_stage(*stage, &proposal);
@@ -82,11 +82,11 @@ std::vector<test::PosedShape> without_trees(std::vector<test::PosedShape> bodies
 }
 
 TEST(CandidateFinder, NeedsNoTrees) {
-  const test::MeshPool pool(kSeed, 12);
+  const test::MeshPool pool(kStageSeed, 12);
   ScriptedStage stage(everything);
   int num_on_floor = 0;
   for (int i = 0; i < kNum; ++i) {
-    test::RandomQuery q = test::random_group_query(pool, kSeed, i);
+    test::RandomQuery q = test::random_group_query(pool, kStageSeed, i);
     q.moving = without_trees(q.moving);
     q.fixed = without_trees(q.fixed);
     const FirstContact found = q.with_stage(stage);

@@ -5,13 +5,13 @@
 namespace trivet::test {
 namespace {
 
-constexpr unsigned kSeed = 20240614;
+constexpr unsigned kContainmentSeed = 20240614;
 
 Soup cube(double half) { return box_soup(Vec3::Constant(-half), Vec3::Constant(half)); }
 
 // Counts under several poses; both meshes in the same frame.
 int inside(const Soup& inner, const Soup& outer) {
-  Source source(kSeed);
+  Source source(kContainmentSeed);
   const int count = count_components_inside(Placed(inner), Placed(outer));
   for (int i = 0; i < 20; ++i) {
     const Affine pose = random_affine(source, i < 10 ? 1 : 1e5, i % 2);
@@ -124,7 +124,7 @@ TEST(Containment, SurvivesGrazingRays) {
 }
 
 TEST(Containment, AgreesWithRandomBalls) {
-  Source source(kSeed + 1);
+  Source source(kContainmentSeed + 1);
   int cases = 0, hits = 0;
   while (cases < 3000) {
     const std::vector<Ball> outer_balls = random_balls(source, source.integer(1, 5));
@@ -139,11 +139,12 @@ TEST(Containment, AgreesWithRandomBalls) {
       const Placed inner(soup_of(ball), pose);
       ASSERT_EQ(count_crossings(inner, outer), 0);
       ASSERT_EQ(count_components_inside(inner, outer), truth(ball, outer_balls))
-          << "case " << cases << ", seed " << kSeed + 1;
+          << "case " << cases << ", seed " << kContainmentSeed + 1;
       ++cases, hits += truth(ball, outer_balls);
     }
   }
-  std::printf("seed %u: %.1f %% of %d balls inside\n", kSeed + 1, 100.0 * hits / cases, cases);
+  std::printf("seed %u: %.1f %% of %d balls inside\n", kContainmentSeed + 1, 100.0 * hits / cases,
+              cases);
   EXPECT_GE(hits, cases / 10);
   EXPECT_LE(hits, cases * 9 / 10);
 }

@@ -6,7 +6,7 @@
 namespace trivet::test {
 namespace {
 
-constexpr unsigned kSeed = 20240613;
+constexpr unsigned kCrossingsSeed = 20240613;
 
 struct BruteForce {
   std::int64_t count = 0;
@@ -60,7 +60,7 @@ Soup random_soup(Source& source, int num_faces) {
 }  // namespace
 
 TEST(Crossings, EqualBruteForceOnRandomShapes) {
-  Source source(kSeed);
+  Source source(kCrossingsSeed);
   int crossing = 0;
   constexpr int kCases = 400;
   for (int i = 0; i < kCases; ++i) {
@@ -71,17 +71,17 @@ TEST(Crossings, EqualBruteForceOnRandomShapes) {
     pose.translation += a.world_from_object.translation;
     const Placed b(random_soup(source, source.integer(1, 120)), pose);
     crossing += expect_like_brute_force(a, b) > 0;
-    ASSERT_FALSE(HasFailure()) << "case " << i << ", seed " << kSeed;
+    ASSERT_FALSE(HasFailure()) << "case " << i << ", seed " << kCrossingsSeed;
   }
-  std::printf("seed %u: %.1f %% of %d pairs of shapes cross\n", kSeed, 100.0 * crossing / kCases,
-              kCases);
+  std::printf("seed %u: %.1f %% of %d pairs of shapes cross\n", kCrossingsSeed,
+              100.0 * crossing / kCases, kCases);
   EXPECT_GE(crossing, kCases / 2);
   EXPECT_LE(crossing, kCases * 19 / 20);
 }
 
 // Boxes face on face, under rotations that round: a BVH without a margin would miss pairs.
 TEST(Crossings, EqualBruteForceOnTouchingBoxes) {
-  Source source(kSeed + 1);
+  Source source(kCrossingsSeed + 1);
   int touching = 0;
   constexpr int kCases = 1000;
   for (int i = 0; i < kCases; ++i) {
@@ -91,15 +91,15 @@ TEST(Crossings, EqualBruteForceOnTouchingBoxes) {
     const Placed a(box_soup(Vec3::Zero(), Vec3::Constant(1.0 / 3)), pose);
     const Placed b(box_soup(step, step + Vec3::Constant(1.0 / 3)), pose);
     touching += expect_like_brute_force(a, b) > 0;
-    ASSERT_FALSE(HasFailure()) << "case " << i << ", seed " << kSeed;
+    ASSERT_FALSE(HasFailure()) << "case " << i << ", seed " << kCrossingsSeed;
   }
-  std::printf("seed %u: %.1f %% touch\n", kSeed + 1, 100.0 * touching / kCases);
+  std::printf("seed %u: %.1f %% touch\n", kCrossingsSeed + 1, 100.0 * touching / kCases);
   EXPECT_GE(touching, kCases * 9 / 10);
 }
 
 // Positions that deviate from the transform, as after export in float32.
 TEST(Crossings, EqualBruteForceWithSlack) {
-  Source source(kSeed + 2);
+  Source source(kCrossingsSeed + 2);
   constexpr double kSlack = 0.05;
   int differs = 0;
   for (int i = 0; i < 200; ++i) {
@@ -115,9 +115,9 @@ TEST(Crossings, EqualBruteForceWithSlack) {
       for (Vec3& x : p->positions) x += kSlack * source.point(-0.57, 0.57);
     }
     differs += (expect_like_brute_force(a, b) > 0) != (before > 0);
-    ASSERT_FALSE(HasFailure()) << "case " << i << ", seed " << kSeed;
+    ASSERT_FALSE(HasFailure()) << "case " << i << ", seed " << kCrossingsSeed;
   }
-  std::printf("seed %u: %d of 200 verdicts changed by slack\n", kSeed + 2, differs);
+  std::printf("seed %u: %d of 200 verdicts changed by slack\n", kCrossingsSeed + 2, differs);
   EXPECT_GE(differs, 5);
 }
 

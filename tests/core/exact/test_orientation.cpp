@@ -9,13 +9,13 @@
 namespace trivet::test {
 namespace {
 
-constexpr unsigned kSeed = 20240611;
+constexpr unsigned kOrientationSeed = 20240611;
 
 struct Four {
   Vec3 a, b, c, d;
 };
 
-enum class Kind {
+enum class FourPoints {
   Random,
   Grid,            // tiny integers
   NearlyCoplanar,  // a few ulps from a plane
@@ -25,7 +25,7 @@ enum class Kind {
   NearlyCoplanarTiny,
   Repeated,
 };
-constexpr int kNumKinds = 8;
+constexpr int kNumFourPoints = 8;
 
 Vec3 combination(const Vec3& a, const Vec3& b, const Vec3& c, double s, double t) {
   return a + s * (b - a) + t * (c - a);
@@ -62,30 +62,30 @@ Vec3 wild_point(Source& source) {
   return p;
 }
 
-Four make(Source& source, Kind kind) {
+Four make(Source& source, FourPoints kind) {
   Four p{source.point(-1, 1), source.point(-1, 1), source.point(-1, 1), source.point(-1, 1)};
   const auto grid = [&] { return source.grid_point(0, 3); };
   switch (kind) {
-    case Kind::Random:
+    case FourPoints::Random:
       break;
-    case Kind::Grid:
+    case FourPoints::Grid:
       p = {grid(), grid(), grid(), grid()};
       break;
-    case Kind::NearlyCoplanar:
+    case FourPoints::NearlyCoplanar:
       return nearly_coplanar(source);
-    case Kind::Coplanar:
+    case FourPoints::Coplanar:
       return coplanar(source);
-    case Kind::PowersOfTwo:
+    case FourPoints::PowersOfTwo:
       scale_axes(source, p, -200, 230);
       break;
-    case Kind::WildExponents:
+    case FourPoints::WildExponents:
       p = {wild_point(source), wild_point(source), wild_point(source), wild_point(source)};
       break;
-    case Kind::NearlyCoplanarTiny:
+    case FourPoints::NearlyCoplanarTiny:
       p = nearly_coplanar(source);
       scale_axes(source, p, -160, -120);
       break;
-    case Kind::Repeated:
+    case FourPoints::Repeated:
       p.d = source.integer(0, 1) ? p.a : p.b;
       p.c.x() = source.integer(0, 1) ? p.a.x() : p.c.x();
       break;
@@ -99,8 +99,8 @@ struct Tally {
 };
 
 void print(const char* name, const Tally& t) {
-  std::printf("%s, seed %u: %d cases, %.1f %% exact stage, %.1f %% zero\n", name, kSeed, t.cases,
-              100.0 * t.exact / t.cases, 100.0 * t.zero / t.cases);
+  std::printf("%s, seed %u: %d cases, %.1f %% exact stage, %.1f %% zero\n", name, kOrientationSeed,
+              t.cases, 100.0 * t.exact / t.cases, 100.0 * t.zero / t.cases);
 }
 
 void expect_band(double fraction, double lower, double upper) {
@@ -121,11 +121,11 @@ TEST(Orientation, FollowsSignConvention) {
 }
 
 TEST(Orientation, Orient3dEqualsIntegers) {
-  Source source(kSeed);
-  Tally tallies[kNumKinds], all;
+  Source source(kOrientationSeed);
+  Tally tallies[kNumFourPoints], all;
   for (int i = 0; i < 160000; ++i) {
-    const int kind = i % kNumKinds;
-    const auto [a, b, c, d] = make(source, static_cast<Kind>(kind));
+    const int kind = i % kNumFourPoints;
+    const auto [a, b, c, d] = make(source, static_cast<FourPoints>(kind));
     const int truth = reference_orient3d(a, b, c, d);
     const auto filtered = orient3d_filter(a, b, c, d);
     if (filtered) {
@@ -142,15 +142,15 @@ TEST(Orientation, Orient3dEqualsIntegers) {
   for (const Tally& t : tallies) print("  one kind", t);
   expect_band(1.0 * all.exact / all.cases, 0.3, 0.7);
   expect_band(1.0 * all.zero / all.cases, 0.2, 0.5);
-  const auto& random = tallies[static_cast<int>(Kind::Random)];
+  const auto& random = tallies[static_cast<int>(FourPoints::Random)];
   EXPECT_LE(random.exact, random.cases / 10000);
 }
 
 TEST(Orientation, Orient2dEqualsIntegers) {
-  Source source(kSeed);
+  Source source(kOrientationSeed);
   Tally all;
   for (int i = 0; i < 120000; ++i) {
-    auto [p, q, r, s] = make(source, static_cast<Kind>(i % kNumKinds));
+    auto [p, q, r, s] = make(source, static_cast<FourPoints>(i % kNumFourPoints));
     if (i % 3 == 0) {  // nearly collinear
       r = source.moved(Vec3(p + source.uniform(-2, 2) * (q - p)), 1);
     } else if (i % 3 == 1) {  // collinear, exactly on integers

@@ -9,13 +9,13 @@
 namespace trivet::test {
 namespace {
 
-constexpr unsigned kSeed = 20240612;
+constexpr unsigned kPairSeed = 20240612;
 
 struct Pair {
   Triangle a, b;
 };
 
-enum class Kind {
+enum class PairKind {
   Random,
   Grid,
   SmallGrid,
@@ -25,7 +25,7 @@ enum class Kind {
   Degenerate,
   Touching
 };
-constexpr int kNumKinds = 8;
+constexpr int kNumPairKinds = 8;
 
 Triangle grid_triangle(Source& source, int upper) {
   return {source.grid_point(0, upper), source.grid_point(0, upper), source.grid_point(0, upper)};
@@ -78,29 +78,29 @@ Pair degenerate_pair(Source& source) {
   return out;
 }
 
-Pair make(Source& source, Kind kind) {
+Pair make(Source& source, PairKind kind) {
   Pair out{random_triangle(source), random_triangle(source)};
   switch (kind) {
-    case Kind::Random:
+    case PairKind::Random:
       break;
-    case Kind::Grid:
+    case PairKind::Grid:
       return {grid_triangle(source, 3), grid_triangle(source, 3)};
-    case Kind::SmallGrid:
+    case PairKind::SmallGrid:
       return {grid_triangle(source, 1), grid_triangle(source, 2)};
-    case Kind::Coplanar:
+    case PairKind::Coplanar:
       return coplanar_pair(source);
-    case Kind::SharedCorner:
+    case PairKind::SharedCorner:
       out.b[0] = out.a[0];
       for (int k = 1; k < 3; ++k)
         if (source.integer(0, 1)) out.b[k] += Vec3(1, 1, 1);
       break;
-    case Kind::SharedEdge:
+    case PairKind::SharedEdge:
       out.b[0] = source.moved(out.a[0], 1);
       out.b[1] = source.moved(out.a[1], 1);
       break;
-    case Kind::Degenerate:
+    case PairKind::Degenerate:
       return degenerate_pair(source);
-    case Kind::Touching:
+    case PairKind::Touching:
       return touching_pair(source);
   }
   return out;
@@ -131,22 +131,23 @@ void expect_symmetric(const Pair& p, bool truth) {
 }  // namespace
 
 TEST(TrianglesIntersect, EqualsLinearProgram) {
-  Source source(kSeed);
-  std::array<int, kNumKinds> hits{};
+  Source source(kPairSeed);
+  std::array<int, kNumPairKinds> hits{};
   constexpr int kCases = 10000;
-  for (int i = 0; i < kCases * kNumKinds; ++i) {
-    const Pair p = make(source, static_cast<Kind>(i % kNumKinds));
+  for (int i = 0; i < kCases * kNumPairKinds; ++i) {
+    const Pair p = make(source, static_cast<PairKind>(i % kNumPairKinds));
     const bool truth = reference_intersect(p.a, p.b);
-    hits[i % kNumKinds] += truth;
+    hits[i % kNumPairKinds] += truth;
     ASSERT_NO_FATAL_FAILURE(expect_symmetric(p, truth)) << "case " << i;
   }
-  std::printf("seed %u, %% that intersect by kind:", kSeed);
+  std::printf("seed %u, %% that intersect by kind:", kPairSeed);
   for (int h : hits) {
     std::printf(" %.1f", 100.0 * h / kCases);
     EXPECT_GE(h, kCases / 50);
   }
   std::printf("\n");
-  for (Kind k : {Kind::Random, Kind::Grid, Kind::Coplanar, Kind::Degenerate, Kind::Touching})
+  for (PairKind k : {PairKind::Random, PairKind::Grid, PairKind::Coplanar, PairKind::Degenerate,
+                     PairKind::Touching})
     EXPECT_LE(hits[static_cast<int>(k)], kCases * 9 / 10);
 }
 
