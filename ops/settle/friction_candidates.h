@@ -14,7 +14,7 @@ namespace trivet {
 /// the way. Smaller follows curves more closely and takes longer.
 inline constexpr double kSlideStep = 0.1;
 
-/// What the rules with friction need to know of the object.
+/// The object as the rules with friction see it.
 struct RubbingObject {
   SettlingObject object;
   Mat3 inertia_per_mass;
