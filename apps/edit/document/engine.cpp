@@ -11,6 +11,12 @@ namespace {
 /// Thrown from progress callbacks when the user has cancelled.
 struct Cancelled {};
 
+// BVHs answer until the machine is measured.
+BackendOptions until_measured(BackendOptions options) {
+  options.machine.reset();
+  return options;
+}
+
 // Sandboxed import: a file that crashes the import library must not crash the editor.
 DocumentOptions with_importer(DocumentOptions options) {
   if (options.limits.importer.empty()) options.limits.importer = find_importer();
@@ -22,7 +28,8 @@ DocumentOptions with_importer(DocumentOptions options) {
 Engine::Engine(Document& document, DocumentOptions options)
     : m_document(document),
       m_options(with_importer(std::move(options))),
-      m_detector(with_notes(m_options.detection)),
+      m_detector(until_measured(with_notes(m_options.detection))),
+      m_chosen(with_notes(m_options.detection)),
       m_ghosts(with_notes(m_options.detection), ghost_listener()),
       m_thread([this] { run(); }) {}
 
@@ -49,6 +56,7 @@ GhostWorker::Listener Engine::ghost_listener() {
   listener.answering = [this](const Answering& answering) {
     tell([answering](Document& shown) { shown.show_previews_by(answering); });
   };
+  listener.measured = [this] { use_measured(); };
   return listener;
 }
 
@@ -324,9 +332,21 @@ BackendOptions Engine::with_notes(BackendOptions options) {
 
 void Engine::choose_detection(BackendOptions options) {
   options = with_notes(std::move(options));
-  m_detector.choose(options);
+  {
+    const std::lock_guard lock(m_mutex);
+    m_chosen = options;
+  }
+  m_detector.choose(until_measured(options));
   m_ghosts.choose(std::move(options));
   post({0, "detection", [](Engine&) { return true; }});  // renews it
+}
+
+void Engine::use_measured() {
+  {
+    const std::lock_guard lock(m_mutex);
+    m_detector.choose(m_chosen);
+  }
+  post({0, "detection", [](Engine&) { return true; }});
 }
 
 // Between moves, which refer to the detector.

@@ -76,6 +76,7 @@ class Engine {
   void show_again();
   void renew_detector();
   BackendOptions with_notes(BackendOptions options);
+  void use_measured();
   GhostWorker::Listener ghost_listener();
   SettleOptions settle_options() const;
   RunContext context() const;
@@ -116,6 +117,7 @@ class Engine {
   std::condition_variable m_wake;
   std::deque<Item> m_items;
   std::uint64_t m_generation = 0;
+  BackendOptions m_chosen;
   std::optional<DragGoal> m_goal;
   bool m_stop = false;
   GhostWorker m_ghosts;

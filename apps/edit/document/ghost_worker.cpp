@@ -34,7 +34,8 @@ void describe(const Scene& scene, const OperationResult& result, Ghost& ghost) {
 
 GhostWorker::GhostWorker(BackendOptions detection, Listener listener)
     : m_listener(std::move(listener)),
-      m_detector(std::move(detection)),
+      m_detector(detection),
+      m_machine(std::move(detection.machine)),
       m_thread([this] { run(); }) {}
 
 GhostWorker::~GhostWorker() {
@@ -50,6 +51,7 @@ GhostWorker::~GhostWorker() {
 void GhostWorker::choose(BackendOptions detection) {
   {
     const std::lock_guard lock(m_mutex);
+    m_machine = detection.machine;
     m_detector.choose(std::move(detection));
     m_renew = true;
   }
@@ -116,6 +118,7 @@ void GhostWorker::run() {
       case Task::Stop:
         return;
       case Task::Renew:
+        measure();
         renew();
         break;
       case Task::Ghost: {
@@ -130,6 +133,18 @@ void GhostWorker::run() {
         break;
     }
   }
+}
+
+// So that no move has to wait for it.
+void GhostWorker::measure() {
+  std::shared_ptr<Machine> machine;
+  {
+    const std::lock_guard lock(m_mutex);
+    machine = std::exchange(m_machine, nullptr);
+  }
+  if (!machine || !machine->has_hardware()) return;
+  machine->calibration();
+  m_listener.measured();
 }
 
 void GhostWorker::renew() {

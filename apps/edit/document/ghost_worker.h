@@ -24,11 +24,13 @@ class GhostWorker {
     std::function<void(std::uint64_t request, Ghost ghost)> ghost;  // not for superseded ones
     std::function<void(std::shared_ptr<const ZListView> view)> zlists;
     std::function<void(const Answering& answering)> answering;  // another detector answers
+    std::function<void()> measured;                             // BackendOptions::machine is
   };
   GhostWorker(BackendOptions detection, Listener listener);
   ~GhostWorker();
 
-  /// Another detector for the next request.
+  /// Another detector for the next request. A machine is measured first, which takes seconds when
+  /// it was never measured before.
   void choose(BackendOptions detection);
   /// @param scene  null: that of the last request.
   /// @param shown  what windows show of it: the z-lists of the fall of a PUT are computed, too;
@@ -55,6 +57,7 @@ class GhostWorker {
   void run();
   Task next_task(Request& request, ZListQuestion& question);
   void renew();
+  void measure();
   Ghost answer_to(const Request& request);
   std::optional<ZListQuestion> fall_of(const Request& request) const;
   void show_zlists(const ZListQuestion& question);
@@ -69,7 +72,8 @@ class GhostWorker {
   std::optional<Request> m_next;
   std::unique_ptr<Scene> m_next_scene;
   std::optional<ZListQuestion> m_question;
-  Clock::time_point m_rested = {};  // no z-lists before this
+  Clock::time_point m_rested = {};     // no z-lists before this
+  std::shared_ptr<Machine> m_machine;  // to be measured; null: none
   bool m_renew = true, m_works = false, m_stop = false;
   std::thread m_thread;
 };

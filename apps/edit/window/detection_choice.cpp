@@ -1,17 +1,46 @@
 #include "apps/edit/window/detection_choice.h"
 
+#include <QCoreApplication>
 #include <QObject>
 #include <QSettings>
 
 #include "core/base/error.h"
+#include "gpu/egl/graphics_hardware.h"
 #include "gpu/zlist/drop_brackets_gpu.h"
 #include "gpu/zlist/zlist_gpu.h"
+#include "ops/detect/calibration_file.h"
 #include "raster/zlist/software_zlists.h"
 
 namespace trivet::edit {
 namespace {
 
 constexpr const char *kBackendKey = "detection/backend", *kMethodKey = "detection/gpu_method";
+
+// Each stage has lists of its own: threads share nothing.
+std::unique_ptr<CandidateFinder> gpu_stage(GpuMethod method, bool allow_software) {
+  GpuZListOptions options;
+  options.method = method;
+  options.allow_software = allow_software;
+  options.software_lists = std::make_shared<SoftwareDoubtfulLists>();
+  return make_gpu_candidate_finder(options);
+}
+
+// One for all threads and choices: it is measured once.
+std::shared_ptr<Machine> machine_here() {
+  static const std::shared_ptr<Machine> machine = [] {
+    MachineOptions options;
+    options.version = QCoreApplication::applicationVersion().toStdString();
+    options.hardware = graphics_hardware();
+    for (const auto& [name, method] : {std::pair("gpu framebuffer", GpuMethod::Framebuffer),
+                                       std::pair("gpu compute", GpuMethod::Compute)})
+      options.gpu.push_back({name, [method = method](bool allow_software) {
+                               return gpu_stage(method, allow_software);
+                             }});
+    options.file = calibration_path();
+    return std::make_shared<Machine>(std::move(options));
+  }();
+  return machine;
+}
 
 DropBracketFunction gpu_brackets() {
   return [gpu = std::make_shared<GpuDropBrackets>()](
@@ -25,14 +54,9 @@ DropBracketFunction gpu_brackets() {
 BackendOptions backend_options(const DetectionChoice& choice) {
   BackendOptions options;
   options.backend = backend_from_name(choice.backend.toStdString());
-  GpuZListOptions gpu;
-  gpu.method = gpu_method_from_name(choice.gpu_method.toStdString());
-  // Each stage has lists of its own: threads share nothing.
-  options.make_gpu_stage = [gpu] {
-    GpuZListOptions own = gpu;
-    own.software_lists = std::make_shared<SoftwareDoubtfulLists>();
-    return make_gpu_candidate_finder(own);
-  };
+  if (options.backend == Backend::Auto) options.machine = machine_here();
+  const GpuMethod method = gpu_method_from_name(choice.gpu_method.toStdString());
+  options.make_gpu_stage = [method] { return gpu_stage(method, true); };
   options.make_gpu_brackets = gpu_brackets;
   return options;
 }
@@ -59,11 +83,12 @@ void save_detection(const DetectionChoice& choice) {
 QString in_words(const Answering& answering) {
   if (answering.name == "bvh") return QObject::tr("box trees");
   if (answering.name == "software") return QObject::tr("z-lists in software");
-  QStringList how;
-  if (answering.name != "gpu") how << QString::fromStdString(answering.name);
-  if (!answering.method.empty()) how << QString::fromStdString(answering.method);
-  if (answering.device != "cpu") how << QString::fromStdString(answering.device);
-  return QObject::tr("z-lists: %1").arg(how.join(", "));
+  QStringList where;
+  const bool is_gpu = answering.name == "gpu";
+  where << QString::fromStdString(is_gpu ? answering.method : answering.name);
+  if (answering.device != "cpu") where << QString::fromStdString(answering.device);
+  where.removeAll(QString());
+  return (is_gpu ? QObject::tr("z-lists: %1") : QObject::tr("automatic: %1")).arg(where.join(", "));
 }
 
 }  // namespace trivet::edit

@@ -150,6 +150,30 @@ INSTANTIATE_TEST_SUITE_P(Backends, EditorDetectionBy,
                          testing::Values("software", "framebuffer", "compute"),
                          [](const auto& which) { return std::string(which.param); });
 
+// A machine on which z-lists are measured as faster than BVHs.
+TEST(EditorDetection, AutomaticTakesWhatIsMeasuredAsFaster) {
+  std::atomic<int> num_usable = 0;
+  const CostModel slow{10, 0, 0, 0}, fast{0.01, 0, 0, 0};
+  const Calibration calibration{{},
+                                0,
+                                {{"bvh", "cpu", true, "", 0, 0, slow, slow},
+                                 {"gpu compute", "a card", false, "", 0, 0, fast, fast}}};
+  MachineOptions machine;
+  machine.hardware = "a card";
+  machine.gpu = {{"gpu compute", [&](bool) -> std::unique_ptr<CandidateFinder> {
+                    return std::make_unique<TestStage>(std::make_unique<SoftwareZLists>(),
+                                                       num_usable);
+                  }}};
+  BackendOptions options = backend(Backend::Auto);
+  options.machine = std::make_shared<Machine>(machine, calibration);
+  Table table(options);
+  table.drag_several();
+  EXPECT_EQ(table.poses, poses_of_bvhs());
+  EXPECT_NE(table.document->detection().moves.name.find("gpu compute"), std::string::npos);
+  EXPECT_GT(num_usable, 100);
+  EXPECT_TRUE(table.notes.empty()) << table.notes.join("\n").toStdString();
+}
+
 TEST(EditorDetection, CanBeChangedInTheMiddleOfADrag) {
   const auto drag = [](bool changes) {
     Table table(backend(Backend::Bvh));
