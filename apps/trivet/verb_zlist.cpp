@@ -7,6 +7,7 @@
 #include "apps/trivet/zlist_picture.h"
 #include "core/base/error.h"
 #include "ops/base/stopwatch.h"
+#include "ops/check/check.h"
 #include "ops/placement/clearance.h"
 #include "raster/zlist/software_zlists.h"
 
@@ -105,13 +106,14 @@ std::unique_ptr<CandidateFinder> finder_of(const CommonOptions& common) {
   return std::make_unique<SoftwareZLists>(options);
 }
 
-void zlist_of_motion(const Scene& scene, const ZListArguments& arguments,
-                     const CommonOptions& common) {
+// @param scene  gets its contacts, which say what is carried along.
+void zlist_of_motion(Scene& scene, const ZListArguments& arguments, const CommonOptions& common) {
   const int resolution = resolution_of_motion(arguments);
+  const double clearance = clearance_of(scene, arguments.settle.settle);
+  update_contacts(scene, clearance);
   MotionLists what = motion_of(scene, arguments.motion);
   const std::unique_ptr<CandidateFinder> finder = finder_of(common);
   what.finder = finder->name();
-  const double clearance = clearance_of(scene, arguments.settle.settle);
   const Stopwatch stopwatch;
   what.lists = motion_zlists(what.query(scene.floor, clearance), *finder, resolution);
   what.milliseconds = stopwatch.milliseconds();
@@ -162,7 +164,7 @@ int zlist(const ZListArguments& arguments, const CommonOptions& common) {
     throw Error(Error::Kind::BadInput,
                 "--raise: nothing is lifted; accepted: with --drop, --move or --turn");
   int status = 0;
-  const Scene scene = scene_of(arguments, common, status);
+  Scene scene = scene_of(arguments, common, status);
   if (arguments.motion.is_set())
     zlist_of_motion(scene, arguments, common);
   else

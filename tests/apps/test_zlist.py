@@ -202,7 +202,7 @@ class ZLists(Case):
                       "proposed by software"):
             self.assertIn(words, out)
         width, height = png_size(self.read("m.png"))
-        self.assertGreater(width, 3 * 300)
+        self.assertGreater(width, 3 * 200)
         self.assertGreater(height, 300)
 
     def test_the_gpu_finds_the_same_contact(self):
