@@ -28,6 +28,27 @@ struct ReleaseEmbree {
 template <class Handle>
 using EmbreePointer = std::unique_ptr<std::remove_pointer_t<Handle>, ReleaseEmbree>;
 
+/// A ray's query, of which callbacks get the address; derive from it to tell them more.
+#if RTC_VERSION_MAJOR == 3
+using EmbreeRayQuery = RTCIntersectContext;
+#else
+using EmbreeRayQuery = RTCRayQueryContext;
+#endif
+
+/// Calls the intersection function of user geometries for the primitives whose boxes the ray meets.
+inline void find_hits(RTCScene scene, EmbreeRayQuery& query, RTCRayHit& ray) {
+#if RTC_VERSION_MAJOR == 3
+  rtcInitIntersectContext(&query);
+  rtcIntersect1(scene, &query, &ray);
+#else
+  rtcInitRayQueryContext(&query);
+  RTCIntersectArguments arguments;
+  rtcInitIntersectArguments(&arguments);
+  arguments.context = &query;
+  rtcIntersect1(scene, &ray, &arguments);
+#endif
+}
+
 /// @throws Error (Environment) if Embree has failed since the last call; `what` was being done.
 void throw_embree_error(const char* what);
 

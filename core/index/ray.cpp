@@ -1,14 +1,16 @@
-// Watertight ray-triangle test [Woop 2013], in double: triangles are projected
-// along the ray's largest direction into one plane, in which neighbours share their edge functions.
+// Embree finds faces whose boxes a ray meets; they are decided here, so that a hit has the same
+// bits on every processor. Watertight ray-triangle test [Woop 2013], in double: triangles are
+// projected along the ray's largest direction into one plane, in which neighbours share their edge
+// functions.
 #include "core/index/ray.h"
 
 #include <array>
 #include <cmath>
 
+#include "core/index/shape_index.h"
+
 namespace trivet {
 namespace {
-
-constexpr double kGrown = 1e-9;  // of the largest coordinate: boxes hold every possible hit
 
 /// Ray in the object's frame, with the same times.
 struct LocalRay {
@@ -46,24 +48,6 @@ struct LocalRay {
     const double time = (u * z[0] + v * z[1] + w * z[2]) / sum;
     return time >= 0 ? time : kInfinity;
   }
-
-  /// Whether the ray may hit the box before `until`.
-  bool may_meet(const Aabb& box, double until) const {
-    const double margin = kGrown * std::max(box.max_abs_coordinate(), origin.cwiseAbs().maxCoeff());
-    double enter = 0, leave = until;
-    for (int k = 0; k < 3; ++k) {
-      const double lower = box.lower[k] - margin - origin[k];
-      const double upper = box.upper[k] + margin - origin[k];
-      if (direction[k] == 0) {
-        if (lower > 0 || upper < 0) return false;
-        continue;
-      }
-      const double a = lower / direction[k], b = upper / direction[k];
-      enter = std::max(enter, std::min(a, b));
-      leave = std::min(leave, std::max(a, b));
-    }
-    return enter <= leave;
-  }
 };
 
 void keep_earlier(const LocalRay& ray, const Mesh& mesh, Index face, double until,
@@ -80,23 +64,13 @@ std::optional<RayHit> first_hit(const Shape& shape, const Affine& world_from_obj
                                 double until) {
   std::optional<RayHit> best;
   if (!shape.has_faces()) return best;
-  const Bvh& bvh = shape.bvh();
   const LocalRay local(world_from_object, ray);
-  std::array<Index, kMaxBvhDepth + 1> stack;
-  size_t num_waiting = 0;
-  stack[num_waiting++] = 0;
-  while (num_waiting > 0) {
-    const Index id = stack[--num_waiting];
-    const BvhNode& node = bvh.nodes[id];
-    if (!local.may_meet(node.box(), best ? best->time : until)) continue;
-    if (node.is_leaf()) {
-      for (Index i = 0; i < node.num_faces; ++i)
-        keep_earlier(local, shape.mesh, bvh.faces[node.second_child + i], until, best);
-      continue;
-    }
-    stack[num_waiting++] = node.second_child;
-    stack[num_waiting++] = id + 1;
-  }
+  const RayScene& scene =
+      shape.index->rays.get([&] { return isolated([&] { return RayScene(shape.mesh); }); });
+  scene.visit(local.origin, local.direction, until, [&](Index face) {
+    keep_earlier(local, shape.mesh, face, until, best);
+    return best ? best->time : until;
+  });
   return best;
 }
 

@@ -21,11 +21,12 @@ struct RayHit {
 
 /// First face hit by a ray, from either side; of several at one time the one with the smallest id.
 /// Edges are closed: a ray through an edge or a vertex of two faces does not slip between them.
-/// @param until  later hits do not count. Cost O(log n) boxes. Thread-safe.
+/// @param until  later hits do not count. Cost O(log n) boxes, found by Embree; its scene of the
+/// shape is built for the first ray. Thread-safe.
 std::optional<RayHit> first_hit(const Shape& shape, const Affine& world_from_object, const Ray& ray,
                                 double until = kInfinity);
 
-/// The same over all faces, without the BVH: ground truth for tests.
+/// The same over all faces, without Embree: ground truth for tests.
 std::optional<RayHit> first_hit_brute_force(const Shape& shape, const Affine& world_from_object,
                                             const Ray& ray, double until = kInfinity);
 

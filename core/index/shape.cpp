@@ -1,27 +1,14 @@
 #include "core/index/shape.h"
 
-#include <tbb/task_arena.h>
-
 #include <atomic>
 
 #include "core/index/shape_index.h"
 
 namespace trivet {
-namespace {
-
-// Embree waits for tasks of its own; another task taken up meanwhile might need the same tree.
-Bvh build_isolated(const Mesh& mesh) {
-  Bvh out;
-  tbb::this_task_arena::isolate([&] { out = build_bvh(mesh); });
-  return out;
-}
-
-}  // namespace
-
 Shape::Shape() : index(std::make_shared<ShapeIndex>()) {}
 
 const Bvh& Shape::bvh() const {
-  return index->bvh.get([this] { return build_isolated(mesh); });
+  return index->bvh.get([this] { return isolated([this] { return build_bvh(mesh); }); });
 }
 
 bool Shape::has_bvh() const { return index->bvh.is_made(); }

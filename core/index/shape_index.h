@@ -1,13 +1,23 @@
 // What of a shape is built when it is first needed. Private.
 #pragma once
 
+#include <tbb/task_arena.h>
+
 #include "core/base/lazy.h"
 #include "core/index/bvh.h"
+#include "core/index/ray_scene.h"
 
 namespace trivet {
 
 struct ShapeIndex {
   Lazy<Bvh> bvh;
+  Lazy<RayScene> rays;
 };
+
+/// Embree waits for tasks of its own; another task taken up meanwhile might need the same value.
+template <class Build>
+auto isolated(const Build& build) {
+  return tbb::this_task_arena::isolate(build);
+}
 
 }  // namespace trivet

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <thread>
+
 #include "core/index/ray.h"
 #include "support/random_queries.h"
 
@@ -43,6 +45,49 @@ TEST(Ray, EqualsBruteForce) {
   }
   EXPECT_GT(num_hits, kNum / 3);
   EXPECT_LT(num_hits, 2 * kNum / 3);
+}
+
+TEST(Ray, EqualsBruteForceInAnyUnitAndPlace) {
+  const unsigned seed = 20261122;
+  SCOPED_TRACE(seed);
+  const MeshPool pool(seed, 2);
+  Random random(seed);
+  int num_hits = 0, num = 0;
+  for (const double size : {1e-6, 1.0, 1e6})
+    for (const double far : {2.0, 1e3, 1e6, 1e9})
+      for (int i = 0; i < 400; ++i, ++num) {
+        const auto& shape = pool.pick(static_cast<MeshKind>(i % kNumMeshKinds), random);
+        const Affine world =
+            world_from_object({random.rotation(), size * far * random.in_cube(1)}, UpAxis::Z, size);
+        const auto& vertices = shape->mesh.vertices;
+        const Vec3 target = world.apply(vertices[static_cast<size_t>(
+            random.integer(0, static_cast<int>(vertices.size()) - 1))]);
+        Ray ray{target + size * far * random.direction(), Vec3::Zero()};
+        ray.direction = random.uniform(0.1, 10) * (target - ray.origin);
+        const auto fast = first_hit(*shape, world, ray);
+        ASSERT_TRUE(same(fast, first_hit_brute_force(*shape, world, ray)))
+            << size << ' ' << far << ' ' << i;
+        num_hits += fast.has_value();
+      }
+  EXPECT_GT(num_hits, num / 4);
+}
+
+TEST(Ray, IsTheSameFromManyThreads) {
+  const auto shape = make_shape(weld(bumpy_sphere(60, 120, 0.2, 5)));
+  std::vector<int> num_right(4);
+  {
+    std::vector<std::jthread> threads;
+    for (int& right : num_right)
+      threads.emplace_back([&] {
+        Random random(9);
+        for (int i = 0; i < 200; ++i) {
+          const Ray ray{3 * random.direction(), random.direction()};
+          right +=
+              same(first_hit(*shape, Affine{}, ray), first_hit_brute_force(*shape, Affine{}, ray));
+        }
+      });
+  }
+  EXPECT_EQ(num_right, std::vector<int>(4, 200));
 }
 
 TEST(Ray, DoesNotSlipThroughClosedSurface) {
