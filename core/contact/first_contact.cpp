@@ -10,6 +10,7 @@
 #include "core/contact/approach.h"
 #include "core/contact/decide.h"
 #include "core/contact/leaf_box.h"
+#include "core/contact/slab_motion.h"
 
 namespace trivet {
 namespace {
@@ -42,8 +43,11 @@ class PairTraversal {
     }
     m_motion.axis = m_axis;
     m_motion.centre = Vec3::Zero();
+    m_rotation = m_a.linear / m_a.scale;
     const double spread = m_a.translation.cwiseAbs().maxCoeff() + m_centre.cwiseAbs().maxCoeff();
     m_margin = query.clearance.largest_stop() * 1.002 + 1e-14 * spread;
+    m_slabs = {m_motion, m_margin};
+    m_slabs.motion.centre = m_centre;
   }
 
   double root_bound() const { return bound(m_a.box(0), m_b.box(0)); }
@@ -153,6 +157,9 @@ class PairTraversal {
     ++m_best.work.node_pairs;
     double until = bound(box_a, box_b);
     if (!hopeless(until)) until = std::max(until, own_axes_bound(box_a, box_b));
+    if (!hopeless(until))
+      until = m_slabs.clear_until({m_a, a, m_rotation}, {m_b, b, Mat3::Identity()}, box_a, box_b,
+                                  until, horizon());
     if (leaf && !hopeless(until) && leaf_clear(*leaf, !open_a, open_a ? box_a : box_b))
       until = kInfinity;
     return {until, (box_a.centre - box_b.centre).norm() - box_a.radius - box_b.radius, a, b, box_a,
@@ -182,14 +189,15 @@ class PairTraversal {
   }
 
   void try_leaves(const BvhNode& a, const BvhNode& b) {
+    std::array<Triangle, kMaxLeafFaces> fixed;
+    for (Index j = 0; j < b.num_faces; ++j)
+      fixed[j] = m_query.fixed[m_fixed].triangle(m_b.bvh.faces[b.second_child + j]);
     for (Index i = 0; i < a.num_faces; ++i) {
       const Index face_a = m_a.bvh.faces[a.second_child + i];
       const Triangle ta = m_query.moving[m_moving].triangle(face_a);
-      for (Index j = 0; j < b.num_faces; ++j) {
-        const Index face_b = m_b.bvh.faces[b.second_child + j];
-        decide_faces(m_query, m_moving, m_fixed, face_a, face_b, ta,
-                     m_query.fixed[m_fixed].triangle(face_b), m_best);
-      }
+      for (Index j = 0; j < b.num_faces; ++j)
+        decide_faces(m_query, m_moving, m_fixed, face_a, m_b.bvh.faces[b.second_child + j], ta,
+                     fixed[j], m_best);
     }
   }
 
@@ -200,9 +208,11 @@ class PairTraversal {
   PlacedBvh m_a, m_b;
   Motion m_motion;  // in this frame, about the origin
   Vec3 m_axis, m_centre;
+  Mat3 m_rotation;                                 // of the moving body
   std::array<Vec3, 3> m_own_axis, m_own_axis_abs;  // of the moving body
   std::array<double, 3> m_own_axis_speed;          // of a translation, along them
   double m_margin;
+  SlabMotion m_slabs;
 };
 
 }  // namespace
