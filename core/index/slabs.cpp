@@ -13,7 +13,7 @@ constexpr Index kFewFaces = 16;
 /// Shorter by more than its rounding to float.
 constexpr double kNearlyOne = 1 - 1e-6;
 /// Of rounding, relative to the box and its distance from the origin.
-constexpr double kRounding = 4e-15;
+constexpr double kSlabRounding = 4e-15;
 
 Vec3 normal_of(const BvhSlab& slab) { return {slab.normal[0], slab.normal[1], slab.normal[2]}; }
 
@@ -78,7 +78,7 @@ class SlabMaker {
     const Aabb box = m_bvh.nodes[id].box();
     const Range range =
         m_slots[id].count <= kFewFaces ? range_of_faces(id, box) : range_of_children(id, box);
-    const double rounding = kRounding * box.max_abs_coordinate();
+    const double rounding = kSlabRounding * box.max_abs_coordinate();
     if (!(range.lower - rounding > -kInfinity && range.upper + rounding < kInfinity)) {
       slab = {};
       return;
