@@ -128,10 +128,10 @@ std::shared_ptr<Machine> make_machine(const CommonOptions& common) {
   MachineOptions options;
   options.version = TRIVET_VERSION;
   options.hardware = graphics_hardware_here();
-  options.gpu = gpu_sources(common.num_threads);
+  options.note = [&common](const std::string& note) { print_note(common, note); };
+  options.gpu = gpu_sources(common.num_threads, options.note);
   options.num_threads = common.num_threads;
   options.file = calibration_path();
-  options.note = [&common](const std::string& note) { print_note(common, note); };
   return std::make_shared<Machine>(std::move(options));
 }
 

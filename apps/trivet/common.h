@@ -64,13 +64,15 @@ std::shared_ptr<Machine> make_machine(const CommonOptions& common);
 
 /// Graphics hardware as the kernel shows it; empty: none, or a build without GPU support.
 std::string graphics_hardware_here();
-/// Methods on the GPU that `auto` may choose.
-std::vector<GpuSource> gpu_sources(int num_threads);
+/// Methods on the GPU that `auto` may choose. @param note  as in make_gpu_stage().
+std::vector<GpuSource> gpu_sources(int num_threads,
+                                   const std::function<void(const std::string&)>& note);
 /// Candidate finder by z-lists on the GPU. @throws Error (Environment) if unavailable, and in a
 /// build without it.
 /// @param note  told when the hardware is lost later.
-std::unique_ptr<CandidateFinder> make_gpu_stage(const std::string& method, int num_threads,
-                                                std::function<void(const std::string&)> note);
+std::unique_ptr<CandidateFinder> make_gpu_stage(
+    const std::string& method, int num_threads,
+    const std::function<void(const std::string&)>& note);
 /// Brackets of falls at many places, on the GPU. @throws Error (Environment) likewise.
 DropBracketFunction make_gpu_brackets();
 

@@ -10,18 +10,21 @@ std::string graphics_hardware_here() { return graphics_hardware(); }
 
 namespace {
 
-GpuZListOptions options_of(GpuMethod method, int num_threads) {
+using Note = std::function<void(const std::string&)>;
+
+GpuZListOptions options_of(GpuMethod method, int num_threads, const Note& note) {
   SoftwareZListOptions lists;
   lists.num_threads = num_threads;
   GpuZListOptions options;
   options.method = method;
   options.software_lists = std::make_shared<SoftwareDoubtfulLists>(lists);
+  options.note = note;
   return options;
 }
 
-GpuSource source_of(const char* name, GpuMethod method, int num_threads) {
+GpuSource source_of(const char* name, GpuMethod method, int num_threads, const Note& note) {
   return {name, [=](bool allow_software) {
-            GpuZListOptions options = options_of(method, num_threads);
+            GpuZListOptions options = options_of(method, num_threads, note);
             options.allow_software = allow_software;
             return make_gpu_candidate_finder(options);
           }};
@@ -29,16 +32,14 @@ GpuSource source_of(const char* name, GpuMethod method, int num_threads) {
 
 }  // namespace
 
-std::vector<GpuSource> gpu_sources(int num_threads) {
-  return {source_of("gpu framebuffer", GpuMethod::Framebuffer, num_threads),
-          source_of("gpu compute", GpuMethod::Compute, num_threads)};
+std::vector<GpuSource> gpu_sources(int num_threads, const Note& note) {
+  return {source_of("gpu framebuffer", GpuMethod::Framebuffer, num_threads, note),
+          source_of("gpu compute", GpuMethod::Compute, num_threads, note)};
 }
 
 std::unique_ptr<CandidateFinder> make_gpu_stage(const std::string& method, int num_threads,
-                                                std::function<void(const std::string&)> note) {
-  GpuZListOptions options = options_of(gpu_method_from_name(method), num_threads);
-  options.note = std::move(note);
-  return make_gpu_candidate_finder(options);
+                                                const Note& note) {
+  return make_gpu_candidate_finder(options_of(gpu_method_from_name(method), num_threads, note));
 }
 
 DropBracketFunction make_gpu_brackets() {

@@ -13,9 +13,11 @@ namespace {
 }  // namespace
 
 std::string graphics_hardware_here() { return ""; }
-std::vector<GpuSource> gpu_sources(int) { return {}; }
+std::vector<GpuSource> gpu_sources(int, const std::function<void(const std::string&)>&) {
+  return {};
+}
 std::unique_ptr<CandidateFinder> make_gpu_stage(const std::string&, int,
-                                                std::function<void(const std::string&)>) {
+                                                const std::function<void(const std::string&)>&) {
   refuse();
 }
 DropBracketFunction make_gpu_brackets() { refuse(); }

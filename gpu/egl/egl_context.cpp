@@ -37,9 +37,9 @@ EGLConfig choose_config(const EglDisplayUse& display) {
   return config;
 }
 
-/// Requests robust access: after a reset of the hardware, every call reports the lost context.
-EGLContext create_context(const EglDisplayUse& display, EGLConfig config, int version) {
-  const bool notifies = display.has_extension("EGL_EXT_create_context_robustness");
+/// @param notifies  asks for a context that is lost on a reset of the hardware, and tells.
+EGLContext create_context(const EglDisplayUse& display, EGLConfig config, int version,
+                          bool notifies) {
   const EGLint attributes[] = {
       EGL_CONTEXT_MAJOR_VERSION,
       version / 10,
@@ -77,9 +77,11 @@ void EglContext::State::create(int most_version) {
     throw environment("cannot draw without a surface (no EGL_KHR_surfaceless_context)");
   if (!eglBindAPI(EGL_OPENGL_API)) throw environment("no OpenGL, " + last_egl_error());
   const EGLConfig config = choose_config(display);
+  const bool may_notify = display.has_extension("EGL_EXT_create_context_robustness");
   for (const int wanted : kVersions) {
     if (wanted > most_version) continue;
-    context = create_context(display, config, wanted);
+    if (may_notify) context = create_context(display, config, wanted, true);
+    if (context == EGL_NO_CONTEXT) context = create_context(display, config, wanted, false);
     if (context != EGL_NO_CONTEXT) break;
   }
   if (context == EGL_NO_CONTEXT)

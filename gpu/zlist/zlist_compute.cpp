@@ -26,7 +26,6 @@ class ComputeRaster : public ZListRaster {
            num_views * static_cast<std::size_t>(width) * height <= kMaxZListPixels;
   }
   std::vector<ZLists> rasterise(std::span<const ZListView> views, ZListOutput output) override;
-  void list(std::span<const ZListView> views, std::vector<ZLists>& lists) override;
 
  private:
   void clear(const ZListBatch& batch);
@@ -52,10 +51,6 @@ std::vector<ZLists> ComputeRaster::rasterise(std::span<const ZListView> views, Z
   m_passes.run(batch, Pass::Moving);
   m_passes.run(batch, Pass::Fixed);
   return m_passes.finish(batch, output);
-}
-
-void ComputeRaster::list(std::span<const ZListView> views, std::vector<ZLists>& lists) {
-  m_passes.list(make_batch(views), lists);
 }
 
 }  // namespace

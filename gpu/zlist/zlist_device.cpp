@@ -12,9 +12,6 @@ namespace {
 
 /// Least graphics memory reserved for meshes.
 constexpr std::size_t kLeastMeshBytes = 8 << 10;
-/// Doubtful pixels up to which GpuListing::Auto lists in software, on renderers that run on the
-/// CPU.
-constexpr std::int64_t kMostInSoftware = 1 << 12;
 /// OpenGL with compute shaders.
 constexpr int kComputes = 43;
 
@@ -139,26 +136,12 @@ void ZListDevice::check_alive() const {
     throw environment("the graphics hardware was reset, injected");
 }
 
-ZListOutput ZListDevice::first_output() const {
-  if (m_options.bounds_alone) return ZListOutput::Bounds;
-  if (!m_options.software_lists || m_options.listing == GpuListing::Gpu) return ZListOutput::Lists;
-  if (m_options.listing == GpuListing::Auto && !m_context.is_software()) return ZListOutput::Lists;
-  return ZListOutput::DoubtfulPixels;
-}
-
-bool ZListDevice::lists_in_software(const std::vector<ZLists>& lists) const {
-  if (m_options.listing == GpuListing::Software) return true;
-  std::int64_t num_doubtful = 0;
-  for (const ZLists& l : lists) num_doubtful += l.num_doubtful;
-  return num_doubtful <= kMostInSoftware;
-}
-
 std::vector<ZListAnswer> ZListDevice::answer(std::span<const ZListAsk> asks,
-                                             std::span<const ZListView> views) {
-  const ZListOutput output = first_output();
-  std::vector<ZLists> lists = m_raster->rasterise(views, output);
-  const bool in_software = output == ZListOutput::DoubtfulPixels && lists_in_software(lists);
-  if (output == ZListOutput::DoubtfulPixels && !in_software) m_raster->list(views, lists);
+                                             std::span<const ZListView> views, bool in_software) {
+  std::vector<ZLists> lists =
+      m_raster->rasterise(views, m_options.bounds_alone ? ZListOutput::Bounds
+                                 : in_software          ? ZListOutput::DoubtfulPixels
+                                                        : ZListOutput::Lists);
   check_alive();
   std::vector<ZListAnswer> out;
   for (std::size_t i = 0; i < asks.size(); ++i) {
@@ -170,7 +153,8 @@ std::vector<ZListAnswer> ZListDevice::answer(std::span<const ZListAsk> asks,
   return out;
 }
 
-std::vector<ZListAnswer> ZListDevice::find_candidates(std::span<const ZListAsk> asks) {
+std::vector<ZListAnswer> ZListDevice::find_candidates(std::span<const ZListAsk> asks,
+                                                      bool in_software) {
   const EglContext::Current current(m_context);
   m_meshes->begin_query();
   std::vector<ZListView> views;
@@ -184,7 +168,7 @@ std::vector<ZListAnswer> ZListDevice::find_candidates(std::span<const ZListAsk> 
   }
   if (!m_raster->has_room(asks.size(), num_bodies(views), width, height))
     return std::vector<ZListAnswer>(asks.size(), {ZListTrouble::Bodies, {}});
-  return answer(asks, views);
+  return answer(asks, views, in_software);
 }
 
 }  // namespace trivet

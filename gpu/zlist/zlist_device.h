@@ -32,8 +32,9 @@ class ZListDevice {
   ZListDevice& operator=(const ZListDevice&) = delete;
 
   /// Answers queries with one kind of motion, within the available memory.
+  /// @param in_software  lists by GpuZListOptions::software_lists.
   /// @throws Error (Environment) when OpenGL fails or the hardware was reset.
-  std::vector<ZListAnswer> find_candidates(std::span<const ZListAsk> asks);
+  std::vector<ZListAnswer> find_candidates(std::span<const ZListAsk> asks, bool in_software);
 
   const ZListRaster& raster() const { return *m_raster; }
   const EglContext& context() const { return m_context; }
@@ -42,9 +43,8 @@ class ZListDevice {
   std::string description() const;
 
  private:
-  std::vector<ZListAnswer> answer(std::span<const ZListAsk> asks, std::span<const ZListView> views);
-  bool lists_in_software(const std::vector<ZLists>& lists) const;
-  ZListOutput first_output() const;
+  std::vector<ZListAnswer> answer(std::span<const ZListAsk> asks, std::span<const ZListView> views,
+                                  bool in_software);
   void check_alive() const;
 
   GpuZListOptions m_options;

@@ -82,9 +82,9 @@ class FeedbackRaster : public ZListRaster {
   }
   bool prefers_large_pixels() const override { return true; }
   std::vector<ZLists> rasterise(std::span<const ZListView> views, ZListOutput output) override;
-  void list(std::span<const ZListView> views, std::vector<ZLists>& lists) override;
 
  private:
+  void list(std::span<const ZListView> views, std::vector<ZLists>& lists);
   std::vector<ZLists> read_depths(std::span<const ZListView> views);
   const GlProgram& program(Motion::Kind kind, Pass pass);
   void list(const ZListView& view, int layer, ZLists& lists);

@@ -30,10 +30,6 @@ class FramebufferRaster : public ZListRaster {
     return m_passes.finish(batch, output);
   }
 
-  void list(std::span<const ZListView> views, std::vector<ZLists>& lists) override {
-    m_passes.list(make_batch(views), lists);
-  }
-
  private:
   ZListFramebuffers m_framebuffers;
   ZListPasses m_passes;

@@ -75,17 +75,15 @@ flat in vec3 corner_a, corner_b, corner_c;
 flat in int body;
 uniform sampler2DArray moving;
 
-Cell look_here(ivec2 pixel) {
-  load_instance(body);
-  return look(make_face(corner_a, corner_b, corner_c), pixel);
-}
+Cell look_at(ivec2 pixel) { return look(make_face(corner_a, corner_b, corner_c), pixel); }
 )";
 
 const char* const kMovingMain = R"(
 out vec4 depths;
 
 void main() {
-  Cell cell = look_here(ivec2(gl_FragCoord.xy));
+  load_instance(body);
+  Cell cell = look_at(ivec2(gl_FragCoord.xy));
   if (cell.num_spans == 0) discard;
   depths = vec4(kNone);
   for (int i = 0; i < cell.num_spans; ++i)
@@ -102,7 +100,7 @@ void main() {
   load_instance(body);
   vec4 other = texelFetch(moving, ivec3(pixel, layer), 0);
   if (is_none(other.x)) discard;
-  Cell cell = look_here(pixel);
+  Cell cell = look_at(pixel);
   depths = vec2(kNone);
   for (int i = 0; i < cell.num_spans; ++i) {
     float shift = next_turn(cell.span[i].y, -other.y);

@@ -63,7 +63,10 @@ class GpuZListStage : public CandidateFinder {
   int resolution_of(const FirstContactQuery& query) const;
   int other_resolution(Trouble trouble, int resolution) const;
   void tell(bool& told, const std::string& text);
-  std::optional<std::vector<ZListAnswer>> try_asking(std::span<const ZListAsk> asks);
+  bool starts_in_software() const;
+  std::optional<std::vector<ZListAnswer>> try_asking(std::span<const ZListAsk> asks,
+                                                     bool in_software);
+  CandidatePairs answer_of(const ZListAsk& ask, Trouble& trouble);
   bool add(ZListAsk& ask, Group& group) const;
   void ask_together(Group& group, std::span<const FirstContactQuery> queries,
                     std::vector<CandidatePairs>& out);
@@ -82,11 +85,12 @@ void GpuZListStage::tell(bool& told, const std::string& text) {
 }
 
 // Recreates a lost context and retries.
-std::optional<std::vector<ZListAnswer>> GpuZListStage::try_asking(std::span<const ZListAsk> asks) {
+std::optional<std::vector<ZListAnswer>> GpuZListStage::try_asking(std::span<const ZListAsk> asks,
+                                                                  bool in_software) {
   while (m_num_errors < kMostErrors) {
     try {
       if (!m_device) m_device = std::make_unique<ZListDevice>(m_options);
-      auto out = m_device->find_candidates(asks);
+      auto out = m_device->find_candidates(asks, in_software);
       if (m_num_errors > 0) tell(m_told_lost, m_last_error + "; a new OpenGL context goes on");
       m_num_errors = 0;
       return out;
@@ -113,15 +117,30 @@ int GpuZListStage::other_resolution(Trouble trouble, int resolution) const {
   return may_be_finer && !m_prefers_large_pixels ? finer : 0;
 }
 
+bool GpuZListStage::starts_in_software() const {
+  if (!m_options.software_lists || m_options.bounds_alone) return false;
+  return m_options.listing == GpuListing::Software ||
+         (m_options.listing == GpuListing::Auto && m_is_software);
+}
+
+// A proposal, or trouble that another resolution may avoid.
+CandidatePairs GpuZListStage::answer_of(const ZListAsk& ask, Trouble& trouble) {
+  auto answers = try_asking({&ask, 1}, starts_in_software());
+  const bool too_long = answers && (answers->front().trouble == Trouble::Entries ||
+                                    answers->front().trouble == Trouble::Pairs);
+  if (too_long && m_options.software_lists && m_options.listing != GpuListing::Gpu)
+    answers = try_asking({&ask, 1}, true);
+  trouble = answers ? answers->front().trouble : Trouble::None;
+  return answers ? std::move(answers->front().proposal) : gives_up(m_last_error);
+}
+
 CandidatePairs GpuZListStage::find_candidates(const FirstContactQuery& query, double horizon) {
   Trouble trouble = Trouble::None;
   for (int resolution = resolution_of(query), tries = 0; resolution > 0 && tries < 2; ++tries) {
     const ZListAsk ask{&query, horizon, make_zlist_frame(query, horizon, resolution)};
     if (ask.frame.empty()) return nothing_touches(horizon);
-    auto answers = try_asking({&ask, 1});
-    if (!answers) return gives_up(m_last_error);
-    trouble = answers->front().trouble;
-    if (trouble == Trouble::None) return std::move(answers->front().proposal);
+    CandidatePairs proposal = answer_of(ask, trouble);
+    if (trouble == Trouble::None) return proposal;
     resolution = other_resolution(trouble, resolution);
   }
   return gives_up(to_string(trouble));
@@ -147,7 +166,7 @@ bool GpuZListStage::add(ZListAsk& ask, Group& group) const {
 void GpuZListStage::ask_together(Group& group, std::span<const FirstContactQuery> queries,
                                  std::vector<CandidatePairs>& out) {
   if (group.asks.empty()) return;
-  auto answers = try_asking(group.asks);
+  auto answers = try_asking(group.asks, starts_in_software());
   for (std::size_t i = 0; i < group.asks.size(); ++i) {
     const ZListAsk& ask = group.asks[i];
     CandidatePairs& proposal = out[static_cast<std::size_t>(ask.query - queries.data())];
@@ -197,6 +216,10 @@ std::unique_ptr<CandidateFinder> make_gpu_candidate_finder(const GpuZListOptions
     check_range("resolution", options.resolution, kLeastResolution, kLargestResolution);
   check_range("largest number of entries", options.max_list_entries, kLeastEntries, kMostEntries);
   check_range("latest OpenGL version", options.most_gl_version, 33, 46);
+  if (options.listing != GpuListing::Auto && options.listing != GpuListing::Gpu &&
+      !options.software_lists)
+    throw Error(Error::Kind::BadInput,
+                "z-lists are to be made in software, but by nobody; accepted: software_lists");
   if (options.method == GpuMethod::Auto) return make_faster_candidate_finder(options);
   return std::make_unique<GpuZListStage>(options);
 }

@@ -12,18 +12,19 @@ namespace trivet {
 /// How the hardware finds the depths of pixels. Both give the same answers.
 enum class GpuMethod {
   Auto,         // the faster one, measured once per process and renderer; on renderers that run on
-                // the CPU Framebuffer, unless measure_gpu_methods() was asked
+                // the CPU Compute, unless measure_gpu_methods() was asked
   Framebuffer,  // it rasterises; OpenGL 3.3
   Compute,      // it computes; OpenGL 4.3
 };
 /// From "auto", "framebuffer" or "compute". @throws Error (BadInput) for anything else.
 GpuMethod gpu_method_from_name(const std::string& name);
 
-/// Who lists the faces of doubtful pixels.
+/// Who lists the faces of doubtful pixels. Software needs GpuZListOptions::software_lists.
 enum class GpuListing {
-  Auto,      // by the numbers of faces and doubtful pixels, for each query
-  Gpu,       // it draws again
-  Software,  // GpuZListOptions::software_lists, as in the paper
+  Auto,  // software where the renderer runs on the CPU, else GpuFirst; without software_lists Gpu
+  Gpu,   // it draws again
+  GpuFirst,  // software where there are too many for the GPU
+  Software,  // as in the paper
 };
 
 /// What tests do to a stage.

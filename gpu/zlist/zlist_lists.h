@@ -65,8 +65,6 @@ class ZListRaster {
   /// empty.
   /// @throws Error (Environment) when OpenGL fails.
   virtual std::vector<ZLists> rasterise(std::span<const ZListView> views, ZListOutput output) = 0;
-  /// Replaces the doubtful pixels of the last call, whose views these are, by lists.
-  virtual void list(std::span<const ZListView> views, std::vector<ZLists>& lists) = 0;
 };
 
 /// The most pixels of all layers together.

@@ -124,9 +124,10 @@ std::unique_ptr<CandidateFinder> make_faster_candidate_finder(GpuZListOptions op
   if (std::min(context.gl_version(), options.most_gl_version) < 43)
     return make_gpu_candidate_finder(options);
   std::optional<GpuMethodTimes> times = known_times(context, options);
-  // Its compiler takes seconds for the shaders of both, and neither is much faster there.
-  if (!times && !context.is_software()) times = measure_gpu_methods(options);
-  if (times) options.method = times->faster();
+  // Its compiler takes seconds for the shaders of both, and there compute shaders are faster.
+  if (!times && context.is_software()) times = {kInfinity, 0};
+  if (!times) times = measure_gpu_methods(options);
+  options.method = times->faster();
   return make_gpu_candidate_finder(options);
 }
 

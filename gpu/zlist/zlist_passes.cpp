@@ -160,14 +160,6 @@ void ZListPasses::reduce(const ZListBatch& batch, bool hands_over) {
   over_pixels(m_reduction, batch, hands_over);
 }
 
-void ZListPasses::forget_entries() {
-  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-  const std::uint32_t none = 0;
-  glBindBuffer(GL_SHADER_STORAGE_BUFFER, m_results.id());
-  glBufferSubData(GL_SHADER_STORAGE_BUFFER, offsetof(glsl::Counters, num_entries), sizeof none,
-                  &none);
-}
-
 std::vector<ZLists> ZListPasses::finish(const ZListBatch& batch, ZListOutput output) {
   reduce(batch, output == ZListOutput::DoubtfulPixels);
   if (output == ZListOutput::Lists) {
@@ -175,16 +167,6 @@ std::vector<ZLists> ZListPasses::finish(const ZListBatch& batch, ZListOutput out
     run(batch, Pass::FixedLists);
   }
   return read_back(batch);
-}
-
-void ZListPasses::list(const ZListBatch& batch, std::vector<ZLists>& lists) {
-  const std::int64_t bytes = lists[0].bytes_read_back, reads = lists[0].read_backs;
-  forget_entries();
-  run(batch, Pass::MovingLists);
-  run(batch, Pass::FixedLists);
-  lists = read_back(batch);
-  lists[0].bytes_read_back += bytes;
-  lists[0].read_backs += reads;
 }
 
 std::vector<ZLists> ZListPasses::read_back(const ZListBatch& batch) {

@@ -28,12 +28,9 @@ class ZListPasses {
   void find_upper_bounds(const ZListBatch& batch);
   /// Reduction and, if wanted, lists; waits for all. One read, unless the entries are many.
   std::vector<ZLists> finish(const ZListBatch& batch, ZListOutput output);
-  /// Lists after finish() with doubtful pixels.
-  void list(const ZListBatch& batch, std::vector<ZLists>& lists);
 
  private:
   void reduce(const ZListBatch& batch, bool hands_over);
-  void forget_entries();
   std::vector<ZLists> read_back(const ZListBatch& batch);
   const GlProgram& program(Motion::Kind kind, zlist_shaders::Pass pass);
   void run_job(const GlProgram& program, const ZListJob& job);

@@ -38,7 +38,7 @@ class WrongUsage(Case):
                 (("run", "layout.json"), "--output is required"),
                 ((*run, "--fast"), "--fast"),
                 ((*run, "--gpu-method", "raster"),
-                 "--gpu-method: \"raster\" is not accepted; accepted: auto, framebuffer, compute"),
+                 '"raster" is not accepted; accepted: auto, framebuffer, compute'),
                 ((*run, "--backend", "cuda"),
                  '"cuda" is not accepted; accepted: auto, gpu, software, bvh'),
                 ((*run, "--threads", "many"), '"many" is not accepted; accepted: whole numbers'),

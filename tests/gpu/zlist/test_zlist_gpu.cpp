@@ -147,6 +147,20 @@ TEST_P(ZListGpuLists, RetriesLongListsWithLargerPixels) {
   EXPECT_NE(proposal.why.find("lists"), std::string::npos) << proposal.why;
 }
 
+/// Lists that are too long for the GPU are made in software.
+TEST_P(ZListGpuLists, LeavesLongListsToSoftware) {
+  GpuZListOptions options = GetParam().options({.resolution = 128, .max_list_entries = 1 << 14});
+  options.listing = GpuListing::GpuFirst;
+  options.software_lists = std::make_shared<SoftwareDoubtfulLists>();
+  const auto stage = make_stage(options);
+  TRIVET_SKIP_WITHOUT_EGL(stage);
+  const test::RandomQuery q = flat_contact(96, 0.3);
+  CandidatePairs proposal;
+  EXPECT_TRUE(test::same_answer(q.with_stage(*stage, &proposal), q.fast()));
+  EXPECT_TRUE(proposal.usable) << proposal.why;
+  EXPECT_GT(proposal.work.pixels, 64 * 64);
+}
+
 /// A plate that comes down on a larger one, straight or on a hinge, all over at the same time:
 /// float32 rounding would decide which pairs are kept if there were no margin.
 test::RandomQuery flat_landing(int number) {
@@ -385,6 +399,9 @@ TEST(ZListGpuOptions, HaveLimits) {
   const std::string why = why_refused({.resolution = 2000});
   EXPECT_NE(why.find("2000; accepted: 16 to 1024"), std::string::npos) << why;
   EXPECT_NE(why_refused({.max_list_entries = 5}).find("5; accepted:"), std::string::npos);
+  EXPECT_NE(why_refused({.most_gl_version = 21}).find("21; accepted: 33 to 46"), std::string::npos);
+  EXPECT_NE(why_refused({.listing = GpuListing::Software}).find("software_lists"),
+            std::string::npos);
 }
 
 }  // namespace
