@@ -19,6 +19,12 @@ void add_objects(const Refusal& refusal, std::vector<ObjectId>& ids) {
   if (refusal.first) add_objects(*refusal.first, ids);
 }
 
+std::vector<std::string> names_of(const std::vector<GaveWay>& objects) {
+  std::vector<std::string> out;
+  for (const GaveWay& object : objects) out.push_back(object.name);
+  return out;
+}
+
 std::string quoted(const std::vector<std::string>& names) {
   std::string out;
   for (size_t i = 0; i < names.size(); ++i) {
@@ -86,8 +92,7 @@ std::optional<Message> message_of(const Scene& scene, const Operation& operation
       message.faces = faces_that_stopped(scene, operation, result, clearance);
     }
   }
-  std::vector<std::string> gave_way;
-  for (const GaveWay& g : result.gave_way) gave_way.push_back(g.name);
+  const std::vector<std::string> gave_way = names_of(result.gave_way);
   if (!gave_way.empty()) add_sentence(what, quoted(gave_way) + " gave way");
   if (!result.unsupported.empty())
     add_sentence(what, quoted(result.unsupported) + " left without support");
