@@ -60,8 +60,8 @@ timeout 120 "$kit/bin/trivet" backends --recalibrate --json >"$out/backends.json
   timeout 60 "$kit/bin/trivet" backends >"$out/backends.txt" 2>>"$work/notes" ||
   { say "FAILED: trivet backends: $(tail -n 1 "$work/notes")"; exit 3; }
 cat "$out/backends.txt"
-# Sources are printed with a key a line: the renderer of the GPU sources, and whether it runs on the CPU.
-if grep -A2 '"name": "gpu' "$out/backends.json" | grep -q '"on_cpu": false'; then
+# A key a line: of a GPU source that is on hardware, the next one is why it fails.
+if grep -A3 '"name": "gpu' "$out/backends.json" | grep -A1 '"on_cpu": false' | grep -q '"failure": ""'; then
   say "hardware: $(sed -n 's/^gpu [a-z]*: //p' "$out/backends.txt" | head -n 1)"
 elif [ $allow = 1 ]; then
   say "no hardware renderer, allowed: $(sed -n 's/^gpu [a-z]*: //p' "$out/backends.txt" | head -n 1)"
