@@ -16,6 +16,7 @@
 #include <iterator>
 #include <new>
 
+#include "core/base/bad_input.h"
 #include "core/io/model_bytes.h"
 #include "core/io/preflight.h"
 
