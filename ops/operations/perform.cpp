@@ -16,9 +16,10 @@ concept Plannable = requires(const Scene& scene, ObjectId id, const Move& o, Ope
 
 /// Edits that may take away what something rests on. Where an object stands is given.
 template <class Any>
-constexpr bool kUnbalances =
-    std::is_same_v<Any, DeleteOperation> || std::is_same_v<Any, UnplaceOperation> ||
-    std::is_same_v<Any, FixOperation>;
+bool unbalances(const Any&) {
+  return std::is_same_v<Any, DeleteOperation> || std::is_same_v<Any, UnplaceOperation>;
+}
+bool unbalances(const FixOperation& o) { return !o.fixed; }
 
 template <class Any>
 OperationResult perform_one(Transaction& transaction, ObjectId id, const Any& o,
@@ -33,7 +34,7 @@ OperationResult perform_one(Transaction& transaction, ObjectId id, const Any& o,
     return commit_at_rest(transaction, plan(transaction.scene(), id, o, run), run, name);
   } else {
     OperationResult result = apply(transaction, o, run);
-    if (kUnbalances<Any> && run.options.whole_at_rest && result.ok())
+    if (run.options.whole_at_rest && result.ok() && unbalances(o))
       settle_whole(transaction, name, clearance_of(transaction.scene(), run.options), run, result);
     return result;
   }

@@ -176,7 +176,7 @@ TEST(Wedge, SlidesAlongItsGrooveAboveItsAngle) {
   EXPECT_FALSE(outcome(std::atan(1.01 * tangent) * 180 / M_PI));
 }
 
-// A sphere-like thing in a bowl of flats ends at the bottom; an upright needle falls over.
+// Forces balance it on its tip, but it falls over.
 TEST(Needle, DoesNotStandOnItsTip) {
   Stage stage(0.8);
   const ObjectId needle =
