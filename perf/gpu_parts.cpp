@@ -61,7 +61,7 @@ std::string frame_text(const Scene& scene, Report& report) try {
     live.objects.back().world_from_object.translation.z() += 1e-3;
     row.samples.add(timed([&] { view.draw(live, camera, options); }, CLOCK_PROCESS_CPUTIME_ID));
   }
-  const std::string out = text("%.3g", row.samples.median_ms());
+  const std::string out = text("%.0f", row.samples.median_ms());
   report.add(std::move(row));
   return out;
 } catch (const Error& error) {

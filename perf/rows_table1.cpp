@@ -171,8 +171,8 @@ std::string scene_lines(TestScene& scene, const std::vector<std::string>& paper,
     out += line({scene.name, scene.complexity, "the paper, 1995", paper[0], paper[1], paper[2]});
   for (const Finder& finder : finders()) try {
       const std::unique_ptr<Detector> detector = finder.make();
-      std::string name = finder.name;
-      if (detector->device() != "cpu") name += ", " + detector->device();
+      const bool on_gpu = detector->device() != "cpu";  // whose text says how, too
+      const std::string name = on_gpu ? detector->device() : finder.name;
       const Cell put = measure(scene.puts, true, *detector);
       add_row("PUT, any orientation, " + name, put, report);
       const Cell push = measure(scene.pushes, false, *detector);

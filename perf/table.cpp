@@ -87,10 +87,17 @@ std::string date() {
 
 unsigned num_cores() { return std::max(1u, std::thread::hardware_concurrency()); }
 
+#ifdef NDEBUG
+constexpr bool kAsserts = false;
+#else
+constexpr bool kAsserts = true;
+#endif
+
 std::string heading(double load_before, double minutes, const Report& report) {
   return "# Measurements of " + date() + "\n\n" +
-         text("%s; %s. Load before %.1f, after %.1f; the run took %.1f minutes.\n",
-              processor_name().c_str(), "gcc " __VERSION__, load_before, load_average(), minutes) +
+         text("%s; gcc %s%s. Load before %.1f, after %.1f; the run took %.1f minutes.\n",
+              processor_name().c_str(), __VERSION__, kAsserts ? ", assertions on" : "", load_before,
+              load_average(), minutes) +
          "All on one core, in one thread, unless a row says all cores; models, BVHs "
          "and\nsimulators' tasks are prepared beforehand and not timed. FCL " +
          fcl_version() + ". Bullet " + bullet_version() + ". MuJoCo " + mujoco_version() +
