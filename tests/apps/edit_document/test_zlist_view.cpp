@@ -1,5 +1,6 @@
 // The z-list view shows the motion under the hand, with the answer of the same query by itself, and
 // only as often as it may.
+#include <Eigen/Geometry>
 #include <QCoreApplication>
 #include <chrono>
 #include <cmath>
