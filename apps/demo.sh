@@ -8,7 +8,7 @@ demo="${1:-breakfast}"
 
 .ci/install-packages.sh build
 TRIVET_TARGET="trivet trivet-import" .ci/build.sh release \
-  -DTRIVET_TESTS=OFF -DTRIVET_EDITOR=OFF -DTRIVET_OCCT=OFF -DCMAKE_UNITY_BUILD=ON
+  -DTRIVET_TESTS=OFF -DTRIVET_EDITOR=OFF -DTRIVET_OCCT=OFF
 mkdir -p out
 build/release/apps/trivet demo "$demo" -o "out/$demo.glb" --report "out/$demo.json" \
   --picture "out/$demo.png"
