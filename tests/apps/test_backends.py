@@ -79,10 +79,11 @@ class Backends(Case):
 
     def test_check(self):
         layout = self.two_cubes()
-        found = self.reports("check", layout, scenes=False)
+        # Settled with perfect friction, b leans on an edge that holds at 5, not at 0.5.
+        found = self.reports("check", layout, "--friction", "5", scenes=False)
         self.assertGreater(found["software"]["work"]["pixels"], 0)
         self.trivet("run", layout, "-o", "s.glb")
-        self.reports("check", "s.glb", scenes=False)
+        self.reports("check", "s.glb", "--friction", "5", scenes=False)
 
     def test_session_and_replay(self):
         """A journal written with one backend is replayed with all."""

@@ -55,7 +55,7 @@ class Refusals(Case):
         out, _ = self.trivet("check", layout, status=1)
         self.assertIn('"slab" and "a"', out)
         self.assertIn('"a" and "b"', out)
-        self.trivet("check", self.two_cubes())
+        self.trivet("check", self.two_cubes(), "--friction", "5")
 
 
 class Outputs(Case):
@@ -161,12 +161,12 @@ class RoundTrips(Case):
 
     def test_scene_round_trip(self):
         self.trivet("run", self.two_cubes(), "-o", "s.glb", "--report", "r.json")
-        self.trivet("check", "s.glb", "--report", "c.json")
+        self.trivet("check", "s.glb", "--friction", "5", "--report", "c.json")
         self.assertEqual(self.objects("c.json"), self.objects("r.json"))
         self.assertEqual(self.read_json("c.json")["check"], self.read_json("r.json")["check"])
         # In another folder, without the models:
         self.write("moved/s.glb", self.read("s.glb"))
-        out, err = self.trivet("check", "moved/s.glb", "--report", "c.json")
+        out, err = self.trivet("check", "moved/s.glb", "--friction", "5", "--report", "c.json")
         self.assertEqual(self.objects("c.json"), self.objects("r.json"))
         self.assertEqual(err, "")
 
