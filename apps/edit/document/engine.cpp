@@ -368,8 +368,9 @@ void Engine::request_ghost(std::uint64_t request, const Operation& operation,
           if (!engine.m_ghosts_know)
             scene = std::make_unique<Scene>(engine.m_opened->session.scene());
           engine.m_ghosts_know = true;
+          // The z-lists of a drag are those of its own motion, not of the fall after it.
           engine.m_ghosts.request(request, operation, engine.settle_options(), engine.context(),
-                                  std::move(scene), shown);
+                                  std::move(scene), engine.m_live ? nullptr : shown);
           return true;
         }});
 }

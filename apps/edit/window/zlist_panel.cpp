@@ -129,7 +129,7 @@ void DepthImages::paintEvent(QPaintEvent*) {
       draw_cross(painter, at.topLeft() + magnify * QPoint((*met)[0], (*met)[1]) +
                               QPoint(magnify / 2, magnify / 2));
     if (const auto range = picture.range(show))
-      draw_scale(painter, QRect(left, line + 3 + high + 4, room, kBarHeight), *range,
+      draw_scale(painter, QRect(left, at.bottom() + 6, room, kBarHeight), *range,
                  unit_of(m_view->motion), text);
     left += room + kMargin;
   }
