@@ -154,7 +154,7 @@ TEST(EditorDetection, AutomaticTakesWhatIsMeasuredAsFaster) {
   const Calibration calibration{{},
                                 0,
                                 {{"bvh", "cpu", true, "", 0, 0, slow, slow},
-                                 {"gpu compute", "a card", false, "", 0, 0, fast, fast}}};
+                                 {"gpu compute", "cpu", false, "", 0, 0, fast, fast}}};
   MachineOptions machine;
   machine.hardware = "a card";
   machine.gpu = {{"gpu compute", [&](bool) -> std::unique_ptr<CandidateFinder> {
