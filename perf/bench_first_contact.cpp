@@ -9,7 +9,7 @@
 namespace trivet::perf {
 namespace {
 
-constexpr int kSweeps = 32;
+constexpr int kBenchSweeps = 32;
 
 const SpherePair& spheres(int num_triangles) {
   static std::map<int, SpherePair> made;
@@ -21,7 +21,7 @@ const SpherePair& spheres(int num_triangles) {
 std::vector<Sweep> sweeps(int num_triangles, Motion::Kind kind) {
   test::Random random(7);
   std::vector<Sweep> out;
-  for (int i = 0; i < kSweeps; ++i)
+  for (int i = 0; i < kBenchSweeps; ++i)
     out.push_back(kind == Motion::Kind::Translation ? random_drop(spheres(num_triangles), random)
                                                     : random_turn(spheres(num_triangles), random));
   return out;

@@ -10,7 +10,7 @@
 namespace trivet::perf {
 namespace {
 
-constexpr int kSweeps = 12;
+constexpr int kConfirmSweeps = 12;
 constexpr Confirmation kNone{false, 0};
 
 /// Says again what another stage said.
@@ -34,7 +34,7 @@ struct Stages {
   ResultHash hash;
 };
 
-bool same(const FirstContact& a, const FirstContact& b) {
+bool same_contact(const FirstContact& a, const FirstContact& b) {
   return a.status == b.status && a.time == b.time && a.face_moving == b.face_moving &&
          a.face_fixed == b.face_fixed && a.point == b.point && a.normal == b.normal;
 }
@@ -61,14 +61,14 @@ void ask(const FirstContactQuery& query, Stages& out) {
   out.asked.push_back(static_cast<double>(kept.work.asked_pairs));
   out.confirmed.push_back(static_cast<double>(kept.work.confirmed_pairs));
   out.share.push_back(100 * confirm / drawn.cpu_ms);
-  out.num_different += !same(with, without);
+  out.num_different += !same_contact(with, without);
   out.hash.add(with);
 }
 
 Stages ask_all(const SpherePair& spheres, Motion::Kind kind) {
   Stages out;
   test::Random random(23);
-  for (int i = 0; i < kSweeps; ++i) {
+  for (int i = 0; i < kConfirmSweeps; ++i) {
     const Sweep sweep = kind == Motion::Kind::Translation ? random_drop(spheres, random)
                                                           : random_turn(spheres, random);
     const Body moving = sweep.moving(), fixed = sweep.fixed();

@@ -8,9 +8,9 @@
 namespace trivet::perf {
 namespace {
 
-constexpr int kSweeps = 40;
-constexpr double kBudget_ms = 4000;  // for a row of FCL; then the remaining sweeps are skipped
-constexpr size_t kFewest = 2;
+constexpr int kFclSweeps = 40;
+constexpr double kFclBudget_ms = 4000;  // for a row of FCL; then the remaining sweeps are skipped
+constexpr size_t kFewestSweeps = 2;
 
 struct Measured {
   Sweep sweep;
@@ -31,7 +31,7 @@ std::int64_t crossings_at(const Sweep& sweep, double time) {
 std::vector<Measured> our_sweeps(const SpherePair& spheres, Motion::Kind kind) {
   test::Random random(11);
   std::vector<Measured> out;
-  for (int i = 0; i < kSweeps; ++i) {
+  for (int i = 0; i < kFclSweeps; ++i) {
     Measured m{kind == Motion::Kind::Translation ? random_drop(spheres, random)
                                                  : random_turn(spheres, random),
                {},
@@ -123,7 +123,7 @@ void add_theirs(const std::vector<Measured>& sweeps, const FclPair& fcl, const R
   Differences differences;
   double spent_ms = 0;
   for (const Measured& m : sweeps) {
-    if (spent_ms > kBudget_ms && row.samples.count() >= kFewest) break;
+    if (spent_ms > kFclBudget_ms && row.samples.count() >= kFewestSweeps) break;
     FclAnswer answer;
     const Took took = timed_warm([&] { answer = fcl.sweep(m.sweep, rival.solver, rival.samples); });
     spent_ms += took.wall_ms;

@@ -13,8 +13,8 @@ namespace trivet::perf {
 namespace {
 
 constexpr int kStarts = 30;
-constexpr double kBudget_ms = 60000;  // for a row; then the remaining starts are skipped
-constexpr size_t kFewest = 3;
+constexpr double kSettlingBudget_ms = 60000;  // for a row; then the remaining starts are skipped
+constexpr size_t kFewestStarts = 3;
 constexpr double kDensity = 7800;  // kg per cubic metre; steel
 constexpr double kCell = 0.012;    // metres, of the pieces for convex hulls
 constexpr double kDropHeight = 0.01;
@@ -133,7 +133,7 @@ void their_row(const Table& table, const Ours& ours, Simulator& simulator, Repor
   Leavings leavings;
   double spent_ms = 0;
   for (size_t i = 0; i < ours.starts.size(); ++i) {
-    if (spent_ms > kBudget_ms && row.samples.count() >= kFewest) break;
+    if (spent_ms > kSettlingBudget_ms && row.samples.count() >= kFewestStarts) break;
     Settled settled;
     const Took took = timed([&] { settled = simulator.settle(ours.starts[i]); });
     spent_ms += took.wall_ms;

@@ -15,9 +15,9 @@
 namespace trivet::perf {
 namespace {
 
-constexpr double kBudget_ms = 5000;  // of a cell; the first cases are the same in all of them
-constexpr double kJitter = 0.02;     // metres, of random starts
-constexpr int kRounds = 10;          // of PUTs of all objects
+constexpr double kCellBudget_ms = 5000;  // of a cell; the first cases are the same in all of them
+constexpr double kTable1Jitter = 0.02;   // metres, of random starts
+constexpr int kRounds = 10;              // of PUTs of all objects
 
 struct Case {
   const Scene* before;
@@ -59,7 +59,7 @@ TestScene make_test_scene(const char* name, const char* demo_name, const char* c
   for (int round = 0; round < kRounds; ++round)
     for (size_t i = 0; i < demo.operations.size(); ++i) {
       PutOperation put = demo.operations[i];
-      put.start = random_start(put.start, kJitter, random);
+      put.start = random_start(put.start, kTable1Jitter, random);
       out.puts.push_back({&out.stages[i], put, *out.stages[i].find(put.object)});
     }
   add_pushes(out);
@@ -115,23 +115,25 @@ Cell measure(std::vector<Case>& cases, bool per_motion, Detector& detector) {
   Cell cell;
   const Stopwatch stopwatch;
   for (Case& c : cases) {
-    if (stopwatch.elapsed().wall_ms > kBudget_ms) break;
+    if (stopwatch.elapsed().wall_ms > kCellBudget_ms) break;
     measure_case(c, per_motion, detector, cell);
   }
   return cell;
 }
 
-std::string digits(double ms) { return text(ms >= 100 ? "%.0f" : ms >= 10 ? "%.1f" : "%.2g", ms); }
+std::string short_ms(double ms) {
+  return text(ms >= 100 ? "%.0f" : ms >= 10 ? "%.1f" : "%.2g", ms);
+}
 
 std::string cell_text(const Cell& cell) {
   if (cell.movement_ms.empty()) return "none in time";
-  return digits(median(cell.movement_ms)) + " (" + digits(median(cell.detection_ms)) + ")";
+  return short_ms(median(cell.movement_ms)) + " (" + short_ms(median(cell.detection_ms)) + ")";
 }
 
 void add_row(const std::string& what, const Cell& cell, Report& report) {
   std::string outcome = text("medians of a movement: %s ms, of these detection %s ms; refused %d",
-                             digits(median(cell.movement_ms)).c_str(),
-                             digits(median(cell.detection_ms)).c_str(), cell.refused);
+                             short_ms(median(cell.movement_ms)).c_str(),
+                             short_ms(median(cell.detection_ms)).c_str(), cell.refused);
   outcome += cell.wrong ? text("; WRONG %d", cell.wrong) : "; the same bits";
   report.add({what, cell.samples, 0, 0, outcome});
 }

@@ -54,7 +54,7 @@ struct Method {
   bool bounds_alone = false;  // computes bounds, no candidates
 };
 
-bool same(const FirstContact& a, const FirstContact& b) {
+bool same_answer(const FirstContact& a, const FirstContact& b) {
   return a.status == b.status && a.time == b.time && a.face_moving == b.face_moving &&
          a.face_fixed == b.face_fixed;
 }
@@ -114,7 +114,7 @@ void ask_bvhs(const SpherePair& spheres, Cases& cases) {
 
 // Whether a stage's answer equals that of the BVHs; if not, it is hashed.
 bool is_right(const FirstContact& found, const FirstContact& truth, ResultHash& hash) {
-  const bool right = same(found, truth);
+  const bool right = same_answer(found, truth);
   if (!right) hash.add(found);
   return right;
 }

@@ -1,7 +1,7 @@
 // z-lists of a motion as text and JSON.
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "apps/trivet/list_output.h"
 #include "apps/trivet/motion_lists.h"
 #include "core/motion/motion.h"
 #include "ops/files/json/json_text.h"
@@ -12,17 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr size_t kMostPairs = 1000, kPieceBytes = 1 << 20;
-
-template <class... T>
-std::string text(const char* format, T... values) {
-  char out[400];
-  std::snprintf(out, sizeof out, format, values...);
-  return out;
-}
-
-// Without negative zeros.
-Json numbers(const Vec3& v) { return {v.x() + 0.0, v.y() + 0.0, v.z() + 0.0}; }
+constexpr size_t kMostPairs = 1000;
 
 Json or_null(double x) { return x < kInfinity ? Json(x) : Json(nullptr); }
 
@@ -35,7 +25,7 @@ double as_shown(const MotionLists& what, double time) {
 
 std::string time_text(const MotionLists& what, double time) {
   if (!(time < kInfinity)) return "none";
-  return turns(what) ? text("%.9g deg", as_shown(what, time)) : text("%.9g m", time);
+  return turns(what) ? formatted("%.9g deg", as_shown(what, time)) : formatted("%.9g m", time);
 }
 
 const char* status_name(FirstContact::Status status) {
@@ -58,11 +48,11 @@ const std::string& fixed_name(const MotionLists& what, Index fixed) {
 Json motion_part(const MotionLists& what) {
   if (!turns(what))
     return {{"kind", "translation"},
-            {"direction", numbers(what.motion.axis)},
+            {"direction", numbers_json(what.motion.axis)},
             {"limit", what.motion.limit}};
   return {{"kind", "rotation"},
-          {"axis", numbers(what.motion.axis)},
-          {"centre", numbers(what.motion.centre)},
+          {"axis", numbers_json(what.motion.axis)},
+          {"centre", numbers_json(what.motion.centre)},
           {"limit", as_shown(what, what.motion.limit)}};
 }
 
@@ -74,8 +64,8 @@ Json contact_part(const MotionLists& what) {
   out["moving"] = what.moving_names[contact.moving];
   out["fixed"] = fixed_name(what, contact.fixed);
   out["faces"] = {contact.face_moving, contact.face_fixed};
-  out["point"] = numbers(contact.point);
-  out["normal"] = numbers(contact.normal);
+  out["point"] = numbers_json(contact.point);
+  out["normal"] = numbers_json(contact.normal);
   out["gap"] = contact.gap;
   return out;
 }
@@ -86,8 +76,8 @@ Json image_part(const MotionLists& what) {
   return {{"width", picture.width()},
           {"height", picture.height()},
           {"pixel_size", depths.frame.pixel},
-          {"right", numbers(picture.right())},
-          {"up", numbers(picture.up())},
+          {"right", numbers_json(picture.right())},
+          {"up", numbers_json(picture.up())},
           {"unit", depths.unit()},
           {"complete", depths.complete},
           {"pixels", depths.num_pixels},
@@ -107,7 +97,7 @@ Json pairs_part(const MotionLists& what) {
   return out;
 }
 
-Json head_json(const MotionLists& what) {
+Json motion_head(const MotionLists& what) {
   const MotionZLists& lists = what.lists;
   const ZListWork& work = lists.candidates.work;
   Json in_the_way = Json::array();
@@ -146,10 +136,10 @@ std::string contact_text(const MotionLists& what) {
   std::string out = contact.status == FirstContact::Status::Crossing
                         ? "  contact: faces cross from the start, "
                         : "  contact: at " + time_text(what, contact.time) + ", ";
-  out += text("face %d of ", static_cast<int>(contact.face_moving));
+  out += formatted("face %d of ", static_cast<int>(contact.face_moving));
   out += what.moving_names[contact.moving];
   if (contact.fixed == FirstContact::kFloor) return out + " and the floor\n";
-  out += text(" and face %d of ", static_cast<int>(contact.face_fixed));
+  out += formatted(" and face %d of ", static_cast<int>(contact.face_fixed));
   return out + what.fixed_names[contact.fixed] + "\n";
 }
 
@@ -165,57 +155,52 @@ std::string motion_text(const MotionLists& what) {
   const DepthPicture picture(depths);
   const Vec3 axis = what.motion.axis + Vec3::Zero();  // without negative zeros
   std::string out = "z-lists of " + names_text(what.moving_names);
-  out += text(", %s %g %g %g, up to ", turns(what) ? "turning about" : "moving along", axis.x(),
-              axis.y(), axis.z());
+  out += formatted(", %s %g %g %g, up to ", turns(what) ? "turning about" : "moving along",
+                   axis.x(), axis.y(), axis.z());
   out += time_text(what, what.motion.limit) + "\n";
   if (depths.frame.empty())
     out += "  image: none, no other object is in the way\n";
   else
-    out +=
-        text("  image: %d x %d pixels of %.6g m; %lld with both sides, %lld doubtful%s\n",
-             picture.width(), picture.height(), depths.frame.pixel,
-             static_cast<long long>(depths.num_pixels), static_cast<long long>(depths.num_doubtful),
-             depths.complete ? "" : "; incomplete, next to the axis");
+    out += formatted("  image: %d x %d pixels of %.6g m; %lld with both sides, %lld doubtful%s\n",
+                     picture.width(), picture.height(), depths.frame.pixel,
+                     static_cast<long long>(depths.num_pixels),
+                     static_cast<long long>(depths.num_doubtful),
+                     depths.complete ? "" : "; incomplete, next to the axis");
   out += "  bounds: not before " + time_text(what, lists.lower()) + ", at the latest " +
          time_text(what, lists.upper()) + "\n";
   out += contact_text(what);
   if (!lists.candidates.usable)
     return out + "  pairs: " + what.finder + " gave up: " + lists.candidates.why + "\n";
-  out += text("  pairs of faces: %lld proposed by %s, %zu confirmed\n",
-              static_cast<long long>(lists.candidates.work.face_pairs), what.finder.c_str(),
-              lists.num_confirmed);
-  return out + text("  cost: %.1f ms\n", what.milliseconds);
+  out += formatted("  pairs of faces: %lld proposed by %s, %zu confirmed\n",
+                   static_cast<long long>(lists.candidates.work.face_pairs), what.finder.c_str(),
+                   lists.num_confirmed);
+  return out + formatted("  cost: %.1f ms\n", what.milliseconds);
 }
 
 std::string motion_json(const MotionLists& what) {
-  Json json = head_json(what);
+  Json json = motion_head(what);
   json["pairs"] = pairs_part(what);
   return readable_json(json);
 }
 
 void write_motion(const MotionLists& what, const ByteSink& write) {
-  const auto line = [](const Json& json) {
-    return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
-  };
-  Json head = head_json(what);
+  JsonLines lines(write);
+  Json head = motion_head(what);
   head["pairs"] = pairs_part(what);
-  std::string piece = line(head);
+  lines.add(head);
   const DepthPicture picture(what.lists.depths);
   for (int y = 0; y < picture.height(); ++y)
     for (int x = 0; x < picture.width(); ++x) {
       const auto moving = picture.value(DepthShow::Moving, x, y);
       const auto fixed = picture.value(DepthShow::Fixed, x, y);
       if (!moving && !fixed) continue;
-      piece += line({{"pixel", {x, y}},
-                     {"moving", depth_or_null(moving)},
-                     {"fixed", depth_or_null(fixed)},
-                     {"gap", depth_or_null(picture.value(DepthShow::Gap, x, y))},
-                     {"doubtful", what.lists.depths.doubtful[picture.pixel(x, y)] != 0}});
-      if (piece.size() < kPieceBytes) continue;
-      write(piece);
-      piece.clear();
+      lines.add({{"pixel", {x, y}},
+                 {"moving", depth_or_null(moving)},
+                 {"fixed", depth_or_null(fixed)},
+                 {"gap", depth_or_null(picture.value(DepthShow::Gap, x, y))},
+                 {"doubtful", what.lists.depths.doubtful[picture.pixel(x, y)] != 0}});
     }
-  write(piece);
+  lines.finish();
 }
 
 }  // namespace trivet::apps

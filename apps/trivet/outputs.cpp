@@ -75,7 +75,7 @@ std::string quoted_list(const std::vector<std::string>& names) {
   return out;
 }
 
-std::vector<std::string> names_of(const std::vector<GaveWay>& objects) {
+std::vector<std::string> names_of_those(const std::vector<GaveWay>& objects) {
   std::vector<std::string> out;
   for (const GaveWay& g : objects) out.push_back(g.name);
   return out;
@@ -90,7 +90,7 @@ std::string end_of(const OperationRecord& record) {
   if (r.end == End::Step) out += ": stopped by a step, \"" + r.blocked_by.name + "\"";
   if (r.end == End::Edge) out += ": stopped at an edge";
   if (!r.interpenetrates.empty()) out += "; passes through " + quoted_list(r.interpenetrates);
-  if (!r.gave_way.empty()) out += "; gave way: " + quoted_list(names_of(r.gave_way));
+  if (!r.gave_way.empty()) out += "; gave way: " + quoted_list(names_of_those(r.gave_way));
   if (!r.unsupported.empty()) out += "; leaves unsupported: " + quoted_list(r.unsupported);
   return out.empty() ? "" : record.op + " \"" + record.object + "\"" + out + "\n";
 }

@@ -8,7 +8,7 @@
 namespace trivet::apps {
 namespace {
 
-constexpr int kBarHeight = Canvas::kBarHeight, kMargin = Canvas::kMargin, kLeastWidth = 160;
+constexpr int kLeastPictureWidth = 160;
 // Lengths beyond those of all but this fraction of the lists share the last colour.
 constexpr double kLongTail = 0.01;
 
@@ -71,14 +71,14 @@ Shown values_of(const ZListsOf& what, ZListShow show) {
 
 // Draws as many numbers as fit; print_names() gives the names.
 void draw_numbers(size_t count, int y, int width, Canvas& canvas) {
-  int x = kMargin;
+  int x = Canvas::kMargin;
   for (size_t i = 0; i < count; ++i) {
     const std::string label = std::to_string(i);
-    const int end = x + std::max(Canvas::width_of(label), 2 * kBarHeight);
-    if (end > width - kMargin) return;
-    canvas.fill(x, y, end - x, kBarHeight, of_object(static_cast<std::uint32_t>(i)));
-    canvas.write(x, y + kBarHeight + kMargin, label);
-    x = end + kMargin;
+    const int end = x + std::max(Canvas::width_of(label), 2 * Canvas::kBarHeight);
+    if (end > width - Canvas::kMargin) return;
+    canvas.fill(x, y, end - x, Canvas::kBarHeight, of_object(static_cast<std::uint32_t>(i)));
+    canvas.write(x, y + Canvas::kBarHeight + Canvas::kMargin, label);
+    x = end + Canvas::kMargin;
   }
 }
 
@@ -86,9 +86,9 @@ void draw_numbers(size_t count, int y, int width, Canvas& canvas) {
 
 Image zlists_picture(const ZListsOf& what, ZListShow show) {
   const Projection& view = what.lists->projection();
-  const int width = std::max(view.width, kLeastWidth);
-  Canvas canvas(width, view.height + Canvas::kScaleHeight + 2 * kMargin);
-  const int below = view.height + kMargin;
+  const int width = std::max(view.width, kLeastPictureWidth);
+  Canvas canvas(width, view.height + Canvas::kScaleHeight + 2 * Canvas::kMargin);
+  const int below = view.height + Canvas::kMargin;
   if (show == ZListShow::Objects) {
     for (int y = 0; y < view.height; ++y)
       for (int x = 0; x < view.width; ++x)
@@ -104,8 +104,8 @@ Image zlists_picture(const ZListsOf& what, ZListShow show) {
       const double value = shown.values[size_t(y) * view.width + x];
       if (!std::isnan(value)) canvas.set(x, y, scale_colour((value - shown.low) / range));
     }
-  canvas.draw_scale(kMargin, below, width - 2 * kMargin, shown.low, shown.high, shown.unit,
-                    shown.open);
+  canvas.draw_scale(Canvas::kMargin, below, width - 2 * Canvas::kMargin, shown.low, shown.high,
+                    shown.unit, shown.open);
   return canvas.take();
 }
 

@@ -1,26 +1,15 @@
 #include "apps/trivet/zlist_text.h"
 
 #include <cmath>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "apps/trivet/list_output.h"
 #include "ops/files/json/json_text.h"
 
 namespace trivet::apps {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr size_t kPieceBytes = 1 << 20;
-
-Json numbers(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
-
-template <class... T>
-std::string text(const char* format, T... values) {
-  char out[400];
-  std::snprintf(out, sizeof out, format, values...);
-  return out;
-}
 
 double mean_length(const CompleteZLists& lists) {
   const size_t covered = lists.num_covered();
@@ -58,9 +47,9 @@ Json head_json(const ZListsOf& what) {
     objects.push_back({{"name", what.names[i]},
                        {"triangles", what.bodies[i].shape->mesh.triangles.size()},
                        {"solid", what.bodies[i].shape->mass.rule == MassRule::Volume}});
-  return {{"direction", numbers(view.direction)},
-          {"right", numbers(view.right)},
-          {"up", numbers(view.up)},
+  return {{"direction", numbers_json(view.direction)},
+          {"right", numbers_json(view.right)},
+          {"up", numbers_json(view.up)},
           {"left", view.corner.x()},
           {"top", view.corner.y() + view.pixel * view.height},
           {"pixel_size", view.pixel},
@@ -81,17 +70,17 @@ std::string list_text(const ZListsOf& what, ImagePixel pixel) {
   const double top = view.corner.y() + view.pixel * (view.height - pixel.row);
   const auto list = what.at(pixel.column, pixel.row);
   std::string out =
-      text("pixel %d %d: %zu faces; right %.9g to %.9g m, up %.9g to %.9g m\n", pixel.column,
-           pixel.row, list.size(), left, left + view.pixel, top - view.pixel, top);
+      formatted("pixel %d %d: %zu faces; right %.9g to %.9g m, up %.9g to %.9g m\n", pixel.column,
+                pixel.row, list.size(), left, left + view.pixel, top - view.pixel, top);
   if (!list.empty())
-    out += text("  %-13s %-13s %-13s %-9s %9s  %s\n", "depth from, m", "to", "at the centre",
-                "crossing", "face", "object");
+    out += formatted("  %-13s %-13s %-13s %-9s %9s  %s\n", "depth from, m", "to", "at the centre",
+                     "crossing", "face", "object");
   for (const ZListItem& item : list) {
     const std::string centre =
-        std::isnan(item.centre) ? "-" : text("%.9g", view.depth(item.centre));
-    out +=
-        text("  %-13.9g %-13.9g %-13s %-9s %9u  ", view.depth(item.lower), view.depth(item.upper),
-             centre.c_str(), to_string(what.lists->crossing(item)), item.face);
+        std::isnan(item.centre) ? "-" : formatted("%.9g", view.depth(item.centre));
+    out += formatted("  %-13.9g %-13.9g %-13s %-9s %9u  ", view.depth(item.lower),
+                     view.depth(item.upper), centre.c_str(), to_string(what.lists->crossing(item)),
+                     item.face);
     out += what.names[item.body] + "\n";
   }
   return out;
@@ -102,17 +91,17 @@ std::string list_text(const ZListsOf& what, ImagePixel pixel) {
 std::string zlists_text(const ZListsOf& what, std::optional<ImagePixel> pixel) {
   const CompleteZLists& lists = *what.lists;
   const Projection& view = lists.projection();
-  std::string out = text("z-lists of %zu object%s, %zu faces, along %g %g %g\n", what.names.size(),
-                         what.names.size() == 1 ? "" : "s", num_faces(what), view.direction.x(),
-                         view.direction.y(), view.direction.z());
-  out += text("  image: %d x %d pixels of %.6g m; right is %g %g %g, up %g %g %g\n", view.width,
-              view.height, view.pixel, view.right.x(), view.right.y(), view.right.z(), view.up.x(),
-              view.up.y(), view.up.z());
-  out +=
-      text("  lists: %zu pixels covered, %.2f faces on average, %zu in the longest, %zu in all\n",
-           lists.num_covered(), mean_length(lists), lists.longest(), lists.num_entries());
-  out += text("  cost: %.1f MiB, %.1f ms\n", static_cast<double>(lists.num_bytes()) / (1 << 20),
-              what.milliseconds);
+  std::string out = formatted("z-lists of %zu object%s, %zu faces, along %g %g %g\n",
+                              what.names.size(), what.names.size() == 1 ? "" : "s", num_faces(what),
+                              view.direction.x(), view.direction.y(), view.direction.z());
+  out += formatted("  image: %d x %d pixels of %.6g m; right is %g %g %g, up %g %g %g\n",
+                   view.width, view.height, view.pixel, view.right.x(), view.right.y(),
+                   view.right.z(), view.up.x(), view.up.y(), view.up.z());
+  out += formatted(
+      "  lists: %zu pixels covered, %.2f faces on average, %zu in the longest, %zu in all\n",
+      lists.num_covered(), mean_length(lists), lists.longest(), lists.num_entries());
+  out += formatted("  cost: %.1f MiB, %.1f ms\n",
+                   static_cast<double>(lists.num_bytes()) / (1 << 20), what.milliseconds);
   return pixel ? out + list_text(what, *pixel) : out;
 }
 
@@ -123,13 +112,11 @@ std::string zlists_json(const ZListsOf& what, std::optional<ImagePixel> pixel) {
 }
 
 void write_zlists(const ZListsOf& what, const ByteSink& write) {
-  const auto line = [](const Json& json) {
-    return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
-  };
+  JsonLines lines(write);
   Json head = head_json(what);
   head["entry"] = {"object, counted from 0", "face",    "depth from", "to",
                    "at the centre",          "crossing"};
-  std::string piece = line(head);
+  lines.add(head);
   const Projection& view = what.lists->projection();
   for (int row = 0; row < view.height; ++row)
     for (int column = 0; column < view.width; ++column) {
@@ -138,12 +125,9 @@ void write_zlists(const ZListsOf& what, const ByteSink& write) {
         list.push_back({item.body, item.face, view.depth(item.lower), view.depth(item.upper),
                         centre_json(view, item), to_string(what.lists->crossing(item))});
       if (list.empty()) continue;
-      piece += line({{"pixel", {column, row}}, {"list", std::move(list)}});
-      if (piece.size() < kPieceBytes) continue;
-      write(piece);
-      piece.clear();
+      lines.add({{"pixel", {column, row}}, {"list", std::move(list)}});
     }
-  write(piece);
+  lines.finish();
 }
 
 }  // namespace trivet::apps

@@ -44,10 +44,6 @@ std::vector<ContactPoint> first_of_each(const std::vector<ContactPoint>& points)
   return out;
 }
 
-Aabb box_of(const Triangle& t) {
-  return {t[0].cwiseMin(t[1]).cwiseMin(t[2]), t[0].cwiseMax(t[1]).cwiseMax(t[2])};
-}
-
 // Two vertices that are near, or a vertex and a place inside an edge.
 struct End {
   enum class Kind { VertexEdge, EdgeVertex, Vertices };

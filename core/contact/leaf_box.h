@@ -1,4 +1,4 @@
-// The tight box about the faces of a leaf.
+// Boxes about faces: axis-aligned, and the tight one of a leaf.
 #pragma once
 
 #include <utility>
@@ -6,6 +6,10 @@
 #include "core/contact/body.h"
 
 namespace trivet {
+
+inline Aabb box_of(const Triangle& t) {
+  return {t[0].cwiseMin(t[1]).cwiseMin(t[2]), t[0].cwiseMax(t[1]).cwiseMax(t[2])};
+}
 
 /// Along the normal of the leaf's first face, its longest edge, and across both. A large tilted
 /// triangle has a useless axis-aligned box; this one has no thickness.

@@ -7,18 +7,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/contact/leaf_box.h"
+
 namespace trivet {
 namespace {
 
 constexpr double kSlack = 1e-12;        // relative, for rounding
 constexpr double kSpreadSlack = 4e-14;  // of coordinates, relative to the largest
 constexpr double kFlat = 1e-14;         // area over the squared distance of the farthest corner
-
-Aabb box_of(const Triangle& t) {
-  Aabb out;
-  for (const Vec3& p : t) out.extend(p);
-  return out;
-}
 
 Vec2 left_of(const Vec2& p) { return {-p.y(), p.x()}; }
 
@@ -54,13 +50,14 @@ Vec2 nearest_on(const std::array<Vec2, 3>& t) {
 // p after a turn by the angle 2 atan(s), but for its length.
 Vec2 turned(const Vec2& p, double s) { return (1 - s * s) * p + 2 * s * left_of(p); }
 
-struct Range {
+struct AngleRange {
   double lower, upper;
 };
 
 // Angle measures of a triangle whose points are all ahead along `nearest`, from its first point
 // turned back to its last one turned on.
-Range angle_range(const std::array<Vec2, 3>& t, const Vec2& nearest, double s_back, double s_on) {
+AngleRange angle_range(const std::array<Vec2, 3>& t, const Vec2& nearest, double s_back,
+                       double s_on) {
   const auto slope = [&](const Vec2& p) { return left_of(nearest).dot(p) / nearest.dot(p); };
   const auto [first, last] = std::minmax_element(
       t.begin(), t.end(), [&](const Vec2& a, const Vec2& b) { return slope(a) < slope(b); });
@@ -117,7 +114,8 @@ Aabb MotionBoxes::turning_box(const Triangle& t, double growth, double s_sweep) 
   if (radius > 2 * m_growth) {
     // tan(asin(x) / 2) < 0.6 x for x <= 1/2
     const double s_growth = 0.6 * growth / radius;
-    const Range angles = angle_range(across, nearest, s_growth, growth > 0 ? s_growth : s_sweep);
+    const AngleRange angles =
+        angle_range(across, nearest, s_growth, growth > 0 ? s_growth : s_sweep);
     out.lower.z() = angles.lower;
     out.upper.z() = angles.upper;
   } else if (growth == 0) {

@@ -15,7 +15,7 @@ namespace {
 constexpr double kTurn = 2 * std::numbers::pi;
 constexpr double kAngleSlack = 1e-9;    // radians; of angles from atan2
 constexpr double kTimeSlack = 1e-12;    // relative
-constexpr double kSpreadSlack = 1e-14;  // of coordinates, relative to the largest
+constexpr double kExtentSlack = 1e-14;  // of coordinates, relative to the largest
 constexpr double kLargestRadius = 5e4;  // pixels; float32 still tells 0.01 pixels apart
 
 // Extent of a body: columns, rows and depths; metres, and radians of a turn.
@@ -107,7 +107,7 @@ class FrameMaker {
     m_frame.image_from_world << u.transpose(), v.transpose(), w.transpose();
     for (const Body& body : query.moving) m_moving.push_back(extent(body));
     for (const Body& body : query.fixed) m_fixed.push_back(extent(body));
-    m_growth = query.clearance.largest_stop() * 1.002 + kSpreadSlack * m_spread;
+    m_growth = query.clearance.largest_stop() * 1.002 + kExtentSlack * m_spread;
     m_reach = m_turning ? 2 * std::atan(std::min(horizon, 1.0)) * (1 + kTimeSlack) : horizon;
   }
 

@@ -71,28 +71,6 @@ std::vector<std::vector<Index>> faces_of_components(const Adjacency& adjacency) 
   return out;
 }
 
-std::vector<Vec3> corners_of(const Mesh& mesh, const std::vector<Index>& faces) {
-  std::vector<Index> ids;
-  for (const Index f : faces)
-    ids.insert(ids.end(), mesh.triangles[f].begin(), mesh.triangles[f].end());
-  std::sort(ids.begin(), ids.end());
-  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
-  std::vector<Vec3> out;
-  for (const Index v : ids) out.push_back(mesh.vertices[v]);
-  return out;
-}
-
-/// Volume of a closed component; meaningless for others.
-double enclosed_volume(const Mesh& mesh, const std::vector<Index>& faces) {
-  double volume = 0;
-  const Vec3& origin = mesh.vertices[mesh.triangles[faces[0]][0]];
-  for (const Index f : faces) {
-    const Triangle t = mesh.triangle(f);
-    volume += (t[0] - origin).cross(t[1] - origin).dot(t[2] - origin) / 6;
-  }
-  return std::abs(volume);
-}
-
 class PartMaker {
  public:
   PartMaker(const Mesh& mesh, const Adjacency& adjacency) : m_mesh(mesh), m_adjacency(adjacency) {}
@@ -218,6 +196,27 @@ double volume_of(const ConvexPart& part) {
                   .dot(part.vertices[t[2]] - inside) /
               6;
   return volume;
+}
+
+double enclosed_volume(const Mesh& mesh, std::span<const Index> faces) {
+  double volume = 0;
+  const Vec3& origin = mesh.vertices[mesh.triangles[faces[0]][0]];
+  for (const Index f : faces) {
+    const Triangle t = mesh.triangle(f);
+    volume += (t[0] - origin).cross(t[1] - origin).dot(t[2] - origin) / 6;
+  }
+  return std::abs(volume);
+}
+
+std::vector<Vec3> corners_of(const Mesh& mesh, std::span<const Index> faces) {
+  std::vector<Index> ids;
+  for (const Index f : faces)
+    ids.insert(ids.end(), mesh.triangles[f].begin(), mesh.triangles[f].end());
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  std::vector<Vec3> out;
+  for (const Index v : ids) out.push_back(mesh.vertices[v]);
+  return out;
 }
 
 }  // namespace trivet

@@ -43,6 +43,12 @@ ConvexPart shrunk(const ConvexPart& part, double clearance);
 
 double volume_of(const ConvexPart& part);
 
+/// Volume of a closed component; meaningless for others. @param faces  not empty.
+double enclosed_volume(const Mesh& mesh, std::span<const Index> faces);
+
+/// Vertices of the faces, each once, in the order of their ids.
+std::vector<Vec3> corners_of(const Mesh& mesh, std::span<const Index> faces);
+
 /// Clusters of faces whose hulls are approximately convex pieces; see Decomposition.
 /// @return the vertices of each piece; empty in a build without a decomposition library.
 std::vector<std::vector<Vec3>> decomposed(std::span<const Vec3> vertices,

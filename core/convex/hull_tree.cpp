@@ -27,16 +27,6 @@ double volume_of_hull(const std::vector<Vec3>& points) {
   return volume;
 }
 
-double enclosed_volume(const Mesh& mesh, std::span<const Index> faces) {
-  double volume = 0;
-  const Vec3& origin = mesh.vertices[mesh.triangles[faces[0]][0]];
-  for (const Index f : faces) {
-    const Triangle t = mesh.triangle(f);
-    volume += (t[0] - origin).cross(t[1] - origin).dot(t[2] - origin) / 6;
-  }
-  return std::abs(volume);
-}
-
 }  // namespace
 
 HullTree::HullTree(const Mesh& mesh, const Adjacency& adjacency, double shell)
@@ -58,7 +48,8 @@ HullTree::HullTree(const Mesh& mesh, const Adjacency& adjacency, double shell)
 bool HullTree::is_convex_solid(Index root) const {
   const std::vector<Index>& faces = m_nodes[root].faces;
   if (!m_adjacency.components[m_adjacency.face_component[faces[0]]].balanced) return false;
-  return enclosed_volume(m_mesh, faces) >= (1 - kConvexDefect) * volume_of_hull(corners(faces));
+  return enclosed_volume(m_mesh, faces) >=
+         (1 - kConvexDefect) * volume_of_hull(corners_of(m_mesh, faces));
 }
 
 std::vector<ConvexPart> HullTree::parts() const {
@@ -94,7 +85,7 @@ bool HullTree::refine(Index leaf) {
 
 HullTree::Node HullTree::make_node(std::vector<Index> faces, bool backed) const {
   Node node;
-  std::vector<Vec3> points = corners(faces);
+  std::vector<Vec3> points = corners_of(m_mesh, faces);
   if (backed) {
     std::vector<Vec3> behind = backed_corners(faces);
     node.backed = !behind.empty();
@@ -106,17 +97,6 @@ HullTree::Node HullTree::make_node(std::vector<Index> faces, bool backed) const 
   return node;
 }
 
-std::vector<Vec3> HullTree::corners(std::span<const Index> faces) const {
-  std::vector<Index> ids;
-  for (const Index f : faces)
-    ids.insert(ids.end(), m_mesh.triangles[f].begin(), m_mesh.triangles[f].end());
-  std::sort(ids.begin(), ids.end());
-  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
-  std::vector<Vec3> out;
-  for (const Index v : ids) out.push_back(m_mesh.vertices[v]);
-  return out;
-}
-
 // The corners moved back along the mean normal until the part is as thick as a shell.
 std::vector<Vec3> HullTree::backed_corners(std::span<const Index> faces) const {
   Vec3 normal = Vec3::Zero();
@@ -126,7 +106,7 @@ std::vector<Vec3> HullTree::backed_corners(std::span<const Index> faces) const {
   }
   if (!(normal.norm() > 0)) return {};
   normal.normalize();
-  std::vector<Vec3> points = corners(faces);
+  std::vector<Vec3> points = corners_of(m_mesh, faces);
   double low = kInfinity, high = -kInfinity;
   for (const Vec3& p : points) {
     low = std::min(low, normal.dot(p));
@@ -161,8 +141,8 @@ std::array<std::vector<Index>, 2> HullTree::halves(const std::vector<Index>& fac
     for (const size_t cut : cuts) {
       if (cut == 0 || cut == sorted.size()) continue;
       const std::span<const Index> all(sorted);
-      const double volume =
-          volume_of_hull(corners(all.first(cut))) + volume_of_hull(corners(all.subspan(cut)));
+      const double volume = volume_of_hull(corners_of(m_mesh, all.first(cut))) +
+                            volume_of_hull(corners_of(m_mesh, all.subspan(cut)));
       if (!(volume < least)) continue;
       least = volume;
       const auto middle = sorted.begin() + static_cast<long>(cut);

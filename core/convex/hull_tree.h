@@ -42,7 +42,6 @@ class HullTree {
  private:
   Node make_node(std::vector<Index> faces, bool backed) const;
   std::array<std::vector<Index>, 2> halves(const std::vector<Index>& faces) const;
-  std::vector<Vec3> corners(std::span<const Index> faces) const;
   std::vector<Vec3> backed_corners(std::span<const Index> faces) const;
   bool is_convex_solid(Index root) const;
 

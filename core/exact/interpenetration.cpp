@@ -23,12 +23,12 @@ bool has_faces(const PlacedShape& placed) { return placed.shape->has_faces(); }
 // Containment
 // -------------------------------------------------------------------------------------------------
 
-struct Ray {
+struct UnitRay {
   Vec3 from, to;
 };
 
 // Frame in which the ray is the segment from (-1, 0, 0) to (1, 0, 0), and its tree of one leaf.
-BoxFrame ray_frame(const Ray& ray) {
+BoxFrame ray_frame(const UnitRay& ray) {
   Affine world_from_ray;
   world_from_ray.linear = Mat3::Zero();
   world_from_ray.linear.col(0) = 0.5 * (ray.to - ray.from);
@@ -51,7 +51,7 @@ BoxFrame point_frame(const Vec3& p) {
 
 // +1 or -1: the ray passes through the inside of the triangle, against or along its normal; 0: it
 // misses; nullopt: it grazes an edge or a corner.
-std::optional<int> crossing_sign(const Ray& ray, const Triangle& t) {
+std::optional<int> crossing_sign(const UnitRay& ray, const Triangle& t) {
   const int turns[3] = {orient3d(ray.from, ray.to, t[0], t[1]),
                         orient3d(ray.from, ray.to, t[1], t[2]),
                         orient3d(ray.from, ray.to, t[2], t[0])};
@@ -67,7 +67,7 @@ std::optional<int> crossing_sign(const Ray& ray, const Triangle& t) {
 }
 
 // Whether the start of the ray is inside a closed component; nullopt if the ray grazes.
-std::optional<bool> starts_inside(const Ray& ray, const PlacedShape& outer) {
+std::optional<bool> starts_inside(const UnitRay& ray, const PlacedShape& outer) {
   const Adjacency& adjacency = outer.shape->adjacency;
   int winding = 0;                    // of all balanced components together
   std::vector<Index> crossed_by_ray;  // other even components, once per crossing
@@ -100,7 +100,7 @@ std::optional<bool> starts_inside(const Ray& ray, const PlacedShape& outer) {
 
 // Ray upwards, to a point outside the box of `outer` if it starts inside. Tilts follow a sequence
 // that fills the square evenly [Roberts 2018].
-Ray ray_from(const Vec3& point, const PlacedShape& outer, int attempt) {
+UnitRay ray_from(const Vec3& point, const PlacedShape& outer, int attempt) {
   const Vec3 half =
       outer.world_from_object.linear.cwiseAbs() * outer.shape->bvh().nodes[0].box().half_extent();
   // The last term moves the end even if the box is tiny and far from the origin.

@@ -21,11 +21,14 @@ namespace fs = std::filesystem;
   throw Error(Error::Kind::Environment, path + ": cannot be written: " + std::strerror(error));
 }
 
-/// An open file that is deleted unless kept.
-class TemporaryFile {
+}  // namespace
+
+/// An open file that is deleted unless kept. Named in the library's namespace: StagedFiles::File,
+/// which a header declares, has one.
+class HiddenFile {
  public:
   /// Hidden, beside the target: a rename is atomic only within one file system.
-  explicit TemporaryFile(const fs::path& target) {
+  explicit HiddenFile(const fs::path& target) {
     std::string stem(1, '.');
     stem += target.filename().string().substr(0, 200) + ".";
     for (int i = 0; m_descriptor < 0; ++i) {
@@ -35,12 +38,12 @@ class TemporaryFile {
       if (m_descriptor < 0 && errno != EEXIST) fail_to_write(target.string(), errno);
     }
   }
-  ~TemporaryFile() {
+  ~HiddenFile() {
     if (m_descriptor >= 0) close(m_descriptor);
     if (!m_kept) unlink(m_path.c_str());
   }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
+  HiddenFile(const HiddenFile&) = delete;
+  HiddenFile& operator=(const HiddenFile&) = delete;
 
   int descriptor() const { return m_descriptor; }
   const fs::path& path() const { return m_path; }
@@ -63,11 +66,13 @@ class TemporaryFile {
   bool m_kept = false;
 };
 
+namespace {
+
 void write_all(int descriptor, const std::string& bytes, const std::string& path) {
   const char* next = bytes.data();
   const char* const end = next + bytes.size();
   while (next < end) {
-    const ssize_t written = write(descriptor, next, static_cast<size_t>(end - next));
+    const ssize_t written = ::write(descriptor, next, static_cast<size_t>(end - next));
     if (written < 0 && errno == EINTR) continue;
     if (written < 0) fail_to_write(path, errno);
     next += written;
@@ -106,7 +111,7 @@ struct StagedFiles::File {
   std::string path;
   std::string late_bytes;  // of a device or pipe
   fs::path target;
-  std::unique_ptr<TemporaryFile> temporary;
+  std::unique_ptr<HiddenFile> temporary;
   bool replaces = false, is_committed = false;
   std::string old;  // second name of what was there; empty: none
 
@@ -124,7 +129,7 @@ struct StagedFiles::File {
     std::error_code error;
     target = exists ? fs::canonical(path, error) : fs::absolute(path, error);
     if (error) fail_to_write(path, error.value());
-    temporary = std::make_unique<TemporaryFile>(target);
+    temporary = std::make_unique<HiddenFile>(target);
     content([&](const std::string& bytes) { write_all(temporary->descriptor(), bytes, path); });
     if (exists) fchmod(temporary->descriptor(), there.st_mode & 07777);
     temporary->sync_and_close(path);

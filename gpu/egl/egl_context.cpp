@@ -5,15 +5,13 @@
 
 #include <optional>
 
-#include "core/base/error.h"
 #include "gpu/egl/egl_display.h"
+#include "gpu/egl/environment_error.h"
 
 namespace trivet {
 namespace {
 
 constexpr int kVersions[] = {46, 45, 43, 41, 40, 33};
-
-Error environment(const std::string& message) { return {Error::Kind::Environment, message}; }
 
 std::string gl_text(GLenum name) {
   const GLubyte* text = glGetString(name);
@@ -33,7 +31,7 @@ EGLConfig choose_config(const EglDisplayUse& display) {
   EGLConfig config = nullptr;
   EGLint count = 0;
   if (!eglChooseConfig(display.get(), wanted, &config, 1, &count) || count == 0)
-    throw environment("no config for OpenGL, " + last_egl_error());
+    throw environment_error("no config for OpenGL, " + last_egl_error());
   return config;
 }
 
@@ -74,8 +72,8 @@ struct EglContext::State {
 
 void EglContext::State::create(int most_version) {
   if (!display.has_extension("EGL_KHR_surfaceless_context"))
-    throw environment("cannot draw without a surface (no EGL_KHR_surfaceless_context)");
-  if (!eglBindAPI(EGL_OPENGL_API)) throw environment("no OpenGL, " + last_egl_error());
+    throw environment_error("cannot draw without a surface (no EGL_KHR_surfaceless_context)");
+  if (!eglBindAPI(EGL_OPENGL_API)) throw environment_error("no OpenGL, " + last_egl_error());
   const EGLConfig config = choose_config(display);
   const bool may_notify = display.has_extension("EGL_EXT_create_context_robustness");
   for (const int wanted : kVersions) {
@@ -85,7 +83,7 @@ void EglContext::State::create(int most_version) {
     if (context != EGL_NO_CONTEXT) break;
   }
   if (context == EGL_NO_CONTEXT)
-    throw environment("no context of OpenGL 3.3 core or later, " + last_egl_error());
+    throw environment_error("no context of OpenGL 3.3 core or later, " + last_egl_error());
 }
 
 EglContext::EglContext(const EglOptions& options) {
@@ -93,7 +91,7 @@ EglContext::EglContext(const EglOptions& options) {
   for (const EglCandidate& candidate : list_egl_candidates(failures)) {
     try {
       if (candidate.software && !options.allow_software)
-        throw environment("software renderers are disabled");
+        throw environment_error("software renderers are disabled");
       m_state = std::make_unique<State>(candidate);
       m_state->create(options.most_version);
       const Current current(*this);
@@ -104,7 +102,8 @@ EglContext::EglContext(const EglOptions& options) {
       m_state->gl_version = epoxy_gl_version();
       m_state->software = candidate.software || names_software(m_state->renderer);
       if (m_state->software && !options.allow_software)
-        throw environment(m_state->renderer + " is a software renderer, and those are disabled");
+        throw environment_error(m_state->renderer +
+                                " is a software renderer, and those are disabled");
       m_state->failures = std::move(failures);
       return;
     } catch (const Error& error) {
@@ -114,7 +113,7 @@ EglContext::EglContext(const EglOptions& options) {
   }
   std::string message = "no OpenGL 3.3 context through EGL; tried:";
   for (const std::string& failure : failures) message += "\n  " + failure;
-  throw environment(message);
+  throw environment_error(message);
 }
 
 EglContext::~EglContext() = default;
@@ -160,7 +159,7 @@ EglContext::Current::Current(const EglContext& context) : m_before(query()) {
   if (!eglMakeCurrent(m_display, EGL_NO_SURFACE, EGL_NO_SURFACE, context.m_state->context)) {
     const std::string reason = last_egl_error();
     eglBindAPI(m_before.api);
-    throw environment("cannot make the OpenGL context current on this thread, " + reason);
+    throw environment_error("cannot make the OpenGL context current on this thread, " + reason);
   }
 }
 

@@ -6,14 +6,12 @@
 #include <cstdio>
 #include <vector>
 
-#include "core/base/error.h"
+#include "gpu/egl/environment_error.h"
 
 namespace trivet {
 namespace {
 
 using GlShader = GlHandle<GlShaderKind>;
-
-Error environment(const std::string& message) { return {Error::Kind::Environment, message}; }
 
 const char* stage_name(GLenum stage) {
   switch (stage) {
@@ -39,8 +37,8 @@ GlShader compile(const char* name, GLenum stage, const std::string& source) {
   glGetShaderiv(shader.id(), GL_INFO_LOG_LENGTH, &length);
   std::vector<char> log(length + 1, '\0');
   glGetShaderInfoLog(shader.id(), length, nullptr, log.data());
-  throw environment(std::string("the ") + stage_name(stage) + " shader of " + name +
-                    " does not compile on this driver: " + log.data());
+  throw environment_error(std::string("the ") + stage_name(stage) + " shader of " + name +
+                          " does not compile on this driver: " + log.data());
 }
 
 void check_framebuffer() {
@@ -49,7 +47,8 @@ void check_framebuffer() {
   check_gl("making a framebuffer");
   char number[16];
   std::snprintf(number, sizeof number, "0x%04x", status);
-  throw environment(std::string("the driver does not support a framebuffer, status ") + number);
+  throw environment_error(std::string("the driver does not support a framebuffer, status ") +
+                          number);
 }
 
 void set_nearest(GLenum target) {
@@ -137,8 +136,8 @@ GlProgram::GlProgram(const char* name, std::initializer_list<GlShaderSource> sha
   glGetProgramiv(id(), GL_INFO_LOG_LENGTH, &length);
   std::vector<char> log(length + 1, '\0');
   glGetProgramInfoLog(id(), length, nullptr, log.data());
-  throw environment(std::string("the shaders of ") + name +
-                    " do not link on this driver: " + log.data());
+  throw environment_error(std::string("the shaders of ") + name +
+                          " do not link on this driver: " + log.data());
 }
 
 void set_uniform(const GlProgram& program, const char* name, float value) {
@@ -275,7 +274,7 @@ void check_gl(const char* stage) {
                                                                 : "an OpenGL error";
   char number[16];
   std::snprintf(number, sizeof number, " (0x%04x)", code);
-  throw environment(std::string("OpenGL failed while ") + stage + ": " + name + number);
+  throw environment_error(std::string("OpenGL failed while ") + stage + ": " + name + number);
 }
 
 void check_no_reset() {
@@ -285,10 +284,10 @@ void check_no_reset() {
   else if (epoxy_has_gl_extension("GL_ARB_robustness"))
     status = glGetGraphicsResetStatusARB();
   if (status == GL_NO_ERROR) return;
-  throw environment(std::string("the graphics hardware was reset, ") +
-                    (status == GL_GUILTY_CONTEXT_RESET     ? "GL_GUILTY_CONTEXT_RESET"
-                     : status == GL_INNOCENT_CONTEXT_RESET ? "GL_INNOCENT_CONTEXT_RESET"
-                                                           : "GL_UNKNOWN_CONTEXT_RESET"));
+  throw environment_error(std::string("the graphics hardware was reset, ") +
+                          (status == GL_GUILTY_CONTEXT_RESET     ? "GL_GUILTY_CONTEXT_RESET"
+                           : status == GL_INNOCENT_CONTEXT_RESET ? "GL_INNOCENT_CONTEXT_RESET"
+                                                                 : "GL_UNKNOWN_CONTEXT_RESET"));
 }
 
 }  // namespace trivet

@@ -8,14 +8,14 @@ namespace {
 
 // Drafts of larger scenes cache the static objects: this many triangles take some 30 ms.
 constexpr std::int64_t kManyOnCpu = 100'000, kManyOnGpu = 5'000'000;
-constexpr int kMaxSide = 16384;  // pixels
+constexpr int kMaxViewSide = 16384;  // pixels
 
 void check_size(const LiveOptions& options) {
-  const auto is_good = [](int side) { return side >= 1 && side <= kMaxSide; };
+  const auto is_good = [](int side) { return side >= 1 && side <= kMaxViewSide; };
   if (is_good(options.width) && is_good(options.height)) return;
   throw Error(Error::Kind::BadInput, "a view of " + std::to_string(options.width) + " x " +
                                          std::to_string(options.height) +
-                                         " pixels; accepted: 1 to " + std::to_string(kMaxSide) +
+                                         " pixels; accepted: 1 to " + std::to_string(kMaxViewSide) +
                                          " in each dimension");
 }
 

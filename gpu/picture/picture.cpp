@@ -8,17 +8,17 @@
 namespace trivet {
 namespace {
 
-constexpr int kMaxSide = 16384;  // pixels
+constexpr int kMaxPictureSide = 16384;  // pixels
 constexpr int kMaxSamples = 4096;
 
 Error bad_input(const std::string& message) { return {Error::Kind::BadInput, message}; }
 
 void check_options(const PictureOptions& options) {
-  const auto side_is_good = [](int side) { return side >= 1 && side <= kMaxSide; };
+  const auto side_is_good = [](int side) { return side >= 1 && side <= kMaxPictureSide; };
   if (!side_is_good(options.width) || !side_is_good(options.height))
     throw bad_input("a picture of " + std::to_string(options.width) + " x " +
                     std::to_string(options.height) + " pixels; accepted: 1 to " +
-                    std::to_string(kMaxSide) + " in each dimension");
+                    std::to_string(kMaxPictureSide) + " in each dimension");
   if (options.samples < 1 || options.samples > kMaxSamples)
     throw bad_input("a picture of " + std::to_string(options.samples) +
                     " samples; accepted: 1 to " + std::to_string(kMaxSamples));

@@ -8,15 +8,13 @@
 namespace trivet {
 namespace {
 
-namespace shaders = picture_shaders;
-
 constexpr int kMaxTile = 2048;                // px; bounds the memory of large pictures
 constexpr int kMinMap = 512, kMaxMap = 2048;  // px; side of the key light's shadow map
 constexpr int kFloorLightPx = 128, kFloorLightViews = 12, kFloorLightMap = 256;
 constexpr double kFadeBegin = 1.0, kFadeEnd = 3.2;  // of the floor, in radii of the scene
 constexpr float kExposure = 1.0f;
 
-void bind_texture(int unit, GLenum target, const GlTexture& texture) {
+void bind_to_unit(int unit, GLenum target, const GlTexture& texture) {
   glActiveTexture(GL_TEXTURE0 + unit);
   glBindTexture(target, texture.id());
 }
@@ -50,15 +48,18 @@ void add_to_target() {
 }  // namespace
 
 PicturePrograms::PicturePrograms()
-    : surface("surfaces", shaders::surface_vertex(), shaders::surface_fragment(false)),
-      surface_see_through("see-through surfaces", shaders::surface_vertex(),
-                          shaders::surface_fragment(true)),
-      shadow("shadows", shaders::shadow_vertex(), shaders::shadow_fragment(false)),
-      shadow_see_through("see-through shadows", shaders::shadow_vertex(),
-                         shaders::shadow_fragment(true)),
-      floor_light("floor light", shaders::whole_target_vertex(), shaders::floor_light_fragment()),
-      light("light", shaders::whole_target_vertex(), shaders::light_fragment()),
-      develop("development", shaders::whole_target_vertex(), shaders::develop_fragment()) {}
+    : surface("surfaces", picture_shaders::surface_vertex(),
+              picture_shaders::surface_fragment(false)),
+      surface_see_through("see-through surfaces", picture_shaders::surface_vertex(),
+                          picture_shaders::surface_fragment(true)),
+      shadow("shadows", picture_shaders::shadow_vertex(), picture_shaders::shadow_fragment(false)),
+      shadow_see_through("see-through shadows", picture_shaders::shadow_vertex(),
+                         picture_shaders::shadow_fragment(true)),
+      floor_light("floor light", picture_shaders::whole_target_vertex(),
+                  picture_shaders::floor_light_fragment()),
+      light("light", picture_shaders::whole_target_vertex(), picture_shaders::light_fragment()),
+      develop("development", picture_shaders::whole_target_vertex(),
+              picture_shaders::develop_fragment()) {}
 
 PictureTargets::PictureTargets(int width, int height, int map_size)
     : surfaces(make_texture_2d(GL_RGBA32UI, width, height)),
@@ -213,8 +214,8 @@ void PictureRenderer::add_light(int view, const PictureTile& tile, const Lights&
   glViewport(0, 0, tile.width, tile.height);
   add_to_target();
   m_programs.light.use();
-  bind_texture(0, GL_TEXTURE_2D, m_targets.surfaces);
-  bind_texture(2, GL_TEXTURE_2D, m_targets.floor_light);
+  bind_to_unit(0, GL_TEXTURE_2D, m_targets.surfaces);
+  bind_to_unit(2, GL_TEXTURE_2D, m_targets.floor_light);
   set_view_uniforms(view, tile);
   set_light_uniforms(m_programs.light, lights);
   glBindVertexArray(m_no_attributes.id());
@@ -245,7 +246,7 @@ void PictureRenderer::set_view_uniforms(int view, const PictureTile& tile) {
 }
 
 void PictureRenderer::set_light_uniforms(const GlProgram& program, const Lights& lights) {
-  bind_texture(1, GL_TEXTURE_2D_ARRAY, m_targets.maps);
+  bind_to_unit(1, GL_TEXTURE_2D_ARRAY, m_targets.maps);
   glUniform1i(program.uniform("shadow_maps"), 1);
   set_uniform(program, "floor_z", static_cast<float>(m_frame.floor_z));
   set_uniform(program, "floor_extent", static_cast<float>(kFadeEnd * floor_radius()));
@@ -277,7 +278,7 @@ void PictureRenderer::develop(const PictureTile& tile, Image& image) {
   glViewport(0, 0, tile.width, tile.height);
   glDisable(GL_DEPTH_TEST);
   m_programs.develop.use();
-  bind_texture(0, GL_TEXTURE_2D, m_targets.sums);
+  bind_to_unit(0, GL_TEXTURE_2D, m_targets.sums);
   glUniform1i(m_programs.develop.uniform("sums"), 0);
   set_uniform(m_programs.develop, "num_views", static_cast<float>(m_options.samples));
   set_uniform(m_programs.develop, "exposure", kExposure);

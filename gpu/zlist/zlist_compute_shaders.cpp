@@ -266,21 +266,21 @@ const char* visit_of(Pass pass) {
   }
 }
 
-std::string with_version(const std::string& body) {
+std::string compute_source(const std::string& body) {
   return "#version 430 core\n" + inputs("") + body;
 }
 
 std::string over_pixels(Depths depths, const std::string& body) {
-  return with_version(model(Motion::Kind::Translation) + kOrdered + buffers(depths) + body);
+  return compute_source(model(Motion::Kind::Translation) + kOrdered + buffers(depths) + body);
 }
 
 }  // namespace
 
 std::string compute(Motion::Kind kind, Pass pass, Depths depths) {
   const bool lists = pass == Pass::MovingLists || pass == Pass::FixedLists;
-  return with_version(model(kind) + kOrdered + buffers(depths) +
-                      (lists ? std::string(kDoubtful) + kAddEntry : std::string()) +
-                      visit_of(pass) + kMain);
+  return compute_source(model(kind) + kOrdered + buffers(depths) +
+                        (lists ? std::string(kDoubtful) + kAddEntry : std::string()) +
+                        visit_of(pass) + kMain);
 }
 
 std::string upper_bounds() { return over_pixels(Depths::Framebuffers, kUpperBounds); }

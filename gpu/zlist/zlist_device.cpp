@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "core/base/error.h"
+#include "gpu/egl/environment_error.h"
 #include "gpu/zlist/zlist_pairs.h"
 #include "gpu/zlist/zlist_view.h"
 
@@ -15,11 +16,9 @@ constexpr std::size_t kLeastMeshBytes = 8 << 10;
 /// OpenGL with compute shaders.
 constexpr int kComputes = 43;
 
-Error environment(const std::string& message) { return {Error::Kind::Environment, message}; }
-
 EglOptions context_options(const GpuZListOptions& options) {
   if (options.faults.is_gone && options.faults.is_gone())
-    throw environment("no OpenGL context: the device is gone");
+    throw environment_error("no OpenGL context: the device is gone");
   return {options.allow_software, options.most_gl_version};
 }
 
@@ -29,9 +28,9 @@ std::unique_ptr<ZListRaster> make_raster(const GpuZListOptions& options, int gl_
     return gl_version >= kComputes ? make_framebuffer_raster(max_entries)
                                    : make_feedback_raster(max_entries);
   if (gl_version >= kComputes) return make_compute_raster(max_entries);
-  throw environment("z-lists by compute shaders need OpenGL 4.3, here is " +
-                    std::to_string(gl_version / 10) + "." + std::to_string(gl_version % 10) +
-                    "; accepted: the method framebuffer");
+  throw environment_error("z-lists by compute shaders need OpenGL 4.3, here is " +
+                          std::to_string(gl_version / 10) + "." + std::to_string(gl_version % 10) +
+                          "; accepted: the method framebuffer");
 }
 
 ZListAnswer answer_of(const ZListAsk& ask, const ZListView& view, bool bounds_alone,
@@ -97,9 +96,9 @@ ZListDevice::ZListDevice(const GpuZListOptions& options)
   const std::size_t needed = m_raster->num_bytes() + kLeastMeshBytes;
   if (needed > options.memory_bytes) {
     m_raster.reset();
-    throw environment("z-lists need " + std::to_string(needed >> 10) +
-                      " KiB of graphics memory, more than the " +
-                      std::to_string(options.memory_bytes >> 10) + " KiB allowed");
+    throw environment_error("z-lists need " + std::to_string(needed >> 10) +
+                            " KiB of graphics memory, more than the " +
+                            std::to_string(options.memory_bytes >> 10) + " KiB allowed");
   }
   GLint64 max_buffer_bytes = std::numeric_limits<GLint64>::max();
   if (gl_version() >= kComputes)
@@ -133,7 +132,7 @@ std::string ZListDevice::description() const {
 void ZListDevice::check_alive() const {
   check_no_reset();
   if (m_options.faults.resets && m_options.faults.resets())
-    throw environment("the graphics hardware was reset, injected");
+    throw environment_error("the graphics hardware was reset, injected");
 }
 
 std::vector<ZListAnswer> ZListDevice::answer(std::span<const ZListAsk> asks,

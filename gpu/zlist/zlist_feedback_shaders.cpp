@@ -4,11 +4,11 @@
 namespace trivet::zlist_shaders {
 namespace {
 
-std::string with_version(const std::string& body) {
+std::string feedback_source(const std::string& body) {
   return "#version 330 core\n" + inputs("uniform") + body;
 }
 
-const char* const kFaceVertex = R"(
+const char* const kListVertex = R"(
 layout(location = 0) in vec3 position;
 out vec3 placed;
 flat out int run;
@@ -86,12 +86,12 @@ void main() {
 
 }  // namespace
 
-std::string list_vertex(Motion::Kind kind) { return with_version(model(kind) + kFaceVertex); }
+std::string list_vertex(Motion::Kind kind) { return feedback_source(model(kind) + kListVertex); }
 
 std::string list_geometry(Motion::Kind kind, Pass pass) {
   const std::string size = "#define MAX_RECORDS " + std::to_string(kRecordsPerRun) + "\n";
-  return with_version(size + model(kind) + kListGeometry +
-                      (pass == Pass::MovingLists ? kMovingWanted : kFixedWanted) + kListMain);
+  return feedback_source(size + model(kind) + kListGeometry +
+                         (pass == Pass::MovingLists ? kMovingWanted : kFixedWanted) + kListMain);
 }
 
 }  // namespace trivet::zlist_shaders

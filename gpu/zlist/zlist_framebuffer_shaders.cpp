@@ -114,7 +114,7 @@ void main() {
 }
 )";
 
-std::string with_version(Motion::Kind kind, const std::string& body) {
+std::string framebuffer_source(Motion::Kind kind, const std::string& body) {
   return "#version 330 core\n" + inputs("") + model(kind) + kLoad + empty_texels() + body;
 }
 
@@ -124,13 +124,13 @@ std::string empty_texels() {
   return "const float kNone = -1e30;\nbool is_none(float x) { return x < -1e29; }\n";
 }
 
-std::string face_vertex(Motion::Kind kind) { return with_version(kind, kFaceVertex); }
+std::string face_vertex(Motion::Kind kind) { return framebuffer_source(kind, kFaceVertex); }
 
-std::string quad_geometry(Motion::Kind kind) { return with_version(kind, kQuadGeometry); }
+std::string quad_geometry(Motion::Kind kind) { return framebuffer_source(kind, kQuadGeometry); }
 
 std::string depth_fragment(Motion::Kind kind, Pass pass) {
   const char* main = pass == Pass::Moving ? kMovingMain : kFixedMain;
-  return with_version(kind, std::string(kFragment) + main);
+  return framebuffer_source(kind, std::string(kFragment) + main);
 }
 
 }  // namespace trivet::zlist_shaders

@@ -17,13 +17,13 @@ namespace {
 /// Rows and columns of the spheres' quadrilaterals; on the CPU the smaller ones tell as much.
 constexpr int kRows = 75, kRowsOnCpu = 20;
 constexpr int kRepeats = 3;
-constexpr double kPi = std::numbers::pi;
 
 /// A sphere with bumps; radius about 1, 2 * rows * (rows + rows / 3) faces.
 std::shared_ptr<const Shape> bumpy_sphere(int rows) {
   const int columns = rows + rows / 3;
   const auto vertex = [&](int i, int j) {
-    const double polar = kPi * i / rows, turn = 2 * kPi * (j % columns) / columns;
+    const double polar = std::numbers::pi * i / rows,
+                 turn = 2 * std::numbers::pi * (j % columns) / columns;
     const double radius = 1 + 0.05 * std::sin(5 * polar) * std::cos(7 * turn);
     return Vec3(radius * std::sin(polar) * std::cos(turn),
                 radius * std::sin(polar) * std::sin(turn), radius * std::cos(polar));

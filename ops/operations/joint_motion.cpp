@@ -8,22 +8,21 @@
 #include "core/base/tunables.h"
 #include "ops/operations/commit.h"
 #include "ops/operations/twist_groups.h"
+#include "ops/settle/friction_candidates.h"
 #include "ops/settle/rest.h"
 
 namespace trivet {
 namespace {
 
-constexpr double kSlidingFriction = 0.92;  // as of one object, see friction_candidates.cpp
-constexpr double kSteps[] = {0.1, 0.02};   // of the size of the fastest
+constexpr double kSteps[] = {0.1, 0.02};  // of the size of the fastest
 /// Twists that differ by less, relative to the faster one, count as equal. Coarser groups where
 /// finer ones block each other.
 constexpr double kSame[] = {2e-3, 0.03, 0.3};
-constexpr double kParting = 1e-3;
-constexpr double kEnough = 0.2;    // of the predicted drop of energy
-constexpr double kAtLeast = 0.02;  // the same, when no step gets that far
+constexpr double kEnoughEnergy = 0.2;  // of the predicted drop of energy
+constexpr double kAtLeast = 0.02;      // the same, when no step gets that far
 constexpr int kPasses = 3;
-constexpr double kOnlySlides = 1e-4;    // turning, of the speed
-constexpr double kLeastInertia = 1e-3;  // of a mass of 1, in squares of the size
+constexpr double kOnlySlides = 1e-4;         // turning, of the speed
+constexpr double kLeastJointInertia = 1e-3;  // of a mass of 1, in squares of the size
 
 class JointMotion {
  public:
@@ -45,7 +44,7 @@ class JointMotion {
     for (const BodyContact& t : part.touches) add_contact(t);
   }
 
-  bool run() { return !m_motion.bodies.empty() && (run(kEnough) || run(kAtLeast)); }
+  bool run() { return !m_motion.bodies.empty() && (run(kEnoughEnergy) || run(kAtLeast)); }
 
  private:
   bool run(double enough) {
@@ -54,7 +53,7 @@ class JointMotion {
       if (!(m_duration > 0) || !(predicted() > 0)) return false;
       size_t num_groups = 0;
       for (const double same : kSame) {
-        const std::vector<TwistGroup> groups = twist_groups(m_motion, same, kParting);
+        const std::vector<TwistGroup> groups = twist_groups(m_motion, same, kPartingSpeed);
         if (groups.size() == num_groups) continue;
         num_groups = groups.size();
         if (m_run.interrupt.reason()) return false;
@@ -70,7 +69,7 @@ class JointMotion {
     const Mat3 linear = object.world_from_object().linear;
     const Mat3 inertia =
         inertia_per_mass(linear * object.shape->mass.covariance * linear.transpose()) +
-        kLeastInertia * body.size * body.size * Mat3::Identity();
+        kLeastJointInertia * body.size * body.size * Mat3::Identity();
     return {body.centre, body.weight, body.size, inertia.inverse()};
   }
 
@@ -85,7 +84,7 @@ class JointMotion {
   }
 
   void solve(double step) {
-    m_motion.twists = first_motion(m_motion.bodies, m_motion.contacts, {kParting, step});
+    m_motion.twists = first_motion(m_motion.bodies, m_motion.contacts, {kPartingSpeed, step});
     double relative = 0;  // sizes a second
     for (size_t i = 0; i < m_motion.bodies.size(); ++i)
       relative = std::max(relative, m_motion.speed(i) / m_motion.bodies[i].size);

@@ -10,7 +10,7 @@ namespace trivet {
 namespace {
 
 constexpr double kStill = 1e-5;  // of the fastest
-constexpr int kProjectionSweeps = 400;
+constexpr int kGroupSweeps = 400;
 
 using Vec6 = Eigen::Matrix<double, 6, 1>;
 
@@ -123,7 +123,7 @@ class Grouping {
       rows.push_back(row);
     }
     std::vector<double> weights(rows.size(), 0.0);
-    for (int sweep = 0; sweep < kProjectionSweeps; ++sweep)
+    for (int sweep = 0; sweep < kGroupSweeps; ++sweep)
       for (size_t k = 0; k < rows.size(); ++k) {
         const double change =
             std::max(-weights[k], (least - rows[k].dot(x)) / rows[k].squaredNorm());

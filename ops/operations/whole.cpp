@@ -13,10 +13,10 @@
 namespace trivet {
 namespace {
 
-constexpr int kMaxRounds = 24;        // joint motions and judgements
-constexpr int kMaxMotions = 120;      // of single objects with their loads, in one round
-constexpr int kMaxMotionsOfOne = 30;  // of these, of one object
-constexpr double kLongestTurn = 0.1;  // of an object with loads, tan(angle / 2): loads slide then
+constexpr int kMaxRounds = 24;         // joint motions and judgements
+constexpr int kMaxMotionsOfAll = 120;  // of single objects with their loads, in one round
+constexpr int kMaxMotionsOfOne = 30;   // of these, of one object
+constexpr double kLongestTurn = 0.1;   // of an object with loads, tan(angle / 2): loads slide then
 constexpr int kMaxProgramObjects = 200;
 
 class Whole {
@@ -71,7 +71,7 @@ class Whole {
     std::vector<ObjectId> waiting = ids;
     std::map<std::uint32_t, int> num_tries;
     bool moved = false;
-    for (int n = 0; !waiting.empty() && n < kMaxMotions && !stopped(); ++n) {
+    for (int n = 0; !waiting.empty() && n < kMaxMotionsOfAll && !stopped(); ++n) {
       const auto lowest =
           std::min_element(waiting.begin(), waiting.end(),
                            [&](ObjectId a, ObjectId b) { return height(a) < height(b); });

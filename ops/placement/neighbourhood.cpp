@@ -3,11 +3,10 @@
 #include <algorithm>
 
 #include "ops/detect/detector.h"
+#include "ops/placement/slot_order.h"
 
 namespace trivet {
 namespace {
-
-bool by_slot(ObjectId a, ObjectId b) { return a.index < b.index; }
 
 // Box of everything that a motion may come near.
 Aabb swept_box(Aabb box, const Motion& motion, double margin) {

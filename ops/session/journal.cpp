@@ -86,7 +86,7 @@ JournalContent read_journal(const std::string& path) {
 }
 
 Journal::Journal(std::string path, std::uintmax_t size) : m_path(std::move(path)), m_size(size) {
-  m_descriptor = open(m_path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
+  m_descriptor = ::open(m_path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
   if (m_descriptor < 0) fail(m_path, "the journal cannot be opened", errno);
   if (flock(m_descriptor, LOCK_EX | LOCK_NB) == 0) return;
   const int error = errno;
@@ -141,7 +141,7 @@ void Journal::append_line(const std::string& line) {
   };
   if (m_size == 0) fail(m_path, "the journal cannot be written", EIO);
   for (size_t done = 0; done < line.size();) {
-    const ssize_t written = write(m_descriptor, line.data() + done, line.size() - done);
+    const ssize_t written = ::write(m_descriptor, line.data() + done, line.size() - done);
     if (written < 0 && errno == EINTR) continue;
     if (written < 0) failed(errno);
     done += static_cast<size_t>(written);

@@ -13,12 +13,8 @@ namespace {
 
 constexpr size_t kMaxContacts = 48;
 constexpr size_t kMaxCandidates = 16;
-constexpr double kApproach = 1e-4;   // relative speed into a contact that still counts as none
-constexpr double kNoSupport = 1e-6;  // normal.z below which a contact does not hinder a fall
-constexpr double kTie = 1e-9;        // of the size: the centre is exactly over the axis
-constexpr double kQuarterTurn = 1;   // tan(90 degrees / 2)
+constexpr double kQuarterTurn = 1;  // tan(90 degrees / 2)
 constexpr size_t kMaxLastResorts = 8;
-constexpr double kPartingSpeed = 1e-3;  // relative, at which a last resort leaves other contacts
 constexpr int kProjectionSweeps = 200;
 
 bool stands_against(const std::vector<ContactPoint>& contacts, const Vec3& point,

@@ -10,6 +10,15 @@
 
 namespace trivet {
 
+/// Relative speed into a contact that still counts as none.
+inline constexpr double kApproach = 1e-4;
+/// Relative speed at which a contact parts.
+inline constexpr double kPartingSpeed = 1e-3;
+/// Vertical component of the normal below which a contact does not hinder a fall.
+inline constexpr double kNoSupport = 1e-6;
+/// Offset, relative to the size, below which the centre is exactly over the axis.
+inline constexpr double kTie = 1e-9;
+
 /// The object as the rules see it; world, metres.
 struct SettlingObject {
   Vec3 centre;            // of mass

@@ -13,7 +13,7 @@ constexpr int kFewestSweeps = 6;
 constexpr double kRoughChange = 1e-3;  // of the speed, in a sweep: good enough to learn the speed
 constexpr double kChange = 1e-5;
 constexpr int kSlidingSteps = 12;  // of the fixed point of one contact
-constexpr int kProjectionSweeps = 300;
+constexpr int kConeSweeps = 300;
 constexpr double kNothingLeft = 1e-3;
 
 Mat3 cross_matrix(const Vec3& r) {
@@ -160,7 +160,7 @@ std::vector<Twist> first_motion(const std::vector<CoulombBody>& bodies,
 Vec3 parting_direction(const std::vector<Vec3>& normals, const Vec3& wanted, double parting) {
   std::vector<double> weights(normals.size(), 0.0);
   Vec3 x = wanted;
-  for (int sweep = 0; sweep < kProjectionSweeps; ++sweep)
+  for (int sweep = 0; sweep < kConeSweeps; ++sweep)
     for (size_t i = 0; i < normals.size(); ++i) {
       const double change = std::max(-weights[i], parting - normals[i].dot(x));
       weights[i] += change;

@@ -14,18 +14,11 @@ namespace {
 constexpr size_t kMaxPivots = 48;
 constexpr size_t kMaxTurns = 16;
 constexpr size_t kMaxRubbing = 24;      // contacts of the first motion
-constexpr double kParting = 1e-3;       // relative speed at which a contact parts
-constexpr double kApproach = 1e-4;      // relative speed into a contact that still counts as none
-constexpr double kNoSupport = 1e-6;     // normal.z below which a contact does not hinder a fall
 constexpr double kOnAxis = 4;           // clearances: too near to the axis to slide
-constexpr double kTie = 1e-9;           // of the size: the centre is exactly over the axis
 constexpr double kLeastSinking = 1e-3;  // of the speed
 constexpr double kLeastTurning = 1e-3;  // of the speed of the centre, at half the size
-/// Sliding in the linear program's pyramid may need less friction than in the round cone: by cos
-/// 22.5 degrees. Motions are found for that, so that whatever is not at rest has one.
-constexpr double kSlidingFriction = 0.92;
-constexpr double kRoom = 1.2;          // for a screw, of what its turn takes at first
-constexpr double kFarthestAway = 1.0;  // of a step
+constexpr double kRoom = 1.2;           // for a screw, of what its turn takes at first
+constexpr double kFarthestAway = 1.0;   // of a step
 /// Turns about contacts and slides keep what they touch: they go before an approximate turn that is
 /// no better.
 constexpr double kAsGood = 1.02;
@@ -71,7 +64,7 @@ class Turns {
       const double total = speed.norm(), along = speed.dot(c.normal);
       if (total <= kOnAxis * m_body.clearance) return true;
       const double across = (speed - along * c.normal).norm();
-      return along >= (m_dilatant ? c.friction * across : kParting * total);
+      return along >= (m_dilatant ? c.friction * across : kPartingSpeed * total);
     });
   }
 
@@ -203,7 +196,7 @@ std::vector<Candidate> frictionless_slide(const std::vector<FrictionContact>& co
                                           const RubbingObject& body) {
   std::vector<Vec3> normals;
   for (const FrictionContact& c : reduced(contacts, kMaxRubbing)) normals.push_back(c.normal);
-  const Vec3 way = parting_direction(normals, -Vec3::UnitZ(), kParting);
+  const Vec3 way = parting_direction(normals, -Vec3::UnitZ(), kPartingSpeed);
   if (normals.empty() || way.z() > -kLeastSinking) return {};
   const Motion slide = Motion::translation(way, kSlideStep * body.object.size);
   return {{SettleStep::Kind::Slide, slide, way.z() * way.z()}};

@@ -13,6 +13,9 @@ namespace trivet {
 /// Length of a step that slides, relative to the object's size: surfaces and directions change on
 /// the way. Smaller follows curves more closely and takes longer.
 inline constexpr double kSlideStep = 0.1;
+/// Sliding in the linear program's pyramid may need less friction than in the round cone: by cos
+/// 22.5 degrees. Motions are found for that, so that whatever is not at rest has one.
+inline constexpr double kSlidingFriction = 0.92;
 
 /// The object as the rules with friction see it.
 struct RubbingObject {

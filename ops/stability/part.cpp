@@ -7,6 +7,7 @@
 #include "core/contact/contact_points.h"
 #include "core/scene/friction.h"
 #include "ops/placement/contacts.h"
+#include "ops/placement/slot_order.h"
 #include "ops/settle/equilibrium.h"
 #include "ops/settle/settle.h"
 #include "ops/stability/certificate.h"
@@ -14,10 +15,6 @@
 
 namespace trivet {
 namespace {
-
-constexpr size_t kPairContacts = 12;  // points of one pair that the linear program gets
-
-bool by_slot(ObjectId a, ObjectId b) { return a.index < b.index; }
 
 bool stands_still(const Object& object) {
   return object.fixed || object.state == ObjectState::Held;

@@ -16,8 +16,6 @@
 namespace trivet {
 namespace {
 
-constexpr size_t kPairContacts = 12;  // points of one pair that the linear program gets
-
 class StabilityCheck {
  public:
   StabilityCheck(const Scene& scene, const StabilityOptions& options)

@@ -12,20 +12,20 @@ namespace {
 
 constexpr int kLanes = 8;
 using Lanes = Eigen::Array<float, kLanes, 1>;  // independent minima, which Eigen vectorises
-constexpr float kInf = std::numeric_limits<float>::infinity();
+constexpr float kEmpty = std::numeric_limits<float>::infinity();  // height of an empty pixel
 
 // A run of the object's pixels in one row, non-empty at its first and its last.
-struct Span {
+struct RowRun {
   int row, first, last;  // [first, last)
 };
 
-std::vector<Span> spans_of(const HeightMap& object) {
-  std::vector<Span> out;
+std::vector<RowRun> spans_of(const HeightMap& object) {
+  std::vector<RowRun> out;
   for (int row = 0; row < object.height; ++row) {
     const float* line = &object.bound[object.index(0, row)];
     int first = 0, last = object.width;
-    while (first < last && line[first] == kInf) ++first;
-    while (last > first && line[last - 1] == kInf) --last;
+    while (first < last && line[first] == kEmpty) ++first;
+    while (last > first && line[last - 1] == kEmpty) --last;
     if (first < last) out.push_back({row, first, last});
   }
   return out;
@@ -38,10 +38,10 @@ void take_gaps(const float* low, const float* high, int count, Lanes& minima) {
   for (; i < count; ++i) minima[0] = std::min(minima[0], low[i] - high[i]);
 }
 
-DropBracket bracket_at(const HeightMap& object, const std::vector<Span>& spans,
+DropBracket bracket_at(const HeightMap& object, const std::vector<RowRun>& spans,
                        const HeightMap& scene, int column, int row) {
-  Lanes lower = Lanes::Constant(kInf), upper = Lanes::Constant(kInf);
-  for (const Span& s : spans) {
+  Lanes lower = Lanes::Constant(kEmpty), upper = Lanes::Constant(kEmpty);
+  for (const RowRun& s : spans) {
     const size_t from = object.index(s.first, s.row);
     const size_t to = scene.index(column + s.first, row + s.row);
     take_gaps(&object.bound[from], &scene.bound[to], s.last - s.first, lower);
@@ -55,7 +55,7 @@ DropBracket bracket_at(const HeightMap& object, const std::vector<Span>& spans,
 std::vector<DropBracket> drop_brackets(const HeightMap& object, const HeightMap& scene, int columns,
                                        int rows) {
   assert(scene.width >= columns + object.width - 1 && scene.height >= rows + object.height - 1);
-  const std::vector<Span> spans = spans_of(object);
+  const std::vector<RowRun> spans = spans_of(object);
   std::vector<DropBracket> out(size_t(columns) * rows);
   in_parallel(static_cast<size_t>(rows), [&](size_t row) {
     for (int column = 0; column < columns; ++column)

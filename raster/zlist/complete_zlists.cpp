@@ -15,7 +15,7 @@
 namespace trivet {
 namespace {
 
-constexpr int kLargestResolution = 8192;
+constexpr int kLargestCompleteResolution = 8192;
 constexpr double kSmallestPixel =
     1e-9;                         // of the largest coordinate: still distinguishable in double
 constexpr double kEdgeOn = 1e-9;  // sine of the angle to a face seen edge-on
@@ -36,9 +36,9 @@ void check(const ProjectionOptions& o) {
   require(length > 0 && length < kInfinity,
           "direction of z-lists is " + number(o.direction.x()) + " " + number(o.direction.y()) +
               " " + number(o.direction.z()) + "; accepted: finite and not 0 0 0");
-  require(o.resolution >= 1 && o.resolution <= kLargestResolution,
+  require(o.resolution >= 1 && o.resolution <= kLargestCompleteResolution,
           "resolution of z-lists is " + std::to_string(o.resolution) + "; accepted: 1 to " +
-              std::to_string(kLargestResolution));
+              std::to_string(kLargestCompleteResolution));
   require(o.num_threads >= 0, "number of threads of z-lists is " + std::to_string(o.num_threads) +
                                   "; accepted: 0 (all) or more");
   if (!o.region) return;

@@ -8,8 +8,6 @@
 namespace trivet {
 namespace {
 
-constexpr float kInf = std::numeric_limits<float>::infinity();
-
 static_assert(kPartStep % FaceBoxes::kRun == 0, "two threads would write the box of one run");
 
 template <bool kTurning>
@@ -25,10 +23,10 @@ bool draw_part(const Layer& layer, const View& view, size_t first, size_t last, 
 
 DepthMap::DepthMap(int w, int h) : width(w), height(h) {
   const size_t n = static_cast<size_t>(w) * h;
-  lower.assign(n, kInf);
-  upper.assign(n, -kInf);
-  highest_centre.assign(n, -kInf);
-  lowest_centre.assign(n, kInf);
+  lower.assign(n, kFloatInfinity);
+  upper.assign(n, -kFloatInfinity);
+  highest_centre.assign(n, -kFloatInfinity);
+  lowest_centre.assign(n, kFloatInfinity);
 }
 
 void DepthMap::add(const Span& s) {

@@ -7,11 +7,9 @@
 namespace trivet {
 namespace {
 
-constexpr float kInf = std::numeric_limits<float>::infinity();
-
 /// The region of a mask, at all depths.
 Wanted region_of(const std::vector<std::uint32_t>& pixels, int width) {
-  Wanted out{-kInf, kInf, width, std::numeric_limits<int>::max(), -1, -1};
+  Wanted out{-kFloatInfinity, kFloatInfinity, width, std::numeric_limits<int>::max(), -1, -1};
   for (const std::uint32_t pixel : pixels) {
     const int x = static_cast<int>(pixel) % width, y = static_cast<int>(pixel) / width;
     out.x0 = std::min(out.x0, x);
@@ -26,8 +24,8 @@ Wanted region_of(const std::vector<std::uint32_t>& pixels, int width) {
 void cut(DepthMap& map, const std::vector<char>& mask) {
   for (std::size_t i = 0; i < mask.size(); ++i) {
     if (mask[i]) continue;
-    map.lower[i] = map.lowest_centre[i] = kInf;
-    map.upper[i] = map.highest_centre[i] = -kInf;
+    map.lower[i] = map.lowest_centre[i] = kFloatInfinity;
+    map.upper[i] = map.highest_centre[i] = -kFloatInfinity;
   }
 }
 

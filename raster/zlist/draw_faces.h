@@ -24,8 +24,7 @@ struct Wanted {
   int x0, y0, x1, y1;  // pixels, inclusive
 
   static Wanted all_of(const View& view) {
-    constexpr float kInf = std::numeric_limits<float>::infinity();
-    return {-kInf, kInf, 0, 0, view.width - 1, view.height - 1};
+    return {-kFloatInfinity, kFloatInfinity, 0, 0, view.width - 1, view.height - 1};
   }
   bool has_depths(float from, float to) const { return to >= lower && from <= upper; }
 };
@@ -172,12 +171,12 @@ class SmallFaces {
 /// faces records them, later ones skip runs outside their region of interest at once.
 struct FaceBoxes {
   static constexpr size_t kRun = 64;  // faces; parts of a pass begin at multiples of it
-  static constexpr float kInf = std::numeric_limits<float>::infinity();
   bool noted = false;
   std::vector<ImageVertex> low, high;
 
   explicit FaceBoxes(size_t num_faces)
-      : low(num_faces / kRun + 1, ImageVertex::Constant(kInf)), high(low.size(), -low.front()) {}
+      : low(num_faces / kRun + 1, ImageVertex::Constant(kFloatInfinity)),
+        high(low.size(), -low.front()) {}
   void add(size_t run, const ImageVertex& from, const ImageVertex& to) {
     low[run] = low[run].min(from);
     high[run] = high[run].max(to);
@@ -237,7 +236,7 @@ bool draw_faces(const Layer& layer, const View& view, const Wanted& wanted, size
         continue;
       }
       const bool notes = boxes && !boxes->noted;
-      ImageVertex low = ImageVertex::Constant(FaceBoxes::kInf), high = -low;
+      ImageVertex low = ImageVertex::Constant(kFloatInfinity), high = -low;
       for (; f < run_end; f += stride) {
         const Index3& t = faces[f - m.first_face];
         if (notes) finder.note(t, low, high);

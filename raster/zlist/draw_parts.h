@@ -31,8 +31,7 @@ bool draw_parts(const Layer& layer, const View& view, const Wanted& wanted, std:
 /// the upper end.
 inline Wanted wanted_of(const std::vector<float>& lower, const std::vector<float>& upper, int width,
                         float later) {
-  constexpr float kInf = std::numeric_limits<float>::infinity();
-  Wanted out{kInf, -kInf, width, std::numeric_limits<int>::max(), -1, -1};
+  Wanted out{kFloatInfinity, -kFloatInfinity, width, std::numeric_limits<int>::max(), -1, -1};
   for (std::size_t i = 0; i < lower.size(); ++i) {
     if (!(lower[i] <= upper[i])) continue;
     const int x = static_cast<int>(i) % width, y = static_cast<int>(i) / width;

@@ -10,7 +10,7 @@ namespace trivet {
 namespace {
 
 // A vertex is rounded to float32 once: half an ulp, with margin.
-constexpr double kFloatError = 1.2e-7;
+constexpr double kVertexError = 1.2e-7;
 
 // An affine map, four rows at once.
 class Map {
@@ -62,8 +62,8 @@ void Layer::project(int num_threads) {
     });
     ImageVertex high = ImageVertex::Zero();
     for (const ImageVertex& x : largest) high = high.max(x);
-    m.position_error = kFloatError * std::max(high[0], high[1]);
-    m.depth_error = kFloatError * high[2] + (is_turn ? kAngleError : 0);
+    m.position_error = kVertexError * std::max(high[0], high[1]);
+    m.depth_error = kVertexError * high[2] + (is_turn ? kAngleError : 0);
   }
 }
 

@@ -10,10 +10,6 @@
 namespace trivet {
 namespace {
 
-constexpr float kInf = std::numeric_limits<float>::infinity();
-
-float rounded_up(double x) { return static_cast<float>(x) * 1.000001F; }
-
 /// Nearest fixed depth of each pixel that is not wholly behind the moving faces; lowers the upper
 /// bound as the search does.
 class FixedFrontSink final : public SpanSink {
@@ -57,7 +53,7 @@ bool draw_fixed(const Layer& layer, const View& view, FixedFrontSink& sink) {
 
 void find_doubtful(float upper, MotionDepths& out) {
   out.doubtful.assign(out.size(), 0);
-  float nearest = kInf;
+  float nearest = kFloatInfinity;
   for (size_t i = 0; i < out.size(); ++i) {
     if (!out.has_both(i)) continue;
     ++out.num_pixels;
@@ -68,7 +64,7 @@ void find_doubtful(float upper, MotionDepths& out) {
     nearest = std::min(nearest, gap);
   }
   // One float32 ulp for the subtraction of depths.
-  if (nearest < kInf) out.lower = out.frame.time_before(nearest * (1 - 2e-7));
+  if (nearest < kFloatInfinity) out.lower = out.frame.time_before(nearest * (1 - 2e-7));
 }
 
 }  // namespace
@@ -100,7 +96,7 @@ MotionDepths motion_depths(const FirstContactQuery& query, double horizon, int r
   fixed.project(1);
   DepthMap map;
   out.complete = draw_depth_map(moving, View::whole(out.frame, true), 1, map);
-  out.fixed_front.assign(map.upper.size(), kInf);
+  out.fixed_front.assign(map.upper.size(), kFloatInfinity);
   SharedMinimum upper;
   const float reach = rounded_up(std::min(out.frame.reach, 1e30));
   upper.reset(reach);

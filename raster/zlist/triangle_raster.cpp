@@ -9,7 +9,6 @@
 namespace trivet {
 namespace {
 
-constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
 // Planes of triangles thinner than this (area over squared size) are not used.
 constexpr double kThin = 1e-5;
 constexpr double kFloatError = 2e-7;  // relative, with reserve
@@ -92,7 +91,7 @@ void TriangleRaster::draw_straight(const Triangle& c, SpanSink& sink) {
       centre[i] = z;
     }
     for (int i = 0; i < count; ++i)
-      if (columns.first + i < in.first || columns.first + i > in.last) centre[i] = kNone;
+      if (columns.first + i < in.first || columns.first + i > in.last) centre[i] = kNotMet;
     emit(row, columns, error, sink);
   }
 }

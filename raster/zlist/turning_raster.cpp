@@ -13,7 +13,6 @@
 namespace trivet {
 namespace {
 
-constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
 constexpr double kWide = 1.5;           // radians; beyond, an axis inside cannot be excluded
 constexpr double kLongestPiece = 0.5;   // radians
 constexpr double kLargestBulge = 0.25;  // pixels
@@ -91,16 +90,16 @@ Hull angles_in_cell(const Cosines& c, double q0, double q1) {
 
 // The only angle in [q0, q1] with this cosine; NaN if there is none or more than one.
 double only_angle(double cosine, double q0, double q1) {
-  if (!(std::abs(cosine) < 0.9999)) return kNone;  // errors grow without bound
+  if (!(std::abs(cosine) < 0.9999)) return kNotMet;  // errors grow without bound
   const double b = fast_acos(cosine);
-  double found = kNone;
+  double found = kNotMet;
   int num = 0;
   for (const double x : {b, -b, kTurn - b}) {
     if (x < q0 - 1e-5 || x > q1 + 1e-5) continue;
     found = x;
     ++num;
   }
-  return num == 1 ? found : kNone;
+  return num == 1 ? found : kNotMet;
 }
 
 }  // namespace
@@ -204,7 +203,7 @@ void TriangleRaster::draw_block(const Piece& p, Range angles, SpanSink& sink) {
     const double grown = 1e-6 + (m_view.moving ? m_angle_growth[i] : 0);
     m_lower[i] = static_cast<float>(angles.lower - grown);
     m_upper[i] = static_cast<float>(angles.upper + grown);
-    m_centre[i] = kNone;
+    m_centre[i] = kNotMet;
   }
   for (int row = y0; row <= y1; ++row) emit(row, {x0, x1}, 0, sink);
 }
@@ -233,7 +232,7 @@ void TriangleRaster::draw_narrow(const Piece& piece, double shift, SpanSink& sin
     for (int i = columns.first; i <= columns.last; ++i) {
       const double r = left + (i + 0.5) / scale, half = half_y / scale;
       Hull hull{q0, q1};
-      double centre = kNone;
+      double centre = kNotMet;
       if (plane.usable()) {
         hull =
             angles_in_cell(cosines(middle - spread, middle + spread, r - half, r + half), q0, q1);

@@ -1,9 +1,15 @@
 // Drawn part of a frame's image, and the output: rows of pixels with depths.
 #pragma once
 
+#include <limits>
+
 #include "core/contact/zlist_frame.h"
 
 namespace trivet {
+
+inline constexpr float kFloatInfinity = std::numeric_limits<float>::infinity();
+/// Depth on a line that misses the face.
+inline constexpr float kNotMet = std::numeric_limits<float>::quiet_NaN();
 
 /// A window of the image of a frame; pixels of the view may be smaller than the frame's (zoom).
 /// Depths are the frame's in every view.
@@ -35,7 +41,7 @@ struct View {
 struct Span {
   int row, first, count;
   const float *lower, *upper;  // depths of the face within the pixel; lower > upper: not touched
-  const float* centre;         // depth on the line through the pixel's centre; NaN: not met
+  const float* centre;         // depth on the line through the pixel's centre; or kNotMet
   float centre_error;          // bound of the error of `centre`
 };
 

@@ -10,7 +10,6 @@
 namespace trivet {
 namespace {
 
-constexpr float kInf = std::numeric_limits<float>::infinity();
 constexpr int kZoom = 8;
 // Pairs in a pixel from which zooming pays; with tied depths, zooming only multiplies them.
 constexpr size_t kZoomPairs = 64, kZoomTiedPairs = 4096;
@@ -22,8 +21,6 @@ constexpr int kMostZooms = 1 << 14;
 constexpr float kOneFragment = 0.5F;
 // Number of faces from which a first bound by every kStride-th one pays.
 constexpr size_t kManyFaces = 4096, kStride = 16;
-
-float rounded_up(double x) { return static_cast<float>(x) * 1.000001F; }
 
 // Sorts by pixel and face; pieces of one face of a rotation are merged into one fragment.
 void sort_fragments(std::vector<Fragment>& list) {
@@ -133,8 +130,8 @@ bool ZListSearch::collect_fixed(const View& view, const DepthMap& map, std::vect
 bool ZListSearch::collect_moving(const View& view, const std::vector<Fragment>& fixed,
                                  std::vector<Fragment>& out) {
   const size_t num_pixels = static_cast<size_t>(view.width) * view.height;
-  MovingSink::Limits limits{std::vector<float>(num_pixels, kInf),
-                            std::vector<float>(num_pixels, -kInf)};
+  MovingSink::Limits limits{std::vector<float>(num_pixels, kFloatInfinity),
+                            std::vector<float>(num_pixels, -kFloatInfinity)};
   const float upper = m_upper.get();
   for (const Fragment& f : fixed) {
     limits.lower[f.pixel] = std::min(limits.lower[f.pixel], f.lower - upper);
@@ -169,7 +166,7 @@ std::vector<ZListSearch::Pixel> ZListSearch::pixels_of(Lists& lists) {
     if (pixel_a <= pixel_b) i += a.size();
     if (pixel_b <= pixel_a) j += b.size();
     if (pixel_a != pixel_b) continue;
-    float front = -kInf, nearest = kInf;
+    float front = -kFloatInfinity, nearest = kFloatInfinity;
     for (const Fragment& f : a) front = std::max(front, f.upper);
     for (const Fragment& f : b) nearest = std::min(nearest, f.lower);
     out.push_back({pixel_a, std::max(0.0F, nearest - front), a, b});
@@ -197,7 +194,7 @@ bool ZListSearch::resolve(const View& view, int level, size_t pairs_before, List
 bool ZListSearch::resolve_pixel(const View& view, int level, const Pixel& pixel) {
   Pixel p = pixel;
   const float upper = m_upper.get();
-  float front = -kInf, nearest = kInf;
+  float front = -kFloatInfinity, nearest = kFloatInfinity;
   for (const Fragment& f : p.moving) front = std::max(front, f.upper);
   for (const Fragment& f : p.fixed) nearest = std::min(nearest, f.lower);
   const auto a = std::partition(p.moving.begin(), p.moving.end(),

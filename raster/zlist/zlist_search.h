@@ -10,6 +10,8 @@
 
 namespace trivet {
 
+inline float rounded_up(double x) { return static_cast<float>(x) * 1.000001F; }
+
 /// A face in a pixel.
 struct Fragment {
   std::int32_t pixel;

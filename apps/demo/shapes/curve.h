@@ -3,11 +3,15 @@
 
 #include <Eigen/Core>
 #include <initializer_list>
+#include <numbers>
 #include <vector>
 
 #include "core/base/types.h"
 
 namespace trivet::shapes {
+
+/// A whole turn, radians.
+inline constexpr double kTurn = 2 * std::numbers::pi;
 
 /// A point in a plane (components 0 and 1) and up to four numbers that vary along with it: the
 /// radii of a tube, the width and the depth of a spoon. Metres.

@@ -9,8 +9,6 @@
 namespace trivet::shapes {
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
-
 Material crust() { return make_material("crust", 0.40f, 0.17f, 0.045f, 0.7f); }
 Material crumb() { return make_material("crumb", 0.92f, 0.78f, 0.52f, 0.8f); }
 

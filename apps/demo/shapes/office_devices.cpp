@@ -8,18 +8,18 @@
 namespace trivet::shapes {
 namespace {
 
-constexpr double kIn = 0.0005;  // how deep parts go into each other
+constexpr double kDeviceOverlap = 0.0005;  // how deep parts go into each other
 
 // A key cap, its top a little smaller than its foot; the foot's middle at the origin.
 Surface key_cap(const Vec2& size, double height) {
   const Vec2 h = 0.5 * size;
-  return skin({rectangle(h, -kIn), rectangle(h - Vec2(0.0015, 0.0015), height)});
+  return skin({rectangle(h, -kDeviceOverlap), rectangle(h - Vec2(0.0015, 0.0015), height)});
 }
 
 // A rectangle of the picture on the screen, which stands out by half a millimetre per layer.
 void add_pixels(const Vec2& lower, const Vec2& upper, int layer, Index material,
                 std::vector<Part>* parts) {
-  const double front = -0.0005 * layer, back = kIn + 0.0002 * layer;
+  const double front = -0.0005 * layer, back = kDeviceOverlap + 0.0002 * layer;
   parts->push_back(
       {painted(box({lower.x(), front, lower.y()}, {upper.x(), back, upper.y()}), material)});
 }
@@ -50,7 +50,8 @@ Model make_monitor() {
   }
   parts.push_back({painted(skin(slab({0.125, 0.095}, 0.030, 0.003, 0, 0.012, 5)), kCase), 40});
   parts.push_back(
-      {painted(box({-0.035, 0.034, 0.012 - kIn}, {0.035, 0.052, 0.330}, 0.004), kCase), 40});
+      {painted(box({-0.035, 0.034, 0.012 - kDeviceOverlap}, {0.035, 0.052, 0.330}, 0.004), kCase),
+       40});
   return assemble("monitor", parts,
                   {black_plastic(), make_material("screen", 0.035f, 0.13f, 0.24f, 0.25f),
                    white_paper(), make_material("title bar", 0.05f, 0.22f, 0.50f, 0.4f),
@@ -177,7 +178,8 @@ Model make_telephone() {
     for (int column = 0; column < 3; ++column)
       add_on_top(key_cap({0.017, 0.013}, 0.0045), 0.020 + 0.023 * column, -0.068 + 0.020 * row,
                  kKey);
-  add_on_top(box({-0.038, -0.018, -kIn}, {0.038, 0.018, 0.0020}, 0.0008), 0.043, 0.050, kDisplay);
+  add_on_top(box({-0.038, -0.018, -kDeviceOverlap}, {0.038, 0.018, 0.0020}, 0.0008), 0.043, 0.050,
+             kDisplay);
   for (const double y : {-0.080, 0.080})  // the cradle
     parts.push_back(
         {painted(box({-0.088, y - 0.020, 0.020}, {-0.032, y + 0.020, 0.066}, 0.004), kCase), 40});

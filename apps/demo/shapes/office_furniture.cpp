@@ -7,7 +7,7 @@
 namespace trivet::shapes {
 namespace {
 
-constexpr double kIn = 0.001;  // how deep parts go into each other
+constexpr double kFurnitureOverlap = 0.001;  // how deep parts go into each other
 
 // Appends a box with bevelled edges in one material.
 void add_box(const Vec3& lower, const Vec3& upper, double bevel, Index material,
@@ -21,14 +21,14 @@ void add_drawers(double x_low, double x_high, double top, Index board, Index fro
   add_box({x_low, -0.270, 0}, {x_high, 0.310, top}, 0.002, board, parts);
   const double bottoms[] = {0.030, 0.330, 0.535}, tops[] = {0.324, 0.529, 0.690};
   for (int i = 0; i < 3; ++i) {
-    add_box({x_low + 0.004, -0.290, bottoms[i]}, {x_high - 0.004, -0.270 + kIn, tops[i]}, 0.002,
-            front, parts);
+    add_box({x_low + 0.004, -0.290, bottoms[i]},
+            {x_high - 0.004, -0.270 + kFurnitureOverlap, tops[i]}, 0.002, front, parts);
     const double middle = 0.5 * (x_low + x_high), z = tops[i] - 0.055;
-    const auto bow =
-        flatten({smooth({-0.065, -kIn, 0.004, 0.004}), smooth({-0.064, 0.020, 0.004, 0.004}),
-                 smooth({-0.050, 0.028, 0.004, 0.004}), smooth({0.050, 0.028, 0.004, 0.004}),
-                 smooth({0.064, 0.020, 0.004, 0.004}), smooth({0.065, -kIn, 0.004, 0.004})},
-                0.0008);
+    const auto bow = flatten(
+        {smooth({-0.065, -kFurnitureOverlap, 0.004, 0.004}), smooth({-0.064, 0.020, 0.004, 0.004}),
+         smooth({-0.050, 0.028, 0.004, 0.004}), smooth({0.050, 0.028, 0.004, 0.004}),
+         smooth({0.064, 0.020, 0.004, 0.004}), smooth({0.065, -kFurnitureOverlap, 0.004, 0.004})},
+        0.0008);
     const Surface upright = turned(skin(sweep(bow, 8)), Vec3::UnitX(), 90);
     parts->push_back({painted(moved(upright, {middle, -0.290, z}), metal), 60});
   }
@@ -39,11 +39,12 @@ void add_drawers(double x_low, double x_high, double top, Index board, Index fro
 Model make_desk() {
   constexpr Index kTop = 0, kBody = 1, kFront = 2, kMetal = 3;
   std::vector<Part> parts;
-  const double under = kDeskHeight - 0.028, top = under + kIn;
+  const double under = kDeskHeight - 0.028, top = under + kFurnitureOverlap;
   parts.push_back({painted(skin(slab({0.750, 0.350}, 0.018, 0.004, under, kDeskHeight, 4)), kTop)});
   add_drawers(0.290, 0.710, top, kBody, kFront, kMetal, &parts);
   add_box({-0.720, -0.310, 0}, {-0.690, 0.310, top}, 0.002, kBody, &parts);
-  add_box({-0.690 - kIn, 0.240, 0.340}, {0.290 + kIn, 0.258, top}, 0.002, kBody, &parts);
+  add_box({-0.690 - kFurnitureOverlap, 0.240, 0.340}, {0.290 + kFurnitureOverlap, 0.258, top},
+          0.002, kBody, &parts);
   return assemble("desk", parts,
                   {make_material("desk top", 0.50f, 0.30f, 0.14f, 0.45f),
                    make_material("desk body", 0.60f, 0.60f, 0.58f, 0.6f),
@@ -59,7 +60,7 @@ Model make_bookcase() {
     add_box({std::min(inner, outer), front, 0}, {std::max(inner, outer), back, kBookcaseHeight},
             0.0015, kWood, &parts);
   }
-  const double inside = half_width - side + kIn;
+  const double inside = half_width - side + kFurnitureOverlap;
   for (const double height : kBookcaseBoards)
     add_box({-inside, front + 0.003, height - 0.020}, {inside, back - 0.002, height}, 0.0015, kWood,
             &parts);

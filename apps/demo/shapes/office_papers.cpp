@@ -12,7 +12,7 @@ namespace trivet::shapes {
 namespace {
 
 constexpr Index kCover = 0, kPages = 1, kTitle = 2;
-constexpr double kIn = 0.0003;  // how deep parts go into each other
+constexpr double kPaperOverlap = 0.0003;  // how deep parts go into each other
 
 // Thickness, width and height of the closed book.
 struct BookSize {
@@ -54,15 +54,15 @@ std::vector<Part> book_parts(const BookSize& size, double board, double round,
   std::vector<Part> parts{{spine(size, board, round, stripes), 40}};
   for (const double side : {-1.0, 1.0}) {
     const double inner = side * (half - board), outer = side * half;
-    parts.push_back({box({std::min(inner, outer), board - kIn, 0},
+    parts.push_back({box({std::min(inner, outer), board - kPaperOverlap, 0},
                          {std::max(inner, outer), size.y, size.z}, 0.2 * board),
                      40});
   }
-  const double pages = half - board + kIn;
-  parts.push_back(
-      {painted(box({-pages, board - kIn, margin}, {pages, size.y - margin, size.z - margin}),
-               kPages),
-       40});
+  const double pages = half - board + kPaperOverlap;
+  parts.push_back({painted(box({-pages, board - kPaperOverlap, margin},
+                               {pages, size.y - margin, size.z - margin}),
+                           kPages),
+                   40});
   return parts;
 }
 

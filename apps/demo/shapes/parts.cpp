@@ -5,11 +5,7 @@
 #include <numbers>
 
 namespace trivet::shapes {
-namespace {
-
-constexpr double kTurn = 2 * std::numbers::pi;
-
-}  // namespace
+namespace {}  // namespace
 
 Surface moved(Surface surface, const Vec3& by) {
   for (Triangle& t : surface.triangles)

@@ -11,8 +11,8 @@
 namespace trivet::shapes {
 namespace {
 
-constexpr Index kGlaze = 0, kBand = 1, kFill = 2;
-constexpr double kSink = 0.0008;  // how deep handles and spouts go into the wall
+constexpr Index kPotGlaze = 0, kPotBand = 1, kPotFill = 2;
+constexpr double kPotSink = 0.0008;  // how deep handles and spouts go into the wall
 
 // Rings that close the open end of a tube with a hollow: the mouth of a spout.
 void add_mouth(std::vector<Ring>* tube, double wall, double depth, Index inside) {
@@ -22,7 +22,7 @@ void add_mouth(std::vector<Ring>* tube, double wall, double depth, Index inside)
   for (const Vec3& p : end.points) middle += p / static_cast<double>(n);
   const Vec3 axis = (end.points[n / 4] - middle).cross(end.points[0] - middle).normalized();
   for (const double down : {0.0, depth}) {
-    Ring ring{{}, down > 0 ? inside : kGlaze};
+    Ring ring{{}, down > 0 ? inside : kPotGlaze};
     for (const Vec3& p : end.points)
       ring.points.push_back(p + wall * (middle - p).normalized() - down * axis);
     tube->push_back(std::move(ring));
@@ -33,12 +33,12 @@ std::vector<CurveSample> teapot_profile() {
   // The lid lies in the same surface, behind a narrow groove.
   return flatten(
       {corner({0, 0}), corner({0.0450, 0}), smooth({0.0465, 0.0040}), smooth({0.0610, 0.0200}),
-       smooth({0.0725, 0.0480}), smooth({0.0700, 0.0760}), smooth({0.0560, 0.0990}, kBand),
-       smooth({0.0455, 0.1065}, kBand), corner({0.0420, 0.1085}, kBand),
-       corner({0.0400, 0.1070}, kBand), corner({0.0385, 0.1090}), smooth({0.0300, 0.1165}),
-       smooth({0.0150, 0.1225}), smooth({0.0075, 0.1250}), smooth({0.0060, 0.1290}, kBand),
-       smooth({0.0110, 0.1350}, kBand), smooth({0.0118, 0.1410}, kBand),
-       smooth({0.0075, 0.1470}, kBand), pole(0.1490, kBand)},
+       smooth({0.0725, 0.0480}), smooth({0.0700, 0.0760}), smooth({0.0560, 0.0990}, kPotBand),
+       smooth({0.0455, 0.1065}, kPotBand), corner({0.0420, 0.1085}, kPotBand),
+       corner({0.0400, 0.1070}, kPotBand), corner({0.0385, 0.1090}), smooth({0.0300, 0.1165}),
+       smooth({0.0150, 0.1225}), smooth({0.0075, 0.1250}), smooth({0.0060, 0.1290}, kPotBand),
+       smooth({0.0110, 0.1350}, kPotBand), smooth({0.0118, 0.1410}, kPotBand),
+       smooth({0.0075, 0.1470}, kPotBand), pole(0.1490, kPotBand)},
       0.0008);
 }
 
@@ -49,8 +49,8 @@ Part teapot_spout(const std::vector<CurveSample>& body) {
        smooth({-0.1200, 0.1020, 0.0078, 0.0080}), smooth({-0.1290, 0.1070, 0.0076, 0.0082})},
       0.0009);
   std::vector<Ring> tube = sweep(path, 16);
-  sink_into(body, kSink, &tube.front());
-  add_mouth(&tube, 0.0022, 0.0080, kFill);
+  sink_into(body, kPotSink, &tube.front());
+  add_mouth(&tube, 0.0022, 0.0080, kPotFill);
   return {skin(tube)};
 }
 
@@ -65,7 +65,7 @@ Model make_teapot() {
                smooth({0.1140, 0.0680, 0.0045, 0.0072}), smooth({0.1000, 0.0450, 0.0045, 0.0068}),
                smooth({0.0840, 0.0350, 0.0048, 0.0066}), smooth({0.0680, 0.0325, 0.0060, 0.0078})},
               0.0009);
-  return assemble("teapot", {body, teapot_spout(profile), handle(loop, 12, profile, kSink)},
+  return assemble("teapot", {body, teapot_spout(profile), handle(loop, 12, profile, kPotSink)},
                   {stoneware(), stoneware_rim(), tea()});
 }
 
@@ -74,10 +74,10 @@ Model make_jug() {
   const auto profile = flatten(
       {corner({0, 0}), corner({0.0300, 0}), smooth({0.0315, 0.0040}), smooth({0.0400, 0.0200}),
        smooth({0.0425, 0.0400}), smooth({0.0360, 0.0640}), smooth({0.0312, 0.0800, 0.0003}),
-       smooth({0.0330, 0.0940, 0.0060}, kBand), smooth({0.0358, 0.1020, 0.0130}, kBand),
-       smooth({0.0352, 0.1032, 0.0138}, kBand), smooth({0.0338, 0.1020, 0.0132}),
+       smooth({0.0330, 0.0940, 0.0060}, kPotBand), smooth({0.0358, 0.1020, 0.0130}, kPotBand),
+       smooth({0.0352, 0.1032, 0.0138}, kPotBand), smooth({0.0338, 0.1020, 0.0132}),
        smooth({0.0308, 0.0930, 0.0058}), smooth({0.0288, 0.0810, 0.0004}),
-       corner({0.0310, 0.0720}, kFill), corner({0, 0.0720})},
+       corner({0.0310, 0.0720}, kPotFill), corner({0, 0.0720})},
       0.0007);
   std::vector<Ring> rings = revolve(profile, {30, 30, 0});
   for (size_t i = 0; i < rings.size(); ++i) {
@@ -94,7 +94,7 @@ Model make_jug() {
                smooth({0.0600, 0.0480, 0.0030, 0.0050}), smooth({0.0500, 0.0370, 0.0032, 0.0048}),
                smooth({0.0405, 0.0320, 0.0040, 0.0056})},
               0.0007);
-  return assemble("jug", {{skin(rings)}, handle(loop, 10, profile, kSink)},
+  return assemble("jug", {{skin(rings)}, handle(loop, 10, profile, kPotSink)},
                   {porcelain(), cobalt(), milk()});
 }
 

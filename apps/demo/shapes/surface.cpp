@@ -9,8 +9,6 @@
 namespace trivet::shapes {
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
-
 void add(Surface* s, Index material, const Vec3& a, const Vec3& b, const Vec3& c) {
   s->triangles.push_back({a, b, c});
   s->materials.push_back(material);

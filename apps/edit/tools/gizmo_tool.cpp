@@ -3,12 +3,6 @@
 #include "apps/edit/tools/placing.h"
 
 namespace trivet::edit {
-namespace {
-
-constexpr double kGoalsPerPx = 4;  // goals are rounded to less than 1/this of a pixel
-
-}  // namespace
-
 std::optional<Gizmo> GizmoTool::gizmo() const {
   const ObjectSnapshot* const object = active();
   if (!object || !(*object)->placed) return std::nullopt;

@@ -7,9 +7,8 @@
 namespace trivet::edit {
 namespace {
 
-constexpr double kEdgeOn =
+constexpr double kFlatView =
     0.12;  // sine: on planes seen flatter, the mouse is followed across the view
-constexpr double kGoalsPerPx = 4;  // goals are rounded to less than 1/this of a pixel
 
 std::vector<ObjectId> moving_with(const SceneSnapshot& scene, ObjectId object) {
   std::vector<ObjectId> out{object};
@@ -25,7 +24,7 @@ std::vector<ObjectId> moving_with(const SceneSnapshot& scene, ObjectId object) {
 // Displacement of the mouse on a plane through `from`; if seen edge-on, across the view.
 Vec3 way_on_plane(const PointerEvent& pressed, const PointerEvent& now, const Vec3& from,
                   const Vec3& normal) {
-  const bool edge_on = std::abs(normal.dot(pressed.ray().direction.normalized())) < kEdgeOn;
+  const bool edge_on = std::abs(normal.dot(pressed.ray().direction.normalized())) < kFlatView;
   const Vec3 plane = edge_on ? pressed.view.axes().back : normal;
   const auto a = on_plane(pressed.ray(), from, plane), b = on_plane(now.ray(), from, plane);
   return a && b ? Vec3(*b - *a) : Vec3(Vec3::Zero());

@@ -12,6 +12,9 @@ namespace trivet::edit {
 Pose put_start(const SceneSnapshot& scene, const Object& object,
                const std::vector<ObjectId>& moving, const Vec3& point, double height, bool near);
 
+/// Goals of drags are rounded to less than 1/this of a pixel.
+inline constexpr double kGoalsPerPx = 4;
+
 /// Rounded to the power of ten below `step`, for numbers with few digits.
 double rounded(double value, double step);
 

@@ -7,7 +7,7 @@
 namespace trivet::edit {
 namespace {
 
-constexpr double kClickPx = 4;  // a press with less motion is a click
+constexpr double kBoxPx = 4;  // a press with less motion draws no box
 
 void toggle(Selection& selection, ObjectId id) {
   const auto found = std::find(selection.objects.begin(), selection.objects.end(), id);
@@ -31,7 +31,7 @@ bool SelectTool::pointer(const PointerEvent& event) {
   if (!m_pressed) return false;
   if (event.kind == Kind::Move) {
     m_now = event.px;
-    if ((m_now - m_pressed->px).norm() > kClickPx) m_is_box = true;
+    if ((m_now - m_pressed->px).norm() > kBoxPx) m_is_box = true;
     return true;
   }
   if (event.kind != Kind::Release || event.button != MouseButton::Left) return false;

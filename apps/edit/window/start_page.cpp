@@ -14,7 +14,7 @@ namespace trivet::edit {
 namespace {
 
 constexpr int kWidth = 720;
-constexpr int kMostRecent = 6;
+constexpr int kMostShown = 6;
 
 QString description_of(const std::string& demo) {
   if (demo == "spoon-saucer") return StartPage::tr("A cup, a saucer and a spoon: the first steps");
@@ -108,7 +108,7 @@ void StartPage::add_beginnings(QVBoxLayout& column) {
 
 void StartPage::add_recent(QVBoxLayout& column, const QStringList& recent) {
   if (!recent.isEmpty()) column.addWidget(heading(tr("Recent files")));
-  for (const QString& file : recent.mid(0, kMostRecent)) {
+  for (const QString& file : recent.mid(0, kMostShown)) {
     auto* const link =
         new QLabel(QString("<a href=\"%1\">%2</a>&nbsp;&nbsp; %3")
                        .arg(file.toHtmlEscaped(), QFileInfo(file).fileName().toHtmlEscaped(),

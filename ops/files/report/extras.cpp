@@ -93,7 +93,7 @@ ExtrasModel read_model_entry(const JsonPlace& place) {
   return model;
 }
 
-ObjectState read_state(const JsonPlace& place) {
+ObjectState read_object_state(const JsonPlace& place) {
   for (const ObjectState state :
        {ObjectState::Unplaced, ObjectState::Fixed, ObjectState::Stable, ObjectState::Wedged,
         ObjectState::Held, ObjectState::Unsupported, ObjectState::Invalid})
@@ -113,7 +113,7 @@ ExtrasObject read_object_entry(const JsonPlace& place, size_t num_models) {
   object.up = place.at("up").value() == "y" ? UpAxis::Y : UpAxis::Z;
   object.scale = place.at("scale").number(kMinScale, kMaxScale);
   object.fixed = place.at("fixed").boolean();
-  object.state = read_state(place.at("state"));
+  object.state = read_object_state(place.at("state"));
   if (const auto locked = place.find("locked")) object.locked = locked->boolean();
   if (const auto group = place.find("group")) object.group = group->text();
   if (const auto material = place.find("material")) object.material = read_material(*material);

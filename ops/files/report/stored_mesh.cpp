@@ -37,7 +37,7 @@ OrderedJson material_json(const Material& material) {
           {"roughness", material.roughness}};
 }
 
-Material read_material(const JsonPlace& place) {
+Material read_mesh_material(const JsonPlace& place) {
   place.expect_object({"name", "base_colour", "metallic", "roughness"}, {});
   Material material;
   const JsonPlace name = place.at("name");
@@ -54,7 +54,7 @@ void read_look(const JsonPlace& place, Model& model) {
   const size_t num_faces = model.mesh.triangles.size();
   model.materials.clear();
   for (const JsonPlace& item : place.at("materials").items())
-    model.materials.push_back(read_material(item));
+    model.materials.push_back(read_mesh_material(item));
   if (model.materials.empty()) place.at("materials").refuse("one material at least");
   if (const auto ids = place.find("face_material")) {
     model.face_material = items_of<Index>(*ids);

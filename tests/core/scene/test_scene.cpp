@@ -2,15 +2,14 @@
 
 #include "core/base/error.h"
 #include "core/scene/transaction.h"
+#include "cube.h"
 #include "ops/operations/perform.h"
 #include "support/solids.h"
 
 namespace trivet {
 namespace {
 
-Object cube(const std::string& name) {
-  return test::object_of(name, test::box_triangles(Vec3(0.5, 0.5, 0.5)));
-}
+using test::cube;
 
 TEST(SceneIds, StayUniqueWhenSlotsAreReused) {
   Scene scene;

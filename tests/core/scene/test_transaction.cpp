@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "core/scene/transaction.h"
+#include "cube.h"
 #include "random_changes.h"
 #include "support/effort.h"
 #include "support/same_scene.h"
@@ -12,11 +13,8 @@
 namespace trivet {
 namespace {
 
-Object cube(const std::string& name) {
-  return test::object_of(name, test::box_triangles(Vec3(0.5, 0.5, 0.5)));
-}
-
 using test::all_answers;
+using test::cube;
 
 Contact contact_at(double x) {
   Contact c;

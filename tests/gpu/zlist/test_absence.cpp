@@ -14,7 +14,7 @@
 namespace trivet {
 namespace {
 
-constexpr unsigned kSeed = 4711;
+constexpr unsigned kAbsenceSeed = 4711;
 constexpr int kHasNone = 20, kUnexpected = 21;
 
 /// Runs `body` in a child process with an environment variable set; returns its exit status.
@@ -56,8 +56,8 @@ int status_with_version(const char* version, GpuMethod method, const char* descr
   return exit_status_with("MESA_GL_VERSION_OVERRIDE", version, [&] {
     const auto stage = make_gpu_candidate_finder({.resolution = 64, .method = method});
     if (stage->name().find(description) == std::string::npos) return 10;
-    const test::MeshPool pool(kSeed, 4);
-    const test::StageCheck check = test::check_stage(*stage, pool, kSeed, 0, 60);
+    const test::MeshPool pool(kAbsenceSeed, 4);
+    const test::StageCheck check = test::check_stage(*stage, pool, kAbsenceSeed, 0, 60);
     return check.failures.empty() && check.num_contacts > 15 && check.num_unusable == 0 ? 0 : 12;
   });
 }
@@ -97,7 +97,7 @@ TEST(ZListGpuAbsent, ServesTwoProcessesOnOneRenderer) {
   for (pid_t& child : children) {
     child = fork();
     if (child != 0) continue;
-    const unsigned seed = kSeed + (&child == children.data() ? 0 : 1);
+    const unsigned seed = kAbsenceSeed + (&child == children.data() ? 0 : 1);
     _exit(exit_status_with("TRIVET_NOTHING", "", [&] {
       const auto stage = make_gpu_candidate_finder({.method = GpuMethod::Framebuffer});
       const test::MeshPool pool(seed, 4);

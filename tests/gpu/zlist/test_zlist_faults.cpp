@@ -7,7 +7,7 @@
 namespace trivet {
 namespace {
 
-constexpr unsigned kSeed = 1453;
+constexpr unsigned kFaultSeed = 1453;
 
 using test::make_stage;
 using test::Way;
@@ -24,9 +24,9 @@ Course ask_many(GpuZListOptions options, int num) {
   options.note = [&](const std::string& note) { out.notes.push_back(note); };
   const auto stage = make_stage(options);
   if (!stage) return out;
-  const test::MeshPool pool(kSeed, 4);
+  const test::MeshPool pool(kFaultSeed, 4);
   for (int i = 0; i < num; ++i) {
-    const test::RandomQuery q = test::random_query(pool, kSeed, i);
+    const test::RandomQuery q = test::random_query(pool, kFaultSeed, i);
     CandidatePairs proposal;
     const FirstContact truth = q.fast();
     EXPECT_TRUE(test::same_answer(q.with_stage(*stage, &proposal), truth)) << q.describe();
@@ -118,11 +118,11 @@ TEST(ZListMethods, ReadBackOnce) {
   for (const Way& way : {test::kComputeWay, test::kFramebufferWay, test::kHybridWay}) {
     const auto stage = make_stage(way.options({.resolution = 64}));
     TRIVET_SKIP_WITHOUT_EGL(stage);
-    const test::MeshPool pool(kSeed, 4);
+    const test::MeshPool pool(kFaultSeed, 4);
     int num_drawn = 0;
     for (int i = 0; i < 40; ++i) {
       CandidatePairs proposal;
-      test::random_query(pool, kSeed, i).with_stage(*stage, &proposal);
+      test::random_query(pool, kFaultSeed, i).with_stage(*stage, &proposal);
       EXPECT_LE(proposal.work.read_backs, 1) << way.name();
       num_drawn += proposal.work.read_backs == 1;
     }
@@ -136,10 +136,10 @@ TEST(ZListMethods, FindTheSameDepths) {
   TRIVET_SKIP_WITHOUT_EGL(a);
   const auto b = make_stage(test::kFramebufferWay.options({.resolution = 64}));
   const auto c = make_stage(test::kOldestWay.options({.resolution = 64}));
-  const test::MeshPool pool(kSeed, 6);
+  const test::MeshPool pool(kFaultSeed, 6);
   int num_upper = 0;
   for (int i = 0; i < 200; ++i) {
-    const test::RandomQuery q = test::random_query(pool, kSeed, i);
+    const test::RandomQuery q = test::random_query(pool, kFaultSeed, i);
     CandidatePairs by_compute;
     q.with_stage(*a, &by_compute);
     num_upper += by_compute.upper < kInfinity;

@@ -16,9 +16,9 @@ constexpr double kHalf = 0.1;                           // of the cube to place
 constexpr double kTolerance = 2 * kHalf / 4096 + 5e-5;  // guaranteed accuracy, and clearances
 
 /// A scene no larger than its single object, a table of 1 m, and a cube to place.
-struct Room {
+struct SmallRoom {
   Scene scene;
-  Room() {
+  SmallRoom() {
     const ObjectId table = scene.add(test::box_object("table", Vec3(0.5, 0.5, 0.35)));
     EXPECT_TRUE(put(scene, table, {{}, Vec3(0, 0, 0.5)}).ok());
     scene.add(test::box_object("cube", Vec3::Constant(kHalf)));
@@ -47,7 +47,7 @@ double distance(const Vec2& p, const Vec2& centre, const Vec2& half) {
 TEST(NearestPlace, IsBesideOnlyObject) {
   for (const double keep : {0.0, 0.1, 0.2, 0.5, 2.0, 100.0}) {
     for (std::uint64_t seed = 0; seed < 2; ++seed) {
-      Room room;
+      SmallRoom room;
       const OperationResult result = room.put_on("floor", {}, keep, seed);
       ASSERT_TRUE(result.ok()) << keep << ": " << result.reason();
       EXPECT_GE(distance(room.position().head<2>(), {0, 0}, {0.5, 0.5}), keep);
@@ -66,7 +66,7 @@ TEST(NearestPlace, IsNearestToPointOffCentre) {
                         {{0.001, 0}, 0, {0.6, 0}},       {{0, -0.002}, 2, {0, -2.6}},
                         {{0.1, 0.4}, 0.02, {0.1, 0.62}}, {{0.55, 0.55}, 0, {0.6, 0.55}}};
   for (const Case& c : cases) {
-    Room room;
+    SmallRoom room;
     const OperationResult result = room.put_on("floor", c.at, c.keep);
     ASSERT_TRUE(result.ok()) << result.reason();
     const Vec2 found = room.position().head<2>();
@@ -78,17 +78,17 @@ TEST(NearestPlace, IsNearestToPointOffCentre) {
 
 TEST(NearestPlace, IsPointItselfIfFree) {
   for (const Vec2& at : {Vec2(5, 5), Vec2(-0.75, 0.3), Vec2(123.4, -7)}) {
-    Room room;
+    SmallRoom room;
     ASSERT_TRUE(room.put_on("floor", at, 0.1).ok());
     EXPECT_LE((room.position().head<2>() - at).norm(), 1e-9);
   }
-  Room room;
+  SmallRoom room;
   ASSERT_TRUE(room.put_on("table", Vec2(0.123, 0.0456), 0.3).ok());
   EXPECT_LE((room.position().head<2>() - Vec2(0.123, 0.0456)).norm(), 1e-9);
 }
 
 TEST(NearestPlace, IsAtTableEdgeForPointBeside) {
-  Room room;
+  SmallRoom room;
   const OperationResult result = room.put_on("table", Vec2(3, 0.2), 0);
   ASSERT_TRUE(result.ok()) << result.reason();
   EXPECT_NEAR(room.position().x(), 0.5, 2e-3);
@@ -98,14 +98,14 @@ TEST(NearestPlace, IsAtTableEdgeForPointBeside) {
 
 TEST(NearestPlace, KeepsAnyDistanceOnEmptyFloor) {
   for (const double keep : {0.5, 5.0, 1e6}) {
-    Room room;
+    SmallRoom room;
     const OperationResult result = room.put_on("table", {}, keep);
     EXPECT_TRUE(result.ok()) << result.reason();
   }
 }
 
 TEST(NearestPlace, KeepsLargeDistanceOnTableWithJustEnoughRoom) {
-  Room room;
+  SmallRoom room;
   room.scene.add(test::box_object("post", Vec3(0.02, 0.02, 0.2)));
   ASSERT_TRUE(room.put_on("table", Vec2(-0.47, -0.47), 0, 0, "post").ok());
   // The cube may overhang: its centre up to (0.5, 0.5), its corner at (0.4, 0.4), the post's at
@@ -121,7 +121,7 @@ TEST(NearestPlace, KeepsLargeDistanceOnTableWithJustEnoughRoom) {
 
 TEST(NearestPlace, RefusesFixedAndLockedWithReason) {
   for (const bool fixed : {true, false}) {
-    Room room;
+    SmallRoom room;
     edit_object(room.scene, *room.scene.find("table"),
                 [&](Object& table) { (fixed ? table.fixed : table.locked) = true; });
     for (const std::optional<Vec2>& at : {std::optional<Vec2>{}, {Vec2(1, 1)}})
@@ -135,7 +135,7 @@ TEST(NearestPlace, HasNoNearerFreePoint) {
   test::Random random(11);
   int num_blocked = 0;
   for (int run = 0; run < 12; ++run) {
-    Room room;
+    SmallRoom room;
     std::vector<std::pair<Vec2, Vec2>> boxes{{{0, 0}, {0.5, 0.5}}};
     for (int i = 0; i < 5; ++i) {
       const Vec2 half(random.uniform(0.05, 0.4), random.uniform(0.05, 0.4));
@@ -176,7 +176,7 @@ TEST(NearestPlace, GivesSameBitsOnAnyNumberOfThreads) {
   for (const int threads : {1, 2, 5}) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
     for (const std::optional<Vec2>& at : {std::optional<Vec2>{}, {Vec2(0.21, 0.13)}}) {
-      Room room;
+      SmallRoom room;
       ASSERT_TRUE(room.put_on("floor", at, 0.07, 9).ok());
       found.push_back(room.position());
     }

@@ -13,9 +13,9 @@ namespace trivet {
 namespace {
 
 /// A table on the floor, and objects to put on it.
-struct Room {
+struct TableRoom {
   Scene scene;
-  Room() {
+  TableRoom() {
     const ObjectId table = scene.add(test::box_object("table", Vec3(0.6, 0.4, 0.35)));
     EXPECT_TRUE(put(scene, table, {{}, Vec3(0, 0, 0.5)}).ok());
   }
@@ -32,7 +32,7 @@ struct Room {
 
 TEST(PutSomewhere, FillsTableWithoutTouching) {
   test::Random random(5);
-  Room room;
+  TableRoom room;
   PlaceOptions place;
   place.on = "table";
   place.keep = 0.02;
@@ -66,7 +66,7 @@ TEST(PutSomewhere, FillsTableWithoutTouching) {
 }
 
 TEST(PutSomewhere, PutsNearestToPointOnFloor) {
-  Room room;
+  TableRoom room;
   room.scene.add(test::box_object("crate", Vec3(0.2, 0.2, 0.2)));
   PlaceOptions place;
   place.on = "floor";
@@ -82,7 +82,7 @@ TEST(PutSomewhere, PutsNearestToPointOnFloor) {
 TEST(PutSomewhere, KeepsAnyDistanceOnTheFloor) {
   for (const double keep : {1.0, 30.0, 500.0, 1500.0})
     for (const bool near : {false, true}) {
-      Room room;
+      TableRoom room;
       room.scene.add(test::box_object("cup", Vec3(0.04, 0.04, 0.05)));
       PlaceOptions place;
       place.on = "floor";
@@ -99,7 +99,7 @@ TEST(PutSomewhere, KeepsAnyDistanceOnTheFloor) {
 TEST(PutSomewhere, SaysWhyADistanceIsTooLarge) {
   for (const double keep : {1e4, 1e6, 1e8, 1e12, 1e15})
     for (const bool near : {false, true}) {
-      Room room;
+      TableRoom room;
       room.scene.add(test::box_object("cup", Vec3(0.04, 0.04, 0.05)));
       PlaceOptions place;
       place.on = "floor";
@@ -127,7 +127,7 @@ TEST(PutSomewhere, KeepsAnyDistanceFromNothing) {
 // More than there is on a table: all is blocked, and the maps stay small.
 TEST(PutSomewhere, RefusesAnyDistanceOnATable) {
   for (const double keep : {10.0, 1e6, 1e12, 1e15}) {
-    Room room;
+    TableRoom room;
     room.scene.add(test::box_object("mat", Vec3(0.1, 0.1, 0.01)));
     room.scene.add(test::box_object("cup", Vec3(0.04, 0.04, 0.05)));
     PlaceOptions place;
@@ -143,7 +143,7 @@ TEST(PutSomewhere, RefusesAnyDistanceOnATable) {
 TEST(PutSomewhere, TheSameSeedGivesTheSameBits) {
   Vec3 first;
   for (int run = 0; run < 2; ++run) {
-    Room room;
+    TableRoom room;
     room.scene.add(test::box_object("crate", Vec3(0.1, 0.1, 0.1)));
     PlaceOptions place;
     place.on = "table";
@@ -155,7 +155,7 @@ TEST(PutSomewhere, TheSameSeedGivesTheSameBits) {
 }
 
 TEST(PutSomewhere, RefusesWithReason) {
-  Room room;
+  TableRoom room;
   room.scene.add(test::box_object("slab", Vec3(0.61, 0.41, 0.1)));
   PlaceOptions place;
   place.on = "table";

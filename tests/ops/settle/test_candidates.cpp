@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "contact_at.h"
 #include "ops/settle/candidates.h"
 #include "support/random_shapes.h"
 
@@ -12,9 +13,7 @@ namespace {
 
 using Kind = SettleStep::Kind;
 
-ContactPoint contact(const Vec3& point, const Vec3& normal = Vec3::UnitZ()) {
-  return {point, normal.normalized(), 1e-6, ContactFeatures::VertexFace, 0, 0};
-}
+using test::contact;
 
 std::vector<Candidate> gauss(const std::vector<ContactPoint>& contacts,
                              const SettlingObject& object, double fall_limit) {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "contact_at.h"
 #include "ops/settle/equilibrium.h"
 #include "ops/settle/settle.h"
 #include "support/random_shapes.h"
@@ -13,9 +14,7 @@ namespace {
 
 constexpr double kTiny = 1e-7;
 
-ContactPoint contact(const Vec3& point, const Vec3& normal = Vec3::UnitZ()) {
-  return {point, normal.normalized(), 1e-6, ContactFeatures::VertexFace, 0, 0};
-}
+using test::contact;
 
 /// The corners of a square of half size 1, turned about the origin.
 std::vector<ContactPoint> square(const Mat3& rotation = Mat3::Identity()) {

@@ -46,13 +46,13 @@ const ZListItem* find(std::span<const ZListItem> list, size_t body, Index face) 
   return nullptr;
 }
 
-struct Counts {
+struct ListCounts {
   int present = 0, absent = 0, wrong = 0, centres = 0, rays = 0;
 };
 
 // Compares one face with all pixels.
 void compare(const CompleteZLists& lists, const Triangle& world, size_t body, Index face,
-             Counts& counts) {
+             ListCounts& counts) {
   const Projection& view = lists.projection();
   Triangle t;
   for (int k = 0; k < 3; ++k) t[k] = in_image(world[k], view);
@@ -81,7 +81,7 @@ void compare(const CompleteZLists& lists, const Triangle& world, size_t body, In
 
 TEST(CompleteZLists, ContainAllFacesOfEveryPixel) {
   test::Random random(8);
-  Counts counts;
+  ListCounts counts;
   const int num = test::with_effort(600);
   for (int i = 0; i < num; ++i) {
     Shapes shapes;

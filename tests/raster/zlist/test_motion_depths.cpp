@@ -11,7 +11,7 @@
 namespace trivet {
 namespace {
 
-constexpr unsigned kSeed = 5141;
+constexpr unsigned kDepthSeed = 5141;
 constexpr double kTurn = 2 * std::numbers::pi;
 
 // Depths at which the line of sight through a point of the image meets a face; pixels or radians.
@@ -60,14 +60,14 @@ std::vector<double> depths_on_line(std::span<const Body> bodies, std::span<const
   return out;
 }
 
-struct Counts {
+struct DepthCounts {
   int moving = 0, fixed = 0, contacts = 0, with_upper = 0, images = 0, incomplete = 0;
   std::int64_t pixels = 0, doubtful = 0;
 };
 
 // One line of sight: what it meets lies within the fronts.
 void check_line(const FirstContactQuery& query, const MotionDepths& d, const Vec2& at,
-                Counts& counts) {
+                DepthCounts& counts) {
   const ZListFrame& frame = d.frame;
   const size_t pixel = static_cast<size_t>(at.y()) * frame.width + static_cast<size_t>(at.x());
   const bool turns = d.turns();
@@ -135,7 +135,8 @@ bool is_doubtful_at(const MotionDepths& d, const Vec3& world) {
   return false;
 }
 
-void check(const FirstContactQuery& query, int resolution, test::Random& random, Counts& counts) {
+void check(const FirstContactQuery& query, int resolution, test::Random& random,
+           DepthCounts& counts) {
   const MotionDepths d = motion_depths(query, query.motion.limit, resolution);
   const FirstContact truth = first_contact_brute_force(query);
   if (d.frame.empty()) {
@@ -170,13 +171,13 @@ void check(const FirstContactQuery& query, int resolution, test::Random& random,
 }
 
 TEST(MotionDepths, ContainExactRaysAndTheFirstContact) {
-  const test::MeshPool pool(kSeed, 12);
-  test::Random random(kSeed);
-  Counts counts;
+  const test::MeshPool pool(kDepthSeed, 12);
+  test::Random random(kDepthSeed);
+  DepthCounts counts;
   const int num = test::with_effort(1500);
   for (int i = 0; i < num; ++i) {
-    test::RandomQuery q =
-        i % 4 == 3 ? test::random_group_query(pool, kSeed, i) : test::random_query(pool, kSeed, i);
+    test::RandomQuery q = i % 4 == 3 ? test::random_group_query(pool, kDepthSeed, i)
+                                     : test::random_query(pool, kDepthSeed, i);
     q.floor = false;
     const int resolution = random.integer(1, 24);
     q.ask([&](const FirstContactQuery& query) {
