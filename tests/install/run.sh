@@ -27,3 +27,19 @@ fi
 if [ -e "$work_dir/prefix/bin/trivet" ]; then
   "$work_dir/prefix/bin/trivet" --version
 fi
+
+# Python's package, with the importer of the same prefix.
+package="$(dirname "$(find "$work_dir/prefix" -path '*/trivet/_trivet*.so' | head -1)" 2>/dev/null || true)"
+if [ -n "$package" ] && [ "$package" != . ]; then
+  printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n' >"$work_dir/solid.obj"
+  for python in python3 /usr/bin/python3; do
+    if "$python" -c "import numpy" 2>/dev/null; then
+      PYTHONPATH="$(dirname "$package")" "$python" -c "
+import sys, trivet
+scene = trivet.Scene()
+scene.add('solid', trivet.Shape.load(sys.argv[1])).put([0, 0, 2])
+assert scene.check().ok" "$work_dir/solid.obj"
+      break
+    fi
+  done
+fi

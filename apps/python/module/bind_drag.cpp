@@ -1,0 +1,107 @@
+// Drags: an operation that follows a hand, and commits once.
+#include <pybind11/stl.h>
+
+#include "apps/python/module/arrays.h"
+#include "apps/python/module/bindings.h"
+#include "apps/python/module/errors.h"
+#include "apps/python/module/operation_values.h"
+#include "core/base/bad_input.h"
+#include "ops/operations/live_move.h"
+
+namespace trivet::python {
+namespace {
+
+using namespace py::literals;
+
+// Holds the scene for its thread until it ends.
+class Drag {
+ public:
+  Drag(std::shared_ptr<SharedScene> scene, const py::dict& values) : m_scene(std::move(scene)) {
+    const Operation operation = operation_of(values);
+    m_guard = std::make_unique<SceneGuard>(*m_scene, SceneGuard::Use::Change);
+    m_scene->cancel() = false;
+    m_live.emplace(m_scene->session().begin_live(operation, m_scene->settle, m_scene->context(0)));
+    m_scene->is_dragged = true;
+  }
+  ~Drag() { end(); }
+  Drag(const Drag&) = delete;
+  Drag& operator=(const Drag&) = delete;
+
+  py::dict follow_point(const Doubles& goal) {
+    const Vec3 point = vector_of(goal, "goal");
+    return follow(point);
+  }
+  py::dict follow_amount(double amount) {
+    if (!(std::abs(amount) <= kMaxAmount))
+      bad_input("amount: " + py::str(py::float_(amount)).cast<std::string>() +
+                " is not accepted; accepted: finite numbers");
+    return follow(amount);
+  }
+  py::dict finish() {
+    check_alive();
+    m_scene->is_dragged = false;
+    const OperationResult result = stoppable([&] { return m_scene->session().finish(*m_live); });
+    if (result.ok()) m_scene->end_group();
+    end();
+    return dict_of(result);
+  }
+  // The names and poses of what moves, the object first.
+  py::list placements() {
+    check_alive();
+    py::list out;
+    for (const Placement& one : m_live->placements())
+      out.append(py::make_tuple(m_scene->scene().at(one.id).name,
+                                matrix_of(world_from_object(one.pose, UpAxis::Z, 1))));
+    return out;
+  }
+  void end() {
+    if (!m_guard) return;
+    m_live.reset();
+    m_scene->is_dragged = false;
+    m_guard.reset();
+  }
+
+ private:
+  static constexpr double kMaxAmount = 1e15;
+
+  void check_alive() const {
+    if (!m_guard) raise("SceneBusy", "the drag has ended");
+  }
+  template <class F>
+  OperationResult stoppable(F&& f) {
+    const size_t before = m_scene->session().num_done();
+    const Cancellable cancellable(m_scene->cancel());
+    OperationResult result = m_guard->run(std::forward<F>(f));
+    if (PyErr_CheckSignals()) {
+      m_scene->roll_back(before);
+      throw py::error_already_set();
+    }
+    return result;
+  }
+  template <class Goal>
+  py::dict follow(const Goal& goal) {
+    check_alive();
+    return dict_of(stoppable([&] {
+      m_live->follow(goal);
+      return m_live->result();
+    }));
+  }
+
+  std::shared_ptr<SharedScene> m_scene;
+  std::unique_ptr<SceneGuard> m_guard;
+  std::optional<LiveMove> m_live;
+};
+
+}  // namespace
+
+void bind_drag(py::module_& m) {
+  py::class_<Drag>(m, "Drag")
+      .def(py::init<std::shared_ptr<SharedScene>, const py::dict&>(), "scene"_a, "operation"_a)
+      .def("follow_point", &Drag::follow_point, "goal"_a)
+      .def("follow_amount", &Drag::follow_amount, "amount"_a)
+      .def("finish", &Drag::finish)
+      .def("placements", &Drag::placements)
+      .def("end", &Drag::end);
+}
+
+}  // namespace trivet::python

@@ -1,0 +1,208 @@
+// Scenes from and to files, bytes and simulators; snapshots.
+#include <pybind11/stl.h>
+
+#include <set>
+
+#include "apps/python/module/bindings.h"
+#include "apps/python/module/errors.h"
+#include "core/io/overwrites.h"
+#include "core/scene/fingerprint.h"
+#include "ops/check/check.h"
+#include "ops/files/layout/paths.h"
+#include "ops/files/report/scene_file.h"
+#include "ops/simulation/simulation.h"
+
+namespace trivet::python {
+namespace {
+
+using namespace py::literals;
+using ScenePointer = std::shared_ptr<SharedScene>;
+
+// Calls Python from whichever thread reports. What it raises is kept for the caller, and stops the
+// work.
+class PythonProgress {
+ public:
+  PythonProgress(py::object callback, std::atomic<bool>& cancel)
+      : m_callback(std::move(callback)), m_cancel(cancel) {}
+
+  ProgressCallback callback() {
+    if (m_callback.is_none()) return {};
+    return [this](const Progress& progress) { tell(progress); };
+  }
+  void rethrow() {
+    if (m_raised) throw std::move(*m_raised);
+  }
+
+ private:
+  void tell(const Progress& progress) {
+    const py::gil_scoped_acquire acquire;
+    if (m_raised) return;
+    try {
+      m_callback(progress.stage, progress.item, progress.done, progress.total);
+    } catch (py::error_already_set& e) {
+      m_raised.emplace(std::move(e));
+      m_cancel = true;
+    }
+  }
+
+  py::object m_callback;
+  std::atomic<bool>& m_cancel;
+  std::optional<py::error_already_set> m_raised;
+};
+
+ImportLimits limits_of(const std::string& importer) {
+  ImportLimits limits;
+  limits.importer = importer;
+  return limits;
+}
+
+ScenePointer shared(OpenedSession opened, SettleOptions settle) {
+  if (!(settle.clearance > 0)) settle.clearance = opened.clearance;
+  const auto out = std::make_shared<SharedScene>(std::move(opened));
+  out->settle = settle;
+  return out;
+}
+
+ScenePointer open(const std::string& path, const std::string& importer, const SettleOptions& settle,
+                  const py::object& progress) {
+  std::atomic<bool> cancel = false;
+  const Cancellable cancellable(cancel);
+  PythonProgress told(progress, cancel);
+  RunOptions options;
+  options.settle = settle;
+  options.context.cancel = &cancel;
+  options.progress = told.callback();
+  options.layout_file = path;
+  OpenedSession opened =
+      without_gil([&] { return open_session(path, options, limits_of(importer)); });
+  told.rethrow();
+  if (PyErr_CheckSignals()) throw py::error_already_set();
+  return shared(std::move(opened), settle);
+}
+
+/// A scene as it was at a moment.
+struct Snapshot {
+  Scene scene;
+  Layout layout;
+  std::string model_folder;
+  double clearance = 0;
+};
+
+// Whether a file may keep this layout: all objects are of files, or copies of such.
+bool is_of_files(const Layout& layout) {
+  std::set<std::string> known;
+  for (const LayoutObject& object : layout.objects) known.insert(object.name);
+  for (const Operation& operation : layout.operations) {
+    if (const auto* append = std::get_if<AppendOperation>(&operation)) {
+      if (append->model.empty()) return false;
+      known.insert(append->object);
+    } else if (!known.contains(object_name(operation))) {
+      return false;
+    } else if (const auto* duplicate = std::get_if<DuplicateOperation>(&operation)) {
+      known.insert(duplicate->as);
+    }
+  }
+  return true;
+}
+
+// Of scenes whose objects come from arrays: nothing; the scene file has all there is.
+Layout layout_of(const Session& session) {
+  Layout layout = session.layout();
+  if (is_of_files(layout)) return layout;
+  Layout plain;
+  plain.floor = session.scene().floor;
+  return plain;
+}
+
+Snapshot snapshot(SharedScene& scene) {
+  const SceneGuard guard(scene);
+  const double settled = scene.settle.clearance;
+  return {scene.scene(), layout_of(scene.session()), scene.opened().model_folder, settled};
+}
+
+SceneFileOptions file_options(const Snapshot& snapshot, const std::string& folder) {
+  return {TRIVET_VERSION, folder, snapshot.clearance};
+}
+
+py::bytes bytes_of(const Snapshot& snapshot) {
+  return without_gil([&] {
+    return scene_file_bytes(snapshot.scene, snapshot.layout,
+                            file_options(snapshot, snapshot.model_folder));
+  });
+}
+
+Snapshot snapshot_of(const std::string& bytes, const std::string& importer) {
+  return without_gil([&] {
+    SceneFile file = read_scene_bytes(bytes, limits_of(importer));
+    update_contacts(file.scene, file.clearance);
+    return Snapshot{std::move(file.scene), std::move(file.layout), "", file.clearance};
+  });
+}
+
+OpenedSession opened_of(const Snapshot& snapshot) {
+  return {Session(snapshot.scene, snapshot.layout, ModelSource{}),
+          "",
+          snapshot.model_folder,
+          snapshot.clearance,
+          {}};
+}
+
+void restore(SharedScene& scene, const Snapshot& snapshot) {
+  const SceneGuard guard(scene, SceneGuard::Use::Change);
+  if (scene.num_transactions > 0)
+    raise("SceneBusy", "restore in an open transaction; accepted: after it");
+  scene.replace(opened_of(snapshot));
+}
+
+void save(SharedScene& scene, const std::string& path) {
+  const Snapshot now = snapshot(scene);
+  without_gil([&] {
+    check_not_an_input(path, model_files(now.layout, now.model_folder));
+    write_scene_file(now.scene, now.layout, file_options(now, folder_from(path, now.model_folder)),
+                     path);
+    return 0;
+  });
+}
+
+py::dict export_to(SharedScene& scene, const std::string& path, const std::string& collision,
+                   std::optional<double> friction, std::optional<double> density,
+                   double max_overlap) {
+  const Snapshot now = snapshot(scene);
+  SimulationOptions options;
+  options.collision = collision_rule_from_name(collision);
+  options.friction = friction;
+  options.density = density;
+  options.max_overlap = max_overlap;
+  const SimulationExport done = without_gil([&] {
+    check_collision_rule(options.collision, path);
+    return export_simulation(now.scene, path, options);
+  });
+  py::list overlaps;
+  for (const PartOverlap& one : done.overlaps)
+    overlaps.append(py::make_tuple(one.a, one.b, one.depth, one.allowed));
+  py::dict masses;
+  for (const SimulationBody& body : done.scene.bodies) masses[py::str(body.name)] = body.mass;
+  return py::dict("files"_a = done.files, "notes"_a = done.notes, "overlaps"_a = overlaps,
+                  "masses"_a = masses);
+}
+
+}  // namespace
+
+void bind_files(py::module_& m, SceneClass& scene) {
+  py::class_<Snapshot>(m, "Snapshot")
+      .def("to_bytes", &bytes_of)
+      .def_static("from_bytes", &snapshot_of, "data"_a, "importer"_a)
+      .def("fingerprint", [](const Snapshot& s) { return fingerprint(s.scene); })
+      .def("__len__", [](const Snapshot& s) { return s.scene.num_objects(); })
+      .def("scene", [](const Snapshot& s, const SettleOptions& settle) {
+        return shared(opened_of(s), settle);
+      });
+  scene.def_static("open", &open, "path"_a, "importer"_a, "settle"_a, "progress"_a)
+      .def("snapshot", &snapshot)
+      .def("restore", &restore, "snapshot"_a)
+      .def("save", &save, "path"_a)
+      .def("export", &export_to, "path"_a, "collision"_a, "friction"_a, "density"_a,
+           "max_overlap"_a);
+}
+
+}  // namespace trivet::python

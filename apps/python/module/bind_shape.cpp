@@ -1,0 +1,142 @@
+// Shape: from arrays and from files, its geometry as views, pickled.
+#include <pybind11/stl.h>
+
+#include "apps/python/module/arrays.h"
+#include "apps/python/module/bindings.h"
+#include "apps/python/module/python_shape.h"
+#include "apps/python/module/running.h"
+#include "core/base/bad_input.h"
+#include "core/io/mesh_model.h"
+#include "core/io/model_bytes.h"
+#include "core/io/sandboxed_import.h"
+#include "core/mesh/weld_arrays.h"
+
+namespace trivet::python {
+namespace {
+
+using ShapePointer = std::shared_ptr<PythonShape>;
+
+ShapePointer shape_of_arrays(const Doubles& vertices, const Indices& faces) {
+  if (vertices.ndim() != 2 || vertices.shape(1) != 3) bad_input("vertices: not of shape (n, 3)");
+  if (faces.ndim() != 2 || faces.shape(1) != 3) bad_input("faces: not of shape (m, 3)");
+  static_assert(sizeof(Vec3) == 3 * sizeof(double) && sizeof(Index3) == 3 * sizeof(Index));
+  const std::span given(reinterpret_cast<const Vec3*>(vertices.data()),
+                        static_cast<size_t>(vertices.shape(0)));
+  const std::span triangles(reinterpret_cast<const Index3*>(faces.data()),
+                            static_cast<size_t>(faces.shape(0)));
+  return without_gil([&] {
+    const auto out = std::make_shared<PythonShape>();
+    WeldedMesh welded = weld(given, triangles);
+    out->shape = make_shape(std::move(welded.mesh));
+    out->vertex_map = std::move(welded.new_id);
+    return out;
+  });
+}
+
+// Without its path: scenes keep the geometry themselves, and need no file.
+ShapePointer shape_of_model(Model model, const std::string& name) {
+  const auto out = std::make_shared<PythonShape>();
+  model.path.clear();
+  out->shape = make_shape(model.mesh);
+  out->model = std::make_shared<const Model>(std::move(model));
+  out->name = name;
+  return out;
+}
+
+ShapePointer load(const std::string& path, const std::string& importer, std::int64_t max_triangles,
+                  double max_seconds, double chord) {
+  ImportLimits limits;
+  limits.importer = importer;
+  limits.max_triangles = max_triangles;
+  limits.max_seconds = max_seconds;
+  Tessellation tessellation;
+  tessellation.chord = chord;
+  return without_gil(
+      [&] { return shape_of_model(import_model(path, limits, tessellation), path); });
+}
+
+// The same geometry with another colour.
+ShapePointer coloured(const PythonShape& shape, const std::array<float, 4>& colour) {
+  const auto out = std::make_shared<PythonShape>(shape);
+  Model model = shape.model ? *shape.model : model_of_mesh(shape.shape->mesh);
+  model.appearance = nullptr;
+  model.materials.assign(1, Material{"", colour});
+  model.face_material.assign(model.mesh.triangles.size(), 0);
+  out->model = std::make_shared<const Model>(std::move(model));
+  return out;
+}
+
+py::object vertices(const py::object& self) {
+  const auto& mesh = self.cast<const PythonShape&>().shape->mesh;
+  return view_of(mesh.vertices.data()->data(), mesh.vertices.size(), 3, self);
+}
+
+py::object faces(const py::object& self) {
+  const auto& mesh = self.cast<const PythonShape&>().shape->mesh;
+  return view_of(mesh.triangles.data()->data(), mesh.triangles.size(), 3, self);
+}
+
+py::object vertex_map(const py::object& self) {
+  const auto& map = self.cast<const PythonShape&>().vertex_map;
+  if (map.empty()) return py::none();
+  return view_of(map.data(), map.size(), 1, self).attr("reshape")(-1);
+}
+
+py::tuple state_of(const py::object& self) {
+  const auto& shape = self.cast<const PythonShape&>();
+  py::object model = py::none();
+  if (shape.model) model = py::bytes(bytes_of_model(*shape.model));
+  return py::make_tuple(vertices(self), faces(self), vertex_map(self), model, shape.name);
+}
+
+ShapePointer shape_of_state(const py::tuple& state) {
+  if (state.size() != 5) bad_input("a pickled Shape: not by this version of Trivet");
+  const auto name = state[4].cast<std::string>();
+  if (!state[3].is_none()) {
+    const auto bytes = state[3].cast<std::string>();
+    return without_gil(
+        [&] { return shape_of_model(model_from_bytes(bytes, name, ImportLimits{}), name); });
+  }
+  const ShapePointer out = shape_of_arrays(state[0].cast<Doubles>(), state[1].cast<Indices>());
+  const auto map = state[2].cast<Indices>();
+  out->vertex_map.assign(map.data(), map.data() + map.size());
+  out->name = name;
+  return out;
+}
+
+}  // namespace
+
+void bind_shape(py::module_& m) {
+  using namespace py::literals;
+  py::class_<PythonShape, ShapePointer>(m, "Shape")
+      .def(py::init(&shape_of_arrays), "vertices"_a, "faces"_a)
+      .def_static("load", &load, "path"_a, "importer"_a, "max_triangles"_a, "max_seconds"_a,
+                  "chord"_a)
+      .def("coloured", &coloured, "rgba"_a)
+      .def_property_readonly("vertices", &vertices)
+      .def_property_readonly("faces", &faces)
+      .def_property_readonly("vertex_map", &vertex_map)
+      .def_property_readonly("name", [](const PythonShape& s) { return s.name; })
+      .def_property_readonly("id", [](const PythonShape& s) { return s.shape->id; })
+      .def_property_readonly(
+          "bounds",
+          [](const PythonShape& s) {
+            return array_of(std::vector<Vec3>{s.shape->box.lower, s.shape->box.upper});
+          })
+      .def_property_readonly("volume", [](const PythonShape& s) { return s.shape->mass.volume; })
+      .def_property_readonly("area", [](const PythonShape& s) { return s.shape->mass.area; })
+      .def_property_readonly("center_mass",
+                             [](const PythonShape& s) { return array_of(s.shape->mass.centre); })
+      .def_property_readonly("mass_rule",
+                             [](const PythonShape& s) { return to_string(s.shape->mass.rule); })
+      .def_property_readonly(
+          "up",
+          [](const PythonShape& s) { return s.model && s.model->up == UpAxis::Y ? "y" : "z"; })
+      .def_property_readonly("notes",
+                             [](const PythonShape& s) {
+                               return s.model ? s.model->notes : std::vector<std::string>();
+                             })
+      .def(py::pickle(&state_of, &shape_of_state));
+}
+
+}  // namespace trivet::python

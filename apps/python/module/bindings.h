@@ -1,0 +1,25 @@
+// The parts of the module.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include "apps/python/module/shared_scene.h"
+
+namespace trivet::python {
+
+namespace py = pybind11;
+using SceneClass = py::class_<SharedScene, std::shared_ptr<SharedScene>>;
+
+void bind_shape(py::module_& m);
+/// Scene, with what the four below add to it.
+void bind_scene(py::module_& m);
+void bind_objects(SceneClass& scene);
+void bind_operations(SceneClass& scene);
+void bind_queries(SceneClass& scene);
+void bind_files(py::module_& m, SceneClass& scene);
+/// Drags of a scene's objects.
+void bind_drag(py::module_& m);
+/// What needs no scene.
+void bind_geometry(py::module_& m);
+
+}  // namespace trivet::python

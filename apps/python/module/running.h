@@ -1,0 +1,60 @@
+// Long calls: the GIL is free meanwhile, Ctrl+C stops operations, and the interpreter does not end
+// before they have.
+//
+// Python's own handler of SIGINT only sets a flag that nobody asks while C++ works. Operations of
+// the main thread therefore have a handler that sets their cancel flag and hands on to Python's.
+// Threads that are daemons would be unwound through C++ when the interpreter ends; at exit their
+// operations are cancelled, and waited for.
+#pragma once
+
+#include <pybind11/pybind11.h>
+#include <signal.h>
+
+#include <atomic>
+#include <utility>
+
+namespace trivet::python {
+
+namespace py = pybind11;
+
+/// Counts a call that has given the GIL away. Made and ended with the GIL.
+/// @throws RuntimeError (Python) when the interpreter is ending, except in the main thread.
+class RunningCall {
+ public:
+  RunningCall();
+  ~RunningCall();
+  RunningCall(const RunningCall&) = delete;
+  RunningCall& operator=(const RunningCall&) = delete;
+};
+
+/// Calls f() without the GIL; f touches nothing of Python.
+template <class F>
+auto without_gil(F&& f) {
+  const RunningCall running;
+  const py::gil_scoped_release release;
+  return std::forward<F>(f)();
+}
+
+/// While it lives, `cancel` is set by Ctrl+C (of the main thread) and when the interpreter ends.
+/// Made and ended with the GIL.
+class Cancellable {
+ public:
+  /// @throws what Python's handlers of signals throw that came before.
+  explicit Cancellable(std::atomic<bool>& cancel);
+  ~Cancellable();
+  Cancellable(const Cancellable&) = delete;
+  Cancellable& operator=(const Cancellable&) = delete;
+
+ private:
+  std::atomic<bool>* m_cancel;
+  std::atomic<bool>* m_outer = nullptr;
+  bool m_handles_signal = false;
+  struct sigaction m_python = {};
+};
+
+bool in_main_thread();
+
+/// Once, when the module is imported.
+void bind_running();
+
+}  // namespace trivet::python

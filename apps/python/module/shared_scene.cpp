@@ -1,0 +1,102 @@
+#include "apps/python/module/shared_scene.h"
+
+#include <unistd.h>
+
+#include <chrono>
+
+#include "apps/python/module/errors.h"
+
+namespace trivet::python {
+
+ObjectId SharedScene::id(ObjectKey key, const std::string& name) const {
+  const ObjectId id{static_cast<std::uint32_t>(key), static_cast<std::uint32_t>(key >> 32)};
+  if (!scene().contains(id) || scene().at(id).name != name)
+    raise("NoSuchObject", "\"" + name + "\" is no longer in the scene");
+  return id;
+}
+
+const Object& SharedScene::at(ObjectKey key, const std::string& name) const {
+  return scene().at(id(key, name));
+}
+
+RunContext SharedScene::context(double budget_s) const {
+  RunContext out;
+  out.cancel = &m_cancel;
+  out.time_budget_s = budget_s > 0 ? budget_s : time_budget_s;
+  return out;
+}
+
+OperationResult SharedScene::perform(const std::vector<Operation>& operations, double budget_s) {
+  SceneGuard guard(*this, SceneGuard::Use::Change);
+  m_cancel = false;
+  const Cancellable cancellable(m_cancel);
+  const size_t before = session().num_done();
+  const SettleOptions options = settle;  // Python may change it meanwhile
+  const RunContext run_context = context(budget_s);
+  OperationResult result =
+      guard.run([&] { return session().perform_all(operations, options, run_context); });
+  if (result.ok()) m_group_ends.resize(m_position);  // what was undone is forgotten
+  if (PyErr_CheckSignals()) {  // a Ctrl+C that came when all was done takes it back
+    roll_back(before);
+    throw py::error_already_set();
+  }
+  if (result.ok()) end_group();
+  return result;
+}
+
+void SharedScene::end_group() {
+  m_group_ends.resize(m_position);
+  if (num_transactions > 0) return;
+  const size_t begin = m_position > 0 ? m_group_ends.back() : 0;
+  if (session().num_done() == begin) return;
+  m_group_ends.push_back(session().num_done());
+  ++m_position;
+}
+
+void SharedScene::roll_back(size_t num_done) {
+  while (session().num_done() > num_done) session().undo();
+}
+
+bool SharedScene::undo() {
+  if (!can_undo()) return false;
+  roll_back(m_position > 1 ? m_group_ends[m_position - 2] : 0);
+  --m_position;
+  return true;
+}
+
+bool SharedScene::redo() {
+  if (!can_redo()) return false;
+  while (session().num_done() < m_group_ends[m_position]) session().redo();
+  ++m_position;
+  return true;
+}
+
+void SharedScene::replace(OpenedSession opened) {
+  m_opened = std::move(opened);
+  m_group_ends.clear();
+  m_position = 0;
+}
+
+SceneGuard::SceneGuard(SharedScene& scene, Use use) : m_scene(scene) {
+  const auto self = std::this_thread::get_id();
+  auto pause = std::chrono::microseconds(50);
+  constexpr std::chrono::microseconds kLongestPause(2000);
+  while (scene.m_depth > 0 && scene.m_owner != self) {
+    if (scene.m_owner_process != getpid())
+      raise("SceneBusy", "another thread held the scene when this process was forked");
+    without_gil([&] { std::this_thread::sleep_for(pause); });
+    pause = std::min(2 * pause, kLongestPause);
+    if (PyErr_CheckSignals()) throw py::error_already_set();
+  }
+  if (scene.m_depth > 0 && scene.m_is_running)
+    raise("SceneBusy", "the scene is at work: a callback of it may not use it");
+  if (scene.m_depth > 0 && use == Use::Change && scene.is_dragged)
+    raise("SceneBusy", "an object of the scene is being dragged: finish or cancel that first");
+  scene.m_owner = self;
+  scene.m_owner_process = getpid();
+  ++scene.m_depth;
+}
+
+SceneGuard::~SceneGuard() { --m_scene.m_depth; }
+
+}  // namespace trivet::python

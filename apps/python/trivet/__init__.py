@@ -1,0 +1,29 @@
+"""Trivet lays out 3D objects so that they never interpenetrate and always lie at rest.
+
+>>> import trivet
+>>> scene = trivet.Scene()
+>>> cup = scene.add("cup", trivet.Shape(vertices, faces))      # doctest: +SKIP
+>>> cup.put([0.1, 0.2, 1.5])                                   # doctest: +SKIP
+
+Metres, z up, gravity along -z, quaternions w x y z, 4x4 matrices that take shapes to the world. Results are values: they
+do not change with the scene. What cannot be done raises `Refused`, with a `code` and the `objects` in the way, and leaves
+the scene as it was.
+"""
+
+from . import _errors  # first: the compiled module raises what it defines
+from ._drag import Drag
+from ._errors import (BadInputError, Cancelled, EnvironmentFailure, NoSuchObject, NotDone, OutOfTime, Refused, SceneBusy,
+                      TrivetError)
+from ._geometry import Interpenetration, first_contact, interpenetrations, random_rotation
+from ._object import Object
+from ._results import (CAUSES, Check, Contacts, Crossing, Export, FirstContact, GaveWay, Overlap, Result, SupportGraph)
+from ._scene import Scene, Snapshot, TrivetWarning, materials
+from ._shape import Shape
+from ._trivet import __version__
+
+__all__ = [
+    "BadInputError", "CAUSES", "Cancelled", "Check", "Contacts", "Crossing", "Drag", "EnvironmentFailure", "Export",
+    "FirstContact", "GaveWay", "Interpenetration", "NoSuchObject", "NotDone", "Object", "OutOfTime", "Overlap",
+    "Refused", "Result", "Scene", "SceneBusy", "Shape", "Snapshot", "SupportGraph", "TrivetError", "TrivetWarning",
+    "__version__", "first_contact", "interpenetrations", "materials", "random_rotation",
+]

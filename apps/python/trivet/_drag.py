@@ -1,0 +1,98 @@
+"""Drags: an operation that follows a hand."""
+
+from __future__ import annotations
+
+from types import TracebackType
+from typing import TYPE_CHECKING, Any, Optional
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _arrays, _trivet
+from ._errors import BadInputError, SceneBusy
+from ._object import _options
+from ._results import Result, done, result_of
+
+if TYPE_CHECKING:
+    from ._scene import Scene
+
+# What an operation needs to begin; a drag gives its extent as it goes.
+_EXTENT: dict[str, dict[str, Any]] = {
+    "push": {"direction": [1.0, 0.0], "distance": 0.0},
+    "turn": {"angle_deg": 0.0},
+    "pick_up": {"distance": 0.0},
+    "translate": {"by": [0.0, 0.0, 0.0]},
+    "rotate": {"axis": [0.0, 0.0, 1.0], "angle_deg": 0.0},
+}
+
+
+class Drag:
+    """An operation that follows a hand, and is done once, when the block ends.
+
+    Nothing changes in the scene meanwhile, and nothing else may change it; other threads wait. When the block raises, or
+    after `cancel`, nothing was done. Afterwards `result` has what the operation gave; a refusal is raised.
+
+    >>> with scene.drag("plate", "push") as hand:     # doctest: +SKIP
+    ...     for x, y in mouse:
+    ...         hand.follow([x, y])
+    """
+
+    def __init__(self, scene: Scene, name: str, op: str, options: dict[str, Any]) -> None:
+        if op not in _EXTENT:
+            raise _arrays.refuse("op", repr(op), ", ".join(_EXTENT))
+        self._scene = scene
+        self._operation = {"op": op, "object": name, **_EXTENT[op], **_options(options)}
+        self._drag: Optional[_trivet.Drag] = None
+        self.result: Optional[Result] = None
+
+    def __enter__(self) -> Drag:
+        self._drag = _trivet.Drag(self._scene._scene, self._operation)
+        return self
+
+    def __exit__(self, kind: Optional[type[BaseException]], error: Optional[BaseException],
+                 trace: Optional[TracebackType]) -> None:
+        drag, self._drag = self._drag, None
+        if drag is None:
+            return
+        try:
+            if kind is None:
+                self.result = done(drag.finish())
+        finally:
+            drag.end()
+
+    def _live(self) -> _trivet.Drag:
+        if self._drag is None:
+            raise SceneBusy("the drag has not begun or has ended; accepted: in its block")
+        return self._drag
+
+    def follow(self, goal: ArrayLike) -> Result:
+        """Go on to here, as far as it goes.
+
+        Parameters
+        ----------
+        goal : (2,) or (3,) array, or float
+            "push": where its position is to be, seen from above. "translate": (3,) metres from the start. "turn" and
+            "rotate": degrees from the start. "pick_up": metres.
+
+        Returns
+        -------
+        Result
+            Of this motion: `end`, `blocked_by`, ...; false when the drag is refused, and goes no further.
+        """
+        op = self._operation["op"]
+        if op in ("push", "translate"):
+            size = 2 if op == "push" and np.shape(goal) == (2,) else 3
+            point = _arrays.vector("goal", goal, size)
+            return result_of(self._live().follow_point(np.array([*point, 0.0][:3])))
+        if np.ndim(goal) != 0:
+            raise BadInputError(f"goal: {goal!r} is not accepted; accepted: a number for {op!r}")
+        return result_of(self._live().follow_amount(_arrays.number("goal", goal)))
+
+    def poses(self) -> dict[str, NDArray[np.float64]]:
+        """(4, 4) poses of the object and its loads where the hand has them."""
+        return dict(self._live().placements())
+
+    def cancel(self) -> None:
+        """End it; nothing was done."""
+        drag, self._drag = self._live(), None
+        drag.end()

@@ -1,0 +1,387 @@
+"""An object of a scene."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Callable, Mapping, Optional, Sequence, TypeVar, Union
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _arrays
+from ._errors import BadInputError
+from ._results import Result, done, raise_for, result_of
+from ._shape import Shape
+
+if TYPE_CHECKING:
+    from ._scene import Scene
+
+Other = Union["Object", str]
+Material = Union[str, Mapping[str, float]]
+Array = NDArray[np.float64]
+T = TypeVar("T")
+
+
+class Object:
+    """An object of a scene: the scene and a name for ever, never a pointer.
+
+    Every property is looked up when it is asked for; once the object is deleted, `NoSuchObject` is raised (undo brings it
+    back). Lengths in metres, world: z up. Operations raise `Refused`; ``try_put`` and so on return the `Result` instead.
+    """
+
+    __slots__ = ("_scene", "_key", "_name")
+
+    def __init__(self, scene: Scene, key: int, name: str) -> None:
+        self._scene = scene
+        self._key = key
+        self._name = name
+
+    # What it is.
+
+    @property
+    def name(self) -> str:
+        return self._name
+
+    @property
+    def scene(self) -> Scene:
+        return self._scene
+
+    def _ask(self, query: Callable[[int, str], T]) -> T:
+        return query(self._key, self._name)
+
+    @property
+    def pose(self) -> Optional[Array]:
+        """(4, 4): rotation and translation, without the scale; None when it is out of the scene."""
+        return self._ask(self._scene._scene.pose)
+
+    @property
+    def matrix(self) -> Optional[Array]:
+        """(4, 4): takes `shape.vertices` to the world, metres, with scale and the turn of y to z; None likewise."""
+        return self._ask(self._scene._scene.matrix)
+
+    @property
+    def position(self) -> Optional[Array]:
+        """(3,): where the shape's origin is; None likewise."""
+        return self._ask(self._scene._scene.position)
+
+    @property
+    def wxyz(self) -> Optional[Array]:
+        """(4,): its rotation as a unit quaternion w x y z; None likewise."""
+        return self._ask(self._scene._scene.wxyz)
+
+    @property
+    def center_mass(self) -> Optional[Array]:
+        """(3,): centre of mass, world; None likewise."""
+        return self._ask(self._scene._scene.center_mass)
+
+    @property
+    def bounds(self) -> Optional[Array]:
+        """(2, 3): a world box that holds it, perhaps a little larger; None likewise."""
+        return self._ask(self._scene._scene.bounds)
+
+    @property
+    def shape(self) -> Shape:
+        return Shape._of(self._ask(self._scene._scene.shape))
+
+    @property
+    def state(self) -> str:
+        """"unplaced", "fixed", "stable", "wedged", "held", "unsupported" or "invalid"."""
+        return self._ask(self._scene._scene.state)
+
+    @property
+    def placed(self) -> bool:
+        """Whether it is in the scene, not merely known."""
+        return self._ask(self._scene._scene.placed)
+
+    @property
+    def at_rest(self) -> bool:
+        return self.state in ("stable", "fixed")
+
+    @property
+    def fixed(self) -> bool:
+        """Never moves, carries everything."""
+        return self._ask(self._scene._scene.fixed)
+
+    @fixed.setter
+    def fixed(self, value: bool) -> None:
+        self._do(op="fix" if value else "unfix")
+
+    @property
+    def locked(self) -> bool:
+        """No operation may move it; it may topple all the same."""
+        return self._ask(self._scene._scene.locked)
+
+    @locked.setter
+    def locked(self, value: bool) -> None:
+        self._do(op="lock" if value else "unlock")
+
+    @property
+    def group(self) -> str:
+        """Objects of one group move as one; empty: of none."""
+        return self._ask(self._scene._scene.group)
+
+    @group.setter
+    def group(self, value: str) -> None:
+        if value:
+            self._do(op="group", group=value)
+        else:
+            self._do(op="ungroup")
+
+    @property
+    def material(self) -> dict[str, Any]:
+        """"name", "friction", "density" (kg/m3), "restitution". Set: a name of `trivet.materials()`, or a dict."""
+        return self._ask(self._scene._scene.material)
+
+    @material.setter
+    def material(self, value: Material) -> None:
+        self._do(op="material", material=value if isinstance(value, str) else dict(value))
+
+    @property
+    def scale(self) -> float:
+        """Metres for each unit of the shape."""
+        return self._ask(self._scene._scene.scale)
+
+    @property
+    def up(self) -> str:
+        """"y" or "z": the axis of the shape that points up."""
+        return self._ask(self._scene._scene.up)
+
+    @property
+    def margin(self) -> float:
+        """Metres its centre of mass is inside the hull of the contacts that carry it; negative: it leans or hangs."""
+        return self._ask(self._scene._scene.margin)
+
+    @property
+    def least_friction(self) -> float:
+        """The smallest Coulomb coefficient that holds it; infinity: none does."""
+        return self._ask(self._scene._scene.least_friction)
+
+    @property
+    def weight(self) -> float:
+        """Newtons, by the density of its material."""
+        return self._ask(self._scene._scene.weight)
+
+    @property
+    def supports(self) -> list[Other]:
+        """What it rests on: objects, and "floor"."""
+        return [name if name == "floor" else self._scene[name] for name in self._ask(self._scene._scene.supports)]
+
+    def loads(self, recursive: bool = False) -> list[Object]:
+        """What rests on it; with `recursive` all that moves along with it, groups too."""
+        return [self._scene[name] for name in self._scene._scene.loads(self._key, self._name, recursive)]
+
+    # Operations.
+
+    def _try(self, budget: Optional[float] = None, **operation: Any) -> Result:
+        operation["object"] = self._name
+        given = {key: value for key, value in operation.items() if value is not None}
+        return result_of(self._scene._scene.perform(given, self._key, _budget(budget)))
+
+    def _do(self, **operation: Any) -> Result:
+        operation["object"] = self._name
+        return done(self._scene._scene.perform(operation, self._key, 0.0))
+
+    def put(self, position: Optional[ArrayLike] = None, wxyz: Optional[ArrayLike] = None, *, on: Optional[Other] = None,
+            at: Optional[ArrayLike] = None, keep: float = 0.0, seed: int = 0, settle_left: bool = False,
+            budget: Optional[float] = None) -> Result:
+        """Let the object fall from where it is held, settle, and prove that it rests.
+
+        Nothing interpenetrates afterwards, in float64 and as exported in float32; otherwise the scene is as it was.
+
+        Parameters
+        ----------
+        position : (3,) array, optional
+            Where the origin of the shape is let go, metres, z up; nothing: where it is now. Not with `on`.
+        wxyz : (4,) array, optional
+            Its rotation there, a quaternion of any length; nothing: none, or that it has now if `position` is left out.
+        on : Object or "floor", optional
+            Instead of `position`: wherever there is room on this.
+        at : (2,) array or "anywhere", optional
+            Nearest to this point, seen from above, metres. Anywhere: as `seed` says.
+        keep : float
+            Metres from all but the support.
+        seed : int
+            Selects the place of ``at="anywhere"``.
+        settle_left : bool
+            Objects that it leaves without support settle, too; else they are named in `Result.unsupported`.
+        budget : float, optional
+            Seconds; `OutOfTime` is raised beyond.
+
+        Returns
+        -------
+        Result
+
+        Raises
+        ------
+        Refused
+            With a `code` ("wedged", "crossing", "nothing_below", "no_free_place", ...) and the `objects` in the way.
+        OutOfTime, Cancelled, KeyboardInterrupt
+            The scene is as it was.
+        BadInputError
+            An argument is not accepted.
+        """
+        return _checked(self.try_put(position, wxyz, on=on, at=at, keep=keep, seed=seed, settle_left=settle_left,
+                                     budget=budget))
+
+    def try_put(self, position: Optional[ArrayLike] = None, wxyz: Optional[ArrayLike] = None, *,
+                on: Optional[Other] = None, at: Optional[ArrayLike] = None, keep: float = 0.0, seed: int = 0,
+                settle_left: bool = False, budget: Optional[float] = None) -> Result:
+        """As `put`, but a refusal is returned."""
+        if on is not None:
+            if position is not None:
+                raise BadInputError("put: position and on are given; accepted: one of them")
+            return self._try(budget, op="put", on=_arrays.name_of("on", on), at=_place(at), seed=int(seed),
+                             keep=_arrays.number("keep", keep), rotation=_rotation(wxyz), settle_left=settle_left or None)
+        if position is None:
+            position = self.position
+            if position is None:
+                raise BadInputError(f'put "{self._name}": it is out of the scene; accepted: with position, or on')
+            wxyz = self.wxyz if wxyz is None else wxyz
+        return self._try(budget, op="put", position=_arrays.vector("position", position, 3), rotation=_rotation(wxyz),
+                         settle_left=settle_left or None)
+
+    def stand(self, position: ArrayLike, wxyz: Optional[ArrayLike] = None) -> Result:
+        """Stand exactly here: tested for interpenetration, not settled; its `state` says whether it rests."""
+        return _checked(self._try(op="stand", position=_arrays.vector("position", position, 3), rotation=_rotation(wxyz)))
+
+    def push(self, direction: Optional[ArrayLike] = None, distance: Optional[float] = None, *,
+             to: Optional[ArrayLike] = None, via: Optional[Sequence[ArrayLike]] = None, **options: Any) -> Result:
+        """Push along the surface on which it lies; its loads come along.
+
+        Parameters
+        ----------
+        direction, distance : (2,) array and float
+            Seen from above; metres along it.
+        to, via : (2,) array, sequence of them
+            Instead: the target of its position, and waypoints.
+        **options
+            `step_up`, `step_down` (metres), `slide`, `settle`, `settle_left` (bool), `together` (objects), `budget`.
+
+        Returns
+        -------
+        Result
+            `end` is "reached", "blocked" (by `blocked_by`), "step" or "edge".
+        """
+        return _checked(self.try_push(direction, distance, to=to, via=via, **options))
+
+    def try_push(self, direction: Optional[ArrayLike] = None, distance: Optional[float] = None, *,
+                 to: Optional[ArrayLike] = None, via: Optional[Sequence[ArrayLike]] = None, **options: Any) -> Result:
+        """As `push`, but a refusal is returned."""
+        if to is not None:
+            options["to"] = _arrays.vector("to", to, 2)
+            if via is not None:
+                options["via"] = [_arrays.vector("via", one, 2) for one in via]
+        else:
+            if direction is None or distance is None:
+                raise BadInputError("push: without direction and distance; accepted: both of them, or to")
+            options["direction"] = _arrays.vector("direction", direction, 2)
+            options["distance"] = _arrays.number("distance", distance)
+        return self._try(op="push", **_options(options))
+
+    def turn(self, degrees: float, about: str = "normal", **options: Any) -> Result:
+        """Turn about a contact that is held: right-handed, degrees.
+
+        Parameters
+        ----------
+        degrees : float
+        about : "normal", "line" or "point"
+        **options
+            `with_` (the partner of the contact), `point`, `centre`, `axis` ((3,), world), `settle`, `settle_left`,
+            `together`, `budget`.
+        """
+        return _checked(self.try_turn(degrees, about, **options))
+
+    def try_turn(self, degrees: float, about: str = "normal", **options: Any) -> Result:
+        """As `turn`, but a refusal is returned."""
+        return self._try(op="turn", about=about, angle_deg=_arrays.number("degrees", degrees), **_options(options))
+
+    def pick_up(self, distance: float, **options: Any) -> Result:
+        """Lift along the contact's normal, metres; it is held then. Options: `with_`, `settle_left`, `together`."""
+        return _checked(self._try(op="pick_up", distance=_arrays.number("distance", distance), **_options(options)))
+
+    def translate(self, by: ArrayLike, **options: Any) -> Result:
+        """Move along a straight line up to a collision: (3,) metres.
+
+        Options: `via` (waypoints), `free` (through everything), `settle`, `settle_left`, `together`.
+        """
+        if "via" in options:
+            options["via"] = [_arrays.vector("via", one, 3) for one in options["via"]]
+        return _checked(self._try(op="translate", by=_arrays.vector("by", by, 3), **_options(options)))
+
+    def rotate(self, axis: ArrayLike, degrees: float, **options: Any) -> Result:
+        """Turn about an axis up to a collision: (3,), right-handed degrees.
+
+        Options: `centre` ((3,); nothing: the centre of mass), `free`, `settle`, `settle_left`, `together`.
+        """
+        return _checked(self._try(op="rotate", axis=_arrays.vector("axis", axis, 3),
+                                  angle_deg=_arrays.number("degrees", degrees), **_options(options)))
+
+    def unplace(self, settle_left: bool = False) -> Result:
+        """Take it out of the scene; it can be put again."""
+        return _checked(self._try(op="unplace", settle_left=settle_left or None))
+
+    def remove(self, settle_left: bool = False) -> Result:
+        """Delete it."""
+        return _checked(self._try(op="delete", settle_left=settle_left or None))
+
+    def duplicate(self, name: str) -> Object:
+        """A new object of the same shape, scale and material, out of the scene until it is put."""
+        self._do(op="duplicate", **{"as": name})
+        return self._scene[name]
+
+    def __eq__(self, other: object) -> bool:
+        return (isinstance(other, Object) and self._scene is other._scene and self._key == other._key
+                and self._name == other._name)
+
+    def __hash__(self) -> int:
+        return hash((id(self._scene), self._key))
+
+    def __repr__(self) -> str:
+        number = self._scene._scene.find(self._name)
+        return f"<trivet.Object {self._name!r}, {self.state if number == self._key else 'deleted'}>"
+
+
+def _budget(budget: Optional[float]) -> float:
+    seconds = 0.0 if budget is None else _arrays.number("budget", budget)
+    if not 0 <= seconds < float("inf"):
+        raise _arrays.refuse("budget", repr(budget), "seconds, at least 0")
+    return seconds
+
+
+def _rotation(wxyz: Optional[ArrayLike]) -> Optional[list[float]]:
+    return None if wxyz is None else _arrays.vector("wxyz", wxyz, 4)
+
+
+def _place(at: Any) -> Any:
+    return at if at is None or isinstance(at, str) else _arrays.vector("at", at, 2)
+
+
+def _checked(result: Result) -> Result:
+    if not result:
+        raise_for(result)
+    return result
+
+
+_VECTORS = ("point", "centre", "axis")
+_NUMBERS = ("step_up", "step_down")
+_FLAGS = ("slide", "settle", "settle_left", "free")
+
+
+def _options(options: dict[str, Any]) -> dict[str, Any]:
+    """Options as operations have them; what an operation has not, it refuses itself."""
+    out: dict[str, Any] = {}
+    for key, value in options.items():
+        if value is None:
+            continue
+        if key == "together":
+            out[key] = _arrays.names(key, value)
+        elif key == "with_":
+            out["with"] = _arrays.name_of(key, value)
+        elif key in _VECTORS:
+            out[key] = _arrays.vector(key, value, 3)
+        elif key in _NUMBERS:
+            out[key] = _arrays.number(key, value)
+        elif key in _FLAGS:
+            out[key] = bool(value)
+        else:
+            out[key] = value
+    return out

@@ -1,0 +1,432 @@
+"""The scene: objects, what rests on what, history and files."""
+
+from __future__ import annotations
+
+import os
+import warnings
+from contextlib import contextmanager
+from typing import Any, Callable, Iterable, Iterator, Mapping, Optional, Union
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _arrays, _trivet
+from ._drag import Drag
+from ._errors import BadInputError, NoSuchObject
+from ._object import Material, Object
+from ._results import (Check, Contacts, Export, Overlap, Result, SupportGraph, check_of, done)
+from ._shape import PathLike, Shape, find_importer
+
+_TYPES = np.array(["point", "line", "area"])
+Progress = Callable[[str, str, int, int], Any]
+
+
+class TrivetWarning(UserWarning):
+    """What a file of a scene lost, or an operation of a layout that was refused."""
+
+
+def _material(value: Optional[Material]) -> Any:
+    return value if value is None or isinstance(value, str) else dict(value)
+
+
+def _settings(clearance: float, options: Mapping[str, Any]) -> _trivet.SettleOptions:
+    settle = _trivet.SettleOptions()
+    settle.clearance = _arrays.number("clearance", clearance)
+    if not 0 <= settle.clearance < float("inf"):
+        raise _arrays.refuse("clearance", repr(clearance), "metres, at least 0; 0 for 2^-20 of the scene's size")
+    accepted = [key for key in dir(settle) if not key.startswith("_") and key != "clearance"]
+    for key, value in options.items():
+        if key not in accepted:
+            raise BadInputError(f"{key}: there is no such option; accepted: {', '.join(accepted)}")
+        setattr(settle, key, value)
+    return settle
+
+
+class Snapshot:
+    """A scene at a moment: a value that can be kept, compared, pickled and given back to `Scene.restore`."""
+
+    __slots__ = ("_snapshot",)
+
+    def __init__(self, snapshot: _trivet.Snapshot) -> None:
+        self._snapshot = snapshot
+
+    def to_bytes(self) -> bytes:
+        """As a binary glTF file (.glb) of Trivet, with the doubles of all shapes."""
+        return self._snapshot.to_bytes()
+
+    @classmethod
+    def from_bytes(cls, data: bytes) -> Snapshot:
+        """What `to_bytes` gave, or the bytes of a .glb that Trivet wrote. Raises BadInputError for others."""
+        return cls(_trivet.Snapshot.from_bytes(bytes(data), find_importer()))
+
+    def scene(self, *, clearance: float = 0.0, **options: Any) -> Scene:
+        """A new scene that begins like this; options as those of `Scene`."""
+        return Scene._of(self._snapshot.scene(_settings(clearance, options)))
+
+    @property
+    def fingerprint(self) -> int:
+        """64 bits: the same for scenes of the same bits, their shapes apart."""
+        return self._snapshot.fingerprint()
+
+    def __len__(self) -> int:
+        return len(self._snapshot)
+
+    def __reduce__(self) -> Any:
+        return Snapshot.from_bytes, (self.to_bytes(),)
+
+    def __repr__(self) -> str:
+        return f"<trivet.Snapshot of {len(self)} objects>"
+
+
+class Scene:
+    """Objects that never interpenetrate and lie at rest; gravity along -z.
+
+    A mapping of names to objects, in the order of their addition. Any number of threads may use one scene: one at a time
+    does, the others wait with the GIL released. Pickles like its `snapshot`, without history.
+
+    Parameters
+    ----------
+    floor : bool
+        Whether there is one, at z = 0.
+    floor_material : str or dict, optional
+        A name of `materials`, or "friction", "density", "restitution"; nothing: friction 0.5.
+    clearance : float
+        Metres that objects stay apart; 0: 2^-20 of the scene's size.
+    **options
+        How to settle: `perfect_friction`, `whole_at_rest`, `accept_wedged` (bool), `max_motions` (int); what is left out
+        is as in the program `trivet`.
+    """
+
+    __slots__ = ("_scene", "__weakref__")
+
+    def __init__(self, floor: bool = True, *, floor_material: Optional[Material] = None, clearance: float = 0.0,
+                 **options: Any) -> None:
+        self._scene = _trivet.Scene(bool(floor), _material(floor_material), _settings(clearance, options))
+
+    @classmethod
+    def _of(cls, scene: _trivet.Scene) -> Scene:
+        out = cls.__new__(cls)
+        out._scene = scene
+        return out
+
+    # Objects.
+
+    def add(self, name: str, shape: Union[Shape, Any], *, pose: Optional[ArrayLike] = None, scale: float = 1.0,
+            fixed: bool = False, up: Optional[str] = None, material: Optional[Material] = None) -> Object:
+        """A new object; out of the scene until it is put, or standing exactly at `pose`.
+
+        Parameters
+        ----------
+        name : str
+            Not "floor", not taken.
+        shape : Shape, or a mesh as `Shape` takes one
+        pose : (4, 4) array, optional
+            World from shape: rotation, translation, and a uniform scale. Tested for interpenetration, not settled.
+        scale : float
+            Metres for each unit of the shape.
+        fixed : bool
+            It never moves and carries everything.
+        up : "y" or "z", optional
+            Axis of the shape that points up; nothing: `shape.up`.
+        material : str or dict, optional
+            As `Object.material`.
+
+        Raises
+        ------
+        Refused
+            "name_taken", "invalid_name", "crossing", "inside", "below_floor", ...
+        BadInputError
+            A pose that is sheared, mirrored or unequally scaled; a scale out of range.
+        """
+        if not isinstance(name, str):
+            raise _arrays.refuse("name", repr(name), "a str")
+        given = shape if isinstance(shape, Shape) else Shape(shape)
+        matrix = None if pose is None else _arrays.matrix(f'pose of "{name}"', pose)
+        done(self._scene.add(name, given._shape, matrix, _arrays.number("scale", scale), bool(fixed), up,
+                             _material(material)))
+        return self[name]
+
+    def __getitem__(self, name: str) -> Object:
+        key = self._scene.find(name) if isinstance(name, str) else None
+        if key is None:
+            raise NoSuchObject(f'there is no object "{name}"')
+        return Object(self, key, name)
+
+    def __contains__(self, item: object) -> bool:
+        if isinstance(item, Object):
+            return item.scene is self and self._scene.find(item.name) == item._key
+        return isinstance(item, str) and self._scene.find(item) is not None
+
+    def __iter__(self) -> Iterator[Object]:
+        return iter([Object(self, key, name) for key, name in self._scene.entries()])
+
+    def __len__(self) -> int:
+        return len(self._scene)
+
+    @property
+    def names(self) -> list[str]:
+        """Of all objects, in the scene's order."""
+        return [name for _, name in self._scene.entries()]
+
+    @property
+    def floor(self) -> bool:
+        return self._scene.floor
+
+    @property
+    def settle(self) -> _trivet.SettleOptions:
+        """How operations settle: `clearance`, `perfect_friction`, `whole_at_rest`, `accept_wedged`, `max_motions`."""
+        return self._scene.settle
+
+    @property
+    def time_budget(self) -> float:
+        """Seconds that an operation may take, where it has no budget of its own; 0: unlimited."""
+        return self._scene.time_budget
+
+    @time_budget.setter
+    def time_budget(self, seconds: float) -> None:
+        self._scene.time_budget = _arrays.number("time_budget", seconds)
+
+    @property
+    def notes(self) -> list[str]:
+        """What the file of the scene lost, or which operations of a layout were refused."""
+        return self._scene.notes
+
+    # Operations.
+
+    def perform(self, operations: Iterable[Mapping[str, Any]], *, budget: float = 0.0) -> Result:
+        """Operations as a layout has them, ``{"op": "put", "object": "cup", "on": "table"}``, as one step: all or none.
+
+        Returns the result of the last one. Raises `Refused` for the first that is refused.
+        """
+        return done(self._scene.perform_all([dict(one) for one in operations], budget))
+
+    def cancel(self) -> None:
+        """Stop the operation that another thread has under way; it raises `Cancelled` there."""
+        self._scene.cancel()
+
+    @contextmanager
+    def transaction(self) -> Iterator[Scene]:
+        """All operations in the block, or none of them when it raises; one step of history.
+
+        The scene belongs to this thread until the block ends.
+        """
+        transaction = _trivet.Transaction(self._scene)
+        transaction.enter()
+        keep = False
+        try:
+            yield self
+            keep = True
+        finally:
+            transaction.leave(keep)
+
+    def drag(self, what: Union[Object, str], op: str = "push", **options: Any) -> Drag:
+        """Follow a hand; see `Drag`. `op`: "push", "turn", "pick_up", "translate" or "rotate", with its options."""
+        return Drag(self, _arrays.name_of("what", what), op, options)
+
+    # History.
+
+    def undo(self) -> bool:
+        """Take back the last step, to the bit; False when there is none."""
+        return self._scene.undo()
+
+    def redo(self) -> bool:
+        """Do again what was undone; False when there is nothing."""
+        return self._scene.redo()
+
+    @property
+    def can_undo(self) -> bool:
+        return self._scene.can_undo
+
+    @property
+    def can_redo(self) -> bool:
+        return self._scene.can_redo
+
+    @property
+    def steps(self) -> list[str]:
+        """Names of the operations that are done."""
+        return self._scene.steps()
+
+    def snapshot(self) -> Snapshot:
+        """The scene as it is now."""
+        return Snapshot(self._scene.snapshot())
+
+    def restore(self, snapshot: Snapshot) -> None:
+        """As it was then, to the bit; its history begins anew."""
+        if not isinstance(snapshot, Snapshot):
+            raise _arrays.refuse("snapshot", repr(snapshot), "a trivet.Snapshot")
+        self._scene.restore(snapshot._snapshot)
+
+    @property
+    def fingerprint(self) -> int:
+        """64 bits: the same for scenes of the same bits, their shapes apart."""
+        return self._scene.fingerprint()
+
+    # Questions.
+
+    def contacts(self) -> Contacts:
+        """All contact points, as columns of arrays; copies."""
+        values = self._scene.contacts()
+        values["type"] = _TYPES[values["type"]]
+        return Contacts(**values)
+
+    def support_graph(self) -> SupportGraph:
+        """What rests on what."""
+        return SupportGraph(**self._scene.support_graph())
+
+    def check(self, friction: Optional[float] = None, *, num_threads: int = 0) -> Check:
+        """Judge the scene from its poses alone, exactly; nothing changes.
+
+        Parameters
+        ----------
+        friction : float, optional
+            Coulomb's coefficient at all contacts for the verdict on the whole scene; nothing: by the materials.
+        num_threads : int
+            0: all cores; the result does not depend on it.
+        """
+        given = None if friction is None else _arrays.number("friction", friction)
+        return check_of(self._scene.check(given, int(num_threads)))
+
+    # Scenes of others.
+
+    @classmethod
+    def from_poses(cls, names: Iterable[str], shapes: Iterable[Any], poses: Iterable[ArrayLike], *,
+                   fixed: Iterable[str] = (), materials: Optional[Mapping[str, Material]] = None, floor: bool = True,
+                   floor_material: Optional[Material] = None, clearance: float = 0.0, **options: Any) -> Scene:
+        """Objects exactly where they are said to be, whether they may or not: to be judged by `check`.
+
+        Parameters
+        ----------
+        names, shapes, poses
+            One of each for every object: a name; a Shape or a mesh; (4, 4), a rotation times one positive scale and a
+            translation.
+        fixed : names
+        materials : dict of names
+        """
+        entries = []
+        fixed_names = set(fixed)
+        of_mesh: dict[int, Shape] = {}
+        for name, mesh, pose in _zipped(names, shapes, poses):
+            shape = mesh if isinstance(mesh, Shape) else of_mesh.setdefault(id(mesh), Shape(mesh))
+            material = _material((materials or {}).get(name))
+            entries.append((name, shape._shape, _arrays.matrix(f'pose of "{name}"', pose), name in fixed_names, material))
+        unknown = fixed_names - {entry[0] for entry in entries}
+        if unknown:
+            raise _arrays.refuse("fixed", repr(sorted(unknown)), "names of the objects")
+        return cls._of(_trivet.Scene.standing(entries, bool(floor), _material(floor_material),
+                                              _settings(clearance, options)))
+
+    @classmethod
+    def from_trimesh(cls, scene: Any, **options: Any) -> Scene:
+        """The same of a trimesh.Scene: z up, metres; one object for each node that has geometry."""
+        names, shapes, poses = [], [], []
+        shape_of: dict[str, Shape] = {}
+        for node in scene.graph.nodes_geometry:
+            matrix, geometry = scene.graph[node]
+            if geometry not in shape_of:
+                shape_of[geometry] = Shape(scene.geometry[geometry])
+            names.append(str(node))
+            shapes.append(shape_of[geometry])
+            poses.append(matrix)
+        return cls.from_poses(names, shapes, poses, **options)
+
+    # Files.
+
+    @classmethod
+    def load(cls, path: PathLike, *, progress: Optional[Progress] = None, clearance: float = 0.0, **options: Any) -> Scene:
+        """A scene that Trivet wrote (.glb), or a layout (.json), which is run.
+
+        Parameters
+        ----------
+        path : path
+        progress : callable, optional
+            ``progress(stage, item, done, total)``, from threads of Trivet's too, one at a time; what it raises stops the
+            work and is raised here.
+        clearance, **options
+            As for `Scene`.
+
+        Warns
+        -----
+        TrivetWarning
+            For each of `notes`: operations of a layout that were refused, and what a file lost.
+        """
+        scene = cls._of(_trivet.Scene.open(os.fspath(path), find_importer(), _settings(clearance, options), progress))
+        for note in scene.notes:
+            warnings.warn(note, TrivetWarning, stacklevel=2)
+        return scene
+
+    @classmethod
+    def from_bytes(cls, data: bytes, *, clearance: float = 0.0, **options: Any) -> Scene:
+        """A scene from what `to_glb` gave."""
+        return Snapshot.from_bytes(data).scene(clearance=clearance, **options)
+
+    def to_glb(self) -> bytes:
+        """A binary glTF file that every program shows and Trivet reads back whole."""
+        return self.snapshot().to_bytes()
+
+    def save(self, path: PathLike) -> None:
+        """By extension: .glb, which Trivet reads back whole; .gltf, .obj, .ply, .stl. Replaced atomically."""
+        self._scene.save(os.fspath(path))
+
+    def export(self, path: PathLike, *, collision: str = "fitted", friction: Optional[float] = None,
+               density: Optional[float] = None, max_overlap: float = 0.0) -> Export:
+        """For a simulator, by extension: .xml or .mjcf (MuJoCo), .urdf, .sdf, .usda.
+
+        Parameters
+        ----------
+        collision : "fitted", "hull", "components", "decomposition" or "mesh"
+        friction, density : float, optional
+            Of everything, kg/m3; nothing: of the materials.
+        max_overlap : float
+            Metres by which parts of two objects may overlap; 0: 1e-4 of the smaller one.
+
+        Raises
+        ------
+        BadInputError
+            Parts overlap by more: a simulator would push them apart.
+        """
+        values = self._scene.export(os.fspath(path), collision, friction, density,
+                                    _arrays.number("max_overlap", max_overlap))
+        return Export(tuple(values["files"]), tuple(values["notes"]),
+                      tuple(Overlap(*one) for one in values["overlaps"]), values["masses"])
+
+    # Looks.
+
+    def _repr_html_(self) -> str:
+        import html
+
+        rows = "".join(f"<tr><td>{html.escape(o.name)}</td><td>{o.state}</td><td>{_position_text(o)}</td></tr>"
+                       for o in self)
+        return f"<table><tr><th>object</th><th>state</th><th>position (m)</th></tr>{rows}</table>"
+
+    def __reduce__(self) -> Any:
+        settle = self._scene.settle
+        options = {key: getattr(settle, key) for key in dir(settle) if not key.startswith("_")}
+        return _unpickled, (self.snapshot(), options)
+
+    def __repr__(self) -> str:
+        return f"<trivet.Scene of {len(self)} objects>"
+
+
+def _unpickled(snapshot: Snapshot, options: dict[str, Any]) -> Scene:
+    return snapshot.scene(**options)
+
+
+def _position_text(one: Object) -> str:
+    position = one.position
+    return "" if position is None else ", ".join(f"{x:.4g}" for x in position)
+
+
+def _zipped(names: Iterable[str], shapes: Iterable[Any], poses: Iterable[ArrayLike]) -> list[tuple[str, Any, Any]]:
+    n, s, p = list(names), list(shapes), list(poses)
+    if not len(n) == len(s) == len(p):
+        raise BadInputError(f"{len(n)} names, {len(s)} shapes and {len(p)} poses are not accepted; accepted: one of each "
+                            "for every object")
+    for name in n:
+        if not isinstance(name, str):
+            raise _arrays.refuse("names", repr(name), "a str")
+    return list(zip(n, s, p))
+
+
+def materials() -> dict[str, dict[str, Any]]:
+    """Materials by name: "friction", "density" (kg/m3), "restitution"; of everyday things, dry and clean."""
+    return _trivet.materials()

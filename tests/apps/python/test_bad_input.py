@@ -1,0 +1,204 @@
+"""Wrong input gives an exception that names what, the value and what is accepted; nothing crashes."""
+import re
+
+import numpy as np
+import pytest
+
+import trivet
+from shapes import at, box, box_arrays, table_with_cup
+
+VERTICES, FACES = box_arrays(1, 1, 1)
+
+
+def with_value(array, where, value):
+    out = np.array(array)
+    out[where] = value
+    return out
+
+
+@pytest.mark.parametrize("vertices, faces, says", [
+    (with_value(VERTICES, (3, 1), np.nan), FACES, ["vert", "3", "nan"]),
+    (with_value(VERTICES, (0, 0), np.inf), FACES, ["vert", "0", "inf"]),
+    (VERTICES[:, :2], FACES, ["vertices", "(8, 2)", "(n, 3)"]),
+    (VERTICES.ravel(), FACES, ["vertices", "(24,)", "(n, 3)"]),
+    (VERTICES.astype(complex), FACES, ["vertices", "complex128"]),
+    (VERTICES.astype(str), FACES, ["vertices", "<U"]),
+    (VERTICES.astype(object), FACES, ["vertices", "object"]),
+    (VERTICES > 0, FACES, ["vertices", "bool"]),
+    ([[1, 2, 3], [4, 5]], FACES, ["vertices"]),
+    ("text", FACES, ["vertices"]),
+    (None, FACES, ["vertices"]),
+    (VERTICES, FACES.astype(float), ["faces", "float64", "whole numbers"]),
+    (VERTICES, FACES[:, :2], ["faces", "(12, 2)", "(m, 3)"]),
+    (VERTICES, np.zeros((5, 4), int), ["faces", "(5, 4)", "triangulate"]),
+    (VERTICES, with_value(FACES, (4, 2), 8), ["faces", "row 4", "vertex 8", "0 to 7"]),
+    (VERTICES, with_value(FACES, (5, 0), -1), ["faces", "row 5", "vertex -1", "0 to 7"]),
+    (VERTICES, with_value(FACES.astype(np.int64), (0, 0), 2 ** 32), ["faces", "row 0", "4294967296"]),
+    (VERTICES, with_value(FACES.astype(np.uint64), (0, 0), 2 ** 63), ["faces", "row 0", str(2 ** 63)]),
+    (VERTICES, np.zeros((0, 3), int), ["triangle"]),
+    (np.zeros((0, 3)), np.zeros((0, 3), int), ["triangle"]),
+    (np.zeros((0, 3)), FACES, ["faces", "row 0"]),
+])
+def test_arrays_that_make_no_shape(vertices, faces, says):
+    with pytest.raises(trivet.BadInputError) as caught:
+        trivet.Shape(vertices, faces)
+    for part in says:
+        assert part in str(caught.value), str(caught.value)
+
+
+@pytest.mark.parametrize("mesh", [42, None, object(), [1, 2, 3]])
+def test_what_is_no_mesh(mesh):
+    with pytest.raises(trivet.BadInputError, match="accepted.*faces"):
+        trivet.Shape(mesh)
+
+
+def test_files_that_are_no_models(tmp_path):
+    (tmp_path / "text.obj").write_text("hello")
+    for path in (tmp_path / "missing.obj", tmp_path / "text.obj", tmp_path):
+        with pytest.raises(trivet.BadInputError, match=re.escape(str(path))):
+            trivet.Shape.load(path)
+    with pytest.raises(trivet.BadInputError):
+        trivet.Scene.load(tmp_path / "missing.glb")
+    with pytest.raises(trivet.BadInputError):
+        trivet.Scene.from_bytes(b"not glTF")
+    with pytest.raises(trivet.BadInputError):
+        trivet.Snapshot.from_bytes(table_with_cup().to_glb()[:500])
+
+
+def test_a_missing_importer(monkeypatch, tmp_path):
+    monkeypatch.setenv("TRIVET_IMPORTER", str(tmp_path / "nothing"))
+    with pytest.raises(trivet.EnvironmentFailure, match="TRIVET_IMPORTER"):
+        trivet.Shape.load("x.obj")
+
+
+BAD_CALLS = [
+    (lambda s: s["cup"].put([0, 0, np.nan]), ["position", "nan", "finite"]),
+    (lambda s: s["cup"].put([0, 0]), ["position", "(2,)", "3 finite"]),
+    (lambda s: s["cup"].put("here"), ["position", "here", "3 finite"]),
+    (lambda s: s["cup"].put([0, 0, 1e300]), ["position", "1e+300"]),
+    (lambda s: s["cup"].put([0, 0, 1], [0, 0, 0, 0]), ["rotation", "quaternion"]),
+    (lambda s: s["cup"].put([0, 0, 1], [1, 0, 0]), ["wxyz", "4 finite"]),
+    (lambda s: s["cup"].put([0, 0, 1], on="table"), ["position and on"]),
+    (lambda s: s["cup"].put(on=5), ["on", "5"]),
+    (lambda s: s["cup"].put(on="table", at="here"), ["at", "here", "anywhere"]),
+    (lambda s: s["cup"].put(on="table", at=[0, 0, 0]), ["at", "(3,)"]),
+    (lambda s: s["cup"].put(on="table", keep=-1), ["keep", "-1"]),
+    (lambda s: s["cup"].put(on="table", keep=float("nan")), ["keep", "nan"]),
+    (lambda s: s["cup"].put(on="table", seed=-1), ["seed", "-1"]),
+    (lambda s: s["cup"].put(on="table", seed=2 ** 70), ["seed", str(2 ** 70)]),
+    (lambda s: s["cup"].put([0, 0, 1], budget=-1), ["budget", "-1"]),
+    (lambda s: s["cup"].put([0, 0, 1], budget=float("inf")), ["budget", "inf"]),
+    (lambda s: s["cup"].push([0, 0], 1), ["direction"]),
+    (lambda s: s["cup"].push([1, 0]), ["distance", "to"]),
+    (lambda s: s["cup"].push([1, 0], 1, speed=3), ["speed"]),
+    (lambda s: s["cup"].push([1, 0], 1, together="cup"), ["together"]),
+    (lambda s: s["cup"].turn(1e9), ["angle_deg", "accepted"]),
+    (lambda s: s["cup"].turn(5, about="me"), ["about", "me", "normal"]),
+    (lambda s: s["cup"].rotate([0, 0, 0], 5), ["axis"]),
+    (lambda s: s["cup"].drag if False else s.drag("cup", "put"), ["op", "put", "push"]),
+    (lambda s: setattr(s["cup"], "material", "butter"), ["material", "butter"]),
+    (lambda s: setattr(s["cup"], "material", {"friction": -1}), ["friction", "-1"]),
+    (lambda s: s.add("x", box(), pose=np.zeros((4, 4))), ["pose", "x"]),
+    (lambda s: s.add("x", box(), pose=np.eye(3)), ["pose", "(3, 3)", "(4, 4)"]),
+    (lambda s: s.add("x", box(), pose=np.diag([1, 1, -1, 1.])), ["pose", "mirrored"]),
+    (lambda s: s.add("x", box(), pose=np.diag([1, 1, 2, 1.])), ["pose", "unequally"]),
+    (lambda s: s.add("x", box(), pose=np.full((4, 4), np.nan)), ["pose", "finite"]),
+    (lambda s: s.add("x", box(), scale=0), ["scale", "0"]),
+    (lambda s: s.add("x", box(), scale=float("nan")), ["scale", "nan"]),
+    (lambda s: s.add("x", box(), up="x"), ["up", "x", "y"]),
+    (lambda s: s.add("x", "no shape"), ["str", "accepted"]),
+    (lambda s: s.add(5, box()), ["name", "5"]),
+    (lambda s: s.check(friction=0), ["friction", "0"]),
+    (lambda s: s.check(friction=float("nan")), ["friction", "nan"]),
+    (lambda s: s.restore(s), ["snapshot"]),
+    (lambda s: s.perform([]), ["empty"]),
+    (lambda s: s.perform([{"op": "jump", "object": "cup"}]), ["jump", "put"]),
+    (lambda s: s.export("x.abc"), ["x.abc"]),
+    (lambda s: s.export("x.xml", collision="fuzzy"), ["fuzzy"]),
+    (lambda s: trivet.Scene(clearance=-1), ["clearance", "-1"]),
+    (lambda s: trivet.Scene(gravity=1), ["gravity", "max_motions"]),
+    (lambda s: trivet.Scene.from_poses(["a"], [box()], []), ["1 names", "0 poses"]),
+    (lambda s: trivet.Scene.from_poses(["a", "a"], [box()] * 2, [np.eye(4)] * 2), ["a"]),
+    (lambda s: trivet.Scene.from_poses(["floor"], [box()], [np.eye(4)]), ["floor"]),
+    (lambda s: trivet.first_contact(box(), np.eye(4), box(), np.eye(4)), ["along", "about"]),
+    (lambda s: trivet.first_contact(box(), np.eye(4), box(), np.eye(4), along=[0, 0, 0]), ["length 0"]),
+    (lambda s: trivet.first_contact(box(), np.eye(4), box(), np.eye(4), about=[1, 2, 3]), ["about"]),
+    (lambda s: trivet.interpenetrations([box()], [np.eye(4)], positions=[np.zeros((3, 3))]), ["3", "8"]),
+    (lambda s: trivet.interpenetrations([box()], [np.eye(4)], positions=[np.full((8, 3), np.nan)]), ["row 0", "nan"]),
+]
+
+
+@pytest.mark.parametrize("number", range(len(BAD_CALLS)))
+def test_arguments_that_are_not_accepted(number):
+    call, says = BAD_CALLS[number]
+    scene = table_with_cup()
+    before = scene.fingerprint
+    with pytest.raises(trivet.BadInputError) as caught:
+        call(scene)
+    for part in says:
+        assert part in str(caught.value), str(caught.value)
+    assert scene.fingerprint == before
+
+
+def test_names_that_are_taken_or_unknown():
+    scene = table_with_cup()
+    for name, code in (("cup", "name_taken"), ("floor", "invalid_name"), ("", "invalid_name")):
+        with pytest.raises(trivet.Refused) as caught:
+            scene.add(name, box())
+        assert caught.value.code == code and len(scene) == 2
+    for name in ("Cup", 5, None):
+        with pytest.raises(trivet.NoSuchObject, match=str(name)):
+            scene[name]
+    assert issubclass(trivet.NoSuchObject, KeyError) and "nothing" not in scene and 5 not in scene
+    with pytest.raises(trivet.Refused) as caught:
+        scene["cup"].put(on="tble")
+    assert caught.value.code == "unknown_object" and "table" in str(caught.value)
+
+
+def test_stale_objects():
+    scene = table_with_cup()
+    cup = scene["cup"]
+    cup.remove()
+    other = scene.add("mug", box())  # perhaps in the slot of the cup
+    for use in (lambda: cup.pose, lambda: cup.put([0, 0, 1]), lambda: cup.supports, lambda: cup.remove(),
+                lambda: cup.duplicate("x"), lambda: cup.loads()):
+        with pytest.raises(trivet.NoSuchObject, match="cup"):
+            use()
+    assert cup not in scene and other in scene
+    again = scene.add("cup", box())
+    assert again != cup
+    with pytest.raises(trivet.NoSuchObject):
+        cup.state
+
+
+def test_refusals_name_the_cause():
+    scene = table_with_cup()
+    with pytest.raises(trivet.Refused) as caught:
+        scene.add("in it", box(), pose=at(0, 0, 0.1))
+    assert caught.value.code == "crossing" and caught.value.objects == ("in it", "table") and len(scene) == 2
+    assert set(trivet.CAUSES) >= {"crossing", "wedged", "no_free_place", "not_tried"} and "" not in trivet.CAUSES
+
+
+def test_exceptions_in_transactions_and_queries_leave_the_scene():
+    scene = table_with_cup()
+    before = scene.fingerprint
+    with pytest.raises(ZeroDivisionError):
+        with scene.transaction():
+            scene["cup"].put([0.2, 0.2, 1])
+            with pytest.raises(trivet.SceneBusy, match="transaction"):
+                scene.undo()
+            1 / 0
+    assert scene.fingerprint == before
+    with scene.transaction():
+        with scene.transaction():
+            scene["cup"].put([0.2, 0.2, 1])
+        scene["cup"].put([0.3, 0.3, 1])
+    assert scene.undo() and scene.fingerprint == before
+
+
+def test_shapes_of_degenerate_faces_do_not_crash():
+    flat = trivet.Shape(np.zeros((3, 3)), [[0, 1, 2]])
+    assert flat.volume == 0 and len(flat.faces) == 1
+    scene = trivet.Scene()
+    result = scene.add("point", flat).try_put([0, 0, 1])
+    assert result or result.code in trivet.CAUSES

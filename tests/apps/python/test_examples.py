@@ -1,0 +1,206 @@
+"""The examples of the documentation. Left out: 10 (pictures and a viewer in notebooks, which are not built), and of 9
+the sharing of shapes by id between processes."""
+import multiprocessing
+import sys
+import types
+
+import numpy as np
+import pytest
+
+import trivet
+from shapes import TrimeshSceneStandIn, TrimeshStandIn, at, box, box_arrays, table_with_cup, torus, torus_arrays
+
+
+def test_meshes_from_arrays_are_put(tmp_path):
+    (tmp_path / "table.obj").write_text(
+        "".join("v %r %r %r\n" % tuple(v) for v in box_arrays(0.5, 0.5, 0.05)[0].tolist())
+        + "".join("f %d %d %d\n" % tuple(f + 1) for f in box_arrays(1, 1, 1)[1]))
+    mesh = TrimeshStandIn(*torus_arrays(20, 12))
+    scene = trivet.Scene()
+    table = scene.add("table", trivet.Shape.load(tmp_path / "table.obj"), pose=at(0, 0, 0.1), fixed=True)
+    cup = scene.add("cup", mesh)
+    result = cup.put(position=[0.1, 0.2, 1.5])
+    assert result and result.end == "at_rest" and len(result.path) == result.num_motions
+    assert cup.supports == [table] and table.loads() == [cup]
+    mesh.apply_transform(cup.matrix)
+    assert mesh.vertices[:, 2].min() == pytest.approx(0.15, abs=1e-5)
+    assert scene.check().ok
+
+
+def bin_shape():
+    """A bin of 0.6 m with walls of 1 cm, 0.3 m high, open above: one shape of five boxes."""
+    parts, count = [], 0
+    for half, centre in (((0.3, 0.3, 0.005), (0, 0, 0.005)), ((0.005, 0.3, 0.15), (-0.295, 0, 0.15)),
+                         ((0.005, 0.3, 0.15), (0.295, 0, 0.15)), ((0.3, 0.005, 0.15), (0, -0.295, 0.15)),
+                         ((0.3, 0.005, 0.15), (0, 0.295, 0.15))):
+        vertices, faces = box_arrays(*half)
+        parts.append((vertices + centre, faces + count))
+        count += len(vertices)
+    return trivet.Shape(np.concatenate([p[0] for p in parts]), np.concatenate([p[1] for p in parts]))
+
+
+def scatter(number, seed):
+    rng = np.random.default_rng(seed)
+    shapes = [torus(radius=0.03, thickness=0.01), box(0.02, 0.03, 0.01), box(0.005, 0.005, 0.06)]
+    scene = trivet.Scene()
+    scene.add("bin", bin_shape(), pose=at(0, 0, 1e-5), fixed=True)
+    for i in range(number):
+        part = scene.add(f"part{i}", shapes[i % len(shapes)])
+        for _ in range(100):
+            if part.try_put([*rng.uniform(-.15, .15, 2), 1.2], wxyz=trivet.random_rotation(rng)):
+                break
+        else:
+            raise AssertionError("100 places were refused")
+    return scene
+
+
+def test_fifty_objects_are_scattered_into_a_bin():
+    scene = scatter(50, 7)
+    assert scene.check().ok
+    for part in list(scene)[1:]:
+        assert part.at_rest
+        assert (np.abs(part.position[:2]) < 0.3).all()
+
+
+def test_contacts_and_supports_are_arrays():
+    scene = table_with_cup()
+    contacts = scene.contacts()
+    on_table = contacts.objects[:, 0] == 1
+    assert on_table.any() and (contacts.objects[on_table, 1] == 0).all()
+    assert contacts.point.shape == contacts.normal.shape == (len(contacts), 3)
+    assert (contacts.gap >= 0).all() and contacts.normal[on_table, 2] == pytest.approx(1)
+    assert set(contacts.type) <= {"point", "line", "area"}
+    assert scene.support_graph().named_edges() == [("floor", "table"), ("table", "cup")]
+    assert scene["table"].loads(recursive=True) == [scene["cup"]]
+
+
+def test_tables_and_graphs_go_to_pandas_and_networkx(monkeypatch):
+    """Both are stood in for: what of them Trivet calls."""
+    pandas = types.SimpleNamespace(DataFrame=dict)
+
+    class DiGraph:
+        def __init__(self):
+            self.nodes, self.edges = [], []
+            self.add_nodes_from, self.add_edges_from = self.nodes.extend, self.edges.extend
+
+    monkeypatch.setitem(sys.modules, "pandas", pandas)
+    monkeypatch.setitem(sys.modules, "networkx", types.SimpleNamespace(DiGraph=DiGraph))
+    scene = table_with_cup()
+    rows = scene.contacts().to_pandas()
+    assert set(zip(rows["object"], rows["support"])) == {("table", "floor"), ("cup", "table")}
+    assert len(rows["nz"]) == len(rows["gap"]) == len(scene.contacts())
+    graph = scene.support_graph().to_networkx()
+    assert graph.nodes == ["table", "cup"] and graph.edges == [("floor", "table"), ("table", "cup")]
+
+
+def test_first_contact_of_a_fall_and_a_turn():
+    cube = box()
+    hit = trivet.first_contact(cube, at(0, 0, 1), cube, np.eye(4), along=[0, 0, -1], distance=3.0)
+    assert hit and not hit.crossing
+    assert hit.distance == pytest.approx(0.9, abs=1e-5) and hit.normal == pytest.approx([0, 0, 1])
+    assert 0 <= hit.faces[0] < 12 and 0 <= hit.faces[1] < 12
+    assert trivet.first_contact(cube, at(0, 0, 1), cube, np.eye(4), along=[0, 0, 1], distance=3.0) is None
+    # A bar about z meets a post that stands at 90 degrees, and one at 225 beyond two quarter turns.
+    bar, post = box(0.5, 0.001, 0.01), box(0.001, 0.001, 0.01)
+    for degrees in (90.0, 225.0):
+        angle = np.radians(degrees)
+        there = at(0.4 * np.cos(angle), 0.4 * np.sin(angle), 0)
+        turned = trivet.first_contact(bar, at(0.5, 0, 0), post, there, about=([0, 0, 1], [0, 0, 0]), degrees=300)
+        assert turned and turned.degrees == pytest.approx(degrees, abs=0.5)
+
+
+def test_foreign_scenes_are_judged():
+    cube = TrimeshStandIn(*box_arrays(0.05, 0.05, 0.05))
+    foreign = TrimeshSceneStandIn([("a", cube, at(0, 0, 0.05 + 1e-6)), ("b", cube, at(0.03, 0, 0.05 + 1e-6)),
+                                   ("c", cube, at(1, 0, 0.7))])
+    scene = trivet.Scene.from_trimesh(foreign)
+    verdict = scene.check(friction=0.5)
+    assert not verdict.ok
+    assert [(one.a, one.b) for one in verdict.crossings] == [("node_a", "node_b")]
+    assert "node_c" in verdict.not_at_rest
+    found = trivet.interpenetrations([cube] * 3, [at(0, 0, 0), at(0.03, 0, 0), at(1, 0, 0)])
+    assert [(one.a, one.b) for one in found] == [(0, 1)] and found[0].crossings > 0
+
+
+def test_positions_of_another_program_are_judged():
+    cube = box()
+    apart = at(0.2, 0, 0)
+    assert trivet.interpenetrations([cube, cube], [np.eye(4), apart]) == []
+    shown = np.float32(cube.vertices + [0.2, 0, 0])
+    assert trivet.interpenetrations([cube, cube], [np.eye(4), apart], positions=[None, shown]) == []
+    shown[0] = 0, 0, 0  # one corner went into the other
+    assert trivet.interpenetrations([cube, cube], [np.eye(4), apart], positions=[None, shown])[0].crossings > 0
+
+
+def test_pushes_and_turns_carry_loads():
+    scene = trivet.Scene()
+    plate = scene.add("plate", box(0.1, 0.1, 0.01))
+    plate.put([0, 0, 0.5])
+    scene.add("cup", box(0.02, 0.02, 0.02)).put(on=plate, at=[0, 0])
+    scene.add("wall", box(0.05, 0.5, 0.2), pose=at(0.5, 0, 0.2 + 2e-6), fixed=True)
+    result = plate.push([1, 0], 1.0)
+    assert (result.end, result.blocked_by, result.carried) == ("blocked", "wall", ("cup",))
+    assert scene["cup"].position[0] == pytest.approx(0.35, abs=1e-4)
+    assert scene["cup"].turn(45).turned_deg == pytest.approx(45)
+    before = scene.fingerprint
+    with scene.drag("plate", "push") as hand:
+        for y in np.linspace(0, 0.2, 5):
+            step = hand.follow([0.2, y])
+            assert step, step.reason
+        assert set(hand.poses()) == {"plate", "cup"}
+        with pytest.raises(trivet.SceneBusy):
+            plate.put([0, 0, 1])
+        assert scene.fingerprint == before
+    assert hand.result and plate.position[:2] == pytest.approx([0.2, 0.2], abs=1e-3)
+    assert scene.undo() and scene.fingerprint == before
+    with pytest.raises(ZeroDivisionError):
+        with scene.drag("plate", "push") as hand:
+            hand.follow([0, 0])
+            1 / 0
+    assert scene.fingerprint == before and scene.check().ok
+
+
+def test_scenes_go_to_simulators(tmp_path):
+    scene = table_with_cup()
+    done = scene.export(tmp_path / "scene.xml", collision="components", friction=0.6)
+    assert done.files[0] == str(tmp_path / "scene.xml") and (tmp_path / "scene.xml").stat().st_size > 0
+    assert done.masses["cup"] > 0
+
+
+def test_all_or_nothing_and_snapshots():
+    scene = trivet.Scene()
+    table = scene.add("table", box(0.5, 0.5, 0.05), pose=at(0, 0, 0.05 + 2e-6), fixed=True)
+    plate, cup = scene.add("plate", box(0.1, 0.1, 0.01)), scene.add("cup", torus(radius=0.3, thickness=0.01))
+    before = scene.snapshot()
+    with pytest.raises(trivet.Refused) as caught:
+        with scene.transaction():
+            plate.put(on=table, at=[0.3, 0.2])
+            assert plate.at_rest
+            cup.put(on=plate, at="anywhere", keep=5.0)
+    assert caught.value.code in trivet.CAUSES and caught.value.objects[0] == "cup"
+    assert scene.fingerprint == before.fingerprint and not plate.placed and not scene.can_redo
+    with scene.transaction():
+        plate.put(on=table, at=[0.3, 0.2])
+        plate.push([1, 0], 0.02)
+    after = scene.fingerprint
+    assert scene.undo() and scene.fingerprint == before.fingerprint
+    assert scene.redo() and scene.fingerprint == after
+    scene.restore(before)
+    assert scene.fingerprint == before.fingerprint and not scene.can_undo
+    plate.put(on=table, at=[0.3, 0.2])  # the object of before the snapshot is still that
+    assert plate.at_rest
+
+
+def farm_scene(seed):
+    return scatter(4, seed).snapshot()
+
+
+@pytest.mark.parametrize("method", ["spawn", "fork"])
+def test_a_farm_gives_the_same_bits(method):
+    with multiprocessing.get_context(method).Pool(2) as pool:
+        made = pool.map(farm_scene, [1, 2])
+    here = [farm_scene(1), farm_scene(2)]
+    for there, own in zip(made, here):
+        for a, b in zip(there.scene(), own.scene()):
+            assert a.name == b.name and (a.pose == b.pose).all() and a.state == b.state
+    assert made[0].fingerprint == here[0].fingerprint != here[1].fingerprint
