@@ -136,11 +136,15 @@ class Dialogue {
       : m_opened(opened),
         m_session(opened.session),
         m_settle(arguments.settle.settle),
-        m_told(opened.session.scene()) {
+        m_told(opened.session.scene()),
+        m_state(opened.session.scene()) {
     m_context.detector = &detector;
     m_context.time_budget_s = arguments.settle.operation_seconds;
     if (!(m_settle.clearance > 0)) m_settle.clearance = opened.clearance;
-    m_session.on_event([this](const SessionEvent& event) { m_changed = event.changed; });
+    m_session.on_event([this](const SessionEvent& event) {
+      m_changed = event.changed;
+      m_state.update(m_session.scene(), event.changed);
+    });
   }
   ~Dialogue() { m_session.on_event({}); }
   Dialogue(const Dialogue&) = delete;
@@ -150,7 +154,7 @@ class Dialogue {
     Json json = {{"status", "ok"}};
     json["done"] = m_session.num_done();
     json["steps"] = m_session.steps().size();
-    json["state"] = hash_text(fingerprint(m_session.scene()));
+    json["state"] = hash_text(m_state.value(m_session.scene()));
     json["modified"] = m_session.is_modified();
     return json;
   }
@@ -273,6 +277,7 @@ class Dialogue {
   SettleOptions m_settle;
   RunContext m_context;
   ToldPoses m_told;
+  SceneState m_state;
   std::vector<ObjectId> m_changed;  // by the line that is being answered
 };
 

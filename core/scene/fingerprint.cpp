@@ -72,4 +72,31 @@ std::uint64_t fingerprint(const Scene& scene) {
   return hash.value();
 }
 
+SceneState::SceneState(const Scene& scene) { update(scene, scene.ids()); }
+
+void SceneState::update(const Scene& scene, std::span<const ObjectId> changed) {
+  for (const ObjectId id : changed) {
+    if (id.index >= m_slots.size()) m_slots.resize(id.index + 1);
+    Slot& slot = m_slots[id.index];
+    const bool here = scene.contains(id);
+    // Gone, and its slot may have another object by now.
+    if (!here && slot.generation != id.generation) continue;
+    std::uint64_t hash = 0;
+    if (here) {
+      Hash of_object(id.index);
+      add_to(of_object, scene.at(id));
+      hash = of_object.value();
+    }
+    m_sum += hash - slot.hash;
+    slot = {id.generation, hash};
+  }
+}
+
+std::uint64_t SceneState::value(const Scene& scene) const {
+  Hash hash(m_sum);
+  hash.add(std::uint64_t{scene.num_objects()}).add(std::uint64_t{scene.floor});
+  add_to(hash, scene.floor_material);
+  return hash.value();
+}
+
 }  // namespace trivet
