@@ -10,7 +10,7 @@
 namespace trivet {
 namespace {
 
-constexpr unsigned kSeed = 41;
+constexpr unsigned kConfirmSeed = 41;
 constexpr Confirmation kAskAboutAll{true, 1};
 
 std::vector<FacePair> all_pairs(const FirstContactQuery& query) {
@@ -56,7 +56,7 @@ struct Count {
 void check_pairs(const test::RandomQuery& q, int number, Count& count) {
   q.ask([&](const FirstContactQuery& query) {
     const FirstContact truth = first_contact(query);
-    test::Random random(kSeed + static_cast<unsigned>(number));
+    test::Random random(kConfirmSeed + static_cast<unsigned>(number));
     double horizon = query.motion.limit * random.uniform(0, 1);
     if (truth.status != FirstContact::Status::Free && number % 2) horizon = truth.time;
     const std::vector<FacePair> pairs = all_pairs(query);
@@ -78,12 +78,12 @@ void check_pairs(const test::RandomQuery& q, int number, Count& count) {
 }
 
 TEST(ConfirmPairs, KeepsEveryPairThatStopsInTime) {
-  std::printf("seed %u\n", kSeed);
-  const test::MeshPool pool(kSeed, 12);
+  std::printf("seed %u\n", kConfirmSeed);
+  const test::MeshPool pool(kConfirmSeed, 12);
   Count count;
   for (int i = 0; i < 1200; ++i) {
-    test::RandomQuery q =
-        i % 4 ? test::random_query(pool, kSeed, i) : test::random_group_query(pool, kSeed, i);
+    test::RandomQuery q = i % 4 ? test::random_query(pool, kConfirmSeed, i)
+                                : test::random_group_query(pool, kConfirmSeed, i);
     if (i % 5 == 0) shift(q, Vec3(1e3, -1e4, 1e5));
     check_pairs(q, i, count);
     if (HasFailure()) return;
@@ -94,15 +94,15 @@ TEST(ConfirmPairs, KeepsEveryPairThatStopsInTime) {
 }
 
 TEST(ConfirmPairs, ChangesNoAnswer) {
-  std::printf("seed %u\n", kSeed);
-  const test::MeshPool pool(kSeed, 12);
+  std::printf("seed %u\n", kConfirmSeed);
+  const test::MeshPool pool(kConfirmSeed, 12);
   AllPairs stage;
   std::int64_t num_asked = 0, num_confirmed = 0;
   int num_contacts = 0;
   constexpr int kNum = 1500;
   for (int i = 0; i < kNum; ++i) {
-    test::RandomQuery q = i % 4 ? test::random_query(pool, kSeed + 1, i)
-                                : test::random_group_query(pool, kSeed + 1, i);
+    test::RandomQuery q = i % 4 ? test::random_query(pool, kConfirmSeed + 1, i)
+                                : test::random_group_query(pool, kConfirmSeed + 1, i);
     if (i % 5 == 0) shift(q, Vec3(-1e5, 1e2, 1e3));
     q.ask([&](const FirstContactQuery& query) {
       CandidatePairs with, without;
@@ -125,9 +125,9 @@ TEST(ConfirmPairs, ChangesNoAnswer) {
 }
 
 TEST(ConfirmPairs, AsksOnlyAboutMany) {
-  const test::MeshPool pool(kSeed, 2);
+  const test::MeshPool pool(kConfirmSeed, 2);
   AllPairs stage;
-  const test::RandomQuery q = test::random_query(pool, kSeed, 1);
+  const test::RandomQuery q = test::random_query(pool, kConfirmSeed, 1);
   q.ask([&](const FirstContactQuery& query) {
     CandidatePairs proposal;
     first_contact(query, stage, &proposal, {true, all_pairs(query).size() + 1});
@@ -148,11 +148,11 @@ Triangle point_of(const Vec3& p) { return {p, p, p}; }
 
 /// Points of a face, at any time, and points near a fixed one are in their boxes.
 TEST(MotionBoxes, HoldPointsOfFaces) {
-  std::printf("seed %u\n", kSeed);
-  const test::MeshPool pool(kSeed, 12);
+  std::printf("seed %u\n", kConfirmSeed);
+  const test::MeshPool pool(kConfirmSeed, 12);
   for (int i = 0; i < 20000; ++i) {
-    test::Random random(kSeed + static_cast<unsigned>(i));
-    test::RandomQuery q = test::random_query(pool, kSeed, i);
+    test::Random random(kConfirmSeed + static_cast<unsigned>(i));
+    test::RandomQuery q = test::random_query(pool, kConfirmSeed, i);
     if (i % 5 == 0) shift(q, random.in_cube(1e4));
     q.ask([&](const FirstContactQuery& query) {
       const double horizon = query.motion.limit * random.uniform(0, 1);
@@ -171,8 +171,8 @@ TEST(MotionBoxes, HoldPointsOfFaces) {
 }
 
 TEST(MotionBoxes, AreTightAlongTurns) {
-  const test::MeshPool pool(kSeed, 1);
-  test::RandomQuery q = test::random_query(pool, kSeed, 0);
+  const test::MeshPool pool(kConfirmSeed, 1);
+  test::RandomQuery q = test::random_query(pool, kConfirmSeed, 0);
   q.motion = Motion::rotation(Vec3::Zero(), Vec3::UnitZ(), 1);
   q.clearance.distance = 1e-6;
   q.ask([&](const FirstContactQuery& query) {
