@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/contact/motion_boxes.h"
+#include "core/contact/pair_numbers.h"
 #include "core/index/box_pairs.h"
 
 namespace trivet {
@@ -12,46 +13,6 @@ namespace {
 /// Embree may report this many times the pairs that were proposed; more are not worth sorting out.
 constexpr size_t kMostReported = 4;
 
-std::uint64_t key_of(Index high, Index low) {
-  return static_cast<std::uint64_t>(static_cast<std::uint32_t>(high)) << 32 |
-         static_cast<std::uint32_t>(low);
-}
-
-/// Numbers for keys, by open addressing.
-class Numbering {
- public:
-  /// @param most  of keys.
-  explicit Numbering(size_t most) {
-    size_t size = 16;
-    while (size < 2 * most) size *= 2;
-    m_slots.resize(size);
-  }
-
-  /// The number of the key; `next` if it is new.
-  Index find_or_add(std::uint64_t key, Index next) {
-    Slot& slot = slot_of(key);
-    if (slot.number < 0) slot = {key, next};
-    return slot.number;
-  }
-  /// -1: none.
-  Index find(std::uint64_t key) { return slot_of(key).number; }
-
- private:
-  struct Slot {
-    std::uint64_t key = 0;
-    Index number = -1;
-  };
-
-  Slot& slot_of(std::uint64_t key) {
-    const size_t mask = m_slots.size() - 1;
-    size_t at = (key * 0x9e3779b97f4a7c15u >> 32) & mask;
-    while (m_slots[at].number >= 0 && m_slots[at].key != key) at = (at + 1) & mask;
-    return m_slots[at];
-  }
-
-  std::vector<Slot> m_slots;
-};
-
 /// The distinct faces of one side.
 class Faces {
  public:
@@ -59,7 +20,7 @@ class Faces {
 
   Index number(Index body, Index face) {
     const auto next = static_cast<Index>(m_faces.size());
-    const Index found = m_numbers.find_or_add(key_of(body, face), next);
+    const Index found = m_numbers.find_or_add(body, face, next);
     if (found == next) m_faces.push_back({body, face});
     return found;
   }
@@ -69,7 +30,7 @@ class Faces {
   const std::vector<Face>& all() const { return m_faces; }
 
  private:
-  Numbering m_numbers;
+  PairNumbers m_numbers;
   std::vector<Face> m_faces;
 };
 
@@ -111,11 +72,11 @@ Boxes fixed_boxes(const MotionBoxes& along, std::span<const Body> bodies, const 
 
 bool confirm_pairs(const FirstContactQuery& query, double horizon, std::vector<FacePair>& pairs) {
   Faces moving(pairs.size()), fixed(pairs.size());
-  Numbering numbers(pairs.size());
+  PairNumbers numbers(pairs.size());
   for (Index i = 0; i < static_cast<Index>(pairs.size()); ++i) {
     const FacePair& p = pairs[i];
-    numbers.find_or_add(
-        key_of(moving.number(p.moving, p.face_moving), fixed.number(p.fixed, p.face_fixed)), i);
+    numbers.find_or_add(moving.number(p.moving, p.face_moving), fixed.number(p.fixed, p.face_fixed),
+                        i);
   }
   const MotionBoxes along(query, horizon);
   const Boxes a = moving_boxes(along, query.moving, moving);
@@ -130,7 +91,7 @@ bool confirm_pairs(const FirstContactQuery& query, double horizon, std::vector<F
   if (!reported) return false;
   std::vector<char> confirmed(pairs.size());
   for (const BoxPair& p : *reported) {
-    const Index pair = numbers.find(key_of(a.faces[p.a], b.faces[p.b]));
+    const Index pair = numbers.find(a.faces[p.a], b.faces[p.b]);
     if (pair >= 0) confirmed[pair] = 1;
   }
   size_t next = 0;

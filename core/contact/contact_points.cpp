@@ -11,7 +11,8 @@
 #include "core/contact/dips.h"
 #include "core/contact/flush_faces.h"
 #include "core/contact/leaf_box.h"
-#include "core/contact/pair_set.h"
+#include "core/contact/node_slab.h"
+#include "core/contact/pair_numbers.h"
 #include "core/contact/triangle_distance.h"
 
 namespace trivet {
@@ -105,11 +106,13 @@ class ContactSearch {
         m_own_axis{m_tree_object.own_axis(0), m_tree_object.own_axis(1),
                    m_tree_object.own_axis(2)} {
     m_reach = tolerance * 1.001 + 1e-14 * m_tree_object.translation.cwiseAbs().maxCoeff();
+    m_rotation = m_tree_object.linear / m_tree_object.scale;
   }
 
   std::vector<ContactPoint> run() {
     if (!m_object.shape->has_faces() || !m_support.shape->has_faces()) return {};
     const PlacedBvh::Box box_object = m_tree_object.box(0), box_support = m_tree_support.box(0);
+    m_slab_reach = m_reach + 1e-14 * (farthest(box_object) + farthest(box_support));
     visit(0, 0, box_object, box_support, nullptr);
     std::vector<ContactPoint> points = first_of_each(m_found);
     std::vector<ContactPoint> more = ends();
@@ -122,6 +125,10 @@ class ContactSearch {
   }
 
  private:
+  static double farthest(const PlacedBvh::Box& box) {
+    return (box.centre.cwiseAbs() + box.half).maxCoeff();
+  }
+
   bool apart(const PlacedBvh::Box& a, const PlacedBvh::Box& b) const {
     const Vec3 d = a.centre - b.centre;
     if ((d.cwiseAbs().array() > (a.half + b.half).array() + m_reach).any()) return true;
@@ -135,7 +142,10 @@ class ContactSearch {
   // `leaf` is the tight box of the node that is a leaf already.
   void visit(Index ia, Index ib, const PlacedBvh::Box& box_a, const PlacedBvh::Box& box_b,
              const LeafBox* leaf) {
-    if (apart(box_a, box_b)) return;
+    if (apart(box_a, box_b) ||
+        slabs_apart({m_tree_object, ia, m_rotation}, {m_tree_support, ib, Mat3::Identity()}, box_a,
+                    box_b, m_slab_reach))
+      return;
     const BvhNode &a = m_tree_object.bvh.nodes[ia], &b = m_tree_support.bvh.nodes[ib];
     if (leaf && leaf->valid && leaf->gap(a.is_leaf() ? box_b : box_a) > m_reach) return;
     if (a.is_leaf() && b.is_leaf()) return try_leaves(a, b);
@@ -305,14 +315,16 @@ class ContactSearch {
 
   const Body &m_object, &m_support;
   double m_tolerance, m_slack, m_reach = 0;
+  double m_slab_reach = 0;  // with the rounding of slabs
   FlushFaces m_flush;
   UnitFrame m_frame;
   PlacedBvh m_tree_object, m_tree_support;
   std::array<Vec3, 3> m_own_axis;  // of the object
+  Mat3 m_rotation;                 // likewise
   std::vector<ContactPoint> m_found;
   std::vector<End> m_ends;
   bool m_closest_only = false;
-  PairSet m_tried_vertices, m_tried_faces;  // of the object and the support, one of them a face
+  PairNumbers m_tried_vertices, m_tried_faces;  // of the object and the support, one of them a face
 };
 
 void collect_floor_vertices(const Body& object, const PlacedBvh& tree, Index node, double tolerance,

@@ -42,4 +42,18 @@ struct NodeSlab {
   }
 };
 
+/// Whether two nodes are farther apart than `reach`, by their slabs.
+/// @param box_a, box_b  of the nodes, in the slabs' frame.
+inline bool slabs_apart(const NodeSlab& a, const NodeSlab& b, const PlacedBvh::Box& box_a,
+                        const PlacedBvh::Box& box_b, double reach) {
+  const Vec3 d = box_a.centre - box_b.centre;
+  for (const Vec3& n : {a.normal, b.normal}) {
+    const SlabRange of_a = a.along(n, box_a.half), of_b = b.along(n, box_b.half);
+    const double along = n.dot(d);
+    if (along + of_a.lower - of_b.upper > reach || of_b.lower - of_a.upper - along > reach)
+      return true;
+  }
+  return false;
+}
+
 }  // namespace trivet

@@ -8,6 +8,7 @@
 
 #include "contact_testing.h"
 #include "core/contact/triangle_distance.h"
+#include "core/index/shape_index.h"
 #include "support/effort.h"
 #include "support/random_queries.h"
 
@@ -300,6 +301,40 @@ TEST(ContactPoints, LieOnBothBodiesWhereverTheyAreNear) {
   std::printf("seed %u: %d of %d pairs near, %d points\n", kSeed, num_near, num_queries / 3,
               num_points);
   EXPECT_GT(num_near, 0.3 * num_queries / 3);
+}
+
+/// The same shape, but nothing is pruned by slabs.
+std::shared_ptr<const Shape> without_slabs(const Shape& shape) {
+  auto out = make_shape(shape.mesh);
+  out->index->bvh.get([&] {
+    Bvh bvh = build_bvh(shape.mesh);
+    for (BvhSlab& slab : bvh.slabs) slab = {};
+    return bvh;
+  });
+  return out;
+}
+
+TEST(ContactPoints, AreNotLostBySlabs) {
+  constexpr unsigned kSeed = 43;
+  const test::MeshPool pool(kSeed, 16);
+  size_t num_points = 0;
+  for (int i = 0; i < test::with_effort(6000); i += 3) {
+    const test::RandomQuery q = test::random_query(pool, kSeed, i);
+    const Body a = q.moving[0].body(), b = q.fixed[0].body();
+    const auto shape_a = without_slabs(*a.shape), shape_b = without_slabs(*b.shape);
+    const double eps = q.clearance.distance, tolerance = kContactTolerance * eps;
+    const auto with = contact_points(a, b, tolerance, kFootSlack * eps);
+    const auto without =
+        contact_points({*shape_a, a.world_from_object}, {*shape_b, b.world_from_object}, tolerance,
+                       kFootSlack * eps);
+    ASSERT_EQ(with.size(), without.size()) << "seed " << kSeed << ", query " << i;
+    num_points += with.size();
+    for (size_t k = 0; k < with.size(); ++k)
+      EXPECT_TRUE(with[k].point == without[k].point && with[k].normal == without[k].normal &&
+                  with[k].gap == without[k].gap)
+          << "seed " << kSeed << ", query " << i;
+  }
+  EXPECT_GT(num_points, 500u * test::with_effort(6000) / 6000);
 }
 
 TEST(ContactPoints, AreSymmetric) {
