@@ -125,11 +125,14 @@ bool GpuZListStage::starts_in_software() const {
 
 // A proposal, or trouble that another resolution may avoid.
 CandidatePairs GpuZListStage::answer_of(const ZListAsk& ask, Trouble& trouble) {
-  auto answers = try_asking({&ask, 1}, starts_in_software());
+  const bool in_software = starts_in_software();
+  auto answers = try_asking({&ask, 1}, in_software);
   const bool too_long = answers && (answers->front().trouble == Trouble::Entries ||
                                     answers->front().trouble == Trouble::Pairs);
   if (too_long && m_options.software_lists && m_options.listing != GpuListing::Gpu)
     answers = try_asking({&ask, 1}, true);
+  if (in_software && answers && !answers->front().proposal.usable)
+    answers = try_asking({&ask, 1}, false);
   trouble = answers ? answers->front().trouble : Trouble::None;
   return answers ? std::move(answers->front().proposal) : gives_up(m_last_error);
 }
@@ -162,7 +165,8 @@ bool GpuZListStage::add(ZListAsk& ask, Group& group) const {
   return true;
 }
 
-// Empties the group. Queries in trouble, perhaps because of another one, are retried alone.
+// Empties the group. Queries in trouble, perhaps because of another one, are retried alone, as are
+// those that software gives up.
 void GpuZListStage::ask_together(Group& group, std::span<const FirstContactQuery> queries,
                                  std::vector<CandidatePairs>& out) {
   if (group.asks.empty()) return;
@@ -172,7 +176,8 @@ void GpuZListStage::ask_together(Group& group, std::span<const FirstContactQuery
     CandidatePairs& proposal = out[static_cast<std::size_t>(ask.query - queries.data())];
     if (!answers)
       proposal = gives_up(m_last_error);
-    else if ((*answers)[i].trouble == Trouble::None)
+    else if ((*answers)[i].trouble == Trouble::None &&
+             ((*answers)[i].proposal.usable || !starts_in_software()))
       proposal = std::move((*answers)[i].proposal);
     else
       proposal = find_candidates(*ask.query, ask.horizon);

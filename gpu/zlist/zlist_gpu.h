@@ -21,10 +21,10 @@ GpuMethod gpu_method_from_name(const std::string& name);
 
 /// Who lists the faces of doubtful pixels. Software needs GpuZListOptions::software_lists.
 enum class GpuListing {
-  Auto,  // software where the renderer runs on the CPU, else GpuFirst; without software_lists Gpu
+  Auto,  // Software where the renderer runs on the CPU, else GpuFirst; without software_lists Gpu
   Gpu,   // it draws again
   GpuFirst,  // software where there are too many for the GPU
-  Software,  // as in the paper
+  Software,  // as in the paper; where it gives up (too many pieces of faces about an axis), the GPU
 };
 
 /// What tests do to a stage.

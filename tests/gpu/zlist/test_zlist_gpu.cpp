@@ -53,7 +53,7 @@ TEST_P(ZListGpu, EqualsBruteForce) {
   const int num = test::with_effort(c.num);
   const test::StageCheck check = test::check_stage(*stage, pool, kSeed + c.resolution, 0, num);
   EXPECT_TRUE(check.failures.empty()) << check.describe();
-  EXPECT_LE(check.num_unusable, c.way.software_lists ? num / 500 : 0) << check.describe();
+  EXPECT_EQ(check.num_unusable, 0) << check.describe();
   EXPECT_GT(check.num_contacts, at_least(num, 0.25)) << check.describe();
   EXPECT_GT(check.num_upper, at_least(num, 0.08)) << check.describe();
   EXPECT_LT(check.num_pairs, check.num_all_pairs / 8) << check.describe();
