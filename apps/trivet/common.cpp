@@ -47,6 +47,11 @@ void add_common_options(CLI::App& app, CommonOptions& common) {
          "How --backend gpu finds depths; auto: the faster one; results do not depend on it")
       ->check(one_of({"auto", "framebuffer", "compute"}))
       ->group(group);
+  app.add_option("--confirm", common.confirm,
+                 "Whether Embree takes pairs away from what z-lists propose; auto: where they are "
+                 "many; results do not depend on it")
+      ->check(one_of({"auto", "embree", "off"}))
+      ->group(group);
   app.add_option("--threads", common.num_threads, "0: all cores; results do not depend on it")
       ->check(integer_from(0, 4096))
       ->group(group);
@@ -163,17 +168,22 @@ void add_material_options(CLI::App& app, MaterialArguments& arguments) {
       ->group(group);
 }
 
-std::unique_ptr<Detector> make_detector(const CommonOptions& common) {
+BackendOptions backend_options(const CommonOptions& common) {
   BackendOptions options;
   options.backend = backend_from_name(common.backend);
   options.num_threads = common.num_threads;
+  options.confirmation = confirmation_from_name(common.confirm);
   if (options.backend == Backend::Auto) options.machine = make_machine(common);
   options.note = [&common](const std::string& note) { print_note(common, note); };
   options.make_gpu_stage = [&common, note = options.note] {
     return make_gpu_stage(common.gpu_method, common.num_threads, note);
   };
   options.make_gpu_brackets = make_gpu_brackets;
-  return make_detector(options);
+  return options;
+}
+
+std::unique_ptr<Detector> make_detector(const CommonOptions& common) {
+  return trivet::make_detector(backend_options(common));
 }
 
 RunOptions run_options(const CommonOptions& common, const SettleArguments& arguments,

@@ -19,6 +19,7 @@ namespace trivet::apps {
 struct CommonOptions {
   std::string backend = "auto";
   std::string gpu_method = "auto";  // see GpuMethod
+  std::string confirm = "auto";     // see confirmation_from_name()
   int num_threads = 0;              // 0: all cores
   bool json = false;
   bool quiet = false;
@@ -56,7 +57,9 @@ struct MaterialArguments {
 };
 void add_material_options(CLI::App& app, MaterialArguments& arguments);
 
-/// Detector by --backend; notes on standard error if that is unavailable.
+/// By --backend, --gpu-method, --confirm and --threads; notes on standard error if what was asked
+/// for is unavailable. `common` must outlive it.
+BackendOptions backend_options(const CommonOptions& common);
 std::unique_ptr<Detector> make_detector(const CommonOptions& common);
 
 /// What `auto` chooses from, and how fast it is here. `common` must outlive it.

@@ -120,8 +120,9 @@ std::string work_summary(const Detector& detector) {
         << "  stage 3, lists: " << work.zlist.doubtful_pixels << " doubtful pixels, "
         << work.zlist.face_pairs << " candidate pairs of faces, " << work.zlist.bytes_read_back
         << " bytes read back\n"
-        << "  stage 4, Embree: " << work.zlist.confirmed_pairs << " of " << work.zlist.asked_pairs
-        << " pairs of faces confirmed; few are decided unasked\n"
+        << "  stage 4, Embree (" << to_string(detector.confirmation())
+        << "): " << work.zlist.confirmed_pairs << " of " << work.zlist.asked_pairs
+        << " pairs of faces confirmed\n"
         << "  given up, answered by BVHs: " << work.fallbacks << " queries\n";
   if (work.places > 0)
     out << "  places judged: " << work.places << ", on the GPU " << work.places_on_gpu << "\n";
@@ -137,6 +138,7 @@ void tell_work(const Detector& detector, const CommonOptions& common, ReportOpti
   if (!report) return;
   report->backend = detector.name();
   report->device = detector.device();
+  report->confirmation = to_string(detector.confirmation());
   report->work = detector.work();
 }
 

@@ -9,7 +9,6 @@
 #include "ops/base/stopwatch.h"
 #include "ops/check/check.h"
 #include "ops/placement/clearance.h"
-#include "raster/zlist/software_zlists.h"
 
 namespace trivet::apps {
 namespace {
@@ -89,33 +88,18 @@ int resolution_of_motion(const ZListArguments& arguments) {
                   std::to_string(kLargestMotionResolution) + " for a motion");
 }
 
-// On the GPU if that is asked for and can be had.
-std::unique_ptr<CandidateFinder> finder_of(const CommonOptions& common) {
-  if (common.backend == "gpu") try {
-      const auto note = [&common](const std::string& text) { print_note(common, text); };
-      std::unique_ptr<CandidateFinder> gpu =
-          make_gpu_stage(common.gpu_method, common.num_threads, note);
-      const std::string why = self_test(*gpu);
-      if (why.empty()) return gpu;
-      print_note(common, gpu->name() + " fails its self-test: " + why + "; software is used");
-    } catch (const Error& error) {
-      print_note(common, std::string(error.what()) + "; z-lists in software are used instead");
-    }
-  SoftwareZListOptions options;
-  options.num_threads = common.num_threads;
-  return std::make_unique<SoftwareZLists>(options);
-}
-
 // @param scene  gets its contacts, which say what is carried along.
 void zlist_of_motion(Scene& scene, const ZListArguments& arguments, const CommonOptions& common) {
   const int resolution = resolution_of_motion(arguments);
   const double clearance = clearance_of(scene, arguments.settle.settle);
   update_contacts(scene, clearance);
   MotionLists what = motion_of(scene, arguments.motion);
-  const std::unique_ptr<CandidateFinder> finder = finder_of(common);
+  const BackendOptions options = backend_options(common);
+  const std::unique_ptr<CandidateFinder> finder = make_zlist_stage(options);
   what.finder = finder->name();
   const Stopwatch stopwatch;
-  what.lists = motion_zlists(what.query(scene.floor, clearance), *finder, resolution);
+  what.lists = motion_zlists(what.query(scene.floor, clearance), *finder, resolution,
+                             options.confirmation.enabled ? kConfirmAll : options.confirmation);
   what.milliseconds = stopwatch.milliseconds();
   clear_progress_line(common);
   if (!arguments.picture.empty())

@@ -1,7 +1,9 @@
 #include "ops/detect/backend.h"
 
 #include "core/base/error.h"
+#include "ops/detect/bracket_source.h"
 #include "ops/detect/chooser.h"
+#include "ops/detect/motion_zlists.h"
 #include "raster/zlist/software_zlists.h"
 
 namespace trivet {
@@ -29,6 +31,27 @@ std::unique_ptr<CandidateFinder> software_stage(const BackendOptions& options) {
   return std::make_unique<SoftwareZLists>(software);
 }
 
+bool chooses(const BackendOptions& options) {
+  return options.backend == Backend::Auto && options.machine && options.machine->has_hardware();
+}
+
+std::unique_ptr<Detector> detector_of(const BackendOptions& options) {
+  if (options.backend == Backend::Gpu)
+    if (std::unique_ptr<CandidateFinder> stage = gpu_stage(options)) {
+      auto detector = std::make_unique<Detector>(std::move(stage), "gpu");
+      detector->use_brackets(
+          std::make_unique<GpuBrackets>(options.make_gpu_brackets, options.note));
+      return detector;
+    }
+  if (options.backend == Backend::Gpu || options.backend == Backend::Software)
+    return std::make_unique<Detector>(software_stage(options), "software");
+  if (!chooses(options)) return std::make_unique<Detector>();
+  auto detector =
+      std::make_unique<Detector>(std::make_unique<BackendChooser>(options.machine, options.note));
+  detector->use_brackets(std::make_unique<FasterBrackets>(options.make_gpu_brackets, options.note));
+  return detector;
+}
+
 }  // namespace
 
 Backend backend_from_name(const std::string& name) {
@@ -40,19 +63,29 @@ Backend backend_from_name(const std::string& name) {
               "backend \"" + name + "\" is not accepted; accepted: auto, gpu, software, bvh");
 }
 
-std::unique_ptr<Detector> make_detector(const BackendOptions& options) {
+Confirmation confirmation_from_name(const std::string& name) {
+  if (name == "auto") return {};
+  if (name == "embree") return kConfirmAll;
+  if (name == "off") return {.enabled = false};
+  throw Error(Error::Kind::BadInput,
+              "confirmation \"" + name + "\" is not accepted; accepted: auto, embree, off");
+}
+
+std::string to_string(const Confirmation& confirmation) {
+  if (!confirmation.enabled) return "off";
+  return confirmation.fewest_pairs == 0 ? "embree" : "auto";
+}
+
+std::unique_ptr<CandidateFinder> make_zlist_stage(const BackendOptions& options) {
   if (options.backend == Backend::Gpu)
-    if (std::unique_ptr<CandidateFinder> stage = gpu_stage(options)) {
-      auto detector = std::make_unique<Detector>(std::move(stage), "gpu");
-      detector->use_gpu_brackets(options.make_gpu_brackets, options.note);
-      return detector;
-    }
-  if (options.backend == Backend::Gpu || options.backend == Backend::Software)
-    return std::make_unique<Detector>(software_stage(options), "software");
-  if (options.backend == Backend::Auto && options.machine && options.machine->has_hardware())
-    return std::make_unique<Detector>(
-        std::make_unique<BackendChooser>(options.machine, options.note));
-  return std::make_unique<Detector>();
+    if (std::unique_ptr<CandidateFinder> stage = gpu_stage(options)) return stage;
+  return software_stage(options);
+}
+
+std::unique_ptr<Detector> make_detector(const BackendOptions& options) {
+  std::unique_ptr<Detector> detector = detector_of(options);
+  detector->set_confirmation(options.confirmation);
+  return detector;
 }
 
 }  // namespace trivet

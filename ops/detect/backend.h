@@ -22,15 +22,22 @@ enum class Backend {
 /// From "auto", "gpu", "software" or "bvh". @throws Error (BadInput) for anything else.
 Backend backend_from_name(const std::string& name);
 
+/// From "embree" (about all pairs that a stage proposes, but the first), "off", or "auto" (about
+/// many). Answers are the same bits. @throws Error (BadInput) for anything else.
+Confirmation confirmation_from_name(const std::string& name);
+/// And back.
+std::string to_string(const Confirmation& confirmation);
+
 struct BackendOptions {
   Backend backend = Backend::Auto;
   int num_threads = 0;  // of software z-lists; 0: all cores
+  Confirmation confirmation;
   /// For Backend::Auto, one object for all threads. Null, or without hardware: BVHs.
   std::shared_ptr<Machine> machine;
   /// Makes the stage for Backend::Gpu, such as make_gpu_candidate_finder(); empty: a build without.
   std::function<std::unique_ptr<CandidateFinder>()> make_gpu_stage;
-  /// Makes what computes brackets of falls for Backend::Gpu, such as a GpuDropBrackets; empty:
-  /// software.
+  /// Makes what computes brackets of falls for Backend::Gpu and, where there is graphics hardware,
+  /// for Backend::Auto, such as a GpuDropBrackets; empty: software.
   std::function<DropBracketFunction()> make_gpu_brackets;
   /// Told, once, why another source answers than was asked for. May be empty.
   std::function<void(const std::string&)> note;
@@ -39,5 +46,8 @@ struct BackendOptions {
 /// A GPU that cannot be had (the factory throws), or that fails self_test(), is replaced by
 /// software z-lists.
 std::unique_ptr<Detector> make_detector(const BackendOptions& options);
+
+/// Z-lists on the GPU for Backend::Gpu, replaced likewise; else in software.
+std::unique_ptr<CandidateFinder> make_zlist_stage(const BackendOptions& options);
 
 }  // namespace trivet

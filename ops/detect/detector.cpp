@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "core/base/error.h"
 #include "ops/base/stopwatch.h"
 #include "ops/detect/chooser.h"
 #include "raster/height_map/drop_brackets.h"
@@ -62,28 +61,18 @@ FirstContact Detector::ask_stage(const FirstContactQuery& query, CandidateFinder
   return found;
 }
 
-void Detector::use_gpu_brackets(std::function<DropBracketFunction()> make,
-                                std::function<void(const std::string&)> note) {
-  m_make_brackets = std::move(make);
-  m_note = std::move(note);
+void Detector::use_brackets(std::unique_ptr<BracketSource> source) {
+  m_brackets = std::move(source);
 }
 
 std::vector<DropBracket> Detector::drop_brackets(const HeightMap& object, const HeightMap& scene,
                                                  int columns, int rows) {
   const auto num_places = static_cast<std::int64_t>(columns) * rows;
   m_work.places += num_places;
-  try {
-    if (m_make_brackets) m_gpu_brackets = std::exchange(m_make_brackets, {})();
-    if (m_gpu_brackets) {
-      std::vector<DropBracket> found = m_gpu_brackets(object, scene, columns, rows);
-      m_work.places_on_gpu += num_places;
-      return found;
-    }
-  } catch (const Error& error) {
-    m_gpu_brackets = {};
-    if (m_note) m_note(std::string(error.what()) + "; places are judged in software instead");
-  }
-  return trivet::drop_brackets(object, scene, columns, rows);
+  if (!m_brackets) return trivet::drop_brackets(object, scene, columns, rows);
+  BracketSource::Answer answer = m_brackets->find(object, scene, columns, rows);
+  if (answer.by_gpu) m_work.places_on_gpu += num_places;
+  return std::move(answer.brackets);
 }
 
 DropBracketFunction drop_brackets_of(Detector* detector) {

@@ -2,12 +2,12 @@
 // candidates there is; what all operations ask.
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <string>
 
 #include "core/contact/height_map.h"
 #include "core/contact/zlist_stage.h"
+#include "ops/detect/bracket_source.h"
 
 namespace trivet {
 
@@ -39,12 +39,10 @@ class Detector {
   FirstContact first_contact(const FirstContactQuery& query);
   /// Of a stage's proposals, from now on.
   void set_confirmation(const Confirmation& confirmation) { m_confirmation = confirmation; }
+  const Confirmation& confirmation() const { return m_confirmation; }
 
-  /// Computes brackets on a GPU from now on, if `make` can; see DropBracketFunction. It is called
-  /// when they are first asked for.
-  /// @param note  told, once, when software does it instead. May be empty.
-  void use_gpu_brackets(std::function<DropBracketFunction()> make,
-                        std::function<void(const std::string&)> note);
+  /// Source of brackets of falls from now on; without, software computes them.
+  void use_brackets(std::unique_ptr<BracketSource> source);
   /// Drops of an object at many places; the same bits from software and GPU.
   std::vector<DropBracket> drop_brackets(const HeightMap& object, const HeightMap& scene,
                                          int columns, int rows);
@@ -64,9 +62,7 @@ class Detector {
   std::unique_ptr<BackendChooser> m_chooser;
   std::string m_name = "bvh";
   Confirmation m_confirmation;
-  std::function<DropBracketFunction()> m_make_brackets;
-  std::function<void(const std::string&)> m_note;
-  DropBracketFunction m_gpu_brackets;  // empty: not made yet, or software does it
+  std::unique_ptr<BracketSource> m_brackets;  // null: software
   DetectionWork m_work;
 };
 

@@ -5,8 +5,6 @@
 namespace trivet {
 namespace {
 
-constexpr Confirmation kConfirmAll{.enabled = true, .fewest_pairs = 0};
-
 double floor_time(const FirstContactQuery& query) {
   FirstContactQuery only_floor = query;
   only_floor.fixed = {};
@@ -24,11 +22,12 @@ size_t num_not_ruled_out(const CandidatePairs& candidates, double time) {
 
 }  // namespace
 
-MotionZLists motion_zlists(const FirstContactQuery& query, CandidateFinder& stage, int resolution) {
+MotionZLists motion_zlists(const FirstContactQuery& query, CandidateFinder& stage, int resolution,
+                           const Confirmation& confirmation) {
   MotionZLists out;
   out.floor = floor_time(query);
   out.depths = motion_depths(query, std::min(out.floor, query.motion.limit), resolution);
-  out.contact = first_contact(query, stage, &out.candidates, kConfirmAll);
+  out.contact = first_contact(query, stage, &out.candidates, confirmation);
   const bool touches = out.contact.status != FirstContact::Status::Free;
   out.num_confirmed =
       num_not_ruled_out(out.candidates, touches ? out.contact.time : query.motion.limit);

@@ -22,9 +22,13 @@ struct MotionZLists {
   double upper() const { return std::min(depths.upper, floor); }
 };
 
+/// Embree is asked about all pairs but the first ones.
+inline constexpr Confirmation kConfirmAll{.enabled = true, .fewest_pairs = 0};
+
 /// @param stage  proposes the pairs; where it gives up, `candidates` are not usable and
 ///   none are confirmed.
 /// @param resolution  of the depth images; see motion_depths().
-MotionZLists motion_zlists(const FirstContactQuery& query, CandidateFinder& stage, int resolution);
+MotionZLists motion_zlists(const FirstContactQuery& query, CandidateFinder& stage, int resolution,
+                           const Confirmation& confirmation = kConfirmAll);
 
 }  // namespace trivet

@@ -158,6 +158,27 @@ class Backends(Case):
                 self.assertIn(name, report["device"])
                 self.assertIn(name, err)
 
+    def test_confirmation(self):
+        """--confirm is named in the report; results do not depend on it, on any backend."""
+        texts, scenes = set(), set()
+        for backend in BACKENDS:
+            for confirm in ("embree", "off", "auto"):
+                _, err = self.trivet("demo", "spoon-saucer", "-o", "s.glb", "--report", "r.json",
+                                     "--backend", backend, "--confirm", confirm, "--verbose")
+                report = self.read_json("r.json")
+                self.assertEqual(report.pop("confirmation"), confirm)
+                work = report["work"]
+                if backend == "bvh" or confirm == "off":
+                    self.assertEqual(work["asked_face_pairs"], 0)
+                elif confirm == "embree":
+                    self.assertGreater(work["asked_face_pairs"], 0)
+                    self.assertLessEqual(work["confirmed_face_pairs"], work["asked_face_pairs"])
+                if backend != "bvh":
+                    self.assertIn(f"Embree ({confirm})", err)
+                texts.add(common_part(report))
+                scenes.add(self.read("s.glb"))
+        self.assertEqual((len(texts), len(scenes)), (1, 1))
+
     def test_places(self):
         """--backend selects the evaluation of places; results do not depend on it."""
         found = self.reports("run", self.places_layout())

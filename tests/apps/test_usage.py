@@ -37,6 +37,7 @@ class WrongUsage(Case):
                 (("run",), "layout is required"),
                 (("run", "layout.json"), "--output is required"),
                 ((*run, "--fast"), "--fast"),
+                ((*run, "--confirm", "yes"), "yes\" is not accepted; accepted: auto, embree, off"),
                 ((*run, "--gpu-method", "raster"),
                  '"raster" is not accepted; accepted: auto, framebuffer, compute'),
                 ((*run, "--backend", "cuda"),

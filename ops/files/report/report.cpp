@@ -85,7 +85,8 @@ std::string report_json(const LayoutRun& run, const ReportOptions& options) {
   OrderedJson json = {{"trivet", kReportVersion},
                       {"version", options.version},
                       {"backend", options.backend},
-                      {"device", options.device}};
+                      {"device", options.device},
+                      {"confirmation", options.confirmation}};
   if (options.work) json["work"] = work_json(*options.work);
   json["objects"] = objects_json(run.scene, options);
   json["operations"] = operations_json(run.operations);

@@ -15,17 +15,19 @@ struct ReportOptions {
   std::string version;
   std::string backend = "bvh";
   std::string device = "cpu";
+  std::string confirmation = "auto";  // by Embree, see confirmation_from_name()
   std::optional<DetectionWork> work;  // what the stages of the queries left over; none: left out
   /// Put before relative model paths; empty: paths as the scene has them.
   std::string model_folder;
 };
 
 /// The report as JSON text, as DESIGN.md has it. Two runs of one input differ in nothing but
-/// "milliseconds"; two backends also in "backend", "device" and "work". Beside the contract's keys,
-/// "check" names what it found: "pairs" of objects that interpenetrate (in double, in float32, or
-/// one inside the other) and objects "not_at_rest". "stability" is of the scene as a whole, as
-/// struct Stability has it; newtons, metres. Null: a number that is infinite; pose, centre and
-/// margins of an object that is not in the scene; margins of a fixed one.
+/// "milliseconds"; two backends also in "backend", "device" and "work", two
+/// kinds of confirmation in "confirmation" and "work". Beside the contract's keys, "check" names
+/// what it found: "pairs" of objects that interpenetrate (in double, in float32, or one inside the
+/// other) and objects "not_at_rest". "stability" is of the scene as a whole, as struct Stability
+/// has it; newtons, metres. Null: a number that is infinite; pose, centre and margins of an object
+/// that is not in the scene; margins of a fixed one.
 std::string report_json(const LayoutRun& run, const ReportOptions& options);
 
 /// `folder`/`path` without detours; an absolute `path` as it is.

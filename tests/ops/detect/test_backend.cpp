@@ -38,6 +38,16 @@ TEST(Backend, ListsNamesOfCommandLine) {
   EXPECT_THROW(backend_from_name("GPU"), Error);
 }
 
+TEST(Backend, ListsNamesOfConfirmation) {
+  for (const char* name : {"auto", "embree", "off"})
+    EXPECT_EQ(to_string(confirmation_from_name(name)), name);
+  EXPECT_THROW(confirmation_from_name("Embree"), Error);
+  BackendOptions options;
+  options.backend = Backend::Software;
+  options.confirmation = confirmation_from_name("off");
+  EXPECT_EQ(to_string(make_detector(options)->confirmation()), "off");
+}
+
 TEST(Backend, SelfTestRejectsFaultyStages) {
   SoftwareZLists good;
   EXPECT_EQ(self_test(good), "");
@@ -96,6 +106,49 @@ TEST(Backend, CountsWorkOfEveryStage) {
   EXPECT_GT(work.face_pairs, kNum / 4);
   EXPECT_EQ(lazy.work().fallbacks, kNum);
   EXPECT_EQ(lazy.work().node_pairs, trees.work().node_pairs);
+}
+
+/// Brackets whose GPU takes `gpu_ms` and whose software takes 100 ms a request.
+struct TimedBrackets {
+  double now_ms = 0;
+  int num_made = 0, num_on_gpu = 0;
+  std::vector<std::string> notes;
+  HeightMap object{2, 2, 0.5F}, scene{4, 3, 0.125F};
+
+  /// @return of `num` requests, those that the GPU answered.
+  int answered_by_gpu(double gpu_ms, int num, int most_on_gpu = 1000) {
+    const auto on_gpu = [=, this](const HeightMap& o, const HeightMap& s, int columns, int rows) {
+      if (++num_on_gpu > most_on_gpu) throw Error(Error::Kind::Environment, "context lost");
+      now_ms += gpu_ms - 100;  // the clock adds 100
+      return drop_brackets(o, s, columns, rows);
+    };
+    const auto make = [=, this]() -> DropBracketFunction { return ++num_made, on_gpu; };
+    int num_asked = 0;
+    FasterBrackets brackets(
+        make, [this](const std::string& note) { notes.push_back(note); },
+        [&] { return num_asked++ % 2 ? now_ms += 100 : now_ms; });
+    int out = 0;
+    for (int i = 0; i < num; ++i) out += brackets.find(object, scene, 3, 2).by_gpu;
+    return out;
+  }
+};
+
+TEST(FasterBrackets, BeginInSoftwareAndKeepTheFaster) {
+  TimedBrackets few, fast, slow;
+  EXPECT_EQ(few.answered_by_gpu(1, 3), 0);
+  EXPECT_EQ(few.num_made, 0);
+  EXPECT_EQ(fast.answered_by_gpu(99, 10), 7);
+  EXPECT_EQ(fast.num_made, 1);
+  EXPECT_EQ(slow.answered_by_gpu(101, 10), 2);  // one to warm up, one that was timed
+  EXPECT_TRUE(fast.notes.empty() && slow.notes.empty());
+}
+
+TEST(FasterBrackets, StayInSoftwareOnceTheGpuFails) {
+  TimedBrackets lost;
+  EXPECT_EQ(lost.answered_by_gpu(1, 10, 4), 4);
+  EXPECT_EQ(lost.num_on_gpu, 5);
+  ASSERT_EQ(lost.notes.size(), 1u);
+  EXPECT_NE(lost.notes[0].find("context lost"), std::string::npos);
 }
 
 // With an unavailable or failing GPU, brackets equal those of the software.
