@@ -6,6 +6,8 @@
 #include <numeric>
 #include <utility>
 
+#include "ops/settle/half_spaces.h"
+
 namespace trivet {
 namespace {
 
@@ -113,23 +115,16 @@ class Grouping {
     x << group.twist.velocity, group.twist.turning * reach;
     const double least =
         m_parting * (group.twist.velocity.norm() + reach * group.twist.turning.norm());
-    std::vector<Vec6> rows;
+    std::vector<HalfSpace<6>> parted;
     for (const CoulombContact& c : m_motion.contacts) {
       const Index a = of[c.on], b = c.from < 0 ? -1 : of[c.from];
       if ((a == own) == (b == own) || (a >= 0 && b >= 0)) continue;
       const Vec3 n = a == own ? c.normal : Vec3(-c.normal);
       Vec6 row;
       row << n, (c.point - centre).cross(n) / reach;
-      rows.push_back(row);
+      parted.push_back({row, least, row.squaredNorm()});
     }
-    std::vector<double> weights(rows.size(), 0.0);
-    for (int sweep = 0; sweep < kGroupSweeps; ++sweep)
-      for (size_t k = 0; k < rows.size(); ++k) {
-        const double change =
-            std::max(-weights[k], (least - rows[k].dot(x)) / rows[k].squaredNorm());
-        weights[k] += change;
-        x += change * rows[k];
-      }
+    x = nearest_inside<6>(parted, x, kGroupSweeps);
     group.twist = {x.head<3>(), x.tail<3>() / reach};
   }
 

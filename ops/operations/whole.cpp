@@ -6,6 +6,7 @@
 #include <set>
 
 #include "core/base/tunables.h"
+#include "core/scene/friction.h"
 #include "ops/operations/commit.h"
 #include "ops/operations/joint_motion.h"
 #include "ops/stability/part.h"
@@ -47,18 +48,23 @@ class Whole {
   bool stopped() const { return m_run.interrupt.reason().has_value(); }
 
   PartVerdict judge() const {
-    return judge_parts(m_scene, parts(), m_clearance, kMaxProgramObjects);
+    const std::vector<ObjectId> changed = touched();
+    return judge_parts(m_scene, connected_with(m_scene, changed), changed, m_clearance,
+                       kMaxProgramObjects);
   }
 
-  std::vector<ObjectId> parts() const {
-    std::vector<ObjectId> seeds = m_transaction.touched();
-    std::erase_if(seeds, [&](ObjectId id) { return !m_scene.contains(id); });
-    return connected_with(m_scene, seeds);
+  std::vector<ObjectId> parts() const { return connected_with(m_scene, touched()); }
+
+  std::vector<ObjectId> touched() const {
+    std::vector<ObjectId> out = m_transaction.touched();
+    std::erase_if(out, [&](ObjectId id) { return !m_scene.contains(id); });
+    return out;
   }
 
   bool give_way(const PartVerdict& verdict) {
     if (move_each(m_transaction, verdict.topples)) return true;
-    const FreeBodies part = near_bodies(m_scene, parts(), m_clearance, std::nullopt);
+    const FreeBodies part =
+        near_bodies(m_scene, parts(), m_clearance, is_fixed_or_held, std::nullopt);
     note_poses(verdict.topples);
     return move_jointly(m_transaction, part, verdict.topples, m_clearance, m_run,
                         [this](Transaction& inner, const std::vector<ObjectId>& moved) {
@@ -138,6 +144,7 @@ class Whole {
   }
 
   void note_who_gave_way() {
+    if (m_before.empty()) return;
     RestRules rules = rest_rules(m_run.options, m_clearance);
     for (const ObjectId id : m_scene.ids()) {
       const auto before = m_before.find(id.index);
@@ -171,6 +178,8 @@ class Whole {
     for (const ObjectId id : verdict.topples) {
       why.objects.push_back(named(m_scene, Support(id)));
       friction = std::min(friction, m_scene.at(id).material.friction);
+      for (const ObjectContact& entry : m_scene.at(id).contacts)
+        friction = std::min(friction, friction_between(m_scene, id, entry.with));
     }
     why.numbers = {{"friction", friction}};
     m_result.refuse(std::move(why));

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <tuple>
+#include <utility>
 
 #include "core/contact/contact_points.h"
 #include "ops/settle/equilibrium.h"
+#include "ops/settle/half_spaces.h"
 
 namespace trivet {
 namespace {
@@ -25,24 +27,20 @@ bool stands_against(const std::vector<ContactPoint>& contacts, const Vec3& point
   });
 }
 
-// The axis nearest to `wanted` about which all contacts but the one at `point` part: projection
-// onto a cone of half spaces [Hildreth 1957]. Zero if there is none.
+// The axis nearest to `wanted` about which all contacts but the one at `point` part. Zero if there
+// is none.
 Vec3 parting_axis(const std::vector<ContactPoint>& contacts, const Vec3& point,
                   const Vec3& wanted) {
-  std::vector<double> weights(contacts.size(), 0.0);
-  Vec3 axis = wanted;
-  for (int sweep = 0; sweep < kProjectionSweeps; ++sweep)
-    for (size_t i = 0; i < contacts.size(); ++i) {
-      const Vec3 arm = contacts[i].point - point;
-      const double length = arm.norm();
-      if (length == 0) continue;
-      const Vec3 g = arm.cross(contacts[i].normal) / length;  // speed of parting = g . axis
-      const double squared = g.squaredNorm();
-      if (squared < kApproach) continue;
-      const double change = std::max(-weights[i], (kPartingSpeed - g.dot(axis)) / squared);
-      weights[i] += change;
-      axis += change * g;
-    }
+  std::vector<HalfSpace<3>> parted;
+  for (const ContactPoint& c : contacts) {
+    const Vec3 arm = c.point - point;
+    const double length = arm.norm();
+    if (length == 0) continue;
+    const Vec3 g = arm.cross(c.normal) / length;  // speed of parting = g . axis
+    const double squared = g.squaredNorm();
+    if (squared >= kApproach) parted.push_back({g, kPartingSpeed, squared});
+  }
+  const Vec3 axis = nearest_inside<3>(parted, wanted, kProjectionSweeps);
   const double length = axis.norm();
   return length > 0.05 ? Vec3(axis / length) : Vec3(Vec3::Zero());
 }
@@ -66,23 +64,13 @@ class Enumeration {
   }
 
   void about_point(const Vec3& p) {
-    const Vec3 r = m_object.centre - p;
-    const double level = r.head<2>().norm();
-    if (level > kTie * m_object.size)
-      return add(SettleStep::Kind::TurnAboutPoint, p, Vec3(-r.y(), r.x(), 0) / level);
-    for (const Vec2& d : kEightWays)
-      add(SettleStep::Kind::TurnAboutPoint, p, Vec3(d.x(), d.y(), 0));
+    for (const Vec3& axis : sinking_axes(p, m_object))
+      add(SettleStep::Kind::TurnAboutPoint, p, axis);
   }
 
   void about_line(const Vec3& p, const Vec3& q) {
-    const Vec3 d = q - p;
-    const double length = d.norm();
-    if (length <= kTie * m_object.size) return;
-    const Vec3 axis = d / length;
-    const double down = axis.cross(m_object.centre - p).z();
-    const bool tie = std::abs(down) <= kTie * m_object.size;
-    if (down < 0 || tie) add(SettleStep::Kind::TurnAboutLine, p, axis);
-    if (down > 0 || tie) add(SettleStep::Kind::TurnAboutLine, p, -axis);
+    for (const Vec3& axis : sinking_axes(p, q, m_object))
+      add(SettleStep::Kind::TurnAboutLine, p, axis);
   }
 
   Candidates best() {
@@ -161,6 +149,40 @@ std::vector<Candidate> paper_area(const std::vector<ContactPoint>& contacts,
 }
 
 }  // namespace
+
+Axes sinking_axes(const Vec3& point, const SettlingObject& object) {
+  Axes out;
+  const Vec3 r = object.centre - point;
+  const double level = r.head<2>().norm();
+  if (level > kTie * object.size) {
+    out.add(Vec3(-r.y(), r.x(), 0) / level);
+    return out;
+  }
+  constexpr double d = 0.70710678118654752;
+  for (const auto& [x, y] : {std::pair(1.0, 0.0),
+                             {d, d},
+                             {0.0, 1.0},
+                             {-d, d},
+                             {-1.0, 0.0},
+                             {-d, -d},
+                             {0.0, -1.0},
+                             {d, -d}})
+    out.add(Vec3(x, y, 0));
+  return out;
+}
+
+Axes sinking_axes(const Vec3& p, const Vec3& q, const SettlingObject& object) {
+  Axes out;
+  const Vec3 d = q - p;
+  const double length = d.norm();
+  if (length <= kTie * object.size) return out;
+  const Vec3 axis = d / length;
+  const double down = axis.cross(object.centre - p).z();
+  const bool tie = std::abs(down) <= kTie * object.size;
+  if (down < 0 || tie) out.add(axis);
+  if (down > 0 || tie) out.add(-axis);
+  return out;
+}
 
 Motion turn_to_lowest(const Vec3& point, const Vec3& axis, const Vec3& centre) {
   const Vec3 r = centre - point;

@@ -35,12 +35,22 @@ struct Candidate {
 /// The turn about `axis` through `point` until `centre` is lowest, at most a quarter turn.
 Motion turn_to_lowest(const Vec3& point, const Vec3& axis, const Vec3& centre);
 
-/// Directions in the plane, for exact ties.
-inline const std::array<Vec2, 8> kEightWays = [] {
-  constexpr double d = 0.70710678118654752;
-  return std::array<Vec2, 8>{Vec2(1, 0),  Vec2(d, d),   Vec2(0, 1),  Vec2(-d, d),
-                             Vec2(-1, 0), Vec2(-d, -d), Vec2(0, -1), Vec2(d, -d)};
-}();
+/// Up to eight unit axes.
+class Axes {
+ public:
+  void add(const Vec3& axis) { m_axes[m_size++] = axis; }
+  const Vec3* begin() const { return m_axes.data(); }
+  const Vec3* end() const { return begin() + m_size; }
+
+ private:
+  std::array<Vec3, 8> m_axes;
+  size_t m_size = 0;
+};
+
+/// Axes through a point about which a turn lowers the centre fastest, or the two along a line as
+/// far as a turn lowers the centre; all of them when the centre is exactly above or below.
+Axes sinking_axes(const Vec3& point, const SettlingObject& object);
+Axes sinking_axes(const Vec3& p, const Vec3& q, const SettlingObject& object);
 
 /// The sticking motions of a body held by contacts with infinite friction: fall, turn about one
 /// contact point, turn about the line through two; those against which no other contact stands, in

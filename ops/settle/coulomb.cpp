@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ops/settle/half_spaces.h"
+
 namespace trivet {
 namespace {
 
@@ -158,14 +160,9 @@ std::vector<Twist> first_motion(const std::vector<CoulombBody>& bodies,
 }
 
 Vec3 parting_direction(const std::vector<Vec3>& normals, const Vec3& wanted, double parting) {
-  std::vector<double> weights(normals.size(), 0.0);
-  Vec3 x = wanted;
-  for (int sweep = 0; sweep < kConeSweeps; ++sweep)
-    for (size_t i = 0; i < normals.size(); ++i) {
-      const double change = std::max(-weights[i], parting - normals[i].dot(x));
-      weights[i] += change;
-      x += change * normals[i];
-    }
+  std::vector<HalfSpace<3>> parted;
+  for (const Vec3& n : normals) parted.push_back({n, parting});
+  const Vec3 x = nearest_inside<3>(parted, wanted, kConeSweeps);
   const double length = x.norm();
   return length > kNothingLeft ? Vec3(x / length) : Vec3(Vec3::Zero());
 }

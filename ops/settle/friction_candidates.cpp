@@ -35,23 +35,13 @@ class Turns {
       : m_contacts(contacts), m_body(body), m_dilatant(dilatant) {}
 
   void about_point(const Vec3& p) {
-    const Vec3 r = m_body.object.centre - p;
-    const double level = r.head<2>().norm();
-    if (level > kTie * m_body.object.size)
-      return add(SettleStep::Kind::TurnAboutPoint, p, Vec3(-r.y(), r.x(), 0) / level);
-    for (const Vec2& d : kEightWays)
-      add(SettleStep::Kind::TurnAboutPoint, p, Vec3(d.x(), d.y(), 0));
+    for (const Vec3& axis : sinking_axes(p, m_body.object))
+      add(SettleStep::Kind::TurnAboutPoint, p, axis);
   }
 
   void about_line(const Vec3& p, const Vec3& q) {
-    const Vec3 d = q - p;
-    const double length = d.norm();
-    if (length <= kTie * m_body.object.size) return;
-    const Vec3 axis = d / length;
-    const double down = axis.cross(m_body.object.centre - p).z();
-    const bool tie = std::abs(down) <= kTie * m_body.object.size;
-    if (down < 0 || tie) add(SettleStep::Kind::TurnAboutLine, p, axis);
-    if (down > 0 || tie) add(SettleStep::Kind::TurnAboutLine, p, -axis);
+    for (const Vec3& axis : sinking_axes(p, q, m_body.object))
+      add(SettleStep::Kind::TurnAboutLine, p, axis);
   }
 
   std::vector<Candidate> take() { return std::move(m_out); }

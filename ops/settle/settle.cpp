@@ -10,6 +10,7 @@
 #include "ops/settle/candidates.h"
 #include "ops/settle/equilibrium.h"
 #include "ops/settle/friction_settling.h"
+#include "ops/settle/half_spaces.h"
 #include "ops/settle/settling_body.h"
 #include "ops/settle/subsets.h"
 
@@ -161,16 +162,9 @@ bool has_finite_friction(const SettleOptions& options) {
 }
 
 Vec3 smallest_separating_motion(const std::vector<ContactPoint>& points, double clearance) {
-  std::vector<double> weights(points.size(), 0.0);
-  Vec3 d = Vec3::Zero();
-  for (int sweep = 0; sweep < kLiftSweeps; ++sweep)
-    for (size_t i = 0; i < points.size(); ++i) {
-      const double missing = clearance - points[i].gap - points[i].normal.dot(d);
-      const double change = std::max(-weights[i], missing);
-      weights[i] += change;
-      d += change * points[i].normal;
-    }
-  return d;
+  std::vector<HalfSpace<3>> open;
+  for (const ContactPoint& p : points) open.push_back({p.normal, clearance - p.gap});
+  return nearest_inside<3>(open, Vec3::Zero(), kLiftSweeps);
 }
 
 bool is_balanced(const std::vector<ContactPoint>& contacts, const Vec3& centre, double size,

@@ -1,7 +1,10 @@
 #include "ops/stability/certificate.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "core/base/tunables.h"
 #include "core/contact/contact_points.h"
@@ -156,6 +159,22 @@ std::vector<double> shares(const std::vector<Vec2>& points, const Vec2& target, 
   for (size_t k = 0; k < hull.size(); ++k)
     out[std::find(points.begin(), points.end(), hull[k]) - points.begin()] = of_corners[k];
   return out;
+}
+
+void add_certified_loads(const FreeBodies& all, const Certificate& certificate, FreeBodies& rest) {
+  std::map<std::uint32_t, FreeBody*> by_slot;
+  for (FreeBody& body : rest.bodies) by_slot[body.id.index] = &body;
+  for (size_t i = 0; i < all.touches.size(); ++i) {
+    const BodyContact& t = all.touches[i];
+    if (certificate.forces[i] == 0 || t.from == BodyContact::kGround) continue;
+    for (const auto& [body, sign] : {std::pair(t.on, 1.0), {t.from, -1.0}}) {
+      const auto at = by_slot.find(all.bodies[body].id.index);
+      if (at == by_slot.end()) continue;
+      const Vec3 force(0, 0, sign * certificate.forces[i]);
+      at->second->load += force;
+      at->second->load_torque += (t.contact.point - at->second->centre).cross(force);
+    }
+  }
 }
 
 Certificate vertical_certificate(const FreeBodies& all, double factor) {

@@ -23,6 +23,10 @@ struct Certificate {
 /// @param factor  of all coefficients of friction.
 Certificate vertical_certificate(const FreeBodies& all, double factor = 1);
 
+/// What certified bodies press on others, as loads of these. @param all  of the certificate.
+/// @param rest  bodies of `all`, none of them certified.
+void add_certified_loads(const FreeBodies& all, const Certificate& certificate, FreeBodies& rest);
+
 /// Non-negative parts, summing up to 1, of points whose weighted mean is `target`: the mean over
 /// the corners of the hull of the parts that the fan of triangles about that corner gives, so that
 /// what is symmetric stays so. Empty: `target` is outside by more than `slack`.

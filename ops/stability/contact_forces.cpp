@@ -5,36 +5,48 @@
 #include <utility>
 
 #include "ops/settle/linear_program.h"
+#include "ops/settle/settle.h"
 
 namespace trivet {
 namespace {
 
 constexpr double kFrictionLimit = 10;  // at one body, in weights that it carries
+constexpr double kPushLimit = 20;      // the same, of the parts along the normals
+constexpr double kJoinGain = 1e-6;     // of a force that joins; CLP knows 1e-7
+constexpr int kJoinAtOnce = 4;         // touches of a pair
+constexpr double kMissing = 1e-6;      // of a body's weight: rounding below this
 constexpr double kMoves = 1e-6;        // virtual velocities, at most 1: rounding below this
 
 using Entry = LinearProgram::Entry;
 
-// Rows of a body: force x y z, torque x y z, friction. All in parts of what it carries.
-constexpr int kRowsPerBody = 7;
+// Rows of a body, all in parts of what it carries: force x y z, torque x y z, friction, pushes,
+// what is missing beyond the tolerance.
+constexpr int kRowsPerBody = 9;
+constexpr int kFrictionRow = 6, kPushRow = 7, kMissingRow = 8;
+constexpr int kMissingColumns = 13;  // of a body: 6 rows with both signs; beyond the tolerance
 
 class ForceProgram {
  public:
-  explicit ForceProgram(const FreeBodies& part, double factor = 1)
-      : m_part(part), m_factor(factor), m_carried(carried_weights(part)) {
+  ForceProgram(const FreeBodies& part, double clearance, double factor = 1)
+      : m_part(part), m_clearance(clearance), m_factor(factor), m_carried(carried_weights(part)) {
     add_rows();
     for (const BodyContact& t : m_part.touches) add_touch(t);
     m_first_missing = m_num_columns;
   }
 
-  // Every force and torque that may be missing, each at `cost`, and all together in a row.
+  // Force and torque that may be missing: what the tolerance allows, and at most `limit` more of a
+  // body's weight, at `cost`.
   void add_missing(double cost, double limit) {
-    const int sum = m_program.add_row(0, limit);
-    for (size_t i = 0; i < m_part.bodies.size(); ++i)
+    for (size_t i = 0; i < m_part.bodies.size(); ++i) {
       for (int row = 0; row < 6; ++row)
         for (const double sign : {1.0, -1.0}) {
-          const Entry entries[] = {{row_of(i) + row, sign}, {sum, 1}};
-          add_column(entries, cost);
+          const Entry entries[] = {{row_of(i) + row, sign}, {row_of(i) + kMissingRow, 1}};
+          add_column(entries, 0);
         }
+      const double own = m_part.bodies[i].weight / m_carried[i];
+      const Entry entries[] = {{row_of(i) + kMissingRow, -1}};
+      add_column(entries, cost / own, own * limit);
+    }
   }
 
   // All weights shifted along `d` by a length that is worth -1 a metre.
@@ -50,17 +62,29 @@ class ForceProgram {
 
   LinearProgram::Solution solve() const { return m_program.solve(true); }
 
+  // Rate at which a force of this touch would lower the cost.
+  double gain(const BodyContact& t, const LinearProgram::Solution& solution) const {
+    double best = 0;
+    for_each_force(t, unit_of(t), [&](const Vec3&, const std::vector<Entry>& entries) {
+      double sum = 0;
+      for (const Entry& e : entries) sum += e.value * solution.prices[static_cast<size_t>(e.row)];
+      best = std::max(best, sum);
+    });
+    return best;
+  }
+
   PartForces forces_of(const LinearProgram::Solution& solution) const {
     PartForces out;
     out.solved = true;
     out.residual = solution.objective;
     for (size_t i = 0; i < m_part.bodies.size(); ++i) {
-      double missing = 0, motion = 0;
-      for (int k = 0; k < 12; ++k) missing += solution.x[m_first_missing + 12 * i + k];
+      const double own = m_part.bodies[i].weight / m_carried[i];
+      const size_t beyond = m_first_missing + kMissingColumns * (i + 1) - 1;
+      double motion = 0;
       for (int k = 0; k < 6; ++k)
         motion = std::max(motion, std::abs(solution.prices[row_of(i) + k]));
-      out.missing.push_back(missing);
-      out.moves.push_back(motion > kMoves);
+      out.missing.push_back(solution.x[beyond] / own);
+      out.moves.push_back(own * motion > kMoves);
     }
     out.motions = motions_of(solution);
     for (const Spanned& s : m_spanned) {
@@ -85,7 +109,8 @@ class ForceProgram {
         out[i].spin[k] = -solution.prices[row_of(i) + 3 + k] / (m_carried[i] * body.size);
       }
       fastest = std::max(fastest, out[i].velocity.norm() + out[i].spin.norm() * body.size / 2);
-      power -= body.weight * out[i].velocity.z();
+      power -= body.weight * out[i].velocity.z() - body.load.dot(out[i].velocity) -
+               body.load_torque.dot(out[i].spin);
     }
     const double scale = fastest > 0 ? (power < 0 ? -1 : 1) / fastest : 0;  // gravity drives it
     for (VirtualMotion& m : out) {
@@ -121,7 +146,7 @@ class ForceProgram {
       while (!open.empty()) {
         const Index body = open.back();
         open.pop_back();
-        out[i] += part.bodies[body].weight;
+        out[i] += part.bodies[body].weight + part.bodies[body].load.norm();
         for (const Index load : loads[body])
           if (!std::exchange(seen[load], 1)) open.push_back(load);
       }
@@ -131,40 +156,60 @@ class ForceProgram {
 
   void add_rows() {
     for (size_t i = 0; i < m_part.bodies.size(); ++i) {
-      const double weight = m_part.bodies[i].weight / m_carried[i];
-      for (const double balance : {0.0, 0.0, weight, 0.0, 0.0, 0.0})
-        m_program.add_row(balance, balance);
+      const FreeBody& body = m_part.bodies[i];
+      const Vec3 force = (Vec3(0, 0, body.weight) - body.load) / m_carried[i];
+      const Vec3 torque = -body.load_torque / (m_carried[i] * body.size);
+      for (const Vec3& balance : {force, torque})
+        for (int k = 0; k < 3; ++k) m_program.add_row(balance[k], balance[k]);
       m_program.add_row(0, kFrictionLimit);
+      m_program.add_row(0, kPushLimit);
+      m_program.add_row(-kInfinity, 0);
     }
+  }
+
+  // Calls f(edge, entries) for each force that spans the touch's pyramid, of `unit` newtons.
+  template <class F>
+  void for_each_force(const BodyContact& t, double unit, const F& f) const {
+    const double friction = m_factor * t.friction;
+    const auto column = [&](const Vec3& edge, double across) {
+      std::vector<Entry> entries;
+      append_force(t.on, t.contact.point, unit * edge, unit, across, entries);
+      if (t.from != BodyContact::kGround)
+        append_force(t.from, t.contact.point, -unit * edge, unit, across, entries);
+      f(edge, entries);
+    };
+    column(t.contact.normal, 0);
+    if (friction > 0)
+      for (const Vec3& edge : friction_pyramid(t.contact.normal, friction))
+        column(edge, unit * friction);
+  }
+
+  double unit_of(const BodyContact& t) const {
+    return t.from == BodyContact::kGround ? m_carried[t.on]
+                                          : std::min(m_carried[t.on], m_carried[t.from]);
   }
 
   void add_touch(const BodyContact& t) {
-    const bool ground = t.from == BodyContact::kGround;
-    const double unit = ground ? m_carried[t.on] : std::min(m_carried[t.on], m_carried[t.from]);
-    const double friction = m_factor * t.friction;
-    Spanned spanned{m_num_columns, unit, {t.contact.normal}};
-    if (friction > 0)
-      for (const Vec3& edge : friction_pyramid(t.contact.normal, friction))
-        spanned.edges.push_back(edge);
-    for (size_t k = 0; k < spanned.edges.size(); ++k) {
-      std::vector<Entry> entries;
-      const double part = k == 0 ? 0 : friction;
-      append_force(t.on, t.contact.point, unit * spanned.edges[k], unit * part, entries);
-      if (!ground)
-        append_force(t.from, t.contact.point, -unit * spanned.edges[k], unit * part, entries);
+    Spanned spanned{m_num_columns, unit_of(t), {}};
+    for_each_force(t, spanned.unit, [&](const Vec3& edge, const std::vector<Entry>& entries) {
+      spanned.edges.push_back(edge);
       add_column(entries, 0);
-    }
+    });
     m_spanned.push_back(std::move(spanned));
   }
 
-  void append_force(Index i, const Vec3& point, const Vec3& force, double across,
+  void append_force(Index i, const Vec3& point, const Vec3& force, double push, double across,
                     std::vector<Entry>& entries) const {
     const FreeBody& body = m_part.bodies[i];
     const Vec3 f = force / m_carried[i];
     const Vec3 torque = (point - body.centre).cross(f) / body.size;
+    const double tolerance = residual_tolerance(body.size, m_clearance);
+    push /= m_carried[i];
     for (int k = 0; k < 3; ++k) entries.push_back({row_of(i) + k, f[k]});
     for (int k = 0; k < 3; ++k) entries.push_back({row_of(i) + 3 + k, torque[k]});
-    entries.push_back({row_of(i) + 6, across / m_carried[i]});
+    entries.push_back({row_of(i) + kFrictionRow, across / m_carried[i]});
+    entries.push_back({row_of(i) + kPushRow, push});
+    entries.push_back({row_of(i) + kMissingRow, -tolerance * push});
   }
 
   void add_column(std::span<const Entry> entries, double cost, double upper = kInfinity) {
@@ -173,6 +218,7 @@ class ForceProgram {
   }
 
   const FreeBodies& m_part;
+  const double m_clearance;
   const double m_factor;
   const std::vector<double> m_carried;
   LinearProgram m_program;
@@ -182,21 +228,60 @@ class ForceProgram {
 
 }  // namespace
 
-PartForces contact_forces(const FreeBodies& part, double factor) {
-  ForceProgram program(part, factor);
-  program.add_missing(1, kInfinity);
-  const LinearProgram::Solution solution = program.solve();
-  return solution.optimal ? program.forces_of(solution) : PartForces{};
+namespace {
+
+// Of each pair the best of those that would lower the cost. @return whether there are any.
+template <class Gain>
+bool join_best(FreeBodies& part, const Gain& gain) {
+  std::vector<double> gains;
+  for (const BodyContact& t : part.more) gains.push_back(gain(t));
+  std::vector<char> joins(part.more.size(), 0);
+  for (size_t first = 0, end = 0; first < part.more.size(); first = end) {
+    const BodyContact& t = part.more[first];
+    while (end < part.more.size() && part.more[end].on == t.on &&
+           part.more[end].partner == t.partner)
+      ++end;
+    for (int n = 0; n < kJoinAtOnce; ++n) {
+      size_t best = first;
+      for (size_t k = first; k < end; ++k)
+        if (joins[best] || (!joins[k] && gains[k] > gains[best])) best = k;
+      if (!joins[best] && gains[best] > kJoinGain) joins[best] = 1;
+    }
+  }
+  std::vector<BodyContact> left;
+  for (size_t k = 0; k < joins.size(); ++k)
+    (joins[k] ? part.touches : left).push_back(part.more[k]);
+  const bool any = left.size() < part.more.size();
+  part.more = std::move(left);
+  return any;
 }
 
-double shift_margin(const FreeBodies& part, double tolerance) {
+}  // namespace
+
+bool PartForces::balanced() const {
+  return std::all_of(missing.begin(), missing.end(), [](double m) { return m <= kMissing; });
+}
+
+PartForces contact_forces(FreeBodies& part, double clearance, double factor) {
+  while (true) {
+    ForceProgram program(part, clearance, factor);
+    program.add_missing(1, kInfinity);
+    const LinearProgram::Solution solution = program.solve();
+    if (!solution.optimal) return {};
+    PartForces out = program.forces_of(solution);
+    const auto gain = [&](const BodyContact& t) { return program.gain(t, solution); };
+    if (out.balanced() || !join_best(part, gain)) return out;
+  }
+}
+
+double shift_margin(const FreeBodies& part, double clearance) {
   constexpr double d = 0.70710678118654752;
   double largest = 0, margin = kInfinity;
   for (const FreeBody& body : part.bodies) largest = std::max(largest, body.size);
   for (const Vec2& way : {Vec2(1, 0), Vec2(d, d), Vec2(0, 1), Vec2(-d, d), Vec2(-1, 0),
                           Vec2(-d, -d), Vec2(0, -1), Vec2(d, -d)}) {
-    ForceProgram program(part);
-    program.add_missing(0, tolerance);
+    ForceProgram program(part, clearance);
+    program.add_missing(0, kMissing);
     program.add_shift(Vec3(way.x(), way.y(), 0), largest);
     const LinearProgram::Solution solution = program.solve();
     if (!solution.optimal) return -kInfinity;

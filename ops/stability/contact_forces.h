@@ -12,24 +12,30 @@ inline constexpr size_t kPairContacts = 12;
 
 struct PartForces {
   bool solved = false;          // else the rest means nothing
-  std::vector<double> missing;  // of each body: force and torque / size, in parts of its weight
-                                // and its loads' together
+  std::vector<double> missing;  // of each body: force and torque / size, in parts of its weight,
+                                // beyond what residual_tolerance() leaves open
   std::vector<bool> moves;      // each body: in the motion that proves the lack of balance
   std::vector<VirtualMotion> motions;  // of each body: that one; see ObjectStability::motion
   std::vector<Vec3> forces;            // newtons, of each touch, on its body `on`
   double residual = 0;                 // sum of `missing`
+
+  bool balanced() const;  // nothing is missing of any body
 };
 
 /// The forces that leave the least missing, by linear programming over friction pyramids of 8
-/// edges. All friction at a body together is at most 10 times the weight that it carries, or two
-/// contacts a hair apart could hold anything by pressing against each other.
-/// @param part  one connected part, its bodies and touches alone.
+/// edges. Contacts are known to a few clearances, so that torque of residual_tolerance() x the sum
+/// of all pushes on a body may be missing. Against two contacts a hair apart that could hold
+/// anything by pressing against each other: all friction at a body is at most 10 times the weight
+/// that it carries, all pushes at most 20 times.
+/// @param part  one connected part, its bodies and touches alone; those of `more` that lower what
+/// is
+///   missing join the touches (column generation). @param clearance  metres.
 /// @param factor  of all coefficients of friction.
-PartForces contact_forces(const FreeBodies& part, double factor = 1);
+PartForces contact_forces(FreeBodies& part, double clearance, double factor = 1);
 
-/// How far all weights may be shifted together, sideways, in the worst of 8 directions, while not
-/// more than `tolerance` is missing. @return metres, at most the largest body's size; negative:
-/// more than that is missing without any shift.
-double shift_margin(const FreeBodies& part, double tolerance);
+/// How far all weights may be shifted together, sideways, in the worst of 8 directions, while
+/// nothing is missing. @return metres, at most the largest body's size; negative: something is
+/// missing without any shift.
+double shift_margin(const FreeBodies& part, double clearance);
 
 }  // namespace trivet

@@ -1,32 +1,105 @@
 #include "ops/stability/free_bodies.h"
 
 #include <algorithm>
-#include <map>
 #include <numeric>
+#include <utility>
 
+#include "core/base/tunables.h"
+#include "core/contact/contact_points.h"
 #include "core/scene/friction.h"
+#include "ops/placement/contacts.h"
+#include "ops/settle/equilibrium.h"
 
 namespace trivet {
 
-FreeBodies free_bodies(const Scene& scene, std::optional<double> friction) {
-  FreeBodies out;
-  std::map<std::uint32_t, Index> body_index;
-  for (const ObjectId id : scene.ids()) {
-    const Object& object = scene.at(id);
-    if (!object.placed || object.fixed) continue;
-    body_index[id.index] = static_cast<Index>(out.bodies.size());
-    out.bodies.push_back({id, object.centre_of_mass(), weight_of(object),
-                          object.scale * object.shape->box.diagonal()});
+namespace {
+
+constexpr size_t kPairContacts = 12;  // points of one pair that the linear program gets
+
+// Where ids are in a list of them; ground: nowhere.
+class BodyIndex {
+ public:
+  explicit BodyIndex(std::span<const ObjectId> ids) {
+    for (const ObjectId id : ids)
+      m_sorted.emplace_back(id.index, static_cast<Index>(m_sorted.size()));
+    std::sort(m_sorted.begin(), m_sorted.end());
   }
-  for (Index i = 0; i < static_cast<Index>(out.bodies.size()); ++i)
-    for (const ObjectContact& entry : scene.at(out.bodies[i].id).contacts) {
-      const auto other =
-          entry.with.is_object() ? body_index.find(entry.with.object().index) : body_index.end();
-      const Index from = other == body_index.end() ? BodyContact::kGround : other->second;
+
+  Index find(const Support& with) const {
+    if (with.is_floor()) return BodyContact::kGround;
+    const std::uint32_t slot = with.object().index;
+    const auto at =
+        std::lower_bound(m_sorted.begin(), m_sorted.end(), std::make_pair(slot, Index{0}));
+    return at != m_sorted.end() && at->first == slot ? at->second : BodyContact::kGround;
+  }
+
+ private:
+  std::vector<std::pair<std::uint32_t, Index>> m_sorted;
+};
+
+bool contains(const std::vector<ContactPoint>& points, const ContactPoint& p) {
+  return std::any_of(points.begin(), points.end(), [&](const ContactPoint& q) {
+    return q.point == p.point && q.normal == p.normal;
+  });
+}
+
+FreeBodies bodies_only(const Scene& scene, std::span<const ObjectId> ids) {
+  FreeBodies out;
+  for (const ObjectId id : ids) {
+    const Object& object = scene.at(id);
+    out.bodies.push_back({id, object.centre_of_mass(), weight_of(object), size_of(object)});
+  }
+  return out;
+}
+
+}  // namespace
+
+bool is_fixed(ObjectId, const Object& object) { return object.fixed; }
+
+bool is_fixed_or_held(ObjectId, const Object& object) {
+  return object.fixed || object.state == ObjectState::Held;
+}
+
+FreeBodies free_bodies(const Scene& scene, std::optional<double> friction) {
+  std::vector<ObjectId> ids = scene.ids();
+  std::erase_if(ids, [&](ObjectId id) { return !scene.at(id).placed || scene.at(id).fixed; });
+  return linked_bodies(scene, ids, friction);
+}
+
+FreeBodies linked_bodies(const Scene& scene, std::span<const ObjectId> ids,
+                         std::optional<double> friction) {
+  FreeBodies out = bodies_only(scene, ids);
+  const BodyIndex index(ids);
+  for (Index i = 0; i < static_cast<Index>(ids.size()); ++i)
+    for (const ObjectContact& entry : scene.at(ids[i]).contacts) {
+      const Index from = index.find(entry.with);
       if (from != BodyContact::kGround && from < i) continue;  // seen from the other side already
-      const double mu = friction.value_or(friction_between(scene, out.bodies[i].id, entry.with));
+      const double of_pair = friction.value_or(friction_between(scene, ids[i], entry.with));
       for (const ContactPoint& p : entry.contact.points)
-        out.touches.push_back({i, from, entry.with, mu, p});
+        out.touches.push_back({i, from, entry.with, of_pair, p});
+    }
+  return out;
+}
+
+FreeBodies near_bodies(const Scene& scene, std::span<const ObjectId> ids, double clearance,
+                       const IsGround& is_ground, std::optional<double> friction) {
+  FreeBodies out = bodies_only(scene, ids);
+  const BodyIndex index(ids);
+  const double tolerance = kBalanceTolerance * clearance;
+  for (Index i = 0; i < static_cast<Index>(ids.size()); ++i)
+    for (const ContactsWith& c :
+         contacts_with(body_of(scene.at(ids[i])), Neighbourhood(scene, ids[i]), tolerance,
+                       kFootSlack * clearance)) {
+      const Index from = index.find(c.with);
+      if (from != BodyContact::kGround && from <= i) continue;
+      if (from == BodyContact::kGround && c.with.is_object() &&
+          !is_ground(c.with.object(), scene.at(c.with.object())))
+        continue;
+      const double of_pair = friction.value_or(friction_between(scene, ids[i], c.with));
+      const std::vector<ContactPoint> all = merged(c.points, tolerance);
+      const std::vector<ContactPoint> chosen = reduced(all, kPairContacts);
+      for (const ContactPoint& p : all)
+        (contains(chosen, p) ? out.touches : out.more).push_back({i, from, c.with, of_pair, p});
     }
   return out;
 }

@@ -1,6 +1,9 @@
 // The scene as bodies that may move and the contact points between them.
 #pragma once
 
+#include <functional>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "ops/stability/stability.h"
@@ -12,6 +15,8 @@ struct FreeBody {
   Vec3 centre;        // of mass
   double weight = 0;  // newtons
   double size = 0;    // diagonal, metres
+  /// Of what presses on it and is no body itself: newtons, and about the centre.
+  Vec3 load = Vec3::Zero(), load_torque = Vec3::Zero();
 };
 
 /// A contact point of body `on`; its normal points to it.
@@ -27,10 +32,29 @@ struct BodyContact {
 struct FreeBodies {
   std::vector<FreeBody> bodies;      // in the order of Scene::ids()
   std::vector<BodyContact> touches;  // sorted by `on`
+  /// Further ones of the same pairs, which matter seldom: contact_forces() looks at them where
+  /// `touches` do not do.
+  std::vector<BodyContact> more;
 };
 
+/// All placed objects that are not fixed, with the contacts of the scene's links.
 /// @param friction  of all contacts; none: friction_between() each pair.
 FreeBodies free_bodies(const Scene& scene, std::optional<double> friction = {});
+
+/// These objects in this order; all others are ground.
+FreeBodies linked_bodies(const Scene& scene, std::span<const ObjectId> ids,
+                         std::optional<double> friction);
+
+/// What carries without being carried, beside the floor.
+using IsGround = std::function<bool(ObjectId, const Object&)>;
+bool is_fixed(ObjectId id, const Object& object);
+bool is_fixed_or_held(ObjectId id, const Object& object);
+
+/// These objects in this order, with all contacts within kBalanceTolerance clearances, found anew,
+/// at most 12 of a pair among the touches. Contacts with other objects that are no ground are left
+/// out.
+FreeBodies near_bodies(const Scene& scene, std::span<const ObjectId> ids, double clearance,
+                       const IsGround& is_ground, std::optional<double> friction);
 
 /// Connected part of each body, by contacts between bodies; parts are numbered in the order of
 /// their first body.

@@ -2,54 +2,120 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
-#include "core/base/tunables.h"
-#include "core/contact/contact_points.h"
-#include "core/scene/friction.h"
-#include "ops/placement/contacts.h"
 #include "ops/placement/slot_order.h"
-#include "ops/settle/equilibrium.h"
-#include "ops/settle/settle.h"
 #include "ops/stability/certificate.h"
 #include "ops/stability/contact_forces.h"
 
 namespace trivet {
 namespace {
 
-bool stands_still(const Object& object) {
-  return object.fixed || object.state == ObjectState::Held;
-}
+class Judgement {
+ public:
+  Judgement(const Scene& scene, std::span<const ObjectId> ids, std::span<const ObjectId> changed,
+            double clearance, int max_program_objects)
+      : m_scene(scene),
+        m_ids(ids),
+        m_changed(changed),
+        m_clearance(clearance),
+        m_limit(static_cast<size_t>(max_program_objects)),
+        m_all(linked_bodies(scene, ids, std::nullopt)),
+        m_certificate(vertical_certificate(m_all)) {}
 
-// Where the ids have it; ground: nowhere.
-Index find_body(std::span<const ObjectId> ids, const Support& with) {
-  if (with.is_floor()) return BodyContact::kGround;
-  const auto at = std::lower_bound(ids.begin(), ids.end(), with.object(), by_slot);
-  return at != ids.end() && at->index == with.object().index ? static_cast<Index>(at - ids.begin())
-                                                             : BodyContact::kGround;
-}
-
-FreeBodies bodies_only(const Scene& scene, std::span<const ObjectId> ids) {
-  FreeBodies out;
-  for (const ObjectId id : ids) {
-    const Object& object = scene.at(id);
-    out.bodies.push_back({id, object.centre_of_mass(), weight_of(object), size_of(object)});
-  }
-  return out;
-}
-
-// With the contacts of the scene's links.
-FreeBodies linked_bodies(const Scene& scene, std::span<const ObjectId> ids) {
-  FreeBodies out = bodies_only(scene, ids);
-  for (Index i = 0; i < static_cast<Index>(ids.size()); ++i)
-    for (const ObjectContact& entry : scene.at(ids[i]).contacts) {
-      const Index from = find_body(ids, entry.with);
-      if (from != BodyContact::kGround && from < i) continue;  // seen from the other side already
-      const double friction = friction_between(scene, ids[i], entry.with);
-      for (const ContactPoint& p : entry.contact.points)
-        out.touches.push_back({i, from, entry.with, friction, p});
+  PartVerdict run() {
+    const std::vector<Index> part_of = connected_parts(m_all);
+    std::vector<Members> parts(
+        part_of.empty() ? 0 : 1 + *std::max_element(part_of.begin(), part_of.end()));
+    for (size_t i = 0; i < part_of.size(); ++i) {
+      Members& part = parts[part_of[i]];
+      part.all.push_back(static_cast<Index>(i));
+      if (!m_certificate.bodies[i].certified) part.open.push_back(static_cast<Index>(i));
     }
-  return out;
-}
+    for (const Members& part : parts)
+      if (!part.open.empty()) judge(part);
+    std::sort(m_out.topples.begin(), m_out.topples.end(), by_slot);
+    return std::move(m_out);
+  }
+
+ private:
+  struct Members {
+    std::vector<Index> all, open;  // open: not certified
+  };
+
+  void judge(const Members& part) {
+    if (part.open.size() <= m_limit && part.open.size() < part.all.size()) {
+      FreeBodies open = loaded_bodies(part.open, is_fixed_or_held);
+      const PartForces forces = contact_forces(open, m_clearance);
+      if (forces.solved && forces.balanced()) return;
+    }
+    if (part.all.size() <= m_limit) {
+      note(part.all,
+           near_bodies(m_scene, ids_of(part.all), m_clearance, is_fixed_or_held, std::nullopt));
+      return;
+    }
+    m_out.known = false;
+    const std::vector<Index> nearest = nearest_to_change(part.open);
+    note(nearest, loaded_bodies(nearest, [&](ObjectId id, const Object& object) {
+           return is_fixed_or_held(id, object) || !is_certified(id);
+         }));
+  }
+
+  void note(const std::vector<Index>& members, FreeBodies part) {
+    const PartForces forces = contact_forces(part, m_clearance);
+    if (!forces.solved) m_out.known = false;
+    if (!forces.solved || forces.balanced()) return;
+    m_out.stands = false;
+    for (size_t k = 0; k < members.size(); ++k)
+      if (forces.moves[k]) m_out.topples.push_back(m_ids[members[k]]);
+  }
+
+  std::vector<ObjectId> ids_of(const std::vector<Index>& members) const {
+    std::vector<ObjectId> out;
+    for (const Index i : members) out.push_back(m_ids[i]);
+    return out;
+  }
+
+  FreeBodies loaded_bodies(const std::vector<Index>& open, const IsGround& is_ground) const {
+    FreeBodies out = near_bodies(m_scene, ids_of(open), m_clearance, is_ground, std::nullopt);
+    add_certified_loads(m_all, m_certificate, out);
+    return out;
+  }
+
+  bool is_certified(ObjectId id) const {
+    const auto at = std::lower_bound(m_ids.begin(), m_ids.end(), id, by_slot);
+    return at != m_ids.end() && *at == id && m_certificate.bodies[at - m_ids.begin()].certified;
+  }
+
+  // The first by steps from contact to contact.
+  std::vector<Index> nearest_to_change(const std::vector<Index>& open) const {
+    std::vector<std::vector<Index>> next(m_ids.size());
+    for (const BodyContact& t : m_all.touches)
+      if (t.from != BodyContact::kGround)
+        next[t.on].push_back(t.from), next[t.from].push_back(t.on);
+    std::vector<char> seen(m_ids.size(), 1);
+    for (const Index i : open) seen[i] = 0;
+    std::vector<Index> out;
+    const auto add = [&](Index i) {
+      if (out.size() < m_limit && !std::exchange(seen[i], 1)) out.push_back(i);
+    };
+    for (const Index i : open)
+      if (std::find(m_changed.begin(), m_changed.end(), m_ids[i]) != m_changed.end()) add(i);
+    if (out.empty()) add(open.front());
+    for (size_t k = 0; k < out.size(); ++k)
+      for (const Index i : next[out[k]]) add(i);
+    std::sort(out.begin(), out.end());
+    return out;
+  }
+
+  const Scene& m_scene;
+  const std::span<const ObjectId> m_ids, m_changed;
+  const double m_clearance;
+  const size_t m_limit;
+  const FreeBodies m_all;
+  const Certificate m_certificate;
+  PartVerdict m_out;
+};
 
 }  // namespace
 
@@ -58,7 +124,8 @@ std::vector<ObjectId> connected_with(const Scene& scene, std::span<const ObjectI
   std::vector<ObjectId> out;
   const auto add = [&](ObjectId id) {
     const Object& object = scene.at(id);
-    if (object.placed && !stands_still(object) && seen.insert(id.index).second) out.push_back(id);
+    if (object.placed && !is_fixed_or_held(id, object) && seen.insert(id.index).second)
+      out.push_back(id);
   };
   const auto add_partners = [&](ObjectId id) {
     for (const ObjectContact& entry : scene.at(id).contacts)
@@ -67,69 +134,16 @@ std::vector<ObjectId> connected_with(const Scene& scene, std::span<const ObjectI
   for (const ObjectId id : seeds) add(id);
   // What touches a seed that stands still may have been unbalanced by it.
   for (const ObjectId id : seeds)
-    if (stands_still(scene.at(id))) add_partners(id);
+    if (is_fixed_or_held(id, scene.at(id))) add_partners(id);
   for (size_t i = 0; i < out.size(); ++i) add_partners(out[i]);
   std::sort(out.begin(), out.end(), by_slot);
   return out;
 }
 
-FreeBodies near_bodies(const Scene& scene, std::span<const ObjectId> ids, double clearance,
-                       std::optional<double> friction) {
-  FreeBodies out = bodies_only(scene, ids);
-  const double tolerance = kBalanceTolerance * clearance;
-  for (Index i = 0; i < static_cast<Index>(ids.size()); ++i)
-    for (const ContactsWith& c :
-         contacts_with(body_of(scene.at(ids[i])), Neighbourhood(scene, ids[i]), tolerance,
-                       kFootSlack * clearance)) {
-      const Index from = find_body(ids, c.with);
-      if (from != BodyContact::kGround && from <= i) continue;
-      if (from == BodyContact::kGround && c.with.is_object() &&
-          !stands_still(scene.at(c.with.object())))
-        continue;
-      const double of_pair = friction.value_or(friction_between(scene, ids[i], c.with));
-      for (const ContactPoint& p : reduced(merged(c.points, tolerance), kPairContacts))
-        out.touches.push_back({i, from, c.with, of_pair, p});
-    }
-  return out;
-}
-
-double balance_tolerance(const FreeBodies& part, double clearance) {
-  double largest = 0;
-  for (const FreeBody& body : part.bodies)
-    largest = std::max(largest, residual_tolerance(body.size, clearance));
-  return largest;
-}
-
-PartVerdict judge_parts(const Scene& scene, std::span<const ObjectId> ids, double clearance,
+PartVerdict judge_parts(const Scene& scene, std::span<const ObjectId> ids,
+                        std::span<const ObjectId> changed, double clearance,
                         int max_program_objects) {
-  PartVerdict out;
-  const FreeBodies all = linked_bodies(scene, ids);
-  const Certificate certificate = vertical_certificate(all);
-  const std::vector<Index> part_of = connected_parts(all);
-  const Index num_parts =
-      part_of.empty() ? 0 : 1 + *std::max_element(part_of.begin(), part_of.end());
-  std::vector<std::vector<ObjectId>> members(num_parts);
-  std::vector<char> failed(num_parts, 0);
-  for (size_t i = 0; i < part_of.size(); ++i) {
-    members[part_of[i]].push_back(ids[i]);
-    if (!certificate.bodies[i].certified) failed[part_of[i]] = 1;
-  }
-  for (Index p = 0; p < num_parts; ++p) {
-    if (!failed[p]) continue;
-    if (static_cast<int>(members[p].size()) > max_program_objects) {
-      out.known = false;
-      continue;
-    }
-    const FreeBodies part = near_bodies(scene, members[p], clearance, std::nullopt);
-    const PartForces forces = contact_forces(part);
-    if (!forces.solved) out.known = false;
-    if (!forces.solved || forces.residual <= balance_tolerance(part, clearance)) continue;
-    out.stands = false;
-    for (size_t k = 0; k < members[p].size(); ++k)
-      if (forces.moves[k]) out.topples.push_back(members[p][k]);
-  }
-  std::sort(out.topples.begin(), out.topples.end(), by_slot);
-  return out;
+  return Judgement(scene, ids, changed, clearance, max_program_objects).run();
 }
 
 }  // namespace trivet

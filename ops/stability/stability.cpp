@@ -4,12 +4,7 @@
 #include <map>
 
 #include "core/base/tunables.h"
-#include "core/contact/contact_points.h"
-#include "core/scene/friction.h"
 #include "ops/placement/clearance.h"
-#include "ops/placement/contacts.h"
-#include "ops/settle/equilibrium.h"
-#include "ops/settle/settle.h"
 #include "ops/stability/certificate.h"
 #include "ops/stability/contact_forces.h"
 
@@ -89,44 +84,9 @@ class StabilityCheck {
 
   // The bodies of one part, with all contacts that settling would count on.
   FreeBodies bodies_of_part(const std::vector<Index>& members) const {
-    FreeBodies part;
-    std::vector<std::pair<std::uint32_t, Index>> index_of;
-    for (const Index i : members) {
-      index_of.emplace_back(m_all.bodies[i].id.index, static_cast<Index>(part.bodies.size()));
-      part.bodies.push_back(m_all.bodies[i]);
-    }
-    std::sort(index_of.begin(), index_of.end());
-    const auto find = [&](ObjectId id) {
-      const auto it =
-          std::lower_bound(index_of.begin(), index_of.end(), std::make_pair(id.index, Index{0}));
-      return it != index_of.end() && it->first == id.index ? it->second : BodyContact::kGround;
-    };
-    for (Index i = 0; i < static_cast<Index>(part.bodies.size()); ++i)
-      append_touches(part, i, find);
-    return part;
-  }
-
-  template <class Find>
-  void append_touches(FreeBodies& part, Index i, const Find& find) const {
-    const ObjectId id = part.bodies[i].id;
-    const Neighbourhood others(m_scene, id);
-    const double tolerance = kBalanceTolerance * m_clearance;
-    for (const ContactsWith& c :
-         contacts_with(body_of(m_scene.at(id)), others, tolerance, kFootSlack * m_clearance)) {
-      const bool floor = c.with.is_floor();
-      const Index from = floor ? BodyContact::kGround : find(c.with.object());
-      if (from != BodyContact::kGround && from <= i) continue;
-      if (!floor && from == BodyContact::kGround && !m_scene.at(c.with.object()).fixed) continue;
-      const double friction = m_options.friction.value_or(friction_between(m_scene, id, c.with));
-      for (const ContactPoint& p : reduced(merged(c.points, tolerance), kPairContacts))
-        part.touches.push_back({i, from, c.with, friction, p});
-    }
-  }
-
-  double tolerance_of(const FreeBodies& part) const {
-    double sum = 0;
-    for (const FreeBody& body : part.bodies) sum += residual_tolerance(body.size, m_clearance);
-    return std::min(sum, 1e-2);
+    std::vector<ObjectId> ids;
+    for (const Index i : members) ids.push_back(m_all.bodies[i].id);
+    return near_bodies(m_scene, ids, m_clearance, is_fixed, m_options.friction);
   }
 
   static std::vector<Index> members_of(Index p, const std::vector<Index>& part_of) {
@@ -141,10 +101,10 @@ class StabilityCheck {
   }
 
   // Of a part that holds: whether it does with a little less friction, too.
-  void judge_reserve(const FreeBodies& part, const std::vector<Index>& members) {
+  void judge_reserve(FreeBodies part, const std::vector<Index>& members) {
     if (is_small(members)) {
-      const PartForces found = contact_forces(part, kMarginalFriction);
-      if (found.solved && found.residual <= tolerance_of(part)) return;
+      const PartForces found = contact_forces(part, m_clearance, kMarginalFriction);
+      if (found.solved && found.balanced()) return;
     }
     for (const Index i : members) m_out.objects[i].marginal = true;
   }
@@ -154,14 +114,13 @@ class StabilityCheck {
     if (!is_small(members))
       return worsen("a part of " + std::to_string(members.size()) +
                     " objects is too large for a proof");
-    const FreeBodies part = bodies_of_part(members);
-    const PartForces found = contact_forces(part);
+    FreeBodies part = bodies_of_part(members);
+    const PartForces found = contact_forces(part, m_clearance);
     if (!found.solved) return worsen("the linear program was not solved");
-    const double tolerance = tolerance_of(part);
     m_out.residual = std::max(m_out.residual, found.residual);
-    const bool balanced = found.residual <= tolerance;
+    const bool balanced = found.balanced();
     if (!balanced) m_out.status = Stability::Status::Unstable;
-    const double margin = balanced ? std::max(0.0, shift_margin(part, tolerance)) : 0.0;
+    const double margin = balanced ? std::max(0.0, shift_margin(part, m_clearance)) : 0.0;
     for (size_t k = 0; k < members.size(); ++k) {
       ObjectStability& object = m_out.objects[members[k]];
       object.topples = !balanced && found.moves[k];

@@ -66,7 +66,7 @@ struct Stability {
   std::string why_unknown;              // empty unless it is
   std::optional<double> friction;       // at all contacts; none: by the materials
   double residual = 0;  // force and torque (over the object's size) that is missing, in parts of
-                        // the weight that the object and its loads have; the largest sum of a part
+                        // the objects' weights, beyond the tolerance; the largest sum of a part
   double margin = kInfinity;             // the least of the objects; infinity: no free object
   std::vector<ObjectStability> objects;  // placed and not fixed, in the order of Scene::ids()
   std::vector<ContactForce> forces;      // on these, in their order; complete only when stable()

@@ -2,12 +2,13 @@
 """Lays out hundreds of scenes of real models; the independent referee judges each.
 
     tests/referee/campaign.py --trivet build/release/apps/trivet --referee PATH/referee \\
-        --shared ../shared [--set floor,pair,pile] [--out DIR] [--same-as OTHER_TRIVET] [--threads 1,2]
-        [--backends software,gpu] [--match REGEX] [--friction MU [--whole]] [--every N] [--heaps 4x50]
+        --shared ../shared [--set floor,pair,pile,bin] [--out DIR] [--same-as OTHER_TRIVET] [--threads 1,2]
+        [--backends software,gpu] [--match REGEX] [--friction MU [--whole]] [--every N] [--heaps 4x50] [--bins 50x10]
 
 floor: every model in 5 random orientations, put onto the floor.
 pair:  every model in 5 random orientations, put onto one of 10 other models that stand there fixed.
 pile:  heaps, 4 of 50 objects.
+bin:   bins, open boxes of 60 x 40 x 25 cm that stand fixed, each with 10 objects of up to 30 cm.
 --friction: settled with this coefficient, by the referee judged at it. --whole: every operation leaves
 the whole scene at rest, or is refused; the referee judges the whole scene, too.
 --same-as, --threads and --backends run each layout again, by another build, with other numbers of
@@ -73,6 +74,41 @@ def pile_layouts(layouts, models, args, heaps):
     for k in range(count):
         layout = layouts.make_pile(models, random.Random(f"pile {k}"), args)
         yield f"pile_{k}", layout.json
+
+
+def write_bin(layouts, out):
+    """An open box with walls of 1 cm, as a model."""
+    outer, inner, height = (0.3, 0.2), (0.29, 0.19), 0.25
+    rings = [(outer, 0), (outer, height), (inner, height), (inner, 0.01)]
+    path = os.path.join(out, "bin.obj")
+    with open(path, "w") as file:
+        for (x, y), z in rings:
+            for a, b in ((-1, -1), (1, -1), (1, 1), (-1, 1)):
+                file.write(f"v {a * x} {b * y} {z}\n")
+        for ring in range(3):
+            for k in range(4):
+                a, b = 4 * ring + k + 1, 4 * ring + (k + 1) % 4 + 1
+                file.write(f"f {a} {b} {b + 4}\nf {a} {b + 4} {a + 4}\n")
+        file.write("f 3 2 1\nf 4 3 1\nf 13 14 15\nf 13 15 16\n")
+    return layouts.Model({"file": "bin.obj", "kind": "bin", "up_axis": "z", "scale_to_m": 1,
+                          "size_m": "0.6 0.4 0.25", "bbox_min": "-0.3 -0.2 0",
+                          "bbox_max": "0.3 0.2 0.25"}, path)
+
+
+def bin_layouts(layouts, models, out, bins):
+    count, num_objects = map(int, bins.split("x"))
+    box, small = write_bin(layouts, out), [m for m in models if m.size <= 0.3]
+    for k in range(count):
+        rng = random.Random(f"bin {k}")
+        layout, top = layouts.Layout(), 0.35
+        layout.add("bin", box, fixed=True, position=[0, 0, layouts.CLEAR],
+                   rotation=list(layouts.IDENTITY))
+        for i in range(num_objects):
+            model = rng.choice(small)
+            layout.put(f"object_{i + 1:02d}", model, layouts.random_rotation(rng),
+                       rng.uniform(-0.15, 0.15), rng.uniform(-0.08, 0.08), top)
+            top += model.diagonal()
+        yield f"bin_{k:02d}", layout.json
 
 
 def read_report(path):
@@ -208,6 +244,7 @@ def main():
     parser.add_argument("--whole", action="store_true", help="every operation leaves the whole at rest")
     parser.add_argument("--every", type=int, default=1, help="every N-th scene only")
     parser.add_argument("--heaps", default="4x50", help="number and size of the heaps")
+    parser.add_argument("--bins", default="50x10", help="number of bins and of objects in each")
     parser.add_argument("--same-as", help="another build of trivet to compare with")
     parser.add_argument("--threads", default="", help="numbers of threads to compare, comma-separated")
     parser.add_argument("--backends", default="", help="bvh, software, gpu, with commas")
@@ -220,9 +257,11 @@ def main():
     layouts, models, args = read_models(options.shared, options.out)
     sets = {"floor": lambda: floor_layouts(layouts, models),
             "pair": lambda: pair_layouts(layouts, models),
-            "pile": lambda: pile_layouts(layouts, models, args, options.heaps)}
+            "pile": lambda: pile_layouts(layouts, models, args, options.heaps),
+            "bin": lambda: bin_layouts(layouts, models, options.out, options.bins)}
     titles = {"floor": "80 models x 5 on the floor", "pair": "80 models x 5 on another model",
-              "pile": f"heaps, {options.heaps} objects"}
+              "pile": f"heaps, {options.heaps} objects",
+              "bin": f"bins, {options.bins} objects"}
     print("| scenes | number | PUTs ok | true | findings | PUT ms median | p95 | max | differ |\n"
           "|---|---|---|---|---|---|---|---|---|")
     ok = [run_set(options, titles[name], sets[name]()) for name in options.set.split(",")]

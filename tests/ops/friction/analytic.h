@@ -101,4 +101,11 @@ struct Stage {
   }
 };
 
+/// n bricks, each shifted by `shift` against the one below.
+inline void add_stack(Stage& stage, int n, double shift) {
+  for (int i = 0; i < n; ++i)
+    stage.add(box(0.4, i % 2 ? 0.2 : 0.22, 0.1),
+              Vec3(i * shift, 0, 0.05 + kGap + i * (0.1 + kGap)));
+}
+
 }  // namespace trivet::test

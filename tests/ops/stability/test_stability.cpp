@@ -1,6 +1,8 @@
 // Scenes with an equilibrium known by hand.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "core/scene/transaction.h"
 #include "ops/check/check.h"
 #include "ops/operations/perform.h"
@@ -88,6 +90,23 @@ TEST(Stability, GivesMarginAndForceOfOneBox) {
   for (const ContactForce& f : found.forces) up += f.force.z();
   EXPECT_NEAR(up, found.objects[0].weight, 1e-9 * up);
   EXPECT_EQ(found.forces.size(), 4u);  // spread over all corners
+}
+
+// A heavy block on posts of its own touches the far end of a light bar that topples: its weight
+// must not hide what the bar lacks.
+TEST(Stability, MeasuresWhatALightObjectLacksByItsOwnWeight) {
+  for (const double overhang : {-0.1, 0.1}) {
+    Pile pile;
+    pile.place("post", box_triangles(Vec3(0.1, 0.1, 0.1)), Vec3(0, 0, 0.1), true);
+    pile.place("left", box_triangles(Vec3(0.1, 1, 0.15)), Vec3(0.15, -2, 0.15), true);
+    pile.place("right", box_triangles(Vec3(0.1, 1, 0.15)), Vec3(0.15, 2, 0.15), true);
+    pile.place("bar", box_triangles(Vec3(0.1, 0.005, 0.05)), Vec3(0.1 + overhang, 0, 0.25 + kGap));
+    pile.place("heavy", box_triangles(Vec3(0.1, 3, 3)), Vec3(0.25, 0, 3.3 + 2 * kGap));
+    const Stability found = pile.judge(0.5);
+    EXPECT_EQ(found.stable(), overhang < 0) << overhang;
+    const std::vector<std::string> names = toppling(pile, found);
+    EXPECT_EQ(std::count(names.begin(), names.end(), "bar"), overhang > 0 ? 1 : 0);
+  }
 }
 
 // Every box rests on the one below (offset 0.3 of 0.5), but of the boxes above box0 the common

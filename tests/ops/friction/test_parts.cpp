@@ -1,0 +1,119 @@
+// Verdicts on connected parts against the linear program of the whole part.
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "ops/check/check.h"
+#include "ops/friction/analytic.h"
+#include "ops/stability/contact_forces.h"
+#include "ops/stability/part.h"
+
+namespace trivet::test {
+namespace {
+
+// A prism in a groove of 90 degrees, which no vertical forces hold, and a pile of boxes on it, each
+// shifted by up to `reach`; the box is 0.4 wide.
+void add_groove_and_pile(Stage& stage, std::mt19937_64& random, int n, double reach) {
+  const double gap = std::sqrt(2.0) * kGap;
+  stage.add(extruded({{-1, 0}, {0, 0}, {-1, 1}}, 1), Vec3(0, 0, 0.01), {}, true);
+  stage.add(extruded({{1, 0}, {1, 1}, {0, 0}}, 1), Vec3(0, 0, 0.01), {}, true);
+  stage.add(extruded({{0, 0}, {0.5, 0.5}, {-0.5, 0.5}}, 1), Vec3(0, 0, 0.01 + gap));
+  double x = 0, z = 0.51 + gap + kGap;
+  for (int i = 0; i < n; ++i) {
+    stage.add(box(0.4, 0.4, 0.1), Vec3(x, 0, z + 0.05));
+    z += 0.1 + kGap;
+    x += std::uniform_real_distribution<double>(-reach, reach)(random);
+  }
+}
+
+PartVerdict judged(const Scene& scene, int limit) {
+  const std::vector<ObjectId> all = scene.ids();
+  return judge_parts(scene, connected_with(scene, all), all, kEps, limit);
+}
+
+bool stands_by_program(const Scene& scene) {
+  const std::vector<ObjectId> all = scene.ids();
+  FreeBodies part =
+      near_bodies(scene, connected_with(scene, all), kEps, is_fixed_or_held, std::nullopt);
+  return contact_forces(part, kEps).balanced();
+}
+
+// Few touches first, others by column generation: as all at once.
+TEST(Parts, LackNoMoreByFewTouchesThanByAll) {
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> in(-1, 1);
+  int num_balanced = 0;
+  constexpr int kTrials = 60;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    FreeBodies few;
+    for (int i = 0; i < 2; ++i) few.bodies.push_back({{}, Vec3(in(random), in(random), i), 1, 2});
+    for (int k = 0; k < 80; ++k) {
+      const Vec3 point(in(random), in(random), in(random) + 0.5);
+      const Vec3 normal = Vec3(in(random), in(random), 0.1 * (trial % 6) - 0.6 + 0.3 * in(random));
+      const Index on = k < 40 ? 0 : 1, from = k < 60 ? BodyContact::kGround : 0;
+      const ContactPoint p{point, normal.normalized(), kGap, ContactFeatures::VertexFace, k, 0};
+      (k % 20 < 3 ? few.touches : few.more).push_back({on, from, Support::floor(), 0.3, p});
+    }
+    FreeBodies all = few;
+    all.touches.insert(all.touches.end(), all.more.begin(), all.more.end());
+    all.more.clear();
+    const PartForces by_few = contact_forces(few, kEps), by_all = contact_forces(all, kEps);
+    ASSERT_TRUE(by_few.solved && by_all.solved);
+    EXPECT_EQ(by_few.balanced(), by_all.balanced()) << "trial " << trial;
+    EXPECT_NEAR(by_few.residual, by_all.residual, 1e-4) << "trial " << trial;
+    num_balanced += by_all.balanced();
+  }
+  EXPECT_GT(num_balanced, kTrials / 10);
+  EXPECT_LT(num_balanced, kTrials * 9 / 10);
+}
+
+TEST(Parts, AreJudgedAsByTheProgramOfAll) {
+  std::mt19937_64 random(15);
+  int num_standing = 0;
+  constexpr int kTrials = 60;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    Stage stage(trial % 3 == 0 ? 0.1 : 0.5);
+    add_groove_and_pile(stage, random, 1 + trial % 6, 0.3);
+    update_contacts(stage.scene, kEps);
+    const PartVerdict verdict = judged(stage.scene, 200);
+    EXPECT_TRUE(verdict.known);
+    EXPECT_EQ(verdict.stands, stands_by_program(stage.scene)) << "trial " << trial;
+    EXPECT_EQ(verdict.stands, verdict.topples.empty());
+    num_standing += verdict.stands;
+  }
+  EXPECT_GT(num_standing, kTrials / 5);
+  EXPECT_LT(num_standing, kTrials * 4 / 5);
+}
+
+// What is certified needs no program, however large the part is.
+TEST(Parts, AreProvedByTheirOpenBodies) {
+  std::mt19937_64 random(1);
+  Stage stage(0.5);
+  add_groove_and_pile(stage, random, 12, 0.01);
+  update_contacts(stage.scene, kEps);
+  const PartVerdict verdict = judged(stage.scene, 1);
+  EXPECT_TRUE(verdict.stands && verdict.known);
+}
+
+// Too many open bodies for a proof: those near the change are judged, and the verdict says so. Of
+// this stack the upper four turn over the edge of the first; the first two are open.
+TEST(Parts, AreUnknownWhereTooManyBodiesAreOpen) {
+  Stage stage(0.5);
+  add_stack(stage, 5, 0.09);
+  update_contacts(stage.scene, kEps);
+  const std::vector<ObjectId> all = stage.scene.ids();
+  const auto judged_near = [&](ObjectId changed, int limit) {
+    return judge_parts(stage.scene, connected_with(stage.scene, all), std::vector{changed}, kEps,
+                       limit);
+  };
+  EXPECT_TRUE(judged_near(all[1], 5).known);
+  const PartVerdict above = judged_near(all[1], 1), below = judged_near(all[0], 1);
+  EXPECT_FALSE(above.known || below.known);
+  EXPECT_EQ(above.topples, std::vector{all[1]});
+  EXPECT_FALSE(above.stands);
+  EXPECT_TRUE(below.stands);
+}
+
+}  // namespace
+}  // namespace trivet::test
