@@ -64,7 +64,7 @@ class Whole {
   bool give_way(const PartVerdict& verdict) {
     if (move_each(m_transaction, verdict.topples)) return true;
     const FreeBodies part =
-        near_bodies(m_scene, parts(), m_clearance, is_fixed_or_held, std::nullopt);
+        near_part(m_scene, parts(), m_clearance, is_fixed_or_held, std::nullopt);
     note_poses(verdict.topples);
     return move_jointly(m_transaction, part, verdict.topples, m_clearance, m_run,
                         [this](Transaction& inner, const std::vector<ObjectId>& moved) {

@@ -7,9 +7,6 @@
 
 namespace trivet {
 
-/// Contact points of one pair of objects that the linear program gets.
-inline constexpr size_t kPairContacts = 12;
-
 struct PartForces {
   bool solved = false;          // else the rest means nothing
   std::vector<double> missing;  // of each body: force and torque / size, in parts of its weight,

@@ -8,6 +8,7 @@
 #include "core/contact/contact_points.h"
 #include "core/scene/friction.h"
 #include "ops/placement/contacts.h"
+#include "ops/placement/slot_order.h"
 #include "ops/settle/equilibrium.h"
 
 namespace trivet {
@@ -93,14 +94,18 @@ FreeBodies near_bodies(const Scene& scene, std::span<const ObjectId> ids, double
       const Index from = index.find(c.with);
       if (from != BodyContact::kGround && from <= i) continue;
       if (from == BodyContact::kGround && c.with.is_object() &&
-          !is_ground(c.with.object(), scene.at(c.with.object())))
+          !is_ground(c.with.object(), scene.at(c.with.object()))) {
+        out.left_out.push_back(c.with.object());
         continue;
+      }
       const double of_pair = friction.value_or(friction_between(scene, ids[i], c.with));
       const std::vector<ContactPoint> all = merged(c.points, tolerance);
       const std::vector<ContactPoint> chosen = reduced(all, kPairContacts);
       for (const ContactPoint& p : all)
         (contains(chosen, p) ? out.touches : out.more).push_back({i, from, c.with, of_pair, p});
     }
+  std::sort(out.left_out.begin(), out.left_out.end(), by_slot);
+  out.left_out.erase(std::unique(out.left_out.begin(), out.left_out.end()), out.left_out.end());
   return out;
 }
 

@@ -35,6 +35,8 @@ struct FreeBodies {
   /// Further ones of the same pairs, which matter seldom: contact_forces() looks at them where
   /// `touches` do not do.
   std::vector<BodyContact> more;
+  /// Of near_bodies(): objects that are neither bodies nor ground, and touch some; sorted by slot.
+  std::vector<ObjectId> left_out;
 };
 
 /// All placed objects that are not fixed, with the contacts of the scene's links.

@@ -34,7 +34,9 @@ class Judgement {
     }
     for (const Members& part : parts)
       if (!part.open.empty()) judge(part);
-    std::sort(m_out.topples.begin(), m_out.topples.end(), by_slot);
+    std::vector<ObjectId>& topples = m_out.topples;  // of parts that near contacts join, twice
+    std::sort(topples.begin(), topples.end(), by_slot);
+    topples.erase(std::unique(topples.begin(), topples.end()), topples.end());
     return std::move(m_out);
   }
 
@@ -50,24 +52,24 @@ class Judgement {
       if (forces.solved && forces.balanced()) return;
     }
     if (part.all.size() <= m_limit) {
-      note(part.all,
-           near_bodies(m_scene, ids_of(part.all), m_clearance, is_fixed_or_held, std::nullopt));
-      return;
+      FreeBodies whole =
+          near_part(m_scene, ids_of(part.all), m_clearance, is_fixed_or_held, std::nullopt);
+      if (whole.bodies.size() <= m_limit) return note(std::move(whole));
     }
     m_out.known = false;
     const std::vector<Index> nearest = nearest_to_change(part.open);
-    note(nearest, loaded_bodies(nearest, [&](ObjectId id, const Object& object) {
-           return is_fixed_or_held(id, object) || !is_certified(id);
-         }));
+    note(loaded_bodies(nearest, [&](ObjectId id, const Object& object) {
+      return is_fixed_or_held(id, object) || !is_certified(id);
+    }));
   }
 
-  void note(const std::vector<Index>& members, FreeBodies part) {
+  void note(FreeBodies part) {
     const PartForces forces = contact_forces(part, m_clearance);
     if (!forces.solved) m_out.known = false;
     if (!forces.solved || forces.balanced()) return;
     m_out.stands = false;
-    for (size_t k = 0; k < members.size(); ++k)
-      if (forces.moves[k]) m_out.topples.push_back(m_ids[members[k]]);
+    for (size_t k = 0; k < part.bodies.size(); ++k)
+      if (forces.moves[k]) m_out.topples.push_back(part.bodies[k].id);
   }
 
   std::vector<ObjectId> ids_of(const std::vector<Index>& members) const {
@@ -138,6 +140,19 @@ std::vector<ObjectId> connected_with(const Scene& scene, std::span<const ObjectI
   for (size_t i = 0; i < out.size(); ++i) add_partners(out[i]);
   std::sort(out.begin(), out.end(), by_slot);
   return out;
+}
+
+FreeBodies near_part(const Scene& scene, std::vector<ObjectId> ids, double clearance,
+                     const IsGround& is_ground, std::optional<double> friction) {
+  while (true) {
+    std::sort(ids.begin(), ids.end(), by_slot);
+    FreeBodies part = near_bodies(scene, ids, clearance, is_ground, friction);
+    if (part.left_out.empty()) return part;
+    std::vector<ObjectId> more = connected_with(scene, part.left_out);
+    more.insert(more.end(), part.left_out.begin(), part.left_out.end());
+    for (const ObjectId id : more)
+      if (std::find(ids.begin(), ids.end(), id) == ids.end()) ids.push_back(id);
+  }
 }
 
 PartVerdict judge_parts(const Scene& scene, std::span<const ObjectId> ids,

@@ -14,6 +14,11 @@ namespace trivet {
 /// by slot. Cost O(found).
 std::vector<ObjectId> connected_with(const Scene& scene, std::span<const ObjectId> seeds);
 
+/// near_bodies() of these and of all that such contacts connect with them, sorted by slot: what is
+/// held across a gap wider than a link's is of the same part.
+FreeBodies near_part(const Scene& scene, std::vector<ObjectId> ids, double clearance,
+                     const IsGround& is_ground, std::optional<double> friction);
+
 struct PartVerdict {
   bool stands = true;
   bool known = true;              // false: a part is too large for a proof, or not solved

@@ -7,6 +7,7 @@
 #include "ops/placement/clearance.h"
 #include "ops/stability/certificate.h"
 #include "ops/stability/contact_forces.h"
+#include "ops/stability/part.h"
 
 namespace trivet {
 namespace {
@@ -33,13 +34,12 @@ class StabilityCheck {
       if (!certificate.bodies[i].certified) failed[part_of[i]] = 1;
       if (!reserve.bodies[i].certified) no_reserve[part_of[i]] = 1;
     }
-    take_certified(certificate, part_of, failed);
-    for (Index p = 0; p < num_parts; ++p) {
-      if (failed[p])
-        solve_part(members_of(p, part_of));
-      else if (no_reserve[p])
-        judge_reserve(bodies_of_part(members_of(p, part_of)), members_of(p, part_of));
-    }
+    std::vector<char> solved(num_parts, 0);
+    for (Index p = 0; p < num_parts; ++p)
+      if (failed[p] && !solved[p]) solve_part(p, part_of, solved);
+    take_certified(certificate, part_of, solved);
+    for (Index p = 0; p < num_parts; ++p)
+      if (no_reserve[p] && !solved[p]) judge_reserve(near(p, part_of));
     finish();
     return std::move(m_out);
   }
@@ -59,12 +59,12 @@ class StabilityCheck {
   }
 
   void take_certified(const Certificate& certificate, const std::vector<Index>& part_of,
-                      const std::vector<char>& failed) {
+                      const std::vector<char>& solved) {
     for (size_t i = 0; i < part_of.size(); ++i)
-      if (!failed[part_of[i]]) set_margin(i, certificate.bodies[i].margin);
+      if (!solved[part_of[i]]) set_margin(i, certificate.bodies[i].margin);
     for (size_t i = 0; i < m_all.touches.size(); ++i) {
       const BodyContact& t = m_all.touches[i];
-      if (!failed[part_of[t.on]]) add_force(m_all, t, Vec3(0, 0, certificate.forces[i]));
+      if (!solved[part_of[t.on]]) add_force(m_all, t, Vec3(0, 0, certificate.forces[i]));
     }
   }
 
@@ -82,39 +82,46 @@ class StabilityCheck {
       m_out.forces.push_back({bodies.bodies[t.from].id, on, t.contact.point, -force});
   }
 
-  // The bodies of one part, with all contacts that settling would count on.
-  FreeBodies bodies_of_part(const std::vector<Index>& members) const {
+  // The bodies of one part, with all contacts that settling would count on, and what these join.
+  FreeBodies near(Index p, const std::vector<Index>& part_of) const {
     std::vector<ObjectId> ids;
-    for (const Index i : members) ids.push_back(m_all.bodies[i].id);
-    return near_bodies(m_scene, ids, m_clearance, is_fixed, m_options.friction);
+    for (size_t i = 0; i < part_of.size(); ++i)
+      if (part_of[i] == p) ids.push_back(m_all.bodies[i].id);
+    return near_part(m_scene, std::move(ids), m_clearance, is_fixed, m_options.friction);
   }
 
-  static std::vector<Index> members_of(Index p, const std::vector<Index>& part_of) {
-    std::vector<Index> members;
-    for (Index i = 0; i < static_cast<Index>(part_of.size()); ++i)
-      if (part_of[i] == p) members.push_back(i);
-    return members;
+  // Of bodies of a part: which of m_all.
+  std::vector<Index> members_of(const FreeBodies& part) const {
+    std::map<std::uint32_t, Index> index_of;
+    for (size_t i = 0; i < m_all.bodies.size(); ++i)
+      index_of[m_all.bodies[i].id.index] = static_cast<Index>(i);
+    std::vector<Index> out;
+    for (const FreeBody& body : part.bodies) out.push_back(index_of.at(body.id.index));
+    return out;
   }
 
-  bool is_small(const std::vector<Index>& members) const {
-    return static_cast<int>(members.size()) <= m_options.max_program_objects;
+  bool is_small(const FreeBodies& part) const {
+    return static_cast<int>(part.bodies.size()) <= m_options.max_program_objects;
   }
 
   // Of a part that holds: whether it does with a little less friction, too.
-  void judge_reserve(FreeBodies part, const std::vector<Index>& members) {
-    if (is_small(members)) {
+  void judge_reserve(FreeBodies part) {
+    if (is_small(part)) {
       const PartForces found = contact_forces(part, m_clearance, kMarginalFriction);
       if (found.solved && found.balanced()) return;
     }
-    for (const Index i : members) m_out.objects[i].marginal = true;
+    for (const Index i : members_of(part)) m_out.objects[i].marginal = true;
   }
 
-  void solve_part(const std::vector<Index>& members) {
+  // With the parts that it takes along: these are solved, too.
+  void solve_part(Index p, const std::vector<Index>& part_of, std::vector<char>& solved) {
+    FreeBodies part = near(p, part_of);
+    const std::vector<Index> members = members_of(part);
     m_out.method = Stability::Method::LinearProgram;
-    if (!is_small(members))
+    for (const Index i : members) solved[part_of[i]] = 1;
+    if (!is_small(part))
       return worsen("a part of " + std::to_string(members.size()) +
                     " objects is too large for a proof");
-    FreeBodies part = bodies_of_part(members);
     const PartForces found = contact_forces(part, m_clearance);
     if (!found.solved) return worsen("the linear program was not solved");
     m_out.residual = std::max(m_out.residual, found.residual);
@@ -127,7 +134,7 @@ class StabilityCheck {
       if (object.topples) object.motion = found.motions[k];
       if (balanced) set_margin(members[k], margin);
     }
-    if (balanced) judge_reserve(part, members);
+    if (balanced) judge_reserve(part);
     for (size_t k = 0; k < part.touches.size(); ++k)
       add_force(part, part.touches[k], found.forces[k]);
   }

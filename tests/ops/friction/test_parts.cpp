@@ -86,6 +86,22 @@ TEST(Parts, AreJudgedAsByTheProgramOfAll) {
   EXPECT_LT(num_standing, kTrials * 4 / 5);
 }
 
+// A plank on a fixed post and, across a gap that settling leaves open, on a free box.
+TEST(Parts, ReachAcrossGapsThatSettlingCountsOn) {
+  for (const double gap : {10 * kEps, 30 * kEps}) {
+    Stage stage(0.5);
+    stage.add(box(0.2, 0.2, 0.2), Vec3(-0.4, 0, 0.1 + kGap), {}, true);
+    const double height = 0.2 + kGap - gap;
+    stage.add(box(0.2, 0.2, height), Vec3(0.4, 0, kGap + height / 2));
+    stage.add(box(1, 0.2, 0.03), Vec3(0, 0, 0.215 + 2 * kGap));
+    update_contacts(stage.scene, kEps);
+    StabilityOptions options;
+    options.clearance = kEps;
+    EXPECT_EQ(stability(stage.scene, options).stable(), gap < 20 * kEps) << gap;
+    EXPECT_EQ(judged(stage.scene, 200).stands, gap < 20 * kEps) << gap;
+  }
+}
+
 // What is certified needs no program, however large the part is.
 TEST(Parts, AreProvedByTheirOpenBodies) {
   std::mt19937_64 random(1);

@@ -122,6 +122,17 @@ TEST(Arch, StandsIfThickEnough) {
   EXPECT_FALSE(stays(thin));
 }
 
+// The same threshold from both sides, as a verdict; joints at 15 stones miss it by 2 % at most.
+TEST(Arch, IsJudgedNearItsThreshold) {
+  for (const auto& [thickness, stands_up] : {std::pair(0.095, false), {0.12, true}}) {
+    Stage stage(0.5);
+    const double inner = (2 - thickness) / (2 + thickness);  // thickness / mean radius
+    add_arch(stage, 15, inner, 1);
+    update_contacts(stage.scene, kEps);
+    EXPECT_EQ(stands(stage.scene), stands_up) << thickness;
+  }
+}
+
 void add_seesaw(Stage& stage, double x) {
   stage.add(extruded({{-0.1, 0}, {0.1, 0}, {0.01, 0.2}, {-0.01, 0.2}}, 0.3), Vec3(0, 0, kGap), {},
             true);
