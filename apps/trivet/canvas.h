@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "gpu/egl/image.h"
+#include "core/picture/image.h"
 #include "raster/zlist/depth_picture.h"
 
 namespace trivet::apps {

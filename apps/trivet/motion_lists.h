@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "core/io/export.h"
+#include "core/picture/image.h"
 #include "core/scene/scene.h"
-#include "gpu/egl/image.h"
 #include "ops/detect/motion_zlists.h"
 
 namespace trivet::apps {

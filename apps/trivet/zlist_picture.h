@@ -2,7 +2,7 @@
 #pragma once
 
 #include "apps/trivet/zlist_text.h"
-#include "gpu/egl/image.h"
+#include "core/picture/image.h"
 
 namespace trivet::apps {
 

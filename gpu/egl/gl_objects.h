@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "core/base/types.h"
-#include "gpu/egl/image.h"
+#include "core/picture/image.h"
 
 namespace trivet {
 

@@ -1,8 +1,8 @@
 // Private to gpu: the camera of a live view as matrices.
 #pragma once
 
+#include "core/picture/picture_frame.h"
 #include "gpu/live/live_scene.h"
-#include "gpu/picture/picture_frame.h"
 
 namespace trivet {
 

@@ -6,8 +6,8 @@
 
 #include "gpu/live/live_key.h"
 #include "gpu/live/live_shaders.h"
-#include "gpu/picture/picture_lights.h"
 #include "gpu/picture/picture_shaders.h"
+#include "gpu/picture/shadow_map.h"
 
 namespace trivet {
 namespace {

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "core/picture/image.h"
 #include "gpu/egl/gl_objects.h"
-#include "gpu/egl/image.h"
 #include "gpu/live/live_camera.h"
 #include "gpu/live/live_overlay.h"
 #include "gpu/live/live_view.h"

@@ -8,8 +8,8 @@
 
 #include <memory>
 
+#include "core/picture/image.h"
 #include "gpu/egl/egl_context.h"
-#include "gpu/egl/image.h"
 #include "gpu/live/live_scene.h"
 
 namespace trivet {

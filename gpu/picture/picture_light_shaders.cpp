@@ -1,4 +1,4 @@
-#include "gpu/picture/picture_lights.h"
+#include "core/picture/picture_lights.h"
 #include "gpu/picture/picture_shaders.h"
 
 namespace trivet::picture_shaders {

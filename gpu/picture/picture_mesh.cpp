@@ -5,6 +5,9 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/picture/mesh_values.h"
+#include "core/picture/picture_normals.h"
+
 namespace trivet {
 namespace {
 
@@ -21,16 +24,6 @@ void pack_normal(const Eigen::Vector3f& normal, std::int16_t (&out)[4]) {
   for (int i = 0; i < 3; ++i)
     out[i] = static_cast<std::int16_t>(std::lround(32767 * std::clamp(normal[i], -1.0f, 1.0f)));
   out[3] = 0;
-}
-
-float unit_or(float value, float otherwise) {
-  return std::isfinite(value) ? std::clamp(value, 0.0f, 1.0f) : otherwise;
-}
-
-std::uint32_t material_of(const PictureMesh& mesh, std::size_t face) {
-  if (face >= mesh.face_material.size() || mesh.materials.empty()) return 0;
-  const auto last = static_cast<Index>(mesh.materials.size() - 1);
-  return static_cast<std::uint32_t>(std::clamp(mesh.face_material[face], 0, last));
 }
 
 bool is_see_through(const PictureMesh& mesh, std::size_t face) {
@@ -82,13 +75,6 @@ void describe_corners() {
   for (GLuint location = 0; location < 4; ++location) glEnableVertexAttribArray(location);
 }
 
-Aabb finite_box(const PictureMesh& mesh) {
-  Aabb box;
-  for (const Vec3& v : mesh.vertices)
-    if (v.allFinite()) box.extend(v);
-  return box;
-}
-
 std::array<float, 3> mean_colour(const PictureMesh& mesh) {
   Vec3 sum = Vec3::Zero();
   double weight = 0;
@@ -106,14 +92,6 @@ std::array<float, 3> mean_colour(const PictureMesh& mesh) {
   if (!(weight > 0)) return {1, 1, 1};
   const Vec3 mean = sum / weight;
   return {float(mean.x()), float(mean.y()), float(mean.z())};
-}
-
-/// The inverse transpose up to a factor, which exists for singular matrices too.
-Mat3 cofactors(const Mat3& m) {
-  Mat3 out;
-  for (int i = 0; i < 3; ++i) out.col(i) = m.col((i + 1) % 3).cross(m.col((i + 2) % 3));
-  const double largest = out.cwiseAbs().maxCoeff();
-  return largest > 0 ? Mat3(out / largest) : Mat3::Identity();
 }
 
 }  // namespace

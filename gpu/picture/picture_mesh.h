@@ -3,15 +3,10 @@
 
 #include <epoxy/gl.h>
 
+#include "core/picture/picture_frame.h"
 #include "gpu/egl/gl_objects.h"
-#include "gpu/picture/picture_frame.h"
 
 namespace trivet {
-
-/// Unit normals per triangle corner, object frame: the file's if usable, else the mean of the faces
-/// around the vertex that meet this one at less than the crease angle.
-/// @return #F x 3.
-std::vector<std::array<Eigen::Vector3f, 3>> picture_normals(const PictureMesh& mesh);
 
 /// Shaders find position, normal, face normal and material at locations 0 to 3, and two texels of
 /// `material_texture` per material: base colour; roughness and metallic.

@@ -9,10 +9,11 @@
 #include <array>
 #include <vector>
 
+#include "core/picture/picture_frame.h"
+#include "core/picture/picture_lights.h"
 #include "gpu/egl/gl_objects.h"
-#include "gpu/picture/picture_frame.h"
 #include "gpu/picture/picture_geometry.h"
-#include "gpu/picture/picture_lights.h"
+#include "gpu/picture/shadow_map.h"
 
 namespace trivet {
 

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "core/base/error.h"
-#include "gpu/egl/image.h"
+#include "core/picture/image.h"
 
 namespace trivet {
 namespace {

@@ -1,4 +1,4 @@
-#include "gpu/picture/picture_lights.h"
+#include "core/picture/picture_lights.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -11,7 +11,6 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 constexpr double kKeyElevationDeg = 52;
 constexpr double kKeyTurnDeg = 55;     // to the left of the viewer's back
-constexpr double kKeyRadiusDeg = 5;    // of the disc; wider: softer shadows
 constexpr double kLowestLight = 0.10;  // sine of the elevation; lower lights require huge maps
 constexpr double kSkyHorizon = 0.65;   // radiance at the horizon, relative to the zenith
 const Vec3 kKeyColour(1.02, 1.0, 0.96);
@@ -34,7 +33,7 @@ constexpr double kHemisphere = 2 * kPi * (1 - kLowestLight);  // its solid angle
 double sky_profile(double z) { return kSkyHorizon + (1 - kSkyHorizon) * z; }
 
 /// Behind the viewer, turned left; uses the viewer's azimuth even when looking straight down.
-Vec3 key_direction(const FrameCamera& camera) {
+Vec3 direction_of_key(const FrameCamera& camera) {
   Vec3 right(camera.right.x(), camera.right.y(), 0);
   if (right.norm() < 1e-9 * camera.right.norm()) right = Vec3::UnitX();
   const double right_azimuth = std::atan2(right.y(), right.x());
@@ -52,7 +51,7 @@ Vec2 even_point(int index) {
 }
 
 PictureLights::PictureLights(int num_views, const FrameCamera& camera)
-    : m_key_direction(key_direction(camera)) {
+    : m_key_direction(direction_of_key(camera)) {
   m_key_scale = kKeyShare * kPi / m_key_direction.z();
   double floor_irradiance = 0;
   for (int i = 0; i < kNumSkyLights * num_views; ++i) {
@@ -61,6 +60,10 @@ PictureLights::PictureLights(int num_views, const FrameCamera& camera)
   }
   m_sky_scale = (1 - kKeyShare) * kPi / floor_irradiance;
 }
+
+Vec3 PictureLights::key_irradiance() const { return kKeyColour * m_key_scale; }
+
+Vec3 PictureLights::sky_colour(double z) const { return kSkyColour * sky_radiance(z); }
 
 double PictureLights::sky_radiance(double z) const { return m_sky_scale * sky_profile(z); }
 
@@ -73,7 +76,7 @@ std::array<PictureLight, kLightsPerView> PictureLights::of_view(int view) const 
   lights[0].direction = (m_key_direction + side * (r * std::cos(2 * kPi * u.y())) +
                          other * (r * std::sin(2 * kPi * u.y())))
                             .normalized();
-  lights[0].irradiance = kKeyColour * m_key_scale;
+  lights[0].irradiance = key_irradiance();
   PictureLight* sky = &lights[1];
   for (int i = 0; i < kNumSkyLights; ++i) {
     sky[i].direction = hemisphere_direction(kNumSkyLights * view + i);
@@ -87,30 +90,6 @@ std::array<PictureLight, kLightsPerView> PictureLights::of_view(int view) const 
     floor[i].irradiance = Vec3::Constant(kHemisphere / kNumFloorLights);
   }
   return lights;
-}
-
-ShadowMap fit_shadow_map(const Vec3& direction, std::span<const Vec3> hull_points, int size_px,
-                         const Vec2& jitter_px) {
-  Mat3 light_from_frame;  // x, y in the image, z away from the light
-  light_from_frame.row(0) = direction.unitOrthogonal();
-  light_from_frame.row(2) = -direction;
-  light_from_frame.row(1) = direction.cross(light_from_frame.row(0).transpose());
-  Aabb box;
-  for (const Vec3& p : hull_points) box.extend(light_from_frame * p);
-  if (box.empty()) box.extend(Vec3::Zero());
-  // Two texels of margin: for the jitter, and to keep outlines inside.
-  const Vec3 half = box.half_extent().cwiseMax(1e-4) * (1 + 4.0 / size_px);
-  const Vec3 centre = box.centre();
-  ShadowMap map;
-  map.texel = 2 * std::max(half.x(), half.y()) / size_px;
-  const Vec3 shift(2 * jitter_px.x() / size_px, 2 * jitter_px.y() / size_px, 0);
-  Eigen::Matrix4d clip = Eigen::Matrix4d::Identity();
-  for (int r = 0; r < 3; ++r) {
-    clip.block<1, 3>(r, 0) = light_from_frame.row(r) / half[r];
-    clip(r, 3) = shift[r] - centre[r] / half[r];
-  }
-  map.clip_from_frame = clip.cast<float>();
-  return map;
 }
 
 }  // namespace trivet

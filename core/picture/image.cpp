@@ -1,4 +1,4 @@
-#include "gpu/egl/image.h"
+#include "core/picture/image.h"
 
 #include <png.h>
 

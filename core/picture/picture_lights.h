@@ -1,14 +1,14 @@
-// Private to gpu: the lights of a picture, a few per view, and their shadow maps.
+// The lights of a picture: a soft key light and a sky; for shadow maps, a few far lights per view.
 #pragma once
 
 #include <array>
-#include <span>
 
-#include "gpu/picture/picture_frame.h"
+#include "core/picture/picture_frame.h"
 
 namespace trivet {
 
 inline constexpr double kKeyShare = 0.58;                     // of the light on an open floor
+inline constexpr double kKeyRadiusDeg = 5;                    // of its disc; wider: softer shadows
 inline constexpr int kNumSkyLights = 3, kNumFloorLights = 2;  // per view, beside the key light
 inline constexpr int kLightsPerView = 1 + kNumSkyLights + kNumFloorLights;
 
@@ -30,6 +30,12 @@ class PictureLights {
   /// open.
   std::array<PictureLight, kLightsPerView> of_view(int view) const;
 
+  /// Towards the centre of the key light's disc, and the irradiance of all of it on a surface that
+  /// faces it.
+  const Vec3& key_direction() const { return m_key_direction; }
+  Vec3 key_irradiance() const;
+  /// Colour of the sky at the sine of elevation `z`: radiance.
+  Vec3 sky_colour(double z) const;
   /// Radiance of the sky at the sine of elevation `z`, without its colour.
   double sky_radiance(double z) const;
 
@@ -37,16 +43,6 @@ class PictureLights {
   Vec3 m_key_direction;
   double m_key_scale = 1, m_sky_scale = 1;
 };
-
-/// Orthographic depth image of all casters from a light. Jittered by a fraction of a texel from
-/// view to view, so that texel outlines average out.
-struct ShadowMap {
-  Eigen::Matrix4f clip_from_frame;
-  double texel = 0;  // side of a texel, frame
-};
-
-ShadowMap fit_shadow_map(const Vec3& direction, std::span<const Vec3> hull_points, int size_px,
-                         const Vec2& jitter_px);
 
 /// Point `index` of an additive sequence that fills the unit square evenly. @see [Roberts 2018]
 Vec2 even_point(int index);

@@ -1,4 +1,4 @@
-#include "gpu/picture/picture_frame.h"
+#include "core/picture/picture_frame.h"
 
 #include <Eigen/Geometry>
 #include <cmath>
@@ -107,7 +107,15 @@ Camera automatic_camera(const PictureScene& scene, double aspect) {
   return camera;
 }
 
-FrameCamera make_frame_camera(const Camera& camera, double aspect, const PictureFrame& frame) {
+double tan_of_half_deg(double deg) {
+  // Lambert's continued fraction: 24 steps leave only rounding up to 85 degrees.
+  const double x = 0.5 * radians(deg);
+  double below = 0;
+  for (int k = 24; k >= 1; --k) below = x * x / (2 * k + 1 - below);
+  return x / (1 - below);
+}
+
+CameraAxes camera_axes(const Camera& camera) {
   const auto bad = [](const std::string& what) {
     return Error(Error::Kind::BadInput, "the camera " + what);
   };
@@ -119,8 +127,11 @@ FrameCamera make_frame_camera(const Camera& camera, double aspect, const Picture
   const Vec3 backward = camera.eye - camera.target;
   if (!(backward.norm() > 0))
     throw bad("has its eye at its target; accepted: two different points");
-  const Mat3 axes = view_axes(backward.normalized(), camera.up);
-  const double tan_y = std::tan(0.5 * radians(camera.fov_deg));
+  return {view_axes(backward.normalized(), camera.up), tan_of_half_deg(camera.fov_deg)};
+}
+
+FrameCamera make_frame_camera(const Camera& camera, double aspect, const PictureFrame& frame) {
+  const auto [axes, tan_y] = camera_axes(camera);
   FrameCamera out;
   out.eye = frame.apply(camera.eye);
   out.forward = -axes.col(2);

@@ -1,7 +1,7 @@
+#include "core/picture/picture_normals.h"
+
 #include <Eigen/Geometry>
 #include <cmath>
-
-#include "gpu/picture/picture_mesh.h"
 
 namespace trivet {
 namespace {

@@ -1,0 +1,22 @@
+// Image files of numbers: 8- and 16-bit PNG, float32 OpenEXR.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+namespace trivet {
+
+/// One value per pixel, rows from above; no colour space. Fast rather than small.
+/// @param values  width x height. @throws Error (Environment) with libpng's reason.
+std::string encode_grey_png(int width, int height, std::span<const std::uint8_t> values);
+std::string encode_grey_png(int width, int height, std::span<const std::uint16_t> values);
+/// Three values per pixel.
+std::string encode_rgb_png(int width, int height, std::span<const std::uint16_t> values);
+
+/// One value per pixel in channel Z; or three, in channels X, Y and Z. Compressed losslessly.
+/// @param values  width x height x channels.
+/// @throws Error (Environment) in a build without OpenEXR, or with its reason.
+std::string encode_exr(int width, int height, int num_channels, std::span<const float> values);
+
+}  // namespace trivet

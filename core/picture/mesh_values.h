@@ -1,0 +1,39 @@
+// Values of meshes that renderers cannot trust as they are. Private.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "core/picture/picture_scene.h"
+
+namespace trivet {
+
+/// Held between 0 and 1.
+inline float unit_or(float value, float otherwise) {
+  return std::isfinite(value) ? std::clamp(value, 0.0f, 1.0f) : otherwise;
+}
+
+/// Index of a face's material; 0 where there is none.
+inline std::uint32_t material_of(const PictureMesh& mesh, std::size_t face) {
+  if (face >= mesh.face_material.size() || mesh.materials.empty()) return 0;
+  const auto last = static_cast<Index>(mesh.materials.size() - 1);
+  return static_cast<std::uint32_t>(std::clamp(mesh.face_material[face], 0, last));
+}
+
+inline Aabb finite_box(const PictureMesh& mesh) {
+  Aabb box;
+  for (const Vec3& v : mesh.vertices)
+    if (v.allFinite()) box.extend(v);
+  return box;
+}
+
+/// The inverse transpose up to a factor, which exists for singular matrices too.
+inline Mat3 cofactors(const Mat3& m) {
+  Mat3 out;
+  for (int i = 0; i < 3; ++i) out.col(i) = m.col((i + 1) % 3).cross(m.col((i + 2) % 3));
+  const double largest = out.cwiseAbs().maxCoeff();
+  return largest > 0 ? Mat3(out / largest) : Mat3::Identity();
+}
+
+}  // namespace trivet
