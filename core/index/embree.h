@@ -49,6 +49,35 @@ inline void find_hits(RTCScene scene, EmbreeRayQuery& query, RTCRayHit& ray) {
 #endif
 }
 
+/// The nearest hits of eight rays. @param valid  -1: traced, 0: not.
+inline void intersect_packet(RTCScene scene, const int* valid, EmbreeRayQuery& query,
+                             RTCRayHit8& rays) {
+#if RTC_VERSION_MAJOR == 3
+  rtcInitIntersectContext(&query);
+  rtcIntersect8(valid, scene, &query, &rays);
+#else
+  rtcInitRayQueryContext(&query);
+  RTCIntersectArguments arguments;
+  rtcInitIntersectArguments(&arguments);
+  arguments.context = &query;
+  rtcIntersect8(valid, scene, &rays, &arguments);
+#endif
+}
+
+/// Whether anything is in the way of eight rays: tfar is then negative.
+inline void occlude_packet(RTCScene scene, const int* valid, EmbreeRayQuery& query, RTCRay8& rays) {
+#if RTC_VERSION_MAJOR == 3
+  rtcInitIntersectContext(&query);
+  rtcOccluded8(valid, scene, &query, &rays);
+#else
+  rtcInitRayQueryContext(&query);
+  RTCOccludedArguments arguments;
+  rtcInitOccludedArguments(&arguments);
+  arguments.context = &query;
+  rtcOccluded8(valid, scene, &rays, &arguments);
+#endif
+}
+
 /// @throws Error (Environment) if Embree has failed since the last call; `what` was being done.
 void throw_embree_error(const char* what);
 

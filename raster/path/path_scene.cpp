@@ -1,0 +1,165 @@
+#include "raster/path/path_scene.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "core/picture/mesh_values.h"
+#include "core/picture/picture_normals.h"
+
+namespace trivet {
+namespace {
+
+constexpr float kMaxBulge = 0.0025f;  // largest distance of a smooth surface from its triangles
+// Glass passes its colour over this share of the mesh's diagonal.
+constexpr double kAbsorptionShare = 0.1;
+constexpr float kInterfaceLoss = 0.96f;  // of light through one side of glass
+
+bool is_closed(const PictureMesh& mesh) {
+  std::map<std::pair<Index, Index>, int> edges;  // from the smaller to the larger: +1, back: -1
+  for (const Index3& t : mesh.triangles)
+    for (int c = 0; c < 3; ++c) {
+      const Index a = t[c], b = t[(c + 1) % 3];
+      a < b ? ++edges[{a, b}] : --edges[{b, a}];
+    }
+  return std::all_of(edges.begin(), edges.end(), [](const auto& e) { return e.second == 0; });
+}
+
+std::vector<PathMaterial> path_materials(const PictureMesh& mesh) {
+  std::vector<PathMaterial> out;
+  const Material plain;
+  const std::span<const Material> materials =
+      mesh.materials.empty() ? std::span(&plain, 1) : mesh.materials;
+  bool see_through = false;
+  for (const Material& m : materials) {
+    PathMaterial material;
+    for (int i = 0; i < 3; ++i) material.base[i] = unit_or(m.base_colour[i], 1);
+    material.alpha = unit_or(m.base_colour[3], 1);
+    material.metallic = unit_or(m.metallic, 0);
+    material.roughness = unit_or(m.roughness, 0.6f);
+    see_through |= material.alpha < 1;
+    out.push_back(material);
+  }
+  if (!see_through) return out;
+  const Finish finish = is_closed(mesh) ? Finish::Glass : Finish::Thin;
+  for (PathMaterial& m : out)
+    if (m.alpha < 1) m.finish = finish;
+  return out;
+}
+
+/// Colour of the light through a way of glass that is as long as it is meant to be seen.
+Vec3f glass_colour(const PathMaterial& m) {
+  return (Vec3f::Ones() * (1 - m.alpha) + m.base * m.alpha).cwiseMax(0.01f);
+}
+
+/// Of light through one face, on a straight way.
+Vec3f passed_by(const PathMaterial& m) {
+  if (m.finish == Finish::Thin) return Vec3f::Constant(1 - m.alpha);
+  if (m.finish == Finish::Glass) return kInterfaceLoss * glass_colour(m).cwiseSqrt();
+  return Vec3f::Zero();
+}
+
+}  // namespace
+
+PathScene::PathScene(const PictureScene& scene, const PictureFrame& frame) {
+  std::map<const PictureMesh*, std::size_t> known;
+  for (const PictureObject& object : scene.objects) {
+    const auto [entry, is_new] = known.emplace(object.mesh, m_meshes.size());
+    if (is_new) add_mesh(*object.mesh);
+    if (!m_meshes[entry->second].triangles.empty()) add_instance(object, entry->second, frame);
+  }
+  m_rays.commit();
+}
+
+void PathScene::add_mesh(const PictureMesh& mesh) {
+  Mesh& out = m_meshes.emplace_back();
+  const Aabb box = finite_box(mesh);
+  if (!box.empty()) out.centre = box.centre();
+  out.diagonal = box.diagonal();
+  if (out.diagonal > 0) out.scale = 1 / out.diagonal;
+  for (const Vec3& v : mesh.vertices) {
+    const Vec3 p = (v - out.centre) * out.scale;
+    out.vertices.push_back(p.allFinite() ? Vec3f(p.cast<float>()) : Vec3f::Zero());
+  }
+  out.materials = path_materials(mesh);
+  const auto normals = picture_normals(mesh);
+  std::vector<Vec3f> passed;
+  for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
+    const Index3& t = mesh.triangles[f];
+    if (!std::all_of(t.begin(), t.end(), [&](Index v) { return mesh.vertices[v].allFinite(); }))
+      continue;
+    const std::uint32_t m = material_of(mesh, f);
+    out.triangles.push_back(t);
+    out.normals.push_back(normals[f]);
+    out.material.push_back(m);
+    passed.push_back(passed_by(out.materials[m]));
+  }
+  if (!out.triangles.empty()) out.id = m_rays.add_mesh(out.vertices, out.triangles, passed);
+  for (PathMaterial& m : out.materials)
+    if (m.finish == Finish::Glass)
+      m.absorbed = -glass_colour(m).array().log().matrix() / float(kAbsorptionShare);
+}
+
+void PathScene::add_instance(const PictureObject& object, std::size_t mesh,
+                             const PictureFrame& frame) {
+  const Mesh& its = m_meshes[mesh];
+  const Affine& pose = object.world_from_object;
+  Instance instance;
+  instance.mesh = mesh;
+  instance.linear = (pose.linear * (frame.scale / its.scale)).cast<float>();
+  instance.normal = cofactors(pose.linear).cast<float>();
+  if (pose.linear.determinant() < 0) instance.normal = -instance.normal;
+  instance.scale = std::cbrt(std::abs(instance.linear.determinant()));
+  instance.highlight = object.highlight;
+  const Vec3f origin = frame.apply(pose.apply(its.centre)).cast<float>();
+  m_rays.add_instance(its.id, {Vec3f(instance.linear.col(0)), Vec3f(instance.linear.col(1)),
+                               Vec3f(instance.linear.col(2)), origin});
+  m_instances.push_back(instance);
+}
+
+SurfacePoint PathScene::surface(const RayPacket& rays, const HitPacket& hits, int lane) const {
+  const Instance& instance = m_instances[hits.instance[lane]];
+  const Mesh& mesh = m_meshes[instance.mesh];
+  const std::uint32_t face = hits.face[lane];
+  const Index3& t = mesh.triangles[face];
+  const float weights[3] = {1 - hits.v[lane] - hits.w[lane], hits.v[lane], hits.w[lane]};
+  const Vec3f &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
+  const Vec3f direction(rays.direction[0][lane], rays.direction[1][lane], rays.direction[2][lane]);
+  SurfacePoint out;
+  out.material = mesh.materials[mesh.material[face]];
+  out.material.absorbed /= std::max(instance.scale, 1e-20f);
+  if (const auto& h = instance.highlight) {
+    const float share = unit_or((*h)[3], 0);
+    for (int i = 0; i < 3; ++i)
+      out.material.base[i] += share * (unit_or((*h)[i], 0) - out.material.base[i]);
+  }
+  out.position = hits.position(rays, lane);
+  const Vec3f front = instance.normal * (b - a).cross(c - a);
+  const float length = front.norm();
+  const Vec3f unit = length > 0 ? Vec3f(front / length) : Vec3f(-direction.normalized());
+  out.outside = unit.dot(direction) <= 0;
+  out.face = out.outside ? unit : Vec3f(-unit);
+  Vec3f smooth = Vec3f::Zero();
+  for (int k = 0; k < 3; ++k) smooth += weights[k] * mesh.normals[face][k];
+  smooth = instance.normal * smooth;
+  const float squared = smooth.squaredNorm();
+  smooth = squared > 1e-12f ? Vec3f(smooth / std::sqrt(squared)) : out.face;
+  out.normal = smooth.dot(out.face) < 0 ? Vec3f(-smooth) : smooth;
+  // Towards the planes of the corners' normals, as far as the point is below them.
+  // @see [Hanika 2021]
+  const Vec3f local = weights[0] * a + weights[1] * b + weights[2] * c;
+  Vec3f lift = Vec3f::Zero();
+  const float side = smooth.dot(out.face) < 0 ? -1.0f : 1.0f;
+  for (int k = 0; k < 3; ++k) {
+    const Vec3f n = side * mesh.normals[face][k];
+    lift -= weights[k] * std::min((local - mesh.vertices[t[k]]).dot(n), 0.0f) * n;
+  }
+  float height = instance.scale * lift.norm();
+  if (height > kMaxBulge) height = kMaxBulge * kMaxBulge / height;
+  out.start = out.position + height * out.normal;
+  return out;
+}
+
+}  // namespace trivet
