@@ -187,7 +187,9 @@ Outputs::Outputs(const OutputPaths& paths, const std::vector<std::string>& input
                  const CommonOptions& common, const PictureRequest& picture)
     : m_paths(paths), m_common(common) {
   check_outputs(paths, inputs);
-  if (!paths.picture.empty()) m_picture = std::make_unique<PictureMaker>(picture);
+  PictureRequest request = picture;
+  request.num_threads = common.num_threads;
+  if (!paths.picture.empty()) m_picture = std::make_unique<PictureMaker>(request);
 }
 
 int Outputs::write(const LayoutRun& run, const Layout& layout, const RunOptions& options,

@@ -1,4 +1,4 @@
-// Pictures of scenes, in builds with and without EGL.
+// Pictures of scenes: by OpenGL on graphics hardware, else by rays on the processor.
 #pragma once
 
 #include <memory>
@@ -6,22 +6,41 @@
 #include <string>
 #include <vector>
 
+#include "core/picture/image.h"
+#include "core/picture/pinhole_camera.h"
 #include "core/scene/scene.h"
-#include "gpu/egl/image.h"
 
 namespace trivet::apps {
 
+/// OpenGL, where there is any.
+class GlPictures {
+ public:
+  virtual ~GlPictures() = default;
+  virtual Image render(const PictureScene& scene, const std::optional<Camera>& camera,
+                       const PictureOptions& options) = 0;
+  virtual std::string device() const = 0;
+};
+/// @throws Error (Environment) without EGL, and in a build without it.
+std::unique_ptr<GlPictures> make_gl_pictures();
+
 struct PictureRequest {
   int width = 1280, height = 720;  // pixels
-  int samples = 32;
-  std::vector<double> camera;  // eye and target, 6 numbers, metres; empty: frames everything
-  double fov_deg = 30;         // for an explicit camera
+  int samples = 0;                 // per pixel; 0: 32 views of OpenGL, 16 paths
+  int bounces = 3;                 // of paths
+  std::string renderer = "auto";   // or "opengl", "path"
+  int num_threads = 0;             // of paths; 0: all cores
+  std::vector<double> camera;      // eye and target, 6 numbers, metres; empty: frames everything
+  double fov_deg = 30;             // for an explicit camera
+
+  /// Nothing: the automatic one.
+  std::optional<Camera> explicit_camera() const;
 };
 
-/// Created before long work, so that a machine without graphics fails at once.
+/// Created before long work, so that a machine without graphics fails at once where it is needed.
 class PictureMaker {
  public:
-  /// @throws Error (Environment) without EGL, or in a build without pictures.
+  /// "auto": OpenGL where the kernel shows graphics hardware and EGL works, else rays.
+  /// @throws Error (Environment) for "opengl" without EGL or in a build without it.
   explicit PictureMaker(const PictureRequest& request);
   ~PictureMaker();
   PictureMaker(const PictureMaker&) = delete;
@@ -33,12 +52,12 @@ class PictureMaker {
   std::string device() const;
 
  private:
-  struct State;
-  std::unique_ptr<State> m_state;
+  PictureRequest m_request;
+  std::unique_ptr<GlPictures> m_opengl;  // null: rays
 };
 
-/// Encodes a PNG file. @throws Error (Environment) in a build without pictures, even for an empty
-/// image, so that callers can check before the work.
-std::string png_of(const Image& image);
+/// By rays, from any pinhole camera. @return the bytes of a PNG file.
+std::string traced_png(const PictureScene& scene, const PinholeCamera& camera,
+                       const PictureRequest& request);
 
 }  // namespace trivet::apps

@@ -2,22 +2,11 @@
 #include "core/base/error.h"
 
 namespace trivet::apps {
-namespace {
 
-[[noreturn]] void refuse() {
+std::unique_ptr<GlPictures> make_gl_pictures() {
   throw Error(Error::Kind::Environment,
-              "this build of trivet makes no pictures (configured without EGL)");
+              "this build of trivet has no OpenGL (configured without EGL); accepted: --renderer "
+              "path");
 }
-
-}  // namespace
-
-struct PictureMaker::State {};
-
-PictureMaker::PictureMaker(const PictureRequest&) { refuse(); }
-PictureMaker::~PictureMaker() = default;
-std::string PictureMaker::png(const Scene&) { return ""; }
-std::string PictureMaker::device() const { return ""; }
-
-std::string png_of(const Image&) { refuse(); }
 
 }  // namespace trivet::apps

@@ -30,13 +30,20 @@ std::vector<std::string> names_of(const Scene& scene) {
   return names;
 }
 
-Scene read_scene_or_model(const std::string& path, const CommonOptions& common) {
+SceneFile read_scene_with_layout(const std::string& path, const CommonOptions& common) {
   const std::string extension = extension_of(path);
-  if ((extension != ".glb" && extension != ".gltf") || !is_scene_file(path))
-    return scene_of_model(path, common);
+  if ((extension != ".glb" && extension != ".gltf") || !is_scene_file(path)) {
+    SceneFile file;
+    file.scene = scene_of_model(path, common);
+    return file;
+  }
   SceneFile file = read_scene_file(path, common.limits());
   for (const std::string& note : file.notes) print_note(common, note);
-  return std::move(file.scene);
+  return file;
+}
+
+Scene read_scene_or_model(const std::string& path, const CommonOptions& common) {
+  return std::move(read_scene_with_layout(path, common).scene);
 }
 
 }  // namespace trivet::apps

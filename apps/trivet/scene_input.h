@@ -4,11 +4,15 @@
 #include <string>
 
 #include "apps/trivet/common.h"
+#include "ops/files/report/scene_file.h"
 
 namespace trivet::apps {
 
 /// Reads a scene written by trivet; or any model, alone, as it is and without a floor.
 Scene read_scene_or_model(const std::string& path, const CommonOptions& common);
+
+/// The same with the layout that made the scene; empty of a model.
+SceneFile read_scene_with_layout(const std::string& path, const CommonOptions& common);
 
 /// Of all objects, in their order.
 std::vector<std::string> names_of(const Scene& scene);

@@ -1,8 +1,10 @@
 #include <iostream>
 
+#include "apps/trivet/label_outputs.h"
 #include "apps/trivet/outputs.h"
 #include "apps/trivet/scene_input.h"
 #include "apps/trivet/verbs.h"
+#include "core/base/bad_input.h"
 #include "core/io/export.h"
 
 namespace trivet::apps {
@@ -11,36 +13,65 @@ namespace {
 struct RenderArguments {
   std::string scene, picture;
   PictureRequest request;
+  LabelArguments labels;
 };
 
-int render(const RenderArguments& arguments, const CommonOptions& common) {
-  check_outputs({"", "", arguments.picture}, {arguments.scene});
-  PictureMaker maker(arguments.request);
+void render_picture(const RenderArguments& arguments, const CommonOptions& common) {
+  PictureRequest request = arguments.request;
+  request.num_threads = common.num_threads;
+  PictureMaker maker(request);
   const Scene scene = read_scene_or_model(arguments.scene, common);
   clear_progress_line(common);
   write_file_atomically(arguments.picture, maker.png(scene));
   if (common.json)
     std::cout << "{\"picture\": " << json_string(arguments.picture)
               << ", \"device\": " << json_string(maker.device()) << "}\n";
+}
+
+int render(const RenderArguments& arguments, const CommonOptions& common) {
+  if (arguments.picture.empty() && !arguments.labels.any())
+    bad_input(
+        "nothing is asked for; accepted: -o, --depth, --ids, --classes, --normals, --boxes, "
+        "--coco or --bop");
+  check_outputs({"", "", arguments.picture}, {arguments.scene});
+  LabelArguments labels = arguments.labels;
+  const bool many = labels.views.any();
+  if (many) labels.picture = arguments.picture;
+  if (labels.any()) {
+    check_label_outputs(labels, {arguments.scene, many ? "" : arguments.picture});
+    PictureRequest request = arguments.request;
+    request.num_threads = common.num_threads;
+    write_labels(arguments.scene, labels, request, common);
+  }
+  if (!arguments.picture.empty() && !many) render_picture(arguments, common);
   return 0;
 }
 
 }  // namespace
 
 Verb add_render(CLI::App& app, const CommonOptions& common) {
-  CLI::App* const verb =
-      app.add_subcommand("render", "Render a picture of a scene or a model, without a display");
+  CLI::App* const verb = app.add_subcommand(
+      "render", "Render a picture or labelled images of a scene or a model, without a display");
   const auto arguments = std::make_shared<RenderArguments>();
   PictureRequest& request = arguments->request;
   verb->add_option("scene", arguments->scene, "The scene, or any model file")
       ->required()
       ->type_name("SCENE");
-  verb->add_option("-o,--output", arguments->picture, "The picture, .png")->required();
+  verb->add_option("-o,--output", arguments->picture,
+                   "The picture, .png; of several cameras a name with {}");
   verb->add_option("--width", request.width, "Pixels")->check(integer_from(1, 16384));
   verb->add_option("--height", request.height, "Pixels")->check(integer_from(1, 16384));
   verb->add_option("--samples", request.samples,
-                   "Number of views to average: 8 for a draft, 128 for print")
+                   "Of each pixel: 4 for a draft, 16 (default), 64 for print; OpenGL: views to "
+                   "average, 8, 32 (default), 128")
       ->check(integer_from(1, 4096));
+  verb->add_option("--renderer", request.renderer,
+                   "opengl, or path: rays on the processor, also through glass; auto: opengl on "
+                   "graphics hardware. Of --cameras, --dome and data sets always path")
+      ->check(one_of({"auto", "opengl", "path"}));
+  verb->add_option("--bounces", request.bounces,
+                   "Reflections of path; 0: shadows and sky only, as OpenGL has them")
+      ->check(integer_from(0, 64));
   verb->add_option("--camera", request.camera,
                    "Eye and target, metres; default: a view from above that frames everything")
       ->expected(6)
@@ -49,6 +80,7 @@ Verb add_render(CLI::App& app, const CommonOptions& common) {
   verb->add_option("--fov", request.fov_deg,
                    "Field of view, degrees from the lower to the upper edge")
       ->check(number_from(1, 170));
+  add_label_options(*verb, arguments->labels);
   return {verb, [arguments, &common] { return render(*arguments, common); }};
 }
 

@@ -103,7 +103,7 @@ void zlist_of_motion(Scene& scene, const ZListArguments& arguments, const Common
   what.milliseconds = stopwatch.milliseconds();
   clear_progress_line(common);
   if (!arguments.picture.empty())
-    write_file_atomically(arguments.picture, png_of(motion_picture(what)));
+    write_file_atomically(arguments.picture, encode_png(motion_picture(what)));
   if (!arguments.dump.empty())
     write_file_atomically(arguments.dump,
                           [&](const ByteSink& write) { write_motion(what, write); });
@@ -129,7 +129,7 @@ void zlist_of_direction(const Scene& scene, const ZListArguments& arguments,
   const std::optional<ImagePixel> pixel = pixel_of(arguments, lists.projection());
   clear_progress_line(common);
   if (!arguments.picture.empty())
-    write_file_atomically(arguments.picture, png_of(zlists_picture(what, show_of(arguments.show))));
+    write_file_atomically(arguments.picture, encode_png(zlists_picture(what, show_of(arguments.show))));
   if (!arguments.dump.empty())
     write_file_atomically(arguments.dump,
                           [&](const ByteSink& write) { write_zlists(what, write); });
@@ -143,7 +143,6 @@ void zlist_of_direction(const Scene& scene, const ZListArguments& arguments,
 
 int zlist(const ZListArguments& arguments, const CommonOptions& common) {
   check_outputs({"", arguments.dump, arguments.picture}, {arguments.input});
-  if (!arguments.picture.empty()) png_of({});
   if (arguments.motion.raise > 0 && !arguments.motion.is_set())
     throw Error(Error::Kind::BadInput,
                 "--raise: nothing is lifted; accepted: with --drop, --move or --turn");

@@ -30,6 +30,7 @@ class PictureJob : public QObject {
 
  private:
   void run();
+  Image rendered(const PictureScene& picture);
 
   LiveScene m_scene;
   Camera m_camera;

@@ -32,11 +32,31 @@ std::string read_name(const JsonPlace& place) {
   return name;
 }
 
+// What labelled images say of an object.
+void read_labels(const JsonPlace& place, LayoutObject& object) {
+  if (const auto name = place.find("class")) object.class_name = name->text();
+  const auto attributes = place.find("attributes");
+  if (!attributes) return;
+  if (!attributes->value().is_object())
+    attributes->refuse("an object of names and texts, numbers, true or false");
+  for (const auto& [key, value] : attributes->value().items())
+    if (value.is_structured() || value.is_null())
+      attributes->at(key.c_str()).refuse("a text, a number, true or false");
+  object.attributes = attributes->value().dump();
+}
+
+void write_labels(const LayoutObject& object, nlohmann::ordered_json& json) {
+  if (!object.class_name.empty()) json["class"] = object.class_name;
+  if (!object.attributes.empty())
+    json["attributes"] = nlohmann::ordered_json::parse(object.attributes);
+}
+
 // One that the scene has, where the scene has it.
 LayoutObject read_scene_object(const JsonPlace& place) {
-  place.expect_object({"name"}, {"fixed", "material"});
+  place.expect_object({"name"}, {"fixed", "material", "class", "attributes"});
   LayoutObject object;
   object.name = read_name(place.at("name"));
+  read_labels(place, object);
   if (const auto fixed = place.find("fixed")) object.fixed = fixed->boolean();
   if (const auto material = place.find("material")) object.material = read_material(*material);
   return object;
@@ -44,8 +64,10 @@ LayoutObject read_scene_object(const JsonPlace& place) {
 
 LayoutObject read_object(const JsonPlace& place) {
   place.expect_object({"name", "model"}, {"scale", "up", "fixed", "material", "chord",
-                                          "facet_angle_deg", "position", "rotation"});
+                                          "facet_angle_deg", "position", "rotation", "class",
+                                          "attributes"});
   LayoutObject object;
+  read_labels(place, object);
   object.name = read_name(place.at("name"));
   object.model = place.at("model").text();
   if (const auto scale = place.find("scale")) object.scale = scale->number(kMinScale, kMaxScale);
@@ -162,6 +184,7 @@ std::string write_layout(const Layout& layout) {
     if (o.material) entry["material"] = material_json(*o.material);
     write_tessellation(o.tessellation, entry);
     if (o.pose) write_pose(*o.pose, entry);
+    write_labels(o, entry);
     json["objects"].push_back(std::move(entry));
   }
   json["operations"] = Json::array();

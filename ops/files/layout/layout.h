@@ -32,6 +32,9 @@ struct LayoutObject {
       pose;  // stands there from the start; nothing: out of the scene until it is put
   Tessellation tessellation = {};                // of a model with curved surfaces
   std::optional<PhysicsMaterial> material = {};  // nothing: the layout's
+  // For labelled images.
+  std::string class_name = {};  // empty: the name of the model's file
+  std::string attributes = {};  // text of a JSON object; empty: none
 };
 
 struct Layout {

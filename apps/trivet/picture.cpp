@@ -1,0 +1,85 @@
+#include "apps/trivet/picture.h"
+
+#include <tbb/task_arena.h>
+
+#include <map>
+
+#include "apps/trivet/common.h"
+#include "core/base/error.h"
+#include "raster/path/path_picture.h"
+
+namespace trivet::apps {
+namespace {
+
+constexpr int kViews = 32, kPaths = 16;  // per pixel, where none are asked for
+
+std::unique_ptr<GlPictures> chosen_opengl(const std::string& renderer) {
+  if (renderer == "opengl") return make_gl_pictures();
+  if (renderer == "path" || graphics_hardware_here().empty()) return nullptr;
+  try {
+    return make_gl_pictures();
+  } catch (const Error&) {
+    return nullptr;
+  }
+}
+
+PictureOptions options_of(const PictureRequest& request, int samples) {
+  PictureOptions options;
+  options.width = request.width;
+  options.height = request.height;
+  options.samples = request.samples > 0 ? request.samples : samples;
+  return options;
+}
+
+}  // namespace
+
+std::optional<Camera> PictureRequest::explicit_camera() const {
+  if (camera.size() != 6) return std::nullopt;
+  Camera out;
+  out.eye = Vec3(camera[0], camera[1], camera[2]);
+  out.target = Vec3(camera[3], camera[4], camera[5]);
+  out.fov_deg = fov_deg;
+  return out;
+}
+
+PictureMaker::PictureMaker(const PictureRequest& request)
+    : m_request(request), m_opengl(chosen_opengl(request.renderer)) {}
+PictureMaker::~PictureMaker() = default;
+
+std::string PictureMaker::png(const Scene& scene) {
+  std::map<const Model*, PictureMesh> mesh_of;  // node-based: stable addresses
+  PictureScene picture;
+  picture.floor = scene.floor;
+  for (const ObjectId id : scene.ids()) {
+    const Object& object = scene.at(id);
+    if (!object.placed) continue;
+    const auto [it, is_new] = mesh_of.try_emplace(object.model.get());
+    if (is_new) it->second = picture_mesh(*object.model);
+    picture.objects.push_back({&it->second, object.world_from_object(), std::nullopt});
+  }
+  const std::optional<Camera> camera = m_request.explicit_camera();
+  if (m_opengl) return encode_png(m_opengl->render(picture, camera, options_of(m_request, kViews)));
+  const double aspect = double(m_request.width) / m_request.height;
+  return traced_png(picture,
+                    pinhole_camera(camera ? *camera : automatic_camera(picture, aspect),
+                                   m_request.width, m_request.height),
+                    m_request);
+}
+
+std::string PictureMaker::device() const {
+  return m_opengl ? m_opengl->device() : "rays on the processor (Embree)";
+}
+
+std::string traced_png(const PictureScene& scene, const PinholeCamera& camera,
+                       const PictureRequest& request) {
+  PictureOptions options = options_of(request, kPaths);
+  options.width = camera.width, options.height = camera.height;
+  PathOptions path;
+  path.bounces = request.bounces;
+  Image image;
+  tbb::task_arena(request.num_threads > 0 ? request.num_threads : tbb::task_arena::automatic)
+      .execute([&] { image = trace_picture(scene, camera, options, path); });
+  return encode_png(image);
+}
+
+}  // namespace trivet::apps

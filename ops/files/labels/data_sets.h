@@ -1,0 +1,41 @@
+// Views of a scene as data sets: COCO and BOP.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "ops/files/labels/label_json.h"
+
+namespace trivet {
+
+/// Writes one view after another, and at the end what describes them all.
+class DataSetWriter {
+ public:
+  virtual ~DataSetWriter() = default;
+  /// @param picture  the bytes of a PNG file of the view.
+  /// @throws Error (Environment) when a file cannot be written.
+  virtual void add(const LabelView& view, const Labels& labels, const std::string& picture) = 0;
+  virtual void finish() = 0;
+};
+
+/// COCO's instances: FOLDER/annotations.json and FOLDER/images/000000.png, ... An annotation per
+/// object that is seen: box and compressed run lengths of its visible pixels; beside COCO's keys
+/// "bbox_amodal", "visibility", "instance" and "attributes"; of an image "camera".
+/// @see [Lin 2014]. The scene must outlive it.
+std::unique_ptr<DataSetWriter> make_coco_writer(const std::string& folder,
+                                                const LabelledScene& scene);
+
+/// BOP: FOLDER/000000/{rgb,depth,mask,mask_visib}, scene_camera.json, scene_gt.json and
+/// scene_gt_info.json; FOLDER/models with a .ply of each in millimetres and models_info.json;
+/// FOLDER/camera.json. obj_id is LabelledObject::model_id. @see [Hodan 2018]
+/// @param depth_unit  metres per unit of the depth images.
+std::unique_ptr<DataSetWriter> make_bop_writer(const std::string& folder,
+                                               const LabelledScene& scene, double depth_unit);
+
+/// Run lengths of a mask, column by column, beginning with what is not in it.
+/// @param mask  height x width, row by row.
+std::vector<std::uint32_t> run_lengths(const std::vector<bool>& mask, int width, int height);
+/// As COCO's text: differences in pieces of 5 bits.
+std::string compressed_run_lengths(const std::vector<std::uint32_t>& lengths);
+
+}  // namespace trivet

@@ -1,0 +1,46 @@
+// Labels of one view as JSON: camera, boxes, visible shares. Private.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "ops/files/labels/labelled_scene.h"
+#include "raster/labels/labels.h"
+
+namespace trivet {
+
+using OrderedJson = nlohmann::ordered_json;
+
+/// A view with a name for files.
+struct LabelView {
+  std::string name;
+  PinholeCamera camera;
+};
+
+/// {"convention", "width", "height", "K": 3 x 3, "camera_from_world": 4 x 4, rows; metres}.
+OrderedJson camera_json(const PinholeCamera& camera);
+
+/// x, y, width, height, where pixel (i, j) covers [i, i + 1] x [j, j + 1], as COCO counts; null if
+/// empty.
+OrderedJson visible_box_json(const LabelBox& box);
+OrderedJson whole_box_json(const LabelBox& box);
+
+/// {"view", "camera", "classes", "objects": [{"name", "instance", "class", "class_id",
+///  "attributes", "box_visible", "box_whole", "pixels_visible", "pixels_alone", "visible_share"}]}.
+/// @param visibility  the last two were counted.
+OrderedJson labels_json(const LabelledScene& scene, const LabelView& view, const Labels& labels,
+                        bool visibility);
+
+/// The number of the class of each pixel's object; 0: nothing or the floor.
+std::vector<std::uint16_t> class_mask(const LabelledScene& scene, const Labels& labels);
+
+/// Depths in whole units, rounded; 0: nothing, or beyond 65535 units, which are counted.
+struct DepthImage {
+  std::vector<std::uint16_t> units;
+  std::int64_t num_beyond = 0;
+};
+DepthImage depth_in_units(const Labels& labels, double unit);
+
+/// Normals as three unsigned numbers: round((n + 1) / 2 * 65534), so that 32767 is 0; all 0: none.
+std::vector<std::uint16_t> packed_normals(const Labels& labels);
+
+}  // namespace trivet
