@@ -2,27 +2,25 @@
 
 #include <string>
 
-#include "core/base/error.h"
+#include "core/base/bad_input.h"
 
 namespace trivet {
 namespace {
 
 constexpr int kMaxSamples = 4096;
 
-Error bad_input(const std::string& message) { return {Error::Kind::BadInput, message}; }
-
 void check_options(const PictureOptions& options) {
   const auto side_is_good = [](int side) { return side >= 1 && side <= kMaxPictureSide; };
   if (!side_is_good(options.width) || !side_is_good(options.height))
-    throw bad_input("a picture of " + std::to_string(options.width) + " x " +
-                    std::to_string(options.height) + " pixels; accepted: 1 to " +
-                    std::to_string(kMaxPictureSide) + " in each dimension");
+    bad_input("a picture of " + std::to_string(options.width) + " x " +
+              std::to_string(options.height) + " pixels; accepted: 1 to " +
+              std::to_string(kMaxPictureSide) + " in each dimension");
   if (options.samples < 1 || options.samples > kMaxSamples)
-    throw bad_input("a picture of " + std::to_string(options.samples) +
-                    " samples; accepted: 1 to " + std::to_string(kMaxSamples));
+    bad_input("a picture of " + std::to_string(options.samples) + " samples; accepted: 1 to " +
+              std::to_string(kMaxSamples));
   for (const float c : options.background)
     if (!(c >= 0 && c <= 1))
-      throw bad_input("a background component of " + std::to_string(c) + "; accepted: 0 to 1");
+      bad_input("a background component of " + std::to_string(c) + "; accepted: 0 to 1");
 }
 
 }  // namespace
@@ -31,7 +29,7 @@ void check_poses(const PictureScene& scene) {
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const Affine& pose = scene.objects[i].world_from_object;
     if (!pose.linear.allFinite() || !pose.translation.allFinite())
-      throw bad_input("the pose of object " + std::to_string(i) + " of the picture is not finite");
+      bad_input("the pose of object " + std::to_string(i) + " of the picture is not finite");
   }
 }
 
