@@ -14,7 +14,7 @@ namespace {
 
 constexpr float kMaxBulge = 0.0025f;  // largest distance of a smooth surface from its triangles
 // Glass passes its colour over this share of the mesh's diagonal.
-constexpr double kAbsorptionShare = 0.1;
+constexpr double kAbsorptionShare = 0.5;
 constexpr float kInterfaceLoss = 0.96f;  // of light through one side of glass
 
 bool is_closed(const PictureMesh& mesh) {

@@ -8,9 +8,10 @@
 namespace trivet {
 namespace {
 
-constexpr float kPi = std::numbers::pi_v<float>;
-constexpr float kDielectric = 0.04f;   // reflected at right angles
-constexpr float kGlassIndex = 1.5f;    // of refraction
+constexpr float kFloatPi = std::numbers::pi_v<float>;
+constexpr float kDielectric = 0.04f;  // reflected at right angles
+constexpr float kGlassIndex = 1.5f;   // of refraction
+constexpr float kLeastMirrored = 0.25f;
 constexpr float kLargestPeak = 50;     // of a highlight
 constexpr float kLeastSpread = 0.02f;  // squared roughness
 constexpr float kLiftOff = 2e-5f;      // of new rays, beside what float32 loses
@@ -31,7 +32,7 @@ float spread_of(const PathMaterial& m) {
 Vec3f visible_normal(const Vec3f& v, float a, Sampler::Pair u) {
   const Vec3f stretched = Vec3f(a * v.x(), a * v.y(), v.z()).normalized();
   const Tangents t = tangents(stretched);
-  const float r = std::sqrt(u.x), phi = 2 * kPi * u.y;
+  const float r = std::sqrt(u.x), phi = 2 * kFloatPi * u.y;
   const float t1 = r * std::cos(phi), s = 0.5f * (1 + stretched.z());
   const float t2 = (1 - s) * std::sqrt(std::max(0.0f, 1 - t1 * t1)) + s * r * std::sin(phi);
   // The frame of Heitz: x across the view, y along it.
@@ -52,7 +53,7 @@ float unmasked(float cosine, float a) {
 
 NextRay matt_ray(const SurfacePoint& at, Sampler::Pair u, float share) {
   const Tangents t = tangents(at.normal);
-  const float r = std::sqrt(u.x), phi = 2 * kPi * u.y;
+  const float r = std::sqrt(u.x), phi = 2 * kFloatPi * u.y;
   NextRay next{NextRay::Kind::Matt, {}, {}, Vec3f::Constant(1 / share)};
   next.direction = (r * std::cos(phi) * t.x + r * std::sin(phi) * t.y +
                     std::sqrt(std::max(0.0f, 1 - u.x)) * at.normal)
@@ -95,7 +96,10 @@ NextRay glass_ray(const SurfacePoint& at, const Vec3f& to_eye, float choice) {
   float refracted_cosine = 0;
   const float reflects = glass_reflects(cosine, ratio, refracted_cosine);
   NextRay next{NextRay::Kind::Bright, {}, {}, Vec3f::Ones()};
-  if (choice < reflects) {
+  // From outside, mirror images are traced more often than they are bright, for less noise.
+  const float mirrored = at.outside && reflects < 1 ? std::max(reflects, kLeastMirrored) : reflects;
+  next.weight *= choice < mirrored ? reflects / mirrored : (1 - reflects) / (1 - mirrored);
+  if (choice < mirrored) {
     next.direction = 2 * cosine * at.normal - to_eye;
     if (next.direction.dot(at.face) < 0)
       next.direction = 2 * to_eye.dot(at.face) * at.face - to_eye;
@@ -130,7 +134,7 @@ Reflected reflected(const SurfacePoint& at, const Vec3f& to_light, const Vec3f& 
   Reflected out;
   const float nl = at.normal.dot(to_light);
   if (nl <= 0 || at.face.dot(to_light) <= 0) return out;
-  if (at.material.finish != Finish::Glass) out.matt = nl / kPi;
+  if (at.material.finish != Finish::Glass) out.matt = nl / kFloatPi;
   const Vec3f h = (to_light + to_eye).normalized();
   const float nv = std::max(at.normal.dot(to_eye), 1e-3f), nh = std::max(at.normal.dot(h), 0.0f);
   const float lh = std::clamp(to_light.dot(h), 0.0f, 1.0f);
@@ -140,7 +144,7 @@ Reflected reflected(const SurfacePoint& at, const Vec3f& to_light, const Vec3f& 
   const float masking = 0.5f / (2 * nl * nv * (1 - a) + both * a);
   const Vec3f f0 = mirrored_colour(at.material);
   const Vec3f f = f0 + (Vec3f::Ones() - f0) * fifth_power(1 - lh);
-  out.bright = f * (nl * std::min(a2 / (kPi * d * d) * masking, kLargestPeak));
+  out.bright = f * (nl * std::min(a2 / (kFloatPi * d * d) * masking, kLargestPeak));
   return out;
 }
 
