@@ -129,7 +129,8 @@ void zlist_of_direction(const Scene& scene, const ZListArguments& arguments,
   const std::optional<ImagePixel> pixel = pixel_of(arguments, lists.projection());
   clear_progress_line(common);
   if (!arguments.picture.empty())
-    write_file_atomically(arguments.picture, encode_png(zlists_picture(what, show_of(arguments.show))));
+    write_file_atomically(arguments.picture,
+                          encode_png(zlists_picture(what, show_of(arguments.show))));
   if (!arguments.dump.empty())
     write_file_atomically(arguments.dump,
                           [&](const ByteSink& write) { write_zlists(what, write); });

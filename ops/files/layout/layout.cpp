@@ -63,9 +63,9 @@ LayoutObject read_scene_object(const JsonPlace& place) {
 }
 
 LayoutObject read_object(const JsonPlace& place) {
-  place.expect_object({"name", "model"}, {"scale", "up", "fixed", "material", "chord",
-                                          "facet_angle_deg", "position", "rotation", "class",
-                                          "attributes"});
+  place.expect_object({"name", "model"},
+                      {"scale", "up", "fixed", "material", "chord", "facet_angle_deg", "position",
+                       "rotation", "class", "attributes"});
   LayoutObject object;
   read_labels(place, object);
   object.name = read_name(place.at("name"));
