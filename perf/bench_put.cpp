@@ -14,7 +14,7 @@ void put_last_object(benchmark::State& state, const std::string& name, int split
   const PutOperation last = demo.operations.back();
   demo.operations.pop_back();
   for (const PutOperation& o : demo.operations)
-    if (!put(demo.scene, *demo.scene.find(o.object), o.start).ok())
+    if (!put(demo.scene, *demo.scene.find(o.object), o.start, test::perfect_friction()).ok())
       throw std::runtime_error(o.object + " cannot be put");
   const ObjectId id = *demo.scene.find(last.object);
   int num_motions = 0;
@@ -22,7 +22,7 @@ void put_last_object(benchmark::State& state, const std::string& name, int split
     state.PauseTiming();
     Scene scene = demo.scene;
     state.ResumeTiming();
-    num_motions = put(scene, id, last.start).num_motions;
+    num_motions = put(scene, id, last.start, test::perfect_friction()).num_motions;
   }
   state.counters["triangles"] = static_cast<double>(demo.num_triangles);
   state.counters["motions"] = num_motions;

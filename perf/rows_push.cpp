@@ -17,7 +17,8 @@ constexpr double kTableSpacing = 2.5;  // metres
 Scene laid_out_breakfast() {
   DemoScene demo = make_demo_scene("breakfast");
   for (const PutOperation& o : demo.operations)
-    if (!perform(demo.scene, o).ok()) throw std::runtime_error(o.object + " cannot be put");
+    if (!perform(demo.scene, o, test::perfect_friction()).ok())
+      throw std::runtime_error(o.object + " cannot be put");
   return std::move(demo.scene);
 }
 
@@ -39,7 +40,7 @@ Scene many_tables(const Scene& one, int count, double clearance) {
 /// Steps every free object of the first table in 8 directions, each from the same scene.
 Samples push_steps(Scene& scene, const std::vector<std::string>& names, bool settle,
                    double clearance, ResultHash* hash, size_t* refused) {
-  SettleOptions options;
+  SettleOptions options = test::perfect_friction();
   options.clearance = clearance;
   Samples samples;
   for (const std::string& name : names)
@@ -93,7 +94,7 @@ double largest_shift(const Scene& before, const Scene& after, ObjectId table) {
 void add_table_rows(Scene scene, Report& report) {
   const ObjectId table = *scene.find("table");
   edit_object(scene, table, [](Object& o) { o.fixed = false; });
-  if (!put(scene, table, scene.at(table).pose).ok())
+  if (!put(scene, table, scene.at(table).pose, test::perfect_friction()).ok())
     throw std::runtime_error("the table cannot be put");
   PushOperation push;
   push.object = "table", push.distance = 0.1;
@@ -105,7 +106,7 @@ void add_table_rows(Scene scene, Report& report) {
     for (int i = 0; i < 9; ++i) {
       Scene after = scene;
       OperationResult result;
-      samples.add(timed([&] { result = perform(after, operation); }));
+      samples.add(timed([&] { result = perform(after, operation, test::perfect_friction()); }));
       if (!result.ok()) throw std::runtime_error(result.reason());
       carried = result.carried.size();
       shift = largest_shift(scene, after, table);

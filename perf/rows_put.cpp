@@ -18,10 +18,10 @@ struct Puts {
   void run(const Scene& scene, ObjectId id, const Pose& start, ResultHash* hash) {
     OperationResult result;
     Scene after = scene;
-    Took took = timed([&] { result = put(after, id, start); });
+    Took took = timed([&] { result = put(after, id, start, test::perfect_friction()); });
     if (took.wall_ms < kLong_ms) {  // repeated with warm caches
       after = scene;
-      took = timed([&] { result = put(after, id, start); });
+      took = timed([&] { result = put(after, id, start, test::perfect_friction()); });
     }
     if (!result.ok()) {
       ++refused;
@@ -76,7 +76,7 @@ void measure_demo(DemoScene demo, const DemoMeasure& what, Report& report) {
       report.add(of_object.row("PUT of " + operation.object + ", random starts", 0));
     append(of_object, &any);
     own.run(demo.scene, id, operation.start, &hash);
-    put(demo.scene, id, operation.start);
+    put(demo.scene, id, operation.start, test::perfect_friction());
   }
   report.add(any.row(text("all %zu PUTs, random starts", demo.operations.size()), what.goal_ms));
   report.add(own.row("the same from the layout's own starts", what.goal_ms));

@@ -28,7 +28,7 @@ struct Table {
 
 Table set_table() {
   DemoScene demo = make_demo_scene("spoon-saucer");
-  put(demo.scene, *demo.scene.find("saucer"), demo.operations[0].start);
+  put(demo.scene, *demo.scene.find("saucer"), demo.operations[0].start, test::perfect_friction());
   const ObjectId spoon = *demo.scene.find("spoon"), saucer = *demo.scene.find("saucer");
   const Object moving = demo.scene.at(spoon), fixed = demo.scene.at(saucer);
   return {std::move(demo.scene), spoon, moving, fixed, demo.operations[1].start};
@@ -109,7 +109,7 @@ Ours our_row(const Table& table, Report& report) {
     OperationResult result;
     const Took took = timed_warm([&] {
       after = table.scene;
-      result = put(after, table.spoon, start);
+      result = put(after, table.spoon, start, test::perfect_friction());
     });
     if (!result.ok()) continue;
     const Pose end = after.at(table.spoon).pose;

@@ -52,7 +52,8 @@ TestScene make_test_scene(const char* name, const char* demo_name, const char* c
   TestScene out{name, complexity, {}, {}, {}, demo.num_triangles};
   for (const PutOperation& put : demo.operations) {
     out.stages.push_back(demo.scene);
-    if (!perform(demo.scene, put).ok()) throw std::runtime_error(put.object + " cannot be put");
+    if (!perform(demo.scene, put, test::perfect_friction()).ok())
+      throw std::runtime_error(put.object + " cannot be put");
   }
   out.stages.push_back(demo.scene);
   test::Random random(5);
@@ -91,7 +92,8 @@ void measure_case(Case& c, bool per_motion, Detector& detector, Cell& cell) {
     RunContext context;
     context.detector = &detector;
     const Took took =
-        timed([&] { result = perform(after, c.operation, {}, context); }, CLOCK_PROCESS_CPUTIME_ID);
+        timed([&] { result = perform(after, c.operation, test::perfect_friction(), context); },
+              CLOCK_PROCESS_CPUTIME_ID);
     detection_s = detector.work().seconds - before_s;
     return took;
   };

@@ -5,6 +5,7 @@
 #include "core/scene/transaction.h"
 #include "ops/check/check.h"
 #include "ops/operations/perform.h"
+#include "tests/support/settle_options.h"
 
 namespace trivet::perf {
 namespace {
@@ -14,7 +15,7 @@ constexpr int kRepetitions = 31;
 }  // namespace
 
 SettleOptions scale_options() {
-  SettleOptions out;
+  SettleOptions out = test::perfect_friction();
   out.clearance = kScaleClearance;
   return out;
 }

@@ -8,6 +8,7 @@
 #include "core/scene/scene.h"
 #include "ops/files/layout/layout.h"
 #include "tests/support/random_shapes.h"
+#include "tests/support/settle_options.h"
 
 namespace trivet::perf {
 

@@ -38,7 +38,7 @@ void put_books(LayoutWriter* w) {
   w->put("book_red", "book_red", in_bookcase(2, 0.240));
   w->put("book_blue", "book_blue", in_bookcase(2, 0.170));
   for (const char* book : {"book_green", "book_red", "book_blue"}) w->push(book, Vec2(1, 0), 0.1);
-  w->put("book_yellow", "book_yellow", in_bookcase(2, 0.120), about_y(16));
+  w->put("book_yellow", "book_yellow", in_bookcase(2, 0.140), about_y(16));
 }
 
 // A pencil that stands in the mug at a slant, its tip up, `aside` of the middle.

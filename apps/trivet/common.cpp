@@ -77,9 +77,23 @@ void add_common_options(CLI::App& app, CommonOptions& common) {
   app.get_help_ptr()->group(group);
 }
 
+namespace {
+
+const char* const kSettling = "Settling";
+
+// A rule that is asked for; without it, what the layout or the scene says.
+void add_rule(CLI::App& app, const std::string& flags, std::optional<bool>& rule,
+              const std::string& what) {
+  app.add_flag_function(
+         flags, [&rule](std::int64_t count) { rule = count > 0; }, what)
+      ->group(kSettling);
+}
+
+}  // namespace
+
 void add_settle_options(CLI::App& app, SettleArguments& arguments) {
   SettleOptions& settle = arguments.settle;
-  const char* const group = "Settling";
+  const char* const group = kSettling;
   app.add_option("--clearance", settle.clearance,
                  "Gap in metres at which motions stop; 0: 2^-20 of the scene's size")
       ->check(number_from(0, 1e6))
@@ -94,17 +108,14 @@ void add_settle_options(CLI::App& app, SettleArguments& arguments) {
   app.add_flag("--accept-wedged", settle.accept_wedged,
                "Accept wedged objects, which can neither move nor be shown to be supported")
       ->group(group);
-  app.add_flag("--perfect-friction,!--finite-friction", settle.perfect_friction,
-               "Settle as the paper does, with nearly perfect friction (default), or with that of "
-               "the materials")
-      ->group(group);
-  app.add_flag("--whole-at-rest,!--each-at-rest", settle.whole_at_rest,
-               "What an operation unbalances gives way, or it is refused; otherwise each object is "
-               "at rest on what stands still (default)")
-      ->group(group);
-  app.add_flag("--literal-paper-rules", settle.literal_paper_rules,
-               "Settle by exactly the paper's three cases, for comparison")
-      ->group(group);
+  add_rule(app, "--perfect-friction,!--finite-friction", arguments.rules.perfect_friction,
+           "Settle with nearly perfect friction, each object alone, as the paper does; default: "
+           "with the friction of the materials, 0.5 where none is given");
+  add_rule(app, "--whole-at-rest,!--objects-alone", arguments.rules.whole_at_rest,
+           "What an operation unbalances gives way, or it is refused (default); --objects-alone: "
+           "each object is at rest on what stands still");
+  add_rule(app, "--literal-paper-rules", arguments.rules.literal_paper_rules,
+           "Settle by exactly the paper's three cases, for comparison");
 }
 
 void add_tessellation_options(CLI::App& app, Tessellation& tessellation) {
@@ -190,6 +201,7 @@ RunOptions run_options(const CommonOptions& common, const SettleArguments& argum
                        Detector* detector) {
   RunOptions options;
   options.settle = arguments.settle;
+  options.rules = arguments.rules;
   options.context.detector = detector;
   options.context.time_budget_s = arguments.operation_seconds;
   options.num_threads = common.num_threads;

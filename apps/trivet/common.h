@@ -37,6 +37,7 @@ void add_common_options(CLI::App& app, CommonOptions& common);
 /// Options of settling and of the run.
 struct SettleArguments {
   SettleOptions settle;
+  SettleRules rules;             // that were asked for
   double operation_seconds = 0;  // 0: unlimited
 };
 void add_settle_options(CLI::App& app, SettleArguments& arguments);

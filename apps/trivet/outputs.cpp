@@ -75,12 +75,6 @@ std::string quoted_list(const std::vector<std::string>& names) {
   return out;
 }
 
-std::vector<std::string> names_of_those(const std::vector<GaveWay>& objects) {
-  std::vector<std::string> out;
-  for (const GaveWay& g : objects) out.push_back(g.name);
-  return out;
-}
-
 // Summary of a completed move for display: a line, or "" if done as requested.
 std::string end_of(const OperationRecord& record) {
   const OperationResult& r = record.result;
@@ -90,7 +84,7 @@ std::string end_of(const OperationRecord& record) {
   if (r.end == End::Step) out += ": stopped by a step, \"" + r.blocked_by.name + "\"";
   if (r.end == End::Edge) out += ": stopped at an edge";
   if (!r.interpenetrates.empty()) out += "; passes through " + quoted_list(r.interpenetrates);
-  if (!r.gave_way.empty()) out += "; gave way: " + quoted_list(names_of_those(r.gave_way));
+  if (!r.gave_way.empty()) out += "; gave way: " + gave_way_text(r.gave_way);
   if (!r.unsupported.empty()) out += "; leaves unsupported: " + quoted_list(r.unsupported);
   return out.empty() ? "" : record.op + " \"" + record.object + "\"" + out + "\n";
 }
@@ -192,6 +186,16 @@ Outputs::Outputs(const OutputPaths& paths, const std::vector<std::string>& input
   if (!paths.picture.empty()) m_picture = std::make_unique<PictureMaker>(request);
 }
 
+namespace {
+
+// That gives the same scene again.
+Layout with_rules_of(const LayoutRun& run, Layout layout) {
+  layout.settle = rules_of(run.settle);
+  return layout;
+}
+
+}  // namespace
+
 int Outputs::write(const LayoutRun& run, const Layout& layout, const RunOptions& options,
                    const ModelFolders& folders, const GltfScene* in_place) {
   ReportOptions report_options;
@@ -211,14 +215,14 @@ int Outputs::write(const LayoutRun& run, const Layout& layout, const RunOptions&
   else if (in_place && (extension == ".glb" || extension == ".gltf"))
     in_place->write(m_paths.scene);
   else if (!m_paths.scene.empty())
-    write_scene_file(run.scene, layout,
+    write_scene_file(run.scene, with_rules_of(run, layout),
                      {TRIVET_VERSION, folders.in_scene, options.settle.clearance}, m_paths.scene);
   beside.commit();
   if (m_common.json)
     std::cout << report;
   else if (!m_common.quiet)
     std::cout << summary(run);
-  const bool stands = m_paths.allow_unstable || options.settle.perfect_friction ||
+  const bool stands = m_paths.allow_unstable || !has_finite_friction(run.settle) ||
                       run.stability.status != Stability::Status::Unstable;
   return run.ok() && stands ? 0 : 1;
 }

@@ -33,6 +33,7 @@ LayoutRun check_scene_file(const CheckArguments& arguments, const CommonOptions&
   check_not_inputs({"", arguments.report, ""}, model_files(file.layout, folder_of(arguments.file)));
   RunOptions options = options_of(arguments, common, detector);
   if (!(options.settle.clearance > 0)) options.settle.clearance = file.clearance;
+  options.settle = settle_options(options, file.layout.settle);
   LayoutRun run;
   run.scene = std::move(file.scene);
   finish_run(options, run);

@@ -26,7 +26,7 @@ Scene scene_of(const ExportArguments& arguments, const CommonOptions& common) {
   check_not_inputs({arguments.output, arguments.report, ""},
                    model_files(file.layout, folder_of(arguments.scene)));
   const double clearance = arguments.clearance > 0 ? arguments.clearance : file.clearance;
-  update_contacts(file.scene, clearance);
+  update_contacts(file.scene, clearance, with_rules({}, file.layout.settle));
   return std::move(file.scene);
 }
 

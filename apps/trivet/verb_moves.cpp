@@ -51,7 +51,8 @@ int move(const MoveArguments& arguments, const Operation& asked, const CommonOpt
   const std::unique_ptr<Detector> detector = make_detector(common);
   RunOptions options = run_options(common, arguments.settle, detector.get());
   if (!(options.settle.clearance > 0)) options.settle.clearance = file.clearance;
-  update_contacts(file.scene, options.settle.clearance);
+  options.settle = settle_options(options, file.layout.settle);
+  update_contacts(file.scene, options.settle.clearance, options.settle);
   LayoutRun run;
   run.scene = std::move(file.scene);
   Layout addition;

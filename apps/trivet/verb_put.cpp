@@ -106,6 +106,7 @@ int put(const PutArguments& arguments, const CommonOptions& common) {
   const std::unique_ptr<Detector> detector = make_detector(common);
   RunOptions options = run_options(common, arguments.settle, detector.get());
   if (!(options.settle.clearance > 0)) options.settle.clearance = file.clearance;
+  options.settle = settle_options(options, file.layout.settle);
 
   Object object = load_object(arguments, addition, file.scene, common, options);
   LayoutRun run;

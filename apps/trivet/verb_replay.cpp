@@ -28,6 +28,7 @@ int replay(const ReplayArguments& arguments, const CommonOptions& common) {
       run.operations.push_back(
           {op_name(step.operations[k]), object_name(step.operations[k]), step.results[k]});
   }
+  options.settle = with_rules(options.settle, opened.rules);
   options.settle.clearance = settled_clearance(opened);
   finish_run(options, run);
   run.scene = opened.session.scene();  // with its own contacts, as in the files that it saves

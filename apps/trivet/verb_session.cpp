@@ -135,7 +135,7 @@ class Dialogue {
   Dialogue(OpenedSession& opened, const SessionArguments& arguments, Detector& detector)
       : m_opened(opened),
         m_session(opened.session),
-        m_settle(arguments.settle.settle),
+        m_settle(with_rules(arguments.settle.settle, opened.rules)),
         m_told(opened.session.scene()),
         m_state(opened.session.scene()) {
     m_context.detector = &detector;

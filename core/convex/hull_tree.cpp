@@ -11,7 +11,8 @@
 namespace trivet {
 namespace {
 
-constexpr double kConvexDefect = 1e-6;  // of a component's volume
+constexpr double kConvexDefect = 1e-6;         // of a component's volume
+constexpr double kThinnestBacking = 1.0 / 16;  // of a shell
 
 double volume_of_hull(const std::vector<Vec3>& points) {
   const ConvexHull hull = convex_hull(points);
@@ -38,7 +39,7 @@ HullTree::HullTree(const Mesh& mesh, const Adjacency& adjacency, double shell)
     faces[whole ? 0 : adjacency.face_component[f]].push_back(static_cast<Index>(f));
   for (std::vector<Index>& of_root : faces) {
     if (of_root.empty()) continue;
-    m_nodes.push_back(make_node(std::move(of_root), true));
+    m_nodes.push_back(make_node(std::move(of_root), m_shell));
     m_is_convex.push_back(!whole && is_convex_solid(m_num_roots));
     ++m_num_roots;
   }
@@ -60,8 +61,9 @@ std::vector<ConvexPart> HullTree::parts() const {
 }
 
 bool HullTree::refine(Index leaf) {
-  if (m_nodes[leaf].backed) {
-    m_nodes[leaf] = make_node(std::move(m_nodes[leaf].faces), false);
+  if (const double backing = m_nodes[leaf].backing; backing > 0) {
+    const bool thin = backing <= kThinnestBacking * m_shell;
+    m_nodes[leaf] = make_node(std::move(m_nodes[leaf].faces), thin ? 0 : backing / 2);
     return true;
   }
   if (m_nodes[leaf].faces.size() < 2) return false;
@@ -69,8 +71,8 @@ bool HullTree::refine(Index leaf) {
   const auto [a, b] = halves(m_nodes[leaf].faces);
   Node of_a, of_b;
   try {
-    of_a = make_node(a, true);
-    of_b = make_node(b, true);
+    of_a = make_node(a, m_shell);
+    of_b = make_node(b, m_shell);
   } catch (const Error&) {
     return false;  // too small for hulls of their own
   }
@@ -83,12 +85,12 @@ bool HullTree::refine(Index leaf) {
   return true;
 }
 
-HullTree::Node HullTree::make_node(std::vector<Index> faces, bool backed) const {
+HullTree::Node HullTree::make_node(std::vector<Index> faces, double shell) const {
   Node node;
   std::vector<Vec3> points = corners_of(m_mesh, faces);
-  if (backed) {
-    std::vector<Vec3> behind = backed_corners(faces);
-    node.backed = !behind.empty();
+  if (shell > 0) {
+    std::vector<Vec3> behind = backed_corners(faces, shell);
+    node.backing = behind.empty() ? 0 : shell;
     points.insert(points.end(), behind.begin(), behind.end());
   }
   solid_hull(points, node.part);
@@ -98,7 +100,7 @@ HullTree::Node HullTree::make_node(std::vector<Index> faces, bool backed) const 
 }
 
 // The corners moved back along the mean normal until the part is as thick as a shell.
-std::vector<Vec3> HullTree::backed_corners(std::span<const Index> faces) const {
+std::vector<Vec3> HullTree::backed_corners(std::span<const Index> faces, double shell) const {
   Vec3 normal = Vec3::Zero();
   for (const Index f : faces) {
     const Triangle t = m_mesh.triangle(f);
@@ -112,7 +114,7 @@ std::vector<Vec3> HullTree::backed_corners(std::span<const Index> faces) const {
     low = std::min(low, normal.dot(p));
     high = std::max(high, normal.dot(p));
   }
-  const double missing = m_shell - (high - low);
+  const double missing = shell - (high - low);
   if (!(missing > 0)) return {};
   for (Vec3& p : points) p -= missing * normal;
   return points;

@@ -14,7 +14,8 @@ namespace trivet {
 /// halves of its faces, down to single triangles, made when refine() asks for them. The leaves are
 /// the parts: together their hulls contain the whole surface, and the more of them there are the
 /// less they contain beside it. Parts thinner than a shell, such as those of a wall's one side, are
-/// thickened behind their faces by what is missing, unless refine() says that there is no room.
+/// thickened behind their faces by what is missing, or by less where refine() says that there is no
+/// room.
 class HullTree {
  public:
   /// @param mesh  in the unit and frame of the parts; outlives this, like `adjacency`, of the same
@@ -26,7 +27,7 @@ class HullTree {
     Aabb box;
     std::vector<Index> faces;         // of a leaf
     std::array<Index, 2> children{};  // 0, 0: a leaf
-    bool backed = false;              // thickened behind its faces
+    double backing = 0;               // thickness that it was given behind its faces; 0: none
     bool is_leaf() const { return children[0] == 0; }
   };
   const Node& node(Index i) const { return m_nodes[i]; }
@@ -35,14 +36,14 @@ class HullTree {
   size_t num_leaves() const { return m_num_leaves; }
   std::vector<ConvexPart> parts() const;  // of the leaves
 
-  /// A closer fit of this leaf: without what is behind its faces, or as two. @return whether there
-  /// is one; not of a single triangle, nor of a convex solid.
+  /// A closer fit of this leaf: with half of what is behind its faces, at last without, or as two.
+  /// @return whether there is one; not of a single triangle, nor of a convex solid.
   bool refine(Index leaf);
 
  private:
-  Node make_node(std::vector<Index> faces, bool backed) const;
+  Node make_node(std::vector<Index> faces, double shell) const;
   std::array<std::vector<Index>, 2> halves(const std::vector<Index>& faces) const;
-  std::vector<Vec3> backed_corners(std::span<const Index> faces) const;
+  std::vector<Vec3> backed_corners(std::span<const Index> faces, double shell) const;
   bool is_convex_solid(Index root) const;
 
   const Mesh& m_mesh;

@@ -86,12 +86,18 @@ std::vector<std::vector<Support>> crossed_by(const std::vector<PlacedObject>& ob
   return out;
 }
 
+// Where it lies: by perfect friction, or held by forces at that of the materials.
+bool rests_by_either(const Object& object, const Neighbourhood& others, const RestRules& rules) {
+  return rests_at(object, object.pose, others, {rules.clearance}) ||
+         (!rules.perfect_friction && rests_at(object, object.pose, others, rules));
+}
+
 void add_rest_findings(const PlacedObject& o, const Neighbourhood& others, double clearance,
                        SceneCheck& check) {
   const auto contacts = touching(body_of(o.object()), others, clearance);
   for (const ContactsWith& c : contacts)
     for (const ContactPoint& p : c.points) check.smallest_gap = std::min(check.smallest_gap, p.gap);
-  if (!o.object().fixed && !rests_at(o.object(), o.object().pose, others, {clearance}))
+  if (!o.object().fixed && !rests_by_either(o.object(), others, {clearance, false}))
     check.not_at_rest.push_back(o.object().name);
 }
 
@@ -144,29 +150,29 @@ namespace {
 
 // State of a free object, from its pose; held and unsupported objects stay what they were.
 ObjectState state_as_it_lies(const Scene& scene, ObjectId id, const Neighbourhood& others,
-                             double clearance) {
+                             const RestRules& rules) {
   const Object& object = scene.at(id);
   const ObjectState was = object.state;
   if (was == ObjectState::Invalid && refuse_interpenetration(scene, id, object.pose, true))
     return was;
-  if (rests_at(object, object.pose, others, {clearance})) return ObjectState::Stable;
+  if (rests_by_either(object, others, rules)) return ObjectState::Stable;
   if (was == ObjectState::Held || was == ObjectState::Invalid) return ObjectState::Held;
   return was == ObjectState::Unsupported ? was : ObjectState::Wedged;
 }
 
 }  // namespace
 
-void update_contacts(Scene& scene, double clearance) {
-  clearance = believable_clearance(scene, clearance);
+void update_contacts(Scene& scene, double clearance, const SettleOptions& settled_by) {
+  const RestRules rules = rest_rules(settled_by, believable_clearance(scene, clearance));
   Transaction transaction(scene);
   for (const ObjectId id : scene.ids()) {
     const Object& object = transaction.scene().at(id);
     if (!object.placed) continue;
     const Neighbourhood others = holders(scene, id);
-    const auto contacts = touching(body_of(object), others, clearance);
+    const auto contacts = touching(body_of(object), others, rules.clearance);
     const ObjectState state =
-        object.fixed ? ObjectState::Fixed : state_as_it_lies(scene, id, others, clearance);
-    commit_object(transaction, id, object.pose, state, contacts, {clearance});
+        object.fixed ? ObjectState::Fixed : state_as_it_lies(scene, id, others, rules);
+    commit_object(transaction, id, object.pose, state, contacts, rules);
   }
   transaction.commit();
 }

@@ -104,7 +104,7 @@ void rate_as(Transaction& transaction, ObjectId id, const RestRules& rules,
     return stands_on(scene, seen, contacts, rules) || rests_at(seen, seen.pose, others, rules);
   });
   const bool rests = now == ObjectState::Stable || now == ObjectState::Wedged;
-  const RestRating rating = rests ? rate_rest(scene, seen, seen.pose, contacts, rules)
+  const RestRating rating = rests ? rate_rest(scene, id, seen.pose, contacts, rules)
                                   : rate_unheld(scene, seen, seen.pose, contacts, rules);
   transaction.edit(id, [&](Object& object) { set_rating(object, now, rating); });
 }
@@ -261,7 +261,7 @@ void commit_object(Transaction& transaction, ObjectId id, const Pose& pose, Obje
   const bool unheld = state == ObjectState::Held || state == ObjectState::Unsupported ||
                       state == ObjectState::Invalid;
   const RestRating rating = unheld ? rate_unheld(transaction.scene(), seen, pose, contacts, rules)
-                                   : rate_rest(transaction.scene(), seen, pose, contacts, rules);
+                                   : rate_rest(transaction.scene(), id, pose, contacts, rules);
   transaction.set_contacts(
       id, object_contacts_of(seen, pose, transaction.scene(), contacts, rules.clearance));
   transaction.edit(id, [&](Object& object) {

@@ -160,10 +160,23 @@ OperationResult apply(Transaction& transaction, const FixOperation& o, Operation
   return result;
 }
 
-OperationResult apply(Transaction& transaction, const MaterialOperation& o, OperationRun&) {
-  transaction.edit(id_of(transaction, o.object),
-                   [&](Object& object) { object.material = o.material; });
-  return done();
+// Nothing moves; the object and what it touches are rated again.
+OperationResult apply(Transaction& transaction, const MaterialOperation& o, OperationRun& run) {
+  const Scene& scene = transaction.scene();
+  const ObjectId id = id_of(transaction, o.object);
+  transaction.edit(id, [&](Object& object) { object.material = o.material; });
+  OperationResult result = done();
+  if (!has_finite_friction(run.options)) return result;
+  const RestRules rules = rest_rules(run.options, clearance_of(scene, run.options));
+  std::vector<ObjectId> touched{id};
+  for (const ObjectContact& entry : scene.at(id).contacts)
+    if (entry.with.is_object()) touched.push_back(entry.with.object());
+  for (const ObjectId other : touched) {
+    const ObjectState state = scene.at(other).state;
+    if (state == ObjectState::Stable || state == ObjectState::Unsupported)
+      rate_left_alone(transaction, other, rules, result);
+  }
+  return result;
 }
 
 OperationResult apply(Transaction& transaction, const GroupOperation& o, OperationRun&) {

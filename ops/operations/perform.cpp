@@ -26,7 +26,7 @@ OperationResult perform_one(Transaction& transaction, ObjectId id, const Any& o,
                             OperationRun& run) {
   const Named name = named(transaction.scene(), o.object);
   if constexpr (Plannable<Any>) {
-    if (std::is_same_v<Any, PutOperation> && run.options.whole_at_rest)
+    if (std::is_same_v<Any, PutOperation> && keeps_whole_at_rest(run.options))
       run.refuse_commit = [&](const MovePlan& plan) {
         Transaction trial(transaction);  // taken back
         return commit_at_rest(trial, plan, run, name).refusal;
@@ -34,7 +34,7 @@ OperationResult perform_one(Transaction& transaction, ObjectId id, const Any& o,
     return commit_at_rest(transaction, plan(transaction.scene(), id, o, run), run, name);
   } else {
     OperationResult result = apply(transaction, o, run);
-    if (run.options.whole_at_rest && result.ok() && unbalances(o))
+    if (keeps_whole_at_rest(run.options) && result.ok() && unbalances(o))
       settle_whole(transaction, name, clearance_of(transaction.scene(), run.options), run, result);
     return result;
   }

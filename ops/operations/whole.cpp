@@ -205,7 +205,7 @@ OperationResult commit_at_rest(Transaction& transaction, MovePlan plan, Operatio
                                const Named& object) {
   const double clearance = plan.group ? plan.group->clearance() : 0;
   const char* const op = plan.op;
-  const bool settles = run.options.whole_at_rest && plan.changes_scene && !plan.is_free;
+  const bool settles = keeps_whole_at_rest(run.options) && plan.changes_scene && !plan.is_free;
   OperationResult result = commit(transaction, std::move(plan), run);
   if (!settles || !result.ok()) return result;
   settle_whole(transaction, object, clearance, run, result);

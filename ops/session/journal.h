@@ -2,8 +2,8 @@
 // step counts. From it a session that crashed is restored to its last committed operation.
 //
 //   {"trivet_journal": 1, "start": {"file", "bytes", "hash"}, "settle", "state", "sum"}
-//   {"do": {operation as in a layout}, "settle": {what is not default}, "state": hash, "sum"}
-//   (or "do": [operations of one step])
+//   {"do": {operation as in a layout}, "settle": {rules, and what is not default}, "state": hash,
+//   "sum"} (or "do": [operations of one step])
 //   {"undo": true, "state", "sum"}, {"redo": true, "state", "sum"}, {"saved": file, "sum"}
 //
 // "state" is of the objects that the line changed (of the whole scene in the first line), "sum" of

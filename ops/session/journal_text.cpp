@@ -2,6 +2,7 @@
 
 #include "core/base/hash.h"
 #include "ops/files/json/operation_json.h"
+#include "ops/files/json/settle_json.h"
 #include "ops/files/layout/layout.h"
 
 namespace trivet {
@@ -35,10 +36,7 @@ JournalJson settle_json(const SettleOptions& options) {
   const SettleOptions usual;
   JournalJson json = JournalJson::object();
   if (options.clearance != usual.clearance) json["clearance"] = options.clearance;
-  if (options.literal_paper_rules) json["literal_paper_rules"] = true;
-  if (options.perfect_friction != usual.perfect_friction)
-    json["perfect_friction"] = options.perfect_friction;
-  if (options.whole_at_rest != usual.whole_at_rest) json["whole_at_rest"] = options.whole_at_rest;
+  json.update(settle_rules_json(rules_of(options)));
   if (options.max_motions != usual.max_motions) json["max_motions"] = options.max_motions;
   if (options.accept_wedged) json["accept_wedged"] = true;
   return json;
@@ -47,11 +45,8 @@ JournalJson settle_json(const SettleOptions& options) {
 SettleOptions read_settle(const JsonPlace& place) {
   place.expect_object({}, {"clearance", "literal_paper_rules", "perfect_friction", "whole_at_rest",
                            "max_motions", "accept_wedged"});
-  SettleOptions options;
+  SettleOptions options = with_rules(with_rules({}, kRulesBefore), read_settle_rules(place));
   if (const auto p = place.find("clearance")) options.clearance = p->number(0, kMaxLength);
-  if (const auto p = place.find("literal_paper_rules")) options.literal_paper_rules = p->boolean();
-  if (const auto p = place.find("perfect_friction")) options.perfect_friction = p->boolean();
-  if (const auto p = place.find("whole_at_rest")) options.whole_at_rest = p->boolean();
   if (const auto p = place.find("max_motions"))
     options.max_motions = static_cast<int>(p->number(1, 1e9));
   if (const auto p = place.find("accept_wedged")) options.accept_wedged = p->boolean();

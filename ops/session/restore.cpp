@@ -23,18 +23,31 @@ OpenedSession open_start(const std::string& content, const std::string& file,
   const ModelSource models = models_in_folder(folder, limits);
   if (fs::path(file).extension() != ".json") {
     SceneFile scene = read_scene_file(content, limits, folder.empty() ? "." : folder);
-    update_contacts(scene.scene, scene.clearance);
-    return {Session(std::move(scene.scene), std::move(scene.layout), models), file, folder,
-            scene.clearance, std::move(scene.notes)};
+    const SettleOptions settle = settle_options(options, scene.layout.settle);
+    update_contacts(scene.scene, scene.clearance, settle);
+    const SettleRules rules = rules_of(settle);
+    scene.layout.settle = rules;
+    return {Session(std::move(scene.scene), std::move(scene.layout), models),
+            file,
+            folder,
+            scene.clearance,
+            std::move(scene.notes),
+            rules};
   }
-  const Layout layout = read_layout(content, limits.max_file_bytes);
+  Layout layout = read_layout(content, limits.max_file_bytes);
+  layout.settle = rules_of(settle_options(options, layout.settle));
   LayoutRun run = run_layout(layout, models, options);
   std::vector<std::string> notes;
   for (const OperationRecord& record : run.operations)
     if (!record.result.ok())
       notes.push_back(record.op + " \"" + record.object + "\": refused: " + record.result.reason());
-  return {Session(std::move(run.scene), layout, models), file, folder, options.settle.clearance,
-          std::move(notes)};
+  const SettleRules rules = layout.settle;
+  return {Session(std::move(run.scene), std::move(layout), models),
+          file,
+          folder,
+          options.settle.clearance,
+          std::move(notes),
+          rules};
 }
 
 // The start file under one of its names.
@@ -97,8 +110,9 @@ OpenedSession open_session(const std::string& file, const RunOptions& options,
                            const ImportLimits& limits, const std::string& journal) {
   OpenedSession opened = open_start(file, file, options, limits);
   if (!journal.empty())
-    opened.session.keep_journal(
-        Journal::create(journal, file, options.settle, fingerprint(opened.session.scene())));
+    opened.session.keep_journal(Journal::create(journal, file,
+                                                with_rules(options.settle, opened.rules),
+                                                fingerprint(opened.session.scene())));
   return opened;
 }
 
@@ -111,6 +125,7 @@ RestoredSession restore_session(const std::string& journal, const RunOptions& op
   const std::string start = find_start(journal, content.start, file);
   RunOptions start_options = options;
   start_options.settle = content.start.settle;
+  start_options.rules = rules_of(content.start.settle);
   RestoredSession restored{open_start(start, file, start_options, limits), true};
   OpenedSession& opened = restored.opened;
   if (content.torn())

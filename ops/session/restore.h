@@ -15,10 +15,11 @@ struct OpenedSession {
   std::string model_folder;        // where relative model paths start: the start file's
   double clearance = 0;            // that a scene file was settled with; 0: the default
   std::vector<std::string> notes;  // refused operations of a layout, what a scene file lost
+  SettleRules rules = {};          // that hold: those asked for, else the file's, else the defaults
 };
 
 /// A layout (.json) is run; a scene (.glb) is read, and its contacts are brought up to date.
-/// @param options  `settle` is for the layout's operations.
+/// @param options  `settle` and `rules` are for the layout's operations.
 /// @param journal  a new file that keeps the steps; empty: none.
 /// @throws Error: what reading throws; Journal::create().
 OpenedSession open_session(const std::string& file, const RunOptions& options,

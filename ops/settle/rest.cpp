@@ -62,13 +62,21 @@ Neighbourhood holders(const Scene& scene, ObjectId id) {
   return out;
 }
 
-RestRating rate_rest(const Scene& scene, const Object& object, const Pose& pose,
+RestRating rate_rest(const Scene& scene, ObjectId id, const Pose& pose,
                      const std::vector<ContactsWith>& contacts, const RestRules& rules) {
-  const auto points = all_points(contacts, kContactTolerance * rules.clearance);
-  const double size = size_of(object);
-  return {margin_of(scene, object, pose, contacts, rules),
-          least_friction(points, centre_at(object, pose), size,
-                         residual_tolerance(size, rules.clearance))};
+  const Object& object = scene.at(id);
+  const double size = size_of(object), tolerance = residual_tolerance(size, rules.clearance);
+  const auto least = [&](const std::vector<ContactsWith>& all, double distance) {
+    return least_friction(all_points(all, distance), centre_at(object, pose), size, tolerance);
+  };
+  RestRating out{margin_of(scene, object, pose, contacts, rules),
+                 least(contacts, kContactTolerance * rules.clearance)};
+  if (rules.perfect_friction || out.least_friction < kInfinity) return out;
+  const double distance = kBalanceTolerance * rules.clearance;
+  out.least_friction = least(contacts_with(body_of(object, pose), Neighbourhood(scene, id),
+                                           distance, kFootSlack * rules.clearance),
+                             distance);
+  return out;
 }
 
 RestRating rate_unheld(const Scene& scene, const Object& object, const Pose& pose,

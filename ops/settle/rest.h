@@ -34,7 +34,10 @@ std::vector<FrictionContact> friction_contacts(const Scene& scene, double fricti
 struct RestRating {
   double stability_margin = 0, least_friction = 0;
 };
-RestRating rate_rest(const Scene& scene, const Object& object, const Pose& pose,
+/// With finite friction an object that its contacts do not hold may be held by nearer ones together
+/// with those within kBalanceTolerance clearances, as in settling: then they give the least
+/// friction.
+RestRating rate_rest(const Scene& scene, ObjectId id, const Pose& pose,
                      const std::vector<ContactsWith>& contacts, const RestRules& rules);
 /// Rating of an object that contacts do not hold: no friction is enough, and none is looked for.
 RestRating rate_unheld(const Scene& scene, const Object& object, const Pose& pose,

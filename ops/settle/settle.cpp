@@ -156,11 +156,6 @@ class Settling {
 
 }  // namespace
 
-// The paper's rules know perfect friction only.
-bool has_finite_friction(const SettleOptions& options) {
-  return !options.perfect_friction && !options.literal_paper_rules;
-}
-
 Vec3 smallest_separating_motion(const std::vector<ContactPoint>& points, double clearance) {
   std::vector<HalfSpace<3>> open;
   for (const ContactPoint& p : points) open.push_back({p.normal, clearance - p.gap});

@@ -65,9 +65,6 @@ struct SettleOutcome {
 
 SettleOutcome settle(const SettleProblem& problem);
 
-/// True if friction is that of the materials.
-bool has_finite_friction(const SettleOptions& options);
-
 /// The least translation d with normal . d >= clearance - gap for all contacts [Hildreth 1957].
 Vec3 smallest_separating_motion(const std::vector<ContactPoint>& points, double clearance);
 

@@ -30,7 +30,7 @@ class PartFitter {
  private:
   struct Placed {
     std::unique_ptr<PlacedPart> part;
-    bool backed = false;
+    double backing = 0;
   };
   struct Pair {
     Index a, b;
@@ -43,9 +43,9 @@ class PartFitter {
     if (all.size() <= static_cast<size_t>(node)) all.resize(node + 1);
     const HullTree::Node& of_tree = tree(body).node(node);
     Placed& out = all[node];
-    if (!out.part || out.backed != of_tree.backed) {
+    if (!out.part || out.backing != of_tree.backing) {
       out.part = std::make_unique<PlacedPart>(of_tree.part, m_bodies[body].world_from_link);
-      out.backed = of_tree.backed;
+      out.backing = of_tree.backing;
     }
     return *out.part;
   }
@@ -72,7 +72,8 @@ class PartFitter {
   }
 
   bool refine(size_t body, Index leaf) {
-    if (!tree(body).node(leaf).backed && tree(body).num_leaves() >= kMaxFittedParts) return false;
+    if (tree(body).node(leaf).backing == 0 && tree(body).num_leaves() >= kMaxFittedParts)
+      return false;
     if (!tree(body).refine(leaf)) return false;
     return m_changed = true;
   }
@@ -119,8 +120,8 @@ class PartFitter {
   // What is only thickness goes first, then the larger part gives way.
   bool refine_one(size_t a, size_t b, const Pair& pair) {
     const HullTree::Node &of_a = tree(a).node(pair.a), &of_b = tree(b).node(pair.b);
-    const bool a_first =
-        of_a.backed != of_b.backed ? of_a.backed : of_a.box.diagonal() >= of_b.box.diagonal();
+    const bool a_first = of_a.backing != of_b.backing ? of_a.backing > of_b.backing
+                                                      : of_a.box.diagonal() >= of_b.box.diagonal();
     if (a_first) return refine(a, pair.a) || refine(b, pair.b);
     return refine(b, pair.b) || refine(a, pair.a);
   }

@@ -200,7 +200,16 @@ class Sessions(Case):
         self.assertEqual(answer["interpenetrates"], ["a"])
         live.ask(undo=True)
         answer = live.ask(op="delete", object="a")
-        self.assertEqual((answer["ended"], answer.get("unsupported")), ("done", ["b"]))
+        self.assertEqual((answer["ended"], answer.get("unsupported")), ("done", None))
+        self.assertEqual([g["name"] for g in answer["gave_way"]], ["b"])
+        self.assertGreater(answer["gave_way"][0]["moved"], 0.05)
+        self.assertEqual(live.end(), 0)
+
+    def test_objects_alone_stay_where_nothing_holds_them(self):
+        live = Live(self.folder, self.start_layout(), "--objects-alone")
+        live.ask(**put("b", 0.01, 0.02, 1))
+        answer = live.ask(op="delete", object="a")
+        self.assertEqual((answer["ended"], answer["unsupported"]), ("done", ["b"]))
         self.assertEqual(live.end(), 0)
 
     def test_timeout_keeps_the_scene(self):

@@ -250,8 +250,8 @@ def main():
     parser.add_argument("--backends", default="", help="bvh, software, gpu, with commas")
     options = parser.parse_args()
     options.work = BackendWork()
-    options.rules = (["--finite-friction"] if options.friction else []) + \
-        (["--whole-at-rest"] if options.whole else [])
+    options.rules = ["--perfect-friction"] if not options.friction else \
+        [] if options.whole else ["--objects-alone"]
     options.shared, options.out = os.path.abspath(options.shared), os.path.abspath(options.out)
     os.makedirs(options.out, exist_ok=True)
     layouts, models, args = read_models(options.shared, options.out)

@@ -59,6 +59,15 @@ void Document::show_scene(std::shared_ptr<const SceneSnapshot> snapshot) {
   Q_EMIT snapshot_changed();
 }
 
+std::shared_ptr<const SceneVerdict> Document::verdict() const {
+  return m_verdict && m_verdict->committed == m_snapshot->committed ? m_verdict : nullptr;
+}
+
+void Document::show_verdict(std::shared_ptr<const SceneVerdict> verdict) {
+  m_verdict = std::move(verdict);
+  Q_EMIT verdict_changed();
+}
+
 void Document::cancel() {
   if (m_dragging) cancel_drag();
   m_engine->cancel();

@@ -20,6 +20,7 @@
 
 #include "apps/edit/document/ghost.h"
 #include "apps/edit/document/message.h"
+#include "apps/edit/document/scene_verdict.h"
 #include "apps/edit/document/selection.h"
 #include "apps/edit/document/snapshot.h"
 #include "apps/edit/document/thread_detector.h"
@@ -36,7 +37,8 @@ struct DocumentOptions {
   /// Folder of data that must survive a crash: journals, demos, locks. Empty: no recovery.
   std::string recovery_folder;
   std::string version;   // of the program; written to saved files
-  SettleOptions settle;  // of all operations
+  SettleOptions settle;  // of all operations, as far as the file states no rules
+  SettleRules rules;     // before those of the file
   RunContext context;
   BackendOptions detection;  // `note` is not used: see detection_noted()
   int num_threads = 0;       // of loading; 0: all cores
@@ -86,6 +88,8 @@ class Document : public QObject {
 
   /// Never null. The same until snapshot_changed().
   const std::shared_ptr<const SceneSnapshot>& snapshot() const { return m_snapshot; }
+  /// Of the committed scene, as a whole; null: not judged yet. Until verdict_changed().
+  std::shared_ptr<const SceneVerdict> verdict() const;
   const History& history() const { return m_history; }
   bool can_undo() const { return m_history.num_done > 0; }
   bool can_redo() const { return m_history.num_done < m_history.steps.size(); }
@@ -189,6 +193,7 @@ class Document : public QObject {
 
  Q_SIGNALS:
   void snapshot_changed();
+  void verdict_changed();
   void selection_changed();
   void history_changed();  // is_modified(), too
   void file_changed();     // file(), title(), is_modified()
@@ -219,6 +224,7 @@ class Document : public QObject {
   void show(State state);
   void show_scene(std::shared_ptr<const SceneSnapshot> snapshot);
   void show_drag(std::shared_ptr<const SceneSnapshot> snapshot, std::uint64_t drag, double ms);
+  void show_verdict(std::shared_ptr<const SceneVerdict> verdict);
   void show_ghost(std::uint64_t request, Ghost ghost);
   void show_zlists(std::shared_ptr<const ZListView> view);
   void show_moves_by(const Answering& answering);
@@ -230,6 +236,7 @@ class Document : public QObject {
 
   DocumentOptions m_options;
   std::shared_ptr<const SceneSnapshot> m_snapshot;
+  std::shared_ptr<const SceneVerdict> m_verdict;
   Selection m_selection;
   History m_history;
   std::string m_file, m_title, m_busy_with;

@@ -8,6 +8,9 @@
 namespace trivet::edit {
 namespace {
 
+// Of a part that contacts connect: moves wait while the linear program decides.
+constexpr int kMaxJudgedObjects = 100;
+
 /// Thrown from progress callbacks when the user has cancelled.
 struct Cancelled {};
 
@@ -144,6 +147,7 @@ void Engine::tell(const OperationResult& result, const Operation& operation) {
 RunOptions Engine::run_options() {
   RunOptions options;
   options.settle = m_options.settle;
+  options.rules = m_options.rules;
   options.context = context();
   options.num_threads = m_options.num_threads;
   options.progress = [this](const Progress& progress) {
@@ -168,13 +172,30 @@ void Engine::publish(std::optional<SettledWay> way) {
   state.title = m_title;
   state.modified = session.is_modified();
   m_ghosts_know = false;
+  m_published = state.snapshot->committed;
   tell([state](Document& shown) { shown.show(state); });
+  post({0, "verdict", [committed = m_published](Engine& engine) {
+          engine.judge(committed);
+          return true;
+        }});
+}
+
+void Engine::judge(std::uint64_t committed) {
+  if (committed != m_published) return;
+  StabilityOptions options;
+  options.clearance = settled_clearance(*m_opened);
+  options.max_program_objects = kMaxJudgedObjects;
+  auto verdict = std::make_shared<SceneVerdict>();
+  verdict->committed = committed;
+  verdict->stability = stability(m_opened->session.scene(), options);
+  tell([verdict](Document& shown) { shown.show_verdict(verdict); });
 }
 
 // --- operations --------------------------------------------------------------------------------
 
 SettleOptions Engine::settle_options() const {
-  SettleOptions options = m_options.settle;
+  SettleOptions options =
+      with_rules(with_rules(m_options.settle, m_opened->rules), m_options.rules);
   if (!(options.clearance > 0)) options.clearance = m_opened->clearance;
   return options;
 }

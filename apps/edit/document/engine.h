@@ -93,6 +93,8 @@ class Engine {
   std::string model_path(const std::string& file) const;
   OpenedSession opened_from(const std::string& file);
   void publish(std::optional<SettledWay> way = std::nullopt);
+  /// Judges the scene as a whole, unless it has changed since.
+  void judge(std::uint64_t committed);
   std::optional<Pose> pose_before(const std::vector<Operation>& operations) const;
 
   Document& m_document;
@@ -109,7 +111,8 @@ class Engine {
   std::optional<DragMotion> m_motion;
   std::atomic<bool> m_watches = false;
   std::uint64_t m_drag = 0;
-  bool m_ghosts_know = false;  // the ghost worker has the current scene
+  std::uint64_t m_published = 0;  // SceneSnapshot::committed
+  bool m_ghosts_know = false;     // the ghost worker has the current scene
 
   std::atomic<int> m_num_open = 0;  // posts and signals not yet delivered
 

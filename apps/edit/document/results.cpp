@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/tunables.h"
+#include "ops/files/report/verdict.h"
 #include "ops/placement/clearance.h"
 #include "ops/placement/neighbourhood.h"
 
@@ -93,7 +94,7 @@ std::optional<Message> message_of(const Scene& scene, const Operation& operation
     }
   }
   const std::vector<std::string> gave_way = names_of(result.gave_way);
-  if (!gave_way.empty()) add_sentence(what, quoted(gave_way) + " gave way");
+  if (!gave_way.empty()) add_sentence(what, "gave way: " + gave_way_text(result.gave_way));
   if (!result.unsupported.empty())
     add_sentence(what, quoted(result.unsupported) + " left without support");
   if (!result.interpenetrates.empty())

@@ -26,6 +26,10 @@ int main(int argc, char** argv) {
                     "Who finds what stops a motion: auto, bvh, software or gpu; results do not "
                     "depend on it",
                     "name"});
+  parser.addOption({"perfect-friction",
+                    "Settles with nearly perfect friction, each object alone, as the paper does"});
+  parser.addOption({"objects-alone",
+                    "Settles each object on what stands still, whether the whole stands or not"});
   parser.addOption({"gpu-method", "How a GPU does it: auto, framebuffer or compute", "name"});
   parser.process(application);
   try {
@@ -35,6 +39,8 @@ int main(int argc, char** argv) {
     trivet::edit::DocumentOptions options;
     options.version = TRIVET_VERSION;
     options.detection = trivet::edit::backend_options(detection);
+    if (parser.isSet("perfect-friction")) options.rules.perfect_friction = true;
+    if (parser.isSet("objects-alone")) options.rules.whole_at_rest = false;
     options.recovery_folder =
         QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation).toStdString();
     QDir().mkpath(QString::fromStdString(options.recovery_folder));

@@ -13,8 +13,9 @@
 namespace trivet::edit {
 namespace {
 
-constexpr int kBusyAfterMs = 250;  // quicker jobs show no progress
-constexpr int kNoteMs = 12000;     // for which a note stays in the status bar
+constexpr int kBusyAfterMs = 250;    // quicker jobs show no progress
+constexpr int kWidestVerdict = 260;  // pixels
+constexpr int kNoteMs = 12000;       // for which a note stays in the status bar
 constexpr int kWidestAnswering = 320;
 
 QString aim_note(const Selection& selection) {
@@ -131,6 +132,8 @@ void MainWindow::make_status_bar() {
   m_count->setContentsMargins(8, 0, 8, 0);
   m_answering = new QLabel;
   m_answering->setObjectName("faint");
+  m_stands = new QLabel;
+  m_stands->setObjectName("stands");
   m_progress = new QProgressBar;
   m_progress->setFixedSize(140, 12);
   m_progress->setTextVisible(false);
@@ -138,8 +141,8 @@ void MainWindow::make_status_bar() {
   m_cancel->setText(tr("Cancel"));
   m_cancel->setToolTip(tr("Stop the running operation; the scene stays unchanged (Escape)"));
   statusBar()->addWidget(m_hint, 1);
-  for (QWidget* const widget :
-       std::initializer_list<QWidget*>{m_busy, m_progress, m_cancel, m_answering, m_count})
+  for (QWidget* const widget : std::initializer_list<QWidget*>{m_busy, m_progress, m_cancel,
+                                                               m_answering, m_stands, m_count})
     statusBar()->addPermanentWidget(widget);
   statusBar()->setSizeGripEnabled(false);
   for (QWidget* const widget : std::initializer_list<QWidget*>{m_busy, m_progress, m_cancel})
@@ -165,6 +168,8 @@ void MainWindow::connect_document() {
   connect(&m_document, &Document::file_changed, this, &MainWindow::update_title);
   connect(&m_document, &Document::ghost_changed, this, &MainWindow::update_status);
   connect(&m_document, &Document::detection_changed, this, &MainWindow::show_detection);
+  connect(&m_document, &Document::snapshot_changed, this, &MainWindow::show_verdict);
+  connect(&m_document, &Document::verdict_changed, this, &MainWindow::show_verdict);
   connect(&m_document, &Document::detection_noted, this,
           [this](const QString& note) { statusBar()->showMessage(note, kNoteMs); });
   show_detection();
@@ -242,6 +247,21 @@ void MainWindow::show_detection() {
       m_answering->fontMetrics().elidedText(text, Qt::ElideRight, kWidestAnswering));
   m_answering->setToolTip(tr("Collision detection. Moves: %1. Previews: %2. See Preferences.")
                               .arg(text, in_words(now.previews)));
+}
+
+// The last word stays while the next is not spoken.
+void MainWindow::show_verdict() {
+  const auto verdict = m_document.verdict();
+  if (!verdict) return;
+  const QString text = QString::fromStdString(whole_text(*m_document.snapshot(), *verdict));
+  const Theme& theme = m_drawing.theme();
+  const Stability::Status status = verdict->stability.status;
+  const QColor colour = status == Stability::Status::Unstable ? theme.refused()
+                        : status == Stability::Status::Stable ? theme.faint_text()
+                                                              : theme.warning();
+  m_stands->setStyleSheet("color: " + colour.name());
+  m_stands->setText(m_stands->fontMetrics().elidedText(text, Qt::ElideRight, kWidestVerdict));
+  m_stands->setToolTip(tr("The scene as a whole, at the friction of the materials: %1").arg(text));
 }
 
 void MainWindow::ask_preferences() {

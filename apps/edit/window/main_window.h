@@ -67,6 +67,7 @@ class MainWindow : public QMainWindow {
   void update_actions();
   void update_status();
   void show_detection();
+  void show_verdict();
   void ask_preferences();
   void show_busy();
   void take_tool(ToolKind kind);
@@ -147,6 +148,7 @@ class MainWindow : public QMainWindow {
   ZListPanel* m_zlists = nullptr;
   DetectionChoice m_detection;
   QLabel *m_hint = nullptr, *m_count = nullptr, *m_busy = nullptr, *m_answering = nullptr;
+  QLabel* m_stands = nullptr;
   QProgressBar* m_progress = nullptr;
   QToolButton* m_cancel = nullptr;
   QTimer m_busy_for_long;

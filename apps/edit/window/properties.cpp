@@ -115,6 +115,7 @@ Properties::Properties(Document& document, QWidget* parent)
   setWidgetResizable(true);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   connect(&m_document, &Document::snapshot_changed, this, &Properties::show_object);
+  connect(&m_document, &Document::verdict_changed, this, &Properties::show_object);
   connect(&m_document, &Document::selection_changed, this, &Properties::show_object);
   show_object();
 }
@@ -219,6 +220,15 @@ void Properties::show_object() {
       : std::isfinite(object.least_friction) ? number(object.least_friction, 3)
                                              : tr("no coefficient holds it"),
       tr("Smallest Coulomb coefficient that holds the object"));
+  const auto verdict = m_document.verdict();
+  const ObjectStability* const judged = verdict ? verdict->find(found->id) : nullptr;
+  set(tr("As a whole"),
+      judged ? tr("%1, margin %2")
+                   .arg(QString::fromStdString(object_text(object, *judged)),
+                        length_text(judged->margin))
+             : none,
+      tr("With all that it touches, at the friction of the materials. Margin: how far all weights "
+         "may shift sideways before it gives way"));
   show_material(object.material);
   set(tr("Weight"), weight_text(object), tr("Objects are of uniform density"));
   set(tr("Mass by"), mass_text(object), tr("Objects are of uniform density"));

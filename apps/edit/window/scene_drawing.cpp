@@ -8,6 +8,7 @@ namespace {
 
 constexpr int kGhostRestsMs = 120;  // without motion, after which it counts as still
 constexpr double kNormalPx = 26, kNormalOfObject = 0.15;  // length of normals: the shorter of both
+constexpr double kHeadPx = 9, kHeadOfArrow = 0.3;         // of arrows: the shorter of both
 constexpr size_t kManyPoints = 12;                        // of a contact
 constexpr size_t kManyFaces = 300;  // above, faces are lit without their edges
 const LiveColour kContactRed{0.92f, 0.20f, 0.18f, 1};
@@ -62,6 +63,7 @@ SceneDrawing::SceneDrawing(Document& document, Toolbox& toolbox, QObject* parent
     m_ghost_moved.start();
     Q_EMIT changed();
   });
+  connect(&m_document, &Document::verdict_changed, this, &SceneDrawing::changed);
   connect(&m_document, &Document::zlists_changed, this, &SceneDrawing::changed);
   connect(&m_document, &Document::message, this, &SceneDrawing::light);
   connect(&m_playback, &Playback::changed, this, &SceneDrawing::changed);
@@ -155,6 +157,7 @@ LiveScene SceneDrawing::scene(const View& view) const {
   add_active(out, view);
   add_drag(out);
   add_interference(out.overlay);
+  add_toppling(out.overlay, view);
   add_zlists(out.overlay);
   if (!m_playback.is_on()) add_tool(out.overlay, view);  // handles appear at the final pose
   for (const Vec3& point : m_lit.points)
@@ -271,6 +274,28 @@ void SceneDrawing::add_blocking(LiveOverlay& overlay, const InterferingFaces& fa
       if (of.faces.size() <= kManyFaces)
         overlay.add_loop({t[0], t[1], t[2]}, edge, 1.5f, Hidden::Shown);
     }
+}
+
+// An arrow for what topples, the way it goes.
+void SceneDrawing::add_toppling(LiveOverlay& overlay, const View& view) const {
+  const auto snapshot = m_document.snapshot();
+  const auto verdict = m_document.verdict();
+  if (!verdict || snapshot->drag || m_playback.is_on()) return;
+  const LiveColour colour = live_colour(m_theme.refused());
+  for (const ObjectStability& o : verdict->stability.objects) {
+    const ObjectSnapshot* const object = o.topples ? snapshot->find(o.object) : nullptr;
+    const auto arrow = object ? toppling_arrow(*object->object, o) : std::nullopt;
+    if (!arrow) continue;
+    const Vec3 way = arrow->to - arrow->from;
+    const double metres = view.metres_per_px(std::max(view.depth(arrow->to), 0.0));
+    const double head = std::min(kHeadOfArrow * way.norm(), kHeadPx * metres);
+    const Vec3 side = head * way.unitOrthogonal(), back = head * 1.6 * way.normalized();
+    const Vec3 other = way.normalized().cross(side);
+    overlay.points.push_back({arrow->from, colour, 4, Hidden::Shown});
+    overlay.lines.push_back({arrow->from, arrow->to, colour, 3, Hidden::Shown});
+    for (const Vec3& barb : {side, Vec3(-side), other, Vec3(-other)})
+      overlay.lines.push_back({arrow->to, arrow->to - back + barb, colour, 3, Hidden::Shown});
+  }
 }
 
 // Pairs of faces of the z-list view, for as long as its motion is under the hand.

@@ -157,6 +157,7 @@ double default_clearance_in_world(const Scene& scene) {
 
 LayoutRun run_in_scene(const Layout& layout, GltfScene& source, const RunOptions& given) {
   RunOptions options = given;
+  options.settle = settle_options(given, layout.settle);
   check_operations(layout, options);
   const std::map<size_t, const LayoutObject*> picked = picked_objects(layout, source, options);
   LayoutRun run;
@@ -166,7 +167,7 @@ LayoutRun run_in_scene(const Layout& layout, GltfScene& source, const RunOptions
   if (const auto why =
           refuse_too_coarse(run.scene, std::span<const PlacedBox>(), options.settle.clearance))
     throw Error(Error::Kind::BadInput, source.path() + ": " + message(*why));
-  update_contacts(run.scene, options.settle.clearance);
+  update_contacts(run.scene, options.settle.clearance, options.settle);
   run_operations(layout, options, run);
   finish_run(options, run);
   std::set<std::string> names;

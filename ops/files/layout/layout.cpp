@@ -10,6 +10,7 @@
 #include "ops/files/json/json_text.h"
 #include "ops/files/json/material_json.h"
 #include "ops/files/json/operation_json.h"
+#include "ops/files/json/settle_json.h"
 
 namespace trivet {
 namespace {
@@ -135,8 +136,8 @@ std::optional<Rotation> unit_rotation(const std::array<double, 4>& q) {
 Layout parse_layout(const std::string& text, const std::string& file) {
   const nlohmann::json document = parse_json(text, file);
   const JsonPlace root(document, file);
-  root.expect_object({"trivet", "objects"}, {"floor", "material", "floor_material", "scene",
-                                             "scene_objects", "operations"});
+  root.expect_object({"trivet", "objects"}, {"floor", "material", "floor_material", "settle",
+                                             "scene", "scene_objects", "operations"});
   const JsonPlace version = root.at("trivet");
   if (!version.value().is_number() || version.value() != kLayoutVersion)
     version.refuse(std::to_string(kLayoutVersion) + ", the version of the layout format");
@@ -152,6 +153,10 @@ Layout parse_layout(const std::string& text, const std::string& file) {
   if (const auto material = root.find("material")) layout.material = read_material(*material);
   if (const auto material = root.find("floor_material"))
     layout.floor_material = read_material(*material);
+  if (const auto settle = root.find("settle")) {
+    settle->expect_object({}, {"perfect_friction", "whole_at_rest", "literal_paper_rules"});
+    layout.settle = read_settle_rules(*settle);
+  }
   layout.objects = read_objects(root.at("objects"), !layout.scene.empty());
   std::set<std::string> names;
   for (const LayoutObject& object : layout.objects) names.insert(object.name);
@@ -170,6 +175,8 @@ std::string write_layout(const Layout& layout) {
   Json json = {{"trivet", kLayoutVersion}, {"floor", layout.floor}};
   write_material("material", layout.material, json);
   if (layout.floor_material) json["floor_material"] = material_json(*layout.floor_material);
+  if (const Json settle = settle_rules_json(layout.settle); !settle.empty())
+    json["settle"] = settle;
   if (!layout.scene.empty()) {
     json["scene"] = layout.scene;
     for (const auto& [name, rule] : kSceneRules)

@@ -11,6 +11,7 @@
 #include "core/io/tessellation.h"
 #include "core/motion/pose.h"
 #include "core/scene/physics_material.h"
+#include "ops/base/options.h"
 #include "ops/operations/operations.h"
 
 namespace trivet {
@@ -41,6 +42,7 @@ struct Layout {
   bool floor = true;
   std::string scene;  // a glTF file whose objects are picked, relative to the layout; empty: none
   SceneRule scene_rule = SceneRule::Roots;
+  SettleRules settle;                             // of the operations; stated, they are obeyed
   PhysicsMaterial material;                       // of what has none of its own
   std::optional<PhysicsMaterial> floor_material;  // nothing: the same
   std::vector<LayoutObject> objects;

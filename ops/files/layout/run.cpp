@@ -99,6 +99,10 @@ OperationResult not_tried(const OperationRecord& stopped_at) {
 
 }  // namespace
 
+SettleOptions settle_options(const RunOptions& options, const SettleRules& of_file) {
+  return with_rules(with_rules(options.settle, of_file), options.rules);
+}
+
 void run_operations(const Layout& layout, const RunOptions& options, LayoutRun& run) {
   const OperationRecord* stopped_at = nullptr;
   run.operations.reserve(run.operations.size() + layout.operations.size());
@@ -121,8 +125,9 @@ void run_operations(const Layout& layout, const RunOptions& options, LayoutRun& 
 }
 
 void finish_run(const RunOptions& options, LayoutRun& run) {
+  run.settle = options.settle;
   report_progress(options, "check", "", 0, 1);
-  update_contacts(run.scene, options.settle.clearance);
+  update_contacts(run.scene, options.settle.clearance, options.settle);
   run.check = check_scene(run.scene, options.num_threads, options.settle.clearance);
   StabilityOptions stability_options = options.stability;
   stability_options.clearance = options.settle.clearance;
@@ -162,7 +167,9 @@ Scene make_scene(const Layout& layout, const ModelSource& models, const RunOptio
 }
 
 LayoutRun run_layout(const Layout& without_models, const ModelSource& models,
-                     const RunOptions& options) {
+                     const RunOptions& given) {
+  RunOptions options = given;
+  options.settle = settle_options(given, without_models.settle);
   LayoutRun run;
   run.scene = make_scene(without_models, models, options);
   Layout layout = without_models;
@@ -177,8 +184,9 @@ LayoutRun run_layout(const Layout& without_models, const ModelSource& models,
   return run;
 }
 
-LayoutRun run_start_only(const Layout& layout, const ModelSource& models,
-                         const RunOptions& options) {
+LayoutRun run_start_only(const Layout& layout, const ModelSource& models, const RunOptions& given) {
+  RunOptions options = given;
+  options.settle = settle_options(given, layout.settle);
   LayoutRun run;
   run.scene = make_scene(layout, models, options);
   Transaction transaction(run.scene);

@@ -15,7 +15,8 @@
 namespace trivet {
 
 struct RunOptions {
-  SettleOptions settle;
+  SettleOptions settle;    // where neither `rules` nor the file state a rule
+  SettleRules rules = {};  // before those that a layout or scene file states
   RunContext context;
   StabilityOptions stability;    // of the scene as a whole, at the end
   int num_threads = 0;           // 0: all cores; results do not depend on it
@@ -33,6 +34,7 @@ struct OperationRecord {
 
 struct LayoutRun {
   Scene scene;
+  SettleOptions settle;  // of the operations
   std::vector<OperationRecord> operations;
   SceneCheck check;
   Stability stability;
@@ -45,13 +47,17 @@ struct LayoutRun {
 ///   kMaxLength, with its place in the layout; what `models` throws.
 Scene make_scene(const Layout& layout, const ModelSource& models, const RunOptions& options);
 
-/// Does the operations of the layout on a scene that has its objects.
+/// Options with the rules that hold: `options.rules`, else the file's, else `options.settle`.
+SettleOptions settle_options(const RunOptions& options, const SettleRules& of_file);
+
+/// Does the operations of the layout on a scene that has its objects; by `options.settle`.
 void run_operations(const Layout& layout, const RunOptions& options, LayoutRun& run);
 
 /// Brings contacts and states up to date with the poses, checks the scene and judges its stability.
 void finish_run(const RunOptions& options, LayoutRun& run);
 
-/// Stands objects in the order of the layout, then does the operations, then checks the scene.
+/// Stands objects in the order of the layout, then does the operations, by the rules that hold,
+/// then checks the scene.
 LayoutRun run_layout(const Layout& layout, const ModelSource& models, const RunOptions& options);
 
 /// The objects that stand from the start, exactly as the layout has them, whether they may or not:

@@ -63,6 +63,7 @@ OrderedJson load_support_json(const Scene& scene) {
 OrderedJson layout_json(Layout layout, const SceneFileOptions& options) {
   for (LayoutObject& object : layout.objects)
     object.model = joined_path(options.model_folder, object.model);
+  layout.settle = rules_of(with_rules({}, layout.settle));  // none stated: those of today
   return OrderedJson::parse(write_layout(layout));
 }
 
@@ -185,6 +186,7 @@ TrivetExtras parse_scene_extras(const std::string& text, const std::string& file
   for (const JsonPlace& item : root.at("objects").items())
     extras.objects.push_back(read_object_entry(item, extras.models.size()));
   extras.layout = parse_layout(root.at("layout").value().dump(), root.at("layout").where());
+  extras.layout.settle = rules_of(with_rules(with_rules({}, kRulesBefore), extras.layout.settle));
   return extras;
 }
 

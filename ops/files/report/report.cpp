@@ -4,6 +4,7 @@
 #include <map>
 
 #include "ops/files/json/json_text.h"
+#include "ops/files/json/settle_json.h"
 #include "ops/files/report/json_parts.h"
 #include "ops/files/report/models_of_shapes.h"
 
@@ -88,6 +89,7 @@ std::string report_json(const LayoutRun& run, const ReportOptions& options) {
                       {"device", options.device},
                       {"confirmation", options.confirmation}};
   if (options.work) json["work"] = work_json(*options.work);
+  json["settle"] = settle_rules_json(rules_of(run.settle));
   json["objects"] = objects_json(run.scene, options);
   json["operations"] = operations_json(run.operations);
   json["check"] = check_json(run.check);

@@ -25,9 +25,9 @@ struct ReportOptions {
 /// "milliseconds"; two backends also in "backend", "device" and "work", two
 /// kinds of confirmation in "confirmation" and "work". Beside the contract's keys, "check" names
 /// what it found: "pairs" of objects that interpenetrate (in double, in float32, or one inside the
-/// other) and objects "not_at_rest". "stability" is of the scene as a whole, as struct Stability
-/// has it; newtons, metres. Null: a number that is infinite; pose, centre and margins of an object
-/// that is not in the scene; margins of a fixed one.
+/// other) and objects "not_at_rest". "settle" has the rules of layouts. "stability" is of the scene
+/// as a whole, as struct Stability has it; newtons, metres. Null: a number that is infinite; pose,
+/// centre and margins of an object that is not in the scene; margins of a fixed one.
 std::string report_json(const LayoutRun& run, const ReportOptions& options);
 
 /// `folder`/`path` without detours; an absolute `path` as it is.

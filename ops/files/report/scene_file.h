@@ -19,7 +19,8 @@ struct SceneFileOptions {
 
 /// Writes the placed objects. By extension: .glb with Trivet's own data in `extras`; .obj, .ply and
 /// .stl have no place for them.
-/// @param layout  what made the scene; kept in the file, for people and for further operations.
+/// @param layout  what made the scene; kept in the file, for people and for further operations. Of
+///   rules of settling that it does not state the file states the defaults.
 /// @throws Error as write_scene().
 void write_scene_file(const Scene& scene, const Layout& layout, const SceneFileOptions& options,
                       const std::string& path);

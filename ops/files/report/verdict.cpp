@@ -55,6 +55,17 @@ double least_pair_friction(const Scene& scene, ObjectId object) {
   return least;
 }
 
+std::string gave_way_text(const std::vector<GaveWay>& objects) {
+  std::string out;
+  for (const GaveWay& object : objects) {
+    char text[80];
+    std::snprintf(text, sizeof text, " by %.2g mm and %.2g degrees", 1000 * object.moved,
+                  object.turned_deg);
+    out += (out.empty() ? "" : ", ") + quoted(object.name) + text;
+  }
+  return out;
+}
+
 std::string verdict_text(const Scene& scene, const Stability& stability) {
   std::ostringstream out;
   out << "stability: " << to_string(stability.status) << " at " << friction_text(stability);

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/scene/scene.h"
+#include "ops/base/outcome.h"
 #include "ops/stability/stability.h"
 
 namespace trivet {
@@ -15,6 +16,9 @@ std::string way_text(const Object& object, const VirtualMotion& motion);
 /// The smallest coefficient of friction of an object's contacts, by the materials; infinity: it has
 /// none.
 double least_pair_friction(const Scene& scene, ObjectId object);
+
+/// "\"a\" by 1.2 mm and 0.3 degrees, \"b\" by ...", of objects that an operation moved.
+std::string gave_way_text(const std::vector<GaveWay>& objects);
 
 /// A line for the scene, and one for each object that topples or is marginal.
 std::string verdict_text(const Scene& scene, const Stability& stability);

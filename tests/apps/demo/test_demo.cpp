@@ -123,6 +123,7 @@ TEST(Demo, ComesToRestWithoutInterpenetration) {
     }
     EXPECT_EQ(result.check.interpenetrating_pairs(), 0);
     EXPECT_GT(result.check.smallest_gap, 0);
+    EXPECT_TRUE(result.stability.stable()) << name;
     for (const ObjectId id : result.scene.ids()) {
       const Object& object = result.scene.at(id);
       EXPECT_TRUE(object.fixed || object.state == ObjectState::Stable) << object.name;

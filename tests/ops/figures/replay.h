@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "ops/move/stage.h"
+#include "support/settle_options.h"
 
 namespace trivet::test {
 
@@ -14,7 +15,7 @@ Motion motion_between(const Pose& from, const Pose& to, SettleStep::Kind kind);
 /// Clearance for all figures, the same in every scene.
 inline constexpr double kFigureClearance = 2e-6;
 inline SettleOptions figure_options(bool literal_paper_rules = false) {
-  SettleOptions options;
+  SettleOptions options = perfect_friction();
   options.clearance = kFigureClearance;
   options.literal_paper_rules = literal_paper_rules;
   return options;

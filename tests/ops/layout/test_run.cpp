@@ -68,6 +68,35 @@ TEST(RunLayout, PutsCubesOnSlab) {
   EXPECT_NEAR(b.pose.translation.z(), 0.25, 1e-5);
 }
 
+// A slope of 30 degrees holds a cube with perfect friction, and not at 0.5 < tan 30.
+TEST(RunLayout, ObeysRulesOfSettling) {
+  BoxSource boxes;
+  const std::string turned = "\"rotation\": [0.9659258262890683, 0, 0.25881904510252074, 0]";
+  Layout layout = parsed(
+      object("slope", "slab.obj", ", \"fixed\": true, \"position\": [0, 0, 0.6], " + turned) + "," +
+          object("a", "cube.obj"),
+      put_at("a", "[0, 0, 1.2], " + turned));
+  RunOptions options;
+  const auto height = [&] {
+    const LayoutRun run = run_layout(layout, boxes.source(), options);
+    EXPECT_TRUE(run.ok());
+    EXPECT_EQ(has_finite_friction(run.settle),
+              has_finite_friction(settle_options(options, layout.settle)));
+    return run.scene.at(*run.scene.find("a")).centre_of_mass().z();
+  };
+  EXPECT_LT(height(), 0.1);  // by default
+  layout.settle.perfect_friction = true;
+  EXPECT_GT(height(), 0.6);
+  options.rules.perfect_friction = false;  // comes first
+  EXPECT_LT(height(), 0.1);
+  layout.settle = {};
+  options.rules = {};
+  options.settle.perfect_friction = true;  // comes last
+  EXPECT_GT(height(), 0.6);
+  layout.settle.perfect_friction = false;
+  EXPECT_LT(height(), 0.1);
+}
+
 TEST(RunLayout, ReadsSharedModelOnce) {
   BoxSource boxes;
   std::string objects = kSlab;

@@ -190,6 +190,7 @@ struct Bridge : Stage {
 TEST(Group, NamesObjectsLeftUnsupported) {
   for (const bool settle_left : {false, true}) {
     Bridge s;
+    s.options = test::objects_alone();
     const OperationResult result = s.run(TranslateOperation{{"left", settle_left}, Vec3(-1, 0, 0)});
     ASSERT_TRUE(result.ok()) << result.reason();
     EXPECT_EQ(result.end, End::Reached);
@@ -208,10 +209,26 @@ TEST(Group, NamesObjectsLeftUnsupported) {
   }
 }
 
+// By default what is left without support falls.
+TEST(Group, LetsObjectsLeftUnsupportedGiveWay) {
+  Bridge s;
+  const double before = s.position("plank").z();
+  const OperationResult result = s.run(TranslateOperation{{"left"}, Vec3(-1, 0, 0)});
+  ASSERT_TRUE(result.ok()) << result.reason();
+  EXPECT_TRUE(result.unsupported.empty());
+  ASSERT_FALSE(result.gave_way.empty());
+  EXPECT_EQ(result.gave_way[0].name, "plank");
+  EXPECT_GT(result.gave_way[0].moved, 0.1);
+  EXPECT_LT(s.position("plank").z(), before - 0.1);
+  for (const char* name : {"left", "right", "plank", "box"})
+    EXPECT_EQ(s.at(name).state, ObjectState::Stable) << name;
+}
+
 // A tilted table drops its load: named, or settled on request.
 TEST(Group, NamesOrSettlesLoadsOfTiltedSupport) {
   for (const bool settle_left : {false, true}) {
     Stage s;
+    s.options = test::objects_alone();
     s.put("tray", box_triangles(Vec3(0.5, 0.3, 0.02)), {0, 0, 1});
     s.put("ball", box_triangles(Vec3(0.02, 0.02, 0.2)), {0.3, 0, 1});
     TurnOperation o;
@@ -264,6 +281,7 @@ TEST(Group, NamesObjectThatLeanedOnNearbyOne) {
           Operation{DeleteOperation{{"post", settle_left}}},
           Operation{TranslateOperation{{"plank", settle_left}, Vec3(0, 0.1875, 0)}}}) {
       Propped s;
+      s.options = test::objects_alone();
       const OperationResult result = s.run(operation);
       ASSERT_TRUE(result.ok()) << result.reason();
       if (object_name(operation) == "plank") {
@@ -283,6 +301,7 @@ TEST(Group, NamesObjectThatLeanedOnNearbyOne) {
 // The same when the plank moves along with the table, and the post stays.
 TEST(Group, NamesCarriedObjectThatLeanedOnNearbyOne) {
   Propped s;
+  s.options = test::objects_alone();
   s.edit("table", [](Object& table) { table.fixed = false, table.state = ObjectState::Held; });
   const OperationResult result = s.run(TranslateOperation{{"table"}, Vec3(-0.5, 0, 0)});
   ASSERT_TRUE(result.ok()) << result.reason();

@@ -56,6 +56,7 @@ TEST(Invalid, EndsWhenOtherObjectIsGone) {
 
 TEST(Invalid, NamesObjectThenLeftInAir) {
   Crossed s;
+  s.options = test::objects_alone();
   TranslateOperation up{{"box"}, Vec3(0, 0, 0.05)};
   up.free = true;
   s.go(up);
@@ -113,12 +114,14 @@ TEST(Invalid, IsNamedWhenBlockingMove) {
 
 TEST(Invalid, MovesBothAsOne) {
   Crossed s;
+  s.options = test::objects_alone();
   TranslateOperation o{{"box"}, Vec3(0, 0, 0.5)};
   o.free = true;
   o.together = {"cup"};
   s.go(o);
   EXPECT_EQ(s.at("box").state, ObjectState::Invalid);
-  const OperationResult out = perform(s.scene, PutOperation{{"cup"}, {{}, Vec3(1, 1, 1)}, {}});
+  const OperationResult out =
+      perform(s.scene, PutOperation{{"cup"}, {{}, Vec3(1, 1, 1)}, {}}, s.options);
   EXPECT_TRUE(out.ok()) << out.reason();
   EXPECT_EQ(s.at("box").state, ObjectState::Unsupported);
 }

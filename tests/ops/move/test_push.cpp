@@ -109,6 +109,7 @@ TEST(Push, FollowsSlopes) {
   const double slope = std::tan(20 * M_PI / 180);
   for (const double end : {0.3, 0.5, 0.8}) {
     Stage s;
+    s.options = test::perfect_friction();
     s.fix("roof", test::prism({{0, 0}, {1, 0}, {0.5, 0.5 * slope}}, 0.5), {0, 0, 1e-5});
     s.put("box", test::ball(0.02, 16, 24), {0.1, 0, 0.5});
     PushOperation o;

@@ -191,7 +191,10 @@ OperationResult checked_put(Scene& scene, ObjectId id, const Pose& start,
                                ? options.clearance
                                : default_clearance(scene, expected_box(scene, scene.at(id), start));
   const OperationResult result = put(scene, id, start, options);
-  expect_falling_energy(scene.at(id), start, clearance, result);
+  if (!has_finite_friction(options)) expect_falling_energy(scene.at(id), start, clearance, result);
+  if (has_finite_friction(options) && result.ok()) {
+    EXPECT_LE(scene.at(id).centre_of_mass().z(), centre_at(before.at(id), start).z());
+  }
   if (!result.ok()) {
     EXPECT_FALSE(result.reason().empty());
     EXPECT_EQ(difference(before, scene), "");

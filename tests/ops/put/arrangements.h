@@ -6,6 +6,7 @@
 
 #include "ops/operations/perform.h"
 #include "support/same_scene.h"
+#include "support/settle_options.h"
 #include "support/solids.h"
 
 namespace trivet::test {
@@ -39,13 +40,14 @@ ObjectId add_fixed(Scene& scene, const std::string& name, const Triangles& trian
 /// One of the shapes of about the given size, by number.
 Triangles some_shape(int index, double size);
 
-/// Puts, and checks the invariants: energy decreases in every step, no crossings in double and
+/// Puts, and checks the invariants: energy decreases in every step (with finite friction: in all
+/// together), no crossings in double and
 /// float32, at rest, gaps within (0, 2] clearances, contacts and state consistent. When refused,
 /// the scene must be unchanged.
 OperationResult checked_put(Scene& scene, ObjectId object, const Pose& start,
-                            const SettleOptions& options = {});
+                            const SettleOptions& options = perfect_friction());
 
 /// Runs checked_put() twice from the same scene: equal poses to the last bit.
-OperationResult put_twice(Arrangement& a, const SettleOptions& options = {});
+OperationResult put_twice(Arrangement& a, const SettleOptions& options = perfect_friction());
 
 }  // namespace trivet::test

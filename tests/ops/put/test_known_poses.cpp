@@ -464,7 +464,7 @@ TEST(CheckScene, IsTheSameWithAnyNumberOfThreads) {
 TEST(CheckScene, UpdateContactsAgreesWithPut) {
   Scene scene = heap(8, false);
   const Scene before = scene;
-  update_contacts(scene);
+  update_contacts(scene, 0, test::perfect_friction());
   for (const ObjectId id : scene.ids()) {
     EXPECT_EQ(scene.at(id).state, before.at(id).state);
     EXPECT_EQ(scene.at(id).contacts.size(), before.at(id).contacts.size());

@@ -14,6 +14,7 @@
 #include "ops/check/check.h"
 #include "ops/files/report/scene_file.h"
 #include "ops/operations/perform.h"
+#include "support/settle_options.h"
 #include "support/solids.h"
 
 namespace trivet {
@@ -127,7 +128,7 @@ TEST(SceneBytes, OfObjectsWithoutModelsComeBackWhole) {
     scene.add(std::move(object));
   }
   ASSERT_TRUE(stand(scene, *scene.find("a"), {{}, Vec3(0, 0, 0.34)}).ok());
-  ASSERT_TRUE(put(scene, *scene.find("b"), {{}, Vec3(0, 0, 2)}).ok());
+  ASSERT_TRUE(put(scene, *scene.find("b"), {{}, Vec3(0, 0, 2)}, test::objects_alone()).ok());
   update_contacts(scene);
   EXPECT_TRUE(check_scene(scene).not_at_rest.size() == 1);  // "a" stands above the floor
   const Scene back = read_back(scene_file_bytes(scene, {}, {}));

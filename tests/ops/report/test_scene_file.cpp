@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/io/export.h"
 #include "core/io/gltf/glb_container.h"
+#include "ops/files/report/extras.h"
 #include "ops/files/report/geometry.h"
 #include "ops/files/report/report.h"
 #include "ops/files/report/scene_file.h"
@@ -102,7 +103,9 @@ TEST_F(SceneFileTest, RoundTripsBitwiseWithoutModels) {
   const SceneFile back = read_scene_file(file("scene.glb"));
   EXPECT_TRUE(back.notes.empty());
   EXPECT_EQ(state_of(back.scene), state_of(made.scene));
-  EXPECT_EQ(write_layout(back.layout), write_layout(parse_layout(m_layout, "a.json")));
+  Layout layout = parse_layout(m_layout, "a.json");
+  layout.settle = rules_of({});
+  EXPECT_EQ(write_layout(back.layout), write_layout(layout));
   const Object &a = back.scene.at(*back.scene.find("a")), &b = back.scene.at(*back.scene.find("b"));
   EXPECT_EQ(a.model, b.model);
   EXPECT_EQ(a.shape, b.shape);
@@ -295,6 +298,23 @@ TEST(Geometry, FingerprintDependsOnEveryBitAndOrder) {
   for (Index3& t : other.triangles)
     for (Index& v : t) v = v < 2 ? 1 - v : v;
   EXPECT_EQ(geometry_fingerprint(other), fingerprint);
+}
+
+// Scene files that state no rules are of the time when friction was perfect.
+TEST_F(SceneFileTest, KeepsRulesOfSettling) {
+  const auto kept = [](const Layout& layout, bool states_rules) {
+    auto json = nlohmann::json::parse(scene_extras({}, layout, {}));
+    EXPECT_EQ(json["trivet"]["layout"]["settle"].size(), 3u);
+    if (!states_rules) json["trivet"]["layout"].erase("settle");
+    return parse_scene_extras(json.dump(), "a.glb").layout.settle;
+  };
+  Layout layout;
+  EXPECT_EQ(kept(layout, true).perfect_friction, false);
+  EXPECT_EQ(kept(layout, true).whole_at_rest, true);
+  layout.settle.perfect_friction = true;
+  EXPECT_EQ(kept(layout, true).perfect_friction, true);
+  EXPECT_EQ(kept({}, false).perfect_friction, true);
+  EXPECT_EQ(kept({}, false).whole_at_rest, false);
 }
 
 }  // namespace

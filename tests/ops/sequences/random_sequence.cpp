@@ -12,6 +12,7 @@
 #include "ops/files/json/operation_json.h"
 #include "ops/operations/perform.h"
 #include "support/same_scene.h"
+#include "support/settle_options.h"
 #include "support/shared_data.h"
 #include "support/solids.h"
 
@@ -291,7 +292,7 @@ class Sequence {
   Session m_session;
   const SequenceOptions& m_options;
   const Scene m_start;
-  SettleOptions m_settle;
+  SettleOptions m_settle = perfect_friction();  // others are those of tests/ops/friction
   RunContext m_context;
   std::vector<std::uint64_t> m_states;
   Outcome m_outcome;

@@ -4,6 +4,7 @@
 #include "apps/demo/demo.h"
 #include "ops/files/layout/run.h"
 #include "session_testing.h"
+#include "support/settle_options.h"
 
 namespace trivet::test {
 namespace {
@@ -60,11 +61,16 @@ TEST(Fix, RatesObjectAsItLies) {
   ASSERT_TRUE(session.perform(FixOperation{"b", true}).ok());
   EXPECT_EQ(state_of(session, "b"), ObjectState::Fixed);
   EXPECT_FALSE(session.perform(translate_of("b", Vec3(0, 0, 0.5))).ok());
-  ASSERT_TRUE(session.perform(FixOperation{"b", true}).ok());               // no change
-  const OperationResult freed = session.perform(FixOperation{"b", false});  // in the air
+  ASSERT_TRUE(session.perform(FixOperation{"b", true}).ok());  // no change
+  const OperationResult freed =
+      session.perform(FixOperation{"b", false}, objects_alone());  // in the air
   ASSERT_TRUE(freed.ok());
   EXPECT_EQ(freed.unsupported, std::vector<std::string>{"b"});
   EXPECT_EQ(state_of(session, "b"), ObjectState::Unsupported);
+  ASSERT_TRUE(session.undo());
+  const OperationResult falls = session.perform(FixOperation{"b", false});
+  EXPECT_TRUE(falls.unsupported.empty());
+  EXPECT_EQ(state_of(session, "b"), ObjectState::Stable);
   ASSERT_TRUE(session.perform(FixOperation{"a", true}).ok());
   ASSERT_TRUE(session.perform(put_at("b", 0, 0)).ok());
   const OperationResult refused = session.perform(translate_of("a", Vec3(0, 0, 0.5)));

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 
 #include "core/base/error.h"
 #include "core/io/export.h"
@@ -14,6 +15,7 @@
 #include "ops/operations/live_move.h"
 #include "ops/placement/clearance.h"
 #include "ops/session/journal.h"
+#include "ops/session/journal_text.h"
 #include "ops/session/restore.h"
 #include "session_testing.h"
 #include "support/temporary_folder.h"
@@ -238,6 +240,44 @@ TEST_F(JournalFiles, RefuseSecondSession) {
   EXPECT_THROW(open(), Error);         // the journal exists
   EXPECT_THROW(restore(true), Error);  // the journal is in use
   EXPECT_NO_THROW(restore());
+}
+
+// Journals that state no rules are of the time when friction was perfect.
+TEST_F(JournalFiles, WithoutRulesGoOnWithPerfectFriction) {
+  RunOptions options;
+  options.rules.perfect_friction = true, options.rules.whole_at_rest = false;
+  {
+    OpenedSession opened = open_session(path("layout.json"), options, {}, path("j"));
+    ASSERT_TRUE(opened.session.perform(put_at("b", 0.05, 0.02), with_rules({}, opened.rules)).ok());
+  }
+  std::istringstream lines(read("j"));
+  std::string old;
+  for (std::string line; std::getline(lines, line);) {
+    auto json = JournalJson::parse(line);
+    json.erase("sum");
+    for (const char* rule : {"perfect_friction", "whole_at_rest", "literal_paper_rules"})
+      EXPECT_EQ(json["settle"].erase(rule), 1u);
+    old += journal_line(json);
+  }
+  write("j", old);
+  const RestoredSession restored = restore();
+  EXPECT_TRUE(restored.exact);
+  EXPECT_EQ(restored.opened.rules.perfect_friction, true);
+  EXPECT_EQ(restored.opened.rules.whole_at_rest, false);
+  ASSERT_EQ(restored.opened.session.steps().size(), 1u);
+  EXPECT_TRUE(restored.opened.session.steps()[0].settle.perfect_friction);
+  EXPECT_FALSE(restored.opened.session.steps()[0].settle.whole_at_rest);
+}
+
+TEST_F(JournalFiles, KeepRulesOfTheLayout) {
+  std::string text = read("layout.json");
+  text.insert(text.find("\"objects\""), R"("settle": {"perfect_friction": true}, )");
+  write("layout.json", text);
+  open();
+  const RestoredSession restored = restore();
+  EXPECT_TRUE(restored.exact);
+  EXPECT_EQ(restored.opened.rules.perfect_friction, true);
+  EXPECT_EQ(restored.opened.session.layout().settle.whole_at_rest, true);
 }
 
 TEST_F(JournalFiles, RefuseStepThatCannotBeWritten) {

@@ -6,6 +6,7 @@
 #include "apps/demo/shapes/models.h"
 #include "core/base/tunables.h"
 #include "core/io/model.h"
+#include "support/settle_options.h"
 #include "support/shared_data.h"
 #include "support/solids.h"
 
@@ -151,6 +152,7 @@ Stock real_stock() {
 
 SettleProblem RestCase::problem(const Neighbourhood& others) const {
   SettleProblem out;
+  out.options = perfect_friction();
   out.shape = shape.get();
   out.up = up;
   out.scale = scale;

@@ -51,7 +51,7 @@ struct RestCase {
   Body body() const { return {*shape, world_from_object(pose, up, scale)}; }
   double size() const { return scale * shape->box.diagonal(); }
   Neighbourhood others() const { return {*scene, std::span<const ObjectId>()}; }
-  /// @param others  this case's, alive as long as the problem.
+  /// With perfect friction. @param others  this case's, alive as long as the problem.
   SettleProblem problem(const Neighbourhood& others) const;
   void add(const FixedBody& body);
   std::vector<ContactPoint> contacts() const;

@@ -10,6 +10,7 @@
 #include "ops/settle/subsets.h"
 #include "rest_cases.h"
 #include "support/effort.h"
+#include "support/settle_options.h"
 #include "support/shared_data.h"
 
 namespace trivet {
@@ -109,6 +110,7 @@ TEST(IsAtRest, NotOnAnEdgeThatItHoversOver) {
   const Scene empty;
   const Neighbourhood others(empty, std::span<const ObjectId>());
   SettleProblem problem;
+  problem.options = test::perfect_friction();
   problem.others = &others;
   problem.shape = cube.get();
   problem.clearance = 1e-6;

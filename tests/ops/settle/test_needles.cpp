@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "ops/operations/perform.h"
+#include "support/settle_options.h"
 #include "support/solids.h"
 
 namespace trivet::test {
@@ -19,7 +20,7 @@ TEST(Needle, ComesToRestSoonHoweverThin) {
       const ObjectId needle =
           scene.add(object_of("needle", box_triangles(Vec3(0.5, width / 2, width / 2))));
       const Pose start{Rotation::about_axis(Vec3::UnitZ(), turn), Vec3(0, 0.05, 0.5)};
-      const OperationResult result = put(scene, needle, start);
+      const OperationResult result = put(scene, needle, start, test::perfect_friction());
       EXPECT_TRUE(result.ok()) << width << " " << turn << " " << result.reason();
       EXPECT_LT(result.num_motions, 60) << width << " " << turn;
       EXPECT_EQ(scene.at(needle).state, ObjectState::Stable);

@@ -7,6 +7,7 @@
 #include "core/base/tunables.h"
 #include "ops/settle/settle.h"
 #include "support/random_shapes.h"
+#include "support/settle_options.h"
 
 namespace trivet {
 namespace {
@@ -42,7 +43,7 @@ Scene scene_of(const std::vector<Fixed>& fixed, bool floor) {
 }
 
 SettleOutcome settled(const Box& box, const Pose& start, const std::vector<Fixed>& fixed,
-                      bool floor = true, const SettleOptions& options = {}) {
+                      bool floor = true, const SettleOptions& options = test::perfect_friction()) {
   const Scene scene = scene_of(fixed, floor);
   const Neighbourhood others(scene, std::span<const ObjectId>());
   SettleProblem problem;
@@ -98,7 +99,7 @@ TEST(Settle, FallsOutWithoutSupport) {
 }
 
 TEST(Settle, StopsAtLimitOfMotions) {
-  SettleOptions options;
+  SettleOptions options = test::perfect_friction();
   options.max_motions = 1;
   const Rotation tilted = Rotation::about_axis(Vec3(1, 2, 3).normalized(), 0.4);
   const SettleOutcome out = settled(cube(), {tilted, Vec3(0, 0, 3)}, {}, true, options);
@@ -116,6 +117,7 @@ TEST(IsAtRest, HoldsOnlyOnSupport) {
   const Neighbourhood others(empty, std::span<const ObjectId>());
   const auto rests = [&](const Vec3& at, const Rotation& rotation = {}) {
     SettleProblem problem;
+    problem.options = test::perfect_friction();
     problem.others = &others;
     problem.shape = cube().shape.get();
     problem.start = {rotation, at};
