@@ -248,10 +248,10 @@ TEST(PairContact, CountsPairsThatRunOutOfPlanes) {
 // --- named cases -----------------------------------------------------------------------------
 
 const Triangle kFloor{Vec3(-1, -1, 0), Vec3(1, -1, 0), Vec3(0, 1, 0)};
-constexpr Clearance kClearance{1e-6};
+constexpr Clearance kPairClearance{1e-6};
 
 PairContact drop(const Triangle& t, double length = 10) {
-  return first_contact(t, kFloor, Motion::translation(-Vec3::UnitZ(), length), kClearance);
+  return first_contact(t, kFloor, Motion::translation(-Vec3::UnitZ(), length), kPairClearance);
 }
 
 TEST(PairContact, VertexFallsOnFace) {
@@ -275,7 +275,7 @@ TEST(PairContact, CrossingEdgesMeet) {
   const Triangle beam{Vec3(-2, 0.5, 3), Vec3(2, 0.5, 3), Vec3(0, 0.5, 9)};
   const Triangle ridge{Vec3(0, -2, 1), Vec3(0, 2, 1), Vec3(0, 0, -5)};
   const PairContact c =
-      first_contact(beam, ridge, Motion::translation(-Vec3::UnitZ(), 10), kClearance);
+      first_contact(beam, ridge, Motion::translation(-Vec3::UnitZ(), 10), kPairClearance);
   EXPECT_EQ(c.status, PairStatus::Contact);
   EXPECT_NEAR(c.time, 2 - 1e-6, 1e-15);
   EXPECT_LT((c.point - Vec3(0, 0.5, 1)).norm(), 1e-15);
@@ -295,7 +295,7 @@ TEST(PairContact, SlidesFreelyAlongFaceAtRest) {
   for (const double gap : {0.6e-6, 1e-6, 1.9e-6}) {
     const Triangle t{Vec3(-0.1, 0, gap), Vec3(0.1, 0, gap), Vec3(0, 0.1, gap)};
     const auto along = [&](const Vec3& d) {
-      return first_contact(t, kFloor, Motion::translation(d, 0.5), kClearance).status;
+      return first_contact(t, kFloor, Motion::translation(d, 0.5), kPairClearance).status;
     };
     EXPECT_EQ(along(Vec3::UnitX()), PairStatus::Free);
     EXPECT_EQ(along(Vec3::UnitZ()), PairStatus::Free);
@@ -312,7 +312,7 @@ TEST(PairContact, RestingPairStopsAtHalfGap) {
 TEST(PairContact, TurnAboutOwnPointKeepsContact) {
   const Triangle t{Vec3(0, 0, 1e-6), Vec3(1, 0, 1), Vec3(0, 0.2, 1)};
   const Motion tilt = Motion::rotation(t[0], Vec3::UnitY(), 1);
-  const PairContact c = first_contact(t, kFloor, tilt, kClearance);
+  const PairContact c = first_contact(t, kFloor, tilt, kPairClearance);
   EXPECT_EQ(c.status, PairStatus::Contact);
   // The corner at (1, 0, 1) comes down after 45 degrees, over the outside of the floor's triangle:
   // its edge to the pivot meets the floor's edge.

@@ -13,7 +13,7 @@
 namespace trivet {
 namespace {
 
-constexpr unsigned kSeed = 777;
+constexpr unsigned kCampaignSeed = 777;
 constexpr int kReportEvery = 1000;
 constexpr Confirmation kAskNothing{false, 0};
 
@@ -102,17 +102,18 @@ std::vector<Source> sources_at(int resolution) {
 /// Rotations and translations, groups over a floor, starts in contact, needles and faces without
 /// area; see random_query().
 test::RandomQuery motion(const test::MeshPool& pool, int i) {
-  return i % 4 ? test::random_query(pool, kSeed, i) : test::random_group_query(pool, kSeed, i);
+  return i % 4 ? test::random_query(pool, kCampaignSeed, i)
+               : test::random_group_query(pool, kCampaignSeed, i);
 }
 
 TEST(ZListCampaign, EqualsBruteForceByEverySource) {
   std::vector<Source> coarse = sources_at(16), fine = sources_at(64);
   if (coarse.empty()) GTEST_SKIP() << "this machine has no OpenGL through EGL";
-  const test::MeshPool pool(kSeed, 8);
+  const test::MeshPool pool(kCampaignSeed, 8);
   const int num = test::with_effort(200);
   int num_contacts = 0, num_wrong = 0;
   const auto print = [&](int done) {
-    std::cout << "seed " << kSeed << ", " << done << " motions, " << num_contacts
+    std::cout << "seed " << kCampaignSeed << ", " << done << " motions, " << num_contacts
               << " contacts; BVHs wrong " << num_wrong << "\n";
     for (const auto* sources : {&coarse, &fine})
       for (const Source& s : *sources) std::cout << "  " << s.describe();
