@@ -50,7 +50,8 @@ py::dict contacts(SharedScene& shared) {
   const Scene& scene = shared.scene();
   const Numbering number(scene);
   std::vector<Index> objects, contact;
-  std::vector<std::uint8_t> type;
+  std::vector<std::uint8_t> type, kind;
+  std::vector<Index> features;
   std::vector<Vec3> point, normal;
   std::vector<double> gap;
   Index next = 0;
@@ -62,6 +63,8 @@ py::dict contacts(SharedScene& shared) {
         objects.insert(objects.end(), {self, other});
         contact.push_back(next);
         type.push_back(static_cast<std::uint8_t>(touch.contact.type));
+        kind.push_back(static_cast<std::uint8_t>(p.features));
+        features.insert(features.end(), {p.feature_object, p.feature_support});
         point.push_back(p.point);
         normal.push_back(p.normal);
         gap.push_back(p.gap);
@@ -69,9 +72,9 @@ py::dict contacts(SharedScene& shared) {
       ++next;
     }
   return py::dict("names"_a = number.names(), "objects"_a = pairs(objects),
-                  "contact"_a = column(contact), "type"_a = column(type),
-                  "point"_a = array_of(point), "normal"_a = array_of(normal),
-                  "gap"_a = column(gap));
+                  "contact"_a = column(contact), "type"_a = column(type), "kind"_a = column(kind),
+                  "features"_a = pairs(features), "point"_a = array_of(point),
+                  "normal"_a = array_of(normal), "gap"_a = column(gap));
 }
 
 py::dict support_graph(SharedScene& shared) {

@@ -192,6 +192,7 @@ void bind_scene(py::module_& m) {
   bind_objects(scene);
   bind_operations(scene);
   bind_queries(scene);
+  bind_zlists(scene);
   bind_files(m, scene);
   m.def("materials", &materials);
   m.def("causes", [] {

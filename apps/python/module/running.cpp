@@ -13,6 +13,7 @@ namespace {
 pthread_t main_thread;
 bool is_ending = false;
 int num_running = 0;
+int forks = 0;
 std::set<std::atomic<bool>*>& cancellable() {
   static auto* const flags = new std::set<std::atomic<bool>*>;  // outlives static destructors
   return *flags;
@@ -48,6 +49,8 @@ void at_exit() {
 }  // namespace
 
 bool in_main_thread() { return pthread_equal(pthread_self(), main_thread) != 0; }
+
+int num_forks() { return forks; }
 
 RunningCall::RunningCall() {
   if (is_ending && !in_main_thread()) {
@@ -100,6 +103,7 @@ void bind_running() {
   const py::cpp_function after_fork([] {
     main_thread = pthread_self();
     num_running = 0;
+    ++forks;
     cancellable().clear();
   });
   using namespace py::literals;

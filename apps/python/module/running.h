@@ -54,6 +54,9 @@ class Cancellable {
 
 bool in_main_thread();
 
+/// How many forks by Python lie between this process and the one that imported the module.
+int num_forks();
+
 /// Once, when the module is imported.
 void bind_running();
 

@@ -1,7 +1,5 @@
 #include "apps/python/module/shared_scene.h"
 
-#include <unistd.h>
-
 #include <chrono>
 
 #include "apps/python/module/errors.h"
@@ -82,7 +80,7 @@ SceneGuard::SceneGuard(SharedScene& scene, Use use) : m_scene(scene) {
   auto pause = std::chrono::microseconds(50);
   constexpr std::chrono::microseconds kLongestPause(2000);
   while (scene.m_depth > 0 && scene.m_owner != self) {
-    if (scene.m_owner_process != getpid())
+    if (scene.m_owner_forks != num_forks())
       raise("SceneBusy", "another thread held the scene when this process was forked");
     without_gil([&] { std::this_thread::sleep_for(pause); });
     pause = std::min(2 * pause, kLongestPause);
@@ -93,7 +91,7 @@ SceneGuard::SceneGuard(SharedScene& scene, Use use) : m_scene(scene) {
   if (scene.m_depth > 0 && use == Use::Change && scene.is_dragged)
     raise("SceneBusy", "an object of the scene is being dragged: finish or cancel that first");
   scene.m_owner = self;
-  scene.m_owner_process = getpid();
+  scene.m_owner_forks = num_forks();
   ++scene.m_depth;
 }
 

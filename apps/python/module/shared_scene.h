@@ -66,7 +66,7 @@ class SharedScene {
 
   // The lock: recursive, of a thread. The GIL guards it, so that a fork finds it whole.
   std::thread::id m_owner;
-  int m_owner_process = 0;
+  int m_owner_forks = 0;  // num_forks() when it was taken
   int m_depth = 0;
   bool m_is_running = false;  // an operation; callbacks of it must not come back
 };

@@ -17,13 +17,16 @@ from ._errors import (BadInputError, Cancelled, EnvironmentFailure, NoSuchObject
 from ._geometry import Interpenetration, first_contact, interpenetrations, random_rotation
 from ._object import Object
 from ._results import (CAUSES, Check, Contacts, Crossing, Export, FirstContact, GaveWay, Overlap, Result, SupportGraph)
-from ._scene import Scene, Snapshot, TrivetWarning, materials
+from ._scene import Scene, materials
 from ._shape import Shape
+from ._snapshot import Snapshot, TrivetWarning
 from ._trivet import __version__
+from ._zlists import ZList, ZLists
 
 __all__ = [
     "BadInputError", "CAUSES", "Cancelled", "Check", "Contacts", "Crossing", "Drag", "EnvironmentFailure", "Export",
     "FirstContact", "GaveWay", "Interpenetration", "NoSuchObject", "NotDone", "Object", "OutOfTime", "Overlap",
     "Refused", "Result", "Scene", "SceneBusy", "Shape", "Snapshot", "SupportGraph", "TrivetError", "TrivetWarning",
+    "ZList", "ZLists",
     "__version__", "first_contact", "interpenetrations", "materials", "random_rotation",
 ]

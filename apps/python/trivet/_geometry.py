@@ -88,12 +88,14 @@ def interpenetrations(shapes: Iterable[Any], poses: Iterable[ArrayLike], *,
         then about where they are.
     """
     given, matrices = [_shape(one) for one in shapes], list(poses)
-    where = [None] * len(given) if positions is None else list(positions)
+    where: list[Optional[ArrayLike]] = list(positions or [None] * len(given))
     if not len(given) == len(matrices) == len(where):
         raise BadInputError(f"{len(given)} shapes, {len(matrices)} poses and {len(where)} positions are not accepted; "
                             "accepted: one of each")
-    entries = [(shape._shape, _arrays.matrix("poses", pose), None if x is None else _arrays.vertices("positions", x))
-               for shape, pose, x in zip(given, matrices, where)]
+    entries = []
+    for shape, pose, x in zip(given, matrices, where):
+        placed = None if x is None else _arrays.vertices("positions", x)
+        entries.append((shape._shape, _arrays.matrix("poses", pose), placed))
     return [Interpenetration(*one) for one in _trivet.interpenetrations(entries)]
 
 

@@ -1,164 +1,27 @@
-"""An object of a scene."""
+"""An object of a scene, and what is done with it."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Callable, Mapping, Optional, Sequence, TypeVar, Union
+from typing import Any, Optional, Sequence, Union
 
-import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from . import _arrays
 from ._errors import BadInputError
-from ._results import Result, done, raise_for, result_of
-from ._shape import Shape
-
-if TYPE_CHECKING:
-    from ._scene import Scene
+from ._properties import Properties
+from ._results import Result, raise_for
 
 Other = Union["Object", str]
-Material = Union[str, Mapping[str, float]]
-Array = NDArray[np.float64]
-T = TypeVar("T")
 
 
-class Object:
+class Object(Properties):
     """An object of a scene: the scene and a name for ever, never a pointer.
 
     Every property is looked up when it is asked for; once the object is deleted, `NoSuchObject` is raised (undo brings it
     back). Lengths in metres, world: z up. Operations raise `Refused`; ``try_put`` and so on return the `Result` instead.
     """
 
-    __slots__ = ("_scene", "_key", "_name")
-
-    def __init__(self, scene: Scene, key: int, name: str) -> None:
-        self._scene = scene
-        self._key = key
-        self._name = name
-
-    # What it is.
-
-    @property
-    def name(self) -> str:
-        return self._name
-
-    @property
-    def scene(self) -> Scene:
-        return self._scene
-
-    def _ask(self, query: Callable[[int, str], T]) -> T:
-        return query(self._key, self._name)
-
-    @property
-    def pose(self) -> Optional[Array]:
-        """(4, 4): rotation and translation, without the scale; None when it is out of the scene."""
-        return self._ask(self._scene._scene.pose)
-
-    @property
-    def matrix(self) -> Optional[Array]:
-        """(4, 4): takes `shape.vertices` to the world, metres, with scale and the turn of y to z; None likewise."""
-        return self._ask(self._scene._scene.matrix)
-
-    @property
-    def position(self) -> Optional[Array]:
-        """(3,): where the shape's origin is; None likewise."""
-        return self._ask(self._scene._scene.position)
-
-    @property
-    def wxyz(self) -> Optional[Array]:
-        """(4,): its rotation as a unit quaternion w x y z; None likewise."""
-        return self._ask(self._scene._scene.wxyz)
-
-    @property
-    def center_mass(self) -> Optional[Array]:
-        """(3,): centre of mass, world; None likewise."""
-        return self._ask(self._scene._scene.center_mass)
-
-    @property
-    def bounds(self) -> Optional[Array]:
-        """(2, 3): a world box that holds it, perhaps a little larger; None likewise."""
-        return self._ask(self._scene._scene.bounds)
-
-    @property
-    def shape(self) -> Shape:
-        return Shape._of(self._ask(self._scene._scene.shape))
-
-    @property
-    def state(self) -> str:
-        """"unplaced", "fixed", "stable", "wedged", "held", "unsupported" or "invalid"."""
-        return self._ask(self._scene._scene.state)
-
-    @property
-    def placed(self) -> bool:
-        """Whether it is in the scene, not merely known."""
-        return self._ask(self._scene._scene.placed)
-
-    @property
-    def at_rest(self) -> bool:
-        return self.state in ("stable", "fixed")
-
-    @property
-    def fixed(self) -> bool:
-        """Never moves, carries everything."""
-        return self._ask(self._scene._scene.fixed)
-
-    @fixed.setter
-    def fixed(self, value: bool) -> None:
-        self._do(op="fix" if value else "unfix")
-
-    @property
-    def locked(self) -> bool:
-        """No operation may move it; it may topple all the same."""
-        return self._ask(self._scene._scene.locked)
-
-    @locked.setter
-    def locked(self, value: bool) -> None:
-        self._do(op="lock" if value else "unlock")
-
-    @property
-    def group(self) -> str:
-        """Objects of one group move as one; empty: of none."""
-        return self._ask(self._scene._scene.group)
-
-    @group.setter
-    def group(self, value: str) -> None:
-        if value:
-            self._do(op="group", group=value)
-        else:
-            self._do(op="ungroup")
-
-    @property
-    def material(self) -> dict[str, Any]:
-        """"name", "friction", "density" (kg/m3), "restitution". Set: a name of `trivet.materials()`, or a dict."""
-        return self._ask(self._scene._scene.material)
-
-    @material.setter
-    def material(self, value: Material) -> None:
-        self._do(op="material", material=value if isinstance(value, str) else dict(value))
-
-    @property
-    def scale(self) -> float:
-        """Metres for each unit of the shape."""
-        return self._ask(self._scene._scene.scale)
-
-    @property
-    def up(self) -> str:
-        """"y" or "z": the axis of the shape that points up."""
-        return self._ask(self._scene._scene.up)
-
-    @property
-    def margin(self) -> float:
-        """Metres its centre of mass is inside the hull of the contacts that carry it; negative: it leans or hangs."""
-        return self._ask(self._scene._scene.margin)
-
-    @property
-    def least_friction(self) -> float:
-        """The smallest Coulomb coefficient that holds it; infinity: none does."""
-        return self._ask(self._scene._scene.least_friction)
-
-    @property
-    def weight(self) -> float:
-        """Newtons, by the density of its material."""
-        return self._ask(self._scene._scene.weight)
+    __slots__ = ()
 
     @property
     def supports(self) -> list[Other]:
@@ -168,17 +31,6 @@ class Object:
     def loads(self, recursive: bool = False) -> list[Object]:
         """What rests on it; with `recursive` all that moves along with it, groups too."""
         return [self._scene[name] for name in self._scene._scene.loads(self._key, self._name, recursive)]
-
-    # Operations.
-
-    def _try(self, budget: Optional[float] = None, **operation: Any) -> Result:
-        operation["object"] = self._name
-        given = {key: value for key, value in operation.items() if value is not None}
-        return result_of(self._scene._scene.perform(given, self._key, _budget(budget)))
-
-    def _do(self, **operation: Any) -> Result:
-        operation["object"] = self._name
-        return done(self._scene._scene.perform(operation, self._key, 0.0))
 
     def put(self, position: Optional[ArrayLike] = None, wxyz: Optional[ArrayLike] = None, *, on: Optional[Other] = None,
             at: Optional[ArrayLike] = None, keep: float = 0.0, seed: int = 0, settle_left: bool = False,
@@ -327,24 +179,6 @@ class Object:
         """A new object of the same shape, scale and material, out of the scene until it is put."""
         self._do(op="duplicate", **{"as": name})
         return self._scene[name]
-
-    def __eq__(self, other: object) -> bool:
-        return (isinstance(other, Object) and self._scene is other._scene and self._key == other._key
-                and self._name == other._name)
-
-    def __hash__(self) -> int:
-        return hash((id(self._scene), self._key))
-
-    def __repr__(self) -> str:
-        number = self._scene._scene.find(self._name)
-        return f"<trivet.Object {self._name!r}, {self.state if number == self._key else 'deleted'}>"
-
-
-def _budget(budget: Optional[float]) -> float:
-    seconds = 0.0 if budget is None else _arrays.number("budget", budget)
-    if not 0 <= seconds < float("inf"):
-        raise _arrays.refuse("budget", repr(budget), "seconds, at least 0")
-    return seconds
 
 
 def _rotation(wxyz: Optional[ArrayLike]) -> Optional[list[float]]:

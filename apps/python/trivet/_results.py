@@ -118,6 +118,10 @@ class Contacts:
         Points of one number make one contact of two objects.
     type : (n,) array of str
         "point", "line" or "area", of the contact.
+    kind : (n,) array of str
+        "vertex-face", "face-vertex", "edge-edge" or "closest" (of two faces): what meets, the object's first.
+    features : (n, 2) int array
+        Rows of `Shape.vertices` and `Shape.faces`, or edges; of the floor 0.
     point, normal : (n, 3) arrays
         World, metres; unit, from the second object of the pair to the first.
     gap : (n,) array
@@ -128,6 +132,8 @@ class Contacts:
     objects: Ints
     contact: Ints
     type: NDArray[np.str_]
+    kind: NDArray[np.str_]
+    features: Ints
     point: Floats
     normal: Floats
     gap: Floats
@@ -182,7 +188,7 @@ class Crossing(NamedTuple):
 
     a: str
     b: str
-    count: int  #: pairs of faces; of contained ones: components of `a` inside `b`
+    number: int  #: pairs of faces; of contained ones: components of `a` inside `b`
 
 
 @dataclass(frozen=True)

@@ -10,72 +10,19 @@ from typing import Any, Callable, Iterable, Iterator, Mapping, Optional, Union
 import numpy as np
 from numpy.typing import ArrayLike
 
-from . import _arrays, _trivet
+from . import _arrays, _foreign, _trivet
 from ._drag import Drag
-from ._errors import BadInputError, NoSuchObject
-from ._object import Material, Object
+from ._errors import NoSuchObject
+from ._object import Object
+from ._properties import Material
 from ._results import (Check, Contacts, Export, Overlap, Result, SupportGraph, check_of, done)
 from ._shape import PathLike, Shape, find_importer
+from ._snapshot import Snapshot, TrivetWarning, material_of, settings
+from ._zlists import ZLists
 
 _TYPES = np.array(["point", "line", "area"])
+_KINDS = np.array(["vertex-face", "face-vertex", "edge-edge", "closest"])
 Progress = Callable[[str, str, int, int], Any]
-
-
-class TrivetWarning(UserWarning):
-    """What a file of a scene lost, or an operation of a layout that was refused."""
-
-
-def _material(value: Optional[Material]) -> Any:
-    return value if value is None or isinstance(value, str) else dict(value)
-
-
-def _settings(clearance: float, options: Mapping[str, Any]) -> _trivet.SettleOptions:
-    settle = _trivet.SettleOptions()
-    settle.clearance = _arrays.number("clearance", clearance)
-    if not 0 <= settle.clearance < float("inf"):
-        raise _arrays.refuse("clearance", repr(clearance), "metres, at least 0; 0 for 2^-20 of the scene's size")
-    accepted = [key for key in dir(settle) if not key.startswith("_") and key != "clearance"]
-    for key, value in options.items():
-        if key not in accepted:
-            raise BadInputError(f"{key}: there is no such option; accepted: {', '.join(accepted)}")
-        setattr(settle, key, value)
-    return settle
-
-
-class Snapshot:
-    """A scene at a moment: a value that can be kept, compared, pickled and given back to `Scene.restore`."""
-
-    __slots__ = ("_snapshot",)
-
-    def __init__(self, snapshot: _trivet.Snapshot) -> None:
-        self._snapshot = snapshot
-
-    def to_bytes(self) -> bytes:
-        """As a binary glTF file (.glb) of Trivet, with the doubles of all shapes."""
-        return self._snapshot.to_bytes()
-
-    @classmethod
-    def from_bytes(cls, data: bytes) -> Snapshot:
-        """What `to_bytes` gave, or the bytes of a .glb that Trivet wrote. Raises BadInputError for others."""
-        return cls(_trivet.Snapshot.from_bytes(bytes(data), find_importer()))
-
-    def scene(self, *, clearance: float = 0.0, **options: Any) -> Scene:
-        """A new scene that begins like this; options as those of `Scene`."""
-        return Scene._of(self._snapshot.scene(_settings(clearance, options)))
-
-    @property
-    def fingerprint(self) -> int:
-        """64 bits: the same for scenes of the same bits, their shapes apart."""
-        return self._snapshot.fingerprint()
-
-    def __len__(self) -> int:
-        return len(self._snapshot)
-
-    def __reduce__(self) -> Any:
-        return Snapshot.from_bytes, (self.to_bytes(),)
-
-    def __repr__(self) -> str:
-        return f"<trivet.Snapshot of {len(self)} objects>"
 
 
 class Scene:
@@ -101,7 +48,7 @@ class Scene:
 
     def __init__(self, floor: bool = True, *, floor_material: Optional[Material] = None, clearance: float = 0.0,
                  **options: Any) -> None:
-        self._scene = _trivet.Scene(bool(floor), _material(floor_material), _settings(clearance, options))
+        self._scene = _trivet.Scene(bool(floor), material_of(floor_material), settings(clearance, options))
 
     @classmethod
     def _of(cls, scene: _trivet.Scene) -> Scene:
@@ -143,7 +90,7 @@ class Scene:
         given = shape if isinstance(shape, Shape) else Shape(shape)
         matrix = None if pose is None else _arrays.matrix(f'pose of "{name}"', pose)
         done(self._scene.add(name, given._shape, matrix, _arrays.number("scale", scale), bool(fixed), up,
-                             _material(material)))
+                             material_of(material)))
         return self[name]
 
     def __getitem__(self, name: str) -> Object:
@@ -267,6 +214,7 @@ class Scene:
         """All contact points, as columns of arrays; copies."""
         values = self._scene.contacts()
         values["type"] = _TYPES[values["type"]]
+        values["kind"] = _KINDS[values["kind"]]
         return Contacts(**values)
 
     def support_graph(self) -> SupportGraph:
@@ -286,6 +234,28 @@ class Scene:
         given = None if friction is None else _arrays.number("friction", friction)
         return check_of(self._scene.check(given, int(num_threads)))
 
+    def zlists(self, direction: ArrayLike = (0.0, 0.0, -1.0), *, resolution: int = 256,
+               region: Optional[ArrayLike] = None, max_bytes: float = 1e9, num_threads: int = 0) -> ZLists:
+        """All faces on the lines of sight of an image, sorted by depth; see `ZLists`.
+
+        Parameters
+        ----------
+        direction : (3,) array
+            Away from the eye, of any length but 0.
+        resolution : int
+            Pixels along the longer side, 1 to 8192.
+        region : (4,) array, optional
+            Left, bottom, right and top of the image, metres along `ZLists.right` and `up`; nothing: all that there is.
+        max_bytes : float
+            BadInputError beyond.
+        """
+        rectangle = None if region is None else _arrays.vector("region", region, 4)
+        bytes_accepted = _arrays.number("max_bytes", max_bytes)
+        if not 0 <= bytes_accepted <= 1e15:
+            raise _arrays.refuse("max_bytes", repr(max_bytes), "0 to 1e15")
+        return ZLists(**self._scene.zlists(np.array(_arrays.vector("direction", direction, 3)), int(resolution), rectangle,
+                                           bytes_accepted, int(num_threads)))
+
     # Scenes of others.
 
     @classmethod
@@ -302,31 +272,14 @@ class Scene:
         fixed : names
         materials : dict of names
         """
-        entries = []
-        fixed_names = set(fixed)
-        of_mesh: dict[int, Shape] = {}
-        for name, mesh, pose in _zipped(names, shapes, poses):
-            shape = mesh if isinstance(mesh, Shape) else of_mesh.setdefault(id(mesh), Shape(mesh))
-            material = _material((materials or {}).get(name))
-            entries.append((name, shape._shape, _arrays.matrix(f'pose of "{name}"', pose), name in fixed_names, material))
-        unknown = fixed_names - {entry[0] for entry in entries}
-        if unknown:
-            raise _arrays.refuse("fixed", repr(sorted(unknown)), "names of the objects")
-        return cls._of(_trivet.Scene.standing(entries, bool(floor), _material(floor_material),
-                                              _settings(clearance, options)))
+        entries = _foreign.entries(names, shapes, poses, fixed, materials or {})
+        return cls._of(_trivet.Scene.standing(entries, bool(floor), material_of(floor_material),
+                                              settings(clearance, options)))
 
     @classmethod
     def from_trimesh(cls, scene: Any, **options: Any) -> Scene:
         """The same of a trimesh.Scene: z up, metres; one object for each node that has geometry."""
-        names, shapes, poses = [], [], []
-        shape_of: dict[str, Shape] = {}
-        for node in scene.graph.nodes_geometry:
-            matrix, geometry = scene.graph[node]
-            if geometry not in shape_of:
-                shape_of[geometry] = Shape(scene.geometry[geometry])
-            names.append(str(node))
-            shapes.append(shape_of[geometry])
-            poses.append(matrix)
+        names, shapes, poses = _foreign.parts_of_trimesh(scene)
         return cls.from_poses(names, shapes, poses, **options)
 
     # Files.
@@ -349,7 +302,7 @@ class Scene:
         TrivetWarning
             For each of `notes`: operations of a layout that were refused, and what a file lost.
         """
-        scene = cls._of(_trivet.Scene.open(os.fspath(path), find_importer(), _settings(clearance, options), progress))
+        scene = cls._of(_trivet.Scene.open(os.fspath(path), find_importer(), settings(clearance, options), progress))
         for note in scene.notes:
             warnings.warn(note, TrivetWarning, stacklevel=2)
         return scene
@@ -414,17 +367,6 @@ def _unpickled(snapshot: Snapshot, options: dict[str, Any]) -> Scene:
 def _position_text(one: Object) -> str:
     position = one.position
     return "" if position is None else ", ".join(f"{x:.4g}" for x in position)
-
-
-def _zipped(names: Iterable[str], shapes: Iterable[Any], poses: Iterable[ArrayLike]) -> list[tuple[str, Any, Any]]:
-    n, s, p = list(names), list(shapes), list(poses)
-    if not len(n) == len(s) == len(p):
-        raise BadInputError(f"{len(n)} names, {len(s)} shapes and {len(p)} poses are not accepted; accepted: one of each "
-                            "for every object")
-    for name in n:
-        if not isinstance(name, str):
-            raise _arrays.refuse("names", repr(name), "a str")
-    return list(zip(n, s, p))
 
 
 def materials() -> dict[str, dict[str, Any]]:

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import trivet
-from shapes import at, box, box_arrays, table_with_cup, torus, torus_arrays
+from shapes import at, box, box_arrays, table_with_cup, torus_arrays
 
 PROGRAM = os.environ.get("TRIVET_PROGRAM")
 

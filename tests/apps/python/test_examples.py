@@ -160,6 +160,26 @@ def test_pushes_and_turns_carry_loads():
     assert scene.fingerprint == before and scene.check().ok
 
 
+def test_zlists_are_arrays():
+    scene = trivet.Scene(floor=False)
+    for k in range(3):  # three boxes of 0.1 m, one above the other, 0.1 m between them
+        scene.add(f"b{k}", box(), pose=at(0, 0, 0.2 * k))
+    lists = scene.zlists([0, 0, -1], resolution=16, num_threads=1)
+    assert (lists.width, lists.height) == (16, 16) and lists.names == ("b0", "b1", "b2")
+    seen = lists.at(8, 5)
+    assert [lists.names[o] for o in seen.object] == sorted([lists.names[o] for o in seen.object], reverse=True)
+    for k, height in zip((2, 1, 0), (0.4, 0.2, 0.0)):
+        depths = seen.nearest[seen.object == k]
+        assert depths.min() == pytest.approx(-height - 0.05, abs=1e-5)
+        assert seen.farthest[seen.object == k].max() == pytest.approx(-height + 0.05, abs=1e-5)
+    assert lists.depth() == pytest.approx(np.full((16, 16), -0.45), abs=1e-5) and lists.lengths().min() >= 6
+    for wrong in (dict(direction=[0, 0, 0]), dict(resolution=0), dict(max_bytes=10), dict(region=[0, 0, 1])):
+        with pytest.raises(trivet.BadInputError):
+            scene.zlists(**wrong)
+    with pytest.raises(trivet.BadInputError, match="pixel"):
+        lists.at(16, 0)
+
+
 def test_scenes_go_to_simulators(tmp_path):
     scene = table_with_cup()
     done = scene.export(tmp_path / "scene.xml", collision="components", friction=0.6)

@@ -1,4 +1,5 @@
 """Threads, processes, Ctrl+C, and the end of the interpreter."""
+import functools
 import multiprocessing
 import os
 import signal
@@ -8,22 +9,29 @@ import textwrap
 import threading
 import time
 
-import numpy as np
 import pytest
 
 import trivet
-from shapes import at, box, table_with_cup, torus, torus_arrays
+from shapes import box, table_with_cup, torus
 
 FOLDER = os.path.dirname(os.path.abspath(__file__))
 
 
-def heavy_scene(around=500, across=250):
-    """A pile of fine tori: a put of the next one takes long."""
+@functools.lru_cache(maxsize=None)
+def pile(around, across):
+    """Three fine tori, one on the other, and a fourth to be put."""
     scene = trivet.Scene()
     shape = torus(around, across)
     for i in range(3):
         scene.add(f"t{i}", shape).put([0.02 * i, 0, 1], [1, 0.1 * i, 0.2, 0])
-    return scene, scene.add("next", shape)
+    scene.add("next", shape)
+    return scene.snapshot()
+
+
+def heavy_scene(around=160, across=80):
+    """A scene and its object of which a put takes long, or at least has many motions."""
+    scene = pile(around, across).scene()
+    return scene, scene["next"]
 
 
 def test_races_give_the_result_of_some_order():
@@ -174,7 +182,7 @@ def test_a_budget_ends_a_put():
 @pytest.mark.parametrize("delay", [0.002, 0.01, 0.03])
 def test_control_c_stops_a_put(delay):
     """Within 50 ms, and the scene is as it was. CPU time of the process is what is judged: the machine may be busy."""
-    scene, following = heavy_scene(1000, 500)
+    scene, following = heavy_scene(500, 250)
     before = scene.fingerprint
     sent = []
 

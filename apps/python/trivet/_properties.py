@@ -1,0 +1,180 @@
+"""What an object of a scene is, looked up each time."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Callable, Mapping, Optional, TypeVar, Union
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _arrays
+from ._results import Result, done, result_of
+from ._shape import Shape
+
+if TYPE_CHECKING:
+    from ._scene import Scene
+
+Material = Union[str, Mapping[str, float]]
+Array = NDArray[np.float64]
+T = TypeVar("T")
+
+
+class Properties:
+    """An object's properties; see `trivet.Object`."""
+
+    __slots__ = ("_scene", "_key", "_name")
+
+    def __init__(self, scene: Scene, key: int, name: str) -> None:
+        self._scene = scene
+        self._key = key
+        self._name = name
+
+    @property
+    def name(self) -> str:
+        return self._name
+
+    @property
+    def scene(self) -> Scene:
+        return self._scene
+
+    def _ask(self, query: Callable[[int, str], T]) -> T:
+        return query(self._key, self._name)
+
+    @property
+    def pose(self) -> Optional[Array]:
+        """(4, 4): rotation and translation, without the scale; None when it is out of the scene."""
+        return self._ask(self._scene._scene.pose)
+
+    @property
+    def matrix(self) -> Optional[Array]:
+        """(4, 4): takes `shape.vertices` to the world, metres, with scale and the turn of y to z; None likewise."""
+        return self._ask(self._scene._scene.matrix)
+
+    @property
+    def position(self) -> Optional[Array]:
+        """(3,): where the shape's origin is; None likewise."""
+        return self._ask(self._scene._scene.position)
+
+    @property
+    def wxyz(self) -> Optional[Array]:
+        """(4,): its rotation as a unit quaternion w x y z; None likewise."""
+        return self._ask(self._scene._scene.wxyz)
+
+    @property
+    def center_mass(self) -> Optional[Array]:
+        """(3,): centre of mass, world; None likewise."""
+        return self._ask(self._scene._scene.center_mass)
+
+    @property
+    def bounds(self) -> Optional[Array]:
+        """(2, 3): a world box that holds it, perhaps a little larger; None likewise."""
+        return self._ask(self._scene._scene.bounds)
+
+    @property
+    def shape(self) -> Shape:
+        return Shape._of(self._ask(self._scene._scene.shape))
+
+    @property
+    def state(self) -> str:
+        """"unplaced", "fixed", "stable", "wedged", "held", "unsupported" or "invalid"."""
+        return self._ask(self._scene._scene.state)
+
+    @property
+    def placed(self) -> bool:
+        """Whether it is in the scene, not merely known."""
+        return self._ask(self._scene._scene.placed)
+
+    @property
+    def at_rest(self) -> bool:
+        return self.state in ("stable", "fixed")
+
+    @property
+    def fixed(self) -> bool:
+        """Never moves, carries everything."""
+        return self._ask(self._scene._scene.fixed)
+
+    @fixed.setter
+    def fixed(self, value: bool) -> None:
+        self._do(op="fix" if value else "unfix")
+
+    @property
+    def locked(self) -> bool:
+        """No operation may move it; it may topple all the same."""
+        return self._ask(self._scene._scene.locked)
+
+    @locked.setter
+    def locked(self, value: bool) -> None:
+        self._do(op="lock" if value else "unlock")
+
+    @property
+    def group(self) -> str:
+        """Objects of one group move as one; empty: of none."""
+        return self._ask(self._scene._scene.group)
+
+    @group.setter
+    def group(self, value: str) -> None:
+        if value:
+            self._do(op="group", group=value)
+        else:
+            self._do(op="ungroup")
+
+    @property
+    def material(self) -> dict[str, Any]:
+        """"name", "friction", "density" (kg/m3), "restitution". Set: a name of `trivet.materials()`, or a dict."""
+        return self._ask(self._scene._scene.material)
+
+    @material.setter
+    def material(self, value: Material) -> None:
+        self._do(op="material", material=value if isinstance(value, str) else dict(value))
+
+    @property
+    def scale(self) -> float:
+        """Metres for each unit of the shape."""
+        return self._ask(self._scene._scene.scale)
+
+    @property
+    def up(self) -> str:
+        """"y" or "z": the axis of the shape that points up."""
+        return self._ask(self._scene._scene.up)
+
+    @property
+    def margin(self) -> float:
+        """Metres its centre of mass is inside the hull of the contacts that carry it; negative: it leans or hangs."""
+        return self._ask(self._scene._scene.margin)
+
+    @property
+    def least_friction(self) -> float:
+        """The smallest Coulomb coefficient that holds it; infinity: none does."""
+        return self._ask(self._scene._scene.least_friction)
+
+    @property
+    def weight(self) -> float:
+        """Newtons, by the density of its material."""
+        return self._ask(self._scene._scene.weight)
+
+    def _try(self, budget: Optional[float] = None, **operation: Any) -> Result:
+        operation["object"] = self._name
+        given = {key: value for key, value in operation.items() if value is not None}
+        return result_of(self._scene._scene.perform(given, self._key, _budget(budget)))
+
+    def _do(self, **operation: Any) -> Result:
+        operation["object"] = self._name
+        return done(self._scene._scene.perform(operation, self._key, 0.0))
+
+    def __eq__(self, other: object) -> bool:
+        return (isinstance(other, Properties) and self._scene is other._scene and self._key == other._key
+                and self._name == other._name)
+
+    def __hash__(self) -> int:
+        return hash((id(self._scene), self._key))
+
+    def __repr__(self) -> str:
+        number = self._scene._scene.find(self._name)
+        return f"<trivet.Object {self._name!r}, {self.state if number == self._key else 'deleted'}>"
+
+
+def _budget(budget: Optional[float]) -> float:
+    seconds = 0.0 if budget is None else _arrays.number("budget", budget)
+    if not 0 <= seconds < float("inf"):
+        raise _arrays.refuse("budget", repr(budget), "seconds, at least 0")
+    return seconds

@@ -1,0 +1,72 @@
+"""Snapshots of scenes, and settings of settling."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Mapping, Optional
+
+from . import _arrays, _trivet
+from ._errors import BadInputError
+from ._properties import Material
+from ._shape import find_importer
+
+if TYPE_CHECKING:
+    from ._scene import Scene
+
+
+class TrivetWarning(UserWarning):
+    """What a file of a scene lost, or an operation of a layout that was refused."""
+
+
+def material_of(value: Optional[Material]) -> Any:
+    return value if value is None or isinstance(value, str) else dict(value)
+
+
+def settings(clearance: float, options: Mapping[str, Any]) -> _trivet.SettleOptions:
+    settle = _trivet.SettleOptions()
+    settle.clearance = _arrays.number("clearance", clearance)
+    if not 0 <= settle.clearance < float("inf"):
+        raise _arrays.refuse("clearance", repr(clearance), "metres, at least 0; 0 for 2^-20 of the scene's size")
+    accepted = [key for key in dir(settle) if not key.startswith("_") and key != "clearance"]
+    for key, value in options.items():
+        if key not in accepted:
+            raise BadInputError(f"{key}: there is no such option; accepted: {', '.join(accepted)}")
+        setattr(settle, key, value)
+    return settle
+
+
+class Snapshot:
+    """A scene at a moment: a value that can be kept, compared, pickled and given back to `Scene.restore`."""
+
+    __slots__ = ("_snapshot",)
+
+    def __init__(self, snapshot: _trivet.Snapshot) -> None:
+        self._snapshot = snapshot
+
+    def to_bytes(self) -> bytes:
+        """As a binary glTF file (.glb) of Trivet, with the doubles of all shapes."""
+        return self._snapshot.to_bytes()
+
+    @classmethod
+    def from_bytes(cls, data: bytes) -> Snapshot:
+        """What `to_bytes` gave, or the bytes of a .glb that Trivet wrote. Raises BadInputError for others."""
+        return cls(_trivet.Snapshot.from_bytes(bytes(data), find_importer()))
+
+    def scene(self, *, clearance: float = 0.0, **options: Any) -> Scene:
+        """A new scene that begins like this; options as those of `Scene`."""
+        from ._scene import Scene
+
+        return Scene._of(self._snapshot.scene(settings(clearance, options)))
+
+    @property
+    def fingerprint(self) -> int:
+        """64 bits: the same for scenes of the same bits, their shapes apart."""
+        return self._snapshot.fingerprint()
+
+    def __len__(self) -> int:
+        return len(self._snapshot)
+
+    def __reduce__(self) -> Any:
+        return Snapshot.from_bytes, (self.to_bytes(),)
+
+    def __repr__(self) -> str:
+        return f"<trivet.Snapshot of {len(self)} objects>"
