@@ -1,4 +1,4 @@
-// What there is of the GPU in this build; none without EGL.
+// GPU stages of this build; none without EGL.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
-// What Embree's confirmation costs between software z-lists and the closed form, and what it
-// leaves over.
+// Cost of Embree's confirmation between software z-lists and the closed form, and the pairs that it
+// leaves.
 #include <tbb/global_control.h>
 
 #include "perf/result_hash.h"

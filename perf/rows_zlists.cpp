@@ -112,7 +112,7 @@ void ask_bvhs(const SpherePair& spheres, Cases& cases) {
   cases.report->add(std::move(row));
 }
 
-// Whether a stage's answer equals that of the BVHs; if not, it is hashed.
+// Returns whether a stage's answer equals that of the BVHs; if not, hashes it.
 bool is_right(const FirstContact& found, const FirstContact& truth, ResultHash& hash) {
   const bool right = same_answer(found, truth);
   if (!right) hash.add(found);

@@ -21,7 +21,7 @@ struct DemoView {
   double fov_deg;  // from the lower to the upper edge, for pictures of about 3 : 2
 };
 
-/// What `trivet demo` runs, and what it exports: the layout as a file, the models beside it. The
+/// A layout that `trivet demo` runs and exports: the layout as a file, the models beside it. The
 /// objects' up axis is left to the model, so that made and re-read models stand alike (a glTF file
 /// is y up). Each movable object has just one PUT, which is the first that is done with it.
 struct DemoLayout {

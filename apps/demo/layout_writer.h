@@ -22,7 +22,7 @@ class LayoutWriter {
   void put(const std::string& object, const std::string& model, const Vec3& position,
            const Rotation& rotation = {});
 
-  /// What is done next, with an object that has been put; see operation.h.
+  /// Further operations on an object that has been put; see ops/operations/operations.h.
   void push(const std::string& object, const Vec2& direction, double distance);
   void push_to(const std::string& object, const Vec2& goal);
   void turn(const std::string& object, double angle_deg);  // where it stands

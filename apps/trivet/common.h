@@ -53,7 +53,7 @@ struct MaterialArguments {
   std::string preset;
   std::optional<double> friction, density, restitution;
 
-  /// Nothing: none of them was given.
+  /// @return nullopt if none of the options was given.
   std::optional<PhysicsMaterial> material() const;
 };
 void add_material_options(CLI::App& app, MaterialArguments& arguments);
@@ -63,7 +63,7 @@ void add_material_options(CLI::App& app, MaterialArguments& arguments);
 BackendOptions backend_options(const CommonOptions& common);
 std::unique_ptr<Detector> make_detector(const CommonOptions& common);
 
-/// What `auto` chooses from, and how fast it is here. `common` must outlive it.
+/// Sources of candidates for `auto`, with their speed here. `common` must outlive it.
 std::shared_ptr<Machine> make_machine(const CommonOptions& common);
 
 /// Graphics hardware as the kernel shows it; empty: none, or a build without GPU support.

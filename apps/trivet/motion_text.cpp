@@ -18,7 +18,7 @@ Json or_null(double x) { return x < kInfinity ? Json(x) : Json(nullptr); }
 
 bool turns(const MotionLists& what) { return what.motion.kind == Motion::Kind::Rotation; }
 
-// A time as people know it: metres, or degrees.
+// Time of a motion in display units: metres, or degrees.
 double as_shown(const MotionLists& what, double time) {
   return turns(what) && time < kInfinity ? turned_deg(std::min(time, 1.0)) : time;
 }

@@ -1,4 +1,4 @@
-// What finds candidates on this machine, how fast, and which of them `auto` takes.
+// Sources of candidates on this machine, their speed, and the one that `auto` takes.
 #include <iomanip>
 #include <iostream>
 #include <sstream>

@@ -57,7 +57,7 @@ void write_demo(const DemoLayout& demo, const DemoFolder& folder) {
   write_file_atomically(folder.file("layout.json"), layout_json(demo));
 }
 
-// What --export leaves for trivet run.
+// Files that --export leaves for trivet run.
 std::vector<std::string> exported_files(const DemoLayout& demo, const std::string& folder) {
   if (folder.empty()) return {};
   std::vector<std::string> out{(fs::path(folder) / "layout.json").string()};

@@ -59,10 +59,10 @@ const char* to_string(OperationResult::Status status) {
   return "?";
 }
 
-// Where an object is, as it was last told.
+// Pose of an object as the last answer gave it.
 struct ToldPose {
   std::string name;
-  std::optional<Pose> pose;  // nothing: out of the scene
+  std::optional<Pose> pose;  // nullopt: out of the scene
 };
 
 bool same_bits(const std::optional<Pose>& a, const std::optional<Pose>& b) {
@@ -83,7 +83,7 @@ void add_pose(const std::optional<Pose>& pose, Json& json) {
     json["rotation"] = {pose->rotation.w, pose->rotation.x, pose->rotation.y, pose->rotation.z};
 }
 
-// The poses that the other side knows, and what has changed since.
+// Poses that the client knows, and changes since.
 class ToldPoses {
  public:
   explicit ToldPoses(const Scene& scene) {
@@ -291,7 +291,7 @@ bool is_cancel(const std::string& line) {
 
 bool is_blank(const std::string& line) { return line.find_first_not_of(" \t\r") == line.npos; }
 
-// A session that nobody hears goes no further.
+// Ends the session when its answers cannot be written.
 void tell(const Json& json) {
   std::cout << json.dump(-1, ' ', false, Json::error_handler_t::replace) << std::endl;
   if (!std::cout)

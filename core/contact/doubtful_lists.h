@@ -1,8 +1,8 @@
-// Between two stages of z-lists: what depths alone leave in doubt, and who makes the lists there.
+// Between two stages of z-lists: pixels that depths alone leave in doubt, and the lists made there.
 //
 // The paper's composition [Shinya 1995, 5.1]: depths per pixel from graphics hardware, then
-// complete lists in software, but only in the pixels that the depths do not settle. Whoever draws
-// the depths and whoever makes the lists agree on nothing but the frame.
+// complete lists in software, but only in the pixels that the depths do not settle. The two
+// stages share only the frame.
 #pragma once
 
 #include "core/contact/zlist_frame.h"

@@ -130,7 +130,7 @@ void FlushFaces::add(const ContactFace& a, Index face_a, const ContactFace& b, I
   const bool facing = a.normal.dot(b.normal) < 0 && height >= -rounding;
   const Vec3 up = facing || height > 0 ? base.normal : Vec3(-base.normal);
   const Vec3 normal = over_b ? up : Vec3(-up);
-  // Faces that look away from each other, or that nobody turned outward, count only where nothing
+  // Faces that look away from each other, or that are not oriented, count only where nothing
   // of their bodies is between them.
   if (!facing && (face_dips(m_object, face_a, a.corners[0], normal) ||
                   face_dips(m_support, face_b, b.corners[0], -normal)))

@@ -17,8 +17,8 @@ class MotionBoxes {
 
   /// Space that the face passes through until the horizon.
   Aabb moving(const Triangle& world) const;
-  /// What is nearer to the face than any pair stops. Of a turn, the same box may be met one period
-  /// earlier or later.
+  /// Space nearer to the face than the largest distance at which a pair stops. Of a turn, the same
+  /// box may be met one period earlier or later.
   Aabb fixed(const Triangle& world) const;
   /// Of the third coordinate; 0 for a translation.
   double period() const { return m_turning ? kPeriod : 0; }

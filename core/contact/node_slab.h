@@ -42,7 +42,7 @@ struct NodeSlab {
   }
 };
 
-/// Whether two nodes are farther apart than `reach`, by their slabs.
+/// True if two nodes are farther apart than `reach`, by their slabs.
 /// @param box_a, box_b  of the nodes, in the slabs' frame.
 inline bool slabs_apart(const NodeSlab& a, const NodeSlab& b, const PlacedBvh::Box& box_a,
                         const PlacedBvh::Box& box_b, double reach) {

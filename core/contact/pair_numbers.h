@@ -27,7 +27,7 @@ class PairNumbers {
     ++m_count;
     return next;
   }
-  /// Whether it is new; for those who need no numbers.
+  /// True if it is new; for those who need no numbers.
   bool insert(Index a, Index b) {
     const size_t before = m_count;
     find_or_add(a, b, 0);

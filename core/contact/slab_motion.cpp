@@ -42,8 +42,8 @@ bool SlabMotion::turns_clear(const NodeSlab& a, NodeSlab b, const PlacedBvh::Box
                       a.along(a.normal, box_a.half), box_b.radius, -1, rest);
 }
 
-// Whether something at p, which turns (by `sense`: on or back), stays on its side of something at
-// rest at q, along n; their ranges and the radius are about p and q.
+// Returns whether a point set at p, which turns (by `sense`: on or back), stays on its side of one
+// at rest at q, along n; their ranges and the radius are about p and q.
 bool SlabMotion::stays_beside(const Vec3& n, const Vec3& p, const Vec3& q, const SlabRange& of_p,
                               const SlabRange& of_q, double radius, double sense,
                               double rest) const {

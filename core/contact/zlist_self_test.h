@@ -5,8 +5,8 @@
 
 namespace trivet {
 
-/// Asks a stage some small queries, half of them turns, and compares with the BVHs. A stage
-/// can lose no contact by being wrong only where somebody looks, and drivers do have bugs.
+/// Asks a stage some small queries, half of them turns, and compares with the BVHs. A wrong
+/// stage would lose contacts unseen, and drivers do have bugs.
 /// @return what is wrong, with the number of the query; empty if nothing is.
 std::string self_test(CandidateFinder& stage);
 

@@ -37,8 +37,8 @@ struct ZListWork {
 struct CandidatePairs {
   bool usable = false;          // false: the stage gave up (`why`); take another
   std::string why;              // for people
-  double lower = 0;             // nothing touches before
-  double upper = kInfinity;     // something touches by then; infinity: perhaps nothing does
+  double lower = 0;             // no contact before this time
+  double upper = kInfinity;     // contact by this time at the latest; infinity: perhaps none
   std::vector<FacePair> pairs;  // without duplicates, by not_before, then by indices
   ZListWork work;
 };

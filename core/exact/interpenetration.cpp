@@ -66,7 +66,7 @@ std::optional<int> crossing_sign(const UnitRay& ray, const Triangle& t) {
   return std::nullopt;
 }
 
-// Whether the start of the ray is inside a closed component; nullopt if the ray grazes.
+// True if the start of the ray is inside a closed component; nullopt if the ray grazes.
 std::optional<bool> starts_inside(const UnitRay& ray, const PlacedShape& outer) {
   const Adjacency& adjacency = outer.shape->adjacency;
   int winding = 0;                    // of all balanced components together

@@ -14,10 +14,10 @@ int orient2d(const Vec2& a, const Vec2& b, const Vec2& c);
 /// counter-clockwise from above), -1 above, 0 in the plane.
 int orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
-/// Whether the three points are on one line.
+/// True if the three points are on one line.
 bool collinear(const Vec3& a, const Vec3& b, const Vec3& c);
 
-/// Whether two closed triangles have a point in common. Degenerate triangles count as segments or
+/// True if two closed triangles have a point in common. Degenerate triangles count as segments or
 /// points. Tests compare with a linear program on integers.
 bool triangles_intersect(const Triangle& a, const Triangle& b);
 

@@ -32,7 +32,7 @@ class SeparatingAxes {
   /// True only if the contents of the two boxes are disjoint.
   bool separate(const Aabb& box_a, const Aabb& box_b) const;
 
-  /// Whether the box of a is the larger one in the world.
+  /// True if the box of a is the larger one in the world.
   bool a_is_larger(const Aabb& box_a, const Aabb& box_b) const;
 
  private:

@@ -15,7 +15,7 @@ constexpr double kRayReach = 2;
 /// Farther away, double itself loses more than kRayGrowth.
 constexpr double kFarthestRay = 1e8;
 
-// What Embree asks when it builds.
+// Data for the callbacks with which Embree builds.
 struct ScaledMesh {
   const Mesh& mesh;
   Vec3 centre;

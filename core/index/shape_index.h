@@ -1,4 +1,4 @@
-// What of a shape is built when it is first needed. Private.
+// Indexes of a shape that are built when first needed. Private.
 #pragma once
 
 #include <tbb/task_arena.h>

@@ -32,7 +32,7 @@ inline Affine relative_to(const Vec3& origin, Affine world_from_object) {
 struct ExportScene {
   std::vector<ExportObject> objects;
   std::string extras_json;  // glTF `extras` of the scene; empty: none
-  /// What is written is relative to it: export_origin(). glTF has a root node that translates back,
+  /// Origin of the written positions: export_origin(). glTF has a root node that translates back,
   /// in double; OBJ, PLY and STL name it in their headers.
   Vec3 origin = Vec3::Zero();
 };

@@ -13,7 +13,7 @@ class ModelFolder {
  public:
   explicit ModelFolder(const std::string& model);
 
-  /// Whether this path leads to a place in the folder or below it, all symbolic links followed. The
+  /// True if this path leads to a place in the folder or below it, all symbolic links followed. The
   /// file need not be there.
   bool holds(const std::filesystem::path& file) const;
   /// The same, of a regular file that is there: no folder, device or pipe.
@@ -23,8 +23,8 @@ class ModelFolder {
   std::vector<std::filesystem::path> m_folders;  // canonical
 };
 
-/// "names "../x.bin", which is outside its folder; accepted: ...". Of what the file says, not of
-/// what there is.
+/// "names "../x.bin", which is outside its folder; accepted: ...". Quotes the model file;
+/// does not look whether there is such a file.
 std::string outside_folder(const std::string& name);
 
 }  // namespace trivet

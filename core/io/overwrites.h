@@ -6,7 +6,7 @@
 
 namespace trivet {
 
-/// Whether two paths lead to one file, through symbolic links and hard links too. Paths of files
+/// True if two paths lead to one file, through symbolic links and hard links too. Paths of files
 /// that are not there yet are compared by where they lead.
 bool same_file(const std::string& a, const std::string& b);
 

@@ -14,7 +14,7 @@ namespace trivet {
 class StagedFiles {
  public:
   StagedFiles();
-  ~StagedFiles();  // what was not committed is gone
+  ~StagedFiles();  // deletes files that were not committed
   StagedFiles(const StagedFiles&) = delete;
   StagedFiles& operator=(const StagedFiles&) = delete;
 

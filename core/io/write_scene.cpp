@@ -25,7 +25,7 @@ std::string text_of(const fs::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// Whether the existing target, a glTF or OBJ, names this companion file.
+/// True if the existing target, a glTF or OBJ, names this companion file.
 bool names(const fs::path& target, const std::string& beside) {
   const std::string text = text_of(target);
   if (extension_of(target) == ".gltf") return text.find('"' + beside + '"') != std::string::npos;

@@ -64,7 +64,7 @@ MeshMoments integrate(const Mesh& mesh, const Adjacency& adjacency, const Vec3& 
   return out;
 }
 
-/// Whether the signed tetrahedra form a body: cavities may be negative in a positive total.
+/// True if the signed tetrahedra form a body: cavities may be negative in a positive total.
 bool is_solid(const MeshMoments& moments, const Adjacency& adjacency, const Aabb& box) {
   const double volume = moments.solid.measure;
   const double least = kLeastVolume * moments.surface.measure * box.diagonal();

@@ -58,7 +58,7 @@ HeightFunction turning_product(double f0, const Vec3& axis, const Vec3& p, const
 /// none.
 double first_zero(const HeightFunction& f, Motion::Kind kind);
 
-/// Whether first_zero(f, kind) > horizon, to rounding, without a root. A rotation's horizon may be
+/// True if first_zero(f, kind) > horizon, to rounding, without a root. A rotation's horizon may be
 /// larger than 1 and counts as 1.
 bool positive_until(const HeightFunction& f, Motion::Kind kind, double horizon);
 

@@ -17,12 +17,12 @@ namespace trivet {
 /// name.
 std::span<const PhysicsMaterial> material_presets();
 std::vector<std::string> material_names();
-/// Nothing: no such preset.
+/// @return nullopt if there is no such preset.
 std::optional<PhysicsMaterial> material_preset(const std::string& name);
 
-/// Whether numbers and name are the same.
+/// True if numbers and name are the same.
 bool same_material(const PhysicsMaterial& a, const PhysicsMaterial& b);
-/// Whether it is the preset of its name; of no name: never.
+/// True if it is the preset of its name; false without a name.
 bool is_preset(const PhysicsMaterial& material);
 
 }  // namespace trivet

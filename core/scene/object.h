@@ -19,9 +19,9 @@ enum class ObjectState {
   Fixed,        // never moves, carries everything
   Stable,       // at rest: contact forces balance its weight
   Wedged,       // can neither move nor be shown to be supported
-  Held,         // where a hand holds it: let go, it would move
-  Unsupported,  // what held it was taken away: let go, it would move
-  Invalid,      // moved freely into others: nothing else holds until that is resolved
+  Held,         // kinematically held; would move if released
+  Unsupported,  // its support was taken away; would move if released
+  Invalid,      // moved freely into others; no other state counts until that is resolved
 };
 const char* to_string(ObjectState state);  // "unplaced", "fixed", "stable", ...
 
@@ -45,7 +45,7 @@ struct Object {
   double stability_margin = 0;  // metres the centre of mass is inside the hull of the contacts that
                                 // carry, seen from above; negative: outside (leaning, hanging)
   double least_friction = 0;    // smallest Coulomb coefficient that holds it; infinity: none does
-  std::vector<ObjectContact> contacts;  // what it touches, as of the last operation that moved it
+  std::vector<ObjectContact> contacts;  // as of the last operation that moved it
   bool locked = false;  // no operation may move it, but it is not fixed: it may topple
   std::string group;    // objects of one group move as one; empty: of none
 

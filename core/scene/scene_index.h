@@ -12,7 +12,7 @@ namespace trivet {
 /// Of the world box of an object where it stands, and of its size; see ObjectTree.
 ObjectTree::Extent extent_of(const Object& object);
 
-/// Follows the objects: whoever changes one calls set() afterwards. Only reserve() allocates.
+/// Follows the objects: call set() after changing one. Only reserve() allocates.
 /// Keeps what it stored about a slot, so that entries are removed without the object.
 class SceneIndex {
  public:

@@ -34,7 +34,7 @@ class EglContext {
   const std::string& device() const;
   /// The version of the context: 45 for OpenGL 4.5.
   int gl_version() const;
-  /// Whether it runs on the CPU, like llvmpipe.
+  /// True if it runs on the CPU, like llvmpipe.
   bool is_software() const;
   /// One line for reports: renderer, "(software)" if so, version, device.
   std::string description() const;

@@ -15,7 +15,7 @@
 namespace trivet {
 namespace {
 
-/// Whether a blank-separated list contains the whole word.
+/// True if a blank-separated list contains the whole word.
 bool has_word(const char* list, const std::string& word) {
   if (list == nullptr) return false;
   std::istringstream words(list);

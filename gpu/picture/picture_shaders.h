@@ -14,7 +14,7 @@ inline std::string version() { return "#version 330 core\n"; }
 /// Largest distance of a smooth surface outside its triangles, frame.
 inline std::string max_bulge() { return "const float kMaxBulge = 0.0025;\n"; }
 
-/// What a vertex of an UploadedMesh has, for all that draw one.
+/// Vertex inputs of an UploadedMesh, for every shader that draws one.
 std::string mesh_inputs();
 /// place_in_map(): where a point is in a shadow map.
 std::string shadow_lookup();

@@ -8,7 +8,7 @@ using zlist_shaders::Pass;
 
 constexpr std::size_t kPlaneBytes = sizeof(std::uint32_t) * kMaxZListPixels;
 constexpr std::uint32_t kLowest = 0, kHighest = 0xffffffffu;
-/// What is in no pixel: of front, rear, sample, nearest.
+/// Values of empty pixels: of front, rear, sample, nearest.
 constexpr std::uint32_t kEmpty[] = {kLowest, kHighest, kLowest, kHighest};
 constexpr std::size_t kNumPlanes = std::size(kEmpty);
 

@@ -19,7 +19,7 @@ enum class GpuMethod {
 /// From "auto", "framebuffer" or "compute". @throws Error (BadInput) for anything else.
 GpuMethod gpu_method_from_name(const std::string& name);
 
-/// Who lists the faces of doubtful pixels. Software needs GpuZListOptions::software_lists.
+/// Method that lists the faces of doubtful pixels. Software needs GpuZListOptions::software_lists.
 enum class GpuListing {
   Auto,  // Software where the renderer runs on the CPU, else GpuFirst; without software_lists Gpu
   Gpu,   // it draws again
@@ -27,7 +27,7 @@ enum class GpuListing {
   Software,  // as in the paper; where it gives up (too many pieces of faces about an axis), the GPU
 };
 
-/// What tests do to a stage.
+/// Faults that tests inject into a stage.
 struct GpuFaults {
   std::function<bool()> resets = {};   // asked after every query; true: the hardware was reset
   std::function<bool()> is_gone = {};  // asked before a context is made; true: no device is there

@@ -47,7 +47,7 @@ struct ZLists {
   std::vector<ZListEntry> entries;                   // or doubtful pixels, without depths and face
 };
 
-/// What a rasteriser hands over.
+/// Output of a rasteriser.
 enum class ZListOutput { Bounds, DoubtfulPixels, Lists };
 
 /// A way of using the hardware. All need a current context to be created and destroyed.
@@ -56,10 +56,10 @@ class ZListRaster {
   virtual ~ZListRaster() = default;
   virtual const char* description() const = 0;  // for display
   virtual std::size_t num_bytes() const = 0;    // of graphics memory, without meshes
-  /// Whether this many views with that many bodies fit, the widest and the highest of that size.
+  /// True if this many views with that many bodies fit, the widest and the highest of that size.
   virtual bool has_room(std::size_t num_views, std::size_t num_bodies, int width,
                         int height) const = 0;
-  /// Whether lists in many small pixels take long.
+  /// True if lists in many small pixels take long.
   virtual bool prefers_large_pixels() const { return false; }
   /// Draws views of one kind of motion together; if the lists exceed the limit together, all are
   /// empty.

@@ -81,7 +81,7 @@ GpuMethodTimes measure(GpuZListOptions options, bool on_cpu) {
   return out;
 }
 
-/// What was measured in this process, by renderer and the OpenGL version asked for.
+/// Measurements of this process, by renderer and the OpenGL version asked for.
 struct Known {
   std::mutex mutex;
   std::map<std::pair<std::string, int>, GpuMethodTimes> times;

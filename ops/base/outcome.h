@@ -49,9 +49,9 @@ struct OperationResult {
   std::int64_t num_queries = 0, num_face_pairs = 0;  // first-contact queries, exact pairs
   std::vector<SettleStep> steps;
 
-  /// Why it ended; meaningless when refused.
+  /// Reason of its end; meaningless when refused.
   enum class End {
-    Done,     // nothing moves: append, delete, lock, ...
+    Done,     // no motion: append, delete, lock, ...
     AtRest,   // PUT: it settled
     Reached,  // as far as was asked for
     Blocked,  // by `blocked_by` at `blocked_at`

@@ -1,4 +1,4 @@
-// What each source of candidates costs on this machine, measured with a fixed set of queries.
+// Costs of each source of candidates on this machine, measured with a fixed set of queries.
 #pragma once
 
 #include <functional>
@@ -19,7 +19,7 @@ struct GpuSource {
   std::function<std::unique_ptr<CandidateFinder>(bool allow_software)> make;
 };
 
-/// What a calibration is valid for.
+/// Machine and version for which a calibration is valid.
 struct MachineKey {
   std::string version;   // of Trivet
   std::string cpu;       // model and number of cores

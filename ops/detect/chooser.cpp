@@ -36,7 +36,8 @@ double BackendChooser::ms(const SourceCost& source, const QuerySize& size) const
   return m_given_up.contains(source.name) ? kInfinity : source.ms(size);
 }
 
-// Whether no source can be faster than BVHs, even if all bodies count for them and none for it.
+// Returns whether no source can be faster than BVHs, even if all bodies count for BVHs and none for
+// the source.
 bool BackendChooser::is_small(Motion::Kind kind, double triangles) const {
   double bvh = kInfinity, others = kInfinity;
   for (const SourceCost& source : m_calibration->sources)

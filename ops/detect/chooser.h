@@ -44,7 +44,7 @@ class BackendChooser {
   std::function<void(const std::string&)> m_note;
   std::shared_ptr<const Calibration> m_calibration;  // null: not asked for yet
   Stages m_ready;
-  std::map<std::string, double> m_saved_ms;  // what each source not ready would have saved so far
+  std::map<std::string, double> m_saved_ms;  // savings missed so far, by source not ready
   std::set<std::string> m_given_up, m_used;
   std::string m_current = Calibration::kBvh, m_device = "cpu", m_method;
   bool m_recalibrated = false;

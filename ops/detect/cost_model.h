@@ -1,4 +1,4 @@
-// What a query is expected to cost, from measurements of this machine.
+// Expected cost of a query, from measurements of this machine.
 #pragma once
 
 #include <span>
@@ -7,7 +7,7 @@
 
 namespace trivet {
 
-/// What the cost of a query depends on.
+/// Parameters of a query on which its cost depends.
 struct QuerySize {
   Motion::Kind kind = Motion::Kind::Translation;
   double triangles = 0;  // of the bodies whose boxes meet during the motion

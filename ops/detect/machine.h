@@ -26,8 +26,8 @@ class Machine {
   /// With this calibration, for tests.
   Machine(MachineOptions options, Calibration calibration);
 
-  /// Whether `auto` has a choice. Without graphics hardware BVHs answer: then nothing is
-  /// measured, and no file is read.
+  /// True if `auto` has a choice. Without graphics hardware BVHs answer, nothing is measured, and
+  /// no file is read.
   bool has_hardware() const { return !m_options.hardware.empty(); }
   MachineKey key() const;
 

@@ -1,4 +1,4 @@
-// The z-lists of one motion, to be looked at: depth images, bounds, and the pairs of faces that
+// The z-lists of one motion, for display: depth images, bounds, and the pairs of faces that
 // were left for the exact decision.
 #pragma once
 
@@ -8,7 +8,7 @@
 namespace trivet {
 
 struct MotionZLists {
-  MotionDepths depths;        // by software, whoever proposed the pairs
+  MotionDepths depths;        // by software, whatever the source of the pairs
   double floor = kInfinity;   // time of the contact with the floor, up to which the others matter
   CandidatePairs candidates;  // proposed by the stage, less those that Embree does not confirm
   FirstContact contact;       // the answer, the same bits whatever the stage

@@ -18,8 +18,8 @@ struct OperationRun {
   Detector* detector = nullptr;  // null: BVHs
   Interrupt interrupt;
   Stopwatch stopwatch;
-  /// What a plan would be refused for once committed; asked of each place that a PUT tries. Empty:
-  /// nothing.
+  /// Refusal of a plan, were it committed; checked at each place that a PUT tries. Empty: no
+  /// checks.
   std::function<std::optional<Refusal>(const MovePlan&)> refuse_commit;
 
   OperationRun(const SettleOptions& settle, const RunContext& context)

@@ -144,7 +144,7 @@ struct FixOperation {
   bool fixed = true;
 };
 
-/// What it is made of; nothing moves. "material"
+/// Sets the material; nothing moves. "material"
 struct MaterialOperation {
   std::string object;
   PhysicsMaterial material;

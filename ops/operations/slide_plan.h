@@ -21,7 +21,7 @@ struct SlidePlan {
   enum class Kind {
     Go,
     Blocked,    // by contact `blocker`
-    NoSupport,  // nothing that would still carry a little farther on
+    NoSupport,  // no support a little farther on
   };
   Kind kind = Kind::NoSupport;
   Vec3 velocity = Vec3::Zero();
@@ -40,7 +40,7 @@ SlidePlan plan_slide(const std::vector<Vec3>& normals, const Vec3& direction,
                      bool climb);
 
 /// The level direction nearest to `direction` that no wall among the contacts stands against;
-/// nothing: there is none that gets on. Walls are contacts too steep to be followed, and ceilings.
+/// nullopt: none leads on. Walls are contacts too steep to be followed, and ceilings.
 std::optional<Vec3> slide_direction(const std::vector<Vec3>& normals, const Vec3& direction,
                                     size_t blocker, bool climb);
 

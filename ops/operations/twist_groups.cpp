@@ -70,7 +70,7 @@ class Grouping {
     return out;
   }
 
-  // Who recedes makes room: it goes first. Of a cycle, the smallest violation.
+  // Receding groups make room and go first. Of a cycle, the smallest violation.
   std::vector<TwistGroup> in_order(std::vector<TwistGroup> groups) const {
     const size_t n = groups.size();
     const std::vector<Index> of = group_of(groups);

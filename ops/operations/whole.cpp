@@ -33,7 +33,7 @@ class Whole {
 
   void settle() {
     for (const ObjectId id : m_scene.invalid_objects())
-      if (m_scene.at(id).placed) return;  // nothing else holds until that is resolved
+      if (m_scene.at(id).placed) return;  // no other verdict counts until that is resolved
     PartVerdict verdict = judge();
     for (int round = 0; !verdict.stands && round < kMaxRounds; ++round) {
       if (stopped() || !give_way(verdict)) break;

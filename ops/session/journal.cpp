@@ -134,8 +134,8 @@ std::unique_ptr<Journal> Journal::reopen(const std::string& path, const JournalC
 
 void Journal::append_line(const std::string& line) {
   const auto failed = [&](int error) {
-    // Whatever part of the line is there is cut off; if that fails too, it stays a torn last line
-    // only because nothing is written any more.
+    // Cuts off the written part of the line; if that fails too, nothing more is written, so that it
+    // stays a torn last line.
     if (ftruncate(m_descriptor, static_cast<off_t>(m_size)) != 0) m_size = 0;
     fail(m_path, "the journal cannot be written", error);
   };

@@ -7,9 +7,9 @@
 //   {"undo": true, "state", "sum"}, {"redo": true, "state", "sum"}, {"saved": file, "sum"}
 //
 // "state" is of the objects that the line changed (of the whole scene in the first line), "sum" of
-// what is before it. The last line may
-// be torn, by a crash in the middle of it: it was never committed, and is dropped. JOURNAL.start is
-// a second name for the start file (or a copy of it), because saving replaces the first.
+// the text before it. The last line may be torn, by a crash in the middle of it: it was never
+// committed, and is dropped. JOURNAL.start is a second name for the start file (or a copy of it),
+// because saving replaces the first.
 #pragma once
 
 #include <memory>

@@ -12,10 +12,10 @@ using JournalJson = nlohmann::ordered_json;
 
 /// One line with its sum and its end.
 std::string journal_line(const JournalJson& json);
-/// The line without its end, checked; nothing when it is torn.
+/// The line without its end, checked; nullopt when it is torn.
 std::optional<nlohmann::json> checked_line(const std::string& line);
 
-JournalJson settle_json(const SettleOptions& options);  // what is not default
+JournalJson settle_json(const SettleOptions& options);  // options that are not default
 SettleOptions read_settle(const JsonPlace& place);
 std::uint64_t read_state(const JsonPlace& place);
 

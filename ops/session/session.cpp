@@ -48,7 +48,7 @@ Session::~Session() = default;
 Session::Session(Session&&) noexcept = default;
 Session& Session::operator=(Session&&) noexcept = default;
 
-// Whatever happens, the scene is as it was unless the operation was done.
+// Leaves the scene as it was unless the operation was done.
 OperationResult Session::run(SessionStep step, const std::function<Results(Transaction&)>& work) {
   OperationResult result;
   {

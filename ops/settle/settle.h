@@ -49,8 +49,8 @@ struct SettleProblem {
 struct SettleOutcome {
   enum class Status {
     AtRest,          // the hull of carrying contacts holds it, or contact forces balance
-    Wedged,          // nothing lowers it (by much), and no forces balance
-    FallsOut,        // nothing is below it
+    Wedged,          // no motion lowers it (by much), and no forces balance
+    FallsOut,        // no support below it
     TooManyMotions,  // options.max_motions
     Crossing,        // the start crosses something
     Interrupted,     // problem.interrupt

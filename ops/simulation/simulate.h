@@ -21,14 +21,14 @@ struct SimulatedScene {
   std::vector<SimulatedObject> objects;  // the free ones, in the scene's order
 };
 
-/// Whether this build has a simulator.
+/// True if this build has a simulator.
 bool can_simulate();
 
 /// Loads the MJCF file of an export and lets it go, in MuJoCo, in this process.
 /// @throws Error (BadInput): a build without it, another format or a file that MuJoCo refuses.
 SimulatedScene simulate(const SimulationExport& done, double seconds);
 
-/// Whether all stayed: no object moved by more than kStays metres, and no warning.
+/// True if all stayed: no object moved by more than kStays metres, and no warning.
 bool stays(const SimulatedScene& simulated);
 inline constexpr double kStays = 0.01;
 

@@ -29,7 +29,7 @@ void add_certified_loads(const FreeBodies& all, const Certificate& certificate, 
 
 /// Non-negative parts, summing up to 1, of points whose weighted mean is `target`: the mean over
 /// the corners of the hull of the parts that the fan of triangles about that corner gives, so that
-/// what is symmetric stays so. Empty: `target` is outside by more than `slack`.
+/// symmetry is kept. Empty: `target` is outside by more than `slack`.
 std::vector<double> shares(const std::vector<Vec2>& points, const Vec2& target, double slack);
 
 }  // namespace trivet

@@ -134,7 +134,7 @@ std::vector<ObjectId> connected_with(const Scene& scene, std::span<const ObjectI
       if (entry.with.is_object()) add(entry.with.object());
   };
   for (const ObjectId id : seeds) add(id);
-  // What touches a seed that stands still may have been unbalanced by it.
+  // Neighbours of a seed that stands still may have been unbalanced by it.
   for (const ObjectId id : seeds)
     if (is_fixed_or_held(id, scene.at(id))) add_partners(id);
   for (size_t i = 0; i < out.size(); ++i) add_partners(out[i]);

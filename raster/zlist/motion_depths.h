@@ -1,5 +1,5 @@
-// Depth images of a motion, for people: in every pixel the front of what moves and the front of
-// what is in the way, and where the first contact may be.
+// Depth images of a motion, for display: in every pixel the fronts of the moving and of the fixed
+// faces, and where the first contact may be.
 #pragma once
 
 #include <cstdint>
@@ -18,11 +18,11 @@ struct MotionDepths {
   std::vector<float> fixed_front;   // nearest depth of the fixed faces, from the rear of the moving
                                     // ones on; infinity: none
   std::vector<std::uint8_t> doubtful;  // 1: the first contact may be in this pixel
-  bool complete = true;      // false: a face next to the axis of a turn has too many pieces, and
-                             // neither the bounds nor `doubtful` mean anything
-  double lower = kInfinity;  // nothing touches before this time; infinity: nothing within the limit
-  double upper = kInfinity;  // something touches by this time; infinity: perhaps nothing does
-  std::int64_t num_pixels = 0;    // with moving and fixed faces
+  bool complete = true;         // false: a face next to the axis of a turn has too many pieces, and
+                                // neither the bounds nor `doubtful` mean anything
+  double lower = kInfinity;     // no contact before this time; infinity: none within the limit
+  double upper = kInfinity;     // contact by this time at the latest; infinity: perhaps none
+  std::int64_t num_pixels = 0;  // with moving and fixed faces
   std::int64_t num_doubtful = 0;  // of these
 
   size_t size() const { return moving_front.size(); }

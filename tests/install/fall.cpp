@@ -1,4 +1,4 @@
-// A program of somebody else that asks for geometry alone: how far a triangle falls onto the floor.
+// A client program that uses geometry alone: how far a triangle falls onto the floor.
 #include <cstdio>
 
 #include "core/contact/first_contact.h"

@@ -19,7 +19,7 @@ struct Watch {
 };
 thread_local Watch watch;
 
-/// Whether this call is to fail; then errno says why.
+/// True if this call is to fail; then errno says why.
 bool fails(bool needs_space) {
   if (!watch.on) return false;
   const std::int64_t n = watch.count++;

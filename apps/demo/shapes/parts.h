@@ -1,4 +1,4 @@
-// What several models are made of: boxes, plates, tubes; surfaces moved, turned and painted.
+// Parts shared by several models: boxes, plates, tubes; surfaces moved, turned and painted.
 #pragma once
 
 #include <functional>

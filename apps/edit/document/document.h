@@ -45,7 +45,7 @@ struct DocumentOptions {
   ImportLimits limits;
 };
 
-/// Who answers the queries of each thread that asks.
+/// Detectors that answer the queries of moves and of previews, for display.
 struct Detection {
   Answering moves, previews;
 };
@@ -98,7 +98,7 @@ class Document : public QObject {
   const std::string& file() const { return m_file; }
   /// Title for windows: the opened or saved file, "Untitled", or a demo's name.
   const std::string& title() const { return m_title; }
-  /// Whether a job is waiting or running. Drags do not count.
+  /// True while a job is waiting or running. Drags do not count.
   bool is_busy() const { return m_num_jobs > 0; }
   const std::string& busy_with() const { return m_busy_with; }  // "open \"x.glb\""
   /// Latency of the last drag: milliseconds from drag_to() or drag_by() to snapshot_changed().
@@ -180,8 +180,8 @@ class Document : public QObject {
   void choose_detection(BackendOptions options);
   const Detection& detection() const { return m_detection; }
 
-  /// Whether z-lists of the motion under the hand are computed: of drags, and of the fall of a PUT
-  /// that is previewed. On the thread of ghosts, for at most a fifth of its time.
+  /// Switches the z-lists of the motion under the hand on or off: of drags, and of the fall of a
+  /// PUT that is previewed. On the thread of ghosts, for at most a fifth of its time.
   void watch_zlists(bool on);
   bool watches_zlists() const { return m_watches; }
   /// The latest; null: none yet.

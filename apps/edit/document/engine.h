@@ -38,9 +38,9 @@ class Engine {
                      std::shared_ptr<const SceneSnapshot> shown);
   /// Other detectors, made by the threads that ask, when nothing refers to the old ones.
   void choose_detection(BackendOptions options);
-  /// Whether z-lists of what is dragged or previewed are computed.
+  /// Switches z-lists of dragged and previewed objects on or off.
   void watch_zlists(bool on) { m_watches = on; }
-  /// Whether no work or signal is pending.
+  /// True if no work or signal is pending.
   bool is_idle() const { return m_num_open == 0 && m_ghosts.is_idle(); }
 
   // ---------------------------------------------------------------------------------------------

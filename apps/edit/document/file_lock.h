@@ -22,7 +22,7 @@ class FileLock {
   int m_descriptor = -1;
 };
 
-/// Whether this file is locked with flock(): a journal being written.
+/// True if this file is locked with flock(): a journal being written.
 bool is_locked(const std::string& path);
 
 }  // namespace trivet::edit

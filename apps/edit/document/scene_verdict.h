@@ -1,4 +1,4 @@
-// Whether the scene stands as a whole, and which way what topples would go.
+// True if the scene stands as a whole, and which way what topples would go.
 #pragma once
 
 #include <cstdint>

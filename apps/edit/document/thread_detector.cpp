@@ -36,7 +36,8 @@ void ThreadDetector::choose(BackendOptions options) {
   ++m_num_choices;
 }
 
-// Whether there is something to make. A GPU that has failed fails again until the next choice.
+// Returns whether a detector has to be made. A GPU that has failed fails again until the next
+// choice.
 bool ThreadDetector::take_choice(BackendOptions& options) {
   const std::lock_guard lock(m_mutex);
   const bool is_new = m_num_made != m_num_choices;

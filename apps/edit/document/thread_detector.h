@@ -9,7 +9,7 @@
 
 namespace trivet::edit {
 
-/// Who answers first-contact queries, for display; see Detector.
+/// The detector that answers first-contact queries, for display; see Detector.
 struct Answering {
   std::string name = "bvh", device = "cpu", method;
   bool operator==(const Answering&) const = default;
@@ -23,10 +23,10 @@ class ThreadDetector {
   explicit ThreadDetector(BackendOptions options);
   ~ThreadDetector();
 
-  /// What the next renew() makes. From any thread.
+  /// Sets the options of the next renew(). From any thread.
   void choose(BackendOptions options);
   /// Makes the detector if another one was chosen, or the GPU has failed since; nothing may refer
-  /// to the old one. BackendOptions::note is told why it is not the one that was asked for.
+  /// to the old one. BackendOptions::note gets the reason if it is not the one that was asked for.
   void renew();
   /// Null before the first renew(): BVHs.
   Detector* get() const { return m_detector.get(); }

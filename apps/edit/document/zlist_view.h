@@ -10,7 +10,7 @@
 
 namespace trivet::edit {
 
-/// A motion to be looked at.
+/// A motion whose z-lists are to be shown.
 struct ZListQuestion {
   std::shared_ptr<const SceneSnapshot> scene;
   std::vector<Placement> moving;  // as one body, from here
@@ -35,9 +35,9 @@ struct ZListView {
   Motion motion;
   double clearance = 0;  // metres
   MotionZLists lists;
-  std::string finder;                    // who proposed the pairs
+  std::string finder;                    // source of the pairs
   std::vector<std::string> in_the_way;   // names of the objects in the image
-  std::string touched;                   // name of what is met first; empty: the motion is free
+  std::string touched;                   // name of the object met first; empty: the motion is free
   std::vector<ConfirmedPair> confirmed;  // the first of them, see kMostListed
   std::vector<Triangle> moving_faces;    // of these: world, where the motion begins
   std::vector<Triangle> fixed_faces;

@@ -146,7 +146,7 @@ void Properties::add_material() {
       {m_restitution, &PhysicsMaterial::restitution}};
   for (const auto& [box, member] : numbers)
     connect(box, &QDoubleSpinBox::valueChanged, this, [this, member = member](double value) {
-      PhysicsMaterial material = m_material;  // what is not changed keeps all its digits
+      PhysicsMaterial material = m_material;  // unchanged values keep all their digits
       material.name.clear();
       material.*member = value;
       take_material(material);

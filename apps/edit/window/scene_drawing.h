@@ -30,9 +30,9 @@ class SceneDrawing : public QObject {
   const DrawingOptions& options() const { return m_options; }
   void set_options(const DrawingOptions& options);
 
-  /// Whether anything moves, so that drafts suffice.
+  /// True if anything moves, so that drafts suffice.
   bool is_moving() const;
-  /// Whether a playback is running.
+  /// True while a playback is running.
   bool is_playing() const { return m_playback.is_on(); }
   Pose seen_pose(const ObjectSnapshot& object) const { return m_playback.pose_of(object); }
   /// Highlights the objects and points of a message, until the next one.

@@ -31,7 +31,7 @@ class SceneView : public QWidget {
   void redraw();
   /// Redraws the tool's overlay.
   void follow_tool();
-  /// Whether the visible picture shows the document in full quality. For tests.
+  /// True if the visible picture shows the document in full quality. For tests.
   bool is_up_to_date() const { return shows_latest() && !m_shown_is_draft; }
   /// The same, but a draft suffices.
   bool shows_latest() const { return m_shown == m_wanted; }

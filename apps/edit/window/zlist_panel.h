@@ -1,4 +1,4 @@
-// What z-lists see of the motion under the hand: depth images, bounds, pairs of faces.
+// Panel with the z-lists of the motion under the hand: depth images, bounds, pairs of faces.
 #pragma once
 
 #include <QLabel>

@@ -28,8 +28,8 @@ void append_line(std::string& out, const char* keyword, std::initializer_list<fl
   out += '\n';
 }
 
-// What a reader has to add to the positions: " x y z" in digits that give the doubles back. Empty:
-// nothing.
+// Offset that a reader has to add to the positions: " x y z" in digits that give the doubles back.
+// Empty: none.
 std::string origin_text(const ExportScene& scene) {
   if (scene.origin.isZero(0)) return "";
   std::string out = ", origin";

@@ -63,7 +63,7 @@ struct SimulationFileOptions {
 std::vector<std::string> write_simulation(SimulationScene& scene, const std::string& path,
                                           const SimulationFileOptions& options = {});
 
-/// Whether write_simulation() supports the extension, such as ".urdf".
+/// True if write_simulation() supports the extension, such as ".urdf".
 bool is_simulation_extension(const std::string& extension);
 /// ".xml, .mjcf, ..."
 const std::vector<std::string>& simulation_extensions();

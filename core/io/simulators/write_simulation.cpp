@@ -48,7 +48,7 @@ void set_names(SimulationScene& scene, Format format) {
   scene.name = valid_names({scene.name}, dashes, {}).front();
 }
 
-/// Whether the complete file already exists: its name contains the hash of its content.
+/// True if the complete file already exists: its name contains the hash of its content.
 bool is_written(const fs::path& path, const std::string& bytes) {
   std::error_code error;
   if (fs::file_size(path, error) != bytes.size() || error) return false;

@@ -97,7 +97,7 @@ Model stretched(Model model, const Mat3& stretch) {
     triangles.push_back(t);
   }
   model.mesh = weld(triangles);
-  Mat3 cofactors;  // what normals are turned by
+  Mat3 cofactors;  // transforms normals
   for (int i = 0; i < 3; ++i)
     cofactors.row(i) = stretch.row((i + 1) % 3).cross(stretch.row((i + 2) % 3));
   for (auto& face : model.corner_normals)

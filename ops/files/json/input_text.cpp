@@ -27,7 +27,7 @@ bool may_be_json(const std::string& text) {
 }
 
 /// A file or pipe that is read from its beginning to its end. A named pipe must be opened for
-/// writing by somebody soon.
+/// writing soon.
 class InputFile {
  public:
   explicit InputFile(const std::string& path)

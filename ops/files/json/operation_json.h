@@ -1,4 +1,4 @@
-// Private. One operation as JSON: for layouts, and for whoever else writes operations down.
+// Private. One operation as JSON: for layouts, journals and sessions.
 #pragma once
 
 #include "ops/files/json/json_text.h"

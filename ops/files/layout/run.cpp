@@ -79,7 +79,7 @@ void report_progress(const RunOptions& options, const std::string& stage, const 
   if (options.progress) options.progress({stage, item, done, total});
 }
 
-// Whatever the layout says to stand; refusals are recorded.
+// Places the objects to which the layout gives poses; records refusals.
 void stand_objects(const Layout& layout, const RunOptions& options, LayoutRun& run) {
   for (size_t i = 0; i < layout.objects.size(); ++i) {
     const LayoutObject& object = layout.objects[i];

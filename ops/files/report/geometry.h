@@ -19,8 +19,8 @@ namespace trivet {
 struct StoredGeometry {
   std::int64_t num_triangles = 0;
   std::string fingerprint;         // of the model's triangles, in double
-  std::string stored_fingerprint;  // of what the file gives back; the same when nothing is lost
-  Vec3 centre = Vec3::Zero();      // what the file's positions are about
+  std::string stored_fingerprint;  // of the triangles read back; the same when nothing is lost
+  Vec3 centre = Vec3::Zero();      // origin of the file's positions
   // The file has the model's own nodes: positions are those of the model's file, and come back to
   // the bit in its order; `centre` is a node's.
   bool own_nodes = false;

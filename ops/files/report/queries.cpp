@@ -64,7 +64,7 @@ OrderedJson with_all_free_json(const Scene& scene, const Stability& all, const O
   return json;
 }
 
-// What each neighbour presses with, in the order in which they are met.
+// Forces of the neighbours, in the order in which they are met.
 std::string forces_text(const Scene& scene, const Stability& all, ObjectId object) {
   std::vector<std::pair<Support, Vec3>> sums;
   for (const ContactForce& f : all.forces) {

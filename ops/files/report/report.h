@@ -16,7 +16,7 @@ struct ReportOptions {
   std::string backend = "bvh";
   std::string device = "cpu";
   std::string confirmation = "auto";  // by Embree, see confirmation_from_name()
-  std::optional<DetectionWork> work;  // what the stages of the queries left over; none: left out
+  std::optional<DetectionWork> work;  // left over by the stages of the queries; nullopt: omitted
   /// Put before relative model paths; empty: paths as the scene has them.
   std::string model_folder;
 };

@@ -179,7 +179,7 @@ class SceneReader {
   const ImportLimits m_limits;
   TrivetExtras m_extras;
   SceneFile m_file;
-  std::vector<std::shared_ptr<Model>> m_models;  // nothing: cannot be had any more
+  std::vector<std::shared_ptr<Model>> m_models;  // null: no longer available
   std::map<const Model*, Vec3> m_centre_of;
   std::vector<std::shared_ptr<const Shape>> m_shapes;  // made when an object needs it
 };

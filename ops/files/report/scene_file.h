@@ -29,7 +29,7 @@ struct SceneFile {
   Scene scene;    // poses to the bit; contacts as of update_contacts()
   Layout layout;  // model paths as those of the objects: relative to the scene file
   double clearance = 0;
-  std::vector<std::string> notes;  // what is not as it was
+  std::vector<std::string> notes;  // differences from the saved scene
 };
 
 /// Reads a .glb that Trivet wrote. A model's geometry is taken from the scene file itself if that

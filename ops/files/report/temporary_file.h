@@ -5,7 +5,7 @@
 
 namespace trivet {
 
-/// In the folder for temporary files, readable by nobody else; gone with the object.
+/// In the folder for temporary files, readable by the owner only; deleted with the object.
 class TemporaryFile {
  public:
   /// @param suffix  such as ".glb".

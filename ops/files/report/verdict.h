@@ -1,4 +1,4 @@
-// Whether a scene stands, in words: what topples and which way, what is near it.
+// Stability of a scene in words: objects that topple and their direction, and marginal ones.
 #pragma once
 
 #include <string>

@@ -81,7 +81,7 @@ Triangle opposite_edge(const Mesh& mesh, Index f, Index g) {
   return mesh.triangle(f);
 }
 
-/// Whether two faces meet anywhere but in their shared corners; exact, except for faces that share
+/// True if two faces meet anywhere but in their shared corners; exact, except for faces that share
 /// an edge: there, only a fold back onto each other counts.
 bool faces_cross(const Mesh& mesh, Index f, Index g) {
   const Triangle a = mesh.triangle(f), b = mesh.triangle(g);

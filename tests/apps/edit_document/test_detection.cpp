@@ -1,4 +1,4 @@
-// Drags end at the same poses, to the bit, whoever answers, whoever fails, and whenever.
+// Drags end at the same poses, to the bit, whichever detector answers or fails, and whenever.
 #include <atomic>
 
 #include "apps/edit_document/hand.h"

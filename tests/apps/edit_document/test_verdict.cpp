@@ -1,4 +1,4 @@
-// Whether the scene stands as a whole, as windows show it.
+// True if the scene stands as a whole, as windows show it.
 #include "apps/edit/document/scene_verdict.h"
 #include "apps/edit_document/testing.h"
 

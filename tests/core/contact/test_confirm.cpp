@@ -1,4 +1,4 @@
-// What Embree may take away from a proposal: nothing that stops in time.
+// Embree's confirmation removes no pair that stops in time.
 #include <gtest/gtest.h>
 
 #include <functional>

@@ -1,4 +1,4 @@
-// What is made of contact points: merged, summed up, hulls.
+// Contact points merged, summed up, and their hulls.
 
 #include <algorithm>
 

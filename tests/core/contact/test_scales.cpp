@@ -27,7 +27,7 @@ RandomQuery transformed(RandomQuery q, double scale, const Vec3& offset) {
   return q;
 }
 
-/// Whether faces share no vertex or edge, so that ties are rare.
+/// True if faces share no vertex or edge, so that ties are rare.
 bool unconnected(const RandomQuery& q) {
   const auto loose = [](test::MeshKind k) {
     return k == test::MeshKind::Any || k == test::MeshKind::Needles || k == test::MeshKind::Tiny;

@@ -20,7 +20,7 @@ int reference_orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& 
 /// Sign of the determinant of (b - a, c - a).
 int reference_orient2d(const Vec2& a, const Vec2& b, const Vec2& c);
 
-/// Whether weights >= 0 with sum 1 of the corners of a, and of b, give the same point. A linear
+/// True if weights >= 0 with sum 1 of the corners of a, and of b, give the same point. A linear
 /// program, by the simplex method with Bland's rule on integers.
 bool reference_intersect(const Triangle& a, const Triangle& b);
 

@@ -40,7 +40,7 @@ Soup soup_of(const Ball& b) {
 // The mesh of level 1 lies between the sphere and this fraction of it.
 constexpr double kInscribed = 0.8;
 
-// Whether the surfaces do not cross.
+// True if the surfaces do not cross.
 bool clear_of(const Ball& a, const Ball& b) {
   const double d = (a.centre - b.centre).norm();
   return d > a.radius + b.radius || d + a.radius < kInscribed * b.radius ||

@@ -132,7 +132,7 @@ double surface_to_facets(const TopoDS_Shape& shape, const Mesh& mesh, int count,
   return largest;
 }
 
-/// Whether every edge is used as often in either direction. Coarse meshes may use one more than
+/// True if every edge is used as often in either direction. Coarse meshes may use one more than
 /// once.
 bool is_closed(const Mesh& mesh) {
   const Adjacency adjacency = make_adjacency(mesh);

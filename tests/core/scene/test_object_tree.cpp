@@ -66,7 +66,8 @@ void expect_same(const Extent& a, const Extent& b) {
   EXPECT_EQ(a.smallest_diagonal, b.smallest_diagonal);
 }
 
-// What n leaves may need: an AVL tree of height h has at least Fibonacci(h + 2) of them.
+// Largest allowed height for n leaves: an AVL tree of height h has at least Fibonacci(h + 2) of
+// them.
 int allowed_height(size_t n) {
   return static_cast<int>(std::floor(1.4405 * std::log2(static_cast<double>(n) + 2)));
 }

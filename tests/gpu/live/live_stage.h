@@ -88,7 +88,7 @@ inline int num_different(const Image& a, const Image& b, int by = 24) {
   return count;
 }
 
-/// Whether a pixel within 1 of there has that colour.
+/// True if a pixel within 1 of there has that colour.
 inline bool has_colour(const Image& image, const Vec2& at, const LiveColour& colour,
                        int tolerance = 40) {
   for (int dy = -1; dy <= 1; ++dy)

@@ -12,7 +12,7 @@ constexpr unsigned kFaultSeed = 1453;
 using test::make_stage;
 using test::Way;
 
-/// What a stage does in the course of many queries.
+/// Record of a stage over many queries.
 struct Course {
   std::vector<std::string> notes;
   int num_usable = 0, num_contacts = 0;

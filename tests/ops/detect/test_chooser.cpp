@@ -18,7 +18,7 @@ namespace {
 constexpr const char* kGpu = "gpu compute";
 constexpr const char* kDevice = "Mock GPU";
 
-/// What became of the mocked GPU.
+/// Record of the mocked GPU.
 struct Counts {
   int made = 0, asked = 0;
 };
@@ -140,7 +140,7 @@ TEST(BackendChooser, NeverTakesRenderersThatRunOnTheCpu) {
   EXPECT_EQ(calibration.fastest({Motion::Kind::Translation, 1e7, 1e4})->name, "bvh");
 }
 
-// What cannot be used costs nothing, too: it is not even made.
+// Unusable sources cost nothing: they are not even made.
 TEST(BackendChooser, TakesBvhsWithoutHardware) {
   Calibration calibration = crossing_at_ten_thousand();
   calibration.sources[2].drop = {};
@@ -161,7 +161,7 @@ TEST(BackendChooser, StartsWhatPaysForItself) {
   EXPECT_LT(num_queries, 10);
 }
 
-// What is used once does not pay for its BVHs; what is used often does.
+// A single use does not pay for BVHs; many uses do.
 TEST(BackendChooser, BuildsBvhsWhenTheyPayForThemselves) {
   Calibration calibration = crossing_at_ten_thousand();
   calibration.sources[0].ms_per_new_triangle = 1e-3;

@@ -72,7 +72,7 @@ class FaultySession {
       : m_random(seed), m_opened(open_random_scene(m_random, m_folder)) {}
 
   using Work = std::function<void()>;
-  /// Whether a state that is not the one before is right.
+  /// True if a state that is not the one before is right.
   using IsAfter = std::function<bool(const State& before, const State& now)>;
 
   /// Fails `work` at some allocations, then at all its file operations in turn, until it is done.
@@ -194,7 +194,7 @@ class FaultySession {
   Counts m_counts;
 };
 
-/// Whether the files are those before, but for one more line of the journal.
+/// True if the files are those before, but for one more line of the journal.
 bool has_one_more_line(const Files& before, Files now) {
   const std::string& old = before.at("journal");
   std::string& journal = now.at("journal");
@@ -256,7 +256,7 @@ void save(FaultySession& s) {
   EXPECT_FALSE(s.session().is_modified());
 }
 
-/// What other programs read: several files that belong together.
+/// Exports for other programs: several files that belong together.
 void export_files(FaultySession& s, const std::string& name) {
   const auto write = [&](const std::string& folder) {
     write_scene_file(s.session().scene(), {}, {}, folder + name);

@@ -76,7 +76,7 @@ TEST(Stack, TopplesToRest) {
   EXPECT_GE(result.gave_way.size(), 1u);
 }
 
-// What does not come to rest within bounds is refused.
+// Scenes that do not come to rest within bounds are refused.
 TEST(Stack, TopplesToRestOrIsRefused) {
   Stage stage(0.5);
   add_stack(stage, 5, 0.09);

@@ -39,7 +39,7 @@ Outcome run_sequence(unsigned seed, ModelKind kind, const SequenceOptions& optio
 
 /// 0 to `count` - 1, or from the environment: TRIVET_SEQUENCE=76 or TRIVET_SEQUENCE=100-199.
 std::vector<unsigned> chosen_seeds(int count);
-/// Whether the environment selects a single sequence.
+/// True if the environment selects a single sequence.
 bool is_one_seed();
 
 }  // namespace trivet::test

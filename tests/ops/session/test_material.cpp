@@ -1,4 +1,4 @@
-// What objects are made of, as steps of a session.
+// Materials of objects, as steps of a session.
 #include <gtest/gtest.h>
 
 #include "core/scene/materials.h"

@@ -60,7 +60,7 @@ void compare(const RestCase& rest, const Rating& before, const RestCase& more, C
   count.moved += !stays;
 }
 
-// What rests stays where it is, alone and with each of six neighbours.
+// Resting objects stay where they are, alone and with each of six neighbours.
 Count expect_more_contacts_hold(const test::Stock& stock, int num) {
   Count count;
   for (int i = 0; i < num; ++i) {

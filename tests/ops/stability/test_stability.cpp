@@ -316,8 +316,8 @@ TEST(Stability, TakesDensityOfEachObject) {
   }
 }
 
-// What follows has joints far below the clearance: what lies in one plane beside a joint, such as
-// the sides of bricks, is no contact.
+// Joints far below the clearance: faces in one plane beside a joint, such as the sides of bricks,
+// are no contact.
 constexpr double kNarrow = 1e-7, kWideClearance = 2.3e-6;
 
 Stability judged_at(Pile& pile, double friction) {
