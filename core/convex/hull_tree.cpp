@@ -12,6 +12,7 @@ namespace trivet {
 namespace {
 
 constexpr double kConvexDefect = 1e-6;         // of a component's volume
+constexpr double kSolid = 0.9;                 // of the volume of its hull
 constexpr double kThinnestBacking = 1.0 / 16;  // of a shell
 
 double volume_of_hull(const std::vector<Vec3>& points) {
@@ -40,17 +41,20 @@ HullTree::HullTree(const Mesh& mesh, const Adjacency& adjacency, double shell)
   for (std::vector<Index>& of_root : faces) {
     if (of_root.empty()) continue;
     m_nodes.push_back(make_node(std::move(of_root), m_shell));
-    m_is_convex.push_back(!whole && is_convex_solid(m_num_roots));
+    const double filled = whole ? 0 : filled_part(m_num_roots);
+    m_is_convex.push_back(filled >= 1 - kConvexDefect);
+    m_nodes.back().solid = filled >= kSolid;
     ++m_num_roots;
   }
   m_num_leaves = m_nodes.size();
 }
 
-bool HullTree::is_convex_solid(Index root) const {
+// Of its hull; 0 for what is not closed.
+double HullTree::filled_part(Index root) const {
   const std::vector<Index>& faces = m_nodes[root].faces;
-  if (!m_adjacency.components[m_adjacency.face_component[faces[0]]].balanced) return false;
-  return enclosed_volume(m_mesh, faces) >=
-         (1 - kConvexDefect) * volume_of_hull(corners_of(m_mesh, faces));
+  if (!m_adjacency.components[m_adjacency.face_component[faces[0]]].balanced) return 0;
+  const double volume = volume_of_hull(corners_of(m_mesh, faces));
+  return volume > 0 ? enclosed_volume(m_mesh, faces) / volume : 0;
 }
 
 std::vector<ConvexPart> HullTree::parts() const {
@@ -62,8 +66,10 @@ std::vector<ConvexPart> HullTree::parts() const {
 
 bool HullTree::refine(Index leaf) {
   if (const double backing = m_nodes[leaf].backing; backing > 0) {
+    const bool solid = m_nodes[leaf].solid;
     const bool thin = backing <= kThinnestBacking * m_shell;
     m_nodes[leaf] = make_node(std::move(m_nodes[leaf].faces), thin ? 0 : backing / 2);
+    m_nodes[leaf].solid = solid;
     return true;
   }
   if (m_nodes[leaf].faces.size() < 2) return false;

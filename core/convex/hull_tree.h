@@ -28,6 +28,7 @@ class HullTree {
     std::vector<Index> faces;         // of a leaf
     std::array<Index, 2> children{};  // 0, 0: a leaf
     double backing = 0;               // thickness that it was given behind its faces; 0: none
+    bool solid = false;               // a closed component that fills nearly all of its hull
     bool is_leaf() const { return children[0] == 0; }
   };
   const Node& node(Index i) const { return m_nodes[i]; }
@@ -44,7 +45,7 @@ class HullTree {
   Node make_node(std::vector<Index> faces, double shell) const;
   std::array<std::vector<Index>, 2> halves(const std::vector<Index>& faces) const;
   std::vector<Vec3> backed_corners(std::span<const Index> faces, double shell) const;
-  bool is_convex_solid(Index root) const;
+  double filled_part(Index root) const;
 
   const Mesh& m_mesh;
   const Adjacency& m_adjacency;

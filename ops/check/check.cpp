@@ -155,7 +155,9 @@ ObjectState state_as_it_lies(const Scene& scene, ObjectId id, const Neighbourhoo
   const ObjectState was = object.state;
   if (was == ObjectState::Invalid && refuse_interpenetration(scene, id, object.pose, true))
     return was;
-  if (rests_by_either(object, others, rules)) return ObjectState::Stable;
+  if (was == ObjectState::Unsupported ? rests_at(object, object.pose, others, rules)
+                                      : rests_by_either(object, others, rules))
+    return ObjectState::Stable;
   if (was == ObjectState::Held || was == ObjectState::Invalid) return ObjectState::Held;
   return was == ObjectState::Unsupported ? was : ObjectState::Wedged;
 }

@@ -117,9 +117,14 @@ class PartFitter {
     return overlaps(of_a.box, of_b.box) && penetration_depth(of_a, of_b) > m_limit(a, b);
   }
 
-  // What is only thickness goes first, then the larger part gives way.
+  // What is only thickness goes first, then the larger part gives way; last a solid, as its parts
+  // are hollow.
   bool refine_one(size_t a, size_t b, const Pair& pair) {
     const HullTree::Node &of_a = tree(a).node(pair.a), &of_b = tree(b).node(pair.b);
+    if (of_a.solid != of_b.solid) {
+      if (of_b.solid) return refine(a, pair.a) || refine(b, pair.b);
+      return refine(b, pair.b) || refine(a, pair.a);
+    }
     const bool a_first = of_a.backing != of_b.backing ? of_a.backing > of_b.backing
                                                       : of_a.box.diagonal() >= of_b.box.diagonal();
     if (a_first) return refine(a, pair.a) || refine(b, pair.b);

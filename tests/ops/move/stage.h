@@ -50,7 +50,7 @@ inline std::string loads_text(const Scene& scene) {
 class Stage {
  public:
   Scene scene;
-  SettleOptions options;  // of run()
+  SettleOptions options;  // of put() and run()
 
   /// Adds a fixed object at this position.
   ObjectId fix(const std::string& name, const Triangles& triangles, const Vec3& at = Vec3::Zero()) {
@@ -63,7 +63,7 @@ class Stage {
   ObjectId put(const std::string& name, const Triangles& triangles, const Vec3& from,
                const Rotation& rotation = {}) {
     const ObjectId id = scene.add(object_of(name, triangles));
-    const OperationResult result = trivet::put(scene, id, {rotation, from});
+    const OperationResult result = trivet::put(scene, id, {rotation, from}, options);
     EXPECT_TRUE(result.ok()) << result.reason();
     return id;
   }

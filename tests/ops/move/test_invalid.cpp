@@ -20,7 +20,7 @@ struct Crossed : test::Stage {
     EXPECT_EQ(at("box").state, ObjectState::Invalid);
   }
   OperationResult go(const Operation& operation) {
-    const OperationResult result = perform(scene, operation);
+    const OperationResult result = perform(scene, operation, options);
     EXPECT_TRUE(result.ok()) << result.reason();
     Scene anew = scene;
     update_contacts(anew);

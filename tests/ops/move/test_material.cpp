@@ -14,7 +14,7 @@ TEST(Material, IsRatedAgainWhereItLies) {
   const double angle = 20 * M_PI / 180;
   s.fix("slope", test::prism({{0, 0}, {1, 0}, {1, std::tan(angle)}}, 0.5), {0, 0, 1e-5});
   s.put("block", box_triangles(Vec3(0.1, 0.1, 0.02)), {0.5, 0, 1},
-        Rotation::about_axis(Vec3::UnitY(), -angle));
+        Rotation::about_axis(Vec3::UnitY(), -std::tan(angle / 2)));
   ASSERT_EQ(s.at("block").state, ObjectState::Stable);
   const Vec3 before = s.position("block");
   const OperationResult slips = s.run(MaterialOperation{"block", {"", 0.3}});
