@@ -162,7 +162,7 @@ def differences(options, base, scene, report):
         others.append((options.same_as, "-other-build", [], ""))
     found = []
     for trivet, suffix, arguments, backend in others:
-        other_scene, path = run_trivet(trivet, base, suffix, *arguments)
+        other_scene, path = run_trivet(trivet, base, suffix, *options.rules, *arguments)
         other = read_report(path)
         with open(scene, "rb") as a, open(other_scene, "rb") as b:
             same = a.read() == b.read() and comparable(report) == comparable(other)
