@@ -58,18 +58,21 @@ ImportLimits limits_of(const std::string& importer) {
 
 ScenePointer shared(OpenedSession opened, SettleOptions settle) {
   if (!(settle.clearance > 0)) settle.clearance = opened.clearance;
+  settle = with_rules(settle, opened.rules);
   const auto out = std::make_shared<SharedScene>(std::move(opened));
   out->settle = settle;
   return out;
 }
 
 ScenePointer open(const std::string& path, const std::string& importer, const SettleOptions& settle,
+                  std::optional<bool> perfect_friction, std::optional<bool> whole_at_rest,
                   const py::object& progress) {
   std::atomic<bool> cancel = false;
   const Cancellable cancellable(cancel);
   PythonProgress told(progress, cancel);
   RunOptions options;
   options.settle = settle;
+  options.rules = {perfect_friction, whole_at_rest, std::nullopt};
   options.context.cancel = &cancel;
   options.progress = told.callback();
   options.layout_file = path;
@@ -85,7 +88,7 @@ struct Snapshot {
   Scene scene;
   Layout layout;
   std::string model_folder;
-  double clearance = 0;
+  SettleOptions settle;
 };
 
 // Whether a file may keep this layout: all objects are of files, or copies of such.
@@ -106,22 +109,24 @@ bool is_of_files(const Layout& layout) {
 }
 
 // Of scenes whose objects come from arrays: nothing; the scene file has all there is.
-Layout layout_of(const Session& session) {
+Layout layout_of(const Session& session, const SettleOptions& settle) {
   Layout layout = session.layout();
-  if (is_of_files(layout)) return layout;
-  Layout plain;
-  plain.floor = session.scene().floor;
-  return plain;
+  if (!is_of_files(layout)) {
+    layout = Layout{};
+    layout.floor = session.scene().floor;
+  }
+  layout.settle = rules_of(settle);
+  return layout;
 }
 
 Snapshot snapshot(SharedScene& scene) {
   const SceneGuard guard(scene);
-  const double settled = scene.settle.clearance;
-  return {scene.scene(), layout_of(scene.session()), scene.opened().model_folder, settled};
+  return {scene.scene(), layout_of(scene.session(), scene.settle), scene.opened().model_folder,
+          scene.settle};
 }
 
 SceneFileOptions file_options(const Snapshot& snapshot, const std::string& folder) {
-  return {TRIVET_VERSION, folder, snapshot.clearance};
+  return {TRIVET_VERSION, folder, snapshot.settle.clearance};
 }
 
 py::bytes bytes_of(const Snapshot& snapshot) {
@@ -134,24 +139,27 @@ py::bytes bytes_of(const Snapshot& snapshot) {
 Snapshot snapshot_of(const std::string& bytes, const std::string& importer) {
   return without_gil([&] {
     SceneFile file = read_scene_bytes(bytes, limits_of(importer));
-    update_contacts(file.scene, file.clearance);
-    return Snapshot{std::move(file.scene), std::move(file.layout), "", file.clearance};
+    SettleOptions settle = settle_options(RunOptions{}, file.layout.settle);
+    settle.clearance = file.clearance;
+    update_contacts(file.scene, file.clearance, settle);
+    return Snapshot{std::move(file.scene), std::move(file.layout), "", settle};
   });
 }
 
-OpenedSession opened_of(const Snapshot& snapshot) {
+OpenedSession opened_of(const Snapshot& snapshot, const SettleOptions& settle) {
   return {Session(snapshot.scene, snapshot.layout, ModelSource{}),
           "",
           snapshot.model_folder,
-          snapshot.clearance,
-          {}};
+          settle.clearance,
+          {},
+          rules_of(settle)};
 }
 
 void restore(SharedScene& scene, const Snapshot& snapshot) {
   const SceneGuard guard(scene, SceneGuard::Use::Change);
   if (scene.num_transactions > 0)
     raise("SceneBusy", "restore in an open transaction; accepted: after it");
-  scene.replace(opened_of(snapshot));
+  scene.replace(opened_of(snapshot, scene.settle));
 }
 
 void save(SharedScene& scene, const std::string& path) {
@@ -193,11 +201,14 @@ void bind_files(py::module_& m, SceneClass& scene) {
       .def("to_bytes", &bytes_of)
       .def_static("from_bytes", &snapshot_of, "data"_a, "importer"_a)
       .def("fingerprint", [](const Snapshot& s) { return fingerprint(s.scene); })
+      .def_property_readonly("settle", [](const Snapshot& s) { return s.settle; })
       .def("__len__", [](const Snapshot& s) { return s.scene.num_objects(); })
       .def("scene", [](const Snapshot& s, const SettleOptions& settle) {
-        return shared(opened_of(s), settle);
+        return shared(opened_of(s, settle), settle);
       });
-  scene.def_static("open", &open, "path"_a, "importer"_a, "settle"_a, "progress"_a)
+  scene
+      .def_static("open", &open, "path"_a, "importer"_a, "settle"_a, "perfect_friction"_a,
+                  "whole_at_rest"_a, "progress"_a)
       .def("snapshot", &snapshot)
       .def("restore", &restore, "snapshot"_a)
       .def("save", &save, "path"_a)

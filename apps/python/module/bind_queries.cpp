@@ -127,18 +127,19 @@ py::dict check(SharedScene& shared, std::optional<double> friction, int num_thre
     bad_input("friction: " + py::str(py::float_(*friction)).cast<std::string>() +
               " is not accepted; accepted: 0.001 to 10, or None for that of the materials");
   Scene scene;
+  SettleOptions settle;
   double clearance = 0;
   {
     const SceneGuard guard(shared);
     scene = shared.scene();
-    clearance = shared.settle.clearance > 0 ? shared.settle.clearance
-                                            : shared.session().largest_clearance();
+    settle = shared.settle;
+    clearance = settle.clearance > 0 ? settle.clearance : shared.session().largest_clearance();
   }
   StabilityOptions options;
   options.friction = friction;
   options.clearance = clearance;
   const auto [found, verdict] = without_gil([&] {
-    update_contacts(scene, clearance);
+    update_contacts(scene, clearance, settle);
     return std::pair(check_scene(scene, num_threads, clearance), stability(scene, options));
   });
   py::dict out("passed"_a = found.ok(), "crossings"_a = findings(found.crossings),

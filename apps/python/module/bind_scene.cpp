@@ -20,8 +20,12 @@ using namespace py::literals;
 using ScenePointer = std::shared_ptr<SharedScene>;
 
 ScenePointer scene_of(Scene scene, const SettleOptions& settle) {
-  OpenedSession opened{
-      Session(std::move(scene), Layout{}, ModelSource{}), "", "", settle.clearance, {}};
+  OpenedSession opened{Session(std::move(scene), Layout{}, ModelSource{}),
+                       "",
+                       "",
+                       settle.clearance,
+                       {},
+                       rules_of(settle)};
   const auto out = std::make_shared<SharedScene>(std::move(opened));
   out->settle = settle;
   return out;
@@ -63,7 +67,7 @@ ScenePointer standing(const py::list& entries, bool floor, const py::object& flo
   if (const auto why = refuse_too_coarse(scene, std::span<const PlacedBox>(), settle.clearance))
     bad_input(message(*why));
   without_gil([&] {
-    update_contacts(scene, settle.clearance);
+    update_contacts(scene, settle.clearance, settle);
     return 0;
   });
   return scene_of(std::move(scene), settle);

@@ -295,21 +295,22 @@ class Scene:
             ``progress(stage, item, done, total)``, from threads of Trivet's too, one at a time; what it raises stops the
             work and is raised here.
         clearance, **options
-            As for `Scene`.
+            As for `Scene`; of rules that are left out, those of the file hold.
 
         Warns
         -----
         TrivetWarning
             For each of `notes`: operations of a layout that were refused, and what a file lost.
         """
-        scene = cls._of(_trivet.Scene.open(os.fspath(path), find_importer(), settings(clearance, options), progress))
+        scene = cls._of(_trivet.Scene.open(os.fspath(path), find_importer(), settings(clearance, options),
+                                             options.get("perfect_friction"), options.get("whole_at_rest"), progress))
         for note in scene.notes:
             warnings.warn(note, TrivetWarning, stacklevel=2)
         return scene
 
     @classmethod
-    def from_bytes(cls, data: bytes, *, clearance: float = 0.0, **options: Any) -> Scene:
-        """A scene from what `to_glb` gave."""
+    def from_bytes(cls, data: bytes, *, clearance: Optional[float] = None, **options: Any) -> Scene:
+        """A scene from what `to_glb` gave; options as those of `Scene`, what is left out as the file says."""
         return Snapshot.from_bytes(data).scene(clearance=clearance, **options)
 
     def to_glb(self) -> bytes:

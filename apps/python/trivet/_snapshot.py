@@ -21,21 +21,31 @@ def material_of(value: Optional[Material]) -> Any:
     return value if value is None or isinstance(value, str) else dict(value)
 
 
-def settings(clearance: float, options: Mapping[str, Any]) -> _trivet.SettleOptions:
-    settle = _trivet.SettleOptions()
-    settle.clearance = _arrays.number("clearance", clearance)
+def settings(clearance: Optional[float], options: Mapping[str, Any],
+             settle: Optional[_trivet.SettleOptions] = None) -> _trivet.SettleOptions:
+    """`settle`, or the defaults, with these changes."""
+    settle = settle or _trivet.SettleOptions()
+    if clearance is not None:
+        settle.clearance = _arrays.number("clearance", clearance)
     if not 0 <= settle.clearance < float("inf"):
         raise _arrays.refuse("clearance", repr(clearance), "metres, at least 0; 0 for 2^-20 of the scene's size")
     accepted = [key for key in dir(settle) if not key.startswith("_") and key != "clearance"]
     for key, value in options.items():
         if key not in accepted:
             raise BadInputError(f"{key}: there is no such option; accepted: {', '.join(accepted)}")
-        setattr(settle, key, value)
+        try:
+            setattr(settle, key, value)
+        except TypeError:
+            kind = type(getattr(settle, key)).__name__
+            raise _arrays.refuse(key, repr(value), f"a value of type {kind}") from None
     return settle
 
 
 class Snapshot:
-    """A scene at a moment: a value that can be kept, compared, pickled and given back to `Scene.restore`."""
+    """A scene at a moment: a value that can be kept, compared, pickled and given back to `Scene.restore`.
+
+    Pickled it keeps poses and shapes to the bit; what objects touch and how they rest is then found again.
+    """
 
     __slots__ = ("_snapshot",)
 
@@ -51,11 +61,11 @@ class Snapshot:
         """What `to_bytes` gave, or the bytes of a .glb that Trivet wrote. Raises BadInputError for others."""
         return cls(_trivet.Snapshot.from_bytes(bytes(data), find_importer()))
 
-    def scene(self, *, clearance: float = 0.0, **options: Any) -> Scene:
-        """A new scene that begins like this; options as those of `Scene`."""
+    def scene(self, *, clearance: Optional[float] = None, **options: Any) -> Scene:
+        """A new scene that begins like this; options as those of `Scene`, what is left out as it was."""
         from ._scene import Scene
 
-        return Scene._of(self._snapshot.scene(settings(clearance, options)))
+        return Scene._of(self._snapshot.scene(settings(clearance, options, self._snapshot.settle)))
 
     @property
     def fingerprint(self) -> int:

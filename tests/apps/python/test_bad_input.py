@@ -117,6 +117,7 @@ BAD_CALLS = [
     (lambda s: s.export("x.xml", collision="fuzzy"), ["fuzzy"]),
     (lambda s: trivet.Scene(clearance=-1), ["clearance", "-1"]),
     (lambda s: trivet.Scene(gravity=1), ["gravity", "max_motions"]),
+    (lambda s: trivet.Scene(max_motions="many"), ["max_motions", "many", "int"]),
     (lambda s: trivet.Scene.from_poses(["a"], [box()], []), ["1 names", "0 poses"]),
     (lambda s: trivet.Scene.from_poses(["a", "a"], [box()] * 2, [np.eye(4)] * 2), ["a"]),
     (lambda s: trivet.Scene.from_poses(["floor"], [box()], [np.eye(4)]), ["floor"]),

@@ -134,6 +134,20 @@ def test_scenes_are_saved_and_read(tmp_path):
         scene.save(tmp_path / "no" / "scene.glb")
 
 
+def test_rules_of_settling_are_kept(tmp_path):
+    usual = trivet.Scene().settle
+    other = dict(perfect_friction=not usual.perfect_friction, whole_at_rest=not usual.whole_at_rest)
+    scene = trivet.Scene(clearance=1e-5, **other)
+    scene.add("a", box()).put([0, 0, 1])
+    scene.save(tmp_path / "scene.glb")
+    for back in (trivet.Scene.load(tmp_path / "scene.glb"), trivet.Scene.from_bytes(scene.to_glb()),
+                 pickle.loads(pickle.dumps(scene)), scene.snapshot().scene()):
+        assert {key: getattr(back.settle, key) for key in other} == other and back.settle.clearance == 1e-5
+    asked = trivet.Scene.load(tmp_path / "scene.glb", whole_at_rest=usual.whole_at_rest)
+    assert asked.settle.whole_at_rest == usual.whole_at_rest
+    assert asked.settle.perfect_friction != usual.perfect_friction
+
+
 def test_refused_operations_of_layouts_are_warned_of(tmp_path):
     layout = layout_of(tmp_path)
     layout["operations"].append({"op": "put", "object": "stick", "on": "ring2", "keep": 9})
