@@ -26,7 +26,7 @@ std::vector<std::string> names_of(const std::vector<GaveWay>& objects) {
   return out;
 }
 
-std::string quoted(const std::vector<std::string>& names) {
+std::string quoted_names(const std::vector<std::string>& names) {
   std::string out;
   for (size_t i = 0; i < names.size(); ++i) {
     if (i > 0) out.append(i + 1 < names.size() ? ", " : " and ");
@@ -37,7 +37,7 @@ std::string quoted(const std::vector<std::string>& names) {
 
 std::string why_it_ended(const OperationResult& result) {
   const std::string& name = result.blocked_by.name;
-  const std::string by = name == "floor" ? std::string("the floor") : quoted({name});
+  const std::string by = name == "floor" ? std::string("the floor") : quoted_names({name});
   switch (result.end) {
     case OperationResult::End::Blocked:
       return "stopped by " + by;
@@ -96,9 +96,9 @@ std::optional<Message> message_of(const Scene& scene, const Operation& operation
   const std::vector<std::string> gave_way = names_of(result.gave_way);
   if (!gave_way.empty()) add_sentence(what, "gave way: " + gave_way_text(result.gave_way));
   if (!result.unsupported.empty())
-    add_sentence(what, quoted(result.unsupported) + " left without support");
+    add_sentence(what, quoted_names(result.unsupported) + " left without support");
   if (!result.interpenetrates.empty())
-    add_sentence(what, "interpenetrates " + quoted(result.interpenetrates));
+    add_sentence(what, "interpenetrates " + quoted_names(result.interpenetrates));
   if (what.empty()) return std::nullopt;
   if (!result.unsupported.empty() || !result.interpenetrates.empty())
     message.kind = Message::Kind::Warning;

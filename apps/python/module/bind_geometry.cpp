@@ -25,7 +25,7 @@ double usual_clearance(const Body& a, const Body& b) {
   return kRelativeClearance * std::max(box.diagonal(), box.max_abs_coordinate());
 }
 
-py::dict dict_of(const FirstContact& contact, double amount) {
+py::dict first_contact_dict(const FirstContact& contact, double amount) {
   return py::dict("crossing"_a = contact.status == FirstContact::Status::Crossing,
                   "amount"_a = amount, "point"_a = array_of(contact.point),
                   "normal"_a = array_of(contact.normal), "gap"_a = contact.gap,
@@ -47,7 +47,7 @@ py::object turn(const PythonShape& moving, Similarity place, const Body& fixed, 
     query.clearance.distance = clearance;
     const FirstContact contact = without_gil([&] { return first_contact(query); });
     if (contact.status != FirstContact::Status::Free)
-      return dict_of(contact, done + (contact.time > 0 ? turned_deg(contact.time) : 0));
+      return first_contact_dict(contact, done + (contact.time > 0 ? turned_deg(contact.time) : 0));
     place.pose = moved_pose(place.pose, query.motion, query.motion.limit);
     done += step;
   }
@@ -64,7 +64,8 @@ py::object slide(const PythonShape& moving, const Similarity& place, const Body&
   query.clearance.distance = clearance;
   const FirstContact contact = without_gil([&] { return first_contact(query); });
   if (contact.status == FirstContact::Status::Free) return py::none();
-  return dict_of(contact, contact.status == FirstContact::Status::Contact ? contact.time : 0);
+  return first_contact_dict(contact,
+                            contact.status == FirstContact::Status::Contact ? contact.time : 0);
 }
 
 /// @param centre  of a turn by `amount` degrees; none: a translation by `amount` metres.
