@@ -28,6 +28,7 @@ TEST(Material, IsRatedAgainWhereItLies) {
   // That of its support counts as well.
   EXPECT_EQ(s.run(MaterialOperation{"slope", {"", 0.3}}).unsupported,
             std::vector<std::string>{"block"});
+  s.run(MaterialOperation{"slope", {"", 0.5}});
   s.options.perfect_friction = true;
   EXPECT_TRUE(s.run(MaterialOperation{"slope", {"", 0.1}}).unsupported.empty());
 }
