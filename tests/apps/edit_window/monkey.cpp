@@ -16,7 +16,7 @@ namespace {
 
 using trivet::test::Random;
 
-constexpr int kWaitMs = 60'000, kDialogMs = 40;
+constexpr int kWaitMs = 60'000, kCloseDialogMs = 40;
 
 struct Key {
   Qt::Key key;
@@ -67,7 +67,7 @@ class Monkey {
  public:
   Monkey(Document& document, MainWindow& window, User& user, unsigned seed)
       : m_document(document), m_window(window), m_user(user), m_random(seed) {
-    m_close.setInterval(kDialogMs);
+    m_close.setInterval(kCloseDialogMs);
     QObject::connect(&m_close, &QTimer::timeout, &m_close, &close_what_is_open);
     m_close.start();
   }
