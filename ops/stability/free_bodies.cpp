@@ -16,6 +16,9 @@ namespace trivet {
 namespace {
 
 constexpr size_t kPairContacts = 12;  // points of one pair that the linear program gets
+// Of a model that is one point: the program's numbers are in parts of them.
+constexpr double kLeastWeight = 1e-15;  // newtons
+constexpr double kLeastSize = 1e-9;     // metres
 
 // Where ids are in a list of them; ground: nowhere.
 class BodyIndex {
@@ -48,7 +51,8 @@ FreeBodies bodies_only(const Scene& scene, std::span<const ObjectId> ids) {
   FreeBodies out;
   for (const ObjectId id : ids) {
     const Object& object = scene.at(id);
-    out.bodies.push_back({id, object.centre_of_mass(), weight_of(object), size_of(object)});
+    out.bodies.push_back({id, object.centre_of_mass(), std::max(weight_of(object), kLeastWeight),
+                          std::max(size_of(object), kLeastSize)});
   }
   return out;
 }
