@@ -59,6 +59,7 @@ def test_fifty_objects_are_scattered_into_a_bin():
     verdict = scene.check()
     assert verdict.ok and verdict.stable
     for part in list(scene)[1:]:
+        assert part.state == "stable"
         assert (np.abs(part.position[:2]) < 0.3).all()
 
 
