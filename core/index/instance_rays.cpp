@@ -50,7 +50,7 @@ EmbreePointer<RTCGeometry> make_triangles(RayMesh& mesh, std::vector<Index3>& fa
 }
 
 void copy_rays(const RayPacket& rays, RTCRay8& out) {
-  constexpr std::size_t bytes = sizeof rays.nearest;
+  const std::size_t bytes = sizeof rays.nearest;
   std::memcpy(out.org_x, rays.origin[0], bytes);
   std::memcpy(out.org_y, rays.origin[1], bytes);
   std::memcpy(out.org_z, rays.origin[2], bytes);

@@ -45,7 +45,7 @@ Vec3 direction_of_key(const FrameCamera& camera) {
 
 Vec2 even_point(int index) {
   // The powers of 1/x for x^3 = x + 1.
-  constexpr double a = 0.7548776662466927, b = 0.5698402909980532;
+  const double a = 0.7548776662466927, b = 0.5698402909980532;
   double whole = 0;
   return {std::modf(0.5 + a * (index + 1.0), &whole), std::modf(0.5 + b * (index + 1.0), &whole)};
 }

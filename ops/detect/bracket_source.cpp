@@ -44,7 +44,7 @@ BracketSource::Answer FasterBrackets::find(const HeightMap& object, const Height
   if (m_stage == Stage::Collecting) {
     m_software_ms += spent_ms;
     m_software_pixels += pixels;
-    if (m_software_ms >= kStart_ms) m_stage = Stage::WarmingUp;
+    if (m_software_ms >= kStartMs) m_stage = Stage::WarmingUp;
   } else if (!in_software && !answer.by_gpu) {
     m_stage = Stage::Software;  // failed
   } else if (m_stage == Stage::WarmingUp) {

@@ -43,7 +43,7 @@ class GpuBrackets : public BracketSource {
 /// then two requests on the GPU, of which the second is timed, and from then on the faster one.
 class FasterBrackets : public BracketSource {
  public:
-  static constexpr double kStart_ms = 300;
+  static constexpr double kStartMs = 300;
   using Clock = std::function<double()>;  // milliseconds
 
   /// @param clock  empty: that of the machine.

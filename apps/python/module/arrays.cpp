@@ -39,7 +39,7 @@ py::array_t<double> array_of(const std::vector<Vec3>& vectors) {
   static_assert(sizeof(Vec3) == 3 * sizeof(double));
   py::array_t<double> out({static_cast<py::ssize_t>(vectors.size()), py::ssize_t{3}});
   if (!vectors.empty())
-    std::memcpy(out.mutable_data(), vectors.data(), vectors.size() * sizeof(Vec3));
+    std::memcpy(out.mutable_data(), vectors.front().data(), vectors.size() * sizeof(Vec3));
   return out;
 }
 
@@ -79,7 +79,7 @@ Similarity similarity_of(const Doubles& matrix, const std::string& what) {
 Vec3 vector_of(const Doubles& array, const std::string& what) {
   if (array.ndim() != 1 || array.shape(0) != 3)
     refuse(what, "an array of shape " + shape_text(array), "3 numbers");
-  const Vec3 out(array.at(0), array.at(1), array.at(2));
+  Vec3 out(array.at(0), array.at(1), array.at(2));
   if (!out.allFinite())
     refuse(what, py::str(array.attr("tolist")()).cast<std::string>(), "finite numbers");
   return out;
