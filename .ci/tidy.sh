@@ -27,7 +27,7 @@ changed_files() {
 sources_of() {
   local file source
   while read -r file; do
-    source="${file%.h}.cpp"
+    source="${file%.*}.cpp"
     if ! grep -qF "/$source\"" "$database"; then
       source="$(git grep -lF "#include \"$file\"" -- '*.cpp' | head -n 1 || true)"
     fi

@@ -188,7 +188,7 @@ Outputs::Outputs(const OutputPaths& paths, const std::vector<std::string>& input
 
 namespace {
 
-// That gives the same scene again.
+// Layout that gives the same scene again.
 Layout with_rules_of(const LayoutRun& run, Layout layout) {
   layout.settle = rules_of(run.settle);
   return layout;

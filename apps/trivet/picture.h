@@ -32,7 +32,7 @@ struct PictureRequest {
   std::vector<double> camera;      // eye and target, 6 numbers, metres; empty: frames everything
   double fov_deg = 30;             // for an explicit camera
 
-  /// Nothing: the automatic one.
+  /// Empty: chosen automatically.
   std::optional<Camera> explicit_camera() const;
 };
 

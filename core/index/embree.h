@@ -64,7 +64,7 @@ inline void intersect_packet(RTCScene scene, const int* valid, EmbreeRayQuery& q
 #endif
 }
 
-/// Whether anything is in the way of eight rays: tfar is then negative.
+/// Tests eight rays for occlusion: tfar of those that meet anything becomes negative.
 inline void occlude_packet(RTCScene scene, const int* valid, EmbreeRayQuery& query, RTCRay8& rays) {
 #if RTC_VERSION_MAJOR == 3
   rtcInitIntersectContext(&query);

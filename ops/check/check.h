@@ -28,9 +28,8 @@ struct SceneCheck {
 SceneCheck check_scene(const Scene& scene, int num_threads = 0, double clearance = 0);
 
 /// Fills links, state, margin and least friction of every placed object from the poses.
-/// @param clearance  metres; 0: default_clearance() of the scene. @param settled_by  the friction
-/// by
-///   which the scene was settled; its clearance is not used.
+/// @param clearance  metres; 0: default_clearance() of the scene.
+/// @param settled_by  the friction by which the scene was settled; its clearance is not used.
 void update_contacts(Scene& scene, double clearance = 0, const SettleOptions& settled_by = {});
 
 }  // namespace trivet

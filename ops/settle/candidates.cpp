@@ -158,7 +158,7 @@ Axes sinking_axes(const Vec3& point, const SettlingObject& object) {
     out.add(Vec3(-r.y(), r.x(), 0) / level);
     return out;
   }
-  constexpr double d = 0.70710678118654752;
+  const double d = 0.70710678118654752;
   for (const auto& [x, y] : {std::pair(1.0, 0.0),
                              {d, d},
                              {0.0, 1.0},

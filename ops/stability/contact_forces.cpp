@@ -275,7 +275,7 @@ PartForces contact_forces(FreeBodies& part, double clearance, double factor) {
 }
 
 double shift_margin(const FreeBodies& part, double clearance) {
-  constexpr double d = 0.70710678118654752;
+  const double d = 0.70710678118654752;
   double largest = 0, margin = kInfinity;
   for (const FreeBody& body : part.bodies) largest = std::max(largest, body.size);
   for (const Vec2& way : {Vec2(1, 0), Vec2(d, d), Vec2(0, 1), Vec2(-d, d), Vec2(-1, 0),

@@ -74,6 +74,7 @@ class Judgement {
 
   std::vector<ObjectId> ids_of(const std::vector<Index>& members) const {
     std::vector<ObjectId> out;
+    out.reserve(members.size());
     for (const Index i : members) out.push_back(m_ids[i]);
     return out;
   }

@@ -59,7 +59,7 @@ ImportLimits limits_of(const std::string& importer) {
 ScenePointer shared(OpenedSession opened, SettleOptions settle) {
   if (!(settle.clearance > 0)) settle.clearance = opened.clearance;
   settle = with_rules(settle, opened.rules);
-  const auto out = std::make_shared<SharedScene>(std::move(opened));
+  auto out = std::make_shared<SharedScene>(std::move(opened));
   out->settle = settle;
   return out;
 }
@@ -91,7 +91,7 @@ struct Snapshot {
   SettleOptions settle;
 };
 
-// Whether a file may keep this layout: all objects are of files, or copies of such.
+// True if a file may keep this layout: all objects are of files, or copies of such.
 bool is_of_files(const Layout& layout) {
   std::set<std::string> known;
   for (const LayoutObject& object : layout.objects) known.insert(object.name);

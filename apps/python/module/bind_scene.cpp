@@ -26,7 +26,7 @@ ScenePointer scene_of(Scene scene, const SettleOptions& settle) {
                        settle.clearance,
                        {},
                        rules_of(settle)};
-  const auto out = std::make_shared<SharedScene>(std::move(opened));
+  auto out = std::make_shared<SharedScene>(std::move(opened));
   out->settle = settle;
   return out;
 }

@@ -20,7 +20,7 @@ void bind_zlists(SceneClass& scene);
 void bind_files(py::module_& m, SceneClass& scene);
 /// Drags of a scene's objects.
 void bind_drag(py::module_& m);
-/// What needs no scene.
+/// Functions that need no scene.
 void bind_geometry(py::module_& m);
 
 }  // namespace trivet::python

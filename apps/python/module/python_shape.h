@@ -1,4 +1,4 @@
-// What Python calls a Shape.
+// Python's Shape.
 #pragma once
 
 #include <memory>

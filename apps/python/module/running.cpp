@@ -19,7 +19,7 @@ std::set<std::atomic<bool>*>& cancellable() {
   return *flags;
 }
 
-// What the handler of SIGINT sets and calls.
+// State of the handler of SIGINT: flags to set, and the handler before it.
 std::atomic<std::atomic<bool>*> signalled = nullptr;
 struct sigaction python_action = {};
 

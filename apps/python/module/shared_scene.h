@@ -36,7 +36,7 @@ class SharedScene {
 
   /// Does these as one step; see Session::perform_all(). With the GIL, under a SceneGuard.
   OperationResult perform(const std::vector<Operation>& operations, double budget_s);
-  /// What an operation under way is to be stopped by.
+  /// Set to stop the operation under way.
   std::atomic<bool>& cancel() { return m_cancel; }
   RunContext context(double budget_s) const;
 
