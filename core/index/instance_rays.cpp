@@ -17,6 +17,7 @@ struct RayMesh {
   std::vector<Index3> opaque, see_through;
   std::vector<std::uint32_t> opaque_ids, see_through_ids;  // of the mesh's faces
   std::vector<Vec3f> passed;                               // of the see-through ones
+  PassedAt passed_at;
   EmbreePointer<RTCScene> scene;
 };
 
@@ -34,6 +35,10 @@ void pass_face(const RTCFilterFunctionNArguments* arguments) {
     const unsigned face = RTCHitN_primID(arguments->hit, arguments->N, i);
     Vec3f& light = passed[lane];
     light = light.cwiseProduct(mesh.passed[face]);
+    if (mesh.passed_at)
+      light *=
+          mesh.passed_at(mesh.see_through_ids[face], RTCHitN_u(arguments->hit, arguments->N, i),
+                         RTCHitN_v(arguments->hit, arguments->N, i));
     if (light.maxCoeff() >= kDark) arguments->valid[i] = 0;
   }
 }
@@ -82,8 +87,9 @@ InstanceRays::~InstanceRays() = default;
 
 std::uint32_t InstanceRays::add_mesh(std::span<const Vec3f> vertices,
                                      std::span<const Index3> triangles,
-                                     std::span<const Vec3f> passed) {
+                                     std::span<const Vec3f> passed, PassedAt passed_at) {
   auto mesh = std::make_unique<RayMesh>();
+  mesh->passed_at = std::move(passed_at);
   for (const Vec3f& v : vertices)
     mesh->vertices.insert(mesh->vertices.end(), {v.x(), v.y(), v.z()});
   mesh->vertices.insert(mesh->vertices.end(), 6, 0.0f);

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 
@@ -41,6 +42,10 @@ struct HitPacket {
   }
 };
 
+/// Share of the light that a face lets through at a point, by the weights of its second and third
+/// corner; of faces that are the same everywhere, 1.
+using PassedAt = std::function<float(std::uint32_t face, float v, float w)>;
+
 /// Meshes are kept once, however many instances they have. Made in three steps: meshes, instances,
 /// commit(); then const and thread-safe.
 class InstanceRays {
@@ -52,9 +57,11 @@ class InstanceRays {
   InstanceRays& operator=(const InstanceRays&) = delete;
 
   /// @param passed  #F, what of the light each face lets through, 0 to 1 by colour; empty: all 0.
+  /// @param passed_at  beside it, of what varies over a face; null: nothing does. Called from all
+  ///   threads.
   /// @return its number, from 0.
   std::uint32_t add_mesh(std::span<const Vec3f> vertices, std::span<const Index3> triangles,
-                         std::span<const Vec3f> passed);
+                         std::span<const Vec3f> passed, PassedAt passed_at = nullptr);
   /// @param columns  of the affine map from the mesh: x, y, z and the translation; finite.
   std::uint32_t add_instance(std::uint32_t mesh, const std::array<Vec3f, 4>& columns);
   /// On all cores. @throws Error (Environment) when Embree lacks memory.

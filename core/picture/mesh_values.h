@@ -9,6 +9,20 @@
 
 namespace trivet {
 
+/// A mesh with its look, if it has one: materials and faces are those that are drawn.
+struct DrawnMesh : PictureMesh {
+  explicit DrawnMesh(const PictureMesh& mesh)
+      : PictureMesh(mesh), surface(mesh.look ? mesh.look() : nullptr) {
+    if (!surface) return;
+    materials = surface->materials;
+    face_material = surface->face_material;
+  }
+  /// Whether the look has more than materials.
+  bool has_details() const { return surface && !surface->finishes.empty(); }
+
+  std::shared_ptr<const SurfaceLook> surface;
+};
+
 /// Held between 0 and 1.
 inline float unit_or(float value, float otherwise) {
   return std::isfinite(value) ? std::clamp(value, 0.0f, 1.0f) : otherwise;

@@ -1,8 +1,10 @@
 #include "core/picture/picture_scene.h"
 
+#include <mutex>
 #include <string>
 
 #include "core/base/bad_input.h"
+#include "core/picture/quiet_colour.h"
 
 namespace trivet {
 namespace {
@@ -23,6 +25,24 @@ void check_options(const PictureOptions& options) {
       bad_input("a background component of " + std::to_string(c) + "; accepted: 0 to 1");
 }
 
+/// The look of a model, made once. Thread-safe.
+class ModelLook {
+ public:
+  explicit ModelLook(const Model& model) : m_model(model) {}
+  std::shared_ptr<const SurfaceLook> get() {
+    std::call_once(m_made, [this] {
+      m_look = surface_look(m_model);
+      if (!m_look) m_look = quiet_look(m_model);
+    });
+    return m_look;
+  }
+
+ private:
+  const Model& m_model;
+  std::once_flag m_made;
+  std::shared_ptr<const SurfaceLook> m_look;
+};
+
 }  // namespace
 
 void check_poses(const PictureScene& scene) {
@@ -40,6 +60,8 @@ void check_picture(const PictureScene& scene, const PictureOptions& options) {
 
 PictureMesh picture_mesh(const Model& model) {
   PictureMesh mesh;
+  const auto look = std::make_shared<ModelLook>(model);
+  mesh.look = [look] { return look->get(); };
   mesh.vertices = model.mesh.vertices;
   mesh.triangles = model.mesh.triangles;
   mesh.corner_normals = model.corner_normals;

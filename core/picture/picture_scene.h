@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/base/types.h"
-#include "core/io/model.h"
+#include "core/io/textures/surface_look.h"
 
 namespace trivet {
 
@@ -21,8 +21,13 @@ struct PictureMesh {
   std::span<const std::array<Eigen::Vector3f, 3>> corner_normals;
   std::span<const Index> face_material;  // #F; empty: the first material
   std::span<const Material> materials;   // linear RGB, alpha < 1 is see-through; empty: light grey
+  // Textures, vertex colours and more, with materials and faces of their own, made when a renderer
+  // asks; empty, or null: the members above are all.
+  std::function<std::shared_ptr<const SurfaceLook>()> look;
 };
 
+/// Of the whole model, which must outlive it. A model without any colour gets a quiet one of its
+/// own (quiet_colour.h). Textures are decoded when first drawn, once for all copies of the mesh.
 PictureMesh picture_mesh(const Model& model);
 
 struct PictureObject {

@@ -5,13 +5,15 @@
 
 #include "core/index/instance_rays.h"
 #include "core/picture/picture_frame.h"
+#include "raster/path/texture_lookup.h"
 
 namespace trivet {
 
 enum class Finish {
   Opaque,
-  Thin,  // of an open mesh: a sheet that covers a share of what is behind it
-  Glass  // of a closed mesh: refracts, and absorbs along the way
+  Thin,   // of an open mesh: a sheet that covers a share of what is behind it
+  Glass,  // of a closed mesh: refracts, and absorbs along the way
+  Absent  // cut out by its texture: rays go on
 };
 
 struct PathMaterial {
@@ -19,6 +21,7 @@ struct PathMaterial {
   float alpha = 1, metallic = 0, roughness = 0.6f;
   Finish finish = Finish::Opaque;
   Vec3f absorbed = Vec3f::Zero();  // of glass: per length of the picture frame, by colour
+  Vec3f emitted = Vec3f::Zero();   // radiance
 };
 
 /// What a ray meets, picture frame.
@@ -38,7 +41,8 @@ class PathScene {
   PathScene(const PictureScene& scene, const PictureFrame& frame);
 
   const InstanceRays& rays() const { return m_rays; }
-  SurfacePoint surface(const RayPacket& rays, const HitPacket& hits, int lane) const;
+  /// @param width  of the ray's cone at the hit: textures are looked up over it.
+  SurfacePoint surface(const RayPacket& rays, const HitPacket& hits, int lane, float width) const;
 
  private:
   struct Mesh {
@@ -50,6 +54,8 @@ class PathScene {
     std::vector<std::array<Vec3f, 3>> normals;
     std::vector<std::uint32_t> material;  // of each triangle
     std::vector<PathMaterial> materials;
+    std::shared_ptr<const SurfaceLook> look;  // textures and more; else null
+    std::vector<std::uint32_t> look_face;     // of each triangle, if there is a look
   };
   struct Instance {
     std::size_t mesh;
@@ -58,6 +64,11 @@ class PathScene {
     std::optional<std::array<float, 4>> highlight;
   };
   void add_mesh(const PictureMesh& mesh);
+  static float bulge(const Instance& instance, const Mesh& mesh, std::uint32_t face,
+                     const std::array<float, 3>& weights, float side);
+  static PassedAt passed_at(const Mesh& mesh);
+  static void apply_look(const Instance& instance, const FaceLook& look, const Vec3f& smooth,
+                         SurfacePoint& out);
   void add_instance(const PictureObject& object, std::size_t mesh, const PictureFrame& frame);
 
   InstanceRays m_rays;

@@ -2,30 +2,33 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
-#include <mutex>
 #include <numbers>
 
-#include "raster/zlist/parallel.h"
+#include "raster/path/path_state.h"
 
 namespace trivet {
 namespace {
 
-constexpr int kBlockWidth = 4, kBlockHeight = 2;
-constexpr int kPathRows = 8;
 constexpr float kRayEnd = 1e6f;  // of the picture frame
 constexpr float kFloorAlbedo = 0.62f;
 constexpr float kDimGround = 0.30f;                 // radiance from below without a floor
 constexpr float kFromNeighbours = 0.45f;            // share of the sky's light where paths end
 constexpr float kBelowTolerance = 2e-4f;            // objects up to this below the floor hide it
-constexpr float kClamp = 6;                         // radiance of a path after its first surface
 constexpr double kFadeBegin = 1.0, kFadeEnd = 3.2;  // of the floor, in radii of the scene
 constexpr int kSkyViews = 256;                      // that the lights' brightness is fitted to
 constexpr float kKeep = 1.5f;                       // paths of this inverse weight go on
 constexpr int kMaxThrough = 24;                     // see-through surfaces of a path
+constexpr int kMaxAbsent = 256;                     // cut-out ones
+// Cones of rays, over which textures are looked up; by length. Half a pixel, as samples differ.
+constexpr float kPixelShare = 0.5f, kMattSpread = 0.3f, kBrightSpread = 0.2f;
 
 float smoothstep(float a, float b, float x) {
   const float t = std::clamp((x - a) / (b - a), 0.0f, 1.0f);
   return t * t * (3 - 2 * t);
+}
+
+float opacity_of(const SurfacePoint& at) {
+  return at.material.finish == Finish::Thin ? at.material.alpha : 1;
 }
 
 FrameCamera frame_camera(const PinholeCamera& camera) {
@@ -35,43 +38,6 @@ FrameCamera frame_camera(const PinholeCamera& camera) {
 }
 
 }  // namespace
-
-struct PathTracer::Path {
-  Sampler sampler;
-  Vec3f from, direction;
-  Vec3f weight = Vec3f::Ones();                 // of the light that comes back along it
-  NextRay::Kind kind = NextRay::Kind::Through;  // of its last reflection
-  bool on = true;
-  bool has_seen = false;  // its first surface
-  bool matt = false;      // its light counts as matt, without the first albedo
-  bool inside = false;    // of glass
-  int num_bounces = 0, num_through = 0;
-  Vec3f absorbed = Vec3f::Zero();  // inside, per length
-  // What the key light brings if nothing is in the way.
-  bool asks_key = false, asks_first = false;
-  Vec3f key_from, key_direction, key_matt, key_bright;
-  // Of this sample.
-  float coverage = 0;
-  Vec3f albedo = Vec3f::Zero(), sum_matt = Vec3f::Zero(), sum_bright = Vec3f::Zero();
-  Vec3f normal = Vec3f::Zero(), position = Vec3f::Zero();
-
-  bool is_first() const { return num_bounces == 0 && num_through == 0; }
-  bool sees_background() const { return kind == NextRay::Kind::Through && num_bounces == 0; }
-  /// Single paths that are much brighter than the others are held down.
-  void add(const Vec3f& light) {
-    const Vec3f held = num_bounces > 0 ? Vec3f(light.cwiseMin(kClamp)) : light;
-    (matt ? sum_matt : sum_bright) += held;
-  }
-  void add_key(const Vec3f& passed) {
-    if (asks_first) {
-      sum_matt += key_matt.cwiseProduct(passed);
-      sum_bright += key_bright.cwiseProduct(passed);
-    } else {
-      add((key_matt + key_bright).cwiseProduct(passed));
-    }
-  }
-  void uncover(float share) { coverage -= share * std::clamp(weight.mean(), 0.0f, 1.0f); }
-};
 
 PathTracer::PathTracer(const PictureScene& scene, const PinholeCamera& camera,
                        const PictureOptions& options, const PathOptions& path)
@@ -116,6 +82,7 @@ void PathTracer::start_path(Path& path, int x, int y, int sample) const {
                   float((y + u.y - 0.5 - m_camera.cy) / m_camera.fy), 1);
   path.from = m_eye;
   path.direction = (m_frame_from_camera * ray).normalized();
+  path.spread = kPixelShare / float(m_camera.fx);
 }
 
 bool PathTracer::meets_floor(const Path& path, const HitPacket& hits, int lane,
@@ -172,8 +139,7 @@ void PathTracer::ask_key_light(Path& path, const SurfacePoint& at) const {
   path.asks_key = light.matt > 0 || light.bright.maxCoeff() > 0;
   if (!path.asks_key) return;
   path.asks_first = path.is_first();
-  const float opacity = at.material.finish == Finish::Thin ? at.material.alpha : 1;
-  const Vec3f weight = opacity * path.weight.cwiseProduct(m_key_irradiance);
+  const Vec3f weight = opacity_of(at) * path.weight.cwiseProduct(m_key_irradiance);
   path.key_bright = weight.cwiseProduct(light.bright);
   path.key_matt = weight * light.matt;
   if (!path.asks_first) path.key_matt = path.key_matt.cwiseProduct(diffuse_albedo(at.material));
@@ -195,6 +161,10 @@ void PathTracer::go_on(Path& path, const SurfacePoint& at) const {
   path.from = next->from, path.direction = next->direction;
   if (at.material.finish == Finish::Glass)
     path.inside = next->enters, path.absorbed = at.material.absorbed;
+  if (path.kind == NextRay::Kind::Matt)
+    path.spread = std::max(path.spread, kMattSpread);
+  else if (path.kind == NextRay::Kind::Bright)
+    path.spread += kBrightSpread * at.material.roughness;
   const bool passes = path.kind == NextRay::Kind::Through || path.inside;
   if (passes) path.on = ++path.num_through < kMaxThrough;
   if (passes) return;
@@ -207,15 +177,23 @@ void PathTracer::go_on(Path& path, const SurfacePoint& at) const {
   path.weight /= keep;
 }
 
+// On through what is cut out, as if nothing were there.
+void PathTracer::pass_absent(Path& path, const SurfacePoint& at) {
+  path.from = lifted(at, path.direction);
+  path.on = ++path.num_absent < kMaxAbsent;
+}
+
 // From where a ray came to its hit, and on.
 void PathTracer::advance(Path& path, const RayPacket& rays, const HitPacket& hits, int lane) const {
   float distance = hits.distance[lane];
   const bool on_floor = meets_floor(path, hits, lane, distance);
   if (!on_floor && hits.face[lane] == kNoFace) return leave(path);
+  path.width += distance * path.spread;
   const SurfacePoint at =
-      on_floor ? floor_point(path, distance) : m_scene.surface(rays, hits, lane);
+      on_floor ? floor_point(path, distance) : m_scene.surface(rays, hits, lane, path.width);
   if (path.inside)
     path.weight = path.weight.cwiseProduct((-distance * path.absorbed).array().exp().matrix());
+  if (at.material.finish == Finish::Absent) return pass_absent(path, at);
   note(path, at, on_floor);
   path.on = path.has_seen;
   if (!path.on) return;
@@ -226,6 +204,8 @@ void PathTracer::advance(Path& path, const RayPacket& rays, const HitPacket& hit
     path.on = false;
     return;
   }
+  if (at.material.emitted.maxCoeff() > 0)
+    path.add((opacity_of(at) * path.weight).cwiseProduct(at.material.emitted));
   ask_key_light(path, at);
   go_on(path, at);
 }
@@ -252,57 +232,6 @@ void PathTracer::follow(std::array<Path, kRayLanes>& paths) const {
     for (int i = 0; i < kRayLanes; ++i)
       if (paths[i].asks_key) paths[i].add_key(passed[i]);
   }
-}
-
-void PathTracer::finish(const Path& path, PixelSums& sums) {
-  if (!path.has_seen) return;
-  const float c = path.coverage;
-  sums.matt += path.albedo.cwiseProduct(path.sum_matt);
-  sums.albedo += path.albedo;
-  sums.bright += path.sum_bright;
-  sums.coverage += c;
-  sums.seen += 1;
-  sums.normal += path.normal, sums.position += path.position;
-  const float matt = luminance(path.sum_matt), bright = luminance(path.sum_bright);
-  sums.squared_matt += matt * matt, sums.squared_bright += bright * bright;
-}
-
-void PathTracer::trace_block(int x0, int y0, SumImage& image) const {
-  std::array<PixelSums, kRayLanes> sums;
-  for (int sample = 0; sample < m_options.samples; ++sample) {
-    std::array<Path, kRayLanes> paths;
-    for (int i = 0; i < kRayLanes; ++i) {
-      const int x = x0 + i % kBlockWidth, y = y0 + i / kBlockWidth;
-      paths[i].on = x < image.width && y < image.height;
-      if (paths[i].on) start_path(paths[i], x, y, sample);
-    }
-    follow(paths);
-    for (int i = 0; i < kRayLanes; ++i) finish(paths[i], sums[i]);
-  }
-  for (int i = 0; i < kRayLanes; ++i) {
-    const int x = x0 + i % kBlockWidth, y = y0 + i / kBlockWidth;
-    if (x < image.width && y < image.height)
-      image.pixels[std::size_t(y) * image.width + x] = sums[i];
-  }
-}
-
-SumImage PathTracer::trace() {
-  SumImage image;
-  image.width = m_options.width, image.height = m_options.height;
-  image.samples = m_options.samples;
-  image.pixels.resize(std::size_t(image.width) * image.height);
-  const int num_bands = (image.height + kPathRows - 1) / kPathRows;
-  std::mutex mutex;
-  int num_done = 0;
-  in_parallel(num_bands, [&](std::size_t band) {
-    const int first = static_cast<int>(band) * kPathRows;
-    for (int y = first; y < std::min(first + kPathRows, image.height); y += kBlockHeight)
-      for (int x = 0; x < image.width; x += kBlockWidth) trace_block(x, y, image);
-    if (!m_options.progress) return;
-    const std::lock_guard lock(mutex);
-    m_options.progress(double(++num_done) / num_bands);
-  });
-  return image;
 }
 
 }  // namespace trivet

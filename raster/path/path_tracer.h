@@ -25,6 +25,7 @@ class PathTracer {
   void start_path(Path& path, int x, int y, int sample) const;
   /// Goes from hit to hit until all paths end.
   void follow(std::array<Path, kRayLanes>& paths) const;
+  static void pass_absent(Path& path, const SurfacePoint& at);
   void advance(Path& path, const RayPacket& rays, const HitPacket& hits, int lane) const;
   bool meets_floor(const Path& path, const HitPacket& hits, int lane, float& distance) const;
   SurfacePoint floor_point(const Path& path, float distance) const;

@@ -125,9 +125,14 @@ GltfJson MaterialConverter::texture(const aiMaterial& material, int kind_number)
   std::replace(name.begin(), name.end(), '\\', '/');
   const size_t image = m_builder.add_image(
       {{"name", fs::path(name).stem().string()}, {"mimeType", image_type(*bytes)}}, bytes);
-  GltfJson out = {{"index", add_once(m_textures, "textures",
-                                     {{"sampler", add_once(m_samplers, "samplers", sampler)},
-                                      {"source", image}})}};
+  GltfJson shown = {{"sampler", add_once(m_samplers, "samplers", sampler)}};
+  if (image_type(*bytes) == "image/webp") {
+    shown["extensions"]["EXT_texture_webp"]["source"] = image;
+    m_builder.use_extension("EXT_texture_webp", true);
+  } else {
+    shown["source"] = image;
+  }
+  GltfJson out = {{"index", add_once(m_textures, "textures", shown)}};
   int coordinates = 0;
   if (material.Get(AI_MATKEY_UVWSRC(kind, 0), coordinates) == aiReturn_SUCCESS && coordinates > 0 &&
       coordinates < AI_MAX_NUMBER_OF_TEXTURECOORDS)
@@ -153,7 +158,7 @@ SharedBytes MaterialConverter::image_bytes(const std::string& path) {
   }
   if (!entry->second)
     note("left out: the texture \"" + path +
-         "\", missing, outside the model's folder, or neither PNG nor JPEG");
+         "\", missing, outside the model's folder, or neither PNG, JPEG nor WebP");
   return entry->second;
 }
 

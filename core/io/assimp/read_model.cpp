@@ -16,6 +16,7 @@
 #include "core/io/gltf/gltf_document.h"
 #include "core/io/model.h"
 #include "core/io/preflight.h"
+#include "core/io/textures/surface_look.h"
 
 namespace trivet {
 namespace {
@@ -102,14 +103,16 @@ bool is_gltf(const std::string& path) {
 void read_look(const aiScene& scene, const ImportLimits& limits, Model& model) {
   if (model.format != "gltf2") {
     model.appearance = appearance_of_assimp(scene, limits, model);
-    return;
+  } else {
+    try {
+      const GltfDocument document = read_gltf_document(model.path, limits);
+      model.appearance = appearance_of_gltf(document, scene_roots(document.json), model.notes);
+    } catch (const Error& e) {
+      model.notes.push_back(std::string("hierarchy and textures left out: ") + e.what());
+    }
   }
-  try {
-    const GltfDocument document = read_gltf_document(model.path, limits);
-    model.appearance = appearance_of_gltf(document, scene_roots(document.json), model.notes);
-  } catch (const Error& e) {
-    model.notes.push_back(std::string("hierarchy and textures left out: ") + e.what());
-  }
+  // Here, as this is the process that may crash: renderers decode the same bytes again.
+  for (std::string& note : undrawn_textures(model)) model.notes.push_back(std::move(note));
 }
 
 }  // namespace

@@ -155,9 +155,10 @@ GltfFiles gltf_files(GltfDocument document, const std::string& stem) {
     if (!document.images[i]) continue;
     GltfJson& image = document.json["images"][i];
     const std::string base = stem + "_" + without_separators(name_of(image));
-    const std::string extension = member(image, "mimeType") == "image/jpeg"  ? ".jpg"
-                                  : member(image, "mimeType") == "image/png" ? ".png"
-                                                                             : ".img";
+    const std::string extension = member(image, "mimeType") == "image/jpeg"   ? ".jpg"
+                                  : member(image, "mimeType") == "image/png"  ? ".png"
+                                  : member(image, "mimeType") == "image/webp" ? ".webp"
+                                                                              : ".img";
     std::string name = base + extension;
     for (int n = 2; !taken.insert(name).second; ++n)
       name = base + "_" + std::to_string(n) + extension;

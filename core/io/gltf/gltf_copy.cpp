@@ -4,6 +4,7 @@
 #include <array>
 
 #include "core/base/bad_input.h"
+#include "core/io/model_folder.h"
 
 namespace trivet {
 namespace {
@@ -187,7 +188,9 @@ void GltfCopier::copy_image(const GltfDocument& source, GltfJson& texture) {
   if (!texture.is_object() || !texture.contains("source")) return;
   const size_t index = index_from(texture["source"]);
   if (index < source.images.size() && !source.images[index]) {
-    m_left_out.insert("an unreadable image");
+    const GltfJson& image = element(source.json, "images", texture["source"]);
+    m_left_out.insert("the image \"" + printable_name(name_of(image)) +
+                      "\", missing, outside the model's folder, or neither PNG, JPEG nor WebP");
     texture.erase("source");
     return;
   }

@@ -255,6 +255,8 @@ std::vector<int> scene_roots(const GltfJson& root) {
 std::string image_type(const std::string& bytes) {
   if (bytes.rfind("\x89PNG\r\n\x1a\n", 0) == 0) return "image/png";
   if (bytes.rfind("\xff\xd8\xff", 0) == 0) return "image/jpeg";
+  if (bytes.size() > 12 && bytes.rfind("RIFF", 0) == 0 && bytes.compare(8, 4, "WEBP") == 0)
+    return "image/webp";
   return "";
 }
 

@@ -46,7 +46,7 @@ size_t index_from(const GltfJson& value);
 /// Root nodes of the default scene. @throws Error (BadInput).
 std::vector<int> scene_roots(const GltfJson& root);
 
-/// "image/png" or "image/jpeg", by the first bytes; "": not supported by glTF.
+/// "image/png", "image/jpeg" or "image/webp", by the first bytes; "": none that is read.
 std::string image_type(const std::string& bytes);
 
 /// Deeper trees of nodes are refused: those who walk them recurse.

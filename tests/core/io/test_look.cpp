@@ -13,9 +13,15 @@ using testing::expect_parts;
 
 class LookTest : public testing::IoTest {};
 
-// The shortest PNG header and a JPEG-like prefix: no test decodes them.
+// The shortest PNG header and a JPEG-like prefix: damaged, which no look minds.
 const std::string kPng = std::string("\x89PNG\r\n\x1a\n", 8) + "pixels of the one";
 const std::string kJpeg = std::string("\xff\xd8\xff\xe0", 4) + "pixels of the other";
+
+std::string joined(const std::vector<std::string>& notes) {
+  std::string out;
+  for (const std::string& note : notes) out += note + "\n";
+  return out;
+}
 
 /// Resolves all references by index in place: equal for equal content, independent of its location
 /// in the file. Follows the specification, not the code under test.
@@ -256,7 +262,7 @@ TEST_F(LookTest, ReadsObjWithTexture) {
             "mtllib t.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nvt 0.25 0\nvt 1 0\nvt 0 0.75\n"
             "o top\nusemtl oak\nf 1/1 2/2 3/3\nf 1/1 3/3 2/2\no leg\nusemtl ash\nf 1/1 2/2 4/3\n"));
   ASSERT_TRUE(model.appearance);
-  expect_parts(model.notes.empty() ? "" : model.notes.back(), {"left out", "lost.png"});
+  expect_parts(joined(model.notes), {"left out", "lost.png", "not drawn", "wood"});
   write_scene(two_of(model), path("s.glb"));
   const GltfDocument written = read_gltf_document(path("s.glb"), {});
   ASSERT_EQ(written.images.size(), 1u);
@@ -331,7 +337,7 @@ TEST_F(LookTest, NotesMissingImages) {
   std::filesystem::remove(folder() / "c.jpg");
   const Model model = read_model(lamp);
   ASSERT_TRUE(model.appearance);
-  expect_parts(model.notes.front(), {"left out", "image"});
+  expect_parts(joined(model.notes), {"left out: the image \"see\", missing"});
   write_scene(two_of(model), path("s.glb"));
   EXPECT_EQ(read_gltf_document(path("s.glb"), {}).images.size(), 1u);
 }

@@ -1,0 +1,66 @@
+// Pixels in blocks of eight, blocks in bands of rows, bands in parallel.
+#include <mutex>
+
+#include "raster/path/path_state.h"
+#include "raster/zlist/parallel.h"
+
+namespace trivet {
+namespace {
+
+constexpr int kBlockWidth = 4, kBlockHeight = 2;
+constexpr int kPathRows = 8;
+
+}  // namespace
+
+void PathTracer::finish(const Path& path, PixelSums& sums) {
+  if (!path.has_seen) return;
+  const float c = path.coverage;
+  sums.matt += path.albedo.cwiseProduct(path.sum_matt);
+  sums.albedo += path.albedo;
+  sums.bright += path.sum_bright;
+  sums.coverage += c;
+  sums.seen += 1;
+  sums.normal += path.normal, sums.position += path.position;
+  const float matt = luminance(path.sum_matt), bright = luminance(path.sum_bright);
+  sums.squared_matt += matt * matt, sums.squared_bright += bright * bright;
+}
+
+void PathTracer::trace_block(int x0, int y0, SumImage& image) const {
+  std::array<PixelSums, kRayLanes> sums;
+  for (int sample = 0; sample < m_options.samples; ++sample) {
+    std::array<Path, kRayLanes> paths;
+    for (int i = 0; i < kRayLanes; ++i) {
+      const int x = x0 + i % kBlockWidth, y = y0 + i / kBlockWidth;
+      paths[i].on = x < image.width && y < image.height;
+      if (paths[i].on) start_path(paths[i], x, y, sample);
+    }
+    follow(paths);
+    for (int i = 0; i < kRayLanes; ++i) finish(paths[i], sums[i]);
+  }
+  for (int i = 0; i < kRayLanes; ++i) {
+    const int x = x0 + i % kBlockWidth, y = y0 + i / kBlockWidth;
+    if (x < image.width && y < image.height)
+      image.pixels[std::size_t(y) * image.width + x] = sums[i];
+  }
+}
+
+SumImage PathTracer::trace() {
+  SumImage image;
+  image.width = m_options.width, image.height = m_options.height;
+  image.samples = m_options.samples;
+  image.pixels.resize(std::size_t(image.width) * image.height);
+  const int num_bands = (image.height + kPathRows - 1) / kPathRows;
+  std::mutex mutex;
+  int num_done = 0;
+  in_parallel(num_bands, [&](std::size_t band) {
+    const int first = static_cast<int>(band) * kPathRows;
+    for (int y = first; y < std::min(first + kPathRows, image.height); y += kBlockHeight)
+      for (int x = 0; x < image.width; x += kBlockWidth) trace_block(x, y, image);
+    if (!m_options.progress) return;
+    const std::lock_guard lock(mutex);
+    m_options.progress(double(++num_done) / num_bands);
+  });
+  return image;
+}
+
+}  // namespace trivet
