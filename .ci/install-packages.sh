@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs what is missing of packages.txt.
-#   .ci/install-packages.sh [build|editor|cad|convex|exr|python|tests|interop|perf|dev]...     without arguments: build
+#   .ci/install-packages.sh [build|editor|cad|convex|exr|serve|python|tests|interop|perf|dev]...     without arguments: build
 set -euo pipefail
 list="$(dirname "${BASH_SOURCE[0]}")/packages.txt"
 

@@ -19,5 +19,5 @@ The results are in $PWD/out:
   $demo.json   the report: poses, contacts, what rests on what
   $demo.png    the picture
 The program is build/release/apps/trivet; see its --help. For the editor and CAD formats, too:
-  .ci/install-packages.sh editor cad convex exr && .ci/build.sh release -DTRIVET_TESTS=OFF
+  .ci/install-packages.sh editor cad convex exr serve && .ci/build.sh release -DTRIVET_TESTS=OFF
 END

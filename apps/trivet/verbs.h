@@ -30,6 +30,7 @@ Verb add_export(CLI::App& app, const CommonOptions& common);
 Verb add_render(CLI::App& app, const CommonOptions& common);
 Verb add_demo(CLI::App& app, const CommonOptions& common);
 Verb add_session(CLI::App& app, const CommonOptions& common);
+Verb add_serve(CLI::App& app, const CommonOptions& common);
 Verb add_replay(CLI::App& app, const CommonOptions& common);
 Verb add_zlist(CLI::App& app, const CommonOptions& common);
 Verb add_backends(CLI::App& app, const CommonOptions& common);

@@ -116,6 +116,16 @@ OpenedSession open_session(const std::string& file, const RunOptions& options,
   return opened;
 }
 
+OpenedSession copy_of(const OpenedSession& opened, const ImportLimits& limits) {
+  return {Session(opened.session.scene(), opened.session.layout(),
+                  models_in_folder(opened.model_folder, limits)),
+          opened.start_file,
+          opened.model_folder,
+          opened.clearance,
+          {},
+          opened.rules};
+}
+
 RestoredSession restore_session(const std::string& journal, const RunOptions& options,
                                 const ImportLimits& limits, bool go_on) {
   const JournalContent content = read_journal(journal);
@@ -150,6 +160,13 @@ double settled_clearance(const OpenedSession& opened) {
   if (opened.clearance > 0) return opened.clearance;
   const double largest = opened.session.largest_clearance();
   return largest > default_clearance(opened.session.scene()) ? largest : 0;
+}
+
+std::string scene_bytes(const OpenedSession& opened, const std::string& version) {
+  SceneFileOptions options;
+  options.version = version;
+  options.clearance = settled_clearance(opened);
+  return scene_file_bytes(opened.session.scene(), opened.session.layout(), options);
 }
 
 void save_session(OpenedSession& opened, const std::string& version, const std::string& path) {

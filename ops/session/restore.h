@@ -25,6 +25,9 @@ struct OpenedSession {
 OpenedSession open_session(const std::string& file, const RunOptions& options,
                            const ImportLimits& limits, const std::string& journal = {});
 
+/// A session of its own on the scene as it is now, without steps; models and shapes are shared.
+OpenedSession copy_of(const OpenedSession& opened, const ImportLimits& limits);
+
 struct RestoredSession {
   OpenedSession opened;  // notes: also what was dropped
   bool exact = true;     // all steps gave the same bits; otherwise the session ends before the
@@ -40,6 +43,9 @@ RestoredSession restore_session(const std::string& journal, const RunOptions& op
 
 /// Clearance that a file of the scene states; 0: the default.
 double settled_clearance(const OpenedSession& opened);
+
+/// The bytes that save_session() writes, of a file in the folder of the start.
+std::string scene_bytes(const OpenedSession& opened, const std::string& version);
 
 /// Writes the scene atomically, then notes in the session that it is saved.
 /// @throws Error as write_scene_file(); BadInput when `path` is the journal or a model's file.

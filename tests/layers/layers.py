@@ -12,8 +12,8 @@ ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
 # Each may include itself and those before it; raster and gpu never see each other.
 TOP = ["core", "raster", "gpu", "ops", "apps"]
 APART = {("raster", "gpu"), ("gpu", "raster")}
-OPS = ["base", "detect", "placement", "settle", "stability", "place", "operations", "check", "files",
-       "session", "simulation"]
+OPS = ["base", "detect", "placement", "settle", "stability", "place", "operations", "check", "arrange",
+       "files", "session", "simulation"]
 INCLUDE = re.compile(r'^#include "([^"]+)"', re.M)
 
 

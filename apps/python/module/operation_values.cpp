@@ -8,6 +8,7 @@
 #include "core/base/bad_input.h"
 #include "ops/files/json/material_json.h"
 #include "ops/files/json/operation_json.h"
+#include "ops/files/report/json_parts.h"
 
 namespace trivet::python {
 namespace {
@@ -43,20 +44,6 @@ py::array_t<double> path_of(const std::vector<SettleStep>& steps) {
         a(i, r, c) = r == 3 ? c == 3 : c == 3 ? pose.translation[r] : turn(r, c);
   }
   return out;
-}
-
-const char* to_string(OperationResult::Status status) {
-  switch (status) {
-    case OperationResult::Status::Ok:
-      return "ok";
-    case OperationResult::Status::Refused:
-      return "refused";
-    case OperationResult::Status::Cancelled:
-      return "cancelled";
-    case OperationResult::Status::OutOfTime:
-      return "out_of_time";
-  }
-  return "";
 }
 
 void add_refusal(const Refusal& refusal, py::dict& out) {
@@ -129,7 +116,7 @@ py::dict dict_of(const PhysicsMaterial& material) {
 
 py::dict dict_of(const OperationResult& result) {
   py::dict out(
-      "status"_a = to_string(result.status), "code"_a = "", "reason"_a = "",
+      "status"_a = trivet::to_string(result.status), "code"_a = "", "reason"_a = "",
       "objects"_a = py::tuple(), "numbers"_a = py::dict(), "end"_a = to_string(result.end),
       "moved"_a = result.moved, "turned_deg"_a = result.turned_deg,
       "blocked_by"_a = result.blocked_by.name, "blocked_at"_a = py::none(),

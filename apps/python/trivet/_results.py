@@ -33,7 +33,7 @@ class Result:
 
     Attributes
     ----------
-    status : "ok", "refused", "cancelled" or "out_of_time"
+    status : "ok", "refused", "cancelled" or "out of time"
     code, reason, objects, numbers
         Of a refusal: its cause (see ``trivet.CAUSES``), the sentence for people, the names in it, and its
         figures by name.
@@ -88,7 +88,7 @@ def result_of(values: dict[str, Any]) -> Result:
 def raise_for(result: Result) -> NoReturn:
     if result.code == "invalid_argument":
         raise BadInputError(result.reason)
-    kinds: dict[str, type[NotDone]] = {"cancelled": Cancelled, "out_of_time": OutOfTime}
+    kinds: dict[str, type[NotDone]] = {"cancelled": Cancelled, "out of time": OutOfTime}
     raise kinds.get(result.status, Refused)(result)
 
 

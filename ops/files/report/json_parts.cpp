@@ -67,6 +67,20 @@ OrderedJson stability_json(const Scene& scene, const Stability& stability) {
   return json;
 }
 
+const char* to_string(OperationResult::Status status) {
+  switch (status) {
+    case OperationResult::Status::Ok:
+      return "ok";
+    case OperationResult::Status::Refused:
+      return "refused";
+    case OperationResult::Status::Cancelled:
+      return "cancelled";
+    case OperationResult::Status::OutOfTime:
+      return "out of time";
+  }
+  return "?";
+}
+
 void add_refusal(const OperationResult& result, OrderedJson& json) {
   json["reason"] = result.reason();
   if (!result.refusal) return;

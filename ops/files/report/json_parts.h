@@ -20,6 +20,8 @@ OrderedJson supports_json(const Scene& scene, const LoadSupport::Entry& entry);
 /// The scene as a whole.
 OrderedJson object_stability_json(const Scene& scene, const ObjectStability& stability);
 OrderedJson stability_json(const Scene& scene, const Stability& stability);
+/// "ok", "refused", "cancelled" or "out of time".
+const char* to_string(OperationResult::Status status);
 /// Refusal of an operation: "reason", the sentence; "cause", "objects" and "numbers" for programs.
 void add_refusal(const OperationResult& result, OrderedJson& json);
 /// Why an operation that was done ended, and what became of others: "ended", "blocked_by", ...

@@ -1,0 +1,154 @@
+#include "apps/serve/routes.h"
+
+#include <nlohmann/json.hpp>
+
+#include "core/base/error.h"
+#include "core/base/nearest_name.h"
+#include "ops/base/stopwatch.h"
+#include "ops/files/json/json_text.h"
+
+namespace trivet::serve {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kSessions = "/sessions";
+constexpr const char* kPrefix = "/sessions/";
+constexpr const char* kBusy =
+    "another request to this session is under way; wait for its answer or cancel it";
+
+HttpResponse json_response(int status, const Json& json) {
+  return {status, "application/json",
+          json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n"};
+}
+
+HttpResponse error(int status, const std::string& reason) {
+  return json_response(status, {{"status", "error"}, {"reason", reason}});
+}
+
+HttpResponse wrong_method(const HttpRequest& request, const std::string& accepted) {
+  return error(405, request.method + " is not accepted here; accepted: " + accepted);
+}
+
+bool is_session(const HttpRequest& request) { return request.path.starts_with(kPrefix); }
+
+std::vector<std::string> start_names(const std::vector<OpenedSession>& starts) {
+  std::vector<std::string> names;
+  names.reserve(starts.size());
+  for (const OpenedSession& start : starts) names.push_back(start.start_file);
+  return names;
+}
+
+// The start that a request for a session names; the first one without a body.
+size_t read_start(const std::string& body, const std::vector<std::string>& names) {
+  if (body.find_first_not_of(" \t\r\n") == body.npos) return 0;
+  const nlohmann::json document = parse_json(body, "request");
+  const JsonPlace place(document, "request");
+  place.expect_object({}, {"start"});
+  const auto start = place.find("start");
+  if (!start) return 0;
+  const auto found = std::find(names.begin(), names.end(), start->text());
+  if (found == names.end())
+    start->refuse("a start of this server" + did_you_mean(start->text(), names));
+  return static_cast<size_t>(found - names.begin());
+}
+
+}  // namespace
+
+Routes::Routes(ServedSessions& sessions, std::string version, std::function<HttpLoad()> load)
+    : m_sessions(sessions), m_version(std::move(version)), m_load(std::move(load)) {}
+
+bool Routes::is_quick(const HttpRequest& request) {
+  if (request.method == "POST") return is_session(request) && is_cancel_line(request.body);
+  return request.path != kSessions && !request.path.ends_with("/scene.glb");
+}
+
+HttpResponse Routes::answer(const HttpRequest& request) {
+  const Stopwatch watch;
+  Reply out;
+  try {
+    out = reply(request);
+  } catch (const Error& e) {
+    const int status = e.kind() == Error::Kind::BadInput ? 400 : 500;
+    out = {error(status, e.what()), "error", std::to_string(status)};
+  } catch (const std::bad_alloc&) {
+    out = {error(503, "not enough memory"), "error", "503"};
+  } catch (const std::exception& e) {
+    out = {error(500, std::string("unexpected: ") + e.what()), "error", "500"};
+  }
+  m_metrics.count(out.route, out.result, watch.milliseconds() / 1000);
+  return std::move(out.response);
+}
+
+Routes::Reply Routes::reply(const HttpRequest& request) {
+  if (is_session(request)) {
+    const std::string rest = request.path.substr(std::string(kPrefix).size());
+    const size_t slash = rest.find('/');
+    return in_session(request, rest.substr(0, slash),
+                      slash == rest.npos ? "" : rest.substr(slash + 1));
+  }
+  if (request.path == kSessions) return open(request);
+  const bool known =
+      request.path == "/" || request.path == "/metrics" || request.path == "/healthz";
+  if (!known)
+    return {error(404, "there is no \"" + request.path +
+                           "\"; accepted: /, /healthz, /metrics, /sessions, /sessions/ID, "
+                           "/sessions/ID/scene.glb"),
+            "unknown", "404"};
+  if (request.method != "GET") return {wrong_method(request, "GET"), request.path, "405"};
+  if (request.path == "/") return about();
+  if (request.path == "/healthz") return {{200, "text/plain", "ok\n"}, request.path, "ok"};
+  return {{200, "text/plain; version=0.0.4", m_metrics.text(m_load(), m_sessions.size())},
+          request.path,
+          "ok"};
+}
+
+Routes::Reply Routes::about() const {
+  Json json = {{"trivet", m_version}, {"starts", start_names(m_sessions.starts())}};
+  json["sessions"] = m_sessions.size();
+  return {json_response(200, json), "/", "ok"};
+}
+
+Routes::Reply Routes::open(const HttpRequest& request) {
+  if (request.method != "POST") return {wrong_method(request, "POST"), kSessions, "405"};
+  const size_t start = read_start(request.body, start_names(m_sessions.starts()));
+  const auto opened = m_sessions.open(start);
+  if (!opened)
+    return {error(503, "all sessions are in use; close one, or ask again later"), kSessions, "503"};
+  Json json = Json::parse(opened->session->greeting().text);
+  json["session"] = opened->id;
+  return {json_response(201, json), kSessions, "ok"};
+}
+
+Routes::Reply Routes::in_session(const HttpRequest& request, const std::string& id,
+                                 const std::string& what) {
+  const std::string route = what.empty() ? "/sessions/ID" : "/sessions/ID/scene.glb";
+  const std::shared_ptr<ServedSession> session = m_sessions.find(id);
+  if (!session || (!what.empty() && what != "scene.glb"))
+    return {error(404, "there is no \"" + request.path + "\"; it was closed, or never opened"),
+            route, "404"};
+  if (!what.empty()) {
+    if (request.method != "GET") return {wrong_method(request, "GET"), route, "405"};
+    auto scene = session->scene(m_version);
+    if (!scene) return {error(409, kBusy), route, "409"};
+    return {{200, "model/gltf-binary", std::move(*scene)}, route, "ok"};
+  }
+  if (request.method == "POST") return ask(*session, request.body);
+  if (request.method != "DELETE") return {wrong_method(request, "POST, DELETE"), route, "405"};
+  m_sessions.close(id);
+  return {json_response(200, {{"status", "ok"}}), route, "closed"};
+}
+
+Routes::Reply Routes::ask(ServedSession& session, const std::string& line) const {
+  const std::string route = "/sessions/ID";
+  if (is_cancel_line(line)) {
+    session.cancel();
+    return {json_response(200, {{"status", "ok"}}), route, "cancel"};
+  }
+  const auto answer = session.ask(line);
+  if (!answer) return {error(409, kBusy), route, "409"};
+  const int status = answer->status == "error" ? 400 : 200;
+  return {{status, "application/json", answer->text + "\n"}, route, answer->status};
+}
+
+}  // namespace trivet::serve

@@ -1,0 +1,64 @@
+#include "apps/serve/serve.h"
+
+#include "apps/serve/http_server.h"
+#include "apps/serve/routes.h"
+#include "apps/serve/sessions.h"
+
+namespace trivet::serve {
+namespace {
+
+std::vector<OpenedSession> open_all(const ServeOptions& options) {
+  std::vector<OpenedSession> out;
+  out.reserve(options.starts.size());
+  for (const std::string& start : options.starts) {
+    out.push_back(open_session(start, options.run, options.import));
+    for (const std::string& note : out.back().notes) options.note(start + ": " + note);
+  }
+  return out;
+}
+
+DialogueOptions dialogue_options(const ServeOptions& options) {
+  DialogueOptions out;
+  out.settle = options.run.settle;
+  out.context.time_budget_s = options.operation_seconds;
+  out.version = options.version;
+  out.source = "request";
+  out.own_files = true;
+  return out;
+}
+
+HttpLimits http_limits(const ServeOptions& options) {
+  HttpLimits out;
+  out.num_threads = options.num_threads;
+  out.max_waiting = options.max_waiting;
+  out.max_connections = options.max_connections;
+  out.max_body_bytes = static_cast<size_t>(options.max_request_kb * 1024);
+  out.request_seconds = options.request_seconds;
+  return out;
+}
+
+}  // namespace
+
+void serve(const ServeOptions& options) {
+  const std::vector<OpenedSession> starts = open_all(options);
+  ServedSessions sessions(starts, dialogue_options(options), options.import,
+                          {options.max_sessions, options.idle_seconds});
+  const HttpServer* carrier = nullptr;
+  Routes routes(sessions, options.version, [&] { return carrier->load(); });
+  HttpServer server({[&](const HttpRequest& request) { return routes.answer(request); },
+                     Routes::is_quick, [&] { sessions.cancel_all(); }},
+                    http_limits(options));
+  carrier = &server;
+  if (!options.socket.empty()) {
+    server.listen_unix(options.socket);
+    options.on_ready("unix:" + options.socket);
+  } else {
+    const bool v6 = options.address.find(':') != options.address.npos;
+    const unsigned short port = server.listen(options.address, options.port);
+    options.on_ready("http://" + (v6 ? "[" + options.address + "]" : options.address) + ":" +
+                     std::to_string(port));
+  }
+  server.run();
+}
+
+}  // namespace trivet::serve

@@ -1,0 +1,76 @@
+// Sessions that a server keeps for its clients, each a copy of a scene that is loaded once.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ops/session/dialogue.h"
+
+namespace trivet::serve {
+
+struct SessionLimits {
+  int max_sessions = 64;
+  double idle_seconds = 600;  // a session unused for so long may be closed when room is needed
+};
+
+/// One client's session. One thread at a time asks it; any may cancel.
+class ServedSession {
+ public:
+  ServedSession(OpenedSession opened, const DialogueOptions& options);
+
+  /// @return nullopt while another request is under way.
+  std::optional<Dialogue::Answer> ask(const std::string& line);
+  std::optional<std::string> scene(const std::string& version);
+  Dialogue::Answer greeting() const { return m_dialogue.greeting(); }
+  /// Stops the operation that is under way.
+  void cancel() { m_cancelled = true; }
+  double idle_seconds() const;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  OpenedSession m_opened;
+  Dialogue m_dialogue;
+  std::mutex m_busy;
+  std::atomic<bool> m_cancelled = false;
+  std::atomic<Clock::time_point> m_used = Clock::now();
+};
+
+/// Safe to use from many threads.
+class ServedSessions {
+ public:
+  /// @param starts  opened once; outlive this, and are not changed.
+  ServedSessions(const std::vector<OpenedSession>& starts, DialogueOptions options,
+                 ImportLimits import, const SessionLimits& limits);
+
+  struct Opened {
+    std::string id;  // 32 hexadecimal digits that nobody can guess
+    std::shared_ptr<ServedSession> session;
+  };
+  /// @param start  one of starts(). @return nullopt when there are too many, all in use.
+  std::optional<Opened> open(size_t start);
+  /// @return null: no such session.
+  std::shared_ptr<ServedSession> find(const std::string& id) const;
+  /// Ends what it does. @return false: no such session.
+  bool close(const std::string& id);
+  void cancel_all();
+  size_t size() const;
+  const std::vector<OpenedSession>& starts() const { return m_starts; }
+
+ private:
+  void close_idle();
+
+  const std::vector<OpenedSession>& m_starts;
+  DialogueOptions m_options;
+  ImportLimits m_import;
+  SessionLimits m_limits;
+  mutable std::mutex m_mutex;
+  std::map<std::string, std::shared_ptr<ServedSession>> m_sessions;
+};
+
+}  // namespace trivet::serve

@@ -1,0 +1,95 @@
+#include <algorithm>
+#include <iostream>
+#include <thread>
+
+#include "apps/serve/serve.h"
+#include "apps/trivet/verbs.h"
+
+namespace trivet::apps {
+namespace {
+
+struct ServeArguments {
+  serve::ServeOptions serve;
+  SettleArguments settle;
+};
+
+void tell_address(const std::string& address) {
+  std::cout << "{\"serving\":" << json_string(address) << "}" << std::endl;
+}
+
+int run_server(const ServeArguments& arguments, const CommonOptions& common) {
+  serve::ServeOptions options = arguments.serve;
+  options.run = run_options(common, arguments.settle);
+  options.import = common.limits();
+  options.operation_seconds = arguments.settle.operation_seconds;
+  options.num_threads = common.num_threads > 0
+                            ? common.num_threads
+                            : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  options.version = TRIVET_VERSION;
+  options.note = [&](const std::string& note) { print_note(common, note); };
+  options.on_ready = [&](const std::string& address) {
+    clear_progress_line(common);
+    tell_address(address);
+  };
+  serve::serve(options);
+  return 0;
+}
+
+void add_limits(CLI::App& verb, serve::ServeOptions& options) {
+  verb.add_option("--max-sessions", options.max_sessions, "Sessions at a time")
+      ->check(integer_from(1, 1'000'000))
+      ->capture_default_str();
+  verb.add_option("--idle-seconds", options.idle_seconds,
+                  "Close a session unused for so long when room for another is needed")
+      ->check(number_from(0, 1e9))
+      ->capture_default_str();
+  verb.add_option("--max-waiting", options.max_waiting,
+                  "Requests that wait for a thread; more are answered with 503")
+      ->check(integer_from(1, 1'000'000))
+      ->capture_default_str();
+  verb.add_option("--max-connections", options.max_connections, "Connections at a time")
+      ->check(integer_from(1, 100'000))
+      ->capture_default_str();
+  verb.add_option("--request-seconds", options.request_seconds,
+                  "Close a connection that takes longer to send a request or to read its answer")
+      ->check(number_from(0.01, 1e6))
+      ->capture_default_str();
+  verb.add_option("--max-request-kb", options.max_request_kb, "Size of a request's body")
+      ->check(number_from(1, 1e6))
+      ->capture_default_str();
+}
+
+}  // namespace
+
+Verb add_serve(CLI::App& app, const CommonOptions& common) {
+  CLI::App* const verb = app.add_subcommand(
+      "serve",
+      "Serve sessions over HTTP: scenes are loaded once, POST /sessions opens a session on one, "
+      "and "
+      "POST /sessions/ID asks it a line as `trivet session` takes. Prints {\"serving\": ADDRESS} "
+      "when it is ready. Clients save no files, and models are read from the folder of START "
+      "alone. SIGTERM answers what is under way, then ends. There is no authentication: whoever "
+      "reaches the address may use it");
+  const auto arguments = std::make_shared<ServeArguments>();
+  arguments->settle.operation_seconds = arguments->serve.operation_seconds;
+  verb->add_option("start", arguments->serve.starts, "Layouts and scenes that sessions start from")
+      ->required()
+      ->type_name("SCENE.glb|LAYOUT.json");
+  auto* const socket =
+      verb->add_option("--socket", arguments->serve.socket,
+                       "Listen to a Unix socket of this name, which its owner alone may open")
+          ->type_name("PATH");
+  verb->add_option("--address", arguments->serve.address, "Listen to TCP at this address")
+      ->type_name("ADDRESS")
+      ->capture_default_str()
+      ->excludes(socket);
+  verb->add_option("--port", arguments->serve.port, "TCP port; 0: any that is free")
+      ->check(integer_from(0, 65535))
+      ->capture_default_str()
+      ->excludes(socket);
+  add_limits(*verb, arguments->serve);
+  add_settle_options(*verb, arguments->settle);
+  return {verb, [arguments, &common] { return run_server(*arguments, common); }};
+}
+
+}  // namespace trivet::apps

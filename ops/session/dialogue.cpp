@@ -1,0 +1,210 @@
+#include "ops/session/dialogue.h"
+
+#include <filesystem>
+
+#include "core/base/error.h"
+#include "core/base/hash.h"
+#include "core/io/model_folder.h"
+#include "ops/base/refusal.h"
+#include "ops/files/json/operation_json.h"
+#include "ops/files/report/queries.h"
+
+namespace trivet {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kAccepted =
+    "an operation {\"op\": ...}, {\"do\": [operations]}, {\"undo\": true}, {\"redo\": true}, "
+    "{\"save\": FILE}, {\"query\": OBJECT or \"objects\"} or {\"cancel\": true}";
+
+// The id of a request, taken out of it.
+OrderedJson take_id(nlohmann::json& document, const JsonPlace& place) {
+  const auto id = place.find("id");
+  if (!id) return {};
+  if (!id->value().is_string() && !id->value().is_number()) id->refuse("text or a number");
+  OrderedJson out = id->value();
+  document.erase("id");
+  return out;
+}
+
+bool is_asked(const JsonPlace& place, const char* key) {
+  const auto value = place.find(key);
+  if (value && value->value() != true) value->refuse("true");
+  return value.has_value();
+}
+
+OrderedJson refused(const std::string& reason) {
+  return {{"status", "refused"}, {"reason", reason}};
+}
+
+Dialogue::Answer answer_of(const OrderedJson& json) {
+  return {json.at("status").get<std::string>(),
+          json.dump(-1, ' ', false, OrderedJson::error_handler_t::replace)};
+}
+
+// Rules that hold for the session's steps.
+SettleOptions settle_of(const OpenedSession& opened, const SettleOptions& asked) {
+  SettleOptions settle = with_rules(asked, opened.rules);
+  if (!(settle.clearance > 0)) settle.clearance = opened.clearance;
+  return settle;
+}
+
+}  // namespace
+
+bool is_cancel_line(const std::string& line) {
+  constexpr size_t kLongest = 400;  // longer lines are not worth parsing twice
+  if (line.size() > kLongest) return false;
+  auto document = nlohmann::json::parse(line, nullptr, false);
+  if (document.is_object()) document.erase("id");
+  return document == nlohmann::json{{"cancel", true}};
+}
+
+Dialogue::Dialogue(OpenedSession& opened, DialogueOptions options)
+    : m_opened(opened),
+      m_session(opened.session),
+      m_options(std::move(options)),
+      m_told(opened.session.scene()),
+      m_state(opened.session.scene()) {
+  m_options.settle = settle_of(opened, m_options.settle);
+  m_session.on_event([this](const SessionEvent& event) {
+    m_changed = event.changed;
+    m_state.update(m_session.scene(), event.changed);
+  });
+}
+
+Dialogue::~Dialogue() { m_session.on_event({}); }
+
+Dialogue::Answer Dialogue::greeting() const { return answer_of(state()); }
+
+Dialogue::Answer Dialogue::answer(const std::string& line, const std::atomic<bool>& cancelled) {
+  m_options.context.cancel = &cancelled;
+  m_changed.clear();
+  const OrderedJson out = answered(line);
+  m_options.context.cancel = nullptr;
+  return answer_of(out);
+}
+
+OrderedJson Dialogue::answered(const std::string& line) {
+  OrderedJson id, out;
+  try {
+    nlohmann::json document = parse_json(line, m_options.source);
+    const JsonPlace place(document, m_options.source);
+    id = take_id(document, place);
+    out = done(document, place);
+    out["poses"] = m_told.news(m_session.scene(), m_changed);
+  } catch (const Error& e) {
+    out = {{"status", "error"}, {"reason", e.what()}};
+  }
+  if (!id.is_null()) out["id"] = id;
+  return out;
+}
+
+OrderedJson Dialogue::done(const nlohmann::json& document, const JsonPlace& place) {
+  if (place.find("op")) return perform({read(place)});
+  if (document.size() != 1) place.refuse(kAccepted);
+  if (const auto operations = place.find("do")) return perform(read_all(*operations));
+  if (is_asked(place, "undo")) return step(m_session.undo(), "there is nothing to undo");
+  if (is_asked(place, "redo")) return step(m_session.redo(), "there is nothing to redo");
+  if (is_asked(place, "cancel")) return state();  // cancelled when it was read
+  if (const auto file = place.find("save")) return save(*file);
+  if (const auto what = place.find("query")) return query(*what);
+  place.refuse(kAccepted);
+}
+
+Operation Dialogue::read(const JsonPlace& place) const {
+  Operation operation = read_operation(place);
+  const auto* const append = std::get_if<AppendOperation>(&operation);
+  if (append && m_options.own_files) {
+    const fs::path file = fs::path(m_opened.model_folder) / append->model;
+    if (!ModelFolder(m_opened.start_file).has(file))
+      place.at("model").refuse("a file in the folder of the start, or below it");
+  }
+  return operation;
+}
+
+std::vector<Operation> Dialogue::read_all(const JsonPlace& place) const {
+  std::vector<Operation> operations;
+  for (const JsonPlace& item : place.items()) operations.push_back(read(item));
+  if (operations.empty()) place.refuse("an array of at least one operation");
+  return operations;
+}
+
+OrderedJson Dialogue::state() const {
+  OrderedJson json = {{"status", "ok"}};
+  json["done"] = m_session.num_done();
+  json["steps"] = m_session.steps().size();
+  json["state"] = hash_text(m_state.value(m_session.scene()));
+  json["modified"] = m_session.is_modified();
+  return json;
+}
+
+OrderedJson Dialogue::perform(const std::vector<Operation>& operations) {
+  const OperationResult result =
+      m_session.perform_all(operations, m_options.settle, m_options.context);
+  if (!result.ok()) {
+    OrderedJson json = {{"status", to_string(result.status)}};
+    add_refusal(result, json);
+    return json;
+  }
+  OrderedJson json = state();
+  add_outcome(result, json);
+  if (operations.size() == 1) return json;
+  const std::vector<OperationResult>& results = m_session.steps()[m_session.num_done() - 1].results;
+  json["results"] = OrderedJson::array();
+  for (size_t i = 0; i < operations.size(); ++i) {
+    json["results"].push_back(
+        {{"op", op_name(operations[i])}, {"object", object_name(operations[i])}});
+    add_outcome(results[i], json["results"].back());
+  }
+  return json;
+}
+
+OrderedJson Dialogue::step(bool done, const char* otherwise) const {
+  return done ? state() : refused(otherwise);
+}
+
+OrderedJson Dialogue::save(const JsonPlace& file) {
+  if (m_options.own_files)
+    file.fail("this server writes no files; it answers with a scene's bytes");
+  if (fs::path(file.text()).extension() != ".glb")
+    throw Error(Error::Kind::BadInput,
+                file.text() + ": cannot be saved; accepted: a file name ending in .glb");
+  save_session(m_opened, m_options.version, file.text());
+  return state();
+}
+
+OrderedJson Dialogue::query(const JsonPlace& what) const {
+  if (what.value() == "objects") return objects();
+  if (!what.value().is_object()) return object(what.text());
+  what.expect_object({"object"}, {});  // also one that is called "objects"
+  return object(what.at("object").text());
+}
+
+OrderedJson Dialogue::object(const std::string& name) const {
+  const auto id = m_session.scene().find(name);
+  if (!id) return refused(message(unknown_object(m_session.scene(), name)));
+  OrderedJson json = OrderedJson::parse(object_query_json(m_session.scene(), *id, {}));
+  json["status"] = "ok";
+  return json;
+}
+
+OrderedJson Dialogue::objects() const {
+  OrderedJson list = OrderedJson::array();
+  for (const ObjectId id : m_session.scene().ids()) {
+    const Object& object = m_session.scene().at(id);
+    OrderedJson json = {{"object", object.name},
+                        {"model", object.model->path},
+                        {"state", to_string(object.state)},
+                        {"fixed", object.fixed},
+                        {"locked", object.locked}};
+    if (!object.group.empty()) json["group"] = object.group;
+    add_pose(object, json);
+    list.push_back(std::move(json));
+  }
+  OrderedJson out = state();
+  out["objects"] = std::move(list);
+  return out;
+}
+
+}  // namespace trivet

@@ -1,0 +1,70 @@
+// Protocol of `trivet session` and `trivet serve`: a session is asked by lines of JSON, and each is
+// answered by a line; apps/trivet/README.md describes them.
+#pragma once
+
+#include <atomic>
+#include <string>
+#include <vector>
+
+#include "core/scene/fingerprint.h"
+#include "ops/base/context.h"
+#include "ops/base/options.h"
+#include "ops/files/json/json_text.h"
+#include "ops/session/restore.h"
+#include "ops/session/told_poses.h"
+
+namespace trivet {
+
+struct DialogueOptions {
+  SettleOptions settle;    // before the rules that the opened file states
+  RunContext context;      // without `cancel`, which every line has of its own
+  std::string version;     // of the program, for saved scenes
+  std::string source;      // of the lines, for messages: "standard input"
+  bool own_files = false;  // clients are not trusted with files: nothing is saved, and models are
+                           // read from the folder of the start file and below it
+};
+
+/// True if the line asks that all unfinished lines before it are cancelled.
+bool is_cancel_line(const std::string& line);
+
+class Dialogue {
+ public:
+  /// @param opened  outlives the dialogue, and is changed by nothing else.
+  Dialogue(OpenedSession& opened, DialogueOptions options);
+  ~Dialogue();
+  Dialogue(const Dialogue&) = delete;
+  Dialogue& operator=(const Dialogue&) = delete;
+
+  struct Answer {
+    std::string status;  // "ok", "refused", "cancelled", "out of time" or "error"
+    std::string text;    // JSON without line breaks
+  };
+
+  /// Greets: the state of the session.
+  Answer greeting() const;
+  /// Errors of a line are its answer; it throws std::bad_alloc alone.
+  /// @param cancelled  may be set by another thread; outlives the call.
+  Answer answer(const std::string& line, const std::atomic<bool>& cancelled);
+
+ private:
+  OrderedJson state() const;
+  OrderedJson answered(const std::string& line);
+  OrderedJson done(const nlohmann::json& document, const JsonPlace& place);
+  OrderedJson perform(const std::vector<Operation>& operations);
+  OrderedJson step(bool done, const char* otherwise) const;
+  OrderedJson save(const JsonPlace& file);
+  OrderedJson query(const JsonPlace& what) const;
+  OrderedJson object(const std::string& name) const;
+  OrderedJson objects() const;
+  Operation read(const JsonPlace& place) const;
+  std::vector<Operation> read_all(const JsonPlace& place) const;
+
+  OpenedSession& m_opened;
+  Session& m_session;
+  DialogueOptions m_options;
+  ToldPoses m_told;
+  SceneState m_state;
+  std::vector<ObjectId> m_changed;  // by the line that is being answered
+};
+
+}  // namespace trivet
