@@ -1,13 +1,34 @@
 #include <iostream>
+#include <nlohmann/json.hpp>
 
 #include "apps/trivet/verbs.h"
 
 namespace trivet::apps {
+namespace {
+
+/// A recipe has the keys of a layout, too: they and what they refer to are taken from its schema.
+std::string recipe_schema() {
+  using Json = nlohmann::ordered_json;
+  Json recipe = Json::parse(kRecipeSchema);
+  const Json layout = Json::parse(kLayoutSchema);
+  for (const char* const key :
+       {"floor", "material", "floor_material", "settle", "objects", "operations"})
+    recipe["properties"][key] = layout.at("properties").at(key);
+  for (const auto& [name, definition] : layout.at("$defs").items())
+    if (!recipe["$defs"].contains(name)) recipe["$defs"][name] = definition;
+  return recipe.dump(2) + "\n";
+}
+
+}  // namespace
 
 Verb add_schema(CLI::App& app, const CommonOptions&) {
-  CLI::App* const verb = app.add_subcommand("schema", "Print the JSON Schema of layout files");
-  return {verb, [] {
-            std::cout << kLayoutSchema;
+  CLI::App* const verb =
+      app.add_subcommand("schema", "Print the JSON Schema of layout files, or of recipes");
+  const auto what = std::make_shared<std::string>("layout");
+  verb->add_option("what", *what, "layout (default), or recipe, for trivet batch")
+      ->check(one_of({"layout", "recipe"}));
+  return {verb, [what] {
+            std::cout << (*what == "recipe" ? recipe_schema() : kLayoutSchema);
             return 0;
           }};
 }

@@ -34,8 +34,10 @@ Verb add_serve(CLI::App& app, const CommonOptions& common);
 Verb add_replay(CLI::App& app, const CommonOptions& common);
 Verb add_zlist(CLI::App& app, const CommonOptions& common);
 Verb add_backends(CLI::App& app, const CommonOptions& common);
+Verb add_batch(CLI::App& app, const CommonOptions& common);
 Verb add_schema(CLI::App& app, const CommonOptions& common);
 
 extern const char* const kLayoutSchema;  // text of ops/files/layout/layout.schema.json
+extern const char* const kRecipeSchema;  // text of apps/farm/recipe/recipe.schema.json
 
 }  // namespace trivet::apps

@@ -11,6 +11,7 @@
 #include "ops/files/json/material_json.h"
 #include "ops/files/json/operation_json.h"
 #include "ops/files/json/settle_json.h"
+#include "ops/files/layout/label_keys.h"
 
 namespace trivet {
 namespace {
@@ -31,19 +32,6 @@ std::string read_name(const JsonPlace& place) {
   const std::string name = place.text();
   if (name == "floor") place.refuse("any name but \"floor\", which is the floor");
   return name;
-}
-
-// What labelled images say of an object.
-void read_labels(const JsonPlace& place, LayoutObject& object) {
-  if (const auto name = place.find("class")) object.class_name = name->text();
-  const auto attributes = place.find("attributes");
-  if (!attributes) return;
-  if (!attributes->value().is_object())
-    attributes->refuse("an object of names and texts, numbers, true or false");
-  for (const auto& [key, value] : attributes->value().items())
-    if (value.is_structured() || value.is_null())
-      attributes->at(key.c_str()).refuse("a text, a number, true or false");
-  object.attributes = attributes->value().dump();
 }
 
 void write_labels(const LayoutObject& object, nlohmann::ordered_json& json) {
@@ -124,6 +112,18 @@ Operation read_known(const JsonPlace& place, std::set<std::string>& names) {
 }
 
 }  // namespace
+
+void read_labels(const JsonPlace& place, LayoutObject& object) {
+  if (const auto name = place.find("class")) object.class_name = name->text();
+  const auto attributes = place.find("attributes");
+  if (!attributes) return;
+  if (!attributes->value().is_object())
+    attributes->refuse("an object of names and texts, numbers, true or false");
+  for (const auto& [key, value] : attributes->value().items())
+    if (value.is_structured() || value.is_null())
+      attributes->at(key.c_str()).refuse("a text, a number, true or false");
+  object.attributes = attributes->value().dump();
+}
 
 std::optional<Rotation> unit_rotation(const std::array<double, 4>& q) {
   const auto is_large = [](double c) { return std::abs(c) >= kMinQuaternionComponent; };

@@ -8,25 +8,15 @@
 #include "core/base/error.h"
 #include "core/scene/transaction.h"
 #include "ops/files/json/json_text.h"
+#include "ops/files/layout/scene_of_layout.h"
 #include "ops/operations/perform.h"
 #include "ops/placement/clearance.h"
 
 namespace trivet {
 namespace {
 
-std::string place(const RunOptions& options, size_t object, const std::string& key) {
-  return options.layout_file + ": /objects/" + std::to_string(object) + key;
-}
-
-// The models in the order in which objects first name them.
-std::vector<ModelRequest> model_requests(const Layout& layout) {
-  std::vector<ModelRequest> requests;
-  std::set<ModelRequest> seen;
-  for (const LayoutObject& object : layout.objects) {
-    const ModelRequest request{object.model, object.tessellation};
-    if (seen.insert(request).second) requests.push_back(request);
-  }
-  return requests;
+std::string place(const std::string& layout_file, size_t object, const std::string& key) {
+  return layout_file + ": /objects/" + std::to_string(object) + key;
 }
 
 // A model's error gets the place that asked for it.
@@ -41,54 +31,38 @@ ModelSource with_place(const Layout& layout, const ModelSource& models, const Ru
       };
       const auto it = std::find_if(layout.objects.begin(), layout.objects.end(), asks);
       const auto index = static_cast<size_t>(it - layout.objects.begin());
-      throw Error(e.kind(), place(options, index, "/model: ") + e.what());
+      throw Error(e.kind(), place(options.layout_file, index, "/model: ") + e.what());
     }
   };
 }
 
-/// A loaded model, and how far from its origin it reaches, in units of its file.
-struct SizedModel {
-  LoadedModel loaded;
-  double reach = 0;
-};
+// How far from its origin a model reaches, in units of its file.
+double reach_of(const LoadedModel& loaded) {
+  return loaded.shape->box.max_abs_coordinate() * std::sqrt(3.0);
+}
 
 void check_reach(const LayoutObject& object, double reach, size_t index,
-                 const RunOptions& options) {
+                 const std::string& layout_file) {
   const double offset = object.pose ? object.pose->translation.cwiseAbs().maxCoeff() : 0;
   const double total = object.scale * reach + offset;
   if (total <= kMaxLength) return;
-  throw Error(Error::Kind::BadInput, place(options, index, ": \"") + object.name + "\" reaches " +
-                                         short_number(total) + " metres; accepted: up to " +
-                                         short_number(kMaxLength));
+  throw Error(Error::Kind::BadInput, place(layout_file, index, ": \"") + object.name +
+                                         "\" reaches " + short_number(total) +
+                                         " metres; accepted: up to " + short_number(kMaxLength));
 }
 
-std::map<ModelRequest, SizedModel> load_all(const Layout& layout, const ModelSource& models,
-                                            const RunOptions& options) {
+LoadedModels load_all(const Layout& layout, const ModelSource& models, const RunOptions& options) {
   const std::vector<ModelRequest> requests = model_requests(layout);
   const std::vector<LoadedModel> loaded = load_models(requests, with_place(layout, models, options),
                                                       options.num_threads, options.progress);
-  std::map<ModelRequest, SizedModel> by_request;
-  for (size_t i = 0; i < requests.size(); ++i)
-    by_request[requests[i]] = {loaded[i],
-                               loaded[i].model->mesh.box().max_abs_coordinate() * std::sqrt(3.0)};
+  LoadedModels by_request;
+  for (size_t i = 0; i < requests.size(); ++i) by_request[requests[i]] = loaded[i];
   return by_request;
 }
 
 void report_progress(const RunOptions& options, const std::string& stage, const std::string& item,
                      size_t done, size_t total) {
   if (options.progress) options.progress({stage, item, done, total});
-}
-
-// Places the objects to which the layout gives poses; records refusals.
-void stand_objects(const Layout& layout, const RunOptions& options, LayoutRun& run) {
-  for (size_t i = 0; i < layout.objects.size(); ++i) {
-    const LayoutObject& object = layout.objects[i];
-    if (!object.pose) continue;
-    report_progress(options, "stand", object.name, i, layout.objects.size());
-    const ObjectId id = *run.scene.find(object.name);
-    OperationResult result = stand(run.scene, id, *object.pose, options.settle);
-    if (!result.ok()) run.operations.push_back({"stand", object.name, std::move(result)});
-  }
 }
 
 OperationResult not_tried(const OperationRecord& stopped_at) {
@@ -140,23 +114,28 @@ bool LayoutRun::ok() const {
   return std::all_of(operations.begin(), operations.end(), is_ok) && check.ok();
 }
 
-Scene make_scene(const Layout& layout, const ModelSource& models, const RunOptions& options) {
-  if (!layout.scene.empty())
-    throw Error(Error::Kind::BadInput, options.layout_file +
-                                           ": /scene: is not accepted here; accepted: layouts of "
-                                           "models. Scenes in place are laid out by trivet run");
-  const std::map<ModelRequest, SizedModel> by_request = load_all(layout, models, options);
+std::vector<ModelRequest> model_requests(const Layout& layout) {
+  std::vector<ModelRequest> requests;
+  std::set<ModelRequest> seen;
+  for (const LayoutObject& object : layout.objects) {
+    const ModelRequest request{object.model, object.tessellation};
+    if (seen.insert(request).second) requests.push_back(request);
+  }
+  return requests;
+}
+
+Scene make_scene(const Layout& layout, const LoadedModels& models, const std::string& layout_file) {
   Scene scene;
   scene.floor = layout.floor;
   scene.floor_material = layout.floor_material.value_or(layout.material);
   for (size_t i = 0; i < layout.objects.size(); ++i) {
     const LayoutObject& wanted = layout.objects[i];
-    const SizedModel& sized = by_request.at({wanted.model, wanted.tessellation});
-    check_reach(wanted, sized.reach, i, options);
+    const LoadedModel& loaded = models.at({wanted.model, wanted.tessellation});
+    check_reach(wanted, reach_of(loaded), i, layout_file);
     Object object;
     object.name = wanted.name;
-    object.model = sized.loaded.model;
-    object.shape = sized.loaded.shape;
+    object.model = loaded.model;
+    object.shape = loaded.shape;
     object.up = wanted.up.value_or(object.model->up);
     object.scale = wanted.scale;
     object.fixed = wanted.fixed;
@@ -164,6 +143,25 @@ Scene make_scene(const Layout& layout, const ModelSource& models, const RunOptio
     scene.add(std::move(object));
   }
   return scene;
+}
+
+Scene make_scene(const Layout& layout, const ModelSource& models, const RunOptions& options) {
+  if (!layout.scene.empty())
+    throw Error(Error::Kind::BadInput, options.layout_file +
+                                           ": /scene: is not accepted here; accepted: layouts of "
+                                           "models. Scenes in place are laid out by trivet run");
+  return make_scene(layout, load_all(layout, models, options), options.layout_file);
+}
+
+void stand_objects(const Layout& layout, const RunOptions& options, LayoutRun& run) {
+  for (size_t i = 0; i < layout.objects.size(); ++i) {
+    const LayoutObject& object = layout.objects[i];
+    if (!object.pose) continue;
+    report_progress(options, "stand", object.name, i, layout.objects.size());
+    const ObjectId id = *run.scene.find(object.name);
+    OperationResult result = stand(run.scene, id, *object.pose, options.settle);
+    if (!result.ok()) run.operations.push_back({"stand", object.name, std::move(result)});
+  }
 }
 
 LayoutRun run_layout(const Layout& without_models, const ModelSource& models,

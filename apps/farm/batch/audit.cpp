@@ -1,0 +1,141 @@
+#include "apps/farm/batch/audit.h"
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+
+#include "apps/farm/store/publish.h"
+#include "core/base/bad_input.h"
+#include "core/io/export.h"
+#include "ops/files/layout/paths.h"
+#include "ops/files/report/scene_file.h"
+
+namespace trivet::farm {
+namespace {
+
+namespace fs = std::filesystem;
+using FileTime = fs::file_time_type;
+
+std::vector<std::uint64_t> units_there(const std::string& out, const BatchRun& run) {
+  std::vector<std::uint64_t> units;
+  for (std::uint64_t t = 0; t < run.num_units(); ++t)
+    if (unit_exists(out, t, run.format)) units.push_back(t);
+  return units;
+}
+
+/// Calls visit(path) for temporary files and folders of units and models.
+template <class Visitor>
+void visit_temporaries(const std::string& out, const Visitor& visit) {
+  std::error_code ignored;
+  const auto look_in = [&](const fs::path& folder) {
+    for (const auto& entry : fs::directory_iterator(folder, ignored))
+      if (is_temporary(entry.path().filename().string())) visit(entry.path());
+  };
+  look_in(out);
+  for (const auto& entry : fs::directory_iterator(out, ignored))
+    if (entry.is_directory(ignored)) look_in(entry.path());
+}
+
+// Scenes of all units but the one that was written first, over the time since.
+std::optional<double> rate_of(const std::vector<std::pair<FileTime, std::uint64_t>>& units) {
+  if (units.size() < 2) return std::nullopt;
+  const auto [first, last] = std::minmax_element(units.begin(), units.end());
+  const double seconds = std::chrono::duration<double>(last->first - first->first).count();
+  if (!(seconds > 0)) return std::nullopt;
+  std::uint64_t scenes = 0;
+  for (const auto& [time, count] : units) scenes += count;
+  return static_cast<double>(scenes - first->second) / seconds;
+}
+
+const char* const kColumns[] = {"k",         "status",     "reason",       "attempt",
+                                "objects",   "operations", "refused",      "triangles",
+                                "stability", "margin",     "smallest_gap", "least_friction"};
+
+std::string csv_field(const Json& row, const char* column) {
+  if (!row.contains(column) || row[column].is_null()) return "";
+  if (!row[column].is_string()) return row[column].dump();
+  std::string out = "\"";
+  for (const char c : row[column].get<std::string>()) out += c == '"' ? "\"\"" : std::string(1, c);
+  return out + "\"";
+}
+
+std::string csv_line(const Json& row) {
+  std::string out;
+  for (const char* const column : kColumns)
+    out += (out.empty() ? "" : ",") + csv_field(row, column);
+  return out + "\n";
+}
+
+std::string csv_head() {
+  std::string out;
+  for (const char* const column : kColumns) out += (out.empty() ? "" : ",") + std::string(column);
+  return out + "\n";
+}
+
+}  // namespace
+
+BatchStatus batch_status(const std::string& out) {
+  BatchStatus status;
+  status.run = read_run(out);
+  std::vector<std::pair<FileTime, std::uint64_t>> times;
+  for (const std::uint64_t unit : units_there(out, status.run)) {
+    ++status.units_there;
+    visit_rows(out, unit, status.run.format, [&](const Json& row) {
+      const std::string is = row.at("status");
+      ++(is == "ok" ? status.ok : is == "refused" ? status.refused : status.failed);
+      if (is != "ok") ++status.reasons[is + ": " + row.value("reason", "")];
+    });
+    times.emplace_back(fs::last_write_time(fs::path(out) / unit_name(unit, status.run.format)),
+                       status.run.end_scene(unit) - status.run.first_scene(unit));
+  }
+  status.scenes_per_second = rate_of(times);
+  visit_temporaries(out, [&](const fs::path&) { ++status.num_temporaries; });
+  return status;
+}
+
+std::uint64_t merge_manifests(const std::string& out, const std::string& file) {
+  const std::string extension = fs::path(file).extension().string();
+  if (extension != ".jsonl" && extension != ".csv")
+    bad_file(file, "is no kind of manifest; accepted: .jsonl, .csv");
+  const BatchRun run = read_run(out);
+  std::uint64_t num_scenes = 0;
+  write_file_atomically(file, [&](const ByteSink& write) {
+    if (extension == ".csv") write(csv_head());
+    for (const std::uint64_t unit : units_there(out, run))
+      visit_rows(out, unit, run.format, [&](const Json& row) {
+        ++num_scenes;
+        write(extension == ".csv" ? csv_line(row) : json_line(row));
+      });
+  });
+  visit_temporaries(out, [](const fs::path& path) {
+    std::error_code ignored;
+    if (FileTime::clock::now() - fs::last_write_time(path, ignored) > std::chrono::hours(24))
+      fs::remove_all(path, ignored);
+  });
+  return num_scenes;
+}
+
+void materialise(const std::string& out, std::uint64_t k, const std::string& file,
+                 const ImportLimits& import) {
+  const BatchRun run = read_run(out);
+  if (k >= run.count)
+    bad_input("scene " + std::to_string(k) + " is not accepted; accepted: 0 to " +
+              std::to_string(run.count - 1));
+  const std::uint64_t unit = k / run.per_unit;
+  if (!unit_exists(out, unit, run.format))
+    bad_file((fs::path(out) / unit_name(unit, run.format)).string(),
+             "is not there yet; trivet batch --only makes a scene alone");
+  const Json scene = read_scene(out, unit, run.format, k);
+  if (scene.at("status") == "failed")
+    bad_input("scene " + std::to_string(k) + " failed: " + scene.value("reason", ""));
+  const PreparedRecipe prepared = prepared_recipe(run, out);
+  RunOptions options;
+  options.settle.max_motions = prepared.recipe.max_motions;
+  options.layout_file = "scene " + std::to_string(k);
+  const Layout layout = layout_of_poses(prepared.recipe, scene, options.layout_file);
+  const LayoutRun stands = run_start_only(layout, models_in_folder(out, import), options);
+  write_scene_file(stands.scene, layout,
+                   {run.version, folder_from(file, out), stands.settle.clearance}, file);
+}
+
+}  // namespace trivet::farm

@@ -1,0 +1,207 @@
+#include "apps/farm/batch/batch.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <deque>
+#include <list>
+#include <map>
+
+#include "apps/farm/batch/stop_signals.h"
+#include "apps/farm/workers/pool.h"
+
+namespace trivet::farm {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// A unit in progress: scenes come in any order, and are written in that of k.
+class OpenUnit {
+ public:
+  OpenUnit(const BatchRun& run, const std::string& out, std::uint64_t unit)
+      : m_number(unit),
+        m_next(run.first_scene(unit)),
+        m_end(run.end_scene(unit)),
+        m_writer(out, unit, run.format) {}
+
+  std::uint64_t number() const { return m_number; }
+  bool complete() const { return m_next == m_end; }
+  bool has(std::uint64_t k) const { return m_next <= k && k < m_end; }
+  void add(DoneScene done) {
+    m_early[done.k] = std::move(done.members);
+    for (auto it = m_early.begin(); it != m_early.end() && it->first == m_next;
+         it = m_early.erase(it), ++m_next)
+      m_writer.add(it->second);
+  }
+  bool publish() { return m_writer.publish(); }
+
+ private:
+  std::uint64_t m_number, m_next, m_end;
+  std::map<std::uint64_t, SceneMembers> m_early;
+  UnitWriter m_writer;
+};
+
+void count_status(const std::string& status, BatchTotals& totals) {
+  ++(status == "ok" ? totals.ok : status == "refused" ? totals.refused : totals.failed);
+}
+
+class BatchLoop {
+ public:
+  BatchLoop(const BatchRun& run, const Work& work, const BatchOptions& options)
+      : m_run(run), m_work(work), m_options(options) {}
+
+  BatchTotals run_all();
+
+ private:
+  void list_units();
+  void make_missing();
+  void hand_out(Pool& pool);
+  bool open_next_unit();
+  void take(DoneScene done);
+  void publish_complete();
+  void log_progress(std::uint64_t unit, const char* what);
+  void log(const std::string& line) const {
+    if (m_options.log) m_options.log(line);
+  }
+
+  const BatchRun& m_run;
+  const Work& m_work;
+  const BatchOptions& m_options;
+  std::deque<std::uint64_t> m_missing;
+  std::list<OpenUnit> m_open;
+  std::uint64_t m_next_scene = 0, m_end_scene = 0;  // of the unit opened last
+  std::uint64_t m_num_made = 0;
+  Clock::time_point m_start = Clock::now();
+  BatchTotals m_totals;
+};
+
+void BatchLoop::list_units() {
+  for (std::uint64_t t = m_options.shard.index; t < m_run.num_units(); t += m_options.shard.count) {
+    ++m_totals.units;
+    if (!unit_exists(m_options.out, t, m_run.format)) {
+      m_missing.push_back(t);
+      continue;
+    }
+    ++m_totals.there_before;
+    visit_rows(m_options.out, t, m_run.format,
+               [&](const Json& row) { count_status(row.at("status"), m_totals); });
+  }
+}
+
+bool BatchLoop::open_next_unit() {
+  while (!m_missing.empty()) {
+    const std::uint64_t unit = m_missing.front();
+    m_missing.pop_front();
+    if (unit_exists(m_options.out, unit, m_run.format)) {  // by another copy of this shard
+      ++m_totals.dropped;
+      continue;
+    }
+    m_open.emplace_back(m_run, m_options.out, unit);
+    m_next_scene = m_run.first_scene(unit);
+    m_end_scene = m_run.end_scene(unit);
+    return true;
+  }
+  return false;
+}
+
+// Enough that no worker waits, so few that scenes which wait for an earlier one stay few.
+void BatchLoop::hand_out(Pool& pool) {
+  constexpr size_t kMaxOpenUnits = 2;
+  const auto most = static_cast<size_t>(m_options.jobs) + 1;
+  while (pool.num_pending() < most) {
+    if (m_next_scene == m_end_scene && (m_open.size() >= kMaxOpenUnits || !open_next_unit()))
+      return;
+    pool.submit(m_next_scene++);
+  }
+}
+
+void BatchLoop::take(DoneScene done) {
+  const Json& scene = done.members.scene;
+  const std::string status = scene.at("status");
+  count_status(status, m_totals);
+  ++m_num_made;
+  if (status == "failed")
+    log("scene " + std::to_string(done.k) + " failed: " + scene.at("reason").get<std::string>());
+  for (OpenUnit& unit : m_open)
+    if (unit.has(done.k)) {
+      unit.add(std::move(done));
+      return;
+    }
+}
+
+void BatchLoop::publish_complete() {
+  for (auto it = m_open.begin(); it != m_open.end();) {
+    if (!it->complete()) {
+      ++it;
+      continue;
+    }
+    const bool first = it->publish();
+    if (!first) ++m_totals.dropped;
+    log_progress(it->number(), first ? "written" : "was made by another process: dropped");
+    it = m_open.erase(it);
+  }
+}
+
+void BatchLoop::log_progress(std::uint64_t unit, const char* what) {
+  const std::chrono::duration<double> seconds = Clock::now() - m_start;
+  const double rate = static_cast<double>(m_num_made) / std::max(seconds.count(), 1e-9);
+  const auto left = static_cast<double>((m_missing.size() + m_open.size() - 1) * m_run.per_unit);
+  char text[160];
+  std::snprintf(text, sizeof text, "unit %llu %s; %llu scenes, %.3g/s, about %.0f s left",
+                static_cast<unsigned long long>(unit), what,
+                static_cast<unsigned long long>(m_num_made), rate, left / std::max(rate, 1e-9));
+  log(text);
+}
+
+void BatchLoop::make_missing() {
+  StopSignals signals;
+  Pool pool(m_work, m_options.limits, m_options.jobs);
+  while (!pool.ready() && !signals.asked()) {
+    pool.wait(signals.descriptor(), 1000);
+    signals.look();
+  }
+  if (!signals.asked() && m_options.on_models_read) m_options.on_models_read();
+  m_start = Clock::now();
+  while (!signals.at_once()) {
+    if (!signals.asked()) hand_out(pool);
+    if (pool.num_pending() == 0) break;
+    for (DoneScene& done : pool.wait(signals.descriptor(), 1000)) take(std::move(done));
+    publish_complete();
+    signals.look();
+  }
+  m_totals.stopped = signals.asked() && !(m_open.empty() && m_missing.empty());
+}
+
+BatchTotals BatchLoop::run_all() {
+  list_units();
+  if (!m_missing.empty()) make_missing();
+  return m_totals;
+}
+
+}  // namespace
+
+BatchTotals run_batch(const BatchRun& run, const Work& work, const BatchOptions& options) {
+  return BatchLoop(run, work, options).run_all();
+}
+
+bool make_only(const Work& work, const std::vector<std::uint64_t>& ks, int jobs,
+               const WorkLimits& limits, const std::function<void(const SceneMembers&)>& take) {
+  StopSignals signals;
+  Pool pool(work, limits, std::min(jobs, static_cast<int>(ks.size())));
+  std::map<std::uint64_t, SceneMembers> early;
+  size_t next_in = 0, next_out = 0;
+  while (next_out < ks.size()) {
+    signals.look();
+    if (signals.asked()) return false;
+    const size_t most = next_out + 2 * static_cast<size_t>(jobs);  // results wait for their turn
+    for (; next_in < ks.size() && next_in < most; ++next_in) pool.submit(ks[next_in]);
+    for (DoneScene& done : pool.wait(signals.descriptor(), 1000))
+      early[done.k] = std::move(done.members);
+    for (; next_out < ks.size() && early.count(ks[next_out]) != 0; ++next_out) {
+      take(early[ks[next_out]]);
+      early.erase(ks[next_out]);
+    }
+  }
+  return true;
+}
+
+}  // namespace trivet::farm

@@ -1,0 +1,62 @@
+// A batch: the units of a shard that are not there yet, one after the other. Start here.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "apps/farm/batch/shard.h"
+#include "apps/farm/scene/model_store.h"
+#include "apps/farm/store/run_file.h"
+#include "apps/farm/workers/work.h"
+
+namespace trivet::farm {
+
+/// Exit status of a process that was told to stop: run it again (sysexits.h).
+inline constexpr int kComeAgain = 75;
+
+/// A recipe with its models, as a batch uses it.
+struct PreparedRecipe {
+  Recipe recipe;          // models by their stored paths
+  std::string canonical;  // see canonical_recipe(), with the stored paths
+  std::vector<BatchModel> models;
+};
+
+/// Reads the recipe's text, and all bytes of its models.
+/// @param folder  where relative paths of models start.
+/// @throws Error (BadInput).
+PreparedRecipe prepare_recipe(const std::string& text, const std::string& file,
+                              const std::string& folder);
+/// That of a batch that is there, from its own store.
+PreparedRecipe prepared_recipe(const BatchRun& run, const std::string& out);
+
+/// @param stored  models are read from `out`; else where the recipe has them.
+Work work_of(const PreparedRecipe& prepared, const BatchRun& run, const ImportLimits& import,
+             const std::string& out, bool stored);
+
+struct BatchOptions {
+  std::string out;
+  Shard shard;
+  int jobs = 1;
+  WorkLimits limits;
+  std::function<void()> on_models_read;              // before the first unit; may be empty
+  std::function<void(const std::string& line)> log;  // a line for people; may be empty
+};
+
+struct BatchTotals {
+  std::uint64_t units = 0, there_before = 0, dropped = 0;  // of the shard; made by others meanwhile
+  std::uint64_t ok = 0, refused = 0, failed = 0;           // scenes of the shard's units
+  bool stopped = false;                                    // by a signal
+};
+
+/// Makes what is missing of the shard. While it runs SIGTERM and SIGINT stop it within
+/// seconds; units that are not whole are left to the next attempt.
+/// @throws Error (Environment) for a full disk and the like; what is published stays.
+BatchTotals run_batch(const BatchRun& run, const Work& work, const BatchOptions& options);
+
+/// Scenes alone, in this order, to `take`; nothing is written.
+/// @return false if stopped by a signal.
+bool make_only(const Work& work, const std::vector<std::uint64_t>& ks, int jobs,
+               const WorkLimits& limits, const std::function<void(const SceneMembers&)>& take);
+
+}  // namespace trivet::farm

@@ -1,0 +1,36 @@
+// Signals that ask a process to stop, as a descriptor. Private.
+#pragma once
+
+#include <signal.h>
+
+#include <chrono>
+
+#include "apps/farm/workers/frames.h"
+
+namespace trivet::farm {
+
+/// Blocks SIGTERM and SIGINT, and takes them here; as before when it is destroyed. What began
+/// before the first goes on for kSecondsToFinish, after the second for none.
+class StopSignals {
+ public:
+  StopSignals();
+  ~StopSignals();
+  StopSignals(const StopSignals&) = delete;
+  StopSignals& operator=(const StopSignals&) = delete;
+
+  int descriptor() const { return m_descriptor.number(); }
+  /// Reads what has come.
+  void look();
+  bool asked() const { return m_num > 0; }
+  /// No more time to finish anything.
+  bool at_once() const;
+
+ private:
+  static constexpr double kSecondsToFinish = 3;
+  Descriptor m_descriptor;
+  sigset_t m_before;
+  int m_num = 0;
+  std::chrono::steady_clock::time_point m_first;
+};
+
+}  // namespace trivet::farm

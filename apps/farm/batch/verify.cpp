@@ -1,0 +1,83 @@
+#include "apps/farm/batch/audit.h"
+
+namespace trivet::farm {
+namespace {
+
+/// What a scene has to be when it is made again.
+struct Sampled {
+  std::string json;
+  std::map<std::string, Digest> more;
+};
+using Sample = std::map<std::uint64_t, Sampled>;
+
+// The same scenes each time, in every part of the batch.
+bool is_sampled(std::uint64_t k, double share) {
+  return Decision({0, 0}, k, "verify").unit() < share;
+}
+
+Sampled sampled(const Json& scene, const std::vector<Member>& members) {
+  Sampled out{json_line(scene), {}};
+  for (size_t i = 1; i < members.size(); ++i) out.more[members[i].name] = sha256(members[i].bytes);
+  return out;
+}
+
+void check_bytes(const std::string& out, const BatchRun& run, double share, Sample& sample,
+                 Verification& result) {
+  for (std::uint64_t unit = 0; unit < run.num_units(); ++unit) {
+    if (!unit_exists(out, unit, run.format)) continue;
+    ++result.units;
+    std::uint64_t expected = run.first_scene(unit);
+    const std::string finding = check_unit(
+        out, unit, run.format, [&](const Json& scene, const std::vector<Member>& members) {
+          ++result.scenes;
+          if (scene.at("k") != expected++)
+            result.findings.push_back("unit " + std::to_string(unit) + " lacks a scene");
+          if (scene.at("status") == "failed" || share <= 0) return;  // failures have other causes
+          const std::uint64_t k = expected - 1;
+          if (sample.empty() || is_sampled(k, share)) sample[k] = sampled(scene, members);
+        });
+    if (!finding.empty())
+      result.findings.push_back(finding);
+    else if (expected != run.end_scene(unit))
+      result.findings.push_back("unit " + std::to_string(unit) + " lacks scenes");
+  }
+}
+
+std::string difference(const Sampled& there, const SceneMembers& made) {
+  if (json_line(made.scene) != there.json) return "other poses";
+  if (made.more.size() != there.more.size()) return "other members";
+  for (const Member& member : made.more) {
+    const auto it = there.more.find(member.name);
+    if (it == there.more.end() || it->second != sha256(member.bytes))
+      return "another " + member.name;
+  }
+  return "";
+}
+
+}  // namespace
+
+Verification verify_batch(const std::string& out, const VerifyOptions& options) {
+  const BatchRun run = read_run(out);
+  Verification result;
+  Sample sample;
+  check_bytes(out, run, options.sample, sample, result);
+  const PreparedRecipe prepared = prepared_recipe(run, out);
+  for (const BatchModel& model : prepared.models)
+    if (const std::string finding = check_stored(out, model.stored_path()); !finding.empty())
+      result.findings.push_back(finding);
+  if (sample.empty() || !result.findings.empty()) return result;
+  std::vector<std::uint64_t> ks;
+  for (const auto& [k, unused] : sample) ks.push_back(k);
+  const Work work = work_of(prepared, run, options.import, out, true);
+  result.stopped =
+      !make_only(work, ks, options.jobs, options.limits, [&](const SceneMembers& made) {
+        ++result.made_again;
+        const std::uint64_t k = made.scene.at("k");
+        const std::string what = difference(sample.at(k), made);
+        if (!what.empty())
+          result.findings.push_back("scene " + std::to_string(k) + " made again has " + what);
+      });
+  return result;
+}
+
+}  // namespace trivet::farm

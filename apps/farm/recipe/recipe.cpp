@@ -1,0 +1,173 @@
+#include "apps/farm/recipe/recipe.h"
+
+#include <algorithm>
+#include <functional>
+#include <set>
+
+#include "apps/farm/recipe/recipe_json.h"
+#include "apps/farm/recipe/sha256.h"
+#include "core/base/nearest_name.h"
+#include "ops/files/json/json_text.h"
+
+namespace trivet::farm {
+namespace {
+
+constexpr int kRecipeVersion = 1;
+constexpr const char* kOwnKeys[] = {"trivet_recipe", "groups", "then",       "accept",
+                                    "on_refusal",    "tries",  "max_motions"};
+
+/// The part that is a layout, read by the layout's reader: its complaints name the same places.
+Layout read_base(const nlohmann::json& document, const std::string& file) {
+  nlohmann::json layout = document;
+  for (const char* const key : kOwnKeys) layout.erase(key);
+  layout["trivet"] = 1;
+  if (!layout.contains("objects")) layout["objects"] = nlohmann::json::array();
+  return parse_layout(layout.dump(), file);
+}
+
+// "cup_12" of the group "cup".
+bool is_member_name(const std::string& name, const std::string& group) {
+  if (name.size() <= group.size() + 1 || name.compare(0, group.size(), group) != 0) return false;
+  return name[group.size()] == '_' &&
+         std::all_of(name.begin() + static_cast<long>(group.size()) + 1, name.end(),
+                     [](unsigned char c) { return '0' <= c && c <= '9'; });
+}
+
+/// Names that objects can be put on or in, at some point of the recipe.
+class Known {
+ public:
+  explicit Known(const Layout& base) : m_floor(base.floor) {
+    for (const LayoutObject& object : base.objects) m_names.insert(object.name);
+    for (const Operation& operation : base.operations) {
+      if (const auto* append = std::get_if<AppendOperation>(&operation))
+        m_names.insert(append->object);
+      if (const auto* copy = std::get_if<DuplicateOperation>(&operation)) m_names.insert(copy->as);
+      if (const auto* gone = std::get_if<DeleteOperation>(&operation)) m_names.erase(gone->object);
+    }
+  }
+
+  void add_group(const JsonPlace& place, const std::string& name) {
+    for (const std::string& known : m_names)
+      if (known == name || is_member_name(known, name) ||
+          (m_groups.count(known) && is_member_name(name, known)))
+        place.refuse("a name that neither an object or group has, nor this group's objects: " +
+                     name + "_0, " + name + "_1, ...");
+    m_names.insert(name);
+    m_groups.insert(name);
+  }
+  void expect(const JsonPlace& place, const std::string& name, bool floor) const {
+    if (m_names.count(name) || (floor && m_floor && name == "floor")) return;
+    place.refuse((floor && m_floor ? "\"floor\", " : "") +
+                 std::string("the name of an object or of a group above") +
+                 did_you_mean(name, {m_names.begin(), m_names.end()}));
+  }
+  void expect_group(const JsonPlace& place, const std::string& name) const {
+    if (m_groups.count(name)) return;
+    place.refuse("the name of a group" + did_you_mean(name, {m_groups.begin(), m_groups.end()}));
+  }
+
+ private:
+  bool m_floor;
+  std::set<std::string> m_names, m_groups;
+};
+
+void check_place(const JsonPlace& place, const RecipeGroup& group, const Known& known) {
+  if (const auto* on = std::get_if<PutOn>(&group.place))
+    for (const std::string& name : on->on) known.expect(place.at("on"), name, true);
+  if (const auto* in = std::get_if<PutIn>(&group.place))
+    for (const std::string& name : in->in) known.expect(place.at("in"), name, false);
+}
+
+OnRefusal read_on_refusal(const JsonPlace& place) {
+  if (place.value() == "keep") return OnRefusal::Keep;
+  if (place.value() == "retry") return OnRefusal::Retry;
+  if (place.value() == "drop") return OnRefusal::Drop;
+  place.refuse("\"keep\", \"retry\" or \"drop\"");
+}
+
+void check_top(const JsonPlace& root) {
+  root.expect_object({"trivet_recipe"},
+                     {"floor", "material", "floor_material", "settle", "objects", "operations",
+                      "groups", "then", "accept", "on_refusal", "tries", "max_motions"});
+  const JsonPlace version = root.at("trivet_recipe");
+  if (!version.value().is_number() || version.value() != kRecipeVersion)
+    version.refuse(std::to_string(kRecipeVersion) + ", the version of the recipe format");
+}
+
+void read_groups(const JsonPlace& root, Recipe& recipe) {
+  Known known(recipe.base);
+  if (const auto groups = root.find("groups"))
+    for (const JsonPlace& item : groups->items()) {
+      recipe.groups.push_back(read_group(item));
+      check_place(item, recipe.groups.back(), known);
+      known.add_group(item.at("name"), recipe.groups.back().name);
+    }
+  if (const auto then = root.find("then"))
+    for (const JsonPlace& item : then->items()) {
+      recipe.then.push_back(read_move(item));
+      if (!recipe.then.back().group.empty())
+        known.expect_group(item.at("group"), recipe.then.back().group);
+    }
+}
+
+void rename_models(nlohmann::json& document, const char* list,
+                   const std::function<std::string(const std::string&)>& rename) {
+  if (!document.contains(list)) return;
+  for (nlohmann::json& item : document[list])
+    if (item.contains("model")) item["model"] = rename(item["model"].get<std::string>());
+}
+
+}  // namespace
+
+Recipe parse_recipe(const std::string& text, const std::string& file) {
+  const nlohmann::json document = parse_json(text, file);
+  const JsonPlace root(document, file);
+  check_top(root);
+  Recipe recipe;
+  recipe.base = read_base(document, file);
+  read_groups(root, recipe);
+  if (const auto accept = root.find("accept")) recipe.accept = read_acceptance(*accept);
+  if (const auto rule = root.find("on_refusal")) recipe.on_refusal = read_on_refusal(*rule);
+  if (const auto tries = root.find("tries")) {
+    if (recipe.on_refusal != OnRefusal::Retry)
+      tries->fail("there is no \"on_refusal\": \"retry\" for it");
+    recipe.tries = read_integer(*tries, 1, kMaxTries);
+  }
+  if (const auto most = root.find("max_motions"))
+    recipe.max_motions = read_integer(*most, 1, 1'000'000'000);
+  if (recipe.base.objects.empty() && recipe.groups.empty())
+    root.fail("neither \"objects\" nor \"groups\"; accepted: at least one object or group");
+  return recipe;
+}
+
+std::string canonical_recipe(const std::string& text, const std::string& file,
+                             const std::function<std::string(const std::string&)>& rename) {
+  nlohmann::json document = parse_json(text, file);
+  rename_models(document, "objects", rename);
+  rename_models(document, "operations", rename);
+  if (document.contains("groups"))
+    for (nlohmann::json& group : document["groups"]) rename_models(group, "models", rename);
+  return document.dump();
+}
+
+std::vector<std::string> models_of(const Recipe& recipe) {
+  std::set<std::string> out;
+  for (const LayoutObject& object : recipe.base.objects) out.insert(object.model);
+  for (const Operation& operation : recipe.base.operations)
+    if (const auto* append = std::get_if<AppendOperation>(&operation)) out.insert(append->model);
+  for (const RecipeGroup& group : recipe.groups)
+    for (const RecipeModel& model : group.models) out.insert(model.object.model);
+  return {out.begin(), out.end()};
+}
+
+PhiloxKey recipe_key(const std::string& canonical, std::uint64_t seed) {
+  const Digest d = sha256(sha256_hex(canonical) + " " + std::to_string(seed));
+  const auto word = [&](size_t at) {
+    return static_cast<std::uint32_t>(d[at]) | static_cast<std::uint32_t>(d[at + 1]) << 8 |
+           static_cast<std::uint32_t>(d[at + 2]) << 16 |
+           static_cast<std::uint32_t>(d[at + 3]) << 24;
+  };
+  return {word(0), word(4)};
+}
+
+}  // namespace trivet::farm

@@ -1,0 +1,194 @@
+#include "apps/farm/recipe/recipe_json.h"
+
+#include <cmath>
+
+#include "core/base/limits.h"
+#include "ops/files/json/material_json.h"
+#include "ops/files/json/operation_json.h"
+#include "ops/files/layout/label_keys.h"
+
+namespace trivet::farm {
+namespace {
+
+bool is_integer(const nlohmann::json& value, int lower, int upper) {
+  if (!value.is_number()) return false;
+  const double number = value.get<double>();
+  return lower <= number && number <= upper && number == std::floor(number);
+}
+
+std::string read_plain_name(const JsonPlace& place) {
+  const std::string name = place.text();
+  if (name == "floor") place.refuse("any name but \"floor\", which is the floor");
+  return name;
+}
+
+/// Reads what a model has of a layout's object by the layout's reader: the same keys, ranges and
+/// messages.
+RecipeModel read_model_entry(const JsonPlace& place) {
+  place.expect_object({"model"}, {"weight", "scale", "up", "material", "chord", "facet_angle_deg",
+                                  "class", "attributes"});
+  RecipeModel out;
+  LayoutObject& object = out.object;
+  object.model = place.at("model").text();
+  if (const auto weight = place.find("weight")) out.weight = weight->number(1e-9, 1e9);
+  if (const auto scale = place.find("scale")) object.scale = scale->number(kMinScale, kMaxScale);
+  if (const auto up = place.find("up")) object.up = read_up(*up);
+  if (const auto material = place.find("material")) object.material = read_material(*material);
+  object.tessellation = read_tessellation(place, object.model);
+  read_labels(place, object);
+  return out;
+}
+
+std::vector<std::string> read_names(const JsonPlace& place) {
+  if (place.value().is_string()) return {place.text()};
+  std::vector<std::string> out;
+  for (const JsonPlace& item : place.items()) out.push_back(item.text());
+  if (out.empty()) place.refuse("a name, or an array of at least one");
+  return out;
+}
+
+PutOn read_on(const JsonPlace& place) {
+  PutOn out{read_names(place.at("on")), 0};
+  if (const auto keep = place.find("keep")) out.keep = keep->number(0, kMaxLength);
+  return out;
+}
+
+PutIn read_in(const JsonPlace& place) {
+  PutIn out{read_names(place.at("in"))};
+  for (const std::string& name : out.in)
+    if (name == "floor") place.at("in").refuse("objects or groups; the floor has no inside");
+  if (const auto above = place.find("above")) out.above = above->number(0, kMaxLength);
+  return out;
+}
+
+PutHeap read_heap(const JsonPlace& place) {
+  place.expect_object({"radius", "height"}, {"centre", "rise"});
+  PutHeap out;
+  out.radius = place.at("radius").number(0, kMaxLength);
+  out.height = place.at("height").number(-kMaxLength, kMaxLength);
+  if (const auto rise = place.find("rise")) out.rise = rise->number(0, kMaxLength);
+  if (const auto centre = place.find("centre")) {
+    const std::vector<double> c = centre->numbers(2, -kMaxLength, kMaxLength);
+    out.centre = {c[0], c[1]};
+  }
+  return out;
+}
+
+PlaceRule read_place_rule(const JsonPlace& place) {
+  const int num_ways =
+      (place.find("on") ? 1 : 0) + (place.find("in") ? 1 : 0) + (place.find("heap") ? 1 : 0);
+  if (num_ways != 1)
+    place.fail(std::to_string(num_ways) +
+               " of the keys \"on\", \"in\" and \"heap\"; accepted: exactly one, which says where");
+  const auto only_with = [&](const char* key, const char* other) {
+    if (place.find(key) && !place.find(other))
+      place.at(key).fail("there is no \"" + std::string(other) + "\" for it");
+  };
+  only_with("keep", "on");
+  only_with("above", "in");
+  if (place.find("on")) return read_on(place);
+  if (place.find("in")) return read_in(place);
+  return read_heap(place.at("heap"));
+}
+
+void read_rotation_rule(const JsonPlace& place, RecipeGroup& group) {
+  if (place.value() == "yaw") return;
+  if (place.value() == "any") {
+    group.rotation = RotationRule::Any;
+    return;
+  }
+  if (!place.value().is_array()) place.refuse("\"yaw\", \"any\" or a quaternion [w, x, y, z]");
+  const std::vector<double> q = place.numbers(4, -kMaxQuaternionComponent, kMaxQuaternionComponent);
+  const auto rotation = unit_rotation({q[0], q[1], q[2], q[3]});
+  if (!rotation) place.refuse("a quaternion [w, x, y, z] whose length is not zero");
+  group.rotation = RotationRule::Given;
+  group.given = *rotation;
+}
+
+}  // namespace
+
+int read_integer(const JsonPlace& place, int lower, int upper) {
+  if (!is_integer(place.value(), lower, upper))
+    place.refuse("a whole number from " + std::to_string(lower) + " to " + std::to_string(upper));
+  return static_cast<int>(place.value().get<double>());
+}
+
+Interval read_interval(const JsonPlace& place, double lower, double upper) {
+  if (!place.value().is_array()) {
+    const double both = place.number(lower, upper);
+    return {both, both};
+  }
+  const std::vector<double> ends = place.numbers(2, lower, upper);
+  if (ends[0] > ends[1]) place.refuse("[low, high] with low <= high");
+  return {ends[0], ends[1]};
+}
+
+Counts read_counts(const JsonPlace& place, int lower, int upper) {
+  if (!place.value().is_array()) {
+    const int both = read_integer(place, lower, upper);
+    return {both, both};
+  }
+  const std::vector<JsonPlace> ends = place.items();
+  if (ends.size() != 2) place.refuse("a whole number, or [low, high]");
+  const Counts out{read_integer(ends[0], lower, upper), read_integer(ends[1], lower, upper)};
+  if (out.low > out.high) place.refuse("[low, high] with low <= high");
+  return out;
+}
+
+RecipeGroup read_group(const JsonPlace& place) {
+  place.expect_object({"name", "models"},
+                      {"count", "scale_range", "rotation", "on", "keep", "in", "above", "heap"});
+  RecipeGroup group;
+  group.name = read_plain_name(place.at("name"));
+  for (const JsonPlace& item : place.at("models").items())
+    group.models.push_back(read_model_entry(item));
+  if (group.models.empty()) place.at("models").refuse("an array of at least one model");
+  if (const auto count = place.find("count"))
+    group.count = read_counts(*count, 0, kMaxObjectsOfGroup);
+  if (const auto range = place.find("scale_range"))
+    group.scale_range = read_interval(*range, 1e-6, 1e6);
+  if (const auto rotation = place.find("rotation")) read_rotation_rule(*rotation, group);
+  group.place = read_place_rule(place);
+  return group;
+}
+
+RecipeMove read_move(const JsonPlace& place) {
+  if (!place.value().is_object()) place.refuse("an object with the keys op, ...");
+  const JsonPlace op = place.at("op");
+  RecipeMove move;
+  if (op.value() == "push") {
+    place.expect_object({"op", "distance"}, {"group", "count"});
+    move.distance = read_interval(place.at("distance"), 0, kMaxLength);
+  } else if (op.value() == "turn") {
+    place.expect_object({"op", "angle_deg"}, {"group", "count"});
+    move.kind = RecipeMove::Kind::Turn;
+    move.angle_deg = read_interval(place.at("angle_deg"), -kMaxAngleDeg, kMaxAngleDeg);
+  } else {
+    op.refuse("\"push\" or \"turn\"");
+  }
+  if (const auto group = place.find("group")) move.group = group->text();
+  if (const auto count = place.find("count"))
+    move.count = read_counts(*count, 0, kMaxObjectsOfGroup);
+  return move;
+}
+
+Acceptance read_acceptance(const JsonPlace& place) {
+  place.expect_object({}, {"min_objects", "stable", "min_margin", "max_refused", "attempts"});
+  Acceptance out;
+  if (const auto least = place.find("min_objects"))
+    out.min_objects = read_integer(*least, 0, 1'000'000'000);
+  if (const auto stable = place.find("stable")) out.stable = stable->boolean();
+  if (const auto margin = place.find("min_margin")) out.min_margin = margin->number(0, kMaxLength);
+  if (const auto most = place.find("max_refused"))
+    out.max_refused = read_integer(*most, 0, 1'000'000'000);
+  if (const auto attempts = place.find("attempts"))
+    out.attempts = read_integer(*attempts, 1, kMaxTries);
+  if (out.min_margin > 0 && !out.stable)
+    place.at("min_margin")
+        .fail(
+            "a margin of a scene that need not be stable; accepted: with "
+            "\"stable\": true");
+  return out;
+}
+
+}  // namespace trivet::farm

@@ -1,0 +1,121 @@
+#include "apps/farm/scene/scene_json.h"
+
+#include <cmath>
+
+#include "core/base/bad_input.h"
+#include "ops/files/json/material_json.h"
+#include "ops/files/json/operation_json.h"
+#include "ops/files/report/json_parts.h"
+
+namespace trivet::farm {
+namespace {
+
+Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(); }
+
+void add_pose(const Object& object, Json& json) {
+  json["position"] = to_json(object.pose.translation);
+  const Rotation& r = object.pose.rotation;
+  json["rotation"] = {r.w, r.x, r.y, r.z};
+}
+
+Json object_of_scene(const Object& object, const LayoutObject& wanted, const std::string& reason) {
+  Json json = {{"name", object.name}, {"model", object.model->path}, {"scale", object.scale}};
+  json["up"] = object.up == UpAxis::Y ? "y" : "z";
+  write_tessellation(wanted.tessellation, json);
+  json["material"] = material_json(object.material);
+  if (!wanted.class_name.empty()) json["class"] = wanted.class_name;
+  if (!wanted.attributes.empty()) json["attributes"] = Json::parse(wanted.attributes);
+  if (object.fixed) json["fixed"] = true;
+  if (object.placed) {
+    add_pose(object, json);
+  } else {
+    json["position"] = json["rotation"] = nullptr;
+  }
+  json["state"] = to_string(object.state);
+  if (!reason.empty()) json["reason"] = reason;
+  return json;
+}
+
+double least_friction(const Scene& scene) {
+  double out = 0;
+  for (const ObjectId id : scene.ids()) {
+    const Object& object = scene.at(id);
+    if (object.placed && !object.fixed) out = std::max(out, object.least_friction);
+  }
+  return out;
+}
+
+// By name: objects that operations appended have none.
+std::map<std::string, const LayoutObject*> wanted_by_name(const Layout& layout) {
+  std::map<std::string, const LayoutObject*> out;
+  for (const LayoutObject& object : layout.objects) out[object.name] = &object;
+  return out;
+}
+
+void add_totals(const MadeScene& made, Json& json) {
+  const LayoutRun& run = made.run;
+  size_t refused = 0, triangles = 0;
+  for (const OperationRecord& record : run.operations) refused += record.result.ok() ? 0 : 1;
+  for (const ObjectId id : run.scene.ids())
+    if (run.scene.at(id).placed) triangles += run.scene.at(id).shape->mesh.triangles.size();
+  json["operations"] = run.operations.size();
+  json["refused"] = refused;
+  json["triangles"] = triangles;
+  json["stability"] = to_string(run.stability.status);
+  json["margin"] = finite(run.stability.margin);
+  json["smallest_gap"] = finite(run.check.smallest_gap);
+  json["least_friction"] = finite(least_friction(run.scene));
+}
+
+}  // namespace
+
+Json scene_json(std::uint64_t k, const MadeScene& made) {
+  Json json = {{"k", k}, {"status", made.accepted ? "ok" : "refused"}};
+  if (!made.accepted) json["reason"] = made.reason;
+  json["attempt"] = made.attempt;
+  add_totals(made, json);
+  const auto wanted = wanted_by_name(made.layout);
+  const LayoutObject none;
+  Json objects = Json::array();
+  for (const ObjectId id : made.run.scene.ids()) {
+    const Object& object = made.run.scene.at(id);
+    const auto it = wanted.find(object.name);
+    const auto left_out = made.left_out.find(object.name);
+    objects.push_back(object_of_scene(object, it == wanted.end() ? none : *it->second,
+                                      left_out == made.left_out.end() ? "" : left_out->second));
+  }
+  json["objects"] = std::move(objects);
+  return json;
+}
+
+Json failed_scene_json(std::uint64_t k, const std::string& reason) {
+  return {{"k", k}, {"status", "failed"}, {"reason", reason}, {"objects", Json::array()}};
+}
+
+Json manifest_row(const Json& scene) {
+  Json row = scene;
+  size_t placed = 0;
+  for (const Json& object : scene.at("objects")) placed += object.at("position").is_null() ? 0 : 1;
+  row["objects"] = placed;
+  return row;
+}
+
+std::string json_line(const Json& json) {
+  return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+Layout layout_of_poses(const Recipe& recipe, const Json& scene, const std::string& where) {
+  Json json = {{"trivet", 1}, {"floor", recipe.base.floor}, {"objects", Json::array()}};
+  for (Json object : scene.at("objects")) {
+    if (object.at("position").is_null()) continue;
+    object.erase("state");
+    json["objects"].push_back(std::move(object));
+  }
+  Layout layout = parse_layout(json.dump(), where);
+  layout.settle = recipe.base.settle;
+  layout.material = recipe.base.material;
+  layout.floor_material = recipe.base.floor_material;
+  return layout;
+}
+
+}  // namespace trivet::farm

@@ -1,0 +1,185 @@
+#include "apps/farm/store/publish.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+
+#include "core/base/error.h"
+
+namespace trivet::farm {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kTemporaryMark = ".trivet-tmp.";
+
+[[noreturn]] void fail(const std::string& path, int error) {
+  throw Error(Error::Kind::Environment, path + ": cannot be written: " + std::strerror(error));
+}
+
+std::string folder_of_file(const std::string& path) {
+  const std::string folder = fs::path(path).parent_path().string();
+  return folder.empty() ? "." : folder;
+}
+
+// A name that is in the folder is on the disk only when the folder is.
+void sync_folder(const std::string& folder) {
+  const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) fail(folder, errno);
+  const int result = fsync(descriptor);
+  const int error = errno;
+  close(descriptor);
+  if (result != 0 && error != EINVAL && error != EBADF) fail(folder, error);
+}
+
+int created(const std::string& path) {
+  const int descriptor = open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+  if (descriptor < 0) fail(path, errno);
+  return descriptor;
+}
+
+void write_all(int descriptor, std::string_view bytes, const std::string& path) {
+  while (!bytes.empty()) {
+    const ssize_t count = write(descriptor, bytes.data(), bytes.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) fail(path, errno);
+    bytes.remove_prefix(static_cast<size_t>(count));
+  }
+}
+
+void sync_and_close(int descriptor, const std::string& path) {
+  const int synced = fsync(descriptor);
+  const int error = errno;
+  const int closed = close(descriptor);
+  if (synced != 0) fail(path, error);
+  if (closed != 0) fail(path, errno);
+}
+
+bool has_no_links(int error) {
+  return error == EPERM || error == EOPNOTSUPP || error == ENOSYS || error == EMLINK;
+}
+
+// NFS may lose the answer of a link that was made: the number of names tells.
+bool has_two_names(const std::string& path) {
+  struct stat status {};
+  return stat(path.c_str(), &status) == 0 && status.st_nlink == 2;
+}
+
+}  // namespace
+
+std::string temporary_name(const std::string& path) {
+  char host[256] = "";
+  gethostname(host, sizeof host - 1);
+  const fs::path file(path);
+  const std::string name =
+      "." + file.filename().string() + kTemporaryMark + host + "." + std::to_string(getpid());
+  return (file.parent_path() / name).string();
+}
+
+bool is_temporary(const std::string& file_name) {
+  return !file_name.empty() && file_name[0] == '.' &&
+         file_name.find(kTemporaryMark) != std::string::npos;
+}
+
+void make_folders(const std::string& path) {
+  std::error_code error;
+  fs::create_directories(path, error);
+  if (error) fail(path, error.value());
+}
+
+PublishedFile::PublishedFile(const std::string& path)
+    : m_path(path), m_temporary(temporary_name(path)) {
+  make_folders(folder_of_file(path));
+  m_descriptor = created(m_temporary);
+}
+
+PublishedFile::~PublishedFile() {
+  if (m_descriptor >= 0) close(m_descriptor);
+  unlink(m_temporary.c_str());
+}
+
+void PublishedFile::write(std::string_view bytes) { write_all(m_descriptor, bytes, m_path); }
+
+bool PublishedFile::publish() {
+  const int descriptor = m_descriptor;
+  m_descriptor = -1;
+  sync_and_close(descriptor, m_path);
+  bool first = link(m_temporary.c_str(), m_path.c_str()) == 0;
+  if (!first) {
+    const int error = errno;
+    if (has_two_names(m_temporary)) {
+      first = true;
+    } else if (has_no_links(error)) {
+      first = access(m_path.c_str(), F_OK) != 0;
+      if (first && rename(m_temporary.c_str(), m_path.c_str()) != 0) fail(m_path, errno);
+    } else if (error != EEXIST) {
+      fail(m_path, error);
+    }
+  }
+  if (first) sync_folder(folder_of_file(m_path));
+  return first;
+}
+
+PublishedFolder::PublishedFolder(const std::string& path)
+    : m_path(path), m_temporary(temporary_name(path)) {
+  std::error_code ignored;
+  fs::remove_all(m_temporary, ignored);
+  make_folders(m_temporary);
+}
+
+PublishedFolder::~PublishedFolder() {
+  std::error_code ignored;
+  fs::remove_all(m_temporary, ignored);
+}
+
+std::string PublishedFolder::prepared(const std::string& name) {
+  const std::string path = (fs::path(m_temporary) / name).string();
+  make_folders(folder_of_file(path));
+  return path;
+}
+
+void PublishedFolder::add(const std::string& name, std::string_view bytes) {
+  const std::string path = prepared(name);
+  const int descriptor = created(path);
+  try {
+    write_all(descriptor, bytes, path);
+  } catch (...) {
+    close(descriptor);
+    throw;
+  }
+  sync_and_close(descriptor, path);
+}
+
+void PublishedFolder::add_copy(const std::string& name, const std::string& from) {
+  const std::string path = prepared(name);
+  std::error_code error;
+  fs::copy_file(from, path, fs::copy_options::overwrite_existing, error);
+  if (error) fail(path, error.value());
+  fs::permissions(path,
+                  fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read |
+                      fs::perms::others_read,
+                  error);
+  const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) fail(path, errno);
+  sync_and_close(descriptor, path);
+}
+
+bool PublishedFolder::publish() {
+  for (const auto& entry : fs::recursive_directory_iterator(m_temporary))
+    if (entry.is_directory()) sync_folder(entry.path().string());
+  sync_folder(m_temporary);
+  if (rename(m_temporary.c_str(), m_path.c_str()) == 0) {
+    sync_folder(folder_of_file(m_path));
+    return true;
+  }
+  if (errno != ENOTEMPTY && errno != EEXIST) fail(m_path, errno);
+  return false;
+}
+
+}  // namespace trivet::farm

@@ -1,0 +1,57 @@
+// Files and folders that appear whole or not at all, and never replace one that is there.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace trivet::farm {
+
+/// A file of another name in the same folder, ".NAME.HOST.PID", until it is published. Deleted by
+/// the destructor unless it was published; kill -9 leaves it behind, see is_temporary().
+class PublishedFile {
+ public:
+  /// @throws Error (Environment) when it cannot be made. Makes the folder.
+  explicit PublishedFile(const std::string& path);
+  ~PublishedFile();
+  PublishedFile(const PublishedFile&) = delete;
+  PublishedFile& operator=(const PublishedFile&) = delete;
+
+  /// @throws Error (Environment), such as on a full disk.
+  void write(std::string_view bytes);
+  /// fsync, then link(2), which fails where the name is taken: the first one wins. Where the file
+  /// system has no hard links: rename(2).
+  /// @return false if another one was there: this one is dropped.
+  bool publish();
+
+ private:
+  std::string m_path, m_temporary;
+  int m_descriptor = -1;
+};
+
+/// The same of a folder with files.
+class PublishedFolder {
+ public:
+  explicit PublishedFolder(const std::string& path);
+  ~PublishedFolder();
+  PublishedFolder(const PublishedFolder&) = delete;
+  PublishedFolder& operator=(const PublishedFolder&) = delete;
+
+  /// @param name  relative, with folders. @throws Error (Environment).
+  void add(const std::string& name, std::string_view bytes);
+  void add_copy(const std::string& name, const std::string& from);
+  bool publish();
+
+ private:
+  std::string prepared(const std::string& name);
+
+  std::string m_path, m_temporary;
+};
+
+/// ".NAME.HOST.PID": left by a process that was killed, or being written.
+std::string temporary_name(const std::string& path);
+bool is_temporary(const std::string& file_name);
+
+/// @throws Error (Environment) naming it.
+void make_folders(const std::string& path);
+
+}  // namespace trivet::farm

@@ -1,0 +1,94 @@
+#include "apps/farm/store/run_file.h"
+
+#include <filesystem>
+
+#include "apps/farm/store/publish.h"
+#include "core/base/bad_input.h"
+#include "ops/files/json/json_text.h"
+
+namespace trivet::farm {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kRunVersion = 1;
+constexpr std::uintmax_t kMaxBytes = std::uintmax_t{1} << 30;
+
+std::string path_in(const std::string& out) { return (fs::path(out) / "run.json").string(); }
+
+Json json_of(const BatchRun& run) {
+  return {{"trivet_batch", kRunVersion},
+          {"version", run.version},
+          {"seed", run.seed},
+          {"count", run.count},
+          {"per_unit", run.per_unit},
+          {"format", to_string(run.format)},
+          {"with_scene", run.with_scene},
+          {"with_report", run.with_report},
+          {"recipe_sha256", sha256_hex(run.recipe)},
+          {"recipe", Json::parse(run.recipe)}};
+}
+
+UnitFormat read_format(const JsonPlace& place) {
+  for (const UnitFormat format : {UnitFormat::Tar, UnitFormat::Dir, UnitFormat::Poses})
+    if (place.value() == to_string(format)) return format;
+  place.refuse("\"tar\", \"dir\" or \"poses\"");
+}
+
+std::uint64_t read_count(const JsonPlace& place) {
+  if (!place.value().is_number_unsigned()) place.refuse("a whole number");
+  return place.value().get<std::uint64_t>();
+}
+
+std::string shown(const Json& value) {
+  const std::string text = value.dump();
+  return text.size() > 60 ? text.substr(0, 60) + "..." : text;
+}
+
+}  // namespace
+
+std::string run_json(const BatchRun& run) { return readable_json(json_of(run)); }
+
+BatchRun read_run(const std::string& out) {
+  const std::string file = path_in(out);
+  const nlohmann::json document = parse_json(read_text_file(file, kMaxBytes), file);
+  const JsonPlace root(document, file);
+  root.expect_object({"trivet_batch", "version", "seed", "count", "per_unit", "format",
+                      "with_scene", "with_report", "recipe_sha256", "recipe"},
+                     {});
+  BatchRun run;
+  run.version = root.at("version").text();
+  run.seed = read_count(root.at("seed"));
+  run.count = read_count(root.at("count"));
+  run.per_unit = read_count(root.at("per_unit"));
+  if (run.per_unit == 0) root.at("per_unit").refuse("a whole number from 1");
+  run.format = read_format(root.at("format"));
+  run.with_scene = root.at("with_scene").boolean();
+  run.with_report = root.at("with_report").boolean();
+  run.recipe = root.at("recipe").value().dump();
+  if (root.at("recipe_sha256").value() != sha256_hex(run.recipe))
+    root.at("recipe_sha256").fail("is not that of the recipe; the file was changed");
+  return run;
+}
+
+void check_run(const std::string& out, const BatchRun& run) {
+  std::error_code ignored;
+  if (!fs::exists(path_in(out), ignored)) {
+    const PublishedFile trial(path_in(out));
+    return;
+  }
+  const Json ours = json_of(run), theirs = json_of(read_run(out));
+  for (const auto& [key, value] : ours.items())
+    if (theirs.at(key) != value)
+      bad_input(path_in(out) + ": another batch is in this folder: " + key + " is " +
+                shown(theirs.at(key)) + ", here " + shown(value) +
+                "; accepted: the same recipe, models, options and version, or another --out");
+}
+
+void claim_run(const std::string& out, const BatchRun& run) {
+  PublishedFile file(path_in(out));
+  file.write(run_json(run));
+  if (!file.publish()) check_run(out, run);
+}
+
+}  // namespace trivet::farm

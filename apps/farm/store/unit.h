@@ -1,0 +1,89 @@
+// Units of a batch: a number of scenes in one tar, folder or file, with a manifest at its end.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "apps/farm/recipe/sha256.h"
+#include "apps/farm/scene/scene_json.h"
+
+namespace trivet::farm {
+
+/// A scene is JSON (scene_json.h), and perhaps more: members "NAME.json", "NAME.glb", NAME being k
+/// with nine digits.
+enum class UnitFormat {
+  Tar,    // scenes-T.tar: members of all scenes, and last manifest.jsonl
+  Dir,    // scenes-T/: the same as files
+  Poses,  // scenes-T.jsonl: a line of JSON per scene, and an end
+};
+const char* to_string(UnitFormat format);  // "tar", "dir", "poses"
+
+struct Member {
+  std::string name, bytes;
+};
+struct SceneMembers {
+  Json scene;
+  std::vector<Member> more;
+};
+
+std::string member_name(std::uint64_t k, const std::string& extension);
+/// 0012/scenes-012345.tar: a thousand units to a folder.
+std::string unit_name(std::uint64_t unit, UnitFormat format);
+
+/// Lines of a manifest: a row per scene, with the SHA-256 of its members, and an end with the
+/// number of scenes and the SHA-256 of all lines before it.
+class Manifest {
+ public:
+  void add(const Json& scene, const std::vector<Member>& members);
+  /// @param unit  its number.
+  std::string finished(std::uint64_t unit) const;
+
+ private:
+  std::string m_lines;
+  std::uint64_t m_num_scenes = 0;
+};
+
+/// Writes a unit, scene after scene. Nothing is left of one that is not published, see publish.h.
+class UnitWriter {
+ public:
+  /// @throws Error (Environment), as all functions here.
+  UnitWriter(const std::string& out, std::uint64_t unit, UnitFormat format);
+  ~UnitWriter();
+  UnitWriter(const UnitWriter&) = delete;
+  UnitWriter& operator=(const UnitWriter&) = delete;
+
+  void add(const SceneMembers& scene);
+  /// @return false if another process was first: this one is dropped.
+  bool publish();
+
+ private:
+  struct Output;
+  std::uint64_t m_unit;
+  UnitFormat m_format;
+  Manifest m_manifest;
+  std::unique_ptr<Output> m_output;
+};
+
+bool unit_exists(const std::string& out, std::uint64_t unit, UnitFormat format);
+
+/// Calls visit(row) for the scenes of a unit that is there: rows as of manifest_row().
+/// @throws Error (BadInput) when there is no whole manifest.
+void visit_rows(const std::string& out, std::uint64_t unit, UnitFormat format,
+                const std::function<void(const Json& row)>& visit);
+
+/// "" if all bytes of the unit are those that its scenes' JSON gives again: manifest, container and
+/// the SHA-256 of every member; else what differs.
+/// @param visit  called with each scene and all its members, its JSON first; may be empty.
+using SceneVisitor = std::function<void(const Json& scene, const std::vector<Member>& members)>;
+std::string check_unit(const std::string& out, std::uint64_t unit, UnitFormat format,
+                       const SceneVisitor& visit);
+
+/// One scene of a unit.
+/// @throws Error (BadInput) when it is not there.
+Json read_scene(const std::string& out, std::uint64_t unit, UnitFormat format, std::uint64_t k);
+
+}  // namespace trivet::farm

@@ -1,0 +1,189 @@
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "apps/farm/store/tar.h"
+#include "apps/farm/store/unit.h"
+#include "core/base/bad_input.h"
+
+namespace trivet::farm {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kManifest = "manifest.jsonl";
+
+std::string file_bytes(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream out;
+  if (!in || !(out << in.rdbuf())) bad_file(path.string(), "cannot be read");
+  return out.str();
+}
+
+// Members of a folder in the order in which a tar has them.
+void visit_folder(const fs::path& folder, const TarVisitor& visit) {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.path().filename() != kManifest) names.push_back(entry.path().filename().string());
+  const auto key = [](const std::string& name) {
+    const bool scene = name.size() > 5 && name.compare(name.size() - 5, 5, ".json") == 0 &&
+                       name.find('.') == name.size() - 5;
+    return std::make_pair(name.substr(0, name.find('.')), (scene ? "0" : "1") + name);
+  };
+  std::sort(names.begin(), names.end(),
+            [&](const std::string& a, const std::string& b) { return key(a) < key(b); });
+  names.emplace_back(kManifest);
+  for (const std::string& name : names) visit(name, [&] { return file_bytes(folder / name); });
+}
+
+void visit_members(const fs::path& path, UnitFormat format, const TarVisitor& visit) {
+  if (format == UnitFormat::Tar) return visit_tar(path.string(), visit);
+  visit_folder(path, visit);
+}
+
+Json parsed(const std::string& line, const std::string& where) {
+  Json json = Json::parse(line, nullptr, false);
+  if (!json.is_object()) bad_file(where, "is damaged: a line is no JSON object");
+  return json;
+}
+
+/// Splits lines that all end with a line feed.
+std::vector<std::string> lines_of(const std::string& text, const std::string& where) {
+  std::vector<std::string> out;
+  size_t from = 0;
+  for (size_t to; (to = text.find('\n', from)) != std::string::npos; from = to + 1)
+    out.push_back(text.substr(from, to + 1 - from));
+  if (from != text.size() || out.empty()) bad_file(where, "is damaged: it ends early");
+  return out;
+}
+
+/// Lines without the end, which has to fit.
+std::vector<Json> rows_of(const std::string& text, const std::string& where) {
+  std::vector<std::string> lines = lines_of(text, where);
+  const Json end = parsed(lines.back(), where);
+  lines.pop_back();
+  if (end.value("scenes", size_t{0}) != lines.size() || !end.contains("end"))
+    bad_file(where, "is damaged: the end of its manifest is missing");
+  std::vector<Json> out;
+  out.reserve(lines.size());
+  for (const std::string& line : lines) out.push_back(parsed(line, where));
+  return out;
+}
+
+/// Makes the unit again from what is in it, and compares.
+class Checker {
+ public:
+  explicit Checker(UnitFormat format)
+      : m_tar([this](std::string_view bytes) { m_again.add(bytes); }), m_format(format) {}
+
+  void add(const std::string& name, std::string bytes, const SceneVisitor& visit) {
+    if (m_format == UnitFormat::Tar) m_tar.add(name, bytes);
+    const std::string stem = name.substr(0, name.find('.'));
+    if (name == kManifest) {
+      end_scene(visit);
+      m_manifest = std::move(bytes);
+      return;
+    }
+    if (name == stem + ".json") {
+      end_scene(visit);
+      m_scene = parsed(bytes, name);
+    }
+    m_members.push_back({name, std::move(bytes)});
+  }
+
+  std::string finding(const fs::path& path, std::uint64_t unit) {
+    if (m_manifest != m_expected.finished(unit))
+      return path.string() + ": the manifest is not that of the scenes";
+    if (m_format != UnitFormat::Tar) return "";
+    m_tar.finish();
+    return hex(m_again.digest()) == sha256_hex(file_bytes(path))
+               ? ""
+               : path.string() + ": the tar has other bytes than its members give";
+  }
+
+ private:
+  void end_scene(const SceneVisitor& visit) {
+    if (m_members.empty()) return;
+    m_expected.add(m_scene, m_members);
+    if (visit) visit(m_scene, m_members);
+    m_members.clear();
+  }
+
+  Sha256 m_again;
+  TarWriter m_tar;
+  UnitFormat m_format;
+  Manifest m_expected;
+  Json m_scene;
+  std::vector<Member> m_members;
+  std::string m_manifest;
+};
+
+std::string check_poses(const fs::path& path, std::uint64_t unit, const SceneVisitor& visit) {
+  const std::string text = file_bytes(path);
+  const std::vector<Json> scenes = rows_of(text, path.string());
+  const std::string end = lines_of(text, path.string()).back();
+  const Json expected = {
+      {"end", true},
+      {"unit", unit},
+      {"scenes", scenes.size()},
+      {"sha256", sha256_hex(std::string_view(text).substr(0, text.size() - end.size()))}};
+  if (end != json_line(expected)) return path.string() + ": has other bytes than its end says";
+  if (visit)
+    for (const Json& scene : scenes) visit(scene, {{"", json_line(scene)}});
+  return "";
+}
+
+}  // namespace
+
+void visit_rows(const std::string& out, std::uint64_t unit, UnitFormat format,
+                const std::function<void(const Json& row)>& visit) {
+  const fs::path path = fs::path(out) / unit_name(unit, format);
+  if (format == UnitFormat::Poses) {
+    for (const Json& scene : rows_of(file_bytes(path), path.string())) visit(manifest_row(scene));
+    return;
+  }
+  std::string manifest;
+  if (format == UnitFormat::Dir)
+    manifest = file_bytes(path / kManifest);
+  else
+    visit_tar(path.string(), [&](const std::string& name, const auto& read) {
+      if (name == kManifest) manifest = read();
+    });
+  for (const Json& row : rows_of(manifest, path.string())) visit(row);
+}
+
+std::string check_unit(const std::string& out, std::uint64_t unit, UnitFormat format,
+                       const SceneVisitor& visit) {
+  const fs::path path = fs::path(out) / unit_name(unit, format);
+  try {
+    if (format == UnitFormat::Poses) return check_poses(path, unit, visit);
+    Checker checker(format);
+    visit_members(path, format, [&](const std::string& name, const auto& read) {
+      checker.add(name, read(), visit);
+    });
+    return checker.finding(path, unit);
+  } catch (const nlohmann::json::exception&) {
+    return path.string() + ": a scene is damaged";
+  } catch (const Error& e) {
+    return e.what();
+  }
+}
+
+Json read_scene(const std::string& out, std::uint64_t unit, UnitFormat format, std::uint64_t k) {
+  const fs::path path = fs::path(out) / unit_name(unit, format);
+  if (format == UnitFormat::Poses) {
+    for (const Json& scene : rows_of(file_bytes(path), path.string()))
+      if (scene.value("k", ~std::uint64_t{0}) == k) return scene;
+  } else {
+    std::string text;
+    const std::string wanted = member_name(k, ".json");
+    visit_members(path, format, [&](const std::string& name, const auto& read) {
+      if (name == wanted) text = read();
+    });
+    if (!text.empty()) return parsed(text, wanted);
+  }
+  bad_file(path.string(), "has no scene " + std::to_string(k));
+}
+
+}  // namespace trivet::farm

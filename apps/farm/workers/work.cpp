@@ -1,0 +1,56 @@
+#include "apps/farm/workers/work.h"
+
+#include <set>
+
+#include "core/io/sandboxed_import.h"
+#include "ops/files/report/report.h"
+#include "ops/files/report/scene_file.h"
+
+namespace trivet::farm {
+namespace {
+
+std::vector<ModelRequest> requests_of(const Recipe& recipe) {
+  std::set<ModelRequest> requests;
+  for (const LayoutObject& object : recipe.base.objects)
+    requests.insert({object.model, object.tessellation});
+  for (const Operation& operation : recipe.base.operations)
+    if (const auto* append = std::get_if<AppendOperation>(&operation))
+      requests.insert({append->model, append->tessellation});
+  for (const RecipeGroup& group : recipe.groups)
+    for (const RecipeModel& model : group.models)
+      requests.insert({model.object.model, model.object.tessellation});
+  return {requests.begin(), requests.end()};
+}
+
+}  // namespace
+
+LoadedModels load_models(const Work& work) {
+  const std::vector<ModelRequest> requests = requests_of(work.recipe);
+  const ModelSource source = [&](const std::string& name, const Tessellation& tessellation) {
+    return import_model(work.file_of.at(name), work.import, tessellation);
+  };
+  const std::vector<LoadedModel> loaded = trivet::load_models(requests, source, 1, {});
+  LoadedModels out;
+  for (size_t i = 0; i < requests.size(); ++i) {
+    out[requests[i]] = loaded[i];
+    if (loaded[i].shape->has_faces()) loaded[i].shape->bvh();  // shared by all workers
+  }
+  return out;
+}
+
+SceneMembers make_members(const Work& work, const LoadedModels& models, std::uint64_t k) {
+  const MadeScene made = make_scene({work.recipe, models, work.key}, k);
+  SceneMembers out{scene_json(k, made), {}};
+  if (work.with_scene)
+    out.more.push_back(
+        {member_name(k, ".glb"), scene_file_bytes(made.run.scene, made.layout,
+                                                  {work.version, "", made.run.settle.clearance})});
+  if (work.with_report) {
+    ReportOptions options;
+    options.version = work.version;
+    out.more.push_back({member_name(k, ".report.json"), report_json(made.run, options)});
+  }
+  return out;
+}
+
+}  // namespace trivet::farm

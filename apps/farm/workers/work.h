@@ -1,0 +1,38 @@
+// Work of a batch, as the processes that do it need it.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "apps/farm/recipe/recipe.h"
+#include "apps/farm/store/unit.h"
+#include "core/io/model.h"
+
+namespace trivet::farm {
+
+struct Work {
+  Recipe recipe;  // its models by their stored paths
+  PhiloxKey key{};
+  std::map<std::string, std::string> file_of;  // stored path of a model -> where it is read
+  ImportLimits import;
+  bool with_scene = false, with_report = false;
+  std::string version;  // of the program, in scene files and reports
+};
+
+/// Limits of a worker, and how often a scene is tried that ends one.
+struct WorkLimits {
+  double scene_seconds = 60;  // of CPU; a scene may take kWallFactor times that by the clock
+  int memory_mb = 4096;       // of data, models included
+  int retries = 1;
+  int recycle = 1000;  // scenes of a worker
+};
+inline constexpr double kWallFactor = 10;
+
+/// Models of the recipe, each read once, with their shapes and trees; in this thread alone.
+/// @throws Error as models do, naming the model.
+LoadedModels load_models(const Work& work);
+
+/// Scene k, with what the work asks for beside its JSON.
+SceneMembers make_members(const Work& work, const LoadedModels& models, std::uint64_t k);
+
+}  // namespace trivet::farm

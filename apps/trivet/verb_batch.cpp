@@ -1,0 +1,219 @@
+#include <sched.h>
+
+#include <algorithm>
+#include <iostream>
+#include <set>
+
+#include "apps/farm/batch/batch.h"
+#include "apps/farm/batch/templates.h"
+#include "apps/trivet/verb_batch_parts.h"
+#include "core/base/bad_input.h"
+#include "ops/files/json/input_text.h"
+#include "ops/files/layout/paths.h"
+
+namespace trivet::apps {
+namespace {
+
+using namespace trivet::farm;
+
+struct BatchArguments {
+  std::string recipe, shard, format = "tar", engine;
+  std::vector<std::string> with;
+  std::vector<std::uint64_t> only;
+  BatchRun run;
+  BatchOptions options;
+  bool dry_run = false;
+};
+
+UnitFormat format_from_name(const std::string& name) {
+  if (name == "dir") return UnitFormat::Dir;
+  return name == "poses" ? UnitFormat::Poses : UnitFormat::Tar;
+}
+
+void check_arguments(const BatchArguments& a) {
+  if (a.recipe.empty())
+    bad_input(
+        "batch: a recipe is missing; accepted: RECIPE.json, or status, verify, merge or "
+        "materialise and the folder of a batch");
+  if (a.run.count == 0) bad_input("--count is missing; accepted: the number of scenes");
+  if (a.format == "poses" && !a.with.empty())
+    bad_input("--with: is not accepted with --format poses; accepted: --format tar or dir");
+  if (a.options.out.empty() && a.only.empty() && !a.dry_run)
+    bad_input("--out is missing; accepted: a folder, or --only or --dry-run");
+  for (const std::uint64_t k : a.only)
+    if (k >= a.run.count)
+      bad_input("--only: " + std::to_string(k) + " is not accepted; accepted: 0 to " +
+                std::to_string(a.run.count - 1));
+}
+
+BatchRun run_of(const BatchArguments& arguments) {
+  BatchRun run = arguments.run;
+  run.format = format_from_name(arguments.format);
+  for (const std::string& what : arguments.with)
+    (what == "scene" ? run.with_scene : run.with_report) = true;
+  run.version = TRIVET_VERSION;
+  return run;
+}
+
+int print_plan(const BatchRun& run, const PreparedRecipe& prepared, const BatchOptions& options,
+               const CommonOptions& common) {
+  std::uint64_t units = 0, there = 0, scenes = 0;
+  for (std::uint64_t t = options.shard.index; t < run.num_units(); t += options.shard.count) {
+    ++units;
+    scenes += run.end_scene(t) - run.first_scene(t);
+    there += !options.out.empty() && unit_exists(options.out, t, run.format) ? 1 : 0;
+  }
+  if (common.json)
+    std::cout << json_line({{"shard", options.shard.index},
+                            {"shards", options.shard.count},
+                            {"shard_from", options.shard.from},
+                            {"units", units},
+                            {"units_there", there},
+                            {"scenes", scenes},
+                            {"models", prepared.models.size()},
+                            {"recipe_sha256", sha256_hex(prepared.canonical)}});
+  else
+    std::cout << "shard " << options.shard.index << " of " << options.shard.count << ": " << units
+              << " units, " << there << " of them there; " << scenes << " scenes, "
+              << prepared.models.size() << " models; recipe " << sha256_hex(prepared.canonical)
+              << "\n";
+  return 0;
+}
+
+int print_only(const BatchArguments& arguments, const Work& work) {
+  bool failed = false;
+  const bool done = make_only(work, arguments.only, arguments.options.jobs,
+                              arguments.options.limits, [&](const SceneMembers& made) {
+                                failed = failed || made.scene.at("status") == "failed";
+                                std::cout << json_line(made.scene) << std::flush;
+                              });
+  return done ? failed : kComeAgain;
+}
+
+int print_totals(const BatchTotals& totals, const BatchOptions& options,
+                 const CommonOptions& common) {
+  if (common.json)
+    std::cout << json_line({{"shard", options.shard.index},
+                            {"shards", options.shard.count},
+                            {"units", totals.units},
+                            {"units_there_before", totals.there_before},
+                            {"units_by_others", totals.dropped},
+                            {"ok", totals.ok},
+                            {"refused", totals.refused},
+                            {"failed", totals.failed},
+                            {"stopped", totals.stopped}});
+  else
+    std::cout << "shard " << options.shard.index << " of " << options.shard.count << ": "
+              << totals.units << " units, " << totals.there_before
+              << " were there; scenes: " << totals.ok << " ok, " << totals.refused << " refused, "
+              << totals.failed << " failed"
+              << (totals.stopped ? "; stopped: run it again to go on" : "") << "\n";
+  return totals.stopped ? kComeAgain : totals.failed > 0;
+}
+
+int make_batch(const BatchArguments& arguments, BatchRun run, const PreparedRecipe& prepared,
+               const CommonOptions& common) {
+  BatchOptions options = arguments.options;
+  check_run(options.out, run);
+  options.log = [&common](const std::string& line) {
+    if (!common.quiet) std::cerr << line << "\n";
+  };
+  options.on_models_read = [&] {
+    for (const BatchModel& model : prepared.models) store_model(model, options.out);
+    claim_run(options.out, run);
+  };
+  const Work work = work_of(prepared, run, common.limits(), options.out, false);
+  return print_totals(run_batch(run, work, options), options, common);
+}
+
+int batch(const BatchArguments& given, const CommonOptions& common) {
+  BatchArguments arguments = given;
+  check_arguments(arguments);
+  if (!arguments.engine.empty()) {
+    std::cout << engine_template(arguments.engine, arguments.recipe, arguments.run.count,
+                                 arguments.run.seed, arguments.run.per_unit);
+    return 0;
+  }
+  arguments.options.shard = arguments.shard.empty() ? shard_from_environment(process_environment())
+                                                    : shard_from_text(arguments.shard);
+  arguments.options.jobs = num_jobs(arguments.options.jobs, common);
+  const std::string text =
+      read_input_text(arguments.recipe, common.limits().max_file_bytes, TextKind::Json);
+  const PreparedRecipe prepared =
+      prepare_recipe(text, arguments.recipe, folder_of(arguments.recipe));
+  BatchRun run = run_of(arguments);
+  run.recipe = prepared.canonical;
+  if (arguments.dry_run) return print_plan(run, prepared, arguments.options, common);
+  if (!arguments.only.empty())
+    return print_only(arguments, work_of(prepared, run, common.limits(), "", false));
+  return make_batch(arguments, run, prepared, common);
+}
+
+void add_batch_options(CLI::App& verb, BatchArguments& a) {
+  verb.add_option("recipe", a.recipe, "The recipe, JSON; see trivet schema recipe")
+      ->type_name("RECIPE.json");
+  verb.add_option("--count", a.run.count, "Scenes: 0 to one less")
+      ->check(integer_from(1, 1'000'000'000'000));
+  verb.add_option("--seed", a.run.seed, "Others are other scenes")
+      ->check(integer_from(0, std::numeric_limits<long>::max()));
+  verb.add_option("--out", a.options.out, "Folder of the batch; what is there is not made again")
+      ->type_name("DIR");
+  verb.add_option("--shard", a.shard,
+                  "I/N: every N-th unit from I; default: by the variables of Slurm, Kubernetes, "
+                  "AWS Batch, GNU parallel, ..., else all")
+      ->type_name("I/N");
+  verb.add_option("--format", a.format, "Of units: tar, dir, or poses (a line of JSON per scene)")
+      ->check(one_of({"tar", "dir", "poses"}));
+  verb.add_option("--per-tar", a.run.per_unit, "Scenes per unit")
+      ->check(integer_from(1, 1'000'000));
+  verb.add_option("--with", a.with, "Beside the poses of each scene: scene (.glb), report")
+      ->check(one_of({"scene", "report"}))
+      ->delimiter(',');
+  verb.add_option("--only", a.only, "Print these scenes as JSON, write nothing")
+      ->type_name("K,...")
+      ->delimiter(',');
+  add_worker_options(verb, a.options.jobs, a.options.limits);
+  verb.add_flag("--dry-run", a.dry_run, "Print what there is to do");
+  verb.add_option("--template", a.engine, "Print a job file for an engine")
+      ->check(one_of({"slurm", "kubernetes", "aws-batch", "parallel"}));
+}
+
+}  // namespace
+
+int num_jobs(int asked, const CommonOptions& common) {
+  if (asked > 0) return asked;
+  if (common.num_threads > 0) return common.num_threads;
+  cpu_set_t cores;
+  CPU_ZERO(&cores);
+  return sched_getaffinity(0, sizeof cores, &cores) == 0 ? std::max(1, CPU_COUNT(&cores)) : 1;
+}
+
+void add_worker_options(CLI::App& verb, int& jobs, WorkLimits& limits) {
+  jobs = 0;
+  verb.add_option("--jobs", jobs, "Processes that make scenes; 0: as many as cores")
+      ->check(integer_from(0, 4096));
+  verb.add_option("--scene-seconds", limits.scene_seconds,
+                  "CPU time of a scene; by the clock ten times as much")
+      ->check(number_from(0.001, 1e6));
+  verb.add_option("--scene-memory-mb", limits.memory_mb, "Of a process, models included")
+      ->check(integer_from(1, 100'000'000));
+  verb.add_option("--retries", limits.retries, "Further tries of a scene that ends its process")
+      ->check(integer_from(0, 100));
+  verb.add_option("--recycle", limits.recycle, "Scenes of a process before a new one takes over")
+      ->check(integer_from(1, 1'000'000'000));
+}
+
+Verb add_batch(CLI::App& app, const CommonOptions& common) {
+  CLI::App* const verb =
+      app.add_subcommand("batch", "Make random scenes by a recipe, one machine or many");
+  const auto arguments = std::make_shared<BatchArguments>();
+  add_batch_options(*verb, *arguments);
+  const std::vector<Verb> audits = add_batch_audits(*verb, common);
+  return {verb, [arguments, audits, &common] {
+            for (const Verb& audit : audits)
+              if (audit.app->parsed()) return audit.run();
+            return batch(*arguments, common);
+          }};
+}
+
+}  // namespace trivet::apps

@@ -1,0 +1,152 @@
+#include <algorithm>
+#include <cstdio>
+#include <iostream>
+
+#include "apps/farm/batch/audit.h"
+#include "apps/trivet/outputs.h"
+#include "apps/trivet/verb_batch_parts.h"
+
+namespace trivet::apps {
+namespace {
+
+using namespace trivet::farm;
+
+struct AuditArguments {
+  std::string folder, output;
+  std::uint64_t k = 0;
+  VerifyOptions verify;
+};
+
+Json reasons_json(const BatchStatus& status) {
+  Json out = Json::object();
+  for (const auto& [reason, count] : status.reasons) out[reason] = count;
+  return out;
+}
+
+std::string readable_duration(double seconds) {
+  char text[64];
+  if (seconds < 120)
+    std::snprintf(text, sizeof text, "%.0f s", seconds);
+  else
+    std::snprintf(text, sizeof text, "%.1f h", seconds / 3600);
+  return text;
+}
+
+void print_status(const BatchStatus& status, std::optional<double> seconds_left) {
+  const std::uint64_t made = status.ok + status.refused + status.failed;
+  std::cout << "units: " << status.units_there << " of " << status.run.num_units()
+            << "; scenes: " << made << " of " << status.run.count << ": " << status.ok << " ok, "
+            << status.refused << " refused, " << status.failed << " failed\n";
+  if (status.scenes_per_second) {
+    std::cout << "rate: " << *status.scenes_per_second << " scenes/s";
+    if (seconds_left && !status.complete())
+      std::cout << ", about " << readable_duration(*seconds_left) << " left";
+    std::cout << "\n";
+  }
+  if (status.num_temporaries > 0)
+    std::cout << "being written, or left by processes that were killed: " << status.num_temporaries
+              << "\n";
+  std::vector<std::pair<std::uint64_t, std::string>> reasons;
+  for (const auto& [reason, count] : status.reasons) reasons.emplace_back(count, reason);
+  std::stable_sort(reasons.begin(), reasons.end(),
+                   [](const auto& a, const auto& b) { return a.first > b.first; });
+  constexpr size_t kMostShown = 20;
+  for (size_t i = 0; i < std::min(reasons.size(), kMostShown); ++i)
+    std::cout << "  " << reasons[i].first << " " << reasons[i].second << "\n";
+  if (reasons.size() > kMostShown)
+    std::cout << "  and " << reasons.size() - kMostShown << " other reasons\n";
+}
+
+int show_status(const AuditArguments& arguments, const CommonOptions& common) {
+  const BatchStatus status = batch_status(arguments.folder);
+  const std::uint64_t made = status.ok + status.refused + status.failed;
+  std::optional<double> seconds_left;
+  if (status.scenes_per_second)
+    seconds_left = static_cast<double>(status.run.count - made) / *status.scenes_per_second;
+  if (common.json)
+    std::cout << json_line(
+        {{"units", status.run.num_units()},
+         {"units_there", status.units_there},
+         {"scenes", status.run.count},
+         {"ok", status.ok},
+         {"refused", status.refused},
+         {"failed", status.failed},
+         {"scenes_per_second", status.scenes_per_second ? Json(*status.scenes_per_second) : Json()},
+         {"seconds_left", seconds_left ? Json(*seconds_left) : Json()},
+         {"temporaries", status.num_temporaries},
+         {"reasons", reasons_json(status)}});
+  else
+    print_status(status, seconds_left);
+  return status.complete() ? 0 : 1;
+}
+
+int verify(const AuditArguments& arguments, const CommonOptions& common) {
+  VerifyOptions options = arguments.verify;
+  options.jobs = num_jobs(options.jobs, common);
+  options.import = common.limits();
+  const Verification result = verify_batch(arguments.folder, options);
+  if (common.json) {
+    std::cout << json_line({{"units", result.units},
+                            {"scenes", result.scenes},
+                            {"made_again", result.made_again},
+                            {"findings", result.findings}});
+  } else {
+    for (const std::string& finding : result.findings) std::cout << finding << "\n";
+    std::cout << result.units << " units, " << result.scenes << " scenes, " << result.made_again
+              << " made again: " << result.findings.size() << " findings\n";
+  }
+  return result.stopped ? kComeAgain : !result.findings.empty();
+}
+
+int merge(const AuditArguments& arguments, const CommonOptions& common) {
+  check_files({arguments.output}, {});
+  const std::uint64_t scenes = merge_manifests(arguments.folder, arguments.output);
+  if (!common.quiet) std::cout << scenes << " scenes\n";
+  return 0;
+}
+
+int write_one(const AuditArguments& arguments, const CommonOptions& common) {
+  check_extension(arguments.output, {".glb", ".gltf", ".obj", ".ply", ".stl"});
+  check_files({arguments.output}, {});
+  materialise(arguments.folder, arguments.k, arguments.output, common.limits());
+  return 0;
+}
+
+}  // namespace
+
+std::vector<Verb> add_batch_audits(CLI::App& batch, const CommonOptions& common) {
+  using Action = int (*)(const AuditArguments&, const CommonOptions&);
+  const auto arguments = std::make_shared<AuditArguments>();
+  const auto add = [&](const char* name, const char* what, Action action) {
+    CLI::App* const verb = batch.add_subcommand(name, what)->fallthrough();
+    verb->add_option("folder", arguments->folder, "The batch: --out of trivet batch")
+        ->required()
+        ->type_name("DIR");
+    return Verb{verb, [arguments, action, &common] { return action(*arguments, common); }};
+  };
+  std::vector<Verb> verbs{
+      add("status", "How far a batch is: exit status 0 complete, 1 not", show_status),
+      add("verify", "Check every byte of a batch, and make a sample of scenes again", verify),
+      add("merge", "One manifest of all units; deletes old temporary files", merge),
+      add("materialise", "A scene as a file, from its poses", write_one)};
+  verbs[1]
+      .app
+      ->add_option("--sample", arguments->verify.sample,
+                   "Share of the scenes to make again, at least one; 0: none")
+      ->check(number_from(0, 1));
+  add_worker_options(*verbs[1].app, arguments->verify.jobs, arguments->verify.limits);
+  verbs[3]
+      .app->add_option("scene", arguments->k, "Its number")
+      ->required()
+      ->type_name("K")
+      ->check(integer_from(0, std::numeric_limits<long>::max()));
+  for (const size_t i : {2, 3})
+    verbs[i]
+        .app
+        ->add_option("-o,--output", arguments->output,
+                     i == 2 ? "The manifest: .jsonl or .csv" : "The scene: .glb, ...")
+        ->required();
+  return verbs;
+}
+
+}  // namespace trivet::apps

@@ -1,0 +1,18 @@
+// What the verbs of batches share. Private to verb_batch*.cpp.
+#pragma once
+
+#include "apps/farm/workers/work.h"
+#include "apps/trivet/verbs.h"
+
+namespace trivet::apps {
+
+/// --jobs, --scene-seconds, --scene-memory-mb, --retries, --recycle.
+void add_worker_options(CLI::App& verb, int& jobs, farm::WorkLimits& limits);
+
+/// What was asked for, else --threads, else the cores that this process may use.
+int num_jobs(int asked, const CommonOptions& common);
+
+/// status, verify, merge and materialise.
+std::vector<Verb> add_batch_audits(CLI::App& batch, const CommonOptions& common);
+
+}  // namespace trivet::apps
