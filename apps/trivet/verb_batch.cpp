@@ -38,8 +38,8 @@ void check_arguments(const BatchArguments& a) {
   if (a.run.count == 0) bad_input("--count is missing; accepted: the number of scenes");
   if (a.format == "poses" && !a.with.empty())
     bad_input("--with: is not accepted with --format poses; accepted: --format tar or dir");
-  if (a.options.out.empty() && a.only.empty() && !a.dry_run)
-    bad_input("--out is missing; accepted: a folder, or --only or --dry-run");
+  if (a.options.out.empty() && a.only.empty() && !a.dry_run && a.engine.empty())
+    bad_input("--out is missing; accepted: a folder, or --only, --dry-run or --template");
   for (const std::uint64_t k : a.only)
     if (k >= a.run.count)
       bad_input("--only: " + std::to_string(k) + " is not accepted; accepted: 0 to " +
@@ -144,8 +144,11 @@ int batch(const BatchArguments& given, const CommonOptions& common) {
   BatchRun run = run_of(arguments);
   run.recipe = prepared.canonical;
   if (arguments.dry_run) return print_plan(run, prepared, arguments.options, common);
-  if (!arguments.only.empty())
+  if (!arguments.only.empty()) {
+    std::set<std::uint64_t> seen;
+    std::erase_if(arguments.only, [&](std::uint64_t k) { return !seen.insert(k).second; });
     return print_only(arguments, work_of(prepared, run, common.limits(), "", false));
+  }
   return make_batch(arguments, run, prepared, common);
 }
 

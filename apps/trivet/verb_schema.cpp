@@ -14,8 +14,8 @@ std::string recipe_schema() {
   for (const char* const key :
        {"floor", "material", "floor_material", "settle", "objects", "operations"})
     recipe["properties"][key] = layout.at("properties").at(key);
-  for (const auto& [name, definition] : layout.at("$defs").items())
-    if (!recipe["$defs"].contains(name)) recipe["$defs"][name] = definition;
+  recipe["properties"]["objects"]["items"] = {{"$ref", "#/$defs/object"}};
+  recipe["$defs"].update(layout.at("$defs"));
   return recipe.dump(2) + "\n";
 }
 

@@ -43,10 +43,16 @@ def document_of(case, base):
 
 @unittest.skipIf(jsonschema is None, "Python has no jsonschema (Debian: python3-jsonschema)")
 class Schema(Case):
-    def test_schema_and_reader_agree(self):
-        with open(os.path.join(SOURCE_DIR, "tests/ops/layout/corpus.json")) as file:
+    def test_layouts_schema_and_reader_agree(self):
+        self.check_agreement("layout", "tests/ops/layout/corpus.json", 65)
+
+    def test_recipes_schema_and_reader_agree(self):
+        self.check_agreement("recipe", "tests/apps/farm/recipes.json", 45)
+
+    def check_agreement(self, kind, cases, least):
+        with open(os.path.join(SOURCE_DIR, cases)) as file:
             corpus = json.load(file)
-        schema = json.loads(self.trivet("schema")[0])
+        schema = json.loads(self.trivet("schema", kind)[0])
         jsonschema.Draft202012Validator.check_schema(schema)
         validator = jsonschema.Draft202012Validator(schema)
         num_compared = 0
@@ -58,7 +64,7 @@ class Schema(Case):
             accepted = "message" not in case or case.get("beyond_schema", False)
             self.assertEqual(validator.is_valid(document), accepted, case["what"])
             num_compared += 1
-        self.assertGreater(num_compared, 65)
+        self.assertGreater(num_compared, least)
 
 
 if __name__ == "__main__":

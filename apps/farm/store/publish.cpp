@@ -1,10 +1,12 @@
 #include "apps/farm/store/publish.h"
 
 #include <fcntl.h>
+#include <sys/random.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
@@ -38,9 +40,10 @@ void sync_folder(const std::string& folder) {
   if (result != 0 && error != EINVAL && error != EBADF) fail(folder, error);
 }
 
-int created(const std::string& path) {
-  const int descriptor = open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
-  if (descriptor < 0) fail(path, errno);
+// @param shown  its name in messages.
+int created(const std::string& path, const std::string& shown) {
+  const int descriptor = open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644);
+  if (descriptor < 0) fail(shown, errno);
   return descriptor;
 }
 
@@ -76,9 +79,13 @@ bool has_two_names(const std::string& path) {
 std::string temporary_name(const std::string& path) {
   char host[256] = "";
   gethostname(host, sizeof host - 1);
+  // Containers may have one host name and process number in common.
+  std::uint64_t number = 0;
+  if (getrandom(&number, sizeof number, 0) != static_cast<ssize_t>(sizeof number))
+    fail(path, errno);
   const fs::path file(path);
-  const std::string name =
-      "." + file.filename().string() + kTemporaryMark + host + "." + std::to_string(getpid());
+  const std::string name = "." + file.filename().string() + kTemporaryMark + host + "." +
+                           std::to_string(getpid()) + "." + std::to_string(number);
   return (file.parent_path() / name).string();
 }
 
@@ -96,7 +103,7 @@ void make_folders(const std::string& path) {
 PublishedFile::PublishedFile(const std::string& path)
     : m_path(path), m_temporary(temporary_name(path)) {
   make_folders(folder_of_file(path));
-  m_descriptor = created(m_temporary);
+  m_descriptor = created(m_temporary, m_path);
 }
 
 PublishedFile::~PublishedFile() {
@@ -128,8 +135,6 @@ bool PublishedFile::publish() {
 
 PublishedFolder::PublishedFolder(const std::string& path)
     : m_path(path), m_temporary(temporary_name(path)) {
-  std::error_code ignored;
-  fs::remove_all(m_temporary, ignored);
   make_folders(m_temporary);
 }
 
@@ -146,7 +151,7 @@ std::string PublishedFolder::prepared(const std::string& name) {
 
 void PublishedFolder::add(const std::string& name, std::string_view bytes) {
   const std::string path = prepared(name);
-  const int descriptor = created(path);
+  const int descriptor = created(path, path);
   try {
     write_all(descriptor, bytes, path);
   } catch (...) {

@@ -6,8 +6,8 @@
 
 namespace trivet::farm {
 
-/// A file of another name in the same folder, ".NAME.HOST.PID", until it is published. Deleted by
-/// the destructor unless it was published; kill -9 leaves it behind, see is_temporary().
+/// A file of another name in the same folder, of temporary_name(), until it is published. Deleted
+/// by the destructor unless it was published; kill -9 leaves it behind, see is_temporary().
 class PublishedFile {
  public:
   /// @throws Error (Environment) when it cannot be made. Makes the folder.
@@ -47,7 +47,8 @@ class PublishedFolder {
   std::string m_path, m_temporary;
 };
 
-/// ".NAME.HOST.PID": left by a process that was killed, or being written.
+/// ".NAME.trivet-tmp.HOST.PID.RANDOM" in the same folder: being written, or left by a process that
+/// was killed.
 std::string temporary_name(const std::string& path);
 bool is_temporary(const std::string& file_name);
 

@@ -1,0 +1,150 @@
+// Scenes of recipes: functions of the recipe, the key and k, and layouts that give the same poses.
+#include <gtest/gtest.h>
+
+#include "apps/farm/scene/make_scene.h"
+#include "apps/farm/scene/scene_json.h"
+#include "ops/files/layout/run.h"
+#include "ops/layout/boxes.h"
+
+namespace trivet::farm {
+namespace {
+
+LoadedModel loaded(const std::string& name, double x, double y, double z) {
+  Model model = box_model(x, y, z);
+  model.path = name;
+  auto shape = make_shape(model.mesh);
+  return {std::make_shared<const Model>(std::move(model)), std::move(shape)};
+}
+
+const LoadedModels& models() {
+  static const LoadedModels all{{{"slab", {}}, loaded("slab", 0.5, 0.5, 0.05)},
+                                {{"cube", {}}, loaded("cube", 0.05, 0.05, 0.05)},
+                                {{"rod", {}}, loaded("rod", 0.02, 0.02, 0.1)}};
+  return all;
+}
+
+Model model_of(const std::string& name, const Tessellation& tessellation) {
+  return *models().at({name, tessellation}).model;
+}
+
+const std::string kSlab =
+    R"("objects": [{"name": "slab", "model": "slab", "fixed": true, "position": [0, 0, 0.050001]}])";
+
+Recipe recipe_of(const std::string& rest) {
+  return parse_recipe("{\"trivet_recipe\": 1, " + kSlab + ", " + rest + "}", "recipe");
+}
+
+Recipe mixed_recipe() {
+  return recipe_of(R"("groups": [
+    {"name": "on", "models": [{"model": "cube", "weight": 2}, {"model": "rod"}], "count": [1, 3],
+     "scale_range": [0.8, 1.2], "on": "slab", "keep": 0.01},
+    {"name": "heap", "models": [{"model": "rod"}], "count": [0, 3], "rotation": "any",
+     "heap": {"radius": 0.3, "height": 0.6, "rise": 0.2}},
+    {"name": "in", "models": [{"model": "cube"}], "scale_range": 0.5, "in": "slab", "above": 0.3}],
+    "then": [{"op": "push", "distance": [0, 0.1], "count": [0, 2]},
+             {"op": "turn", "group": "on", "angle_deg": [-90, 90]}])");
+}
+
+TEST(RecipeScene, IsAFunctionOfRecipeKeyAndNumber) {
+  const Recipe recipe = mixed_recipe();
+  const SceneSource source{recipe, models(), {1, 2}}, other{recipe, models(), {1, 3}};
+  std::vector<std::string> first;
+  for (std::uint64_t k = 0; k < 6; ++k)
+    first.push_back(json_line(scene_json(k, make_scene(source, k))));
+  for (std::uint64_t k = 6; k-- > 0;)
+    EXPECT_EQ(json_line(scene_json(k, make_scene(source, k))), first[k]);
+  EXPECT_NE(json_line(scene_json(0, make_scene(other, 0))), first[0]);
+  EXPECT_NE(first[0].substr(10), first[1].substr(10));
+}
+
+// What a scene was made by is a layout, which trivet run lays out by code of its own.
+TEST(RecipeScene, IsThatOfItsLayout) {
+  const Recipe recipe = mixed_recipe();
+  const SceneSource source{recipe, models(), {5, 6}};
+  size_t num_operations = 0;
+  for (std::uint64_t k = 0; k < 6; ++k) {
+    const MadeScene made = make_scene(source, k);
+    const LayoutRun run = run_layout(parse_layout(write_layout(made.layout), "k"), model_of, {});
+    num_operations += made.layout.operations.size();
+    for (const ObjectId id : made.run.scene.ids()) {
+      const Object& a = made.run.scene.at(id);
+      const Object& b = run.scene.at(*run.scene.find(a.name));
+      ASSERT_EQ(a.placed, b.placed) << a.name;
+      EXPECT_EQ(a.pose.translation, b.pose.translation) << a.name;
+      EXPECT_EQ(a.pose.rotation.w, b.pose.rotation.w) << a.name;
+      EXPECT_EQ(a.pose.rotation.z, b.pose.rotation.z) << a.name;
+    }
+    EXPECT_TRUE(run.check.ok());
+  }
+  EXPECT_GT(num_operations, 20u);
+}
+
+// What can only fall off: a rod let fall over the rim of a slab, far above it.
+TEST(RecipeScene, ObjectsStayInTheirContainer) {
+  const Recipe recipe = recipe_of(R"("floor": true, "groups": [
+    {"name": "in", "models": [{"model": "rod"}], "count": 3, "rotation": "any", "scale_range": 3,
+     "in": "slab", "above": 0.1}])");
+  int num_in = 0, num_out = 0;
+  for (std::uint64_t k = 0; k < 12; ++k) {
+    const MadeScene made = make_scene({recipe, models(), {1, 1}}, k);
+    for (const ObjectId id : made.run.scene.ids()) {
+      const Object& object = made.run.scene.at(id);
+      if (object.fixed) continue;
+      ++(object.placed ? num_in : num_out);
+      if (!object.placed) {
+        EXPECT_NE(made.left_out.at(object.name), "");
+        continue;
+      }
+      const Vec3 centre = object.centre_of_mass();
+      EXPECT_LE(std::abs(centre.x()), 0.51);
+      EXPECT_LE(std::abs(centre.y()), 0.51);
+    }
+  }
+  EXPECT_GT(num_in, 10);
+  EXPECT_GT(num_out, 0) << "the test is vacuous";
+}
+
+// Six cubes of half the slab's width do not fit on it side by side.
+TEST(RecipeScene, TellsRefusalsAsTheRecipeSays) {
+  const std::string groups =
+      R"("groups": [{"name": "big", "models": [{"model": "cube"}], "count": 6,
+    "scale_range": 5, "on": "slab"}])";
+  const auto make = [&](const std::string& rest) {
+    const Recipe recipe = recipe_of(groups + rest);
+    return make_scene({recipe, models(), {3, 4}}, 0);
+  };
+  const MadeScene kept = make("");
+  EXPECT_TRUE(kept.accepted);
+  EXPECT_GE(kept.left_out.size(), 2u);
+  EXPECT_EQ(scene_json(0, kept).at("refused"), kept.left_out.size());
+  const MadeScene dropped = make(R"(, "on_refusal": "drop")");
+  EXPECT_FALSE(dropped.accepted);
+  EXPECT_EQ(dropped.reason.rfind("dropped: ", 0), 0u) << dropped.reason;
+  const MadeScene few = make(R"(, "accept": {"min_objects": 6, "attempts": 2})");
+  EXPECT_FALSE(few.accepted);
+  EXPECT_EQ(few.attempt, 1) << "the last attempt counts";
+  EXPECT_NE(few.reason.find("accepted: at least 6"), std::string::npos) << few.reason;
+  const MadeScene strict = make(R"(, "accept": {"max_refused": 0})");
+  EXPECT_NE(strict.reason.find("accepted: at most 0"), std::string::npos) << strict.reason;
+  const MadeScene retried = make(R"(, "on_refusal": "retry", "tries": 4)");
+  EXPECT_LE(retried.left_out.size(), kept.left_out.size() + 1);
+  EXPECT_EQ(retried.run.operations.size(), 6u) << "one record for each object";
+}
+
+TEST(RecipeScene, StandsAgainFromItsPoses) {
+  const Recipe recipe = mixed_recipe();
+  const MadeScene made = make_scene({recipe, models(), {5, 6}}, 2);
+  const Layout layout = layout_of_poses(recipe, scene_json(2, made), "scene 2");
+  const LayoutRun run = run_start_only(layout, model_of, {});
+  EXPECT_TRUE(run.check.ok());
+  for (const ObjectId id : run.scene.ids()) {
+    const Object& b = run.scene.at(id);
+    const Object& a = made.run.scene.at(*made.run.scene.find(b.name));
+    EXPECT_EQ(a.pose.translation, b.pose.translation);
+    EXPECT_EQ(a.pose.rotation.w, b.pose.rotation.w);
+    EXPECT_EQ(to_string(a.state), to_string(b.state));
+  }
+}
+
+}  // namespace
+}  // namespace trivet::farm

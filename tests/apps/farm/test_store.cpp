@@ -1,0 +1,186 @@
+// Units: the same scenes are the same bytes, the first one wins, and no changed bit stays unseen.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+#include "apps/farm/scene/model_store.h"
+#include "apps/farm/store/publish.h"
+#include "apps/farm/store/run_file.h"
+#include "apps/farm/store/unit.h"
+#include "core/base/error.h"
+#include "support/effort.h"
+#include "support/temporary_folder.h"
+
+namespace trivet::farm {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr UnitFormat kFormats[] = {UnitFormat::Tar, UnitFormat::Dir, UnitFormat::Poses};
+
+struct TemporaryFolder : test::TemporaryFolder {
+  std::string path() const { return file(""); }
+};
+
+std::string bytes_of(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+void write(const fs::path& path, const std::string& bytes) {
+  fs::create_directories(path.parent_path());
+  std::ofstream(path, std::ios::binary) << bytes;
+}
+
+Json scene(std::uint64_t k) {
+  return {{"k", k},
+          {"status", k % 3 == 0 ? "refused" : "ok"},
+          {"margin", 0.1 / static_cast<double>(k + 1)},
+          {"objects",
+           {{{"name", "a"}, {"position", {0.1, -0.0, 1e-300}}},
+            {{"name", "b"}, {"position", nullptr}}}}};
+}
+
+bool write_unit(const std::string& out, UnitFormat format, bool more) {
+  UnitWriter writer(out, 1, format);
+  for (std::uint64_t k = 4; k < 8; ++k) {
+    SceneMembers members{scene(k), {}};
+    if (more && format != UnitFormat::Poses)
+      members.more.push_back({member_name(k, ".glb"), "binary " + std::to_string(k)});
+    writer.add(members);
+  }
+  return writer.publish();
+}
+
+std::vector<fs::path> files_of(const fs::path& folder) {
+  std::vector<fs::path> out;
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_regular_file()) out.push_back(entry.path());
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+TEST(Unit, IsTheSameBytesAndTheFirstWins) {
+  for (const UnitFormat format : kFormats) {
+    const TemporaryFolder a, b;
+    EXPECT_TRUE(write_unit(a.path(), format, true));
+    EXPECT_TRUE(write_unit(b.path(), format, true));
+    const auto of_a = files_of(a.path()), of_b = files_of(b.path());
+    ASSERT_EQ(of_a.size(), of_b.size());
+    ASSERT_EQ(of_a.size(), format == UnitFormat::Dir ? 9u : 1u);
+    for (size_t i = 0; i < of_a.size(); ++i) EXPECT_EQ(bytes_of(of_a[i]), bytes_of(of_b[i]));
+    EXPECT_FALSE(write_unit(a.path(), format, false)) << "the second is dropped";
+    EXPECT_EQ(files_of(a.path()), of_a) << "and leaves nothing";
+    EXPECT_EQ(check_unit(a.path(), 1, format, {}), "");
+  }
+}
+
+TEST(Unit, IsReadBack) {
+  for (const UnitFormat format : kFormats) {
+    const TemporaryFolder out;
+    ASSERT_TRUE(write_unit(out.path(), format, true));
+    std::vector<Json> rows;
+    visit_rows(out.path(), 1, format, [&](const Json& row) { rows.push_back(row); });
+    ASSERT_EQ(rows.size(), 4u);
+    EXPECT_EQ(rows[2].at("k"), 6);
+    EXPECT_EQ(rows[2].at("objects"), 1);
+    EXPECT_EQ(json_line(read_scene(out.path(), 1, format, 5)), json_line(scene(5)));
+    EXPECT_THROW(read_scene(out.path(), 1, format, 3), Error);
+  }
+}
+
+// One bit of every 41st byte of every file; of every byte with TRIVET_TEST_EFFORT=41.
+TEST(Unit, NoFlippedBitStaysUnseen) {
+  for (const UnitFormat format : kFormats) {
+    const TemporaryFolder out;
+    ASSERT_TRUE(write_unit(out.path(), format, true));
+    const auto step = static_cast<size_t>(std::max(1, 41 / test::with_effort(1)));
+    unsigned bit = 0;
+    for (const fs::path& file : files_of(out.path())) {
+      const std::string good = bytes_of(file);
+      for (size_t i = 0; i < good.size(); i += step) {
+        std::string bad = good;
+        bad[i] = static_cast<char>(bad[i] ^ (1 << (bit++ * 5 % 8)));
+        write(file, bad);
+        ASSERT_NE(check_unit(out.path(), 1, format, {}), "") << file << " byte " << i;
+      }
+      write(file, good.substr(0, good.size() / 2));
+      EXPECT_NE(check_unit(out.path(), 1, format, {}), "") << "truncated";
+      write(file, good + '\0');
+      EXPECT_NE(check_unit(out.path(), 1, format, {}), "") << "longer";
+      write(file, good);
+    }
+    EXPECT_EQ(check_unit(out.path(), 1, format, {}), "");
+  }
+}
+
+TEST(PublishedFile, VanishesUnlessPublished) {
+  const TemporaryFolder out;
+  const std::string path = out.file("a/file");
+  {
+    PublishedFile file(path);
+    file.write("half");
+    EXPECT_TRUE(is_temporary(fs::path(temporary_name(path)).filename().string()));
+    EXPECT_FALSE(fs::exists(path));
+  }
+  EXPECT_TRUE(files_of(out.path()).empty());
+}
+
+TEST(ModelStore, KeepsWhatAModelRefersTo) {
+  const TemporaryFolder in, out;
+  const fs::path folder(in.path());
+  write(folder / "a.obj", "mtllib my look.mtl\nv 0 0 0\n");
+  write(folder / "my look.mtl",
+        "newmtl x\nmap_Kd -s 1 1 1 textures/wood.png\nmap_Bump ../secret.png\n");
+  write(folder / "textures/wood.png", "image");
+  write(folder / "b.gltf", R"({"buffers": [{"uri": "b%20c.bin"}, {"uri": "data:,x"}]})");
+  write(folder / "b c.bin", "buffer");
+  const BatchModel a = batch_model((folder / "a.obj").string());
+  EXPECT_EQ(a.beside, (std::vector<std::string>{"my look.mtl", "textures/wood.png"}));
+  const BatchModel b = batch_model((folder / "b.gltf").string());
+  EXPECT_EQ(b.beside, (std::vector<std::string>{"b c.bin"}));
+  store_model(a, out.path());
+  store_model(a, out.path());
+  EXPECT_EQ(files_of(out.path()).size(), 3u);
+  EXPECT_EQ(check_stored(out.path(), a.stored_path()), "");
+  write(fs::path(out.path()) / "models" / a.hash / "textures/wood.png", "imagf");
+  EXPECT_NE(check_stored(out.path(), a.stored_path()), "");
+  write(folder / "b c.bin", "Buffer");
+  EXPECT_NE(batch_model((folder / "b.gltf").string()).hash, b.hash);
+  EXPECT_THROW(batch_model((folder / "none.obj").string()), Error);
+}
+
+TEST(RunFile, RefusesAnotherRun) {
+  const TemporaryFolder out;
+  BatchRun run;
+  run.recipe = R"({"objects":[],"trivet_recipe":1})";
+  run.count = 10;
+  run.version = "1";
+  claim_run(out.path(), run);
+  claim_run(out.path(), run);
+  EXPECT_EQ(run_json(read_run(out.path())), run_json(run));
+  const auto refused = [&](auto change, const std::string& says) {
+    BatchRun other = run;
+    change(other);
+    try {
+      check_run(out.path(), other);
+    } catch (const Error& e) {
+      EXPECT_NE(std::string(e.what()).find(says), std::string::npos) << e.what();
+      return true;
+    }
+    return false;
+  };
+  EXPECT_TRUE(refused([](BatchRun& r) { r.seed = 1; }, "seed is 0, here 1"));
+  EXPECT_TRUE(refused([](BatchRun& r) { r.count = 11; }, "count is 10, here 11"));
+  EXPECT_TRUE(refused([](BatchRun& r) { r.version = "2"; }, "version is \"1\", here \"2\""));
+  EXPECT_TRUE(refused([](BatchRun& r) { r.recipe = R"({"trivet_recipe":1})"; }, "recipe"));
+  EXPECT_TRUE(refused([](BatchRun& r) { r.format = UnitFormat::Dir; }, "format"));
+  EXPECT_FALSE(refused([](BatchRun&) {}, ""));
+  write(fs::path(out.path()) / "run.json", run_json(run).replace(20, 1, "x"));
+  EXPECT_THROW(read_run(out.path()), Error);
+}
+
+}  // namespace
+}  // namespace trivet::farm

@@ -1,0 +1,381 @@
+"""trivet batch: scenes that depend on recipe, seed and number alone, units that are whole or not there."""
+import glob
+import hashlib
+import json
+import os
+import random
+import shutil
+import signal
+import subprocess
+import tarfile
+import time
+import unittest
+
+from program import PROGRAM, Case, main
+
+EFFORT = float(os.environ.get("TRIVET_TEST_EFFORT", "1"))
+SLAB = {"name": "slab", "model": "slab.obj", "fixed": True, "position": [0, 0, 0.050001]}
+HEAP = {"name": "heap", "models": [{"model": "cube.obj", "class": "cube"}, {"model": "cube.obj", "scale": 0.5}],
+        "count": [1, 3], "scale_range": [0.5, 1.2], "rotation": "any",
+        "heap": {"radius": 0.2, "height": 0.5, "rise": 0.2}}
+
+
+def sha256_of(path):
+    with open(path, "rb") as file:
+        return hashlib.sha256(file.read()).hexdigest()
+
+
+def as_root_in_mounts(script):
+    """Runs a shell script where it may mount file systems; None if that is not possible here."""
+    for prefix in (["unshare", "-m"], ["unshare", "-rm"]):
+        probe = subprocess.run([*prefix, "sh", "-c", "mount -t tmpfs -o size=64k none /tmp"], capture_output=True)
+        if probe.returncode == 0:
+            return subprocess.run([*prefix, "sh", "-c", script], capture_output=True, timeout=120)
+    return None
+
+
+class BatchCase(Case):
+    def setUp(self):
+        super().setUp()
+        self.write_recipe()
+
+    def write_recipe(self, name="recipe.json", **more):
+        recipe = {"trivet_recipe": 1, "objects": [SLAB], "groups": [HEAP], **more}
+        return self.write(name, json.dumps(recipe))
+
+    def batch(self, out, *more, count=40, recipe="recipe.json", status=0, env=None):
+        return self.trivet("batch", recipe, "--count", count, "--per-tar", 5, "--out", out, "--quiet",
+                           *more, status=status, env=env)
+
+    def start(self, out, *more, count=40):
+        return subprocess.Popen([PROGRAM, "batch", "recipe.json", "--count", str(count), "--per-tar", "5", "--out", out,
+                                 "--quiet", *more], cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+
+    def hashes(self, out):
+        """SHA-256 of all that a batch has but temporary files, by path."""
+        return {name[len(out) + 1:]: sha256_of(self.path(name)) for name in self.files()
+                if name.startswith(out + os.sep) and not os.path.basename(name).startswith(".")
+                and "/." not in name}
+
+    def temporaries(self, out):
+        return [name for name in self.files() if name.startswith(out + os.sep) and "/." in name]
+
+    def assert_no_process_left(self):
+        """Of any process that works in this folder."""
+        deadline = time.monotonic() + 5
+        while time.monotonic() < deadline:
+            left = []
+            for entry in glob.glob("/proc/[0-9]*/cwd"):
+                try:
+                    if os.readlink(entry) == os.path.realpath(self.folder):
+                        left.append(entry)
+                except OSError:
+                    pass
+            if not left:
+                return
+            time.sleep(0.05)
+        self.fail("processes are left: %s" % left)
+
+
+class Bytes(BatchCase):
+    def test_shards_jobs_folders_and_names_change_nothing(self):
+        self.batch("one", "--jobs", 1)
+        one = self.hashes("one")
+        self.assertEqual(len([n for n in one if n.endswith(".tar")]), 8)
+        for shard in range(3):
+            self.batch("three", "--shard", "%d/3" % shard, "--jobs", 3, "--recycle", 2)
+        self.assertEqual(self.hashes("three"), one)
+        env = {"SLURM_ARRAY_TASK_MIN": "1", "SLURM_ARRAY_TASK_COUNT": "2"}
+        for task in "12":
+            self.batch("slurm", env={**env, "SLURM_ARRAY_TASK_ID": task})
+        self.assertEqual(self.hashes("slurm"), one)
+        self.batch("slurm")  # nothing is left to do
+        self.assertEqual(self.hashes("slurm"), one)
+        for name in ("cube.obj", "slab.obj", "recipe.json"):
+            self.write("elsewhere/" + name, self.read(name))
+        self.batch("moved", recipe=self.path("elsewhere/recipe.json"))
+        self.assertEqual(self.hashes("moved"), one)
+        self.assertEqual(self.trivet("batch", "status", "moved")[0].split("\n")[0],
+                         "units: 8 of 8; scenes: 40 of 40: 40 ok, 0 refused, 0 failed")
+
+    def test_kill_at_random_moments_changes_nothing(self):
+        self.batch("one", count=60)
+        generator = random.Random(1)
+        kills = unfinished = 0
+        while kills < 8 * EFFORT:
+            kills += 1
+            process = self.start("killed", "--jobs", "2", count=60)
+            time.sleep(generator.uniform(0.02, 0.35))
+            process.kill()
+            unfinished += process.wait() == -signal.SIGKILL
+            self.assert_no_process_left()
+            if kills % 4 == 0:
+                shutil.rmtree(self.path("killed"), ignore_errors=True)
+        self.assertGreater(unfinished, 2)
+        self.batch("killed", count=60)
+        self.assertEqual(self.hashes("killed"), self.hashes("one"))
+        # What they left is deleted by merge when it is old.
+        old = self.write("killed/0000/.scenes-000000.tar.trivet-tmp.host.1", "half")
+        os.utime(self.path(old), (1, 1))
+        self.trivet("batch", "merge", "killed", "-o", "all.jsonl")
+        self.assertFalse(os.path.exists(self.path(old)))
+
+    def test_two_copies_of_a_shard_at_once(self):
+        self.batch("one")
+        for process in [self.start("both"), self.start("both"), self.start("both", "--jobs", "1")]:
+            self.assertEqual(process.wait(), 0)
+        self.assertEqual(self.hashes("both"), self.hashes("one"))
+        self.assertEqual(self.temporaries("both"), [])
+
+    def test_killed_workers_change_nothing(self):
+        self.batch("one", count=60)
+        process = self.start("shot", "--jobs", "2", "--retries", "100", count=60)
+        generator = random.Random(2)
+        shot = 0
+        while process.poll() is None:
+            try:
+                with open("/proc/%d/task/%d/children" % (process.pid, process.pid)) as file:
+                    zygote = file.read().split()[0]
+                with open("/proc/%s/task/%s/children" % (zygote, zygote)) as file:
+                    workers = [w for w in file.read().split() if self.name_of(w) == "trivet"]
+                os.kill(int(generator.choice(workers)), generator.choice([signal.SIGSEGV, signal.SIGKILL]))
+                shot += 1
+            except (OSError, IndexError):
+                pass
+            time.sleep(0.04)
+        self.assertEqual(process.wait(), 0)
+        self.assertGreater(shot, 2)
+        self.assertEqual(self.hashes("shot"), self.hashes("one"))
+
+    def name_of(self, process):
+        with open("/proc/%s/comm" % process) as file:
+            return file.read().strip()  # models are read by trivet-import
+
+    def test_formats_hold_the_same_scenes(self):
+        self.batch("tar", "--with", "scene,report")
+        self.batch("dir", "--format", "dir", "--with", "scene,report")
+        self.batch("poses", "--format", "poses")
+        rows = self.read("poses/0000/scenes-000001.jsonl").decode().splitlines(keepends=True)
+        self.assertEqual(json.loads(rows[-1])["scenes"], 5)
+        with tarfile.open(self.path("tar/0000/scenes-000001.tar")) as tar:
+            members = tar.getmembers()
+            self.assertEqual(members[-1].name, "manifest.jsonl")
+            self.assertTrue(all((m.mtime, m.uid, m.uname, m.mode) == (0, 0, "", 0o644) for m in members))
+            self.assertEqual([m.name for m in members[:3]],
+                             ["000000005.json", "000000005.glb", "000000005.report.json"])
+            content = {m.name: tar.extractfile(m).read() for m in members}
+        for name, data in content.items():
+            self.assertEqual(self.read("dir/0000/scenes-000001/" + name), data, name)
+        for i, k in enumerate(range(5, 10)):
+            self.assertEqual(content["%09d.json" % k].decode(), rows[i])
+        only = self.trivet("batch", "recipe.json", "--count", 40, "--only", "9,5,9")[0]
+        self.assertEqual(only, rows[4] + rows[0])
+        for out in ("tar", "dir", "poses"):
+            self.trivet("batch", "verify", out, "--sample", 0.2)
+        # The scene as it was laid out, and as it stands by its poses.
+        self.write("tar/5.glb", content["000000005.glb"])
+        self.trivet("batch", "materialise", "tar", 5, "-o", "tar/again.glb")
+        self.trivet("check", "tar/5.glb")
+        self.trivet("check", "tar/again.glb")
+        for name in ("5", "again"):
+            self.trivet("export", "tar/%s.glb" % name, "-o", name + ".jsonl")
+        self.assertEqual(self.read("5.jsonl"), self.read("again.jsonl"))
+
+
+class Faults(BatchCase):
+    def test_a_scene_beyond_its_cpu_time_is_listed(self):
+        self.write_recipe(groups=[{**HEAP, "count": [0, 12]}])
+        self.batch("free", count=20)
+        self.batch("bound", "--scene-seconds", 0.03, count=20, status=1)
+        free, bound = (self.merged(out) for out in ("free", "bound"))
+        failed = [row for row in bound if row["status"] == "failed"]
+        self.assertTrue(0 < len(failed) < 20, len(failed))
+        for row in failed:
+            self.assertEqual(row["reason"], "needs more than 0.03 s of CPU time")
+        for a, b in zip(free, bound):
+            if b["status"] != "failed":
+                self.assertEqual(a, b)
+        self.assertEqual(self.batch("bound", "--scene-seconds", 0.03, count=20, status=1)[0].count("failed"), 1)
+
+    def merged(self, out):
+        self.trivet("batch", "merge", out, "-o", out + ".jsonl")
+        return [json.loads(line) for line in self.read(out + ".jsonl").splitlines()]
+
+    def test_a_scene_beyond_its_memory_is_listed(self):
+        self.batch("out", "--scene-memory-mb", 1, count=6, status=1)
+        rows = self.merged("out")
+        self.assertEqual([row["status"] for row in rows], ["failed"] * 6)
+
+    def test_sigterm_stops_within_seconds_and_leaves_whole_units(self):
+        self.write_recipe(groups=[{**HEAP, "count": 12}])
+        process = self.start("out", "--jobs", "2", count=4000)
+        while not glob.glob(self.path("out/0000/scenes-*.tar")):
+            self.assertIsNone(process.poll())
+            time.sleep(0.02)
+        process.send_signal(signal.SIGTERM)
+        start = time.monotonic()
+        self.assertEqual(process.wait(), 75)
+        self.assertLess(time.monotonic() - start, 5)
+        self.assertEqual(self.temporaries("out"), [])
+        self.assert_no_process_left()
+        self.trivet("batch", "status", "out", status=1)
+        self.trivet("batch", "verify", "out", "--sample", 0)
+
+    def test_full_disk_stops_at_once_with_all_written_intact(self):
+        run = as_root_in_mounts(
+            "cd %s && mkdir full && mount -t tmpfs -o size=96k none full && "
+            "%s batch recipe.json --count 4000 --per-tar 5 --out full; echo status $?; "
+            "%s batch verify full --sample 0; echo status $?; ls -a full/0000"
+            % (self.folder, PROGRAM, PROGRAM))
+        if run is None:
+            self.skipTest("no file system can be mounted here")
+        out, err = run.stdout.decode(), run.stderr.decode()
+        self.assertIn("No space left on device", err)
+        self.assertEqual(out.count("status 3"), 1, out + err)
+        self.assertEqual(out.count("status 0"), 1, out + err)
+        self.assertIn("scenes-000000.tar", out)
+        self.assertNotIn("trivet-tmp", out)
+
+    def test_read_only_folder_is_refused_before_the_first_scene(self):
+        run = as_root_in_mounts("cd %s && mkdir ro && mount -t tmpfs -o ro none ro && "
+                                "%s batch recipe.json --count 10 --out ro; echo status $?" % (self.folder, PROGRAM))
+        if run is None:
+            self.skipTest("no file system can be mounted here")
+        self.assertIn("status 3", run.stdout.decode())
+        self.assertIn("run.json: cannot be written: Read-only file system", run.stderr.decode())
+
+    def test_few_descriptors(self):
+        self.batch("one")
+        subprocess.run(["bash", "-c", 'ulimit -n 64; exec "$@"', "bash", PROGRAM, "batch", "recipe.json", "--count", "40",
+                        "--per-tar", "5", "--out", "few", "--quiet"], cwd=self.folder, check=True, capture_output=True)
+        self.assertEqual(self.hashes("few"), self.hashes("one"))
+        run = subprocess.run(["bash", "-c", 'ulimit -n 16; exec "$@"', "bash", PROGRAM, "batch", "recipe.json", "--count",
+                              "4000", "--jobs", "64", "--out", "none"], cwd=self.folder, capture_output=True)
+        self.assertEqual(run.returncode, 3)
+        self.assertIn(b"accepted: fewer --jobs, or a larger ulimit -n", run.stderr)
+
+
+class Audit(BatchCase):
+    def test_verify_finds_one_flipped_bit(self):
+        self.batch("out", count=20)
+        good = self.trivet("batch", "verify", "out", "--sample", 0.3)[0]
+        self.assertIn("0 findings", good)
+        names = [n for n in self.files() if n.startswith("out/") and n.endswith((".tar", ".obj"))]
+        generator = random.Random(3)
+        for i in range(int(6 * EFFORT) or 1):
+            name = generator.choice(names)
+            content = self.read(name)
+            at = generator.randrange(len(content))
+            self.write(name, content[:at] + bytes([content[at] ^ 1 << generator.randrange(8)]) + content[at + 1:])
+            self.assertIn("1 findings", self.trivet("batch", "verify", "out", "--sample", 0, status=1)[0], (name, at))
+            self.write(name, content)
+
+    def test_verify_finds_what_is_true_to_itself_but_made_otherwise(self):
+        self.batch("out", "--format", "poses", count=5)
+        name = "out/0000/scenes-000000.jsonl"
+        rows = self.read(name).decode().splitlines(keepends=True)
+        rows[0] = rows[0].replace('"attempt":0', '"attempt":1')
+        end = json.loads(rows[-1])
+        end["sha256"] = hashlib.sha256("".join(rows[:-1]).encode()).hexdigest()
+        self.write(name, "".join(rows[:-1]) + json.dumps(end, separators=(",", ":")) + "\n")
+        self.assertIn("0 findings", self.trivet("batch", "verify", "out", "--sample", 0)[0])
+        self.assertIn("scene 0 made again has other poses",
+                      self.trivet("batch", "verify", "out", "--sample", 1, status=1)[0])
+
+    def test_another_run_is_refused(self):
+        self.batch("out", count=10)
+        before = self.hashes("out")
+        for more, says in (((("--seed", 1)), "seed is 0, here 1"), (("--format", "dir"), "format is")):
+            self.assertIn("another batch is in this folder: " + says, self.batch("out", *more, count=10, status=2)[1])
+        self.assertIn("count is 10, here 11", self.batch("out", count=11, status=2)[1])
+        self.write_recipe(max_motions=10)
+        self.assertIn("recipe", self.batch("out", count=10, status=2)[1])
+        self.assertEqual(self.hashes("out"), before)
+
+    def test_another_model_of_the_same_name_is_another_recipe(self):
+        self.batch("out", count=10)
+        self.write("cube.obj", self.read("cube.obj") + b"v 1 1 1\n")
+        self.assertIn("another batch is in this folder", self.batch("out", count=10, status=2)[1])
+
+    def test_status_and_merge(self):
+        self.write_recipe(accept={"min_objects": 2})
+        self.batch("out", "--shard", "0/2")
+        out = self.trivet("batch", "status", "out", status=1)[0]
+        self.assertIn("units: 4 of 8; scenes: 20 of 40", out)
+        self.assertIn("refused: 1 objects; accepted: at least 2", out)
+        status = json.loads(self.trivet("batch", "status", "out", "--json", status=1)[0])
+        self.assertEqual(status["ok"] + status["refused"], 20)
+        self.assertGreater(status["refused"], 0)
+        self.batch("out")
+        self.trivet("batch", "merge", "out", "-o", "all.jsonl")
+        self.trivet("batch", "merge", "out", "-o", "all.csv")
+        rows = [json.loads(line) for line in self.read("all.jsonl").splitlines()]
+        self.assertEqual([row["k"] for row in rows], list(range(40)))
+        for row in rows:
+            self.assertEqual(row["status"], "ok" if row["objects"] >= 3 else "refused")  # with the slab
+        lines = self.read("all.csv").decode().splitlines()
+        self.assertEqual(len(lines), 41)
+        self.assertTrue(lines[0].startswith("k,status,reason"))
+        self.refused("batch", "merge", "out", "-o", "all.parquet", says="accepted: .jsonl, .csv")
+
+
+class Usage(BatchCase):
+    def test_bad_usage(self):
+        base = ("batch", "recipe.json", "--count", 10)
+        self.refused("batch", says="batch: a recipe is missing")
+        self.refused("batch", "recipe.json", "--out", "o", says="--count is missing")
+        self.refused(*base, says="--out is missing")
+        self.refused(*base, "--out", "o", "--shard", "2/2", says="--shard: shard 2 of 2 is not accepted")
+        self.refused(*base, "--out", "o", "--format", "zip", says="accepted: tar, dir, poses")
+        self.refused(*base, "--out", "o", "--format", "poses", "--with", "scene", says="--with: is not accepted")
+        self.refused(*base, "--only", "3,10", says="--only: 10 is not accepted; accepted: 0 to 9")
+        self.refused("batch", "none.json", "--count", 1, "--out", "o", says="none.json")
+        self.refused("batch", "status", self.folder, says="run.json")
+        self.refused("batch", "materialise", "nowhere", 3, "-o", "a.glb", says="run.json")
+
+    def test_bad_recipes_and_models_leave_nothing(self):
+        self.write("bad.json", '{"trivet_recipe": 1, "groups": [{"name": "a", "models": [], "on": "floor"}]}')
+        self.refused("batch", "bad.json", "--count", 1, "--out", "o", says="bad.json: /groups/0/models: [] is not")
+        self.write_recipe("none.json", groups=[{**HEAP, "models": [{"model": "none.obj"}]}])
+        self.refused("batch", "none.json", "--count", 1, "--out", "o", says="none.obj: is no file")
+        self.write("broken.obj", "v 0 0 zero\nf 1 2 3\n")
+        self.write_recipe("broken.json", groups=[{**HEAP, "models": [{"model": "broken.obj"}]}])
+        self.refused("batch", "broken.json", "--count", 1, "--out", "o", says="broken.obj")
+
+    def test_dry_run_and_templates_write_nothing(self):
+        before = self.files()
+        out = json.loads(self.trivet("batch", "recipe.json", "--count", 95, "--per-tar", 10, "--shard", "1/4", "--dry-run",
+                                     "--json")[0])
+        self.assertEqual((out["units"], out["scenes"], out["models"]), (3, 25, 2))
+        args = ("batch", "recipe.json", "--count", 100000, "--seed", 7, "--template")
+        for engine in ("slurm", "parallel"):
+            self.write("job.sh", self.trivet(*args, engine)[0])
+            subprocess.run(["bash", "-n", self.path("job.sh")], check=True)
+            self.assertIn(b"--count 100000 --seed 7 --per-tar 1000", self.read("job.sh"))
+            os.unlink(self.path("job.sh"))
+        job = json.loads(self.trivet(*args, "aws-batch")[0])
+        self.assertEqual(job["arrayProperties"]["size"], 100)
+        self.assertIn("completions: 100\n", self.trivet(*args, "kubernetes")[0])
+        self.assertEqual(self.files(), before)
+
+
+class Referee(BatchCase):
+    @unittest.skipUnless(os.access(os.environ.get("TRIVET_REFEREE", ""), os.X_OK),
+                         "the referee of ../shared is not built")
+    def test_scenes_are_judged_true(self):
+        """By a program that shares no code with Trivet."""
+        self.batch("out", "--format", "dir", "--with", "scene,report", count=int(5 * EFFORT) or 1)
+        scenes = sorted(glob.glob(self.path("out/0000/scenes-*/*.glb")))
+        self.assertGreater(len(scenes), 0)
+        for scene in scenes:
+            report = json.loads(self.read(scene[:-4] + ".report.json"))
+            for o in report["objects"]:
+                o["model"] = self.path("out/" + o["model"])
+            self.write("report.json", json.dumps(report))
+            run = subprocess.run([os.environ["TRIVET_REFEREE"], self.path("report.json"), "--scene", scene],
+                                 capture_output=True, cwd=self.folder)
+            self.assertEqual(run.returncode, 0, run.stdout.decode() + run.stderr.decode())
+
+
+if __name__ == "__main__":
+    main()
