@@ -9,10 +9,19 @@
 
 namespace trivet {
 
+/// Texels of all textures of a scene together. The nearer it is, the smaller are further textures.
+inline constexpr std::size_t kMaxSceneTextureBytes = std::size_t{1} << 30;
+
+/// What a mesh may take beside those that have taken `used_bytes`: a quarter of the rest.
+inline std::size_t texture_bytes_left(std::size_t used_bytes) {
+  return std::min(kMaxTextureBytes,
+                  (kMaxSceneTextureBytes - std::min(used_bytes, kMaxSceneTextureBytes)) / 4);
+}
+
 /// A mesh with its look, if it has one: materials and faces are those that are drawn.
 struct DrawnMesh : PictureMesh {
-  explicit DrawnMesh(const PictureMesh& mesh)
-      : PictureMesh(mesh), surface(mesh.look ? mesh.look() : nullptr) {
+  DrawnMesh(const PictureMesh& mesh, std::size_t max_texture_bytes)
+      : PictureMesh(mesh), surface(mesh.look ? mesh.look(max_texture_bytes) : nullptr) {
     if (!surface) return;
     materials = surface->materials;
     face_material = surface->face_material;

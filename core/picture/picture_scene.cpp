@@ -29,9 +29,9 @@ void check_options(const PictureOptions& options) {
 class ModelLook {
  public:
   explicit ModelLook(const Model& model) : m_model(model) {}
-  std::shared_ptr<const SurfaceLook> get() {
-    std::call_once(m_made, [this] {
-      m_look = surface_look(m_model);
+  std::shared_ptr<const SurfaceLook> get(std::size_t max_bytes) {
+    std::call_once(m_made, [this, max_bytes] {
+      m_look = surface_look(m_model, max_bytes);
       if (!m_look) m_look = quiet_look(m_model);
     });
     return m_look;
@@ -61,7 +61,7 @@ void check_picture(const PictureScene& scene, const PictureOptions& options) {
 PictureMesh picture_mesh(const Model& model) {
   PictureMesh mesh;
   const auto look = std::make_shared<ModelLook>(model);
-  mesh.look = [look] { return look->get(); };
+  mesh.look = [look](std::size_t max_bytes) { return look->get(max_bytes); };
   mesh.vertices = model.mesh.vertices;
   mesh.triangles = model.mesh.triangles;
   mesh.corner_normals = model.corner_normals;

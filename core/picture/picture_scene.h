@@ -22,8 +22,8 @@ struct PictureMesh {
   std::span<const Index> face_material;  // #F; empty: the first material
   std::span<const Material> materials;   // linear RGB, alpha < 1 is see-through; empty: light grey
   // Textures, vertex colours and more, with materials and faces of their own, made when a renderer
-  // asks; empty, or null: the members above are all.
-  std::function<std::shared_ptr<const SurfaceLook>()> look;
+  // first asks, with at most so many bytes of texels; empty, or null: the members above are all.
+  std::function<std::shared_ptr<const SurfaceLook>(std::size_t max_bytes)> look;
 };
 
 /// Of the whole model, which must outlive it. A model without any colour gets a quiet one of its

@@ -114,6 +114,13 @@ GLuint GlVertexArrayKind::create() {
 }
 void GlVertexArrayKind::destroy(GLuint id) { glDeleteVertexArrays(1, &id); }
 
+GLuint GlSamplerKind::create() {
+  GLuint id = 0;
+  glGenSamplers(1, &id);
+  return id;
+}
+void GlSamplerKind::destroy(GLuint id) { glDeleteSamplers(1, &id); }
+
 void GlShaderKind::destroy(GLuint id) { glDeleteShader(id); }
 void GlProgramKind::destroy(GLuint id) { glDeleteProgram(id); }
 
@@ -156,6 +163,11 @@ void set_uniform(const GlProgram& program, const char* name, const std::array<fl
 void set_uniform(const GlProgram& program, const char* name, const Eigen::Matrix4d& m) {
   const Eigen::Matrix4f f = m.cast<float>();
   glUniformMatrix4fv(program.uniform(name), 1, GL_FALSE, f.data());
+}
+
+void bind_texture(int unit, GLenum target, GLuint texture) {
+  glActiveTexture(GL_TEXTURE0 + unit);
+  glBindTexture(target, texture);
 }
 
 GlBuffer make_buffer(GLenum target, const void* data, std::size_t bytes) {

@@ -59,6 +59,10 @@ struct GlVertexArrayKind {
   static GLuint create();
   static void destroy(GLuint id);
 };
+struct GlSamplerKind {
+  static GLuint create();
+  static void destroy(GLuint id);
+};
 struct GlShaderKind {
   static void destroy(GLuint id);
 };
@@ -69,6 +73,7 @@ using GlBuffer = GlHandle<GlBufferKind>;
 using GlTexture = GlHandle<GlTextureKind>;
 using GlFramebuffer = GlHandle<GlFramebufferKind>;
 using GlRenderbuffer = GlHandle<GlRenderbufferKind>;
+using GlSampler = GlHandle<GlSamplerKind>;
 using GlVertexArray = GlHandle<GlVertexArrayKind>;
 
 struct GlShaderSource {
@@ -100,6 +105,9 @@ void set_uniform(const GlProgram& program, const char* name, int value);
 void set_uniform(const GlProgram& program, const char* name, const Vec3& v);
 void set_uniform(const GlProgram& program, const char* name, const std::array<float, 4>& v);
 void set_uniform(const GlProgram& program, const char* name, const Eigen::Matrix4d& m);
+
+/// Binds a texture to a unit, for the program in use.
+void bind_texture(int unit, GLenum target, GLuint texture);
 
 /// Makes an immutable buffer.
 GlBuffer make_buffer(GLenum target, const void* data, std::size_t bytes);

@@ -90,7 +90,7 @@ void LiveRenderer::coarsen(const View& view) {
   std::int64_t num_triangles = 0;
   for (const Candidate& candidate : candidates) {
     const UploadedMesh& mesh = *candidate.instance->mesh;
-    num_triangles += (mesh.num_opaque + mesh.num_see_through) / 3;
+    num_triangles += mesh.num_corners / 3;
     if (num_triangles > m_many_triangles / kManyToCoarse) draw_as_box(*candidate.instance);
   }
 }

@@ -27,8 +27,7 @@ void LiveRenderer::draw_backdrop(const View& view) {
 }
 
 void LiveRenderer::set_shadow_uniforms(const GlProgram& program, const View& view) const {
-  glActiveTexture(GL_TEXTURE2);
-  glBindTexture(GL_TEXTURE_2D, m_shadow_map.id());
+  bind_texture(2, GL_TEXTURE_2D, m_shadow_map.id());
   set_uniform(program, "shadow_map", 2);
   set_uniform(program, "map_from_frame",
               Eigen::Matrix4d(m_map_from_world * world_from_frame(m_frame)));
@@ -54,29 +53,41 @@ void LiveRenderer::prepare_objects(const View& view, const MeshProgram& mesh_pro
 
 void LiveRenderer::draw_one(const MeshProgram& program, const Instance& instance, Part part) const {
   const UploadedMesh& mesh = *instance.mesh;
-  const GLint first = part == Part::SeeThrough ? mesh.num_opaque : 0;
-  const GLsizei count = part == Part::Opaque       ? mesh.num_opaque
-                        : part == Part::SeeThrough ? mesh.num_see_through
-                                                   : mesh.num_opaque + mesh.num_see_through;
-  if (count == 0) return;
+  if (mesh.empty()) return;
   glUniformMatrix4fv(program.frame_from_object, 1, GL_FALSE,
                      instance.placement.frame_from_object.data());
   glUniformMatrix3fv(program.frame_from_normal, 1, GL_FALSE,
                      instance.placement.frame_from_normal.data());
   glUniform4fv(program.tint, 1, instance.tint.data());
   glUniform1f(program.opacity, instance.object->opacity);
-  glActiveTexture(GL_TEXTURE0);
-  glBindTexture(GL_TEXTURE_BUFFER, mesh.material_texture.id());
+  bind_texture(0, GL_TEXTURE_BUFFER, mesh.material_texture.id());
   glBindVertexArray(mesh.vertex_array.id());
-  glDrawArrays(GL_TRIANGLES, first, count);
+  const bool finishes = mesh.textured() && program.finish.used >= 0;
+  if (finishes) program.finish.set_units();
+  for (const MeshGroup& group : mesh.groups) {
+    const bool is_solid = group.part != MeshPart::SeeThrough;
+    if (part != Part::All && is_solid != (part == Part::Solid)) continue;
+    if (finishes) mesh.surface->bind(program.finish, group.material);
+    glDrawArrays(GL_TRIANGLES, group.first, group.count);
+  }
+  if (finishes) SurfaceImages::unbind();
+}
+
+// Programs are changed, and told of the view, only where the next mesh needs another.
+void LiveRenderer::draw_object(const View& view, const Instance& instance, Part part) {
+  const MeshProgram& program =
+      instance.mesh->textured() ? m_programs.textured_object : m_programs.object;
+  if (m_prepared != &program) prepare_objects(view, program);
+  m_prepared = &program;
+  draw_one(program, instance, part);
 }
 
 void LiveRenderer::draw_solid(const View& view, bool still, bool moving) {
-  prepare_objects(view, m_programs.object);
+  m_prepared = nullptr;
   for (const Instance& instance : m_instances)
     if (instance.seen && instance.object->opacity >= 1 &&
         (instance.object->moving ? moving : still))
-      draw_one(m_programs.object, instance, Part::Opaque);
+      draw_object(view, instance, Part::Solid);
   if (still && view.scene.floor) draw_floor(view);
 }
 
@@ -119,19 +130,19 @@ void LiveRenderer::draw_floor(const View& view) {
 
 void LiveRenderer::draw_translucent(const View& view) {
   prepare_to_draw_solids();
-  prepare_objects(view, m_programs.object);
+  m_prepared = nullptr;
   blend_over();
   glDepthMask(GL_FALSE);
   for (auto it = m_instances.rbegin(); it != m_instances.rend(); ++it)  // far ones first
-    if (it->seen && it->object->opacity >= 1) draw_one(m_programs.object, *it, Part::SeeThrough);
+    if (it->seen && it->object->opacity >= 1) draw_object(view, *it, Part::SeeThrough);
   // Only the nearest surface of a ghost is visible: first its depth, then its colour.
   for (auto it = m_instances.rbegin(); it != m_instances.rend(); ++it) {
     if (!it->seen || it->object->opacity >= 1) continue;
     glDepthMask(GL_TRUE);
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-    draw_one(m_programs.object, *it, Part::All);
+    draw_object(view, *it, Part::All);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    draw_one(m_programs.object, *it, Part::All);
+    draw_object(view, *it, Part::All);
   }
   prepare_to_draw_solids();
 }
@@ -197,8 +208,7 @@ void LiveRenderer::draw_outlines(const View& view, const LiveTargets& targets) {
   glBindFramebuffer(GL_FRAMEBUFFER, targets.draw_picture.id());
   blend_over();
   m_programs.outline.use();
-  glActiveTexture(GL_TEXTURE0);
-  glBindTexture(GL_TEXTURE_2D, targets.mask.id());
+  bind_texture(0, GL_TEXTURE_2D, targets.mask.id());
   set_uniform(m_programs.outline, "mask", 0);
   set_uniform(m_programs.outline, "outline", view.options.theme.outline);
   set_uniform(m_programs.outline, "reach", reach);

@@ -13,19 +13,9 @@ namespace trivet {
 namespace {
 
 namespace shaders = live_shaders;
+using picture_shaders::Surfaces;
 
-constexpr int kSamples = 4;                  // per pixel
-constexpr double kNearestOfFarthest = 2e-4;  // nearer geometry is clipped
-constexpr double kSmallest = 0.5;            // px; smaller objects are left out
-
-float linear_from_srgb(float x) {
-  return x > 0.04045f ? std::pow((x + 0.055f) / 1.055f, 2.4f) : x / 12.92f;
-}
-
-LiveColour linear_from_srgb(const LiveColour& colour) {
-  return {linear_from_srgb(colour[0]), linear_from_srgb(colour[1]), linear_from_srgb(colour[2]),
-          colour[3]};
-}
+constexpr int kSamples = 4;  // per pixel
 
 GlTexture make_shadow_texture() {
   GlTexture texture = make_texture_2d(GL_DEPTH_COMPONENT32F, kLiveShadowMapPx, kLiveShadowMapPx);
@@ -106,11 +96,17 @@ MeshProgram::MeshProgram(const char* name, const std::string& vertex, const std:
       frame_from_object(program.uniform("frame_from_object")),
       frame_from_normal(program.uniform("frame_from_normal")),
       tint(program.uniform("tint")),
-      opacity(program.uniform("opacity")) {}
+      opacity(program.uniform("opacity")),
+      finish(program) {}
 
 LivePrograms::LivePrograms()
-    : object("objects", shaders::object_vertex(), shaders::object_fragment()),
+    : object("objects", shaders::object_vertex(Surfaces::Plain),
+             shaders::object_fragment(Surfaces::Plain)),
+      textured_object("textured objects", shaders::object_vertex(Surfaces::Textured),
+                      shaders::object_fragment(Surfaces::Textured)),
       shadow("the shadow map", picture_shaders::shadow_vertex(), shaders::empty_fragment()),
+      textured_shadow("the shadow map of textured objects",
+                      picture_shaders::shadow_vertex(Surfaces::Textured), shaders::cut_fragment()),
       mask("the outline's mask", picture_shaders::shadow_vertex(), shaders::mask_fragment()),
       floor("the floor", shaders::floor_vertex(), shaders::floor_fragment()),
       backdrop("the backdrop", picture_shaders::whole_target_vertex(),
@@ -143,7 +139,7 @@ LiveRenderer::LiveRenderer(std::int64_t many_triangles)
       m_overlay_buffer(GlBuffer::create()),
       m_shadow_map(make_shadow_texture()),
       m_draw_shadow_map(GlFramebuffer::create()) {
-  m_box = upload_mesh(box_mesh());
+  m_box = upload_mesh(box_mesh(), 0);
   glBindFramebuffer(GL_FRAMEBUFFER, m_draw_shadow_map.id());
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, m_shadow_map.id(), 0);
   glDrawBuffer(GL_NONE);
@@ -152,78 +148,6 @@ LiveRenderer::LiveRenderer(std::int64_t many_triangles)
   glBindBuffer(GL_ARRAY_BUFFER, m_overlay_buffer.id());
   describe_overlay_vertices();
   check_gl("preparing live views");
-}
-
-const UploadedMesh& LiveRenderer::mesh_of(const std::shared_ptr<const Model>& model) {
-  KnownMesh& known = m_meshes[model.get()];
-  if (known.model.lock() != model) {  // unknown, or a different model at the same address
-    known = {model, upload_mesh(picture_mesh(*model))};
-    ++m_work.meshes_sent;
-  }
-  return known.mesh;
-}
-
-void LiveRenderer::place_instances(const LiveScene& scene) {
-  std::erase_if(m_meshes, [](const auto& known) { return known.second.model.expired(); });
-  m_instances.clear();
-  m_num_triangles = 0;
-  Aabb box;
-  for (const LiveObject& object : scene.objects) {
-    const UploadedMesh& mesh = mesh_of(object.model);
-    const Affine& pose = object.world_from_object;
-    if (mesh.empty() || !pose.linear.allFinite() || !pose.translation.allFinite()) continue;
-    Instance instance;
-    instance.object = &object, instance.mesh = &mesh;
-    instance.tint = linear_from_srgb(object.tint);
-    for (int i = 0; i < 8; ++i) {
-      instance.corners[i] = pose.apply(box_corner(mesh.box, i));
-      box.extend(instance.corners[i]);
-    }
-    m_num_triangles += (mesh.num_opaque + mesh.num_see_through) / 3;
-    m_instances.push_back(instance);
-  }
-  m_frame = frame_of_box(box);
-  for (Instance& instance : m_instances)
-    instance.placement = place_mesh(*instance.mesh, instance.object->world_from_object, m_frame);
-}
-
-void LiveRenderer::find_depth_range(View& view) const {
-  double nearest = kInfinity, farthest = -kInfinity;
-  const auto extend = [&](const Vec3& p) {
-    const double depth = depth_of(p, view.camera, view.axes);
-    nearest = std::min(nearest, depth), farthest = std::max(farthest, depth);
-  };
-  for (const Instance& instance : m_instances)
-    for (const Vec3& corner : instance.corners) extend(corner);
-  for (int i = 0; i < 4; ++i)
-    extend(view.floor_centre + view.floor_radius * Vec3(i & 1 ? 1 : -1, i & 2 ? 1 : -1, 0));
-  const LiveOverlay& overlay =
-      view.scene.overlay;  // lines and points are never clipped by near or far planes
-  for (const LiveTriangle& triangle : overlay.triangles)
-    for (const Vec3& corner : triangle.corners) extend(corner);
-  const double room = 0.02 * (farthest - nearest) + 0.01 * view.reach();
-  nearest -= room, farthest += room;
-  if (!view.camera.height) {
-    farthest = std::max(farthest, view.reach());
-    nearest = std::max(nearest, kNearestOfFarthest * farthest);
-  }
-  view.near_depth = nearest, view.far_depth = farthest;
-}
-
-void LiveRenderer::cull(const View& view) {
-  for (Instance& instance : m_instances) {
-    const auto& corners = instance.corners;
-    const Vec3 middle = 0.5 * (corners[0] + corners[7]);
-    instance.depth = depth_of(middle, view.camera, view.axes);
-    const double size = (corners[7] - corners[0]).norm();
-    const double pixel = 2 * view.axes.up.norm() / view.options.height *
-                         (view.camera.height ? 1 : std::max(instance.depth, 0.0));
-    instance.seen = size >= kSmallest * pixel && !out_of_sight(corners, view.clip_from_world);
-    ++(instance.seen ? m_work.objects_drawn : m_work.objects_culled);
-  }
-  // Front to back, for early depth tests.
-  std::stable_sort(m_instances.begin(), m_instances.end(),
-                   [](const Instance& a, const Instance& b) { return a.depth < b.depth; });
 }
 
 void LiveRenderer::draw_shadow_map(const View& view, bool of_moving) {
@@ -254,11 +178,15 @@ void LiveRenderer::draw_shadow_map(const View& view, bool of_moving) {
   bind_target(m_draw_shadow_map, size_px, size_px);
   const float farthest = 1;
   glClearBufferfv(GL_DEPTH, 0, &farthest);
-  const MeshProgram& program = m_programs.shadow;
-  program.program.use();
-  set_uniform(program.program, "clip_from_frame",
-              Eigen::Matrix4d(map.clip_from_frame.cast<double>()));
-  for (const Instance* caster : casters) draw_one(program, *caster, Part::Opaque);
+  for (const MeshProgram* program : {&m_programs.shadow, &m_programs.textured_shadow}) {
+    program->program.use();
+    set_uniform(program->program, "clip_from_frame",
+                Eigen::Matrix4d(map.clip_from_frame.cast<double>()));
+    set_uniform(program->program, "materials", 0);
+    for (const Instance* caster : casters)
+      if (caster->mesh->textured() == (program == &m_programs.textured_shadow))
+        draw_one(*program, *caster, Part::Solid);
+  }
 }
 
 Image LiveRenderer::draw(const LiveScene& scene, const LiveCamera& camera,

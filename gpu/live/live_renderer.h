@@ -22,11 +22,12 @@ struct MeshProgram {
   MeshProgram(const char* name, const std::string& vertex, const std::string& fragment);
   GlProgram program;
   GLint frame_from_object, frame_from_normal, tint, opacity;
+  FinishUniforms finish;
 };
 
 struct LivePrograms {
   LivePrograms();
-  MeshProgram object, shadow, mask;
+  MeshProgram object, textured_object, shadow, textured_shadow, mask;
   GlProgram floor, backdrop, outline, overlay;
 };
 
@@ -103,7 +104,8 @@ class LiveRenderer {
       return camera.height ? *camera.height : (camera.eye - camera.target).norm();
     }
   };
-  enum class Part { Opaque, SeeThrough, All };
+  /// Which groups of meshes are drawn: the solid ones are opaque or cut out.
+  enum class Part { Solid, SeeThrough, All };
 
   const UploadedMesh& mesh_of(const std::shared_ptr<const Model>& model);
   void place_instances(const LiveScene& scene);
@@ -120,7 +122,9 @@ class LiveRenderer {
   void draw_backdrop(const View& view);
   void draw_floor(const View& view);
   void prepare_objects(const View& view, const MeshProgram& program) const;
+  /// With the program in use; of textured meshes only if it is for them.
   void draw_one(const MeshProgram& program, const Instance& instance, Part part) const;
+  void draw_object(const View& view, const Instance& instance, Part part);
   void draw_solid(const View& view, bool still, bool moving);
   void draw_translucent(const View& view);
   void draw_overlay(const View& view);
@@ -144,6 +148,7 @@ class LiveRenderer {
   PictureFrame m_frame;
   std::vector<Instance> m_instances;
   std::int64_t m_num_triangles = 0;
+  const MeshProgram* m_prepared = nullptr;  // whose uniforms of the view are set
   LiveView::Work m_work;
 };
 

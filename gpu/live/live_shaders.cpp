@@ -46,6 +46,9 @@ void main() {
   shading_normal = frame_from_normal * normal;
   flat_normal = frame_from_normal * face_normal;
   material_id = material;
+#ifdef TEXTURED
+  pass_details(mat3(frame_from_object));
+#endif
   gl_Position = clip_from_frame * p;
 }
 )";
@@ -65,6 +68,14 @@ layout(location = 0) out vec4 colour;
 void main() {
   vec4 base = texelFetch(materials, 2 * int(material_id));
   vec2 finish = texelFetch(materials, 2 * int(material_id) + 1).xy;
+  vec3 own_light = vec3(0.0);
+#ifdef TEXTURED
+  base = textured_base(base);
+  if (is_discarded(base.a)) discard;
+  if (cutoff <= 1.0 && cutoff >= 0.0) base.a = 1.0;
+  finish = textured_polish(finish);
+  own_light = textured_emission() * (1.0 - tint.a);
+#endif
   base.rgb = mix(base.rgb, tint.rgb, tint.a);
   vec3 to_eye = normalize(eye.xyz - eye.w * at);
   // Two-sided shading: normals face the viewer, and the smooth one agrees with the face.
@@ -72,6 +83,9 @@ void main() {
   if (dot(face, to_eye) < 0.0) face = -face;
   vec3 n = dot(shading_normal, shading_normal) > 1e-12 ? normalize(shading_normal) : face;
   if (dot(n, face) < 0.0) n = -n;
+#ifdef TEXTURED
+  n = bent_normal(n, face, dot(flat_normal, face) < 0.0);
+#endif
 
   float key = max(dot(n, light), 0.0);
   if (key > 0.0) key *= reaches(at, face);
@@ -87,8 +101,17 @@ void main() {
   float mirrored = 0.30 + 0.45 * smoothstep(-0.3, 0.9, reflect(-to_eye, n).z);
   float rim = pow(1.0 - max(dot(n, to_eye), 0.0), 4.0) * (1.0 - rough);
   vec3 seen = diffuse * (sky + head + key * 0.68) + shine * min(spot, 4.0) * key +
-              (shine + rim * 0.4) * mirrored * (1.0 - 0.6 * rough);
+              (shine + rim * 0.4) * mirrored * (1.0 - 0.6 * rough) + own_light;
   colour = vec4(srgb_from_linear(film(exposure * seen)), base.a * opacity);
+}
+)";
+
+const char* const kCutFragment = R"(
+uniform samplerBuffer materials;
+flat in uint material_id;
+
+void main() {
+  if (is_discarded(textured_base(texelFetch(materials, 2 * int(material_id))).a)) discard;
 }
 )";
 
@@ -197,16 +220,23 @@ void main() {
 
 using picture_shaders::mesh_inputs;
 using picture_shaders::shadow_lookup;
+using picture_shaders::surface_details;
+using picture_shaders::Surfaces;
 using picture_shaders::tone;
 using picture_shaders::version;
 
 }  // namespace
 
-std::string object_vertex() { return version() + mesh_inputs() + kObjectVertex; }
-std::string object_fragment() {
-  return version() + shadow_lookup() + kShadow + tone() + kObjectFragment;
+std::string object_vertex(Surfaces surfaces) {
+  return version() + mesh_inputs(surfaces) + kObjectVertex;
+}
+std::string object_fragment(Surfaces surfaces) {
+  const bool textured = surfaces == Surfaces::Textured;
+  return version() + (textured ? "#define TEXTURED\n" + surface_details() : "") + shadow_lookup() +
+         kShadow + tone() + kObjectFragment;
 }
 std::string empty_fragment() { return version() + "void main() {}\n"; }
+std::string cut_fragment() { return version() + surface_details() + kCutFragment; }
 std::string floor_vertex() { return version() + kFloorVertex; }
 std::string floor_fragment() { return version() + shadow_lookup() + kShadow + kFloorFragment; }
 std::string backdrop_fragment() { return version() + kBackdropFragment; }

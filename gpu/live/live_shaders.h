@@ -3,11 +3,15 @@
 
 #include <string>
 
+#include "gpu/picture/picture_shaders.h"
+
 namespace trivet::live_shaders {
 
-std::string object_vertex();
-std::string object_fragment();
+std::string object_vertex(picture_shaders::Surfaces surfaces);
+std::string object_fragment(picture_shaders::Surfaces surfaces);
 std::string empty_fragment();
+/// Of shadows of textured objects: nothing where they are cut out.
+std::string cut_fragment();
 std::string floor_vertex();
 std::string floor_fragment();
 std::string backdrop_fragment();

@@ -8,9 +8,13 @@ namespace trivet {
 
 PictureGeometry::PictureGeometry(const PictureScene& scene, const PictureFrame& frame) {
   std::map<const PictureMesh*, std::size_t> known;
+  std::size_t texture_bytes = 0;
   for (const PictureObject& object : scene.objects) {
     const auto [entry, is_new] = known.emplace(object.mesh, m_meshes.size());
-    if (is_new) m_meshes.push_back(upload_mesh(*object.mesh));
+    if (is_new) {
+      m_meshes.push_back(upload_mesh(*object.mesh, texture_bytes));
+      texture_bytes += m_meshes.back().texture_bytes();
+    }
     const UploadedMesh& mesh = m_meshes[entry->second];
     if (!mesh.empty()) add_instance(object, entry->second, frame);
   }
@@ -31,30 +35,45 @@ void PictureGeometry::add_instance(const PictureObject& object, std::size_t mesh
     m_hull_points.push_back(frame.apply(pose.apply(box_corner(m_meshes[mesh].box, i))));
 }
 
-void PictureGeometry::draw(const GlProgram& program, Part part) const {
+bool PictureGeometry::has_textures() const {
+  return std::any_of(m_meshes.begin(), m_meshes.end(),
+                     [](const UploadedMesh& mesh) { return mesh.textured(); });
+}
+
+bool PictureGeometry::emits() const {
+  return std::any_of(m_meshes.begin(), m_meshes.end(), [](const UploadedMesh& mesh) {
+    return mesh.textured() && mesh.surface->emits();
+  });
+}
+
+void PictureGeometry::draw(const GlProgram& program, const Which& which) const {
   const GLint frame_from_object = program.uniform("frame_from_object");
   const GLint frame_from_normal = program.uniform("frame_from_normal");
   const GLint highlight = program.uniform("highlight");
   const GLint seed = program.uniform("seed");
   const GLint first_triangle = program.uniform("first_triangle");
+  const bool finishes = which.textured && *which.textured;
+  std::optional<FinishUniforms> uniforms;
+  if (finishes) uniforms.emplace(program).set_units();
   for (std::size_t i = 0; i < m_instances.size(); ++i) {
     const Instance& instance = m_instances[i];
     const UploadedMesh& mesh = m_meshes[instance.mesh];
-    const GLint first = part == Part::Opaque ? 0 : mesh.num_opaque;
-    const GLsizei count = part == Part::Opaque ? mesh.num_opaque : mesh.num_see_through;
-    if (count == 0) continue;
+    if (which.textured && mesh.textured() != *which.textured) continue;
     glUniformMatrix4fv(frame_from_object, 1, GL_FALSE, instance.placement.frame_from_object.data());
     glUniformMatrix3fv(frame_from_normal, 1, GL_FALSE, instance.placement.frame_from_normal.data());
     glUniform4fv(highlight, 1, instance.highlight.data());
     glUniform1ui(seed, static_cast<GLuint>(i));
-    glUniform1i(first_triangle, first / 3);
-    glActiveTexture(GL_TEXTURE1);
-    glBindTexture(GL_TEXTURE_BUFFER, mesh.corner_texture.id());
-    glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_BUFFER, mesh.material_texture.id());
+    bind_texture(1, GL_TEXTURE_BUFFER, mesh.corner_texture.id());
+    bind_texture(0, GL_TEXTURE_BUFFER, mesh.material_texture.id());
     glBindVertexArray(mesh.vertex_array.id());
-    glDrawArrays(GL_TRIANGLES, first, count);
+    for (const MeshGroup& group : mesh.groups) {
+      if ((group.part == MeshPart::Opaque) != which.solid) continue;
+      if (finishes) mesh.surface->bind(*uniforms, group.material);
+      glUniform1i(first_triangle, group.first / 3);
+      glDrawArrays(GL_TRIANGLES, group.first, group.count);
+    }
   }
+  if (finishes) SurfaceImages::unbind();
 }
 
 }  // namespace trivet

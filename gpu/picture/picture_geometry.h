@@ -1,6 +1,7 @@
 // Private to gpu: the triangles of a picture in graphics memory.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "gpu/picture/picture_mesh.h"
@@ -13,14 +14,21 @@ class PictureGeometry {
   /// @throws Error (Environment) for lack of graphics memory.
   PictureGeometry(const PictureScene& scene, const PictureFrame& frame);
 
-  /// Opaque triangles cast shadows without a fragment shader, see-through ones need one.
-  enum class Part { Opaque, SeeThrough };
+  /// Which groups of triangles a program draws.
+  struct Which {
+    bool solid;                    // opaque ones, else cut-out and see-through ones
+    std::optional<bool> textured;  // of textured meshes or of the others; none: both
+  };
 
-  /// Draws that part of all objects with the program in use, which takes position, normal, face
-  /// normal and material at locations 0 to 3, the texture buffers of the materials on unit 0 and of
-  /// the corners on unit 1, and its uniforms `frame_from_object`, `frame_from_normal`, `highlight`,
-  /// `seed` and `first_triangle`.
-  void draw(const GlProgram& program, Part part) const;
+  /// Draws those of all objects with the program in use, which takes what UploadedMesh has, the
+  /// texture buffers of the materials on unit 0 and of the corners on unit 1, its uniforms
+  /// `frame_from_object`, `frame_from_normal`, `highlight`, `seed` and `first_triangle`, and, if it
+  /// is for textured meshes alone, what FinishUniforms sets.
+  void draw(const GlProgram& program, const Which& which) const;
+
+  bool has_textures() const;
+  /// Whether some surface gives light.
+  bool emits() const;
 
   /// Corners of the objects' boxes, frame: all objects lie in their convex hull.
   const std::vector<Vec3>& hull_points() const { return m_hull_points; }

@@ -83,6 +83,9 @@ void main() {
 
 const char* const kLightHead = R"(
 uniform usampler2D surfaces;
+#ifdef EMITS
+uniform sampler2D emission;  // radiance
+#endif
 uniform sampler2D floor_light;
 uniform vec4 ndc_from_pixel;  // scale, offset
 uniform vec3 eye, forward, right, up;
@@ -195,6 +198,7 @@ void main() {
   s.position = eye + along * ray;
   float rounding = 4e-7 * (1.0 + along);
   float coverage = 1.0;
+  vec3 own_light = vec3(0.0);
   if (on_floor) {
     s.normal = s.face = vec3(0, 0, 1);
     s.base = vec3(kFloorAlbedo);
@@ -212,8 +216,11 @@ void main() {
     s.base = colour * colour;
     s.roughness = float((packed_surface.z >> 24) & 15u) / 15.0;
     s.metallic = float(packed_surface.z >> 28) / 15.0;
+#ifdef EMITS
+    own_light = texelFetch(emission, ivec2(gl_FragCoord.xy), 0).rgb;
+#endif
   }
-  sum = vec4(shade(s, -ray, rounding) * coverage, coverage);
+  sum = vec4((shade(s, -ray, rounding) + own_light) * coverage, coverage);
 }
 )";
 
@@ -259,8 +266,9 @@ std::string shadow_lookup() { return kShadowLookup; }
 std::string tone() { return kTone; }
 std::string whole_target_vertex() { return version() + kWholeTargetVertex; }
 std::string floor_light_fragment() { return version() + shadows() + kFloorLight; }
-std::string light_fragment() {
-  return version() + max_bulge() + shadows() + kLightHead + kLightBody;
+std::string light_fragment(bool emits) {
+  return version() + (emits ? "#define EMITS\n" : "") + max_bulge() + shadows() + kLightHead +
+         kLightBody;
 }
 std::string develop_fragment() { return version() + kTone + kDevelop; }
 

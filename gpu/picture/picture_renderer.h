@@ -18,17 +18,33 @@
 namespace trivet {
 
 struct PicturePrograms {
-  PicturePrograms();
+  /// @param emits  whether surfaces give light.
+  explicit PicturePrograms(bool emits);
   GlProgram surface, surface_see_through, shadow, shadow_see_through, floor_light, light, develop;
+};
+
+/// Those of textured meshes.
+struct TexturedPrograms {
+  TexturedPrograms();
+  GlProgram surface, surface_see_through, shadow_see_through;
 };
 
 /// Textures of one tile, shadow maps, the floor's light, and their framebuffers.
 struct PictureTargets {
-  PictureTargets(int width, int height, int map_size);
-  GlTexture surfaces, depth, sums, developed, floor_light, maps;
+  /// @param emits  whether surfaces give light, which takes a target more.
+  PictureTargets(int width, int height, int map_size, bool emits);
+  GlTexture surfaces, emission, depth, sums, developed, floor_light, maps;
   GlFramebuffer draw_surfaces, draw_sums, draw_developed, draw_floor_light;
   std::array<GlFramebuffer, kLightsPerView> draw_maps;
 };
+
+/// State for both sides of every triangle, nearest first.
+void prepare_to_draw();
+/// State for additive blending.
+void add_to_target();
+
+inline constexpr int kFloorLightPx = 128;                  // side
+inline constexpr double kFadeBegin = 1.0, kFadeEnd = 3.2;  // of the floor, in radii of the scene
 
 /// A rectangle of pixels, counted from the lower left of the picture.
 struct PictureTile {
@@ -56,8 +72,14 @@ class PictureRenderer {
   void measure_floor_light();
   void draw_shadow_maps(int view, const Lights& lights);
   void draw_surfaces(int view, const PictureTile& tile);
-  void draw_geometry(const GlProgram& opaque, const GlProgram& see_through,
-                     const Eigen::Matrix4f& clip_from_frame, int view, const PictureTile& tile);
+  /// What all programs of geometry take for one view or light.
+  struct GeometryView {
+    const Eigen::Matrix4f& clip_from_frame;
+    int view;
+    PictureTile tile;
+  };
+  void draw_with(const GlProgram& program, const PictureGeometry::Which& which,
+                 const GeometryView& view) const;
   void add_light(int view, const PictureTile& tile, const Lights& lights);
   void set_view_uniforms(int view, const PictureTile& tile);
   void set_light_uniforms(const GlProgram& program, const Lights& lights);
@@ -71,8 +93,9 @@ class PictureRenderer {
   PictureLights m_lights;
   std::array<int, kLightsPerView> m_map_px{};
   double m_near = 0.01, m_far = 10;
-  PicturePrograms m_programs;
   PictureGeometry m_geometry;
+  PicturePrograms m_programs;
+  std::optional<TexturedPrograms> m_textured;  // if there are any
   PictureTargets m_targets;
   GlVertexArray m_no_attributes;  // the core profile requires a vertex array to draw
   std::array<ShadowMap, kLightsPerView> m_maps;

@@ -52,6 +52,21 @@ layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec3 face_normal;
 layout(location = 3) in uint material;
+#ifdef TEXTURED
+layout(location = 4) in vec4 corner_coordinates;
+layout(location = 5) in vec4 corner_colour;
+layout(location = 6) in vec4 corner_tangent;
+out vec4 coordinates;
+out vec4 vertex_colour;
+out vec3 image_right, image_up;
+
+void pass_details(mat3 frame_from_mesh) {
+  coordinates = corner_coordinates;
+  vertex_colour = corner_colour;
+  image_right = frame_from_mesh * corner_tangent.xyz;
+  image_up = frame_from_mesh * (sign(corner_tangent.w) * cross(normal, corner_tangent.xyz));
+}
+#endif
 )";
 
 const char* const kSurfaceVertex = R"(
@@ -74,6 +89,9 @@ void main() {
   shading_normal = frame_from_normal * normal;
   flat_normal = frame_from_normal * face_normal;
   material_id = material;
+#ifdef TEXTURED
+  pass_details(mat3(frame_from_object));
+#endif
   gl_Position = clip_from_frame * p;
 }
 )";
@@ -93,6 +111,9 @@ flat in uint material_id;
 in vec3 object_position;
 in vec3 weights;
 layout(location = 0) out uvec4 surface;
+#ifdef TEXTURED
+layout(location = 1) out vec4 emission;
+#endif
 
 vec2 octahedron(vec3 n) {  // unit vector -> unit square
   n /= abs(n.x) + abs(n.y) + abs(n.z);
@@ -130,6 +151,13 @@ float bulge(float side) {
 void main() {
   vec4 base = texelFetch(materials, 2 * int(material_id));
   vec4 finish = texelFetch(materials, 2 * int(material_id) + 1);
+#ifdef TEXTURED
+  base = textured_base(base);
+  finish.xy = textured_polish(finish.xy);
+  emission = vec4(textured_emission() * (1.0 - highlight.a), 1.0);
+  if (is_discarded(base.a)) discard;
+  if (cutoff >= 0.0 && cutoff <= 1.0) base.a = 1.0;
+#endif
 #ifdef SEE_THROUGH
   // Like glass: at grazing angles, more reflection and less transmission.
   float slant = 1.0 - abs(dot(normalize(from_eye), normalize(shading_normal)));
@@ -141,10 +169,15 @@ void main() {
   float squared = dot(shading_normal, shading_normal);
   vec3 smooth_normal = squared > 1e-12 ? shading_normal * inversesqrt(squared) : face;
   float side = dot(smooth_normal, face) < 0.0 ? -1.0 : 1.0;
+#ifdef TEXTURED
+  vec3 shown_normal = bent_normal(side * smooth_normal, face, dot(flat_normal, face) < 0.0);
+#else
+  vec3 shown_normal = side * smooth_normal;
+#endif
   uint lift = uint(sqrt(min(bulge(side) / kMaxBulge, 1.0)) * 4095.0 + 0.5);
   uvec3 colour = uvec3(sqrt(mix(base.rgb, highlight.rgb, highlight.a)) * 255.0 + 0.5);
   uvec2 rough_metal = uvec2(finish.xy * 15.0 + 0.5);
-  surface.x = pack_normal(side * smooth_normal, 16u);
+  surface.x = pack_normal(shown_normal, 16u);
   surface.y = pack_normal(face, 10u) | (lift << 20);
   surface.z = colour.r | (colour.g << 8) | (colour.b << 16) | (rough_metal.x << 24) |
               (rough_metal.y << 28);
@@ -159,6 +192,9 @@ flat out uint material_id;
 
 void main() {
   material_id = material;
+#ifdef TEXTURED
+  pass_details(mat3(frame_from_object));
+#endif
   gl_Position = clip_from_frame * (frame_from_object * vec4(position, 1.0));
 }
 )";
@@ -169,21 +205,89 @@ flat in uint material_id;
 
 void main() {
 #ifdef SEE_THROUGH
-  if (texelFetch(materials, 2 * int(material_id)).a <= threshold()) discard;
+  float alpha = texelFetch(materials, 2 * int(material_id)).a;
+#ifdef TEXTURED
+  alpha = textured_base(vec4(1.0, 1.0, 1.0, alpha)).a;
+  if (is_discarded(alpha)) discard;
+  if (cutoff >= 0.0 && cutoff <= 1.0) alpha = 1.0;
+#endif
+  if (alpha <= threshold()) discard;
 #endif
 }
 )";
 
+// What textures give, as SurfaceImages binds them: base colour, polish, normal, emission.
+const char* const kDetails = R"(
+uniform sampler2D base_image, polish_image, normal_image, emission_image;
+uniform ivec4 image_used, image_set;
+uniform vec3 image_place[8];  // two rows each
+uniform vec3 emitted;
+uniform float normal_scale;
+uniform float cutoff;  // of alpha; below 0: none, above 1: mixed by alpha
+in vec4 coordinates;
+in vec4 vertex_colour;
+in vec3 image_right, image_up;
+
+vec2 place_in_image(int i) {
+  vec3 at = vec3(image_set[i] == 0 ? coordinates.xy : coordinates.zw, 1.0);
+  return vec2(dot(image_place[2 * i], at), dot(image_place[2 * i + 1], at));
+}
+
+vec4 textured_base(vec4 factor) {
+  vec4 colour = factor * vertex_colour;
+  return image_used[0] != 0 ? colour * texture(base_image, place_in_image(0)) : colour;
+}
+
+bool is_discarded(float alpha) { return cutoff > 1.0 ? alpha <= 0.0 : alpha < cutoff; }
+
+vec2 textured_polish(vec2 rough_metal) {
+  return image_used[1] != 0 ? rough_metal * texture(polish_image, place_in_image(1)).gb
+                            : rough_metal;
+}
+
+vec3 textured_emission() {
+  return image_used[3] != 0 ? emitted * texture(emission_image, place_in_image(3)).rgb : emitted;
+}
+
+// `normal` and `face` are towards the viewer; from behind, bumps are dents.
+vec3 bent_normal(vec3 normal, vec3 face, bool from_behind) {
+  if (image_used[2] == 0) return normal;
+  vec3 mapped = 2.0 * texture(normal_image, place_in_image(2)).rgb - 1.0;
+  mapped.xy *= from_behind ? -normal_scale : normal_scale;
+  vec3 right = image_right - dot(image_right, normal) * normal;
+  vec3 up = image_up - dot(image_up, normal) * normal;
+  if (dot(right, right) <= 0.0) return normal;
+  right = normalize(right);
+  up -= dot(up, right) * right;
+  if (dot(up, up) <= 0.0) return normal;
+  vec3 bent = mapped.x * right + mapped.y * normalize(up) + mapped.z * normal;
+  return dot(bent, face) > 0.0 ? normalize(bent) : normal;
+}
+)";
+
+std::string defines(bool see_through, Surfaces surfaces) {
+  std::string out = surfaces == Surfaces::Textured ? "#define TEXTURED\n" : "";
+  if (see_through) out += kSeeThrough + kThreshold;
+  return surfaces == Surfaces::Textured ? out + kDetails : out;
+}
+
 }  // namespace
 
-std::string mesh_inputs() { return kMeshInputs; }
-std::string surface_vertex() { return version() + kMeshInputs + kSurfaceVertex; }
-std::string surface_fragment(bool see_through) {
-  return version() + max_bulge() + (see_through ? kSeeThrough + kThreshold : "") + kSurfaceFragment;
+std::string mesh_inputs(Surfaces surfaces) {
+  return (surfaces == Surfaces::Textured ? "#define TEXTURED\n" : "") + std::string(kMeshInputs);
 }
-std::string shadow_vertex() { return version() + kMeshInputs + kShadowVertex; }
-std::string shadow_fragment(bool see_through) {
-  return version() + (see_through ? kSeeThrough + kThreshold : "") + kShadowFragment;
+std::string surface_details() { return kDetails; }
+std::string surface_vertex(Surfaces surfaces) {
+  return version() + mesh_inputs(surfaces) + kSurfaceVertex;
+}
+std::string surface_fragment(bool see_through, Surfaces surfaces) {
+  return version() + max_bulge() + defines(see_through, surfaces) + kSurfaceFragment;
+}
+std::string shadow_vertex(Surfaces surfaces) {
+  return version() + mesh_inputs(surfaces) + kShadowVertex;
+}
+std::string shadow_fragment(bool see_through, Surfaces surfaces) {
+  return version() + defines(see_through, surfaces) + kShadowFragment;
 }
 
 }  // namespace trivet::picture_shaders

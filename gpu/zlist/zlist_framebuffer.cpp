@@ -60,11 +60,6 @@ GlTexture make_texels(const GlBuffer& buffer) {
 
 }  // namespace
 
-void bind_texture(int unit, GLenum target, GLuint id) {
-  glActiveTexture(GL_TEXTURE0 + unit);
-  glBindTexture(target, id);
-}
-
 ZListTarget::ZListTarget(int wide, int high, int deep)
     : width(wide),
       height(high),

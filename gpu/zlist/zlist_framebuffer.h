@@ -42,6 +42,4 @@ class ZListFramebuffers {
   std::map<std::pair<Motion::Kind, zlist_shaders::Pass>, GlProgram> m_programs;
 };
 
-void bind_texture(int unit, GLenum target, GLuint id);
-
 }  // namespace trivet

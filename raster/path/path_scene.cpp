@@ -82,7 +82,7 @@ PathScene::PathScene(const PictureScene& scene, const PictureFrame& frame) {
 
 // What the finish alone lets through; see passed_at() for what varies over a face.
 void PathScene::add_mesh(const PictureMesh& given) {
-  const DrawnMesh mesh(given);
+  const DrawnMesh mesh(given, texture_bytes_left(m_texture_bytes));
   Mesh& out = m_meshes.emplace_back();
   const Aabb box = finite_box(mesh);
   if (!box.empty()) out.centre = box.centre();
@@ -107,7 +107,10 @@ void PathScene::add_mesh(const PictureMesh& given) {
     passed.push_back(varies ? Vec3f(Vec3f::Ones()) : passed_by(out.materials[m]));
     if (mesh.has_details()) out.look_face.push_back(static_cast<std::uint32_t>(f));
   }
-  if (mesh.has_details()) out.look = mesh.surface;
+  if (mesh.has_details()) {
+    out.look = mesh.surface;
+    m_texture_bytes += out.look->image_bytes();
+  }
   if (!out.triangles.empty())
     out.id = m_rays.add_mesh(out.vertices, out.triangles, passed, passed_at(out));
   for (PathMaterial& m : out.materials)

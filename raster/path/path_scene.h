@@ -74,6 +74,7 @@ class PathScene {
   InstanceRays m_rays;
   std::vector<Mesh> m_meshes;
   std::vector<Instance> m_instances;
+  std::size_t m_texture_bytes = 0;
 };
 
 }  // namespace trivet

@@ -47,7 +47,7 @@ struct Square {
     PictureMesh mesh;
     mesh.vertices = vertices, mesh.triangles = triangles;
     mesh.corner_normals = normals, mesh.materials = materials;
-    if (look) mesh.look = [its = look] { return its; };
+    if (look) mesh.look = [its = look](std::size_t) { return its; };
     return mesh;
   }
 };

@@ -10,52 +10,20 @@
 #include "core/io/io_testing.h"
 #include "core/io/textures/surface_look.h"
 #include "core/picture/image.h"
+#include "support/textured_square.h"
 
 namespace trivet {
 namespace {
 
+using testing::append_numbers;
 using testing::expect_parts;
+using testing::four_colours_png;
+using testing::square_json;
 
 class SurfaceLookTest : public testing::IoTest {
  protected:
   std::string write_json(const GltfJson& json) const { return write("m.gltf", json.dump()); }
 };
-
-// Red, green, blue and see-through white, from above left.
-std::string four_colours_png() {
-  return encode_png({2, 2, {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 255, 255, 255, 0}});
-}
-
-template <class T>
-void append(std::string& out, std::initializer_list<T> values) {
-  for (const T value : values) out.append(reinterpret_cast<const char*>(&value), sizeof value);
-}
-
-/// A unit square in z = 0 of two triangles, its corners coloured by their positions; u to the
-/// right, v down, as the image lies on it.
-GltfJson square_json(const std::string& image = "c.png") {
-  std::string buffer;
-  append<float>(buffer, {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0});
-  append<float>(buffer, {0, 1, 1, 1, 1, 0, 0, 0});
-  append<std::uint16_t>(buffer, {0, 1, 2, 0, 2, 3});
-  GltfJson json = GltfJson::parse(R"({"asset":{"version":"2.0"},"scene":0,
-    "scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
-    "meshes":[{"primitives":[{"attributes":{"POSITION":0,"TEXCOORD_0":1},"indices":2,
-      "material":0}]}],
-    "materials":[{"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}}],
-    "textures":[{"source":0}],
-    "accessors":[
-      {"bufferView":0,"componentType":5126,"count":4,"type":"VEC3","min":[0,0,0],"max":[1,1,0]},
-      {"bufferView":1,"componentType":5126,"count":4,"type":"VEC2"},
-      {"bufferView":2,"componentType":5123,"count":6,"type":"SCALAR"}],
-    "bufferViews":[{"buffer":0,"byteOffset":0,"byteLength":48},
-      {"buffer":0,"byteOffset":48,"byteLength":32},{"buffer":0,"byteOffset":80,"byteLength":12}]})");
-  json["images"] = GltfJson::array({{{"uri", image}}});
-  json["buffers"] =
-      GltfJson::array({{{"byteLength", buffer.size()},
-                        {"uri", "data:application/octet-stream;base64," + base64(buffer)}}});
-  return json;
-}
 
 TEST_F(SurfaceLookTest, ReadsTexturedGltf) {
   write("c.png", four_colours_png());
@@ -194,7 +162,8 @@ TEST_F(SurfaceLookTest, LeavesGeometryAlone) {
 TEST_F(SurfaceLookTest, ReadsColoursOfAllTypes) {
   GltfJson json = square_json();
   std::string buffer;
-  append<std::uint8_t>(buffer, {255, 51, 0, 255, 0, 0, 0, 0, 255, 255, 255, 51, 0, 255, 0, 255});
+  append_numbers<std::uint8_t>(buffer,
+                               {255, 51, 0, 255, 0, 0, 0, 0, 255, 255, 255, 51, 0, 255, 0, 255});
   json["buffers"].push_back({{"byteLength", buffer.size()},
                              {"uri", "data:application/octet-stream;base64," + base64(buffer)}});
   json["bufferViews"].push_back({{"buffer", 1}, {"byteOffset", 0}, {"byteLength", 16}});

@@ -55,9 +55,9 @@ TEST(QuietColour, IsInThePicturesMesh) {
   const Model cup = triangle("cup.stl");
   const PictureMesh mesh = picture_mesh(cup);
   ASSERT_TRUE(mesh.look);
-  const auto look = mesh.look();
+  const auto look = mesh.look(0);
   ASSERT_TRUE(look);
-  EXPECT_EQ(look, mesh.look());  // made once
+  EXPECT_EQ(look, mesh.look(0));  // made once
   EXPECT_EQ(look->face_material.size(), 1u);
 }
 
