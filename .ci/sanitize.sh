@@ -9,7 +9,10 @@ preset="$1"
 shift
 case "$preset" in
   asan) share=memory ;;
-  tsan) share=threads ;;
+  tsan)
+    share=threads
+    export TRIVET_TEST_EFFORT="${TRIVET_TEST_EFFORT:-0.2}" # ten times slower, and races need no repetition
+    ;;
   *)
     echo "$0: '$preset' is no sanitizer; try asan or tsan" >&2
     exit 2

@@ -14,6 +14,7 @@
 
 #include "core/base/error.h"
 #include "core/base/outward.h"
+#include "core/base/task_order.h"
 #include "core/index/embree.h"
 #include "core/index/slabs.h"
 
@@ -29,7 +30,7 @@ struct BuildNode {
 };
 
 // ---------------------------------------------------------------------------------------------
-// Embree
+// Embree: each callback has the TaskOrder of the build
 // ---------------------------------------------------------------------------------------------
 
 BuildNode* allocate_node(RTCThreadLocalAllocator allocator) {
@@ -40,12 +41,14 @@ BuildNode* allocate_node(RTCThreadLocalAllocator allocator) {
   return new (memory) BuildNode;
 }
 
-void* create_inner(RTCThreadLocalAllocator allocator, unsigned, void*) {
+void* create_inner(RTCThreadLocalAllocator allocator, unsigned, void* order) {
+  const OrderedStep step(*static_cast<TaskOrder*>(order));
   return allocate_node(allocator);
 }
 
 void* create_leaf(RTCThreadLocalAllocator allocator, const RTCBuildPrimitive* primitives,
-                  size_t num_primitives, void*) {
+                  size_t num_primitives, void* order) {
+  const OrderedStep step(*static_cast<TaskOrder*>(order));
   BuildNode* leaf = allocate_node(allocator);
   for (size_t i = 0; i < num_primitives; ++i)
     leaf->faces[i] = static_cast<Index>(primitives[i].primID);
@@ -53,12 +56,14 @@ void* create_leaf(RTCThreadLocalAllocator allocator, const RTCBuildPrimitive* pr
   return leaf;
 }
 
-void set_children(void* node, void** children, unsigned num_children, void*) {
+void set_children(void* node, void** children, unsigned num_children, void* order) {
+  const OrderedStep step(*static_cast<TaskOrder*>(order));
   for (unsigned i = 0; i < num_children; ++i)
     static_cast<BuildNode*>(node)->children[i] = static_cast<BuildNode*>(children[i]);
 }
 
-void set_child_boxes(void* node, const RTCBounds** boxes, unsigned num_children, void*) {
+void set_child_boxes(void* node, const RTCBounds** boxes, unsigned num_children, void* order) {
+  const OrderedStep step(*static_cast<TaskOrder*>(order));
   for (unsigned i = 0; i < num_children; ++i)
     static_cast<BuildNode*>(node)->child_centres[i] = {boxes[i]->lower_x + boxes[i]->upper_x,
                                                        boxes[i]->lower_y + boxes[i]->upper_y,
@@ -84,7 +89,11 @@ const BuildNode* build_by_embree(std::vector<RTCBuildPrimitive>& primitives, Bvh
   arguments.setNodeChildren = set_children;
   arguments.setNodeBounds = set_child_boxes;
   arguments.createLeaf = create_leaf;
+  TaskOrder order;
+  arguments.userPtr = &order;
+  order.give();
   const auto* root = memory ? static_cast<const BuildNode*>(rtcBuildBVH(&arguments)) : nullptr;
+  order.take();
   const RTCError error = rtcGetDeviceError(device);
   if (root || (memory && error == RTC_ERROR_UNKNOWN)) return root;  // unknown: "depth limit"
   throw Error(Error::Kind::Environment, "Embree cannot build a tree of " +

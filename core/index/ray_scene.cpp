@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/base/outward.h"
+#include "core/base/task_order.h"
 
 namespace trivet {
 namespace {
@@ -20,10 +21,12 @@ struct ScaledMesh {
   const Mesh& mesh;
   Vec3 centre;
   double scale;
+  TaskOrder order = {};
 };
 
 void give_face_box(const RTCBoundsFunctionArguments* arguments) {
-  const auto& faces = *static_cast<const ScaledMesh*>(arguments->geometryUserPtr);
+  auto& faces = *static_cast<ScaledMesh*>(arguments->geometryUserPtr);
+  const OrderedStep step(faces.order);
   Aabb box;
   for (const Vec3& p : faces.mesh.triangle(static_cast<Index>(arguments->primID)))
     box.extend((p - faces.centre) * faces.scale);
@@ -106,7 +109,9 @@ RayScene::RayScene(const Mesh& mesh) : m_num_faces(static_cast<Index>(mesh.trian
     rtcSetGeometryIntersectFunction(geometry.get(), visit_face);
     rtcCommitGeometry(geometry.get());
     rtcAttachGeometry(m_scene.get(), geometry.get());
+    faces.order.give();
     rtcCommitScene(m_scene.get());
+    faces.order.take();
   }
   throw_embree_error("build a scene for rays");
   m_scale = faces.scale;

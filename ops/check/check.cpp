@@ -1,10 +1,10 @@
 #include "ops/check/check.h"
 
 #include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 
+#include "core/base/in_parallel.h"
 #include "core/base/tunables.h"
 #include "core/io/export.h"
 #include "core/scene/transaction.h"
@@ -129,7 +129,7 @@ SceneCheck check_scene(const Scene& scene, int num_threads, double clearance) {
   clearance = believable_clearance(scene, clearance);
   const std::vector<PlacedObject> objects = placed_objects(scene);
   std::vector<PairToCheck> pairs = near_pairs(scene, objects);
-  tbb::parallel_for(size_t{0}, pairs.size(), [&](size_t i) {
+  in_parallel(pairs.size(), [&](size_t i) {
     pairs[i].verdict = verify_pair(objects[pairs[i].a].world, objects[pairs[i].b].world, true,
                                    std::numeric_limits<std::int64_t>::max());
   });

@@ -1,36 +1,14 @@
 // Splits work into contiguous parts whose results can be joined in a fixed order.
 #pragma once
 
-#include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cstddef>
 
-#ifdef __SANITIZE_THREAD__
-#include <sanitizer/tsan_interface.h>
-#endif
+#include "core/base/in_parallel.h"
 
 namespace trivet {
-
-/// f(0) to f(count - 1), by the threads of the current arena. The thread sanitizer is told what the
-/// library promises, as the library itself is not compiled for it: all begins after the call, and
-/// ends before its return.
-template <class F>
-void in_parallel(size_t count, F f) {
-#ifdef __SANITIZE_THREAD__
-  char begin = 0, end = 0;
-  __tsan_release(&begin);
-  tbb::parallel_for(size_t{0}, count, [&](size_t i) {
-    __tsan_acquire(&begin);
-    f(i);
-    __tsan_release(&end);
-  });
-  __tsan_acquire(&end);
-#else
-  tbb::parallel_for(size_t{0}, count, f);
-#endif
-}
 
 /// Smaller parts are not worth a thread.
 inline constexpr size_t kSmallestPart = 1 << 14;

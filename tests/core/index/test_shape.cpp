@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
-#include <tbb/parallel_for.h>
 
 #include <stdexcept>
 #include <thread>
 
+#include "core/base/in_parallel.h"
 #include "core/base/lazy.h"
 #include "core/base/outward.h"
 #include "core/index/shape.h"
@@ -64,7 +64,7 @@ TEST(Shape, BuildsTreesInsideParallelLoops) {
     const std::array shapes{make_shape(weld(make_soup(random, 20000))),
                             make_shape(weld(make_soup(random, 30000)))};
     std::atomic<size_t> sum = 0;
-    tbb::parallel_for(0, 64, [&](int i) { sum += shapes[i % 2]->bvh().faces.size(); });
+    in_parallel(64, [&](size_t i) { sum += shapes[i % 2]->bvh().faces.size(); });
     EXPECT_EQ(sum, 32u * 50000u);
   }
 }
