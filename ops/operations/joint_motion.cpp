@@ -4,9 +4,12 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/base/tunables.h"
+#include "core/scene/friction.h"
 #include "ops/operations/commit.h"
+#include "ops/operations/group_motion.h"
 #include "ops/operations/twist_groups.h"
 #include "ops/settle/friction_candidates.h"
 #include "ops/settle/rest.h"
@@ -19,9 +22,13 @@ constexpr double kSteps[] = {0.1, 0.02};  // of the size of the fastest
 /// finer ones block each other.
 constexpr double kSame[] = {2e-3, 0.03, 0.3};
 constexpr double kEnoughEnergy = 0.2;  // of the predicted drop of energy
-constexpr double kAtLeast = 0.02;      // the same, when no step gets that far
+constexpr double kAtLeast = 1e-3;      // the same, when none gets that far: creeping
 constexpr int kPasses = 3;
-constexpr double kOnlySlides = 1e-4;         // turning, of the speed
+constexpr double kStuck = 1e-3;         // of the duration: a pass in which no group gets farther
+constexpr int kMaxBlockers = 3;         // rounds in which some join the contacts
+constexpr int kMaxAttempts = 8;         // each costs a few queries for each group and pass
+constexpr double kSamePlace = 1e-4;     // of the size: a blocker there is a contact already
+constexpr double kSameNormal = 0.9999;  // cosine
 constexpr double kLeastJointInertia = 1e-3;  // of a mass of 1, in squares of the size
 
 class JointMotion {
@@ -44,23 +51,56 @@ class JointMotion {
     for (const BodyContact& t : part.touches) add_contact(t);
   }
 
-  bool run() { return !m_motion.bodies.empty() && (run(kEnoughEnergy) || run(kAtLeast)); }
+  JointMotionResult run() {
+    if (!m_motion.bodies.empty()) search();
+    const bool moved = m_best && take(*m_best);
+    return {moved, m_num_queries};
+  }
 
  private:
-  bool run(double enough) {
-    for (const double step : kSteps) {
-      solve(step);
-      if (!(m_duration > 0) || !(predicted() > 0)) return false;
-      size_t num_groups = 0;
-      for (const double same : kSame) {
-        const std::vector<TwistGroup> groups = twist_groups(m_motion, same, kPartingSpeed);
-        if (groups.size() == num_groups) continue;
-        num_groups = groups.size();
-        if (m_run.interrupt.reason()) return false;
-        if (attempt(groups, enough)) return true;
+  // Where the bodies are after an attempt.
+  struct Attempt {
+    std::vector<Pose> poses;
+    double gain = 0, predicted = 0;
+    double least = 0;  // seconds that the group goes which is blocked first
+
+    bool is_enough() const { return gain >= kEnoughEnergy * predicted; }
+  };
+
+  // Until one gets far enough, or what blocks them is known.
+  void search() {
+    for (const double step : kSteps)
+      for (int round = 0; round <= kMaxBlockers; ++round) {
+        solve(step);
+        if (!(m_motion.duration > 0) || !(predicted() > 0)) return;
+        if (try_groups() || m_num_attempts >= kMaxAttempts || m_run.interrupt.reason()) return;
+        if (!join_blockers()) break;
       }
+  }
+
+  bool try_groups() {
+    m_blockers.clear();
+    size_t num_groups = 0;
+    for (const double same : kSame) {
+      const std::vector<TwistGroup> groups = twist_groups(m_motion, same, kPartingSpeed);
+      if (groups.size() == num_groups || m_num_attempts >= kMaxAttempts) continue;
+      num_groups = groups.size();
+      const double least = keep_best(attempt(groups, m_motion.duration));
+      if (m_best->is_enough()) return true;
+      // In step: what goes on while others are blocked may rise.
+      if (least < m_motion.duration && least > kStuck * m_motion.duration)
+        keep_best(attempt(groups, least));
+      if (m_best->is_enough()) return true;
     }
     return false;
+  }
+
+  // @return its least time.
+  double keep_best(Attempt found) {
+    ++m_num_attempts;
+    const double least = found.least;
+    if (!m_best || found.gain > m_best->gain) m_best = std::move(found);
+    return least;
   }
 
   CoulombBody body_at(size_t i) const {
@@ -88,44 +128,103 @@ class JointMotion {
     double relative = 0;  // sizes a second
     for (size_t i = 0; i < m_motion.bodies.size(); ++i)
       relative = std::max(relative, m_motion.speed(i) / m_motion.bodies[i].size);
-    m_duration = relative > 0 ? step / relative : 0;
+    m_motion.duration = relative > 0 ? step / relative : 0;
   }
 
   double predicted() const {
     double sum = 0;
     for (size_t i = 0; i < m_motion.bodies.size(); ++i)
-      sum -= m_motion.bodies[i].weight * m_motion.twists[i].velocity.z() * m_duration;
+      sum -= m_motion.bodies[i].weight * m_motion.twists[i].velocity.z() * m_motion.duration;
     return sum;
   }
 
-  // --- motions -------------------------------------------------------------------------------
+  // --- attempts ------------------------------------------------------------------------------
 
-  double energy(const Scene& scene) const {
+  double energy() const {
     double sum = 0;
     for (const FreeBody& body : m_part.bodies)
-      sum += body.weight * scene.at(body.id).centre_of_mass().z();
+      sum += body.weight * m_scene.at(body.id).centre_of_mass().z();
     return sum;
   }
 
-  bool attempt(const std::vector<TwistGroup>& groups, double enough) {
-    const double before = energy(m_scene);
+  // Leaves the scene as it is.
+  Attempt attempt(const std::vector<TwistGroup>& groups, double duration) {
+    const double before = energy();
     Transaction trial(m_transaction);
-    std::vector<ObjectId> moved;
-    for (const TwistGroup& group : groups)
-      for (const Index i : group.members) moved.push_back(m_ids[i]);
-    std::vector<double> left(groups.size(), m_duration);
-    for (int pass = 0; pass < kPasses; ++pass)
-      for (size_t g = 0; g < groups.size(); ++g)
-        if (left[g] > 1e-3 * m_duration) left[g] -= advance(trial, groups[g], left[g]);
-    for (const ObjectId id : moved) {
+    GroupMotion motion(trial, m_motion, m_ids, m_clearance, m_run);
+    std::vector<double> left(groups.size(), duration);
+    bool any = true;
+    for (int pass = 0; any && pass < kPasses; ++pass) {
+      any = false;
+      for (size_t g = 0; g < groups.size(); ++g) {
+        if (left[g] <= kStuck * duration) continue;
+        const size_t num_known = motion.blockers().size();
+        const double time = motion.advance(groups[g], left[g]);
+        left[g] -= time;
+        any = any || time > kStuck * duration;
+        if (motion.blockers().size() > num_known)
+          m_blockers.emplace_back(motion.blockers().back(), duration - left[g]);
+      }
+    }
+    m_num_queries += motion.num_queries();
+    const double most_left = *std::max_element(left.begin(), left.end());
+    Attempt out{{}, before - energy(), predicted(), duration - most_left};
+    for (const ObjectId id : m_ids) out.poses.push_back(m_scene.at(id).pose);
+    return out;
+  }
+
+  // @return whether some are new.
+  bool join_blockers() {
+    const size_t num_known = m_motion.contacts.size();
+    for (const auto& [blocker, time] : m_blockers) {
+      const auto at = blocker.with.is_floor()
+                          ? m_ids.end()
+                          : std::find(m_ids.begin(), m_ids.end(), blocker.with.object());
+      CoulombContact c{
+          blocker.body,
+          at == m_ids.end() ? CoulombContact::kGround : static_cast<Index>(at - m_ids.begin()),
+          blocker.point,
+          blocker.normal,
+          0,
+          0};
+      if (is_known(c)) continue;
+      c.friction = kSlidingFriction * friction_between(m_scene, m_ids[blocker.body], blocker.with);
+      Vec3 speed = m_motion.velocity(c.on, c.point);
+      if (c.from != CoulombContact::kGround) speed -= m_motion.velocity(c.from, c.point);
+      c.room = std::max(0.0, -time * c.normal.dot(speed));
+      m_motion.contacts.push_back(c);
+    }
+    return m_motion.contacts.size() > num_known;
+  }
+
+  bool is_known(const CoulombContact& c) const {
+    const double near = kSamePlace * m_motion.bodies[c.on].size;
+    return std::any_of(
+        m_motion.contacts.begin(), m_motion.contacts.end(), [&](const CoulombContact& k) {
+          const double same = k.on == c.on && k.from == c.from   ? 1
+                              : k.on == c.from && k.from == c.on ? -1
+                                                                 : 0;
+          return same * k.normal.dot(c.normal) > kSameNormal && (k.point - c.point).norm() <= near;
+        });
+  }
+
+  // --- the end -------------------------------------------------------------------------------
+
+  bool take(const Attempt& attempt) {
+    const double before = energy();
+    Transaction trial(m_transaction);
+    for (size_t i = 0; i < m_ids.size(); ++i)
+      trial.edit(m_ids[i], [&](Object& object) { object.pose = attempt.poses[i]; });
+    for (const ObjectId id : m_ids) {
       if (refuse_interpenetration(m_scene, id, m_scene.at(id).pose, true)) return false;
       link(trial, id);
     }
-    m_close(trial, moved);
+    m_close(trial, m_ids);
     double lightest = kInfinity;
     for (const CoulombBody& body : m_motion.bodies) lightest = std::min(lightest, body.weight);
-    const double gain = before - energy(m_scene);
-    if (gain < kEnergyDrop * m_clearance * lightest || gain < enough * predicted()) return false;
+    const double gain = before - energy();
+    if (gain < kEnergyDrop * m_clearance * lightest || gain < kAtLeast * attempt.predicted)
+      return false;
     trial.commit();
     return true;
   }
@@ -137,51 +236,6 @@ class JointMotion {
                   rest_rules(m_run.options, m_clearance));
   }
 
-  // A screw is no exact motion: its turn, then its translation.
-  // @return the seconds of it that it gets.
-  double advance(Transaction& trial, const TwistGroup& group, double duration) const {
-    const Twist& t = group.twist;
-    const double rate = t.turning.norm();
-    if (rate * m_motion.bodies[group.leader].size < kOnlySlides * t.velocity.norm())
-      return duration * go(trial, group, t.velocity, duration);
-    const Vec3 axis = t.turning / rate;
-    const double pitch = t.velocity.dot(axis);
-    const Vec3 across = t.velocity - pitch * axis;
-    const Vec3 centre =
-        m_scene.at(m_ids[group.leader]).centre_of_mass() + t.turning.cross(across) / (rate * rate);
-    const double part =
-        execute(trial, group, Motion::rotation(centre, axis, std::min(0.5 * rate * duration, 1.0)));
-    if (part >= 1 && std::abs(pitch) * duration > 0.1 * m_clearance)
-      go(trial, group, pitch * axis, duration);
-    return duration * part;
-  }
-
-  double go(Transaction& trial, const TwistGroup& group, const Vec3& velocity,
-            double duration) const {
-    const double length = velocity.norm() * duration;
-    return length > 0 ? execute(trial, group, Motion::translation(velocity.normalized(), length))
-                      : 1;
-  }
-
-  // @return the part of the motion that it gets.
-  double execute(Transaction& trial, const TwistGroup& group, const Motion& motion) const {
-    std::vector<ObjectId> ids;
-    std::vector<Body> bodies;
-    for (const Index i : group.members) {
-      ids.push_back(m_ids[i]);
-      bodies.push_back(body_of(m_scene.at(m_ids[i])));
-    }
-    Clearance keep;
-    keep.distance = m_clearance;
-    const ObstacleContact found =
-        first_contact(bodies, Neighbourhood(m_scene, ids), motion, keep, m_run.detector);
-    if (found.status == FirstContact::Status::Crossing) return 0;
-    const double time = std::min(found.time, motion.limit);
-    for (const ObjectId id : ids)
-      trial.edit(id, [&](Object& object) { object.pose = moved_pose(object.pose, motion, time); });
-    return time / motion.limit;
-  }
-
   Transaction& m_transaction;
   const Scene& m_scene;
   const FreeBodies& m_part;
@@ -190,15 +244,18 @@ class JointMotion {
   const CloseGaps& m_close;
   std::vector<Index> m_active;  // of the part's bodies: which of m_motion.bodies, or ground
   BeginningMotion m_motion;
-  std::vector<ObjectId> m_ids;  // of its bodies
-  double m_duration = 0;
+  std::vector<ObjectId> m_ids;                         // of its bodies
+  std::vector<std::pair<Blocker, double>> m_blockers;  // of the last attempts; seconds until then
+  std::optional<Attempt> m_best;
+  int m_num_attempts = 0;
+  std::int64_t m_num_queries = 0;
 };
 
 }  // namespace
 
-bool move_jointly(Transaction& transaction, const FreeBodies& part,
-                  const std::vector<ObjectId>& ids, double clearance, OperationRun& run,
-                  const CloseGaps& close) {
+JointMotionResult move_jointly(Transaction& transaction, const FreeBodies& part,
+                               const std::vector<ObjectId>& ids, double clearance,
+                               OperationRun& run, const CloseGaps& close) {
   return JointMotion(transaction, part, ids, clearance, run, close).run();
 }
 

@@ -9,16 +9,22 @@
 
 namespace trivet {
 
-/// Lets bodies closes gaps alone; the argument: those that moved.
+/// Lets bodies close gaps alone; the argument: those that moved.
 using CloseGaps = std::function<void(Transaction&, const std::vector<ObjectId>&)>;
 
+struct JointMotionResult {
+  bool moved = false;            // else the scene is as it was
+  std::int64_t num_queries = 0;  // of first contacts, without those of closing gaps
+};
+
 /// The first motion of these bodies with friction (coulomb.h), as exact motions: bodies of equal
-/// twist go as one rigid group, those that recede first, each as far as it gets; then gaps are
-/// closed. Taken back unless the energy of all falls by enough.
+/// twist go as one rigid group, those that recede first, each as far as it gets. What stops them
+/// and was no contact joins the contacts, and the motion is found again. Of the attempts the one
+/// that lowers the bodies by enough, or farthest, is taken; then gaps are closed. Taken back unless
+/// the energy of all falls by enough.
 /// @param part  bodies and contacts. @param ids  those of them that go; the others stand still.
-/// @return whether the scene has changed.
-bool move_jointly(Transaction& transaction, const FreeBodies& part,
-                  const std::vector<ObjectId>& ids, double clearance, OperationRun& run,
-                  const CloseGaps& close);
+JointMotionResult move_jointly(Transaction& transaction, const FreeBodies& part,
+                               const std::vector<ObjectId>& ids, double clearance,
+                               OperationRun& run, const CloseGaps& close);
 
 }  // namespace trivet

@@ -225,19 +225,26 @@ bool MovingGroup::separate(const std::vector<GroupContact>& group_contacts) {
 }
 
 SettleOutcome MovingGroup::settle(Interrupt* interrupt) {
-  return settle(interrupt, m_options, false, 1);
+  SettleProblem problem;
+  problem.options = m_options;
+  problem.interrupt = interrupt;
+  return settle(std::move(problem), false);
 }
 
-SettleOutcome MovingGroup::give_way(Interrupt* interrupt, double longest_turn) {
-  SettleOptions options = m_options;
-  options.perfect_friction = false;
+SettleOutcome MovingGroup::give_way(Interrupt* interrupt, double longest_turn,
+                                    std::int64_t max_queries) {
+  SettleProblem problem;
+  problem.options = m_options;
+  problem.options.perfect_friction = false;
+  problem.interrupt = interrupt;
+  problem.max_queries = max_queries;
   const bool alone = m_ids.size() == 1;
-  options.max_motions = alone ? std::min(options.max_motions, kMotionsOfGivingWay) : 0;
-  return settle(interrupt, options, true, alone ? 1 : longest_turn);
+  problem.options.max_motions = alone ? std::min(m_options.max_motions, kMotionsOfGivingWay) : 0;
+  if (!alone) problem.longest_turn = longest_turn;
+  return settle(std::move(problem), true);
 }
 
-SettleOutcome MovingGroup::settle(Interrupt* interrupt, const SettleOptions& options,
-                                  bool loads_weigh, double longest_turn) {
+SettleOutcome MovingGroup::settle(SettleProblem problem, bool loads_weigh) {
   std::vector<CarriedShape> carried;
   const double weight = weight_of(object());
   for (size_t i = 1; i < m_ids.size(); ++i) {
@@ -245,7 +252,6 @@ SettleOutcome MovingGroup::settle(Interrupt* interrupt, const SettleOptions& opt
     carried.push_back({load.shape.get(), load.up, load.scale, m_poses[i], load.material.friction,
                        loads_weigh ? weight_of(load) / weight : 0});
   }
-  SettleProblem problem;
   problem.shape = object().shape.get();
   problem.up = object().up;
   problem.scale = object().scale;
@@ -253,10 +259,7 @@ SettleOutcome MovingGroup::settle(Interrupt* interrupt, const SettleOptions& opt
   problem.start = m_poses[0];
   problem.others = &m_outside;
   problem.clearance = m_clearance;
-  problem.options = options;
-  problem.longest_turn = longest_turn;
   problem.detector = m_detector;
-  problem.interrupt = interrupt;
   problem.carried = carried;
   problem.contacts_at_start = &contacts(0);
   SettleOutcome outcome = trivet::settle(problem);

@@ -69,8 +69,8 @@ class MovingGroup {
   /// Settles from where the group is; the group then is where it ended.
   SettleOutcome settle(Interrupt* interrupt);
   /// As a rigid body of which all members weigh, with finite friction: one motion of a group, up to
-  /// `longest_turn` (see SettleProblem); an object without loads settles.
-  SettleOutcome give_way(Interrupt* interrupt, double longest_turn);
+  /// `longest_turn`; an object without loads settles. See SettleProblem.
+  SettleOutcome give_way(Interrupt* interrupt, double longest_turn, std::int64_t max_queries);
 
   /// Poses of all members, to come back to.
   struct Place {
@@ -87,8 +87,7 @@ class MovingGroup {
 
  private:
   void update();
-  SettleOutcome settle(Interrupt* interrupt, const SettleOptions& options, bool loads_weigh,
-                       double longest_turn);
+  SettleOutcome settle(SettleProblem problem, bool loads_weigh);
   std::optional<Vec3> separating_motion_for_sliding(const std::vector<ContactPoint>& points,
                                                     double part) const;
 

@@ -21,6 +21,9 @@ struct OperationRun {
   /// Refusal of a plan, were it committed; checked at each place that a PUT tries. Empty: no
   /// checks.
   std::function<std::optional<Refusal>(const MovePlan&)> refuse_commit;
+  /// First contacts by which the whole may settle at the places that a PUT tries, all together.
+  std::int64_t trial_queries = 2400;
+  bool is_trial = false;
 
   OperationRun(const SettleOptions& settle, const RunContext& context)
       : options(settle), detector(context.detector), interrupt(context) {}

@@ -29,7 +29,10 @@ OperationResult perform_one(Transaction& transaction, ObjectId id, const Any& o,
     if (std::is_same_v<Any, PutOperation> && keeps_whole_at_rest(run.options))
       run.refuse_commit = [&](const MovePlan& plan) {
         Transaction trial(transaction);  // taken back
-        return commit_at_rest(trial, plan, run, name).refusal;
+        run.is_trial = true;
+        const OperationResult result = commit_at_rest(trial, plan, run, name);
+        run.is_trial = false;
+        return result.refusal;
       };
     return commit_at_rest(transaction, plan(transaction.scene(), id, o, run), run, name);
   } else {

@@ -122,7 +122,8 @@ class Grouping {
       const Vec3 n = a == own ? c.normal : Vec3(-c.normal);
       Vec6 row;
       row << n, (c.point - centre).cross(n) / reach;
-      parted.push_back({row, least, row.squaredNorm()});
+      const double room = m_motion.duration > 0 ? c.room / m_motion.duration : 0;
+      parted.push_back({row, least - room, row.squaredNorm()});
     }
     x = nearest_inside<6>(parted, x, kGroupSweeps);
     group.twist = {x.head<3>(), x.tail<3>() / reach};

@@ -12,6 +12,7 @@ struct BeginningMotion {
   std::vector<CoulombBody> bodies;
   std::vector<CoulombContact> contacts;
   std::vector<Twist> twists;
+  double duration = 0;  // seconds of the step, in which contacts may use up their room
 
   /// Of a body's surface, about: |velocity| + |turning| size / 2.
   double speed(size_t body) const {

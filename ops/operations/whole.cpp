@@ -19,6 +19,9 @@ constexpr int kMaxMotionsOfAll = 120;  // of single objects with their loads, in
 constexpr int kMaxMotionsOfOne = 30;   // of these, of one object
 constexpr double kLongestTurn = 0.1;   // of an object with loads, tan(angle / 2): loads slide then
 constexpr int kMaxProgramObjects = 200;
+/// First contacts in all: a bound of time that is the same on every machine.
+constexpr std::int64_t kMaxQueries = 600;
+constexpr std::int64_t kMaxTrialQueries = 300;  // the same, at one of many places
 
 class Whole {
  public:
@@ -29,13 +32,15 @@ class Whole {
         m_object(object),
         m_clearance(clearance),
         m_run(run),
-        m_result(result) {}
+        m_result(result),
+        m_queries_left(run.is_trial ? std::min(kMaxTrialQueries, run.trial_queries) : kMaxQueries) {
+  }
 
   void settle() {
     for (const ObjectId id : m_scene.invalid_objects())
       if (m_scene.at(id).placed) return;  // no other verdict counts until that is resolved
     PartVerdict verdict = judge();
-    for (int round = 0; !verdict.stands && round < kMaxRounds; ++round) {
+    for (int round = 0; !verdict.stands && round < kMaxRounds && m_queries_left > 0; ++round) {
       if (stopped() || !give_way(verdict)) break;
       verdict = judge();
     }
@@ -65,11 +70,16 @@ class Whole {
     if (move_each(m_transaction, verdict.topples)) return true;
     const FreeBodies part =
         near_part(m_scene, parts(), m_clearance, is_fixed_or_held, std::nullopt);
-    note_poses(verdict.topples);
-    return move_jointly(m_transaction, part, verdict.topples, m_clearance, m_run,
-                        [this](Transaction& inner, const std::vector<ObjectId>& moved) {
-                          move_each(inner, moved);
-                        });
+    std::vector<ObjectId> free = verdict.topples;
+    std::erase_if(free, [&](ObjectId id) { return !may_move_alone(id); });
+    note_poses(free);
+    const JointMotionResult result =
+        move_jointly(m_transaction, part, free, m_clearance, m_run,
+                     [this](Transaction& inner, const std::vector<ObjectId>& moved) {
+                       move_each(inner, moved);
+                     });
+    count(result.num_queries);
+    return result.moved;
   }
 
   // Each with its loads, the lowest first, until each holds alone.
@@ -78,6 +88,7 @@ class Whole {
     std::map<std::uint32_t, int> num_tries;
     bool moved = false;
     for (int n = 0; !waiting.empty() && n < kMaxMotionsOfAll && !stopped(); ++n) {
+      if (m_queries_left <= 0) break;
       const auto lowest =
           std::min_element(waiting.begin(), waiting.end(),
                            [&](ObjectId a, ObjectId b) { return height(a) < height(b); });
@@ -95,12 +106,23 @@ class Whole {
     return moved;
   }
 
+  void count(std::int64_t queries) {
+    m_queries_left -= queries;
+    if (m_run.is_trial) m_run.trial_queries -= queries;
+  }
+
   double height(ObjectId id) const { return m_scene.at(id).centre_of_mass().z(); }
 
   bool may_move(ObjectId id) const {
     const Object& object = m_scene.at(id);
     return object.placed && !object.fixed && object.state != ObjectState::Held &&
            object.state != ObjectState::Invalid;
+  }
+
+  // In a joint motion bodies of a group would part.
+  bool may_move_alone(ObjectId id) const {
+    const Object& object = m_scene.at(id);
+    return may_move(id) && !object.locked && m_scene.group_members(object.group).size() <= 1;
   }
 
   std::vector<ObjectId> partners(ObjectId id) const {
@@ -121,7 +143,8 @@ class Whole {
         refuse_immovable(m_scene, group.ids()))
       return false;
     note_poses(group.ids());
-    const SettleOutcome outcome = group.give_way(&m_run.interrupt, kLongestTurn);
+    const SettleOutcome outcome = group.give_way(&m_run.interrupt, kLongestTurn, m_queries_left);
+    count(group.num_queries());
     double drop = 0;
     for (const SettleStep& step : outcome.steps) drop += step.energy_drop;
     const bool lies = outcome.status == SettleOutcome::Status::AtRest ||
@@ -191,6 +214,7 @@ class Whole {
   const double m_clearance;
   OperationRun& m_run;
   OperationResult& m_result;
+  std::int64_t m_queries_left;
   std::map<std::uint32_t, Placement> m_before;  // by slot
 };
 

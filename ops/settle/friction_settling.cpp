@@ -28,7 +28,7 @@ class FrictionSettling {
 
   SettleOutcome run() {
     const size_t most = static_cast<size_t>(m_problem.options.max_motions);
-    while (m_body.outcome().steps.size() <= most) {
+    while (m_body.outcome().steps.size() <= most && !has_asked_enough()) {
       if (m_problem.interrupt && m_problem.interrupt->reason())
         return m_body.finish(SettleOutcome::Status::Interrupted);
       const std::vector<ContactPoint> points = look_around();
@@ -64,6 +64,9 @@ class FrictionSettling {
 
   const SettlingObject& object() const { return m_body.object(); }
   double clearance() const { return m_body.clearance(); }
+  bool has_asked_enough() const {
+    return m_problem.max_queries > 0 && m_body.outcome().num_queries >= m_problem.max_queries;
+  }
   size_t num_steps() const { return m_body.outcome().steps.size(); }
   RubbingObject rubbing() const { return {object(), m_body.inertia_per_mass(), clearance()}; }
 
@@ -137,9 +140,10 @@ class FrictionSettling {
     m_best.reset();
     const RubbingObject body = rubbing();
     std::vector<FrictionContact> contacts = m_close;
+    CoulombMotions first;
     for (int round = 0; round <= kMaxBlockers; ++round) {
       const size_t num_known = contacts.size();
-      CoulombMotions first = coulomb_motions(contacts, body);
+      first = coulomb_motions(contacts, body);
       std::vector<Candidate>& motions = first.exact;
       if (round == 0) {
         for (const Candidate& c : fall(m_close, m_body.fall_limit())) motions.push_back(c);
@@ -149,9 +153,9 @@ class FrictionSettling {
       for (const Candidate& c : frictionless_slide(contacts, body)) motions.push_back(c);
       for (const Candidate& c : motions)
         if (const auto done = attempt(c, contacts)) return *done;
-      if (first.duration > 0 && execute_screw(contacts, body, first)) return Outcome::Moved;
       if (contacts.size() == num_known) break;
     }
+    if (first.duration > 0 && execute_screw(contacts, body, first)) return Outcome::Moved;
     return take_best();
   }
 

@@ -43,7 +43,8 @@ struct SettleProblem {
   Interrupt* interrupt = nullptr;  // checked before every motion; null: never stops
   std::span<const CarriedShape> carried = {};
   const std::vector<ContactsWith>* contacts_at_start = nullptr;  // of the object, if they are known
-  double longest_turn = 1;  // tan(angle / 2) of one motion, with finite friction
+  double longest_turn = 1;       // tan(angle / 2) of one motion, with finite friction
+  std::int64_t max_queries = 0;  // with finite friction: TooManyMotions after these; 0: no limit
 };
 
 struct SettleOutcome {

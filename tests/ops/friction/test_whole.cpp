@@ -229,6 +229,25 @@ TEST(Logs, CarryAThirdIfRoughEnough) {
   }
 }
 
+// What is one group gives way as one, or the operation is refused: the judgement of the whole knows
+// no groups.
+TEST(Whole, KeepsGroupsTogether) {
+  for (const double shift : {0.12, 0.15, 0.17}) {
+    Stage stage(0.5);
+    add_stack(stage, 4, shift);
+    const std::vector<ObjectId> ids = stage.scene.ids();
+    const ObjectId a = ids[2], b = ids[3];
+    for (const ObjectId id : {a, b})
+      edit_object(stage.scene, id, [](Object& o) { o.group = "both"; });
+    const auto apart = [&] {
+      return (stage.scene.at(a).centre_of_mass() - stage.scene.at(b).centre_of_mass()).norm();
+    };
+    const double before = apart();
+    let_go(stage);
+    EXPECT_NEAR(apart(), before, 1e-9) << shift;
+  }
+}
+
 // A locked object may not give way: the operation is refused, and names it.
 TEST(Whole, IsRefusedWhereNothingMayGiveWay) {
   Stage stage(0.5);
