@@ -201,6 +201,7 @@ int Outputs::write(const LayoutRun& run, const Layout& layout, const RunOptions&
   ReportOptions report_options;
   report_options.version = TRIVET_VERSION;
   report_options.model_folder = folders.in_report;
+  report_options.arrangement = m_arrangement;
   if (options.context.detector) tell_work(*options.context.detector, m_common, &report_options);
   const std::string report = report_json(run, report_options);
   // Everything that can fail, except the disk, comes first.

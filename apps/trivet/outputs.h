@@ -47,6 +47,9 @@ class Outputs {
   Outputs(const OutputPaths& paths, const std::vector<std::string>& inputs,
           const CommonOptions& common, const PictureRequest& picture = {});
 
+  /// Puts "arrange" into the report. @param json  its text.
+  void add_arrangement(std::string json) { m_arrangement = std::move(json); }
+
   /// Writes all files and prints a summary on standard output; the report itself with --json.
   /// @return the exit status: 1 if an operation was refused, the check failed, or the scene does
   /// not
@@ -60,6 +63,7 @@ class Outputs {
   OutputPaths m_paths;
   const CommonOptions& m_common;
   std::unique_ptr<PictureMaker> m_picture;
+  std::string m_arrangement;
 };
 
 /// Reports the detector's statistics: with --verbose to standard error, and into the report.

@@ -1,7 +1,9 @@
+#include <algorithm>
 #include <filesystem>
 
+#include "apps/demo/arranged.h"
 #include "apps/demo/demo.h"
-#include "apps/trivet/outputs.h"
+#include "apps/trivet/arranging.h"
 #include "apps/trivet/verbs.h"
 #include "core/base/error.h"
 #include "core/io/export.h"
@@ -15,6 +17,7 @@ struct DemoArguments {
   std::string name, folder;
   OutputPaths outputs;
   SettleArguments settle;
+  ArrangingOptions arranging;
 };
 
 /// Folder for the demo's files: the requested one, else a temporary one.
@@ -47,21 +50,22 @@ class DemoFolder {
   std::string m_path;
 };
 
-void write_demo(const DemoLayout& demo, const DemoFolder& folder) {
-  for (const DemoModel& made : demo.models) {
+void write_models(const std::vector<DemoModel>& models, const DemoFolder& folder) {
+  for (const DemoModel& made : models) {
     ExportScene scene;
     scene.objects.push_back({fs::path(made.file).stem().string(),
                              std::make_shared<const Model>(made.model), Affine{}, ""});
     write_scene(scene, folder.file(made.file));
   }
-  write_file_atomically(folder.file("layout.json"), layout_json(demo));
 }
 
-// Files that --export leaves for trivet run.
-std::vector<std::string> exported_files(const DemoLayout& demo, const std::string& folder) {
+// Files that --export leaves for trivet run and trivet arrange.
+std::vector<std::string> exported_files(const std::string& layout,
+                                        const std::vector<DemoModel>& models,
+                                        const std::string& folder) {
   if (folder.empty()) return {};
-  std::vector<std::string> out{(fs::path(folder) / "layout.json").string()};
-  for (const DemoModel& made : demo.models) out.push_back((fs::path(folder) / made.file).string());
+  std::vector<std::string> out{(fs::path(folder) / layout).string()};
+  for (const DemoModel& made : models) out.push_back((fs::path(folder) / made.file).string());
   return out;
 }
 
@@ -76,10 +80,11 @@ PictureRequest picture_from(const DemoView& view) {
 // Runs from files, like a user would: the same bits with and without --export.
 int run_demo(const DemoArguments& arguments, const CommonOptions& common) {
   const DemoLayout demo = make_demo(arguments.name);
-  Outputs outputs(arguments.outputs, exported_files(demo, arguments.folder), common,
-                  picture_from(demo.view));
+  Outputs outputs(arguments.outputs, exported_files("layout.json", demo.models, arguments.folder),
+                  common, picture_from(demo.view));
   const DemoFolder folder(arguments.folder);
-  write_demo(demo, folder);
+  write_models(demo.models, folder);
+  write_file_atomically(folder.file("layout.json"), layout_json(demo));
   const Layout layout = read_layout(folder.file("layout.json"));
   const std::unique_ptr<Detector> detector = make_detector(common);
   RunOptions options = run_options(common, arguments.settle, detector.get());
@@ -91,6 +96,39 @@ int run_demo(const DemoArguments& arguments, const CommonOptions& common) {
   return outputs.write(result, layout, options, {in_scene, ""});
 }
 
+int run_arranged_demo(const DemoArguments& arguments, const CommonOptions& common) {
+  const ArrangedDemo demo = make_arranged_demo(arguments.name);
+  Outputs outputs(arguments.outputs, exported_files("problem.json", demo.models, arguments.folder),
+                  common, picture_from(demo.view));
+  const DemoFolder folder(arguments.folder);
+  write_models(demo.models, folder);
+  write_file_atomically(folder.file("problem.json"), demo.problem);
+  const std::string& scene = arguments.outputs.scene;
+  const std::string in_scene = arguments.folder.empty() ? "" : folder_from(scene, folder.path());
+  return arrange_file(folder.file("problem.json"), arguments.arranging, arguments.settle, common,
+                      outputs, {in_scene, ""});
+}
+
+bool is_arranged(const std::string& demo) {
+  const std::vector<std::string> names = arranged_demo_names();
+  return std::find(names.begin(), names.end(), demo) != names.end();
+}
+
+std::vector<std::string> all_demo_names() {
+  std::vector<std::string> out = demo_names();
+  for (const std::string& name : arranged_demo_names()) out.push_back(name);
+  return out;
+}
+
+int run_any_demo(const DemoArguments& arguments, const CommonOptions& common) {
+  if (is_arranged(arguments.name)) return run_arranged_demo(arguments, common);
+  if (arguments.arranging.seed || arguments.arranging.seconds > 0)
+    throw Error(Error::Kind::BadInput,
+                "--seed and --seconds: the demo " + arguments.name +
+                    " is laid out by operations; accepted: with table-for-six and bookcase");
+  return run_demo(arguments, common);
+}
+
 }  // namespace
 
 Verb add_demo(CLI::App& app, const CommonOptions& common) {
@@ -99,14 +137,17 @@ Verb add_demo(CLI::App& app, const CommonOptions& common) {
   verb->add_option("name", arguments->name, "Name of the demo")
       ->required()
       ->type_name("NAME")
-      ->check(one_of(demo_names()));
+      ->check(one_of(all_demo_names()));
   add_output_options(*verb, arguments->outputs);
   verb->get_option("--output")->required();
-  verb->add_option("--export", arguments->folder,
-                   "Write layout.json and the models to this folder, for trivet run")
+  verb->add_option(
+          "--export", arguments->folder,
+          "Write layout.json (or problem.json) and the models to this folder, for trivet run "
+          "(or trivet arrange)")
       ->type_name("DIR");
+  add_arranging_options(*verb, arguments->arranging);
   add_settle_options(*verb, arguments->settle);
-  return {verb, [arguments, &common] { return run_demo(*arguments, common); }};
+  return {verb, [arguments, &common] { return run_any_demo(*arguments, common); }};
 }
 
 }  // namespace trivet::apps

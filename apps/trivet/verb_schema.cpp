@@ -22,13 +22,16 @@ std::string recipe_schema() {
 }  // namespace
 
 Verb add_schema(CLI::App& app, const CommonOptions&) {
-  CLI::App* const verb =
-      app.add_subcommand("schema", "Print the JSON Schema of layout files, or of recipes");
+  CLI::App* const verb = app.add_subcommand(
+      "schema", "Print the JSON Schema of layout files, recipes or arrangements");
   const auto what = std::make_shared<std::string>("layout");
-  verb->add_option("what", *what, "layout (default), or recipe, for trivet batch")
-      ->check(one_of({"layout", "recipe"}));
+  verb->add_option("what", *what,
+                   "layout (default); recipe, for trivet batch; arrange, for trivet arrange")
+      ->check(one_of({"layout", "recipe", "arrange"}));
   return {verb, [what] {
-            std::cout << (*what == "recipe" ? recipe_schema() : kLayoutSchema);
+            std::cout << (*what == "recipe"    ? recipe_schema()
+                          : *what == "arrange" ? kArrangeSchema
+                                               : kLayoutSchema);
             return 0;
           }};
 }

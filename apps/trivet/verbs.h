@@ -15,6 +15,7 @@ struct Verb {
 };
 
 Verb add_info(CLI::App& app, const CommonOptions& common);
+Verb add_arrange(CLI::App& app, const CommonOptions& common);
 Verb add_run(CLI::App& app, const CommonOptions& common);
 Verb add_put(CLI::App& app, const CommonOptions& common);
 Verb add_push(CLI::App& app, const CommonOptions& common);
@@ -37,7 +38,8 @@ Verb add_backends(CLI::App& app, const CommonOptions& common);
 Verb add_batch(CLI::App& app, const CommonOptions& common);
 Verb add_schema(CLI::App& app, const CommonOptions& common);
 
-extern const char* const kLayoutSchema;  // text of ops/files/layout/layout.schema.json
-extern const char* const kRecipeSchema;  // text of apps/farm/recipe/recipe.schema.json
+extern const char* const kLayoutSchema;   // text of ops/files/layout/layout.schema.json
+extern const char* const kRecipeSchema;   // text of apps/farm/recipe/recipe.schema.json
+extern const char* const kArrangeSchema;  // text of ops/files/arrange/arrange.schema.json
 
 }  // namespace trivet::apps

@@ -1,8 +1,15 @@
-"""Computer-aided layout end to end: poses and surfaces of models."""
+"""Computer-aided layout end to end: poses and surfaces of models, arrangements, conflicts."""
+import copy
 import json
+import os
 import unittest
 
-from program import Case, box_obj, main
+from program import SOURCE_DIR, Case, box_obj, main, without_times
+
+try:
+    import jsonschema
+except ImportError:
+    jsonschema = None
 
 
 def shelf_obj(boards, half_x=0.4, half_y=0.15, thick=0.02):
@@ -54,6 +61,139 @@ class Info(Case):
         self.assertIsNone(info["surfaces"][2]["head_room"])
         self.assertAlmostEqual(info["surfaces"][1]["area"], 0.24, places=6)
         self.assertIn("open above", self.text("shelf.obj", "--surfaces"))
+
+
+class Arrange(Case):
+    def problem(self, relations, things=None, **more):
+        """A shelf, two mugs and a book."""
+        self.write("shelf.obj", shelf_obj([0.1, 0.4, 0.75]))
+        self.write("mug.obj", box_obj(0.04, 0.04, 0.05))
+        self.write("book.obj", box_obj(0.015, 0.08, 0.11))
+        arrange = {"relations": relations, **more}
+        if things is not None:
+            arrange["things"] = things
+        document = {"trivet": 1, "objects": [
+            {"name": "shelf", "model": "shelf.obj", "fixed": True, "position": [0, 0, 1e-5]},
+            {"name": "mug_1", "model": "mug.obj"}, {"name": "mug_2", "model": "mug.obj"},
+            {"name": "book", "model": "book.obj"}], "arrange": arrange}
+        return self.write("problem.json", json.dumps(document))
+
+    ON = [{"is": "on", "a": "mug_*", "b": "shelf", "level": 1},
+          {"is": "on", "a": "book", "b": "shelf", "level": "top"},
+          {"is": "right_of", "a": "mug_2", "b": "mug_1", "gap": [0.05, 0.1]},
+          {"is": "aligned", "a": "mug_*", "b": "shelf"},
+          {"is": "keep", "a": "*", "distance": 0.01}]
+
+    def positions(self, report):
+        return {o["name"]: o["world_from_file"][3:12:4] for o in report["objects"]}
+
+    def test_arranges_the_same_with_any_threads(self):
+        self.problem(self.ON)
+        out, _ = self.trivet("arrange", "problem.json", "-o", "a.glb", "--report", "a.json")
+        self.assertIn("arrange: done", out)
+        self.assertIn("3 hard relations hold", out)
+        report = self.read_json("a.json")
+        self.assertEqual(report["arrange"]["status"], "done")
+        self.assertTrue(all(r["cost"] <= 1 for r in report["arrange"]["relations"]))
+        at = self.positions(report)
+        self.assertAlmostEqual(at["mug_1"][2], 0.45, places=3)
+        self.assertAlmostEqual(at["book"][2], 0.86, places=3)
+        self.trivet("check", "a.glb")
+        self.trivet("put", "a.glb", "mug.obj", "--position", 2, 2, 1, "-o", "more.glb")
+        # Other threads, the same bytes; another seed, another scene.
+        for name, arguments in (("b", ["--threads", 1]), ("c", ["--threads", 2]),
+                                ("d", ["--seed", 9])):
+            self.trivet("arrange", "problem.json", "-o", name + ".glb", "--report", name + ".json",
+                        *arguments)
+        self.assertEqual(self.read("b.glb"), self.read("a.glb"))
+        self.assertEqual(self.read("c.glb"), self.read("a.glb"))
+        self.assertEqual(without_times(self.read("b.json")), without_times(self.read("c.json")))
+        self.assertNotEqual(self.positions(self.read_json("d.json")), at)
+
+    def test_conflict_leaves_the_scene_as_it_was(self):
+        self.problem(self.ON + [{"is": "left_of", "a": "mug_2", "b": "mug_1"}])
+        out, _ = self.trivet("arrange", "problem.json", "-o", "a.glb", "--report", "a.json",
+                             status=1)
+        self.assertIn('"mug_2" right_of "mug_1"; "mug_2" left_of "mug_1"', out)
+        report = self.read_json("a.json")
+        self.assertEqual(report["arrange"]["status"], "conflict")
+        self.assertEqual(len(report["arrange"]["conflict"]["constraints"]), 2)
+        placed = [o["name"] for o in report["objects"] if o["state"] != "unplaced"]
+        self.assertEqual(placed, ["shelf"])
+
+    def test_bad_problems(self):
+        def refused(relation, says, **more):
+            self.problem([relation], **more)
+            self.refused("arrange", "problem.json", "-o", "x.glb", says=says)
+        refused({"is": "on", "a": "mug_1", "b": "shelff"},
+                ["/arrange/relations/0/b", 'did you mean "shelf"'])
+        refused({"is": "above", "a": "mug_1", "b": "shelf"}, "accepted: one of next_to, row")
+        refused({"is": "rigth_of", "a": "mug_1", "b": "shelf"}, 'did you mean "right_of"')
+        refused({"is": "on", "a": "mug_1", "b": "mug_1"}, "another object than a")
+        refused({"is": "near", "a": "mug_1", "b": "shelf", "distance": -1}, "/distance")
+        refused({"is": "left_of", "a": "mug_1", "b": "shelf", "gap": [2, 1]}, "least first")
+        refused({"is": "within", "a": "mug_1", "region": [[0, 0], [0, 1], [1, 0]]}, "convex")
+        refused({"is": "facing", "a": "mug_1"}, 'either "b" or "point"')
+        refused({"is": "at", "a": "mug_1", "point": [0, 0]}, "is named before",
+                things=[{"objects": "mug_*"}, {"object": "mug_1"}])
+        refused({"is": "at", "a": "mug_1", "point": [0, 0]}, "is fixed",
+                things=[{"object": "shelf"}, {"object": "mug_1"}])
+        refused({"is": "on", "a": "shelf", "b": "mug_1"}, "none of the things to arrange")
+        refused({"is": "at", "a": "mug_1", "point": [0, 0]}, "has no stable pose 99",
+                things=[{"object": "mug_1", "pose": 99}])
+        self.problem([{"is": "on", "a": "mug_1", "b": "mug_2"},
+                      {"is": "on", "a": "mug_2", "b": "mug_1"}])
+        self.refused("arrange", "problem.json", "-o", "x.glb", says="have to carry itself")
+        self.write("plain.json", '{"trivet": 1, "objects": []}')
+        self.refused("arrange", "plain.json", "-o", "x.glb", says="arrange")
+
+    @unittest.skipIf(jsonschema is None, "Python has no jsonschema (Debian: python3-jsonschema)")
+    def test_schema_and_reader_agree(self):
+        schema = json.loads(self.trivet("schema", "arrange")[0])
+        jsonschema.Draft202012Validator.check_schema(schema)
+        validator = jsonschema.Draft202012Validator(schema)
+        good = [{"is": "on", "a": "book", "b": "floor"},
+                {"is": "against", "a": "book", "b": "shelf", "side": "left", "gap": [0, 0.1]},
+                {"is": "next_to", "a": "book", "b": "shelf"},
+                {"is": "behind", "a": "book", "b": "shelf", "overlap": 0, "weight": 2},
+                {"is": "facing", "a": "book", "point": [1, 2]},
+                {"is": "away", "a": "book", "b": "shelf", "tolerance": 10},
+                {"is": "centred", "a": "book", "b": "shelf", "along": "x", "offset": [0, 1]},
+                {"is": "within", "a": "book", "region": [[0, 0], [1, 0], [0, 1]]},
+                {"is": "row", "of": ["mug_*"], "on": "shelf", "align": "left", "order": "any"},
+                {"is": "grid", "of": "mug_*", "on": "shelf", "columns": 2, "level": -1},
+                {"is": "keep", "a": "*", "distance": 0.1, "except": [["mug_1", "book"]]}]
+        bad = [({"is": "on"}, None), ({"is": "row", "of": "mug_*", "on": "shelf"}, "columns"),
+               ({"is": "near", "a": "book", "b": "shelf"}, None),
+               ({"is": "at", "a": "book", "point": [1]}, None),
+               ({"is": "at", "a": "book", "point": [1, 2]}, "gap"),
+               ({"is": "in", "a": "book", "b": "shelf"}, "level"),
+               ({"is": "same", "a": "book", "b": "shelf", "weight": -1}, None),
+               ({"is": "keep", "a": "*", "distance": 1, "except": [["a"]]}, None)]
+        for relation in good:
+            self.assertTrue(validator.is_valid({"relations": [relation]}), relation)
+            # Read without complaint: what ends it, if anything, is a conflict.
+            self.problem([relation], attempts=1, evictions=0)
+            self.trivet("arrange", "problem.json", "-o", "x.glb", status=(0, 1))
+        os.remove(self.path("x.glb"))
+        for relation, key in bad:
+            relation = {**copy.deepcopy(relation), **({key: 1} if key else {})}
+            self.assertFalse(validator.is_valid({"relations": [relation]}), relation)
+            self.problem([relation])
+            self.refused("arrange", "problem.json", "-o", "x.glb", says="/arrange/relations/0")
+
+    def test_exported_demo(self):
+        out, _ = self.trivet("demo", "bookcase", "-o", "a.glb", "--export", "demo", "--seed", 3)
+        self.assertIn("arrange: done", out)
+        self.trivet("arrange", "demo/problem.json", "-o", "b.glb", "--seed", 3, "--report", "b.json")
+        self.trivet("demo", "bookcase", "-o", "c.glb", "--report", "c.json", "--seed", 3)
+        self.assertEqual(self.positions(self.read_json("b.json")),
+                         self.positions(self.read_json("c.json")))
+        self.refused("demo", "breakfast", "-o", "x.glb", "--seed", 3, says="--seed")
+
+    def test_published_schema_is_the_files(self):
+        with open(os.path.join(SOURCE_DIR, "ops/files/arrange/arrange.schema.json")) as file:
+            self.assertEqual(self.trivet("schema", "arrange")[0], file.read())
 
 
 if __name__ == "__main__":

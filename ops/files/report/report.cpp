@@ -89,6 +89,7 @@ std::string report_json(const LayoutRun& run, const ReportOptions& options) {
                       {"device", options.device},
                       {"confirmation", options.confirmation}};
   if (options.work) json["work"] = work_json(*options.work);
+  if (!options.arrangement.empty()) json["arrange"] = OrderedJson::parse(options.arrangement);
   json["settle"] = settle_rules_json(rules_of(run.settle));
   json["objects"] = objects_json(run.scene, options);
   json["operations"] = operations_json(run.operations);

@@ -19,6 +19,7 @@ struct ReportOptions {
   std::optional<DetectionWork> work;  // left over by the stages of the queries; nullopt: omitted
   /// Put before relative model paths; empty: paths as the scene has them.
   std::string model_folder;
+  std::string arrangement = {};  // JSON text of "arrange"; empty: there was none
 };
 
 /// The report as JSON text, as DESIGN.md has it. Two runs of one input differ in nothing but

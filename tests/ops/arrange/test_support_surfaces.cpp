@@ -1,27 +1,17 @@
 // Support surfaces of shelves and tables whose boards are known.
 #include <gtest/gtest.h>
 
+#include "ops/arrange/arrange_testing.h"
 #include "ops/arrange/support_surfaces.h"
 #include "support/solids.h"
 
 namespace trivet {
 namespace {
 
-test::Triangles box(const Vec3& lower, const Vec3& upper) {
-  return test::moved(test::box_triangles(0.5 * (upper - lower)), 0.5 * (lower + upper));
-}
-
 constexpr double kBoards[] = {0.1, 0.4, 0.75, 1.2};  // upper sides
 constexpr double kThick = 0.02;
 
-// Boards of 0.8 x 0.3 between two sides that are as high as the top board.
-test::Triangles shelf() {
-  test::Triangles out = test::joined(box(Vec3(-0.42, -0.15, 0), Vec3(-0.4, 0.15, 1.2)),
-                                     box(Vec3(0.4, -0.15, 0), Vec3(0.42, 0.15, 1.2)));
-  for (const double top : kBoards)
-    out = test::joined(out, box(Vec3(-0.4, -0.15, top - kThick), Vec3(0.4, 0.15, top)));
-  return out;
-}
+test::Triangles shelf() { return test::shelf({std::begin(kBoards), std::end(kBoards)}); }
 
 std::vector<SupportSurface> surfaces_of(const test::Triangles& triangles, const Affine& m = {}) {
   const auto shape = test::shape_of(triangles);
@@ -86,8 +76,8 @@ TEST(SupportSurfaces, LeaveOutSlopesAndWalls) {
 
 // Parts that overlap hide faces, as in most models.
 TEST(SupportSurfaces, LeaveOutHiddenFaces) {
-  const auto table = test::joined(box(Vec3(-0.5, -0.5, 0.7), Vec3(0.5, 0.5, 0.74)),
-                                  box(Vec3(-0.4, -0.4, 0), Vec3(0.4, 0.4, 0.738)));
+  const auto table = test::joined(test::box_between(Vec3(-0.5, -0.5, 0.7), Vec3(0.5, 0.5, 0.74)),
+                                  test::box_between(Vec3(-0.4, -0.4, 0), Vec3(0.4, 0.4, 0.738)));
   const auto surfaces = surfaces_of(table);
   ASSERT_EQ(surfaces.size(), 1u);
   EXPECT_NEAR(surfaces[0].height, 0.74, 1e-12);

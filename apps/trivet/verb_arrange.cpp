@@ -1,0 +1,42 @@
+#include "apps/trivet/arranging.h"
+#include "apps/trivet/verbs.h"
+#include "ops/files/arrange/problem.h"
+
+namespace trivet::apps {
+namespace {
+
+struct ArrangeArguments {
+  std::string problem;
+  OutputPaths outputs;
+  SettleArguments settle;
+  ArrangingOptions arranging;
+};
+
+int arrange_problem(const ArrangeArguments& arguments, const CommonOptions& common) {
+  const std::string folder = folder_of(arguments.problem);
+  const Layout layout = read_problem(arguments.problem, common.limits().max_file_bytes).layout;
+  std::vector<std::string> inputs = model_files(layout, folder);
+  inputs.push_back(arguments.problem);
+  Outputs outputs(arguments.outputs, inputs, common);
+  return arrange_file(arguments.problem, arguments.arranging, arguments.settle, common, outputs,
+                      {folder_from(arguments.outputs.scene, folder), ""});
+}
+
+}  // namespace
+
+Verb add_arrange(CLI::App& app, const CommonOptions& common) {
+  CLI::App* const verb =
+      app.add_subcommand("arrange", "Find places for objects by relations between them");
+  const auto arguments = std::make_shared<ArrangeArguments>();
+  verb->add_option("problem", arguments->problem,
+                   "A layout with a section \"arrange\", JSON; see trivet schema arrange")
+      ->required()
+      ->type_name("PROBLEM.json");
+  add_arranging_options(*verb, arguments->arranging);
+  add_output_options(*verb, arguments->outputs);
+  verb->get_option("--output")->required();
+  add_settle_options(*verb, arguments->settle);
+  return {verb, [arguments, &common] { return arrange_problem(*arguments, common); }};
+}
+
+}  // namespace trivet::apps

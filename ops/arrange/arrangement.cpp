@@ -1,0 +1,32 @@
+#include "ops/arrange/arrangement.h"
+
+#include "core/base/quoted.h"
+
+namespace trivet {
+
+const char* to_string(RelationKind kind) {
+  constexpr const char* kNames[] = {
+      "on",     "in",   "against", "near",     "left_of", "right_of", "in_front_of", "behind",
+      "facing", "away", "aligned", "parallel", "same",    "centred",  "within",      "at"};
+  return kNames[static_cast<int>(kind)];
+}
+
+const char* to_string(Side side) {
+  constexpr const char* kNames[] = {"front", "back", "left", "right"};
+  return kNames[static_cast<int>(side)];
+}
+
+std::string Relation::text() const {
+  std::string out = quoted(a) + " " + to_string(kind);
+  if (!b.empty()) out += " " + (b == "floor" ? "the floor" : quoted(b));
+  if (b.empty() && kind == RelationKind::Within) out += " its region";
+  if (b.empty() && kind != RelationKind::Within) out += " its point";
+  return out;
+}
+
+std::string Pattern::text() const {
+  return std::string(kind == Kind::Row ? "row" : "grid") + " of " + std::to_string(things.size()) +
+         " things on " + (on == "floor" ? "the floor" : quoted(on));
+}
+
+}  // namespace trivet

@@ -1,0 +1,120 @@
+// What is to be arranged, as data: things, relations between them, patterns. Metres, degrees.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/base/types.h"
+
+namespace trivet {
+
+/// How a thing may lie; see stable_poses.h.
+struct PoseChoice {
+  enum class Kind {
+    Upright,     // the stable pose nearest to the model's own up
+    AsModelled,  // exactly as in the model's file
+    Free,        // let go as in the model's file; it may come to rest otherwise
+    Stable,      // any stable pose, the likely ones first
+    Number,      // one of the stable poses, as `trivet info --poses` numbers them
+  };
+  Kind kind = Kind::Upright;
+  int number = 0;
+};
+
+/// An object that is to be placed.
+struct Thing {
+  std::string object;
+  PoseChoice pose = {};
+  std::vector<double> yaws_deg = {};  // turns about z to choose from; empty: as relations ask for,
+                                      // else every 45 degrees
+};
+
+/// Terms: `a` and `b` are objects; seen from above, from in front of b, as one who faces b's front
+/// sees it; a gap is between outlines.
+enum class RelationKind {
+  On,       // b, or the floor, alone carries a
+  In,       // b and what lies in it carry a, its centre over b
+  Against,  // a's `side` is at `gap` from b
+  Near,     // the distance of a from b is in `gap`
+  LeftOf,   // a is beside b, at `gap`, with so much `overlap` along the side
+  RightOf,
+  InFrontOf,
+  Behind,
+  Facing,    // a's front points to b's centre, or to `point`
+  Away,      // a's back does
+  Aligned,   // a's front is b's, or a quarter turn or more of it
+  Parallel,  // or half a turn of it
+  Same,      // a's front is b's
+  Centred,   // a's centre is b's plus `offset`, along b's `along`
+  Within,    // a's outline is in `region`
+  At,        // a's centre is at `point`
+};
+const char* to_string(RelationKind kind);  // "on", "left_of", ...
+
+enum class Side { Front, Back, Left, Right };
+const char* to_string(Side side);
+
+struct Relation {
+  RelationKind kind = RelationKind::On;
+  std::string a, b;          // b: may be "floor" of On; empty where there is a point or a region
+  std::optional<int> level;  // On: the support surface, from below; negative: from above; nullopt:
+                             // any
+  double lower = 0, upper = kInfinity;  // metres, of the gap
+  double overlap = 0.5;                 // of the narrower of both
+  Side side = Side::Back;
+  bool along_x = true, along_y = true;  // of Centred: b's right, b's back
+  Vec2 offset = Vec2::Zero();
+  std::optional<Vec2> point;
+  std::vector<Vec2> region;      // convex, counter-clockwise
+  double tolerance = 1e-3;       // metres or degrees: a cost of 1
+  std::optional<double> weight;  // soft; nullopt: the cost may not be more than 1
+
+  bool is_hard() const { return !weight; }
+  bool is_support() const { return kind == RelationKind::On || kind == RelationKind::In; }
+  /// "cup" right_of "plate".
+  std::string text() const;
+};
+
+/// Things side by side on one surface, placed together without a search.
+struct Pattern {
+  enum class Kind { Row, Grid };
+  enum class Align { Left, Centre, Right, Spread };
+  Kind kind = Kind::Row;
+  std::vector<std::string> things;
+  std::string on;                // an object or "floor"
+  std::optional<int> level;      // as of Relation; nullopt: the highest
+  double gap = 1e-3;             // metres between things, and to walls; at least 8 clearances
+  Align align = Align::Centre;   // along b's right
+  Align across = Align::Centre;  // Left: at b's front, Right: at its back
+  double inset = 0;              // metres from the edge to which `across` moves it
+  bool shuffled = false;         // in an order of the seed
+  int columns = 0;               // of a grid; 0: as many as there is room for
+  std::string text() const;      // grid of 12 things on "tray"
+};
+
+/// A distance to keep of each of these from all that is no support of it.
+struct KeepApart {
+  std::vector<std::string> things;
+  double distance = 0;
+  std::vector<std::pair<std::string, std::string>> except;  // either way round; sorted pairs
+};
+
+struct Arrangement {
+  std::uint64_t seed = 0;
+  std::vector<Thing> things;
+  std::vector<Relation> relations;
+  std::vector<Pattern> patterns;
+  std::vector<KeepApart> keeps;
+  std::map<std::string, Vec3> fronts;  // of objects, in the model's frame after its up axis;
+                                       // others: -y
+
+  /// Bounds of the search.
+  int max_evictions = 60;
+  int max_attempts = 4;
+};
+
+}  // namespace trivet

@@ -1,0 +1,103 @@
+#include "ops/arrange/convex_region.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ops/arrange/angles.h"
+
+namespace trivet {
+namespace {
+
+Vec2 nearest_on_segment(const Vec2& p, const Vec2& a, const Vec2& b) {
+  const Vec2 along = b - a;
+  const double length = along.squaredNorm();
+  const double t = length > 0 ? std::clamp(along.dot(p - a) / length, 0.0, 1.0) : 0;
+  return a + t * along;
+}
+
+bool inside(const std::vector<Vec2>& polygon, const Vec2& p) {
+  if (polygon.size() < 3) return false;
+  for (size_t i = 0; i < polygon.size(); ++i) {
+    const Vec2& a = polygon[i];
+    if (cross(Vec2(polygon[(i + 1) % polygon.size()] - a), Vec2(p - a)) < 0) return false;
+  }
+  return true;
+}
+
+// From a point of one to the outline of the other.
+double distance_to_outline(const Vec2& p, const std::vector<Vec2>& polygon) {
+  double out = kInfinity;
+  for (size_t i = 0; i < polygon.size(); ++i)
+    out = std::min(
+        out, (nearest_on_segment(p, polygon[i], polygon[(i + 1) % polygon.size()]) - p).norm());
+  return out;
+}
+
+// True if an edge of `a` has all of `b` beyond it.
+bool separated_by_edge(const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
+  for (size_t i = 0; i < a.size(); ++i) {
+    const Vec2 out = -quarter_turned(a[(i + 1) % a.size()] - a[i]);
+    if (-extent(b, -out) >= out.dot(a[i])) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+ConvexRegion::ConvexRegion(const Vec2& lower, const Vec2& upper) {
+  if ((lower.array() > upper.array()).any()) return;
+  m_corners = {lower, {upper.x(), lower.y()}, upper, {lower.x(), upper.y()}};
+}
+
+void ConvexRegion::clip(const HalfPlane& half_plane) {
+  std::vector<Vec2> out;
+  out.reserve(m_corners.size() + 1);
+  for (size_t i = 0; i < m_corners.size(); ++i) {
+    const Vec2 &a = m_corners[i], &b = m_corners[(i + 1) % m_corners.size()];
+    const double over_a = half_plane.normal.dot(a) - half_plane.bound;
+    const double over_b = half_plane.normal.dot(b) - half_plane.bound;
+    if (over_a <= 0) out.push_back(a);
+    if ((over_a < 0 && over_b > 0) || (over_a > 0 && over_b < 0))
+      out.push_back(a + over_a / (over_a - over_b) * (b - a));
+  }
+  m_corners = std::move(out);
+}
+
+Vec2 ConvexRegion::lower() const {
+  Vec2 out = Vec2::Constant(kInfinity);
+  for (const Vec2& p : m_corners) out = out.cwiseMin(p);
+  return out;
+}
+
+Vec2 ConvexRegion::upper() const {
+  Vec2 out = Vec2::Constant(-kInfinity);
+  for (const Vec2& p : m_corners) out = out.cwiseMax(p);
+  return out;
+}
+
+Vec2 ConvexRegion::nearest(const Vec2& p) const {
+  if (inside(m_corners, p)) return p;
+  Vec2 out = m_corners.front();
+  for (size_t i = 0; i < m_corners.size(); ++i) {
+    const Vec2 q = nearest_on_segment(p, m_corners[i], m_corners[(i + 1) % m_corners.size()]);
+    if ((q - p).squaredNorm() < (out - p).squaredNorm()) out = q;
+  }
+  return out;
+}
+
+double extent(const std::vector<Vec2>& points, const Vec2& direction) {
+  double out = -kInfinity;
+  for (const Vec2& p : points) out = std::max(out, direction.dot(p));
+  return out;
+}
+
+double distance(const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
+  if (!separated_by_edge(a, b) && !separated_by_edge(b, a) && a.size() > 2 && b.size() > 2)
+    return 0;
+  double out = kInfinity;
+  for (const Vec2& p : a) out = std::min(out, distance_to_outline(p, b));
+  for (const Vec2& p : b) out = std::min(out, distance_to_outline(p, a));
+  return out;
+}
+
+}  // namespace trivet

@@ -1,0 +1,331 @@
+#include "ops/arrange/placer.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/quoted.h"
+#include "ops/arrange/noise.h"
+#include "ops/detect/detector.h"
+#include "ops/operations/moving_group.h"
+#include "ops/place/distance_query.h"
+
+namespace trivet {
+namespace {
+
+constexpr int kTurns = 8;         // about z, where no relation asks for any
+constexpr int kFacingTurns = 32;  // of things that face something
+constexpr double kTemperature = 0.2;
+constexpr double kNogoodRadius = 6e-3;  // metres
+constexpr size_t kMaxCandidates = 64;
+constexpr double kMostTiltDeg = 3;  // of a thing at rest against its trial
+constexpr int kHalvings = 8;
+
+std::uint64_t counter(std::uint64_t seed, size_t combination, size_t place) {
+  return scrambled(scrambled(seed ^ scrambled(combination)) ^ place);
+}
+
+}  // namespace
+
+Placer::Placer(World& world, size_t thing, std::uint64_t seed)
+    : m_world(world), m_thing(thing), m_seed(seed), m_clearance(world.clearance(model())) {
+  for (const size_t r : model().relations) {
+    const Relation& relation = m_world.arrangement().relations[r];
+    if (relation.is_support()) continue;
+    const std::string& other = relation.a == name() ? relation.b : relation.a;
+    if (!other.empty()) {
+      if (!m_world.stands(other)) continue;
+      if (!m_partners.count(other)) m_partners.emplace(other, m_world.outline(other));
+    }
+    m_relations.push_back(&relation);
+  }
+  combine();
+}
+
+const Outline* Placer::partner(const Relation& relation) const {
+  const auto it = m_partners.find(relation.a == name() ? relation.b : relation.a);
+  return it == m_partners.end() ? nullptr : &it->second;
+}
+
+double Placer::cost(const Relation& relation, const Outline& outline) const {
+  if (relation.a == name()) return relation_cost(relation, outline, partner(relation));
+  return relation_cost(relation, *partner(relation), &outline);
+}
+
+// Those that the thing asks for itself, else its hard relations, else all round; soft relations add
+// theirs.
+std::vector<Rotation> Placer::turns(const Rotation& rest) const {
+  std::vector<Rotation> out;
+  for (const double yaw : model().thing->yaws_deg) out.push_back(turned_about_z(yaw));
+  if (!out.empty()) return out;
+  const Outline outline = m_world.outline(model(), {rest, Vec3::Zero()});
+  std::vector<Rotation> soft;
+  bool faces = false;
+  for (const Relation* r : m_relations) {
+    faces = faces || wanted_front(*r, outline, partner(*r)) != Vec2::Zero();
+    if (!partner(*r)) continue;
+    // A side of b that is against a turns with b.
+    const bool turns_with_a = r->kind != RelationKind::Against || r->a == name();
+    if (!turns_with_a) continue;
+    for (const Rotation& turn : turns_asked_for(*r, outline, *partner(*r)))
+      (r->is_hard() ? out : soft).push_back(turn);
+    if (!out.empty()) return out;
+  }
+  const int count = faces ? kFacingTurns : kTurns;
+  for (int i = 0; i < count; ++i) out.push_back(turned_about_z(360.0 * i / count));
+  out.insert(out.end(), soft.begin(), soft.end());
+  return out;
+}
+
+// The centre of mass over the landing; on the unbounded floor, not far from everything.
+ConvexRegion Placer::window(const Landing& landing, const Outline& outline) const {
+  Vec2 lower = landing.lower, upper = landing.upper;
+  if (!(lower.x() > -kInfinity)) {
+    Aabb box = m_world.scene().box();
+    box.extend(Vec3::Zero());
+    double more = 0;
+    for (const ThingModel& thing : m_world.things()) more += std::sqrt(thing.area);
+    for (const Relation* r : m_relations) {
+      if (r->point) box.extend(Vec3(r->point->x(), r->point->y(), 0));
+      for (const Vec2& p : r->region) box.extend(Vec3(p.x(), p.y(), 0));
+      if (r->upper < kInfinity) more = std::max(more, r->upper);
+    }
+    const double size = outline.width(Vec2::UnitX()) + outline.width(Vec2::UnitY());
+    lower = box.lower.head<2>() - Vec2::Constant(more + size);
+    upper = box.upper.head<2>() + Vec2::Constant(more + size);
+  }
+  return {lower - outline.mass_centre, upper - outline.mass_centre};
+}
+
+void Placer::clip(Combination& combination) const {
+  for (const Relation* r : m_relations) {
+    if (!r->is_hard()) continue;
+    for (const HalfPlane& h : half_planes(*r, combination.outline, partner(*r), r->a == name()))
+      combination.region.clip(h);
+  }
+}
+
+void Placer::combine() {
+  for (const Rotation& rest : model().rests) {
+    const Outline lying = m_world.outline(model(), {rest, Vec3::Zero()});
+    std::string why_none;
+    const auto landings = m_world.landings(model(), lying.top - lying.bottom, why_none);
+    for (const Rotation& turn : turns(rest)) {
+      Combination combination;
+      combination.rotation = (turn * rest).normalized();
+      combination.outline = m_world.outline(model(), {combination.rotation, Vec3::Zero()});
+      for (const Landing& landing : landings) {
+        combination.landing = landing;
+        combination.region = window(landing, combination.outline);
+        clip(combination);
+        if (!combination.region.empty()) m_combinations.push_back(combination);
+      }
+    }
+  }
+}
+
+PlaceField Placer::field(const Combination& c) const {
+  return {m_world.scene(),
+          model().id,
+          c.rotation,
+          c.landing,
+          c.region,
+          m_clearance,
+          drop_brackets_of(m_world.setting().context.detector)};
+}
+
+// @param slack_deg  of things that are turned to face something afterwards.
+bool Placer::meets_hard(const Outline& outline, double slack_deg) const {
+  for (const Relation* r : m_relations) {
+    if (!r->is_hard()) continue;
+    const bool turns_later = r->kind == RelationKind::Facing || r->kind == RelationKind::Away;
+    const double slack = turns_later && r->a == name() ? slack_deg / r->tolerance : 0;
+    if (!(cost(*r, outline) <= 1 + slack)) return false;
+  }
+  return true;
+}
+
+double Placer::energy(const Outline& outline) const {
+  double out = 0;
+  for (const Relation* r : m_relations) {
+    if (r->is_hard()) continue;
+    const double c = cost(*r, outline);
+    out += *r->weight * c * c;
+  }
+  return out;
+}
+
+// Others that are not kept apart by a relation.
+std::vector<ObjectId> Placer::obstacles(const Combination& combination, Obstacles which) const {
+  std::vector<ObjectId> out;
+  for (const ObjectId id : m_world.standing()) {
+    const std::string& other = m_world.scene().at(id).name;
+    const auto& supports = combination.landing.supports;
+    if (id == model().id || std::count(supports.begin(), supports.end(), Support(id))) continue;
+    if (which == Obstacles::Immovable && m_world.thing_of(other) >= 0) continue;
+    const double keep = m_world.keep(name(), other);
+    const auto apart = [&](const Relation* r) {
+      return separates(*r) && (r->a == other || r->b == other) && keep <= r->lower;
+    };
+    if (std::none_of(m_relations.begin(), m_relations.end(), apart)) out.push_back(id);
+  }
+  return out;
+}
+
+std::vector<char> Placer::clear(const PlaceField& field, const Combination& combination,
+                                Obstacles which) const {
+  std::map<double, std::vector<ObjectId>> by_keep;
+  for (const ObjectId id : obstacles(combination, which))
+    by_keep[m_world.keep(name(), m_world.scene().at(id).name)].push_back(id);
+  std::vector<char> out(field.size(), 1);
+  const auto take = [&](const std::vector<char>& other) {
+    for (size_t i = 0; i < out.size(); ++i) out[i] &= other[i];
+  };
+  for (const auto& [keep, ids] : by_keep) take(field.clear_of(ids, keep));
+  const auto& supports = combination.landing.supports;
+  const bool on_floor = std::count(supports.begin(), supports.end(), Support::floor()) > 0;
+  if (m_world.scene().floor && !on_floor) take(field.clear_of_floor());
+  return out;
+}
+
+std::vector<Candidate> Placer::candidates(Obstacles which, const std::vector<Vec2>& nogoods) const {
+  std::vector<Candidate> all;
+  for (size_t c = 0; c < m_combinations.size(); ++c) {
+    const Combination& combination = m_combinations[c];
+    const PlaceField field = this->field(combination);
+    const std::vector<char> clear = this->clear(field, combination, which);
+    for (size_t i = 0; i < field.size(); ++i) {
+      if (!clear[i] || !field.is_over_support(i)) continue;
+      const Vec2& at = field.at(i);
+      const auto near = [&](const Vec2& p) { return (p - at).norm() < kNogoodRadius; };
+      if (std::any_of(nogoods.begin(), nogoods.end(), near)) continue;
+      const Outline outline = moved(combination.outline, at);
+      if (!meets_hard(outline, 180.0 / kFacingTurns)) continue;
+      Candidate candidate{0, energy(outline), c, i, at, field.pixel()};
+      candidate.key = candidate.energy - kTemperature * gumbel_noise(counter(m_seed, c, i));
+      all.push_back(candidate);
+    }
+  }
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.key < b.key; });
+  std::vector<Candidate> out;
+  for (const Candidate& candidate : all) {
+    const auto close = [&](const Candidate& o) {
+      return o.combination == candidate.combination &&
+             (o.at - candidate.at).norm() < 2 * candidate.pixel;
+    };
+    if (std::any_of(out.begin(), out.end(), close)) continue;
+    out.push_back(candidate);
+    if (out.size() == kMaxCandidates) break;
+  }
+  return out;
+}
+
+std::vector<size_t> Placer::blockers(const Candidate& candidate) const {
+  const Combination& combination = m_combinations[candidate.combination];
+  // At this one place alone.
+  Combination here = combination;
+  const Vec2 little = Vec2::Constant(1e-3 * candidate.pixel);
+  here.region = ConvexRegion(candidate.at - little, candidate.at + little);
+  const PlaceField field = this->field(here);
+  std::vector<size_t> out;
+  for (const ObjectId id : obstacles(combination, Obstacles::All)) {
+    const std::string& other = m_world.scene().at(id).name;
+    const int t = m_world.thing_of(other);
+    if (t < 0) continue;
+    const std::vector<char> clear = field.clear_of({&id, 1}, m_world.keep(name(), other));
+    if (std::count(clear.begin(), clear.end(), 0)) out.push_back(static_cast<size_t>(t));
+  }
+  return out;
+}
+
+// Downhill in the soft costs, within a pixel.
+Vec2 Placer::refined(const Candidate& candidate) const {
+  const Combination& c = m_combinations[candidate.combination];
+  Vec2 at = candidate.at;
+  if (!(candidate.energy > 0)) return at;
+  double best = energy(moved(c.outline, at)), step = 0.5 * candidate.pixel;
+  for (int k = 0; k < kHalvings; ++k, step *= 0.5)
+    for (const Vec2& d : {Vec2(1, 0), Vec2(0, 1), Vec2(-1, 0), Vec2(0, -1)}) {
+      const Vec2 next = c.region.nearest(at + step * d);
+      const Outline outline = moved(c.outline, next);
+      const double there = energy(outline);
+      if (!(there < best) || !meets_hard(outline, 180.0 / kFacingTurns)) continue;
+      best = there;
+      at = next;
+    }
+  return at;
+}
+
+Rotation Placer::turned_to_face(const Candidate& candidate, const Vec2& at) const {
+  const Combination& c = m_combinations[candidate.combination];
+  for (const Relation* r : m_relations) {
+    if (r->a != name()) continue;
+    const Outline outline = moved(c.outline, at);
+    const Vec2 wanted = wanted_front(*r, outline, partner(*r));
+    if (wanted != Vec2::Zero() && model().thing->yaws_deg.empty())
+      return (turn_between(outline.front, wanted) * c.rotation).normalized();
+  }
+  return c.rotation;
+}
+
+std::optional<std::string> Placer::put(const Candidate& candidate, OperationResult& result) {
+  const Combination& c = m_combinations[candidate.combination];
+  const Vec2 at = refined(candidate);
+  PutOperation put;
+  put.object = name();
+  put.start.rotation = turned_to_face(candidate, at);
+  const double height = c.landing.start_z - c.outline.bottom + m_clearance;
+  put.start.translation = Vec3(at.x(), at.y(), height);
+  World::Trial trial(m_world);
+  result = m_world.perform(put);
+  if (!result.ok()) return result.reason();
+  if (auto why = judge(c, put.start.rotation, result)) return why;
+  trial.commit();
+  return std::nullopt;
+}
+
+std::optional<std::string> Placer::judge(const Combination& combination, const Rotation& rotation,
+                                         const OperationResult& result) const {
+  if (!result.gave_way.empty()) return quoted(result.gave_way.front().name) + " gives way";
+  const Object& object = m_world.object(model());
+  const Vec3 up = object.pose.rotation.matrix().row(2), wanted = rotation.matrix().row(2);
+  const bool may_tip = model().thing->pose.kind == PoseChoice::Kind::Free;
+  if (!may_tip && angle_between_deg(up, wanted) > kMostTiltDeg) return quoted(name()) + " tips";
+  if (auto why = judge_supports(combination)) return why;
+  const Outline outline = m_world.outline(model(), object.pose);
+  for (const Relation* r : m_relations)
+    if (r->is_hard() && !(cost(*r, outline) <= 1))
+      return "where it comes to rest, not: " + r->text();
+  return judge_distances(combination);
+}
+
+std::optional<std::string> Placer::judge_supports(const Combination& combination) const {
+  const auto& supports = combination.landing.supports;
+  bool carried = false;
+  for (const ObjectContact& entry : m_world.object(model()).contacts) {
+    const bool asked = std::count(supports.begin(), supports.end(), entry.with) > 0;
+    carried = carried || (asked && holds_up(entry.contact));
+    if (!asked && holds_up(entry.contact))
+      return quoted(name()) + " comes to rest on " +
+             (entry.with.is_floor() ? "the floor"
+                                    : quoted(m_world.scene().at(entry.with.object()).name));
+  }
+  if (!carried) return quoted(name()) + " does not rest on what it is to rest on";
+  return std::nullopt;
+}
+
+std::optional<std::string> Placer::judge_distances(const Combination& combination) const {
+  const Scene& scene = m_world.scene();
+  const Body body = body_of(scene.at(model().id));
+  for (const ObjectId id : m_world.standing()) {
+    const auto& supports = combination.landing.supports;
+    if (id == model().id || std::count(supports.begin(), supports.end(), Support(id))) continue;
+    const double keep = m_world.keep(name(), scene.at(id).name);
+    if (keep > 0 && overlaps(scene.world_box(id), body.world_box, keep) &&
+        nearer_than(keep, body, body_of(scene.at(id))))
+      return quoted(name()) + " comes too near to " + quoted(scene.at(id).name);
+  }
+  return std::nullopt;
+}
+
+}  // namespace trivet

@@ -1,0 +1,91 @@
+// Places for one thing: candidates by height maps and relations, in the order of their cost with
+// noise, and PUT as the judge of each.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ops/arrange/relations.h"
+#include "ops/arrange/world.h"
+
+namespace trivet {
+
+/// A rotation, a way down and where the position may be: what one field of places is computed for.
+struct Combination {
+  Rotation rotation;
+  Outline outline;  // at position zero
+  Landing landing;
+  ConvexRegion region;
+};
+
+struct Candidate {
+  double key = 0;     // cost less noise: the smallest comes first
+  double energy = 0;  // of the soft relations
+  size_t combination = 0;
+  size_t place = 0;
+  Vec2 at = Vec2::Zero();
+  double pixel = 0;
+};
+
+/// What counts as an obstacle.
+enum class Obstacles {
+  All,
+  Immovable,  // all but the things to arrange
+};
+
+class Placer {
+ public:
+  /// @param thing  index. @param seed  of this search.
+  Placer(World& world, size_t thing, std::uint64_t seed);
+
+  /// Rotations and windows that the hard relations leave; empty: they cannot be met, by outlines
+  /// alone.
+  const std::vector<Combination>& combinations() const { return m_combinations; }
+  /// Places that fit, the best first, a pixel or more from each other.
+  /// @param nogoods  positions that are left out, by 6 mm.
+  std::vector<Candidate> candidates(Obstacles obstacles, const std::vector<Vec2>& nogoods) const;
+  /// Things to arrange that are in the way at a candidate.
+  std::vector<size_t> blockers(const Candidate& candidate) const;
+
+  /// PUT at a candidate, refined. @return why not; nullopt: it stands there.
+  std::optional<std::string> put(const Candidate& candidate, OperationResult& result);
+
+  const World& world() const { return m_world; }
+  PlaceField field(const Combination& combination) const;
+  double clearance() const { return m_clearance; }
+
+ private:
+  friend class ConflictSearch;
+
+  const ThingModel& model() const { return m_world.things()[m_thing]; }
+  const std::string& name() const { return model().thing->object; }
+  void combine();
+  std::vector<Rotation> turns(const Rotation& rest) const;
+  void clip(Combination& combination) const;
+  ConvexRegion window(const Landing& landing, const Outline& outline) const;
+  const Outline* partner(const Relation& relation) const;
+  double cost(const Relation& relation, const Outline& outline) const;
+  bool meets_hard(const Outline& outline, double slack_deg) const;
+  double energy(const Outline& outline) const;
+  std::vector<ObjectId> obstacles(const Combination& combination, Obstacles which) const;
+  std::vector<char> clear(const PlaceField& field, const Combination& combination,
+                          Obstacles which) const;
+  Vec2 refined(const Candidate& candidate) const;
+  Rotation turned_to_face(const Candidate& candidate, const Vec2& at) const;
+  std::optional<std::string> judge(const Combination& combination, const Rotation& rotation,
+                                   const OperationResult& result) const;
+  std::optional<std::string> judge_supports(const Combination& combination) const;
+  std::optional<std::string> judge_distances(const Combination& combination) const;
+
+  World& m_world;
+  size_t m_thing;
+  std::uint64_t m_seed;
+  double m_clearance;
+  std::vector<const Relation*> m_relations;   // that can be judged: the partner stands
+  std::map<std::string, Outline> m_partners;  // of these
+  std::vector<Combination> m_combinations;
+};
+
+}  // namespace trivet

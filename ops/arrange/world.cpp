@@ -1,0 +1,303 @@
+#include "ops/arrange/world.h"
+
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "core/base/nearest_name.h"
+#include "core/base/quoted.h"
+#include "ops/arrange/stable_poses.h"
+#include "ops/operations/moving_group.h"
+#include "ops/operations/perform.h"
+#include "ops/placement/clearance.h"
+
+namespace trivet {
+namespace {
+
+constexpr size_t kMaxRests = 6;         // stable poses that are tried, the likely ones
+constexpr double kAboveClearances = 4;  // of a start, in clearances
+constexpr double kAboveSurface = 2e-3;  // of a start below something else, metres at most
+constexpr double kLevelSlack = 1e-3;    // metres that a thing may sink below a level
+
+[[noreturn]] void refuse(const std::string& what) { throw Error(Error::Kind::BadInput, what); }
+
+std::vector<std::string> names_in(const Scene& scene) {
+  std::vector<std::string> out;
+  for (const ObjectId id : scene.ids()) out.push_back(scene.at(id).name);
+  return out;
+}
+
+void check_name(const Scene& scene, const std::string& name, const std::string& where) {
+  if (!scene.find(name))
+    refuse(where + ": there is no object " + quoted(name) + did_you_mean(name, names_in(scene)));
+}
+
+}  // namespace
+
+World::World(Transaction& transaction, const Arrangement& arrangement,
+             const ArrangeSetting& setting)
+    : m_transaction(&transaction), m_arrangement(arrangement), m_setting(setting) {
+  check_names();
+  m_things.reserve(arrangement.things.size());
+  for (const Thing& thing : arrangement.things) {
+    m_thing_of[thing.object] = static_cast<int>(m_things.size());
+    m_things.push_back(model_of(thing));
+  }
+  for (size_t r = 0; r < arrangement.relations.size(); ++r)
+    for (const std::string& name : {arrangement.relations[r].a, arrangement.relations[r].b})
+      if (const int t = thing_of(name); t >= 0) m_things[t].relations.push_back(r);
+  check_cycles();
+  unplace_things();
+}
+
+void World::check_names() const {
+  std::map<std::string, int> seen;
+  for (const Thing& thing : m_arrangement.things) {
+    check_name(scene(), thing.object, "things");
+    if (scene().at(*scene().find(thing.object)).fixed)
+      refuse("things: " + quoted(thing.object) + " is fixed; accepted: objects that may move");
+    if (seen[thing.object]++) refuse("things: " + quoted(thing.object) + " comes twice");
+  }
+  std::map<std::string, std::string> carried;
+  const auto carry = [&](const std::string& name, const std::string& what) {
+    if (!seen.count(name)) refuse(what + ": " + quoted(name) + " is none of the things to arrange");
+    const auto [it, is_new] = carried.emplace(name, what);
+    if (!is_new) refuse(what + ": " + it->second + " says already what carries " + quoted(name));
+  };
+  for (const Relation& r : m_arrangement.relations) {
+    check_name(scene(), r.a, r.text());
+    if (!r.b.empty() && r.b != "floor") check_name(scene(), r.b, r.text());
+    if (r.a == r.b) refuse(r.text() + ": a thing has no relation to itself");
+    if (r.is_support()) carry(r.a, r.text());
+    if (!seen.count(r.a) && !seen.count(r.b))
+      refuse(r.text() + ": neither is one of the things to arrange");
+  }
+  for (const Pattern& pattern : m_arrangement.patterns) {
+    check_name(scene(), pattern.on, pattern.text());
+    for (const std::string& name : pattern.things) carry(name, pattern.text());
+  }
+}
+
+ThingModel World::model_of(const Thing& thing) const {
+  ThingModel out;
+  out.thing = &thing;
+  out.id = *scene().find(thing.object);
+  const Object& object = scene().at(out.id);
+  out.points = hull_points(*object.shape);
+  const auto front = m_arrangement.fronts.find(thing.object);
+  out.front = front == m_arrangement.fronts.end() ? Vec3(-Vec3::UnitY()) : front->second;
+  if (thing.pose.kind == PoseChoice::Kind::AsModelled ||
+      thing.pose.kind == PoseChoice::Kind::Free) {
+    out.rests = {Rotation{}};
+  } else {
+    const auto poses = stable_poses(*object.shape, object.up, object.scale);
+    if (thing.pose.kind == PoseChoice::Kind::Upright) {
+      const auto upright = upright_pose(poses);
+      if (!upright) refuse(no_upright_pose(thing.object, poses));
+      out.rests = {upright->rotation};
+    } else if (thing.pose.kind == PoseChoice::Kind::Number) {
+      if (thing.pose.number < 0 || thing.pose.number >= static_cast<int>(poses.size()))
+        refuse(quoted(thing.object) + " has no stable pose " + std::to_string(thing.pose.number) +
+               ": there are " + std::to_string(poses.size()) + ", from 0");
+      out.rests = {poses[thing.pose.number].rotation};
+    } else {
+      for (size_t i = 0; i < std::min(poses.size(), kMaxRests); ++i)
+        out.rests.push_back(poses[i].rotation);
+      if (out.rests.empty()) refuse(quoted(thing.object) + " has no stable pose");
+    }
+  }
+  const Outline seen = outline(out, {out.rests.front(), Vec3::Zero()});
+  for (size_t i = 0; i < seen.hull.size(); ++i)
+    out.area += 0.5 * cross(seen.hull[i], seen.hull[(i + 1) % seen.hull.size()]);
+  return out;
+}
+
+void World::check_cycles() const {
+  for (const ThingModel& start : m_things) {
+    std::string at = start.thing->object;  // and down
+    for (size_t steps = 0; steps <= m_things.size(); ++steps) {
+      const int t = thing_of(at);
+      if (t < 0) break;
+      std::string below;
+      if (const Relation* r = support_of(m_things[t])) below = r->b;
+      for (const Pattern& p : m_arrangement.patterns)
+        if (std::count(p.things.begin(), p.things.end(), at)) below = p.on;
+      if (below.empty()) break;
+      if (below == start.thing->object)
+        refuse(quoted(start.thing->object) +
+               " would have to carry itself: it lies on what it carries");
+      at = below;
+    }
+  }
+}
+
+// Loads before what carries them.
+void World::unplace_things() {
+  for (const ThingModel& thing : m_things) {
+    if (!object(thing).placed) continue;
+    const std::vector<ObjectId> all = carried_with(scene(), thing.id);
+    for (const ObjectId id : all)
+      if (thing_of(scene().at(id).name) < 0)
+        refuse("things: " + quoted(object(thing).name) + " carries " + quoted(scene().at(id).name) +
+               ", which is none of the things to arrange");
+  }
+  for (const ThingModel& thing : m_things)
+    if (object(thing).placed) perform(UnplaceOperation{{object(thing).name}});
+}
+
+OperationResult World::perform(const Operation& operation) {
+  return trivet::perform(*m_transaction, operation, m_setting.settle, m_setting.context);
+}
+
+int World::thing_of(const std::string& name) const {
+  const auto it = m_thing_of.find(name);
+  return it == m_thing_of.end() ? -1 : it->second;
+}
+
+bool World::stands(const std::string& name) const {
+  const auto id = scene().find(name);
+  return id && scene().at(*id).placed;
+}
+
+Outline World::outline(const ThingModel& thing, const Pose& pose) const {
+  return outline_of(thing.points, scene().at(thing.id), pose, thing.front);
+}
+
+Outline World::outline(const std::string& name) const {
+  const Object& object = scene().at(*scene().find(name));
+  if (const int t = thing_of(name); t >= 0) return outline(m_things[t], object.pose);
+  const auto front = m_arrangement.fronts.find(name);
+  return outline_of(hull_points(*object.shape), object, object.pose,
+                    front == m_arrangement.fronts.end() ? Vec3(-Vec3::UnitY()) : front->second);
+}
+
+std::vector<ObjectId> World::standing() const {
+  std::vector<ObjectId> out;
+  for (const ObjectId id : scene().ids())
+    if (scene().at(id).placed) out.push_back(id);
+  return out;
+}
+
+const Relation* World::support_of(const ThingModel& thing) const {
+  for (const size_t r : thing.relations) {
+    const Relation& relation = m_arrangement.relations[r];
+    if (relation.is_support() && relation.a == thing.thing->object) return &relation;
+  }
+  return nullptr;
+}
+
+std::vector<SupportSurface> World::surfaces(const std::string& name) const {
+  return support_surfaces(body_of(scene().at(*scene().find(name))));
+}
+
+const SupportSurface* surface_at(const std::vector<SupportSurface>& surfaces, int level) {
+  const int count = static_cast<int>(surfaces.size());
+  const int index = level < 0 ? count + level : level;
+  return index < 0 || index >= count ? nullptr : &surfaces[index];
+}
+
+std::optional<Landing> landing_on(const Scene& scene, ObjectId support,
+                                  const SupportSurface& surface, double height, double clearance) {
+  Landing out;
+  out.supports = {support};
+  out.lower = surface.lower, out.upper = surface.upper;
+  out.lowest = surface.lowest - kLevelSlack;
+  const double above = kAboveClearances * clearance;
+  if (surface.head_room < kInfinity) {
+    const double left = surface.head_room - (surface.highest - surface.height) - height;
+    if (left < 2 * above) return std::nullopt;
+    out.start_z = surface.highest + std::min(0.5 * left, kAboveSurface);
+  } else {
+    out.start_z = scene.world_box(support).upper.z() + above;
+  }
+  return out;
+}
+
+namespace {
+
+Landing landing_in(const Scene& scene, ObjectId container, double clearance) {
+  Landing out;
+  const Aabb box = scene.world_box(container);
+  out.lower = box.lower.head<2>(), out.upper = box.upper.head<2>();
+  double top = box.upper.z();
+  for (const ObjectId id : carried_with(scene, container)) {
+    out.supports.emplace_back(id);
+    top = std::max(top, scene.world_box(id).upper.z());
+  }
+  out.start_z = top + kAboveClearances * clearance;
+  return out;
+}
+
+// Above all, onto whatever is open from above.
+Landing landing_from_above(const Scene& scene, ObjectId support, double clearance) {
+  Landing out;
+  const Aabb box = scene.world_box(support);
+  out.supports = {support};
+  out.lower = box.lower.head<2>(), out.upper = box.upper.head<2>();
+  out.start_z = box.upper.z() + kAboveClearances * clearance;
+  return out;
+}
+
+}  // namespace
+
+std::vector<Landing> World::landings(const ThingModel& thing, double height,
+                                     std::string& why_none) const {
+  const Relation* support = support_of(thing);
+  const double clearance = this->clearance(thing);
+  std::vector<Landing> out;
+  if (!support || support->b == "floor") {
+    if (!scene().floor) {
+      why_none = "there is no floor";
+      return {};
+    }
+    Landing landing;
+    landing.supports = {Support::floor()};
+    landing.start_z = kAboveClearances * clearance;
+    landing.lower = Vec2::Constant(-kInfinity), landing.upper = Vec2::Constant(kInfinity);
+    out.push_back(landing);
+    return out;
+  }
+  const ObjectId id = *scene().find(support->b);
+  if (support->kind == RelationKind::In) return {landing_in(scene(), id, clearance)};
+  const std::vector<SupportSurface> surfaces = this->surfaces(support->b);
+  const auto add = [&](const SupportSurface& surface) {
+    if (auto landing = landing_on(scene(), id, surface, height, clearance))
+      out.push_back(std::move(*landing));
+  };
+  if (support->level) {
+    const SupportSurface* surface = surface_at(surfaces, *support->level);
+    why_none = surface ? "the head room there is less than its height"
+                       : quoted(support->b) + " has " + std::to_string(surfaces.size()) +
+                             " surfaces, none of which is " + std::to_string(*support->level);
+    if (surface) add(*surface);
+    return out;
+  }
+  out.push_back(landing_from_above(scene(), id, clearance));
+  for (const SupportSurface& surface : surfaces)
+    if (surface.head_room < kInfinity) add(surface);
+  return out;
+}
+
+double World::keep(const std::string& a, const std::string& b) const {
+  double out = 0;
+  const auto pair = std::minmax(a, b);
+  for (const KeepApart& keep : m_arrangement.keeps) {
+    const auto named = [&](const std::string& name) {
+      return std::count(keep.things.begin(), keep.things.end(), name) > 0;
+    };
+    if (keep.distance <= out || (!named(a) && !named(b))) continue;
+    const auto exempt = [&](const std::pair<std::string, std::string>& p) {
+      return p.first == pair.first && p.second == pair.second;
+    };
+    if (std::none_of(keep.except.begin(), keep.except.end(), exempt)) out = keep.distance;
+  }
+  return out;
+}
+
+double World::clearance(const ThingModel& thing) const {
+  const double usual = clearance_of(scene(), m_setting.settle);
+  if (usual > 0) return usual;
+  // The first object of the scene.
+  return default_clearance(scene(), body_of(object(thing), Pose{}).world_box);
+}
+
+}  // namespace trivet

@@ -1,0 +1,111 @@
+// An arrangement on its scene: things with their poses and outlines, what stands, where things may
+// land. The scene changes through one transaction.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/scene/transaction.h"
+#include "ops/arrange/arrangement.h"
+#include "ops/arrange/outline.h"
+#include "ops/arrange/place_field.h"
+#include "ops/arrange/support_surfaces.h"
+#include "ops/base/context.h"
+#include "ops/base/options.h"
+#include "ops/base/outcome.h"
+#include "ops/operations/operations.h"
+
+namespace trivet {
+
+/// What an arrangement is made with.
+struct ArrangeSetting {
+  SettleOptions settle;
+  RunContext context;
+};
+
+/// A thing with what does not depend on places.
+struct ThingModel {
+  const Thing* thing = nullptr;
+  ObjectId id;
+  std::vector<Rotation> rests;    // turns into the poses that it may have
+  std::vector<Vec3> points;       // hull_points()
+  Vec3 front;                     // in the model's frame after its up axis
+  std::vector<size_t> relations;  // that name it
+  double area = 0;                // of its outline in the first pose, square metres
+};
+
+class World {
+ public:
+  /// Things that stand already are taken out of the scene.
+  /// @throws Error (BadInput): unknown or fixed things, no support, cycles of supports, poses that
+  ///   there are not, and so on.
+  World(Transaction& transaction, const Arrangement& arrangement, const ArrangeSetting& setting);
+
+  /// Changes that are taken back unless they are committed; nests.
+  class Trial {
+   public:
+    explicit Trial(World& world)
+        : m_world(world), m_before(world.m_transaction), m_transaction(*m_before) {
+      m_world.m_transaction = &m_transaction;
+    }
+    ~Trial() { m_world.m_transaction = m_before; }
+    Trial(const Trial&) = delete;
+    Trial& operator=(const Trial&) = delete;
+    void commit() { m_transaction.commit(); }
+
+   private:
+    World& m_world;
+    Transaction* m_before;
+    Transaction m_transaction;
+  };
+
+  const Scene& scene() const { return m_transaction->scene(); }
+  OperationResult perform(const Operation& operation);
+  const Arrangement& arrangement() const { return m_arrangement; }
+  const ArrangeSetting& setting() const { return m_setting; }
+  const std::vector<ThingModel>& things() const { return m_things; }
+  /// Index of a thing; -1: it is none.
+  int thing_of(const std::string& name) const;
+  const Object& object(const ThingModel& thing) const { return scene().at(thing.id); }
+
+  bool stands(const std::string& name) const;
+  /// Of an object in the scene.
+  Outline outline(const std::string& name) const;
+  Outline outline(const ThingModel& thing, const Pose& pose) const;
+  /// In the scene, in the scene's order.
+  std::vector<ObjectId> standing() const;
+
+  /// The relation that says what carries a thing; nullptr: the floor does.
+  const Relation* support_of(const ThingModel& thing) const;
+  /// Ways down for a thing of this height. None: `why_none` says why.
+  std::vector<Landing> landings(const ThingModel& thing, double height,
+                                std::string& why_none) const;
+  /// Surfaces of an object in the scene.
+  std::vector<SupportSurface> surfaces(const std::string& name) const;
+
+  /// Metres that these two have to keep; 0: nothing is asked for.
+  double keep(const std::string& a, const std::string& b) const;
+  double clearance(const ThingModel& thing) const;
+
+ private:
+  ThingModel model_of(const Thing& thing) const;
+  void check_names() const;
+  void check_cycles() const;
+  void unplace_things();
+
+  Transaction* m_transaction;  // the innermost
+  const Arrangement& m_arrangement;
+  ArrangeSetting m_setting;
+  std::vector<ThingModel> m_things;
+  std::map<std::string, int> m_thing_of;
+};
+
+/// A surface of a support as a landing for a thing of this height; nullopt: no head room.
+std::optional<Landing> landing_on(const Scene& scene, ObjectId support,
+                                  const SupportSurface& surface, double height, double clearance);
+/// The surface of this level, from below or, negative, from above; nullptr: there is none.
+const SupportSurface* surface_at(const std::vector<SupportSurface>& surfaces, int level);
+
+}  // namespace trivet

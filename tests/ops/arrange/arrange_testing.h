@@ -1,0 +1,76 @@
+// Scenes and arrangements of boxes for the tests.
+#pragma once
+
+#include <string>
+
+#include "core/scene/transaction.h"
+#include "ops/arrange/arrange.h"
+#include "support/solids.h"
+
+namespace trivet::test {
+
+inline Triangles box_between(const Vec3& lower, const Vec3& upper) {
+  return moved(box_triangles(0.5 * (upper - lower)), 0.5 * (lower + upper));
+}
+
+/// A scene, what stands in it, and an arrangement in the making.
+class Stage {
+ public:
+  Scene scene;
+  Arrangement arrangement;
+
+  /// Never moves, with its model's origin here.
+  void fix(const std::string& name, const Triangles& triangles, const Vec3& at = Vec3::Zero()) {
+    Object object = object_of(name, triangles, true);
+    object.pose.translation = at;
+    object.placed = true;
+    object.state = ObjectState::Fixed;
+    scene.add(std::move(object));
+  }
+  void add(const std::string& name, const Triangles& triangles, Thing thing = {}) {
+    scene.add(object_of(name, triangles));
+    thing.object = name;
+    arrangement.things.push_back(thing);
+  }
+  void add_cube(const std::string& name, double edge = 0.1) {
+    add(name, box_between(Vec3(-0.5 * edge, -0.5 * edge, 0), Vec3(0.5 * edge, 0.5 * edge, edge)));
+  }
+  Relation& relate(const std::string& a, RelationKind kind, const std::string& b = "") {
+    Relation relation;
+    relation.kind = kind;
+    relation.a = a;
+    relation.b = b;
+    arrangement.relations.push_back(relation);
+    return arrangement.relations.back();
+  }
+  ArrangeResult run(std::uint64_t seed = 1) {
+    arrangement.seed = seed;
+    return arrange(scene, arrangement, {}, {});
+  }
+  const Object& at(const std::string& name) const { return scene.at(*scene.find(name)); }
+  Aabb box(const std::string& name) const { return scene.world_box(*scene.find(name)); }
+};
+
+/// Boards 2 cm thick with these upper sides, 0.8 x 0.3 m between two sides.
+inline Triangles shelf(const std::vector<double>& boards) {
+  const double high = boards.back();
+  Triangles out = joined(box_between(Vec3(-0.42, -0.15, 0), Vec3(-0.4, 0.15, high)),
+                         box_between(Vec3(0.4, -0.15, 0), Vec3(0.42, 0.15, high)));
+  for (const double top : boards)
+    out = joined(out, box_between(Vec3(-0.4, -0.15, top - 0.02), Vec3(0.4, 0.15, top)));
+  return out;
+}
+
+/// A tray with walls 2 cm thick and 3 cm high about this room.
+inline Triangles tray(double length, double width) {
+  const double x = 0.5 * length, y = 0.5 * width, t = 0.02;
+  Triangles out = box_between(Vec3(-x - t, -y - t, 0), Vec3(x + t, y + t, t));
+  for (const double side : {-1.0, 1.0}) {
+    const Vec3 a(side < 0 ? -x - t : x, -y - t, t), b(side < 0 ? -x : x + t, y + t, t + 0.03);
+    const Vec3 c(-x, side < 0 ? -y - t : y, t), d(x, side < 0 ? -y : y + t, t + 0.03);
+    out = joined(joined(out, box_between(a, b)), box_between(c, d));
+  }
+  return out;
+}
+
+}  // namespace trivet::test

@@ -1,0 +1,444 @@
+// Puzzles with known answers, relations on settled poses, conflicts, and the scene as it was.
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <set>
+
+#include "core/base/error.h"
+#include "core/base/hash.h"
+#include "core/contact/first_contact.h"
+#include "ops/arrange/arrange_testing.h"
+#include "ops/arrange/relations.h"
+#include "ops/check/check.h"
+#include "ops/detect/detector.h"
+#include "ops/place/distance_query.h"
+#include "ops/stability/stability.h"
+
+namespace trivet {
+namespace {
+
+using test::Stage;
+
+std::uint64_t state_of(const Scene& scene) {
+  Hash hash;
+  for (const ObjectId id : scene.ids()) {
+    const Object& o = scene.at(id);
+    hash.add(o.name).add(std::uint64_t{o.placed});
+    for (const double v :
+         {o.pose.rotation.w, o.pose.rotation.x, o.pose.rotation.y, o.pose.rotation.z,
+          o.pose.translation.x(), o.pose.translation.y(), o.pose.translation.z()})
+      hash.add(v);
+  }
+  return hash.value();
+}
+
+// All that a finished scene must be, by programs of their own.
+void expect_true(Stage& stage, const ArrangeResult& result) {
+  ASSERT_TRUE(result.ok()) << result.reason();
+  EXPECT_EQ(result.placed.size(), stage.arrangement.things.size());
+  EXPECT_TRUE(stage.scene.is_consistent());
+  const SceneCheck check = check_scene(stage.scene, 1);
+  EXPECT_TRUE(check.ok());
+  EXPECT_TRUE(stability(stage.scene).stable());
+  for (const ArrangeResult::Holds& r : result.relations)
+    EXPECT_LE(r.hard ? r.cost : 0, 1) << r.relation;
+}
+
+Pattern& add_grid(Stage& stage, int count) {
+  Pattern grid;
+  grid.kind = Pattern::Kind::Grid;
+  grid.on = "tray";
+  grid.level = 0;
+  grid.gap = 1e-4;
+  for (int i = 0; i < count; ++i) {
+    stage.add_cube("cube_" + std::to_string(i));
+    grid.things.push_back("cube_" + std::to_string(i));
+  }
+  stage.arrangement.patterns.push_back(grid);
+  return stage.arrangement.patterns.back();
+}
+
+TEST(Puzzle, TwelveCubesFillATrayOfThreeByFour) {
+  Stage stage;
+  stage.fix("tray", test::tray(0.401, 0.301), Vec3(1, 2, 1e-5));
+  add_grid(stage, 12);
+  const ArrangeResult result = stage.run();
+  expect_true(stage, result);
+  for (int i = 0; i < 12; ++i) {
+    const Aabb box = stage.box("cube_" + std::to_string(i));
+    EXPECT_GT(box.lower.x(), 1 - 0.2005);
+    EXPECT_LT(box.upper.y(), 2 + 0.1505);
+    EXPECT_NEAR(box.lower.z(), 0.02, 1e-4);
+  }
+}
+
+TEST(Puzzle, ThirteenCubesAreOneTooMany) {
+  Stage stage;
+  stage.fix("tray", test::tray(0.401, 0.301), Vec3(0, 0, 1e-5));
+  add_grid(stage, 13);
+  const auto before = state_of(stage.scene);
+  const ArrangeResult result = stage.run();
+  EXPECT_EQ(result.status, ArrangeResult::Status::Conflict);
+  EXPECT_NE(result.reason().find("grid of 13 things on \"tray\" does not fit: there is room for 4 "
+                                 "by 3"),
+            std::string::npos)
+      << result.reason();
+  EXPECT_EQ(state_of(stage.scene), before);
+}
+
+// Books of an eighth of a metre with gaps of 1/128 m: all of it exact in float32.
+ArrangeResult run_row(Stage& stage, double board) {
+  stage.fix("board", test::box_between(Vec3(-0.5 * board, -0.1, 0), Vec3(0.5 * board, 0.1, 0.05)),
+            Vec3(0, 0, 1e-5));
+  Pattern row;
+  row.on = "board";
+  row.gap = 1.0 / 128;
+  for (int i = 0; i < 4; ++i) {
+    const std::string name = "book_" + std::to_string(i);
+    stage.add(name, test::box_between(Vec3(-0.0625, -0.08, 0), Vec3(0.0625, 0.08, 0.2)));
+    row.things.push_back(name);
+  }
+  stage.arrangement.patterns.push_back(row);
+  return stage.run();
+}
+
+TEST(Puzzle, RowThatFitsExactlyIsPlaced) {
+  Stage stage;
+  const ArrangeResult result = run_row(stage, 0.5234375);
+  expect_true(stage, result);
+  for (int i = 0; i < 4; ++i)
+    EXPECT_NEAR(stage.box("book_" + std::to_string(i)).lower.x(),
+                -0.26171875 + i * (0.125 + 1.0 / 128), 1e-5);
+}
+
+TEST(Puzzle, RowATenthOfAMillimetreTooLongIsNot) {
+  Stage stage;
+  const ArrangeResult result = run_row(stage, 0.5234375 - 1e-4);
+  ASSERT_EQ(result.status, ArrangeResult::Status::Conflict);
+  EXPECT_NEAR(result.conflict->missing.value(), 1e-4, 1e-7);
+  EXPECT_NE(result.reason().find("with gaps they are 0.5234375 m wide"), std::string::npos)
+      << result.reason();
+}
+
+TEST(Puzzle, ContradictionOfTwoAmongFiftyIsFound) {
+  Stage stage;
+  stage.add_cube("jug");
+  stage.relate("jug", RelationKind::At).point = Vec2(0, 0);
+  for (int i = 0; i < 12; ++i) {
+    const std::string name = "cup_" + std::to_string(i);
+    stage.add_cube(name, 0.05);
+    stage.relate(name, RelationKind::Near, "jug").upper = 2;
+    stage.relate(name, RelationKind::Within).region = {Vec2(-3, -3), Vec2(3, -3), Vec2(3, 3),
+                                                       Vec2(-3, 3)};
+    stage.relate(name, RelationKind::Aligned, "jug").tolerance = 2;
+    stage.relate(name, i % 2 ? RelationKind::Behind : RelationKind::InFrontOf, "jug").overlap = 0;
+  }
+  stage.add_cube("teapot", 0.12);
+  stage.relate("teapot", RelationKind::LeftOf, "jug");
+  stage.relate("teapot", RelationKind::RightOf, "jug").lower = 0.05;
+  stage.relate("teapot", RelationKind::Near, "jug").upper = 1;
+  EXPECT_GE(stage.arrangement.relations.size(), 50u);
+  stage.arrangement.max_attempts = 1;
+  stage.arrangement.max_evictions = 6;
+  const auto before = state_of(stage.scene);
+  const ArrangeResult result = stage.run();
+  ASSERT_EQ(result.status, ArrangeResult::Status::Conflict);
+  EXPECT_EQ(result.conflict->thing, "teapot");
+  const std::vector<std::string> both{"\"teapot\" left_of \"jug\"", "\"teapot\" right_of \"jug\""};
+  EXPECT_EQ(result.conflict->constraints, both);
+  // The teapot would have to pass the jug: both widths, and the gap.
+  EXPECT_NEAR(result.conflict->missing.value(), 0.1 + 0.12 + 0.12 + 0.05 - 0.12, 1e-6);
+  EXPECT_EQ(state_of(stage.scene), before);
+}
+
+TEST(Puzzle, BetweenTwoThatLeaveTooLittleTheLengthIsSaid) {
+  Stage stage;
+  stage.fix("bowl_1", test::box_between(Vec3(-0.1, -0.1, 0), Vec3(0.1, 0.1, 0.1)),
+            Vec3(-0.2, 0, 1e-5));
+  stage.fix("bowl_2", test::box_between(Vec3(-0.1, -0.1, 0), Vec3(0.1, 0.1, 0.1)),
+            Vec3(0.2, 0, 1e-5));
+  stage.add("bowl_3", test::box_between(Vec3(-0.127, -0.1, 0), Vec3(0.127, 0.1, 0.1)),
+            {"", {}, {0}});
+  stage.relate("bowl_3", RelationKind::RightOf, "bowl_1");
+  stage.relate("bowl_3", RelationKind::LeftOf, "bowl_2");
+  const ArrangeResult result = stage.run();
+  ASSERT_EQ(result.status, ArrangeResult::Status::Conflict);
+  EXPECT_NEAR(result.conflict->missing.value(), 0.054, 1e-6);  // they leave 0.2 m, it needs 0.254
+  EXPECT_FALSE(result.conflict->as_they_stand);
+  EXPECT_EQ(result.conflict->constraints.size(), 2u);
+}
+
+TEST(Conflict, NamesWhatIsInTheWay) {
+  Stage stage;
+  stage.fix("post", test::box_between(Vec3(-0.2, -0.2, 0), Vec3(0.2, 0.2, 1)), Vec3(0, 0, 1e-5));
+  stage.add_cube("cube", 0.2);
+  stage.relate("cube", RelationKind::Within).region = {Vec2(-0.25, -0.25), Vec2(0.25, -0.25),
+                                                       Vec2(0.25, 0.25), Vec2(-0.25, 0.25)};
+  const ArrangeResult result = stage.run();
+  ASSERT_EQ(result.status, ArrangeResult::Status::Conflict);
+  const std::vector<std::string> both{"\"cube\" within its region", "clear of \"post\""};
+  EXPECT_EQ(result.conflict->constraints, both) << result.reason();
+}
+
+TEST(Conflict, SaysThatTheHeadRoomIsTooLow) {
+  Stage stage;
+  stage.fix("shelf", test::shelf({0.1, 0.4, 0.8}), Vec3(0, 0, 1e-5));
+  stage.add_cube("cube", 0.29);
+  stage.relate("cube", RelationKind::On, "shelf").level = 0;
+  const ArrangeResult result = stage.run();
+  ASSERT_EQ(result.status, ArrangeResult::Status::Conflict);
+  EXPECT_NE(result.reason().find("head room"), std::string::npos) << result.reason();
+}
+
+TEST(Arrange, PutsThingsOnTheLevelsAskedFor) {
+  Stage stage;
+  stage.fix("shelf", test::shelf({0.1, 0.4, 0.8}), Vec3(0.5, -0.3, 1e-5));
+  const double tops[] = {0.1, 0.4, 0.8};
+  for (int i = 0; i < 6; ++i) {
+    const std::string name = "cube_" + std::to_string(i);
+    stage.add_cube(name);
+    stage.relate(name, RelationKind::On, "shelf").level = i % 2 ? i / 2 : i / 2 - 3;
+  }
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    const ArrangeResult result = stage.run(seed);
+    expect_true(stage, result);
+    for (int i = 0; i < 6; ++i)
+      EXPECT_NEAR(stage.box("cube_" + std::to_string(i)).lower.z(), tops[i / 2], 1e-4);
+  }
+}
+
+TEST(Arrange, KeepsAllRelationsWhereThingsComeToRest) {
+  int num_evictions = 0;
+  for (std::uint64_t seed = 0; seed < 6; ++seed) {
+    Stage stage;
+    stage.fix("table", test::box_between(Vec3(-0.5, -0.35, 0), Vec3(0.5, 0.35, 0.7)),
+              Vec3(0, 0, 1e-5));
+    stage.add("plate", test::cylinder(0.12, 0.02, 24), {"", {}, {0}});
+    stage.add("knife", test::box_between(Vec3(-0.01, -0.1, 0), Vec3(0.01, 0.1, 0.004)));
+    stage.add("cup", test::cylinder(0.04, 0.08, 16));
+    stage.add("bowl", test::dish(0.12, 0.06, 0.006, 2, 20));
+    stage.add("ball", test::ball(0.03, 12, 16), {"", {PoseChoice::Kind::Free}, {}});
+    for (const char* name : {"plate", "knife", "cup", "bowl"})
+      stage.relate(name, RelationKind::On, "table");
+    stage.relate("ball", RelationKind::In, "bowl");
+    stage.relate("knife", RelationKind::RightOf, "plate").upper = 0.03;
+    stage.relate("knife", RelationKind::Parallel, "plate").tolerance = 2;
+    Relation& centred = stage.relate("knife", RelationKind::Centred, "plate");
+    centred.along_x = false, centred.tolerance = 0.01;
+    stage.relate("cup", RelationKind::Behind, "plate").upper = 0.1;
+    stage.relate("cup", RelationKind::Near, "knife").upper = 0.15;
+    stage.relate("bowl", RelationKind::Facing).point = Vec2(0, 0);
+    stage.arrangement.relations.back().tolerance = 5;
+    stage.arrangement.keeps.push_back({{"cup", "knife", "bowl"}, 0.01, {}});
+    const ArrangeResult result = stage.run(seed);
+    expect_true(stage, result);
+    num_evictions += result.num_evictions;
+    // The same by boxes, as the plate looks to -y.
+    EXPECT_GE(stage.box("knife").lower.x(), stage.box("plate").upper.x() - 1e-3);
+    EXPECT_LE(stage.box("knife").lower.x(), stage.box("plate").upper.x() + 0.031);
+    EXPECT_GE(stage.box("cup").lower.y(), stage.box("plate").upper.y() - 1e-3);
+    EXPECT_NEAR(stage.box("knife").centre().y(), stage.box("plate").centre().y(), 0.0101);
+    const char* const pairs[][2] = {{"cup", "knife"}, {"cup", "plate"}, {"bowl", "plate"}};
+    for (const auto& [a, b] : pairs) {
+      const Object &p = stage.at(a), &q = stage.at(b);
+      EXPECT_FALSE(nearer_than(0.01, Body(*p.shape, p.world_from_object()),
+                               Body(*q.shape, q.world_from_object())))
+          << a << " " << b;
+    }
+    for (const ObjectContact& entry : stage.at("ball").contacts)
+      EXPECT_EQ(entry.with, Support(*stage.scene.find("bowl")));
+  }
+  EXPECT_LT(num_evictions, 60);
+}
+
+// The first of both comes to lie anywhere: where it leaves no room, it has to move.
+TEST(Arrange, MovesWhatLeavesNoRoom) {
+  int num_evictions = 0;
+  for (std::uint64_t seed = 0; seed < 8; ++seed) {
+    Stage stage;
+    stage.fix("board", test::box_between(Vec3(-0.25, -0.1, 0), Vec3(0.25, 0.1, 0.5)),
+              Vec3(0, 0, 1e-5));
+    stage.add("small", test::box_between(Vec3(-0.05, -0.05, 0), Vec3(0.05, 0.05, 0.1)),
+              {"", {}, {0}});
+    stage.add("large", test::box_between(Vec3(-0.14, -0.05, 0), Vec3(0.14, 0.05, 0.1)),
+              {"", {}, {0}});
+    for (const char* name : {"small", "large"}) {
+      stage.relate(name, RelationKind::On, "board");
+      stage.relate(name, RelationKind::Within).region = {Vec2(-0.25, -0.1), Vec2(0.25, -0.1),
+                                                         Vec2(0.25, 0.1), Vec2(-0.25, 0.1)};
+    }
+    stage.relate("large", RelationKind::RightOf, "small");
+    const ArrangeResult result = stage.run(seed);
+    expect_true(stage, result);
+    num_evictions += result.num_evictions;
+    EXPECT_GE(stage.box("large").lower.x(), stage.box("small").upper.x() - 1e-3);
+  }
+  EXPECT_GT(num_evictions, 0);
+}
+
+TEST(Arrange, FollowsSoftRelations) {
+  double worst = 0, mean = 0;
+  for (std::uint64_t seed = 0; seed < 5; ++seed) {
+    Stage stage;
+    stage.add_cube("cube");
+    Relation& r = stage.relate("cube", RelationKind::At);
+    r.point = Vec2(0.4, -0.7);
+    r.tolerance = 0.05;
+    r.weight = 1;
+    const ArrangeResult result = stage.run(seed);
+    expect_true(stage, result);
+    worst = std::max(worst, result.relations.front().cost);
+    mean += (stage.box("cube").centre().head<2>() - *r.point).norm() / 5;
+  }
+  EXPECT_LT(worst, 2);
+  EXPECT_LT(mean, 0.05);
+}
+
+TEST(Arrange, GivesTheSameBitsWithAnyThreads) {
+  std::set<std::uint64_t> states, others;
+  for (const int threads : {1, 2, 8}) {
+    const tbb::global_control control(tbb::global_control::max_allowed_parallelism,
+                                      static_cast<size_t>(threads));
+    for (const std::uint64_t seed : {5, 6}) {
+      Stage stage;
+      stage.fix("table", test::box_between(Vec3(-0.4, -0.3, 0), Vec3(0.4, 0.3, 0.7)),
+                Vec3(0, 0, 1e-5));
+      for (int i = 0; i < 6; ++i) {
+        const std::string name = "cube_" + std::to_string(i);
+        stage.add_cube(name, 0.06 + 0.01 * i);
+        stage.relate(name, RelationKind::On, "table");
+        if (i > 0) {
+          Relation& r = stage.relate(name, RelationKind::Near, "cube_" + std::to_string(i - 1));
+          r.upper = 0.05;
+          r.weight = 0.3;
+          r.tolerance = 0.05;
+        }
+      }
+      ASSERT_TRUE(stage.run(seed).ok());
+      (seed == 5 ? states : others).insert(state_of(stage.scene));
+    }
+  }
+  EXPECT_EQ(states.size(), 1u);
+  EXPECT_EQ(others.size(), 1u);
+  EXPECT_NE(states, others);
+}
+
+TEST(Arrange, ArrangesAnewWhatStands) {
+  Stage stage;
+  stage.add_cube("cube");
+  stage.relate("cube", RelationKind::At).point = Vec2(0.1, 0.2);
+  stage.arrangement.relations.back().tolerance = 0.01;
+  expect_true(stage, stage.run());
+  stage.arrangement.relations.back().point = Vec2(-0.7, 0.5);
+  expect_true(stage, stage.run());
+  EXPECT_NEAR(stage.box("cube").centre().x(), -0.7, 0.0101);
+}
+
+TEST(Arrange, RefusesWhatCannotBeMeant) {
+  const auto message = [](const auto& change) -> std::string {
+    Stage stage;
+    stage.fix("rock", test::box_triangles(Vec3(0.1, 0.1, 0.1)), Vec3(3, 3, 0.2));
+    stage.add_cube("a");
+    stage.add_cube("b");
+    change(stage);
+    const auto before = state_of(stage.scene);
+    try {
+      stage.run();
+    } catch (const Error& e) {
+      EXPECT_EQ(state_of(stage.scene), before);
+      return e.what();
+    }
+    return "nothing was refused";
+  };
+  const auto expect = [&](const auto& change, const std::string& says) {
+    const std::string is = message(change);
+    EXPECT_NE(is.find(says), std::string::npos) << is;
+  };
+  expect([](Stage& s) { s.relate("a", RelationKind::On, "rok"); }, "did you mean \"rock\"");
+  expect([](Stage& s) { s.relate("a", RelationKind::Near, "a"); }, "no relation to itself");
+  expect([](Stage& s) { s.relate("rock", RelationKind::On, "a"); }, "none of the things");
+  expect([](Stage& s) { s.arrangement.things.push_back({"rock"}); }, "is fixed");
+  expect([](Stage& s) { s.arrangement.things.push_back({"a"}); }, "comes twice");
+  expect(
+      [](Stage& s) {
+        s.relate("a", RelationKind::On, "b");
+        s.relate("b", RelationKind::On, "a");
+      },
+      "would have to carry itself");
+  expect(
+      [](Stage& s) {
+        s.relate("a", RelationKind::On, "rock");
+        s.relate("a", RelationKind::On, "floor");
+      },
+      "says already what carries");
+  expect(
+      [](Stage& s) {
+        s.arrangement.things[0].pose = {PoseChoice::Kind::Number, 6};
+      },
+      "has no stable pose 6: there are 6");
+}
+
+TEST(Arrange, StopsWhenItIsCancelled) {
+  Stage stage;
+  stage.add_cube("a");
+  const std::atomic<bool> cancel{true};
+  const auto before = state_of(stage.scene);
+  const ArrangeResult result = arrange(stage.scene, stage.arrangement, {}, {nullptr, &cancel, 0});
+  EXPECT_EQ(result.status, ArrangeResult::Status::Cancelled);
+  EXPECT_EQ(state_of(stage.scene), before);
+}
+
+// Every place that is offered: an exact fall meets the support first, and keeps the distance.
+TEST(PlaceField, OffersWhatFallsOntoTheSupport) {
+  test::Random random(9);
+  int num_offered = 0, num_blocked = 0;
+  for (int round = 0; round < 4; ++round) {
+    Stage stage;
+    stage.fix("table", test::box_between(Vec3(-0.5, -0.4, 0), Vec3(0.5, 0.4, 0.7)),
+              Vec3(0, 0, 1e-5));
+    for (int i = 0; i < 5; ++i)
+      stage.fix(
+          "post_" + std::to_string(i),
+          test::box_between(Vec3(-0.03, -0.05, 0), Vec3(0.03, 0.05, random.uniform(0.05, 0.3))),
+          Vec3(random.uniform(-0.4, 0.4), random.uniform(-0.3, 0.3), 0.70002));
+    stage.add("stick", test::stick(0.3), {"", {PoseChoice::Kind::AsModelled}, {}});
+    const ObjectId id = *stage.scene.find("stick"), table = *stage.scene.find("table");
+    const double clearance = 1e-6, keep = round % 2 ? 0.04 : 0.0;
+    Landing landing{{table}, 0.70001 + 4e-6, std::nullopt, Vec2(-0.5, -0.4), Vec2(0.5, 0.4), ""};
+    const Rotation rotation = turned_about_z(random.uniform(0, 360));
+    const PlaceField field(stage.scene, id, rotation, landing,
+                           ConvexRegion(Vec2(-0.5, -0.4), Vec2(0.5, 0.4)), clearance,
+                           drop_brackets_of(nullptr));
+    std::vector<ObjectId> posts;
+    for (const ObjectId other : stage.scene.ids())
+      if (other != id && other != table) posts.push_back(other);
+    const std::vector<char> clear = field.clear_of(posts, keep);
+    const Object& stick = stage.scene.at(id);
+    for (size_t i = 0; i < field.size(); i += 7) {
+      if (!clear[i] || !field.is_over_support(i)) {
+        ++num_blocked;
+        continue;
+      }
+      const Body flat = body_of(stick, {rotation, Vec3::Zero()});
+      const Pose start{rotation, Vec3(field.at(i).x(), field.at(i).y(),
+                                      landing.start_z - flat.world_box.lower.z() + clearance)};
+      Body body = body_of(stick, start);
+      std::vector<Body> fixed{body_of(stage.scene.at(table))};
+      for (const ObjectId post : posts) fixed.push_back(body_of(stage.scene.at(post)));
+      const FirstContact found = first_contact(
+          {{&body, 1}, fixed, true, Motion::translation(-Vec3::UnitZ(), 2), {clearance}});
+      ASSERT_EQ(found.status, FirstContact::Status::Contact);
+      EXPECT_EQ(found.fixed, 0);
+      Affine landed = body.world_from_object;
+      landed.translation.z() -= found.time;
+      for (size_t k = 1; keep > 0 && k < fixed.size(); ++k)
+        EXPECT_FALSE(nearer_than(keep, Body(*stick.shape, landed), fixed[k]));
+      ++num_offered;
+    }
+  }
+  EXPECT_GT(num_offered, 200);
+  EXPECT_GT(num_blocked, 200);
+}
+
+}  // namespace
+}  // namespace trivet

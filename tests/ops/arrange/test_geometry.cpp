@@ -1,0 +1,185 @@
+// Regions, outlines, relations and noise against plain truths.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/contact/contact_points.h"
+#include "ops/arrange/noise.h"
+#include "ops/arrange/relations.h"
+#include "support/random_shapes.h"
+
+namespace trivet {
+namespace {
+
+std::vector<Vec2> random_polygon(test::Random& random, const Vec2& at) {
+  std::vector<Vec2> points;
+  for (int i = 0; i < 8; ++i) points.push_back(at + random.in_cube(0.5).head<2>());
+  return convex_hull(points);
+}
+
+TEST(Noise, LogarithmIsThatOfLibm) {
+  test::Random random(1);
+  for (int i = 0; i < 5000; ++i) {
+    const double x = std::exp(random.uniform(-700, 700));
+    EXPECT_NEAR(natural_logarithm(x), std::log(x), 4e-16 * std::max(1.0, std::abs(std::log(x))));
+  }
+  EXPECT_EQ(natural_logarithm(1), 0);
+}
+
+// Mean of the Gumbel distribution: Euler's constant; variance: pi^2 / 6.
+TEST(Noise, IsOfGumbel) {
+  double sum = 0, squares = 0;
+  constexpr int kCount = 20000;
+  for (int i = 0; i < kCount; ++i) {
+    const double g = gumbel_noise(static_cast<std::uint64_t>(i));
+    sum += g, squares += g * g;
+  }
+  EXPECT_NEAR(sum / kCount, 0.5772, 0.03);
+  EXPECT_NEAR(squares / kCount - std::pow(sum / kCount, 2), M_PI * M_PI / 6, 0.06);
+}
+
+TEST(ConvexRegion, IsWhatAllHalfPlanesHold) {
+  test::Random random(2);
+  int num_inside = 0, num_empty = 0;
+  for (int i = 0; i < 300; ++i) {
+    ConvexRegion region(Vec2(-1, -1), Vec2(1, 1));
+    std::vector<HalfPlane> planes;
+    for (int k = 0; k < 5; ++k) {
+      const Vec2 n = random.direction().head<2>().normalized();
+      planes.push_back({n, random.uniform(-0.2, 0.8)});
+      region.clip(planes.back());
+    }
+    num_empty += region.empty();
+    for (int k = 0; k < 20; ++k) {
+      const Vec2 p = random.in_cube(1).head<2>();
+      const bool truth = std::all_of(planes.begin(), planes.end(), [&](const HalfPlane& h) {
+        return h.normal.dot(p) <= h.bound;
+      });
+      num_inside += truth;
+      if (region.empty()) {
+        EXPECT_FALSE(truth);
+        continue;
+      }
+      EXPECT_EQ((region.nearest(p) - p).norm() == 0, truth);
+      for (const HalfPlane& h : planes) EXPECT_LE(h.normal.dot(region.nearest(p)), h.bound + 1e-12);
+    }
+  }
+  EXPECT_GT(num_inside, 200);
+  EXPECT_GT(num_empty, 5);
+}
+
+// By sampling: no two points are nearer, and overlapping polygons share one.
+TEST(ConvexRegion, DistanceIsThatOfNearestPoints) {
+  test::Random random(3);
+  int num_apart = 0;
+  for (int i = 0; i < 200; ++i) {
+    const auto a = random_polygon(random, Vec2(0, 0));
+    const auto b = random_polygon(random, Vec2(random.uniform(-1.5, 1.5), random.uniform(-1, 1)));
+    const double d = distance(a, b);
+    EXPECT_EQ(d, distance(b, a));
+    double sampled = kInfinity;
+    for (size_t s = 0; s < a.size(); ++s)
+      for (size_t t = 0; t < b.size(); ++t)
+        for (int k = 0; k <= 20; ++k)
+          for (int l = 0; l <= 20; ++l)
+            sampled = std::min(sampled, (a[s] + k / 20.0 * (a[(s + 1) % a.size()] - a[s]) - b[t] -
+                                         l / 20.0 * (b[(t + 1) % b.size()] - b[t]))
+                                            .norm());
+    EXPECT_LE(d, sampled + 1e-12);
+    if (d > 0) {
+      EXPECT_GE(d, sampled - 0.08);
+      ++num_apart;
+    }
+  }
+  EXPECT_GT(num_apart, 40);
+  EXPECT_LT(num_apart, 180);
+}
+
+Outline box_outline(const Vec2& at, const Vec2& half, const Vec2& front) {
+  Outline out;
+  const Vec2 right = quarter_turned(front);
+  for (const Vec2& s : {Vec2(-1, -1), Vec2(1, -1), Vec2(1, 1), Vec2(-1, 1)})
+    out.hull.push_back(at + s.x() * half.x() * right - s.y() * half.y() * front);
+  out.hull = convex_hull(out.hull);
+  out.centre = out.mass_centre = at;
+  out.front = front;
+  return out;
+}
+
+TEST(Relations, AreSeenFromInFront) {
+  const Outline plate = box_outline(Vec2(1, 2), Vec2(0.1, 0.1), Vec2(0, -1));
+  const auto cost = [&](RelationKind kind, const Vec2& at) {
+    Relation r;
+    r.kind = kind;
+    r.lower = 0.05, r.upper = 0.15;
+    const Outline cup = box_outline(at, Vec2(0.05, 0.05), Vec2(0, -1));
+    return relation_cost(r, cup, &plate);
+  };
+  // The front looks to -y, to the one who sits there; the right is at +x.
+  EXPECT_LT(cost(RelationKind::RightOf, Vec2(1.25, 2)), 1e-9);
+  EXPECT_LT(cost(RelationKind::LeftOf, Vec2(0.75, 2)), 1e-9);
+  EXPECT_LT(cost(RelationKind::InFrontOf, Vec2(1, 1.75)), 1e-9);
+  EXPECT_LT(cost(RelationKind::Behind, Vec2(1, 2.25)), 1e-9);
+  EXPECT_NEAR(cost(RelationKind::RightOf, Vec2(1.32, 2)), 20, 1e-9);     // gap 0.17
+  EXPECT_NEAR(cost(RelationKind::RightOf, Vec2(1.25, 2.12)), 20, 1e-9);  // overlap 0.03 of 0.05
+}
+
+TEST(Relations, TurnTheirCosts) {
+  const Outline desk = box_outline(Vec2(0, 0), Vec2(0.8, 0.4), Vec2(0, -1));
+  Relation r;
+  r.kind = RelationKind::Facing;
+  r.tolerance = 5;
+  const Outline chair = box_outline(Vec2(0, -1), Vec2(0.3, 0.3), Vec2(0, 1));
+  EXPECT_NEAR(relation_cost(r, chair, &desk), 0, 1e-9);
+  r.kind = RelationKind::Away;
+  EXPECT_NEAR(relation_cost(r, chair, &desk), 36, 1e-9);
+  r.kind = RelationKind::Same;
+  EXPECT_NEAR(relation_cost(r, chair, &desk), 36, 1e-9);
+  r.kind = RelationKind::Parallel;
+  EXPECT_NEAR(relation_cost(r, chair, &desk), 0, 1e-9);
+  const Outline askew = box_outline(Vec2(0, -1), Vec2(0.3, 0.3), Vec2(0.6, 0.8));
+  r.kind = RelationKind::Aligned;
+  EXPECT_NEAR(relation_cost(r, askew, &desk), std::atan2(0.6, 0.8) * 180 / M_PI / 5, 1e-9);
+}
+
+// Where a relation holds to half its tolerance, its half planes hold: they never hide a place.
+TEST(Relations, HalfPlanesHoldWhereTheyDo) {
+  constexpr RelationKind kKinds[] = {
+      RelationKind::Against, RelationKind::Near,      RelationKind::LeftOf,
+      RelationKind::RightOf, RelationKind::InFrontOf, RelationKind::Behind,
+      RelationKind::Centred, RelationKind::Within,    RelationKind::At};
+  test::Random random(4);
+  int num_hold = 0, num_planes = 0;
+  for (int i = 0; i < 40000; ++i) {
+    Relation r;
+    r.kind = kKinds[random.integer(0, 8)];
+    r.lower = random.uniform(0, 0.1), r.upper = r.lower + random.uniform(0, 0.4);
+    r.side = static_cast<Side>(random.integer(0, 3));
+    r.tolerance = 0.05;
+    r.point = Vec2(0.1, 0.2);
+    r.region = {Vec2(-1, -1), Vec2(1, -0.8), Vec2(0, 1.2)};
+    const Vec2 f = random.direction().head<2>().normalized();
+    const Vec2 g = random.direction().head<2>().normalized();
+    const Outline moving = box_outline(Vec2(0.02, 0), Vec2(0.2, 0.1), f);
+    const Outline other = box_outline(Vec2(0.3, 0.1), Vec2(0.15, 0.3), g);
+    const Vec2 at = random.in_cube(0.8).head<2>();
+    const bool moves_a = random.integer(0, 1) || r.kind >= RelationKind::Within;
+    const Outline there = moved(moving, at);
+    const double cost = moves_a ? relation_cost(r, there, &other) : relation_cost(r, other, &there);
+    double worst = -kInfinity;
+    for (const HalfPlane& h : half_planes(r, moving, &other, moves_a))
+      worst = std::max(worst, h.normal.dot(at) - h.bound), ++num_planes;
+    if (cost <= 0.5) {
+      EXPECT_LE(worst, 1e-12) << to_string(r.kind);
+      ++num_hold;
+    }
+    // Those of these kinds are exact, as the cost is the greatest of their violations.
+    const bool exact = r.kind != RelationKind::Near && r.kind != RelationKind::At;
+    EXPECT_LE(exact && worst <= 0 ? cost : 0, 0.5 + 1e-9) << to_string(r.kind);
+  }
+  EXPECT_GT(num_hold, 800);
+  EXPECT_GT(num_planes, 80000);
+}
+
+}  // namespace
+}  // namespace trivet
