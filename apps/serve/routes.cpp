@@ -1,5 +1,7 @@
 #include "apps/serve/routes.h"
 
+#include <algorithm>
+#include <charconv>
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
@@ -14,6 +16,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* kSessions = "/sessions";
 constexpr const char* kPrefix = "/sessions/";
+constexpr const char* kScenes = "/scenes/";
 constexpr const char* kBusy =
     "another request to this session is under way; wait for its answer or cancel it";
 
@@ -39,28 +42,22 @@ std::vector<std::string> start_names(const std::vector<OpenedSession>& starts) {
   return names;
 }
 
-// The start that a request for a session names; the first one without a body.
-size_t read_start(const std::string& body, const std::vector<std::string>& names) {
-  if (body.find_first_not_of(" \t\r\n") == body.npos) return 0;
-  const nlohmann::json document = parse_json(body, "request");
-  const JsonPlace place(document, "request");
-  place.expect_object({}, {"start"});
-  const auto start = place.find("start");
-  if (!start) return 0;
-  const auto found = std::find(names.begin(), names.end(), start->text());
-  if (found == names.end())
-    start->refuse("a start of this server" + did_you_mean(start->text(), names));
-  return static_cast<size_t>(found - names.begin());
+std::optional<std::uint64_t> number_of(std::string_view text) {
+  std::uint64_t out = 0;
+  const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), out);
+  if (failed != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return out;
 }
 
 }  // namespace
 
-Routes::Routes(ServedSessions& sessions, std::string version, std::function<HttpLoad()> load)
-    : m_sessions(sessions), m_version(std::move(version)), m_load(std::move(load)) {}
+Routes::Routes(const ServedThings& things, ServedSessions& sessions, std::function<HttpLoad()> load)
+    : m_things(things), m_sessions(sessions), m_load(std::move(load)) {}
 
 bool Routes::is_quick(const HttpRequest& request) {
   if (request.method == "POST") return is_session(request) && is_cancel_line(request.body);
-  return request.path != kSessions && !request.path.ends_with("/scene.glb");
+  return request.path != kSessions && !request.path.starts_with(kScenes) &&
+         !request.path.ends_with("/scene.glb");
 }
 
 HttpResponse Routes::answer(const HttpRequest& request) {
@@ -88,12 +85,13 @@ Routes::Reply Routes::reply(const HttpRequest& request) {
                       slash == rest.npos ? "" : rest.substr(slash + 1));
   }
   if (request.path == kSessions) return open(request);
+  if (request.path.starts_with(kScenes)) return scene(request);
   const bool known =
       request.path == "/" || request.path == "/metrics" || request.path == "/healthz";
   if (!known)
     return {error(404, "there is no \"" + request.path +
                            "\"; accepted: /, /healthz, /metrics, /sessions, /sessions/ID, "
-                           "/sessions/ID/scene.glb"),
+                           "/sessions/ID/scene.glb, /scenes/K, /scenes/K/scene.glb"),
             "unknown", "404"};
   if (request.method != "GET") return {wrong_method(request, "GET"), request.path, "405"};
   if (request.path == "/") return about();
@@ -104,20 +102,60 @@ Routes::Reply Routes::reply(const HttpRequest& request) {
 }
 
 Routes::Reply Routes::about() const {
-  Json json = {{"trivet", m_version}, {"starts", start_names(m_sessions.starts())}};
+  Json json = {{"trivet", m_things.version}, {"starts", start_names(m_things.starts)}};
+  if (m_things.scenes)
+    json["recipe"] = {{"sha256", m_things.scenes->hash()}, {"seed", m_things.scenes->seed()}};
   json["sessions"] = m_sessions.size();
   return {json_response(200, json), "/", "ok"};
 }
 
 Routes::Reply Routes::open(const HttpRequest& request) {
   if (request.method != "POST") return {wrong_method(request, "POST"), kSessions, "405"};
-  const size_t start = read_start(request.body, start_names(m_sessions.starts()));
-  const auto opened = m_sessions.open(start);
+  const auto opened = m_sessions.open(start_of(request.body));
   if (!opened)
     return {error(503, "all sessions are in use; close one, or ask again later"), kSessions, "503"};
   Json json = Json::parse(opened->session->greeting().text);
   json["session"] = opened->id;
   return {json_response(201, json), kSessions, "ok"};
+}
+
+std::function<OpenedSession()> Routes::start_of(const std::string& body) const {
+  const bool empty = body.find_first_not_of(" \t\r\n") == body.npos;
+  const nlohmann::json document = parse_json(empty ? "{}" : body, "request");
+  const JsonPlace place(document, "request");
+  place.expect_object({}, {"start", "scene"});
+  if (const auto scene = place.find("scene")) {
+    if (!m_things.scenes) scene->fail("this server has no recipe");
+    if (!scene->value().is_number_unsigned()) scene->refuse("a whole number, 0 and up");
+    const auto k = scene->value().get<std::uint64_t>();
+    return [this, k] { return m_things.scenes->open(k); };
+  }
+  const std::vector<std::string> names = start_names(m_things.starts);
+  size_t number = 0;
+  if (const auto start = place.find("start")) {
+    number =
+        static_cast<size_t>(std::find(names.begin(), names.end(), start->text()) - names.begin());
+    if (number == names.size())
+      start->refuse("a start of this server" + did_you_mean(start->text(), names));
+  }
+  if (names.empty()) place.refuse("{\"scene\": K}, a scene of the recipe");
+  return [this, number] { return copy_of(m_things.starts[number], m_things.import); };
+}
+
+Routes::Reply Routes::scene(const HttpRequest& request) const {
+  std::string_view rest = std::string_view(request.path).substr(std::string_view(kScenes).size());
+  const bool glb = rest.ends_with("/scene.glb");
+  if (glb) rest.remove_suffix(std::string_view("/scene.glb").size());
+  const std::string route = glb ? "/scenes/K/scene.glb" : "/scenes/K";
+  if (!m_things.scenes) return {error(404, "this server has no recipe"), route, "404"};
+  if (request.method != "GET") return {wrong_method(request, "GET"), route, "405"};
+  const auto k = number_of(rest);
+  if (!k)
+    return {
+        error(404, "there is no \"" + request.path + "\"; accepted: numbers of scenes, 0 and up"),
+        route, "404"};
+  if (glb) return {{200, "model/gltf-binary", m_things.scenes->glb(*k)}, route, "ok"};
+  return {{200, "application/json", m_things.scenes->json(*k)}, route, "ok"};
 }
 
 Routes::Reply Routes::in_session(const HttpRequest& request, const std::string& id,
@@ -129,7 +167,7 @@ Routes::Reply Routes::in_session(const HttpRequest& request, const std::string& 
             route, "404"};
   if (!what.empty()) {
     if (request.method != "GET") return {wrong_method(request, "GET"), route, "405"};
-    auto scene = session->scene(m_version);
+    auto scene = session->scene(m_things.version);
     if (!scene) return {error(409, kBusy), route, "409"};
     return {{200, "model/gltf-binary", std::move(*scene)}, route, "ok"};
   }

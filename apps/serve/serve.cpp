@@ -17,6 +17,12 @@ std::vector<OpenedSession> open_all(const ServeOptions& options) {
   return out;
 }
 
+std::unique_ptr<RecipeScenes> scenes_of(const ServeOptions& options) {
+  if (options.recipe.empty()) return nullptr;
+  return std::make_unique<RecipeScenes>(options.recipe, options.seed, options.import,
+                                        options.version);
+}
+
 DialogueOptions dialogue_options(const ServeOptions& options) {
   DialogueOptions out;
   out.settle = options.run.settle;
@@ -40,11 +46,10 @@ HttpLimits http_limits(const ServeOptions& options) {
 }  // namespace
 
 void serve(const ServeOptions& options) {
-  const std::vector<OpenedSession> starts = open_all(options);
-  ServedSessions sessions(starts, dialogue_options(options), options.import,
-                          {options.max_sessions, options.idle_seconds});
+  const ServedThings things{open_all(options), scenes_of(options), options.import, options.version};
+  ServedSessions sessions(dialogue_options(options), {options.max_sessions, options.idle_seconds});
   const HttpServer* carrier = nullptr;
-  Routes routes(sessions, options.version, [&] { return carrier->load(); });
+  Routes routes(things, sessions, [&] { return carrier->load(); });
   HttpServer server({[&](const HttpRequest& request) { return routes.answer(request); },
                      Routes::is_quick, [&] { sessions.cancel_all(); }},
                     http_limits(options));

@@ -2,6 +2,7 @@
 // routes.h answers requests, http_server.h carries them, sessions.h keeps the sessions.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -12,7 +13,9 @@
 namespace trivet::serve {
 
 struct ServeOptions {
-  std::vector<std::string> starts;    // layouts and scenes, one at least
+  std::vector<std::string> starts;    // layouts and scenes; one at least, or a recipe
+  std::string recipe;                 // of random scenes, see apps/farm; empty: none
+  std::uint64_t seed = 0;             // of these
   RunOptions run;                     // of the layouts; `settle` and `rules` of the sessions, too
   ImportLimits import;                // of models that are read
   std::string address = "127.0.0.1";  // of TCP

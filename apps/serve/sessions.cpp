@@ -39,19 +39,33 @@ double ServedSession::idle_seconds() const {
   return std::chrono::duration<double>(Clock::now() - m_used.load()).count();
 }
 
-ServedSessions::ServedSessions(const std::vector<OpenedSession>& starts, DialogueOptions options,
-                               ImportLimits import, const SessionLimits& limits)
-    : m_starts(starts),
-      m_options(std::move(options)),
-      m_import(std::move(import)),
-      m_limits(limits) {}
+ServedSessions::ServedSessions(DialogueOptions options, const SessionLimits& limits)
+    : m_options(std::move(options)), m_limits(limits) {}
 
-std::optional<ServedSessions::Opened> ServedSessions::open(size_t start) {
+bool ServedSessions::reserve() {
   const std::lock_guard lock(m_mutex);
-  if (m_sessions.size() >= static_cast<size_t>(m_limits.max_sessions)) close_idle();
-  if (m_sessions.size() >= static_cast<size_t>(m_limits.max_sessions)) return std::nullopt;
-  Opened out{new_id(),
-             std::make_shared<ServedSession>(copy_of(m_starts[start], m_import), m_options)};
+  const auto full = [&] {
+    return m_sessions.size() + m_reserved >= static_cast<size_t>(m_limits.max_sessions);
+  };
+  if (full()) close_idle();
+  if (full()) return false;
+  ++m_reserved;
+  return true;
+}
+
+std::optional<ServedSessions::Opened> ServedSessions::open(
+    const std::function<OpenedSession()>& make) {
+  if (!reserve()) return std::nullopt;
+  Opened out{new_id(), nullptr};
+  try {
+    out.session = std::make_shared<ServedSession>(make(), m_options);
+  } catch (...) {
+    const std::lock_guard lock(m_mutex);
+    --m_reserved;
+    throw;
+  }
+  const std::lock_guard lock(m_mutex);
+  --m_reserved;
   m_sessions[out.id] = out.session;
   return out;
 }

@@ -1,14 +1,14 @@
-// Sessions that a server keeps for its clients, each a copy of a scene that is loaded once.
+// Sessions that a server keeps for its clients.
 #pragma once
 
 #include <atomic>
 #include <chrono>
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "ops/session/dialogue.h"
 
@@ -44,33 +44,31 @@ class ServedSession {
 /// Safe to use from many threads.
 class ServedSessions {
  public:
-  /// @param starts  opened once; outlive this, and are not changed.
-  ServedSessions(const std::vector<OpenedSession>& starts, DialogueOptions options,
-                 ImportLimits import, const SessionLimits& limits);
+  ServedSessions(DialogueOptions options, const SessionLimits& limits);
 
   struct Opened {
     std::string id;  // 32 hexadecimal digits that nobody can guess
     std::shared_ptr<ServedSession> session;
   };
-  /// @param start  one of starts(). @return nullopt when there are too many, all in use.
-  std::optional<Opened> open(size_t start);
+  /// @param make  called unless there are too many. @return nullopt when there are, all in use.
+  /// @throws what `make` throws.
+  std::optional<Opened> open(const std::function<OpenedSession()>& make);
   /// @return null: no such session.
   std::shared_ptr<ServedSession> find(const std::string& id) const;
   /// Ends what it does. @return false: no such session.
   bool close(const std::string& id);
   void cancel_all();
   size_t size() const;
-  const std::vector<OpenedSession>& starts() const { return m_starts; }
 
  private:
+  bool reserve();
   void close_idle();
 
-  const std::vector<OpenedSession>& m_starts;
   DialogueOptions m_options;
-  ImportLimits m_import;
   SessionLimits m_limits;
   mutable std::mutex m_mutex;
   std::map<std::string, std::shared_ptr<ServedSession>> m_sessions;
+  size_t m_reserved = 0;  // by sessions that are being made
 };
 
 }  // namespace trivet::serve

@@ -1,9 +1,11 @@
 #include <algorithm>
 #include <iostream>
+#include <limits>
 #include <thread>
 
 #include "apps/serve/serve.h"
 #include "apps/trivet/verbs.h"
+#include "core/base/error.h"
 
 namespace trivet::apps {
 namespace {
@@ -19,6 +21,8 @@ void tell_address(const std::string& address) {
 
 int run_server(const ServeArguments& arguments, const CommonOptions& common) {
   serve::ServeOptions options = arguments.serve;
+  if (options.starts.empty() && options.recipe.empty())
+    throw Error(Error::Kind::BadInput, "missing START; accepted: layouts, scenes, or --recipe");
   options.run = run_options(common, arguments.settle);
   options.import = common.limits();
   options.operation_seconds = arguments.settle.operation_seconds;
@@ -73,8 +77,14 @@ Verb add_serve(CLI::App& app, const CommonOptions& common) {
   const auto arguments = std::make_shared<ServeArguments>();
   arguments->settle.operation_seconds = arguments->serve.operation_seconds;
   verb->add_option("start", arguments->serve.starts, "Layouts and scenes that sessions start from")
-      ->required()
       ->type_name("SCENE.glb|LAYOUT.json");
+  verb->add_option("--recipe", arguments->serve.recipe,
+                   "Serve the random scenes of a recipe, too: GET /scenes/K, and sessions on them "
+                   "(see trivet batch)")
+      ->type_name("RECIPE.json");
+  verb->add_option("--seed", arguments->serve.seed, "Of the recipe's scenes; others are others")
+      ->check(integer_from(0, std::numeric_limits<long>::max()))
+      ->capture_default_str();
   auto* const socket =
       verb->add_option("--socket", arguments->serve.socket,
                        "Listen to a Unix socket of this name, which its owner alone may open")

@@ -188,6 +188,50 @@ class Routes(Served):
                      status=3)
 
 
+class Scenes(Served):
+    def setUp(self):
+        super().setUp()
+        self.write("recipe.json", json.dumps({
+            "trivet_recipe": 1, "objects": [SLAB],
+            "groups": [{"name": "box", "models": [{"model": "cube.obj"}], "count": [2, 4],
+                        "scale_range": [0.5, 1.5], "on": ["slab"], "keep": 0.01}]}))
+
+    def test_scenes_are_those_of_a_batch(self):
+        only, _ = self.trivet("batch", "recipe.json", "--count", 100, "--seed", 5, "--only", "0,7,99")
+        with self.server("--recipe", "recipe.json", "--seed", 5) as server:
+            scenes = [server.ask("GET", "/scenes/%d" % k)[1] for k in (0, 7, 99)]
+            self.assertEqual(scenes, [json.loads(line) for line in only.splitlines()])
+            self.write("7.glb", server.ask("GET", "/scenes/7/scene.glb")[1])
+            self.trivet("check", "7.glb")
+            status, session = server.ask("POST", "/sessions", {"scene": 7})
+            self.assertEqual(status, 201, session)
+            path = "/sessions/" + session["session"]
+            status, objects = server.ask("POST", path, {"query": "objects"})
+            self.assertEqual([(o["object"], o["position"]) for o in objects["objects"]],
+                             [(o["name"], o["position"]) for o in scenes[1]["objects"]])
+            status, answer = server.ask("POST", path, {"op": "delete", "object": "box_0"})
+            self.assertEqual(answer["status"], "ok", answer)
+            self.assertIn("recipe", server.ask("GET", "/")[1])
+
+    def test_wrong_scenes_are_named(self):
+        with self.server("--recipe", "recipe.json") as server:
+            for method, path, body, status, says in (
+                    ("GET", "/scenes/x", None, 404, "numbers of scenes"),
+                    ("GET", "/scenes/-1", None, 404, "numbers of scenes"),
+                    ("GET", "/scenes/99999999999999999999", None, 404, "numbers of scenes"),
+                    ("POST", "/scenes/1", {}, 405, "accepted: GET"),
+                    ("POST", "/sessions", {"scene": -1}, 400, "0 and up"),
+                    ("POST", "/sessions", {"scene": 1.5}, 400, "0 and up")):
+                got, answer = server.ask(method, path, body)
+                self.assertEqual(got, status, (path, answer))
+                self.assertIn(says, answer["reason"])
+        with self.server() as server:
+            self.assertEqual(server.ask("GET", "/scenes/1")[0], 404)
+            self.assertIn("no recipe", server.ask("POST", "/sessions", {"scene": 1})[1]["reason"])
+        self.refused("serve", says="missing START")
+        self.refused("serve", "--recipe", "none.json", says="none.json")
+
+
 class Limits(Served):
     def test_too_many_sessions_wait_until_one_is_idle(self):
         with self.server("--max-sessions", 2, "--idle-seconds", 0.5) as server:
