@@ -1,4 +1,5 @@
 """Textured models through the program: pictures, saved scenes, notes on what is not drawn, hostile images."""
+import json
 import os
 import struct
 import unittest
@@ -62,6 +63,16 @@ class Textures(Case):
         os.remove(self.path("checker.png"))
         self.trivet("render", "box.obj", "-o", "q.png", *SIZE)
         self.assertEqual(self.colours("q.png"), (0, 0))
+
+    def test_info_lists_images_and_a_likely_unit(self):
+        self.write("checker.png", checker())
+        self.write_box()
+        out, _ = self.trivet("info", "box.obj")
+        self.assertIn('image       "checker", PNG, 32 x 32 texels', out)
+        self.assertIn("likely m\n", out)
+        info = json.loads(self.trivet("info", "box.obj", "--json")[0])
+        self.assertEqual(info["images"], [{"name": "checker", "kind": "PNG", "bytes": len(checker()),
+                                           "width": 32, "height": 32}])
 
     def test_saved_scenes_keep_their_textures(self):
         self.write("checker.png", checker())

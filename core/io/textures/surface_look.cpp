@@ -143,6 +143,11 @@ SharedBytes bytes_of_image(const Model& model, size_t image) {
   return image < images.size() ? images[image] : nullptr;
 }
 
+std::string name_of_image(const Model& model, size_t image) {
+  const GltfJson& json = member(model.appearance->document->json, "images");
+  return image < json.size() ? printable_name(name_of(json[image])) : "";
+}
+
 std::shared_ptr<const TextureImage> decoded(const SharedBytes& bytes, bool srgb) {
   if (!bytes) return nullptr;
   try {
@@ -247,6 +252,27 @@ std::shared_ptr<const SurfaceLook> surface_look(const Model& model, size_t max_b
   return look;
 }
 
+std::vector<ImageSummary> images_of(const Model& model) {
+  std::vector<ImageSummary> out;
+  if (!model.appearance) return out;
+  const GltfDocument& document = *model.appearance->document;
+  out.reserve(document.images.size());
+  for (size_t i = 0; i < document.images.size(); ++i) {
+    const SharedBytes& bytes = document.images[i];
+    ImageSummary image;
+    image.name = name_of_image(model, i);
+    if (bytes) image.kind = image_kind(*bytes), image.bytes = bytes->size();
+    try {
+      const DecodedImage texels = decode_image(bytes ? *bytes : std::string());
+      image.width = texels.width, image.height = texels.height;
+    } catch (const Error&) {
+      // The notes of the model say why.
+    }
+    out.push_back(std::move(image));
+  }
+  return out;
+}
+
 std::vector<std::string> undrawn_textures(const Model& model) {
   std::vector<std::pair<size_t, bool>> images;
   undecoded_look(model, images);
@@ -258,9 +284,8 @@ std::vector<std::string> undrawn_textures(const Model& model) {
     try {
       decode_image(*bytes);
     } catch (const Error& error) {
-      const GltfJson& json = member(model.appearance->document->json, "images");
-      const std::string name = image < json.size() ? name_of(json[image]) : "";
-      notes.push_back("not drawn: the image \"" + printable_name(name) + "\" " + error.what());
+      notes.push_back("not drawn: the image \"" + name_of_image(model, image) + "\" " +
+                      error.what());
     }
   }
   return notes;

@@ -68,6 +68,16 @@ inline constexpr size_t kMaxTextureBytes = size_t{256} << 20;
 std::shared_ptr<const SurfaceLook> surface_look(const Model& model,
                                                 size_t max_bytes = kMaxTextureBytes);
 
+/// An image of a model's appearance.
+struct ImageSummary {
+  std::string name, kind;     // image_kind()
+  size_t bytes = 0;           // encoded
+  int width = 0, height = 0;  // texels; 0: it cannot be decoded
+};
+
+/// All images that come with a model. Decodes each of them.
+std::vector<ImageSummary> images_of(const Model& model);
+
 /// What surface_look() will leave out, a line each. Decodes every image once.
 std::vector<std::string> undrawn_textures(const Model& model);
 

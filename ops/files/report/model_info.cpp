@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "core/io/look.h"
+#include "core/io/textures/surface_look.h"
 #include "ops/files/json/json_text.h"
 #include "ops/files/report/json_parts.h"
 
@@ -24,6 +25,30 @@ OrderedJson look_json(const Model& model) {
   return {{"nodes", c.nodes},       {"meshes", c.meshes}, {"materials", c.materials},
           {"textures", c.textures}, {"images", c.images}, {"image_bytes", c.image_bytes},
           {"cameras", c.cameras},   {"lights", c.lights}};
+}
+
+// Images of textures; sizes of 0: they cannot be drawn.
+OrderedJson images_json(const Model& model) {
+  OrderedJson out = OrderedJson::array();
+  for (const ImageSummary& image : images_of(model))
+    out.push_back({{"name", image.name},
+                   {"kind", image.kind},
+                   {"bytes", image.bytes},
+                   {"width", image.width},
+                   {"height", image.height}});
+  return out;
+}
+
+std::string images_text(const Model& model) {
+  std::ostringstream out;
+  for (const ImageSummary& image : images_of(model)) {
+    out << "  image       \"" << image.name << "\", " << image.kind << ", ";
+    if (image.width > 0)
+      out << image.width << " x " << image.height << " texels\n";
+    else
+      out << "not drawn\n";
+  }
+  return out.str();
 }
 
 std::string look_text(const Model& model) {
@@ -86,6 +111,13 @@ Topology topology(const Adjacency& adjacency) {
   return out;
 }
 
+const char* likely_unit(const Aabb& box) {
+  constexpr double kLongest = 3;  // metres, of what is set on tables and floors
+  const double length = (box.upper - box.lower).maxCoeff();
+  if (length <= kLongest) return "m";
+  return length <= 100 * kLongest ? "cm" : "mm";
+}
+
 std::string model_info_json(const Model& model, const Shape& shape) {
   const Topology t = topology(shape.adjacency);
   const Aabb box = shape.mesh.box();
@@ -94,6 +126,7 @@ std::string model_info_json(const Model& model, const Shape& shape) {
                       {"nodes", model.num_nodes},
                       {"materials", model.materials.size()},
                       {"look", look_json(model)},
+                      {"images", images_json(model)},
                       {"polygonised", polygonised_json(model)},
                       {"triangles", shape.mesh.triangles.size()},
                       {"vertices", shape.mesh.vertices.size()},
@@ -111,6 +144,7 @@ std::string model_info_json(const Model& model, const Shape& shape) {
   json["up_reason"] = up_reason(model);
   json["metres_per_unit"] =
       model.metres_per_unit ? OrderedJson(*model.metres_per_unit) : OrderedJson();
+  json["likely_unit"] = model.metres_per_unit ? OrderedJson() : OrderedJson(likely_unit(box));
   json["mass_rule"] = to_string(shape.mass.rule);
   json["centre"] = to_json(shape.mass.centre);
   json["volume"] = shape.mass.volume;
@@ -127,7 +161,7 @@ std::string model_info_text(const Model& model, const Shape& shape) {
   out << model.path << "\n"
       << "  format      " << model.format << ", nodes " << model.num_nodes << ", materials "
       << model.materials.size() << "\n"
-      << look_text(model) << polygonised_text(model) << "  triangles   "
+      << look_text(model) << images_text(model) << polygonised_text(model) << "  triangles   "
       << shape.mesh.triangles.size() << ", vertices " << shape.mesh.vertices.size()
       << ", components " << shape.adjacency.components.size() << "\n"
       << "  closed      " << yes_no(t.closed) << ", oriented " << yes_no(t.oriented)
@@ -142,7 +176,7 @@ std::string model_info_text(const Model& model, const Shape& shape) {
   if (model.metres_per_unit)
     out << *model.metres_per_unit << " metres, says the file (reported, not applied)\n";
   else
-    out << "the file does not say\n";
+    out << "the file does not say; by its size likely " << likely_unit(box) << "\n";
   out << "  mass        by " << to_string(shape.mass.rule) << ", centre "
       << vector_text(shape.mass.centre) << "\n"
       << "  volume      " << shape.mass.volume << ", area " << shape.mass.area << "\n";

@@ -20,6 +20,10 @@ struct Topology {
 };
 Topology topology(const Adjacency& adjacency);
 
+/// "m", "cm" or "mm": the largest unit in which the model is at most 3 m long. A guess, for files
+/// that state none.
+const char* likely_unit(const Aabb& box);
+
 /// One JSON object; lengths in the file's units.
 std::string model_info_json(const Model& model, const Shape& shape);
 /// For people: a line per fact.

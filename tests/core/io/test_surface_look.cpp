@@ -35,6 +35,12 @@ TEST_F(SurfaceLookTest, ReadsTexturedGltf) {
   const DecodedImage& finest = look->images[0]->levels.front();
   EXPECT_EQ(finest.rgba, decode_image(four_colours_png()).rgba);
   EXPECT_TRUE(look->images[0]->srgb);
+  const std::vector<ImageSummary> images = images_of(model);
+  ASSERT_EQ(images.size(), 1u);
+  EXPECT_EQ(images[0].name, "c");
+  EXPECT_EQ(images[0].kind, "PNG");
+  EXPECT_EQ(images[0].width, 2);
+  EXPECT_EQ(images[0].bytes, four_colours_png().size());
   EXPECT_EQ(look->face_material, (std::vector<Index>{0, 0}));
   EXPECT_EQ(look->finishes[0].base_colour.image, 0);
   EXPECT_EQ(look->finishes[0].transparency, Transparency::None);

@@ -46,6 +46,22 @@ TEST(ModelInfo, CallsFinNonManifold) {
   EXPECT_EQ(t.boundary_edges, 2);
 }
 
+TEST(ModelInfo, GuessesTheUnitBySize) {
+  const auto unit = [](double half) {
+    return std::string(likely_unit(box_model(half, 1e-3, 1e-3).mesh.box()));
+  };
+  EXPECT_EQ(unit(0.05), "m");
+  EXPECT_EQ(unit(1.5), "m");
+  EXPECT_EQ(unit(117.5), "cm");
+  EXPECT_EQ(unit(600), "mm");
+  Model model = box_model(117.5, 50, 37);
+  const auto shape = make_shape(model.mesh);
+  EXPECT_NE(model_info_text(model, *shape).find("likely cm"), std::string::npos);
+  EXPECT_EQ(nlohmann::json::parse(model_info_json(model, *shape))["likely_unit"], "cm");
+  model.metres_per_unit = 0.001;
+  EXPECT_TRUE(nlohmann::json::parse(model_info_json(model, *shape))["likely_unit"].is_null());
+}
+
 TEST(ModelInfo, PrintsSameAsTextAndJson) {
   Model model = box_model(0.5, 1, 1.5);
   model.path = "box.obj";
