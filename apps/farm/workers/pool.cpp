@@ -40,8 +40,13 @@ Pool::Pool(const Work& work, const WorkLimits& limits, int num_workers)
       m_zygote(start_zygote(work, m_limits)) {}
 
 Pool::~Pool() {
-  for (const Worker& worker : m_workers) kill(worker.id, SIGKILL);
-  kill(m_zygote.id, SIGKILL);
+  for (const Worker& worker : m_workers)
+    if (worker.busy) kill(worker.id, SIGKILL);
+  if (!m_ready) kill(m_zygote.id, SIGKILL);
+  // Idle workers end when their sockets close, the zygote when all have: so their CPU time counts
+  // as this process's.
+  m_workers.clear();
+  m_zygote.control.reset();
   waitpid(m_zygote.id, nullptr, 0);
 }
 

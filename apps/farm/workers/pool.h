@@ -19,7 +19,7 @@ class Pool {
  public:
   /// Forks the zygote, which begins to read the models.
   Pool(const Work& work, const WorkLimits& limits, int num_workers);
-  /// Kills all processes.
+  /// Ends all processes, those that make a scene at once.
   ~Pool();
   Pool(const Pool&) = delete;
   Pool& operator=(const Pool&) = delete;

@@ -60,6 +60,8 @@ class ZygoteProcess {
     const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
     if (!read_models()) _exit(1);
     serve();
+    while (waitpid(-1, nullptr, 0) > 0) {
+    }
     _exit(0);
   }
 
