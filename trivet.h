@@ -2,6 +2,7 @@
 //
 //   scene.add(object)                  a name, a Model, its Shape      core/scene, core/io/model.h
 //   perform(scene, operation), put()   the operations                  ops/operations/perform.h
+//   arrange(scene, arrangement)        places by relations             ops/arrange/arrange.h
 //   check_scene(scene)                 judge a scene from its poses    ops/check/check.h
 //   stability(scene)                   does it stand as a whole?       ops/stability/stability.h
 //   read_layout(), run_layout()        layouts as files                ops/files/layout
@@ -17,6 +18,7 @@
 #include "core/io/model.h"
 #include "core/scene/scene.h"
 #include "core/scene/transaction.h"
+#include "ops/arrange/arrange.h"
 #include "ops/check/check.h"
 #include "ops/files/layout/layout.h"
 #include "ops/files/layout/run.h"

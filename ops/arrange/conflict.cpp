@@ -11,6 +11,7 @@ namespace {
 
 constexpr int kBisections = 40;
 constexpr size_t kMaxTriples = 40;  // constraints of which all triples are tried
+constexpr size_t kMaxPairs = 200;   // and all pairs
 
 using Mask = std::vector<std::uint64_t>;  // places that a constraint leaves
 
@@ -23,7 +24,7 @@ std::optional<std::vector<size_t>> smallest_empty(
   if (!leaves_nothing(all)) return std::nullopt;
   for (size_t i = 0; i < count; ++i)
     if (leaves_nothing({i})) return {{i}};
-  for (size_t i = 0; i < count; ++i)
+  for (size_t i = 0; i < count && count <= kMaxPairs; ++i)
     for (size_t j = i + 1; j < count; ++j)
       if (leaves_nothing({i, j})) return {{i, j}};
   for (size_t i = 0; i < count && count <= kMaxTriples; ++i)
@@ -155,9 +156,6 @@ class ConflictSearch {
     }
     size_t count = 0;
     for (const Combination& c : m_poses) {
-      // Relations need not hold to the last bit on the grid.
-      std::vector<size_t> all(m_relations.size());
-      for (size_t i = 0; i < all.size(); ++i) all[i] = i;
       const PlaceField field = m_placer.field(c);
       std::vector<std::vector<char>> masks(m_constraints.size());
       for (size_t i = 0; i < field.size(); ++i) masks[0].push_back(field.is_over_support(i));
@@ -174,6 +172,7 @@ class ConflictSearch {
     for (Constraint& constraint : m_constraints) constraint.mask.resize(count / 64 + 1, 0);
   }
 
+  // Relations need not hold to the last bit on the grid.
   bool nearly_holds(const Relation& r, const Outline& outline, double pixel) const {
     const double slack_deg = 360.0 / 64;
     const bool of_angles = r.kind == RelationKind::Facing || r.kind == RelationKind::Away ||

@@ -2,7 +2,6 @@
 // by height maps as ops/place has them, but on a window, on one level, and apart for each obstacle.
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -19,7 +18,6 @@ struct Landing {
   double start_z = 0;             // of the underside
   std::optional<double> lowest;   // z below which it is not to be before it meets them
   Vec2 lower, upper;              // rectangle in which the centre of mass is over them
-  std::string text;               // for people: "over "table""
 };
 
 class PlaceField {

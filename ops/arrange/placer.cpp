@@ -3,22 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/quoted.h"
 #include "ops/arrange/noise.h"
 #include "ops/detect/detector.h"
 #include "ops/operations/moving_group.h"
-#include "ops/place/distance_query.h"
 
 namespace trivet {
 namespace {
 
-constexpr int kTurns = 8;         // about z, where no relation asks for any
-constexpr int kFacingTurns = 32;  // of things that face something
+constexpr int kTurns = 8;  // about z, where no relation asks for any
 constexpr double kTemperature = 0.2;
 constexpr double kNogoodRadius = 6e-3;  // metres
 constexpr size_t kMaxCandidates = 64;
-constexpr double kMostTiltDeg = 3;  // of a thing at rest against its trial
-constexpr int kHalvings = 8;
 
 std::uint64_t counter(std::uint64_t seed, size_t combination, size_t place) {
   return scrambled(scrambled(seed ^ scrambled(combination)) ^ place);
@@ -187,8 +182,9 @@ std::vector<char> Placer::clear(const PlaceField& field, const Combination& comb
   return out;
 }
 
-std::vector<Candidate> Placer::candidates(Obstacles which, const std::vector<Vec2>& nogoods) const {
-  std::vector<Candidate> all;
+std::vector<PlaceCandidate> Placer::candidates(Obstacles which,
+                                               const std::vector<Vec2>& nogoods) const {
+  std::vector<PlaceCandidate> all;
   for (size_t c = 0; c < m_combinations.size(); ++c) {
     const Combination& combination = m_combinations[c];
     const PlaceField field = this->field(combination);
@@ -199,17 +195,17 @@ std::vector<Candidate> Placer::candidates(Obstacles which, const std::vector<Vec
       const auto near = [&](const Vec2& p) { return (p - at).norm() < kNogoodRadius; };
       if (std::any_of(nogoods.begin(), nogoods.end(), near)) continue;
       const Outline outline = moved(combination.outline, at);
-      if (!meets_hard(outline, 180.0 / kFacingTurns)) continue;
-      Candidate candidate{0, energy(outline), c, i, at, field.pixel()};
+      if (!meets_hard(outline, kFacingSlackDeg)) continue;
+      PlaceCandidate candidate{0, energy(outline), c, at, field.pixel()};
       candidate.key = candidate.energy - kTemperature * gumbel_noise(counter(m_seed, c, i));
       all.push_back(candidate);
     }
   }
   std::stable_sort(all.begin(), all.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.key < b.key; });
-  std::vector<Candidate> out;
-  for (const Candidate& candidate : all) {
-    const auto close = [&](const Candidate& o) {
+                   [](const PlaceCandidate& a, const PlaceCandidate& b) { return a.key < b.key; });
+  std::vector<PlaceCandidate> out;
+  for (const PlaceCandidate& candidate : all) {
+    const auto close = [&](const PlaceCandidate& o) {
       return o.combination == candidate.combination &&
              (o.at - candidate.at).norm() < 2 * candidate.pixel;
     };
@@ -220,7 +216,7 @@ std::vector<Candidate> Placer::candidates(Obstacles which, const std::vector<Vec
   return out;
 }
 
-std::vector<size_t> Placer::blockers(const Candidate& candidate) const {
+std::vector<size_t> Placer::blockers(const PlaceCandidate& candidate) const {
   const Combination& combination = m_combinations[candidate.combination];
   // At this one place alone.
   Combination here = combination;
@@ -236,96 +232,6 @@ std::vector<size_t> Placer::blockers(const Candidate& candidate) const {
     if (std::count(clear.begin(), clear.end(), 0)) out.push_back(static_cast<size_t>(t));
   }
   return out;
-}
-
-// Downhill in the soft costs, within a pixel.
-Vec2 Placer::refined(const Candidate& candidate) const {
-  const Combination& c = m_combinations[candidate.combination];
-  Vec2 at = candidate.at;
-  if (!(candidate.energy > 0)) return at;
-  double best = energy(moved(c.outline, at)), step = 0.5 * candidate.pixel;
-  for (int k = 0; k < kHalvings; ++k, step *= 0.5)
-    for (const Vec2& d : {Vec2(1, 0), Vec2(0, 1), Vec2(-1, 0), Vec2(0, -1)}) {
-      const Vec2 next = c.region.nearest(at + step * d);
-      const Outline outline = moved(c.outline, next);
-      const double there = energy(outline);
-      if (!(there < best) || !meets_hard(outline, 180.0 / kFacingTurns)) continue;
-      best = there;
-      at = next;
-    }
-  return at;
-}
-
-Rotation Placer::turned_to_face(const Candidate& candidate, const Vec2& at) const {
-  const Combination& c = m_combinations[candidate.combination];
-  for (const Relation* r : m_relations) {
-    if (r->a != name()) continue;
-    const Outline outline = moved(c.outline, at);
-    const Vec2 wanted = wanted_front(*r, outline, partner(*r));
-    if (wanted != Vec2::Zero() && model().thing->yaws_deg.empty())
-      return (turn_between(outline.front, wanted) * c.rotation).normalized();
-  }
-  return c.rotation;
-}
-
-std::optional<std::string> Placer::put(const Candidate& candidate, OperationResult& result) {
-  const Combination& c = m_combinations[candidate.combination];
-  const Vec2 at = refined(candidate);
-  PutOperation put;
-  put.object = name();
-  put.start.rotation = turned_to_face(candidate, at);
-  const double height = c.landing.start_z - c.outline.bottom + m_clearance;
-  put.start.translation = Vec3(at.x(), at.y(), height);
-  World::Trial trial(m_world);
-  result = m_world.perform(put);
-  if (!result.ok()) return result.reason();
-  if (auto why = judge(c, put.start.rotation, result)) return why;
-  trial.commit();
-  return std::nullopt;
-}
-
-std::optional<std::string> Placer::judge(const Combination& combination, const Rotation& rotation,
-                                         const OperationResult& result) const {
-  if (!result.gave_way.empty()) return quoted(result.gave_way.front().name) + " gives way";
-  const Object& object = m_world.object(model());
-  const Vec3 up = object.pose.rotation.matrix().row(2), wanted = rotation.matrix().row(2);
-  const bool may_tip = model().thing->pose.kind == PoseChoice::Kind::Free;
-  if (!may_tip && angle_between_deg(up, wanted) > kMostTiltDeg) return quoted(name()) + " tips";
-  if (auto why = judge_supports(combination)) return why;
-  const Outline outline = m_world.outline(model(), object.pose);
-  for (const Relation* r : m_relations)
-    if (r->is_hard() && !(cost(*r, outline) <= 1))
-      return "where it comes to rest, not: " + r->text();
-  return judge_distances(combination);
-}
-
-std::optional<std::string> Placer::judge_supports(const Combination& combination) const {
-  const auto& supports = combination.landing.supports;
-  bool carried = false;
-  for (const ObjectContact& entry : m_world.object(model()).contacts) {
-    const bool asked = std::count(supports.begin(), supports.end(), entry.with) > 0;
-    carried = carried || (asked && holds_up(entry.contact));
-    if (!asked && holds_up(entry.contact))
-      return quoted(name()) + " comes to rest on " +
-             (entry.with.is_floor() ? "the floor"
-                                    : quoted(m_world.scene().at(entry.with.object()).name));
-  }
-  if (!carried) return quoted(name()) + " does not rest on what it is to rest on";
-  return std::nullopt;
-}
-
-std::optional<std::string> Placer::judge_distances(const Combination& combination) const {
-  const Scene& scene = m_world.scene();
-  const Body body = body_of(scene.at(model().id));
-  for (const ObjectId id : m_world.standing()) {
-    const auto& supports = combination.landing.supports;
-    if (id == model().id || std::count(supports.begin(), supports.end(), Support(id))) continue;
-    const double keep = m_world.keep(name(), scene.at(id).name);
-    if (keep > 0 && overlaps(scene.world_box(id), body.world_box, keep) &&
-        nearer_than(keep, body, body_of(scene.at(id))))
-      return quoted(name()) + " comes too near to " + quoted(scene.at(id).name);
-  }
-  return std::nullopt;
 }
 
 }  // namespace trivet

@@ -12,6 +12,10 @@
 
 namespace trivet {
 
+/// Turns about z that are tried for things that face something; they are turned to it afterwards.
+inline constexpr int kFacingTurns = 32;
+inline constexpr double kFacingSlackDeg = 180.0 / kFacingTurns;
+
 /// A rotation, a way down and where the position may be: what one field of places is computed for.
 struct Combination {
   Rotation rotation;
@@ -20,11 +24,10 @@ struct Combination {
   ConvexRegion region;
 };
 
-struct Candidate {
+struct PlaceCandidate {
   double key = 0;     // cost less noise: the smallest comes first
   double energy = 0;  // of the soft relations
   size_t combination = 0;
-  size_t place = 0;
   Vec2 at = Vec2::Zero();
   double pixel = 0;
 };
@@ -45,16 +48,15 @@ class Placer {
   const std::vector<Combination>& combinations() const { return m_combinations; }
   /// Places that fit, the best first, a pixel or more from each other.
   /// @param nogoods  positions that are left out, by 6 mm.
-  std::vector<Candidate> candidates(Obstacles obstacles, const std::vector<Vec2>& nogoods) const;
+  std::vector<PlaceCandidate> candidates(Obstacles obstacles,
+                                         const std::vector<Vec2>& nogoods) const;
   /// Things to arrange that are in the way at a candidate.
-  std::vector<size_t> blockers(const Candidate& candidate) const;
+  std::vector<size_t> blockers(const PlaceCandidate& candidate) const;
 
   /// PUT at a candidate, refined. @return why not; nullopt: it stands there.
-  std::optional<std::string> put(const Candidate& candidate, OperationResult& result);
+  std::optional<std::string> put(const PlaceCandidate& candidate, OperationResult& result);
 
-  const World& world() const { return m_world; }
   PlaceField field(const Combination& combination) const;
-  double clearance() const { return m_clearance; }
 
  private:
   friend class ConflictSearch;
@@ -72,8 +74,8 @@ class Placer {
   std::vector<ObjectId> obstacles(const Combination& combination, Obstacles which) const;
   std::vector<char> clear(const PlaceField& field, const Combination& combination,
                           Obstacles which) const;
-  Vec2 refined(const Candidate& candidate) const;
-  Rotation turned_to_face(const Candidate& candidate, const Vec2& at) const;
+  Vec2 refined(const PlaceCandidate& candidate) const;
+  Rotation turned_to_face(const PlaceCandidate& candidate, const Vec2& at) const;
   std::optional<std::string> judge(const Combination& combination, const Rotation& rotation,
                                    const OperationResult& result) const;
   std::optional<std::string> judge_supports(const Combination& combination) const;

@@ -13,7 +13,8 @@ namespace trivet {
 namespace {
 
 constexpr double kLeastGapClearances = 8;
-constexpr double kFits = 1e-9;  // metres by which a length may be short: rounding
+constexpr double kMostCells = 10'000;  // along an axis
+constexpr double kFits = 1e-9;         // metres by which a length may be short: rounding
 
 // Room along an axis from the middle of the surface: to its edge, or to a wall.
 struct Room {
@@ -172,7 +173,8 @@ class SlotSearch {
   }
 
   static int count_in(double length, double size, double gap) {
-    return static_cast<int>(std::floor((length + gap + kFits) / (size + gap)));
+    return static_cast<int>(
+        std::min(std::floor((length + gap + kFits) / (size + gap)), kMostCells));
   }
 
   void place_grid() {

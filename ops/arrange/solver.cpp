@@ -2,8 +2,9 @@
 
 #include "core/base/quoted.h"
 #include "ops/arrange/arrange.h"
+#include "ops/arrange/items.h"
 #include "ops/arrange/noise.h"
-#include "ops/arrange/slots.h"
+#include "ops/arrange/pattern_put.h"
 #include "ops/base/interrupt.h"
 #include "ops/operations/moving_group.h"
 
@@ -15,24 +16,17 @@ constexpr size_t kEvictionPlaces = 32;  // places that are looked at for what is
 constexpr double kEvictedAgain = 1.5;   // factor of a thing's weight each time
 constexpr int kMostTimesRefused = 3;    // that a thing makes others go although it has places
 constexpr size_t kMaxNogoods = 64;      // of a thing
-constexpr double kMostShift = 1e-3;     // metres, of things of a pattern
-constexpr double kMostTiltDeg = 3;
-
-/// What is placed at once: a thing, or those of a pattern.
-struct Item {
-  std::vector<size_t> things;
-  const Pattern* pattern = nullptr;
-  double area = 0;
-  double weight = 1;
-};
 
 class Solver {
  public:
   Solver(World& world, std::uint64_t seed, Interrupt& interrupt, const ArrangeProgress& progress,
          ArrangeResult& out)
-      : m_world(world), m_seed(seed), m_interrupt(interrupt), m_progress(progress), m_out(out) {
-    make_items();
-    sort_items();
+      : m_world(world),
+        m_seed(seed),
+        m_interrupt(interrupt),
+        m_progress(progress),
+        m_out(out),
+        m_items(ordered_items(world)) {
     m_placed.assign(m_items.size(), 0);
     m_nogoods.resize(world.things().size());
     m_visits.assign(world.things().size(), 0);
@@ -85,59 +79,6 @@ class Solver {
     return true;
   }
 
-  void make_items() {
-    std::vector<char> in_pattern(m_world.things().size(), 0);
-    for (const Pattern& pattern : m_world.arrangement().patterns) {
-      Item item{things_of(m_world, pattern), &pattern};
-      for (const size_t t : item.things) in_pattern[t] = 1;
-      m_items.push_back(std::move(item));
-    }
-    for (size_t t = 0; t < m_world.things().size(); ++t)
-      if (!in_pattern[t]) m_items.push_back({{t}, nullptr, m_world.things()[t].area});
-    // Patterns first, then the largest.
-    std::stable_sort(m_items.begin(), m_items.end(), [](const Item& a, const Item& b) {
-      return (a.pattern != nullptr) != (b.pattern != nullptr) ? a.pattern != nullptr
-                                                              : a.area > b.area;
-    });
-  }
-
-  int item_of(const std::string& object) const {
-    const int t = m_world.thing_of(object);
-    for (size_t i = 0; i < m_items.size() && t >= 0; ++i)
-      if (std::count(m_items[i].things.begin(), m_items[i].things.end(), size_t(t)))
-        return static_cast<int>(i);
-    return -1;
-  }
-
-  // What has to stand before: supports, then what relations refer to.
-  std::vector<int> before(const Item& item) const {
-    std::vector<int> out;
-    if (item.pattern) out.push_back(item_of(item.pattern->on));
-    for (const bool supports : {true, false})
-      for (const size_t t : item.things)
-        for (const size_t r : m_world.things()[t].relations) {
-          const Relation& relation = m_world.arrangement().relations[r];
-          if (relation.a == name(t) && relation.is_support() == supports)
-            out.push_back(item_of(relation.b));
-        }
-    return out;
-  }
-
-  // Depth first; of a cycle of references what is met first stays first.
-  void sort_items() {
-    std::vector<Item> sorted;
-    std::vector<int> state(m_items.size(), 0);
-    // Supports are taken before references, so that a cycle never parts them.
-    const auto visit = [&](const auto& self, int i) -> void {
-      if (i < 0 || state[i]) return;
-      state[i] = 1;
-      for (const int b : before(m_items[i])) self(self, b);
-      sorted.push_back(m_items[i]);
-    };
-    for (size_t i = 0; i < m_items.size(); ++i) visit(visit, static_cast<int>(i));
-    m_items = std::move(sorted);
-  }
-
   std::uint64_t seed_of(size_t thing) const {
     return scrambled(scrambled(m_seed ^ scrambled(thing)) ^
                      static_cast<std::uint64_t>(m_visits[thing]));
@@ -148,7 +89,7 @@ class Solver {
     m_order.push_back(thing);
   }
 
-  bool put(Placer& placer, const Candidate& candidate, size_t thing) {
+  bool put(Placer& placer, const PlaceCandidate& candidate, size_t thing) {
     OperationResult result;
     ++m_out.num_puts;
     const auto why = placer.put(candidate, result);
@@ -174,56 +115,16 @@ class Solver {
   }
 
   bool place_pattern(size_t item) {
-    const Pattern& pattern = *m_items[item].pattern;
-    const Slots slots = slots_of(m_world, pattern, scrambled(m_seed));
-    if (!slots.why_not.empty()) return fail_pattern(pattern, slots.why_not, slots.missing);
-    World::Trial trial(m_world);
-    std::vector<OperationResult> results;
-    results.reserve(slots.slots.size());
-    for (const Slot& slot : slots.slots) {
-      if (stopped()) return false;
-      ++m_out.num_puts;
-      PutOperation put;
-      put.object = name(slot.thing);
-      put.start = slot.start;
-      results.push_back(m_world.perform(put));
-      if (const auto why = judge_slot(slot, pattern, results.back())) {
-        ++m_out.num_refused;
-        return fail_pattern(pattern, pattern.text() + ": " + *why, 0);
-      }
+    std::vector<PlacedSlot> placed;
+    auto conflict = put_pattern(m_world, *m_items[item].pattern, scrambled(m_seed), placed);
+    m_out.num_puts += static_cast<int>(placed.size());
+    if (conflict) {
+      m_out.num_refused += placed.empty() ? 0 : 1;
+      m_out.conflict = std::move(conflict);
+      return false;
     }
-    trial.commit();
-    for (size_t k = 0; k < slots.slots.size(); ++k)
-      note_placed(slots.slots[k].thing, std::move(results[k]));
+    for (PlacedSlot& slot : placed) note_placed(slot.thing, std::move(slot.result));
     return true;
-  }
-
-  bool fail_pattern(const Pattern& pattern, const std::string& text, double missing) {
-    Conflict conflict;
-    conflict.thing = pattern.text();
-    conflict.text = text;
-    conflict.constraints = {pattern.text()};
-    if (missing > 0) conflict.missing = missing;
-    m_out.conflict = std::move(conflict);
-    return false;
-  }
-
-  std::optional<std::string> judge_slot(const Slot& slot, const Pattern& pattern,
-                                        const OperationResult& result) const {
-    const std::string who = quoted(name(slot.thing));
-    if (!result.ok()) return result.reason();
-    if (!result.gave_way.empty()) return who + " makes others give way";
-    const Object& object = m_world.object(m_world.things()[slot.thing]);
-    const Vec3 up = object.pose.rotation.matrix().row(2);
-    const Vec3 wanted = slot.start.rotation.matrix().row(2);
-    if (angle_between_deg(up, wanted) > kMostTiltDeg) return who + " tips";
-    const Vec3 shift = object.pose.translation - slot.start.translation;
-    if (shift.head<2>().norm() > kMostShift) return who + " slides away";
-    const Support on(*m_world.scene().find(pattern.on));
-    for (const ObjectContact& entry : object.contacts)
-      if (holds_up(entry.contact) && !(entry.with == on))
-        return who + " does not rest on " + quoted(pattern.on) + " alone";
-    return std::nullopt;
   }
 
   // --- when there is no place --------------------------------------------------------------------
@@ -276,7 +177,7 @@ class Solver {
     return false;
   }
 
-  bool put_instead(Placer& placer, const Candidate& place, size_t thing,
+  bool put_instead(Placer& placer, const PlaceCandidate& place, size_t thing,
                    const std::vector<size_t>& items, size_t item) {
     World::Trial trial(m_world);
     const std::vector<size_t> order = m_order;
@@ -305,7 +206,7 @@ class Solver {
   bool carries(const std::vector<size_t>& items, size_t thing) const {
     const Relation* support = m_world.support_of(m_world.things()[thing]);
     if (!support) return false;
-    const int below = item_of(support->b);
+    const int below = item_of(m_world, m_items, support->b);
     return below >= 0 && std::count(items.begin(), items.end(), static_cast<size_t>(below));
   }
 
@@ -345,7 +246,7 @@ class Solver {
     std::vector<size_t> out;
     for (const size_t t : things)
       for (const ObjectId id : carried_with(m_world.scene(), m_world.things()[t].id)) {
-        const int item = item_of(m_world.scene().at(id).name);
+        const int item = item_of(m_world, m_items, m_world.scene().at(id).name);
         if (item >= 0) out.push_back(static_cast<size_t>(item));
       }
     std::sort(out.begin(), out.end());
@@ -357,7 +258,8 @@ class Solver {
   void take_out(const std::vector<size_t>& items) {
     std::vector<size_t> out;
     for (auto it = m_order.rbegin(); it != m_order.rend(); ++it)
-      if (std::count(items.begin(), items.end(), static_cast<size_t>(item_of(name(*it)))))
+      if (std::count(items.begin(), items.end(),
+                     static_cast<size_t>(item_of(m_world, m_items, name(*it)))))
         out.push_back(*it);
     for (const size_t t : out) {
       m_world.perform(UnplaceOperation{{name(t)}});

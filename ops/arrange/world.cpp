@@ -63,6 +63,10 @@ void World::check_names() const {
     const auto [it, is_new] = carried.emplace(name, what);
     if (!is_new) refuse(what + ": " + it->second + " says already what carries " + quoted(name));
   };
+  const auto stand = [&](const std::string& name, const std::string& what) {
+    if (!seen.count(name) && !stands(name))
+      refuse(what + ": " + quoted(name) + " stands nowhere and is none of the things to arrange");
+  };
   for (const Relation& r : m_arrangement.relations) {
     check_name(scene(), r.a, r.text());
     if (!r.b.empty() && r.b != "floor") check_name(scene(), r.b, r.text());
@@ -70,9 +74,13 @@ void World::check_names() const {
     if (r.is_support()) carry(r.a, r.text());
     if (!seen.count(r.a) && !seen.count(r.b))
       refuse(r.text() + ": neither is one of the things to arrange");
+    stand(r.a, r.text());
+    if (!r.b.empty() && r.b != "floor") stand(r.b, r.text());
   }
   for (const Pattern& pattern : m_arrangement.patterns) {
+    if (pattern.things.empty()) refuse(pattern.text() + ": accepted: at least one");
     check_name(scene(), pattern.on, pattern.text());
+    stand(pattern.on, pattern.text());
     for (const std::string& name : pattern.things) carry(name, pattern.text());
   }
 }
@@ -130,7 +138,6 @@ void World::check_cycles() const {
   }
 }
 
-// Loads before what carries them.
 void World::unplace_things() {
   for (const ThingModel& thing : m_things) {
     if (!object(thing).placed) continue;
@@ -140,8 +147,15 @@ void World::unplace_things() {
         refuse("things: " + quoted(object(thing).name) + " carries " + quoted(scene().at(id).name) +
                ", which is none of the things to arrange");
   }
+  // The highest first: loads before what carries them.
+  std::vector<const ThingModel*> order;
+  order.reserve(m_things.size());
   for (const ThingModel& thing : m_things)
-    if (object(thing).placed) perform(UnplaceOperation{{object(thing).name}});
+    if (object(thing).placed) order.push_back(&thing);
+  const auto bottom = [&](const ThingModel* t) { return scene().world_box(t->id).lower.z(); };
+  std::stable_sort(order.begin(), order.end(),
+                   [&](const ThingModel* x, const ThingModel* y) { return bottom(x) > bottom(y); });
+  for (const ThingModel* thing : order) perform(UnplaceOperation{{object(*thing).name}});
 }
 
 OperationResult World::perform(const Operation& operation) {

@@ -276,6 +276,39 @@ TEST(Arrange, MovesWhatLeavesNoRoom) {
   EXPECT_GT(num_evictions, 0);
 }
 
+// The back to the wall, which stands askew.
+TEST(Arrange, StandsThingsAgainstWalls) {
+  Stage stage;
+  stage.fix("wall", test::box_between(Vec3(-2, -0.05, 0), Vec3(2, 0.05, 2)), Vec3(0, 1, 1e-5));
+  edit_object(stage.scene, *stage.scene.find("wall"),
+              [](Object& o) { o.pose.rotation = turned_about_z(20); });
+  stage.add("shelf", test::shelf({0.1, 0.8}));
+  stage.relate("shelf", RelationKind::Against, "wall").upper = 0.005;
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    expect_true(stage, stage.run(seed));
+    const Rotation& r = stage.at("shelf").pose.rotation;
+    const Vec2 back = (r.matrix() * Vec3::UnitY()).head<2>();
+    const Vec2 normal = turned_about_z(20).matrix().col(1).head<2>();
+    EXPECT_LT(std::min(angle_between_deg(back, normal), angle_between_deg(back, Vec2(-normal))), 1);
+    const Body shelf = body_of(stage.at("shelf")), wall = body_of(stage.at("wall"));
+    EXPECT_TRUE(nearer_than(0.0061, shelf, wall));
+  }
+}
+
+// A chair that looks at a desk, wherever it comes to stand.
+TEST(Arrange, TurnsThingsToFaceOthers) {
+  Stage stage;
+  stage.fix("desk", test::box_between(Vec3(-0.5, -0.3, 0), Vec3(0.5, 0.3, 0.7)), Vec3(0, 0, 1e-5));
+  stage.add("chair", test::box_between(Vec3(-0.2, -0.25, 0), Vec3(0.2, 0.25, 0.5)));
+  stage.relate("chair", RelationKind::Facing, "desk").tolerance = 2;
+  stage.relate("chair", RelationKind::Near, "desk").upper = 0.8;
+  for (const std::uint64_t seed : {1, 2, 3, 4}) {
+    expect_true(stage, stage.run(seed));
+    const Vec2 front = -stage.at("chair").pose.rotation.matrix().col(1).head<2>();
+    EXPECT_LT(angle_between_deg(front, Vec2(-stage.box("chair").centre().head<2>())), 2.1);
+  }
+}
+
 TEST(Arrange, FollowsSoftRelations) {
   double worst = 0, mean = 0;
   for (std::uint64_t seed = 0; seed < 5; ++seed) {
@@ -355,6 +388,12 @@ TEST(Arrange, RefusesWhatCannotBeMeant) {
     EXPECT_NE(is.find(says), std::string::npos) << is;
   };
   expect([](Stage& s) { s.relate("a", RelationKind::On, "rok"); }, "did you mean \"rock\"");
+  expect(
+      [](Stage& s) {
+        s.arrangement.things.pop_back();
+        s.relate("a", RelationKind::Near, "b");
+      },
+      "\"b\" stands nowhere");
   expect([](Stage& s) { s.relate("a", RelationKind::Near, "a"); }, "no relation to itself");
   expect([](Stage& s) { s.relate("rock", RelationKind::On, "a"); }, "none of the things");
   expect([](Stage& s) { s.arrangement.things.push_back({"rock"}); }, "is fixed");

@@ -1,0 +1,60 @@
+#include "ops/arrange/pattern_put.h"
+
+#include "core/base/quoted.h"
+#include "ops/arrange/angles.h"
+
+namespace trivet {
+namespace {
+
+constexpr double kMostShift = 1e-3;  // metres, of a thing at rest from its slot
+constexpr double kMostTiltDeg = 3;
+
+Conflict conflict_of(const Pattern& pattern, const std::string& text, double missing) {
+  Conflict out;
+  out.thing = pattern.text();
+  out.text = text;
+  out.constraints = {pattern.text()};
+  if (missing > 0) out.missing = missing;
+  return out;
+}
+
+std::optional<std::string> judge_slot(const World& world, const Slot& slot, const Pattern& pattern,
+                                      const OperationResult& result) {
+  const ThingModel& thing = world.things()[slot.thing];
+  const std::string who = quoted(thing.thing->object);
+  if (!result.ok()) return result.reason();
+  if (!result.gave_way.empty()) return who + " makes others give way";
+  const Object& object = world.object(thing);
+  const Vec3 up = object.pose.rotation.matrix().row(2);
+  const Vec3 wanted = slot.start.rotation.matrix().row(2);
+  if (angle_between_deg(up, wanted) > kMostTiltDeg) return who + " tips";
+  const Vec3 shift = object.pose.translation - slot.start.translation;
+  if (shift.head<2>().norm() > kMostShift) return who + " slides away";
+  const Support on(*world.scene().find(pattern.on));
+  for (const ObjectContact& entry : object.contacts)
+    if (holds_up(entry.contact) && !(entry.with == on))
+      return who + " does not rest on " + quoted(pattern.on) + " alone";
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Conflict> put_pattern(World& world, const Pattern& pattern, std::uint64_t seed,
+                                    std::vector<PlacedSlot>& placed) {
+  const Slots slots = slots_of(world, pattern, seed);
+  if (!slots.why_not.empty()) return conflict_of(pattern, slots.why_not, slots.missing);
+  World::Trial trial(world);
+  placed.reserve(slots.slots.size());
+  for (const Slot& slot : slots.slots) {
+    PutOperation put;
+    put.object = world.things()[slot.thing].thing->object;
+    put.start = slot.start;
+    placed.push_back({slot.thing, world.perform(put)});
+    if (const auto why = judge_slot(world, slot, pattern, placed.back().result))
+      return conflict_of(pattern, pattern.text() + ": " + *why, 0);
+  }
+  trial.commit();
+  return std::nullopt;
+}
+
+}  // namespace trivet

@@ -1,0 +1,106 @@
+// A thing's trial at a candidate: refined, PUT, and judged where it came to rest.
+#include <algorithm>
+
+#include "core/base/quoted.h"
+#include "ops/arrange/placer.h"
+#include "ops/place/distance_query.h"
+
+namespace trivet {
+namespace {
+
+constexpr double kMostTiltDeg = 3;  // of a thing at rest against its trial
+constexpr int kHalvings = 8;
+
+}  // namespace
+
+// Downhill in the soft costs, within a pixel.
+Vec2 Placer::refined(const PlaceCandidate& candidate) const {
+  const Combination& c = m_combinations[candidate.combination];
+  Vec2 at = candidate.at;
+  if (!(candidate.energy > 0)) return at;
+  double best = energy(moved(c.outline, at)), step = 0.5 * candidate.pixel;
+  for (int k = 0; k < kHalvings; ++k, step *= 0.5)
+    for (const Vec2& d : {Vec2(1, 0), Vec2(0, 1), Vec2(-1, 0), Vec2(0, -1)}) {
+      const Vec2 next = c.region.nearest(at + step * d);
+      const Outline outline = moved(c.outline, next);
+      const double there = energy(outline);
+      if (!(there < best) || !meets_hard(outline, kFacingSlackDeg)) continue;
+      best = there;
+      at = next;
+    }
+  return at;
+}
+
+Rotation Placer::turned_to_face(const PlaceCandidate& candidate, const Vec2& at) const {
+  const Combination& c = m_combinations[candidate.combination];
+  for (const Relation* r : m_relations) {
+    if (r->a != name()) continue;
+    const Outline outline = moved(c.outline, at);
+    const Vec2 wanted = wanted_front(*r, outline, partner(*r));
+    if (wanted != Vec2::Zero() && model().thing->yaws_deg.empty())
+      return (turn_between(outline.front, wanted) * c.rotation).normalized();
+  }
+  return c.rotation;
+}
+
+std::optional<std::string> Placer::put(const PlaceCandidate& candidate, OperationResult& result) {
+  const Combination& c = m_combinations[candidate.combination];
+  const Vec2 at = refined(candidate);
+  PutOperation put;
+  put.object = name();
+  put.start.rotation = turned_to_face(candidate, at);
+  const double height = c.landing.start_z - c.outline.bottom + m_clearance;
+  put.start.translation = Vec3(at.x(), at.y(), height);
+  World::Trial trial(m_world);
+  result = m_world.perform(put);
+  if (!result.ok()) return result.reason();
+  if (auto why = judge(c, put.start.rotation, result)) return why;
+  trial.commit();
+  return std::nullopt;
+}
+
+std::optional<std::string> Placer::judge(const Combination& combination, const Rotation& rotation,
+                                         const OperationResult& result) const {
+  if (!result.gave_way.empty()) return quoted(result.gave_way.front().name) + " gives way";
+  const Object& object = m_world.object(model());
+  const Vec3 up = object.pose.rotation.matrix().row(2), wanted = rotation.matrix().row(2);
+  const bool may_tip = model().thing->pose.kind == PoseChoice::Kind::Free;
+  if (!may_tip && angle_between_deg(up, wanted) > kMostTiltDeg) return quoted(name()) + " tips";
+  if (auto why = judge_supports(combination)) return why;
+  const Outline outline = m_world.outline(model(), object.pose);
+  for (const Relation* r : m_relations)
+    if (r->is_hard() && !(cost(*r, outline) <= 1))
+      return "where it comes to rest, not: " + r->text();
+  return judge_distances(combination);
+}
+
+std::optional<std::string> Placer::judge_supports(const Combination& combination) const {
+  const auto& supports = combination.landing.supports;
+  bool carried = false;
+  for (const ObjectContact& entry : m_world.object(model()).contacts) {
+    const bool asked = std::count(supports.begin(), supports.end(), entry.with) > 0;
+    carried = carried || (asked && holds_up(entry.contact));
+    if (!asked && holds_up(entry.contact))
+      return quoted(name()) + " comes to rest on " +
+             (entry.with.is_floor() ? "the floor"
+                                    : quoted(m_world.scene().at(entry.with.object()).name));
+  }
+  if (!carried) return quoted(name()) + " does not rest on what it is to rest on";
+  return std::nullopt;
+}
+
+std::optional<std::string> Placer::judge_distances(const Combination& combination) const {
+  const Scene& scene = m_world.scene();
+  const Body body = body_of(scene.at(model().id));
+  for (const ObjectId id : m_world.standing()) {
+    const auto& supports = combination.landing.supports;
+    if (id == model().id || std::count(supports.begin(), supports.end(), Support(id))) continue;
+    const double keep = m_world.keep(name(), scene.at(id).name);
+    if (keep > 0 && overlaps(scene.world_box(id), body.world_box, keep) &&
+        nearer_than(keep, body, body_of(scene.at(id))))
+      return quoted(name()) + " comes too near to " + quoted(scene.at(id).name);
+  }
+  return std::nullopt;
+}
+
+}  // namespace trivet

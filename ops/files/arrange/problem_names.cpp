@@ -1,0 +1,56 @@
+#include "ops/files/arrange/problem_names.h"
+
+#include <algorithm>
+
+#include "core/base/nearest_name.h"
+
+namespace trivet {
+namespace {
+
+bool matches(const std::string& name, const std::string& pattern) {
+  const size_t star = pattern.find('*');
+  if (star == std::string::npos) return name == pattern;
+  const std::string head = pattern.substr(0, star), tail = pattern.substr(star + 1);
+  return name.size() >= head.size() + tail.size() && name.starts_with(head) && name.ends_with(tail);
+}
+
+}  // namespace
+
+std::string ProblemNames::one(const JsonPlace& place) const {
+  std::string out = place.text();
+  if (std::find(m_names.begin(), m_names.end(), out) == m_names.end())
+    place.refuse("the name of one of /objects" + did_you_mean(out, m_names));
+  return out;
+}
+
+std::string ProblemNames::one_or_floor(const JsonPlace& place) const {
+  std::string out = place.text();
+  if (out != "floor" && std::find(m_names.begin(), m_names.end(), out) == m_names.end())
+    place.refuse("\"floor\" or the name of one of /objects" + did_you_mean(out, m_names));
+  return out;
+}
+
+std::vector<std::string> ProblemNames::matching(const JsonPlace& place) const {
+  const std::string pattern = place.text();
+  std::vector<std::string> out;
+  for (const std::string& name : m_names)
+    if (matches(name, pattern)) out.push_back(name);
+  if (out.empty())
+    place.refuse("the name of one of /objects, or one with * for any letters" +
+                 did_you_mean(pattern, m_names));
+  return out;
+}
+
+std::vector<std::string> ProblemNames::listed(const JsonPlace& place) const {
+  if (!place.value().is_array()) return matching(place);
+  std::vector<std::string> out;
+  for (const JsonPlace& item : place.items())
+    for (const std::string& each : matching(item)) {
+      if (std::find(out.begin(), out.end(), each) != out.end()) item.refuse("each object once");
+      out.push_back(each);
+    }
+  if (out.empty()) place.refuse("at least one object");
+  return out;
+}
+
+}  // namespace trivet

@@ -1,0 +1,16 @@
+// Private. One entry of "relations": a relation, a pattern or a distance to keep.
+#pragma once
+
+#include "ops/arrange/arrangement.h"
+#include "ops/files/arrange/problem_names.h"
+
+namespace trivet {
+
+/// Appends it to what it is of.
+/// @throws Error (BadInput) with the place, the value and what is accepted.
+void read_relation(const JsonPlace& place, const ProblemNames& names, Arrangement& out);
+
+/// A whole number at a key that may be missing.
+void read_count(const JsonPlace& place, const char* key, int lower, int upper, int& out);
+
+}  // namespace trivet
