@@ -443,7 +443,7 @@ TEST(PlaceField, OffersWhatFallsOntoTheSupport) {
     stage.add("stick", test::stick(0.3), {"", {PoseChoice::Kind::AsModelled}, {}});
     const ObjectId id = *stage.scene.find("stick"), table = *stage.scene.find("table");
     const double clearance = 1e-6, keep = round % 2 ? 0.04 : 0.0;
-    Landing landing{{table}, 0.70001 + 4e-6, std::nullopt, Vec2(-0.5, -0.4), Vec2(0.5, 0.4), ""};
+    Landing landing{{table}, 0.70001 + 4e-6, std::nullopt, Vec2(-0.5, -0.4), Vec2(0.5, 0.4)};
     const Rotation rotation = turned_about_z(random.uniform(0, 360));
     const PlaceField field(stage.scene, id, rotation, landing,
                            ConvexRegion(Vec2(-0.5, -0.4), Vec2(0.5, 0.4)), clearance,
