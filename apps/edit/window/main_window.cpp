@@ -13,10 +13,7 @@
 namespace trivet::edit {
 namespace {
 
-constexpr int kBusyAfterMs = 250;    // quicker jobs show no progress
-constexpr int kWidestVerdict = 260;  // pixels
-constexpr int kNoteMs = 12000;       // for which a note stays in the status bar
-constexpr int kWidestAnswering = 320;
+constexpr int kNoteMs = 12000;  // for which a note stays in the status bar
 
 QString aim_note(const Selection& selection) {
   switch (selection.contact ? selection.contact->part : ActiveContact::Part::Area) {
@@ -124,38 +121,6 @@ void MainWindow::make_zlist_dock() {
   });
 }
 
-void MainWindow::make_status_bar() {
-  m_hint = new QLabel, m_count = new QLabel, m_busy = new QLabel;
-  m_hint->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-  m_hint->setIndent(8);
-  m_count->setObjectName("faint");
-  m_count->setContentsMargins(8, 0, 8, 0);
-  m_answering = new QLabel;
-  m_answering->setObjectName("faint");
-  m_stands = new QLabel;
-  m_stands->setObjectName("stands");
-  m_progress = new QProgressBar;
-  m_progress->setFixedSize(140, 12);
-  m_progress->setTextVisible(false);
-  m_cancel = new QToolButton;
-  m_cancel->setText(tr("Cancel"));
-  m_cancel->setToolTip(tr("Stop the running operation; the scene stays unchanged (Escape)"));
-  statusBar()->addWidget(m_hint, 1);
-  for (QWidget* const widget : std::initializer_list<QWidget*>{m_busy, m_progress, m_cancel,
-                                                               m_answering, m_stands, m_count})
-    statusBar()->addPermanentWidget(widget);
-  statusBar()->setSizeGripEnabled(false);
-  for (QWidget* const widget : std::initializer_list<QWidget*>{m_busy, m_progress, m_cancel})
-    widget->hide();
-  connect(m_cancel, &QToolButton::clicked, this, [this] {
-    m_document.cancel();
-    if (m_picture) m_picture->cancel();
-  });
-  m_busy_for_long.setSingleShot(true);
-  m_busy_for_long.setInterval(kBusyAfterMs);
-  connect(&m_busy_for_long, &QTimer::timeout, this, &MainWindow::show_busy);
-}
-
 void MainWindow::connect_document() {
   m_toolbox.changed = [this] {
     for (SceneView* const view : {m_perspective, m_three, m_constraint}) view->follow_tool();
@@ -213,57 +178,6 @@ void MainWindow::show_workspace() {
   m_perspective->setFocus();
 }
 
-void MainWindow::update_title() {
-  setWindowTitle(QString::fromStdString(m_document.title()) + "[*] – Trivet");
-  setWindowModified(m_document.is_modified());
-  update_actions();
-}
-
-void MainWindow::show_busy() {
-  const bool busy = m_document.is_busy() || m_picture;
-  if (busy && m_document.is_busy()) m_busy->setText(QString::fromStdString(m_document.busy_with()));
-  if (!busy) m_progress->setRange(0, 0);
-  for (QWidget* const widget : std::initializer_list<QWidget*>{m_busy, m_progress, m_cancel})
-    widget->setVisible(busy);
-}
-
-void MainWindow::update_status() {
-  QString hint = QString::fromStdString(m_toolbox.hint());
-  const auto& ghost = m_document.ghost();
-  if (ghost && !ghost->ok && !ghost->text.empty()) hint = QString::fromStdString(ghost->text);
-  m_hint->setText(hint);
-  m_hint->setToolTip(hint);
-  const auto snapshot = m_document.snapshot();
-  const int selected = static_cast<int>(m_document.selection().objects.size());
-  QString count = tr("Objects: %1").arg(snapshot->objects.size());
-  if (selected > 0) count += tr(", selected: %1").arg(selected);
-  m_count->setText(count);
-}
-
-void MainWindow::show_detection() {
-  const Detection& now = m_document.detection();
-  const QString text = in_words(now.moves);
-  m_answering->setText(
-      m_answering->fontMetrics().elidedText(text, Qt::ElideRight, kWidestAnswering));
-  m_answering->setToolTip(tr("Collision detection. Moves: %1. Previews: %2. See Preferences.")
-                              .arg(text, in_words(now.previews)));
-}
-
-// The last word stays while the next is not spoken.
-void MainWindow::show_verdict() {
-  const auto verdict = m_document.verdict();
-  if (!verdict) return;
-  const QString text = QString::fromStdString(whole_text(*m_document.snapshot(), *verdict));
-  const Theme& theme = m_drawing.theme();
-  const Stability::Status status = verdict->stability.status;
-  const QColor colour = status == Stability::Status::Unstable ? theme.refused()
-                        : status == Stability::Status::Stable ? theme.faint_text()
-                                                              : theme.warning();
-  m_stands->setStyleSheet("color: " + colour.name());
-  m_stands->setText(m_stands->fontMetrics().elidedText(text, Qt::ElideRight, kWidestVerdict));
-  m_stands->setToolTip(tr("The scene as a whole, at the friction of the materials: %1").arg(text));
-}
-
 void MainWindow::ask_preferences() {
   auto* const dialog = new PreferencesDialog(m_document, m_detection, this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
@@ -275,18 +189,6 @@ void MainWindow::ask_preferences() {
             m_document.choose_detection(backend_options(choice));
           });
   dialog->show();
-}
-
-void MainWindow::update_actions() {
-  const bool idle = !m_document.is_busy();
-  const bool selected = !m_document.selection().objects.empty();
-  action("undo")->setEnabled(idle && m_document.can_undo());
-  action("redo")->setEnabled(idle && m_document.can_redo());
-  for (const char* const name :
-       {"duplicate", "delete", "lock", "unlock", "fix", "unfix", "group", "ungroup"})
-    action(name)->setEnabled(idle && selected);
-  for (const char* const name : {"save", "save as", "export", "picture"})
-    action(name)->setEnabled(idle);
 }
 
 void MainWindow::take_tool(ToolKind kind) {

@@ -59,22 +59,24 @@ class MainWindow : public QMainWindow {
   void make_views();
   void arrange_views();
   void make_zlist_dock();
-  void make_status_bar();
   void connect_document();
   void show_workspace();
   void show_start_page();
-  void update_title();
-  void update_actions();
-  void update_status();
-  void show_detection();
-  void show_verdict();
   void ask_preferences();
-  void show_busy();
   void take_tool(ToolKind kind);
   void show_tool();
   void follow_scene();
   void aim_constraint_window();
   SceneView* active_view() const;
+
+  // feedback.cpp
+  void make_status_bar();
+  void update_title();
+  void show_busy();
+  void update_status();
+  void show_detection();
+  void show_verdict();
+  void update_actions();
 
   // arrangement.cpp
   void toggle_maximised(ViewFrame* frame);
