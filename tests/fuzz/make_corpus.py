@@ -1,7 +1,9 @@
 """Small models in many formats, for fuzzing: make_corpus.py FOLDER"""
 import base64
+import json
 import struct
 import sys
+import zlib
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "interop"))
@@ -47,6 +49,60 @@ def glb():
             '"VEC3","min":[0,0,0],"max":[1,1,1]},{"bufferView":1,"componentType":5123,"count":12,'
             '"type":"SCALAR"}],"bufferViews":[{"buffer":0,"byteLength":48},{"buffer":0,"byteOffset"'
             ':48,"byteLength":24}],"buffers":[{"byteLength":72}]}').encode()
+    text += b" " * (-len(text) % 4)
+    return (b"glTF" + struct.pack("<II", 2, 28 + len(text) + len(binary)) +
+            struct.pack("<I", len(text)) + b"JSON" + text + struct.pack("<I", len(binary)) +
+            b"BIN\0" + binary)
+
+
+def png(width, height):
+    """RGBA, each texel of its own colour."""
+    def part(kind, body):
+        return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
+    rows = b"".join(b"\0" + bytes((60 * x + 7 * y + c) % 256 for x in range(width) for c in range(4))
+                    for y in range(height))
+    return b"\x89PNG\r\n\x1a\n" + part(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 6, 0, 0, 0)) + \
+        part(b"IDAT", zlib.compress(rows)) + part(b"IEND", b"")
+
+
+# 16 x 16 and 4 x 2 texels, as in tests/core/io/test_decoded_image.cpp.
+JPEG = base64.b64decode(
+    "/9j/4AAQSkZJRgABAQAAAQABAAD/2wBDAAIBAQEBAQIBAQECAgICAgQDAgICAgUEBAMEBgUGBgYFBgYGBwkIBgcJBwYGCAsICQoKCgoKBggL"
+    "DAsKDAkKCgr/2wBDAQICAgICAgUDAwUKBwYHCgoKCgoKCgoKCgoKCgoKCgoKCgoKCgoKCgoKCgoKCgoKCgoKCgoKCgoKCgoKCgoKCgoKCgr/"
+    "wAARCAAQABADAREAAhEBAxEB/8QAFQABAQAAAAAAAAAAAAAAAAAABwj/xAAUEAEAAAAAAAAAAAAAAAAAAAAA/8QAFQEBAQAAAAAAAAAAAAAA"
+    "AAAACQf/xAAUEQEAAAAAAAAAAAAAAAAAAAAA/9oADAMBAAIRAxEAPwCX0TKABzWCLPAUy6Ac1gi3/9k=")
+WEBP = base64.b64decode(
+    "UklGRkoAAABXRUJQVlA4TD4AAAAvA0AAED9AmG20g7jv/C2nQSZtk38e6t/lCLJtdpHdn3IEkzR1+djlBQiRsUP695maQSBAxmKUOFAjov+BDQ==")
+
+
+def textured_glb():
+    """A tetrahedron with texture coordinates, colours and an image of each kind."""
+    parts = [struct.pack("<12f", *sum(V, ())), struct.pack("<8f", 0, 0, 1, 0, 0, 1, 1, 1),
+             struct.pack("<12H", *sum(F, ())), png(4, 3), JPEG, WEBP]
+    views, binary = [], b""
+    for part in parts:
+        views.append({"buffer": 0, "byteOffset": len(binary), "byteLength": len(part)})
+        binary += part + b"\0" * (-len(part) % 4)
+    def texture(i):
+        return {"index": i, "extensions": {"KHR_texture_transform": {"scale": [2, 3], "rotation": 0.5}}}
+    text = json.dumps({
+        "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+        "extensionsUsed": ["KHR_texture_transform", "EXT_texture_webp"],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1, "COLOR_0": 0},
+                                    "indices": 2, "material": 0}]}],
+        "materials": [{"alphaMode": "MASK", "emissiveTexture": texture(2), "emissiveFactor": [1, 1, 1],
+                       "normalTexture": texture(1),
+                       "pbrMetallicRoughness": {"baseColorTexture": texture(0)}}],
+        "textures": [{"source": 0, "sampler": 0}, {"source": 1},
+                     {"extensions": {"EXT_texture_webp": {"source": 2}}}],
+        "samplers": [{"wrapS": 33071, "wrapT": 33648}],
+        "images": [{"bufferView": 3, "mimeType": "image/png"}, {"bufferView": 4, "mimeType": "image/jpeg"},
+                   {"bufferView": 5, "mimeType": "image/webp"}],
+        "accessors": [{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3",
+                       "min": [0, 0, 0], "max": [1, 1, 1]},
+                      {"bufferView": 1, "componentType": 5126, "count": 4, "type": "VEC2"},
+                      {"bufferView": 2, "componentType": 5123, "count": 12, "type": "SCALAR"}],
+        "bufferViews": views, "buffers": [{"byteLength": len(binary)}]}).encode()
     text += b" " * (-len(text) % 4)
     return (b"glTF" + struct.pack("<II", 2, 28 + len(text) + len(binary)) +
             struct.pack("<I", len(text)) + b"JSON" + text + struct.pack("<I", len(binary)) +
@@ -107,7 +163,7 @@ def main():
     folder = Path(sys.argv[1])
     folder.mkdir(parents=True, exist_ok=True)
     made = {"t.obj": obj(), "ascii.ply": ply(False), "binary.ply": ply(True), "ascii.stl": stl(False),
-            "binary.stl": stl(True), "t.glb": glb(), "t.3ds": three_ds(), "t.fbx": fbx(),
+            "binary.stl": stl(True), "t.glb": glb(), "textured.glb": textured_glb(), "t.3ds": three_ds(), "t.fbx": fbx(),
             "t.off": off(), "t.x3d": x3d()}
     for name, content in made.items():
         (folder / name).write_bytes(content if isinstance(content, bytes) else content.encode())

@@ -145,7 +145,8 @@ SharedBytes bytes_of_image(const Model& model, size_t image) {
 
 std::string name_of_image(const Model& model, size_t image) {
   const GltfJson& json = member(model.appearance->document->json, "images");
-  return image < json.size() ? printable_name(name_of(json[image])) : "";
+  const std::string name = image < json.size() ? printable_name(name_of(json[image])) : "";
+  return name.empty() ? "number " + std::to_string(image) : name;
 }
 
 std::shared_ptr<const TextureImage> decoded(const SharedBytes& bytes, bool srgb) {
