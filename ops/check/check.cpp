@@ -86,18 +86,12 @@ std::vector<std::vector<Support>> crossed_by(const std::vector<PlacedObject>& ob
   return out;
 }
 
-// Where it lies: by perfect friction, or held by forces at that of the materials.
-bool rests_by_either(const Object& object, const Neighbourhood& others, const RestRules& rules) {
-  return rests_at(object, object.pose, others, {rules.clearance}) ||
-         (!rules.perfect_friction && rests_at(object, object.pose, others, rules));
-}
-
-void add_rest_findings(const PlacedObject& o, const Neighbourhood& others, double clearance,
+void add_rest_findings(const PlacedObject& o, const Neighbourhood& others, const RestRules& rules,
                        SceneCheck& check) {
-  const auto contacts = touching(body_of(o.object()), others, clearance);
+  const auto contacts = touching(body_of(o.object()), others, rules.clearance);
   for (const ContactsWith& c : contacts)
     for (const ContactPoint& p : c.points) check.smallest_gap = std::min(check.smallest_gap, p.gap);
-  if (!o.object().fixed && !rests_by_either(o.object(), others, {clearance, false}))
+  if (!o.object().fixed && !rests_at(o.object(), o.object().pose, others, rules))
     check.not_at_rest.push_back(o.object().name);
 }
 
@@ -120,13 +114,14 @@ bool SceneCheck::ok() const {
   return crossings.empty() && float32_crossings.empty() && contained.empty() && not_at_rest.empty();
 }
 
-SceneCheck check_scene(const Scene& scene, int num_threads, double clearance) {
+SceneCheck check_scene(const Scene& scene, int num_threads, double clearance,
+                       const SettleOptions& settled_by) {
   const tbb::global_control threads(
       tbb::global_control::max_allowed_parallelism,
       num_threads > 0
           ? num_threads
           : tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
-  clearance = believable_clearance(scene, clearance);
+  const RestRules rules = rest_rules(settled_by, believable_clearance(scene, clearance));
   const std::vector<PlacedObject> objects = placed_objects(scene);
   std::vector<PairToCheck> pairs = near_pairs(scene, objects);
   in_parallel(pairs.size(), [&](size_t i) {
@@ -139,7 +134,7 @@ SceneCheck check_scene(const Scene& scene, int num_threads, double clearance) {
     if (scene.floor) add_floor_findings(objects[i], check);
     Neighbourhood holders(scene, objects[i].id);
     holders.leave_out(crossed[i]);
-    add_rest_findings(objects[i], holders, clearance, check);
+    add_rest_findings(objects[i], holders, rules, check);
   }
   for (const PairToCheck& p : pairs)
     add_pair_findings(objects[p.a].object().name, objects[p.b].object().name, p.verdict, check);
@@ -155,9 +150,7 @@ ObjectState state_as_it_lies(const Scene& scene, ObjectId id, const Neighbourhoo
   const ObjectState was = object.state;
   if (was == ObjectState::Invalid && refuse_interpenetration(scene, id, object.pose, true))
     return was;
-  if (was == ObjectState::Unsupported ? rests_at(object, object.pose, others, rules)
-                                      : rests_by_either(object, others, rules))
-    return ObjectState::Stable;
+  if (rests_at(object, object.pose, others, rules)) return ObjectState::Stable;
   if (was == ObjectState::Held || was == ObjectState::Invalid) return ObjectState::Held;
   return was == ObjectState::Unsupported ? was : ObjectState::Wedged;
 }

@@ -25,7 +25,10 @@ struct SceneCheck {
 };
 
 /// @param num_threads  0: all cores. The result does not depend on it.
-SceneCheck check_scene(const Scene& scene, int num_threads = 0, double clearance = 0);
+/// @param settled_by  the rules by which the scene was settled: they say what counts as rest; its
+///   clearance is not used.
+SceneCheck check_scene(const Scene& scene, int num_threads = 0, double clearance = 0,
+                       const SettleOptions& settled_by = {});
 
 /// Fills links, state, margin and least friction of every placed object from the poses.
 /// @param clearance  metres; 0: default_clearance() of the scene.

@@ -166,6 +166,7 @@ OperationResult apply(Transaction& transaction, const MaterialOperation& o, Oper
   const ObjectId id = id_of(transaction, o.object);
   transaction.edit(id, [&](Object& object) { object.material = o.material; });
   OperationResult result = done();
+  // No rest depends on it by these rules; what others have judged stays.
   if (!has_finite_friction(run.options)) return result;
   const RestRules rules = rest_rules(run.options, clearance_of(scene, run.options));
   std::vector<ObjectId> touched{id};

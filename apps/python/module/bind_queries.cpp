@@ -140,7 +140,7 @@ py::dict check(SharedScene& shared, std::optional<double> friction, int num_thre
   options.clearance = clearance;
   const auto [found, verdict] = without_gil([&] {
     update_contacts(scene, clearance, settle);
-    return std::pair(check_scene(scene, num_threads, clearance), stability(scene, options));
+    return std::pair(check_scene(scene, num_threads, clearance, settle), stability(scene, options));
   });
   py::dict out("passed"_a = found.ok(), "crossings"_a = findings(found.crossings),
                "float32_crossings"_a = findings(found.float32_crossings),

@@ -102,7 +102,7 @@ void finish_run(const RunOptions& options, LayoutRun& run) {
   run.settle = options.settle;
   report_progress(options, "check", "", 0, 1);
   update_contacts(run.scene, options.settle.clearance, options.settle);
-  run.check = check_scene(run.scene, options.num_threads, options.settle.clearance);
+  run.check = check_scene(run.scene, options.num_threads, options.settle.clearance, options.settle);
   StabilityOptions stability_options = options.stability;
   stability_options.clearance = options.settle.clearance;
   run.stability = stability(run.scene, stability_options);

@@ -40,7 +40,7 @@ TEST(Figure17, PushesSpoonAlongSaucer) {
     result = perform(let_go.scene, push_to(to, true), test::figure_options());
     ASSERT_TRUE(result.ok()) << result.reason();
     EXPECT_EQ(let_go.at("spoon").state, ObjectState::Stable);
-    EXPECT_TRUE(check_scene(let_go.scene, 1, kFigureClearance).ok());
+    EXPECT_TRUE(check_scene(let_go.scene, 1, kFigureClearance, test::figure_options()).ok());
   }
   EXPECT_GT(highest - lowest, 0.002);  // it has gone up and down
 }

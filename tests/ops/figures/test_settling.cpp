@@ -29,7 +29,7 @@ OperationResult put_down(Stage& s, Object object, const Pose& start,
   OperationResult result = trivet::put(s.scene, id, start, figure_options(literal_paper_rules));
   EXPECT_TRUE(result.ok()) << result.reason();
   EXPECT_EQ(s.at(name).state, ObjectState::Stable);
-  EXPECT_TRUE(check_scene(s.scene, 1, kFigureClearance).ok());
+  EXPECT_TRUE(check_scene(s.scene, 1, kFigureClearance, figure_options()).ok());
   test::expect_true_steps(s.scene, name, start, result.steps);
   return result;
 }

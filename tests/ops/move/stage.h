@@ -100,7 +100,7 @@ class Stage {
 
  private:
   void check(const OperationResult& result) const {
-    const SceneCheck found = check_scene(scene, 1);
+    const SceneCheck found = check_scene(scene, 1, 0, options);
     if (result.interpenetrates.empty()) {
       EXPECT_EQ(found.interpenetrating_pairs(), 0);
       EXPECT_TRUE(found.float32_crossings.empty() && found.contained.empty());
@@ -113,15 +113,13 @@ class Stage {
       if (o.state == ObjectState::Stable) {
         EXPECT_TRUE(rests) << o.name;
       }
-      // check_scene() lets perfect friction hold, too.
-      if (!has_finite_friction(options) &&
-          (o.state == ObjectState::Unsupported || o.state == ObjectState::Held)) {
+      if (o.state == ObjectState::Unsupported || o.state == ObjectState::Held) {
         EXPECT_FALSE(rests) << o.name;
       }
     }
     if (!result.interpenetrates.empty()) return;
     Scene anew = scene;
-    update_contacts(anew);
+    update_contacts(anew, 0, options);
     EXPECT_EQ(loads_text(scene), loads_text(anew));
   }
 };

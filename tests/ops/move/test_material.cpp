@@ -28,7 +28,13 @@ TEST(Material, IsRatedAgainWhereItLies) {
   // That of its support counts as well.
   EXPECT_EQ(s.run(MaterialOperation{"slope", {"", 0.3}}).unsupported,
             std::vector<std::string>{"block"});
+  // By perfect friction no rest depends on a material: what finite friction has judged stays.
+  const OperationResult other =
+      perform(s.scene, MaterialOperation{"slope", {"", 0.4}}, test::perfect_friction());
+  EXPECT_TRUE(other.ok() && other.unsupported.empty());
+  EXPECT_EQ(s.at("block").state, ObjectState::Unsupported);
   s.run(MaterialOperation{"slope", {"", 0.5}});
+  EXPECT_EQ(s.at("block").state, ObjectState::Stable);
   s.options.perfect_friction = true;
   EXPECT_TRUE(s.run(MaterialOperation{"slope", {"", 0.1}}).unsupported.empty());
 }

@@ -202,7 +202,7 @@ OperationResult checked_put(Scene& scene, ObjectId id, const Pose& start,
   }
   EXPECT_TRUE(result.reason().empty());
   expect_consistent(scene, id, clearance, result);
-  const SceneCheck check = check_scene(scene, 1, clearance);
+  const SceneCheck check = check_scene(scene, 1, clearance, options);
   EXPECT_TRUE(check.crossings.empty());
   EXPECT_TRUE(check.float32_crossings.empty());
   EXPECT_TRUE(check.contained.empty());

@@ -161,7 +161,7 @@ TEST(PutStack, StacksTwelveBoxes) {
     EXPECT_NEAR(scene.at(boxes[i]).pose.translation.z(), 0.1 * i + 0.05, 1e-4);
     EXPECT_EQ(scene.at(boxes[i]).contacts[0].contact.type, ContactType::Area);
   }
-  EXPECT_TRUE(check_scene(scene).ok());
+  EXPECT_TRUE(check_scene(scene, 0, 0, test::perfect_friction()).ok());
   const LoadSupport list = load_support(scene);
   ASSERT_EQ(list.entries.size(), boxes.size());
   for (size_t i = 0; i < boxes.size(); ++i) {
@@ -212,7 +212,7 @@ TEST(PutHeap, HandlesMixedShapes) {
 
 TEST(PutHeap, KeepsEveryBoxAtRestUnderLoads) {
   const Scene scene = heap(20, true);
-  for (const std::string& name : check_scene(scene).not_at_rest)
+  for (const std::string& name : check_scene(scene, 0, 0, test::perfect_friction()).not_at_rest)
     ADD_FAILURE() << name << " is not at rest";
 }
 
@@ -446,10 +446,10 @@ TEST(CheckScene, IsTheSameWithAnyNumberOfThreads) {
   };
   lift(3, 0.02);  // into something, perhaps
   lift(9, -0.02);
-  const SceneCheck one = check_scene(scene, 1);
+  const SceneCheck one = check_scene(scene, 1, 0, test::perfect_friction());
   EXPECT_FALSE(one.ok());
   for (const int threads : {0, 2, 8}) {
-    const SceneCheck many = check_scene(scene, threads);
+    const SceneCheck many = check_scene(scene, threads, 0, test::perfect_friction());
     EXPECT_EQ(many.not_at_rest, one.not_at_rest);
     EXPECT_EQ(many.smallest_gap, one.smallest_gap);
     ASSERT_EQ(many.crossings.size(), one.crossings.size());

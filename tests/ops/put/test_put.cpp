@@ -104,6 +104,24 @@ TEST(Put, HangsHookOnBar) {
 TEST(Put, LandsOnBall) { expect_all_ok(test::onto_ball, 96); }
 TEST(Put, LandsOnSlope) { expect_all_ok(test::onto_slope, 96); }
 
+// The default rules: friction of the materials, the whole at rest. Steep slopes and balls let
+// things go on; in few arrangements they are wedged.
+TEST(PutWithFriction, KeepsInvariants) {
+  const SettleOptions options;
+  int num = 0, num_ok = 0;
+  for (const test::MakeArrangement make :
+       {test::on_floor, test::stick_on_saucer, test::into_bowl, test::torus_over_peg,
+        test::on_two_heights, test::against_wall, test::into_wedge, test::hook_on_bar,
+        test::onto_ball, test::onto_slope})
+    for (int i = 0; i < test::with_effort(12); ++i, ++num) {
+      Arrangement a = make(i);
+      SCOPED_TRACE(a.name + " " + std::to_string(i));
+      num_ok += test::put_twice(a, options).ok();
+    }
+  std::printf("%d of %d ok\n", num_ok, num);
+  EXPECT_GE(num_ok, 0.95 * num);
+}
+
 // It leans on three points of a cone, its centre 4.3e-5 outside the support polygon; the next
 // contact is 32 clearances away, and the turn that closes this gap lowers the centre by only 0.053
 // clearances.

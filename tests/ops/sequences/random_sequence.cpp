@@ -237,6 +237,7 @@ class Sequence {
         m_session(start_scene(m_random, kind, kind == ModelKind::Real ? 6 : 7), {}, {}),
         m_options(options),
         m_start(m_session.scene()) {
+    m_settle = options.settle;
     m_settle.clearance = kSequenceClearance;
     m_states.push_back(fingerprint(m_session.scene()));
   }
@@ -292,7 +293,7 @@ class Sequence {
   Session m_session;
   const SequenceOptions& m_options;
   const Scene m_start;
-  SettleOptions m_settle = perfect_friction();  // others are those of tests/ops/friction
+  SettleOptions m_settle;
   RunContext m_context;
   std::vector<std::uint64_t> m_states;
   Outcome m_outcome;

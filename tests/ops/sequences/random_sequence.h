@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ops/session/session.h"
+#include "support/settle_options.h"
 
 namespace trivet::test {
 
@@ -21,7 +22,8 @@ struct Worker {
 };
 
 struct SequenceOptions {
-  std::vector<Worker> workers = {{}};  // take turns, one operation each
+  SettleOptions settle = perfect_friction();  // its clearance is kSequenceClearance
+  std::vector<Worker> workers = {{}};         // take turns, one operation each
   /// Called after every completed operation; null: no check. The sequence ends when it returns
   /// false.
   std::function<bool(const Scene&)> holds;

@@ -49,10 +49,10 @@ bool is_invalid(const Scene& scene, const std::string& name) {
 }
 
 // @return whether the scene is valid.
-bool expect_valid(const Scene& scene) {
+bool expect_valid(const Scene& scene, const SettleOptions& settle) {
   bool valid = true;
   std::set<std::string> crossing;
-  const SceneCheck check = check_scene(scene, 1, kSequenceClearance);
+  const SceneCheck check = check_scene(scene, 1, kSequenceClearance, settle);
   for (const auto* findings : {&check.crossings, &check.float32_crossings, &check.contained})
     for (const SceneCheck::PairFinding& f : *findings) {
       crossing.insert({f.a, f.b});
@@ -71,15 +71,16 @@ bool expect_valid(const Scene& scene) {
       valid = false;
     }
   Scene rebuilt = scene;
-  update_contacts(rebuilt, kSequenceClearance);
+  update_contacts(rebuilt, kSequenceClearance, settle);
   const bool same = named(scene) == named(rebuilt);
   EXPECT_TRUE(same) << "the load-support list is not the one that follows from the poses";
   return valid && same;
 }
 
-void run_all(ModelKind kind, int count) {
+void run_all(ModelKind kind, int count, const SettleOptions& settle = perfect_friction()) {
   SequenceOptions options;
-  options.holds = expect_valid;
+  options.settle = settle;
+  options.holds = [&](const Scene& scene) { return expect_valid(scene, settle); };
   options.tell = is_one_seed();
   int num_done = 0, num_all = 0;
   Hash all;
@@ -102,6 +103,16 @@ TEST(SequencesOfBuiltInModels, AreValidAndUndone) {
 TEST(SequencesOfRealModels, AreValidAndUndone) {
   TRIVET_NEEDS_DATA("models/contactdb_bowl.stl");
   run_all(ModelKind::Real, with_effort(20));
+}
+
+// The default rules: friction of the materials, the whole at rest.
+TEST(SequencesOfBuiltInModels, AreValidAndUndoneWithFriction) {
+  run_all(ModelKind::OfTheProject, with_effort(6), SettleOptions());
+}
+
+TEST(SequencesOfRealModels, AreValidAndUndoneWithFriction) {
+  TRIVET_NEEDS_DATA("models/contactdb_bowl.stl");
+  run_all(ModelKind::Real, with_effort(6), SettleOptions());
 }
 
 // --- the same on every backend -----------------------------------------------------------------
@@ -142,12 +153,14 @@ class Workers {
 };
 
 /// Expects the same scenes as with BVHs in one thread.
-void compare(ModelKind kind, int count) {
+void compare(ModelKind kind, int count, const SettleOptions& settle = perfect_friction()) {
   const std::vector<unsigned> seeds = chosen_seeds(count);
   std::vector<Outcome> expected;
   Hash all;
+  SequenceOptions plain;
+  plain.settle = settle;
   for (const unsigned seed : seeds) {
-    expected.push_back(run_sequence(seed, kind, {}));
+    expected.push_back(run_sequence(seed, kind, plain));
     all.add(expected.back().hash);
   }
   std::printf("%zu sequences, hash %s\n", seeds.size(), all.text().c_str());
@@ -160,7 +173,7 @@ void compare(ModelKind kind, int count) {
     double seconds = 0;
     for (size_t i = 0; i < seeds.size(); ++i) {
       SCOPED_TRACE("TRIVET_SEQUENCE=" + std::to_string(seeds[i]) + " on " + workers.name());
-      SequenceOptions options;
+      SequenceOptions options = plain;
       options.workers = workers.all();
       const Outcome outcome = run_sequence(seeds[i], kind, options);
       EXPECT_EQ(outcome.hash, expected[i].hash);
@@ -177,6 +190,11 @@ TEST(SequencesOfBuiltInModels, AreTheSameOnEveryBackendAndNumberOfThreads) {
 TEST(SequencesOfRealModels, AreTheSameOnEveryBackendAndNumberOfThreads) {
   TRIVET_NEEDS_DATA("models/contactdb_bowl.stl");
   compare(ModelKind::Real, with_effort(2));
+}
+
+TEST(SequencesOfRealModels, AreTheSameOnEveryBackendWithFriction) {
+  TRIVET_NEEDS_DATA("models/contactdb_bowl.stl");
+  compare(ModelKind::Real, with_effort(1), SettleOptions());
 }
 
 }  // namespace
