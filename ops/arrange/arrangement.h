@@ -64,7 +64,7 @@ struct Relation {
   std::optional<int> level;  // On: the support surface, from below; negative: from above; nullopt:
                              // any
   double lower = 0, upper = kInfinity;  // metres, of the gap
-  double overlap = 0.5;                 // of the narrower of both
+  double overlap = 0.5;                 // of the narrower of both; Against: of a's side
   Side side = Side::Back;
   bool along_x = true, along_y = true;  // of Centred: b's right, b's back
   Vec2 offset = Vec2::Zero();

@@ -37,10 +37,17 @@ double outside(double value, double lower, double upper) {
   return std::max({0.0, lower - value, value - upper});
 }
 
+// Metres along which they are beside each other: of the narrower one, or of the side that is
+// against something.
+double wanted_overlap(const Relation& r, const Outline& a, const Outline& b, const Vec2& across) {
+  const double width = a.width(across);
+  return r.overlap * (r.kind == RelationKind::Against ? width : std::min(width, b.width(across)));
+}
+
 double beside_cost(const Relation& r, const Outline& a, const Outline& b) {
   const Vec2 d = direction_of(r, a, b), across = quarter_turned(d);
   const double gap = -extent(a.hull, -d) - extent(b.hull, d);
-  const double wanted = r.overlap * std::min(a.width(across), b.width(across));
+  const double wanted = wanted_overlap(r, a, b, across);
   const double overlap = std::min(extent(a.hull, across), extent(b.hull, across)) +
                          std::min(extent(a.hull, -across), extent(b.hull, -across));
   return std::max(outside(gap, r.lower, r.upper), std::max(0.0, wanted - overlap)) / r.tolerance;
@@ -120,7 +127,10 @@ std::vector<HalfPlane> beside_planes(const Relation& r, const Outline& moving, c
   std::vector<HalfPlane> out;
   add_interval(d, sign, -extent(a.hull, -d) - extent(b.hull, d), r.lower - slack, r.upper + slack,
                out);
-  const double wanted = r.overlap * std::min(a.width(across), b.width(across)) - slack;
+  const double wanted = wanted_overlap(r, a, b, across) - slack;
+  // Nowhere, where either is too narrow for that.
+  const double room = std::min(a.width(across), b.width(across));
+  if (wanted > room) out.push_back({Vec2::Zero(), room - wanted});
   // The end of a beyond b's beginning, and the beginning of a before b's end.
   add_interval(across, sign, extent(a.hull, across) + extent(b.hull, -across), wanted, kInfinity,
                out);
