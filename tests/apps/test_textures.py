@@ -2,11 +2,13 @@
 import json
 import os
 import struct
+import subprocess
+import sys
 import unittest
 import zlib
 
 from label_files import read_png
-from program import SLAB, Case, main, put
+from program import SLAB, SOURCE_DIR, Case, main, put
 
 SIZE = ("--width", 96, "--height", 72, "--samples", 8, "--renderer", "path")
 
@@ -127,6 +129,14 @@ class Textures(Case):
             self.assertIn("left out: the texture", out)
             self.trivet("render", "models/box.obj", "-o", "p.png", *SIZE)
             self.assertEqual(self.colours("p.png"), (0, 0))
+
+    def test_the_scene_of_the_readme(self):
+        subprocess.run([sys.executable, os.path.join(SOURCE_DIR, "apps", "textured_scene.py"), self.folder],
+                       check=True, timeout=300)
+        self.trivet("run", "layout.json", "-o", "s.glb")
+        out, _ = self.trivet("info", "globe.obj")
+        self.assertIn("closed      yes, oriented yes", out)
+        self.assertIn("512 x 512 texels", out)
 
     def test_models_without_colours_differ(self):
         pictures = set()

@@ -1,9 +1,10 @@
-#include <jpeglib.h>
-
+// jpeglib.h needs both, and jerror.h needs it.
 #include <cstddef>
 #include <cstdio>
-// After it, as it is no header of its own.
+// clang-format off
+#include <jpeglib.h>
 #include <jerror.h>
+// clang-format on
 
 #include "core/base/bad_input.h"
 #include "core/io/textures/decoded_image.h"

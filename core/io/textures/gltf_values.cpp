@@ -62,7 +62,8 @@ Items items_of(const GltfDocument& document, const GltfJson& id) {
   out.num_components = components_of_type(member(accessor, "type"));
   out.normalised = member(accessor, "normalized") == true;
   out.count = index_from(member(accessor, "count"));
-  const size_t item = static_cast<size_t>(bytes_of_component(out.component) * out.num_components);
+  const size_t item = static_cast<size_t>(bytes_of_component(out.component)) *
+                      static_cast<size_t>(out.num_components);
   out.stride = index_or_zero(member(view, "byteStride"));
   if (out.stride == 0) out.stride = item;
   const size_t begin = index_or_zero(member(view, "byteOffset"));
