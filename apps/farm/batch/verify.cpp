@@ -67,6 +67,7 @@ Verification verify_batch(const std::string& out, const VerifyOptions& options) 
       result.findings.push_back(finding);
   if (sample.empty() || !result.findings.empty()) return result;
   std::vector<std::uint64_t> ks;
+  ks.reserve(sample.size());
   for (const auto& [k, unused] : sample) ks.push_back(k);
   const Work work = work_of(prepared, run, options.import, out, true);
   result.stopped =

@@ -199,6 +199,7 @@ void Pool::read_news() {
 std::vector<DoneScene> Pool::wait(int other, int timeout_ms) {
   if (m_ready) hand_out();
   std::vector<pollfd> waiting;
+  waiting.reserve(m_workers.size() + 2);
   for (const Worker& worker : m_workers) waiting.push_back({worker.socket.number(), POLLIN, 0});
   waiting.push_back({m_zygote.control.number(), POLLIN, 0});
   if (other >= 0) waiting.push_back({other, POLLIN, 0});

@@ -49,6 +49,7 @@ TEST(RecipeScene, IsAFunctionOfRecipeKeyAndNumber) {
   const Recipe recipe = mixed_recipe();
   const SceneSource source{recipe, models(), {1, 2}}, other{recipe, models(), {1, 3}};
   std::vector<std::string> first;
+  first.reserve(6);
   for (std::uint64_t k = 0; k < 6; ++k)
     first.push_back(json_line(scene_json(k, make_scene(source, k))));
   for (std::uint64_t k = 6; k-- > 0;)
