@@ -47,7 +47,7 @@ bool has_no_colour(const Material& material) {
 }
 
 std::string name_for_colour(const Model& model) {
-  const std::string stem = std::filesystem::path(model.path).stem().string();
+  std::string stem = std::filesystem::path(model.path).stem().string();
   if (!stem.empty()) return stem;
   const auto& v = model.mesh.vertices;
   return {reinterpret_cast<const char*>(v.data()), v.size() * sizeof(Vec3)};

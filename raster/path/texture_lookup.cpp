@@ -70,7 +70,7 @@ Vec4f looked_up(const TextureImage& image, const TextureUse& use, const Vec2f& p
                        : bilinear(image.levels.front(), use, from, image.srgb);
   const auto fine = static_cast<std::size_t>(level);
   const float share = level - float(fine);
-  const Vec4f out = bilinear(image.levels[fine], use, from, image.srgb);
+  Vec4f out = bilinear(image.levels[fine], use, from, image.srgb);
   if (share <= 0) return out;
   return (1 - share) * out + share * bilinear(image.levels[fine + 1], use, from, image.srgb);
 }
