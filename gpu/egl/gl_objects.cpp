@@ -178,6 +178,10 @@ GlBuffer make_buffer(GLenum target, const void* data, std::size_t bytes) {
   return buffer;
 }
 
+const void* buffer_offset(std::size_t bytes) {
+  return reinterpret_cast<const void*>(bytes);  // NOLINT(performance-no-int-to-ptr)
+}
+
 GlTexture make_texture_2d(GLenum internal_format, int width, int height) {
   GlTexture texture = GlTexture::create();
   glBindTexture(GL_TEXTURE_2D, texture.id());

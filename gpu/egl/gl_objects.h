@@ -112,6 +112,9 @@ void bind_texture(int unit, GLenum target, GLuint texture);
 /// Makes an immutable buffer.
 GlBuffer make_buffer(GLenum target, const void* data, std::size_t bytes);
 
+/// An offset within the buffer that is bound, as OpenGL takes it.
+const void* buffer_offset(std::size_t bytes);
+
 /// A texture of one level, read texel by texel (nearest, clamped); not initialised.
 GlTexture make_texture_2d(GLenum internal_format, int width, int height);
 

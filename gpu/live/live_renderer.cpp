@@ -42,11 +42,10 @@ PictureMesh box_mesh() {
 }
 
 void describe_overlay_vertices() {
-  const auto offset = [](std::size_t bytes) { return reinterpret_cast<const void*>(bytes); };
-  constexpr GLsizei stride = sizeof(OverlayVertex);
-  glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, stride, offset(0));
-  glVertexAttribPointer(1, 4, GL_FLOAT, GL_FALSE, stride, offset(16));
-  glVertexAttribPointer(2, 3, GL_FLOAT, GL_FALSE, stride, offset(32));
+  constexpr GLsizei kStride = sizeof(OverlayVertex);
+  glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, kStride, buffer_offset(0));
+  glVertexAttribPointer(1, 4, GL_FLOAT, GL_FALSE, kStride, buffer_offset(16));
+  glVertexAttribPointer(2, 3, GL_FLOAT, GL_FALSE, kStride, buffer_offset(32));
   for (GLuint location = 0; location < 3; ++location) glEnableVertexAttribArray(location);
 }
 static_assert(offsetof(OverlayVertex, colour) == 16 && offsetof(OverlayVertex, beside) == 32);

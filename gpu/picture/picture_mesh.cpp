@@ -131,29 +131,25 @@ std::vector<float> make_material_texels(const PictureMesh& mesh) {
   return texels;
 }
 
-// As OpenGL takes offsets within buffers.
-const void* as_pointer(std::size_t bytes) {
-  return reinterpret_cast<const void*>(bytes);  // NOLINT(performance-no-int-to-ptr)
-}
-
 void describe_corners() {
   constexpr GLsizei kStride = sizeof(Corner);
-  glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, kStride, as_pointer(offsetof(Corner, position)));
-  glVertexAttribPointer(1, 3, GL_SHORT, GL_TRUE, kStride, as_pointer(offsetof(Corner, normal)));
+  glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, kStride,
+                        buffer_offset(offsetof(Corner, position)));
+  glVertexAttribPointer(1, 3, GL_SHORT, GL_TRUE, kStride, buffer_offset(offsetof(Corner, normal)));
   glVertexAttribPointer(2, 3, GL_SHORT, GL_TRUE, kStride,
-                        as_pointer(offsetof(Corner, face_normal)));
-  glVertexAttribIPointer(3, 1, GL_UNSIGNED_INT, kStride, as_pointer(offsetof(Corner, material)));
+                        buffer_offset(offsetof(Corner, face_normal)));
+  glVertexAttribIPointer(3, 1, GL_UNSIGNED_INT, kStride, buffer_offset(offsetof(Corner, material)));
   for (GLuint location = 0; location < 4; ++location) glEnableVertexAttribArray(location);
 }
 
 void describe_details() {
   constexpr GLsizei kStride = sizeof(CornerDetail);
   glVertexAttribPointer(4, 4, GL_FLOAT, GL_FALSE, kStride,
-                        as_pointer(offsetof(CornerDetail, coordinates)));
+                        buffer_offset(offsetof(CornerDetail, coordinates)));
   glVertexAttribPointer(5, 4, GL_UNSIGNED_SHORT, GL_TRUE, kStride,
-                        as_pointer(offsetof(CornerDetail, colour)));
+                        buffer_offset(offsetof(CornerDetail, colour)));
   glVertexAttribPointer(6, 4, GL_SHORT, GL_TRUE, kStride,
-                        as_pointer(offsetof(CornerDetail, tangent)));
+                        buffer_offset(offsetof(CornerDetail, tangent)));
   for (GLuint location = 4; location < 7; ++location) glEnableVertexAttribArray(location);
 }
 
