@@ -39,10 +39,10 @@ bool asks_for_json(int argc, char** argv) {
 std::vector<Verb> add_verbs(CLI::App& app, CommonOptions& common) {
   std::vector<Verb> verbs;
   for (const auto add :
-       {add_info,    add_arrange,   add_run,      add_put,   add_push,  add_turn,
-        add_pick_up, add_translate, add_rotate,   add_fix,   add_unfix, add_material,
-        add_check,   add_export,    add_render,   add_zlist, add_demo,  add_session,
-        add_serve,   add_replay,    add_backends, add_batch, add_schema}) {
+       {add_info,      add_run,    add_put,      add_push,    add_turn,     add_pick_up,
+        add_translate, add_rotate, add_fix,      add_unfix,   add_material, add_check,
+        add_export,    add_render, add_zlist,    add_arrange, add_demo,     add_session,
+        add_serve,     add_replay, add_backends, add_batch,   add_schema}) {
     verbs.push_back(add(app, common));
     add_common_options(*verbs.back().app, common);
   }
