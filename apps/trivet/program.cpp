@@ -42,7 +42,7 @@ std::vector<Verb> add_verbs(CLI::App& app, CommonOptions& common) {
        {add_info,      add_run,    add_put,      add_push,    add_turn,     add_pick_up,
         add_translate, add_rotate, add_fix,      add_unfix,   add_material, add_check,
         add_export,    add_render, add_zlist,    add_arrange, add_demo,     add_session,
-        add_serve,     add_replay, add_backends, add_batch,   add_schema}) {
+        add_serve,     add_replay, add_backends, add_batch,   add_doctor,   add_schema}) {
     verbs.push_back(add(app, common));
     add_common_options(*verbs.back().app, common);
   }

@@ -35,6 +35,7 @@ Verb add_serve(CLI::App& app, const CommonOptions& common);
 Verb add_replay(CLI::App& app, const CommonOptions& common);
 Verb add_zlist(CLI::App& app, const CommonOptions& common);
 Verb add_backends(CLI::App& app, const CommonOptions& common);
+Verb add_doctor(CLI::App& app, const CommonOptions& common);
 Verb add_batch(CLI::App& app, const CommonOptions& common);
 Verb add_schema(CLI::App& app, const CommonOptions& common);
 

@@ -132,6 +132,8 @@ class Bytes(BatchCase):
         process = self.start("shot", "--jobs", "2", "--retries", "100", count=60)
         generator = random.Random(2)
         shot = 0
+        while process.poll() is None and not os.path.exists(self.path("shot/run.json")):
+            time.sleep(0.005)  # models are read: an importer, before its exec, is called "trivet", too
         while process.poll() is None:
             try:
                 with open("/proc/%d/task/%d/children" % (process.pid, process.pid)) as file:
@@ -149,7 +151,7 @@ class Bytes(BatchCase):
 
     def name_of(self, process):
         with open("/proc/%s/comm" % process) as file:
-            return file.read().strip()  # models are read by trivet-import
+            return file.read().strip()
 
     def test_formats_hold_the_same_scenes(self):
         self.batch("tar", "--with", "scene,report")

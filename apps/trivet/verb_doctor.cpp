@@ -1,0 +1,74 @@
+#include <iomanip>
+#include <iostream>
+
+#include "apps/farm/node/node_checks.h"
+#include "apps/trivet/verbs.h"
+#include "core/base/error.h"
+#include "ops/files/json/json_text.h"
+
+namespace trivet::apps {
+namespace {
+
+using farm::NodeCheck;
+
+constexpr int kLacking = 3;  // exit status: the environment
+
+struct DoctorArguments {
+  farm::NodeNeeds needs;
+  bool gpu = false;
+};
+
+// Without hardware, pictures are drawn by rays and detection is by BVHs: a note, unless asked for.
+NodeCheck check_graphics(bool needed) {
+  const std::string hardware = graphics_hardware_here();
+  if (hardware.empty())
+    return {"graphics", needed ? NodeCheck::Verdict::Lacking : NodeCheck::Verdict::Note,
+            "no graphics hardware: pictures are drawn by rays on the processor"};
+  try {
+    make_gpu_stage("auto", 1, [](const std::string&) {});
+  } catch (const Error& e) {
+    return {"graphics", needed ? NodeCheck::Verdict::Lacking : NodeCheck::Verdict::Note,
+            hardware + ": " + e.what()};
+  }
+  return {"graphics", NodeCheck::Verdict::Ok, hardware + ", OpenGL through EGL"};
+}
+
+int examine(const DoctorArguments& arguments, const CommonOptions& common) {
+  std::vector<NodeCheck> checks = farm::check_node(arguments.needs);
+  checks.push_back(check_graphics(arguments.gpu));
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  bool lacking = false;
+  for (const NodeCheck& check : checks) {
+    lacking = lacking || check.verdict == NodeCheck::Verdict::Lacking;
+    list.push_back(
+        {{"check", check.name}, {"verdict", to_string(check.verdict)}, {"text", check.text}});
+    if (!common.json)
+      std::cout << std::left << std::setw(9) << to_string(check.verdict) << std::setw(10)
+                << check.name << check.text << "\n";
+  }
+  if (common.json) std::cout << readable_json({{"ok", !lacking}, {"checks", list}}) << "\n";
+  return lacking ? kLacking : 0;
+}
+
+}  // namespace
+
+Verb add_doctor(CLI::App& app, const CommonOptions& common) {
+  CLI::App* const verb = app.add_subcommand(
+      "doctor",
+      "Tell what this machine lacks for batches: importer, memory, disk, files, clock, graphics. "
+      "Exit status 3 if anything that is needed is missing");
+  const auto arguments = std::make_shared<DoctorArguments>();
+  verb->add_option("--out", arguments->needs.out,
+                   "Folder that batches are written to: free space, hard links")
+      ->type_name("DIR");
+  verb->add_option("--memory-mb", arguments->needs.memory_mb, "Memory that is needed")
+      ->check(number_from(0, 1e9))
+      ->capture_default_str();
+  verb->add_option("--disk-mb", arguments->needs.disk_mb, "Free space that is needed in --out")
+      ->check(number_from(0, 1e12))
+      ->capture_default_str();
+  verb->add_flag("--gpu", arguments->gpu, "Graphics hardware is needed, too");
+  return {verb, [arguments, &common] { return examine(*arguments, common); }};
+}
+
+}  // namespace trivet::apps
