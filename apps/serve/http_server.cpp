@@ -7,6 +7,7 @@
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
 #include <filesystem>
+#include <optional>
 #include <set>
 
 #include "core/base/error.h"
@@ -81,6 +82,8 @@ struct HttpServer::State {
   void wait_for_signal();
   void drain();
   void end_if_drained();
+  /// Of a connection's destructor.
+  void connection_ended() noexcept;
 
   /// Answers a request; `done` is called on the thread of the connections.
   void dispatch(HttpRequest&& request, std::function<void(HttpResponse&&)> done);
@@ -114,6 +117,14 @@ void HttpServer::State::drain() {
   draining = true;
   for (const auto& stop : stop_accepting) stop();
   for (Connection* const connection : std::set(connections)) connection->drain();
+}
+
+void HttpServer::State::connection_ended() noexcept {
+  try {
+    end_if_drained();
+    for (const auto& accept : accept_more) accept();
+  } catch (const std::exception&) {  // without memory: the next one that ends tries again
+  }
 }
 
 void HttpServer::State::end_if_drained() {
@@ -154,8 +165,7 @@ class ClientConnection : public Connection,
   ~ClientConnection() override {
     m_server.connections.erase(this);
     --m_server.num_connections;
-    m_server.end_if_drained();
-    for (const auto& accept : m_server.accept_more) accept();
+    m_server.connection_ended();
   }
 
   void read() {
@@ -287,7 +297,7 @@ typename Protocol::endpoint listen_at(State& server, const typename Protocol::en
   must("bind");
   acceptor.listen(asio::socket_base::max_listen_connections, failed);
   must("listen");
-  const auto bound = acceptor.local_endpoint();
+  auto bound = acceptor.local_endpoint();
   std::make_shared<Listener<Protocol>>(server, std::move(acceptor))->start();
   return bound;
 }

@@ -200,9 +200,11 @@ class SlotSearch {
     const double x = begin(m_along, columns * (width + m_gap) - m_gap, m_pattern.align, 0);
     const double y =
         begin(m_across, used * (depth + m_gap) - m_gap, m_pattern.across, m_pattern.inset);
-    for (int i = 0; i < num; ++i)
-      add(m_members[i], x + (i % columns) * (width + m_gap) + 0.5 * (width - m_members[i].width),
-          y + (i / columns) * (depth + m_gap) + 0.5 * (depth - m_members[i].depth));
+    for (int i = 0; i < num; ++i) {
+      const int column = i % columns, row = i / columns;
+      add(m_members[i], x + column * (width + m_gap) + 0.5 * (width - m_members[i].width),
+          y + row * (depth + m_gap) + 0.5 * (depth - m_members[i].depth));
+    }
   }
 
   const World& m_world;

@@ -67,6 +67,7 @@ inline Triangles revolved(const std::vector<Vec2>& outline, int segments) {
   for (int i = 0; i < segments; ++i) {
     const double angle = 2 * M_PI * i / segments;
     std::vector<Vec3> ring;
+    ring.reserve(outline.size());
     for (const Vec2& p : outline)
       ring.emplace_back(p.x() * std::cos(angle), p.x() * std::sin(angle), p.y());
     for (Vec3& p : ring)
@@ -153,12 +154,11 @@ inline Triangles tetrahedron(double size) {
 
 /// A spoon's outline: a thin handle with a round, thicker end.
 inline Triangles stick(double length) {
-  const Triangles handle = rod({{-0.5 * length, 0, 0},
-                                {0.2 * length, 0, 0.02 * length},
-                                {0.35 * length, 0, 0},
-                                {0.5 * length, 0, 0.04 * length}},
-                               0.03 * length, 6);
-  return handle;
+  return rod({{-0.5 * length, 0, 0},
+              {0.2 * length, 0, 0.02 * length},
+              {0.35 * length, 0, 0},
+              {0.5 * length, 0, 0.04 * length}},
+             0.03 * length, 6);
 }
 
 /// An unplaced object. Coordinates are rounded to float32, as in files.
