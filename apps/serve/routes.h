@@ -13,7 +13,7 @@
 
 namespace trivet::serve {
 
-/// What clients may ask for. Outlives the routes.
+/// Starts and scenes that clients may ask for. Outlives the routes.
 struct ServedThings {
   std::vector<OpenedSession> starts;     // not changed: sessions are on copies
   std::unique_ptr<RecipeScenes> scenes;  // may be null

@@ -18,7 +18,7 @@ class RecipeScenes {
   RecipeScenes(const std::string& recipe, std::uint64_t seed, const ImportLimits& import,
                const std::string& version);
 
-  /// What a batch of this recipe and seed has of scene k, to the byte.
+  /// Scene k as a batch of this recipe and seed has it, to the byte.
   std::string json(std::uint64_t k) const;
   std::string glb(std::uint64_t k) const;
   /// A session on scene k, whose further models are read from the recipe's folder.

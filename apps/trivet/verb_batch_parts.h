@@ -1,4 +1,4 @@
-// What the verbs of batches share. Private to verb_batch*.cpp.
+// Options shared by the verbs of batches. Private to verb_batch*.cpp.
 #pragma once
 
 #include "apps/farm/workers/work.h"
@@ -9,7 +9,7 @@ namespace trivet::apps {
 /// --jobs, --scene-seconds, --scene-memory-mb, --retries, --recycle.
 void add_worker_options(CLI::App& verb, int& jobs, farm::WorkLimits& limits);
 
-/// What was asked for, else --threads, else the cores that this process may use.
+/// The number asked for, else --threads, else the cores that this process may use.
 int num_jobs(int asked, const CommonOptions& common);
 
 /// status, verify, merge and materialise.

@@ -12,7 +12,7 @@ namespace trivet {
 /// Texels of all textures of a scene together. The nearer it is, the smaller are further textures.
 inline constexpr std::size_t kMaxSceneTextureBytes = std::size_t{1} << 30;
 
-/// What a mesh may take beside those that have taken `used_bytes`: a quarter of the rest.
+/// Bytes that a mesh may take beside those that have taken `used_bytes`: a quarter of the rest.
 inline std::size_t texture_bytes_left(std::size_t used_bytes) {
   return std::min(kMaxTextureBytes,
                   (kMaxSceneTextureBytes - std::min(used_bytes, kMaxSceneTextureBytes)) / 4);
@@ -26,7 +26,7 @@ struct DrawnMesh : PictureMesh {
     materials = surface->materials;
     face_material = surface->face_material;
   }
-  /// Whether the look has more than materials.
+  /// True if the look has more than materials.
   bool has_details() const { return surface && !surface->finishes.empty(); }
 
   std::shared_ptr<const SurfaceLook> surface;

@@ -13,7 +13,7 @@ namespace {
 constexpr int kHues = 12;
 constexpr float kLightness[] = {0.60f, 0.67f, 0.74f};
 constexpr float kChroma[] = {0.04f, 0.06f};
-// What assimp takes for OBJ and OFF without materials, sRGB; an exact 0.6 in all is seldom meant.
+// Colour that assimp gives OBJ and OFF without materials, sRGB; an exact 0.6 is seldom meant.
 constexpr float kGreyOfNoColour = 0.6f;
 
 std::uint64_t hashed(std::string_view bytes) {

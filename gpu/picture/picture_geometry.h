@@ -27,7 +27,7 @@ class PictureGeometry {
   void draw(const GlProgram& program, const Which& which) const;
 
   bool has_textures() const;
-  /// Whether some surface gives light.
+  /// True if some surface gives light.
   bool emits() const;
 
   /// Corners of the objects' boxes, frame: all objects lie in their convex hull.

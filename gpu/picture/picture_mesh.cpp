@@ -27,7 +27,7 @@ void pack_normal(const Eigen::Vector3f& normal, std::int16_t (&out)[4]) {
   out[3] = 0;
 }
 
-/// What textured meshes have beside it.
+/// Data of textured meshes beside it.
 struct CornerDetail {
   float coordinates[4];     // of both sets
   std::uint16_t colour[4];  // x 65535

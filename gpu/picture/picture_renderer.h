@@ -72,7 +72,7 @@ class PictureRenderer {
   void measure_floor_light();
   void draw_shadow_maps(int view, const Lights& lights);
   void draw_surfaces(int view, const PictureTile& tile);
-  /// What all programs of geometry take for one view or light.
+  /// Values that all programs of geometry take for one view or light.
   struct GeometryView {
     const Eigen::Matrix4f& clip_from_frame;
     int view;

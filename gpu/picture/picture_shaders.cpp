@@ -216,7 +216,7 @@ void main() {
 }
 )";
 
-// What textures give, as SurfaceImages binds them: base colour, polish, normal, emission.
+// Values from textures, as SurfaceImages binds them: base colour, polish, normal, emission.
 const char* const kDetails = R"(
 uniform sampler2D base_image, polish_image, normal_image, emission_image;
 uniform ivec4 image_used, image_set;

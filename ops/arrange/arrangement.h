@@ -1,4 +1,4 @@
-// What is to be arranged, as data: things, relations between them, patterns. Metres, degrees.
+// Problems of arranging, as data: things, relations between them, patterns. Metres, degrees.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace trivet {
 
-/// How a thing may lie; see stable_poses.h.
+/// Poses that a thing may have; see stable_poses.h.
 struct PoseChoice {
   enum class Kind {
     Upright,     // the stable pose nearest to the model's own up

@@ -24,7 +24,7 @@ std::vector<Item> all_items(const World& world) {
   return out;
 }
 
-// What has to stand before: supports, then what relations refer to.
+// Things that have to stand before: supports, then those that relations refer to.
 std::vector<int> before(const World& world, const std::vector<Item>& items, const Item& item) {
   std::vector<int> out;
   if (item.pattern) out.push_back(item_of(world, items, item.pattern->on));

@@ -1,4 +1,4 @@
-// What is placed at once, in which order.
+// Groups of things that are placed at once, and their order.
 #pragma once
 
 #include <vector>

@@ -32,7 +32,7 @@ struct PlaceCandidate {
   double pixel = 0;
 };
 
-/// What counts as an obstacle.
+/// Objects that count as obstacles.
 enum class Obstacles {
   All,
   Immovable,  // all but the things to arrange

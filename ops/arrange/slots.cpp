@@ -140,7 +140,7 @@ class SlotSearch {
         {member.thing, {member.rotation, Vec3(at.x(), at.y(), m_start_z - member.outline.bottom)}});
   }
 
-  // Where something of this length begins in a room. @param inset  from the end it is aligned to.
+  // Start of something of this length in a room. @param inset  from the end it is aligned to.
   static double begin(const Room& room, double length, Pattern::Align align, double inset) {
     switch (align) {
       case Pattern::Align::Left:

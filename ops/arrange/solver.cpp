@@ -133,7 +133,7 @@ class Solver {
     if (m_items[item].pattern || m_no_more ||
         m_num_evictions >= m_world.arrangement().max_evictions)
       return false;
-    // What does not come to rest where there is room seldom does so elsewhere.
+    // A thing that does not come to rest where there is room seldom does so elsewhere.
     if (!m_refused.empty() && ++m_times_refused[item] > kMostTimesRefused) return false;
     return evict_blockers(item) || evict_references(item);
   }

@@ -19,7 +19,7 @@
 
 namespace trivet {
 
-/// What an arrangement is made with.
+/// Parts that an arrangement is made with.
 struct ArrangeSetting {
   SettleOptions settle;
   RunContext context;

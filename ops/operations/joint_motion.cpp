@@ -58,7 +58,7 @@ class JointMotion {
   }
 
  private:
-  // Where the bodies are after an attempt.
+  // Poses of the bodies after an attempt.
   struct Attempt {
     std::vector<Pose> poses;
     double gain = 0, predicted = 0;

@@ -21,7 +21,7 @@ struct PathTracer::Path {
   int num_bounces = 0, num_through = 0, num_absent = 0;
   float width = 0, spread = 0;     // of the cone around it: by now, per length
   Vec3f absorbed = Vec3f::Zero();  // inside, per length
-  // What the key light brings if nothing is in the way.
+  // Light of the key lamp if nothing is in the way.
   bool asks_key = false, asks_first = false;
   Vec3f key_from, key_direction, key_matt, key_bright;
   // Of this sample.

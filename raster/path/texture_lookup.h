@@ -6,7 +6,7 @@
 
 namespace trivet {
 
-/// Where a use of a texture looks.
+/// Coordinates at which a texture is looked up.
 Eigen::Vector2f texture_position(const TextureUse& use, const Eigen::Vector2f& coordinates);
 
 /// Red, green, blue and alpha at a position, linear if the image holds colours.
@@ -15,7 +15,7 @@ Eigen::Vector2f texture_position(const TextureUse& use, const Eigen::Vector2f& c
 Eigen::Vector4f looked_up(const TextureImage& image, const TextureUse& use,
                           const Eigen::Vector2f& position, float texels_across);
 
-/// What is seen of a face at one point.
+/// Surface of a face as seen at one point.
 struct FacePoint {
   std::size_t face;
   std::array<float, 3> weights;  // of the corners

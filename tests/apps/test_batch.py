@@ -114,7 +114,7 @@ class Bytes(BatchCase):
         self.assertGreater(unfinished, 2)
         self.batch("killed", count=60)
         self.assertEqual(self.hashes("killed"), self.hashes("one"))
-        # What they left is deleted by merge when it is old.
+        # Merge deletes what they left when it is old.
         old = self.write("killed/0000/.scenes-000000.tar.trivet-tmp.host.1", "half")
         os.utime(self.path(old), (1, 1))
         self.trivet("batch", "merge", "killed", "-o", "all.jsonl")

@@ -27,7 +27,7 @@ struct PreparedRecipe {
 /// @throws Error (BadInput).
 PreparedRecipe prepare_recipe(const std::string& text, const std::string& file,
                               const std::string& folder);
-/// That of a batch that is there, from its own store.
+/// The recipe of a batch that is there, with its models from the batch's own store.
 PreparedRecipe prepared_recipe(const BatchRun& run, const std::string& out);
 
 /// @param stored  models are read from `out`; else where the recipe has them.

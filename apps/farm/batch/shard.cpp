@@ -8,7 +8,8 @@
 namespace trivet::farm {
 namespace {
 
-/// How an engine tells its tasks which they are. Counts are of tasks; nullptr: it has none.
+/// Variables by which an engine tells its tasks which they are. Counts are of tasks; nullptr: it
+/// has none.
 struct Engine {
   const char* index;
   const char* first;   // variable with the least index

@@ -3,7 +3,7 @@
 namespace trivet::farm {
 namespace {
 
-/// What a scene has to be when it is made again.
+/// Bytes that a scene has to have when it is made again.
 struct Sampled {
   std::string json;
   std::map<std::string, Digest> more;

@@ -1,4 +1,4 @@
-// What a machine has and lacks for batches: for `trivet doctor`, before a farm's jobs start.
+// Checks of a machine before a farm's jobs start, for `trivet doctor`: memory, disk, importer, ...
 #pragma once
 
 #include <string>

@@ -20,7 +20,7 @@ struct RecipeModel {
 
 enum class RotationRule { Yaw, Any, Given };
 
-/// Where there is room on an object, or on one that is there of a group.
+/// Put where there is room on an object, or on one of a group that is there.
 struct PutOn {
   std::vector<std::string> on;  // objects, groups or "floor": one of them
   double keep = 0;              // distance to all but the support, metres
@@ -58,7 +58,7 @@ struct RecipeMove {
   Interval angle_deg;  // of turns about the contact's normal
 };
 
-/// What a scene must fulfil, beside the exact check: no interpenetration, all at rest.
+/// Conditions on a scene beside the exact check (no interpenetration, all at rest).
 struct Acceptance {
   int min_objects = 0;             // of the groups, in the scene
   bool stable = true;              // as a whole, see ops/stability
@@ -67,7 +67,7 @@ struct Acceptance {
   int attempts = 1;                // scenes drawn for one k until one is accepted
 };
 
-/// What happens when an object cannot be put.
+/// Consequence of an object that cannot be put.
 enum class OnRefusal {
   Keep,   // the scene goes on without it
   Retry,  // it is tried elsewhere, then left out

@@ -18,7 +18,7 @@ struct MadeScene {
   std::map<std::string, std::string> left_out;  // objects that are out of the scene, and why
 };
 
-/// What all scenes of a batch have in common. Refers to its parts, which outlive it.
+/// Parts that all scenes of a batch share. Refers to them; they outlive it.
 struct SceneSource {
   const Recipe& recipe;
   const LoadedModels& models;  // all that models_of(recipe) and their tessellations ask for

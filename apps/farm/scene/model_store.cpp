@@ -57,7 +57,8 @@ std::vector<std::string> uris_of_gltf(const fs::path& file) {
   return out;
 }
 
-// What follows the keyword, and its last word: names may have spaces, maps options before them.
+// Rest of the line after the keyword, and its last word: names may have spaces, maps options before
+// them.
 std::vector<std::string> names_after(const fs::path& file,
                                      bool (*is_keyword)(const std::string& word)) {
   std::ifstream in(file, std::ios::binary);

@@ -1,4 +1,4 @@
-// Where an object of a recipe is put: by the recipe's rule, in the scene as it is. Private.
+// Places of a recipe's objects, by its rules, in the scene as it is. Private.
 #pragma once
 
 #include <map>
@@ -36,7 +36,7 @@ struct PutResult {
 PutResult put_by(Scene& scene, const Placing& placing, const SettleOptions& settle,
                  const RunContext& context);
 
-/// What the rule puts objects on or in, for messages.
+/// Names of what the rule puts objects on or in, for messages.
 std::string support_names(const RecipeGroup& group);
 
 }  // namespace trivet::farm

@@ -26,7 +26,7 @@ class Pool {
 
   /// True when all models are read: before it no scene is made.
   bool ready() const { return m_ready; }
-  /// How many scenes are being made or wait for it.
+  /// Number of scenes that are being made or wait for it.
   size_t num_pending() const;
   void submit(std::uint64_t k) { m_waiting.push_back({k, 0}); }
   /// Waits until there are results, or something to be read from `other` (a descriptor), or the

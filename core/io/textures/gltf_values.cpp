@@ -43,7 +43,7 @@ T loaded(const char* at) {
   return value;
 }
 
-/// Where the items of an accessor are, within the buffer.
+/// Position of an accessor's items within the buffer.
 struct Items {
   const char* first;
   size_t count, stride;

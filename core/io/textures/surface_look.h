@@ -1,4 +1,4 @@
-// How the surface of a model looks beyond its materials: textures, vertex colours, transparency,
+// Look of a model's surface beyond its materials: textures, vertex colours, transparency,
 // light of its own. Start here; renderers take it, the importer checks it.
 #pragma once
 
@@ -30,7 +30,8 @@ enum class Transparency {
   Blend  // by alpha, which varies over the surface
 };
 
-/// What a material has beside the numbers of Material: colours of textures multiply those.
+/// Textures and modes of a material beside the numbers of Material: colours of textures multiply
+/// those.
 struct SurfaceFinish {
   TextureUse base_colour;          // sRGB and alpha
   TextureUse metallic_roughness;   // blue and green
@@ -78,7 +79,7 @@ struct ImageSummary {
 /// All images that come with a model. Decodes each of them.
 std::vector<ImageSummary> images_of(const Model& model);
 
-/// What surface_look() will leave out, a line each. Decodes every image once.
+/// Notes on what surface_look() will leave out, a line each. Decodes every image once.
 std::vector<std::string> undrawn_textures(const Model& model);
 
 }  // namespace trivet

@@ -1,4 +1,4 @@
-// What came of an arrangement, as JSON and as text.
+// Results of an arrangement as JSON and as text.
 #include <algorithm>
 #include <sstream>
 

@@ -9,7 +9,7 @@
 
 namespace trivet {
 
-/// What stands, by the layout, and what is to be arranged on it.
+/// A layout of what stands, and a problem to arrange on it.
 struct Problem {
   Layout layout;
   Arrangement arrangement;

@@ -36,7 +36,7 @@ ModelSource with_place(const Layout& layout, const ModelSource& models, const Ru
   };
 }
 
-// How far from its origin a model reaches, in units of its file.
+// Distance that a model reaches from its origin, in units of its file.
 double reach_of(const LoadedModel& loaded) {
   return loaded.shape->box.max_abs_coordinate() * std::sqrt(3.0);
 }

@@ -58,7 +58,7 @@ TEST(RecipeScene, IsAFunctionOfRecipeKeyAndNumber) {
   EXPECT_NE(first[0].substr(10), first[1].substr(10));
 }
 
-// What a scene was made by is a layout, which trivet run lays out by code of its own.
+// A scene is also made by its layout, which trivet run lays out by code of its own.
 TEST(RecipeScene, IsThatOfItsLayout) {
   const Recipe recipe = mixed_recipe();
   const SceneSource source{recipe, models(), {5, 6}};
@@ -80,7 +80,7 @@ TEST(RecipeScene, IsThatOfItsLayout) {
   EXPECT_GT(num_operations, 20u);
 }
 
-// What can only fall off: a rod let fall over the rim of a slab, far above it.
+// Falls off in any case: a rod let fall over the rim of a slab, far above it.
 TEST(RecipeScene, ObjectsStayInTheirContainer) {
   const Recipe recipe = recipe_of(R"("floor": true, "groups": [
     {"name": "in", "models": [{"model": "rod"}], "count": 3, "rotation": "any", "scale_range": 3,

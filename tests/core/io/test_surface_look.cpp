@@ -1,4 +1,4 @@
-// What renderers take of a model's look: texture coordinates, colours, materials and images, in the
+// Look of a model as renderers take it: texture coordinates, colours, materials and images, in the
 // order of its triangles.
 #include <cmath>
 #include <filesystem>

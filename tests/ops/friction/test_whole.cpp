@@ -229,7 +229,7 @@ TEST(Logs, CarryAThirdIfRoughEnough) {
   }
 }
 
-// What is one group gives way as one, or the operation is refused: the judgement of the whole knows
+// A group gives way as one, or the operation is refused: the judgement of the whole knows
 // no groups.
 TEST(Whole, KeepsGroupsTogether) {
   for (const double shift : {0.12, 0.15, 0.17}) {

@@ -1,6 +1,7 @@
 // Depth images of a motion contain exact rays, and their doubtful pixels the first contact.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -174,7 +175,8 @@ TEST(MotionDepths, ContainExactRaysAndTheFirstContact) {
   const test::MeshPool pool(kDepthSeed, 12);
   test::Random random(kDepthSeed);
   DepthCounts counts;
-  const int num = test::with_effort(1500);
+  constexpr int kFewest = 1500;  // of fewer, the share of doubtful pixels says little
+  const int num = std::max(kFewest, test::with_effort(kFewest));
   for (int i = 0; i < num; ++i) {
     test::RandomQuery q = i % 4 == 3 ? test::random_group_query(pool, kDepthSeed, i)
                                      : test::random_query(pool, kDepthSeed, i);
@@ -192,7 +194,7 @@ TEST(MotionDepths, ContainExactRaysAndTheFirstContact) {
   EXPECT_GT(counts.contacts, num / 5);
   EXPECT_GT(counts.with_upper, counts.contacts / 4);
   EXPECT_LT(counts.incomplete, num / 100);
-  EXPECT_LT(counts.doubtful, counts.pixels * 3 / 5);
+  EXPECT_LT(counts.doubtful, counts.pixels / 2);
   std::printf(
       "%d images, %d and %d depths of lines, %d contacts, %d with an upper bound, %lld of "
       "%lld pixels doubtful\n",
