@@ -33,6 +33,12 @@ bool is_member_name(const std::string& name, const std::string& group) {
                      [](unsigned char c) { return '0' <= c && c <= '9'; });
 }
 
+std::string first_members(const std::string& group) {
+  std::string text = group;
+  text.append("_0, ").append(group).append("_1, ...");
+  return text;
+}
+
 /// Names that objects can be put on or in, at some point of the recipe.
 class Known {
  public:
@@ -51,7 +57,7 @@ class Known {
       if (known == name || is_member_name(known, name) ||
           (m_groups.count(known) && is_member_name(name, known)))
         place.refuse("a name that neither an object or group has, nor this group's objects: " +
-                     name + "_0, " + name + "_1, ...");
+                     first_members(name));
     m_names.insert(name);
     m_groups.insert(name);
   }

@@ -25,6 +25,7 @@ const char* to_string(UnitFormat format);  // "tar", "dir", "poses"
 struct Member {
   std::string name, bytes;
 };
+// NOLINTNEXTLINE(bugprone-exception-escape): moving a Json asserts, it throws nothing.
 struct SceneMembers {
   Json scene;
   std::vector<Member> more;
