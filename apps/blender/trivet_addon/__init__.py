@@ -1,0 +1,41 @@
+"""Trivet in Blender: puts objects down so that they never interpenetrate and always lie at rest."""
+
+bl_info = {
+    "name": "Trivet",
+    "author": "The Trivet authors",
+    "version": (0, 0, 0),  # by make_zip.py
+    "blender": (3, 4, 0),
+    "location": "3D View > Sidebar > Trivet",
+    "description": "Lays objects out so that they never interpenetrate and always lie at rest",
+    "category": "Object",
+}
+
+
+def _parts():
+    from . import op_check, op_put, preferences, properties, ui
+
+    return (properties, preferences), (*op_put.CLASSES, *op_check.CLASSES), (ui,)
+
+
+def register() -> None:
+    import bpy
+
+    before, classes, after = _parts()
+    for module in before:
+        module.register()
+    for one in classes:
+        bpy.utils.register_class(one)
+    for module in after:
+        module.register()
+
+
+def unregister() -> None:
+    import bpy
+
+    before, classes, after = _parts()
+    for module in reversed(after):
+        module.unregister()
+    for one in reversed(classes):
+        bpy.utils.unregister_class(one)
+    for module in reversed(before):
+        module.unregister()

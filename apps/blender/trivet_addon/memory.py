@@ -1,0 +1,71 @@
+"""Memory: what the last operator told, for the panel. Not saved, not undone."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+
+from .layouts import Verdict
+
+
+@dataclass
+class Last:
+    """Names are those of Blender's objects."""
+
+    title: str = ""
+    done: list = field(default_factory=list)
+    refused: dict = field(default_factory=dict)  # name -> reason
+    in_the_way: list = field(default_factory=list)
+    verdict: Verdict = field(default_factory=Verdict)
+    failure: str = ""
+
+    @property
+    def lines(self) -> list:
+        return list(self.refused.values())
+
+    @property
+    def crossings(self) -> list:
+        return [*self.verdict.crossings, *self.verdict.contained]
+
+
+last = Last()
+statuses: dict = {}  # name -> (Status, where it was)
+running = ""  # the operator that shows its progress
+
+
+def status_of(owner):
+    """As it was when it was last judged; None if it is elsewhere by now."""
+    status, where = statuses.get(owner.name_full, (None, None))
+    return status if where == _where(owner) else None
+
+
+def _where(owner) -> tuple:
+    return tuple(map(tuple, owner.matrix_world))
+
+
+def _renamed(stage, verdict: Verdict) -> Verdict:
+    def names(values):
+        return tuple(stage.object_name(name) for name in values)
+
+    return replace(verdict, crossings=tuple(map(names, verdict.crossings)), contained=tuple(map(names, verdict.contained)),
+                   not_at_rest=names(verdict.not_at_rest), topples=names(verdict.topples))
+
+
+def remember(title: str, stage, report) -> None:
+    global last
+    refused = dict(stage.refused)
+    refused.update({stage.object_name(name): outcome for name, outcome in report.refused.items()})
+    names = {stage.object_name(name) for outcome in refused.values() for name in outcome.objects}
+    last = Last(title, [stage.object_name(name) for name in report.done],
+                {name: outcome.reason for name, outcome in refused.items()}, sorted(names - set(refused) - {"floor"}),
+                _renamed(stage, report.verdict))
+    for name, status in report.statuses.items():
+        if name in stage.reading.owners:
+            owner = stage.reading.owners[name]
+            told = replace(status, supports=tuple(map(stage.object_name, status.supports)),
+                           loads=tuple(map(stage.object_name, status.loads)))
+            statuses[owner.name_full] = (told, _where(owner))
+
+
+def remember_failure(text: str) -> None:
+    global last
+    last = Last(failure=text)

@@ -1,0 +1,93 @@
+"""Operator Check, and selections by what Trivet last told."""
+
+from __future__ import annotations
+
+import bpy
+
+from . import memory
+from .running import Working
+from .stage import Stage
+from .work import Check, Report
+
+
+def select(context, names) -> int:
+    """Selects these objects alone; the number that there are."""
+    wanted = set(names)
+    chosen = [one for one in context.view_layer.objects if one.name_full in wanted and one.visible_get()]
+    for one in context.view_layer.objects:
+        if one.select_get() and one not in chosen:
+            one.select_set(False)
+    for one in chosen:
+        one.select_set(True)
+    if chosen:
+        context.view_layer.objects.active = chosen[0]
+    return len(chosen)
+
+
+class TRIVET_OT_check(Working, bpy.types.Operator):
+    """Judges what Blender shows, exactly: what interpenetrates, which of the selected and free objects are at rest, and whether all stand as a whole"""
+
+    bl_idname = "trivet.check"
+    bl_label = "Check"
+    bl_options = {"REGISTER", "UNDO"}
+    moves = False
+
+    select: bpy.props.BoolProperty(name="Select", default=True, description="Select what interpenetrates or is not at rest")
+
+    @classmethod
+    def poll(cls, context) -> bool:
+        return context.mode == "OBJECT"
+
+    def work(self, stage: Stage) -> Check:
+        return Check(lambda: stage.choices.backend.judge(stage.bodies, stage.settings))
+
+    def summary(self, stage: Stage, report: Report) -> str:
+        verdict = memory.last.verdict
+        wrong = {*(name for pair in memory.last.crossings for name in pair), *verdict.not_at_rest, *verdict.topples}
+        if self.select and wrong:
+            select(stage.context, wrong)
+        if not wrong:
+            return f"Nothing interpenetrates, all is at rest; as a whole {verdict.stability}"
+        return (f"{len(memory.last.crossings)} pairs interpenetrate, {len(verdict.not_at_rest)} not at rest, "
+                f"{len(verdict.topples)} topple")
+
+    def result(self, report: Report):
+        return {"FINISHED"}
+
+
+class TRIVET_OT_select(bpy.types.Operator):
+    """Selects objects that the last operation or check told of"""
+
+    bl_idname = "trivet.select"
+    bl_label = "Select"
+    bl_options = {"REGISTER", "UNDO"}
+
+    what: bpy.props.EnumProperty(name="What", items=[
+        ("IN_THE_WAY", "In the way", "What refused objects would interpenetrate, touch or bring down"),
+        ("REFUSED", "Refused", "What could not be done"),
+        ("CROSSING", "Interpenetrating", "What interpenetrates"),
+        ("NOT_AT_REST", "Not at rest", "Free objects that nothing holds"),
+        ("TOPPLES", "Toppling", "What gives way as a whole"),
+        ("SUPPORTS", "Supports", "What carries the active object"),
+        ("LOADS", "Loads", "What lies on the active object")])
+
+    @classmethod
+    def poll(cls, context) -> bool:
+        return context.mode == "OBJECT"
+
+    def execute(self, context):
+        last = memory.last
+        status = memory.status_of(context.active_object) if context.active_object else None
+        names = {"IN_THE_WAY": last.in_the_way, "REFUSED": list(last.refused),
+                 "CROSSING": [name for pair in last.crossings for name in pair],
+                 "NOT_AT_REST": last.verdict.not_at_rest, "TOPPLES": last.verdict.topples,
+                 "SUPPORTS": status.supports if status else (), "LOADS": status.loads if status else ()}[self.what]
+        if self.what in {"SUPPORTS", "LOADS"} and status is None:
+            self.report({"WARNING"}, "Not known since the object moved; accepted: after Check")
+            return {"CANCELLED"}
+        number = select(context, names)
+        self.report({"INFO"}, f"{number} selected")
+        return {"FINISHED"}
+
+
+CLASSES = (TRIVET_OT_check, TRIVET_OT_select)

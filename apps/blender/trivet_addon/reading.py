@@ -1,0 +1,163 @@
+"""Reading: bodies from what Blender shows: evaluated meshes, modifiers, instances, parents, curves and text."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Iterable, Optional
+
+import bpy
+import numpy as np
+
+from .bodies import Body, fault_of, part_of
+from .layouts import safe_names
+from .properties import settings_of
+
+SURFACES = {"MESH", "CURVE", "SURFACE", "META", "FONT"}
+
+
+class TooLarge(Exception):
+    """More triangles than the preferences accept."""
+
+
+@dataclass
+class Reading:
+    """Bodies, the object of each that moves it, and objects that Trivet cannot take."""
+
+    movers: set  # objects
+    bodies: list
+    owners: dict  # name of the body -> object
+    faults: dict  # object -> why
+
+    def name_of(self, owner: bpy.types.Object) -> Optional[str]:
+        return next((name for name, one in self.owners.items() if one == owner), None)
+
+    def body(self, name: str) -> Body:
+        return next(body for body in self.bodies if body.name == name)
+
+
+def mesh_arrays(mesh: bpy.types.Mesh):
+    """(n, 3) float32 coordinates and (m, 3) corners of Blender's own triangles: what it draws."""
+    mesh.calc_loop_triangles()
+    coordinates = np.empty(3 * len(mesh.vertices), np.float32)
+    mesh.vertices.foreach_get("co", coordinates)
+    triangles = np.empty(3 * len(mesh.loop_triangles), np.int32)
+    mesh.loop_triangles.foreach_get("vertices", triangles)
+    return coordinates.reshape(-1, 3), triangles.reshape(-1, 3)
+
+
+def matrix_of(matrix) -> np.ndarray:
+    return np.array(matrix, np.float64)
+
+
+def ancestors(owner: bpy.types.Object):
+    """The object, its parent, and so on."""
+    while owner:
+        yield owner
+        owner = owner.parent
+
+
+def root_among(owner: bpy.types.Object, among: Iterable) -> Optional[bpy.types.Object]:
+    """The outermost of the object and its ancestors that is among these."""
+    return next((one for one in reversed(list(ancestors(owner))) if one in among), None)
+
+
+def _solid_root(owner: bpy.types.Object) -> bpy.types.Object:
+    """The outermost ancestor of obstacles that is a thing itself, and not an empty that only keeps order."""
+    solid = [one for one in ancestors(owner) if one.type in SURFACES or one.instance_type == "COLLECTION"]
+    return solid[-1] if solid else owner
+
+
+def _owner_of(owner: bpy.types.Object, movers: set) -> bpy.types.Object:
+    """The object by which this one moves: a mover, one marked as free, or that of an obstacle."""
+    top = root_among(owner, movers)
+    if top is not None:
+        return top
+    free = [one for one in ancestors(owner) if settings_of(one).role == "FREE"]
+    return free[-1] if free else _solid_root(owner)
+
+
+def _is_there(instance, shown: bpy.types.Object, movers: set, view) -> bool:
+    """Whether an instance of the depsgraph counts as a thing in the scene."""
+    if not instance.show_self or instance.object.type not in SURFACES:
+        return False
+    if not instance.is_instance and not (shown.visible_get(viewport=view) if view else shown.visible_get()):
+        return False
+    if root_among(shown, movers) is not None:
+        return True
+    return settings_of(shown).role != "IGNORED" and shown.display_type not in {"WIRE", "BOUNDS"}
+
+
+def _obstacle_filter(context, kind: str):
+    """Which objects may be in the way, beside those that move."""
+    if kind == "SELECTED":
+        return lambda one: one.select_get()
+    collection = context.scene.trivet.obstacles
+    if kind == "COLLECTION" and collection is not None:
+        names = {one.name_full for one in collection.all_objects}
+        return lambda one: any(up.name_full in names for up in ancestors(one))
+    return lambda one: True
+
+
+class _Meshes:
+    """Arrays of evaluated meshes; an instance's mesh is read once."""
+
+    def __init__(self) -> None:
+        self._read: dict = {}
+
+    def arrays(self, instance):
+        data = instance.object.data
+        key = (instance.object.original.name_full, instance.is_instance, data.as_pointer() if data else 0)
+        if key not in self._read:
+            mesh = instance.object.to_mesh()
+            self._read[key] = mesh_arrays(mesh) if mesh and len(mesh.polygons) else None
+            instance.object.to_mesh_clear()
+        return self._read[key]
+
+
+def read(context, movers: Iterable, *, only: Optional[Iterable] = None, obstacles: str = "VISIBLE",
+         most_faces: int = 0) -> Reading:
+    """What is there.
+
+    movers : objects that move as one with what is below them
+    only : of these owners alone, where given
+    most_faces : TooLarge is raised beyond; 0: any number
+    """
+    movers = set(movers)
+    wanted = None if only is None else set(only)
+    view = context.space_data if context.space_data and context.space_data.type == "VIEW_3D" else None
+    in_the_way = _obstacle_filter(context, obstacles)
+    parts: dict = {}
+    meshes, count = _Meshes(), 0
+    for instance in context.evaluated_depsgraph_get().object_instances:
+        shown = (instance.parent if instance.is_instance else instance.object).original
+        if not _is_there(instance, shown, movers, view):
+            continue
+        owner = _owner_of(shown, movers)
+        if (wanted is not None and owner not in wanted) or not (owner in movers or in_the_way(shown)):
+            continue
+        arrays = meshes.arrays(instance)
+        if arrays is None:
+            continue
+        count += len(arrays[1])
+        if most_faces and count > most_faces:
+            raise TooLarge(f"more than {most_faces / 1e6:g} million triangles; accepted: fewer, or a larger number in the "
+                           "preferences, or fewer obstacles")
+        parts.setdefault(owner, []).append(part_of(*arrays, matrix_of(instance.matrix_world)))
+    return _reading(parts, movers, movers if wanted is None else wanted & movers)
+
+
+def _reading(parts: dict, movers: set, expected: set) -> Reading:
+    owners = sorted({*parts, *expected}, key=lambda one: one.name_full)
+    names = safe_names([one.name_full for one in owners])
+    reading = Reading(movers, [], {}, {})
+    for owner in owners:
+        chosen = settings_of(owner)
+        body = Body(names[owner.name_full], parts.get(owner, []), matrix_of(owner.matrix_world),
+                    chosen.role != "FREE" and owner not in movers, chosen.friction, chosen.density)
+        fault = fault_of(body)
+        if fault is None:
+            reading.bodies.append(body)
+            reading.owners[body.name] = owner
+        elif owner in movers:
+            reading.faults[owner] = fault
+    return reading

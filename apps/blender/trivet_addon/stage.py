@@ -1,0 +1,145 @@
+"""The stage: a scene of Blender's as read, work done on it, and the result written, looked at and judged."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Callable, Iterable, Mapping, Sequence
+
+import numpy as np
+
+from .bodies import Body, usual_clearance
+from .layouts import Layout, Outcome, Settings
+from .reading import read, root_among
+from .work import Report
+from .writing import Writer, misplaced, probe, why_it_stays
+
+_MOST_ROUNDS = 20
+_PRECISIONS = 4.0  # what Blender's matrices are off, in a clearance
+_WIDER = 4.0
+_WIDEST = 2.0 ** -12  # of the smallest body that moves
+
+
+@dataclass(frozen=True)
+class Choices:
+    """What the preferences and the scene say."""
+
+    backend: object  # backends.Backend
+    settings: Settings
+    obstacles: str = "VISIBLE"
+    most_faces: int = 0
+
+
+class Stage:
+    """Objects that an operator moves, and what is around them.
+
+    `refused` has an Outcome for each of them that cannot be moved, by the object's name.
+    """
+
+    def __init__(self, context, objects: Iterable, choices: Choices, *, moves: bool = True) -> None:
+        self.context, self.choices = context, choices
+        objects = set(objects)
+        movers = {root_among(one, objects) for one in objects}
+        self.reading = read(context, movers, obstacles=choices.obstacles, most_faces=choices.most_faces)
+        self.refused: dict = {one.name_full: _because(one.name_full, why) for one, why in self.reading.faults.items()}
+        self._held: set = set()
+        precision = self._hold_what_stays(movers) if moves else 0.0
+        self.clearance = choices.settings.clearance or max(
+            usual_clearance([self.reading.body(name) for name in self.movers]), _PRECISIONS * precision,
+            context.scene.trivet.clearance)
+
+    def _hold_what_stays(self, movers: set) -> float:
+        """Returns metres by which Blender is off in what it can move."""
+        auto_key = self.context.scene.tool_settings.use_keyframe_insert_auto
+        for name, owner in self.reading.owners.items():
+            why = why_it_stays(owner, auto_key) if owner in movers or not self.reading.body(name).fixed else None
+            if why:
+                self.hold(name, why)
+        stuck, precision = probe(self.context, self.reading, self.movers)
+        for name, why in stuck.items():
+            self.hold(name, why)
+        return precision
+
+    @property
+    def movers(self) -> list:
+        """Names of bodies that the operator may move."""
+        return [name for name, owner in self.reading.owners.items()
+                if owner in self.reading.movers and name not in self._held]
+
+    @property
+    def bodies(self) -> list:
+        return [replace(body, fixed=True) if body.name in self._held else body for body in self.reading.bodies]
+
+    def hold(self, name: str, why: str) -> None:
+        """This one stays from now on."""
+        self._held.add(name)
+        owner = self.reading.owners[name]
+        if owner in self.reading.movers:
+            self.refused[owner.name_full] = _because(owner.name_full, why)
+
+    def widen(self) -> bool:
+        """A larger clearance from now on; false if that would be seen, or the user asked for one."""
+        sizes = [float(np.linalg.norm(np.ptp(self.reading.body(name).bounds(), axis=0))) for name in self.movers]
+        if self.choices.settings.clearance or not sizes or _WIDER * self.clearance > _WIDEST * min(sizes):
+            return False
+        self.clearance *= _WIDER
+        return True
+
+    def make(self, bodies: Sequence[Body], out: Sequence[str]) -> Layout:
+        """A layout of these; see `work.MakeLayout`."""
+        return self.choices.backend.layout(bodies, out, self.settings)
+
+    @property
+    def settings(self) -> Settings:
+        return replace(self.choices.settings, clearance=self.clearance)
+
+    def object_name(self, name: str) -> str:
+        return self.reading.owners[name].name_full if name in self.reading.owners else name
+
+
+def finish(stage: Stage, report: Report, again: Callable[[], Report]) -> Report:
+    """Writes the result and judges what Blender shows, by its own float32 matrices.
+
+    What Blender shows elsewhere stays from then on, and the work is done `again`; where anything interpenetrates, with a
+    larger clearance. The report is empty, with reasons, if nothing could be done; Blender is then as it was.
+    """
+    for _ in range(_MOST_ROUNDS):
+        if not report.motions:
+            return report
+        writer = Writer(stage.context, stage.reading)
+        written = writer.write(report.motions)
+        wrong, shown = misplaced(stage.context, stage.reading, written, 0.5 * stage.clearance)
+        pairs = [] if wrong else _crossings(stage, written, shown)
+        if not wrong and not pairs:
+            _remember(stage, report)
+            return report
+        writer.put_back()
+        if not stage.widen():
+            for name in {*wrong, *(name for pair in pairs for name in pair)} & set(stage.movers):
+                stage.hold(name, "is not where it should be once it is moved: Blender's numbers are too coarse here")
+        report = again()
+    return Report(refused=report.refused)
+
+
+def _crossings(stage: Stage, written: Mapping, shown) -> list:
+    """Pairs of names that interpenetrate where Blender shows them."""
+    there = {stage.reading.name_of(shown.owners[body.name]): body for body in shown.bodies}
+    bodies = [replace(there.get(body.name, body), name=body.name) for body in stage.reading.bodies]
+    return stage.choices.backend.crossings(bodies, list(written))
+
+
+def _remember(stage: Stage, report: Report) -> None:
+    """Marks what was put as free, keeps the clearance, and inserts keys where that is on."""
+    stage.context.scene.trivet.clearance = max(stage.context.scene.trivet.clearance, stage.clearance)
+    auto_key = stage.context.scene.tool_settings.use_keyframe_insert_auto
+    for name in report.motions:
+        owner = stage.reading.owners[name]
+        if owner.trivet.role == "AUTO":
+            owner.trivet.role = "FREE"
+        if auto_key:
+            owner.keyframe_insert("location")
+            owner.keyframe_insert({"QUATERNION": "rotation_quaternion", "AXIS_ANGLE": "rotation_axis_angle"}.get(
+                owner.rotation_mode, "rotation_euler"))
+
+
+def _because(name: str, why: str) -> Outcome:
+    return Outcome(False, "immovable", f'"{name}" {why}', (name,))

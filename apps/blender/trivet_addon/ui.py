@@ -1,0 +1,163 @@
+"""Panel in the sidebar, pie menu, and entries of the Object menu."""
+
+from __future__ import annotations
+
+import math
+import textwrap
+
+import bpy
+
+from . import backends, memory, preferences
+
+_KEYS: list = []
+_WIDTH = 38  # characters of a line
+
+
+def _lines(layout, text: str, icon: str = "NONE") -> None:
+    for number, line in enumerate(textwrap.wrap(text, _WIDTH)):
+        layout.label(text=line, icon=icon if number == 0 else "BLANK1")
+
+
+class _Panel:
+    bl_category, bl_space_type, bl_region_type = "Trivet", "VIEW_3D", "UI"
+
+
+class TRIVET_PT_main(_Panel, bpy.types.Panel):
+    """Operators."""
+
+    bl_label = "Trivet"
+
+    def draw(self, context) -> None:
+        layout = self.layout
+        try:
+            preferences.find_backend(preferences.of(context))
+        except backends.NoBackend as error:
+            _lines(layout.box(), str(error), "ERROR")
+        row = layout.row()
+        row.scale_y = 1.8
+        row.operator("trivet.put", icon="TRIA_DOWN_BAR")
+        layout.operator("trivet.check", icon="CHECKMARK")
+        layout.separator()
+        layout.prop(context.scene.trivet, "floor")
+        if preferences.of(context).obstacles == "COLLECTION":
+            layout.prop(context.scene.trivet, "obstacles")
+
+
+class TRIVET_PT_object(_Panel, bpy.types.Panel):
+    """The active object."""
+
+    bl_label = "Object"
+    bl_parent_id = "TRIVET_PT_main"
+
+    @classmethod
+    def poll(cls, context) -> bool:
+        return context.active_object is not None
+
+    def draw(self, context) -> None:
+        layout, owner = self.layout, context.active_object
+        layout.use_property_split = True
+        layout.prop(owner.trivet, "role")
+        layout.prop(owner.trivet, "friction")
+        layout.prop(owner.trivet, "density")
+        status = memory.status_of(owner)
+        box = layout.box()
+        box.label(text=owner.name, icon="OBJECT_DATA")
+        if status is None:
+            box.label(text="Not judged here: Check", icon="QUESTION")
+            return
+        box.label(text=status.state.capitalize(), icon="CHECKMARK" if status.state in {"stable", "fixed"} else "ERROR")
+        if status.supports:
+            _lines(box, "On " + ", ".join(status.supports))
+        if status.loads:
+            _lines(box, "Carries " + ", ".join(status.loads))
+        if math.isfinite(status.margin) and status.state != "fixed":
+            box.label(text=f"Margin {status.margin * 1000:.3g} mm, least friction {status.least_friction:.2g}")
+        row = box.row(align=True)
+        row.operator("trivet.select", text="Supports").what = "SUPPORTS"
+        row.operator("trivet.select", text="Loads").what = "LOADS"
+
+
+class TRIVET_PT_last(_Panel, bpy.types.Panel):
+    """What the last operation told."""
+
+    bl_label = "Last result"
+    bl_parent_id = "TRIVET_PT_main"
+
+    @classmethod
+    def poll(cls, context) -> bool:
+        return bool(memory.last.title or memory.last.failure)
+
+    def draw(self, context) -> None:
+        layout, last = self.layout, memory.last
+        if last.failure:
+            _lines(layout, last.failure, "ERROR")
+            return
+        verdict = last.verdict
+        if last.done:
+            layout.label(text=f"{last.title}: {len(last.done)} done", icon="CHECKMARK")
+        for reason in list(last.refused.values())[:5]:
+            _lines(layout.box(), reason, "CANCEL")
+        if last.in_the_way:
+            layout.operator("trivet.select", text="Show what is in the way").what = "IN_THE_WAY"
+        for pair in last.crossings[:5]:
+            _lines(layout.box(), f"{pair[0]} interpenetrates {pair[1]}", "ERROR")
+        if last.crossings:
+            layout.operator("trivet.select", text="Select what interpenetrates").what = "CROSSING"
+        if verdict.not_at_rest:
+            _lines(layout, "Not at rest: " + ", ".join(verdict.not_at_rest[:8]), "ERROR")
+            layout.operator("trivet.select", text="Select what is not at rest").what = "NOT_AT_REST"
+        layout.label(text=f"As a whole: {verdict.stability}", icon="CHECKMARK" if verdict.stands else "ERROR")
+        if verdict.topples:
+            _lines(layout, "Gives way: " + ", ".join(verdict.topples[:8]))
+            layout.operator("trivet.select", text="Select what gives way").what = "TOPPLES"
+
+
+class TRIVET_MT_pie(bpy.types.Menu):
+    """By its key, about the mouse."""
+
+    bl_label = "Trivet"
+
+    def draw(self, context) -> None:
+        pie = self.layout.menu_pie()
+        pie.operator("trivet.check", icon="CHECKMARK")
+        pie.separator()
+        pie.operator("trivet.put", icon="TRIA_DOWN_BAR")
+
+
+class TRIVET_MT_object(bpy.types.Menu):
+    """In the Object menu."""
+
+    bl_label = "Trivet"
+
+    def draw(self, context) -> None:
+        self.layout.operator("trivet.put", icon="TRIA_DOWN_BAR")
+        self.layout.operator("trivet.check", icon="CHECKMARK")
+
+
+def _in_object_menu(self, context) -> None:
+    self.layout.separator()
+    self.layout.menu("TRIVET_MT_object")
+
+
+CLASSES = (TRIVET_PT_main, TRIVET_PT_object, TRIVET_PT_last, TRIVET_MT_pie, TRIVET_MT_object)
+
+
+def register() -> None:
+    for one in CLASSES:
+        bpy.utils.register_class(one)
+    bpy.types.VIEW3D_MT_object.append(_in_object_menu)
+    config = bpy.context.window_manager.keyconfigs.addon
+    if config:  # none in the background
+        keymap = config.keymaps.new(name="3D View", space_type="VIEW_3D")
+        item = keymap.keymap_items.new("wm.call_menu_pie", "D", "PRESS", alt=True, shift=True)
+        item.properties.name = "TRIVET_MT_pie"
+        _KEYS.append((keymap, item))
+
+
+def unregister() -> None:
+    for keymap, item in _KEYS:
+        keymap.keymap_items.remove(item)
+    _KEYS.clear()
+    bpy.types.VIEW3D_MT_object.remove(_in_object_menu)
+    for one in reversed(CLASSES):
+        bpy.utils.unregister_class(one)

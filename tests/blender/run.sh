@@ -1,0 +1,26 @@
+#!/usr/bin/env bash
+# Tests of the add-on for Blender.
+#   tests/blender/run.sh logic|put|module|program PYTHON MODULE_FOLDER TRIVET WORK_FOLDER
+# logic runs without Blender. Status 77: a prerequisite is missing.
+set -euo pipefail
+here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
+addon="$here/../../apps/blender"
+job="$1" python="$2" module="$3" trivet="$4" work="$5/$1"
+
+skip() {
+  echo "Skipped: $*"
+  exit 77
+}
+
+[ -n "$python" ] || skip "Python's package was not built; install pybind11-dev, python3-dev and python3-numpy"
+export PYTHONDONTWRITEBYTECODE=1
+rm -rf "$work"
+mkdir -p "$work"
+if [ "$job" = logic ]; then
+  cd "$here"
+  PYTHONPATH="$addon:$module" TRIVET_PROGRAM="$trivet" exec "$python" -m unittest -v test_logic test_zip
+fi
+command -v blender >/dev/null || skip "Blender is missing; install blender"
+# Settings of the user stay out of it, and are not touched.
+export HOME="$work" XDG_CONFIG_HOME="$work" BLENDER_USER_CONFIG="$work/config" BLENDER_USER_SCRIPTS="$work/scripts"
+exec blender -b --factory-startup --python-exit-code 9 -P "$here/test_$job.py" -- "$addon" "$module" "$trivet"
