@@ -5,7 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/base/limits.h"
-#include "core/picture/picture_frame.h"
+#include "core/picture/camera_dome.h"
 #include "ops/files/json/input_text.h"
 #include "ops/files/json/json_text.h"
 #include "ops/files/labels/folders.h"
@@ -14,29 +14,6 @@ namespace trivet::apps {
 namespace {
 
 constexpr int kMaxViews = 1'000'000;
-constexpr double kLowestDeg = 15, kHighestDeg = 75;
-
-/// Numbers that depend on seed and index alone. @see [Steele 2014]
-class Hashed {
- public:
-  explicit Hashed(std::uint64_t seed) : m_state(seed) {}
-  double between(double lower, double upper) {
-    m_state += 0x9e3779b97f4a7c15u;
-    std::uint64_t z = m_state;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    z ^= z >> 31;
-    return lower + (upper - lower) * (double(z >> 11) * 0x1p-53);
-  }
-
- private:
-  std::uint64_t m_state;
-};
-
-double sine(double deg) {  // 0 to 90, without the mathematical library
-  const double t = tan_of_half_deg(deg);
-  return 2 * t / (1 + t * t);
-}
 
 int pixels(const JsonPlace& place, const char* key, int otherwise) {
   const auto value = place.find(key);
@@ -152,31 +129,18 @@ std::vector<LabelView> read_views(const std::string& text, const std::string& fi
 
 std::vector<LabelView> dome_views(const ViewArguments& arguments, const PictureRequest& request,
                                   const PictureScene& scene) {
-  const PictureFrame frame = make_picture_frame(scene);
-  Camera camera;
-  camera.target = frame.world_box.centre();
-  camera.fov_deg = request.fov_deg;
-  const double aspect = std::min(1.0, double(request.width) / request.height);
-  const double t = tan_of_half_deg(request.fov_deg) * aspect;  // of the narrower direction
-  const double whole = 0.5 * frame.world_box.diagonal() * std::sqrt(1 + t * t) / t;
-  const double radius = arguments.dome_radius > 0 ? arguments.dome_radius : whole;
-  std::vector<double> degrees = arguments.dome_elevation_deg;
-  if (degrees.empty()) degrees = {kLowestDeg, kHighestDeg};
-  const auto signed_sine = [](double deg) { return deg < 0 ? -sine(-deg) : sine(deg); };
-  const double lowest = signed_sine(degrees[0]), highest = signed_sine(degrees[1]);
-  Hashed random(arguments.dome_seed);
+  DomeOptions dome;
+  dome.count = arguments.dome;
+  dome.seed = arguments.dome_seed;
+  dome.radius = arguments.dome_radius;
+  dome.fov_deg = request.fov_deg;
+  if (const auto& degrees = arguments.dome_elevation_deg; !degrees.empty())
+    dome.lowest_deg = degrees[0], dome.highest_deg = degrees[1];
   std::vector<LabelView> views;
-  while (int(views.size()) < arguments.dome) {
-    // A point of the unit circle, by way of the disc; the height is even by area.
-    const double x = random.between(-1, 1), y = random.between(-1, 1);
-    const double squared = x * x + y * y;
-    if (squared > 1 || squared < 1e-6) continue;
-    const double z = random.between(lowest, highest);
-    const double r = std::sqrt((1 - z * z) / squared);
-    camera.eye = camera.target + radius * Vec3(x * r, y * r, z);
+  views.reserve(static_cast<std::size_t>(dome.count));
+  for (const Camera& camera : camera_dome(scene, double(request.width) / request.height, dome))
     views.push_back(
         {number_text(int(views.size())), pinhole_camera(camera, request.width, request.height)});
-  }
   return views;
 }
 

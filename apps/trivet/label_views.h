@@ -30,8 +30,7 @@ std::vector<LabelView> label_views(const ViewArguments& arguments, const Picture
 std::vector<LabelView> read_views(const std::string& text, const std::string& file,
                                   const PictureRequest& request);
 
-/// Cameras on the upper half of a sphere about the middle of the scene, looking there. Evenly
-/// spread by area between the elevations, the same bits for a seed on any machine.
+/// Those of camera_dome(), by number.
 std::vector<LabelView> dome_views(const ViewArguments& arguments, const PictureRequest& request,
                                   const PictureScene& scene);
 

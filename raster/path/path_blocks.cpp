@@ -26,6 +26,7 @@ void PathTracer::finish(const Path& path, PixelSums& sums) {
 }
 
 void PathTracer::trace_block(int x0, int y0, SumImage& image) const {
+  if (m_path.cancel && m_path.cancel->load(std::memory_order_relaxed)) throw PictureCancelled();
   std::array<PixelSums, kRayLanes> sums;
   for (int sample = 0; sample < m_options.samples; ++sample) {
     std::array<Path, kRayLanes> paths;

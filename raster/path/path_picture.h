@@ -1,10 +1,19 @@
 // Pictures by rays on the processor: soft shadows, reflections, glass, light between surfaces.
 #pragma once
 
+#include <atomic>
+#include <exception>
+
 #include "core/picture/image.h"
 #include "core/picture/pinhole_camera.h"
 
 namespace trivet {
+
+/// Thrown when PathOptions::cancel was set.
+class PictureCancelled : public std::exception {
+ public:
+  const char* what() const noexcept override { return "the picture was cancelled"; }
+};
 
 struct PathOptions {
   /// Reflections that a path may have before it ends in an estimate; 0 to 64. 0: shadows and sky
@@ -13,6 +22,9 @@ struct PathOptions {
   /// Smooth what is left of the noise, guided by normals, positions and colours: worth about three
   /// times the samples at 4 to 16.
   bool filter = true;
+  /// Set from another thread or by a signal: trace_picture() throws PictureCancelled, within the
+  /// time of eight pixels once the tree of all triangles is made.
+  const std::atomic<bool>* cancel = nullptr;
 };
 
 /// Renders the scene as render_picture() of gpu does: same cameras, same key light, sky, floor and

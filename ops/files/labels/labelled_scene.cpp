@@ -51,10 +51,12 @@ void number_classes(LabelledScene& scene) {
 
 }  // namespace
 
-LabelledScene labelled_scene(const Scene& scene, const Layout& layout) {
+LabelledScene labelled_scene(const Scene& scene, const Layout& layout,
+                             const std::map<std::string, std::string>& classes) {
   LabelledScene out;
   out.picture.floor = scene.floor;
-  const auto labels = named_labels(layout);
+  auto labels = named_labels(layout);
+  for (const auto& [name, class_name] : classes) labels[name].class_name = class_name;
   for (const ObjectId id : scene.ids()) {
     const Object& object = scene.at(id);
     if (!object.placed) continue;

@@ -42,7 +42,9 @@ struct LabelledScene {
 
 /// @param layout  what made the scene: classes and attributes of objects, by their names; a
 /// duplicate has those of its original. Without a class: the name of the model's file.
+/// @param classes  of objects by their names, before those of the layout.
 /// The scene's models must outlive the result.
-LabelledScene labelled_scene(const Scene& scene, const Layout& layout);
+LabelledScene labelled_scene(const Scene& scene, const Layout& layout,
+                             const std::map<std::string, std::string>& classes = {});
 
 }  // namespace trivet
