@@ -31,6 +31,12 @@ py::array view_of(const T* data, size_t rows, py::ssize_t columns, py::handle ow
   return out;
 }
 
+/// (n,), a copy.
+template <class T>
+py::array_t<T> column(const std::vector<T>& values) {
+  return py::array_t<T>(static_cast<py::ssize_t>(values.size()), values.data());
+}
+
 /// A rotation, a uniform scale and a translation, as a (4, 4) matrix has them.
 struct Similarity {
   Pose pose;

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "apps/python/module/bindings.h"
+#include "apps/python/module/callback.h"
 #include "apps/python/module/errors.h"
 #include "core/io/overwrites.h"
 #include "core/scene/fingerprint.h"
@@ -17,38 +18,6 @@ namespace {
 
 using namespace py::literals;
 using ScenePointer = std::shared_ptr<SharedScene>;
-
-// Calls Python from whichever thread reports. What it raises is kept for the caller, and stops the
-// work.
-class PythonProgress {
- public:
-  PythonProgress(py::object callback, std::atomic<bool>& cancel)
-      : m_callback(std::move(callback)), m_cancel(cancel) {}
-
-  ProgressCallback callback() {
-    if (m_callback.is_none()) return {};
-    return [this](const Progress& progress) { tell(progress); };
-  }
-  void rethrow() {
-    if (m_raised) throw std::move(*m_raised);
-  }
-
- private:
-  void tell(const Progress& progress) {
-    const py::gil_scoped_acquire acquire;
-    if (m_raised) return;
-    try {
-      m_callback(progress.stage, progress.item, progress.done, progress.total);
-    } catch (py::error_already_set& e) {
-      m_raised.emplace(std::move(e));
-      m_cancel = true;
-    }
-  }
-
-  py::object m_callback;
-  std::atomic<bool>& m_cancel;
-  std::optional<py::error_already_set> m_raised;
-};
 
 ImportLimits limits_of(const std::string& importer) {
   ImportLimits limits;
@@ -69,12 +38,13 @@ ScenePointer open(const std::string& path, const std::string& importer, const Se
                   const py::object& progress) {
   std::atomic<bool> cancel = false;
   const Cancellable cancellable(cancel);
-  PythonProgress told(progress, cancel);
+  PythonCallback told(progress, cancel);
   RunOptions options;
   options.settle = settle;
   options.rules = {perfect_friction, whole_at_rest, std::nullopt};
   options.context.cancel = &cancel;
-  options.progress = told.callback();
+  if (told.is_given())
+    options.progress = [&](const Progress& p) { told(p.stage, p.item, p.done, p.total); };
   options.layout_file = path;
   OpenedSession opened =
       without_gil([&] { return open_session(path, options, limits_of(importer)); });

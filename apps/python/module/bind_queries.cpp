@@ -35,11 +35,6 @@ class Numbering {
   std::vector<std::string> m_names;
 };
 
-template <class T>
-py::array_t<T> column(const std::vector<T>& values) {
-  return py::array_t<T>(static_cast<py::ssize_t>(values.size()), values.data());
-}
-
 py::array pairs(const std::vector<Index>& values) {
   return column(values).reshape({static_cast<py::ssize_t>(values.size() / 2), py::ssize_t{2}});
 }

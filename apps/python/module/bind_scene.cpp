@@ -197,6 +197,7 @@ void bind_scene(py::module_& m) {
   bind_operations(scene);
   bind_queries(scene);
   bind_zlists(scene);
+  bind_pictures(scene);
   bind_files(m, scene);
   m.def("materials", &materials);
   m.def("causes", [] {

@@ -1,6 +1,8 @@
 // Shape: from arrays and from files, its geometry as views, pickled.
 #include <pybind11/stl.h>
 
+#include <cstring>
+
 #include "apps/python/module/arrays.h"
 #include "apps/python/module/bindings.h"
 #include "apps/python/module/python_shape.h"
@@ -9,7 +11,9 @@
 #include "core/io/mesh_model.h"
 #include "core/io/model_bytes.h"
 #include "core/io/sandboxed_import.h"
+#include "core/mesh/hull.h"
 #include "core/mesh/weld_arrays.h"
+#include "core/picture/face_colours.h"
 
 namespace trivet::python {
 namespace {
@@ -82,6 +86,25 @@ py::object vertex_map(const py::object& self) {
   return view_of(map.data(), map.size(), 1, self).attr("reshape")(-1);
 }
 
+// The same that pictures show, but for textures.
+py::array_t<std::uint8_t> face_colors(const PythonShape& shape) {
+  const auto colours = without_gil([&] {
+    if (shape.model) return face_colours(picture_mesh(*shape.model));
+    const Model model = model_of_mesh(shape.shape->mesh);
+    return face_colours(picture_mesh(model));
+  });
+  py::array_t<std::uint8_t> out({static_cast<py::ssize_t>(colours.size()), py::ssize_t{4}});
+  std::memcpy(out.mutable_data(), colours.data(), 4 * colours.size());
+  return out;
+}
+
+py::array_t<Index> hull_faces(const PythonShape& shape) {
+  const ConvexHull hull = without_gil([&] { return convex_hull(shape.shape->mesh.vertices); });
+  py::array_t<Index> out({static_cast<py::ssize_t>(hull.triangles.size()), py::ssize_t{3}});
+  std::memcpy(out.mutable_data(), hull.triangles.data(), sizeof(Index3) * hull.triangles.size());
+  return out;
+}
+
 py::tuple state_of(const py::object& self) {
   const auto& shape = self.cast<const PythonShape&>();
   py::object model = py::none();
@@ -116,6 +139,8 @@ void bind_shape(py::module_& m) {
       .def_property_readonly("vertices", &vertices)
       .def_property_readonly("faces", &faces)
       .def_property_readonly("vertex_map", &vertex_map)
+      .def("face_colors", &face_colors)
+      .def("hull_faces", &hull_faces)
       .def_property_readonly("name", [](const PythonShape& s) { return s.name; })
       .def_property_readonly("id", [](const PythonShape& s) { return s.shape->id; })
       .def_property_readonly(

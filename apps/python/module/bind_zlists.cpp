@@ -36,11 +36,6 @@ Columns columns_of(const std::vector<Body>& bodies, const std::vector<Index>& nu
   return out;
 }
 
-template <class T>
-py::array_t<T> column(const std::vector<T>& values) {
-  return py::array_t<T>(static_cast<py::ssize_t>(values.size()), values.data());
-}
-
 py::dict zlists(SharedScene& shared, const Doubles& direction, int resolution,
                 const std::optional<std::array<double, 4>>& region, double most_bytes,
                 int num_threads) {

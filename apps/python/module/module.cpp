@@ -10,6 +10,7 @@ PYBIND11_MODULE(_trivet, m) {
   trivet::python::bind_running();
   trivet::python::bind_errors();
   trivet::python::bind_shape(m);
+  trivet::python::bind_camera(m);
   trivet::python::bind_scene(m);
   trivet::python::bind_drag(m);
   trivet::python::bind_geometry(m);

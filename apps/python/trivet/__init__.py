@@ -11,22 +11,25 @@ the scene as it was.
 """
 
 from . import _errors  # first: the compiled module raises what it defines
+from ._camera import Camera
 from ._drag import Drag
 from ._errors import (BadInputError, Cancelled, EnvironmentFailure, NoSuchObject, NotDone, OutOfTime, Refused, SceneBusy,
                       TrivetError)
 from ._geometry import Interpenetration, first_contact, interpenetrations, random_rotation
+from ._labels import FLOOR, Labels
 from ._object import Object
 from ._results import (CAUSES, Check, Contacts, Crossing, Export, FirstContact, GaveWay, Overlap, Result, SupportGraph)
 from ._scene import Scene, materials
 from ._shape import Shape
 from ._snapshot import Snapshot, TrivetWarning
 from ._trivet import __version__
+from ._view import View, encode_png
 from ._zlists import ZList, ZLists
 
 __all__ = [
-    "BadInputError", "CAUSES", "Cancelled", "Check", "Contacts", "Crossing", "Drag", "EnvironmentFailure", "Export",
-    "FirstContact", "GaveWay", "Interpenetration", "NoSuchObject", "NotDone", "Object", "OutOfTime", "Overlap",
-    "Refused", "Result", "Scene", "SceneBusy", "Shape", "Snapshot", "SupportGraph", "TrivetError", "TrivetWarning",
-    "ZList", "ZLists",
-    "__version__", "first_contact", "interpenetrations", "materials", "random_rotation",
+    "BadInputError", "CAUSES", "Camera", "Cancelled", "Check", "Contacts", "Crossing", "Drag", "EnvironmentFailure",
+    "Export", "FLOOR", "FirstContact", "GaveWay", "Interpenetration", "Labels", "NoSuchObject", "NotDone", "Object",
+    "OutOfTime", "Overlap", "Refused", "Result", "Scene", "SceneBusy", "Shape", "Snapshot", "SupportGraph",
+    "TrivetError", "TrivetWarning", "View", "ZList", "ZLists",
+    "__version__", "encode_png", "first_contact", "interpenetrations", "materials", "random_rotation",
 ]

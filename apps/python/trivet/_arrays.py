@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import operator
 from typing import Any, Sequence
 
 import numpy as np
@@ -50,11 +51,23 @@ def number(what: str, value: Any) -> float:
         raise refuse(what, _text(value), "a number") from error
 
 
-def matrix(what: str, value: Any) -> NDArray[np.float64]:
-    """(4, 4) of finite numbers."""
-    accepted = "a (4, 4) array of finite numbers"
+def whole(what: str, value: Any, lowest: int, highest: int) -> int:
+    """A whole number of this range."""
+    accepted = f"a whole number from {lowest} to {highest}"
+    try:
+        number = operator.index(value)
+    except TypeError:
+        raise refuse(what, _text(value), accepted) from None
+    if not lowest <= number <= highest:
+        raise refuse(what, _text(value), accepted)
+    return number
+
+
+def matrix(what: str, value: Any, side: int = 4) -> NDArray[np.float64]:
+    """(4, 4), or (side, side), of finite numbers."""
+    accepted = f"a ({side}, {side}) array of finite numbers"
     array = _array(what, value, accepted)
-    if array.shape != (4, 4):
+    if array.shape != (side, side):
         raise refuse(what, f"an array of shape {array.shape}", accepted)
     return np.ascontiguousarray(array, dtype=np.float64)
 

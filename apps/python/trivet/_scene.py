@@ -14,6 +14,7 @@ from . import _arrays, _foreign, _trivet
 from ._drag import Drag
 from ._errors import NoSuchObject
 from ._object import Object
+from ._pictures import Pictures
 from ._properties import Material
 from ._results import (Check, Contacts, Export, Overlap, Result, SupportGraph, check_of, done)
 from ._shape import PathLike, Shape, find_importer
@@ -25,7 +26,7 @@ _KINDS = np.array(["vertex-face", "face-vertex", "edge-edge", "closest"])
 Progress = Callable[[str, str, int, int], Any]
 
 
-class Scene:
+class Scene(Pictures):
     """Objects that never interpenetrate and lie at rest; gravity along -z.
 
     A mapping of names to objects, in the order of their addition. Any number of threads may use one scene: one at a time
@@ -343,15 +344,6 @@ class Scene:
         return Export(tuple(values["files"]), tuple(values["notes"]),
                       tuple(Overlap(*one) for one in values["overlaps"]), values["masses"])
 
-    # Looks.
-
-    def _repr_html_(self) -> str:
-        import html
-
-        rows = "".join(f"<tr><td>{html.escape(o.name)}</td><td>{o.state}</td><td>{_position_text(o)}</td></tr>"
-                       for o in self)
-        return f"<table><tr><th>object</th><th>state</th><th>position (m)</th></tr>{rows}</table>"
-
     def __reduce__(self) -> Any:
         settle = self._scene.settle
         options = {key: getattr(settle, key) for key in dir(settle) if not key.startswith("_")}
@@ -363,11 +355,6 @@ class Scene:
 
 def _unpickled(snapshot: Snapshot, options: dict[str, Any]) -> Scene:
     return snapshot.scene(**options)
-
-
-def _position_text(one: Object) -> str:
-    position = one.position
-    return "" if position is None else ", ".join(f"{x:.4g}" for x in position)
 
 
 def materials() -> dict[str, dict[str, Any]]:

@@ -118,6 +118,14 @@ class Shape:
         """(number of given vertices,): the row of `vertices` of each, -1 if no face uses it; None for files."""
         return self._shape.vertex_map
 
+    def face_colors(self) -> NDArray[np.uint8]:
+        """(m, 4): sRGB and opacity of each face as a whole: of its material, means of textures and vertex colours."""
+        return self._shape.face_colors()
+
+    def hull_faces(self) -> NDArray[np.int32]:
+        """(k, 3): triangles of the convex hull, rows of `vertices`, in no particular orientation; none if it is flat."""
+        return self._shape.hull_faces()
+
     @property
     def bounds(self) -> NDArray[np.float64]:
         """(2, 3): lower and upper corner, in the shape's units."""
