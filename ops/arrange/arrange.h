@@ -45,10 +45,14 @@ const char* to_string(ArrangeResult::Status status);  // "done", "conflict", ...
 using ArrangeProgress = std::function<void(const std::string&, size_t, size_t)>;
 
 /// Places all things so that all hard relations hold and all is at rest, or nothing: the scene is
-/// as it was then. The result depends on the arrangement, its seed and the scene, on no number of
-/// threads. Every loop is bounded. By context.time_budget_s, of the whole, it may end early.
+/// as it was then (the transaction, when it is given, as well). The result depends on the
+/// arrangement, its seed and the scene, on no number of threads. Every loop is bounded. By
+/// context.time_budget_s, of the whole, it may end early.
 /// @throws Error (BadInput) for what cannot be meant: unknown things, cycles of supports, ...
 ArrangeResult arrange(Scene& scene, const Arrangement& arrangement, const SettleOptions& options,
                       const RunContext& context, const ArrangeProgress& progress = {});
+ArrangeResult arrange(Transaction& transaction, const Arrangement& arrangement,
+                      const SettleOptions& options, const RunContext& context,
+                      const ArrangeProgress& progress = {});
 
 }  // namespace trivet

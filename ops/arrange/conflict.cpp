@@ -12,6 +12,7 @@ namespace {
 constexpr int kBisections = 40;
 constexpr size_t kMaxTriples = 40;  // constraints of which all triples are tried
 constexpr size_t kMaxPairs = 200;   // and all pairs
+constexpr double kFar = 1e6;        // metres
 
 using Mask = std::vector<std::uint64_t>;  // places that a constraint leaves
 
@@ -52,6 +53,7 @@ class ConflictSearch {
     make_poses();
     if (m_poses.empty()) {
       m_out.constraints = {where()};
+      note(support());
       m_out.text = trivet::quoted(m_out.thing) + " has no place " + where() + ": " + m_why_none;
       return std::move(m_out);
     }
@@ -74,6 +76,11 @@ class ConflictSearch {
     return out;
   }
 
+  std::string support() const {
+    const Relation* support = m_world.support_of(m_thing);
+    return support ? support->b : "floor";
+  }
+
   void make_poses() {
     for (const Rotation& rest : m_thing.rests) {
       const Outline lying = m_world.outline(m_thing, {rest, Vec3::Zero()});
@@ -94,7 +101,8 @@ class ConflictSearch {
   }
 
   ConvexRegion region(const Combination& c, const std::vector<size_t>& set, double more) const {
-    ConvexRegion out = c.region;
+    const Vec2 far = Vec2::Constant(kFar);
+    ConvexRegion out = m_anywhere ? ConvexRegion(-far, far) : c.region;
     for (const size_t i : set) {
       const Relation& r = *m_relations[i];
       for (const HalfPlane& h :
@@ -109,12 +117,24 @@ class ConflictSearch {
                        [&](const Combination& c) { return region(c, set, more).empty(); });
   }
 
+  // Relations that contradict each other wherever the support is, then those that it leaves
+  // nothing.
   bool find_in_outlines() {
+    m_anywhere = true;
+    if (find_set()) return true;
+    m_anywhere = false;
+    return find_set();
+  }
+
+  bool find_set() {
     const auto set = smallest_empty(
         m_relations.size(), [&](const std::vector<size_t>& s) { return leaves_nothing(s, 0); });
     if (!set) return false;
-    for (const size_t i : *set) add(m_relations[i]->text(), *m_relations[i]);
-    if (set->size() == 1) m_out.constraints.push_back(where());
+    for (const size_t i : *set) add(*m_relations[i]);
+    if (!m_anywhere) {
+      m_out.constraints.push_back(where());
+      note(support());
+    }
     double enough = 1e-3;
     while (enough < 1e6 && leaves_nothing(*set, enough)) enough *= 2;
     double least = 0;
@@ -133,7 +153,7 @@ class ConflictSearch {
   // Constraints over all places of all poses.
   struct Constraint {
     std::string text;
-    bool movable = false;
+    std::string object;  // that it names; may be empty
     Mask mask;
   };
 
@@ -146,13 +166,13 @@ class ConflictSearch {
   }
 
   void fill_masks() {
-    m_constraints.push_back({where(), false, {}});
-    for (const Relation* r : m_relations) m_constraints.push_back({r->text(), false, {}});
+    m_constraints.push_back({where(), support(), {}});
+    for (const Relation* r : m_relations) m_constraints.push_back({r->text(), other_of(*r), {}});
     std::vector<ObjectId> others;
     for (const ObjectId id : m_placer.obstacles(m_poses.front(), Obstacles::All)) {
       const std::string& name = m_world.scene().at(id).name;
       others.push_back(id);
-      m_constraints.push_back({"clear of " + quoted(name), m_world.thing_of(name) >= 0, {}});
+      m_constraints.push_back({"clear of " + quoted(name), name, {}});
     }
     size_t count = 0;
     for (const Combination& c : m_poses) {
@@ -194,22 +214,23 @@ class ConflictSearch {
     if (!set) return false;
     for (const size_t i : *set) {
       m_out.constraints.push_back(m_constraints[i].text);
-      m_out.as_they_stand |= m_constraints[i].movable;
+      note(m_constraints[i].object);
     }
-    for (const Relation* r : m_relations)
-      if (std::count(m_out.constraints.begin(), m_out.constraints.end(), r->text()))
-        m_out.as_they_stand |= refers_to_thing(*r);
     return true;
   }
 
-  bool refers_to_thing(const Relation& r) const {
-    const std::string& other = r.a == m_out.thing ? r.b : r.a;
-    return m_world.thing_of(other) >= 0;
+  const std::string& other_of(const Relation& r) const { return r.a == m_out.thing ? r.b : r.a; }
+
+  void note(const std::string& object) {
+    if (object.empty()) return;
+    m_out.as_they_stand |= m_world.thing_of(object) >= 0;
+    if (!std::count(m_out.objects.begin(), m_out.objects.end(), object))
+      m_out.objects.push_back(object);
   }
 
-  void add(const std::string& text, const Relation& r) {
-    m_out.constraints.push_back(text);
-    m_out.as_they_stand |= refers_to_thing(r);
+  void add(const Relation& r) {
+    m_out.constraints.push_back(r.text());
+    note(other_of(r));
   }
 
   void write() {
@@ -233,6 +254,7 @@ class ConflictSearch {
   std::vector<const Relation*> m_relations;  // hard
   std::vector<Constraint> m_constraints;
   std::string m_why_none;
+  bool m_anywhere = false;  // relations alone, without what the support leaves
   Conflict m_out;
 };
 

@@ -11,9 +11,10 @@
 namespace trivet {
 
 struct Conflict {
-  std::string thing;                     // or the pattern
-  std::vector<std::string> constraints;  // the smallest set found; empty: PUT refused everywhere
-  bool as_they_stand = false;            // names things that could stand elsewhere
+  std::string thing;                      // or the pattern
+  std::vector<std::string> constraints;   // the smallest set found; empty: PUT refused everywhere
+  std::vector<std::string> objects = {};  // that the constraints name, each once; not `thing`
+  bool as_they_stand = false;             // names things that could stand elsewhere
   /// Metres by which relations miss each other, by outlines alone: if each gave way by half of it,
   /// or a single one by all, they would leave a place.
   std::optional<double> missing;

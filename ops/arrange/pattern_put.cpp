@@ -7,11 +7,12 @@ namespace trivet {
 namespace {
 
 constexpr double kMostShift = 1e-3;  // metres, of a thing at rest from its slot
-constexpr double kMostTiltDeg = 3;
 
 Conflict conflict_of(const Pattern& pattern, const std::string& text, double missing) {
   Conflict out;
   out.thing = pattern.text();
+  out.objects = pattern.things;
+  out.objects.push_back(pattern.on);
   out.text = text;
   out.constraints = {pattern.text()};
   if (missing > 0) out.missing = missing;

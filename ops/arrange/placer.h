@@ -15,6 +15,8 @@ namespace trivet {
 /// Turns about z that are tried for things that face something; they are turned to it afterwards.
 inline constexpr int kFacingTurns = 32;
 inline constexpr double kFacingSlackDeg = 180.0 / kFacingTurns;
+/// Tilt of a thing at rest against its trial, at most.
+inline constexpr double kMostTiltDeg = 3;
 
 /// A rotation, a way down and where the position may be: what one field of places is computed for.
 struct Combination {

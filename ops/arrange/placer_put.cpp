@@ -8,7 +8,6 @@
 namespace trivet {
 namespace {
 
-constexpr double kMostTiltDeg = 3;  // of a thing at rest against its trial
 constexpr int kHalvings = 8;
 
 }  // namespace

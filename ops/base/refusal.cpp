@@ -231,6 +231,9 @@ class Writer {
       case Cause::RestsOnOther:
         m_out << name(0) << " would come to rest against " << name(1);
         return true;
+      case Cause::NoArrangement:
+        m_out << m_r.detail;
+        return true;
       case Cause::RestsTooClose:
         m_out << name(0) << " would come to rest too near to " << name(1);
         return true;
@@ -315,6 +318,7 @@ const char* to_string(Refusal::Cause cause) {
       {Cause::KeepTooLarge, "keep_too_large"},
       {Cause::RestsOnOther, "rests_on_other"},
       {Cause::RestsTooClose, "rests_too_close"},
+      {Cause::NoArrangement, "no_arrangement"},
       {Cause::Cancelled, "cancelled"},
       {Cause::OutOfTime, "out_of_time"},
       {Cause::NotTried, "not_tried"},

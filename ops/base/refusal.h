@@ -65,6 +65,9 @@ struct Refusal {
     KeepTooLarge,   // objects: it. numbers: keep, diagonal, largest_keep
     RestsOnOther,   // objects: it, the other
     RestsTooClose,  // objects: it, the other
+    // Arranging.
+    NoArrangement,  // objects: the thing without a place, then all that the conflict names.
+                    // numbers: as_things_stand [, missing: metres]. detail: the conflict
     // From outside.
     Cancelled,  // objects: it. detail: the operation
     OutOfTime,  // objects: it. detail: the operation. numbers: seconds

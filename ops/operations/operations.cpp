@@ -21,6 +21,7 @@ const char* op_name(const Operation& operation) {
     }
     const char* operator()(const StandOperation&) { return "stand"; }
     const char* operator()(const UnplaceOperation&) { return "unplace"; }
+    const char* operator()(const ArrangeOperation&) { return "arrange"; }
   };
   return std::visit(Name{}, operation);
 }

@@ -17,6 +17,8 @@
 
 namespace trivet {
 
+class ArrangeProblem;  // arrange_problem.h
+
 /// Common part of all operations that move an object. The object carries its loads.
 struct MoveOptions {
   std::string object;
@@ -156,13 +158,21 @@ struct GroupOperation {
   std::string group;  // empty: taken out of its group
 };
 
-using Operation = std::variant<PutOperation, PushOperation, TurnOperation, PickUpOperation,
-                               TranslateOperation, RotateOperation, AppendOperation,
-                               DuplicateOperation, DeleteOperation, LockOperation, FixOperation,
-                               MaterialOperation, GroupOperation, StandOperation, UnplaceOperation>;
+/// Finds places for several objects at once, by relations between them; see arrange_problem.h.
+/// "arrange"
+struct ArrangeOperation {
+  std::string object;  // the first that the problem names, or a pattern of names: for messages
+  std::shared_ptr<const ArrangeProblem> problem;  // never null
+};
+
+using Operation =
+    std::variant<PutOperation, PushOperation, TurnOperation, PickUpOperation, TranslateOperation,
+                 RotateOperation, AppendOperation, DuplicateOperation, DeleteOperation,
+                 LockOperation, FixOperation, MaterialOperation, GroupOperation, StandOperation,
+                 UnplaceOperation, ArrangeOperation>;
 
 /// "put", "push", "turn", "pick_up", "translate", "rotate", "append", "duplicate", "delete",
-/// "lock", "unlock", "fix", "unfix", "material", "group", "ungroup", "stand", "unplace"
+/// "lock", "unlock", "fix", "unfix", "material", "group", "ungroup", "stand", "unplace", "arrange"
 const char* op_name(const Operation& operation);
 const std::string& object_name(const Operation& operation);
 

@@ -1,5 +1,6 @@
 #include "ops/operations/perform.h"
 
+#include "ops/operations/arrange_problem.h"
 #include "ops/operations/commit.h"
 #include "ops/operations/edit.h"
 #include "ops/operations/validate.h"
@@ -22,10 +23,12 @@ bool unbalances(const Any&) {
 bool unbalances(const FixOperation& o) { return !o.fixed; }
 
 template <class Any>
-OperationResult perform_one(Transaction& transaction, ObjectId id, const Any& o,
-                            OperationRun& run) {
+OperationResult perform_one(Transaction& transaction, ObjectId id, const Any& o, OperationRun& run,
+                            const RunContext& context) {
   const Named name = named(transaction.scene(), o.object);
-  if constexpr (Plannable<Any>) {
+  if constexpr (std::is_same_v<Any, ArrangeOperation>) {
+    return o.problem->solve(transaction, run.options, context);
+  } else if constexpr (Plannable<Any>) {
     if (std::is_same_v<Any, PutOperation> && keeps_whole_at_rest(run.options))
       run.refuse_commit = [&](const MovePlan& plan) {
         Transaction trial(transaction);  // taken back
@@ -50,12 +53,15 @@ OperationResult perform(Transaction& outer, const Operation& operation,
   if (auto why = validate(operation)) return refused(std::move(*why));
   const std::string& name = object_name(operation);
   const std::optional<ObjectId> object = outer.scene().find(name);
-  if (!object && !std::holds_alternative<AppendOperation>(operation))
-    return refused(unknown_object(outer.scene(), name));
+  const bool names_one = !std::holds_alternative<AppendOperation>(operation) &&
+                         !std::holds_alternative<ArrangeOperation>(operation);
+  if (!object && names_one) return refused(unknown_object(outer.scene(), name));
   OperationRun run(options, context);
   Transaction inner(outer);
   OperationResult result = std::visit(
-      [&](const auto& o) { return perform_one(inner, object.value_or(ObjectId{}), o, run); },
+      [&](const auto& o) {
+        return perform_one(inner, object.value_or(ObjectId{}), o, run, context);
+      },
       operation);
   if (result.ok()) inner.commit();
   return result;

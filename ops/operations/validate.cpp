@@ -70,13 +70,13 @@ class Checker {
       complain("material", "\"" + m.name + "\"", "no name, or a preset's with its numbers");
   }
 
-  std::optional<InvalidArgument> take() { return std::move(m_found); }
-
- private:
   void complain(const char* key, std::string value, std::string accepted) {
     if (!m_found) m_found = InvalidArgument{key, std::move(value), std::move(accepted)};
   }
 
+  std::optional<InvalidArgument> take() { return std::move(m_found); }
+
+ private:
   std::optional<InvalidArgument> m_found;
 };
 
@@ -131,6 +131,10 @@ void check(const AppendOperation& o, Checker& checker) {
 void check(const MaterialOperation& o, Checker& checker) { checker.material(o.material); }
 
 void check(const StandOperation& o, Checker& checker) { checker.pose(o.pose); }
+
+void check(const ArrangeOperation& o, Checker& checker) {
+  if (!o.problem) checker.complain("problem", "nothing", "a problem of arranging");
+}
 
 template <class Other>
 void check(const Other&, Checker&) {}

@@ -5,6 +5,7 @@ import os
 import unittest
 
 from program import SOURCE_DIR, Case, box_obj, main, without_times
+from test_sessions import Live
 
 try:
     import jsonschema
@@ -120,6 +121,36 @@ class Arrange(Case):
         self.assertEqual(len(report["arrange"]["conflict"]["constraints"]), 2)
         placed = [o["name"] for o in report["objects"] if o["state"] != "unplaced"]
         self.assertEqual(placed, ["shelf"])
+
+    def test_operation_of_layouts_and_sessions(self):
+        self.problem([])
+        document = self.read_json("problem.json")
+        del document["arrange"]
+        operation = {"op": "arrange", "seed": 5, "relations": self.ON}
+        document["operations"] = [operation]
+        self.write("layout.json", json.dumps(document))
+        self.trivet("run", "layout.json", "-o", "a.glb", "--report", "a.json")
+        report = self.read_json("a.json")
+        self.assertEqual([(o["op"], o["object"], sorted(o["settled"])) for o in report["operations"]],
+                         [("arrange", "*", ["book", "mug_1", "mug_2"])])
+        # Relations that contradict each other: told as data, and the scene stays as it was.
+        document["operations"] = []
+        self.write("start.json", json.dumps(document))
+        bad = {**operation, "relations": self.ON + [{"is": "left_of", "a": "mug_2", "b": "mug_1"}]}
+        live = Live(self.folder, "start.json", "--journal", "j")
+        refused, done = live.ask(**bad), live.ask(**operation)
+        undone, redone = live.ask(undo=True), live.ask(redo=True)
+        self.assertEqual(live.ask(save="b.glb")["status"], "ok")
+        self.assertEqual(live.end(), 0)
+        self.assertEqual((refused["status"], refused["cause"]), ("refused", "no_arrangement"))
+        self.assertEqual(refused["objects"], ["mug_2", "mug_1"])
+        self.assertGreater(refused["numbers"]["missing"], 0.1)
+        self.assertEqual(done["done"], 1)
+        self.assertEqual(sorted(p["object"] for p in done["poses"]), ["book", "mug_1", "mug_2"])
+        self.assertEqual(undone["state"], live.start["state"])
+        self.assertEqual(redone["state"], done["state"])
+        self.trivet("replay", "j", "-o", "c.glb")
+        self.assertEqual(self.read("c.glb"), self.read("b.glb"))
 
     def test_bad_problems(self):
         def refused(relation, says, **more):

@@ -148,6 +148,29 @@ class Scene(Pictures):
         """
         return done(self._scene.perform_all([dict(one) for one in operations], budget))
 
+    def arrange(self, problem: Mapping[str, Any], *, budget: float = 0.0) -> Result:
+        """Places for several objects at once, by relations between them; one step of history.
+
+        Parameters
+        ----------
+        problem : mapping
+            As ``trivet schema arrange`` has it: ``{"seed": 7, "things": [{"objects": "cup_*"}], "relations": [{"is": "on",
+            "a": "*", "b": "table"}]}``. Without ``"things"``: all objects that are out of the scene.
+        budget : float
+            Seconds; 0: those of `time_budget`.
+
+        Returns
+        -------
+        Result
+            `settled` has the things in the order in which they were put.
+
+        Raises
+        ------
+        Refused
+            Not all can be met: ``"no_arrangement"``, with the objects of the conflict and the metres that are ``"missing"``.
+        """
+        return self.perform([{"op": "arrange", **problem}], budget=budget)
+
     def cancel(self) -> None:
         """Stop the operation that another thread has under way; it raises `Cancelled` there."""
         self._scene.cancel()

@@ -16,28 +16,36 @@ bool matches(const std::string& name, const std::string& pattern) {
 
 }  // namespace
 
+bool ProblemNames::knows(const std::string& name) const {
+  return !m_names || std::find(m_names->begin(), m_names->end(), name) != m_names->end();
+}
+
 std::string ProblemNames::one(const JsonPlace& place) const {
   std::string out = place.text();
-  if (std::find(m_names.begin(), m_names.end(), out) == m_names.end())
-    place.refuse("the name of one of /objects" + did_you_mean(out, m_names));
+  if (!knows(out)) place.refuse("the name of one of /objects" + did_you_mean(out, *m_names));
   return out;
 }
 
 std::string ProblemNames::one_or_floor(const JsonPlace& place) const {
   std::string out = place.text();
-  if (out != "floor" && std::find(m_names.begin(), m_names.end(), out) == m_names.end())
-    place.refuse("\"floor\" or the name of one of /objects" + did_you_mean(out, m_names));
+  if (out != "floor" && !knows(out))
+    place.refuse("\"floor\" or the name of one of /objects" + did_you_mean(out, *m_names));
   return out;
 }
 
 std::vector<std::string> ProblemNames::matching(const JsonPlace& place) const {
-  const std::string pattern = place.text();
+  return matching(place.text(), place);
+}
+
+std::vector<std::string> ProblemNames::matching(const std::string& pattern,
+                                                const JsonPlace& place) const {
+  if (!m_names) return {pattern};
   std::vector<std::string> out;
-  for (const std::string& name : m_names)
+  for (const std::string& name : *m_names)
     if (matches(name, pattern)) out.push_back(name);
   if (out.empty())
     place.refuse("the name of one of /objects, or one with * for any letters" +
-                 did_you_mean(pattern, m_names));
+                 did_you_mean(pattern, *m_names));
   return out;
 }
 
@@ -51,6 +59,19 @@ std::vector<std::string> ProblemNames::listed(const JsonPlace& place) const {
     }
   if (out.empty()) place.refuse("at least one object");
   return out;
+}
+
+std::vector<std::string> ProblemNames::subjects(const JsonPlace& place,
+                                                const std::string& other) const {
+  const std::string pattern = place.text();
+  if (pattern.find('*') == std::string::npos) return matching(place);
+  std::vector<std::string> out;
+  const auto collect = [&](const std::vector<std::string>& names) {
+    for (const std::string& name : names)
+      if (name != other && matches(name, pattern)) out.push_back(name);
+  };
+  collect(m_things);
+  return out.empty() ? matching(place) : out;
 }
 
 }  // namespace trivet

@@ -11,6 +11,7 @@ namespace {
 
 constexpr int kMaxColumns = 1'000'000;
 constexpr int kMaxLevel = 1000;
+constexpr size_t kMaxRelations = 100'000;  // those of patterns each for itself
 constexpr double kMinTolerance = 1e-5, kMaxWeight = 1e6;
 constexpr double kNextTo = 0.1, kAgainst = 0.01;  // metres
 
@@ -157,10 +158,13 @@ void read_kind(const JsonPlace& place, RelationKind kind, bool next_to, const Pr
   const bool turns = kind == RelationKind::Facing || kind == RelationKind::Away;
   if (turns && relation.b.empty() != relation.point.has_value())
     place.fail("accepted: either \"b\" or \"point\"");
-  for (const std::string& a : names.matching(place.at("a"))) {
+  for (const std::string& a : names.subjects(place.at("a"), relation.b)) {
     if (a == relation.b) place.at("b").refuse("another object than a");
     relation.a = a;
     out.relations.push_back(relation);
+    if (out.relations.size() > kMaxRelations)
+      place.fail("with this there are more than " + std::to_string(kMaxRelations) +
+                 " relations; accepted: fewer");
   }
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/nearest_name.h"
+#include "ops/files/arrange/arrange_operation.h"
 #include "ops/files/json/material_json.h"
 #include "ops/files/layout/layout.h"
 #include "ops/operations/validate.h"
@@ -279,14 +280,15 @@ Operation read_values(const JsonPlace& place) {
   if (op.value() == "ungroup") return read_ungroup(place);
   if (op.value() == "stand") return read_stand(place);
   if (op.value() == "unplace") return read_removal<UnplaceOperation>(place);
+  if (op.value() == "arrange") return read_arrange(place);
   const std::string given = op.value().is_string() ? op.value().get<std::string>() : "";
   op.refuse(
       "\"put\", \"push\", \"turn\", \"pick_up\", \"translate\", \"rotate\", \"append\", "
       "\"duplicate\", \"delete\", \"lock\", \"unlock\", \"fix\", \"unfix\", \"material\", "
-      "\"group\", \"ungroup\", \"stand\" or \"unplace\"" +
+      "\"group\", \"ungroup\", \"stand\", \"unplace\" or \"arrange\"" +
       did_you_mean(given, {"put", "push", "turn", "pick_up", "translate", "rotate", "append",
                            "duplicate", "delete", "lock", "unlock", "fix", "unfix", "material",
-                           "group", "ungroup", "stand", "unplace"}));
+                           "group", "ungroup", "stand", "unplace", "arrange"}));
 }
 
 }  // namespace

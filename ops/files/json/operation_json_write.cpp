@@ -3,6 +3,7 @@
 
 #include "ops/files/json/material_json.h"
 #include "ops/files/json/operation_json.h"
+#include "ops/operations/arrange_problem.h"
 
 namespace trivet {
 namespace {
@@ -120,6 +121,8 @@ void write(const StandOperation& stand, Json& json) { write_pose(stand.pose, jso
 
 void write(const UnplaceOperation&, Json&) {}
 
+void write(const ArrangeOperation&, Json&) {}  // a problem of its own
+
 void write(const LockOperation&, Json&) {}
 
 void write(const FixOperation&, Json&) {}
@@ -133,6 +136,11 @@ void write(const GroupOperation& group, Json& json) {
 }  // namespace
 
 nlohmann::ordered_json operation_json(const Operation& operation) {
+  if (const auto* const arrange = std::get_if<ArrangeOperation>(&operation)) {
+    Json json = {{"op", op_name(operation)}};
+    json.update(Json::parse(arrange->problem->json()));
+    return json;
+  }
   Json json = {{"op", op_name(operation)}, {"object", object_name(operation)}};
   std::visit(
       [&](const auto& o) {

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "core/base/nearest_name.h"
+#include "ops/files/arrange/arrange_operation.h"
 #include "ops/files/json/input_text.h"
 #include "ops/files/json/json_text.h"
 #include "ops/files/json/material_json.h"
@@ -94,6 +95,10 @@ Operation read_known(const JsonPlace& place, std::set<std::string>& names) {
   };
   if (std::holds_alternative<AppendOperation>(operation)) {
     add("object", name);
+    return operation;
+  }
+  if (std::holds_alternative<ArrangeOperation>(operation)) {
+    check_names(place, names);
     return operation;
   }
   const auto refuse = [&](const JsonPlace& where, const std::string& accepted) {

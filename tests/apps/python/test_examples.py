@@ -27,6 +27,28 @@ def test_meshes_from_arrays_are_put(tmp_path):
     assert scene.check().ok
 
 
+def test_arranges_by_relations():
+    scene = trivet.Scene()
+    scene.add("table", box(0.5, 0.4, 0.35), pose=at(0, 0, 0.36), fixed=True)
+    for i in (1, 2, 3):
+        scene.add(f"mug_{i}", box(0.04, 0.04, 0.05))
+    problem = {"seed": 2, "things": [{"objects": "mug_*"}],
+               "relations": [{"is": "on", "a": "*", "b": "table"}, {"is": "keep", "a": "*", "distance": 0.02}]}
+    result = scene.arrange(problem)
+    assert sorted(result.settled) == ["mug_1", "mug_2", "mug_3"] and scene.check().ok
+    assert [o.name for o in scene["mug_2"].supports] == ["table"] and scene.steps[-1] == 'arrange "mug_*"'
+    before = scene.fingerprint
+    problem["relations"].append({"is": "within", "a": "mug_1", "region": [[0, 0], [.05, 0], [.05, .2], [0, .2]]})
+    with pytest.raises(trivet.Refused) as caught:
+        scene.arrange(problem)
+    assert caught.value.code == "no_arrangement" and caught.value.objects[0] == "mug_1"
+    assert caught.value.result.numbers["missing"] == pytest.approx(0.015, abs=1e-6) and scene.fingerprint == before
+    with pytest.raises(trivet.BadInputError, match="did you mean"):
+        scene.arrange({"relations": [{"is": "onn", "a": "mug_1", "b": "table"}]})
+    with pytest.raises(trivet.BadInputError, match="/things/0"):
+        scene.arrange({"things": [{"object": "jug"}]})
+
+
 def bin_shape():
     """A bin of 0.6 m with walls of 1 cm, 0.3 m high, open above: one shape of five boxes."""
     parts, count = [], 0

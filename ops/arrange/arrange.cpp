@@ -1,0 +1,62 @@
+#include "ops/arrange/arrange.h"
+
+#include <algorithm>
+
+#include "ops/arrange/noise.h"
+#include "ops/arrange/solver.h"
+
+namespace trivet {
+
+const char* to_string(ArrangeResult::Status status) {
+  constexpr const char* kNames[] = {"done", "conflict", "cancelled", "out of time"};
+  return kNames[static_cast<int>(status)];
+}
+
+std::string ArrangeResult::reason() const {
+  switch (status) {
+    case Status::Done:
+      return "";
+    case Status::Conflict:
+      return conflict ? conflict->text : "";
+    case Status::Cancelled:
+      return "the arrangement was cancelled";
+    case Status::OutOfTime:
+      break;
+  }
+  return "the arrangement did not end in time";
+}
+
+ArrangeResult arrange(Transaction& transaction, const Arrangement& arrangement,
+                      const SettleOptions& options, const RunContext& context,
+                      const ArrangeProgress& progress) {
+  ArrangeResult out;
+  Interrupt interrupt(context);
+  RunContext each = context;
+  each.time_budget_s = 0;  // of the whole, not of each PUT
+  for (int attempt = 0; attempt < std::max(1, arrangement.max_attempts); ++attempt) {
+    Transaction trial(transaction);
+    World world(trial, arrangement, {options, each});
+    out.conflict.reset();
+    ++out.num_attempts;
+    const std::uint64_t seed = scrambled(arrangement.seed ^ scrambled(attempt));
+    Solver solver(world, seed, interrupt, progress, out);
+    if (solver.run()) {
+      solver.finish();
+      trial.commit();
+      return out;
+    }
+    if (out.status != ArrangeResult::Status::Done) return out;
+  }
+  out.status = ArrangeResult::Status::Conflict;
+  return out;
+}
+
+ArrangeResult arrange(Scene& scene, const Arrangement& arrangement, const SettleOptions& options,
+                      const RunContext& context, const ArrangeProgress& progress) {
+  Transaction transaction(scene);
+  ArrangeResult out = arrange(transaction, arrangement, options, context, progress);
+  if (out.ok()) transaction.commit();
+  return out;
+}
+
+}  // namespace trivet
