@@ -17,6 +17,6 @@ case "${1:-}" in
     ;;
 esac
 
-.ci/install-packages.sh build editor cad convex exr serve python tests
+.ci/install-packages.sh build editor cad convex exr serve python docs tests
 .ci/build.sh "$preset"
 ctest --preset "$preset" --parallel "$(nproc)" --no-tests=error "$@"

@@ -1,5 +1,5 @@
-"""The examples of the documentation. Left out: 10 (pictures and a viewer in notebooks, which are not built), and of 9
-the sharing of shapes by id between processes."""
+"""The examples of the documentation, at length; test_docs.py runs them as they stand there. Pictures and pages have tests of their
+own. Left out: the sharing of shapes by id between processes."""
 import multiprocessing
 import sys
 import types

@@ -1,0 +1,95 @@
+"""The pages of the documentation: every block of code runs, on the command line and in Python; notebooks too, without Jupyter."""
+import ast
+import doctest
+import json
+import os
+import re
+import shutil
+import subprocess
+import textwrap
+from pathlib import Path
+
+import pytest
+
+import trivet
+
+DOCS = Path(__file__).resolve().parents[3] / "apps" / "python" / "docs"
+PROGRAM = os.environ.get("TRIVET_PROGRAM")
+BLOCK = re.compile(r"^\.\. code-block:: (\w+)\n((?:   :\w+:.*\n)*)\n((?:(?:   .*)?\n)+)", re.M)
+needs_program = pytest.mark.skipif(not PROGRAM, reason="TRIVET_PROGRAM is not set")
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch):
+    """An empty folder to work in, with the program on the path, and Python where the package is."""
+    monkeypatch.chdir(tmp_path)
+    package = str(Path(trivet.__file__).parents[1])
+    monkeypatch.setenv("PYTHONPATH", package + os.pathsep + os.environ.get("PYTHONPATH", ""))
+    if PROGRAM:
+        monkeypatch.setenv("PATH", os.path.dirname(PROGRAM) + os.pathsep + os.environ["PATH"])
+    return tmp_path
+
+
+def blocks(page):
+    """(language, file name, text) of each block of code."""
+    for language, options, text in BLOCK.findall((DOCS / page).read_text(encoding="utf-8") + "\n"):
+        caption = re.search(r":caption: (\S+)", options)
+        yield language, caption and caption.group(1), textwrap.dedent(text)
+
+
+def test_the_ten_examples_are_doctests(folder):
+    for file in ("examples.rst", "farm.py"):
+        shutil.copy(DOCS / file, folder)
+    found = doctest.testfile(str(folder / "examples.rst"), module_relative=False)
+    assert found.failed == 0 and found.attempted > 50
+    assert len(re.findall(r"^\d+\. ", (DOCS / "examples.rst").read_text(encoding="utf-8"), re.M)) == 10
+
+
+@needs_program
+@pytest.mark.parametrize("page, least", [("index.rst", 1), ("tutorial.rst", 9), ("cookbook.rst", 20)])
+def test_every_block_of_a_page_runs(page, least, folder):
+    subprocess.run([PROGRAM, "demo", "breakfast", "-o", "breakfast.glb", "--export", "models", "--quiet"], check=True)
+    names, count = {"__name__": "page"}, 0
+    for language, file, text in blocks(page):
+        count += 1
+        if file:
+            (folder / file).write_text(text)
+        elif language == "python":
+            exec(compile(text, f"{page}, block {count}", "exec"), names)
+        else:
+            assert language == "bash", language
+            done = subprocess.run(["bash", "-euo", "pipefail", "-c", text], capture_output=True, text=True, timeout=600)
+            assert done.returncode == 0, f"{page}, block {count}:\n{text}\n{done.stdout}\n{done.stderr}"
+    assert count >= least
+
+
+def test_the_cookbook_has_twelve_tasks():
+    text = (DOCS / "cookbook.rst").read_text(encoding="utf-8")
+    assert re.findall(r"^(\d+)\. .*\n-+$", text, re.M) == [str(k) for k in range(1, 13)]
+
+
+def run_cell(source, names):
+    """As a notebook does: the value of a last expression is shown. Returns what would be."""
+    tree = ast.parse(source)
+    last = tree.body.pop() if tree.body and isinstance(tree.body[-1], ast.Expr) else None
+    exec(compile(tree, "cell", "exec"), names)
+    if last is None:
+        return None
+    value = eval(compile(ast.Expression(last.value), "cell", "eval"), names)
+    return value._repr_html_() if hasattr(value, "_repr_html_") else repr(value)
+
+
+@pytest.mark.parametrize("path", sorted((DOCS / "notebooks").glob("*.ipynb")), ids=lambda path: path.stem)
+def test_notebooks_run(path, folder):
+    notebook = json.loads(path.read_text(encoding="utf-8"))
+    assert (notebook["nbformat"], notebook["nbformat_minor"]) == (4, 5)
+    names = {"__name__": "notebook"}
+    shown = [run_cell("".join(cell["source"]), names) for cell in notebook["cells"] if cell["cell_type"] == "code"]
+    assert all(cell["outputs"] == [] for cell in notebook["cells"] if cell["cell_type"] == "code")
+    assert len(shown) >= 3 and any("iframe" in (one or "") for one in shown)
+
+
+def test_all_that_is_public_has_a_place():
+    text = (DOCS / "api.rst").read_text(encoding="utf-8")
+    for name in trivet.__all__:
+        assert name == "__version__" or f"trivet.{name}" in text, name
