@@ -12,7 +12,8 @@
 
 namespace trivet {
 
-/// A rectangle of the image, metres along Projection::right and ::up from the world's origin.
+/// A rectangle of the image, metres along Projection::right and Projection::up from the world's
+/// origin.
 struct ImageRegion {
   Vec2 lower, upper;
 };
