@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <iostream>
 
+#include "apps/trivet/help.h"
 #include "core/base/error.h"
 #include "core/base/nearest_name.h"
 #include "core/io/sandboxed_import.h"
@@ -37,7 +38,7 @@ ImportLimits CommonOptions::limits() const {
 }
 
 void add_common_options(CLI::App& app, CommonOptions& common) {
-  const char* const group = "Options of all verbs";
+  const char* const group = kCommonGroup;
   app.add_option("--backend", common.backend,
                  "What finds candidate pairs of faces; results do not depend on it")
       ->check(one_of({"auto", "gpu", "software", "bvh"}))
@@ -237,13 +238,14 @@ CLI::Validator number_from(double lower, double upper) {
 CLI::Validator one_of(std::vector<std::string> accepted) {
   std::string list;
   for (const std::string& name : accepted) list += (list.empty() ? "" : ", ") + name;
+  // The description stands in --help for the option's type.
   return CLI::Validator(
       [=](const std::string& text) -> std::string {
         for (const std::string& name : accepted)
           if (text == name) return "";
         return quoted(text) + "; accepted: " + list + did_you_mean(text, accepted);
       },
-      "");
+      CLI::detail::join(accepted, "|"));
 }
 
 ProgressCallback terminal_progress(const CommonOptions& common) {

@@ -38,6 +38,15 @@ void check_distinct(const std::vector<std::string>& outputs,
   }
 }
 
+// The folder that will hold it, or the nearest one above that exists: missing ones are made when
+// all is written.
+fs::path existing_folder(const fs::path& file) {
+  std::error_code ignored;
+  fs::path folder = file.parent_path();
+  while (folder.has_relative_path() && !fs::exists(folder, ignored)) folder = folder.parent_path();
+  return folder;
+}
+
 // Tries to write, and leaves no file behind.
 void check_writable(const std::string& path) {
   std::error_code ignored;
@@ -52,7 +61,7 @@ void check_writable(const std::string& path) {
   // Follows a symbolic link, like the later write.
   const fs::path target = fs::weakly_canonical(fs::absolute(path), ignored);
   const std::string trial_name = ".trivet_trial_" + std::to_string(getpid());
-  const fs::path trial = (ignored ? fs::path(path) : target).parent_path() / trial_name;
+  const fs::path trial = existing_folder(ignored ? fs::absolute(path) : target) / trial_name;
   const int descriptor = open(trial.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
   if (descriptor < 0) fail_write(path);
   close(descriptor);

@@ -8,6 +8,7 @@
 #include <new>
 #include <nlohmann/json.hpp>
 
+#include "apps/trivet/help.h"
 #include "apps/trivet/verbs.h"
 #include "core/base/error.h"
 #include "core/base/nearest_name.h"
@@ -44,7 +45,9 @@ std::vector<Verb> add_verbs(CLI::App& app, CommonOptions& common) {
         add_export,    add_render, add_zlist,    add_arrange, add_demo,     add_session,
         add_serve,     add_replay, add_backends, add_batch,   add_doctor,   add_schema}) {
     verbs.push_back(add(app, common));
-    add_common_options(*verbs.back().app, common);
+    CLI::App& verb = *verbs.back().app;
+    add_common_options(verb, common);
+    verb.footer(examples_of(verb.get_name()));
   }
   return verbs;
 }
@@ -85,6 +88,8 @@ int run_program(int argc, char** argv) {
       "Exit status: 0 done; 1 an operation was refused or a check failed; 2 wrong usage or "
       "bad input; 3 the environment.",
       "trivet");
+  app.formatter(help_formatter());
+  app.option_defaults()->always_capture_default();
   CommonOptions common;
   const std::vector<Verb> verbs = add_verbs(app, common);
   add_common_options(app, common);

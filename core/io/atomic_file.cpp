@@ -187,6 +187,9 @@ void StagedFiles::add(const std::string& path, const std::string& bytes) {
 }
 
 void StagedFiles::add(const std::string& path, const FileContent& content) {
+  const std::string folder = fs::path(path).parent_path().string();
+  std::error_code ignored;
+  if (!folder.empty() && !fs::exists(folder, ignored)) add_folder(folder);
   m_files.push_back(std::make_unique<File>(path, content));
 }
 

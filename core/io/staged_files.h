@@ -21,7 +21,8 @@ class StagedFiles {
   /// A folder for some of them, with those above it; it may be there.
   /// @throws Error (Environment).
   void add_folder(const std::string& path);
-  /// As write_file_atomically(), up to the rename. @throws Error (Environment).
+  /// As write_file_atomically(), up to the rename; makes missing folders above the file.
+  /// @throws Error (Environment).
   void add(const std::string& path, const std::string& bytes);
   void add(const std::string& path, const FileContent& content);
   /// Renames in the order of add(): what names others comes last.

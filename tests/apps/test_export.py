@@ -91,7 +91,7 @@ class Simulators(Exports):
         self.refused("export", "s.glb", "-o", "s.sdf", "--simulate", 1, says="--simulate")
         self.refused("export", "s.glb", "-o", "s.xml", "--report", "s.xml", says="two outputs")
         self.refused("export", "cube.obj", "-o", "s.xml", says="cube.obj")
-        self.refused("export", "s.glb", "-o", "nowhere/s.xml", says="nowhere", status=3)
+        self.refused("export", "s.glb", "-o", "/proc/nowhere/s.xml", says="nowhere", status=3)
         self.refused("export", "s.glb", "-o", "s.csv", "--density", "500", says="--density")
 
 

@@ -62,7 +62,7 @@ class Outputs(Case):
     def test_unwritable_output_fails_before_the_work(self):
         self.write("file", "")
         run = ("run", self.two_cubes())
-        for output in ("no/s.glb", "file/s.glb", "/proc/s.glb"):
+        for output in ("file/s.glb", "/proc/s.glb", "/proc/no/s.glb"):
             self.refused(*run, "-o", output, status=3, says=[output, "cannot be written"])
             self.refused(*run, "-o", "s.glb", "--report", output, status=3, says=output)
             self.refused("demo", "spoon-saucer", "-o", output, status=3, says=output)

@@ -73,7 +73,7 @@ class WrongUsage(Case):
     def test_errors_as_json(self):
         for arguments, kind, status in ((("run", "none.json", "-o", "s.glb"), "bad input", 2),
                                         (("run", "none.json"), "usage", 2),
-                                        (("demo", "breakfast", "-o", "no/s.glb"), "environment", 3)):
+                                        (("demo", "breakfast", "-o", "/proc/no/s.glb"), "environment", 3)):
             out, err = self.trivet(*arguments, "--json", status=status)
             error = json.loads(out)["error"]
             self.assertEqual((error["kind"], error["status"]), (kind, status))

@@ -169,6 +169,8 @@ std::string read_text_file(const std::string& path, std::uintmax_t max_bytes) {
 nlohmann::json parse_json(const std::string& text, const std::string& file) {
   if (text.find_first_not_of(" \t\r\n") == std::string::npos)
     bad_input(file + ": is empty; accepted: a JSON object");
+  if (text.rfind("glTF", 0) == 0)
+    bad_input(file + ": is a scene or a model in binary glTF; accepted: JSON, as of a layout");
   ParserWatch watch(file);
   try {
     return nlohmann::json::parse(

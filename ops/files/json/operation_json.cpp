@@ -103,12 +103,18 @@ Pose read_posed(const JsonPlace& place, MoveOptions& move) {
 }
 
 PutOperation read_put(const JsonPlace& place) {
-  if (place.find("on")) {
+  if (place.find("on") || place.find("at")) {
     PutOperation put;
     put.place = read_place(place);
     read_common(place, put);
     if (const auto rotation = place.find("rotation")) put.start.rotation = read_rotation(*rotation);
     return put;
+  }
+  if (!place.find("position")) {
+    place.expect_object({"op", "object"}, {"rotation", "settle_left"});
+    place.fail(
+        "a place is missing; accepted: \"position\", from where it falls, or \"on\", an object or "
+        "\"floor\", on which a place is found");
   }
   PutOperation put;
   put.start = read_posed(place, put);
@@ -116,6 +122,11 @@ PutOperation read_put(const JsonPlace& place) {
 }
 
 PushOperation read_push(const JsonPlace& place) {
+  if (!place.find("to") && !place.find("direction") && !place.find("distance")) {
+    place.expect_object({"op", "object"},
+                        {"step_up", "step_down", "slide", "settle", "together", "settle_left"});
+    place.fail("a target is missing; accepted: \"to\", or \"direction\" and \"distance\"");
+  }
   PushOperation push;
   if (place.find("to")) {
     place.expect_object({"op", "object", "to"}, {"via", "step_up", "step_down", "slide", "settle",

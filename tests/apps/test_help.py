@@ -1,0 +1,140 @@
+"""--help of every verb: its own options first, defaults, and examples that run as they stand."""
+import json
+import os
+import re
+import signal
+import subprocess
+import unittest
+
+from program import PROGRAM, SLAB, Case, main, put
+
+COMMON = "Options of all verbs:"
+RECIPE = {"trivet_recipe": 1, "objects": [SLAB],
+          "groups": [{"name": "mug", "models": [{"model": "mug.obj"}], "count": 1, "rotation": "yaw", "on": "slab"}]}
+PROBLEM = {"trivet": 1, "objects": [SLAB, {"name": "mug", "model": "mug.obj"}],
+           "arrange": {"relations": [{"is": "on", "a": "mug", "b": "slab"}]}}
+OPERATIONS = '{"op": "push", "object": "mug", "direction": [1, 0], "distance": 0.1}\n{"query": "mug"}\n'
+
+
+class HelpCase(Case):
+    def help(self, *verb):
+        text, err = self.trivet(*verb, "--help")
+        self.assertEqual(err, "")
+        return text
+
+    def verbs(self):
+        listed = self.help().split("Subcommands:\n")[1].split("\n\n")[0]
+        return re.findall(r"^  ([a-z-]+) ", listed, re.M)
+
+
+class Layout(HelpCase):
+    def test_own_options_come_before_those_of_all_verbs(self):
+        verbs = self.verbs()
+        self.assertGreater(len(verbs), 20)
+        for verb in verbs:
+            text = self.help(verb)
+            with self.subTest(verb=verb):
+                self.assertEqual(text.count(COMMON), 1)
+                own, common = text.split(COMMON)
+                self.assertIn("\n  --backend", common)
+                self.assertNotIn("\n  --backend", own)
+                for option in re.findall(r"^  (-.*?)(?:  |$)", common.split("Examples:")[0], re.M):
+                    self.assertRegex(option, "backend|gpu-method|confirm|threads|max-file|import|json|quiet|verbose|"
+                                             "help|version")
+
+    def test_lines_fit(self):
+        for verb in ([], *([verb] for verb in self.verbs())):
+            for line in self.help(*verb).split("Examples:")[0].splitlines():
+                if line.startswith(" " * 30):
+                    self.assertLessEqual(len(line), 100, verb)
+
+    def test_defaults_types_and_accepted_values(self):
+        text = " ".join(self.help("serve").split())
+        self.assertIn("--max-sessions INTEGER Sessions at a time (default: 64)", text)
+        self.assertIn("--socket PATH", text)
+        self.assertIn("(not with --address, --port)", text)
+        text = " ".join(self.help("put").split())
+        self.assertIn("(default: 1 0 0 0)", text)
+        self.assertIn("--up y|z", text)
+        self.assertIn("from which it falls, metres (required)", text)
+        self.assertIn("--backend auto|gpu|software|bvh", text)
+        for verb in self.verbs():
+            self.assertNotRegex(self.help(verb), r"default: .*\(default:|TEXT=|\{false\}|\[\]")
+
+
+class Examples(HelpCase):
+    """Runs what each verb's help shows, in a folder with the files it names."""
+
+    def setUp(self):
+        super().setUp()
+        self.write("mug.obj", self.read("cube.obj"))
+        self.write("layout.json", json.dumps({"trivet": 1, "objects": [SLAB, {"name": "mug", "model": "mug.obj"}],
+                                              "operations": [put("mug", 0, 0, 0.5)]}))
+        self.write("recipe.json", json.dumps(RECIPE))
+        self.write("problem.json", json.dumps(PROBLEM))
+        self.write("operations.jsonl", OPERATIONS)
+        self.environment = {**os.environ, "PATH": os.path.dirname(PROGRAM) + ":" + os.environ["PATH"],
+                            "XDG_CACHE_HOME": self.path("cache")}
+        self.trivet("run", "layout.json", "-o", "scene.glb", "--report", "first.json")
+
+    def examples(self, verb):
+        lines = self.help(verb).split("Examples:\n")[1].splitlines()
+        return [line.strip() for line in lines if line.strip()]
+
+    def run_line(self, line):
+        result = subprocess.run(["bash", "-c", line], cwd=self.folder, env=self.environment, capture_output=True,
+                                text=True, timeout=300, stdin=subprocess.DEVNULL)
+        held_up = " pick-up " in line  # in the air, so that the check fails
+        self.assertEqual(result.returncode, int(held_up), line + "\n" + result.stdout + result.stderr)
+
+    def run_server(self, line):
+        server = subprocess.Popen(["bash", "-c", "exec " + line.replace("8080", "0")], cwd=self.folder,
+                                  env=self.environment, stdout=subprocess.PIPE, text=True)
+        self.assertIn("serving", server.stdout.readline())
+        server.send_signal(signal.SIGTERM)
+        self.assertEqual(server.wait(60), 0, line)
+        server.stdout.close()
+
+    def check_verb(self, verb):
+        examples = self.examples(verb)
+        self.assertGreaterEqual(len(examples), 2)
+        for line in examples:
+            with self.subTest(line=line):
+                self.assertIn("trivet " + verb + " ", line + " ")
+                if verb == "serve":
+                    self.run_server(line)
+                else:
+                    self.run_line(line)
+
+    def test_every_verb_has_some_that_run(self):
+        verbs = self.verbs()
+        if not self.trivet("serve", "scene.glb", "--address", "nowhere", status=(2, 3))[1].count("nowhere"):
+            verbs.remove("serve")  # built without the server
+        for verb in sorted(verbs, key=lambda verb: verb == "replay"):  # restores the session of an example
+            self.check_verb(verb)
+
+
+class MissingFolders(Case):
+    def test_are_made_when_all_is_written(self):
+        self.trivet("run", self.two_cubes(), "-o", "a/b/s.glb", "--report", "c/r.json", "--picture", "d/p.png")
+        for name in ("a/b/s.glb", "c/r.json", "d/p.png"):
+            self.assertTrue(os.path.getsize(self.path(name)))
+        self.trivet("export", "a/b/s.glb", "-o", "sim/s.xml")
+        self.trivet("render", "a/b/s.glb", "-o", "e/f.png", "--width", 32, "--height", 32)
+
+    def test_are_not_left_by_what_fails(self):
+        self.write("bad.json", "{}")
+        self.refused("run", "bad.json", "-o", "a/s.glb", says="trivet")
+        self.assertFalse(os.path.exists(self.path("a")))
+
+
+class WrongKinds(Case):
+    def test_scenes_and_layouts_are_told_apart(self):
+        layout = self.two_cubes()
+        self.trivet("run", layout, "-o", "s.glb")
+        self.refused("run", "s.glb", "-o", "t.glb", says=["s.glb: is a scene", "layout"])
+        self.refused("push", layout, "a", "--to", 0, 0, "-o", "t.glb", says=[layout, "run makes of a layout"])
+
+
+if __name__ == "__main__":
+    main()
