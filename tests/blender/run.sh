@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Tests of the add-on for Blender.
-#   tests/blender/run.sh logic|put|module|program PYTHON MODULE_FOLDER TRIVET WORK_FOLDER
+#   tests/blender/run.sh logic|put|operators|window PYTHON MODULE_FOLDER TRIVET WORK_FOLDER
 # logic runs without Blender. Status 77: a prerequisite is missing.
 set -euo pipefail
 here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
@@ -22,5 +22,14 @@ if [ "$job" = logic ]; then
 fi
 command -v blender >/dev/null || skip "Blender is missing; install blender"
 # Settings of the user stay out of it, and are not touched.
+zip="$work/trivet_addon.zip"
+"$python" "$addon/make_zip.py" "$zip"
 export HOME="$work" XDG_CONFIG_HOME="$work" BLENDER_USER_CONFIG="$work/config" BLENDER_USER_SCRIPTS="$work/scripts"
-exec blender -b --factory-startup --python-exit-code 9 -P "$here/test_$job.py" -- "$addon" "$module" "$trivet"
+if [ "$job" = window ]; then
+  command -v xvfb-run >/dev/null || skip "Xvfb is missing; install xvfb and xauth"
+  mkdir "$work/pictures"
+  export LIBGL_ALWAYS_SOFTWARE=1
+  exec xvfb-run -a -s "-screen 0 1280x800x24" timeout 900 blender --factory-startup --enable-event-simulate -p 0 0 1280 800 \
+    -P "$here/test_window.py" -- "$zip" "$module" "$trivet" "$work/pictures"
+fi
+exec blender -b --factory-startup --python-exit-code 9 -P "$here/test_$job.py" -- "$zip" "$module" "$trivet"

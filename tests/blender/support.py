@@ -14,12 +14,11 @@ def arguments():
     return sys.argv[sys.argv.index("--") + 1:]
 
 
-def enable(addon_folder, module_folder, program=""):
-    """The add-on from a folder, with the module from another."""
-    if addon_folder not in sys.path:
-        sys.path.insert(0, addon_folder)
+def enable(zip_file, module_folder, program=""):
+    """The add-on as a user installs it, from its zip, with the module of a folder."""
     if module_folder and module_folder not in sys.path:
         sys.path.insert(0, module_folder)  # for the judge, too
+    bpy.ops.preferences.addon_install(filepath=zip_file)
     addon_utils.enable(ADDON, default_set=True)
     chosen = bpy.context.preferences.addons[ADDON].preferences
     chosen.folder, chosen.program = module_folder, program

@@ -102,6 +102,35 @@ class Names(unittest.TestCase):
                 self.assertEqual(body.name in got, meets)
 
 
+class Stuck(unittest.TestCase):
+    def test_is_what_hangs_together_with_what_stays(self):
+        pairs = [("a", "wall"), ("b", "a"), ("c", "d"), ("wall", "floor tile"), ("e", "b")]
+        out = work.stuck_from_the_start(pairs, ["a", "b", "c", "d", "e", "f"])
+        self.assertEqual({name: one.objects for name, one in out.items()},
+                         {"a": ("a", "wall"), "b": ("b", "a"), "e": ("e", "b")})
+        self.assertEqual(work.stuck_from_the_start([], ["a"]), {})
+
+    def test_is_what_beginning_again_finds(self):
+        random = np.random.default_rng(2)
+        stuck_ones = 0
+        for _ in range(20):
+            bodies = [box("wall", (0, 0, 1), (.3, 6, 2), fixed=True),
+                      *(box(str(k), [*random.uniform(-1.2, 1.2, 2), random.uniform(.6, 3)], (.5,) * 3) for k in range(6))]
+            movers = [body.name for body in bodies[1:]]
+            backend = found("MODULE")
+            make = lambda bodies, out: backend.layout(bodies, out, Settings())
+            slow = work.Put(make, bodies, movers).run()
+            fast = work.Put(make, bodies, movers, crossings=lambda: backend.crossings(bodies, movers)).run()
+            stuck = work.stuck_from_the_start(backend.crossings(bodies, movers), movers)
+            stuck_ones += len(stuck)
+            self.assertLessEqual(set(stuck), set(fast.refused))
+            for report in (slow, fast):
+                shown = [replace_at(body, report.motions.get(body.name, np.eye(4))) for body in bodies]
+                self.assertEqual([p for p in backend.crossings(shown, report.done) if set(p) & set(report.done)], [])
+                self.assertEqual(sorted([*report.done, *report.refused]), movers)
+        self.assertGreater(stuck_ones, 10)
+
+
 class Backends(unittest.TestCase):
     def test_say_which_and_why(self):
         module = found("AUTO")

@@ -1,4 +1,4 @@
-"""Put, inside Blender: blender -b --factory-startup --python-exit-code 9 -P test_put.py -- ADDON_FOLDER MODULE_FOLDER"""
+"""Put, inside Blender: blender -b --factory-startup --python-exit-code 9 -P test_put.py -- ZIP MODULE_FOLDER"""
 import os
 import sys
 import unittest

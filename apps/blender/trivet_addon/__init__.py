@@ -12,9 +12,10 @@ bl_info = {
 
 
 def _parts():
-    from . import op_check, op_put, preferences, properties, ui
+    from . import op_check, op_export, op_moves, op_put, op_scatter, preferences, properties, ui
 
-    return (properties, preferences), (*op_put.CLASSES, *op_check.CLASSES), (ui,)
+    operators = (op_put, op_moves, op_scatter, op_check, op_export)
+    return (properties, preferences), [one for module in operators for one in module.CLASSES], (ui, op_export)
 
 
 def register() -> None:

@@ -15,6 +15,10 @@ from .bodies import Body
 UNITED = "what does not move"  # obstacles as one mesh
 
 
+class LayoutError(Exception):
+    """A layout that cannot be made or used; says why."""
+
+
 @dataclass(frozen=True)
 class Settings:
     """What holds for a whole layout."""
@@ -35,6 +39,7 @@ class Outcome:
     end: str = ""
     blocked_by: str = ""
     gave_way: Tuple[str, ...] = ()
+    carried: Tuple[str, ...] = ()
 
     def __bool__(self) -> bool:
         return self.ok

@@ -29,7 +29,8 @@ class Last:
 
 last = Last()
 statuses: dict = {}  # name -> (Status, where it was)
-running = ""  # the operator that shows its progress
+running = ""  # the operator that shows its progress or a ghost
+ghost: tuple = ((), "")  # names that the ghost shows, and what is told of it
 
 
 def status_of(owner):

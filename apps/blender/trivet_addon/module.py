@@ -9,7 +9,7 @@ from typing import Any, Mapping, Optional, Sequence
 import numpy as np
 
 from .bodies import Body, translation
-from .layouts import Outcome, Settings, Status, Verdict, near
+from .layouts import LayoutError, Outcome, Settings, Status, Verdict, near
 
 _MOST_FACES = 8_000_000
 
@@ -41,7 +41,7 @@ _cache = ShapeCache()
 
 def outcome_of(result: Any) -> Outcome:
     return Outcome(bool(result), result.code or ("" if result else result.status), result.reason, tuple(result.objects),
-                   result.end, result.blocked_by, tuple(one.name for one in result.gave_way))
+                   result.end, result.blocked_by, tuple(one.name for one in result.gave_way), tuple(result.carried))
 
 
 def verdict_of(check: Any) -> Verdict:
@@ -54,6 +54,13 @@ class ModuleLayout:
 
     def __init__(self, trivet: Any, bodies: Sequence[Body], out: Sequence[str], settings: Settings) -> None:
         self._trivet = trivet
+        try:
+            self._start(bodies, out, settings)
+        except trivet.TrivetError as error:
+            raise LayoutError(str(error)) from error
+
+    def _start(self, bodies: Sequence[Body], out: Sequence[str], settings: Settings) -> None:
+        trivet = self._trivet
         shapes = {body.name: _cache.shape(trivet, *body.arrays()) for body in bodies}
         material = {body.name: {"friction": body.friction, "density": body.density} for body in bodies}
         here = [body for body in bodies if body.name not in out]
@@ -89,7 +96,10 @@ class ModuleLayout:
         return verdict_of(self._scene.check())
 
     def export(self, path: str, collision: str) -> list:
-        done = self._scene.export(path, collision=collision)
+        try:
+            done = self._scene.export(path, collision=collision)
+        except self._trivet.TrivetError as error:
+            raise LayoutError(str(error)) from error
         return [*done.files, *done.notes]
 
     def cancel(self) -> None:
@@ -108,7 +118,7 @@ def judge(trivet: Any, bodies: Sequence[Body], settings: Settings):
 def crossings(trivet: Any, bodies: Sequence[Body], about: Sequence[str]) -> list:
     """See `backends.Backend.crossings`; by the very numbers that Blender has."""
     chosen = near(bodies, set(about))
-    shapes = [trivet.Shape(*body.arrays()) for body in chosen]
+    shapes = [_cache.shape(trivet, *body.arrays()) for body in chosen]
     found = trivet.interpenetrations(shapes, [translation(body.origin) for body in chosen],
                                      positions=[_shown(shape, body) for shape, body in zip(shapes, chosen)])
     pairs = [(chosen[one.a].name, chosen[one.b].name) for one in found]

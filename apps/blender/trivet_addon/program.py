@@ -18,10 +18,10 @@ from typing import Any, Mapping, Optional, Sequence
 import numpy as np
 
 from .bodies import Body
-from .layouts import UNITED, Outcome, Settings, Status, Verdict, near
+from .layouts import UNITED, LayoutError, Outcome, Settings, Status, Verdict, near
 
 
-class ProgramError(Exception):
+class ProgramError(LayoutError):
     """The program ended, or answers what it should not."""
 
 
@@ -73,7 +73,7 @@ def outcome_of(answer: Mapping[str, Any]) -> Outcome:
     ok = answer.get("status") == "ok"
     return Outcome(ok, "" if ok else answer.get("cause", answer.get("status", "error")), answer.get("reason", ""),
                    tuple(answer.get("objects", ())), answer.get("ended", ""), answer.get("blocked_by") or "",
-                   tuple(one["name"] for one in answer.get("gave_way", ())))
+                   tuple(one["name"] for one in answer.get("gave_way", ())), tuple(answer.get("carried", ())))
 
 
 def verdict_of(report: Mapping[str, Any]) -> Verdict:

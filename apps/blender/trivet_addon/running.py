@@ -8,7 +8,7 @@ from typing import Any, Optional
 import bpy
 
 from . import backends, memory, preferences
-from .program import ProgramError
+from .layouts import LayoutError
 from .reading import TooLarge
 from .stage import Stage, finish
 from .work import Report, Stopped
@@ -53,7 +53,7 @@ class Working:
         try:
             stage = self.stage(context)
             return self._end(context, stage, self.work(stage).run())
-        except (backends.NoBackend, ProgramError, TooLarge) as error:
+        except (backends.NoBackend, LayoutError, TooLarge) as error:
             return self._failed(error)
 
     def invoke(self, context, event):
@@ -62,7 +62,7 @@ class Working:
         try:
             self._stage = self.stage(context)
             self._work = self.work(self._stage)
-        except (backends.NoBackend, ProgramError, TooLarge) as error:
+        except (backends.NoBackend, LayoutError, TooLarge) as error:
             return self._failed(error)
         self._thread = _Thread(self._work)
         self._thread.start()
@@ -108,7 +108,7 @@ class Working:
         if isinstance(error, Stopped):
             self.report({"INFO"}, "Stopped; all is as it was")
             return {"CANCELLED"}
-        if isinstance(error, (backends.NoBackend, ProgramError)):
+        if isinstance(error, (backends.NoBackend, LayoutError)):
             return self._failed(error)
         if error is not None:
             raise error
@@ -120,7 +120,7 @@ class Working:
         return {"CANCELLED"}
 
     def _end(self, context, stage: Stage, report: Report):
-        report = finish(stage, report, lambda: self.work(stage).run())
+        report = finish(stage, report, lambda: self.again(stage))
         self.written(context, stage, report)
         memory.remember(self.bl_label, stage, report)
         for line in memory.last.lines[:_MOST_LINES]:
@@ -130,6 +130,10 @@ class Working:
 
     def result(self, report: Report):
         return {"FINISHED"} if report.motions else {"CANCELLED"}
+
+    def again(self, stage: Stage) -> Report:
+        """The same work, after something was held or the clearance grew."""
+        return self.work(stage).run()
 
     def written(self, context, stage: Stage, report: Report) -> None:
         """After the result was written."""

@@ -69,6 +69,17 @@ class Stage:
     def bodies(self) -> list:
         return [replace(body, fixed=True) if body.name in self._held else body for body in self.reading.bodies]
 
+    def add(self, body: Body, owner) -> None:
+        """A new object, which `body` is."""
+        self.reading.bodies.append(body)
+        self.reading.owners[body.name] = owner
+        self.reading.movers.add(owner)
+
+    def remove(self, name: str) -> None:
+        """What was added."""
+        self.reading.bodies = [body for body in self.reading.bodies if body.name != name]
+        self.reading.movers.discard(self.reading.owners.pop(name))
+
     def hold(self, name: str, why: str) -> None:
         """This one stays from now on."""
         self._held.add(name)

@@ -10,11 +10,15 @@ import bpy
 from . import backends, memory, preferences
 
 _KEYS: list = []
-_WIDTH = 38  # characters of a line
+ICONS = {"put": "TRIA_DOWN_BAR", "put_here": "PIVOT_CURSOR", "scatter": "STICKY_UVS_DISABLE", "push": "FORWARD",
+         "turn": "FILE_REFRESH", "move": "ORIENTATION_GLOBAL", "separate": "MOD_EXPLODE", "check": "CHECKMARK"}
+_CHARACTER = 8.0  # pixels, at a scale of 1
 
 
-def _lines(layout, text: str, icon: str = "NONE") -> None:
-    for number, line in enumerate(textwrap.wrap(text, _WIDTH)):
+def _lines(context, layout, text: str, icon: str = "NONE") -> None:
+    """A sentence in as many lines as the sidebar needs."""
+    width = context.region.width / (_CHARACTER * context.preferences.system.ui_scale) - 5
+    for number, line in enumerate(textwrap.wrap(text, max(12, int(width)))):
         layout.label(text=line, icon=icon if number == 0 else "BLANK1")
 
 
@@ -32,11 +36,16 @@ class TRIVET_PT_main(_Panel, bpy.types.Panel):
         try:
             preferences.find_backend(preferences.of(context))
         except backends.NoBackend as error:
-            _lines(layout.box(), str(error), "ERROR")
+            _lines(context, layout.box(), str(error), "ERROR")
         row = layout.row()
         row.scale_y = 1.8
         row.operator("trivet.put", icon="TRIA_DOWN_BAR")
+        for first, second in (("put_here", "scatter"), ("push", "turn"), ("move", "separate")):
+            row = layout.row(align=True)
+            for name in (first, second):
+                row.operator(f"trivet.{name}", text=name.replace("_", " ").title(), icon=ICONS[name])
         layout.operator("trivet.check", icon="CHECKMARK")
+        layout.operator("trivet.export", text="Export", icon="EXPORT")
         layout.separator()
         layout.prop(context.scene.trivet, "floor")
         if preferences.of(context).obstacles == "COLLECTION":
@@ -67,11 +76,12 @@ class TRIVET_PT_object(_Panel, bpy.types.Panel):
             return
         box.label(text=status.state.capitalize(), icon="CHECKMARK" if status.state in {"stable", "fixed"} else "ERROR")
         if status.supports:
-            _lines(box, "On " + ", ".join(status.supports))
+            _lines(context, box, "On " + ", ".join(status.supports))
         if status.loads:
-            _lines(box, "Carries " + ", ".join(status.loads))
+            _lines(context, box, "Carries " + ", ".join(status.loads))
         if math.isfinite(status.margin) and status.state != "fixed":
-            box.label(text=f"Margin {status.margin * 1000:.3g} mm, least friction {status.least_friction:.2g}")
+            box.label(text=f"Margin {status.margin * 1000:.3g} mm")
+            box.label(text=f"Least friction {status.least_friction:.2g}")
         row = box.row(align=True)
         row.operator("trivet.select", text="Supports").what = "SUPPORTS"
         row.operator("trivet.select", text="Loads").what = "LOADS"
@@ -90,25 +100,25 @@ class TRIVET_PT_last(_Panel, bpy.types.Panel):
     def draw(self, context) -> None:
         layout, last = self.layout, memory.last
         if last.failure:
-            _lines(layout, last.failure, "ERROR")
+            _lines(context, layout, last.failure, "ERROR")
             return
         verdict = last.verdict
         if last.done:
             layout.label(text=f"{last.title}: {len(last.done)} done", icon="CHECKMARK")
         for reason in list(last.refused.values())[:5]:
-            _lines(layout.box(), reason, "CANCEL")
+            _lines(context, layout.box(), reason, "CANCEL")
         if last.in_the_way:
             layout.operator("trivet.select", text="Show what is in the way").what = "IN_THE_WAY"
         for pair in last.crossings[:5]:
-            _lines(layout.box(), f"{pair[0]} interpenetrates {pair[1]}", "ERROR")
+            _lines(context, layout.box(), f"{pair[0]} interpenetrates {pair[1]}", "ERROR")
         if last.crossings:
             layout.operator("trivet.select", text="Select what interpenetrates").what = "CROSSING"
         if verdict.not_at_rest:
-            _lines(layout, "Not at rest: " + ", ".join(verdict.not_at_rest[:8]), "ERROR")
+            _lines(context, layout, "Not at rest: " + ", ".join(verdict.not_at_rest[:8]), "ERROR")
             layout.operator("trivet.select", text="Select what is not at rest").what = "NOT_AT_REST"
         layout.label(text=f"As a whole: {verdict.stability}", icon="CHECKMARK" if verdict.stands else "ERROR")
         if verdict.topples:
-            _lines(layout, "Gives way: " + ", ".join(verdict.topples[:8]))
+            _lines(context, layout, "Gives way: " + ", ".join(verdict.topples[:8]))
             layout.operator("trivet.select", text="Select what gives way").what = "TOPPLES"
 
 
@@ -119,9 +129,8 @@ class TRIVET_MT_pie(bpy.types.Menu):
 
     def draw(self, context) -> None:
         pie = self.layout.menu_pie()
-        pie.operator("trivet.check", icon="CHECKMARK")
-        pie.separator()
-        pie.operator("trivet.put", icon="TRIA_DOWN_BAR")
+        for name in ("push", "turn", "put", "put_here", "scatter", "move", "separate", "check"):
+            pie.operator(f"trivet.{name}", icon=ICONS[name])
 
 
 class TRIVET_MT_object(bpy.types.Menu):
@@ -130,8 +139,8 @@ class TRIVET_MT_object(bpy.types.Menu):
     bl_label = "Trivet"
 
     def draw(self, context) -> None:
-        self.layout.operator("trivet.put", icon="TRIA_DOWN_BAR")
-        self.layout.operator("trivet.check", icon="CHECKMARK")
+        for name, icon in ICONS.items():
+            self.layout.operator(f"trivet.{name}", icon=icon)
 
 
 def _in_object_menu(self, context) -> None:

@@ -27,6 +27,7 @@ class Report:
     gave_way: list = field(default_factory=list)
     verdict: Verdict = field(default_factory=Verdict)
     statuses: dict = field(default_factory=dict)  # name -> Status
+    outcome: Outcome = Outcome(True)  # of a move
 
 
 class Progress:
@@ -67,18 +68,22 @@ class Put:
     Refused ones stay where they were, and are in the way: if others came to lie there meanwhile, all begins again with
     them standing from the start.
 
-    movers : names of bodies; operation : body -> the operation that puts it
+    movers : names of bodies
+    operation : puts a body in a layout
+    crossings : () -> pairs that interpenetrate where they are; saves beginning again for each of them
     """
 
     def __init__(self, make: MakeLayout, bodies: Sequence[Body], movers: Sequence[str],
-                 operation: Callable[[Layout, Body], Outcome] = lambda layout, body: layout.perform(put_operation(body))
-                 ) -> None:
+                 operation: Callable[[Layout, Body], Outcome] = lambda layout, body: layout.perform(put_operation(body)),
+                 crossings: Callable[[], Sequence] = lambda: ()) -> None:
         self._make, self._bodies, self._movers, self._operation = make, list(bodies), set(movers), operation
+        self._crossings = crossings
         self.progress = Progress()
 
     def run(self) -> Report:
         """Raises Stopped."""
-        staying: dict = {}
+        self.progress.at(0, len(self._movers), "reading")
+        staying = stuck_from_the_start(self._crossings(), self._movers)
         while True:
             bodies = [_held(body) if body.name in staying else body for body in self._bodies]
             out = [name for name in self._movers if name not in staying]
@@ -113,6 +118,23 @@ class Put:
         report.gave_way = [name for name in report.motions if name not in self._movers]
         report.statuses = {name: layout.status(name) for name in report.motions}
         return report
+
+
+def stuck_from_the_start(pairs: Sequence, movers: Sequence[str]) -> dict:
+    """{name: Outcome} of movers that pass through what stays, or through movers that for that reason stay, too."""
+    out: dict = {}
+    links: dict = {}
+    for a, b in pairs:
+        links.setdefault(a, []).append(b)
+        links.setdefault(b, []).append(a)
+    waiting = sorted(name for name in links if name not in movers)
+    while waiting:
+        stays = waiting.pop(0)
+        for name in sorted(links[stays]):
+            if name in movers and name not in out:
+                out[name] = Outcome(False, "crossing", f'at its start position "{name}" passes through "{stays}"', (name, stays))
+                waiting.append(name)
+    return out
 
 
 class Check:

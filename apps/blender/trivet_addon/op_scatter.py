@@ -1,0 +1,124 @@
+"""Operator Scatter."""
+
+from __future__ import annotations
+
+import bpy
+
+from .bodies import Body
+from .op_put import selected_in_object_mode
+from .running import Working
+from .scattering import Recipe, Scatter
+from .stage import Stage
+from .work import Report
+
+
+def copy_tree(owner: bpy.types.Object, collection: bpy.types.Collection) -> bpy.types.Object:
+    """A linked copy of an object and all below it: other objects, the same meshes."""
+    copies = {}
+    for one in [owner, *owner.children_recursive]:
+        copies[one] = one.copy()
+        collection.objects.link(copies[one])
+        copies[one].select_set(False)
+    for one, copy in copies.items():
+        if one is not owner:
+            copy.parent = copies[one.parent]
+            copy.matrix_parent_inverse = one.matrix_parent_inverse
+    return copies[owner]
+
+
+def remove_tree(owner: bpy.types.Object) -> None:
+    for one in [*owner.children_recursive, owner]:
+        bpy.data.objects.remove(one)
+
+
+class TRIVET_OT_scatter(Working, bpy.types.Operator):
+    """Puts linked copies of the other selected objects, or of a collection's, on the active object"""
+
+    bl_idname = "trivet.scatter"
+    bl_label = "Scatter"
+    bl_options = {"REGISTER", "UNDO"}
+    done_word = "copies at rest"
+
+    collection: bpy.props.StringProperty(name="Collection", description="What is copied; empty: the other selected objects")
+    number: bpy.props.IntProperty(name="Number", default=10, min=1, max=10000)
+    seed: bpy.props.IntProperty(name="Seed", default=0, min=0, description="The same seed gives the same scene")
+    pile: bpy.props.BoolProperty(name="Pile", default=False,
+                                 description="Drop them from above, onto each other too; else each in a free place of its own")
+    keep: bpy.props.FloatProperty(name="Keep", default=0.0, min=0.0, unit="LENGTH",
+                                  description="Distance from everything but what they are put on; not for piles")
+    turn: bpy.props.EnumProperty(name="Turn", default="UP", items=[
+        ("NONE", "None", "As they are"), ("UP", "About the vertical", "Upright"), ("ANY", "Any", "Every way")])
+
+    @classmethod
+    def poll(cls, context) -> bool:
+        return selected_in_object_mode(context) and context.active_object is not None
+
+    def draw(self, context) -> None:
+        layout = self.layout
+        layout.use_property_split = True
+        layout.prop_search(self, "collection", bpy.data, "collections")
+        for name in ("number", "seed", "pile", "keep", "turn"):
+            layout.prop(self, name)
+
+    def sources(self, context) -> list:
+        named = bpy.data.collections.get(self.collection)
+        if named is None:
+            return [one for one in context.selected_objects if one != context.active_object]
+        return [one for one in named.all_objects if one.parent is None or one.parent.name not in named.all_objects]
+
+    def objects(self, context):
+        return [*self.sources(context), context.active_object]
+
+    def execute(self, context):
+        if self.collection and self.collection not in bpy.data.collections:
+            return self._failed(ValueError(f'there is no collection "{self.collection}"'))
+        if not self.sources(context):
+            return self._failed(ValueError("nothing to copy; accepted: other selected objects, or a collection"))
+        return super().execute(context)
+
+    def invoke(self, context, event):
+        return super().invoke(context, event) if self.sources(context) else self.execute(context)
+
+    def work(self, stage: Stage) -> Scatter:
+        target = stage.reading.name_of(stage.context.active_object)
+        sources = [name for name in stage.movers if name != target]
+        bodies = [_still(body) if body.name == target or body.name in sources else body for body in stage.bodies]
+        recipe = Recipe(self.number, self.seed, self.pile, self.keep, self.turn)
+        self._scatter = Scatter(stage.make, bodies, sources if target else [], target, recipe)
+        return self._scatter
+
+    def _end(self, context, stage: Stage, report: Report):
+        self._add_copies(stage, report)
+        return super()._end(context, stage, report)
+
+    def again(self, stage: Stage) -> Report:
+        self._remove_copies(stage, list(self._copies))
+        report = super().again(stage)
+        self._add_copies(stage, report)
+        return report
+
+    def written(self, context, stage: Stage, report: Report) -> None:
+        self._remove_copies(stage, [name for name in self._copies if name not in report.done])
+
+    def _add_copies(self, stage: Stage, report: Report) -> None:
+        target = stage.context.active_object
+        collection = target.users_collection[0] if target.users_collection else stage.context.scene.collection
+        self._copies = {}
+        for body in self._scatter.copies:
+            if body.name in report.done:
+                copy = copy_tree(stage.reading.owners[self._scatter.source_of[body.name]], collection)
+                self._copies[body.name] = copy
+                stage.add(body, copy)
+        stage.context.view_layer.update()
+
+    def _remove_copies(self, stage: Stage, names) -> None:
+        for name in names:
+            stage.remove(name)
+            remove_tree(self._copies.pop(name))
+
+
+def _still(body: Body) -> Body:
+    return Body(body.name, body.parts, body.matrix, True, body.friction, body.density)
+
+
+CLASSES = (TRIVET_OT_scatter,)

@@ -1,0 +1,221 @@
+"""The add-on in a real window, driven by simulated events: panel, pie menu, ghost, progress, Ctrl+Z; a picture of each step.
+
+blender --factory-startup --enable-event-simulate -p 0 0 1280 800 -P test_window.py -- ZIP MODULE_FOLDER TRIVET PICTURES
+"""
+import os
+import sys
+import time
+import traceback
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import bpy
+from mathutils import Vector
+
+import scenes
+import support
+
+ZIP, MODULE, PROGRAM, PICTURES = support.arguments()[:4]
+bpy.context.preferences.view.show_splash = False
+support.enable(ZIP, MODULE, PROGRAM)
+import trivet
+from trivet_addon import memory
+
+PATIENCE = 90.0  # seconds for a state; redrawing in software under load takes seconds
+
+
+def view():
+    """Window, area, and region of the 3D view."""
+    window = bpy.context.window_manager.windows[0]
+    area = next(area for area in window.screen.areas if area.type == "VIEW_3D")
+    return window, area, next(region for region in area.regions if region.type == "WINDOW")
+
+
+def send(kind, value="PRESS", at=None, **modifiers):
+    window, area, _ = view()
+    x, y = at or middle()
+    window.event_simulate(type=kind, value=value, x=int(x), y=int(y), **modifiers)
+
+
+def middle():
+    _, area, _ = view()
+    return area.x + area.width // 2 - 100, area.y + area.height // 2
+
+
+def point(at):
+    send("MOUSEMOVE", "NOTHING", at)
+
+
+def press(kind, at=None, **modifiers):
+    send(kind, "PRESS", at, **modifiers)
+    send(kind, "RELEASE", at, **modifiers)
+
+
+def click(at):
+    point(at)
+    press("LEFTMOUSE", at)
+
+
+def screen(location):
+    """Window coordinates of a point in the world."""
+    from bpy_extras.view3d_utils import location_3d_to_region_2d
+
+    _, area, region = view()
+    at = location_3d_to_region_2d(region, area.spaces.active.region_3d, location)
+    return region.x + at.x, region.y + at.y
+
+
+def picture(name):
+    window, _, _ = view()
+    path = os.path.join(PICTURES, name + ".png")
+    with bpy.context.temp_override(window=window):
+        bpy.ops.screen.screenshot(filepath=path)
+    assert os.path.getsize(path) > 10_000, path
+
+
+def override():
+    window, area, region = view()
+    return bpy.context.temp_override(window=window, area=area, region=region)
+
+
+def until(what, condition):
+    """A step that waits for a state."""
+    start = time.time()
+    while not condition():
+        if time.time() - start > PATIENCE:
+            raise AssertionError(f"not within {PATIENCE} s: {what}")
+        yield
+    print(f"{what}: {time.time() - start:.1f} s", flush=True)
+
+
+def frames(number=3):
+    for _ in range(number):
+        yield
+
+
+def steps():
+    _, area, _ = view()
+    space = area.spaces.active
+    space.show_region_ui = True
+    space.shading.type, space.shading.color_type = "SOLID", "RANDOM"
+    space.region_3d.view_location, space.region_3d.view_distance = (0, 0, 1.0), 3.2
+    space.overlay.show_relationship_lines = False
+    ten = scenes.awkward_ten()
+    yield from frames()
+    yield from opens_the_panel(area)
+    yield from puts_by_the_pie_menu_and_undoes(ten)
+    yield from puts_one_here_with_a_ghost()
+    yield from stops_long_work()
+
+
+def opens_the_panel(area):
+    point(middle())
+    yield from frames()
+    click((area.x + area.width - 12, area.y + area.height - 216))  # its tab
+    yield from frames(5)
+    picture("panel")
+
+
+def puts_by_the_pie_menu_and_undoes(ten):
+    with override():
+        bpy.ops.ed.undo_push(message="built")
+    before = support.matrices()
+    point(middle())
+    yield from frames()
+    send("D", "PRESS", shift=True, alt=True)
+    yield from frames(5)
+    picture("pie")
+    x, y = middle()
+    for down in (20, 60, 100):
+        point((x, y - down))
+        yield from frames()
+    send("D", "RELEASE", (x, y - 100))
+    yield from until("put by the pie menu", lambda: memory.last.title == "Put" and not memory.running)
+    assert len(memory.last.done) == 9, memory.last
+    yield from frames(5)
+    picture("put")
+    after = support.matrices()
+    assert after != before
+    press("Z", ctrl=True)
+    yield from until("undone by Ctrl+Z", lambda: support.matrices() == before)
+    press("Z", ctrl=True, shift=True)
+    yield from until("done again by Ctrl+Shift+Z", lambda: support.matrices() == after)
+
+
+def puts_one_here_with_a_ghost():
+    monkey = bpy.data.objects["monkey (subdivided)"]
+    support.select([monkey])
+    before = support.matrices()
+    with override():
+        bpy.ops.trivet.put_here("INVOKE_DEFAULT", True)
+    assert memory.running == "TRIVET_OT_put_here", memory.running
+    point(screen((-0.1, -0.42, 0.73)))
+    yield from until("ghost", lambda: memory.ghost[0] and "rest" in memory.ghost[1])
+    point(screen((-0.12, -0.4, 0.73)))
+    yield from frames(6)
+    send("WHEELUPMOUSE", at=screen((-0.12, -0.4, 0.73)))
+    yield from frames(6)
+    assert support.matrices() == before, "the ghost moves nothing"
+    picture("ghost")
+    press("ESC")
+    yield from until("left by Esc", lambda: not memory.running)
+    assert support.matrices() == before
+    with override():
+        bpy.ops.trivet.put_here("INVOKE_DEFAULT", True)
+    point(screen((-0.12, -0.4, 0.73)))
+    yield from until("ghost again", lambda: memory.ghost[0] and "rest" in memory.ghost[1])
+    press("LEFTMOUSE", screen((-0.12, -0.4, 0.73)))
+    yield from until("put by a click", lambda: memory.last.title == "Put Here" and not memory.running)
+    assert memory.last.done == [monkey.name], memory.last
+    assert (monkey.matrix_world.translation.xy - Vector((-0.12, -0.4))).length < 0.2
+    yield from frames(5)
+    picture("put_here")
+
+
+def stops_long_work():
+    """Many fine rings, one on another."""
+    support.clear()
+    rings = []
+    for k in range(60):
+        bpy.ops.mesh.primitive_torus_add(location=(0, 0, 0.5 + 0.6 * k), rotation=(0.3, 0.1 * k, 0), major_segments=96, minor_segments=48)
+        rings.append(bpy.context.object)
+    support.select(rings)
+    before = support.matrices()
+    with override():
+        bpy.ops.trivet.put("INVOKE_DEFAULT", True)
+    assert memory.running == "TRIVET_OT_put", memory.running
+    yield from frames(4)
+    picture("progress")
+    assert memory.running, "the work was to be long"
+    press("ESC")
+    start = time.time()
+    yield from until("stopped by Esc", lambda: not memory.running)
+    assert support.matrices() == before
+    print(f"stopped within {time.time() - start:.2f} s")
+
+
+def finish(passed):
+    print("PASSED" if passed else "FAILED", flush=True)
+    if not passed:
+        picture("failed")
+    sys.stdout.flush()
+    os._exit(0 if passed else 1)  # Blender asks about unsaved work otherwise
+
+
+def run():
+    work = steps()
+
+    def tick():
+        try:
+            next(work)
+            return 0.1
+        except StopIteration:
+            passed = True
+        except Exception:
+            passed = False
+            traceback.print_exc()
+        finish(passed)
+
+    bpy.app.timers.register(tick, first_interval=1.0, persistent=True)
+
+
+run()
