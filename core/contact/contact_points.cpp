@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 #include <tuple>
+#include <utility>
 
 #include "core/base/tunables.h"
 #include "core/contact/contact_face.h"
@@ -347,7 +348,10 @@ void collect_floor_vertices(const Body& object, const PlacedBvh& tree, Index nod
 std::vector<ContactPoint> contact_points(const Body& object, const Body& support, double tolerance,
                                          double slack) {
   if (!overlaps(object.world_box, support.world_box, tolerance * 1.001)) return {};
-  return ContactSearch(object, support, tolerance, slack).run();
+  if (!comes_first(support, object)) return ContactSearch(object, support, tolerance, slack).run();
+  std::vector<ContactPoint> points = ContactSearch(support, object, tolerance, slack).run();
+  for (ContactPoint& p : points) p = seen_from_support(p);
+  return points;
 }
 
 std::vector<ContactPoint> floor_contact_points(const Body& object, double tolerance) {

@@ -2,6 +2,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 #include "core/contact/contact_points.h"
 #include "core/contact/plane_axes.h"
@@ -57,7 +58,51 @@ double cross(const Vec2& o, const Vec2& a, const Vec2& b) {
   return (a - o).x() * (b - o).y() - (a - o).y() * (b - o).x();
 }
 
+bool is_less(const Vec3& a, const Vec3& b) {
+  return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+}
+
+// Less in the order of meshes of as many vertices and faces. Differs at the first vertex, mostly.
+bool is_less(const Mesh& a, const Mesh& b) {
+  if (a.vertices != b.vertices)
+    return std::lexicographical_compare(a.vertices.begin(), a.vertices.end(), b.vertices.begin(),
+                                        b.vertices.end(),
+                                        [](const Vec3& p, const Vec3& q) { return is_less(p, q); });
+  return a.triangles < b.triangles;
+}
+
 }  // namespace
+
+bool comes_first(const Body& a, const Body& b) {
+  const Mesh &ma = a.shape->mesh, &mb = b.shape->mesh;
+  const auto sizes = [](const Mesh& m) {
+    return std::make_pair(m.triangles.size(), m.vertices.size());
+  };
+  if (sizes(ma) != sizes(mb)) return sizes(ma) < sizes(mb);
+  const Affine &pa = a.world_from_object, &pb = b.world_from_object;
+  if (pa.translation != pb.translation) return is_less(pa.translation, pb.translation);
+  for (int k = 0; k < 3; ++k)
+    if (pa.linear.col(k) != pb.linear.col(k)) return is_less(pa.linear.col(k), pb.linear.col(k));
+  return &ma != &mb && is_less(ma, mb);
+}
+
+ContactPoint seen_from_support(ContactPoint p) {
+  p.normal = -p.normal;
+  std::swap(p.feature_object, p.feature_support);
+  if (p.features == ContactFeatures::VertexFace)
+    p.features = ContactFeatures::FaceVertex;
+  else if (p.features == ContactFeatures::FaceVertex)
+    p.features = ContactFeatures::VertexFace;
+  return p;
+}
+
+Contact seen_from_support(Contact contact) {
+  contact.normal = -contact.normal;
+  std::reverse(contact.hull.begin(), contact.hull.end());
+  std::swap(contact.faces_object, contact.faces_support);
+  for (ContactPoint& p : contact.points) p = seen_from_support(p);
+  return contact;
+}
 
 const char* to_string(ContactType type) {
   switch (type) {
@@ -128,6 +173,12 @@ std::vector<Vec2> convex_hull(std::vector<Vec2> points) {
 
 Contact make_contact(const std::vector<ContactPoint>& points, const Body& object,
                      const Body* support, double extent) {
+  if (support && comes_first(*support, object)) {
+    std::vector<ContactPoint> of_support;
+    of_support.reserve(points.size());
+    for (const ContactPoint& p : points) of_support.push_back(seen_from_support(p));
+    return seen_from_support(make_contact(of_support, *support, &object, extent));
+  }
   Contact out;
   out.points = points;
   if (points.empty()) return out;

@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/make_room.h"
 #include "core/base/tunables.h"
+#include "core/contact/contact_points.h"
 
 namespace trivet {
 
@@ -169,11 +170,22 @@ void Scene::set_contacts(ObjectId id, std::vector<ObjectContact> object_contacts
     std::vector<ObjectContact>& contacts = m_slots[index].object->contacts;
     make_room(contacts, contacts.size() + news.size());
   }
+  // The floor first, then in the scene's order, whoever was linked last.
+  const auto earlier = [&](const ObjectContact& a, const ObjectContact& b) {
+    if (a.with.is_floor() || b.with.is_floor()) return a.with.is_floor() && !b.with.is_floor();
+    return m_slots[a.with.object().index].order < m_slots[b.with.object().index].order;
+  };
+  const auto sort_links = [&](std::vector<ObjectContact>& contacts) {
+    if (!std::is_sorted(contacts.begin(), contacts.end(), earlier))
+      std::sort(contacts.begin(), contacts.end(), earlier);
+  };
   for (auto& [index, news] : new_of_others) {
     std::vector<ObjectContact>& contacts = m_slots[index].object->contacts;
     std::erase_if(contacts, [&](const ObjectContact& other) { return other.with == Support(id); });
     std::move(news.begin(), news.end(), std::back_inserter(contacts));
+    sort_links(contacts);
   }
+  sort_links(object_contacts);
   m_slots[id.index].object->contacts = std::move(object_contacts);
 }
 
@@ -238,20 +250,7 @@ std::vector<ObjectId> SceneChange::ids() const {
   return out;
 }
 
-Contact reversed(const Contact& contact) {
-  Contact out = contact;
-  out.normal = -contact.normal;
-  std::swap(out.faces_object, out.faces_support);
-  for (ContactPoint& p : out.points) {
-    p.normal = -p.normal;
-    std::swap(p.feature_object, p.feature_support);
-    if (p.features == ContactFeatures::VertexFace)
-      p.features = ContactFeatures::FaceVertex;
-    else if (p.features == ContactFeatures::FaceVertex)
-      p.features = ContactFeatures::VertexFace;
-  }
-  return out;
-}
+Contact reversed(const Contact& contact) { return seen_from_support(contact); }
 
 bool holds_up(const Contact& contact) {
   return contact.normal.z() > kSupportNormalZ ||

@@ -169,6 +169,7 @@ void update_contacts(Scene& scene, double clearance, const SettleOptions& settle
         object.fixed ? ObjectState::Fixed : state_as_it_lies(scene, id, others, rules);
     commit_object(transaction, id, object.pose, state, contacts, rules);
   }
+  rate_again(transaction, scene.ids(), rules);
   transaction.commit();
 }
 

@@ -1,51 +1,17 @@
 #include "ops/operations/commit.h"
 
 #include <algorithm>
-#include <cmath>
-#include <optional>
 #include <set>
+#include <span>
 #include <utility>
 
 #include "core/base/tunables.h"
+#include "core/contact/contact_points.h"
 #include "ops/operations/leaning.h"
-#include "ops/settle/equilibrium.h"
 #include "ops/settle/rest.h"
 
 namespace trivet {
 namespace {
-
-constexpr double kLevelTurn = 1e-12;  // a turn about a vertical axis has no larger x and y
-
-/// Motion of a group from where it was to where it is.
-class RigidMove {
- public:
-  RigidMove(const Pose& from, const Pose& to) : m_from(from.translation), m_to(to.translation) {
-    const Rotation &p = from.rotation, &q = to.rotation;
-    m_turned = p.w != q.w || p.x != q.x || p.y != q.y || p.z != q.z;
-    if (!m_turned) return;
-    const Rotation turn = (q * Rotation{p.w, -p.x, -p.y, -p.z}).normalized();
-    m_matrix = turn.matrix();
-    m_tilted = std::max(std::abs(turn.x), std::abs(turn.y)) > kLevelTurn;
-  }
-
-  bool tilted() const { return m_tilted; }
-  Vec3 point(const Vec3& p) const {
-    return m_turned ? Vec3(m_to + m_matrix * (p - m_from)) : Vec3(p + (m_to - m_from));
-  }
-  Contact contact(Contact c) const {
-    for (ContactPoint& p : c.points) p.point = point(p.point), p.normal = direction(p.normal);
-    for (Vec3& p : c.hull) p = point(p);
-    c.normal = direction(c.normal);
-    return c;
-  }
-
- private:
-  Vec3 direction(const Vec3& d) const { return m_turned ? Vec3(m_matrix * d) : d; }
-
-  Vec3 m_from, m_to;
-  Mat3 m_matrix = Mat3::Identity();
-  bool m_turned = false, m_tilted = false;
-};
 
 /// Ids without duplicates, in the order in which they came.
 class IdSet {
@@ -64,11 +30,9 @@ bool has(const std::vector<ObjectId>& ids, ObjectId id) {
   return std::find(ids.begin(), ids.end(), id) != ids.end();
 }
 
-// True if the centre is inside the hull of the contacts that carry: at rest without further tests.
-bool stands_on(const Scene& scene, const Object& object, const std::vector<ContactsWith>& contacts,
-               const RestRules& rules) {
-  return rate_unheld(scene, object, object.pose, contacts, rules).stability_margin >=
-         kRestMargin * size_of(object);
+double margin_by_links(const Scene& scene, ObjectId id, const RestRules& rules) {
+  const Object& object = scene.at(id);
+  return rate_unheld(scene, object, object.pose, linked_contacts(object), rules).stability_margin;
 }
 
 // State of an object that is not at rest and was not moved by hand.
@@ -79,38 +43,32 @@ ObjectState left_alone(const Scene& scene, ObjectId id, OperationResult& result)
   return ObjectState::Unsupported;
 }
 
-void set_rating(Object& object, ObjectState state, const RestRating& rating) {
-  object.state = state;
-  object.stability_margin = rating.stability_margin;
-  object.least_friction = rating.least_friction;
-}
-
-/// An invalid object stays so as long as it interpenetrates something.
-/// @param known  its contacts, if they are. @param state  calls its argument to learn whether the
-///   object is at rest.
+/// State and margin by the links. An invalid object stays so as long as it interpenetrates
+/// something; one whose centre is inside the hull of the contacts that carry is at rest without
+/// further tests.
+/// @param state  calls its argument to learn whether the object is at rest.
 template <class State>
-void rate_as(Transaction& transaction, ObjectId id, const RestRules& rules,
-             const std::vector<ContactsWith>* known, const State& state) {
+void rate_as(Transaction& transaction, ObjectId id, const RestRules& rules, const State& state) {
   const Scene& scene = transaction.scene();
   const Object& seen = scene.at(id);
   if (seen.fixed || !seen.placed) return;
   const std::vector<Support> crossed = passed_through(scene, id);
-  Neighbourhood others(scene, id);
-  others.leave_out(crossed);
-  const std::vector<ContactsWith> contacts =
-      known ? *known : touching(body_of(seen), others, rules.clearance);
+  const double margin = margin_by_links(scene, id, rules);
   const bool stays = is_invalid(scene, id) && !crossed.empty();
   const ObjectState now = stays ? ObjectState::Invalid : state([&] {
-    return stands_on(scene, seen, contacts, rules) || rests_at(seen, seen.pose, others, rules);
+    if (margin >= kRestMargin * size_of(seen)) return true;
+    Neighbourhood others(scene, id);
+    others.leave_out(crossed);
+    return rests_at(seen, seen.pose, others, rules);
   });
-  const bool rests = now == ObjectState::Stable || now == ObjectState::Wedged;
-  const RestRating rating = rests ? rate_rest(scene, id, seen.pose, contacts, rules)
-                                  : rate_unheld(scene, seen, seen.pose, contacts, rules);
-  transaction.edit(id, [&](Object& object) { set_rating(object, now, rating); });
+  transaction.edit(id, [&](Object& object) {
+    object.state = now;
+    object.stability_margin = margin;
+  });
 }
 
-/// Commit of one plan. Order: contacts and ratings to renew are collected while the scene is as it
-/// was, then poses and links change, then ratings.
+/// Commit of one plan. Order: what is to be rated again is collected while the scene is as it was,
+/// then poses change, then links, then ratings.
 class GroupCommit {
  public:
   GroupCommit(Transaction& transaction, MovePlan& plan, const SettleOptions& options)
@@ -121,13 +79,15 @@ class GroupCommit {
         m_rules(rest_rules(options, m_group.clearance())) {}
 
   void run() {
-    const RigidMove move(m_scene.at(m_group.ids()[0]).pose, m_group.pose());
+    const Index num_members = static_cast<Index>(m_group.ids().size());
     for (const ObjectId id : m_group.ids()) m_members.insert(id.index);
-    for (Index i = 0; i < static_cast<Index>(m_group.ids().size()); ++i) prepare(i, move);
+    for (Index i = 0; i < num_members; ++i) prepare(i);
     for (const ObjectId id : m_scene.invalid_objects()) add_partner(id);
-    m_to_rate.insert(m_to_rate.end(), m_partners.ids().begin(), m_partners.ids().end());
-    for (Index i = 0; i < static_cast<Index>(m_group.ids().size()); ++i) place(i);
-    for (const ObjectId id : m_to_rate) rate(id);
+    find_inner_contacts();
+    for (Index i = 0; i < num_members; ++i) place(i);
+    for (Index i = 0; i < num_members; ++i) link(i);
+    for (const ObjectId id : m_group.ids()) rate(id);
+    for (const ObjectId id : m_partners.ids()) rate(id);
     for (const ObjectId id : m_group.ids())
       if (id != m_group.ids()[0]) m_plan.result.carried.push_back(m_scene.at(id).name);
   }
@@ -137,23 +97,14 @@ class GroupCommit {
 
   // Partners of these contacts are to be rated, too, unless they rest on their own contacts
   // whatever the member does on them or beside them.
-  void touch(const std::vector<ObjectContact>& object_contacts) {
-    for (const ObjectContact& entry : object_contacts) {
-      if (entry.with.is_floor()) continue;
-      const ObjectId with = entry.with.object();
-      if (!stands_on_its_own(m_scene.at(with)) || weighs_on(entry.contact)) add_partner(with);
-    }
+  void touch(const ObjectContact& entry) {
+    if (entry.with.is_floor()) return;
+    const ObjectId with = entry.with.object();
+    if (!stands_on_its_own(m_scene.at(with)) || weighs_on(entry.contact)) add_partner(with);
   }
 
   void add_partner(ObjectId id) {
     if (!is_member(id)) m_partners.add(id);
-  }
-
-  // The member leaves its neighbours: those that may lean on it are to be rated, too.
-  // @return whether it may lean on one of them.
-  bool leave(const Object& member) {
-    for (const ObjectId id : leaning_on(m_scene, member, m_group.outside())) add_partner(id);
-    return leans_on_any(member, m_group.outside());
   }
 
   bool crosses(ObjectId id) const {
@@ -172,31 +123,34 @@ class GroupCommit {
     return contacts;
   }
 
-  // Links of a member, and whether it has to be rated again.
-  void prepare(Index i, const RigidMove& move) {
-    const ObjectId id = m_group.ids()[i];
-    const Object& object = m_scene.at(id);
-    const std::vector<ContactsWith> contacts = contacts_of(i);
-    std::vector<ObjectContact> object_contacts =
-        object_contacts_of(object, m_group.pose(i), m_scene, contacts, m_group.clearance());
-    touch(object_contacts);
-    touch(object.contacts);
-    const bool leans = leave(object);
-    if (m_group.ids().size() == 1) m_contacts = contacts;
-    bool rated_again = has(m_group.driven(), id) || move.tilted() || !object_contacts.empty() ||
-                       leans || is_invalid(m_scene, id) || crosses(id);
-    for (const ObjectContact& entry : object.contacts)
-      if (entry.with.is_object() && is_member(entry.with.object()))
-        object_contacts.push_back({entry.with, move.contact(entry.contact)});
-      else
-        rated_again = true;
-    if (rated_again) m_to_rate.push_back(id);
-    m_object_contacts.push_back(std::move(object_contacts));
+  // Contacts of a member with the outside, and whom it leaves or meets.
+  void prepare(Index i) {
+    const Object& object = m_scene.at(m_group.ids()[i]);
+    m_contacts.push_back(contacts_of(i));
+    for (const ObjectContact& entry : object_contacts_of(object, m_group.pose(i), m_scene,
+                                                         m_contacts.back(), m_group.clearance()))
+      touch(entry);
+    for (const ObjectContact& entry : object.contacts) touch(entry);
+    for (const ObjectId id : leaning_on(m_scene, object, m_group.outside())) add_partner(id);
+  }
+
+  // They move as one, but turned and rounded: contacts follow from the poses alone.
+  void find_inner_contacts() {
+    const std::span<const Body> bodies = m_group.bodies();
+    for (size_t i = 0; i < bodies.size(); ++i)
+      for (size_t j = i + 1; j < bodies.size(); ++j) {
+        std::vector<ContactPoint> points =
+            contact_points(bodies[i], bodies[j], kContactTolerance * m_group.clearance(),
+                           kFootSlack * m_group.clearance());
+        if (points.empty()) continue;
+        m_contacts[i].push_back({m_group.ids()[j], points});
+        for (ContactPoint& p : points) p = seen_from_support(p);
+        m_contacts[j].push_back({m_group.ids()[i], std::move(points)});
+      }
   }
 
   void place(Index i) {
     const ObjectId id = m_group.ids()[i];
-    m_transaction.set_contacts(id, std::move(m_object_contacts[i]));
     m_transaction.edit(id, [&](Object& object) {
       object.pose = m_group.pose(i);
       object.placed = true;
@@ -205,6 +159,16 @@ class GroupCommit {
       const bool was_in_hand = object.state == ObjectState::Held && has(m_group.driven(), id);
       if (m_plan.settled && was_in_hand) object.state = ObjectState::Stable;  // or what it is rated
     });
+  }
+
+  void link(Index i) {
+    const ObjectId id = m_group.ids()[i];
+    const std::vector<Support> crossed = passed_through(m_scene, id);
+    std::erase_if(m_contacts[i], [&](const ContactsWith& c) {
+      return std::find(crossed.begin(), crossed.end(), c.with) != crossed.end();
+    });
+    m_transaction.set_contacts(id, object_contacts_of(m_scene.at(id), m_group.pose(i), m_scene,
+                                                      m_contacts[i], m_group.clearance()));
   }
 
   void rate(ObjectId id) {
@@ -218,7 +182,7 @@ class GroupCommit {
                                      : otherwise == ObjectState::Held && has(m_group.driven(), id);
       return by_hand ? otherwise : left_alone(m_scene, id, m_plan.result);
     };
-    rate_as(m_transaction, id, m_rules, is_object && m_contacts ? &*m_contacts : nullptr, state);
+    rate_as(m_transaction, id, m_rules, state);
   }
 
   Transaction& m_transaction;
@@ -226,11 +190,9 @@ class GroupCommit {
   MovePlan& m_plan;
   const MovingGroup& m_group;
   const RestRules m_rules;
-  std::set<std::uint32_t> m_members;  // slots
-  std::vector<std::vector<ObjectContact>> m_object_contacts;
+  std::set<std::uint32_t> m_members;                  // slots
+  std::vector<std::vector<ContactsWith>> m_contacts;  // of each member
   IdSet m_partners;
-  std::vector<ObjectId> m_to_rate;
-  std::optional<std::vector<ContactsWith>> m_contacts;  // of an object that moves alone
 };
 
 }  // namespace
@@ -257,23 +219,33 @@ OperationResult commit(Transaction& transaction, MovePlan plan, OperationRun& ru
 
 void commit_object(Transaction& transaction, ObjectId id, const Pose& pose, ObjectState state,
                    const std::vector<ContactsWith>& contacts, const RestRules& rules) {
-  const Object& seen = transaction.scene().at(id);
-  const bool unheld = state == ObjectState::Held || state == ObjectState::Unsupported ||
-                      state == ObjectState::Invalid;
-  const RestRating rating = unheld ? rate_unheld(transaction.scene(), seen, pose, contacts, rules)
-                                   : rate_rest(transaction.scene(), id, pose, contacts, rules);
+  const Scene& scene = transaction.scene();
   transaction.set_contacts(
-      id, object_contacts_of(seen, pose, transaction.scene(), contacts, rules.clearance));
+      id, object_contacts_of(scene.at(id), pose, scene, contacts, rules.clearance));
   transaction.edit(id, [&](Object& object) {
     object.pose = pose;
     object.placed = true;
-    set_rating(object, state, rating);
+    object.state = state;
   });
+  const double margin = margin_by_links(scene, id, rules);
+  transaction.edit(id, [&](Object& object) { object.stability_margin = margin; });
+}
+
+void rate_again(Transaction& transaction, std::vector<ObjectId> ids, const RestRules& rules) {
+  const Scene& scene = transaction.scene();
+  std::erase_if(ids, [&](ObjectId id) { return !scene.contains(id) || !scene.at(id).placed; });
+  for (const ObjectId id : ids) {
+    const RestRating rating = rating_by_links(scene, id, rules);
+    transaction.edit(id, [&](Object& object) {
+      object.stability_margin = rating.stability_margin;
+      object.least_friction = rating.least_friction;
+    });
+  }
 }
 
 void rate_left_alone(Transaction& transaction, ObjectId id, const RestRules& rules,
                      OperationResult& result) {
-  rate_as(transaction, id, rules, nullptr, [&](const auto& rests) {
+  rate_as(transaction, id, rules, [&](const auto& rests) {
     return rests() ? ObjectState::Stable : left_alone(transaction.scene(), id, result);
   });
 }

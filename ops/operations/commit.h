@@ -8,19 +8,23 @@
 
 namespace trivet {
 
-/// Commits a verified plan: poses; contacts inside the group move along, those with the outside are
-/// found anew; whatever touched the group before or does so now is rated again, and free objects
-/// that nothing holds any more are named in result.unsupported, and released if the plan says so.
+/// Commits a verified plan: poses; contacts, which are found anew; states and margins of what
+/// touched the group before or does so now. Free objects that nothing holds any more are named in
+/// result.unsupported, and released if the plan says so.
 /// Members of a free move that interpenetrate others become ObjectState::Invalid.
 /// @return plan.result, completed; refused when it is interrupted: the transaction is then to be
 ///   rolled back.
 OperationResult commit(Transaction& transaction, MovePlan plan, OperationRun& run);
 
-/// Gives one object a pose and a state, rates its rest and links it with its contacts.
+/// Gives one object a pose and a state, links it with its contacts, and finds its margin.
 void commit_object(Transaction& transaction, ObjectId id, const Pose& pose, ObjectState state,
                    const std::vector<ContactsWith>& contacts, const RestRules& rules);
 
-/// Rates an object again when something that it touched is gone; if it is not at rest any more, it
+/// Ratings of those of these that are placed, by links, poses and states alone: what an operation
+/// touched has then the rating that it gets where the scene is read from a file.
+void rate_again(Transaction& transaction, std::vector<ObjectId> ids, const RestRules& rules);
+
+/// Judges an object again when something that it touched is gone; if it is not at rest any more, it
 /// becomes ObjectState::Unsupported and is named in result.unsupported.
 void rate_left_alone(Transaction& transaction, ObjectId id, const RestRules& rules,
                      OperationResult& result);

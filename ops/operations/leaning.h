@@ -14,7 +14,4 @@ namespace trivet {
 std::vector<ObjectId> leaning_on(const Scene& scene, const Object& object,
                                  const Neighbourhood& outside);
 
-/// True if an object, in its pose in the scene, may lean on one of `outside` or the floor.
-bool leans_on_any(const Object& object, const Neighbourhood& outside);
-
 }  // namespace trivet

@@ -5,6 +5,7 @@
 #include "ops/operations/edit.h"
 #include "ops/operations/validate.h"
 #include "ops/operations/whole.h"
+#include "ops/placement/clearance.h"
 
 namespace trivet {
 namespace {
@@ -40,8 +41,12 @@ OperationResult perform_one(Transaction& transaction, ObjectId id, const Any& o,
     return commit_at_rest(transaction, plan(transaction.scene(), id, o, run), run, name);
   } else {
     OperationResult result = apply(transaction, o, run);
-    if (keeps_whole_at_rest(run.options) && result.ok() && unbalances(o))
-      settle_whole(transaction, name, clearance_of(transaction.scene(), run.options), run, result);
+    if (!result.ok()) return result;
+    const double clearance = clearance_of(transaction.scene(), run.options);
+    if (keeps_whole_at_rest(run.options) && unbalances(o))
+      settle_whole(transaction, name, clearance, run, result);
+    if (result.ok())
+      rate_again(transaction, transaction.touched(), rest_rules(run.options, clearance));
     return result;
   }
 }

@@ -230,10 +230,14 @@ OperationResult commit_at_rest(Transaction& transaction, MovePlan plan, Operatio
   const double clearance = plan.group ? plan.group->clearance() : 0;
   const char* const op = plan.op;
   const bool settles = keeps_whole_at_rest(run.options) && plan.changes_scene && !plan.is_free;
+  const bool changes = plan.changes_scene;
   OperationResult result = commit(transaction, std::move(plan), run);
-  if (!settles || !result.ok()) return result;
-  settle_whole(transaction, object, clearance, run, result);
-  if (run.interrupt.reason()) run.interrupt.refuse(op, object, result);
+  if (settles && result.ok()) {
+    settle_whole(transaction, object, clearance, run, result);
+    if (run.interrupt.reason()) run.interrupt.refuse(op, object, result);
+  }
+  if (changes && result.ok() && !run.is_trial)
+    rate_again(transaction, transaction.touched(), rest_rules(run.options, clearance));
   result.milliseconds = run.stopwatch.milliseconds();
   return result;
 }

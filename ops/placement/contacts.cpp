@@ -1,5 +1,7 @@
 #include "ops/placement/contacts.h"
 
+#include <algorithm>
+
 #include "core/base/tunables.h"
 #include "core/contact/contact_points.h"
 
@@ -42,16 +44,31 @@ std::vector<ObjectContact> object_contacts_of(const Object& object, const Pose& 
                                               const std::vector<ContactsWith>& contacts,
                                               double clearance) {
   const Body body = body_of(object, pose);
-  const double extent = kContactExtent * size_of(object);
+  const double size = size_of(object);
   std::vector<ObjectContact> object_contacts;
+  object_contacts.reserve(contacts.size());
   for (const ContactsWith& c : contacts) {
     const auto points = merged(c.points, kContactTolerance * clearance);
-    Body support;
-    if (c.with.is_object()) support = body_of(scene.at(c.with.object()));
+    if (c.with.is_floor()) {
+      object_contacts.push_back(
+          {c.with, make_contact(points, body, nullptr, kContactExtent * size)});
+      continue;
+    }
+    const Object& other = scene.at(c.with.object());
+    const Body support = body_of(other);
+    const double smaller = std::min(size, size_of(other));
     object_contacts.push_back(
-        {c.with, make_contact(points, body, c.with.is_floor() ? nullptr : &support, extent)});
+        {c.with, make_contact(points, body, &support, kContactExtent * smaller)});
   }
   return object_contacts;
+}
+
+std::vector<ContactsWith> linked_contacts(const Object& object) {
+  std::vector<ContactsWith> out;
+  out.reserve(object.contacts.size());
+  for (const ObjectContact& entry : object.contacts)
+    out.push_back({entry.with, entry.contact.points});
+  return out;
 }
 
 }  // namespace trivet

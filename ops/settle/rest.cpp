@@ -84,4 +84,13 @@ RestRating rate_unheld(const Scene& scene, const Object& object, const Pose& pos
   return {margin_of(scene, object, pose, contacts, rules), kInfinity};
 }
 
+RestRating rating_by_links(const Scene& scene, ObjectId id, const RestRules& rules) {
+  const Object& object = scene.at(id);
+  if (object.fixed) return {};
+  const std::vector<ContactsWith> contacts = linked_contacts(object);
+  const bool rests = object.state == ObjectState::Stable || object.state == ObjectState::Wedged;
+  return rests ? rate_rest(scene, id, object.pose, contacts, rules)
+               : rate_unheld(scene, object, object.pose, contacts, rules);
+}
+
 }  // namespace trivet

@@ -43,4 +43,8 @@ RestRating rate_rest(const Scene& scene, ObjectId id, const Pose& pose,
 RestRating rate_unheld(const Scene& scene, const Object& object, const Pose& pose,
                        const std::vector<ContactsWith>& contacts, const RestRules& rules);
 
+/// Rating of a placed object in its state and pose, by the scene's links: a function of shapes,
+/// poses and materials alone, whatever led there. What is fixed has none: 0.
+RestRating rating_by_links(const Scene& scene, ObjectId id, const RestRules& rules);
+
 }  // namespace trivet

@@ -35,7 +35,7 @@ class Judgement {
     for (const Members& part : parts)
       if (!part.open.empty()) judge(part);
     std::vector<ObjectId>& topples = m_out.topples;  // of parts that near contacts join, twice
-    std::sort(topples.begin(), topples.end(), by_slot);
+    std::sort(topples.begin(), topples.end(), by_name(m_scene));
     topples.erase(std::unique(topples.begin(), topples.end()), topples.end());
     return std::move(m_out);
   }
@@ -86,7 +86,7 @@ class Judgement {
   }
 
   bool is_certified(ObjectId id) const {
-    const auto at = std::lower_bound(m_ids.begin(), m_ids.end(), id, by_slot);
+    const auto at = std::lower_bound(m_ids.begin(), m_ids.end(), id, by_name(m_scene));
     return at != m_ids.end() && *at == id && m_certificate.bodies[at - m_ids.begin()].certified;
   }
 
@@ -139,14 +139,14 @@ std::vector<ObjectId> connected_with(const Scene& scene, std::span<const ObjectI
   for (const ObjectId id : seeds)
     if (is_fixed_or_held(id, scene.at(id))) add_partners(id);
   for (size_t i = 0; i < out.size(); ++i) add_partners(out[i]);
-  std::sort(out.begin(), out.end(), by_slot);
+  std::sort(out.begin(), out.end(), by_name(scene));
   return out;
 }
 
 FreeBodies near_part(const Scene& scene, std::vector<ObjectId> ids, double clearance,
                      const IsGround& is_ground, std::optional<double> friction) {
   while (true) {
-    std::sort(ids.begin(), ids.end(), by_slot);
+    std::sort(ids.begin(), ids.end(), by_name(scene));
     FreeBodies part = near_bodies(scene, ids, clearance, is_ground, friction);
     if (part.left_out.empty()) return part;
     std::vector<ObjectId> more = connected_with(scene, part.left_out);

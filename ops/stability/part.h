@@ -11,10 +11,10 @@ namespace trivet {
 
 /// Placed objects that may move by themselves (neither fixed nor held by a hand), among `seeds` or
 /// connected with them by contacts; contacts through fixed or held objects do not connect. Sorted
-/// by slot. Cost O(found).
+/// by name. Cost O(found log found).
 std::vector<ObjectId> connected_with(const Scene& scene, std::span<const ObjectId> seeds);
 
-/// near_bodies() of these and of all that such contacts connect with them, sorted by slot: what is
+/// near_bodies() of these and of all that such contacts connect with them, sorted by name: what is
 /// held across a gap wider than a link's is of the same part.
 FreeBodies near_part(const Scene& scene, std::vector<ObjectId> ids, double clearance,
                      const IsGround& is_ground, std::optional<double> friction);
@@ -22,7 +22,7 @@ FreeBodies near_part(const Scene& scene, std::vector<ObjectId> ids, double clear
 struct PartVerdict {
   bool stands = true;
   bool known = true;              // false: a part is too large for a proof, or not solved
-  std::vector<ObjectId> topples;  // sorted by slot
+  std::vector<ObjectId> topples;  // sorted by name
 };
 
 /// Verdict whether connected parts stand: by the vertical certificate; then by contact forces of

@@ -48,6 +48,7 @@ const Object& stored(const std::string& key, const std::function<Object()>& make
 
 Object object_with(Model loaded, double scale, UpAxis up) {
   Object object;
+  loaded.path.clear();  // scene files keep the mesh of such models whole
   object.shape = make_shape(loaded.mesh);
   object.model = std::make_shared<const Model>(std::move(loaded));
   object.scale = scale;
@@ -74,6 +75,9 @@ void add(Scene& scene, Object object, const std::string& name) {
 Scene start_scene(Random& random, ModelKind kind, int count) {
   Scene scene;
   Object board = object_of("board", box_triangles(Vec3(0.35, 0.3, 0.01)), true);
+  auto model = std::make_shared<Model>(*board.model);
+  model->path.clear();
+  board.model = std::move(model);
   const ObjectId id = scene.add(std::move(board));
   EXPECT_TRUE(stand(scene, id, {{}, Vec3(0, 0, 0.05)}).ok());
   for (int i = 0; i < count; ++i) {
