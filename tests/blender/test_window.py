@@ -97,13 +97,18 @@ def steps():
     space = area.spaces.active
     space.show_region_ui = True
     space.shading.type, space.shading.color_type = "SOLID", "RANDOM"
-    space.region_3d.view_location, space.region_3d.view_distance = (0, 0, 1.0), 3.2
+    space.region_3d.view_location, space.region_3d.view_distance = (0, 0.1, 0.9), 2.4
     space.overlay.show_relationship_lines = False
     ten = scenes.awkward_ten()
+    for one in bpy.data.objects:
+        if one.type == "EMPTY":
+            one.empty_display_size = 0.05
     yield from frames()
     yield from opens_the_panel(area)
     yield from puts_by_the_pie_menu_and_undoes(ten)
     yield from puts_one_here_with_a_ghost()
+    yield from pushes_by_mouse()
+    yield from shows_preferences()
     yield from stops_long_work()
 
 
@@ -169,6 +174,61 @@ def puts_one_here_with_a_ghost():
     assert (monkey.matrix_world.translation.xy - Vector((-0.12, -0.4))).length < 0.2
     yield from frames(5)
     picture("put_here")
+    clicked = support.matrices()
+    made = bpy.context.window_manager.operators[-1]
+    assert made.bl_idname == "TRIVET_OT_put_here", made.bl_idname
+    at, turn = tuple(made.point), made.turn
+    press("Z", ctrl=True)
+    yield from until("undone", lambda: support.matrices() == before)
+    with override():
+        bpy.ops.trivet.put_here("EXEC_DEFAULT", True, point=at, turn=turn)
+    assert support.matrices() == clicked, "the click does what the redo panel does"
+
+
+def pushes_by_mouse():
+    mug = bpy.data.objects["mug"]
+    support.select([mug])
+    before = mug.matrix_world.copy()
+    start = before.translation
+    point(screen(start))
+    yield from frames()
+    with override():
+        bpy.ops.trivet.push("INVOKE_DEFAULT", True)
+    assert memory.running == "TRIVET_OT_push", memory.running
+    point(screen(start))
+    yield from frames()
+    for k in range(1, 6):
+        point(screen(start + Vector((0.04 * k, 0.03 * k, 0))))
+        yield from frames(1)
+    yield from until("ghost of the push", lambda: "mug" in memory.ghost[0])
+    assert mug.matrix_world == before
+    picture("push")
+    press("LEFTMOUSE", screen(start + Vector((0.2, 0.15, 0))))
+    yield from until("pushed by a click", lambda: memory.last.title == "Push" and not memory.running)
+    assert "mug" in memory.last.done, memory.last
+    assert 0.02 < (mug.matrix_world.translation - start).length < 0.4
+
+
+def shows_preferences():
+    """As it is, and without module and program."""
+    chosen = bpy.context.preferences.addons[support.ADDON].preferences
+    _, area, _ = view()
+    bpy.context.preferences.active_section = "ADDONS"
+    bpy.context.window_manager.addon_search = "Trivet"
+    bpy.context.window_manager.addon_support = {"OFFICIAL", "COMMUNITY", "TESTING"}
+    area.type = "PREFERENCES"
+    with bpy.context.temp_override(area=area):
+        bpy.ops.preferences.addon_expand(module=support.ADDON)
+    chosen.backend, chosen.program = "PROGRAM", "/nowhere/trivet"
+    yield from frames(5)
+    with bpy.context.temp_override(window=bpy.context.window_manager.windows[0]):
+        bpy.ops.screen.screenshot(filepath=os.path.join(PICTURES, "preferences_missing.png"))
+    chosen.backend, chosen.program = "AUTO", PROGRAM
+    yield from frames(5)
+    with bpy.context.temp_override(window=bpy.context.window_manager.windows[0]):
+        bpy.ops.screen.screenshot(filepath=os.path.join(PICTURES, "preferences.png"))
+    area.type = "VIEW_3D"
+    yield from frames(3)
 
 
 def stops_long_work():

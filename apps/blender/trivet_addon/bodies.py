@@ -10,7 +10,7 @@ import numpy as np
 CLEARANCE = 2.0 ** -20  # of a scene's size: how far objects stay apart
 
 
-@dataclass
+@dataclass(eq=False)
 class Part:
     """A mesh as Blender shows it: vertices times the linear half of its matrix, and where they are from.
 
@@ -22,7 +22,7 @@ class Part:
     offset: np.ndarray
 
 
-@dataclass
+@dataclass(eq=False)
 class Body:
     """Objects of Blender that move as one, by the object on top of them, and what Trivet is told of it."""
 
@@ -76,6 +76,8 @@ def fault_of(body: Body) -> Optional[str]:
         return "has no surface"
     if not all(np.isfinite(part.vertices).all() and np.isfinite(part.offset).all() for part in body.parts):
         return "has coordinates that are not finite"
+    if not np.ptp(body.bounds(), axis=0).any():
+        return "is a single point"
     return None
 
 

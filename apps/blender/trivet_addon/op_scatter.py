@@ -108,12 +108,12 @@ class TRIVET_OT_scatter(Working, bpy.types.Operator):
             if body.name in report.done:
                 copy = copy_tree(stage.reading.owners[self._scatter.source_of[body.name]], collection)
                 self._copies[body.name] = copy
-                stage.add(body, copy)
+                stage.reading.add(body, copy)
         stage.context.view_layer.update()
 
     def _remove_copies(self, stage: Stage, names) -> None:
         for name in names:
-            stage.remove(name)
+            stage.reading.remove(name)
             remove_tree(self._copies.pop(name))
 
 

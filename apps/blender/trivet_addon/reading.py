@@ -28,11 +28,27 @@ class Reading:
     owners: dict  # name of the body -> object
     faults: dict  # object -> why
 
+    def __post_init__(self) -> None:
+        self._by_name = {body.name: body for body in self.bodies}
+        self._names = {owner: name for name, owner in self.owners.items()}
+
     def name_of(self, owner: bpy.types.Object) -> Optional[str]:
-        return next((name for name, one in self.owners.items() if one == owner), None)
+        return self._names.get(owner)
 
     def body(self, name: str) -> Body:
-        return next(body for body in self.bodies if body.name == name)
+        return self._by_name[name]
+
+    def add(self, body: Body, owner: bpy.types.Object) -> None:
+        self.bodies.append(body)
+        self.owners[body.name], self._by_name[body.name], self._names[owner] = owner, body, body.name
+        self.movers.add(owner)
+
+    def remove(self, name: str) -> None:
+        """What was added."""
+        self.bodies.remove(self._by_name.pop(name))
+        owner = self.owners.pop(name)
+        del self._names[owner]
+        self.movers.discard(owner)
 
 
 def mesh_arrays(mesh: bpy.types.Mesh):
@@ -68,12 +84,12 @@ def _solid_root(owner: bpy.types.Object) -> bpy.types.Object:
 
 
 def _owner_of(owner: bpy.types.Object, movers: set) -> bpy.types.Object:
-    """The object by which this one moves: a mover, one marked as free, or that of an obstacle."""
+    """The object by which this one moves: the outermost mover, the nearest that is free, or that of an obstacle."""
     top = root_among(owner, movers)
     if top is not None:
         return top
-    free = [one for one in ancestors(owner) if settings_of(one).role == "FREE"]
-    return free[-1] if free else _solid_root(owner)
+    free = (one for one in ancestors(owner) if settings_of(one).role == "FREE")
+    return next(free, None) or _solid_root(owner)
 
 
 def _is_there(instance, shown: bpy.types.Object, movers: set, view) -> bool:
@@ -149,15 +165,15 @@ def read(context, movers: Iterable, *, only: Optional[Iterable] = None, obstacle
 def _reading(parts: dict, movers: set, expected: set) -> Reading:
     owners = sorted({*parts, *expected}, key=lambda one: one.name_full)
     names = safe_names([one.name_full for one in owners])
-    reading = Reading(movers, [], {}, {})
+    bodies, by_name, faults = [], {}, {}
     for owner in owners:
         chosen = settings_of(owner)
         body = Body(names[owner.name_full], parts.get(owner, []), matrix_of(owner.matrix_world),
                     chosen.role != "FREE" and owner not in movers, chosen.friction, chosen.density)
         fault = fault_of(body)
         if fault is None:
-            reading.bodies.append(body)
-            reading.owners[body.name] = owner
+            bodies.append(body)
+            by_name[body.name] = owner
         elif owner in movers:
-            reading.faults[owner] = fault
-    return reading
+            faults[owner] = fault
+    return Reading(movers, bodies, by_name, faults)

@@ -15,6 +15,7 @@ from .writing import Writer, misplaced, probe, why_it_stays
 
 _MOST_ROUNDS = 20
 _PRECISIONS = 4.0  # what Blender's matrices are off, in a clearance
+_COARSEST = 1.0 / 64  # clearance of a body's size, as Trivet has it
 _WIDER = 4.0
 _WIDEST = 2.0 ** -12  # of the smallest body that moves
 
@@ -54,6 +55,9 @@ class Stage:
             why = why_it_stays(owner, auto_key) if owner in movers or not self.reading.body(name).fixed else None
             if why:
                 self.hold(name, why)
+        for name in self.movers:
+            if usual_clearance([self.reading.body(name)]) > _COARSEST * _size(self.reading.body(name)):
+                self.hold(name, "is too far from the origin: Blender's numbers there are too coarse for it")
         stuck, precision = probe(self.context, self.reading, self.movers)
         for name, why in stuck.items():
             self.hold(name, why)
@@ -69,17 +73,6 @@ class Stage:
     def bodies(self) -> list:
         return [replace(body, fixed=True) if body.name in self._held else body for body in self.reading.bodies]
 
-    def add(self, body: Body, owner) -> None:
-        """A new object, which `body` is."""
-        self.reading.bodies.append(body)
-        self.reading.owners[body.name] = owner
-        self.reading.movers.add(owner)
-
-    def remove(self, name: str) -> None:
-        """What was added."""
-        self.reading.bodies = [body for body in self.reading.bodies if body.name != name]
-        self.reading.movers.discard(self.reading.owners.pop(name))
-
     def hold(self, name: str, why: str) -> None:
         """This one stays from now on."""
         self._held.add(name)
@@ -89,7 +82,7 @@ class Stage:
 
     def widen(self) -> bool:
         """A larger clearance from now on; false if that would be seen, or the user asked for one."""
-        sizes = [float(np.linalg.norm(np.ptp(self.reading.body(name).bounds(), axis=0))) for name in self.movers]
+        sizes = [_size(self.reading.body(name)) for name in self.movers]
         if self.choices.settings.clearance or not sizes or _WIDER * self.clearance > _WIDEST * min(sizes):
             return False
         self.clearance *= _WIDER
@@ -150,6 +143,10 @@ def _remember(stage: Stage, report: Report) -> None:
             owner.keyframe_insert("location")
             owner.keyframe_insert({"QUATERNION": "rotation_quaternion", "AXIS_ANGLE": "rotation_axis_angle"}.get(
                 owner.rotation_mode, "rotation_euler"))
+
+
+def _size(body: Body) -> float:
+    return float(np.linalg.norm(np.ptp(body.bounds(), axis=0)))
 
 
 def _because(name: str, why: str) -> Outcome:

@@ -109,6 +109,8 @@ def _reason(owner: bpy.types.Object, wanted: np.ndarray) -> str:
     live = [one.name for one in owner.constraints if not one.mute and one.influence > 0]
     if live:
         return f'is held by its constraint "{live[0]}"'
+    if not all(owner.scale):
+        return "has a scale of 0"
     parent = owner.parent
     if parent is not None:
         above = matrix_of(parent.matrix_world) @ matrix_of(owner.matrix_parent_inverse)
