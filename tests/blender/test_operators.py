@@ -189,6 +189,18 @@ class Scatters(unittest.TestCase):
         bpy.ops.ed.redo()
         self.assertEqual(support.matrices(), after)
 
+    def test_a_collection_that_the_panel_names(self):
+        self.scene()
+        table, apple = bpy.data.objects["table"], bpy.data.objects["apple"]
+        collection = bpy.data.collections.new("fruit")
+        bpy.context.scene.collection.children.link(collection)
+        collection.objects.link(apple)
+        support.select([table])
+        bpy.context.scene.trivet.sources = collection
+        self.assertEqual(bpy.ops.trivet.scatter(*RUN, number=3), {"FINISHED"})
+        self.assertEqual(len([one for one in bpy.data.objects if one.data == apple.data]), 4)
+        bpy.context.scene.trivet.sources = None
+
     def test_of_nothing_says_so(self):
         self.scene()
         support.select([bpy.data.objects["table"]])

@@ -5,6 +5,7 @@ import unittest
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import bpy
+from mathutils import Vector
 
 import scenes
 import support
@@ -81,6 +82,31 @@ class Checks(unittest.TestCase):
         apple.location.x += 0.01
         bpy.context.view_layer.update()
         self.assertIsNone(memory.status_of(apple))
+
+
+class Overlay(unittest.TestCase):
+    def test_draws_the_faces_that_cross_until_something_moves(self):
+        from trivet_addon import overlay, reading
+
+        scenes.awkward_ten()
+        monkey, bowl = bpy.data.objects["monkey (subdivided)"], bpy.data.objects["bowl"]
+        monkey.location = bowl.location + Vector((0.15, -0.1, 0))
+        bpy.context.view_layer.update()
+        support.select([monkey])
+        bpy.ops.trivet.check("EXEC_DEFAULT", True)
+        self.assertTrue(overlay.is_shown())
+        bodies = {body.name: body for body in reading.read(bpy.context, [monkey]).bodies}
+        corners, pairs = overlay.crossing_faces(bodies[monkey.name], bodies["bowl"])
+        shapes = [trivet.Shape(*bodies[name].arrays()) for name in (monkey.name, "bowl")]
+        poses = [[[1, 0, 0, x], [0, 1, 0, y], [0, 0, 1, z], [0, 0, 0, 1]] for x, y, z in
+                 (bodies[name].origin for name in (monkey.name, "bowl"))]
+        exact = trivet.interpenetrations(shapes, poses)[0].crossings
+        print(f"{pairs} pairs of faces drawn, {exact} cross")
+        self.assertLess(abs(pairs - exact), 0.02 * exact)
+        self.assertGreater(len(corners), 20)
+        monkey.location.z += 1
+        bpy.context.view_layer.update()
+        self.assertFalse(overlay.is_shown())
 
 
 class Heaps(unittest.TestCase):

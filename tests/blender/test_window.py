@@ -108,6 +108,7 @@ def steps():
     yield from puts_by_the_pie_menu_and_undoes(ten)
     yield from puts_one_here_with_a_ghost()
     yield from pushes_by_mouse()
+    yield from shows_where_things_cross()
     yield from shows_preferences()
     yield from stops_long_work()
 
@@ -209,6 +210,18 @@ def pushes_by_mouse():
     assert 0.02 < (mug.matrix_world.translation - start).length < 0.4
 
 
+def shows_where_things_cross():
+    monkey, bowl = bpy.data.objects["monkey (subdivided)"], bpy.data.objects["bowl"]
+    monkey.location = bowl.location + Vector((0.15, -0.1, 0))
+    bpy.context.view_layer.update()
+    support.select([monkey])
+    with override():
+        bpy.ops.trivet.check("EXEC_DEFAULT", True)
+    yield from frames(5)
+    assert memory.last.crossings, memory.last
+    picture("check")
+
+
 def shows_preferences():
     """As it is, and without module and program."""
     chosen = bpy.context.preferences.addons[support.ADDON].preferences
@@ -220,10 +233,12 @@ def shows_preferences():
     with bpy.context.temp_override(area=area):
         bpy.ops.preferences.addon_expand(module=support.ADDON)
     chosen.backend, chosen.program = "PROGRAM", "/nowhere/trivet"
+    area.tag_redraw()
     yield from frames(5)
     with bpy.context.temp_override(window=bpy.context.window_manager.windows[0]):
         bpy.ops.screen.screenshot(filepath=os.path.join(PICTURES, "preferences_missing.png"))
     chosen.backend, chosen.program = "AUTO", PROGRAM
+    area.tag_redraw()
     yield from frames(5)
     with bpy.context.temp_override(window=bpy.context.window_manager.windows[0]):
         bpy.ops.screen.screenshot(filepath=os.path.join(PICTURES, "preferences.png"))

@@ -12,10 +12,10 @@ bl_info = {
 
 
 def _parts():
-    from . import op_check, op_export, op_moves, op_put, op_scatter, preferences, properties, ui
+    from . import op_check, op_export, op_moves, op_put, op_scatter, overlay, preferences, properties, ui
 
     operators = (op_put, op_moves, op_scatter, op_check, op_export)
-    return (properties, preferences), [one for module in operators for one in module.CLASSES], (ui, op_export)
+    return (properties, preferences), [one for module in operators for one in module.CLASSES], (ui, op_export, overlay)
 
 
 def register() -> None:

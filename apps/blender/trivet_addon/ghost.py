@@ -21,11 +21,16 @@ _BOX = np.array([[0, 1, 3], [0, 3, 2], [4, 6, 7], [4, 7, 5], [0, 4, 5], [0, 5, 1
                  [0, 6, 4], [1, 5, 7], [1, 7, 3]])
 
 
-def _shader():
+def _builtin(name: str):
     try:
-        return gpu.shader.from_builtin("SMOOTH_COLOR")
+        return gpu.shader.from_builtin(name)
     except (ValueError, SystemError):  # before Blender 4
-        return gpu.shader.from_builtin("3D_SMOOTH_COLOR")
+        return gpu.shader.from_builtin("3D_" + name)
+
+
+def flat_shader():
+    """One colour for all."""
+    return _builtin("UNIFORM_COLOR")
 
 
 def triangles(body: Body) -> np.ndarray:
@@ -57,7 +62,7 @@ class Ghost:
         self._batches: dict = {}
         self._shown: dict = {}
         self._colour = WELL
-        self._shader = _shader()
+        self._shader = _builtin("SMOOTH_COLOR")
         self._handle = bpy.types.SpaceView3D.draw_handler_add(self._draw, (), "WINDOW", "POST_VIEW")
 
     def show(self, motions: Mapping[str, np.ndarray], colour: Sequence[float]) -> None:

@@ -36,10 +36,11 @@ ghost: tuple = ((), "")  # names that the ghost shows, and what is told of it
 def status_of(owner):
     """As it was when it was last judged; None if it is elsewhere by now."""
     status, where = statuses.get(owner.name_full, (None, None))
-    return status if where == _where(owner) else None
+    return status if where == where_is(owner) else None
 
 
-def _where(owner) -> tuple:
+def where_is(owner) -> tuple:
+    """To compare with later."""
     return tuple(map(tuple, owner.matrix_world))
 
 
@@ -64,7 +65,7 @@ def remember(title: str, stage, report) -> None:
             owner = stage.reading.owners[name]
             told = replace(status, supports=tuple(map(stage.object_name, status.supports)),
                            loads=tuple(map(stage.object_name, status.loads)))
-            statuses[owner.name_full] = (told, _where(owner))
+            statuses[owner.name_full] = (told, where_is(owner))
 
 
 def remember_failure(text: str) -> None:

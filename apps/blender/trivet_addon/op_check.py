@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 import bpy
+import numpy as np
 
-from . import memory
+from . import memory, overlay
 from .running import Working
 from .stage import Stage
 from .work import Check, Report
+
+
+_MOST_PAIRS = 50  # whose faces are drawn
 
 
 def select(context, names) -> int:
@@ -43,6 +47,7 @@ class TRIVET_OT_check(Working, bpy.types.Operator):
 
     def summary(self, stage: Stage, report: Report) -> str:
         verdict = memory.last.verdict
+        self._show_faces(stage, report)
         wrong = {*(name for pair in memory.last.crossings for name in pair), *verdict.not_at_rest, *verdict.topples}
         if self.select and wrong:
             select(stage.context, wrong)
@@ -50,6 +55,15 @@ class TRIVET_OT_check(Working, bpy.types.Operator):
             return f"Nothing interpenetrates, all is at rest; as a whole {verdict.stability}"
         return (f"{len(memory.last.crossings)} pairs interpenetrate, {len(verdict.not_at_rest)} not at rest, "
                 f"{len(verdict.topples)} topple")
+
+    def _show_faces(self, stage: Stage, report: Report) -> None:
+        bodies = {body.name: body for body in stage.reading.bodies}
+        pairs = report.verdict.crossings[:_MOST_PAIRS]
+        faces = [overlay.crossing_faces(bodies[a], bodies[b])[0] for a, b in pairs]
+        if faces:
+            overlay.show(np.concatenate(faces), {stage.reading.owners[name] for pair in pairs for name in pair})
+        else:
+            overlay.clear()
 
     def result(self, report: Report):
         return {"FINISHED"}

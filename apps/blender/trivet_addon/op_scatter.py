@@ -39,7 +39,8 @@ class TRIVET_OT_scatter(Working, bpy.types.Operator):
     bl_options = {"REGISTER", "UNDO"}
     done_word = "copies at rest"
 
-    collection: bpy.props.StringProperty(name="Collection", description="What is copied; empty: the other selected objects")
+    collection: bpy.props.StringProperty(name="Collection",
+                                         description="What is copied; empty: what the panel says, or the other selected objects")
     number: bpy.props.IntProperty(name="Number", default=10, min=1, max=10000)
     seed: bpy.props.IntProperty(name="Seed", default=0, min=0, description="The same seed gives the same scene")
     pile: bpy.props.BoolProperty(name="Pile", default=False,
@@ -61,10 +62,11 @@ class TRIVET_OT_scatter(Working, bpy.types.Operator):
             layout.prop(self, name)
 
     def sources(self, context) -> list:
-        named = bpy.data.collections.get(self.collection)
+        named = bpy.data.collections.get(self.collection) or context.scene.trivet.sources
         if named is None:
             return [one for one in context.selected_objects if one != context.active_object]
-        return [one for one in named.all_objects if one.parent is None or one.parent.name not in named.all_objects]
+        below = set(named.all_objects)
+        return [one for one in named.all_objects if one.parent not in below and one != context.active_object]
 
     def objects(self, context):
         return [*self.sources(context), context.active_object]

@@ -28,6 +28,8 @@ class TrivetScene(bpy.types.PropertyGroup):
     floor: bpy.props.BoolProperty(name="Floor at z = 0", default=True, description="An endless floor at height 0")
     clearance: bpy.props.FloatProperty(name="Clearance", default=0.0, min=0.0, unit="LENGTH", precision=6,
                                        description="How far apart objects were put, at most; contacts are found by it")
+    sources: bpy.props.PointerProperty(name="Scatter", type=bpy.types.Collection,
+                                       description="What Scatter copies; none: the other selected objects")
     obstacles: bpy.props.PointerProperty(name="Obstacles", type=bpy.types.Collection,
                                          description="What is in the way, where the preferences say Collection")
 

@@ -48,6 +48,7 @@ class TRIVET_PT_main(_Panel, bpy.types.Panel):
         layout.operator("trivet.export", text="Export", icon="EXPORT")
         layout.separator()
         layout.prop(context.scene.trivet, "floor")
+        layout.prop(context.scene.trivet, "sources")
         if preferences.of(context).obstacles == "COLLECTION":
             layout.prop(context.scene.trivet, "obstacles")
 

@@ -29,9 +29,19 @@ def why_it_stays(owner: bpy.types.Object, auto_key: bool) -> Optional[str]:
         return None
     if any(driver.data_path.startswith(_TRANSFORMS) for driver in animation.drivers):
         return "is moved by a driver"
-    if animation.action and not auto_key and any(c.data_path.startswith(_TRANSFORMS) for c in animation.action.fcurves):
+    if not auto_key and any(curve.data_path.startswith(_TRANSFORMS) for curve in _curves(animation)):
         return "is animated: its keys would take it back; accepted: with auto keying on"
     return None
+
+
+def _curves(animation) -> list:
+    """Curves of an object's action; from Blender 4.4 on they are in layers."""
+    action = animation.action
+    if action is None:
+        return []
+    if not getattr(action, "is_action_layered", False):
+        return list(action.fcurves)
+    return [curve for layer in action.layers for strip in layer.strips for bag in strip.channelbags for curve in bag.fcurves]
 
 
 def _channels(owner: bpy.types.Object) -> dict:
