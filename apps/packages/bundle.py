@@ -50,9 +50,17 @@ def hashed_name(soname: str, file: Path) -> str:
     return f"{stem}-{hashlib.sha256(file.read_bytes()).hexdigest()[:8]}.so{rest}"
 
 
-def patch(file: Path, *action: str) -> None:
-    # One action a call: patchelf 0.14 mixes up several.
-    run("patchelf", *action, file)
+def point_to(file: Path, names: dict[str, str], folder: Path) -> None:
+    """Makes `file` need libraries by their new names, and look for them in `folder`."""
+    replaced = [soname for soname in needed(file) if soname in names]
+    if replaced:
+        words = [word for soname in replaced for word in ("--replace-needed", soname, names[soname])]
+        run("patchelf", *words, file)
+    # A call of its own: patchelf 0.14 mixes up different actions of one call, without an error.
+    path = "$ORIGIN/" + os.path.relpath(folder, file.parent)
+    run("patchelf", "--set-rpath", path, file)
+    if set(needed(file)) & set(replaced) or f"[{path}]" not in run("readelf", "-d", file):
+        sys.exit(f"{file}: patchelf did not do what it was told")
 
 
 def bundle(files: list[Path], folder: Path, leave: str) -> dict[Path, Path]:
@@ -71,29 +79,29 @@ def bundle(files: list[Path], folder: Path, leave: str) -> dict[Path, Path]:
         copy.chmod(0o755)
         run("strip", "--strip-unneeded", copy)
         copies[copy] = path.resolve()
+    for copy in copies:
+        run("patchelf", "--set-soname", copy.name, copy)
     for file in [*files, *copies]:
-        for soname in needed(file):
-            if soname in names:
-                patch(file, "--replace-needed", soname, names[soname])
-        if file in copies:
-            patch(file, "--set-soname", file.name)
-        patch(file, "--set-rpath", "$ORIGIN/" + os.path.relpath(folder, file.parent))
+        point_to(file, names, folder)
     return copies
 
 
-def package_of(file: Path) -> str:
-    """The Debian package that a file of this machine comes from."""
-    for name in [str(file), str(file).removeprefix("/usr")]:
-        done = subprocess.run(["dpkg-query", "--search", name], capture_output=True, text=True)
-        if done.returncode == 0:
-            return done.stdout.split(":")[0]
-    sys.exit(f"{file}: of no Debian package, so its licence is unknown; accepted: libraries of packages")
+def packages_of(files: list[Path]) -> set[str]:
+    """The Debian packages that files of this machine come from."""
+    # Of merged folders packages know files as /lib/..., not as /usr/lib/...
+    names = {variant: file for file in files for variant in (str(file), str(file).removeprefix("/usr"))}
+    done = subprocess.run(["dpkg-query", "--search", *names], capture_output=True, text=True)
+    found = {names[path]: owners for owners, path in re.findall(r"^(.+): (/.+)$", done.stdout, re.M)}
+    unknown = [str(file) for file in files if file not in found]
+    if unknown:
+        sys.exit(f"{', '.join(unknown)}: of no Debian package, so of unknown licence; accepted: libraries of packages")
+    return {owners.split(",")[0].split(":")[0] for owners in found.values()}
 
 
 def copy_licences(libraries: list[Path], folder: Path) -> None:
     """The copyright files of the packages that the libraries come from."""
     folder.mkdir(parents=True, exist_ok=True)
-    for package in sorted({package_of(library) for library in libraries}):
+    for package in sorted(packages_of(libraries)):
         source = Path("/usr/share/doc") / package / "copyright"
         if not source.is_file():
             sys.exit(f"{source}: the licence of a bundled library is missing; reinstall {package}")

@@ -118,7 +118,7 @@ make_tarball() {
   need zstd zstd
   lay_out
   tar --sort=name --owner=0 --group=0 --numeric-owner --mtime="@$SOURCE_DATE_EPOCH" --mode=u=rwX,go=rX \
-    -C "$work" -cf - "$name" | zstd -q -15 -T0 -f -o "$output/$name.tar.zst"
+    -C "$work" -cf - "$name" | zstd -q -12 -T0 -f -o "$output/$name.tar.zst"
 }
 
 # The image's file system, made once for both kinds.
@@ -138,7 +138,7 @@ make_squashfs() {
   need mksquashfs squashfs-tools
   root_fs
   mksquashfs "$work/root" "$output/trivet-$version.squashfs" -noappend -quiet -no-progress -all-root \
-    -comp zstd -Xcompression-level 15 >/dev/null
+    -comp zstd -Xcompression-level 9 >/dev/null
 }
 
 make_blender() {
