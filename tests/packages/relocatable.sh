@@ -8,13 +8,14 @@ fail() {
   exit 1
 }
 system='^(linux-vdso|ld-linux.*|lib(c|m|dl|pthread|rt|stdc\+\+|gcc_s))\.so\.'
+lib="$(realpath "$folder/lib")"
 count=0
 for file in "$folder"/libexec/* "$folder"/lib/*.so*; do
   count=$((count + 1))
   path="$(readelf -d "$file" | sed -n 's/.*R[UN]*PATH.*\[\(.*\)\]/\1/p')"
   [[ "$path" =~ ^\$ORIGIN/(\.|\.\./lib)$ ]] || fail "$file looks for libraries in '$path'"
   while read -r name place; do
-    [[ "$place" == "$(realpath "$folder")"/lib/* ]] || [[ "$name" =~ $system ]] || fail "$file takes $name from $place"
+    [[ "$name" =~ $system || "$(realpath "$place")" == "$lib"/* ]] || fail "$file takes $name from $place"
   done < <(ldd "$file" | sed -n 's/^[[:space:]]*\([^ ]*\) => \([^ ]*\).*/\1 \2/p')
 done
 [ $count -gt 20 ] || fail "only $count programs and libraries in $folder"
