@@ -30,7 +30,7 @@ LD_LIBRARY_PATH="$root/lib/fallback${{LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}}" exec
 """
 README = """Trivet {version} for Linux on x86-64: run bin/trivet, from any folder, also by a link to it.
 
-Needs:    glibc {glibc} or later (Debian 12, Ubuntu 24.04, RHEL 10 and later), sh, readlink, grep
+Needs:    glibc {glibc} or later (Debian 12, Ubuntu 24.04, RHEL 10 and later), /proc, sh, readlink, grep
 Takes:    libstdc++ of the machine if it has GLIBCXX_{libstdcxx}, else lib/fallback
 Pictures: by rays on the processor; by OpenGL where the machine has libEGL.so.1, libOpenGL.so.0 and a driver
 Manual:   man -M share/man trivet
