@@ -12,8 +12,7 @@
 #
 # Without a kind: all. The build (--build, by default build/package, of the preset `package`) is made or brought up to date
 # first; --no-build takes it as it is. Debian's packages that are needed: .ci/install-packages.sh packages.
-# The same bytes for the same commit, on the same versions of Debian's packages: dates are of SOURCE_DATE_EPOCH, by default
-# the commit's.
+# Dates are of SOURCE_DATE_EPOCH, by default the last commit's.
 set -euo pipefail
 here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
 source_dir="$(cd "$here/../.." && pwd)"

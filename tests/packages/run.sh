@@ -107,7 +107,7 @@ test_make() {
     options=(--build "$build" --no-build)
   fi
   rm -rf "$made" "$base/job"
-  nice -n 10 "$source_dir/apps/packages/make.sh" deb wheel tarball image squashfs "${options[@]}" --output "$made"
+  nice -n 10 "$source_dir/apps/packages/make.sh" "${options[@]}" --output "$made"
   printf '%s\n' "${options[1]}/apps/trivet" "${options[1]}/apps/python" >"$made/program"
   sed -n 's/^TRIVET_PYTHON_EXECUTABLE:[A-Z]*=//p' "${options[1]}/CMakeCache.txt" >>"$made/program"
 }
