@@ -22,9 +22,10 @@ page() {
     gzip -9n >"$out/$folder/$name.1.gz"
 }
 # The first sentence that a verb says of itself, as the summary of a page.
-summary() { "$@" --help | sed -n '1{s/^\(.\)/\L\1/;s/[:;.(].*//;s/ *$//;p}'; }
+summary() { "$@" --help | sed '/^Usage:/,$d' | tr '\n' ' ' | sed 's/^\(.\)/\L\1/;s/[:;.(].*//;s/ *$//'; }
 
-mapfile -t verbs < <("$trivet" --help | sed -n '/^Subcommands:/,$s/^  \([a-z][a-z-]*\) .*/\1/p')
+mapfile -t verbs < <("$trivet" --help |
+  awk '/^Subcommands:/ { on = 1; next } on && !/^ / { exit } on && /^  [a-z]/ { print $1 }')
 if [ ${#verbs[@]} -lt 10 ]; then
   echo "$0: only ${#verbs[@]} verbs found in $trivet --help" >&2
   exit 1
