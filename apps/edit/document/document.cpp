@@ -40,7 +40,17 @@ void Document::end(Job job, bool ok) {
   Q_EMIT busy_changed();
 }
 
+// Another scene follows.
+void Document::forget_scene() {
+  m_history = {};
+  m_selections.clear();
+  set_selection({});
+  set_looks({});
+}
+
 void Document::show(State state) {
+  const size_t before = m_history.num_done, now = state.history.num_done;
+  if (now > before) m_selections[before] = m_selection;
   m_snapshot = std::move(state.snapshot);
   clear_ghost();
   m_history = std::move(state.history);
@@ -51,7 +61,10 @@ void Document::show(State state) {
   Q_EMIT snapshot_changed();
   Q_EMIT history_changed();
   if (renamed) Q_EMIT file_changed();
-  set_selection(m_selection);
+  const auto known = now < before ? m_selections.find(now) : m_selections.end();
+  const bool restores =
+      known != m_selections.end() && pruned(m_selection, *m_snapshot).objects.empty();
+  set_selection(restores ? known->second : m_selection);
 }
 
 void Document::show_scene(std::shared_ptr<const SceneSnapshot> snapshot) {
@@ -128,6 +141,12 @@ Document::Job Document::perform_all(const std::string& name, std::vector<Operati
                          Engine& engine) { return engine.perform_all(operations, select); });
 }
 
+Document::Job Document::perform_groups(const std::string& name, ManyObjects many) {
+  return start(name, [name, many = std::move(many)](Engine& engine) {
+    return engine.perform_groups(name, many);
+  });
+}
+
 void Document::select_named(const std::vector<std::string>& names) {
   Selection selection;
   for (const std::string& name : names)
@@ -159,9 +178,20 @@ Document::Job Document::go_to_step(size_t num_done) {
 
 void Document::set_selection(Selection selection) {
   selection = pruned(std::move(selection), *m_snapshot);
+  for (const ObjectId id : m_looks.not_selectable()) {
+    if (selection.active() == id) selection.contact.reset();
+    std::erase(selection.objects, id);
+  }
   if (selection == m_selection) return;
   m_selection = std::move(selection);
   Q_EMIT selection_changed();
+}
+
+void Document::set_looks(Looks looks) {
+  if (looks == m_looks) return;
+  m_looks = std::move(looks);
+  Q_EMIT looks_changed();
+  set_selection(m_selection);
 }
 
 void Document::select(Selection selection) { set_selection(std::move(selection)); }

@@ -12,6 +12,7 @@
 #include <QObject>
 #include <QString>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -19,6 +20,8 @@
 #include <vector>
 
 #include "apps/edit/document/ghost.h"
+#include "apps/edit/document/looks.h"
+#include "apps/edit/document/many.h"
 #include "apps/edit/document/message.h"
 #include "apps/edit/document/scene_verdict.h"
 #include "apps/edit/document/selection.h"
@@ -133,6 +136,9 @@ class Document : public QObject {
   ///   keep the selection.
   Job perform_all(const std::string& name, std::vector<Operation> operations,
                   std::vector<std::string> select = {});
+  /// Runs the groups as one step and selects their objects; a group that is refused is left out,
+  /// and a message tells how many and why. @param name  shown by windows while busy.
+  Job perform_groups(const std::string& name, ManyObjects many);
   /// Imports as one step; the new object is selected on success. If it cannot be put, it stays
   /// unplaced.
   Job import_model(const ImportModel& model);
@@ -146,9 +152,14 @@ class Document : public QObject {
   // --- selection -------------------------------------------------------------------------------
 
   const Selection& selection() const { return m_selection; }
-  /// Objects that are not in the scene are dropped.
+  /// Objects that are not in the scene, or not selectable, are dropped. Undo brings back what was
+  /// selected when the objects that are selected now go.
   void select(Selection selection);
   void select_only(std::optional<ObjectId> id);
+
+  /// Of this scene, until another one is opened.
+  const Looks& looks() const { return m_looks; }
+  void set_looks(Looks looks);
 
   // --- drags ----------------------------------------------------------------------------------
 
@@ -195,6 +206,7 @@ class Document : public QObject {
   void snapshot_changed();
   void verdict_changed();
   void selection_changed();
+  void looks_changed();
   void history_changed();  // is_modified(), too
   void file_changed();     // file(), title(), is_modified()
   void busy_changed();
@@ -222,6 +234,7 @@ class Document : public QObject {
   void steer(DragGoal goal);
   void end(Job job, bool ok);
   void show(State state);
+  void forget_scene();
   void show_scene(std::shared_ptr<const SceneSnapshot> snapshot);
   void show_drag(std::shared_ptr<const SceneSnapshot> snapshot, std::uint64_t drag, double ms);
   void show_verdict(std::shared_ptr<const SceneVerdict> verdict);
@@ -238,6 +251,8 @@ class Document : public QObject {
   std::shared_ptr<const SceneSnapshot> m_snapshot;
   std::shared_ptr<const SceneVerdict> m_verdict;
   Selection m_selection;
+  std::map<size_t, Selection> m_selections;  // by steps done: when the next one began
+  Looks m_looks;
   History m_history;
   std::string m_file, m_title, m_busy_with;
   std::optional<Ghost> m_ghost;

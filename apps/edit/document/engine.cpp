@@ -151,15 +151,19 @@ RunOptions Engine::run_options() {
   options.context = context();
   options.num_threads = m_options.num_threads;
   options.progress = [this](const Progress& progress) {
-    if (m_cancel) throw Cancelled();
     std::string what = progress.stage;
     what.append(" ").append(progress.item);
-    tell([what, progress](Document& shown) {
-      Q_EMIT shown.progressed(QString::fromStdString(what), static_cast<int>(progress.done),
-                              static_cast<int>(progress.total));
-    });
+    show_progress(what, progress.done, progress.total);
   };
   return options;
+}
+
+void Engine::show_progress(const std::string& what, size_t done, size_t total) {
+  if (m_cancel) throw Cancelled();
+  tell([what, done, total](Document& shown) {
+    Q_EMIT shown.progressed(QString::fromStdString(what), static_cast<int>(done),
+                            static_cast<int>(total));
+  });
 }
 
 void Engine::publish(std::optional<SettledWay> way) {

@@ -55,6 +55,7 @@ class Engine {
   bool perform(const Operation& operation);
   bool perform_all(const std::vector<Operation>& operations,
                    const std::vector<std::string>& select = {});
+  bool perform_groups(const std::string& what, const ManyObjects& many);
   bool import_model(const ImportModel& model);
   bool go_to_step(size_t num_done);
   bool end_drag(std::uint64_t drag);
@@ -84,6 +85,7 @@ class Engine {
   void tell(Message message);
   void tell(const OperationResult& result, const Operation& operation);
 
+  void show_progress(const std::string& what, size_t done, size_t total);
   RunOptions run_options();
   void adopt(OpenedSession opened, const std::string& file, const std::string& title,
              std::unique_ptr<FileLock> lock);

@@ -82,6 +82,7 @@ void Engine::adopt(OpenedSession opened, const std::string& file, const std::str
   m_title = title;
   m_lock = std::move(lock);
   m_snapshots.forget();
+  tell([](Document& shown) { shown.forget_scene(); });
   publish();
   for (const std::string& note : m_opened->notes) tell(Message{Message::Kind::Info, note, {}, {}});
 }

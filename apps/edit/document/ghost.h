@@ -19,7 +19,8 @@ struct Ghost {
     ObjectId id;
     Pose pose;
   };
-  std::vector<Member> members;  // the object first, then its loads; empty unless ok
+  std::vector<Member> members;  // the object first, then its loads; of a refused PUT at its start,
+                                // of others empty
   ObjectState state = ObjectState::Stable;
   std::vector<ObjectId> objects;  // blocking or holding objects
   std::vector<Vec3> points;       // contact points, world

@@ -30,6 +30,14 @@ void describe(const Scene& scene, const OperationResult& result, Ghost& ghost) {
   }
 }
 
+// Where a PUT begins, with its loads.
+MovingGroup group_at_start(const Scene& scene, ObjectId id, const PutOperation& put,
+                           const SettleOptions& options) {
+  MovingGroup group(scene, id, {}, clearance_of(scene, options), options, nullptr);
+  group.place(put.start);
+  return group;
+}
+
 }  // namespace
 
 GhostWorker::GhostWorker(BackendOptions detection, Listener listener)
@@ -163,8 +171,7 @@ std::optional<ZListQuestion> GhostWorker::fall_of(const Request& request) const 
   if (!id) return std::nullopt;
   ZListQuestion out;
   out.clearance = clearance_of(*m_scene, request.options);
-  MovingGroup group(*m_scene, *id, {}, out.clearance, request.options, nullptr);
-  group.place(put->start);
+  const MovingGroup group = group_at_start(*m_scene, *id, *put, request.options);
   out.scene = request.shown;
   out.moving = group.placements();
   Aabb all = group.outside().box();
@@ -207,6 +214,10 @@ Ghost GhostWorker::answer_to(const Request& request) {
   ghost.ok = result.ok();
   if (ghost.ok) describe(scene, result, ghost);
   trial.rollback();
+  const auto* const put = std::get_if<PutOperation>(&request.operation);
+  if (result.refusal && put && !put->place)
+    for (const Placement& at : group_at_start(scene, *id, *put, request.options).placements())
+      ghost.members.push_back({at.id, at.pose});
   if (const auto message =
           message_of(scene, request.operation, result, request.options.clearance)) {
     ghost.text = message->text;

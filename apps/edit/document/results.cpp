@@ -14,10 +14,32 @@ void add(std::vector<ObjectId>& ids, std::optional<ObjectId> id) {
   if (id && std::find(ids.begin(), ids.end(), *id) == ids.end()) ids.push_back(*id);
 }
 
-void add_objects(const Refusal& refusal, std::vector<ObjectId>& ids) {
-  for (const Named& object : refusal.objects)
-    if (object.support && object.support->is_object()) add(ids, object.support->object());
-  if (refusal.first) add_objects(*refusal.first, ids);
+// True if the objects stand in the way there; others are only named.
+bool shows_objects(Refusal::Cause cause) {
+  using Cause = Refusal::Cause;
+  switch (cause) {
+    case Cause::Crossing:
+    case Cause::Inside:
+    case Cause::Float32Contact:
+    case Cause::AlreadyTouches:
+    case Cause::Topples:
+    case Cause::Wedged:
+    case Cause::RestsOnOther:
+    case Cause::RestsTooClose:
+      return true;
+    default:
+      return false;
+  }
+}
+
+// Fixed ones, such as a table, are named, but not lit: they may fill the picture.
+void add_objects(const Scene& scene, const Refusal& refusal, std::vector<ObjectId>& ids) {
+  if (shows_objects(refusal.cause))
+    for (const Named& object : refusal.objects)
+      if (object.support && object.support->is_object())
+        if (const ObjectId id = object.support->object(); scene.contains(id) && !scene.at(id).fixed)
+          add(ids, id);
+  if (refusal.first) add_objects(scene, *refusal.first, ids);
 }
 
 std::vector<std::string> names_of(const std::vector<GaveWay>& objects) {
@@ -81,8 +103,7 @@ std::optional<Message> message_of(const Scene& scene, const Operation& operation
   if (!result.ok()) {
     message.kind = Message::Kind::Refused;
     message.text = result.reason();
-    add(message.objects, scene.find(object_name(operation)));
-    if (result.refusal) add_objects(*result.refusal, message.objects);
+    if (result.refusal) add_objects(scene, *result.refusal, message.objects);
     return message;
   }
   std::string what = why_it_ended(result);

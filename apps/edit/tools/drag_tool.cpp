@@ -25,23 +25,60 @@ bool DragTool::pointer(const PointerEvent& event) {
       if (const auto operation = begin()) {
         m_document.begin_drag(*operation);
         m_is_drag = true;
+        m_typed = numbers();
       }
     }
-    if (m_is_drag && m_document.is_dragging()) steer(event);
+    if (m_is_drag && m_document.is_dragging() && m_typed.empty()) steer(event);
     return true;
   }
   if (event.kind != Kind::Release || event.button != MouseButton::Left) return true;
-  const bool was_drag = m_is_drag;
-  m_is_drag = false;
-  if (was_drag)
-    m_document.end_drag();
-  else if (!m_document.is_busy())
-    click(event);
+  if (m_is_drag) {
+    finish_drag();
+    return true;
+  }
+  if (!m_document.is_busy()) click(event);
   m_pressed.reset();
   return true;
 }
 
+void DragTool::finish_drag() {
+  m_is_drag = false;
+  m_pressed.reset();
+  m_document.end_drag();
+}
+
+// --- numbers -----------------------------------------------------------------------------------
+
+bool DragTool::wants_key(const KeyEvent& event) const {
+  if (!m_is_drag || !m_typed.takes_numbers()) return false;
+  if (event.key == KeyEvent::Key::Character) return TypedNumbers::is_part(event.character);
+  return event.key == KeyEvent::Key::Tab || event.key == KeyEvent::Key::Backspace ||
+         event.key == KeyEvent::Key::Return;
+}
+
+bool DragTool::type(const KeyEvent& event) {
+  if (!wants_key(event)) return false;
+  if (event.key == KeyEvent::Key::Return) {
+    finish_drag();
+    return true;
+  }
+  if (event.key == KeyEvent::Key::Tab)
+    m_typed.next_axis();
+  else if (event.key == KeyEvent::Key::Backspace)
+    m_typed.erase();
+  else
+    m_typed.type(event.character);
+  if (m_document.is_dragging()) steer_by(m_typed.values());
+  return true;
+}
+
+std::string DragTool::reading() const {
+  if (!m_is_drag || m_typed.empty()) return {};
+  return m_typed.text() + "  –  Tab: next axis, Return: done, Escape: cancel";
+}
+
 bool DragTool::key(const KeyEvent& event) {
+  if (type(event)) return true;
   if (event.key != KeyEvent::Key::Escape) return false;
   if (m_pressed) {
     cancel();
@@ -70,9 +107,10 @@ const ObjectSnapshot* DragTool::active() const {
 }
 
 const ObjectSnapshot* DragTool::grab_object(const PointerEvent& event) {
-  const auto picked = pick(scene(), event.ray());
-  if (!picked || !picked->object) return nullptr;
   const Selection& selection = m_document.selection();
+  const auto picked = pick_near(scene(), event.view, event.px, selection.objects,
+                                m_document.looks().not_selectable());
+  if (!picked || !picked->object) return nullptr;
   if (!selection.contains(*picked->object)) {
     m_document.select_only(picked->object);
   } else if (selection.active() != picked->object) {

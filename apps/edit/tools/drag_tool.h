@@ -1,9 +1,11 @@
-// Base of all dragging tools: press, pull, release; Escape cancels.
+// Base of all dragging tools: press, pull, release; Escape cancels. Numbers that are typed
+// meanwhile take the place of the mouse; Return ends the drag there.
 #pragma once
 
 #include "apps/edit/tools/operation_of.h"
 #include "apps/edit/tools/picking.h"
 #include "apps/edit/tools/tool.h"
+#include "apps/edit/tools/typed_numbers.h"
 
 namespace trivet::edit {
 
@@ -18,6 +20,8 @@ class DragTool : public Tool {
   bool is_active() const override { return m_pressed.has_value(); }
   Overlay overlay(const View&) const override { return {}; }
   Cursor cursor() const override;
+  bool wants_key(const KeyEvent& event) const override;
+  std::string reading() const override;
 
  protected:
   /// Handles a press of the left button. @return whether it starts a drag or click.
@@ -26,6 +30,10 @@ class DragTool : public Tool {
   virtual std::optional<Operation> begin() = 0;
   /// Updates the goal from the mouse.
   virtual void steer(const PointerEvent& event) = 0;
+  /// Numbers that can be typed during this drag.
+  virtual TypedNumbers numbers() const { return {}; }
+  /// Updates the goal from typed numbers. @param values  one per axis of numbers().
+  virtual void steer_by(const std::vector<double>&) {}
   virtual void click(const PointerEvent&) {}
   virtual void hover(const PointerEvent&) {}
 
@@ -43,6 +51,12 @@ class DragTool : public Tool {
   std::optional<PointerEvent> m_pressed;
   Vec3 m_grabbed_at = Vec3::Zero();  // world, pressed point
   bool m_is_drag = false;
+
+ private:
+  bool type(const KeyEvent& event);
+  void finish_drag();
+
+  TypedNumbers m_typed;
 };
 
 }  // namespace trivet::edit

@@ -27,7 +27,7 @@ struct PointerEvent {
 };
 
 struct KeyEvent {
-  enum class Key { Escape, Return, Delete, Character };
+  enum class Key { Escape, Return, Delete, Tab, Backspace, Character };
   Key key = Key::Character;
   char character = 0;  // lower case, of Character
   Modifiers modifiers;

@@ -62,6 +62,20 @@ void GizmoTool::steer(const PointerEvent& event) {
   show_ghost();
 }
 
+TypedNumbers GizmoTool::numbers() const {
+  if (m_turns) return {{""}, 0, "°"};
+  const bool along = m_hot && m_hot->kind == GizmoHandle::Kind::Arrow;
+  return {{"x", "y", "z"}, along ? static_cast<size_t>(m_hot->axis) : 0, " m"};
+}
+
+void GizmoTool::steer_by(const std::vector<double>& values) {
+  if (m_turns)
+    m_document.drag_by(values[0]);
+  else
+    m_document.drag_to(Vec3(values[0], values[1], values[2]));
+  show_ghost();
+}
+
 // Previews where the object would land if released now.
 void GizmoTool::show_ghost() {
   const ObjectSnapshot* const object = active();
@@ -95,8 +109,8 @@ Overlay GizmoTool::overlay(const View& view) const {
 }
 
 std::string GizmoTool::hint() const {
-  return m_turns ? "Drag a ring to turn the object; hold Control for steps"
-                 : "Drag an arrow, a square or the object itself";
+  return m_turns ? "Drag a ring to turn the object; hold Control for steps, or type degrees"
+                 : "Drag an arrow, a square or the object itself; type metres, Tab for the axis";
 }
 
 }  // namespace trivet::edit

@@ -20,6 +20,8 @@ class GizmoTool : public DragTool {
   bool grab(const PointerEvent& event) override;
   std::optional<Operation> begin() override;
   void steer(const PointerEvent& event) override;
+  TypedNumbers numbers() const override;
+  void steer_by(const std::vector<double>& values) override;
   void hover(const PointerEvent& event) override;
 
  private:

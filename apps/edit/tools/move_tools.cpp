@@ -10,17 +10,6 @@ namespace {
 constexpr double kFlatView =
     0.12;  // sine: on planes seen flatter, the mouse is followed across the view
 
-std::vector<ObjectId> moving_with(const SceneSnapshot& scene, ObjectId object) {
-  std::vector<ObjectId> out{object};
-  for (size_t i = 0; i < out.size(); ++i)
-    for (const LoadSupport::Entry& e : scene.support->entries) {
-      if (!(e.object == out[i])) continue;
-      for (const ObjectId load : e.loads)
-        if (std::find(out.begin(), out.end(), load) == out.end()) out.push_back(load);
-    }
-  return out;
-}
-
 // Displacement of the mouse on a plane through `from`; if seen edge-on, across the view.
 Vec3 way_on_plane(const PointerEvent& pressed, const PointerEvent& now, const Vec3& from,
                   const Vec3& normal) {
@@ -31,55 +20,6 @@ Vec3 way_on_plane(const PointerEvent& pressed, const PointerEvent& now, const Ve
 }
 
 }  // namespace
-
-// --- PUT ---------------------------------------------------------------------------------------
-
-bool PutTool::grab(const PointerEvent& event) {
-  if (active()) return true;
-  return grab_object(event) != nullptr;
-}
-
-std::optional<Operation> PutTool::operation_at(const PointerEvent& event) const {
-  const ObjectSnapshot* const object = active();
-  if (!object) return std::nullopt;
-  const std::vector<ObjectId> moving = moving_with(scene(), object->id);
-  const auto picked = pick(scene(), event.ray(), moving);
-  if (!picked) return std::nullopt;
-  const double step = event.view.metres_per_px(event.view.depth(picked->point)) / kGoalsPerPx;
-  Vec3 point = picked->point;
-  for (int k = 0; k < 2; ++k) point[k] = rounded(point[k], step);
-  auto put = operation_of<PutOperation>(*object->object);
-  put.start = put_start(scene(), *object->object, moving, point, m_options.drop_height,
-                        event.modifiers.alt);
-  return put;
-}
-
-bool PutTool::put(const PointerEvent& event) {
-  const auto operation = operation_at(event);
-  if (!operation) return false;
-  m_document.clear_ghost();
-  m_document.perform(*operation);
-  return true;
-}
-
-void PutTool::hover(const PointerEvent& event) {
-  if (m_document.is_busy()) return;
-  if (const auto operation = operation_at(event))
-    m_document.request_ghost(*operation);
-  else
-    m_document.clear_ghost();
-}
-
-void PutTool::cancel() {
-  DragTool::cancel();
-  m_document.clear_ghost();
-}
-
-std::string PutTool::hint() const {
-  return active()
-             ? "Click the place to put the object; hold Alt to drop it from just above that point"
-             : "Select the object to put down";
-}
 
 // --- PUSH --------------------------------------------------------------------------------------
 
@@ -110,8 +50,12 @@ void PushTool::steer(const PointerEvent& event) {
   m_document.drag_to(goal);
 }
 
+void PushTool::steer_by(const std::vector<double>& values) {
+  m_document.drag_to(m_start + Vec3(values[0], values[1], 0));
+}
+
 std::string PushTool::hint() const {
-  return "Drag an object along the surface it lies on; Escape cancels";
+  return "Drag an object along the surface it lies on, or type x and y meanwhile; Escape cancels";
 }
 
 // --- PICK-UP -----------------------------------------------------------------------------------
@@ -138,6 +82,10 @@ void PickUpTool::steer(const PointerEvent& event) {
   if (a && b && std::abs(m_direction.dot(event.view.forward())) < 0.95)
     distance = (*b - *a).dot(m_direction);
   m_document.drag_by(std::max(0.0, rounded(distance, metres / kGoalsPerPx)));
+}
+
+void PickUpTool::steer_by(const std::vector<double>& values) {
+  m_document.drag_by(std::max(0.0, values[0]));
 }
 
 bool PickUpTool::pick_up() {

@@ -5,27 +5,40 @@
 
 namespace trivet::edit {
 
-/// PUT: previews the resting pose of the active object as a ghost; a click puts it there.
+/// PUT: previews the resting pose of the object in hand as a ghost; a click puts it there. In hand
+/// is the active object until it is put or dropped; a click then takes another one.
 class PutTool : public DragTool {
  public:
-  using DragTool::DragTool;
+  PutTool(Document& document, const ToolOptions& options);
+  ~PutTool() override;
   ToolKind kind() const override { return ToolKind::Put; }
   std::string hint() const override;
-  Cursor cursor() const override { return Cursor::Cross; }
+  std::string in_hand() const override;
+  Cursor cursor() const override { return held() ? Cursor::Cross : Cursor::Arrow; }
+  bool key(const KeyEvent& event) override;
   void cancel() override;
 
-  /// Puts the active object where the mouse points.
+  /// Puts the active object where the mouse points, in hand or not.
   bool put(const PointerEvent& event);
+  /// Takes the next object that is not placed yet. @return whether there is one.
+  bool take_next();
 
  protected:
   bool grab(const PointerEvent& event) override;
   std::optional<Operation> begin() override { return std::nullopt; }
   void steer(const PointerEvent&) override {}
-  void click(const PointerEvent& event) override { put(event); }
+  void click(const PointerEvent& event) override;
   void hover(const PointerEvent& event) override;
 
  private:
+  const ObjectSnapshot* held() const;
+  void drop();
   std::optional<Operation> operation_at(const PointerEvent& event) const;
+
+  std::optional<ObjectId> m_dropped;  // the active object, if it is not in hand
+  Document::Job m_job = 0;            // that puts the object in hand
+  bool m_takes = false;               // the pressed button takes an object
+  QMetaObject::Connection m_selected, m_finished;
 };
 
 /// PUSH: the object follows the mouse on the plane of its contact.
@@ -39,6 +52,8 @@ class PushTool : public DragTool {
   bool grab(const PointerEvent& event) override;
   std::optional<Operation> begin() override;
   void steer(const PointerEvent& event) override;
+  TypedNumbers numbers() const override { return {{"x", "y"}, 0, " m"}; }
+  void steer_by(const std::vector<double>& values) override;
 
  private:
   Vec3 m_normal = Vec3::UnitZ();  // of the plane for following the mouse
@@ -58,6 +73,8 @@ class PickUpTool : public DragTool {
   bool grab(const PointerEvent& event) override;
   std::optional<Operation> begin() override;
   void steer(const PointerEvent& event) override;
+  TypedNumbers numbers() const override { return {{""}, 0, " m"}; }
+  void steer_by(const std::vector<double>& values) override;
   void click(const PointerEvent&) override { pick_up(); }
 
  private:

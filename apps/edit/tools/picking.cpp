@@ -2,6 +2,8 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace trivet::edit {
 namespace {
@@ -30,7 +32,81 @@ Vec3 facing_normal(const Object& object, Index face, const Ray& ray) {
   return (n.dot(ray.direction) > 0 ? -1 : 1) * n / length;
 }
 
+constexpr double kRingsPx[] = {2, 4, 6};  // of points that are tried around a click
+constexpr double kThinPx = 8;             // radius in which a thin object covers little
+constexpr double kThinShare = 0.36;       // an edge of a wide one covers half
+
+std::vector<Vec2> ring(double radius, int count) {
+  std::vector<Vec2> out;
+  out.reserve(static_cast<size_t>(count));
+  for (int i = 0; i < count; ++i) {
+    const double angle = 2 * std::numbers::pi * i / count;
+    out.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+  }
+  return out;
+}
+
+/// A click, and what is seen around it.
+class NearPick {
+ public:
+  NearPick(const SceneSnapshot& scene, const View& view, const std::vector<ObjectId>& except)
+      : m_scene(scene), m_view(view), m_except(except) {}
+
+  std::optional<Picked> at(const Vec2& px) const { return pick(m_scene, m_view.ray(px), m_except); }
+
+  /// True if an object that is seen at `px` covers little of what is around there.
+  bool is_thin(ObjectId id, const Vec2& px) const {
+    int covered = 0, all = 0;
+    for (const double radius : {kThinPx / 2, kThinPx})
+      for (const Vec2& aside : ring(radius, 12)) {
+        const auto seen = at(px + aside);
+        covered += seen && seen->object == id;
+        ++all;
+      }
+    return covered < kThinShare * all;
+  }
+
+ private:
+  const SceneSnapshot& m_scene;
+  const View& m_view;
+  const std::vector<ObjectId>& m_except;
+};
+
+/// True if a click on `hit` may mean an object `other` beside it.
+bool gives_way(const SceneSnapshot& scene, const std::optional<Picked>& hit, ObjectId other) {
+  const ObjectSnapshot* const there = hit && hit->object ? scene.find(*hit->object) : nullptr;
+  if (!there || (*there)->fixed) return true;
+  for (const ObjectContact& entry : (*scene.find(other))->contacts)
+    if (entry.with == Support(there->id) && holds_up(entry.contact)) return true;
+  return false;
+}
+
+bool is_one_of(const std::optional<Picked>& picked, const std::vector<ObjectId>& objects) {
+  return picked && picked->object &&
+         std::find(objects.begin(), objects.end(), *picked->object) != objects.end();
+}
+
 }  // namespace
+
+std::optional<Picked> pick_near(const SceneSnapshot& scene, const View& view, const Vec2& px,
+                                const std::vector<ObjectId>& first,
+                                const std::vector<ObjectId>& except) {
+  const NearPick near(scene, view, except);
+  const auto exact = near.at(px);
+  if (is_one_of(exact, first)) return exact;
+  std::optional<Picked> beside;
+  for (const double radius : kRingsPx)
+    for (const Vec2& aside : ring(radius, 8)) {
+      const auto seen = near.at(px + aside);
+      if (is_one_of(seen, first) && gives_way(scene, exact, *seen->object)) return seen;
+      if (beside || !seen || !seen->object) continue;
+      if (exact && exact->object &&
+          (seen->object == exact->object || !near.is_thin(*seen->object, px + aside)))
+        continue;
+      beside = seen;
+    }
+  return beside ? beside : exact;
+}
 
 std::optional<Picked> pick(const SceneSnapshot& scene, const Ray& ray,
                            const std::vector<ObjectId>& except) {
@@ -53,7 +129,7 @@ std::optional<Picked> pick(const SceneSnapshot& scene, const Ray& ray,
 }
 
 std::vector<ObjectId> pick_in_box(const SceneSnapshot& scene, const View& view, const Vec2& corner,
-                                  const Vec2& opposite) {
+                                  const Vec2& opposite, const std::vector<ObjectId>& except) {
   const Vec2 lower = corner.cwiseMin(opposite), upper = corner.cwiseMax(opposite);
   const auto inside = [&](const Vec3& p) {
     const auto px = view.project(p);
@@ -61,7 +137,7 @@ std::vector<ObjectId> pick_in_box(const SceneSnapshot& scene, const View& view, 
   };
   std::vector<ObjectId> out;
   for (const ObjectSnapshot& o : scene.objects) {
-    if (!o->placed) continue;
+    if (!o->placed || std::find(except.begin(), except.end(), o.id) != except.end()) continue;
     const Affine world = o->world_from_object();
     const std::vector<Vec3>& vertices = o->shape->mesh.vertices;
     if (inside(o->centre_of_mass()) ||

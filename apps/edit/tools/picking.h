@@ -23,8 +23,17 @@ struct Picked {
 std::optional<Picked> pick(const SceneSnapshot& scene, const Ray& ray,
                            const std::vector<ObjectId>& except = {});
 
+/// What a click at `px` means, also beside thin things: the first hit; but something seen within a
+/// few pixels where that is the floor, or where it is thinner than these pixels are wide; or one of
+/// the objects `first` where the hit is fixed or carries it.
+/// @param except  objects to ignore.
+std::optional<Picked> pick_near(const SceneSnapshot& scene, const View& view, const Vec2& px,
+                                const std::vector<ObjectId>& first,
+                                const std::vector<ObjectId>& except);
+
 /// Placed objects with a vertex, or their centre, in the rectangle of pixels.
+/// @param except  objects to ignore.
 std::vector<ObjectId> pick_in_box(const SceneSnapshot& scene, const View& view, const Vec2& corner,
-                                  const Vec2& opposite);
+                                  const Vec2& opposite, const std::vector<ObjectId>& except = {});
 
 }  // namespace trivet::edit

@@ -6,31 +6,109 @@
 namespace trivet::edit {
 namespace {
 
+constexpr double kWall = 0.1;    // a face is a wall where its normal's z is no larger
+constexpr double kRoom = 0.001;  // of the object's size: distance from walls and ceilings
+
 bool overlap_from_above(const Aabb& a, const Aabb& b) {
   return a.lower.x() <= b.upper.x() && b.lower.x() <= a.upper.x() && a.lower.y() <= b.upper.y() &&
          b.lower.y() <= a.upper.y();
 }
 
+/// Search for the start of one object.
+class PutStart {
+ public:
+  PutStart(const SceneSnapshot& scene, const Object& object, const std::vector<ObjectId>& moving,
+           const Picked& at, double height)
+      : m_scene(scene), m_object(object), m_moving(moving), m_at(at), m_height(height) {
+    m_object.pose = {object.pose.rotation, Vec3::Zero()};
+    shift(at.point.head<2>() - m_object.centre_of_mass().head<2>());
+    m_room = kRoom * m_box.diagonal();
+  }
+
+  Pose near() const { return at_bottom(m_at.point.z() + m_height); }
+
+  Pose usual() {
+    const Vec3& normal = m_at.normal;
+    if (normal.z() > kWall) return on_surface();
+    if (normal.head<2>().norm() > kWall) return beside_wall();
+    return at_bottom(highest_below(m_at.point.z()));  // an underside
+  }
+
+ private:
+  void shift(const Vec2& by) {
+    m_object.pose.translation.head<2>() += by;
+    m_box = world_box(m_object);
+  }
+
+  Pose at_bottom(double z) const {
+    Pose out = m_object.pose;
+    out.translation.z() = z - m_box.lower.z();
+    return out;
+  }
+
+  /// z of the lowest thing above a point; nullopt: the open sky.
+  std::optional<double> ceiling_above(const Vec3& point) const {
+    const auto hit = pick(m_scene, {point, Vec3::UnitZ()}, m_moving);
+    return hit ? std::optional(hit->point.z()) : std::nullopt;
+  }
+
+  /// Of the underside.
+  double highest_below(double ceiling) const {
+    return ceiling - m_room - (m_box.upper.z() - m_box.lower.z());
+  }
+
+  /// Top of what is below the object, the point included, as far as it is not above `limit`.
+  double top_below(double limit) const {
+    double top = m_at.point.z();
+    for (const ObjectSnapshot& o : m_scene.objects) {
+      if (!o->placed || std::find(m_moving.begin(), m_moving.end(), o.id) != m_moving.end())
+        continue;
+      const Aabb other = world_box(*o.object);
+      if (other.upper.z() <= limit && overlap_from_above(m_box, other))
+        top = std::max(top, other.upper.z());
+    }
+    return top;
+  }
+
+  Pose from_above() const {
+    const double floor = m_scene.floor ? 0.0 : -kInfinity;
+    return at_bottom(std::max(top_below(kInfinity), floor) + m_height);
+  }
+
+  Pose on_surface() const {
+    const auto ceiling = ceiling_above(m_at.point + m_room * m_at.normal);
+    if (!ceiling) return from_above();
+    const double highest = highest_below(*ceiling);
+    const double bottom = top_below(highest - m_height) + m_height;
+    return at_bottom(std::max(std::min(bottom, highest), m_at.point.z() + m_room));
+  }
+
+  // Below an overhang from the height of the point, clear of the wall.
+  Pose beside_wall() {
+    const Vec3 away = Vec3(m_at.normal.x(), m_at.normal.y(), 0).normalized();
+    const Vec3 centre = m_object.centre_of_mass();
+    const Vec3 reach = (m_box.upper - centre).cwiseMax(centre - m_box.lower);
+    const Vec3 aside = (away.cwiseAbs().dot(reach) + m_room) * away;
+    const auto ceiling = ceiling_above(m_at.point + aside);
+    if (!ceiling) return from_above();
+    shift(aside.head<2>());
+    return at_bottom(std::min(m_at.point.z(), highest_below(*ceiling)));
+  }
+
+  const SceneSnapshot& m_scene;
+  Object m_object;
+  const std::vector<ObjectId>& m_moving;
+  const Picked& m_at;
+  double m_height, m_room = 0;
+  Aabb m_box;
+};
+
 }  // namespace
 
 Pose put_start(const SceneSnapshot& scene, const Object& object,
-               const std::vector<ObjectId>& moving, const Vec3& point, double height, bool near) {
-  Pose start{object.pose.rotation, Vec3::Zero()};
-  Object there = object;
-  there.pose = start;
-  const Vec2 aside = point.head<2>() - there.centre_of_mass().head<2>();
-  start.translation.head<2>() = aside;
-  there.pose = start;
-  const Aabb box = world_box(there);
-  double top = near ? point.z() : std::max(point.z(), scene.floor ? 0.0 : -kInfinity);
-  for (const ObjectSnapshot& o : scene.objects) {
-    if (near || !o->placed) continue;
-    if (std::find(moving.begin(), moving.end(), o.id) != moving.end()) continue;
-    const Aabb other = world_box(*o.object);
-    if (overlap_from_above(box, other)) top = std::max(top, other.upper.z());
-  }
-  start.translation.z() = top + height - box.lower.z();
-  return start;
+               const std::vector<ObjectId>& moving, const Picked& at, double height, bool near) {
+  PutStart start(scene, object, moving, at, height);
+  return near ? start.near() : start.usual();
 }
 
 double rounded(double value, double step) {

@@ -6,11 +6,13 @@
 
 namespace trivet::edit {
 
-/// Pose from which a PUT drops the object onto `point`: centre of mass above it, current rotation.
-/// @param height  metres; of its underside above the highest box below it or, with `near`, above
-///   the point. @param moving  objects that move along, not obstacles.
+/// Pose from which a PUT drops the object where the mouse points, in its current rotation: the
+/// underside `height` metres above all below it. Under an overhang, a shelf's board, just above the
+/// point, or above the low objects beside it; at a wall or an underside there, beside or below it.
+/// @param moving  objects that move along, not obstacles. @param near  just above the point in any
+///   case.
 Pose put_start(const SceneSnapshot& scene, const Object& object,
-               const std::vector<ObjectId>& moving, const Vec3& point, double height, bool near);
+               const std::vector<ObjectId>& moving, const Picked& at, double height, bool near);
 
 /// Goals of drags are rounded to less than 1/this of a pixel.
 inline constexpr double kGoalsPerPx = 4;

@@ -45,7 +45,8 @@ bool SelectTool::pointer(const PointerEvent& event) {
 }
 
 void SelectTool::click(const PointerEvent& event) {
-  const auto picked = pick(*m_document.snapshot(), m_pressed->ray());
+  const auto picked = pick_near(*m_document.snapshot(), m_pressed->view, m_pressed->px, {},
+                                m_document.looks().not_selectable());
   const bool more = event.modifiers.shift || event.modifiers.control;
   if (!picked || !picked->object) {
     if (!more) m_document.select({});
@@ -60,8 +61,8 @@ void SelectTool::click(const PointerEvent& event) {
 void SelectTool::select_box(const PointerEvent& event) {
   Selection selection;
   if (event.modifiers.shift || event.modifiers.control) selection = m_document.selection();
-  for (const ObjectId id :
-       pick_in_box(*m_document.snapshot(), m_pressed->view, m_pressed->px, event.px))
+  for (const ObjectId id : pick_in_box(*m_document.snapshot(), m_pressed->view, m_pressed->px,
+                                       event.px, m_document.looks().not_selectable()))
     if (!selection.contains(id)) selection.objects.push_back(id);
   selection.contact.reset();
   m_document.select(std::move(selection));

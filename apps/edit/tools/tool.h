@@ -19,6 +19,7 @@ struct ToolOptions {
   bool let_go = false;                      // TURN, MOVE, ROTATE: the same
   bool settle_left = false;                 // objects left without support are released too
   bool free = false;                        // MOVE, ROTATE: ignore collisions
+  bool take_next = false;                   // PUT: then the next object that is not placed yet
   double drop_height = 0.02;      // PUT: above the highest point below the object; with Alt, above
                                   // the point under the mouse
   double pick_up_distance = 0.1;  // PICK-UP by key or click
@@ -62,6 +63,12 @@ class Tool {
   virtual Cursor cursor() const = 0;
   /// One line for the status bar: possible actions.
   virtual std::string hint() const = 0;
+  /// Numbers that are typed, for the status bar; empty: none.
+  virtual std::string reading() const { return {}; }
+  /// True if the key is the tool's now, whatever it means elsewhere.
+  virtual bool wants_key(const KeyEvent&) const { return false; }
+  /// Name of the object that a click will put; empty: none.
+  virtual std::string in_hand() const { return {}; }
 };
 
 }  // namespace trivet::edit

@@ -71,7 +71,16 @@ bool Toolbox::pointer(const PointerEvent& event) {
 
 bool Toolbox::put_at_pointer() {
   if (!m_last || m_document.is_busy() || m_document.is_dragging()) return false;
+  if (auto* const put = dynamic_cast<PutTool*>(m_tool.get())) return put->put(*m_last);
   return PutTool(m_document, m_options).put(*m_last);
+}
+
+bool Toolbox::take_next() {
+  if (m_document.is_busy() || m_document.is_dragging()) return false;
+  if (m_current != ToolKind::Put) take(ToolKind::Put);
+  const bool taken = static_cast<PutTool&>(*m_tool).take_next();
+  if (changed) changed();
+  return taken;
 }
 
 bool Toolbox::pick_up() {

@@ -27,12 +27,16 @@ class Toolbox {
 
   // Actions of keys and menus; false if there is no object for them.
   bool put_at_pointer();  // the active object, at the last position of the mouse
+  bool take_next();       // into the hand of PUT: the next object that is not placed yet
   bool pick_up();         // the active object, by ToolOptions::pick_up_distance
   bool erase_selected();
 
   Overlay overlay(const View& view) const { return m_tool->overlay(view); }
   Cursor cursor() const;
   std::string hint() const { return m_tool->hint(); }
+  std::string reading() const { return m_tool->reading(); }
+  bool wants_key(const KeyEvent& event) const { return m_tool->wants_key(event); }
+  std::string in_hand() const { return m_tool->in_hand(); }
   /// The last event of any window, for keys that act at the mouse position.
   const std::optional<PointerEvent>& last_pointer() const { return m_last; }
 

@@ -60,6 +60,8 @@ void TurnTool::steer(const PointerEvent& event) {
       m_turning.follow(event, event.modifiers.control ? m_options.angle_step_deg : 0));
 }
 
+void TurnTool::steer_by(const std::vector<double>& values) { m_document.drag_by(values[0]); }
+
 void TurnTool::hover(const PointerEvent& event) {
   m_axis.reset();
   m_hovered = pick_contact(scene(), m_document.selection(), event.view, event.px);
@@ -83,7 +85,8 @@ Overlay TurnTool::overlay(const View& view) const {
 }
 
 std::string TurnTool::hint() const {
-  return "Click a contact point, edge or area, then drag to turn about it; hold Control for steps";
+  return "Click a contact point, edge or area, then drag to turn about it; hold Control for steps, "
+         "or type degrees";
 }
 
 }  // namespace trivet::edit

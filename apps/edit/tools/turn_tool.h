@@ -19,6 +19,8 @@ class TurnTool : public DragTool {
   bool grab(const PointerEvent& event) override;
   std::optional<Operation> begin() override;
   void steer(const PointerEvent& event) override;
+  TypedNumbers numbers() const override { return {{""}, 0, "°"}; }
+  void steer_by(const std::vector<double>& values) override;
   void hover(const PointerEvent& event) override;
 
  private:

@@ -35,6 +35,15 @@ bool Recorder::done(Document::Job job) {
   return std::find(m_finished.begin(), m_finished.end(), std::pair(job, true)) != m_finished.end();
 }
 
+void Recorder::import(const std::string& file, const std::string& name, bool fixed) {
+  ImportModel model;
+  model.file = file;
+  model.name = name;
+  model.fixed = fixed;
+  if (fixed) model.put = Pose{{}, Vec3(0, 0, 0.01)};
+  if (!done(m_document->import_model(model))) throw std::runtime_error(last_text());
+}
+
 const Object& Recorder::object(const std::string& name) const {
   const ObjectSnapshot* const found = m_document->snapshot()->find(name);
   if (!found) throw std::runtime_error("no object " + name);

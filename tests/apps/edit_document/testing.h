@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "apps/edit/document/document.h"
+#include "apps/edit_document/boxes.h"
 #include "support/temporary_folder.h"
 
 namespace trivet::edit::test {
@@ -23,6 +24,8 @@ class Recorder {
   /// Waits for completion. @return whether the last job succeeded.
   bool done(Document::Job job);
   const std::vector<Message>& messages() const { return m_messages; }
+  /// As `name`; fixed objects stand at the origin, others are not placed.
+  void import(const std::string& file, const std::string& name, bool fixed = false);
   std::string last_text() const { return m_messages.empty() ? "" : m_messages.back().text; }
   void forget() { m_messages = {}, m_finished = {}; }
   const Object& object(const std::string& name) const;

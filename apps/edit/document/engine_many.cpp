@@ -1,0 +1,61 @@
+// Jobs on many objects of the document's thread.
+#include "apps/edit/document/engine.h"
+#include "apps/edit/document/results.h"
+#include "core/scene/transaction.h"
+
+namespace trivet::edit {
+namespace {
+
+OperationResult perform_group(Transaction& all, const OperationGroup& group,
+                              const SettleOptions& options, const RunContext& context) {
+  Transaction one(all);
+  OperationResult result;
+  for (const Operation& operation : group) {
+    result = perform(one, operation, options, context);
+    if (!result.ok()) return result;
+  }
+  one.commit();
+  return result;
+}
+
+}  // namespace
+
+// Tries the groups on a copy of the scene, one after another, then does those that can be done as
+// one step.
+bool Engine::perform_groups(const std::string& what, const ManyObjects& many) {
+  Scene trial = m_opened->session.scene();
+  Transaction all(trial);
+  std::vector<Operation> done;
+  std::vector<std::string> names;
+  std::optional<OperationResult> refused;  // the first
+  size_t refused_group = 0;
+  for (size_t i = 0; i < many.groups.size(); ++i) {
+    show_progress(what, i, many.groups.size());
+    OperationResult result = perform_group(all, many.groups[i], settle_options(), context());
+    if (result.ok()) {
+      done.insert(done.end(), many.groups[i].begin(), many.groups[i].end());
+      names.push_back(many.names[i]);
+      continue;
+    }
+    if (!refused) refused_group = i;
+    if (!refused || result.status != OperationResult::Status::Refused) refused = std::move(result);
+    if (refused->status != OperationResult::Status::Refused) break;
+  }
+  const bool stopped = refused && refused->status != OperationResult::Status::Refused;
+  if (done.empty() || stopped) {
+    if (refused) tell(*refused, many.groups[refused_group].back());
+    return false;
+  }
+  show_progress(what, 0, 0);
+  if (!perform_all(done, names)) return false;
+  if (refused)
+    tell(Message{Message::Kind::Info,
+                 what + ": " + std::to_string(names.size()) + " of " +
+                     std::to_string(many.groups.size()) +
+                     "; the others were refused, the first: " + refused->reason(),
+                 {},
+                 {}});
+  return true;
+}
+
+}  // namespace trivet::edit

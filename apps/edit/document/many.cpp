@@ -1,0 +1,227 @@
+#include "apps/edit/document/many.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "apps/edit/document/names.h"
+#include "apps/edit/document/pose_numbers.h"
+
+namespace trivet::edit {
+namespace {
+
+const Object* placed_object(const SceneSnapshot& scene, const std::string& name) {
+  const ObjectSnapshot* const found = scene.find(name);
+  return found && (*found)->placed ? found->object.get() : nullptr;
+}
+
+PutOperation put_from(const std::string& object, const Pose& start) {
+  PutOperation put;
+  put.object = object;
+  put.start = start;
+  return put;
+}
+
+Pose shifted(Pose pose, const Vec3& by) {
+  pose.translation += by;
+  return pose;
+}
+
+/// Poses of the copies, without that of the original.
+std::vector<Pose> array_poses(const Pose& first, const ArrayWish& wish) {
+  std::vector<Pose> out;
+  out.reserve(static_cast<size_t>(std::max({wish.count, wish.rows * wish.columns, 0})));
+  switch (wish.kind) {
+    case ArrayWish::Kind::Line:
+      for (int i = 1; i < wish.count; ++i) out.push_back(shifted(first, i * wish.step));
+      break;
+    case ArrayWish::Kind::Grid:
+      for (int j = 0; j < wish.columns; ++j)
+        for (int i = j == 0 ? 1 : 0; i < wish.rows; ++i)
+          out.push_back(shifted(first, Vec3(i * wish.step.x(), j * wish.step.y(), 0)));
+      break;
+    case ArrayWish::Kind::Circle: {
+      const Vec3 centre = first.translation + Vec3(wish.centre.x(), wish.centre.y(), 0);
+      const bool round = std::abs(wish.angle_deg) >= 360;
+      for (int i = 1; i < wish.count; ++i) {
+        const double deg = wish.angle_deg * i / (round ? wish.count : wish.count - 1);
+        const Rotation turn = turned_about(Vec3::UnitZ(), deg);
+        Pose pose = first;
+        pose.translation = centre + turn.matrix() * (first.translation - centre);
+        if (wish.turned) pose.rotation = (turn * first.rotation).normalized();
+        out.push_back(pose);
+      }
+    }
+  }
+  return out;
+}
+
+/// The same numbers on every machine.
+class Dice {
+ public:
+  explicit Dice(std::uint64_t seed) : m_engine(seed) {}
+  double uniform(double low, double high) {
+    return low + (high - low) * (static_cast<double>(m_engine() >> 11) * 0x1p-53);
+  }
+  std::uint64_t seed() { return m_engine() >> 11; }  // JSON keeps 53 bits
+  Rotation rotation() {
+    for (;;) {
+      const Rotation r{uniform(-1, 1), uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)};
+      const double squared = r.w * r.w + r.x * r.x + r.y * r.y + r.z * r.z;
+      if (squared > 0.01 && squared <= 1) return r.normalized();
+    }
+  }
+  Rotation turned(RandomTurn how, const Rotation& r) {
+    if (how == RandomTurn::Any) return rotation();
+    if (how == RandomTurn::None) return r;
+    return (turned_about(Vec3::UnitZ(), uniform(0, 360)) * r).normalized();
+  }
+
+ private:
+  std::mt19937_64 m_engine;
+};
+
+PutOperation scattered_put(const std::string& name, const Rotation& rotation,
+                           const ScatterWish& wish, Dice& dice) {
+  PutOperation put = put_from(name, {dice.turned(wish.turn, rotation), Vec3::Zero()});
+  PlaceOptions place;
+  place.on = wish.on;
+  place.seed = dice.seed();
+  place.keep = wish.keep;
+  if (wish.region) {
+    const auto& [lower, upper] = *wish.region;
+    const double x = dice.uniform(lower.x(), upper.x());
+    place.near = Vec2(x, dice.uniform(lower.y(), upper.y()));
+  }
+  put.place = place;
+  return put;
+}
+
+/// An object that is to be aligned.
+struct InRow {
+  const Object* object;
+  double lower, upper;  // of its box along the axis
+  double by = 0;        // metres to move along the axis
+};
+
+void align(std::vector<InRow>& row, AlignWish::How how) {
+  const InRow last = row.back();
+  for (InRow& r : row)
+    r.by = how == AlignWish::How::Lower   ? last.lower - r.lower
+           : how == AlignWish::How::Upper ? last.upper - r.upper
+                                          : (last.lower + last.upper - r.lower - r.upper) / 2;
+}
+
+void space_evenly(std::vector<InRow>& row) {
+  std::sort(row.begin(), row.end(),
+            [](const InRow& a, const InRow& b) { return a.lower + a.upper < b.lower + b.upper; });
+  double gap = row.back().lower - row.front().upper;
+  for (size_t i = 1; i + 1 < row.size(); ++i) gap -= row[i].upper - row[i].lower;
+  if (row.size() > 2) gap /= static_cast<double>(row.size() - 1);
+  double at = row.front().upper;
+  for (size_t i = 1; i + 1 < row.size(); ++i) {
+    row[i].by = at + gap - row[i].lower;
+    at += gap + row[i].upper - row[i].lower;
+  }
+}
+
+}  // namespace
+
+ManyObjects array_of(const SceneSnapshot& scene, const ArrayWish& wish) {
+  ManyObjects out;
+  const Object* const original = placed_object(scene, wish.object);
+  if (!original) return out;
+  std::set<std::string> taken;
+  for (const Pose& pose : array_poses(original->pose, wish)) {
+    const std::string name = free_name(scene, wish.object, taken);
+    const Pose start = shifted(pose, Vec3(0, 0, wish.drop_height));
+    out.groups.push_back({DuplicateOperation{wish.object, name}, put_from(name, start)});
+    out.names.push_back(name);
+  }
+  return out;
+}
+
+std::vector<std::string> unplaced_names(const SceneSnapshot& scene) {
+  std::vector<std::string> out;
+  for (const ObjectSnapshot& object : scene.objects)
+    if (!object->placed) out.push_back(object->name);
+  return out;
+}
+
+ManyObjects scattered(const SceneSnapshot& scene, const ScatterWish& wish) {
+  ManyObjects out;
+  std::vector<const Object*> originals;
+  for (const std::string& name : wish.objects)
+    if (const ObjectSnapshot* const found = scene.find(name))
+      originals.push_back(found->object.get());
+  if (originals.empty()) return out;
+  Dice dice(wish.seed);
+  std::set<std::string> taken;
+  for (size_t i = 0; i < static_cast<size_t>(std::max(wish.count, 0)); ++i) {
+    const Object& original = *originals[i % originals.size()];
+    OperationGroup group;
+    std::string name = original.name;
+    if (original.placed || i >= originals.size()) {
+      name = free_name(scene, original.name, taken);
+      group.push_back(DuplicateOperation{original.name, name});
+    }
+    group.push_back(scattered_put(name, original.pose.rotation, wish, dice));
+    out.groups.push_back(std::move(group));
+    out.names.push_back(name);
+  }
+  return out;
+}
+
+ManyObjects aligned(const SceneSnapshot& scene, const AlignWish& wish) {
+  ManyObjects out;
+  std::vector<InRow> row;
+  for (const std::string& name : wish.objects)
+    if (const Object* const object = placed_object(scene, name)) {
+      const Aabb box = world_box(*object);
+      row.push_back({object, box.lower[wish.axis], box.upper[wish.axis]});
+    }
+  if (row.size() < 2) return out;
+  if (wish.how == AlignWish::How::Gaps)
+    space_evenly(row);
+  else
+    align(row, wish.how);
+  // Whoever goes up begins at the upper end, whoever goes down at the lower end.
+  std::stable_sort(row.begin(), row.end(), [](const InRow& a, const InRow& b) {
+    if ((a.by > 0) != (b.by > 0)) return a.by > 0;
+    return a.by > 0 ? a.upper > b.upper : a.lower < b.lower;
+  });
+  for (const InRow& r : row) {
+    if (r.by == 0) continue;
+    Vec3 by(0, 0, wish.drop_height);
+    by[wish.axis] = r.by;
+    out.groups.push_back({put_from(r.object->name, shifted(r.object->pose, by))});
+    out.names.push_back(r.object->name);
+  }
+  return out;
+}
+
+ManyObjects replaced(const SceneSnapshot& scene, const std::vector<std::string>& objects,
+                     const std::string& by, double drop_height) {
+  ManyObjects out;
+  const ObjectSnapshot* const model = scene.find(by);
+  if (!model) return out;
+  std::set<std::string> taken;
+  for (const std::string& name : objects) {
+    const Object* const old = placed_object(scene, name);
+    if (!old || name == by) continue;
+    Object there = *model->object;
+    there.pose = {old->pose.rotation, Vec3::Zero()};
+    there.placed = true;
+    Vec3 to = old->centre_of_mass() - there.centre_of_mass();
+    to.z() = world_box(*old).lower.z() - world_box(there).lower.z() + drop_height;
+    const std::string copy = free_name(scene, by, taken);
+    DeleteOperation erase;
+    erase.object = name;
+    out.groups.push_back(
+        {DuplicateOperation{by, copy}, erase, put_from(copy, {old->pose.rotation, to})});
+    out.names.push_back(copy);
+  }
+  return out;
+}
+
+}  // namespace trivet::edit

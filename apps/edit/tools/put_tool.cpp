@@ -1,0 +1,144 @@
+#include <algorithm>
+
+#include "apps/edit/tools/move_tools.h"
+#include "apps/edit/tools/placing.h"
+
+namespace trivet::edit {
+namespace {
+
+std::vector<ObjectId> moving_with(const SceneSnapshot& scene, ObjectId object) {
+  std::vector<ObjectId> out{object};
+  for (size_t i = 0; i < out.size(); ++i)
+    for (const LoadSupport::Entry& e : scene.support->entries) {
+      if (!(e.object == out[i])) continue;
+      for (const ObjectId load : e.loads)
+        if (std::find(out.begin(), out.end(), load) == out.end()) out.push_back(load);
+    }
+  return out;
+}
+
+bool can_be_moved(const Object& object) {
+  return !object.locked && !(object.fixed && object.placed);
+}
+
+std::string quoted(const std::string& name) { return "\"" + name + "\""; }
+
+}  // namespace
+
+PutTool::PutTool(Document& document, const ToolOptions& options) : DragTool(document, options) {
+  m_selected = QObject::connect(&document, &Document::selection_changed, [this] {
+    if (m_document.selection().active() != m_dropped) m_dropped.reset();
+  });
+  m_finished = QObject::connect(&document, &Document::finished, [this](quint64 job, bool ok) {
+    if (job != m_job || !ok) return;
+    drop();
+    if (m_options.take_next) take_next();
+  });
+}
+
+PutTool::~PutTool() {
+  QObject::disconnect(m_selected);
+  QObject::disconnect(m_finished);
+}
+
+const ObjectSnapshot* PutTool::held() const {
+  const ObjectSnapshot* const object = active();
+  return object && m_dropped != object->id && can_be_moved(*object->object) ? object : nullptr;
+}
+
+void PutTool::drop() {
+  m_dropped = m_document.selection().active();
+  m_document.clear_ghost();
+}
+
+bool PutTool::take_next() {
+  const auto& objects = scene().objects;
+  const auto active = m_document.selection().active();
+  const auto here = std::find_if(objects.begin(), objects.end(),
+                                 [&](const ObjectSnapshot& o) { return o.id == active; });
+  const size_t after = here == objects.end() ? 0 : here - objects.begin() + 1;
+  for (size_t i = 0; i < objects.size(); ++i) {
+    const ObjectSnapshot& next = objects[(after + i) % objects.size()];
+    if (next->placed) continue;
+    m_document.select_only(next.id);
+    m_dropped.reset();
+    return true;
+  }
+  return false;
+}
+
+bool PutTool::grab(const PointerEvent& event) {
+  m_takes = !held();
+  if (!m_takes) return true;
+  if (!grab_object(event)) return false;
+  m_dropped.reset();
+  return true;
+}
+
+void PutTool::click(const PointerEvent& event) {
+  if (m_takes) return;
+  put(event);
+}
+
+std::optional<Operation> PutTool::operation_at(const PointerEvent& event) const {
+  const ObjectSnapshot* const object = active();
+  if (!object) return std::nullopt;
+  std::vector<ObjectId> moving = moving_with(scene(), object->id);
+  for (const ObjectId hidden : m_document.looks().hidden()) moving.push_back(hidden);
+  auto picked = pick(scene(), event.ray(), moving);
+  if (!picked) return std::nullopt;
+  const double step = event.view.metres_per_px(event.view.depth(picked->point)) / kGoalsPerPx;
+  for (int k = 0; k < 2; ++k) picked->point[k] = rounded(picked->point[k], step);
+  auto put = operation_of<PutOperation>(*object->object);
+  put.start = put_start(scene(), *object->object, moving, *picked, m_options.drop_height,
+                        event.modifiers.alt);
+  return put;
+}
+
+bool PutTool::put(const PointerEvent& event) {
+  const auto operation = operation_at(event);
+  if (!operation) return false;
+  m_document.clear_ghost();
+  m_job = m_document.perform(*operation);
+  return true;
+}
+
+void PutTool::hover(const PointerEvent& event) {
+  if (m_document.is_busy()) return;
+  const auto operation = held() ? operation_at(event) : std::nullopt;
+  if (operation)
+    m_document.request_ghost(*operation);
+  else
+    m_document.clear_ghost();
+}
+
+bool PutTool::key(const KeyEvent& event) {
+  const bool plain = !event.modifiers.control && !event.modifiers.alt;
+  if (event.key == KeyEvent::Key::Character && event.character == 'n' && plain) return take_next();
+  if (event.key != KeyEvent::Key::Escape || is_active() || !held()) return DragTool::key(event);
+  drop();
+  return true;
+}
+
+void PutTool::cancel() {
+  DragTool::cancel();
+  m_document.clear_ghost();
+}
+
+std::string PutTool::in_hand() const {
+  const ObjectSnapshot* const object = held();
+  return object ? (*object)->name : std::string();
+}
+
+std::string PutTool::hint() const {
+  if (held())
+    return "Click its place; hold Alt to drop it from just above that point; Escape drops it from "
+           "the hand";
+  const ObjectSnapshot* const object = active();
+  if (object && !can_be_moved(*object->object))
+    return quoted((*object)->name) + " is " + ((*object)->locked ? "locked" : "fixed") +
+           ": it is not taken in hand";
+  return "Nothing in hand: click an object to take it; N takes the next one that is not placed yet";
+}
+
+}  // namespace trivet::edit
