@@ -46,6 +46,30 @@ void MainWindow::aim_three_view(const QString& name) {
   m_three_shows = name;
 }
 
+/// Of the view under the mouse.
+void MainWindow::look_along(const Vec3& direction) {
+  SceneView* const view = active_view();
+  const bool down = direction.z() != 0;
+  if (view == m_three) return aim_three_view(down ? "top" : direction.x() != 0 ? "side" : "front");
+  ViewCamera camera = view->camera();
+  // From above, a perspective view keeps its up axis for orbits.
+  constexpr double kTilt = 0.01;
+  const bool flat = view == m_constraint;
+  camera.look_along(down && !flat ? Vec3(0, kTilt, direction.z()) : direction,
+                    down && flat ? Vec3::UnitY() : Vec3::UnitZ());
+  view->set_camera(camera);
+  if (flat) m_constraint_is_free = true;
+}
+
+// As in a new window: of an empty scene.
+void MainWindow::reset_cameras() {
+  m_perspective->set_camera(ViewCamera::perspective());
+  m_three->set_camera(ViewCamera::orthographic(-Vec3::UnitZ(), Vec3::UnitY()));
+  aim_three_view(m_three_shows);
+  m_constraint_is_free = false;
+  m_constraint->set_camera(ViewCamera::orthographic(-Vec3::UnitZ(), Vec3::UnitY()));
+}
+
 void MainWindow::reset_layout() {
   if (m_maximised) toggle_maximised(m_maximised);
   m_columns->setSizes({340, 940});

@@ -2,6 +2,7 @@
 
 #include <QFileInfo>
 #include <QSignalBlocker>
+#include <QVBoxLayout>
 
 #include "apps/demo/demo.h"
 
@@ -16,6 +17,7 @@ ControlWindow::ControlWindow(Document& document, Toolbox& toolbox, QWidget* pare
     : QSplitter(Qt::Vertical, parent),
       m_document(document),
       m_outliner(new Outliner(document)),
+      m_search(new QLineEdit),
       m_properties(new Properties(document)),
       m_operations(new OperationPanel(document, toolbox)),
       m_history(new QListWidget),
@@ -29,7 +31,7 @@ ControlWindow::ControlWindow(Document& document, Toolbox& toolbox, QWidget* pare
   m_history->setObjectName("history");
   m_history->setToolTip(tr("Click a step to go back or forward to it"));
   m_history->setUniformItemSizes(true);
-  addWidget(m_outliner);
+  addWidget(make_search());
   addWidget(m_tabs);
   setChildrenCollapsible(false);
   setHandleWidth(1);
@@ -45,6 +47,23 @@ ControlWindow::ControlWindow(Document& document, Toolbox& toolbox, QWidget* pare
   connect(m_files, &QListWidget::itemActivated, this,
           [this](QListWidgetItem* item) { choose_file(*item); });
   show_history();
+}
+
+/// The outliner below its search field.
+QWidget* ControlWindow::make_search() {
+  auto* const both = new QWidget;
+  auto* const column = new QVBoxLayout(both);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  m_search->setObjectName("search");
+  m_search->setPlaceholderText(tr("Search objects (/)"));
+  m_search->setToolTip(tr("Part of a name; Return selects all objects that are found"));
+  m_search->setClearButtonEnabled(true);
+  column->addWidget(m_search);
+  column->addWidget(m_outliner, 1);
+  connect(m_search, &QLineEdit::textChanged, m_outliner, &Outliner::set_filter);
+  connect(m_search, &QLineEdit::returnPressed, m_outliner, &Outliner::select_found);
+  return both;
 }
 
 void ControlWindow::set_theme(const Theme& theme) {

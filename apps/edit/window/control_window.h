@@ -1,6 +1,7 @@
 // The fourth window: objects, selection, operations, history, files.
 #pragma once
 
+#include <QLineEdit>
 #include <QListWidget>
 #include <QSplitter>
 #include <QTabWidget>
@@ -18,6 +19,7 @@ class ControlWindow : public QSplitter {
   ControlWindow(Document& document, Toolbox& toolbox, QWidget* parent = nullptr);
 
   Outliner& outliner() { return *m_outliner; }
+  QLineEdit& search() { return *m_search; }
   OperationPanel& operations() { return *m_operations; }
   void show_operations() { m_tabs->setCurrentWidget(m_operations); }
   void set_theme(const Theme& theme);
@@ -28,12 +30,14 @@ class ControlWindow : public QSplitter {
   void demo_wanted(const QString& name);
 
  private:
+  QWidget* make_search();
   void show_history();
   void choose_file(const QListWidgetItem& item);
 
   Document& m_document;
   Theme m_theme;
   Outliner* m_outliner;
+  QLineEdit* m_search;
   Properties* m_properties;
   OperationPanel* m_operations;
   QListWidget* m_history;

@@ -1,30 +1,10 @@
 // Menu actions on the selection.
-#include <algorithm>
 #include <set>
 
+#include "apps/edit/document/names.h"
 #include "apps/edit/window/main_window.h"
 
 namespace trivet::edit {
-namespace {
-
-/// "cup", "cup 2", "cup 3", ...
-std::string free_name(const SceneSnapshot& scene, const std::string& like,
-                      const std::set<std::string>& taken) {
-  std::string stem = like;
-  const size_t space = stem.find_last_of(' ');
-  if (space != std::string::npos && space + 1 < stem.size() &&
-      std::all_of(stem.begin() + static_cast<std::ptrdiff_t>(space) + 1, stem.end(),
-                  [](char c) { return c >= '0' && c <= '9'; }))
-    stem.resize(space);
-  for (int i = 2;; ++i) {
-    std::string name = stem;
-    name.append(" ").append(std::to_string(i));
-    if (!scene.find(name) && !taken.count(name)) return name;
-  }
-}
-
-}  // namespace
-
 void MainWindow::perform_on_selection(const QString& name,
                                       const std::function<Operation(const std::string&)>& make) {
   const auto snapshot = m_document.snapshot();
@@ -48,7 +28,6 @@ void MainWindow::duplicate() {
     DuplicateOperation operation;
     operation.object = (*object)->name;
     operation.as = free_name(*snapshot, (*object)->name, names);
-    names.insert(operation.as);
     operations.push_back(operation);
   }
   if (operations.empty()) return;

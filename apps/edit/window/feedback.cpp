@@ -13,7 +13,9 @@ constexpr int kWidestAnswering = 320;
 }  // namespace
 
 void MainWindow::make_status_bar() {
-  m_hint = new QLabel, m_count = new QLabel, m_busy = new QLabel;
+  m_hand = new QLabel, m_hint = new QLabel, m_count = new QLabel, m_busy = new QLabel;
+  m_hand->setObjectName("hand");
+  m_hand->setContentsMargins(8, 0, 0, 0);
   m_hint->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   m_hint->setIndent(8);
   m_count->setObjectName("faint");
@@ -28,6 +30,7 @@ void MainWindow::make_status_bar() {
   m_cancel = new QToolButton;
   m_cancel->setText(tr("Cancel"));
   m_cancel->setToolTip(tr("Stop the running operation; the scene stays unchanged (Escape)"));
+  statusBar()->addWidget(m_hand);
   statusBar()->addWidget(m_hint, 1);
   for (QWidget* const widget : std::initializer_list<QWidget*>{m_busy, m_progress, m_cancel,
                                                                m_answering, m_stands, m_count})
@@ -59,15 +62,25 @@ void MainWindow::show_busy() {
 }
 
 void MainWindow::update_status() {
-  QString hint = QString::fromStdString(m_toolbox.hint());
+  const QString hand = QString::fromStdString(m_toolbox.in_hand());
+  m_hand->setVisible(!hand.isEmpty());
+  m_hand->setText(tr("In hand: %1").arg(hand));
+  m_hand->setStyleSheet("font-weight: bold; color: " + m_drawing.theme().accent().name());
+  const QString typed = QString::fromStdString(m_toolbox.reading());
+  QString hint = typed.isEmpty() ? QString::fromStdString(m_toolbox.hint()) : typed;
   const auto& ghost = m_document.ghost();
-  if (ghost && !ghost->ok && !ghost->text.empty()) hint = QString::fromStdString(ghost->text);
+  if (typed.isEmpty() && ghost && !ghost->ok && !ghost->text.empty())
+    hint = QString::fromStdString(ghost->text);
   m_hint->setText(hint);
   m_hint->setToolTip(hint);
   const auto snapshot = m_document.snapshot();
   const int selected = static_cast<int>(m_document.selection().objects.size());
   QString count = tr("Objects: %1").arg(snapshot->objects.size());
   if (selected > 0) count += tr(", selected: %1").arg(selected);
+  const auto active = m_document.selection().active();
+  if (const ObjectSnapshot* const last = active ? snapshot->find(*active) : nullptr;
+      last && selected > 1)
+    count += tr(" (last: %1)").arg(QString::fromStdString((*last)->name));
   m_count->setText(count);
 }
 
@@ -101,8 +114,11 @@ void MainWindow::update_actions() {
   action("undo")->setEnabled(idle && m_document.can_undo());
   action("redo")->setEnabled(idle && m_document.can_redo());
   for (const char* const name :
-       {"duplicate", "delete", "lock", "unlock", "fix", "unfix", "group", "ungroup"})
+       {"duplicate", "delete", "lock", "unlock", "fix", "unfix", "group", "ungroup", "array",
+        "scatter", "align", "replace", "hide", "not selectable"})
     action(name)->setEnabled(idle && selected);
+  action("put all")->setEnabled(idle);
+  m_colours->setEnabled(selected);
   for (const char* const name : {"save", "save as", "export", "picture"})
     action(name)->setEnabled(idle);
 }

@@ -5,6 +5,7 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QSettings>
+#include <QStandardPaths>
 
 #include "apps/edit/window/import_dialog.h"
 #include "apps/edit/window/main_window.h"
@@ -14,6 +15,15 @@ namespace trivet::edit {
 namespace {
 
 constexpr int kMostRecent = 10;
+
+/// Of the last file; else the user's documents, or the home folder.
+QString usual_folder() {
+  const QString last = QSettings().value("files/folder").toString();
+  for (const QString& folder :
+       {last, QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)})
+    if (!folder.isEmpty() && QFileInfo(folder).isDir()) return folder;
+  return QDir::homePath();
+}
 
 bool is_scene_or_layout(const QString& file) {
   if (file.endsWith(".json", Qt::CaseInsensitive)) return true;
@@ -89,9 +99,8 @@ void MainWindow::open_demo(const QString& name) {
 }
 
 void MainWindow::ask_open() {
-  const QString file =
-      QFileDialog::getOpenFileName(this, tr("Open"), QSettings().value("files/folder").toString(),
-                                   tr("Scenes and layouts (*.glb *.json);;All files (*)"));
+  const QString file = QFileDialog::getOpenFileName(
+      this, tr("Open"), usual_folder(), tr("Scenes and layouts (*.glb *.json);;All files (*)"));
   if (!file.isEmpty()) open_file(file);
 }
 
@@ -104,10 +113,16 @@ void MainWindow::save(std::function<void()> then) {
   });
 }
 
+/// Proposal, by the scene's file or title.
+QString MainWindow::file_to_save(const QString& extension) const {
+  const QString title = QString::fromStdString(m_document.title());
+  const QString stem = title == "Untitled" ? tr("scene") : QFileInfo(title).completeBaseName();
+  return QDir(usual_folder()).filePath(stem + "." + extension);
+}
+
 void MainWindow::save_as(std::function<void()> then) {
-  QString file = QFileDialog::getSaveFileName(
-      this, tr("Save as"), QSettings().value("files/folder").toString() + "/scene.glb",
-      tr("Scene (*.glb);;Layout (*.json)"));
+  QString file = QFileDialog::getSaveFileName(this, tr("Save as"), file_to_save("glb"),
+                                              tr("Scene (*.glb);;Layout (*.json)"));
   if (file.isEmpty()) return;
   if (QFileInfo(file).suffix().isEmpty()) file += ".glb";
   when_finished(m_document.save_as(file.toStdString()),
@@ -122,9 +137,8 @@ void MainWindow::save_as(std::function<void()> then) {
 }
 
 void MainWindow::ask_export() {
-  QString file = QFileDialog::getSaveFileName(
-      this, tr("Export"), QSettings().value("files/folder").toString() + "/scene.obj",
-      tr("Meshes (*.obj *.ply *.stl *.glb)"));
+  QString file = QFileDialog::getSaveFileName(this, tr("Export"), file_to_save("obj"),
+                                              tr("Meshes (*.obj *.ply *.stl *.glb)"));
   if (file.isEmpty()) return;
   if (QFileInfo(file).suffix().isEmpty()) file += ".obj";
   when_finished(m_document.export_to(file.toStdString()), [this, file](bool ok) {
@@ -160,7 +174,7 @@ void MainWindow::import_next() {
 }
 
 void MainWindow::ask_picture() {
-  const auto wish = ask_for_picture(this, QSettings().value("files/folder").toString());
+  const auto wish = ask_for_picture(this, usual_folder());
   if (!wish || m_picture) return;
   PictureOptions options;
   options.width = wish->width, options.height = wish->height, options.samples = wish->samples;

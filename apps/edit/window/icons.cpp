@@ -195,4 +195,27 @@ QIcon make_icon(Icon icon, const QColor& colour) {
   return out;
 }
 
+QIcon application_icon() {
+  QIcon out;
+  for (const int size : {16, 32, 48, 128}) {
+    QPixmap pixmap(size, size);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.scale(size / 20.0, size / 20.0);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(38, 108, 200));
+    painter.drawRoundedRect(QRectF(0.5, 0.5, 19, 19), 4, 4);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(Qt::white, 1.8, Qt::SolidLine, Qt::RoundCap));
+    painter.drawEllipse(QRectF(3.5, 5, 13, 4.5));
+    painter.drawLine(QPointF(5, 9), QPointF(3.5, 15.5));
+    painter.drawLine(QPointF(10, 9.6), QPointF(10, 17));
+    painter.drawLine(QPointF(15, 9), QPointF(16.5, 15.5));
+    painter.end();
+    out.addPixmap(pixmap);
+  }
+  return out;
+}
+
 }  // namespace trivet::edit

@@ -33,5 +33,7 @@ enum class Icon {
 };
 
 QIcon make_icon(Icon icon, const QColor& colour);
+/// A trivet: three legs under a ring.
+QIcon application_icon();
 
 }  // namespace trivet::edit

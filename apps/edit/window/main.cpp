@@ -9,13 +9,15 @@
 #include "core/base/error.h"
 #include "core/base/standard_streams.h"
 
-int main(int argc, char** argv) {
-  trivet::open_standard_streams();
-  QApplication application(argc, argv);
+namespace {
+
+void name_application() {
   QCoreApplication::setOrganizationName("trivet");
   QCoreApplication::setApplicationName("trivet-edit");
   QCoreApplication::setApplicationVersion(TRIVET_VERSION);
-  QCommandLineParser parser;
+}
+
+void add_options(QCommandLineParser& parser) {
   parser.setApplicationDescription("Lays out 3D objects without interpenetration, at rest.");
   parser.addHelpOption();
   parser.addVersionOption();
@@ -31,6 +33,30 @@ int main(int argc, char** argv) {
   parser.addOption({"objects-alone",
                     "Settles each object on what stands still, whether the whole stands or not"});
   parser.addOption({"gpu-method", "How a GPU does it: auto, framebuffer or compute", "name"});
+}
+
+// Help and version need no display.
+void answer_without_display(int argc, char** argv) {
+  QCoreApplication application(argc, argv);
+  name_application();
+  QCommandLineParser parser;
+  add_options(parser);
+  QStringList given;
+  for (int i = 0; i < argc; ++i) given << QString::fromLocal8Bit(argv[i]);
+  const bool asks = parser.parse(given) && (parser.isSet("help") || parser.isSet("version"));
+  if (asks || given.contains("--help-all")) parser.process(application);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  trivet::open_standard_streams();
+  answer_without_display(argc, argv);
+  QApplication application(argc, argv);
+  name_application();
+  QApplication::setWindowIcon(trivet::edit::application_icon());
+  QCommandLineParser parser;
+  add_options(parser);
   parser.process(application);
   try {
     trivet::edit::DetectionChoice detection = trivet::edit::saved_detection();

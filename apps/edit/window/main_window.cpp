@@ -147,6 +147,7 @@ void MainWindow::connect_document() {
     else
       m_busy_for_long.stop(), show_busy();
     update_actions();
+    update_status();
   });
   connect(&m_document, &Document::progressed, this,
           [this](const QString& what, int done, int total) {
@@ -215,6 +216,7 @@ void MainWindow::follow_scene() {
   if (!is_empty || m_document.is_modified()) show_workspace();
   // Frames a newly opened scene, or the first object of an empty one.
   const Aabb box = snapshot->box();
+  if (box.empty() && !m_is_empty) reset_cameras();
   if ((m_framed_title != m_document.title() || m_is_empty) && !box.empty() && !snapshot->drag) {
     m_framed_title = m_document.title();
     for (SceneView* const view : {m_perspective, m_three, m_constraint}) view->frame(box);

@@ -82,6 +82,8 @@ class MainWindow : public QMainWindow {
   void toggle_maximised(ViewFrame* frame);
   void place_message_bar();
   void aim_three_view(const QString& name);
+  void look_along(const Vec3& direction);
+  void reset_cameras();
   void reset_layout();
   void restore_layout();
   void save_layout() const;
@@ -97,6 +99,7 @@ class MainWindow : public QMainWindow {
   void make_view_actions();
   void make_three_view_actions();
   void make_drawing_actions();
+  void make_direction_actions();
   void make_menus();
   void make_tool_bar();
   void dress_actions();
@@ -112,6 +115,18 @@ class MainWindow : public QMainWindow {
   void group_selected(bool together);
   void select_all();
 
+  // many_edits.cpp
+  void make_many_actions();
+  void make_look_actions();
+  std::vector<std::string> selected_names() const;
+  void perform_many(const QString& name, ManyObjects many);
+  void make_array();
+  void scatter(bool put_all);
+  void align_selected();
+  void replace_selected();
+  void change_looks(const std::function<void(Look&)>& change);  // of the selected objects
+  void reset_looks(bool Look::*field);
+
   // files.cpp
   bool may_lose_work(std::function<void()> then);
   void new_scene();
@@ -124,6 +139,7 @@ class MainWindow : public QMainWindow {
   void import_next();
   void ask_picture();
   void remember_file(const QString& file);
+  QString file_to_save(const QString& extension) const;
   QStringList recent_files() const;
   void fill_recent_menu();
   void when_finished(Document::Job job, std::function<void(bool)> then);
@@ -137,6 +153,7 @@ class MainWindow : public QMainWindow {
   std::map<QAction*, Icon> m_icons;
   QMenu* m_recent_menu = nullptr;
   QMenu* m_context_menu = nullptr;
+  QMenu* m_colours = nullptr;
   QStackedWidget* m_pages = nullptr;
   StartPage* m_start_page = nullptr;
   QWidget* m_workspace = nullptr;
@@ -149,7 +166,8 @@ class MainWindow : public QMainWindow {
   QDockWidget* m_zlist_dock = nullptr;
   ZListPanel* m_zlists = nullptr;
   DetectionChoice m_detection;
-  QLabel *m_hint = nullptr, *m_count = nullptr, *m_busy = nullptr, *m_answering = nullptr;
+  QLabel *m_hand = nullptr, *m_hint = nullptr, *m_count = nullptr, *m_busy = nullptr,
+         *m_answering = nullptr;
   QLabel* m_stands = nullptr;
   QProgressBar* m_progress = nullptr;
   QToolButton* m_cancel = nullptr;

@@ -45,6 +45,8 @@ void MainWindow::make_actions() {
   make_tool_actions();
   make_hand_actions();
   make_view_actions();
+  make_many_actions();
+  make_look_actions();
   add_action("two minutes", tr("A table in &two minutes"), {}, [this] { show_two_minutes(this); });
   add_action("shortcuts", tr("&Mouse and keys"), Qt::Key_F1,
              [this] { show_shortcuts(this, shortcut_rows()); });
@@ -106,6 +108,7 @@ void MainWindow::make_edit_actions() {
       tr("Duplicate: add another object of the same model, not placed yet"));
   add_action("delete", tr("De&lete"), QKeySequence::Delete, [this] { m_toolbox.erase_selected(); });
   add_action("select all", tr("Select &all"), QKeySequence::SelectAll, [this] { select_all(); });
+  add_action("search", tr("Searc&h"), tr("/"), [this] { m_control->search().setFocus(); });
   add_action("select none", tr("Select &none"), tr("Ctrl+Shift+A"),
              [this] { m_document.select({}); });
   add_action(
@@ -153,6 +156,9 @@ void MainWindow::make_hand_actions() {
       "put here", tr("Put at the mouse &position"), tr("P"), [this] { m_toolbox.put_at_pointer(); },
       tr("Put: drop the active object at the mouse position"));
   add_action(
+      "take next", tr("Take the &next object"), tr("N"), [this] { m_toolbox.take_next(); },
+      tr("Put: take the next object that is not placed yet"));
+  add_action(
       "pick up now", tr("Pick up &now"), tr("U"), [this] { m_toolbox.pick_up(); },
       tr("Pick up the selected object by the distance in the operation panel"));
 }
@@ -161,9 +167,12 @@ void MainWindow::make_view_actions() {
   m_icons[add_action("frame", tr("&Frame selected"), tr("F"), [this] {
     active_view()->frame(active_view()->selected_box());
   })] = Icon::Frame;
-  add_action("frame all", tr("Frame &all"), tr("Home"),
-             [this] { active_view()->frame(m_document.snapshot()->box()); });
+  add_action("frame all", tr("Frame &all"), tr("Home"), [this] {
+    const Aabb box = m_document.snapshot()->box();
+    box.empty() ? reset_cameras() : active_view()->frame(box);
+  });
   make_three_view_actions();
+  make_direction_actions();
   add_action("follow contact", tr("&Constraint window follows the contact"), tr("C"), [this] {
     m_constraint_is_free = false;
     aim_constraint_window();
@@ -179,6 +188,19 @@ void MainWindow::make_view_actions() {
       tr("Maximise the window under the mouse, and restore it"))] = Icon::Maximise;
   add_action("reset layout", tr("&Reset layout"), {}, [this] { reset_layout(); });
   make_drawing_actions();
+}
+
+// Of any view, as in other programs: on the number pad.
+void MainWindow::make_direction_actions() {
+  const auto direction = [&](const char* name, const QString& text, Qt::Key key, const Vec3& way) {
+    add_action(
+        name, text, QKeySequence(Qt::KeypadModifier | key), [this, way] { look_along(way); },
+        tr("View direction of the window under the mouse"));
+  };
+  direction("from front", tr("From the front"), Qt::Key_1, Vec3::UnitY());
+  direction("from side", tr("From the side"), Qt::Key_3, -Vec3::UnitX());
+  direction("from above", tr("From above"), Qt::Key_7, -Vec3::UnitZ());
+  direction("from behind", tr("From behind"), Qt::Key_9, -Vec3::UnitY());
 }
 
 void MainWindow::make_three_view_actions() {
@@ -238,18 +260,24 @@ void MainWindow::make_menus() {
                      [this, name] { open_demo(QString::fromStdString(name)); });
   fill(*file, m_actions,
        {"", "import", "", "save", "save as", "", "export", "picture", "", "start page", "quit"});
-  menu(tr("&Edit"), {"undo", "redo", "", "duplicate", "delete", "", "select all", "select none", "",
-                     "lock", "unlock", "fix", "unfix", "", "group", "ungroup", "", "preferences"});
+  menu(tr("&Edit"),
+       {"undo", "redo", "", "duplicate", "delete", "", "select all", "select none", "search", "",
+        "lock", "unlock", "fix", "unfix", "", "group", "ungroup", "", "preferences"});
   menu(tr("&Object"), {"select", "put", "push", "turn", "pick up", "move", "rotate", "", "put here",
-                       "pick up now"});
-  menu(tr("&View"),
-       {"frame", "frame all", "", "top", "side", "front", "follow contact", "", "maximise",
-        "reset layout", "", "shadows", "contacts", "watch settling", "zlists", "dark"});
+                       "take next", "pick up now"});
+  menu(tr("&Many"), {"array", "scatter", "put all", "", "align", "replace"});
+  QMenu* const view = menu(
+      tr("&View"), {"frame", "frame all", "", "top", "side", "front", "from front", "from side",
+                    "from above", "from behind", "follow contact", "", "maximise", "reset layout",
+                    "", "hide", "show all", "not selectable", "all selectable"});
+  view->addMenu(m_colours);
+  fill(*view, m_actions, {"", "shadows", "contacts", "watch settling", "zlists", "dark"});
   menu(tr("&Help"), {"two minutes", "shortcuts", "about"});
   m_context_menu = new QMenu(this);
   fill(*m_context_menu, m_actions,
        {"put", "push", "turn", "pick up", "move", "rotate", "", "duplicate", "delete", "lock",
-        "unlock", "fix", "unfix", "", "frame"});
+        "unlock", "fix", "unfix", "", "frame", "hide", "not selectable"});
+  m_context_menu->addMenu(m_colours);
 }
 
 void MainWindow::make_tool_bar() {

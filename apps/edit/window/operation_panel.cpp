@@ -6,19 +6,13 @@
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "apps/edit/document/pose_numbers.h"
 #include "apps/edit/tools/operation_of.h"
-#include "core/motion/motion.h"
 
 namespace trivet::edit {
 namespace {
 
 constexpr double kLongest = 1000, kMillimetre = 1e-3;  // metres
-
-/// In four parts, as one rotation turns by at most a quarter.
-Rotation about_z(double deg) {
-  const Rotation part = Rotation::about_axis(Vec3::UnitZ(), turn_time(deg / 4));
-  return part * part * (part * part);
-}
 
 QString tool_name(int kind) {
   static constexpr const char* kNames[] = {"Select",  "Put",  "Push",  "Turn",
@@ -190,6 +184,8 @@ void OperationPanel::add_put(QFormLayout& form) {
       length(form, tr("Keep away"), 0, tr("Distance from everything but its support"));
   threshold(form, tr("Drop height"), &ToolOptions::drop_height,
             tr("For the mouse: above the highest point below the object"));
+  choice(form, tr("Then take the next object"), &ToolOptions::take_next,
+         tr("After a click that put one: the next object that is not placed yet (or press N)"));
   connect(m_put_on, &QComboBox::currentIndexChanged, this, [this, keep](int index) {
     m_put_at[2]->setEnabled(index <= 0);
     keep->setEnabled(index > 0);
@@ -197,7 +193,7 @@ void OperationPanel::add_put(QFormLayout& form) {
   apply(form, tr("Put"), [this, turned, keep](const Object& object) {
     auto put = operation_of<PutOperation>(object, m_document, m_toolbox.options());
     const Rotation before = object.placed ? object.pose.rotation : Rotation{};
-    put.start.rotation = about_z(turned->value()) * before;
+    put.start.rotation = turned_about(Vec3::UnitZ(), turned->value()) * before;
     put.start.translation = Vec3(m_put_at[0]->value(), m_put_at[1]->value(), m_put_at[2]->value());
     if (m_put_on->currentIndex() <= 0) return Operation(put);
     PlaceOptions place;

@@ -69,6 +69,10 @@ Outliner::Outliner(Document& document, QWidget* parent)
          "placed yet"));
   connect(&m_document, &Document::snapshot_changed, this, &Outliner::rebuild);
   connect(&m_document, &Document::selection_changed, this, &Outliner::show_selection);
+  connect(&m_document, &Document::looks_changed, this, [this] {
+    m_committed = 0;
+    rebuild();
+  });
   connect(this, &QTreeWidget::itemSelectionChanged, this, &Outliner::take_selection);
   connect(this, &QTreeWidget::itemDoubleClicked, this, [this](QTreeWidgetItem* item) {
     const auto id = id_of(*item);
@@ -94,6 +98,9 @@ QTreeWidgetItem* Outliner::add(QTreeWidgetItem* parent, const ObjectSnapshot& ob
   item->setIcon(0, state_icon(object->state, m_theme));
   QStringList notes;
   if (object->locked) notes << tr("locked");
+  const Look look = m_document.looks().of(object.id);
+  if (look.hidden) notes << tr("hidden");
+  if (look.not_selectable) notes << tr("not selectable");
   if (!object->group.empty()) notes << QString::fromStdString(object->group);
   if (object->state != ObjectState::Stable && object->state != ObjectState::Fixed &&
       object->state != ObjectState::Unplaced)
@@ -117,8 +124,42 @@ void Outliner::rebuild() {
     add(unplaced, object);
   }
   expandAll();
+  show_filter();
   show_selection();
 }
+
+// --- search ------------------------------------------------------------------------------------
+
+bool Outliner::is_found(const QTreeWidgetItem& item) const {
+  return id_of(item) && item.text(0).contains(m_filter, Qt::CaseInsensitive);
+}
+
+/// @return whether it, or one below it, is shown.
+bool Outliner::filter(QTreeWidgetItem& item) {
+  bool shown = is_found(item);
+  for (int i = 0; i < item.childCount(); ++i) shown = filter(*item.child(i)) || shown;
+  item.setHidden(!shown && !m_filter.isEmpty());
+  return shown;
+}
+
+void Outliner::show_filter() {
+  for (int i = 0; i < topLevelItemCount(); ++i) filter(*topLevelItem(i));
+}
+
+void Outliner::set_filter(const QString& part) {
+  m_filter = part;
+  show_filter();
+}
+
+void Outliner::select_found() {
+  if (m_filter.isEmpty()) return;
+  Selection selection;
+  for (QTreeWidgetItemIterator it(this); *it; ++it)
+    if (is_found(**it)) selection.objects.push_back(*id_of(**it));
+  m_document.select(std::move(selection));
+}
+
+// --- objects -----------------------------------------------------------------------------------
 
 QTreeWidgetItem* Outliner::add_heading(const QString& text) {
   auto* const item = new QTreeWidgetItem(this);
@@ -158,6 +199,9 @@ void Outliner::show_selection() {
   const auto active = m_document.selection().active();
   for (QTreeWidgetItemIterator it(this); *it; ++it) {
     const auto id = id_of(**it);
+    QFont font = (*it)->font(0);
+    font.setBold(id && active == id && m_document.selection().objects.size() > 1);
+    (*it)->setFont(0, font);
     if (!id || !m_document.selection().contains(*id)) continue;
     (*it)->setSelected(true);
     if (active == id) scrollToItem(*it);

@@ -17,6 +17,10 @@ class Outliner : public QTreeWidget {
  public:
   explicit Outliner(Document& document, QWidget* parent = nullptr);
   void set_theme(const Theme& theme);
+  /// Shows only objects whose names contain this, and what they rest on.
+  void set_filter(const QString& part);
+  /// Selects the objects whose names contain the filter.
+  void select_found();
 
  Q_SIGNALS:
   /// Emitted on a double click on an unplaced object.
@@ -25,6 +29,9 @@ class Outliner : public QTreeWidget {
 
  private:
   void rebuild();
+  bool is_found(const QTreeWidgetItem& item) const;
+  bool filter(QTreeWidgetItem& item);
+  void show_filter();
   void show_selection();
   void take_selection();
   QTreeWidgetItem* add_heading(const QString& text);
@@ -33,6 +40,7 @@ class Outliner : public QTreeWidget {
 
   Document& m_document;
   Theme m_theme;
+  QString m_filter;
   std::uint64_t m_committed = 0;
   bool m_is_showing = false;  // suppresses reactions to its own changes of the selection
 };

@@ -18,19 +18,6 @@ QString number(double x, int decimals) {
   return text == "-" + QString::number(0.0, 'f', decimals) ? text.mid(1) : text;
 }
 
-QString vector_text(const Vec3& v) {
-  return QString("%1  %2  %3 m").arg(number(v.x(), 4), number(v.y(), 4), number(v.z(), 4));
-}
-
-/// Angles about x, then y, then z, as in most programs.
-QString rotation_text(const Rotation& rotation) {
-  const Mat3 m = rotation.matrix();
-  const double deg = 180 / 3.14159265358979323846;
-  const double y = std::asin(std::clamp(-m(2, 0), -1.0, 1.0));
-  const double x = std::atan2(m(2, 1), m(2, 2)), z = std::atan2(m(1, 0), m(0, 0));
-  return QString("%1°  %2°  %3°").arg(number(x * deg, 1), number(y * deg, 1), number(z * deg, 1));
-}
-
 QString contacts_text(const Object& object, const SceneSnapshot& scene) {
   QStringList lines;
   for (const ObjectContact& entry : object.contacts) {
@@ -89,6 +76,8 @@ Properties::Properties(Document& document, QWidget* parent)
       m_form(new QFormLayout),
       m_content(new QWidget),
       m_preset(new QComboBox),
+      m_position(new VectorField("position", 1e6, 4, 0.01)),
+      m_rotation(new VectorField("rotation", 360, 2, 5)),
       m_friction(number_box(kMinFriction, kMaxFriction, 3, 0.05, {})),
       m_density(number_box(kMinDensity, kMaxDensity, 0, 50, tr(" kg/m³"))),
       m_restitution(number_box(0, kMaxRestitution, 2, 0.05, {})) {
@@ -106,6 +95,7 @@ Properties::Properties(Document& document, QWidget* parent)
   m_form->setVerticalSpacing(4);
   m_form->setLabelAlignment(Qt::AlignLeft | Qt::AlignTop);
   m_content->setLayout(m_form);
+  add_pose();
   add_material();
   column->addWidget(m_empty);
   column->addWidget(m_name);
@@ -117,7 +107,35 @@ Properties::Properties(Document& document, QWidget* parent)
   connect(&m_document, &Document::snapshot_changed, this, &Properties::show_object);
   connect(&m_document, &Document::verdict_changed, this, &Properties::show_object);
   connect(&m_document, &Document::selection_changed, this, &Properties::show_object);
+  connect(&m_document, &Document::finished, this, [this](quint64, bool ok) {
+    if (!ok) show_object();  // numbers that were refused
+  });
   show_object();
+}
+
+void Properties::add_pose() {
+  const auto add = [&](const QString& name, VectorField* field, PosePart part, const QString& tip) {
+    auto* const title = new QLabel(name);
+    title->setObjectName("faint");
+    title->setToolTip(tip);
+    m_form->addRow(title, field);
+    connect(field, &VectorField::edited, this,
+            [this, part](int axis, double value) { stand(part, axis, value); });
+  };
+  add(tr("Position"), m_position, PosePart::Position,
+      tr("x, y, z in metres; a number typed here puts the object exactly there, without settling"));
+  add(tr("Rotation"), m_rotation, PosePart::Rotation,
+      tr("Degrees about x, then y, then z; a number typed here turns the object exactly so"));
+}
+
+void Properties::stand(PosePart part, int axis, double value) {
+  const auto active = m_document.selection().active();
+  const ObjectSnapshot* const found = active ? m_document.snapshot()->find(*active) : nullptr;
+  if (!found) return;
+  StandOperation stand;
+  stand.object = (*found)->name;
+  stand.pose = with_number((*found)->pose, part, axis, value);
+  m_document.perform(stand);
 }
 
 void Properties::add_material() {
@@ -204,9 +222,9 @@ void Properties::show_object() {
   set(tr("State"), QString::fromUtf8(to_string(object.state)));
   const bool placed = object.placed;
   const QString none = QStringLiteral("–");
-  set(tr("Position"), placed ? vector_text(object.pose.translation) : none);
-  set(tr("Rotation"), placed ? rotation_text(object.pose.rotation) : none,
-      tr("About x, then y, then z"));
+  for (VectorField* const field : {m_position, m_rotation}) field->setEnabled(placed);
+  m_position->show_values(placed ? object.pose.translation : Vec3::Zero());
+  m_rotation->show_values(placed ? angles_deg(object.pose.rotation) : Vec3::Zero());
   const Vec3 size = placed ? Vec3(2 * world_box(object).half_extent())
                            : Vec3(2 * object.scale * object.shape->box.half_extent());
   set(tr("Size"), QString("%1 × %2 × %3")

@@ -9,7 +9,9 @@
 #include <map>
 
 #include "apps/edit/document/document.h"
+#include "apps/edit/document/pose_numbers.h"
 #include "apps/edit/window/theme.h"
+#include "apps/edit/window/vector_field.h"
 
 namespace trivet::edit {
 
@@ -21,6 +23,8 @@ class Properties : public QScrollArea {
 
  private:
   void show_object();
+  void add_pose();
+  void stand(PosePart part, int axis, double value);
   void add_material();
   void show_material(const PhysicsMaterial& material);
   /// Makes all selected objects of it, as one step.
@@ -35,6 +39,7 @@ class Properties : public QScrollArea {
   std::map<QString, QLabel*> m_values;
   PhysicsMaterial m_material;  // of the active object
   QComboBox* m_preset;
+  VectorField *m_position, *m_rotation;
   QDoubleSpinBox *m_friction, *m_density, *m_restitution;
 };
 

@@ -59,6 +59,7 @@ SceneDrawing::SceneDrawing(Document& document, Toolbox& toolbox, QObject* parent
     : QObject(parent), m_document(document), m_toolbox(toolbox), m_before(document.snapshot()) {
   connect(&m_document, &Document::snapshot_changed, this, &SceneDrawing::follow_document);
   connect(&m_document, &Document::selection_changed, this, &SceneDrawing::changed);
+  connect(&m_document, &Document::looks_changed, this, &SceneDrawing::changed);
   connect(&m_document, &Document::ghost_changed, this, [this] {
     m_ghost_moved.start();
     Q_EMIT changed();
@@ -137,8 +138,18 @@ LiveColour SceneDrawing::tint_of(const ObjectSnapshot& object) const {
     case ObjectState::Wedged:
       return {0.9f, 0.8f, 0.2f, 0.25f};
     default:
-      return {};
+      return look_of(object);
   }
+}
+
+// The colour that was chosen for it; of several selected objects, those that are not the active one
+// are told apart.
+LiveColour SceneDrawing::look_of(const ObjectSnapshot& object) const {
+  const Selection& selection = m_document.selection();
+  if (selection.contains(object.id) && selection.active() != object.id)
+    return live_colour(m_theme.accent(), 0.3f);
+  const auto colour = m_document.looks().of(object.id).colour;
+  return colour ? LiveColour{(*colour)[0], (*colour)[1], (*colour)[2], 0.8f} : LiveColour{};
 }
 
 LiveScene SceneDrawing::scene(const View& view) const {
@@ -146,7 +157,7 @@ LiveScene SceneDrawing::scene(const View& view) const {
   LiveScene out;
   out.floor = snapshot->floor;
   for (const ObjectSnapshot& object : snapshot->objects) {
-    if (!object->placed) continue;
+    if (!object->placed || m_document.looks().of(object.id).hidden) continue;
     LiveObject live = live_object(*object.object, m_playback.pose_of(object));
     live.tint = tint_of(object);
     live.outlined = m_document.selection().contains(object.id);
@@ -170,12 +181,13 @@ void SceneDrawing::add_ghost(LiveScene& scene) const {
   if (!m_document.ghost()) return;
   const Ghost& ghost = *m_document.ghost();
   const auto snapshot = m_document.snapshot();
+  if (!ghost.ok && snapshot->drag) return;  // the dragged object is there
   for (const Ghost::Member& member : ghost.members) {
     const ObjectSnapshot* const object = snapshot->find(member.id);
     if (!object) continue;
     LiveObject live = live_object(*object->object, member.pose);
     live.opacity = 0.55f;
-    live.tint = live_colour(m_theme.accent(), 0.45f);
+    live.tint = ghost.ok ? live_colour(m_theme.accent(), 0.45f) : live_colour(m_theme.lit(), 0.7f);
     live.moving = true;
     scene.objects.push_back(std::move(live));
   }

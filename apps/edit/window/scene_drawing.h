@@ -47,6 +47,7 @@ class SceneDrawing : public QObject {
   bool is_dragged(ObjectId id) const;
   bool stops_drag(const ObjectSnapshot& object) const;
   LiveColour tint_of(const ObjectSnapshot& object) const;
+  LiveColour look_of(const ObjectSnapshot& object) const;
   void add_ghost(LiveScene& scene) const;
   void add_active(LiveScene& scene, const View& view) const;
   void add_contacts(LiveOverlay& overlay, const Object& object, const View& view) const;

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "apps/edit/window/key_events.h"
+
 namespace trivet::edit {
 namespace {
 
@@ -14,18 +16,6 @@ constexpr double kSlowDraftMs = 40, kQuickDraftMs = 9;
 constexpr int kCoarsest = 3;
 constexpr double kClickPx = 4;      // allowed motion of the mouse in a click
 constexpr double kZoomDragPx = 30;  // of dragging, per step of the wheel
-
-Modifiers modifiers_of(Qt::KeyboardModifiers keys) {
-  return {keys.testFlag(Qt::ShiftModifier), keys.testFlag(Qt::ControlModifier),
-          keys.testFlag(Qt::AltModifier)};
-}
-
-MouseButton button_of(Qt::MouseButton button) {
-  return button == Qt::LeftButton     ? MouseButton::Left
-         : button == Qt::MiddleButton ? MouseButton::Middle
-         : button == Qt::RightButton  ? MouseButton::Right
-                                      : MouseButton::None;
-}
 
 Qt::CursorShape shape_of(Cursor cursor) {
   switch (cursor) {
@@ -171,6 +161,7 @@ void SceneView::paintEvent(QPaintEvent*) {
   paint_axes(painter);
   paint_scale(painter);
   paint_rubber_band(painter);
+  paint_refusal(painter);
   if (hasFocus()) {
     painter.setPen(QPen(theme.accent(), 1));
     painter.setBrush(Qt::NoBrush);
@@ -178,72 +169,16 @@ void SceneView::paintEvent(QPaintEvent*) {
   }
 }
 
-/// Readable over any background.
-void SceneView::paint_label(QPainter& painter, const QRectF& box, int flags, const QString& text,
-                            const QColor& colour) const {
-  painter.setPen(m_drawing.theme().base());
-  for (const QPointF& aside : {QPointF(-1, 0), QPointF(1, 0), QPointF(0, -1), QPointF(0, 1)})
-    painter.drawText(box.translated(aside), flags, text);
-  painter.setPen(colour);
-  painter.drawText(box, flags, text);
-}
-
-void SceneView::paint_axes(QPainter& painter) const {
-  constexpr double kLength = 22, kRoom = 34;
-  const QColor colours[3] = {{214, 76, 76}, {96, 168, 66}, {72, 122, 222}};
-  const View::Axes axes = view().axes();
-  const QPointF origin(kRoom, height() - kRoom);
-  for (int i = 0; i < 3; ++i) {
-    const QPointF along(axes.right[i], -axes.up[i]);
-    if (std::hypot(along.x(), along.y()) < 0.08) continue;
-    painter.setPen(QPen(colours[i], 2, Qt::SolidLine, Qt::RoundCap));
-    painter.drawLine(origin, origin + kLength * along);
-    const QPointF label = origin + (kLength + 8) * along;
-    paint_label(painter, QRectF(label - QPointF(8, 8), QSizeF(16, 16)), Qt::AlignCenter,
-                QString("XYZ").mid(i, 1), colours[i]);
-  }
-}
-
-void SceneView::paint_scale(QPainter& painter) const {
-  if (!m_camera.is_orthographic() || width() < 220) return;
-  const double metres_per_px = view().metres_per_px(1);
-  double metres = std::pow(10, std::floor(std::log10(110 * metres_per_px)));
-  for (const double factor : {5.0, 2.0})
-    if (factor * metres / metres_per_px <= 110) {
-      metres *= factor;
-      break;
-    }
-  const double length = metres / metres_per_px;
-  const QString text = metres >= 1      ? tr("%1 m").arg(metres)
-                       : metres >= 0.01 ? tr("%1 cm").arg(100 * metres)
-                                        : tr("%1 mm").arg(1000 * metres);
-  const QPointF right(width() - 14, height() - 14), left = right - QPointF(length, 0);
-  for (const QPen& pen :
-       {QPen(m_drawing.theme().base(), 3.2), QPen(m_drawing.theme().text(), 1.2)}) {
-    painter.setPen(pen);
-    painter.drawLine(left, right);
-    for (const QPointF& end : {left, right}) painter.drawLine(end - QPointF(0, 4), end);
-  }
-  paint_label(painter, QRectF(left - QPointF(40, 22), right + QPointF(40, -4)),
-              Qt::AlignHCenter | Qt::AlignBottom, text, m_drawing.theme().text());
-}
-
-void SceneView::paint_rubber_band(QPainter& painter) const {
-  const Overlay overlay = m_toolbox.overlay(view());
-  if (!overlay.box_px || overlay.box_window != m_kind) return;
-  const auto& [a, b] = *overlay.box_px;
-  const QColor accent = m_drawing.theme().accent();
-  QColor fill = accent;
-  fill.setAlpha(40);
-  painter.setPen(QPen(accent, 1));
-  painter.setBrush(fill);
-  painter.drawRect(QRectF(QPointF(a.x(), a.y()), QPointF(b.x(), b.y())).normalized());
-}
-
 void SceneView::resizeEvent(QResizeEvent*) { redraw(); }
 
 bool SceneView::event(QEvent* event) {
   if (event->type() == QEvent::Show || event->type() == QEvent::ScreenChangeInternal) redraw();
+  // Numbers that are typed during a drag are no shortcuts.
+  if (event->type() == QEvent::ShortcutOverride &&
+      m_toolbox.wants_key(key_event_of(*static_cast<QKeyEvent*>(event)))) {
+    event->accept();
+    return true;
+  }
   return QWidget::event(event);
 }
 
@@ -350,28 +285,15 @@ void SceneView::leaveEvent(QEvent*) {
 }
 
 void SceneView::keyPressEvent(QKeyEvent* event) {
-  KeyEvent out;
-  out.modifiers = modifiers_of(event->modifiers());
-  switch (event->key()) {
-    case Qt::Key_Escape:
-      out.key = KeyEvent::Key::Escape;
-      break;
-    case Qt::Key_Return:
-    case Qt::Key_Enter:
-      out.key = KeyEvent::Key::Return;
-      break;
-    case Qt::Key_Delete:
-      out.key = KeyEvent::Key::Delete;
-      break;
-    default: {
-      const QString text = event->text().toLower();
-      if (text.size() == 1) out.character = text[0].toLatin1();
-    }
-  }
-  const bool has_meaning = out.key != KeyEvent::Key::Character || out.character != 0;
-  if (!has_meaning || !m_toolbox.key(out)) QWidget::keyPressEvent(event);
+  const KeyEvent key = key_event_of(*event);
+  if (!has_meaning(key) || !m_toolbox.key(key)) QWidget::keyPressEvent(event);
   update_cursor();
   Q_EMIT pointed();
+}
+
+// Tab belongs to the tool during a drag.
+bool SceneView::focusNextPrevChild(bool next) {
+  return !m_toolbox.tool().is_active() && QWidget::focusNextPrevChild(next);
 }
 
 }  // namespace trivet::edit

@@ -53,6 +53,7 @@ class SceneView : public QWidget {
   void leaveEvent(QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   bool event(QEvent* event) override;
+  bool focusNextPrevChild(bool next) override;
 
  private:
   enum class CameraDrag { None, Orbit, Pan, Zoom };
@@ -68,6 +69,7 @@ class SceneView : public QWidget {
   void paint_axes(QPainter& painter) const;
   void paint_scale(QPainter& painter) const;
   void paint_rubber_band(QPainter& painter) const;
+  void paint_refusal(QPainter& painter) const;
   void update_cursor();
 
   WindowKind m_kind;

@@ -14,9 +14,11 @@
 
 #include "apps/demo/demo.h"
 #include "apps/edit_window/breakfast_table.h"
+#include "apps/edit_window/by_numbers.h"
 #include "apps/edit_window/large_scene.h"
 #include "apps/edit_window/lit_and_watched.h"
 #include "apps/edit_window/monkey.h"
+#include "apps/edit_window/shelf.h"
 #include "apps/edit_window/together.h"
 #include "apps/edit_window/tour.h"
 #include "apps/edit_window/user.h"
@@ -75,6 +77,10 @@ class TestWindow : public QObject {
   void plays_what_settles();
   void shows_full_scenes_at_every_size();
   void shows_dialogs_and_menus();
+  void fills_a_shelf();
+  void works_by_numbers();
+  void lays_out_many();
+  void shows_and_hides();
   void lives_through_random_events();
   void stays_usable_with_a_thousand_objects();
 
@@ -365,6 +371,18 @@ void TestWindow::shows_full_scenes_at_every_size() {
 void TestWindow::shows_dialogs_and_menus() {
   look_at_dialogs_and_menus(*m_document, *m_window, *m_user);
 }
+
+void TestWindow::fills_a_shelf() {
+  fill_shelf(*m_document, *m_window, *m_user, m_folder.filePath("shelf"));
+}
+
+void TestWindow::works_by_numbers() {
+  work_by_numbers(*m_document, *m_window, *m_user, m_folder.filePath("numbers"));
+}
+
+void TestWindow::lays_out_many() { lay_out_many(*m_document, *m_window, *m_user); }
+
+void TestWindow::shows_and_hides() { show_and_hide(*m_document, *m_window, *m_user); }
 
 void TestWindow::lives_through_random_events() { play_monkey(*m_document, *m_window, *m_user); }
 
