@@ -7,6 +7,7 @@
 
 #include "apps/edit/document/engine.h"
 #include "apps/edit/document/recovery.h"
+#include "apps/edit/document/remake.h"
 
 namespace trivet::edit {
 
@@ -147,6 +148,21 @@ Document::Job Document::perform_groups(const std::string& name, ManyObjects many
   });
 }
 
+Document::Job Document::rename(const std::string& name, const std::string& as) {
+  const ObjectSnapshot* const found = m_snapshot->find(name);
+  const Look look = found ? m_looks.of(found->id) : Look();
+  return start("rename \"" + name + "\"",
+               [operations = renaming(*m_snapshot, name, as), name, as, look](Engine& engine) {
+                 return engine.rename(operations, name, as, look);
+               });
+}
+
+Document::Job Document::rescale(const std::string& name, double scale, double drop_height) {
+  return start("scale \"" + name + "\"",
+               [operations = rescaling(*m_snapshot, name, scale, drop_height),
+                name](Engine& engine) { return engine.perform_all(operations, {name}); });
+}
+
 void Document::select_named(const std::vector<std::string>& names) {
   Selection selection;
   for (const std::string& name : names)
@@ -200,103 +216,6 @@ void Document::select_only(std::optional<ObjectId> id) {
   Selection selection;
   if (id) selection.objects.push_back(*id);
   set_selection(std::move(selection));
-}
-
-// --- drags -------------------------------------------------------------------------------------
-
-void Document::begin_drag(const Operation& operation) {
-  if (m_dragging) cancel_drag();
-  m_dragging = true;
-  m_drag_milliseconds.clear();
-  m_engine->begin_drag(++m_drag, operation);
-}
-
-void Document::steer(DragGoal goal) {
-  if (m_dragging) m_engine->steer(goal);
-}
-
-void Document::drag_to(const Vec3& goal) { steer({goal, 0, DragGoal::Clock::now()}); }
-
-void Document::drag_by(double amount) { steer({std::nullopt, amount, DragGoal::Clock::now()}); }
-
-Document::Job Document::end_drag() {
-  if (!m_dragging) return 0;
-  m_dragging = false;
-  return start("drag", [drag = m_drag](Engine& engine) { return engine.end_drag(drag); });
-}
-
-void Document::cancel_drag() {
-  if (!m_dragging) return;
-  m_dragging = false;
-  m_engine->cancel_drag(m_drag);
-}
-
-void Document::show_drag(std::shared_ptr<const SceneSnapshot> snapshot, std::uint64_t drag,
-                         double ms) {
-  if (drag != m_drag) return;
-  m_snapshot = std::move(snapshot);
-  m_drag_milliseconds.push_back(ms);
-  Q_EMIT snapshot_changed();
-}
-
-void Document::drag_refused(std::uint64_t drag) {
-  if (drag == m_drag) m_dragging = false;
-  Q_EMIT drag_ended(false);
-}
-
-// --- ghost -------------------------------------------------------------------------------------
-
-void Document::request_ghost(const Operation& operation) {
-  m_engine->request_ghost(++m_ghost_request, operation, m_snapshot);
-}
-
-void Document::clear_ghost() {
-  ++m_ghost_request;
-  if (!m_ghost) return;
-  m_ghost.reset();
-  Q_EMIT ghost_changed();
-}
-
-void Document::show_ghost(std::uint64_t request, Ghost ghost) {
-  if (request != m_ghost_request) return;
-  m_ghost = std::move(ghost);
-  Q_EMIT ghost_changed();
-}
-
-// --- detection ---------------------------------------------------------------------------------
-
-void Document::choose_detection(BackendOptions options) {
-  m_detection_notes.clear();
-  m_engine->choose_detection(std::move(options));
-}
-
-void Document::show_moves_by(const Answering& answering) {
-  m_detection.moves = answering;
-  Q_EMIT detection_changed();
-}
-
-void Document::show_previews_by(const Answering& answering) {
-  m_detection.previews = answering;
-  Q_EMIT detection_changed();
-}
-
-// Several threads may have the same trouble.
-void Document::show_detection_note(const std::string& note) {
-  if (m_detection_notes.insert(note).second) Q_EMIT detection_noted(QString::fromStdString(note));
-}
-
-void Document::watch_zlists(bool on) {
-  m_watches = on;
-  m_engine->watch_zlists(on);
-  if (on) return;
-  m_zlists.reset();
-  Q_EMIT zlists_changed();
-}
-
-void Document::show_zlists(std::shared_ptr<const ZListView> view) {
-  if (!m_watches) return;
-  m_zlists = std::move(view);
-  Q_EMIT zlists_changed();
 }
 
 bool Document::wait_until_idle(int timeout_ms) {

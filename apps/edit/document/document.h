@@ -139,6 +139,9 @@ class Document : public QObject {
   /// Runs the groups as one step and selects their objects; a group that is refused is left out,
   /// and a message tells how many and why. @param name  shown by windows while busy.
   Job perform_groups(const std::string& name, ManyObjects many);
+  /// As one step each; see remake.h. A rename is refused if anything but the name would change.
+  Job rename(const std::string& name, const std::string& as);
+  Job rescale(const std::string& name, double scale, double drop_height);
   /// Imports as one step; the new object is selected on success. If it cannot be put, it stays
   /// unplaced.
   Job import_model(const ImportModel& model);

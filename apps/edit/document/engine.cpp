@@ -1,5 +1,6 @@
 #include "apps/edit/document/engine.h"
 
+#include "apps/edit/document/remake.h"
 #include "apps/edit/document/results.h"
 #include "core/base/error.h"
 #include "core/io/sandboxed_import.h"
@@ -170,7 +171,7 @@ void Engine::publish(std::optional<SettledWay> way) {
   const Session& session = m_opened->session;
   Document::State state;
   state.snapshot = m_snapshots.make(session.scene(), settled_clearance(*m_opened), std::move(way));
-  for (const SessionStep& step : session.steps()) state.history.steps.push_back(step.name);
+  for (const SessionStep& step : session.steps()) state.history.steps.push_back(label_of(step));
   state.history.num_done = session.num_done();
   state.file = m_file;
   state.title = m_title;

@@ -56,6 +56,8 @@ class Engine {
   bool perform_all(const std::vector<Operation>& operations,
                    const std::vector<std::string>& select = {});
   bool perform_groups(const std::string& what, const ManyObjects& many);
+  bool rename(const OperationGroup& operations, const std::string& name, const std::string& as,
+              const Look& look);
   bool import_model(const ImportModel& model);
   bool go_to_step(size_t num_done);
   bool end_drag(std::uint64_t drag);

@@ -6,6 +6,7 @@
 
 #include "apps/edit/document/names.h"
 #include "apps/edit/document/pose_numbers.h"
+#include "apps/edit/document/remake.h"
 
 namespace trivet::edit {
 namespace {
@@ -209,16 +210,11 @@ ManyObjects replaced(const SceneSnapshot& scene, const std::vector<std::string>&
   for (const std::string& name : objects) {
     const Object* const old = placed_object(scene, name);
     if (!old || name == by) continue;
-    Object there = *model->object;
-    there.pose = {old->pose.rotation, Vec3::Zero()};
-    there.placed = true;
-    Vec3 to = old->centre_of_mass() - there.centre_of_mass();
-    to.z() = world_box(*old).lower.z() - world_box(there).lower.z() + drop_height;
+    const Pose start = start_in_place_of(*old, *model->object, drop_height);
     const std::string copy = free_name(scene, by, taken);
     DeleteOperation erase;
     erase.object = name;
-    out.groups.push_back(
-        {DuplicateOperation{by, copy}, erase, put_from(copy, {old->pose.rotation, to})});
+    out.groups.push_back({DuplicateOperation{by, copy}, erase, put_from(copy, start)});
     out.names.push_back(copy);
   }
   return out;

@@ -108,8 +108,8 @@ const ObjectSnapshot* DragTool::active() const {
 
 const ObjectSnapshot* DragTool::grab_object(const PointerEvent& event) {
   const Selection& selection = m_document.selection();
-  const auto picked = pick_near(scene(), event.view, event.px, selection.objects,
-                                m_document.looks().not_selectable());
+  const auto picked = pick_to_drag(scene(), event.view, event.px, selection.objects,
+                                   m_document.looks().not_selectable());
   if (!picked || !picked->object) return nullptr;
   if (!selection.contains(*picked->object)) {
     m_document.select_only(picked->object);

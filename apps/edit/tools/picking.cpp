@@ -32,9 +32,10 @@ Vec3 facing_normal(const Object& object, Index face, const Ray& ray) {
   return (n.dot(ray.direction) > 0 ? -1 : 1) * n / length;
 }
 
-constexpr double kRingsPx[] = {2, 4, 6};  // of points that are tried around a click
-constexpr double kThinPx = 8;             // radius in which a thin object covers little
-constexpr double kThinShare = 0.36;       // an edge of a wide one covers half
+constexpr double kRingsPx[] = {1.5, 3, 4.5, 6};  // of points that are tried around a click
+constexpr double kNearestPx = 3;                 // for thin objects beside other ones
+constexpr double kThinPx = 8;                    // radius in which a thin object covers little
+constexpr double kThinShare = 0.36;              // an edge of a wide one covers half
 
 std::vector<Vec2> ring(double radius, int count) {
   std::vector<Vec2> out;
@@ -89,23 +90,34 @@ bool is_one_of(const std::optional<Picked>& picked, const std::vector<ObjectId>&
 }  // namespace
 
 std::optional<Picked> pick_near(const SceneSnapshot& scene, const View& view, const Vec2& px,
-                                const std::vector<ObjectId>& first,
                                 const std::vector<ObjectId>& except) {
   const NearPick near(scene, view, except);
   const auto exact = near.at(px);
-  if (is_one_of(exact, first)) return exact;
+  const bool on_object = exact && exact->object;
+  for (const double radius : kRingsPx)
+    for (const Vec2& aside : ring(radius, 8)) {
+      if (on_object && radius > kNearestPx) return exact;
+      const auto seen = near.at(px + aside);
+      if (!seen || !seen->object || (on_object && seen->object == exact->object)) continue;
+      if (!on_object || near.is_thin(*seen->object, px + aside)) return seen;
+    }
+  return exact;
+}
+
+std::optional<Picked> pick_to_drag(const SceneSnapshot& scene, const View& view, const Vec2& px,
+                                   const std::vector<ObjectId>& selected,
+                                   const std::vector<ObjectId>& except) {
+  const NearPick near(scene, view, except);
+  const auto exact = near.at(px);
+  if (is_one_of(exact, selected)) return exact;
   std::optional<Picked> beside;
   for (const double radius : kRingsPx)
     for (const Vec2& aside : ring(radius, 8)) {
       const auto seen = near.at(px + aside);
-      if (is_one_of(seen, first) && gives_way(scene, exact, *seen->object)) return seen;
-      if (beside || !seen || !seen->object) continue;
-      if (exact && exact->object &&
-          (seen->object == exact->object || !near.is_thin(*seen->object, px + aside)))
-        continue;
-      beside = seen;
+      if (is_one_of(seen, selected) && gives_way(scene, exact, *seen->object)) return seen;
+      if (!beside && seen && seen->object) beside = seen;
     }
-  return beside ? beside : exact;
+  return exact && exact->object ? exact : beside ? beside : exact;
 }
 
 std::optional<Picked> pick(const SceneSnapshot& scene, const Ray& ray,

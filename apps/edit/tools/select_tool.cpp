@@ -45,7 +45,7 @@ bool SelectTool::pointer(const PointerEvent& event) {
 }
 
 void SelectTool::click(const PointerEvent& event) {
-  const auto picked = pick_near(*m_document.snapshot(), m_pressed->view, m_pressed->px, {},
+  const auto picked = pick_near(*m_document.snapshot(), m_pressed->view, m_pressed->px,
                                 m_document.looks().not_selectable());
   const bool more = event.modifiers.shift || event.modifiers.control;
   if (!picked || !picked->object) {

@@ -114,8 +114,8 @@ void MainWindow::update_actions() {
   action("undo")->setEnabled(idle && m_document.can_undo());
   action("redo")->setEnabled(idle && m_document.can_redo());
   for (const char* const name :
-       {"duplicate", "delete", "lock", "unlock", "fix", "unfix", "group", "ungroup", "array",
-        "scatter", "align", "replace", "hide", "not selectable"})
+       {"duplicate", "delete", "lock", "unlock", "fix", "unfix", "group", "ungroup", "rename",
+        "array", "scatter", "align", "replace", "hide", "not selectable"})
     action(name)->setEnabled(idle && selected);
   action("put all")->setEnabled(idle);
   m_colours->setEnabled(selected);

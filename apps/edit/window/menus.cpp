@@ -106,6 +106,7 @@ void MainWindow::make_edit_actions() {
   add_action(
       "duplicate", tr("&Duplicate"), tr("Ctrl+D"), [this] { duplicate(); },
       tr("Duplicate: add another object of the same model, not placed yet"));
+  add_action("rename", tr("Rena&me"), tr("F2"), [this] { m_control->outliner().edit_name(); });
   add_action("delete", tr("De&lete"), QKeySequence::Delete, [this] { m_toolbox.erase_selected(); });
   add_action("select all", tr("Select &all"), QKeySequence::SelectAll, [this] { select_all(); });
   add_action("search", tr("Searc&h"), tr("/"), [this] { m_control->search().setFocus(); });
@@ -261,8 +262,9 @@ void MainWindow::make_menus() {
   fill(*file, m_actions,
        {"", "import", "", "save", "save as", "", "export", "picture", "", "start page", "quit"});
   menu(tr("&Edit"),
-       {"undo", "redo", "", "duplicate", "delete", "", "select all", "select none", "search", "",
-        "lock", "unlock", "fix", "unfix", "", "group", "ungroup", "", "preferences"});
+       {"undo",        "redo",    "", "duplicate",  "rename", "delete", "",      "select all",
+        "select none", "search",  "", "lock",       "unlock", "fix",    "unfix", "",
+        "group",       "ungroup", "", "preferences"});
   menu(tr("&Object"), {"select", "put", "push", "turn", "pick up", "move", "rotate", "", "put here",
                        "take next", "pick up now"});
   menu(tr("&Many"), {"array", "scatter", "put all", "", "align", "replace"});

@@ -60,6 +60,7 @@ Outliner::Outliner(Document& document, QWidget* parent)
   setHeaderHidden(true);
   setSelectionMode(QAbstractItemView::ExtendedSelection);
   setUniformRowHeights(true);
+  setEditTriggers(QAbstractItemView::NoEditTriggers);
   setIndentation(14);
   header()->setStretchLastSection(false);
   header()->setSectionResizeMode(0, QHeaderView::Stretch);
@@ -73,6 +74,8 @@ Outliner::Outliner(Document& document, QWidget* parent)
     m_committed = 0;
     rebuild();
   });
+  connect(this, &QTreeWidget::itemChanged, this,
+          [this](const QTreeWidgetItem* item) { take_name(*item); });
   connect(this, &QTreeWidget::itemSelectionChanged, this, &Outliner::take_selection);
   connect(this, &QTreeWidget::itemDoubleClicked, this, [this](QTreeWidgetItem* item) {
     const auto id = id_of(*item);
@@ -94,6 +97,7 @@ void Outliner::set_theme(const Theme& theme) {
 QTreeWidgetItem* Outliner::add(QTreeWidgetItem* parent, const ObjectSnapshot& object) {
   auto* const item = new QTreeWidgetItem(parent);
   item->setText(0, QString::fromStdString(object->name));
+  item->setFlags(item->flags() | Qt::ItemIsEditable);
   item->setData(0, kIdRole, data_of(object.id));
   item->setIcon(0, state_icon(object->state, m_theme));
   QStringList notes;
@@ -157,6 +161,31 @@ void Outliner::select_found() {
   for (QTreeWidgetItemIterator it(this); *it; ++it)
     if (is_found(**it)) selection.objects.push_back(*id_of(**it));
   m_document.select(std::move(selection));
+}
+
+// --- names -------------------------------------------------------------------------------------
+
+void Outliner::edit_name() {
+  const auto active = m_document.selection().active();
+  for (QTreeWidgetItemIterator it(this); active && *it; ++it)
+    if (id_of(**it) == active) {
+      setFocus();
+      scrollToItem(*it);
+      editItem(*it, 0);
+      return;
+    }
+}
+
+void Outliner::take_name(const QTreeWidgetItem& item) {
+  const auto id = id_of(item);
+  const ObjectSnapshot* const object = id ? m_document.snapshot()->find(*id) : nullptr;
+  const std::string wanted = item.text(0).trimmed().toStdString();
+  if (object && !wanted.empty() && wanted != (*object)->name)
+    m_document.rename((*object)->name, wanted);
+  // Shows the old name until it is done.
+  m_committed = 0;
+  QMetaObject::invokeMethod(
+      this, [this] { rebuild(); }, Qt::QueuedConnection);
 }
 
 // --- objects -----------------------------------------------------------------------------------

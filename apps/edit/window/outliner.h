@@ -21,6 +21,8 @@ class Outliner : public QTreeWidget {
   void set_filter(const QString& part);
   /// Selects the objects whose names contain the filter.
   void select_found();
+  /// Opens a field for the name of the active object.
+  void edit_name();
 
  Q_SIGNALS:
   /// Emitted on a double click on an unplaced object.
@@ -29,6 +31,7 @@ class Outliner : public QTreeWidget {
 
  private:
   void rebuild();
+  void take_name(const QTreeWidgetItem& item);
   bool is_found(const QTreeWidgetItem& item) const;
   bool filter(QTreeWidgetItem& item);
   void show_filter();

@@ -13,6 +13,8 @@
 namespace trivet::edit {
 namespace {
 
+constexpr double kDropHeight = 0.01;  // metres, from which a scaled object is put anew
+
 QString number(double x, int decimals) {
   QString text = QString::number(x, 'f', decimals);
   return text == "-" + QString::number(0.0, 'f', decimals) ? text.mid(1) : text;
@@ -78,6 +80,7 @@ Properties::Properties(Document& document, QWidget* parent)
       m_preset(new QComboBox),
       m_position(new VectorField("position", 1e6, 4, 0.01)),
       m_rotation(new VectorField("rotation", 360, 2, 5)),
+      m_scale(number_box(1e-6, 1e6, 6, 0.1, {})),
       m_friction(number_box(kMinFriction, kMaxFriction, 3, 0.05, {})),
       m_density(number_box(kMinDensity, kMaxDensity, 0, 50, tr(" kg/m³"))),
       m_restitution(number_box(0, kMaxRestitution, 2, 0.05, {})) {
@@ -96,6 +99,7 @@ Properties::Properties(Document& document, QWidget* parent)
   m_form->setLabelAlignment(Qt::AlignLeft | Qt::AlignTop);
   m_content->setLayout(m_form);
   add_pose();
+  add_scale();
   add_material();
   column->addWidget(m_empty);
   column->addWidget(m_name);
@@ -126,6 +130,21 @@ void Properties::add_pose() {
       tr("x, y, z in metres; a number typed here puts the object exactly there, without settling"));
   add(tr("Rotation"), m_rotation, PosePart::Rotation,
       tr("Degrees about x, then y, then z; a number typed here turns the object exactly so"));
+}
+
+void Properties::add_scale() {
+  auto* const title = new QLabel(tr("Scale"));
+  title->setObjectName("faint");
+  m_scale->setObjectName("scale");
+  for (QWidget* const widget : std::initializer_list<QWidget*>{title, m_scale})
+    widget->setToolTip(
+        tr("Metres per unit of the model; with another number it is put anew in its place"));
+  m_form->addRow(title, m_scale);
+  connect(m_scale, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+    const auto active = m_document.selection().active();
+    const ObjectSnapshot* const found = active ? m_document.snapshot()->find(*active) : nullptr;
+    if (found) m_document.rescale((*found)->name, value, kDropHeight);
+  });
 }
 
 void Properties::stand(PosePart part, int axis, double value) {
@@ -225,6 +244,8 @@ void Properties::show_object() {
   for (VectorField* const field : {m_position, m_rotation}) field->setEnabled(placed);
   m_position->show_values(placed ? object.pose.translation : Vec3::Zero());
   m_rotation->show_values(placed ? angles_deg(object.pose.rotation) : Vec3::Zero());
+  const QSignalBlocker scale(m_scale);
+  m_scale->setValue(object.scale);
   const Vec3 size = placed ? Vec3(2 * world_box(object).half_extent())
                            : Vec3(2 * object.scale * object.shape->box.half_extent());
   set(tr("Size"), QString("%1 × %2 × %3")

@@ -24,6 +24,7 @@ class Properties : public QScrollArea {
  private:
   void show_object();
   void add_pose();
+  void add_scale();
   void stand(PosePart part, int axis, double value);
   void add_material();
   void show_material(const PhysicsMaterial& material);
@@ -40,6 +41,7 @@ class Properties : public QScrollArea {
   PhysicsMaterial m_material;  // of the active object
   QComboBox* m_preset;
   VectorField *m_position, *m_rotation;
+  QDoubleSpinBox* m_scale;
   QDoubleSpinBox *m_friction, *m_density, *m_restitution;
 };
 

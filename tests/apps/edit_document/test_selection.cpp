@@ -46,9 +46,9 @@ class Selecting : public testing::Test {
 TEST_F(Selecting, HitsThinThingsWithinAFewPixels) {
   const Vec2 rod = hand.px(Vec3(0.03, 0, 0.02));
   EXPECT_EQ(click(rod), "rod");
-  EXPECT_EQ(click(rod + Vec2(0, 4)), "rod");
-  EXPECT_EQ(click(rod - Vec2(0, 5)), "rod");
-  EXPECT_EQ(click(rod + Vec2(0, 12)), "board");
+  EXPECT_EQ(click(rod + Vec2(0, 3)), "rod");
+  EXPECT_EQ(click(rod - Vec2(0, 3)), "rod");
+  EXPECT_EQ(click(rod + Vec2(0, 6)), "board");
 }
 
 TEST_F(Selecting, KeepsTheEdgesOfWideThings) {

@@ -65,6 +65,30 @@ void edit_position(Document& document, MainWindow& window, User& user) {
   QVERIFY(user.object("apple").pose.translation == before);
 }
 
+void rename_and_scale(Document& document, MainWindow& window, User& user) {
+  user.press_key(Qt::Key_F2);
+  auto* const field = window.control().outliner().findChild<QLineEdit*>();
+  QVERIFY2(field && field->isVisible(), "F2 opens a field");
+  const ToolKind tool = window.toolbox().current();
+  field->selectAll();
+  QTest::keyClicks(field, "quince");
+  user.look("rename");
+  QTest::keyClick(field, Qt::Key_Return);
+  QVERIFY(user.wait());
+  QVERIFY2(document.snapshot()->find("quince"), qPrintable(window.message_bar().text()));
+  QVERIFY(!document.snapshot()->find("apple"));
+  QVERIFY2(window.toolbox().current() == tool, "letters in a field are no tools");
+  user.look("renamed");
+  enter(window, "scale", "1.5");
+  QVERIFY(user.wait());
+  QCOMPARE(user.object("quince").scale, 1.5);
+  user.look("scaled");
+  document.undo();
+  document.undo();
+  QVERIFY(user.wait());
+  QVERIFY(document.selection().active() == document.snapshot()->find("apple")->id);
+}
+
 void type_in_a_drag(Document& document, MainWindow& window, User& user) {
   user.take("move");
   SceneView& view = window.view(WindowKind::Perspective);
@@ -110,6 +134,7 @@ void work_by_numbers(Document& document, MainWindow& window, User& user, const Q
   import_put(document, user, apple, "apple", false, Vec3(-0.2, -0.1, 0.04));
   window.view(WindowKind::Perspective).frame(document.snapshot()->box());
   edit_position(document, window, user);
+  rename_and_scale(document, window, user);
   type_in_a_drag(document, window, user);
 }
 

@@ -1,0 +1,139 @@
+// Objects made anew: under another name, in another scale.
+#include "apps/edit/document/same_pose.h"
+#include "apps/edit_document/scene_checks.h"
+#include "apps/edit_document/testing.h"
+
+namespace trivet::edit::test {
+namespace {
+
+/// A fixed tray, a box on it, a small one on that.
+class Remake : public testing::Test {
+ protected:
+  Remake() : document(folder.file("recovery")) {
+    write_boxes(folder.file("tray.obj"), {{{-0.3, -0.2, 0}, {0.3, 0.2, 0.02}}});
+    write_boxes(folder.file("box.obj"), {{{-0.04, -0.04, 0}, {0.04, 0.04, 0.04}}});
+    document.import(folder.file("tray.obj"), "tray", true);
+    put("box", Vec3(0.1, 0, 0.03));
+    put("small", Vec3(0.1, 0, 0.08));
+    document.import(folder.file("box.obj"), "new");
+  }
+
+  void put(const std::string& name, const Vec3& at) {
+    document.import(folder.file("box.obj"), name);
+    PutOperation operation;
+    operation.object = name;
+    operation.start.translation = at;
+    if (!document.done(document->perform(operation)))
+      throw std::runtime_error(document.last_text());
+  }
+
+  bool has(const std::string& name) { return document->snapshot()->find(name) != nullptr; }
+
+  TemporaryFolder folder;
+  Recorder document;
+};
+
+TEST_F(Remake, RenamesAsOneStepThatMovesNothing) {
+  document->perform(LockOperation{"small", true});
+  document->perform(GroupOperation{"small", "set"});
+  document->perform(MaterialOperation{"small", {"", 0.3, 700, 0.1}});
+  ASSERT_TRUE(document->wait_until_idle());
+  const Object before = document.object("small");
+  const std::uint64_t state = fingerprint(*document->snapshot());
+  Looks looks;
+  looks.change(document.id("small"), {false, false, LookColour{1, 0, 0}});
+  document->set_looks(looks);
+  const size_t steps = document->history().num_done;
+  ASSERT_TRUE(document.done(document->rename("small", "lid"))) << document.last_text();
+  EXPECT_FALSE(has("small"));
+  const Object& lid = document.object("lid");
+  EXPECT_TRUE(same_pose(lid.pose, before.pose));
+  EXPECT_EQ(lid.state, before.state);
+  EXPECT_EQ(lid.group, "set");
+  EXPECT_TRUE(lid.locked);
+  EXPECT_EQ(lid.material.friction, 0.3);
+  EXPECT_TRUE(document->looks().of(document.id("lid")).colour);
+  EXPECT_EQ(document->selection().active(), document.id("lid"));
+  EXPECT_EQ(document->history().num_done, steps + 1);
+  EXPECT_EQ(document->history().steps.back(), "rename \"small\"");
+  EXPECT_EQ(wrong_with(*document->snapshot()), "");
+  ASSERT_TRUE(document.done(document->undo()));
+  EXPECT_EQ(fingerprint(*document->snapshot()), state);
+}
+
+TEST_F(Remake, RenamesWhatIsNotPlacedAndWhatIsFixed) {
+  ASSERT_TRUE(document.done(document->rename("new", "newer"))) << document.last_text();
+  EXPECT_FALSE(document.object("newer").placed);
+  document.import(folder.file("tray.obj"), "other tray");
+  document->perform(FixOperation{"other tray", true});
+  PutOperation put;
+  put.object = "other tray";
+  put.start.translation = Vec3(1, 0, 0.05);
+  ASSERT_TRUE(document.done(document->perform(put)));
+  const Pose pose = document.object("other tray").pose;
+  ASSERT_TRUE(document.done(document->rename("other tray", "shelf"))) << document.last_text();
+  EXPECT_TRUE(document.object("shelf").fixed);
+  EXPECT_EQ(document.object("shelf").state, ObjectState::Fixed);
+  EXPECT_TRUE(same_pose(document.object("shelf").pose, pose));
+}
+
+TEST_F(Remake, RefusesToRenameWhatCarriesOthers) {
+  const auto before = document->snapshot();
+  for (const char* const name : {"box", "tray"}) {
+    EXPECT_FALSE(document.done(document->rename(name, "other")));
+    EXPECT_EQ(document.messages().back().kind, Message::Kind::Refused);
+    EXPECT_NE(document.last_text().find("rests on it"), std::string::npos) << document.last_text();
+    EXPECT_EQ(document->snapshot(), before);
+  }
+}
+
+TEST_F(Remake, RefusesNamesThatAreTakenOrInvalid) {
+  const auto before = document->snapshot();
+  for (const char* const as : {"box", "floor", "", "two\nlines"}) {
+    EXPECT_FALSE(document.done(document->rename("small", as))) << as;
+    EXPECT_EQ(document->snapshot(), before);
+  }
+}
+
+TEST_F(Remake, RefusesToRenameWhatIsHeld) {
+  PickUpOperation lift;
+  lift.object = "small";
+  lift.distance = 0.1;
+  ASSERT_TRUE(document.done(document->perform(lift)));
+  EXPECT_FALSE(document.done(document->rename("small", "lid")));
+  EXPECT_NE(document.last_text().find("held"), std::string::npos) << document.last_text();
+  EXPECT_TRUE(has("small"));
+}
+
+TEST_F(Remake, ScalesInItsPlace) {
+  const std::uint64_t before = fingerprint(*document->snapshot());
+  ASSERT_TRUE(document.done(document->rescale("small", 0.5, 0.01))) << document.last_text();
+  const Aabb box = world_box(document.object("small"));
+  EXPECT_EQ(document.object("small").scale, 0.5);
+  EXPECT_NEAR(box.upper.z() - box.lower.z(), 0.02, 1e-9);
+  EXPECT_NEAR(box.lower.z(), 0.06, 1e-4);
+  EXPECT_NEAR(box.centre().x(), 0.1, 1e-4);
+  EXPECT_EQ(document->history().steps.back(), "scale \"small\"");
+  EXPECT_EQ(wrong_with(*document->snapshot()), "");
+  ASSERT_TRUE(document.done(document->undo()));
+  EXPECT_EQ(fingerprint(*document->snapshot()), before);
+  ASSERT_TRUE(document.done(document->rescale("new", 2, 0.01)));
+  EXPECT_EQ(document.object("new").scale, 2);
+  EXPECT_FALSE(document.object("new").placed);
+}
+
+TEST_F(Remake, ComesBackFromFiles) {
+  ASSERT_TRUE(document.done(document->rename("small", "lid")));
+  ASSERT_TRUE(document.done(document->rescale("lid", 0.5, 0.01)));
+  const Pose pose = document.object("lid").pose;
+  for (const char* const file : {"scene.glb", "layout.json"}) {
+    ASSERT_TRUE(document.done(document->save_as(folder.file(file)))) << document.last_text();
+    ASSERT_TRUE(document.done(document->open(folder.file(file)))) << document.last_text();
+    EXPECT_FALSE(has("small"));
+    EXPECT_TRUE(same_pose(document.object("lid").pose, pose)) << file;
+    EXPECT_EQ(document.object("lid").scale, 0.5);
+  }
+}
+
+}  // namespace
+}  // namespace trivet::edit::test
