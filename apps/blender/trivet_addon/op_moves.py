@@ -5,13 +5,12 @@ from __future__ import annotations
 import math
 
 import bpy
-from bpy_extras import view3d_utils
 from mathutils import Vector
 
 from .layouts import Layout, Outcome
 from .moves import Move, push_operation, translate_operation, turn_operation
 from .op_put import selected_in_object_mode
-from .pointing import Pointing, on_plane
+from .pointing import Pointing
 from .stage import Stage
 from .work import Report
 
@@ -39,7 +38,7 @@ class Moving(Pointing):
     def begin(self, context, event) -> None:
         body = self._stage.reading.body(self.names(self._stage)[0])
         self._centre = Vector(body.bounds().mean(axis=0))
-        self._first = self.grip(context)
+        self._first = self.grip()
         self._axis = ""
         self.reset()
 
@@ -88,11 +87,11 @@ class TRIVET_OT_push(Moving, bpy.types.Operator):
     def reset(self) -> None:
         self.by = (0.0, 0.0)
 
-    def grip(self, context):
-        return on_plane(context, self._mouse, self._centre, Vector((0, 0, 1)))
+    def grip(self):
+        return self._view.on_plane(self._mouse, self._centre, Vector((0, 0, 1)))
 
     def follow(self, context, event) -> None:
-        there = self.grip(context)
+        there = self.grip()
         if there is not None and self._first is not None:
             self.by = self.limited(there - self._first)[:2]
 
@@ -113,19 +112,19 @@ class TRIVET_OT_turn(Moving, bpy.types.Operator):
     def reset(self) -> None:
         self.angle = 0.0
 
-    def grip(self, context):
+    def grip(self):
         """Angle of the mouse about the object, as the view shows it."""
-        centre = view3d_utils.location_3d_to_region_2d(context.region, context.region_data, self._centre)
+        centre = self._view.seen_at(self._centre)
         if centre is None:
             return None
         away = Vector(self._mouse) - centre
         return math.atan2(away.y, away.x)
 
     def follow(self, context, event) -> None:
-        there = self.grip(context)
+        there = self.grip()
         if there is None or self._first is None:
             return
-        from_below = context.region_data.view_rotation @ Vector((0, 0, 1))
+        from_below = self._view.data.view_rotation @ Vector((0, 0, 1))
         angle = (there - self._first) * (1 if from_below.z >= 0 else -1)
         angle = math.remainder(angle, 2 * math.pi)
         step = math.radians(15)
@@ -149,11 +148,11 @@ class TRIVET_OT_move(Moving, bpy.types.Operator):
     def reset(self) -> None:
         self.by = (0.0, 0.0, 0.0)
 
-    def grip(self, context):
-        return view3d_utils.region_2d_to_location_3d(context.region, context.region_data, self._mouse, self._centre)
+    def grip(self):
+        return self._view.beside(self._mouse, self._centre)
 
     def follow(self, context, event) -> None:
-        self.by = self.limited(self.grip(context) - self._first)
+        self.by = self.limited(self.grip() - self._first)
 
 
 CLASSES = (TRIVET_OT_push, TRIVET_OT_turn, TRIVET_OT_move)

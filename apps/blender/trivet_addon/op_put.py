@@ -74,7 +74,7 @@ class TRIVET_OT_put_here(Pointing, bpy.types.Operator):
         self.follow(context, event)
 
     def follow(self, context, event) -> None:
-        found = surface_below(context, self._mouse, self._excluded, context.scene.trivet.floor)
+        found = surface_below(context, self._view, self._mouse, self._excluded, context.scene.trivet.floor)
         if found is not None:
             self.point = found
 

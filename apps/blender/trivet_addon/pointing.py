@@ -35,8 +35,9 @@ class Pointing(Working):
         return False
 
     def invoke(self, context, event):
-        if bpy.app.background or context.region_data is None:
+        if bpy.app.background or context.area is None or context.area.type != "VIEW_3D":
             return self.execute(context)
+        self._view = View(context.area)
         try:
             self._stage = self.stage(context)
             if not self._stage.movers:
@@ -45,7 +46,7 @@ class Pointing(Working):
             self._layout = self._stage.choices.backend.layout(self._stage.bodies, self.out(self._stage), settings)
         except (backends.NoBackend, LayoutError, TooLarge) as error:
             return self._failed(error)
-        self._mouse = (event.mouse_region_x, event.mouse_region_y)
+        self._mouse = self._view.mouse(event)
         self._ghost, self._stale, self._text = Ghost(self._stage.bodies), True, ""
         self.begin(context, event)
         manager = context.window_manager
@@ -59,7 +60,7 @@ class Pointing(Working):
 
     def modal(self, context, event):
         if event.type == "MOUSEMOVE":
-            self._mouse = (event.mouse_region_x, event.mouse_region_y)
+            self._mouse = self._view.mouse(event)
             self.follow(context, event)
             self._stale = True
         elif event.type in {"LEFTMOUSE", "RET", "NUMPAD_ENTER"} and event.value == "PRESS":
@@ -125,25 +126,43 @@ class Pointing(Working):
             context.area.tag_redraw()
 
 
-def ray(context, mouse):
-    """(origin, direction) under the mouse, world."""
-    return (view3d_utils.region_2d_to_origin_3d(context.region, context.region_data, mouse),
-            view3d_utils.region_2d_to_vector_3d(context.region, context.region_data, mouse))
+class View:
+    """The region of a 3D view that shows the scene; the operator may have been started from the sidebar's."""
+
+    def __init__(self, area) -> None:
+        self.region = next(region for region in area.regions if region.type == "WINDOW")
+        self.data = area.spaces.active.region_3d
+
+    def mouse(self, event) -> tuple:
+        """(x, y) pixels in the region."""
+        return event.mouse_x - self.region.x, event.mouse_y - self.region.y
+
+    def ray(self, mouse):
+        """(origin, direction) under the mouse, world."""
+        return (view3d_utils.region_2d_to_origin_3d(self.region, self.data, mouse),
+                view3d_utils.region_2d_to_vector_3d(self.region, self.data, mouse))
+
+    def seen_at(self, location: Vector):
+        """Where a point of the world is, pixels; None behind the eye."""
+        return view3d_utils.location_3d_to_region_2d(self.region, self.data, location)
+
+    def beside(self, mouse, location: Vector) -> Vector:
+        """The point under the mouse that is as deep as `location`."""
+        return view3d_utils.region_2d_to_location_3d(self.region, self.data, mouse, location)
+
+    def on_plane(self, mouse, point: Vector, normal: Vector):
+        """Where the ray under the mouse meets a plane; None if it does not."""
+        origin, direction = self.ray(mouse)
+        slope = direction.dot(normal)
+        if abs(slope) < 1e-6:
+            return None
+        distance = (point - origin).dot(normal) / slope
+        return origin + distance * direction if distance > 0 else None
 
 
-def on_plane(context, mouse, point: Vector, normal: Vector):
-    """Where the ray under the mouse meets a plane; None if it does not."""
-    origin, direction = ray(context, mouse)
-    slope = direction.dot(normal)
-    if abs(slope) < 1e-6:
-        return None
-    distance = (point - origin).dot(normal) / slope
-    return origin + distance * direction if distance > 0 else None
-
-
-def surface_below(context, mouse, excluded, floor: bool):
+def surface_below(context, view: View, mouse, excluded, floor: bool):
     """What is seen under the mouse, but for excluded objects; else the floor; None where there is neither."""
-    origin, direction = ray(context, mouse)
+    origin, direction = view.ray(mouse)
     depsgraph = context.evaluated_depsgraph_get()
     start = origin
     for _ in range(100):
@@ -153,4 +172,4 @@ def surface_below(context, mouse, excluded, floor: bool):
         if owner.original not in excluded:
             return location
         start = location + 1e-4 * max(1.0, location.length) * direction
-    return on_plane(context, mouse, Vector((0, 0, 0)), Vector((0, 0, 1))) if floor else None
+    return view.on_plane(mouse, Vector((0, 0, 0)), Vector((0, 0, 1))) if floor else None
