@@ -1,7 +1,10 @@
 #include "apps/trivet/outputs.h"
 #include "apps/trivet/verbs.h"
 #include "core/base/error.h"
+#include "core/io/export.h"
+#include "ops/files/animation/motion_film.h"
 #include "ops/files/inplace/run_in_scene.h"
+#include "ops/files/layout/watched_run.h"
 
 namespace trivet::apps {
 namespace {
@@ -10,6 +13,7 @@ struct RunArguments {
   std::string layout;
   OutputPaths outputs;
   SettleArguments settle;
+  std::string animation;  // empty: none
   bool stop_at_refusal = false;
 };
 
@@ -20,6 +24,17 @@ void check_kind(const std::string& output, const std::string& scene) {
     throw Error(Error::Kind::BadInput, output + ": the scene " + scene +
                                            " keeps its format; accepted: " + is +
                                            ", .obj, .ply, .stl");
+}
+
+void check_animation(const RunArguments& arguments, bool in_place,
+                     const std::vector<std::string>& inputs) {
+  if (arguments.animation.empty()) return;
+  if (in_place)
+    throw Error(Error::Kind::BadInput,
+                "--animation: is not accepted for scenes in place; accepted: layouts of models");
+  check_extension(arguments.animation, {".glb"});
+  const OutputPaths& outputs = arguments.outputs;
+  check_files({arguments.animation, outputs.scene, outputs.report, outputs.picture}, inputs);
 }
 
 int run(const RunArguments& arguments, const CommonOptions& common) {
@@ -33,14 +48,24 @@ int run(const RunArguments& arguments, const CommonOptions& common) {
     check_kind(arguments.outputs.scene, file);
   }
   inputs.push_back(arguments.layout);
+  check_animation(arguments, scene != nullptr, inputs);
   Outputs outputs(arguments.outputs, inputs, common);
   const std::unique_ptr<Detector> detector = make_detector(common);
   RunOptions options = run_options(common, arguments.settle, detector.get());
   options.stop_at_refusal = arguments.stop_at_refusal;
   options.layout_file = arguments.layout;
+  std::optional<MotionFilm> film;
+  RunWatch watch;
+  if (!arguments.animation.empty()) {
+    watch.standing = [&](const Scene& start) { film.emplace(start); };
+    watch.done = [&](const Scene& after, const Operation& operation, const OperationResult& done) {
+      film->add(after, operation, done);
+    };
+  }
   const LayoutRun result =
       scene ? run_in_scene(layout, *scene, options)
-            : run_layout(layout, models_in_folder(folder, common.limits()), options);
+            : run_layout(layout, models_in_folder(folder, common.limits()), options, watch);
+  if (film) write_file_atomically(arguments.animation, film->glb());
   return outputs.write(result, layout, options, {folder_from(arguments.outputs.scene, folder), ""},
                        scene.get());
 }
@@ -55,6 +80,9 @@ Verb add_run(CLI::App& app, const CommonOptions& common) {
       ->type_name("LAYOUT.json");
   add_output_options(*verb, arguments->outputs);
   verb->get_option("--output")->required();
+  verb->add_option("--animation", arguments->animation,
+                   "Write what the operations moved, as an animation: .glb, for viewers")
+      ->type_name("FILE");
   verb->add_flag("--stop-at-refusal", arguments->stop_at_refusal,
                  "Stop after the first refused operation");
   add_settle_options(*verb, arguments->settle);

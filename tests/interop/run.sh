@@ -37,7 +37,8 @@ fi
 export PYTHONDONTWRITEBYTECODE=1
 python3 "$here/make_models.py" "$work/models"
 for kind in glb gltf; do
-  "$trivet" run "$work/models/layout.json" -o "$work/scene.$kind" --report "$work/scene.json" --quiet
+  "$trivet" run "$work/models/layout.json" -o "$work/scene.$kind" --report "$work/scene.json" \
+    --animation "$work/film.glb" --quiet
 done
 "$trivet" demo breakfast -o "$work/breakfast.glb" --report "$work/breakfast.json" --quiet
 "$trivet" put "$work/scene.glb" "$work/models/lamp.gltf" --position 2 2 1 --name "lamp 3" \
@@ -60,7 +61,7 @@ fi
 install_modules
 cd "$work"
 case "$job" in
-  validator) node validate.mjs scene.glb scene.gltf put.glb breakfast.glb ;;
+  validator) node validate.mjs scene.glb scene.gltf put.glb breakfast.glb film.glb ;;
   three)
     for scene in scene breakfast put; do node three_check.mjs "$scene.glb" "$scene.expected"; done ;;
 esac

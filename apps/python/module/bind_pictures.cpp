@@ -187,6 +187,7 @@ std::vector<PinholeCamera> dome(SharedScene& shared, int count, int width, int h
   const auto what = drawn(shared);
   const DomeOptions options{count, seed, radius, lowest, highest, fov};
   std::vector<PinholeCamera> out;
+  out.reserve(static_cast<std::size_t>(std::max(count, 0)));
   for (const Camera& camera : camera_dome(what->labelled.picture, double(width) / height, options))
     out.push_back(pinhole_camera(camera, width, height));
   return out;

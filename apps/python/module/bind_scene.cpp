@@ -199,6 +199,7 @@ void bind_scene(py::module_& m) {
   bind_zlists(scene);
   bind_pictures(scene);
   bind_files(m, scene);
+  bind_film(m, scene);
   m.def("materials", &materials);
   m.def("causes", [] {
     std::vector<std::string> out;

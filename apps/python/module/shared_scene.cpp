@@ -31,6 +31,7 @@ OperationResult SharedScene::perform(const std::vector<Operation>& operations, d
   const size_t before = session().num_done();
   const SettleOptions options = settle;  // Python may change it meanwhile
   const RunContext run_context = context(budget_s);
+  if (film) film->add(scene());  // what was undone or restored meanwhile
   OperationResult result =
       guard.run([&] { return session().perform_all(operations, options, run_context); });
   if (result.ok()) m_group_ends.resize(m_position);  // what was undone is forgotten
@@ -39,7 +40,17 @@ OperationResult SharedScene::perform(const std::vector<Operation>& operations, d
     throw py::error_already_set();
   }
   if (result.ok()) end_group();
+  record(operations, result);
   return result;
+}
+
+// Of several operations only where they led is known.
+void SharedScene::record(const std::vector<Operation>& operations, const OperationResult& result) {
+  if (!film) return;
+  if (operations.size() == 1)
+    film->add(scene(), operations.front(), result);
+  else
+    film->add(scene());
 }
 
 void SharedScene::end_group() {

@@ -4,11 +4,13 @@
 #include <pybind11/pybind11.h>
 
 #include <atomic>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "apps/python/module/running.h"
+#include "ops/files/animation/motion_film.h"
 #include "ops/session/restore.h"
 
 namespace trivet::python {
@@ -51,6 +53,9 @@ class SharedScene {
   /// Another scene instead; its history begins there.
   void replace(OpenedSession opened);
 
+  /// What moves is recorded, if there is one.
+  std::optional<MotionFilm> film;
+
   /// Transactions that are open, all of the thread that holds the scene.
   int num_transactions = 0;
   /// A hand holds an object: nothing else may change.
@@ -58,6 +63,8 @@ class SharedScene {
 
  private:
   friend class SceneGuard;
+
+  void record(const std::vector<Operation>& operations, const OperationResult& result);
 
   OpenedSession m_opened;
   std::atomic<bool> m_cancel = false;

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _arrays, _trivet
 from ._camera import MAX_SIDE, Camera, size_of
+from ._film import Film
 from ._labels import Labels
 from ._view import View, encode_png, num_faces, view_of
 
@@ -152,6 +153,10 @@ class Pictures:
         """
         return view_of(cast("Scene", self), show, highlight, _arrays.whole("height", height, 1, MAX_SIDE),
                        _arrays.whole("max_faces", max_faces, 0, 1 << 31))
+
+    def film(self) -> Film:
+        """A film of the operations in a block; see `Film`."""
+        return Film(cast("Scene", self))
 
     def _repr_html_(self) -> str:
         if num_faces(cast("Scene", self)) <= _MOST_SHOWN:

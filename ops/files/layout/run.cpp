@@ -9,6 +9,7 @@
 #include "core/scene/transaction.h"
 #include "ops/files/json/json_text.h"
 #include "ops/files/layout/scene_of_layout.h"
+#include "ops/files/layout/watched_run.h"
 #include "ops/operations/perform.h"
 #include "ops/placement/clearance.h"
 
@@ -65,6 +66,9 @@ void report_progress(const RunOptions& options, const std::string& stage, const 
   if (options.progress) options.progress({stage, item, done, total});
 }
 
+void run_operations(const Layout& layout, const RunOptions& options, const RunWatch& watch,
+                    LayoutRun& run);
+
 OperationResult not_tried(const OperationRecord& stopped_at) {
   Refusal why{Refusal::Cause::NotTried, {{stopped_at.object, std::nullopt}}};
   why.detail = stopped_at.op;
@@ -78,6 +82,13 @@ SettleOptions settle_options(const RunOptions& options, const SettleRules& of_fi
 }
 
 void run_operations(const Layout& layout, const RunOptions& options, LayoutRun& run) {
+  run_operations(layout, options, RunWatch{}, run);
+}
+
+namespace {
+
+void run_operations(const Layout& layout, const RunOptions& options, const RunWatch& watch,
+                    LayoutRun& run) {
   const OperationRecord* stopped_at = nullptr;
   run.operations.reserve(run.operations.size() + layout.operations.size());
   const auto note_refusal = [&] {
@@ -93,10 +104,13 @@ void run_operations(const Layout& layout, const RunOptions& options, LayoutRun& 
     OperationResult result = stopped_at
                                  ? not_tried(*stopped_at)
                                  : perform(run.scene, operation, options.settle, options.context);
+    if (watch.done) watch.done(run.scene, operation, result);
     run.operations.push_back({op, object, std::move(result)});
     note_refusal();
   }
 }
+
+}  // namespace
 
 void finish_run(const RunOptions& options, LayoutRun& run) {
   run.settle = options.settle;
@@ -164,8 +178,12 @@ void stand_objects(const Layout& layout, const RunOptions& options, LayoutRun& r
   }
 }
 
+LayoutRun run_layout(const Layout& layout, const ModelSource& models, const RunOptions& options) {
+  return run_layout(layout, models, options, RunWatch{});
+}
+
 LayoutRun run_layout(const Layout& without_models, const ModelSource& models,
-                     const RunOptions& given) {
+                     const RunOptions& given, const RunWatch& watch) {
   RunOptions options = given;
   options.settle = settle_options(given, without_models.settle);
   LayoutRun run;
@@ -177,7 +195,8 @@ LayoutRun run_layout(const Layout& without_models, const ModelSource& models,
       if (!append->material) append->material = layout.material;
     }
   stand_objects(layout, options, run);
-  run_operations(layout, options, run);
+  if (watch.standing) watch.standing(run.scene);
+  run_operations(layout, options, watch, run);
   finish_run(options, run);
   return run;
 }

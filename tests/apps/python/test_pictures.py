@@ -239,6 +239,51 @@ def test_others_work_while_a_picture_is_made():
     assert (scene.render(camera, samples=8) != wanted).any()
 
 
+def film_of(glb):
+    """The only animation of a .glb: (object, path): values of all keys."""
+    size = int.from_bytes(glb[12:16], "little")
+    scene, binary = json.loads(glb[20:20 + size]), glb[28 + size:]
+    out = {}
+    for channel in scene["animations"][0]["channels"]:
+        accessor = scene["accessors"][scene["animations"][0]["samplers"][channel["sampler"]]["output"]]
+        begin = scene["bufferViews"][accessor["bufferView"]]["byteOffset"]
+        width = {"VEC3": 3, "VEC4": 4}[accessor["type"]]
+        values = np.frombuffer(binary, np.float32, accessor["count"] * width, begin).reshape(-1, width)
+        out[scene["nodes"][channel["target"]["node"]]["name"], channel["target"]["path"]] = values
+    return out
+
+
+def test_films_show_what_moved(tmp_path):
+    scene = table_with_cup()
+    with scene.film() as film:
+        with pytest.raises(trivet.SceneBusy, match="already"):
+            with scene.film():
+                pass
+        with pytest.raises(trivet.SceneBusy, match="after its block"):
+            film.to_glb()
+        scene.add("ball", box(0.03, 0.03, 0.03)).put([-0.2, 0, 1.0])
+        scene["table"].fixed = False
+        carried = scene["table"].push([1, 0], 0.3).carried
+        scene.undo()
+        with pytest.raises(trivet.Refused):
+            scene["ball"].put([-0.2, 0, 0.05])
+    assert set(carried) == {"ball", "cup"} and film.seconds > 1
+    film.save(tmp_path / "film.glb")
+    moved = film_of((tmp_path / "film.glb").read_bytes())
+    assert {name for name, _ in moved} == {"table", "cup", "ball"} and ("ball", "scale") in moved
+    ball = moved["ball", "translation"]
+    assert ball[1].tolist() == pytest.approx([-0.2, 1, 0], abs=1e-6)  # y up; before, it was hidden
+    for name in ("table", "cup", "ball"):  # undone: where they were
+        x, y, z = scene[name].position
+        assert moved[name, "translation"][-1].tolist() == pytest.approx([x, z, -y], abs=1e-5)
+    assert moved["table", "translation"][:, 0].max() == pytest.approx(0.3, abs=1e-3)
+    apart = moved["cup", "translation"][:, 0].max() - moved["cup", "translation"][:, 0].min()
+    assert apart == pytest.approx(0.3, abs=1e-3)
+    with scene.film() as still:
+        pass
+    assert len(still.to_glb()) > 100
+
+
 @pytest.mark.parametrize("options, says", [
     (dict(size=(0, 10)), ["size", "(0, 10)", "16384"]),
     (dict(size=(10, 16385)), ["size", "16385"]),

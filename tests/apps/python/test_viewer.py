@@ -109,14 +109,19 @@ def test_pages_that_cannot_be():
             trivet.encode_png(image)
 
 
-def screenshot(page, folder, size=(800, 480)):
-    """What chromium draws, without graphics hardware; its pixels as an array."""
+def browse(page, folder, *options):
+    """Opens a page in Chromium without graphics hardware; pictures have 800 x 480 pixels."""
     (folder / "page.html").write_text(page, encoding="utf-8")
     command = [CHROMIUM, "--headless", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
                "--hide-scrollbars", "--virtual-time-budget=4000", f"--user-data-dir={folder / 'profile'}",
-               f"--window-size={size[0]},{size[1]}", f"--screenshot={folder / 'page.png'}", "page.html"]
-    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, timeout=300,
+               "--window-size=800,480", *options, "page.html"]
+    return subprocess.run(command, cwd=folder, capture_output=True, text=True, timeout=300,
                           env={**os.environ, "HOME": str(folder)})
+
+
+def screenshot(page, folder):
+    """The page's pixels as an array."""
+    done = browse(page, folder, f"--screenshot={folder / 'page.png'}")
     assert (folder / "page.png").exists(), done.stderr
     width, height, channels, values = read_png((folder / "page.png").read_bytes())
     kept = os.environ.get("TRIVET_PICTURES")
@@ -135,3 +140,37 @@ def test_a_browser_draws_the_scene(tmp_path):
     green = (marked[:, :, 1] > 120) & (marked[:, :, 0] < 60) & (marked[:, :, 2] < 90)
     blue = (marked[:, :, 2] > 140) & (marked[:, :, 0] < 60) & (marked[:, :, 1] < 90)
     assert green.sum() > 20 and blue.sum() > 50 and (plain != marked).any()
+
+
+# Clicks at the plate and beside all, drags, turns the wheel, and writes down what came of it.
+HANDS = """<script>
+canvas.setPointerCapture = () => {};
+const told = {home: {...camera, target: [...camera.target]}};
+const point = (type, x, y, more = {}) => canvas.dispatchEvent(
+  new PointerEvent(type, {clientX: x, clientY: y, pointerId: 1, button: 0, buttons: 1, ...more}));
+const drag = (x, y, more) => { point("pointerdown", 400, 400, more); point("pointermove", 400 + x, 400 + y, more); point("pointerup", 400 + x, 400 + y, more); };
+draw_now();
+const plate = ["left", "top"].map((side) => parseFloat(labels[2].style[side]) / 100);
+const at = [plate[0] * innerWidth, plate[1] * innerHeight];
+point("pointerdown", ...at); point("pointerup", ...at);
+told.clicked = element("told").textContent;
+point("pointerdown", 5, innerHeight - 5); point("pointerup", 5, innerHeight - 5);
+told.missed = element("told").textContent;
+drag(100, 50); told.turned = {...camera};
+drag(100, 50, {buttons: 2, button: 2}); told.shifted = {...camera, target: [...camera.target]};
+canvas.dispatchEvent(new WheelEvent("wheel", {deltaY: -500})); told.near = camera.distance;
+element("home").click(); told.again = camera;
+document.title = JSON.stringify(told);
+</script>"""
+
+
+@needs_chromium
+def test_the_scene_follows_the_mouse(tmp_path):
+    page = small_scene().view().html
+    done = browse(page.replace("</body>", HANDS + "</body>"), tmp_path, "--dump-dom")
+    told = json.loads(html.unescape(re.search(r"<title>(.*?)</title>", done.stdout, re.S).group(1)))
+    assert told["clicked"] == 'plate </script> & "co" \u00b7 stable \u00b7 on table' and told["missed"] == ""
+    assert told["turned"]["yaw"] == pytest.approx(told["home"]["yaw"] - 0.8)
+    assert told["turned"]["pitch"] == pytest.approx(told["home"]["pitch"] + 0.4)
+    assert told["shifted"]["yaw"] == told["turned"]["yaw"] and told["shifted"]["target"] != told["home"]["target"]
+    assert told["near"] < 0.6 * told["home"]["distance"] and told["again"] == told["home"]

@@ -1,0 +1,192 @@
+#include "ops/files/animation/motion_film.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/io/animation.h"
+#include "core/io/mesh_model.h"
+#include "core/motion/pose_interpolation.h"
+
+namespace trivet {
+namespace {
+
+constexpr double kPause = 0.25;          // seconds between operations
+constexpr double kFrame = 1.0 / 30;      // seconds between keys of a long motion
+constexpr double kShortest = 1e-3;       // seconds, of a motion
+constexpr double kFramesPerTurn = 72;    // between keys things go straight: arcs need more of them
+constexpr double kMostFrames = 600;      // of a motion
+constexpr double kGravity = 9.80665;     // m/s^2
+constexpr double kLeastLength = 1e-300;  // metres: below, nothing moves
+
+double fall_time(double length) { return std::max(kShortest, std::sqrt(2 * length / kGravity)); }
+
+double turn_between(const Pose& from, const Pose& to) {  // radians
+  return path_length(from, to, 1) - path_length(from, to, 0);
+}
+
+int num_frames(double seconds, double turn) {
+  const double frames = std::max(seconds / kFrame, kFramesPerTurn * turn / (2 * M_PI));
+  return static_cast<int>(std::clamp(std::ceil(frames), 1.0, kMostFrames));
+}
+
+bool is_same(const std::optional<Pose>& a, const std::optional<Pose>& b) {
+  if (!a || !b) return !a && !b;
+  return a->translation == b->translation && a->rotation.w == b->rotation.w &&
+         a->rotation.x == b->rotation.x && a->rotation.y == b->rotation.y &&
+         a->rotation.z == b->rotation.z;
+}
+
+std::optional<Pose> pose_in(const Scene& scene, ObjectId id) {
+  const Object& object = scene.at(id);
+  return object.placed ? std::optional(object.pose) : std::nullopt;
+}
+
+// Where a PUT let it go: if the place was searched for, above the end of its first fall.
+std::optional<Pose> start_of(const Operation& operation, const OperationResult& result) {
+  const auto* const put = std::get_if<PutOperation>(&operation);
+  if (!put || !put->place) return put ? std::optional(put->start) : std::nullopt;
+  if (result.steps.empty() || result.steps.front().kind != SettleStep::Kind::Fall)
+    return std::nullopt;
+  Pose start = result.steps.front().pose_after;
+  start.translation.z() += result.steps.front().energy_drop;
+  return start;
+}
+
+}  // namespace
+
+void MotionFilm::Actor::set(double time, const std::optional<Pose>& pose) {
+  if (!keys.empty() && keys.back().first >= time)
+    keys.back().second = pose;
+  else
+    keys.emplace_back(time, pose);
+}
+
+MotionFilm::MotionFilm(const Scene& start) {
+  meet(start);
+  for (const ObjectId id : start.ids()) m_actors.at(id_of(id)).set(0, pose_in(start, id));
+  m_time = kPause;
+}
+
+void MotionFilm::meet(const Scene& scene) {
+  m_box.extend(scene.box());
+  for (const ObjectId id : scene.ids()) {
+    const auto [it, is_new] = m_actors.try_emplace(id_of(id));
+    if (!is_new) continue;
+    const Object& object = scene.at(id);
+    const double radius = 0.5 * object.scale * object.shape->box.diagonal();
+    it->second = {object.name, object.model, object.shape, object.up, object.scale, radius, {}};
+    it->second.set(0, std::nullopt);
+  }
+}
+
+void MotionFilm::add(const Scene& after, const Operation& operation,
+                     const OperationResult& result) {
+  if (!result.ok()) return;
+  meet(after);
+  const double begin = m_time;
+  const auto id = after.find(object_name(operation));
+  if (id && after.at(*id).placed && !result.steps.empty()) {
+    Actor& actor = m_actors.at(id_of(*id));
+    std::optional<Pose> start = start_of(operation, result);
+    if (!start) start = actor.pose();
+    if (start) follow(actor, *start, after, after.at(*id), result);
+  }
+  if (arrive(after) || m_time > begin) m_time += kPause;
+}
+
+void MotionFilm::add(const Scene& after) {
+  meet(after);
+  if (arrive(after)) m_time += kPause;
+}
+
+void MotionFilm::follow(Actor& actor, const Pose& start, const Scene& after, const Object& object,
+                        const OperationResult& result) {
+  std::vector<std::pair<Actor*, Pose>> loads;
+  for (const std::string& name : result.carried)
+    if (const auto id = after.find(name)) {
+      Actor& load = m_actors.at(id_of(*id));
+      load.hold(m_time);
+      if (load.pose()) loads.emplace_back(&load, *load.pose());
+    }
+  actor.hold(m_time);
+  if (actor.pose() && !is_same(actor.pose(), start)) m_time += kFrame;  // taken into the hand
+  actor.set(m_time, start);
+  Pose from = start;
+  const auto go = [&](const Pose& to, bool falls) {
+    const double length = path_length(from, to, actor.radius);
+    if (!(length > kLeastLength)) return;
+    const double seconds = fall_time(length);
+    const int frames = num_frames(seconds, turn_between(from, to));
+    for (int k = 1; k <= frames; ++k) {
+      const double part = double(k) / frames;
+      const Pose now = k == frames ? to : interpolate_pose(from, to, falls ? part * part : part);
+      actor.set(m_time + part * seconds, now);
+      for (const auto& [load, load_start] : loads)
+        load->set(m_time + part * seconds, carried_pose(now, start, load_start));
+    }
+    m_time += seconds;
+    from = to;
+  };
+  for (const SettleStep& step : result.steps)
+    go(step.pose_after, step.kind == SettleStep::Kind::Fall);
+  go(object.pose, false);
+}
+
+bool MotionFilm::arrive(const Scene& after) {
+  std::vector<std::pair<Actor*, Pose>> moving;
+  double seconds = 0, turn = 0;
+  bool changed = false;
+  std::map<ActorId, std::optional<Pose>> poses;
+  for (const ObjectId id : after.ids()) poses[id_of(id)] = pose_in(after, id);
+  for (auto& [id, actor] : m_actors) {
+    const auto found = poses.find(id);
+    const std::optional<Pose> pose = found == poses.end() ? std::nullopt : found->second;
+    if (is_same(pose, actor.pose())) continue;
+    changed = true;
+    if (!pose || !actor.pose()) {
+      actor.set(m_time, pose);
+      continue;
+    }
+    moving.emplace_back(&actor, *pose);
+    seconds = std::max(seconds, fall_time(path_length(*actor.pose(), *pose, actor.radius)));
+    turn = std::max(turn, turn_between(*actor.pose(), *pose));
+  }
+  const int frames = num_frames(seconds, turn);
+  for (auto& [actor, to] : moving) {
+    actor->hold(m_time);
+    const Pose from = *actor->pose();
+    for (int k = 1; k <= frames; ++k)
+      actor->set(m_time + seconds * k / frames,
+                 k == frames ? to : interpolate_pose(from, to, double(k) / frames));
+  }
+  m_time += seconds;
+  return changed;
+}
+
+std::string MotionFilm::glb() const {
+  std::map<const Shape*, std::shared_ptr<const Model>> models;  // of objects without one
+  AnimatedScene scene;
+  scene.origin = export_origin(m_box);
+  for (const auto& [id, actor] : m_actors) {
+    std::shared_ptr<const Model> model = actor.model;
+    if (!model) {
+      std::shared_ptr<const Model>& made = models[actor.shape.get()];
+      if (!made) made = std::make_shared<const Model>(model_of_mesh(actor.shape->mesh));
+      model = made;
+    }
+    AnimatedObject object{{actor.name, model, {}, {}}, {}};
+    bool is_seen = false;
+    object.keys.reserve(actor.keys.size());
+    for (const auto& [time, pose] : actor.keys) {
+      AnimationKey key{time, !pose, {}};
+      if (pose) key.world_from_file = world_from_object(*pose, actor.up, actor.scale);
+      if (pose && !is_seen) object.object.world_from_object = key.world_from_file;
+      is_seen |= pose.has_value();
+      object.keys.push_back(key);
+    }
+    if (is_seen) scene.objects.push_back(std::move(object));
+  }
+  return animated_glb(scene);
+}
+
+}  // namespace trivet
