@@ -1,6 +1,6 @@
 #include "ops/detect/cost_model.h"
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 #include <cmath>
 
 #include "core/contact/zlist_frame.h"
@@ -27,12 +27,24 @@ CostModel model_of(const Terms& terms, CostGrowth growth) {
   return {terms[0], terms[1], 0, terms[2]};
 }
 
-// Least squares with the terms of a bit mask alone; the others are 0.
-Terms solve(const Eigen::MatrixXd& rows, const Eigen::VectorXd& values, int mask) {
-  Eigen::MatrixXd used = rows;
-  for (int k = 0; k < kMostTerms; ++k)
-    if (!(mask >> k & 1)) used.col(k).setZero();
-  return used.completeOrthogonalDecomposition().solve(values).transpose();
+// Sums of a least squares problem A x = 1, whose columns have length 1.
+struct Normal {
+  Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();  // A^T A
+  Eigen::Vector3d sums = Eigen::Vector3d::Zero();    // A^T 1
+};
+
+// Solution with the terms of a bit mask alone; the others are 0. Not finite where terms depend on
+// each other: fewer of them do as well.
+Terms solve(const Normal& normal, int mask) {
+  Normal used = normal;
+  for (int k = 0; k < kMostTerms; ++k) {
+    if (mask >> k & 1) continue;
+    used.matrix.row(k).setZero();
+    used.matrix.col(k).setZero();
+    used.matrix(k, k) = 1;
+    used.sums[k] = 0;
+  }
+  return (used.matrix.inverse() * used.sums).transpose();
 }
 
 }  // namespace
@@ -50,20 +62,28 @@ double CostModel::ms(const QuerySize& size) const {
 }
 
 CostModel fit_cost(std::span<const CostSample> samples, CostGrowth growth) {
-  const auto count = static_cast<Eigen::Index>(samples.size());
-  Eigen::MatrixXd rows(count, kMostTerms);
-  const Eigen::VectorXd ones = Eigen::VectorXd::Ones(count);
-  for (Eigen::Index i = 0; i < count; ++i)
-    rows.row(i) = terms_of(samples[i].size, growth) / samples[i].ms;
-  const Eigen::RowVector3d scale = rows.colwise().norm().cwiseMax(1e-300);
-  rows.array().rowwise() /= scale.array();
+  std::vector<Terms> rows;
+  rows.reserve(samples.size());
+  Terms squares = Terms::Zero();
+  for (const CostSample& sample : samples) {
+    rows.emplace_back(terms_of(sample.size, growth) / sample.ms);
+    squares += rows.back().cwiseAbs2();
+  }
+  const Terms scale = squares.cwiseSqrt().cwiseMax(1e-300);
+  Normal normal;
+  for (Terms& row : rows) {
+    row = row.cwiseQuotient(scale);
+    normal.matrix += row.transpose() * row;
+    normal.sums += row.transpose();
+  }
   // The best of all subsets whose solution has no negative term: there are only seven.
   Terms best = Terms::Zero();
   double best_error = kInfinity;
   for (int mask = 1; mask < 1 << kMostTerms; ++mask) {
-    const Terms terms = solve(rows, ones, mask);
-    const double error = (rows * terms.transpose() - ones).norm();
-    if (terms.minCoeff() < 0 || error >= best_error) continue;
+    const Terms terms = solve(normal, mask);
+    double error = 0;
+    for (const Terms& row : rows) error += std::pow(row.dot(terms) - 1, 2);
+    if (terms.minCoeff() < 0 || !(error < best_error)) continue;
     best = terms;
     best_error = error;
   }
