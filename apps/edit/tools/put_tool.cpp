@@ -84,7 +84,8 @@ std::optional<Operation> PutTool::operation_at(const PointerEvent& event) const 
   const ObjectSnapshot* const object = active();
   if (!object) return std::nullopt;
   std::vector<ObjectId> moving = moving_with(scene(), object->id);
-  for (const ObjectId hidden : m_document.looks().hidden()) moving.push_back(hidden);
+  const std::vector<ObjectId> hidden = m_document.looks().hidden();
+  moving.insert(moving.end(), hidden.begin(), hidden.end());
   auto picked = pick(scene(), event.ray(), moving);
   if (!picked) return std::nullopt;
   const double step = event.view.metres_per_px(event.view.depth(picked->point)) / kGoalsPerPx;

@@ -66,9 +66,11 @@ std::vector<double> TypedNumbers::values() const {
 std::string TypedNumbers::text() const {
   std::string out;
   for (size_t i = 0; i < m_axes.size(); ++i) {
-    if (i > 0) out += "  ";
-    if (!m_axes[i].empty()) out += (i == m_current ? "[" + m_axes[i] + "]" : m_axes[i]) + " ";
-    out += (m_texts[i].empty() ? "0" : m_texts[i]) + m_unit;
+    const bool is_typed = i == m_current;
+    if (i > 0) out.append("  ");
+    if (!m_axes[i].empty())
+      out.append(is_typed ? "[" : "").append(m_axes[i]).append(is_typed ? "] " : " ");
+    out.append(m_texts[i].empty() ? "0" : m_texts[i]).append(m_unit);
   }
   return out;
 }

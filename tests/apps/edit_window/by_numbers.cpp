@@ -110,7 +110,8 @@ void type_in_a_drag(Document& document, MainWindow& window, User& user) {
   user.release(view, apple, Qt::LeftButton);
   QVERIFY(user.wait());
   const Vec3 off = user.object("apple").pose.translation - before - Vec3(0.1, -0.05, 0.2);
-  QVERIFY2(off.norm() < 1e-12,
+  // It may have touched the tray on the way, while the numbers were typed.
+  QVERIFY2(off.norm() < 1e-6,
            qPrintable(QString("%1 %2 %3").arg(off.x()).arg(off.y()).arg(off.z())));
   document.undo();
   QVERIFY(user.wait());
