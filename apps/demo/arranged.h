@@ -15,7 +15,7 @@ struct ArrangedDemo {
   DemoView view;
 };
 
-/// "table-for-six" and "bookcase".
+/// "table-for-six", "tight-table", "bookcase", "market", "office3" and "workshop".
 std::vector<std::string> arranged_demo_names();
 
 /// @throws Error (BadInput) naming the demos there are.

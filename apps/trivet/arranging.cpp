@@ -2,44 +2,122 @@
 
 #include <iostream>
 
+#include "core/base/error.h"
 #include "core/base/limits.h"
+#include "ops/arrange/solutions.h"
 #include "ops/files/arrange/problem.h"
 
 namespace trivet::apps {
+namespace {
+
+constexpr long kMaxSolutions = 1000;
+
+std::string numbered(std::string path, int number) {
+  if (path.empty()) return path;
+  const size_t at = path.find("{}");
+  if (at == std::string::npos)
+    throw Error(Error::Kind::BadInput,
+                path +
+                    ": is one file for several solutions; accepted: a name with {}, which "
+                    "becomes the number of the solution");
+  return path.replace(at, 2, std::to_string(number));
+}
+
+// A run that goes on from what stands.
+LayoutRun run_of(const LayoutRun& start, const Solution& solution, const RunOptions& options) {
+  LayoutRun run = start;
+  run.scene = solution.scene;
+  run.operations.reserve(run.operations.size() + solution.result.placed.size());
+  for (const ArrangeResult::Placed& placed : solution.result.placed)
+    run.operations.push_back({"put", placed.object, placed.result});
+  finish_run(options, run);
+  return run;
+}
+
+class Writer {
+ public:
+  Writer(const ArrangeFile& file, const ArrangingOptions& arranging, const CommonOptions& common)
+      : m_file(file), m_common(common) {
+    m_outputs.reserve(static_cast<size_t>(arranging.solutions));
+    for (int k = 1; k <= arranging.solutions; ++k)
+      m_outputs.push_back(std::make_unique<Outputs>(outputs_of_solution(file.outputs, arranging, k),
+                                                    file.inputs, common, file.picture));
+  }
+
+  int write(size_t number, const LayoutRun& run, const Problem& problem,
+            const Arrangement& arrangement, const ArrangeResult& result,
+            const RunOptions& options) {
+    Outputs& outputs = *m_outputs[number];
+    outputs.add_arrangement(arrangement_json(arrangement, result));
+    const int status = outputs.write(run, arranged_layout(problem.layout, run.scene, result),
+                                     options, m_file.folders);
+    if (!m_common.json && !m_common.quiet) std::cout << arrangement_text(result);
+    return result.ok() ? status : 1;
+  }
+
+ private:
+  const ArrangeFile& m_file;
+  const CommonOptions& m_common;
+  std::vector<std::unique_ptr<Outputs>> m_outputs;
+};
+
+}  // namespace
 
 void add_arranging_options(CLI::App& app, ArrangingOptions& options) {
   app.add_option("--seed", options.seed, "Another arrangement; default: the file's")
       ->check(integer_from(0, static_cast<long>(kMaxSeed)));
   app.add_option("--seconds", options.seconds, "Give up after that time; 0: never")
       ->check(number_from(0, 1e9));
+  app.add_option("--solutions", options.solutions,
+                 "So many that differ, of this seed and those after it; {} in the names of files "
+                 "becomes 1, 2, ...")
+      ->check(integer_from(1, kMaxSolutions));
+  app.add_option("--distinct", options.distinct,
+                 "Metres by which the things of two solutions are apart, in the mean; default 0.01")
+      ->check(number_from(0, kMaxLength));
 }
 
-int arrange_file(const std::string& file, const ArrangingOptions& arranging,
-                 const SettleArguments& settle, const CommonOptions& common, Outputs& outputs,
-                 const ModelFolders& beside) {
-  Problem problem = read_problem(file, common.limits().max_file_bytes);
+OutputPaths outputs_of_solution(OutputPaths paths, const ArrangingOptions& arranging, int number) {
+  if (arranging.solutions == 1) return paths;
+  for (std::string* const path : {&paths.scene, &paths.report, &paths.picture})
+    *path = numbered(*path, number);
+  return paths;
+}
+
+int arrange_file(const ArrangeFile& file, const ArrangingOptions& arranging,
+                 const SettleArguments& settle, const CommonOptions& common) {
+  Writer writer(file, arranging, common);
+  Problem problem = read_problem(file.problem, common.limits().max_file_bytes);
   if (arranging.seed) problem.arrangement.seed = static_cast<std::uint64_t>(*arranging.seed);
   const std::unique_ptr<Detector> detector = make_detector(common);
   RunOptions options = run_options(common, settle, detector.get());
-  options.layout_file = file;
-  const ModelSource models = models_in_folder(folder_of(file), common.limits());
-  LayoutRun run = run_layout(problem.layout, models, options);
-  options.settle = run.settle;
+  options.layout_file = file.problem;
+  const ModelSource models = models_in_folder(folder_of(file.problem), common.limits());
+  const LayoutRun start = run_layout(problem.layout, models, options);
+  options.settle = start.settle;
   RunContext context = options.context;
   context.time_budget_s = arranging.seconds;
   const ArrangeProgress progress = [&](const std::string& name, size_t done, size_t total) {
     if (options.progress) options.progress({"arrange", name, done, total});
   };
-  const ArrangeResult result =
-      arrange(run.scene, problem.arrangement, options.settle, context, progress);
-  for (const ArrangeResult::Placed& placed : result.placed)
-    run.operations.push_back({"put", placed.object, placed.result});
-  finish_run(options, run);
-  outputs.add_arrangement(arrangement_json(problem.arrangement, result));
-  const int status =
-      outputs.write(run, arranged_layout(problem.layout, run.scene, result), options, beside);
-  if (!common.json && !common.quiet) std::cout << arrangement_text(result);
-  return result.ok() ? status : 1;
+  const Solutions solutions =
+      arrange_several(start.scene, problem.arrangement, {arranging.solutions, arranging.distinct},
+                      options.settle, context, progress);
+  int status = 0;
+  for (size_t k = 0; k < solutions.found.size(); ++k) {
+    const Solution& solution = solutions.found[k];
+    Arrangement arrangement = problem.arrangement;
+    arrangement.seed = solution.seed;
+    status = std::max(status, writer.write(k, run_of(start, solution, options), problem,
+                                           arrangement, solution.result, options));
+  }
+  if (solutions.found.empty())
+    return writer.write(0, start, problem, problem.arrangement, solutions.last, options);
+  if (solutions.found.size() == static_cast<size_t>(arranging.solutions)) return status;
+  std::cerr << "arrange: " << solutions.found.size() << " of " << arranging.solutions
+            << " solutions by " << solutions.num_seeds << " seeds; " << solutions.num_alike
+            << " more were too much like these\n";
+  return 1;
 }
 
 }  // namespace trivet::apps

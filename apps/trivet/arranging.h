@@ -11,14 +11,27 @@ namespace trivet::apps {
 
 struct ArrangingOptions {
   std::optional<double> seed;  // instead of the file's
-  double seconds = 0;          // 0: without a limit
+  double seconds = 0;          // of all solutions together; 0: without a limit
+  int solutions = 1;
+  double distinct = 0.01;  // metres; see ops/arrange/solutions.h
 };
 void add_arranging_options(CLI::App& app, ArrangingOptions& options);
 
+/// Files of one solution: {} becomes its number, from 1. @throws Error (BadInput) when there are
+/// several solutions and a path without {}.
+OutputPaths outputs_of_solution(OutputPaths paths, const ArrangingOptions& arranging, int number);
+
+struct ArrangeFile {
+  std::string problem;              // file
+  std::vector<std::string> inputs;  // files that must not be overwritten
+  OutputPaths outputs;
+  PictureRequest picture = {};
+  ModelFolders folders;  // from the scene to the models
+};
+
 /// Reads a problem and its models, arranges, and writes the outputs.
-/// @param beside  from the scene to the models.   @return the exit status: 1 for a conflict.
-int arrange_file(const std::string& file, const ArrangingOptions& arranging,
-                 const SettleArguments& settle, const CommonOptions& common, Outputs& outputs,
-                 const ModelFolders& beside);
+/// @return the exit status: 1 for a conflict, and for fewer solutions than asked for.
+int arrange_file(const ArrangeFile& file, const ArrangingOptions& arranging,
+                 const SettleArguments& settle, const CommonOptions& common);
 
 }  // namespace trivet::apps

@@ -17,9 +17,12 @@ int arrange_problem(const ArrangeArguments& arguments, const CommonOptions& comm
   const Layout layout = read_problem(arguments.problem, common.limits().max_file_bytes).layout;
   std::vector<std::string> inputs = model_files(layout, folder);
   inputs.push_back(arguments.problem);
-  Outputs outputs(arguments.outputs, inputs, common);
-  return arrange_file(arguments.problem, arguments.arranging, arguments.settle, common, outputs,
-                      {folder_from(arguments.outputs.scene, folder), ""});
+  return arrange_file({arguments.problem,
+                       inputs,
+                       arguments.outputs,
+                       {},
+                       {folder_from(arguments.outputs.scene, folder), ""}},
+                      arguments.arranging, arguments.settle, common);
 }
 
 }  // namespace

@@ -98,15 +98,25 @@ int run_demo(const DemoArguments& arguments, const CommonOptions& common) {
 
 int run_arranged_demo(const DemoArguments& arguments, const CommonOptions& common) {
   const ArrangedDemo demo = make_arranged_demo(arguments.name);
-  Outputs outputs(arguments.outputs, exported_files("problem.json", demo.models, arguments.folder),
-                  common, picture_from(demo.view));
+  const auto exported = exported_files("problem.json", demo.models, arguments.folder);
+  check_outputs(outputs_of_solution(arguments.outputs, arguments.arranging, 1), exported);
   const DemoFolder folder(arguments.folder);
   write_models(demo.models, folder);
   write_file_atomically(folder.file("problem.json"), demo.problem);
   const std::string& scene = arguments.outputs.scene;
   const std::string in_scene = arguments.folder.empty() ? "" : folder_from(scene, folder.path());
-  return arrange_file(folder.file("problem.json"), arguments.arranging, arguments.settle, common,
-                      outputs, {in_scene, ""});
+  return arrange_file({folder.file("problem.json"),
+                       exported,
+                       arguments.outputs,
+                       picture_from(demo.view),
+                       {in_scene, ""}},
+                      arguments.arranging, arguments.settle, common);
+}
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string out;
+  for (const std::string& name : names) out.append(out.empty() ? "" : ", ").append(name);
+  return out;
 }
 
 bool is_arranged(const std::string& demo) {
@@ -122,10 +132,11 @@ std::vector<std::string> all_demo_names() {
 
 int run_any_demo(const DemoArguments& arguments, const CommonOptions& common) {
   if (is_arranged(arguments.name)) return run_arranged_demo(arguments, common);
-  if (arguments.arranging.seed || arguments.arranging.seconds > 0)
+  if (arguments.arranging.seed || arguments.arranging.seconds > 0 ||
+      arguments.arranging.solutions > 1)
     throw Error(Error::Kind::BadInput,
-                "--seed and --seconds: the demo " + arguments.name +
-                    " is laid out by operations; accepted: with table-for-six and bookcase");
+                "--seed, --seconds and --solutions: the demo " + arguments.name +
+                    " is laid out by operations; accepted: with " + listed(arranged_demo_names()));
   return run_demo(arguments, common);
 }
 

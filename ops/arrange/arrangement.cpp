@@ -5,9 +5,10 @@
 namespace trivet {
 
 const char* to_string(RelationKind kind) {
-  constexpr const char* kNames[] = {
-      "on",     "in",   "against", "near",     "left_of", "right_of", "in_front_of", "behind",
-      "facing", "away", "aligned", "parallel", "same",    "centred",  "within",      "at"};
+  constexpr const char* kNames[] = {"on",       "in",          "against", "near",    "left_of",
+                                    "right_of", "in_front_of", "behind",  "facing",  "away",
+                                    "aligned",  "parallel",    "same",    "centred", "within",
+                                    "at",       "symmetric"};
   return kNames[static_cast<int>(kind)];
 }
 
@@ -25,8 +26,11 @@ std::string Relation::text() const {
 }
 
 std::string Pattern::text() const {
-  return std::string(kind == Kind::Row ? "row" : "grid") + " of " + std::to_string(things.size()) +
+  constexpr const char* kNames[] = {"row", "grid", "circle", "facings"};
+  return std::string(kNames[static_cast<int>(kind)]) + " of " + std::to_string(things.size()) +
          " things on " + (on == "floor" ? "the floor" : quoted(on));
 }
+
+std::string Zone::text() const { return "zone " + quoted(name) + " of " + quoted(object); }
 
 }  // namespace trivet

@@ -44,14 +44,15 @@ enum class RelationKind {
   RightOf,
   InFrontOf,
   Behind,
-  Facing,    // a's front points to b's centre, or to `point`
-  Away,      // a's back does
-  Aligned,   // a's front is b's, or a quarter turn or more of it
-  Parallel,  // or half a turn of it
-  Same,      // a's front is b's
-  Centred,   // a's centre is b's plus `offset`, along b's `along`
-  Within,    // a's outline is in `region`
-  At,        // a's centre is at `point`
+  Facing,     // a's front points to b's centre, or to `point`
+  Away,       // a's back does
+  Aligned,    // a's front is b's, or a quarter turn or more of it
+  Parallel,   // or half a turn of it
+  Same,       // a's front is b's
+  Centred,    // a's centre is b's plus `offset`, along b's `along`
+  Within,     // a's outline is in `region`
+  At,         // a's centre is at `point`
+  Symmetric,  // a stands where the mirror image of b does, at the vertical plane `axis`
 };
 const char* to_string(RelationKind kind);  // "on", "left_of", ...
 
@@ -70,6 +71,8 @@ struct Relation {
   Vec2 offset = Vec2::Zero();
   std::optional<Vec2> point;
   std::vector<Vec2> region;      // convex, counter-clockwise
+  std::string about;             // of Symmetric: stands already; its middle plane, left to right
+  Vec2 axis = Vec2::UnitY();     // of Symmetric: unit, along the plane, which goes through `point`
   double tolerance = 1e-3;       // metres or degrees: a cost of 1
   std::optional<double> weight;  // soft; nullopt: the cost may not be more than 1
 
@@ -81,19 +84,42 @@ struct Relation {
 
 /// Things side by side on one surface, placed together without a search.
 struct Pattern {
-  enum class Kind { Row, Grid };
+  enum class Kind {
+    Row,
+    Grid,
+    Circle,   // about a point, fronts to it or away from it
+    Facings,  // as in shops: blocks side by side, `wide` things in front, the others behind them
+  };
   enum class Align { Left, Centre, Right, Spread };
   Kind kind = Kind::Row;
   std::vector<std::string> things;
-  std::string on;                // an object or "floor"
-  std::optional<int> level;      // as of Relation; nullopt: the highest
-  double gap = 1e-3;             // metres between things, and to walls; at least 8 clearances
-  Align align = Align::Centre;   // along b's right
-  Align across = Align::Centre;  // Left: at b's front, Right: at its back
-  double inset = 0;              // metres from the edge to which `across` moves it
-  bool shuffled = false;         // in an order of the seed
-  int columns = 0;               // of a grid; 0: as many as there is room for
-  std::string text() const;      // grid of 12 things on "tray"
+  std::string on;                   // an object or "floor"
+  std::optional<int> level;         // as of Relation; nullopt: the highest
+  double gap = 1e-3;                // metres between things, and to walls; at least 8 clearances
+  Align align = Align::Centre;      // along b's right
+  Align across = Align::Centre;     // Left: at b's front, Right: at its back
+  double inset = 0;                 // metres from the edge to which `across` moves it
+  bool shuffled = false;            // in an order of the seed
+  int columns = 0;                  // of a grid; 0: as many as there is room for
+  double radius = 0;                // of a circle, metres, to the things' centres
+  double start_deg = 0;             // of the first of a circle, from b's right, counter-clockwise
+  bool outwards = false;            // of a circle: fronts away from its middle
+  std::optional<Vec2> middle = {};  // of a circle; nullopt: of the surface
+  struct Block {
+    size_t count = 0;  // the next so many of `things`
+    int wide = 1;
+  };
+  std::vector<Block> blocks = {};  // of facings
+  std::string text() const;        // grid of 12 things on "tray"
+};
+
+/// Space beside an object that all others keep out of, but for what carries it: before a drawer,
+/// over a seat. Zones may overlap zones.
+struct Zone {
+  std::string object, name;
+  Vec3 lower = Vec3::Zero(), upper = Vec3::Zero();  // metres, in the model's frame after its up
+                                                    // axis
+  std::string text() const;                         // zone "drawers" of "desk"
 };
 
 /// A distance to keep of each of these from all that is no support of it.
@@ -109,6 +135,7 @@ struct Arrangement {
   std::vector<Relation> relations;
   std::vector<Pattern> patterns;
   std::vector<KeepApart> keeps;
+  std::vector<Zone> zones;
   std::map<std::string, Vec3> fronts;  // of objects, in the model's frame after its up axis;
                                        // others: -y
 

@@ -6,6 +6,7 @@ namespace trivet {
 namespace {
 
 void add_placed(const ArrangeResult& result, OperationResult& out) {
+  out.settled.reserve(result.placed.size());
   for (const ArrangeResult::Placed& placed : result.placed) {
     out.settled.push_back(placed.object);
     out.num_motions += placed.result.num_motions;
@@ -16,6 +17,7 @@ void add_placed(const ArrangeResult& result, OperationResult& out) {
 
 Refusal refusal_of(const Conflict& conflict, const Scene& scene) {
   Refusal why{Refusal::Cause::NoArrangement};
+  why.objects.reserve(conflict.objects.size() + 1);
   if (scene.find(conflict.thing)) why.objects.push_back(named(scene, conflict.thing));
   for (const std::string& name : conflict.objects) why.objects.push_back(named(scene, name));
   why.numbers = {{"as_things_stand", conflict.as_they_stand ? 1.0 : 0.0}};

@@ -12,7 +12,7 @@ namespace {
 constexpr int kBisections = 40;
 constexpr size_t kMaxTriples = 40;  // constraints of which all triples are tried
 constexpr size_t kMaxPairs = 200;   // and all pairs
-constexpr double kFar = 1e6;        // metres
+constexpr double kAnywhere = 1e6;   // metres
 
 using Mask = std::vector<std::uint64_t>;  // places that a constraint leaves
 
@@ -101,7 +101,7 @@ class ConflictSearch {
   }
 
   ConvexRegion region(const Combination& c, const std::vector<size_t>& set, double more) const {
-    const Vec2 far = Vec2::Constant(kFar);
+    const Vec2 far = Vec2::Constant(kAnywhere);
     ConvexRegion out = m_anywhere ? ConvexRegion(-far, far) : c.region;
     for (const size_t i : set) {
       const Relation& r = *m_relations[i];
@@ -174,6 +174,13 @@ class ConflictSearch {
       others.push_back(id);
       m_constraints.push_back({"clear of " + quoted(name), name, {}});
     }
+    std::vector<ObjectId> with_zones;
+    for (const ObjectId id : m_placer.has_zones() ? m_world.standing() : std::vector<ObjectId>()) {
+      const std::string text = zones_text(m_world.scene().at(id).name);
+      if (text.empty()) continue;
+      with_zones.push_back(id);
+      m_constraints.push_back({text, m_world.scene().at(id).name, {}});
+    }
     size_t count = 0;
     for (const Combination& c : m_poses) {
       const PlaceField field = m_placer.field(c);
@@ -186,10 +193,26 @@ class ConflictSearch {
       for (size_t k = 0; k < others.size(); ++k)
         masks[1 + m_relations.size() + k] = field.clear_of(
             {&others[k], 1}, m_world.keep(m_out.thing, m_world.scene().at(others[k]).name));
+      for (size_t k = 0; k < with_zones.size(); ++k)
+        masks[1 + m_relations.size() + others.size() + k] =
+            m_placer.zones_clear_of(field, c, with_zones[k]);
       for (size_t k = 0; k < masks.size(); ++k) append(m_constraints[k].mask, count, masks[k]);
       count += field.size();
     }
     for (Constraint& constraint : m_constraints) constraint.mask.resize(count / 64 + 1, 0);
+  }
+
+  // What has to be free of what, of the thing and another object; empty: neither has a zone.
+  std::string zones_text(const std::string& other) const {
+    std::string out;
+    const auto add = [&](const std::string& text) {
+      out.append(out.empty() ? "" : ", ").append(text);
+    };
+    for (const Zone& zone : m_world.arrangement().zones) {
+      if (zone.object == other) add("out of the " + zone.text());
+      if (zone.object == m_out.thing) add(zone.text() + " clear of " + trivet::quoted(other));
+    }
+    return out;
   }
 
   // Relations need not hold to the last bit on the grid.

@@ -24,13 +24,24 @@ bool inside(const std::vector<Vec2>& polygon, const Vec2& p) {
   return true;
 }
 
-// From a point of one to the outline of the other.
-double distance_to_outline(const Vec2& p, const std::vector<Vec2>& polygon) {
+// From a point of one to the edges of the other that it is beyond; infinity: it is inside.
+double squared_distance_to_outline(const Vec2& p, const std::vector<Vec2>& polygon) {
   double out = kInfinity;
-  for (size_t i = 0; i < polygon.size(); ++i)
-    out = std::min(
-        out, (nearest_on_segment(p, polygon[i], polygon[(i + 1) % polygon.size()]) - p).norm());
+  for (size_t i = 0; i < polygon.size(); ++i) {
+    const Vec2 &a = polygon[i], &b = polygon[i + 1 < polygon.size() ? i + 1 : 0];
+    if (cross(b - a, p - a) > 0) continue;
+    out = std::min(out, (nearest_on_segment(p, a, b) - p).squaredNorm());
+  }
   return out;
+}
+
+// A point of the other one that is nearest to the middle of this.
+const Vec2& nearest_to_middle(const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
+  Vec2 middle = Vec2::Zero();
+  for (const Vec2& p : a) middle += p / double(a.size());
+  return *std::min_element(b.begin(), b.end(), [&](const Vec2& p, const Vec2& q) {
+    return (p - middle).squaredNorm() < (q - middle).squaredNorm();
+  });
 }
 
 // True if an edge of `a` has all of `b` beyond it.
@@ -91,13 +102,17 @@ double extent(const std::vector<Vec2>& points, const Vec2& direction) {
   return out;
 }
 
-double distance(const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
+double distance(const std::vector<Vec2>& a, const std::vector<Vec2>& b, double enough) {
+  if (enough > 0 && !a.empty() && !b.empty()) {
+    const double near = std::sqrt(squared_distance_to_outline(nearest_to_middle(a, b), a));
+    if (near <= enough && near < kInfinity) return near;
+  }
   if (!separated_by_edge(a, b) && !separated_by_edge(b, a) && a.size() > 2 && b.size() > 2)
     return 0;
   double out = kInfinity;
-  for (const Vec2& p : a) out = std::min(out, distance_to_outline(p, b));
-  for (const Vec2& p : b) out = std::min(out, distance_to_outline(p, a));
-  return out;
+  for (const Vec2& p : a) out = std::min(out, squared_distance_to_outline(p, b));
+  for (const Vec2& p : b) out = std::min(out, squared_distance_to_outline(p, a));
+  return std::sqrt(out);
 }
 
 }  // namespace trivet

@@ -35,6 +35,7 @@ class ConvexRegion {
 double extent(const std::vector<Vec2>& points, const Vec2& direction);
 
 /// Distance of two convex polygons, counter-clockwise; 0: they overlap. By all pairs of edges.
-double distance(const std::vector<Vec2>& a, const std::vector<Vec2>& b);
+/// @param enough  if it is no more than this, the result may be anything from it up to this.
+double distance(const std::vector<Vec2>& a, const std::vector<Vec2>& b, double enough = 0);
 
 }  // namespace trivet

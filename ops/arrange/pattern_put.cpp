@@ -2,6 +2,7 @@
 
 #include "core/base/quoted.h"
 #include "ops/arrange/angles.h"
+#include "ops/arrange/zones.h"
 
 namespace trivet {
 namespace {
@@ -31,11 +32,12 @@ std::optional<std::string> judge_slot(const World& world, const Slot& slot, cons
   if (angle_between_deg(up, wanted) > kMostTiltDeg) return who + " tips";
   const Vec3 shift = object.pose.translation - slot.start.translation;
   if (shift.head<2>().norm() > kMostShift) return who + " slides away";
-  const Support on(*world.scene().find(pattern.on));
+  const Support on =
+      pattern.on == kFloorName ? Support::floor() : Support(*world.scene().find(pattern.on));
   for (const ObjectContact& entry : object.contacts)
     if (holds_up(entry.contact) && !(entry.with == on))
       return who + " does not rest on " + quoted(pattern.on) + " alone";
-  return std::nullopt;
+  return taken_zone(world, thing);
 }
 
 }  // namespace

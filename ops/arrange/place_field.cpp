@@ -67,14 +67,16 @@ struct FieldMaps {
   MapGrid object, scene;
 };
 
-FieldMaps maps_of(const Body& body, double growth, double pixel, const Vec2& first, int columns,
-                  int rows, double start_z) {
+// @param level  z of the object's underside.
+FieldMaps maps_of(std::span<const Body> moving, double level, double growth, double pixel,
+                  const Vec2& first, int columns, int rows, double start_z) {
   FieldMaps out;
-  Aabb box = body.world_box;
+  Aabb box = moving.front().world_box;
+  for (const Body& body : moving) box.extend(body.world_box);
   box.lower.head<2>() -= Vec2::Constant(growth);
   box.upper.head<2>() += Vec2::Constant(growth);
-  out.object = MapGrid::about(box, pixel, body.world_box.lower.z());
-  out.underside = draw_underside({&body, 1}, out.object, growth);
+  out.object = MapGrid::about(box, pixel, level);
+  out.underside = draw_underside(moving, out.object, growth);
   out.scene = out.object;
   out.scene.corner += first;
   out.scene.width = columns + out.object.width - 1;
@@ -87,8 +89,8 @@ FieldMaps maps_of(const Body& body, double growth, double pixel, const Vec2& fir
 
 void PlaceField::find_supported(const Landing& landing) {
   const double growth = kGrown * largest_stop(m_clearance);
-  const FieldMaps maps =
-      maps_of(m_body, growth, m_grid.pixel, m_grid.first, m_grid.columns, m_grid.rows, m_start_z);
+  const FieldMaps maps = maps_of({&m_body, 1}, m_body.world_box.lower.z(), growth, m_grid.pixel,
+                                 m_grid.first, m_grid.columns, m_grid.rows, m_start_z);
   std::vector<Body> bodies;
   bool floor = false;
   for (const Support& support : landing.supports) {
@@ -117,11 +119,15 @@ void PlaceField::find_supported(const Landing& landing) {
   }
 }
 
-std::vector<char> PlaceField::clear(std::span<const Body> bodies, bool floor, double keep) const {
+std::vector<char> PlaceField::clear(std::span<const Body> moving, std::span<const Body> others,
+                                    bool floor, double keep) const {
   const double growth = kGrown * largest_stop(m_clearance) + keep;
-  const FieldMaps maps =
-      maps_of(m_body, growth, m_grid.pixel, m_grid.first, m_grid.columns, m_grid.rows, m_start_z);
-  const HeightMap top = draw_top(bodies, maps.scene, floor, m_reach.upper.z() + growth);
+  const FieldMaps maps = maps_of(moving, m_body.world_box.lower.z(), growth, m_grid.pixel,
+                                 m_grid.first, m_grid.columns, m_grid.rows, m_start_z);
+  double ceiling = m_reach.upper.z();
+  for (const Body& body : moving)
+    ceiling = std::max(ceiling, m_start_z + body.world_box.upper.z() - m_body.world_box.lower.z());
+  const HeightMap top = draw_top(others, maps.scene, floor, ceiling + growth);
   const auto falls = m_brackets(maps.underside, top, m_grid.columns, m_grid.rows);
   std::vector<char> out;
   out.reserve(m_index.size());
@@ -136,9 +142,19 @@ std::vector<char> PlaceField::clear_of(std::span<const ObjectId> others, double 
   for (const ObjectId id : others)
     if (overlaps(m_scene.world_box(id), m_reach, margin)) bodies.push_back(body_of(m_scene.at(id)));
   if (bodies.empty()) return std::vector<char>(m_index.size(), 1);
-  return clear(bodies, false, keep);
+  return clear({&m_body, 1}, bodies, false, keep);
 }
 
-std::vector<char> PlaceField::clear_of_floor() const { return clear({}, true, 0); }
+std::vector<char> PlaceField::clear_of_bodies(std::span<const Body> others) const {
+  return clear_of_bodies({&m_body, 1}, others);
+}
+
+std::vector<char> PlaceField::clear_of_bodies(std::span<const Body> moving,
+                                              std::span<const Body> others) const {
+  if (moving.empty() || others.empty()) return std::vector<char>(m_index.size(), 1);
+  return clear(moving, others, false, 0);
+}
+
+std::vector<char> PlaceField::clear_of_floor() const { return clear({&m_body, 1}, {}, true, 0); }
 
 }  // namespace trivet

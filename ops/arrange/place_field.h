@@ -37,13 +37,19 @@ class PlaceField {
   /// Of each place whether none of these can be met before the support.
   /// @param keep  metres to stay away from them, sideways.
   std::vector<char> clear_of(std::span<const ObjectId> others, double keep) const;
+  /// The same of bodies, and of bodies that move with the object, `moving` where it is with its
+  /// position at the origin.
+  std::vector<char> clear_of_bodies(std::span<const Body> others) const;
+  std::vector<char> clear_of_bodies(std::span<const Body> moving,
+                                    std::span<const Body> others) const;
   /// The same of the floor.
   std::vector<char> clear_of_floor() const;
   /// World box that the object sweeps, at all places.
   const Aabb& reach() const { return m_reach; }
 
  private:
-  std::vector<char> clear(std::span<const Body> bodies, bool floor, double keep) const;
+  std::vector<char> clear(std::span<const Body> moving, std::span<const Body> others, bool floor,
+                          double keep) const;
   void set_grid(const ConvexRegion& region);
   void find_supported(const Landing& landing);
 

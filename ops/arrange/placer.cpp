@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ops/arrange/noise.h"
+#include "ops/arrange/zones.h"
 #include "ops/detect/detector.h"
 #include "ops/operations/moving_group.h"
 
@@ -179,6 +180,28 @@ std::vector<char> Placer::clear(const PlaceField& field, const Combination& comb
   const auto& supports = combination.landing.supports;
   const bool on_floor = std::count(supports.begin(), supports.end(), Support::floor()) > 0;
   if (m_world.scene().floor && !on_floor) take(field.clear_of_floor());
+  for (const ObjectId id : has_zones() ? m_world.standing() : std::vector<ObjectId>()) {
+    const bool may_move = m_world.thing_of(m_world.scene().at(id).name) >= 0;
+    if (which == Obstacles::All || !may_move) take(zones_clear_of(field, combination, id));
+  }
+  return out;
+}
+
+std::vector<char> Placer::zones_clear_of(const PlaceField& field, const Combination& combination,
+                                         ObjectId other) const {
+  std::vector<char> out(field.size(), 1);
+  if (other == model().id) return out;
+  const Object& object = m_world.scene().at(other);
+  const auto take = [&](const std::vector<char>& clear) {
+    for (size_t i = 0; i < out.size(); ++i) out[i] &= clear[i];
+  };
+  for (const Body& zone : zones_of(m_world, object.name, object.pose))
+    take(field.clear_of_bodies({&zone, 1}));
+  const auto& supports = combination.landing.supports;
+  if (std::count(supports.begin(), supports.end(), Support(other))) return out;
+  const Body body = body_of(object);
+  for (const Body& zone : zones_of(m_world, name(), {combination.rotation, Vec3::Zero()}))
+    take(field.clear_of_bodies({&zone, 1}, {&body, 1}));
   return out;
 }
 
@@ -224,13 +247,19 @@ std::vector<size_t> Placer::blockers(const PlaceCandidate& candidate) const {
   here.region = ConvexRegion(candidate.at - little, candidate.at + little);
   const PlaceField field = this->field(here);
   std::vector<size_t> out;
+  const auto note = [&](ObjectId id, const std::vector<char>& clear) {
+    const int t = m_world.thing_of(m_world.scene().at(id).name);
+    if (t >= 0 && std::count(clear.begin(), clear.end(), 0)) out.push_back(static_cast<size_t>(t));
+  };
   for (const ObjectId id : obstacles(combination, Obstacles::All)) {
     const std::string& other = m_world.scene().at(id).name;
-    const int t = m_world.thing_of(other);
-    if (t < 0) continue;
-    const std::vector<char> clear = field.clear_of({&id, 1}, m_world.keep(name(), other));
-    if (std::count(clear.begin(), clear.end(), 0)) out.push_back(static_cast<size_t>(t));
+    if (m_world.thing_of(other) >= 0)
+      note(id, field.clear_of({&id, 1}, m_world.keep(name(), other)));
   }
+  for (const ObjectId id : has_zones() ? m_world.standing() : std::vector<ObjectId>())
+    note(id, zones_clear_of(field, here, id));
+  std::sort(out.begin(), out.end());
+  out.erase(std::unique(out.begin(), out.end()), out.end());
   return out;
 }
 

@@ -76,6 +76,10 @@ class Placer {
   std::vector<ObjectId> obstacles(const Combination& combination, Obstacles which) const;
   std::vector<char> clear(const PlaceField& field, const Combination& combination,
                           Obstacles which) const;
+  /// Zones of this object that are free of the thing at each place, and its own of this object.
+  std::vector<char> zones_clear_of(const PlaceField& field, const Combination& combination,
+                                   ObjectId other) const;
+  bool has_zones() const { return !m_world.arrangement().zones.empty(); }
   Vec2 refined(const PlaceCandidate& candidate) const;
   Rotation turned_to_face(const PlaceCandidate& candidate, const Vec2& at) const;
   std::optional<std::string> judge(const Combination& combination, const Rotation& rotation,

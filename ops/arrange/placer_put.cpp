@@ -3,6 +3,7 @@
 
 #include "core/base/quoted.h"
 #include "ops/arrange/placer.h"
+#include "ops/arrange/zones.h"
 #include "ops/place/distance_query.h"
 
 namespace trivet {
@@ -66,6 +67,7 @@ std::optional<std::string> Placer::judge(const Combination& combination, const R
   const bool may_tip = model().thing->pose.kind == PoseChoice::Kind::Free;
   if (!may_tip && angle_between_deg(up, wanted) > kMostTiltDeg) return quoted(name()) + " tips";
   if (auto why = judge_supports(combination)) return why;
+  if (auto why = taken_zone(m_world, model())) return why;
   const Outline outline = m_world.outline(model(), object.pose);
   for (const Relation* r : m_relations)
     if (r->is_hard() && !(cost(*r, outline) <= 1))

@@ -6,6 +6,8 @@
 namespace trivet {
 namespace {
 
+constexpr double kMirroredDeg = 2;  // of a front against the mirror image of another
+
 // The direction from b in which a lies.
 Vec2 direction_of(const Relation& r, const Outline& a, const Outline& b) {
   switch (r.kind) {
@@ -70,6 +72,18 @@ double within_cost(const Relation& r, const Outline& a) {
   return out / r.tolerance;
 }
 
+Vec2 mirrored_direction(const Relation& r, const Vec2& v) { return 2 * v.dot(r.axis) * r.axis - v; }
+
+Vec2 mirrored_point(const Relation& r, const Vec2& p) {
+  return *r.point + mirrored_direction(r, p - *r.point);
+}
+
+double symmetric_cost(const Relation& r, const Outline& a, const Outline& b) {
+  const double off = (a.centre - mirrored_point(r, b.centre)).norm();
+  const double turned = angle_between_deg(a.front, mirrored_direction(r, b.front));
+  return std::max(off / r.tolerance, turned / kMirroredDeg);
+}
+
 // Degrees between two directions but for turns of this many degrees.
 double turned_from(const Vec2& a, const Vec2& b, double period_deg) {
   const double angle = angle_between_deg(a, b);
@@ -97,7 +111,8 @@ double relation_cost(const Relation& r, const Outline& a, const Outline* b) {
     case RelationKind::Behind:
       return beside_cost(r, a, *b);
     case RelationKind::Near:
-      return outside(distance(a.hull, b->hull), r.lower, r.upper) / r.tolerance;
+      return outside(distance(a.hull, b->hull, r.lower > 0 ? 0 : r.upper), r.lower, r.upper) /
+             r.tolerance;
     case RelationKind::Facing:
     case RelationKind::Away:
       return angle_between_deg(a.front, wanted_front(r, a, b)) / r.tolerance;
@@ -113,6 +128,8 @@ double relation_cost(const Relation& r, const Outline& a, const Outline* b) {
       return within_cost(r, a);
     case RelationKind::At:
       return (a.centre - *r.point).norm() / r.tolerance;
+    case RelationKind::Symmetric:
+      return symmetric_cost(r, a, *b);
   }
   return 0;
 }
@@ -147,6 +164,14 @@ std::vector<HalfPlane> near_planes(const Relation& r, const Outline& moving, con
                         Vec2(0, -1), Vec2(s, -s)})
     add_interval(d, 1, -extent(moving.hull, -d) - extent(other.hull, d), -kInfinity,
                  r.upper + slack, out);
+  return out;
+}
+
+std::vector<HalfPlane> planes_about(const Vec2& at, double slack) {
+  std::vector<HalfPlane> out;
+  out.reserve(4);
+  for (const Vec2& d : {Vec2(1, 0), Vec2(0, 1), Vec2(-1, 0), Vec2(0, -1)})
+    out.push_back({d, d.dot(at) + slack});
   return out;
 }
 
@@ -190,9 +215,9 @@ std::vector<HalfPlane> half_planes(const Relation& r, const Outline& moving, con
       }
       return out;
     case RelationKind::At:
-      for (const Vec2& d : {Vec2(1, 0), Vec2(0, 1), Vec2(-1, 0), Vec2(0, -1)})
-        out.push_back({d, d.dot(*r.point - moving.centre) + slack});
-      return out;
+      return planes_about(*r.point - moving.centre, slack);
+    case RelationKind::Symmetric:
+      return planes_about(mirrored_point(r, other->centre) - moving.centre, slack);
     default:
       return out;
   }
@@ -219,6 +244,8 @@ Rotation turn_between(const Vec2& from, const Vec2& to) {
 
 std::vector<Rotation> turns_asked_for(const Relation& r, const Outline& moving,
                                       const Outline& other) {
+  if (r.kind == RelationKind::Symmetric)
+    return {turn_between(moving.front, mirrored_direction(r, other.front))};
   int step = 0;  // quarter turns
   switch (r.kind) {
     case RelationKind::Against:

@@ -6,6 +6,7 @@
 #include "core/base/nearest_name.h"
 #include "core/base/quoted.h"
 #include "ops/arrange/stable_poses.h"
+#include "ops/arrange/zones.h"
 #include "ops/operations/moving_group.h"
 #include "ops/operations/perform.h"
 #include "ops/placement/clearance.h"
@@ -13,10 +14,7 @@
 namespace trivet {
 namespace {
 
-constexpr size_t kMaxRests = 6;         // stable poses that are tried, the likely ones
-constexpr double kAboveClearances = 4;  // of a start, in clearances
-constexpr double kAboveSurface = 2e-3;  // of a start below something else, metres at most
-constexpr double kLevelSlack = 1e-3;    // metres that a thing may sink below a level
+constexpr size_t kMaxRests = 6;  // stable poses that are tried, the likely ones
 
 [[noreturn]] void refuse(const std::string& what) { throw Error(Error::Kind::BadInput, what); }
 
@@ -37,16 +35,38 @@ World::World(Transaction& transaction, const Arrangement& arrangement,
              const ArrangeSetting& setting)
     : m_transaction(&transaction), m_arrangement(arrangement), m_setting(setting) {
   check_names();
-  m_things.reserve(arrangement.things.size());
-  for (const Thing& thing : arrangement.things) {
+  m_things.reserve(m_arrangement.things.size());
+  for (const Thing& thing : m_arrangement.things) {
     m_thing_of[thing.object] = static_cast<int>(m_things.size());
     m_things.push_back(model_of(thing));
   }
-  for (size_t r = 0; r < arrangement.relations.size(); ++r)
-    for (const std::string& name : {arrangement.relations[r].a, arrangement.relations[r].b})
+  for (size_t r = 0; r < m_arrangement.relations.size(); ++r)
+    for (const std::string& name : {m_arrangement.relations[r].a, m_arrangement.relations[r].b})
       if (const int t = thing_of(name); t >= 0) m_things[t].relations.push_back(r);
   check_cycles();
+  check_zones();
+  m_zones.reserve(m_arrangement.zones.size());
+  for (const Zone& zone : m_arrangement.zones) m_zones.push_back(object_of(zone));
+  find_planes();
   unplace_things();
+}
+
+void World::check_zones() const {
+  for (const Zone& zone : m_arrangement.zones) {
+    check_name(scene(), zone.object, zone.text());
+    if (!((zone.upper - zone.lower).minCoeff() > 2 * kZoneSlack))
+      refuse(zone.text() + ": accepted: a box whose upper corner is above its lower one");
+  }
+}
+
+// Symmetric about an object: about the plane between its left and its right.
+void World::find_planes() {
+  for (Relation& r : m_arrangement.relations) {
+    if (r.about.empty()) continue;
+    const Outline middle = outline(r.about);
+    r.point = middle.centre;
+    r.axis = middle.front;
+  }
 }
 
 void World::check_names() const {
@@ -75,12 +95,22 @@ void World::check_names() const {
     if (!seen.count(r.a) && !seen.count(r.b))
       refuse(r.text() + ": neither is one of the things to arrange");
     stand(r.a, r.text());
+    if (!r.about.empty()) {
+      check_name(scene(), r.about, r.text());
+      if (seen.count(r.about) || !stands(r.about))
+        refuse(r.text() + ": " + quoted(r.about) +
+               " is no object that stands already; accepted for \"about\": one that does");
+    }
     if (!r.b.empty() && r.b != "floor") stand(r.b, r.text());
   }
   for (const Pattern& pattern : m_arrangement.patterns) {
     if (pattern.things.empty()) refuse(pattern.text() + ": accepted: at least one");
-    check_name(scene(), pattern.on, pattern.text());
-    stand(pattern.on, pattern.text());
+    if (pattern.on != kFloorName) {
+      check_name(scene(), pattern.on, pattern.text());
+      stand(pattern.on, pattern.text());
+    } else if (!scene().floor) {
+      refuse(pattern.text() + ": there is no floor");
+    }
     for (const std::string& name : pattern.things) carry(name, pattern.text());
   }
 }
@@ -201,94 +231,6 @@ const Relation* World::support_of(const ThingModel& thing) const {
 
 std::vector<SupportSurface> World::surfaces(const std::string& name) const {
   return support_surfaces(body_of(scene().at(*scene().find(name))));
-}
-
-const SupportSurface* surface_at(const std::vector<SupportSurface>& surfaces, int level) {
-  const int count = static_cast<int>(surfaces.size());
-  const int index = level < 0 ? count + level : level;
-  return index < 0 || index >= count ? nullptr : &surfaces[index];
-}
-
-std::optional<Landing> landing_on(const Scene& scene, ObjectId support,
-                                  const SupportSurface& surface, double height, double clearance) {
-  Landing out;
-  out.supports = {support};
-  out.lower = surface.lower, out.upper = surface.upper;
-  out.lowest = surface.lowest - kLevelSlack;
-  const double above = kAboveClearances * clearance;
-  if (surface.head_room < kInfinity) {
-    const double left = surface.head_room - (surface.highest - surface.height) - height;
-    if (left < 2 * above) return std::nullopt;
-    out.start_z = surface.highest + std::min(0.5 * left, kAboveSurface);
-  } else {
-    out.start_z = scene.world_box(support).upper.z() + above;
-  }
-  return out;
-}
-
-namespace {
-
-Landing landing_in(const Scene& scene, ObjectId container, double clearance) {
-  Landing out;
-  const Aabb box = scene.world_box(container);
-  out.lower = box.lower.head<2>(), out.upper = box.upper.head<2>();
-  double top = box.upper.z();
-  for (const ObjectId id : carried_with(scene, container)) {
-    out.supports.emplace_back(id);
-    top = std::max(top, scene.world_box(id).upper.z());
-  }
-  out.start_z = top + kAboveClearances * clearance;
-  return out;
-}
-
-// Above all, onto whatever is open from above.
-Landing landing_from_above(const Scene& scene, ObjectId support, double clearance) {
-  Landing out;
-  const Aabb box = scene.world_box(support);
-  out.supports = {support};
-  out.lower = box.lower.head<2>(), out.upper = box.upper.head<2>();
-  out.start_z = box.upper.z() + kAboveClearances * clearance;
-  return out;
-}
-
-}  // namespace
-
-std::vector<Landing> World::landings(const ThingModel& thing, double height,
-                                     std::string& why_none) const {
-  const Relation* support = support_of(thing);
-  const double clearance = this->clearance(thing);
-  std::vector<Landing> out;
-  if (!support || support->b == "floor") {
-    if (!scene().floor) {
-      why_none = "there is no floor";
-      return {};
-    }
-    Landing landing;
-    landing.supports = {Support::floor()};
-    landing.start_z = kAboveClearances * clearance;
-    landing.lower = Vec2::Constant(-kInfinity), landing.upper = Vec2::Constant(kInfinity);
-    out.push_back(landing);
-    return out;
-  }
-  const ObjectId id = *scene().find(support->b);
-  if (support->kind == RelationKind::In) return {landing_in(scene(), id, clearance)};
-  const std::vector<SupportSurface> surfaces = this->surfaces(support->b);
-  const auto add = [&](const SupportSurface& surface) {
-    if (auto landing = landing_on(scene(), id, surface, height, clearance))
-      out.push_back(std::move(*landing));
-  };
-  if (support->level) {
-    const SupportSurface* surface = surface_at(surfaces, *support->level);
-    why_none = surface ? "the head room there is less than its height"
-                       : quoted(support->b) + " has " + std::to_string(surfaces.size()) +
-                             " surfaces, none of which is " + std::to_string(*support->level);
-    if (surface) add(*surface);
-    return out;
-  }
-  out.push_back(landing_from_above(scene(), id, clearance));
-  for (const SupportSurface& surface : surfaces)
-    if (surface.head_room < kInfinity) add(surface);
-  return out;
 }
 
 double World::keep(const std::string& a, const std::string& b) const {

@@ -85,6 +85,9 @@ class World {
   /// Surfaces of an object in the scene.
   std::vector<SupportSurface> surfaces(const std::string& name) const;
 
+  /// The box of a zone of the arrangement, for poses of its object; in no scene.
+  const Object& zone(size_t index) const { return m_zones[index]; }
+
   /// Metres that these two have to keep; 0: nothing is asked for.
   double keep(const std::string& a, const std::string& b) const;
   double clearance(const ThingModel& thing) const;
@@ -93,17 +96,22 @@ class World {
   ThingModel model_of(const Thing& thing) const;
   void check_names() const;
   void check_cycles() const;
+  void check_zones() const;
+  void find_planes();
   void unplace_things();
 
   Transaction* m_transaction;  // the innermost
-  const Arrangement& m_arrangement;
+  Arrangement m_arrangement;   // with the planes of Symmetric
   ArrangeSetting m_setting;
+  std::vector<Object> m_zones;
   std::vector<ThingModel> m_things;
   std::map<std::string, int> m_thing_of;
 };
 
 /// A surface of a support as a landing for a thing of this height; nullopt: no head room.
+/// @param surfaces  all of the support: a thing is not to fall to a lower one.
 std::optional<Landing> landing_on(const Scene& scene, ObjectId support,
+                                  const std::vector<SupportSurface>& surfaces,
                                   const SupportSurface& surface, double height, double clearance);
 /// The surface of this level, from below or, negative, from above; nullptr: there is none.
 const SupportSurface* surface_at(const std::vector<SupportSurface>& surfaces, int level);

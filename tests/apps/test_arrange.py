@@ -194,7 +194,19 @@ class Arrange(Case):
                 {"is": "row", "of": ["mug_*"], "on": "shelf", "align": "left", "order": "any"},
                 {"is": "grid", "of": "mug_*", "on": "shelf", "columns": 2, "level": -1},
                 {"is": "keep", "a": "*", "distance": 0.1, "except": [["mug_1", "book"]]}]
-        bad = [({"is": "on"}, None), ({"is": "row", "of": "mug_*", "on": "shelf"}, "columns"),
+        good += [{"is": "symmetric", "a": "mug_1", "b": "mug_2", "about": "shelf"},
+                 {"is": "symmetric", "a": "mug_1", "b": "mug_2", "point": [0, 0], "axis": [0, 2]},
+                 {"is": "circle", "of": "mug_*", "on": "floor", "radius": 0.5, "middle": [1, 1], "outwards": True},
+                 {"is": "facings", "of": [{"things": "mug_*", "wide": 2}, {"things": ["book"]}], "on": "shelf",
+                  "level": "top", "align": "spread", "inset": 0.01},
+                 {"is": "stack", "of": ["mug_1", "mug_2"], "on": "shelf", "level": 1, "tolerance": 0.02}]
+        bad = [({"is": "symmetric", "a": "mug_1", "b": "mug_2"}, None),
+               ({"is": "symmetric", "a": "mug_1", "b": "mug_2", "about": "shelf", "axis": [1, 0]}, None),
+               ({"is": "circle", "of": "mug_*", "on": "floor"}, None),
+               ({"is": "facings", "of": [], "on": "shelf"}, None),
+               ({"is": "facings", "of": [{"things": "mug_*", "wide": 0}], "on": "shelf"}, None),
+               ({"is": "stack", "of": "mug_*", "on": "shelf"}, "gap"),
+               ({"is": "on"}, None), ({"is": "row", "of": "mug_*", "on": "shelf"}, "columns"),
                ({"is": "near", "a": "book", "b": "shelf"}, None),
                ({"is": "at", "a": "book", "point": [1]}, None),
                ({"is": "at", "a": "book", "point": [1, 2]}, "gap"),
@@ -212,6 +224,31 @@ class Arrange(Case):
             self.assertFalse(validator.is_valid({"relations": [relation]}), relation)
             self.problem([relation])
             self.refused("arrange", "problem.json", "-o", "x.glb", says="/arrange/relations/0")
+
+    def test_zones_and_solutions(self):
+        self.problem([{"is": "on", "a": "*", "b": "floor"}, {"is": "in_front_of", "a": "mug_*", "b": "shelf"}],
+                     zones={"shelf": [{"name": "reach", "box": [[-0.4, -0.5, 0.05], [0.4, -0.16, 0.7]]}]})
+        self.trivet("arrange", "problem.json", "-o", "s{}.glb", "--report", "r{}.json", "--solutions", 3,
+                    "--distinct", 0.2)
+        scenes = {self.read("s%d.glb" % k) for k in (1, 2, 3)}
+        self.assertEqual(len(scenes), 3)
+        for k in (1, 2, 3):
+            at = self.positions(self.read_json("r%d.json" % k))
+            for name in ("mug_1", "mug_2"):
+                self.assertFalse(abs(at[name][0]) < 0.43 and -0.54 < at[name][1] < -0.12, (k, at))
+        self.trivet("arrange", "problem.json", "-o", "one.glb")
+        self.assertEqual(self.read("one.glb"), self.read("s1.glb"))
+        self.refused("arrange", "problem.json", "-o", "x.glb", "--solutions", 2, says="with {}")
+        self.problem([], zones={"shelf": [{"name": "reach", "box": [[0, 0, 0], [1, 0, 1]]}]})
+        self.refused("arrange", "problem.json", "-o", "x.glb", says="/arrange/zones/shelf/0/box")
+
+    def test_a_thousand_relations_and_a_time_limit(self):
+        self.problem([{"is": "within", "a": "mug_1", "region": [[0, 0], [1 + k / 1000, 0], [1, 1], [0, 1]]}
+                      for k in range(1000)], things=[{"objects": "mug_*", "yaw": [0]}])
+        out, _ = self.trivet("arrange", "problem.json", "-o", "a.glb")
+        self.assertIn("1000 hard relations hold", out)
+        out, _ = self.trivet("arrange", "problem.json", "-o", "b.glb", "--seconds", 1e-6, status=1)
+        self.assertIn("did not end in time", out)
 
     def test_exported_demo(self):
         out, _ = self.trivet("demo", "bookcase", "-o", "a.glb", "--export", "demo", "--seed", 3)

@@ -153,6 +153,22 @@ class Bytes(BatchCase):
         with open("/proc/%s/comm" % process) as file:
             return file.read().strip()
 
+    def test_arrangements_differ_from_scene_to_scene(self):
+        cubes = [{"name": "c%d" % i, "model": "cube.obj", "scale": 0.2} for i in range(3)]
+        arrange = {"op": "arrange", "things": [{"objects": "c*"}], "relations": [{"is": "on", "a": "*", "b": "slab"}]}
+
+        def poses(name, operation):
+            self.write_recipe(name + ".json", objects=[SLAB, *cubes], groups=[], operations=[operation])
+            self.batch(name, "--format", "dir", count=3, recipe=name + ".json")
+            scenes = [json.loads(self.read(f)) for f in sorted(glob.glob(self.path(name + "/0000/scenes-*/*.json")))
+                      if "manifest" not in f]
+            self.assertEqual([s["status"] for s in scenes], ["ok"] * 3)
+            return [json.dumps([o.get("pose", o) for o in s["objects"]], sort_keys=True) for s in scenes]
+        drawn = poses("drawn", arrange)
+        self.assertEqual(len(set(drawn)), 3)
+        self.assertEqual(poses("again", arrange), drawn)
+        self.assertEqual(len(set(poses("given", {**arrange, "seed": 4}))), 1)
+
     def test_formats_hold_the_same_scenes(self):
         self.batch("tar", "--with", "scene,report")
         self.batch("dir", "--format", "dir", "--with", "scene,report")

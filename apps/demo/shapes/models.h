@@ -55,11 +55,34 @@ Model make_pen();     // lies along x, its tip at +x
 Model make_waste_basket();
 Model make_plant();
 
+Model make_wall();  // 3.2 m along x
+
+Model make_shop_shelf();  // open to -y, boards at kShopBoards
+Model make_can_red();
+Model make_can_green();
+Model make_tin();
+Model make_carton();
+Model make_cereal();
+Model make_soap();
+Model make_jar();
+Model make_bottle();
+
+Model make_workbench();  // its top at kBenchHeight, a board below
+Model make_parts_bin();
+Model make_bolt();  // lies along x
+Model make_nut();
+Model make_bracket();
+Model make_hammer();       // lies along x, its head at -x
+Model make_screwdriver();  // lies along x, its tip at +x
+Model make_toolbox();
+
 inline constexpr double kTableHeight = 0.74;
 inline constexpr double kClothHeight = 0.7415;
 inline constexpr double kDeskHeight = 0.73;
 inline constexpr double kBookcaseHeight = 1.19;
 inline constexpr double kBookcaseBoards[] = {0.08, 0.45, 0.82};  // the upper sides
+inline constexpr double kShopBoards[] = {0.12, 0.47, 0.82, 1.14, 1.46};
+inline constexpr double kBenchHeight = 0.88;
 
 /// All of the above by name: "saucer", "plate", ..., "plant".
 std::vector<std::string> model_names();

@@ -51,6 +51,11 @@ Model make_desk() {
                    make_material("drawer front", 0.50f, 0.30f, 0.14f, 0.5f), silver()});
 }
 
+Model make_wall() {
+  return assemble("wall", {{painted(box({-1.6, -0.06, 0}, {1.6, 0.06, 2.1}), 0), 40}},
+                  {make_material("wall", 0.72f, 0.70f, 0.64f, 0.9f)});
+}
+
 Model make_bookcase() {
   constexpr Index kWood = 0, kBack = 1;
   const double half_width = 0.360, side = 0.020, front = -0.165, back = 0.165;

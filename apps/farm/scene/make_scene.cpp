@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "apps/farm/scene/placing.h"
+#include "ops/files/json/operation_json.h"
 #include "ops/operations/perform.h"
 
 namespace trivet::farm {
@@ -26,6 +27,7 @@ class Attempt {
   Decision decide(const std::string& name) const { return {m_source.key, m_k, m_prefix + name}; }
   void draw_objects();
   void do_base();
+  Operation with_seed(const Operation& operation, size_t number) const;
   void load(AppendOperation& append) const;
   /// False: the scene is dropped.
   bool put_groups();
@@ -73,10 +75,21 @@ void Attempt::load(AppendOperation& append) const {
   if (!append.material) append.material = m_recipe.base.material;
 }
 
+// An arrangement without a seed is another one in every scene.
+Operation Attempt::with_seed(const Operation& operation, size_t number) const {
+  if (!std::holds_alternative<ArrangeOperation>(operation)) return operation;
+  nlohmann::json document = operation_json(operation);
+  if (document.contains("seed")) return operation;
+  Decision decision = decide("operation " + std::to_string(number) + "/seed");
+  document["seed"] = decision.bits() >> 11;
+  return read_operation(JsonPlace(document, m_options.layout_file));
+}
+
 void Attempt::do_base() {
   m_out.run.scene = trivet::make_scene(m_out.layout, m_source.models, m_options.layout_file);
   stand_objects(m_out.layout, m_options, m_out.run);
-  for (Operation operation : m_recipe.base.operations) {
+  for (size_t i = 0; i < m_recipe.base.operations.size(); ++i) {
+    Operation operation = with_seed(m_recipe.base.operations[i], i);
     if (auto* append = std::get_if<AppendOperation>(&operation)) load(*append);
     OperationResult result =
         perform(m_out.run.scene, operation, m_options.settle, m_options.context);

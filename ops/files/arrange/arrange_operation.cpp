@@ -18,6 +18,7 @@ class WrittenProblem : public ArrangeProblem {
                         const RunContext& context) const override {
     const Scene& scene = transaction.scene();
     std::vector<std::string> names, unplaced;
+    names.reserve(scene.ids().size());
     for (const ObjectId id : scene.ids()) {
       const Object& object = scene.at(id);
       names.push_back(object.name);

@@ -9,6 +9,8 @@ namespace trivet {
 namespace {
 
 constexpr int kMaxEvictions = 100'000, kMaxAttempts = 1000;
+constexpr double kLeastZone = 1e-3;  // metres
+constexpr size_t kMaxZones = 10'000;
 
 constexpr std::pair<const char*, Vec3 (*)()> kFronts[] = {
     {"x", [] { return Vec3(1, 0, 0); }},
@@ -31,6 +33,7 @@ class ArrangementReader {
     read_count(place, "attempts", 1, kMaxAttempts, m_out.max_attempts);
     read_things(place, otherwise);
     if (const auto fronts = place.find("fronts")) read_fronts(*fronts);
+    if (const auto zones = place.find("zones")) read_all_zones(*zones);
     if (const auto relations = place.find("relations"))
       for (const JsonPlace& item : relations->items()) read_relation(item, m_names, m_out);
     return std::move(m_out);
@@ -90,6 +93,15 @@ class ArrangementReader {
     }
   }
 
+  void read_all_zones(const JsonPlace& place) {
+    if (!place.value().is_object()) place.refuse("an object of names and lists of zones");
+    for (const auto& [pattern, value] : place.value().items()) {
+      const JsonPlace zones = place.at(pattern.c_str());
+      for (const std::string& name : m_names.matching(pattern, zones))
+        read_zones(zones, name, m_out.zones);
+    }
+  }
+
   ProblemNames m_names;
   Arrangement m_out;
 };
@@ -103,12 +115,32 @@ Vec3 read_front(const JsonPlace& place) {
   return known->second();
 }
 
+void read_zones(const JsonPlace& place, const std::string& object, std::vector<Zone>& out) {
+  for (const JsonPlace& item : place.items()) {
+    item.expect_object({"name", "box"}, {});
+    const auto corners = item.at("box").items();
+    if (corners.size() != 2) item.at("box").refuse("two corners [x, y, z]");
+    const auto lower = corners[0].numbers(3, -kMaxLength, kMaxLength);
+    const auto upper = corners[1].numbers(3, -kMaxLength, kMaxLength);
+    Zone zone{object,
+              item.at("name").text(),
+              {lower[0], lower[1], lower[2]},
+              {upper[0], upper[1], upper[2]}};
+    if (!((zone.upper - zone.lower).minCoeff() >= kLeastZone))
+      item.at("box").refuse("the lower corner first, the upper one 1 mm beyond it or more");
+    out.push_back(std::move(zone));
+    if (out.size() > kMaxZones) item.fail("too many zones; accepted: " + std::to_string(kMaxZones));
+  }
+}
+
 Arrangement read_arrangement(const JsonPlace& place, ArrangementPlace kind, ProblemNames names,
                              const std::vector<std::string>& otherwise) {
   if (kind == ArrangementPlace::InOperation)
-    place.expect_object({"op"}, {"seed", "things", "relations", "fronts", "evictions", "attempts"});
+    place.expect_object(
+        {"op"}, {"seed", "things", "relations", "fronts", "zones", "evictions", "attempts"});
   else
-    place.expect_object({}, {"seed", "things", "relations", "fronts", "evictions", "attempts"});
+    place.expect_object(
+        {}, {"seed", "things", "relations", "fronts", "zones", "evictions", "attempts"});
   return ArrangementReader(std::move(names)).read(place, otherwise);
 }
 

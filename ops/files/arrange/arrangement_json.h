@@ -21,5 +21,7 @@ Arrangement read_arrangement(const JsonPlace& place, ArrangementPlace kind, Prob
 
 /// "x", "-x", "y" or "-y".
 Vec3 read_front(const JsonPlace& place);
+/// [{"name", "box": [lower, upper]}] of an object.
+void read_zones(const JsonPlace& place, const std::string& object, std::vector<Zone>& out);
 
 }  // namespace trivet

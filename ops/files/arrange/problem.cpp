@@ -28,16 +28,17 @@ std::vector<std::string> left_over(const Layout& layout) {
   return out;
 }
 
-// Fronts of objects, which are taken out of the document.
-std::map<std::string, Vec3> take_fronts(const JsonPlace& root, nlohmann::json& rest) {
-  std::map<std::string, Vec3> out;
+// Fronts and zones of objects, which are taken out of the document.
+Arrangement take_marks(const JsonPlace& root, nlohmann::json& rest) {
+  Arrangement out;
   size_t index = 0;
   for (const JsonPlace& object : root.at("objects").items()) {
-    if (object.value().is_object())
-      if (const auto front = object.find("front")) {
-        out[object.at("name").text()] = read_front(*front);
-        rest["objects"][index].erase("front");
-      }
+    if (const auto front = object.find("front"))
+      out.fronts[object.at("name").text()] = read_front(*front);
+    if (const auto zones = object.find("zones"))
+      read_zones(*zones, object.at("name").text(), out.zones);
+    for (const char* const key : {"front", "zones"})
+      if (object.find(key)) rest["objects"][index].erase(key);
     ++index;
   }
   return out;
@@ -53,12 +54,13 @@ Problem parse_problem(const std::string& text, const std::string& file) {
     scene->fail("scenes of other programs cannot be arranged; accepted: objects with models");
   nlohmann::json rest = document;
   rest.erase("arrange");
-  auto fronts = take_fronts(root, rest);
+  Arrangement marks = take_marks(root, rest);
   Problem out;
   out.layout = parse_layout(rest.dump(), file);
   out.arrangement = read_arrangement(section, ArrangementPlace::InSection, names_of(out.layout),
                                      left_over(out.layout));
-  out.arrangement.fronts.merge(fronts);
+  out.arrangement.fronts.merge(marks.fronts);
+  out.arrangement.zones.insert(out.arrangement.zones.end(), marks.zones.begin(), marks.zones.end());
   return out;
 }
 

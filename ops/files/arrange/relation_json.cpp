@@ -9,32 +9,16 @@
 namespace trivet {
 namespace {
 
-constexpr int kMaxColumns = 1'000'000;
 constexpr int kMaxLevel = 1000;
 constexpr size_t kMaxRelations = 100'000;  // those of patterns each for itself
-constexpr double kMinTolerance = 1e-5, kMaxWeight = 1e6;
+constexpr double kMaxWeight = 1e6;
 constexpr double kNextTo = 0.1, kAgainst = 0.01;  // metres
 
 std::vector<RelationKind> all_kinds() {
   std::vector<RelationKind> out;
-  for (int k = 0; k <= static_cast<int>(RelationKind::At); ++k)
+  for (int k = 0; k <= static_cast<int>(RelationKind::Symmetric); ++k)
     out.push_back(static_cast<RelationKind>(k));
   return out;
-}
-
-Vec2 read_point(const JsonPlace& place) {
-  const auto p = place.numbers(2, -kMaxLength, kMaxLength);
-  return {p[0], p[1]};
-}
-
-int read_level(const JsonPlace& place) {
-  if (place.value() == "top") return -1;
-  if (place.value() == "bottom") return 0;
-  if (place.value().is_number_integer() && std::abs(place.number()) <= kMaxLevel)
-    return place.value().get<int>();
-  place.refuse(
-      "\"top\", \"bottom\", or a number as trivet info --surfaces has them, from above if "
-      "negative");
 }
 
 Side read_side(const JsonPlace& place) {
@@ -55,6 +39,13 @@ std::vector<Vec2> read_region(const JsonPlace& place) {
   }
   if (!convex) place.refuse("at least 3 corners [x, y] of a convex polygon, counter-clockwise");
   return out;
+}
+
+Vec2 read_axis(const JsonPlace& place) {
+  const Vec2 axis = read_point(place);
+  const double length = axis.norm();
+  if (!(length >= 1e-6)) place.refuse("a direction [x, y] whose length is not zero");
+  return axis / length;
 }
 
 void read_along(const JsonPlace& place, Relation& r) {
@@ -96,7 +87,89 @@ void expect_keys(const JsonPlace& place, RelationKind kind, bool next_to) {
       return place.expect_object({"is", "a", "region"}, {"tolerance", "weight"});
     case RelationKind::At:
       return place.expect_object({"is", "a", "point"}, {"tolerance", "weight"});
+    case RelationKind::Symmetric:
+      return place.expect_object({"is", "a", "b"},
+                                 {"about", "point", "axis", "tolerance", "weight"});
   }
+}
+
+void read_gap(const JsonPlace& place, Relation& r) {
+  const auto both = place.numbers(2, 0, kMaxLength);
+  if (both[0] > both[1]) place.refuse("[least, most] with the least first");
+  r.lower = both[0], r.upper = both[1];
+}
+
+void read_values(const JsonPlace& place, const ProblemNames& names, Relation& r) {
+  if (const auto b = place.find("b"))
+    r.b = r.kind == RelationKind::On ? names.one_or_floor(*b) : names.one(*b);
+  if (const auto level = place.find("level")) r.level = read_level(*level);
+  if (const auto side = place.find("side")) r.side = read_side(*side);
+  if (const auto gap = place.find("gap")) read_gap(*gap, r);
+  if (const auto d = place.find("distance")) r.upper = d->number(0, kMaxLength);
+  if (const auto overlap = place.find("overlap")) r.overlap = overlap->number(0, 1);
+  if (const auto along = place.find("along")) read_along(*along, r);
+  if (const auto offset = place.find("offset")) r.offset = read_point(*offset);
+  if (const auto point = place.find("point")) r.point = read_point(*point);
+  if (const auto about = place.find("about")) r.about = names.one(*about);
+  if (const auto axis = place.find("axis")) r.axis = read_axis(*axis);
+  if (const auto region = place.find("region")) r.region = read_region(*region);
+  if (const auto t = place.find("tolerance")) r.tolerance = t->number(kMinTolerance, kMaxLength);
+  if (const auto weight = place.find("weight")) r.weight = weight->number(0, kMaxWeight);
+}
+
+void read_kind(const JsonPlace& place, RelationKind kind, bool next_to, const ProblemNames& names,
+               Arrangement& out) {
+  expect_keys(place, kind, next_to);
+  Relation relation = with_defaults(kind);
+  read_values(place, names, relation);
+  const bool turns = kind == RelationKind::Facing || kind == RelationKind::Away;
+  if (turns && relation.b.empty() != relation.point.has_value())
+    place.fail("accepted: either \"b\" or \"point\"");
+  const bool has_point = relation.point.has_value(), has_axis = place.find("axis").has_value();
+  const bool has_plane = has_point && has_axis, has_part = has_point || has_axis;
+  if (kind == RelationKind::Symmetric && (relation.about.empty() ? !has_plane : has_part))
+    place.fail("accepted: either \"about\" an object, or \"point\" and \"axis\"");
+  for (const std::string& a : names.subjects(place.at("a"), relation.b)) {
+    if (a == relation.b) place.at("b").refuse("another object than a");
+    relation.a = a;
+    out.relations.push_back(relation);
+    if (out.relations.size() > kMaxRelations)
+      place.fail("with this there are more than " + std::to_string(kMaxRelations) +
+                 " relations; accepted: fewer");
+  }
+}
+
+void read_keep(const JsonPlace& place, const ProblemNames& names, Arrangement& out) {
+  place.expect_object({"is", "a", "distance"}, {"except"});
+  KeepApart keep;
+  keep.things = names.listed(place.at("a"));
+  keep.distance = place.at("distance").number(0, kMaxLength);
+  if (const auto except = place.find("except"))
+    for (const JsonPlace& item : except->items()) {
+      const auto both = item.items();
+      if (both.size() != 2) item.refuse("two names or patterns");
+      for (const std::string& a : names.matching(both[0]))
+        for (const std::string& b : names.matching(both[1]))
+          if (a != b) keep.except.emplace_back(std::min(a, b), std::max(a, b));
+    }
+  out.keeps.push_back(std::move(keep));
+}
+
+}  // namespace
+
+Vec2 read_point(const JsonPlace& place) {
+  const auto p = place.numbers(2, -kMaxLength, kMaxLength);
+  return {p[0], p[1]};
+}
+
+int read_level(const JsonPlace& place) {
+  if (place.value() == "top") return -1;
+  if (place.value() == "bottom") return 0;
+  if (place.value().is_number_integer() && std::abs(place.number()) <= kMaxLevel)
+    return place.value().get<int>();
+  place.refuse(
+      "\"top\", \"bottom\", or a number as trivet info --surfaces has them, from above if "
+      "negative");
 }
 
 Relation with_defaults(RelationKind kind) {
@@ -120,6 +193,7 @@ Relation with_defaults(RelationKind kind) {
       break;
     case RelationKind::Centred:
     case RelationKind::At:
+    case RelationKind::Symmetric:
       out.tolerance = 0.01;
       break;
     default:
@@ -128,105 +202,12 @@ Relation with_defaults(RelationKind kind) {
   return out;
 }
 
-void read_gap(const JsonPlace& place, Relation& r) {
-  const auto both = place.numbers(2, 0, kMaxLength);
-  if (both[0] > both[1]) place.refuse("[least, most] with the least first");
-  r.lower = both[0], r.upper = both[1];
-}
-
-void read_values(const JsonPlace& place, const ProblemNames& names, Relation& r) {
-  if (const auto b = place.find("b"))
-    r.b = r.kind == RelationKind::On ? names.one_or_floor(*b) : names.one(*b);
-  if (const auto level = place.find("level")) r.level = read_level(*level);
-  if (const auto side = place.find("side")) r.side = read_side(*side);
-  if (const auto gap = place.find("gap")) read_gap(*gap, r);
-  if (const auto d = place.find("distance")) r.upper = d->number(0, kMaxLength);
-  if (const auto overlap = place.find("overlap")) r.overlap = overlap->number(0, 1);
-  if (const auto along = place.find("along")) read_along(*along, r);
-  if (const auto offset = place.find("offset")) r.offset = read_point(*offset);
-  if (const auto point = place.find("point")) r.point = read_point(*point);
-  if (const auto region = place.find("region")) r.region = read_region(*region);
-  if (const auto t = place.find("tolerance")) r.tolerance = t->number(kMinTolerance, kMaxLength);
-  if (const auto weight = place.find("weight")) r.weight = weight->number(0, kMaxWeight);
-}
-
-void read_kind(const JsonPlace& place, RelationKind kind, bool next_to, const ProblemNames& names,
-               Arrangement& out) {
-  expect_keys(place, kind, next_to);
-  Relation relation = with_defaults(kind);
-  read_values(place, names, relation);
-  const bool turns = kind == RelationKind::Facing || kind == RelationKind::Away;
-  if (turns && relation.b.empty() != relation.point.has_value())
-    place.fail("accepted: either \"b\" or \"point\"");
-  for (const std::string& a : names.subjects(place.at("a"), relation.b)) {
-    if (a == relation.b) place.at("b").refuse("another object than a");
-    relation.a = a;
-    out.relations.push_back(relation);
-    if (out.relations.size() > kMaxRelations)
-      place.fail("with this there are more than " + std::to_string(kMaxRelations) +
-                 " relations; accepted: fewer");
-  }
-}
-
-Pattern::Align read_align(const JsonPlace& place, const std::vector<std::string>& accepted) {
-  std::string list;
-  for (size_t i = 0; i < accepted.size(); ++i) {
-    if (place.value() == accepted[i]) return static_cast<Pattern::Align>(i);
-    list += (list.empty() ? "\"" : ", \"") + accepted[i] + "\"";
-  }
-  place.refuse("one of " + list);
-}
-
-void read_pattern(const JsonPlace& place, bool grid, const ProblemNames& names, Arrangement& out) {
-  if (grid)
-    place.expect_object({"is", "of", "on"},
-                        {"level", "gap", "align", "across", "inset", "order", "columns"});
-  else
-    place.expect_object({"is", "of", "on"}, {"level", "gap", "align", "across", "inset", "order"});
-  Pattern pattern;
-  pattern.kind = grid ? Pattern::Kind::Grid : Pattern::Kind::Row;
-  pattern.things = names.listed(place.at("of"));
-  pattern.on = names.one(place.at("on"));
-  if (const auto level = place.find("level")) pattern.level = read_level(*level);
-  if (const auto gap = place.find("gap")) pattern.gap = gap->number(0, kMaxLength);
-  if (const auto align = place.find("align"))
-    pattern.align = read_align(*align, {"left", "centre", "right", "spread"});
-  if (const auto across = place.find("across"))
-    pattern.across = read_align(*across, {"front", "centre", "back"});
-  if (const auto inset = place.find("inset")) pattern.inset = inset->number(0, kMaxLength);
-  if (const auto order = place.find("order")) {
-    if (order->value() != "listed" && order->value() != "any")
-      order->refuse("\"listed\" or \"any\"");
-    pattern.shuffled = order->value() == "any";
-  }
-  read_count(place, "columns", 1, kMaxColumns, pattern.columns);
-  out.patterns.push_back(std::move(pattern));
-}
-
-void read_keep(const JsonPlace& place, const ProblemNames& names, Arrangement& out) {
-  place.expect_object({"is", "a", "distance"}, {"except"});
-  KeepApart keep;
-  keep.things = names.listed(place.at("a"));
-  keep.distance = place.at("distance").number(0, kMaxLength);
-  if (const auto except = place.find("except"))
-    for (const JsonPlace& item : except->items()) {
-      const auto both = item.items();
-      if (both.size() != 2) item.refuse("two names or patterns");
-      for (const std::string& a : names.matching(both[0]))
-        for (const std::string& b : names.matching(both[1]))
-          if (a != b) keep.except.emplace_back(std::min(a, b), std::max(a, b));
-    }
-  out.keeps.push_back(std::move(keep));
-}
-
-}  // namespace
-
 void read_relation(const JsonPlace& place, const ProblemNames& names, Arrangement& out) {
   const std::string is = place.at("is").text();
-  if (is == "row" || is == "grid") return read_pattern(place, is == "grid", names, out);
+  if (read_pattern(place, is, names, out)) return;
   if (is == "keep") return read_keep(place, names, out);
   if (is == "next_to") return read_kind(place, RelationKind::Near, true, names, out);
-  std::vector<std::string> known{"next_to", "row", "grid", "keep"};
+  std::vector<std::string> known{"next_to", "row", "grid", "circle", "facings", "stack", "keep"};
   for (const RelationKind kind : all_kinds()) {
     if (is == to_string(kind)) return read_kind(place, kind, false, names, out);
     known.emplace_back(to_string(kind));

@@ -10,6 +10,18 @@ namespace trivet {
 /// @throws Error (BadInput) with the place, the value and what is accepted.
 void read_relation(const JsonPlace& place, const ProblemNames& names, Arrangement& out);
 
+/// An entry of patterns; false: it is none.
+bool read_pattern(const JsonPlace& place, const std::string& is, const ProblemNames& names,
+                  Arrangement& out);
+
+/// [x, y] in metres.
+Vec2 read_point(const JsonPlace& place);
+/// "top", "bottom" or a number.
+int read_level(const JsonPlace& place);
+Relation with_defaults(RelationKind kind);
+
+inline constexpr double kMinTolerance = 1e-5;
+
 /// A whole number at a key that may be missing.
 void read_count(const JsonPlace& place, const char* key, int lower, int upper, int& out);
 

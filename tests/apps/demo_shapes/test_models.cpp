@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -59,6 +60,24 @@ const std::map<std::string, Expected>& expectations() {
       {"pen", {250, 400, {.13, .01, .01}, {.15, .013, .014}, 3}},
       {"waste_basket", {800, 1200, {.27, .27, .24}, {.3, .3, .26}}},
       {"plant", {1800, 2600, {.28, .28, .3}, {.36, .36, .4}, 16}},
+      {"wall", {12, 12, {3.19, .11, 2.09}, {3.21, .13, 2.11}}},
+      {"shop_shelf", {80, 120, {.93, .39, 1.71}, {.95, .41, 1.73}, 8}},
+      {"can_red", {250, 350, {.073, .073, .109}, {.075, .075, .111}}},
+      {"can_green", {250, 350, {.073, .073, .109}, {.075, .075, .111}}},
+      {"tin", {250, 350, {.083, .083, .044}, {.085, .085, .046}}},
+      {"carton", {12, 12, {.069, .069, .204}, {.071, .071, .206}}},
+      {"cereal", {12, 12, {.189, .064, .284}, {.191, .066, .286}}},
+      {"soap", {12, 12, {.084, .054, .034}, {.086, .056, .036}}},
+      {"jar", {350, 500, {.068, .068, .107}, {.07, .07, .109}}},
+      {"bottle", {450, 650, {.074, .074, .255}, {.076, .076, .257}}},
+      {"workbench", {72, 72, {1.49, .63, .879}, {1.51, .65, .881}, 6}},
+      {"parts_bin", {60, 60, {.299, .219, .089}, {.301, .221, .091}, 5}},
+      {"bolt", {80, 120, {.044, .018, .016}, {.046, .02, .018}, 2}},
+      {"nut", {40, 60, {.018, .016, .0079}, {.02, .018, .0081}}},
+      {"bracket", {24, 24, {.039, .024, .034}, {.041, .026, .036}, 2}},
+      {"hammer", {60, 90, {.28, .109, .027}, {.29, .111, .029}, 2}},
+      {"screwdriver", {120, 180, {.2, .028, .028}, {.204, .03, .03}}},
+      {"toolbox", {48, 48, {.39, .17, .21}, {.41, .19, .22}, 4}},
   };
   return table;
 }
@@ -245,6 +264,13 @@ TEST(Models, HaveFlatDeskTopAndBoards) {
     }
     EXPECT_GE(num_on_board, 4) << board;
     EXPECT_EQ(num_above, 0) << board;
+  }
+  EXPECT_NEAR(make_workbench().mesh.box().upper.z(), kBenchHeight, kGrid);
+  const Model shelf = make_shop_shelf();
+  for (const double board : kShopBoards) {
+    const auto is_on = [&](const Vec3& p) { return std::abs(p.z() - board) < kGrid; };
+    const auto& all = shelf.mesh.vertices;
+    EXPECT_GE(std::count_if(all.begin(), all.end(), is_on), 4) << board;
   }
 }
 

@@ -1,10 +1,14 @@
 // Scenes and arrangements of boxes for the tests.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <string>
 
 #include "core/scene/transaction.h"
 #include "ops/arrange/arrange.h"
+#include "ops/check/check.h"
+#include "ops/stability/stability.h"
 #include "support/solids.h"
 
 namespace trivet::test {
@@ -71,6 +75,18 @@ inline Triangles tray(double length, double width) {
     out = joined(joined(out, box_between(a, b)), box_between(c, d));
   }
   return out;
+}
+
+// All that a finished scene must be, by programs of their own.
+inline void expect_true(Stage& stage, const ArrangeResult& result) {
+  ASSERT_TRUE(result.ok()) << result.reason();
+  EXPECT_EQ(result.placed.size(), stage.arrangement.things.size());
+  EXPECT_TRUE(stage.scene.is_consistent());
+  const SceneCheck check = check_scene(stage.scene, 1);
+  EXPECT_TRUE(check.ok());
+  EXPECT_TRUE(stability(stage.scene).stable());
+  for (const ArrangeResult::Holds& r : result.relations)
+    EXPECT_LE(r.hard ? r.cost : 0, 1) << r.relation;
 }
 
 }  // namespace trivet::test

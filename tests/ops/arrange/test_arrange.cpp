@@ -9,14 +9,13 @@
 #include "core/contact/first_contact.h"
 #include "ops/arrange/arrange_testing.h"
 #include "ops/arrange/relations.h"
-#include "ops/check/check.h"
 #include "ops/detect/detector.h"
 #include "ops/place/distance_query.h"
-#include "ops/stability/stability.h"
 
 namespace trivet {
 namespace {
 
+using test::expect_true;
 using test::Stage;
 
 std::uint64_t state_of(const Scene& scene) {
@@ -30,18 +29,6 @@ std::uint64_t state_of(const Scene& scene) {
       hash.add(v);
   }
   return hash.value();
-}
-
-// All that a finished scene must be, by programs of their own.
-void expect_true(Stage& stage, const ArrangeResult& result) {
-  ASSERT_TRUE(result.ok()) << result.reason();
-  EXPECT_EQ(result.placed.size(), stage.arrangement.things.size());
-  EXPECT_TRUE(stage.scene.is_consistent());
-  const SceneCheck check = check_scene(stage.scene, 1);
-  EXPECT_TRUE(check.ok());
-  EXPECT_TRUE(stability(stage.scene).stable());
-  for (const ArrangeResult::Holds& r : result.relations)
-    EXPECT_LE(r.hard ? r.cost : 0, 1) << r.relation;
 }
 
 Pattern& add_grid(Stage& stage, int count) {

@@ -77,6 +77,14 @@ TEST(ConvexRegion, DistanceIsThatOfNearestPoints) {
     const auto b = random_polygon(random, Vec2(random.uniform(-1.5, 1.5), random.uniform(-1, 1)));
     const double d = distance(a, b);
     EXPECT_EQ(d, distance(b, a));
+    for (const double enough : {0.1, 0.5, 2.0}) {
+      const double bounded = distance(a, b, enough);
+      EXPECT_GE(bounded, d);
+      EXPECT_EQ(bounded <= enough, d <= enough);
+      if (d > enough) {
+        EXPECT_EQ(bounded, d);
+      }
+    }
     double sampled = kInfinity;
     for (size_t s = 0; s < a.size(); ++s)
       for (size_t t = 0; t < b.size(); ++t)

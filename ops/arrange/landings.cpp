@@ -1,0 +1,108 @@
+// Ways down for a thing: onto a level, into a container, from above onto all that is open.
+#include <algorithm>
+
+#include "core/base/quoted.h"
+#include "ops/arrange/world.h"
+#include "ops/operations/moving_group.h"
+
+namespace trivet {
+namespace {
+
+constexpr double kAboveClearances = 4;  // of a start, in clearances
+constexpr double kAboveSurface = 2e-3;  // of a start below something else, metres at most
+constexpr double kAboveLevel = 1e-3;    // of what is not on the level below, metres
+
+}  // namespace
+
+const SupportSurface* surface_at(const std::vector<SupportSurface>& surfaces, int level) {
+  const int count = static_cast<int>(surfaces.size());
+  const int index = level < 0 ? count + level : level;
+  return index < 0 || index >= count ? nullptr : &surfaces[index];
+}
+
+std::optional<Landing> landing_on(const Scene& scene, ObjectId support,
+                                  const std::vector<SupportSurface>& surfaces,
+                                  const SupportSurface& surface, double height, double clearance) {
+  Landing out;
+  out.supports = {support};
+  out.lower = surface.lower, out.upper = surface.upper;
+  for (const SupportSurface& other : surfaces)
+    if (other.highest < surface.lowest)
+      out.lowest = std::max(out.lowest.value_or(-kInfinity), other.highest + kAboveLevel);
+  const double above = kAboveClearances * clearance;
+  if (surface.head_room < kInfinity) {
+    const double left = surface.head_room - (surface.highest - surface.height) - height;
+    if (left < 2 * above) return std::nullopt;
+    out.start_z = surface.highest + std::min(0.5 * left, kAboveSurface);
+  } else {
+    out.start_z = scene.world_box(support).upper.z() + above;
+  }
+  return out;
+}
+
+namespace {
+
+Landing landing_in(const Scene& scene, ObjectId container, double clearance) {
+  Landing out;
+  const Aabb box = scene.world_box(container);
+  out.lower = box.lower.head<2>(), out.upper = box.upper.head<2>();
+  double top = box.upper.z();
+  for (const ObjectId id : carried_with(scene, container)) {
+    out.supports.emplace_back(id);
+    top = std::max(top, scene.world_box(id).upper.z());
+  }
+  out.start_z = top + kAboveClearances * clearance;
+  return out;
+}
+
+// Above all, onto whatever is open from above.
+Landing landing_from_above(const Scene& scene, ObjectId support, double clearance) {
+  Landing out;
+  const Aabb box = scene.world_box(support);
+  out.supports = {support};
+  out.lower = box.lower.head<2>(), out.upper = box.upper.head<2>();
+  out.start_z = box.upper.z() + kAboveClearances * clearance;
+  return out;
+}
+
+}  // namespace
+
+std::vector<Landing> World::landings(const ThingModel& thing, double height,
+                                     std::string& why_none) const {
+  const Relation* support = support_of(thing);
+  const double clearance = this->clearance(thing);
+  std::vector<Landing> out;
+  if (!support || support->b == "floor") {
+    if (!scene().floor) {
+      why_none = "there is no floor";
+      return {};
+    }
+    Landing landing;
+    landing.supports = {Support::floor()};
+    landing.start_z = kAboveClearances * clearance;
+    landing.lower = Vec2::Constant(-kInfinity), landing.upper = Vec2::Constant(kInfinity);
+    out.push_back(landing);
+    return out;
+  }
+  const ObjectId id = *scene().find(support->b);
+  if (support->kind == RelationKind::In) return {landing_in(scene(), id, clearance)};
+  const std::vector<SupportSurface> surfaces = this->surfaces(support->b);
+  const auto add = [&](const SupportSurface& surface) {
+    if (auto landing = landing_on(scene(), id, surfaces, surface, height, clearance))
+      out.push_back(std::move(*landing));
+  };
+  if (support->level) {
+    const SupportSurface* surface = surface_at(surfaces, *support->level);
+    why_none = surface ? "the head room there is less than its height"
+                       : quoted(support->b) + " has " + std::to_string(surfaces.size()) +
+                             " surfaces, none of which is " + std::to_string(*support->level);
+    if (surface) add(*surface);
+    return out;
+  }
+  out.push_back(landing_from_above(scene(), id, clearance));
+  for (const SupportSurface& surface : surfaces)
+    if (surface.head_room < kInfinity) add(surface);
+  return out;
+}
+
+}  // namespace trivet

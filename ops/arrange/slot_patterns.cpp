@@ -1,0 +1,150 @@
+// Rows, grids, circles and facings in the room that a surface leaves.
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/quoted.h"
+#include "ops/arrange/slot_search.h"
+
+namespace trivet {
+namespace {
+
+constexpr double kMostCells = 10'000;  // along an axis
+constexpr double kFits = 1e-9;         // metres by which a length may be short: rounding
+
+// Start of something of this length in a room. @param inset  from the end it is aligned to.
+double begin(const Room& room, double length, Pattern::Align align, double inset) {
+  switch (align) {
+    case Pattern::Align::Left:
+      return room.lower + inset;
+    case Pattern::Align::Right:
+      return room.upper - inset - length;
+    default:
+      return 0.5 * (room.lower + room.upper - length);
+  }
+}
+
+int count_in(double length, double size, double gap) {
+  return static_cast<int>(std::min(std::floor((length + gap + kFits) / (size + gap)), kMostCells));
+}
+
+}  // namespace
+
+void SlotSearch::place_row() {
+  double total = m_gap * double(m_members.size() - 1), depth = 0;
+  for (const Member& member : m_members) {
+    total += member.width;
+    depth = std::max(depth, member.depth);
+  }
+  if (total > m_along.length() + kFits)
+    return fail("with gaps they are", total, "wide, there is room for", m_along.length());
+  if (depth > m_across.length() + kFits)
+    return fail("the deepest of them is", depth, "deep, there is room for", m_across.length());
+  const bool spread = m_pattern.align == Pattern::Align::Spread && m_members.size() > 1;
+  const double gap =
+      m_gap + (spread ? (m_along.length() - total) / double(m_members.size() - 1) : 0);
+  double at = spread ? m_along.lower : begin(m_along, total, m_pattern.align, 0);
+  for (const Member& member : m_members) {
+    add(member, at, begin(m_across, member.depth, m_pattern.across, m_pattern.inset));
+    at += member.width + gap;
+  }
+}
+
+void SlotSearch::place_grid() {
+  double width = 0, depth = 0;
+  for (const Member& member : m_members) {
+    width = std::max(width, member.width);
+    depth = std::max(depth, member.depth);
+  }
+  const int num = static_cast<int>(m_members.size());
+  int columns = count_in(m_along.length(), width, m_gap);
+  const int rows = count_in(m_across.length(), depth, m_gap);
+  if (m_pattern.columns > 0) columns = std::min(columns, m_pattern.columns);
+  if (columns * rows < num) {
+    char text[256];
+    std::snprintf(text, sizeof(text),
+                  "there is room for %d by %d of %.9g x %.9g m with gaps of %.9g m, in %.9g x "
+                  "%.9g m",
+                  columns, rows, width, depth, m_gap, m_along.length(), m_across.length());
+    m_out.why_not = m_pattern.text() + " does not fit: " + text;
+    return;
+  }
+  const int used = (num + columns - 1) / columns;
+  const double x = begin(m_along, columns * (width + m_gap) - m_gap, m_pattern.align, 0);
+  const double y =
+      begin(m_across, used * (depth + m_gap) - m_gap, m_pattern.across, m_pattern.inset);
+  for (int i = 0; i < num; ++i) {
+    const int column = i % columns, row = i / columns;
+    add(m_members[i], x + column * (width + m_gap) + 0.5 * (width - m_members[i].width),
+        y + row * (depth + m_gap) + 0.5 * (depth - m_members[i].depth));
+  }
+}
+
+// Around the middle, counter-clockwise, at equal angles.
+void SlotSearch::place_circle() {
+  const Vec2 middle = m_pattern.middle.value_or(m_middle);
+  const double step = 360.0 / double(m_members.size());
+  std::vector<std::vector<Vec2>> hulls;
+  hulls.reserve(m_members.size());
+  for (size_t i = 0; i < m_members.size(); ++i) {
+    const Mat3 turn = turned_about_z(m_pattern.start_deg + step * double(i)).matrix();
+    const Vec2 out = turn.topLeftCorner<2, 2>() * m_on.right();
+    const Member member = member_of(m_members[i].thing, m_pattern.outwards ? out : Vec2(-out));
+    const Vec2 centre = middle + m_pattern.radius * out;
+    add_at(member, centre);
+    hulls.push_back(moved(member.outline, centre - member.outline.centre).hull);
+  }
+  for (size_t i = 0; i < hulls.size(); ++i)
+    for (size_t j = 0; j < i; ++j)
+      if (const double apart = distance(hulls[i], hulls[j]); apart < m_gap)
+        return fail("neighbours need", m_gap, "between them, there is", apart);
+}
+
+// A block beside the other; in each the first things are in front, in columns.
+void SlotSearch::place_facings() {
+  struct Block {
+    double cell = 0, width = 0, depth = 0;
+  };
+  std::vector<Block> blocks;
+  blocks.reserve(m_pattern.blocks.size());
+  double total = -m_gap;
+  size_t first = 0;
+  for (const Pattern::Block& given : m_pattern.blocks) {
+    Block block;
+    double deepest = 0;
+    for (size_t i = first; i < first + given.count; ++i) {
+      block.cell = std::max(block.cell, m_members[i].width);
+      deepest = std::max(deepest, m_members[i].depth);
+    }
+    const auto wide = static_cast<size_t>(given.wide);
+    const size_t rows = (given.count + wide - 1) / wide;
+    block.width = double(std::min(wide, given.count)) * (block.cell + m_gap) - m_gap;
+    block.depth = deepest;
+    const double depth = double(rows) * (deepest + m_gap) - m_gap;
+    if (depth > m_across.length() - m_pattern.inset + kFits)
+      return fail("a block is", depth, "deep, there is room for",
+                  m_across.length() - m_pattern.inset);
+    total += block.width + m_gap;
+    first += given.count;
+    blocks.push_back(block);
+  }
+  if (total > m_along.length() + kFits)
+    return fail("with gaps they are", total, "wide, there is room for", m_along.length());
+  const bool spread = m_pattern.align == Pattern::Align::Spread && blocks.size() > 1;
+  const double between =
+      m_gap + (spread ? (m_along.length() - total) / double(blocks.size() - 1) : 0);
+  double at = spread ? m_along.lower : begin(m_along, total, m_pattern.align, 0);
+  size_t next = 0;
+  for (size_t b = 0; b < blocks.size(); ++b) {
+    const auto wide = static_cast<size_t>(m_pattern.blocks[b].wide);
+    for (size_t i = 0; i < m_pattern.blocks[b].count; ++i, ++next) {
+      const Member& member = m_members[next];
+      const double x = at + double(i % wide) * (blocks[b].cell + m_gap);
+      const double y =
+          m_across.lower + m_pattern.inset + double(i / wide) * (blocks[b].depth + m_gap);
+      add(member, x + 0.5 * (blocks[b].cell - member.width), y);
+    }
+    at += blocks[b].width + between;
+  }
+}
+
+}  // namespace trivet
