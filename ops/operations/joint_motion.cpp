@@ -34,12 +34,13 @@ constexpr double kLeastJointInertia = 1e-3;  // of a mass of 1, in squares of th
 class JointMotion {
  public:
   JointMotion(Transaction& transaction, const FreeBodies& part, const std::vector<ObjectId>& ids,
-              double clearance, OperationRun& run, const CloseGaps& close)
+              double clearance, OperationRun& run, std::int64_t max_queries, const CloseGaps& close)
       : m_transaction(transaction),
         m_scene(transaction.scene()),
         m_part(part),
         m_clearance(clearance),
         m_run(run),
+        m_max_queries(max_queries),
         m_close(close) {
     m_active.assign(part.bodies.size(), CoulombContact::kGround);
     for (size_t i = 0; i < part.bodies.size(); ++i)
@@ -73,9 +74,13 @@ class JointMotion {
       for (int round = 0; round <= kMaxBlockers; ++round) {
         solve(step);
         if (!(m_motion.duration > 0) || !(predicted() > 0)) return;
-        if (try_groups() || m_num_attempts >= kMaxAttempts || m_run.interrupt.reason()) return;
+        if (try_groups() || has_tried_enough() || m_run.interrupt.reason()) return;
         if (!join_blockers()) break;
       }
+  }
+
+  bool has_tried_enough() const {
+    return m_num_attempts >= kMaxAttempts || m_num_queries >= m_max_queries;
   }
 
   bool try_groups() {
@@ -83,7 +88,7 @@ class JointMotion {
     size_t num_groups = 0;
     for (const double same : kSame) {
       const std::vector<TwistGroup> groups = twist_groups(m_motion, same, kPartingSpeed);
-      if (groups.size() == num_groups || m_num_attempts >= kMaxAttempts) continue;
+      if (groups.size() == num_groups || has_tried_enough()) continue;
       num_groups = groups.size();
       const double least = keep_best(attempt(groups, m_motion.duration));
       if (m_best->is_enough()) return true;
@@ -241,6 +246,7 @@ class JointMotion {
   const FreeBodies& m_part;
   const double m_clearance;
   OperationRun& m_run;
+  const std::int64_t m_max_queries;
   const CloseGaps& m_close;
   std::vector<Index> m_active;  // of the part's bodies: which of m_motion.bodies, or ground
   BeginningMotion m_motion;
@@ -255,8 +261,9 @@ class JointMotion {
 
 JointMotionResult move_jointly(Transaction& transaction, const FreeBodies& part,
                                const std::vector<ObjectId>& ids, double clearance,
-                               OperationRun& run, const CloseGaps& close) {
-  return JointMotion(transaction, part, ids, clearance, run, close).run();
+                               OperationRun& run, std::int64_t max_queries,
+                               const CloseGaps& close) {
+  return JointMotion(transaction, part, ids, clearance, run, max_queries, close).run();
 }
 
 }  // namespace trivet

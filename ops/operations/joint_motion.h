@@ -23,8 +23,9 @@ struct JointMotionResult {
 /// that lowers the bodies by enough, or farthest, is taken; then gaps are closed. Taken back unless
 /// the energy of all falls by enough.
 /// @param part  bodies and contacts. @param ids  those of them that go; the others stand still.
+/// @param max_queries  of first contacts; one attempt may go beyond.
 JointMotionResult move_jointly(Transaction& transaction, const FreeBodies& part,
                                const std::vector<ObjectId>& ids, double clearance,
-                               OperationRun& run, const CloseGaps& close);
+                               OperationRun& run, std::int64_t max_queries, const CloseGaps& close);
 
 }  // namespace trivet

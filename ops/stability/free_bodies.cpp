@@ -91,12 +91,12 @@ FreeBodies near_bodies(const Scene& scene, std::span<const ObjectId> ids, double
   FreeBodies out = bodies_only(scene, ids);
   const BodyIndex index(ids);
   const double tolerance = kBalanceTolerance * clearance;
-  for (Index i = 0; i < static_cast<Index>(ids.size()); ++i)
+  for (Index i = 0; i < static_cast<Index>(ids.size()); ++i) {
+    // Earlier bodies have seen their contacts with this one already.
+    const Neighbourhood later(scene, ids.first(i + 1));
     for (const ContactsWith& c :
-         contacts_with(body_of(scene.at(ids[i])), Neighbourhood(scene, ids[i]), tolerance,
-                       kFootSlack * clearance)) {
+         contacts_with(body_of(scene.at(ids[i])), later, tolerance, kFootSlack * clearance)) {
       const Index from = index.find(c.with);
-      if (from != BodyContact::kGround && from <= i) continue;
       if (from == BodyContact::kGround && c.with.is_object() &&
           !is_ground(c.with.object(), scene.at(c.with.object()))) {
         out.left_out.push_back(c.with.object());
@@ -108,6 +108,7 @@ FreeBodies near_bodies(const Scene& scene, std::span<const ObjectId> ids, double
       for (const ContactPoint& p : all)
         (contains(chosen, p) ? out.touches : out.more).push_back({i, from, c.with, of_pair, p});
     }
+  }
   std::sort(out.left_out.begin(), out.left_out.end(), by_slot);
   out.left_out.erase(std::unique(out.left_out.begin(), out.left_out.end()), out.left_out.end());
   return out;

@@ -364,6 +364,7 @@ TEST(ContactPoints, AreTheSameFromBothSides) {
     const double eps = q.clearance.distance;
     const auto ab = contact_points(a, b, kContactTolerance * eps, kFootSlack * eps);
     std::vector<ContactPoint> turned;
+    turned.reserve(ab.size());
     for (const ContactPoint& p : contact_points(b, a, kContactTolerance * eps, kFootSlack * eps))
       turned.push_back(seen_from_support(p));
     EXPECT_TRUE(same(ab, turned)) << "seed " << kSeed << ", query " << i;
@@ -372,6 +373,7 @@ TEST(ContactPoints, AreTheSameFromBothSides) {
     num_swapped += comes_first(b, a);
     EXPECT_NE(comes_first(a, b), comes_first(b, a));
     std::vector<ContactPoint> of_b;
+    of_b.reserve(ab.size());
     for (const ContactPoint& p : ab) of_b.push_back(seen_from_support(p));
     EXPECT_TRUE(
         same(make_contact(ab, a, &b, eps), seen_from_support(make_contact(of_b, b, &a, eps))))
