@@ -14,7 +14,7 @@ std::uint8_t colour_byte(float x, bool srgb) {
   const float y = !srgb                ? held
                   : held <= 0.0031308f ? 12.92f * held
                                        : 1.055f * std::pow(held, 1 / 2.4f) - 0.055f;
-  return static_cast<std::uint8_t>(y * 255 + 0.5f);
+  return static_cast<std::uint8_t>(std::lround(y * 255));
 }
 
 // The last level of a texture is a single texel, the mean of all.
