@@ -92,12 +92,12 @@ bool is_one_of(const std::optional<Picked>& picked, const std::vector<ObjectId>&
 std::optional<Picked> pick_near(const SceneSnapshot& scene, const View& view, const Vec2& px,
                                 const std::vector<ObjectId>& except) {
   const NearPick near(scene, view, except);
-  const auto exact = near.at(px);
+  auto exact = near.at(px);
   const bool on_object = exact && exact->object;
   for (const double radius : kRingsPx)
     for (const Vec2& aside : ring(radius, 8)) {
       if (on_object && radius > kNearestPx) return exact;
-      const auto seen = near.at(px + aside);
+      auto seen = near.at(px + aside);
       if (!seen || !seen->object || (on_object && seen->object == exact->object)) continue;
       if (!on_object || near.is_thin(*seen->object, px + aside)) return seen;
     }
@@ -108,12 +108,12 @@ std::optional<Picked> pick_to_drag(const SceneSnapshot& scene, const View& view,
                                    const std::vector<ObjectId>& selected,
                                    const std::vector<ObjectId>& except) {
   const NearPick near(scene, view, except);
-  const auto exact = near.at(px);
+  auto exact = near.at(px);
   if (is_one_of(exact, selected)) return exact;
   std::optional<Picked> beside;
   for (const double radius : kRingsPx)
     for (const Vec2& aside : ring(radius, 8)) {
-      const auto seen = near.at(px + aside);
+      auto seen = near.at(px + aside);
       if (is_one_of(seen, selected) && gives_way(scene, exact, *seen->object)) return seen;
       if (!beside && seen && seen->object) beside = seen;
     }
