@@ -104,6 +104,7 @@ ArrangedDemo make_workshop() {
       const std::string name = model + std::string("_") + std::to_string(i);
       w.add(name, model, {{"pose", "free"}});
       w.relate("in", name, "bin");
+      w.relate("centred", name, "bin", {{"tolerance", 0.075}});  // off the rim
     }
   w.add("toolbox", "toolbox");
   w.relate("on", "toolbox", "bench", {{"level", "top"}});
@@ -130,6 +131,9 @@ ArrangedDemo make_workshop() {
                   {"inset", 0.02}});
   w.add("basket", "waste_basket");
   w.relate("right_of", "basket", "bench", {{"gap", {0.05, 0.3}}});
+  for (const char* whole : {"bin", "toolbox"})
+    w.relate("within", whole, "",
+             {{"region", {{-0.74, -0.31}, {0.74, -0.31}, {0.74, 0.31}, {-0.74, 0.31}}}});
   w.add_zone("bench", "work", Vec3(-0.5, -0.9, 0.05), Vec3(0.5, -0.33, 1.8));
   return w.take();
 }
