@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# From a fresh Debian 12 to a breakfast table: installs missing packages, builds the program (no editor,
-# no CAD formats) and lays out a demo, by default BREAKFAST.
+# From a fresh Debian 12 to a breakfast table: installs missing packages, builds the program (no editor, server,
+# Python or CAD formats) and lays out a demo, by default BREAKFAST.
 #   apps/demo.sh [spoon-saucer|breakfast|office1|office2]
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -8,7 +8,7 @@ demo="${1:-breakfast}"
 
 .ci/install-packages.sh build
 TRIVET_TARGET="trivet trivet-import" .ci/build.sh release \
-  -DTRIVET_TESTS=OFF -DTRIVET_EDITOR=OFF -DTRIVET_OCCT=OFF
+  -DTRIVET_TESTS=OFF -DTRIVET_EDITOR=OFF -DTRIVET_OCCT=OFF -DTRIVET_SERVE=OFF -DTRIVET_PYTHON=OFF
 mkdir -p out
 build/release/apps/trivet demo "$demo" -o "out/$demo.glb" --report "out/$demo.json" \
   --picture "out/$demo.png"
