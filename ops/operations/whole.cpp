@@ -55,10 +55,18 @@ class Whole {
  private:
   bool stopped() const { return m_run.interrupt.reason().has_value(); }
 
-  PartVerdict judge() const {
+  // All together; and if they stand, each by its own contacts: the part counts what is some
+  // clearances away as a contact, which may be all that holds an object.
+  PartVerdict judge() {
     const std::vector<ObjectId> changed = touched();
-    return judge_parts(m_scene, connected_with(m_scene, changed), changed, m_clearance,
-                       kMaxProgramObjects);
+    PartVerdict verdict = judge_parts(m_scene, connected_with(m_scene, changed), changed,
+                                      m_clearance, kMaxProgramObjects);
+    if (!verdict.stands || m_run.is_trial) return verdict;
+    judge_each();
+    for (const std::string& name : m_result.unsupported)
+      if (const auto id = m_scene.find(name); id && may_move(*id)) verdict.topples.push_back(*id);
+    verdict.stands = verdict.topples.empty();
+    return verdict;
   }
 
   std::vector<ObjectId> parts() const { return connected_with(m_scene, touched()); }
@@ -174,8 +182,6 @@ class Whole {
   }
 
   void note_who_gave_way() {
-    if (m_before.empty()) return;
-    judge_each();
     for (const ObjectId id : m_scene.ids()) {
       const auto before = m_before.find(id.index);
       if (before == m_before.end()) continue;
@@ -189,15 +195,12 @@ class Whole {
       if (object.name != m_object.name && (moved > 0 || turned > 0))
         m_result.gave_way.push_back({object.name, moved, turned});
     }
-    std::erase_if(m_result.unsupported, [&](const std::string& name) {
-      const auto id = m_scene.find(name);
-      return id && m_scene.at(*id).state != ObjectState::Unsupported;
-    });
   }
 
-  // Rest of each that was touched, or leant on what has moved.
+  // Rest of each that was touched, or leant on what gave way.
   void judge_each() {
-    std::vector<ObjectId> ids = touched();
+    std::vector<ObjectId> ids;
+    if (!m_before.empty()) ids = touched();
     for (const auto& [slot, before] : m_before) {
       const Body was = body_of(m_scene.at(before.id), before.pose);
       const std::vector<ObjectId> leaning = m_scene.leaning_near(was.world_box);
@@ -207,6 +210,10 @@ class Whole {
     ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
     for (const ObjectId id : ids)
       if (may_move(id)) rate_left_alone(m_transaction, id, m_rules, m_result);
+    std::erase_if(m_result.unsupported, [&](const std::string& name) {
+      const auto id = m_scene.find(name);
+      return id && m_scene.at(*id).state != ObjectState::Unsupported;
+    });
   }
 
   static double angle_deg(const Rotation& r) {

@@ -177,7 +177,7 @@ class Animation(Case):
         self.refused(*run, "f.gltf", says=["f.gltf", ".glb"])
         self.refused(*run, "s.glb", says="s.glb")
         self.refused(*run, "cube.obj", says="cube.obj")
-        self.refused(*run, "missing/f.glb", says="missing/f.glb", status=3)
+        self.refused(*run, "/proc/missing/f.glb", says="/proc/missing/f.glb", status=3)
         self.trivet("run", "layout.json", "-o", "room.glb")
         self.write("in.json", json.dumps({"trivet": 1, "scene": "room.glb", "objects": [{"name": "a"}], "operations": []}))
         self.refused("run", "in.json", "-o", "o.glb", "--animation", "f.glb", says=["--animation", "layouts of models"])

@@ -131,12 +131,16 @@ class BadLayouts(Case):
         self.check_text(json.dumps({"trivet": 1, "objects": [SLAB],
                                     "operations": [{"op": "throw", "object": "slab"}]}),
                         '/operations/0/op: "throw" is not accepted; accepted: "put", "push"')
-        for op, key in (("push", "direction"), ("turn", "angle_deg"), ("pick_up", "distance"),
+        for op, key in (("turn", "angle_deg"), ("pick_up", "distance"),
                         ("translate", "by"), ("rotate", "axis"), ("append", "model"),
                         ("duplicate", "as"), ("group", "group")):
             self.check_text(json.dumps({"trivet": 1, "objects": [SLAB],
                                         "operations": [{"op": op, "object": "slab"}]}),
                             '/operations/0: the key "%s" is missing' % key)
+        for op, what in (("push", "target"), ("put", "place")):
+            self.check_text(json.dumps({"trivet": 1, "objects": [SLAB],
+                                        "operations": [{"op": op, "object": "slab"}]}),
+                            '/operations/0: a %s is missing' % what)
         self.check_text(json.dumps({"trivet": 1, "objects": [SLAB],
                                     "operations": [put("spoon", 0, 0, 1)]}),
                         '/operations/0/object: "spoon" is not accepted')

@@ -46,8 +46,19 @@ TEST_F(AtomicFile, KeepsModeAndLinks) {
   EXPECT_EQ(static_cast<int>(std::filesystem::status(path("real")).permissions()), 0640);
 }
 
-TEST_F(AtomicFile, ReportsMissingFolder) {
-  expect_parts(refusal(path("none/f")), {path("none/f"), "No such file or directory"});
+TEST_F(AtomicFile, MakesMissingFolders) {
+  write_file_atomically(path("none/at/all/f"), "new");
+  EXPECT_EQ(read_bytes(path("none/at/all/f")), "new");
+}
+
+TEST_F(AtomicFile, LeavesNoFolderOfWhatFails) {
+  const auto fail = [](const ByteSink&) { throw Error(Error::Kind::Environment, "no more"); };
+  EXPECT_THROW(write_file_atomically(path("none/f"), fail), Error);
+  EXPECT_EQ(num_files(), 0);
+}
+
+TEST_F(AtomicFile, ReportsFoldersThatCannotBeMade) {
+  expect_parts(refusal("/proc/none/f"), {"/proc/none", "cannot be made"});
   expect_parts(refusal(""), {"cannot be written"});
 }
 

@@ -48,11 +48,11 @@ TEST(Png, WritesAtomically) {
   const std::string bytes((std::istreambuf_iterator<char>(file)), {});
   EXPECT_EQ(decode(bytes), image.rgba);
   try {
-    write_png(image, (folder / "missing" / "picture.png").string());
-    ADD_FAILURE() << "written into a folder that does not exist";
+    write_png(image, (folder / "picture.png" / "picture.png").string());
+    ADD_FAILURE() << "written into a file as if it were a folder";
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), Error::Kind::Environment);
-    EXPECT_NE(std::string(error.what()).find("missing"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("picture.png/picture.png"), std::string::npos);
   }
   std::filesystem::remove_all(folder);
 }
