@@ -138,9 +138,9 @@ void SlotSearch::place_facings() {
     const auto wide = static_cast<size_t>(m_pattern.blocks[b].wide);
     for (size_t i = 0; i < m_pattern.blocks[b].count; ++i, ++next) {
       const Member& member = m_members[next];
-      const double x = at + double(i % wide) * (blocks[b].cell + m_gap);
-      const double y =
-          m_across.lower + m_pattern.inset + double(i / wide) * (blocks[b].depth + m_gap);
+      const size_t column = i % wide, row = i / wide;
+      const double x = at + double(column) * (blocks[b].cell + m_gap);
+      const double y = m_across.lower + m_pattern.inset + double(row) * (blocks[b].depth + m_gap);
       add(member, x + 0.5 * (blocks[b].cell - member.width), y);
     }
     at += blocks[b].width + between;
