@@ -234,7 +234,7 @@ class Document : public QObject {
   };
   friend class Engine;
   Job start(const std::string& what, std::function<bool(Engine&)> work);
-  void steer(DragGoal goal);
+  void steer(const DragGoal& goal);
   void end(Job job, bool ok);
   void show(State state);
   void forget_scene();

@@ -13,7 +13,7 @@ void Document::begin_drag(const Operation& operation) {
   m_engine->begin_drag(++m_drag, operation);
 }
 
-void Document::steer(DragGoal goal) {
+void Document::steer(const DragGoal& goal) {
   if (m_dragging) m_engine->steer(goal);
 }
 
