@@ -82,15 +82,10 @@ class HelpFormatter : public CLI::Formatter {
     for (std::string paragraph; std::getline(paragraphs, paragraph);)
       for (const std::string& line : wrapped(paragraph, kWidth)) out += line + "\n";
     out += make_usage(app, name) + make_positionals(app);
-    std::vector<std::string> groups = app->get_groups();
+    for (const std::string& group : app->get_groups())
+      if (group != kCommonGroup) out += group_text(app, group);
     // Options of every verb say least about this one.
-    std::stable_partition(groups.begin(), groups.end(),
-                          [](const std::string& group) { return group != kCommonGroup; });
-    for (const std::string& group : groups) {
-      if (group == kCommonGroup) out += make_subcommands(app, mode);
-      out += group_text(app, group);
-    }
-    return out + make_footer(app);
+    return out + make_subcommands(app, mode) + group_text(app, kCommonGroup) + make_footer(app);
   }
 
   std::string make_subcommand(const CLI::App* verb) const override {

@@ -202,7 +202,7 @@ class ConflictSearch {
     for (Constraint& constraint : m_constraints) constraint.mask.resize(count / 64 + 1, 0);
   }
 
-  // What has to be free of what, of the thing and another object; empty: neither has a zone.
+  // Zones to be kept free, of the thing and another object; empty: neither has one.
   std::string zones_text(const std::string& other) const {
     std::string out;
     const auto add = [&](const std::string& text) {

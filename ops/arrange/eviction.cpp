@@ -94,8 +94,8 @@ bool Solver::carries(const std::vector<size_t>& items, size_t thing) const {
   return below >= 0 && std::count(items.begin(), items.end(), static_cast<size_t>(below));
 }
 
-// What the thing's relations refer to, and its support when there is nothing else: these places
-// are no good.
+// Evicts what the thing's relations refer to, and its support when there is nothing else: these
+// places are no good.
 bool Solver::evict_references(size_t item) {
   const size_t thing = m_items[item].things.front();
   std::vector<size_t> things;

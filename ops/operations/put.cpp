@@ -42,4 +42,14 @@ MovePlan plan(const Scene& scene, ObjectId id, const PutOperation& o, OperationR
                  : plan_put_from_start(scene, id, o, run, {});
 }
 
+std::optional<Pose> start_of_put(const Operation& operation, std::span<const SettleStep> steps) {
+  const auto* const put = std::get_if<PutOperation>(&operation);
+  if (!put) return std::nullopt;
+  if (!put->place) return put->start;
+  if (steps.empty() || steps.front().kind != SettleStep::Kind::Fall) return std::nullopt;
+  Pose start = steps.front().pose_after;
+  start.translation.z() += steps.front().energy_drop;
+  return start;
+}
+
 }  // namespace trivet

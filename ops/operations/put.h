@@ -2,6 +2,8 @@
 #pragma once
 
 #include <functional>
+#include <optional>
+#include <span>
 
 #include "ops/operations/move_plan.h"
 
@@ -17,5 +19,10 @@ MovePlan plan_put_from_start(const Scene& scene, ObjectId id, const PutOperation
 /// A PUT that searches for its start: o.place is set.
 MovePlan plan_put_where_free(const Scene& scene, ObjectId id, const PutOperation& o,
                              OperationRun& run);
+
+/// Pose from which a PUT let its object go: if its place was searched for, above the end of the
+/// first fall. @param steps  of its result. @return nothing of other operations, or where no fall
+/// is.
+std::optional<Pose> start_of_put(const Operation& operation, std::span<const SettleStep> steps);
 
 }  // namespace trivet

@@ -63,7 +63,9 @@ class Whole {
                                       m_clearance, kMaxProgramObjects);
     if (!verdict.stands || m_run.is_trial) return verdict;
     judge_each();
-    for (const std::string& name : m_result.unsupported)
+    std::vector<std::string> names = m_result.unsupported;
+    std::sort(names.begin(), names.end());
+    for (const std::string& name : names)
       if (const auto id = m_scene.find(name); id && may_move(*id)) verdict.topples.push_back(*id);
     verdict.stands = verdict.topples.empty();
     return verdict;

@@ -25,7 +25,7 @@ OperationGroup rescaling(const SceneSnapshot& scene, const std::string& name, do
 /// from above, the underside by `drop_height` above its own.
 Pose start_in_place_of(const Object& old, Object there, double drop_height);
 
-/// What a history shows: "rename \"cup\"", "scale \"cup\"", else the step's name.
+/// A step's text in a history: "rename \"cup\"", "scale \"cup\"", else the step's name.
 std::string label_of(const SessionStep& step);
 
 }  // namespace trivet::edit

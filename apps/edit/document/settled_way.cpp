@@ -4,29 +4,16 @@
 
 #include "apps/edit/document/same_pose.h"
 #include "core/motion/pose_interpolation.h"
+#include "ops/operations/put.h"
 
 namespace trivet::edit {
-namespace {
-
-// Start of a PUT or of a move whose result has only its steps.
-std::optional<Pose> start_of(const Operation& operation, std::span<const SettleStep> steps) {
-  const auto* const put = std::get_if<PutOperation>(&operation);
-  if (!put) return std::nullopt;
-  if (!put->place) return put->start;
-  if (steps.empty() || steps.front().kind != SettleStep::Kind::Fall) return std::nullopt;
-  Pose start = steps.front().pose_after;
-  start.translation.z() += steps.front().energy_drop;
-  return start;
-}
-
-}  // namespace
 
 std::optional<SettledWay> settled_way(const Scene& scene, const Operation& operation,
                                       const OperationResult& result,
                                       std::span<const SettleStep> steps,
                                       const std::optional<Pose>& from) {
   const auto id = scene.find(object_name(operation));
-  const auto start = from ? from : start_of(operation, steps);
+  const auto start = from ? from : start_of_put(operation, steps);
   if (!result.ok() || !id || !start || steps.empty()) return std::nullopt;
   const Object& object = scene.at(*id);
   SettledWay way;

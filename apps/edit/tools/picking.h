@@ -23,13 +23,13 @@ struct Picked {
 std::optional<Picked> pick(const SceneSnapshot& scene, const Ray& ray,
                            const std::vector<ObjectId>& except = {});
 
-/// What a click at `px` selects: the first hit; but where that is the floor, what is seen within a
+/// Hit that a click at `px` selects: the first; but where that is the floor, what is seen within a
 /// few pixels, and within fewer still what is thinner there than they are wide.
 /// @param except  objects to ignore.
 std::optional<Picked> pick_near(const SceneSnapshot& scene, const View& view, const Vec2& px,
                                 const std::vector<ObjectId>& except);
 
-/// What a drag at `px` moves: the first hit; but one of the objects `selected` within a few pixels
+/// Hit that a drag at `px` moves: the first; but one of the objects `selected` within a few pixels
 /// where the hit is the floor, fixed or carries it; else, where it is the floor, what is near.
 /// @param except  objects to ignore.
 std::optional<Picked> pick_to_drag(const SceneSnapshot& scene, const View& view, const Vec2& px,

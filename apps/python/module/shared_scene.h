@@ -53,7 +53,7 @@ class SharedScene {
   /// Another scene instead; its history begins there.
   void replace(OpenedSession opened);
 
-  /// What moves is recorded, if there is one.
+  /// Record of what moves; none unless it was asked for.
   std::optional<MotionFilm> film;
 
   /// Transactions that are open, all of the thread that holds the scene.

@@ -66,7 +66,7 @@ class AnimationWriter {
   }
 
  private:
-  // What is hidden waits where it will be seen next, or was seen last.
+  // Hidden objects wait where they will be seen next, or were seen last.
   static std::vector<AnimationKey> shown_always(std::vector<AnimationKey> keys) {
     for (size_t i = keys.size() - 1; i-- > 0;)
       if (keys[i].hidden) keys[i].world_from_file = keys[i + 1].world_from_file;

@@ -6,6 +6,7 @@
 #include "core/io/animation.h"
 #include "core/io/mesh_model.h"
 #include "core/motion/pose_interpolation.h"
+#include "ops/operations/put.h"
 
 namespace trivet {
 namespace {
@@ -39,17 +40,6 @@ bool is_same(const std::optional<Pose>& a, const std::optional<Pose>& b) {
 std::optional<Pose> pose_in(const Scene& scene, ObjectId id) {
   const Object& object = scene.at(id);
   return object.placed ? std::optional(object.pose) : std::nullopt;
-}
-
-// Where a PUT let it go: if the place was searched for, above the end of its first fall.
-std::optional<Pose> start_of(const Operation& operation, const OperationResult& result) {
-  const auto* const put = std::get_if<PutOperation>(&operation);
-  if (!put || !put->place) return put ? std::optional(put->start) : std::nullopt;
-  if (result.steps.empty() || result.steps.front().kind != SettleStep::Kind::Fall)
-    return std::nullopt;
-  Pose start = result.steps.front().pose_after;
-  start.translation.z() += result.steps.front().energy_drop;
-  return start;
 }
 
 }  // namespace
@@ -87,7 +77,7 @@ void MotionFilm::add(const Scene& after, const Operation& operation,
   const auto id = after.find(object_name(operation));
   if (id && after.at(*id).placed && !result.steps.empty()) {
     Actor& actor = m_actors.at(id_of(*id));
-    std::optional<Pose> start = start_of(operation, result);
+    std::optional<Pose> start = start_of_put(operation, result.steps);
     if (!start) start = actor.pose();
     if (start) follow(actor, *start, after, after.at(*id), result);
   }
