@@ -335,10 +335,11 @@ class Load(Served):
         self.start = self.layout([SLAB] + [{"name": n, "model": "cube.obj"} for n in names])
         return {"do": [put(n, 0, 0, 1 + 0.2 * i) for i, n in enumerate(names)]}
 
-    def under_way(self, server):
+    def load(self, server):
+        """Requests that wait, and requests that are computed."""
         text = server.ask("GET", "/metrics")[1].decode()
-        return sum(int(line.split()[1]) for line in text.splitlines()
-                   if line.startswith(("trivet_requests_waiting ", "trivet_requests_computing ")))
+        gauges = dict(line.rsplit(" ", 1) for line in text.splitlines() if line[:1] != "#")
+        return tuple(int(gauges["trivet_requests_" + kind]) for kind in ("waiting", "computing"))
 
     def test_the_end_answers_what_is_under_way(self):
         line, answers = self.many_puts(), []
@@ -351,7 +352,7 @@ class Load(Served):
             server.ask("GET", "/healthz", connection=idle)  # kept open
             for thread in threads:
                 thread.start()
-            while self.under_way(server) < 3:
+            while sum(self.load(server)) < 3:
                 self.assertEqual(answers, [])
             self.assertEqual(server.end(), 0)
             for thread in threads:
@@ -367,7 +368,7 @@ class Load(Served):
             asking = threading.Thread(
                 target=lambda: answers.append(server.ask("POST", session, line)))
             asking.start()
-            while self.under_way(server) < 1:
+            while sum(self.load(server)) < 1:
                 pass
             server.process.send_signal(signal.SIGTERM)
             time.sleep(0.01)
@@ -381,12 +382,16 @@ class Load(Served):
             sessions = [server.open() for _ in range(3)]
             threads = [threading.Thread(
                 target=lambda s=session: answers.append(server.ask("POST", s, line)))
-                for session in sessions]
-            for thread in threads:
+                for session in sessions[:2]]
+            # One by one: a request waits, too, until the thread takes it up.
+            for thread, load in zip(threads, ((0, 1), (1, 1))):
                 thread.start()
+                while self.load(server) != load:
+                    self.assertEqual(answers, [])
+            self.assertEqual(server.ask("POST", sessions[2], line)[0], 503)
             for thread in threads:
                 thread.join()
-        self.assertEqual(sorted(status for status, _ in answers), [200, 200, 503])
+        self.assertEqual([status for status, _ in answers], [200, 200])
 
     def test_cancel_stops_what_is_under_way(self):
         line, answers = self.many_puts(), []
