@@ -234,10 +234,10 @@ class Scenes(Served):
 
 class Limits(Served):
     def test_too_many_sessions_wait_until_one_is_idle(self):
-        with self.server("--max-sessions", 2, "--idle-seconds", 0.5) as server:
+        with self.server("--max-sessions", 2, "--idle-seconds", 2) as server:
             first, _ = server.open(), server.open()
             self.assertEqual(server.ask("POST", "/sessions")[0], 503)
-            time.sleep(0.6)
+            time.sleep(2.1)
             server.open()
             self.assertEqual(server.ask("POST", first, {"undo": True})[0], 404)
 
