@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Textured models, all computed, and a layout of them, for the picture in the README.
 
-    apps/textured_scene.py FOLDER
+    apps/textured_scene.py FOLDER [SHARE]       SHARE: of the width of its images, by default 1
     trivet run FOLDER/layout.json -o textured.glb
 """
 import json
@@ -161,12 +161,12 @@ def layout():
 
 
 def main():
-    folder = sys.argv[1]
+    folder, share = sys.argv[1], float(sys.argv[2]) if len(sys.argv) > 2 else 1
     os.makedirs(folder, exist_ok=True)
     for colour, side in ((planks, 384), (checker, 192), (globe, 512), (label, 384), (board, 512),
                          (cover, 384)):
         with open(os.path.join(folder, colour.__name__ + ".png"), "wb") as file:
-            file.write(png(side, colour))
+            file.write(png(int(side * share), colour))
     for name, mesh, image in (("crate", box(.12, .12, .12), "planks"), ("cube", box(.06, .06, .06), "checker"),
                               ("shelf", box(.5, .32, .02), "board"), ("book", box(.11, .15, .02), "cover"),
                               ("can", can(), "label"), ("globe", ball(.09), "globe")):

@@ -131,12 +131,12 @@ class Textures(Case):
             self.assertEqual(self.colours("p.png"), (0, 0))
 
     def test_the_scene_of_the_readme(self):
-        subprocess.run([sys.executable, os.path.join(SOURCE_DIR, "apps", "textured_scene.py"), self.folder],
+        subprocess.run([sys.executable, os.path.join(SOURCE_DIR, "apps", "textured_scene.py"), self.folder, "0.125"],
                        check=True, timeout=300)
         self.trivet("run", "layout.json", "-o", "s.glb")
         out, _ = self.trivet("info", "globe.obj")
         self.assertIn("closed      yes, oriented yes", out)
-        self.assertIn("512 x 512 texels", out)
+        self.assertIn("64 x 64 texels", out)
 
     def test_models_without_colours_differ(self):
         pictures = set()

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Fuzzes with mutated model files: run.sh FUZZ_IMPORT TRIVET_IMPORT WORK_FOLDER [COUNT [SEED
 # [MAKE_CAD]]]
-# With MAKE_CAD, that program generates the STEP, IGES and BREP files; "none": it was not built.
+# COUNT times TRIVET_TEST_EFFORT files. With MAKE_CAD, that program generates the STEP, IGES and BREP files; "none": it was not built.
 set -euo pipefail
 here="$(dirname "${BASH_SOURCE[0]}")"
 mkdir -p "$3/corpus"
@@ -14,4 +14,5 @@ else
   command -v python3 >/dev/null || { echo "skipped: no python3"; exit 77; }
   python3 -B "$here/make_corpus.py" "$3/corpus"
 fi
-"$1" "$2" "$3/corpus" "${4:-300}" "${5:-1}" "$3/kept"
+count="$(awk -v count="${4:-300}" -v effort="${TRIVET_TEST_EFFORT:-1}" 'BEGIN { printf "%.0f", count * effort }')"
+"$1" "$2" "$3/corpus" "$count" "${5:-1}" "$3/kept"

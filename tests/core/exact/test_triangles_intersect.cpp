@@ -5,6 +5,7 @@
 
 #include "core/exact/predicates.h"
 #include "integer_reference.h"
+#include "support/effort.h"
 
 namespace trivet::test {
 namespace {
@@ -133,8 +134,8 @@ void expect_symmetric(const Pair& p, bool truth) {
 TEST(TrianglesIntersect, EqualsLinearProgram) {
   Source source(kPairSeed);
   std::array<int, kNumPairKinds> hits{};
-  constexpr int kCases = 10000;
-  for (int i = 0; i < kCases * kNumPairKinds; ++i) {
+  const int num_cases = with_effort(10000);
+  for (int i = 0; i < num_cases * kNumPairKinds; ++i) {
     const Pair p = make(source, static_cast<PairKind>(i % kNumPairKinds));
     const bool truth = reference_intersect(p.a, p.b);
     hits[i % kNumPairKinds] += truth;
@@ -142,13 +143,13 @@ TEST(TrianglesIntersect, EqualsLinearProgram) {
   }
   std::printf("seed %u, %% that intersect by kind:", kPairSeed);
   for (int h : hits) {
-    std::printf(" %.1f", 100.0 * h / kCases);
-    EXPECT_GE(h, kCases / 50);
+    std::printf(" %.1f", 100.0 * h / num_cases);
+    EXPECT_GE(h, num_cases / 50);
   }
   std::printf("\n");
   for (PairKind k : {PairKind::Random, PairKind::Grid, PairKind::Coplanar, PairKind::Degenerate,
                      PairKind::Touching})
-    EXPECT_LE(hits[static_cast<int>(k)], kCases * 9 / 10);
+    EXPECT_LE(hits[static_cast<int>(k)], num_cases * 9 / 10);
 }
 
 TEST(TrianglesIntersect, DecidesNamedCases) {

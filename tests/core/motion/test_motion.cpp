@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "core/motion/motion.h"
+#include "support/effort.h"
 #include "support/random_shapes.h"
 
 namespace trivet {
@@ -113,10 +114,11 @@ HeightFunction random_height(int index, test::Random& random) {
 
 TEST(FirstZero, FindsFirstOfAllZeros) {
   constexpr unsigned kSeed = 5;
-  constexpr int kNum = 100000, kSamples = 200;
+  constexpr int kSamples = 200;
+  const int num = test::with_effort(100000);
   test::Random random(kSeed);
   int num_zeros = 0, num_wrong = 0;
-  for (int i = 0; i < kNum && num_wrong < 5; ++i) {
+  for (int i = 0; i < num && num_wrong < 5; ++i) {
     const HeightFunction f = random_height(i, random);
     if (f.f0 <= 0) continue;
     const double s = first_zero(f, kTurn);
@@ -135,9 +137,9 @@ TEST(FirstZero, FindsFirstOfAllZeros) {
     EXPECT_TRUE(right) << std::hexfloat << "first_zero({" << f.f0 << ", " << f.A << ", " << f.B
                        << "}) = " << s;
   }
-  std::printf("seed %u: %d of %d heights reach zero\n", kSeed, num_zeros, kNum);
-  EXPECT_GT(num_zeros, 0.3 * kNum);
-  EXPECT_LT(num_zeros, 0.8 * kNum);
+  std::printf("seed %u: %d of %d heights reach zero\n", kSeed, num_zeros, num);
+  EXPECT_GT(num_zeros, 0.3 * num);
+  EXPECT_LT(num_zeros, 0.8 * num);
 }
 
 TEST(PositiveUntil, AgreesWithFirstZero) {
