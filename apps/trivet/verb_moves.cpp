@@ -133,7 +133,7 @@ struct MoveVerb {
 
 struct PushArguments {
   PushOperation operation;
-  std::vector<double> direction, to;
+  std::vector<double> direction, to, normal;
   bool no_slide = false, no_settle = false;
 };
 
@@ -226,6 +226,9 @@ Verb add_push(CLI::App& app, const CommonOptions& common) {
       verb.length("--distance", a.operation.distance, "Metres in that direction");
   CLI::Option* const to =
       verb.numbers("--to", a.to, 2, "X Y", "Alternative: target position, seen from above");
+  verb.numbers("--normal", a.normal, 3, "X Y Z",
+               "Of a wall or ceiling, towards the object: push along it, right and up instead of X "
+               "and Y; default: 0 0 1");
   direction->needs(distance)->excludes(to);
   distance->needs(direction)->excludes(to);
   verb.length("--step-up", a.operation.step_up,
@@ -242,6 +245,7 @@ Verb add_push(CLI::App& app, const CommonOptions& common) {
                   "X Y");
     PushOperation o = given.operation;
     if (!given.to.empty()) o.to = vec2(given.to);
+    if (!given.normal.empty()) o.normal = *vec3(given.normal);
     if (!given.direction.empty()) o.direction = *vec2(given.direction);
     o.slide = !given.no_slide, o.settle = !given.no_settle;
     return o;

@@ -47,7 +47,7 @@ struct PutOperation : MoveOptions {
   std::optional<PlaceOptions> place = {};  // search for a start from which it rests on this alone
 };
 
-/// Along the surface on which the object lies; see push.h. "push"
+/// Along the surface on which the object lies, or any other that it touches; see push.h. "push"
 struct PushOperation : JointMoveOptions {
   Vec2 direction = Vec2::UnitX();  // seen from above, of any length but zero
   double distance = 0;             // metres along `direction`, seen from above
@@ -57,6 +57,8 @@ struct PushOperation : JointMoveOptions {
   bool slide = true;               // along walls; otherwise they stop it
   bool settle = true;              // release it at the end; otherwise it is held
   std::vector<Vec2> via = {};      // waypoints, as `to`
+  Vec3 normal = Vec3::UnitZ();     // of the surface, towards the object, of any length but zero:
+                                   // "above" is there; see push_axes() for the plane's two axes
 };
 
 /// About a contact that is held; see turn_axis.h. "turn"

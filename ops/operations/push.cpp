@@ -5,6 +5,7 @@
 
 #include "core/base/tunables.h"
 #include "ops/operations/contact_end.h"
+#include "ops/operations/push_axes.h"
 #include "ops/settle/equilibrium.h"
 
 namespace trivet {
@@ -24,12 +25,14 @@ Push::Push(MovePlanner& planner, const PushOperation& o)
     : m_planner(planner),
       m_group(planner.group()),
       m_options(o),
+      m_is_level(is_level(o.normal)),
+      m_axes(push_axes(o.normal)),
       m_shortest(kShortest * planner.group().clearance()) {
   find_contacts();
   note_way(false);
-  const bool carried =
-      std::any_of(m_group_contacts.begin(), m_group_contacts.end(),
-                  [](const GroupContact& t) { return t.point.normal.z() > kSupportNormalZ; });
+  const bool carried = std::any_of(
+      m_group_contacts.begin(), m_group_contacts.end(),
+      [&](const GroupContact& t) { return from_world(t.point.normal).z() > kSupportNormalZ; });
   if (!carried) m_planner.refuse({Refusal::Cause::NothingToSlideOn, {m_planner.name()}});
 }
 
@@ -37,11 +40,11 @@ void Push::find_contacts() {
   const Vec3 offset = m_group.here().offset;
   if (m_found_at != offset) m_group_contacts = m_group.group_contacts(), m_found_at = offset;
   m_normals.clear();
-  for (const GroupContact& t : m_group_contacts) m_normals.push_back(t.point.normal);
-  for (const Obstacle& o : m_obstacles) m_normals.push_back(o.normal);
+  for (const GroupContact& t : m_group_contacts) m_normals.push_back(from_world(t.point.normal));
+  for (const Obstacle& o : m_obstacles) m_normals.push_back(from_world(o.normal));
 }
 
-Vec2 Push::way_left() const { return m_goal - Vec2(m_group.pose().translation.head<2>()); }
+Vec2 Push::way_left() const { return m_goal - Vec2(position().head<2>()); }
 
 void Push::push_to(const Vec2& goal) {
   m_goal = goal;
@@ -91,8 +94,8 @@ double Push::end_of(size_t contact, const Vec3& velocity) const {
   const GroupContact& t = m_group_contacts[contact];
   std::optional<Body> fixed;
   if (t.with.is_object()) fixed = body_of(m_group.scene().at(t.with.object()));
-  return contact_end(m_group.bodies()[t.member], fixed ? &*fixed : nullptr, t.point, velocity,
-                     kContactTolerance * m_group.clearance());
+  return contact_end(m_group.bodies()[t.member], fixed ? &*fixed : nullptr, t.point,
+                     to_world(velocity), kContactTolerance * m_group.clearance());
 }
 
 // --- going on --------------------------------------------------------------------------------
@@ -105,7 +108,7 @@ Push::Next Push::go(const SlidePlan& plan, double length) {
     way = std::min(way, *allowance);
   }
   const double speed = plan.velocity.norm();
-  const Motion motion = Motion::translation(plan.velocity / speed, way * speed);
+  const Motion motion = Motion::translation(to_world(plan.velocity / speed), way * speed);
   const ObstacleContact found = m_group.first_contact(motion);
   if (found.status == FirstContact::Status::Crossing) {
     m_planner.refuse(
@@ -133,7 +136,7 @@ Push::Next Push::go(const SlidePlan& plan, double length) {
 
 // Length of a steep rise or drop that may still be followed; nullopt: the plan's is not steep.
 std::optional<double> Push::steep_allowance(const SlidePlan& plan) {
-  const double rise = plan.velocity.z(), z = m_group.pose().translation.z();
+  const double rise = plan.velocity.z(), z = position().z();
   if (std::abs(rise) <= kSteepRise) return std::nullopt;
   if (!m_steep) m_steep = Steep{m_group.here(), z, m_way.size()};
   const double done = rise > 0 ? z - m_steep->z : m_steep->z - z;
@@ -149,10 +152,10 @@ Push::Next Push::give_up_steep(const SlidePlan& plan) {
   m_climb = false;
   // The obstacle up there is not here; the steep surface itself is.
   const size_t i = plan.blocker;
-  const Obstacle steep =
-      i < m_group_contacts.size()
-          ? Obstacle{m_normals[i], m_group_contacts[i].point.point, m_group_contacts[i].with}
-          : m_obstacles[i - m_group_contacts.size()];
+  const Obstacle steep = i < m_group_contacts.size()
+                             ? Obstacle{m_group_contacts[i].point.normal,
+                                        m_group_contacts[i].point.point, m_group_contacts[i].with}
+                             : m_obstacles[i - m_group_contacts.size()];
   m_obstacles = {steep};
   return Next::GoOn;
 }
@@ -178,14 +181,14 @@ Push::Next Push::pass_wall(const SlidePlan& blocked, const Vec3& direction, doub
 // is where it was.
 std::optional<double> Push::step_up(const Vec3& direction, const Vec3& wall, double highest) {
   const Place before = m_group.here();
-  const double z = m_group.pose().translation.z(), clearance = m_group.clearance();
+  const double z = position().z(), clearance = m_group.clearance();
   const auto give_up = [&]() -> std::optional<double> {
     m_group.go_back(before);
     return std::nullopt;
   };
   ObstacleContact found;
   const auto move = [&](const Vec3& way, double length) {
-    const Motion motion = Motion::translation(way, length);
+    const Motion motion = Motion::translation(to_world(way), length);
     found = m_group.first_contact(motion);
     if (found.status == FirstContact::Status::Crossing) return 0.0;
     const double time = std::min(found.time, length);
@@ -198,10 +201,10 @@ std::optional<double> Push::step_up(const Vec3& direction, const Vec3& wall, dou
   if (up < clearance || move(direction, forward) < 0.9 * forward) return give_up();
   const double down = up + clearance + m_options.step_down;
   if (move(-Vec3::UnitZ(), down) >= down) return give_up();
-  const double rise = m_group.pose().translation.z() - z;
+  const double rise = position().z() - z;
   if (rise > highest + 0.5 * clearance) return give_up();
   // Steep surfaces were followed before, and found to be higher: this is the same one, not its top.
-  if (!m_climb && is_steep(found.normal, direction)) return give_up();
+  if (!m_climb && is_steep(from_world(found.normal), direction)) return give_up();
   m_planner.note_step(SettleStep::Kind::StepUp);
   note_way(false);
   if (rise > 2 * clearance) m_num_stalls = 0;
@@ -214,10 +217,11 @@ bool Push::step_down(const Vec3& direction) {
   const Place before = m_group.here();
   const double clearance = m_group.clearance();
   const double forward = std::min(kStepOn * clearance, way_left().norm());
-  const Motion over = Motion::translation(direction, forward);
+  const Motion over = Motion::translation(to_world(direction), forward);
   const ObstacleContact ahead = m_group.first_contact(over);
   m_group.advance(over, std::min(ahead.time, forward));
-  const Motion fall = Motion::translation(-Vec3::UnitZ(), m_options.step_down + clearance);
+  const Motion fall =
+      Motion::translation(to_world(-Vec3::UnitZ()), m_options.step_down + clearance);
   const ObstacleContact below = m_group.first_contact(fall);
   if (below.status != FirstContact::Status::Contact) {
     m_group.go_back(before);
@@ -252,7 +256,8 @@ Push::Next Push::stop_blocked(size_t contact) {
   const Vec2 left = way_left();
   const Place here = m_group.here();
   const size_t num_steps = m_planner.result().steps.size();
-  const double height = 2 * m_group.bodies()[0].world_box.half_extent().z();
+  const Vec3 normal = m_axes.row(2).cwiseAbs();
+  const double height = 2 * m_group.bodies()[0].world_box.half_extent().dot(normal);
   m_climb = true;  // if it were allowed to
   if (left.norm() > m_shortest && height > m_options.step_up &&
       step_up(level(left.normalized()), m_normals[contact], height)) {
@@ -310,6 +315,7 @@ std::optional<Vec3> Push::last_place_that_holds() {
 // From the last place on the way where the object does not sink deeper than step_down; if there is
 // none, from where it is.
 void Push::release() {
+  if (!m_is_level) return m_planner.release();
   find_contacts();
   std::vector<ContactPoint> points;
   for (const GroupContact& t : m_group_contacts)
@@ -340,7 +346,7 @@ MovePlan plan(const Scene& scene, ObjectId id, const PushOperation& o, Operation
   const MovingGroup& group = planner.group();
   Push push(planner, o);
   if (planner.refused()) return planner.finish(ObjectState::Held);
-  const Vec2 start = group.pose().translation.head<2>();
+  const Vec2 start = in_push_axes(o.normal, group.pose().translation).head<2>();
   const Vec2 goal = o.to.value_or(start + o.distance * o.direction.normalized());
   for (size_t i = 0; i <= o.via.size() && !planner.refused(); ++i)
     push.push_to(i < o.via.size() ? o.via[i] : goal);

@@ -18,8 +18,12 @@
 //
 // Departs from the paper, which goes by small steps of fixed length and corrects each afterwards:
 // no obstacle and no gap is too small to be seen. Surfaces steeper than 60 degrees count as steps.
+// Above is along PushOperation::normal: up for what lies, away from the wall for what hangs on it.
+// All thresholds are along it, and directions are in the plane across it; see push_axes.h.
+//
 // When the object is released at the end (PushOperation::settle) and would sink deeper than
-// step_down, it is pulled back to the last place on its way from which it does not.
+// step_down, it is pulled back to the last place on its way from which it does not; along other
+// surfaces it is just released.
 #pragma once
 
 #include <optional>
@@ -52,7 +56,7 @@ class Push {
   using Place = MovingGroup::Place;
   /// Stopped the last motion; kept for as long as the contacts do not show it.
   struct Obstacle {
-    Vec3 normal, point;
+    Vec3 normal, point;  // world
     Support with;
   };
   /// A steep rise or drop that is being followed.
@@ -68,6 +72,10 @@ class Push {
   };
   enum class Next { GoOn, Stop };
 
+  // From the axes of the push to those of the world, and back.
+  Vec3 to_world(const Vec3& v) const { return m_is_level ? v : Vec3(m_axes.transpose() * v); }
+  Vec3 from_world(const Vec3& v) const { return m_is_level ? v : Vec3(m_axes * v); }
+  Vec3 position() const { return from_world(m_group.pose().translation); }
   void find_contacts();
   void note_way(bool straight);
   std::optional<SettleOutcome> settled_from(const Vec3& offset);
@@ -90,11 +98,13 @@ class Push {
   MovePlanner& m_planner;
   MovingGroup& m_group;
   const PushOperation& m_options;
+  bool m_is_level;
+  Mat3 m_axes;        // rows: two in the plane, the normal
   double m_shortest;  // metres, a few clearances: shorter ways are none
   Vec2 m_goal = Vec2::Zero();
   std::vector<GroupContact> m_group_contacts;
   std::optional<Vec3> m_found_at;  // the offset at which m_group_contacts were found
-  std::vector<Vec3> m_normals;     // of the touches, then of the obstacles
+  std::vector<Vec3> m_normals;     // of the touches, then of the obstacles; axes of the push
   std::vector<Obstacle> m_obstacles;
   std::optional<Steep> m_steep;
   bool m_climb = true;  // steep surfaces may be tried

@@ -97,6 +97,7 @@ void check(const PushOperation& o, Checker& checker) {
     checker.direction("direction", o.direction);
     checker.range("distance", o.distance, 0, kMaxLength);
   }
+  checker.direction("normal", o.normal);
   checker.range("step_up", o.step_up, 0, kMaxLength);
   checker.range("step_down", o.step_down, 0, kMaxLength);
 }

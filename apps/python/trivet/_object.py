@@ -106,7 +106,9 @@ class Object(Properties):
         to, via : (2,) array, sequence of them
             Instead: the target of its position, and waypoints.
         **options
-            `step_up`, `step_down` (metres), `slide`, `settle`, `settle_left` (bool), `together` (objects), `budget`.
+            `normal` (of the surface, towards the object: along walls; `direction`, `to` and `via` are then to the right
+            and upwards, seen from the object), `step_up`, `step_down` (metres), `slide`, `settle`, `settle_left` (bool),
+            `together` (objects), `budget`.
 
         Returns
         -------
@@ -195,7 +197,7 @@ def _checked(result: Result) -> Result:
     return result
 
 
-_VECTORS = ("point", "centre", "axis")
+_VECTORS = ("point", "centre", "axis", "normal")
 _NUMBERS = ("step_up", "step_down")
 _FLAGS = ("slide", "settle", "settle_left", "free")
 

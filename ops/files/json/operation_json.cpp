@@ -123,23 +123,25 @@ PutOperation read_put(const JsonPlace& place) {
 
 PushOperation read_push(const JsonPlace& place) {
   if (!place.find("to") && !place.find("direction") && !place.find("distance")) {
-    place.expect_object({"op", "object"},
-                        {"step_up", "step_down", "slide", "settle", "together", "settle_left"});
+    place.expect_object({"op", "object"}, {"normal", "step_up", "step_down", "slide", "settle",
+                                           "together", "settle_left"});
     place.fail("a target is missing; accepted: \"to\", or \"direction\" and \"distance\"");
   }
   PushOperation push;
   if (place.find("to")) {
-    place.expect_object({"op", "object", "to"}, {"via", "step_up", "step_down", "slide", "settle",
-                                                 "together", "settle_left"});
+    place.expect_object({"op", "object", "to"}, {"via", "normal", "step_up", "step_down", "slide",
+                                                 "settle", "together", "settle_left"});
     push.to = read_vec2(place.at("to"));
     read_via(place, push.via);
   } else {
-    place.expect_object({"op", "object", "direction", "distance"},
-                        {"step_up", "step_down", "slide", "settle", "together", "settle_left"});
+    place.expect_object(
+        {"op", "object", "direction", "distance"},
+        {"normal", "step_up", "step_down", "slide", "settle", "together", "settle_left"});
     push.direction = read_vec2(place.at("direction"));
     push.distance = place.at("distance").number();
   }
   read_common(place, push);
+  if (const auto normal = place.find("normal")) push.normal = read_vec3(*normal);
   read_to(place, "step_up", push.step_up);
   read_to(place, "step_down", push.step_down);
   read_to(place, "slide", push.slide);

@@ -67,6 +67,7 @@ void write(const PushOperation& push, Json& json) {
     json["distance"] = push.distance;
   }
   const PushOperation usual;
+  write_if(push.normal != usual.normal, "normal", array(push.normal), json);
   write_if(push.step_up != usual.step_up, "step_up", push.step_up, json);
   write_if(push.step_down != usual.step_down, "step_down", push.step_down, json);
   write_if(!push.slide, "slide", false, json);
