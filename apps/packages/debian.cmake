@@ -55,7 +55,11 @@ steps, the same bits on every run. Batches of random scenes, pictures and
 labelled images, export for simulators.")
 # Opened at run time, for pictures by OpenGL; else they are drawn by rays.
 set(CPACK_DEBIAN_TRIVET_PACKAGE_RECOMMENDS "libegl1, libopengl0")
-set(CPACK_DEBIAN_TRIVET_PACKAGE_SUGGESTS "trivet-edit, trivet-cad, python3-trivet")
+set(suggests trivet-edit trivet-cad python3-trivet)
+if(TRIVET_MUJOCO_VERSION)  # so is this, for trivet export --simulate
+  list(PREPEND suggests libmujoco${TRIVET_MUJOCO_VERSION})
+endif()
+list(JOIN suggests ", " CPACK_DEBIAN_TRIVET_PACKAGE_SUGGESTS)
 if(TARGET trivet-edit)
   debian_package(edit trivet-edit graphics "trivet ${same}"
     "editor of 3D layouts at rest, without interpenetration
@@ -87,7 +91,7 @@ endif()
 # Libraries that TrivetConfig.cmake looks for: static ones need them.
 set(needs libeigen3-dev libembree-dev libqhull-dev libtbb-dev libassimp-dev libpng-dev libjpeg-dev libwebp-dev
   nlohmann-json3-dev coinor-libclp-dev libtinyxml2-dev libccd-dev pkg-config)
-foreach(pair HACD=libbullet-extras-dev EXR=libopenexr-dev MUJOCO=libmujoco-dev)
+foreach(pair HACD=libbullet-extras-dev EXR=libopenexr-dev)
   string(REPLACE "=" ";" pair ${pair})
   list(GET pair 0 use)
   list(GET pair 1 package)

@@ -39,10 +39,7 @@ int export_table(const ExportArguments& arguments, const CommonOptions& common) 
 void check_can_simulate(const ExportArguments& arguments) {
   if (!(arguments.simulate > 0)) return;
   const std::string extension = extension_of(arguments.output);
-  if (!can_simulate())
-    throw Error(Error::Kind::BadInput,
-                "--simulate is not part of this build; accepted: a build with MuJoCo (Debian: "
-                "libmujoco-dev)");
+  if (!can_simulate()) throw Error(Error::Kind::BadInput, "--simulate: " + no_simulator());
   if (extension != ".xml" && extension != ".mjcf")
     throw Error(Error::Kind::BadInput, "--simulate: MuJoCo does not read " + arguments.output +
                                            "; accepted: .xml and .mjcf");

@@ -21,11 +21,15 @@ struct SimulatedScene {
   std::vector<SimulatedObject> objects;  // the free ones, in the scene's order
 };
 
-/// True if this build has a simulator.
+/// True if this build has a simulator, and this machine its library, which is opened at the first
+/// call.
 bool can_simulate();
+/// Why not.
+std::string no_simulator();
 
 /// Loads the MJCF file of an export and lets it go, in MuJoCo, in this process.
-/// @throws Error (BadInput): a build without it, another format or a file that MuJoCo refuses.
+/// @throws Error (BadInput): a build or a machine without it, another format or a file that MuJoCo
+/// refuses.
 SimulatedScene simulate(const SimulationExport& done, double seconds);
 
 /// True if all stayed: no object moved by more than kStays metres, and no warning.

@@ -1,3 +1,4 @@
+#include <dlfcn.h>
 #include <mujoco/mujoco.h>
 
 #include <algorithm>
@@ -10,26 +11,69 @@
 namespace trivet {
 namespace {
 
+constexpr const char* kLibrary = "libmujoco.so." TRIVET_MUJOCO_VERSION;
+
+// MuJoCo's functions, of the library as of the headers. Opened at run time, so that all else works
+// without it.
+struct Mujoco {
+  static const Mujoco* get() {
+    static const Mujoco library;
+    return library.m_found ? &library : nullptr;
+  }
+
+  decltype(&mj_loadXML) load = nullptr;
+  decltype(&mj_makeData) make_data = nullptr;
+  decltype(&mj_deleteModel) delete_model = nullptr;
+  decltype(&mj_deleteData) delete_data = nullptr;
+  decltype(&mj_forward) forward = nullptr;
+  decltype(&mj_step) step = nullptr;
+  decltype(&mj_name2id) number = nullptr;
+  decltype(&mj_versionString) version = nullptr;
+  decltype(&mju_user_warning) user_warning = nullptr;
+
+ private:
+  Mujoco() : m_library(dlopen(kLibrary, RTLD_NOW | RTLD_LOCAL)) {
+    if (!m_library) return;
+    m_found = find("mj_loadXML", load) && find("mj_makeData", make_data) &&
+              find("mj_deleteModel", delete_model) && find("mj_deleteData", delete_data) &&
+              find("mj_forward", forward) && find("mj_step", step) && find("mj_name2id", number) &&
+              find("mj_versionString", version) && find("mju_user_warning", user_warning);
+  }
+  template <class Pointer>
+  bool find(const char* name, Pointer& pointer) {
+    pointer = reinterpret_cast<Pointer>(dlsym(m_library, name));
+    return pointer != nullptr;
+  }
+
+  void* m_library;
+  bool m_found = false;
+};
+
+const Mujoco& mujoco() {
+  if (const Mujoco* const found = Mujoco::get()) return *found;
+  throw Error(Error::Kind::BadInput, no_simulator());
+}
+
 struct DeleteModel {
-  void operator()(mjModel* model) const { mj_deleteModel(model); }
+  void operator()(mjModel* model) const { mujoco().delete_model(model); }
 };
 struct DeleteData {
-  void operator()(mjData* data) const { mj_deleteData(data); }
+  void operator()(mjData* data) const { mujoco().delete_data(data); }
 };
 
 class MujocoRun {
  public:
   explicit MujocoRun(const std::string& path) {
-    mju_user_warning = [](const char*) {};  // else it writes a file to the working directory
+    *m_mujoco.user_warning = [](const char*) {};  // else it writes a file to the working directory
     char why[1000] = "";
-    m_model.reset(mj_loadXML(path.c_str(), nullptr, why, sizeof why));
+    m_model.reset(m_mujoco.load(path.c_str(), nullptr, why, sizeof why));
     if (!m_model) throw Error(Error::Kind::BadInput, path + ": MuJoCo does not accept it: " + why);
-    m_data.reset(mj_makeData(m_model.get()));
-    mj_forward(m_model.get(), m_data.get());
+    m_data.reset(m_mujoco.make_data(m_model.get()));
+    m_mujoco.forward(m_model.get(), m_data.get());
   }
 
   Affine pose(const SimulationBody& body) const {
-    const int id = mj_name2id(m_model.get(), mjOBJ_BODY, body.file_name.c_str());
+    const int id = m_mujoco.number(m_model.get(), mjOBJ_BODY, body.file_name.c_str());
     Affine out;
     for (int r = 0; r < 3; ++r) {
       out.translation[r] = m_data->xpos[3 * id + r];
@@ -39,8 +83,8 @@ class MujocoRun {
   }
 
   void run(double seconds) {
-    while (m_data->time < seconds) mj_step(m_model.get(), m_data.get());
-    mj_forward(m_model.get(), m_data.get());
+    while (m_data->time < seconds) m_mujoco.step(m_model.get(), m_data.get());
+    m_mujoco.forward(m_model.get(), m_data.get());
   }
 
   int num_warnings() const {
@@ -50,6 +94,7 @@ class MujocoRun {
   }
 
  private:
+  const Mujoco& m_mujoco = mujoco();
   std::unique_ptr<mjModel, DeleteModel> m_model;
   std::unique_ptr<mjData, DeleteData> m_data;
 };
@@ -67,7 +112,12 @@ SimulatedObject moved_between(const SimulationModel& model, const std::string& n
 
 }  // namespace
 
-bool can_simulate() { return true; }
+bool can_simulate() { return Mujoco::get() != nullptr; }
+
+std::string no_simulator() {
+  return std::string("this machine has no ") + kLibrary +
+         " (Debian: libmujoco" TRIVET_MUJOCO_VERSION ")";
+}
 
 SimulatedScene simulate(const SimulationExport& done, double seconds) {
   const std::string& path = done.files.at(0);
@@ -76,7 +126,7 @@ SimulatedScene simulate(const SimulationExport& done, double seconds) {
   for (const SimulationBody& body : done.scene.bodies) before.push_back(run.pose(body));
   run.run(seconds);
   SimulatedScene out;
-  out.simulator = std::string("MuJoCo ") + mj_versionString();
+  out.simulator = std::string("MuJoCo ") + mujoco().version();
   out.seconds = seconds;
   out.num_warnings = run.num_warnings();
   for (size_t i = 0; i < before.size(); ++i) {

@@ -5,8 +5,10 @@ namespace trivet {
 
 bool can_simulate() { return false; }
 
+std::string no_simulator() { return "this build has no MuJoCo (Debian: libmujoco-dev)"; }
+
 SimulatedScene simulate(const SimulationExport&, double) {
-  throw Error(Error::Kind::BadInput, "this build has no MuJoCo (Debian: libmujoco-dev)");
+  throw Error(Error::Kind::BadInput, no_simulator());
 }
 
 }  // namespace trivet

@@ -37,6 +37,9 @@ find "$work" -type f \( -path '*/bin/*' -o -name '*.so' \) | while read -r file;
   if readelf -d "$file" | grep -E 'R(UN)?PATH'; then fail "$file looks for libraries by a path"; fi
 done
 
+# Opened at run time, where it is there.
+if readelf -d "$work/trivet/bin/trivet" | grep -q 'NEEDED.*mujoco'; then fail "trivet does not start without MuJoCo"; fi
+
 version="$("$work/trivet/bin/trivet" --version)"
 for file in $(find "$work" -path '*.dist-info/METADATA'); do
   grep -qxF "Version: ${version#trivet }" "$file" || fail "$file has another version than $version"
