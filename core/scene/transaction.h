@@ -35,7 +35,7 @@ class Transaction {
   void set_contacts(ObjectId id, std::vector<ObjectContact> object_contacts);
   void clear_contacts(ObjectId id) { set_contacts(id, {}); }
 
-  /// Calls change(Object&), which changes anything but the name; contacts by set_contacts() only.
+  /// Calls change(Object&), which may give a name that no object has; contacts by set_contacts().
   /// If it throws, its changes stay in the scene until the rollback.
   template <class Change>
   void edit(ObjectId id, Change&& change) {

@@ -115,6 +115,12 @@ OperationResult apply(Transaction& transaction, const DuplicateOperation& o, Ope
   return done();
 }
 
+OperationResult apply(Transaction& transaction, const RenameOperation& o, OperationRun&) {
+  if (auto why = refuse_name(transaction.scene(), o.to)) return refused(std::move(*why));
+  transaction.edit(id_of(transaction, o.object), [&](Object& object) { object.name = o.to; });
+  return done();
+}
+
 OperationResult apply(Transaction& transaction, const DeleteOperation& o, OperationRun& run) {
   const ObjectId id = id_of(transaction, o.object);
   return take_away(transaction, id, o, "delete", run, [&] { transaction.remove(id); });

@@ -1,5 +1,5 @@
 // Edits of the scene's list of objects, and of objects that do not move by motions: append,
-// duplicate, delete, lock, fix, material, group, stand, unplace.
+// duplicate, rename, delete, lock, fix, material, group, stand, unplace.
 #pragma once
 
 #include "core/scene/transaction.h"
@@ -16,6 +16,9 @@ OperationResult apply(Transaction& transaction, const AppendOperation& o, Operat
 
 /// A new object of the same model, scale, axis and material, free, not placed until it is put.
 OperationResult apply(Transaction& transaction, const DuplicateOperation& o, OperationRun& run);
+
+/// Only the name: pose, contacts, state, group and id stay. Refused: the name is taken or invalid.
+OperationResult apply(Transaction& transaction, const RenameOperation& o, OperationRun& run);
 
 /// Refused: the object is locked. Objects left without support are named, and settle if asked to.
 OperationResult apply(Transaction& transaction, const DeleteOperation& o, OperationRun& run);

@@ -22,6 +22,7 @@ const char* op_name(const Operation& operation) {
     const char* operator()(const StandOperation&) { return "stand"; }
     const char* operator()(const UnplaceOperation&) { return "unplace"; }
     const char* operator()(const ArrangeOperation&) { return "arrange"; }
+    const char* operator()(const RenameOperation&) { return "rename"; }
   };
   return std::visit(Name{}, operation);
 }

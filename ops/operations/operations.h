@@ -123,6 +123,11 @@ struct DuplicateOperation {
   std::string object, as;
 };
 
+/// Another name for an object; nothing moves. "rename"
+struct RenameOperation {
+  std::string object, to;
+};
+
 /// An object exactly at a pose, tested but not settled; fixed objects come into the scene so.
 /// "stand"
 struct StandOperation : MoveOptions {
@@ -171,10 +176,11 @@ using Operation =
     std::variant<PutOperation, PushOperation, TurnOperation, PickUpOperation, TranslateOperation,
                  RotateOperation, AppendOperation, DuplicateOperation, DeleteOperation,
                  LockOperation, FixOperation, MaterialOperation, GroupOperation, StandOperation,
-                 UnplaceOperation, ArrangeOperation>;
+                 UnplaceOperation, ArrangeOperation, RenameOperation>;
 
 /// "put", "push", "turn", "pick_up", "translate", "rotate", "append", "duplicate", "delete",
-/// "lock", "unlock", "fix", "unfix", "material", "group", "ungroup", "stand", "unplace", "arrange"
+/// "lock", "unlock", "fix", "unfix", "material", "group", "ungroup", "stand", "unplace", "arrange",
+/// "rename"
 const char* op_name(const Operation& operation);
 const std::string& object_name(const Operation& operation);
 

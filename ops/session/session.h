@@ -83,6 +83,8 @@ class Session {
 
   /// Layout that gives this scene: the first one and the operations done since.
   Layout layout() const;
+  /// Of the layout. No step: neither undone nor in the journal.
+  void set_looks(SceneLooks looks) { m_layout.looks = std::move(looks); }
 
   /// Metres: the largest default clearance that the scene has had, undone steps apart. What was at
   /// rest by it when the scene was larger is no less so when it has shrunk: the scene is to be

@@ -38,7 +38,12 @@ OrderedJson ToldPoses::news(const Scene& scene, const std::vector<ObjectId>& cha
     const bool known = told != m_told.end(), here = scene.contains(id);
     if (!known && !here) continue;
     const Told now = here ? told_of(scene.at(id)) : Told{told->second.name, std::nullopt};
-    if (!known || !same_bits(told->second.pose, now.pose)) {
+    const bool renamed = known && told->second.name != now.name;
+    if (renamed && !scene.find(told->second.name)) {
+      out.push_back({{"object", told->second.name}});
+      add(std::nullopt, out.back());
+    }
+    if (!known || renamed || !same_bits(told->second.pose, now.pose)) {
       out.push_back({{"object", now.name}});
       add(now.pose, out.back());
     }

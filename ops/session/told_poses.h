@@ -19,7 +19,8 @@ class ToldPoses {
  public:
   explicit ToldPoses(const Scene& scene);
 
-  /// An entry for every object of these that is elsewhere than it was told, came or went.
+  /// An entry for every object of these that is elsewhere than it was told, came, went or has
+  /// another name; a name that no object has any more is out of the scene.
   OrderedJson news(const Scene& scene, const std::vector<ObjectId>& changed);
 
  private:

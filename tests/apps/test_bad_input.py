@@ -133,7 +133,7 @@ class BadLayouts(Case):
                         '/operations/0/op: "throw" is not accepted; accepted: "put", "push"')
         for op, key in (("turn", "angle_deg"), ("pick_up", "distance"),
                         ("translate", "by"), ("rotate", "axis"), ("append", "model"),
-                        ("duplicate", "as"), ("group", "group")):
+                        ("duplicate", "as"), ("rename", "to"), ("group", "group")):
             self.check_text(json.dumps({"trivet": 1, "objects": [SLAB],
                                         "operations": [{"op": op, "object": "slab"}]}),
                             '/operations/0: the key "%s" is missing' % key)

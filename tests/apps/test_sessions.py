@@ -109,14 +109,15 @@ class Sessions(SessionCase):
         for line in (put("b", 0.01, 0.02, 1), {"op": "push", "object": "a", "to": [0.3, 0]},
                      {"undo": True}, {"redo": True}, {"op": "delete", "object": "b"},
                      {"op": "lock", "object": "slab"}, {"undo": True}, {"undo": True},
-                     {"op": "duplicate", "object": "b", "as": "c"}):
+                     {"op": "duplicate", "object": "b", "as": "c"},
+                     {"op": "rename", "object": "a", "to": "d"}, {"undo": True}):
             poses = live.ask(**line)["poses"]
             moved.append([p["object"] for p in poses])
             for pose in poses:
                 self.assertEqual(list(pose), ["object", "position", "rotation"])
                 known[pose["object"]] = {**known.get(pose["object"], {}), **pose}
         self.assertEqual(moved, [["b"], ["a", "b"], ["a", "b"], ["a", "b"], ["b"], [], [], ["b"],
-                                 ["c"]])
+                                 ["c"], ["a", "d"], ["d", "a"]])
         self.assertIsNone(known["c"]["position"])
         for now in live.ask(query="objects")["objects"]:
             for key in ("position", "rotation"):

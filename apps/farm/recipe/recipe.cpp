@@ -49,6 +49,10 @@ class Known {
         m_names.insert(append->object);
       if (const auto* copy = std::get_if<DuplicateOperation>(&operation)) m_names.insert(copy->as);
       if (const auto* gone = std::get_if<DeleteOperation>(&operation)) m_names.erase(gone->object);
+      if (const auto* renamed = std::get_if<RenameOperation>(&operation)) {
+        m_names.erase(renamed->object);
+        m_names.insert(renamed->to);
+      }
     }
   }
 

@@ -73,6 +73,9 @@ bool is_of_files(const Layout& layout) {
       return false;
     } else if (const auto* duplicate = std::get_if<DuplicateOperation>(&operation)) {
       known.insert(duplicate->as);
+    } else if (const auto* renamed = std::get_if<RenameOperation>(&operation)) {
+      known.erase(renamed->object);
+      known.insert(renamed->to);
     }
   }
   return true;

@@ -182,6 +182,11 @@ class Object(Properties):
         self._do(op="duplicate", **{"as": name})
         return self._scene[name]
 
+    def rename(self, name: str) -> Object:
+        """It under another name; nothing moves. This one has the old name, and is gone until the step is undone."""
+        self._do(op="rename", to=name)
+        return self._scene[name]
+
 
 def _rotation(wxyz: Optional[ArrayLike]) -> Optional[list[float]]:
     return None if wxyz is None else _arrays.vector("wxyz", wxyz, 4)

@@ -56,7 +56,8 @@ void check_operations(const Layout& layout, const RunOptions& options) {
   for (size_t i = 0; i < layout.operations.size(); ++i) {
     const Operation& o = layout.operations[i];
     if (std::holds_alternative<AppendOperation>(o) ||
-        std::holds_alternative<DuplicateOperation>(o) || std::holds_alternative<DeleteOperation>(o))
+        std::holds_alternative<DuplicateOperation>(o) ||
+        std::holds_alternative<DeleteOperation>(o) || std::holds_alternative<RenameOperation>(o))
       fail(options, "/operations/" + std::to_string(i) + "/op",
            quoted(op_name(o)) + " is not accepted: a scene keeps its nodes");
     if (std::holds_alternative<FixOperation>(o))

@@ -232,6 +232,11 @@ DuplicateOperation read_duplicate(const JsonPlace& place) {
   return {place.at("object").text(), read_new_name(place.at("as"))};
 }
 
+RenameOperation read_rename(const JsonPlace& place) {
+  place.expect_object({"op", "object", "to"}, {});
+  return {place.at("object").text(), read_new_name(place.at("to"))};
+}
+
 // Delete and unplace.
 template <class Removal>
 Removal read_removal(const JsonPlace& place) {
@@ -294,14 +299,15 @@ Operation read_values(const JsonPlace& place) {
   if (op.value() == "stand") return read_stand(place);
   if (op.value() == "unplace") return read_removal<UnplaceOperation>(place);
   if (op.value() == "arrange") return read_arrange(place);
+  if (op.value() == "rename") return read_rename(place);
   const std::string given = op.value().is_string() ? op.value().get<std::string>() : "";
   op.refuse(
       "\"put\", \"push\", \"turn\", \"pick_up\", \"translate\", \"rotate\", \"append\", "
       "\"duplicate\", \"delete\", \"lock\", \"unlock\", \"fix\", \"unfix\", \"material\", "
-      "\"group\", \"ungroup\", \"stand\", \"unplace\" or \"arrange\"" +
+      "\"group\", \"ungroup\", \"stand\", \"unplace\", \"arrange\" or \"rename\"" +
       did_you_mean(given, {"put", "push", "turn", "pick_up", "translate", "rotate", "append",
                            "duplicate", "delete", "lock", "unlock", "fix", "unfix", "material",
-                           "group", "ungroup", "stand", "unplace", "arrange"}));
+                           "group", "ungroup", "stand", "unplace", "arrange", "rename"}));
 }
 
 }  // namespace

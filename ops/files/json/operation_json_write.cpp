@@ -116,6 +116,8 @@ void write(const AppendOperation& append, Json& json) {
 
 void write(const DuplicateOperation& duplicate, Json& json) { json["as"] = duplicate.as; }
 
+void write(const RenameOperation& rename, Json& json) { json["to"] = rename.to; }
+
 void write(const DeleteOperation&, Json&) {}
 
 void write(const StandOperation& stand, Json& json) { write_pose(stand.pose, json); }

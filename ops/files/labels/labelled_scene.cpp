@@ -14,9 +14,14 @@ std::map<std::string, ClassAndAttributes> named_labels(const Layout& layout) {
   std::map<std::string, ClassAndAttributes> out;
   for (const LayoutObject& object : layout.objects)
     out[object.name] = {object.class_name, object.attributes};
-  for (const Operation& operation : layout.operations)
+  for (const Operation& operation : layout.operations) {
     if (const auto* copy = std::get_if<DuplicateOperation>(&operation))
       out[copy->as] = out[copy->object];
+    if (const auto* renamed = std::get_if<RenameOperation>(&operation)) {
+      out[renamed->to] = out[renamed->object];
+      out.erase(renamed->object);
+    }
+  }
   return out;
 }
 

@@ -9,6 +9,7 @@
 #include "ops/files/arrange/arrange_operation.h"
 #include "ops/files/json/input_text.h"
 #include "ops/files/json/json_text.h"
+#include "ops/files/json/looks_json.h"
 #include "ops/files/json/material_json.h"
 #include "ops/files/json/operation_json.h"
 #include "ops/files/json/settle_json.h"
@@ -106,6 +107,10 @@ Operation read_known(const JsonPlace& place, std::set<std::string>& names) {
   };
   if (!names.count(name)) refuse(place.at("object"), "the name of one of /objects");
   if (const auto* o = std::get_if<DuplicateOperation>(&operation)) add("as", o->as);
+  if (const auto* o = std::get_if<RenameOperation>(&operation)) {
+    add("to", o->to);
+    names.erase(name);
+  }
   if (std::holds_alternative<DeleteOperation>(operation)) names.erase(name);
   if (const auto* put = std::get_if<PutOperation>(&operation))
     if (put->place && put->place->on != "floor" && !names.count(put->place->on))
@@ -142,7 +147,7 @@ Layout parse_layout(const std::string& text, const std::string& file) {
   const nlohmann::json document = parse_json(text, file);
   const JsonPlace root(document, file);
   root.expect_object({"trivet", "objects"}, {"floor", "material", "floor_material", "settle",
-                                             "scene", "scene_objects", "operations"});
+                                             "scene", "scene_objects", "operations", "looks"});
   const JsonPlace version = root.at("trivet");
   if (!version.value().is_number() || version.value() != kLayoutVersion)
     version.refuse(std::to_string(kLayoutVersion) + ", the version of the layout format");
@@ -168,6 +173,7 @@ Layout parse_layout(const std::string& text, const std::string& file) {
   if (const auto operations = root.find("operations"))
     for (const JsonPlace& item : operations->items())
       layout.operations.push_back(read_known(item, names));
+  if (const auto looks = root.find("looks")) layout.looks = read_looks(*looks);
   return layout;
 }
 
@@ -201,6 +207,7 @@ std::string write_layout(const Layout& layout) {
   }
   json["operations"] = Json::array();
   for (const Operation& o : layout.operations) json["operations"].push_back(operation_json(o));
+  if (!layout.looks.empty()) json["looks"] = looks_json(layout.looks);
   return readable_json(json);
 }
 

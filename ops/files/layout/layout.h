@@ -12,6 +12,7 @@
 #include "core/motion/pose.h"
 #include "core/scene/physics_material.h"
 #include "ops/base/options.h"
+#include "ops/files/layout/scene_looks.h"
 #include "ops/operations/operations.h"
 
 namespace trivet {
@@ -47,6 +48,7 @@ struct Layout {
   std::optional<PhysicsMaterial> floor_material;  // nothing: the same
   std::vector<LayoutObject> objects;
   std::vector<Operation> operations;  // on objects of these names
+  SceneLooks looks;                   // how editors show the result
 };
 
 /// A quaternion w, x, y, z of any length but zero as a rotation; one of unit length is taken as it

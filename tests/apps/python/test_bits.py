@@ -227,6 +227,11 @@ def test_properties_tell_what_is():
     other.unplace()
     assert not other.placed
     assert "other" in scene and other in scene
+    renamed = other.rename("another")
+    assert renamed.name == "another" and renamed.group == "pair" and "other" not in scene
+    with pytest.raises(trivet.Refused, match="one"):
+        renamed.rename("one")
+    assert scene.undo() and "another" not in scene and other.group == "pair"
     other.remove()
     assert "other" not in scene and repr(other) == "<trivet.Object 'other', deleted>"
     with pytest.raises(trivet.NoSuchObject):

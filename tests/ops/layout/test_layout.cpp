@@ -152,6 +152,7 @@ constexpr const char* kAllOperations[] = {
     R"({"op":"material","object":"a",)"
     R"("material":{"friction":0.3333333333333333,"density":700.5,"restitution":0.1}})",
     R"({"op":"duplicate","object":"a","as":"b"})",
+    R"({"op":"rename","object":"a","to":"b"})",
     R"({"op":"delete","object":"a","settle_left":true})",
     R"({"op":"lock","object":"a"})",
     R"({"op":"unlock","object":"a"})",

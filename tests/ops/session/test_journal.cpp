@@ -125,6 +125,24 @@ TEST_F(JournalFiles, RestoreMaterials) {
   EXPECT_EQ(scene.at(*scene.find("c")).material.density, 500);
 }
 
+TEST_F(JournalFiles, RestoreNames) {
+  {
+    OpenedSession opened = open();
+    // Two names change places in one step.
+    ASSERT_TRUE(opened.session
+                    .perform_all({RenameOperation{"a", "t"}, RenameOperation{"b", "a"},
+                                  RenameOperation{"t", "b"}})
+                    .ok());
+    ASSERT_TRUE(opened.session.perform(RenameOperation{"b", "lid"}).ok());
+    ASSERT_TRUE(opened.session.perform(put_at("lid", 2, 0)).ok());
+  }
+  const RestoredSession restored = restore();
+  EXPECT_TRUE(restored.exact);
+  const Scene& scene = restored.opened.session.scene();
+  EXPECT_TRUE(scene.find("a") && scene.find("lid") && !scene.find("b"));
+  EXPECT_TRUE(scene.is_consistent());
+}
+
 TEST_F(JournalFiles, DropTornLastLine) {
   {
     OpenedSession opened = open();

@@ -20,10 +20,14 @@ std::vector<Operation> some_operations() {
           append_of("d", "other.obj"),
           put_at("d", 1, 0),
           LockOperation{"a", true},
+          RenameOperation{"b", "f"},
+          RenameOperation{"f", "b"},
+          RenameOperation{"a", "base"},
           GroupOperation{"b", "set"},
           DuplicateOperation{"d", "e"},
           put_at("e", 1.05, 0),
           delete_of("b"),
+          RenameOperation{"base", "a"},
           put_at("c", 0.5, 0.5),
           GroupOperation{"c", "set"},
           LockOperation{"a", false},
@@ -118,7 +122,10 @@ TEST(Session, KeepsSceneAndHistoryOnRefusal) {
   for (const Operation& operation :
        {put_at("b", 0, 0, 0.05), put_at("none", 0, 0), Operation(delete_of("none")),
         Operation(DuplicateOperation{"a", "b"}), Operation(DuplicateOperation{"a", "floor"}),
-        Operation(DuplicateOperation{"none", "x"}), Operation(append_of("a", "m.obj"))}) {
+        Operation(DuplicateOperation{"none", "x"}), Operation(append_of("a", "m.obj")),
+        Operation(RenameOperation{"a", "b"}), Operation(RenameOperation{"a", "a"}),
+        Operation(RenameOperation{"a", "floor"}), Operation(RenameOperation{"a", ""}),
+        Operation(RenameOperation{"none", "x"})}) {
     const OperationResult result = session.perform(operation);
     EXPECT_FALSE(result.ok());
     EXPECT_FALSE(result.reason().empty());

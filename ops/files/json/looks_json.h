@@ -1,0 +1,14 @@
+// Looks of objects and collections as JSON, as in layout.schema.json.
+#pragma once
+
+#include "ops/files/json/json_text.h"
+#include "ops/files/layout/scene_looks.h"
+
+namespace trivet {
+
+/// @throws Error (BadInput): unknown keys, colours out of range, a collection's name or an object
+///   in collections that comes twice.
+SceneLooks read_looks(const JsonPlace& place);
+nlohmann::ordered_json looks_json(const SceneLooks& looks);
+
+}  // namespace trivet

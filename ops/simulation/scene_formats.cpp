@@ -1,0 +1,67 @@
+#include "ops/simulation/scene_formats.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+#include "core/base/bad_input.h"
+#include "ops/files/report/tables.h"
+#include "ops/simulation/simulation.h"
+
+namespace trivet {
+
+const std::vector<SceneFormat>& scene_formats() {
+  using Kind = SceneFormat::Kind;
+  static const std::vector<SceneFormat> formats = {{Kind::Scene, "glTF", {".glb", ".gltf"}},
+                                                   {Kind::Scene, "Wavefront OBJ", {".obj"}},
+                                                   {Kind::Scene, "PLY", {".ply"}},
+                                                   {Kind::Scene, "STL", {".stl"}},
+                                                   {Kind::Simulator, "MuJoCo", {".xml", ".mjcf"}},
+                                                   {Kind::Simulator, "URDF", {".urdf"}},
+                                                   {Kind::Simulator, "SDF", {".sdf", ".world"}},
+                                                   {Kind::Simulator, "USD", {".usda"}},
+                                                   {Kind::Table, "CSV", {".csv"}},
+                                                   {Kind::Table, "JSON lines", {".jsonl"}}};
+  return formats;
+}
+
+std::vector<std::string> extensions_of(std::initializer_list<SceneFormat::Kind> kinds) {
+  std::vector<std::string> out;
+  for (const SceneFormat& format : scene_formats())
+    if (std::find(kinds.begin(), kinds.end(), format.kind) != kinds.end())
+      out.insert(out.end(), format.extensions.begin(), format.extensions.end());
+  return out;
+}
+
+const SceneFormat* format_of(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  for (const SceneFormat& format : scene_formats())
+    for (const std::string& known : format.extensions)
+      if (known == extension) return &format;
+  return nullptr;
+}
+
+void write_in_any_format(const Scene& scene, const Layout& layout, const SceneFileOptions& options,
+                         const std::string& path) {
+  const SceneFormat* const format = format_of(path);
+  if (!format) {
+    std::string accepted;
+    for (const SceneFormat& known : scene_formats())
+      for (const std::string& extension : known.extensions)
+        accepted.append(accepted.empty() ? "" : ", ").append(extension);
+    bad_input(path + ": has no extension of a format; accepted: " + accepted);
+  }
+  switch (format->kind) {
+    case SceneFormat::Kind::Scene:
+      return write_scene_file(scene, layout, options, path);
+    case SceneFormat::Kind::Simulator:
+      export_simulation(scene, path);
+      return;
+    case SceneFormat::Kind::Table:
+      return write_table(scene, Table::Poses, path);
+  }
+}
+
+}  // namespace trivet
