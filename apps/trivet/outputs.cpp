@@ -16,7 +16,7 @@
 #include "core/io/overwrites.h"
 #include "core/io/staged_files.h"
 #include "ops/files/report/verdict.h"
-#include "ops/simulation/simulation.h"
+#include "ops/simulation/scene_formats.h"
 
 namespace trivet::apps {
 namespace {
@@ -165,9 +165,9 @@ void check_extension(const std::string& path, const std::vector<std::string>& ac
 }
 
 void check_outputs(const OutputPaths& paths, const std::vector<std::string>& inputs) {
-  std::vector<std::string> accepted = {".glb", ".gltf", ".obj", ".ply", ".stl"};
-  for (const std::string& extension : simulation_extensions()) accepted.push_back(extension);
-  if (!paths.scene.empty()) check_extension(paths.scene, accepted);
+  using Kind = SceneFormat::Kind;
+  if (!paths.scene.empty())
+    check_extension(paths.scene, extensions_of({Kind::Scene, Kind::Simulator}));
   if (!paths.picture.empty()) check_extension(paths.picture, {".png"});
   check_files({paths.scene, paths.report, paths.picture}, inputs);
   check_files_beside(paths.scene);
@@ -220,13 +220,12 @@ int Outputs::write(const LayoutRun& run, const Layout& layout, const RunOptions&
   if (!m_paths.report.empty()) beside.add(m_paths.report, report);
   if (m_picture) beside.add(m_paths.picture, png);
   const std::string extension = extension_of(m_paths.scene);
-  if (is_simulation_extension(extension))
-    export_simulation(run.scene, m_paths.scene);
-  else if (in_place && (extension == ".glb" || extension == ".gltf"))
+  if (in_place && (extension == ".glb" || extension == ".gltf"))
     in_place->write(m_paths.scene);
   else if (!m_paths.scene.empty())
-    write_scene_file(run.scene, with_rules_of(run, layout),
-                     {TRIVET_VERSION, folders.in_scene, options.settle.clearance}, m_paths.scene);
+    write_in_any_format(run.scene, with_rules_of(run, layout),
+                        {TRIVET_VERSION, folders.in_scene, options.settle.clearance},
+                        m_paths.scene);
   beside.commit();
   if (m_common.json)
     std::cout << report;

@@ -5,6 +5,7 @@
 #include "core/base/error.h"
 #include "core/io/export.h"
 #include "ops/files/report/tables.h"
+#include "ops/simulation/scene_formats.h"
 #include "ops/simulation/simulate.h"
 
 namespace trivet::apps {
@@ -65,9 +66,8 @@ int export_for_simulator(const ExportArguments& arguments, const CommonOptions& 
 
 int export_scene(const ExportArguments& arguments, const CommonOptions& common,
                  const CLI::App& verb) {
-  std::vector<std::string> accepted = simulation_extensions();
-  accepted.insert(accepted.end(), {".csv", ".jsonl"});
-  check_extension(arguments.output, accepted);
+  using Kind = SceneFormat::Kind;
+  check_extension(arguments.output, extensions_of({Kind::Simulator, Kind::Table}));
   const bool is_table = is_table_extension(extension_of(arguments.output));
   for (const CLI::Option* option : verb.get_options())
     if (option->count() > 0 && option->get_group() == (is_table ? kSimulators : kTables))

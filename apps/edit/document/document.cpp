@@ -46,7 +46,7 @@ void Document::forget_scene() {
   m_history = {};
   m_selections.clear();
   set_selection({});
-  set_looks({});
+  show_looks({});
 }
 
 void Document::show(State state) {
@@ -102,16 +102,18 @@ Document::Job Document::open_demo(const std::string& name) {
 }
 
 Document::Job Document::save() {
-  return start("save", [](Engine& engine) { return engine.save_as(engine.file()); });
+  return start("save",
+               [looks = m_looks](Engine& engine) { return engine.save_as(engine.file(), looks); });
 }
 
 Document::Job Document::save_as(const std::string& file) {
-  return start("save \"" + file + "\"", [file](Engine& engine) { return engine.save_as(file); });
+  return start("save \"" + file + "\"",
+               [file, looks = m_looks](Engine& engine) { return engine.save_as(file, looks); });
 }
 
 Document::Job Document::export_to(const std::string& file) {
   return start("export \"" + file + "\"",
-               [file](Engine& engine) { return engine.export_to(file); });
+               [file, looks = m_looks](Engine& engine) { return engine.export_to(file, looks); });
 }
 
 Document::Job Document::close() {
@@ -146,15 +148,6 @@ Document::Job Document::perform_groups(const std::string& name, ManyObjects many
   return start(name, [name, many = std::move(many)](Engine& engine) {
     return engine.perform_groups(name, many);
   });
-}
-
-Document::Job Document::rename(const std::string& name, const std::string& as) {
-  const ObjectSnapshot* const found = m_snapshot->find(name);
-  const Look look = found ? m_looks.of(found->id) : Look();
-  return start("rename \"" + name + "\"",
-               [operations = renaming(*m_snapshot, name, as), name, as, look](Engine& engine) {
-                 return engine.rename(operations, name, as, look);
-               });
 }
 
 Document::Job Document::rescale(const std::string& name, double scale, double drop_height) {
@@ -208,6 +201,16 @@ void Document::set_looks(Looks looks) {
   m_looks = std::move(looks);
   Q_EMIT looks_changed();
   set_selection(m_selection);
+  Q_EMIT history_changed();
+}
+
+void Document::show_looks(const SceneLooks& looks) {
+  m_saved_looks = looks;
+  set_looks(Looks::of_file(looks, *m_snapshot));
+}
+
+bool Document::is_modified() const {
+  return m_modified || m_looks.named(names_in(*m_snapshot)) != m_saved_looks;
 }
 
 void Document::select(Selection selection) { set_selection(std::move(selection)); }

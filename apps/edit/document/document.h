@@ -96,7 +96,8 @@ class Document : public QObject {
   const History& history() const { return m_history; }
   bool can_undo() const { return m_history.num_done > 0; }
   bool can_redo() const { return m_history.num_done < m_history.steps.size(); }
-  bool is_modified() const { return m_modified; }
+  /// Looks count, too.
+  bool is_modified() const;
   /// Target of save(); empty: unnamed, or a layout was opened.
   const std::string& file() const { return m_file; }
   /// Title for windows: the opened or saved file, "Untitled", or a demo's name.
@@ -119,7 +120,7 @@ class Document : public QObject {
   /// Saves as .glb, or as .json: the layout that makes this scene (the document keeps its file
   /// then).
   Job save_as(const std::string& file);
-  /// .obj, .ply, .stl or .glb; the document keeps its file.
+  /// In any of scene_formats(); the document keeps its file.
   Job export_to(const std::string& file);
   /// Ends the session and removes its recovery files.
   Job close();
@@ -139,8 +140,7 @@ class Document : public QObject {
   /// Runs the groups as one step and selects their objects; a group that is refused is left out,
   /// and a message tells how many and why. @param name  shown by windows while busy.
   Job perform_groups(const std::string& name, ManyObjects many);
-  /// As one step each; see remake.h. A rename is refused if anything but the name would change.
-  Job rename(const std::string& name, const std::string& as);
+  /// As one step; see remake.h.
   Job rescale(const std::string& name, double scale, double drop_height);
   /// Imports as one step; the new object is selected on success. If it cannot be put, it stays
   /// unplaced.
@@ -160,7 +160,7 @@ class Document : public QObject {
   void select(Selection selection);
   void select_only(std::optional<ObjectId> id);
 
-  /// Of this scene, until another one is opened.
+  /// Of this scene, until another one is opened. Saved with it.
   const Looks& looks() const { return m_looks; }
   void set_looks(Looks looks);
 
@@ -248,6 +248,7 @@ class Document : public QObject {
   void show_detection_note(const std::string& note);
   void drag_refused(std::uint64_t drag);
   void set_selection(Selection selection);
+  void show_looks(const SceneLooks& looks);
   void select_named(const std::vector<std::string>& names);
 
   DocumentOptions m_options;
@@ -256,6 +257,7 @@ class Document : public QObject {
   Selection m_selection;
   std::map<size_t, Selection> m_selections;  // by steps done: when the next one began
   Looks m_looks;
+  SceneLooks m_saved_looks;
   History m_history;
   std::string m_file, m_title, m_busy_with;
   std::optional<Ghost> m_ghost;

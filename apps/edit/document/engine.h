@@ -48,16 +48,14 @@ class Engine {
   bool new_scene();
   bool open(const std::string& file);
   bool open_demo(const std::string& name);
-  bool save_as(const std::string& file);
-  bool export_to(const std::string& file);
+  bool save_as(const std::string& file, const Looks& looks);
+  bool export_to(const std::string& file, const Looks& looks);
   bool close();
   bool restore(const std::string& journal);
   bool perform(const Operation& operation);
   bool perform_all(const std::vector<Operation>& operations,
                    const std::vector<std::string>& select = {});
   bool perform_groups(const std::string& what, const ManyObjects& many);
-  bool rename(const OperationGroup& operations, const std::string& name, const std::string& as,
-              const Look& look);
   bool import_model(const ImportModel& model);
   bool go_to_step(size_t num_done);
   bool end_drag(std::uint64_t drag);
@@ -96,6 +94,7 @@ class Engine {
   std::unique_ptr<FileLock> locked(const std::string& file) const;
   std::string model_path(const std::string& file) const;
   OpenedSession opened_from(const std::string& file);
+  SceneLooks keep_looks(const Looks& looks);
   void publish(std::optional<SettledWay> way = std::nullopt);
   /// Judges the scene as a whole, unless it has changed since.
   void judge(std::uint64_t committed);

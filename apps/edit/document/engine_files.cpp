@@ -15,6 +15,7 @@
 #include "ops/files/layout/paths.h"
 #include "ops/files/report/scene_file.h"
 #include "ops/session/journal.h"
+#include "ops/simulation/scene_formats.h"
 
 namespace trivet::edit {
 namespace {
@@ -84,6 +85,7 @@ void Engine::adopt(OpenedSession opened, const std::string& file, const std::str
   m_snapshots.forget();
   tell([](Document& shown) { shown.forget_scene(); });
   publish();
+  tell([looks = m_opened->session.layout().looks](Document& shown) { shown.show_looks(looks); });
   for (const std::string& note : m_opened->notes) tell(Message{Message::Kind::Info, note, {}, {}});
 }
 
@@ -141,8 +143,18 @@ bool Engine::open_demo(const std::string& name) {
   return true;
 }
 
-bool Engine::save_as(const std::string& file) {
+// From here on they are part of the layout.
+SceneLooks Engine::keep_looks(const Looks& looks) {
+  const Scene& scene = m_opened->session.scene();
+  SceneLooks out = looks.named(
+      [&](ObjectId id) { return scene.contains(id) ? scene.at(id).name : std::string(); });
+  m_opened->session.set_looks(out);
+  return out;
+}
+
+bool Engine::save_as(const std::string& file, const Looks& looks) {
   const std::string extension = extension_of(file);
+  const SceneLooks kept = keep_looks(looks);
   if (extension == ".json") {
     write_file_atomically(file,
                           write_layout(moved_layout(m_opened->session.layout(),
@@ -157,17 +169,19 @@ bool Engine::save_as(const std::string& file) {
   if (lock) m_lock = std::move(lock);
   m_file = file;
   m_title = fs::path(file).filename().string();
+  tell([kept](Document& shown) { shown.m_saved_looks = kept; });
   publish();
   return true;
 }
 
-bool Engine::export_to(const std::string& file) {
+bool Engine::export_to(const std::string& file, const Looks& looks) {
+  keep_looks(looks);
   check_not_an_input(file, model_files(m_opened->session.layout(), m_opened->model_folder));
   SceneFileOptions options;
   options.version = m_options.version;
   options.clearance = settled_clearance(*m_opened);
   options.model_folder = folder_from(file, m_opened->model_folder);
-  write_scene_file(m_opened->session.scene(), m_opened->session.layout(), options, file);
+  write_in_any_format(m_opened->session.scene(), m_opened->session.layout(), options, file);
   return true;
 }
 

@@ -1,7 +1,5 @@
 // Jobs on many objects of the document's thread.
 #include "apps/edit/document/engine.h"
-#include "apps/edit/document/remake.h"
-#include "apps/edit/document/results.h"
 #include "core/scene/transaction.h"
 
 namespace trivet::edit {
@@ -56,28 +54,6 @@ bool Engine::perform_groups(const std::string& what, const ManyObjects& many) {
                      "; the others were refused, the first: " + refused->reason(),
                  {},
                  {}});
-  return true;
-}
-
-bool Engine::rename(const OperationGroup& operations, const std::string& name,
-                    const std::string& as, const Look& look) {
-  const Scene& scene = m_opened->session.scene();
-  Scene trial = scene;
-  Transaction all(trial);
-  const bool done = perform_group(all, operations, settle_options(), context()).ok();
-  const std::string why = renaming_changes(scene, done ? &trial : nullptr, name, as);
-  if (!why.empty()) {
-    tell(
-        Message{Message::Kind::Refused, "\"" + name + "\" cannot be renamed while " + why, {}, {}});
-    return false;
-  }
-  if (!perform_all(operations, {as})) return false;
-  tell([as, look](Document& shown) {
-    Looks looks = shown.looks();
-    if (const ObjectSnapshot* const found = shown.snapshot()->find(as))
-      looks.change(found->id, look);
-    shown.set_looks(std::move(looks));
-  });
   return true;
 }
 

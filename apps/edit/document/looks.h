@@ -1,16 +1,19 @@
-// How objects are shown in this window: hidden, not selectable, in a colour. Not part of the scene:
-// neither undone nor saved.
+// How objects are shown: hidden, not selectable, in a colour, alone or by collections. Saved with
+// the scene, but no step: not undone.
 #pragma once
 
 #include <array>
+#include <functional>
 #include <map>
 #include <optional>
-#include <span>
 #include <vector>
 
-#include "core/scene/support.h"
+#include "apps/edit/document/collections.h"
+#include "ops/files/layout/scene_looks.h"
 
 namespace trivet::edit {
+
+struct SceneSnapshot;
 
 using LookColour = std::array<float, 3>;  // sRGB, 0 to 1
 
@@ -23,17 +26,32 @@ struct Look {
 
 class Looks {
  public:
-  /// The default one unless it was changed.
+  Collections collections;
+
+  /// Its own, whatever its collection; the default one unless it was changed.
   Look of(ObjectId id) const;
   void change(ObjectId id, const Look& look);
+  /// With what its collection says.
+  Look shown(ObjectId id) const;
+  /// Those of hidden collections, too.
   std::vector<ObjectId> hidden() const;
   /// The hidden ones, too.
   std::vector<ObjectId> not_selectable() const;
   friend bool operator==(const Looks&, const Looks&) = default;
 
+  /// As files have them. @param name_of  of an object; empty: it is gone.
+  SceneLooks named(const std::function<std::string(ObjectId)>& name_of) const;
+  /// Names that the scene does not have are left out.
+  static Looks of_file(const SceneLooks& looks, const SceneSnapshot& scene);
+
  private:
+  std::vector<ObjectId> those(const std::function<bool(const Look&)>& wanted) const;
+
   using Key = std::pair<std::uint32_t, std::uint32_t>;  // slot, generation
   std::map<Key, Look> m_looks;
 };
+
+/// Names of the objects of a snapshot, for Looks::named().
+std::function<std::string(ObjectId)> names_in(const SceneSnapshot& scene);
 
 }  // namespace trivet::edit

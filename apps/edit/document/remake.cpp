@@ -1,7 +1,5 @@
 #include "apps/edit/document/remake.h"
 
-#include "apps/edit/document/same_pose.h"
-
 namespace trivet::edit {
 namespace {
 
@@ -18,47 +16,6 @@ void keep_properties(const Object& old, const std::string& name, OperationGroup&
 }
 
 }  // namespace
-
-OperationGroup renaming(const SceneSnapshot& scene, const std::string& name,
-                        const std::string& as) {
-  OperationGroup out;
-  const ObjectSnapshot* const found = scene.find(name);
-  if (!found) return out;
-  const Object& old = *found->object;
-  if (old.locked) out.push_back(LockOperation{name, false});
-  out.push_back(DuplicateOperation{name, as});
-  out.push_back(erase(name));
-  if (old.fixed) out.push_back(FixOperation{as, true});
-  if (old.placed) {
-    StandOperation stand;
-    stand.object = as;
-    stand.pose = old.pose;
-    out.push_back(stand);
-  }
-  keep_properties(old, as, out);
-  return out;
-}
-
-std::string renaming_changes(const Scene& before, const Scene* after, const std::string& name,
-                             const std::string& as) {
-  const auto rests = [](const Object& other) {
-    return "\"" + other.name + "\" rests on it, or leans against it";
-  };
-  const auto renamed = before.find(name);
-  if (!renamed) return {};
-  for (const ObjectContact& entry : before.at(*renamed).contacts)
-    if (entry.with.is_object() && weighs_on(entry.contact))
-      return rests(before.at(entry.with.object()));
-  if (!after) return {};
-  for (const ObjectId id : before.ids()) {
-    const Object& old = before.at(id);
-    const auto now = after->find(id == *renamed ? as : old.name);
-    if (now && after->at(*now).state == old.state && same_pose(after->at(*now).pose, old.pose))
-      continue;
-    return id == *renamed ? std::string("it is ") + to_string(old.state) : rests(old);
-  }
-  return {};
-}
 
 Pose start_in_place_of(const Object& old, Object there, double drop_height) {
   there.pose = {old.pose.rotation, Vec3::Zero()};
@@ -100,16 +57,10 @@ std::string label_of(const SessionStep& step) {
   const std::vector<Operation>& all = step.operations;
   const size_t first = std::holds_alternative<LockOperation>(all.front()) ? 1 : 0;
   if (all.size() < first + 2) return step.name;
-  const auto quoted = [&](const char* what) {
-    return std::string(what) + " \"" + object_name(all[first]) + "\"";
-  };
-  if (object_name(all[first]) != object_name(all[first + 1])) return step.name;
-  const bool erases_next = std::holds_alternative<DeleteOperation>(all[first + 1]);
-  if (std::holds_alternative<DuplicateOperation>(all[first]) && erases_next)
-    return quoted("rename");
-  const bool appends_next = std::holds_alternative<AppendOperation>(all[first + 1]);
-  if (std::holds_alternative<DeleteOperation>(all[first]) && appends_next) return quoted("scale");
-  return step.name;
+  const bool rescales = std::holds_alternative<DeleteOperation>(all[first]) &&
+                        std::holds_alternative<AppendOperation>(all[first + 1]) &&
+                        object_name(all[first]) == object_name(all[first + 1]);
+  return rescales ? "scale \"" + object_name(all[first]) + "\"" : step.name;
 }
 
 }  // namespace trivet::edit

@@ -1,19 +1,10 @@
-// Objects made anew under another name or in another scale, as one step of existing operations.
+// Objects made anew in another scale, as one step of existing operations.
 #pragma once
 
 #include "apps/edit/document/many.h"
 #include "ops/session/session.h"
 
 namespace trivet::edit {
-
-/// A copy in its place and pose, and the object deleted. Valid only if nothing but the name
-/// changes; see renaming_changes(). No operations: there is no such object.
-OperationGroup renaming(const SceneSnapshot& scene, const std::string& name, const std::string& as);
-/// Why these scenes, before and after, differ by more than the name, for people; empty: they do
-/// not.
-/// @param after  null: it could not be done; only what rests on the object counts then.
-std::string renaming_changes(const Scene& before, const Scene* after, const std::string& name,
-                             const std::string& as);
 
 /// The object deleted, and its model appended in another scale; if it was placed, put in its place
 /// from just above. What it carried settles. No operations: there is no such object.
@@ -25,7 +16,7 @@ OperationGroup rescaling(const SceneSnapshot& scene, const std::string& name, do
 /// from above, the underside by `drop_height` above its own.
 Pose start_in_place_of(const Object& old, Object there, double drop_height);
 
-/// A step's text in a history: "rename \"cup\"", "scale \"cup\"", else the step's name.
+/// A step's text in a history: "scale \"cup\"", else the step's name.
 std::string label_of(const SessionStep& step);
 
 }  // namespace trivet::edit

@@ -1,8 +1,9 @@
 #include "apps/edit/document/scene_verdict.h"
 
+#include <QCoreApplication>
+#include <QLocale>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "core/base/quoted.h"
 #include "ops/files/report/verdict.h"
@@ -13,11 +14,9 @@ namespace {
 constexpr double kArrowOfObject = 0.5;  // length, of its size
 constexpr size_t kMostNames = 3;
 
-std::string millimetres(double metres) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g mm", 1000 * metres);
-  return text;
-}
+std::string said(const QString& text) { return text.toStdString(); }
+
+QString millimetres(double metres) { return QLocale().toString(1000 * metres, 'g', 3) + " mm"; }
 
 std::string names_of_what_topples(const SceneSnapshot& scene, const Stability& stability) {
   std::string out;
@@ -28,7 +27,8 @@ std::string names_of_what_topples(const SceneSnapshot& scene, const Stability& s
     if (++count > kMostNames) continue;
     out += (out.empty() ? "" : ", ") + quoted((*object)->name);
   }
-  if (count > kMostNames) out += " and " + std::to_string(count - kMostNames) + " more";
+  if (count > kMostNames)
+    out += said(QCoreApplication::translate("verdict", " and %1 more").arg(count - kMostNames));
   return out;
 }
 
@@ -62,21 +62,26 @@ std::string whole_text(const SceneSnapshot& scene, const SceneVerdict& verdict) 
   const Stability& s = verdict.stability;
   switch (s.status) {
     case Stability::Status::Unstable:
-      return "topples: " + names_of_what_topples(scene, s);
+      return said(QCoreApplication::translate("verdict", "topples: ")) +
+             names_of_what_topples(scene, s);
     case Stability::Status::Unknown:
-      return "not known to stand: " + s.why_unknown;
+      return said(QCoreApplication::translate("verdict", "not known to stand: ")) + s.why_unknown;
     case Stability::Status::Marginal:
-      return "stands, but only just, margin " + millimetres(s.margin);
+      return said(QCoreApplication::translate("verdict", "stands, but only just, margin %1")
+                      .arg(millimetres(s.margin)));
     case Stability::Status::Stable:
       break;
   }
-  return std::isfinite(s.margin) ? "stands, margin " + millimetres(s.margin) : "stands";
+  return std::isfinite(s.margin) ? said(QCoreApplication::translate("verdict", "stands, margin %1")
+                                            .arg(millimetres(s.margin)))
+                                 : said(QCoreApplication::translate("verdict", "stands"));
 }
 
 std::string object_text(const Object& object, const ObjectStability& verdict) {
   if (verdict.topples) return way_text(object, verdict.motion);
-  if (verdict.marginal) return "stands, but only just";
-  return "stands";
+  if (verdict.marginal)
+    return said(QCoreApplication::translate("verdict", "stands, but only just"));
+  return said(QCoreApplication::translate("verdict", "stands"));
 }
 
 }  // namespace trivet::edit

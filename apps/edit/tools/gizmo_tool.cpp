@@ -1,5 +1,7 @@
 #include "apps/edit/tools/gizmo_tool.h"
 
+#include <QtGlobal>
+
 #include "apps/edit/tools/placing.h"
 
 namespace trivet::edit {
@@ -109,8 +111,13 @@ Overlay GizmoTool::overlay(const View& view) const {
 }
 
 std::string GizmoTool::hint() const {
-  return m_turns ? "Drag a ring to turn the object; hold Control for steps, or type degrees"
-                 : "Drag an arrow, a square or the object itself; type metres, Tab for the axis";
+  return m_turns
+             ? QT_TRANSLATE_NOOP(
+                   "tools",
+                   "Drag a ring to turn the object; hold Control for steps, or type degrees")
+             : QT_TRANSLATE_NOOP(
+                   "tools",
+                   "Drag an arrow, a square or the object itself; type metres, Tab for the axis");
 }
 
 }  // namespace trivet::edit

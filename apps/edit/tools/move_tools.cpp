@@ -1,5 +1,6 @@
 #include "apps/edit/tools/move_tools.h"
 
+#include <QtGlobal>
 #include <cmath>
 
 #include "apps/edit/tools/placing.h"
@@ -55,7 +56,9 @@ void PushTool::steer_by(const std::vector<double>& values) {
 }
 
 std::string PushTool::hint() const {
-  return "Drag an object along the surface it lies on, or type x and y meanwhile; Escape cancels";
+  return QT_TRANSLATE_NOOP(
+      "tools",
+      "Drag an object along the surface it lies on, or type x and y meanwhile; Escape cancels");
 }
 
 // --- PICK-UP -----------------------------------------------------------------------------------
@@ -98,7 +101,8 @@ bool PickUpTool::pick_up() {
 }
 
 std::string PickUpTool::hint() const {
-  return "Click an object to pick it up, or drag it away from its support";
+  return QT_TRANSLATE_NOOP("tools",
+                           "Click an object to pick it up, or drag it away from its support");
 }
 
 }  // namespace trivet::edit

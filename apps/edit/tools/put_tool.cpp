@@ -1,3 +1,4 @@
+#include <QtGlobal>
 #include <algorithm>
 
 #include "apps/edit/tools/move_tools.h"
@@ -133,13 +134,17 @@ std::string PutTool::in_hand() const {
 
 std::string PutTool::hint() const {
   if (held())
-    return "Click its place; hold Alt to drop it from just above that point; Escape drops it from "
-           "the hand";
+    return QT_TRANSLATE_NOOP(
+        "tools",
+        "Click its place; hold Alt to drop it from just above that point; Escape drops it from "
+        "the hand");
   const ObjectSnapshot* const object = active();
   if (object && !can_be_moved(*object->object))
     return quoted((*object)->name) + " is " + ((*object)->locked ? "locked" : "fixed") +
            ": it is not taken in hand";
-  return "Nothing in hand: click an object to take it; N takes the next one that is not placed yet";
+  return QT_TRANSLATE_NOOP(
+      "tools",
+      "Nothing in hand: click an object to take it; N takes the next one that is not placed yet");
 }
 
 }  // namespace trivet::edit

@@ -1,5 +1,6 @@
 #include "apps/edit/tools/select_tool.h"
 
+#include <QtGlobal>
 #include <algorithm>
 
 #include "apps/edit/tools/picking.h"
@@ -88,7 +89,8 @@ Overlay SelectTool::overlay(const View&) const {
 }
 
 std::string SelectTool::hint() const {
-  return "Click an object to select it, Shift-click to add it; drag for a selection box";
+  return QT_TRANSLATE_NOOP(
+      "tools", "Click an object to select it, Shift-click to add it; drag for a selection box");
 }
 
 }  // namespace trivet::edit

@@ -1,5 +1,7 @@
 #include "apps/edit/tools/turn_tool.h"
 
+#include <QtGlobal>
+
 #include "apps/edit/tools/contact_picking.h"
 #include "apps/edit/tools/placing.h"
 
@@ -85,8 +87,10 @@ Overlay TurnTool::overlay(const View& view) const {
 }
 
 std::string TurnTool::hint() const {
-  return "Click a contact point, edge or area, then drag to turn about it; hold Control for steps, "
-         "or type degrees";
+  return QT_TRANSLATE_NOOP(
+      "tools",
+      "Click a contact point, edge or area, then drag to turn about it; hold Control for steps, "
+      "or type degrees");
 }
 
 }  // namespace trivet::edit

@@ -95,6 +95,7 @@ void MainWindow::restore_layout() {
   const QString shown = settings.value("view/three_view", "top").toString();
   aim_three_view(shown == "side" || shown == "front" ? shown : "top");
   m_zlist_dock->setVisible(settings.value("view/zlists", false).toBool());
+  m_asset_dock->setVisible(settings.value("view/assets", false).toBool());
   set_dark(settings.value("view/dark", true).toBool());
 }
 
@@ -109,6 +110,7 @@ void MainWindow::save_layout() const {
   settings.setValue("view/contacts", m_drawing.options().contacts);
   settings.setValue("view/watch_settling", m_drawing.options().watch_settling);
   settings.setValue("view/zlists", !m_zlist_dock->isHidden());
+  settings.setValue("view/assets", !m_asset_dock->isHidden());
   settings.setValue("view/dark", m_drawing.theme().dark);
 }
 
@@ -120,6 +122,7 @@ void MainWindow::set_dark(bool dark) {
   m_message_bar->set_theme(theme);
   m_control->set_theme(theme);
   m_zlists->set_theme(theme);
+  m_assets->set_theme(theme);
   action("dark")->setChecked(dark);
   dress_actions();
 }

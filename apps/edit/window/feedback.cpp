@@ -1,4 +1,5 @@
 // Title, status bar and enabled actions of the main window, as the document is.
+#include <QCoreApplication>
 #include <QStatusBar>
 
 #include "apps/edit/window/main_window.h"
@@ -48,7 +49,8 @@ void MainWindow::make_status_bar() {
 }
 
 void MainWindow::update_title() {
-  setWindowTitle(QString::fromStdString(m_document.title()) + "[*] – Trivet");
+  const QString title = QString::fromStdString(m_document.title());
+  setWindowTitle((title == "Untitled" ? tr("Untitled") : title) + "[*] – Trivet");
   setWindowModified(m_document.is_modified());
   update_actions();
 }
@@ -67,7 +69,8 @@ void MainWindow::update_status() {
   m_hand->setText(tr("In hand: %1").arg(hand));
   m_hand->setStyleSheet("font-weight: bold; color: " + m_drawing.theme().accent().name());
   const QString typed = QString::fromStdString(m_toolbox.reading());
-  QString hint = typed.isEmpty() ? QString::fromStdString(m_toolbox.hint()) : typed;
+  QString hint =
+      typed.isEmpty() ? QCoreApplication::translate("tools", m_toolbox.hint().c_str()) : typed;
   const auto& ghost = m_document.ghost();
   if (typed.isEmpty() && ghost && !ghost->ok && !ghost->text.empty())
     hint = QString::fromStdString(ghost->text);
@@ -115,7 +118,7 @@ void MainWindow::update_actions() {
   action("redo")->setEnabled(idle && m_document.can_redo());
   for (const char* const name :
        {"duplicate", "delete", "lock", "unlock", "fix", "unfix", "group", "ungroup", "rename",
-        "array", "scatter", "align", "replace", "hide", "not selectable"})
+        "array", "scatter", "align", "replace", "hide", "not selectable", "collect", "uncollect"})
     action(name)->setEnabled(idle && selected);
   action("put all")->setEnabled(idle);
   m_colours->setEnabled(selected);

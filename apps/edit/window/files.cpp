@@ -4,12 +4,14 @@
 #include <QFileInfo>
 #include <QMenu>
 #include <QMessageBox>
+#include <QRegularExpression>
 #include <QSettings>
 #include <QStandardPaths>
 
 #include "apps/edit/window/import_dialog.h"
 #include "apps/edit/window/main_window.h"
 #include "ops/files/report/scene_file.h"
+#include "ops/simulation/scene_formats.h"
 
 namespace trivet::edit {
 namespace {
@@ -23,6 +25,24 @@ QString usual_folder() {
        {last, QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)})
     if (!folder.isEmpty() && QFileInfo(folder).isDir()) return folder;
   return QDir::homePath();
+}
+
+/// The formats of the command line: all of them, then each.
+QStringList export_filters() {
+  QStringList all, out;
+  for (const SceneFormat& format : scene_formats()) {
+    QStringList patterns;
+    for (const std::string& extension : format.extensions)
+      patterns << "*" + QString::fromStdString(extension);
+    all << patterns;
+    const QString what =
+        format.kind == SceneFormat::Kind::Simulator ? MainWindow::tr("%1, for simulators")
+        : format.kind == SceneFormat::Kind::Table   ? MainWindow::tr("%1, a table of poses")
+                                                    : QString("%1");
+    out << what.arg(QString::fromStdString(format.name)) + " (" + patterns.join(' ') + ")";
+  }
+  out.prepend(MainWindow::tr("All formats") + " (" + all.join(' ') + ")");
+  return out;
 }
 
 bool is_scene_or_layout(const QString& file) {
@@ -113,11 +133,13 @@ void MainWindow::save(std::function<void()> then) {
   });
 }
 
-/// Proposal, by the scene's file or title.
+/// Proposal: beside the scene's file, else where the last one was; by its name or title.
 QString MainWindow::file_to_save(const QString& extension) const {
   const QString title = QString::fromStdString(m_document.title());
   const QString stem = title == "Untitled" ? tr("scene") : QFileInfo(title).completeBaseName();
-  return QDir(usual_folder()).filePath(stem + "." + extension);
+  const QString own = QString::fromStdString(m_document.file());
+  const QString folder = own.isEmpty() ? usual_folder() : QFileInfo(own).absolutePath();
+  return QDir(folder).filePath(stem + "." + extension);
 }
 
 void MainWindow::save_as(std::function<void()> then) {
@@ -137,10 +159,13 @@ void MainWindow::save_as(std::function<void()> then) {
 }
 
 void MainWindow::ask_export() {
+  QString chosen;
   QString file = QFileDialog::getSaveFileName(this, tr("Export"), file_to_save("obj"),
-                                              tr("Meshes (*.obj *.ply *.stl *.glb)"));
+                                              export_filters().join(";;"), &chosen);
   if (file.isEmpty()) return;
-  if (QFileInfo(file).suffix().isEmpty()) file += ".obj";
+  // Without an extension, the first one of the chosen kind.
+  if (QFileInfo(file).suffix().isEmpty())
+    file += "." + chosen.section("*.", 1, 1).section(QRegularExpression("[ )]"), 0, 0);
   when_finished(m_document.export_to(file.toStdString()), [this, file](bool ok) {
     if (ok) say(Message::Kind::Info, tr("Exported: %1").arg(file));
   });

@@ -6,18 +6,10 @@
 #include <QLabel>
 #include <QPushButton>
 
+#include "apps/edit/window/asset_thumbnails.h"
+#include "apps/edit/window/units.h"
+
 namespace trivet::edit {
-namespace {
-
-struct Unit {
-  const char* name;
-  double metres;
-};
-constexpr Unit kUnits[] = {{"metres", 1},      {"centimetres", 0.01}, {"millimetres", 0.001},
-                           {"inches", 0.0254}, {"feet", 0.3048},      {"other", 0}};
-
-}  // namespace
-
 ImportDialog::ImportDialog(const QStringList& files, QWidget* parent)
     : QDialog(parent),
       m_files(files),
@@ -30,7 +22,8 @@ ImportDialog::ImportDialog(const QStringList& files, QWidget* parent)
   auto* const form = new QFormLayout(this);
   form->setContentsMargins(16, 16, 16, 12);
   form->setVerticalSpacing(8);
-  for (const Unit& unit : kUnits) m_unit->addItem(tr(unit.name), unit.metres);
+  for (const LengthUnit& unit : length_units()) m_unit->addItem(unit.name, unit.metres);
+  m_unit->addItem(tr("other"), 0.0);
   m_scale->setDecimals(6);
   m_scale->setRange(1e-6, 1e6);
   m_scale->setValue(1);
@@ -72,10 +65,7 @@ std::vector<ImportModel> ImportDialog::models() const {
 }
 
 QString ImportDialog::filter() {
-  return tr(
-      "Models (*.obj *.glb *.gltf *.ply *.stl *.fbx *.dae *.3ds *.off *.blend *.x3d *.step *.stp "
-      "*.iges *.igs *.brep);;All files "
-      "(*)");
+  return tr("Models (%1)").arg(AssetThumbnails::patterns().join(' ')) + ";;" + tr("All files (*)");
 }
 
 }  // namespace trivet::edit

@@ -5,6 +5,7 @@
 #include <QStandardPaths>
 #include <iostream>
 
+#include "apps/edit/window/language.h"
 #include "apps/edit/window/main_window.h"
 #include "core/base/error.h"
 #include "core/base/standard_streams.h"
@@ -32,6 +33,8 @@ void add_options(QCommandLineParser& parser) {
                     "Settles with nearly perfect friction, each object alone, as the paper does"});
   parser.addOption({"objects-alone",
                     "Settles each object on what stands still, whether the whole stands or not"});
+  parser.addOption(
+      {"language", "Of the windows: en or de; otherwise as chosen, or the system's", "code"});
   parser.addOption({"gpu-method", "How a GPU does it: auto, framebuffer or compute", "name"});
 }
 
@@ -58,6 +61,8 @@ int main(int argc, char** argv) {
   QCommandLineParser parser;
   add_options(parser);
   parser.process(application);
+  trivet::edit::speak(application, parser.isSet("language") ? parser.value("language")
+                                                            : trivet::edit::saved_language());
   try {
     trivet::edit::DetectionChoice detection = trivet::edit::saved_detection();
     if (parser.isSet("backend")) detection.backend = parser.value("backend");

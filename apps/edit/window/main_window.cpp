@@ -38,6 +38,7 @@ MainWindow::MainWindow(Document& document, const DetectionChoice& detection)
   setAcceptDrops(true);
   make_views();
   make_zlist_dock();
+  make_asset_dock();
   make_actions();
   make_status_bar();
   connect_document();
@@ -51,6 +52,7 @@ MainWindow::~MainWindow() {
   m_toolbox.changed = nullptr;
   m_document.disconnect(this);
   m_zlist_dock->disconnect(this);
+  m_asset_dock->disconnect(this);
   delete takeCentralWidget();  // delete before the members used by the views
 }
 
@@ -77,6 +79,8 @@ void MainWindow::make_views() {
   connect(m_control, &ControlWindow::file_wanted, this, &MainWindow::open_file);
   connect(&m_control->outliner(), &Outliner::put_wanted, this,
           [this] { take_tool(ToolKind::Put); });
+  connect(&m_control->outliner(), &Outliner::context_menu_wanted, this,
+          &MainWindow::show_context_menu);
   connect(&m_control->outliner(), &Outliner::frame_wanted, this,
           [this] { action("frame")->trigger(); });
   connect(&m_control->operations(), &OperationPanel::tool_wanted, this, &MainWindow::take_tool);
@@ -297,6 +301,8 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
+  if (event->mimeData()->hasFormat(kAssetsMime))
+    return drop_assets(event->mimeData()->urls(), event->position().toPoint());
   QStringList models;
   for (const QUrl& url : event->mimeData()->urls()) {
     const QString file = url.toLocalFile();

@@ -13,6 +13,7 @@
 #include <functional>
 #include <map>
 
+#include "apps/edit/window/asset_browser.h"
 #include "apps/edit/window/control_window.h"
 #include "apps/edit/window/detection_choice.h"
 #include "apps/edit/window/help.h"
@@ -42,6 +43,7 @@ class MainWindow : public QMainWindow {
   MessageBar& message_bar() { return *m_message_bar; }
   ControlWindow& control() { return *m_control; }
   const SceneDrawing& drawing() const { return m_drawing; }
+  AssetBrowser& assets() { return *m_assets; }
   QAction* action(const QString& name) const { return m_actions.at(name); }
   void set_dark(bool dark);
 
@@ -127,6 +129,16 @@ class MainWindow : public QMainWindow {
   void change_looks(const std::function<void(Look&)>& change);  // of the selected objects
   void reset_looks(bool Look::*field);
 
+  // collect.cpp
+  void make_collection_actions();
+  void collect_selected();
+
+  // assets.cpp
+  void make_asset_dock();
+  void take_asset(const Asset& asset);
+  void drop_assets(const QList<QUrl>& urls, const QPoint& at);
+  void drop_asset(const Asset& asset, SceneView& view, const QPoint& at);
+
   // files.cpp
   bool may_lose_work(std::function<void()> then);
   void new_scene();
@@ -165,6 +177,8 @@ class MainWindow : public QMainWindow {
   MessageBar* m_message_bar = nullptr;
   QDockWidget* m_zlist_dock = nullptr;
   ZListPanel* m_zlists = nullptr;
+  QDockWidget* m_asset_dock = nullptr;
+  AssetBrowser* m_assets = nullptr;
   DetectionChoice m_detection;
   QLabel *m_hand = nullptr, *m_hint = nullptr, *m_count = nullptr, *m_busy = nullptr,
          *m_answering = nullptr;

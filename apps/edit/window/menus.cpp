@@ -47,6 +47,7 @@ void MainWindow::make_actions() {
   make_view_actions();
   make_many_actions();
   make_look_actions();
+  make_collection_actions();
   add_action("two minutes", tr("A table in &two minutes"), {}, [this] { show_two_minutes(this); });
   add_action("shortcuts", tr("&Mouse and keys"), Qt::Key_F1,
              [this] { show_shortcuts(this, shortcut_rows()); });
@@ -90,7 +91,7 @@ void MainWindow::make_file_actions() {
   add_action("save as", tr("Save &as…"), tr("Ctrl+Shift+S"), [this] { save_as({}); });
   add_action(
       "export", tr("&Export…"), tr("Ctrl+E"), [this] { ask_export(); },
-      tr("Export as .glb, .obj, .ply or .stl"));
+      tr("Export for other programs, for simulators, or as a table"));
   m_icons[add_action(
       "picture", tr("&Picture…"), tr("Ctrl+P"), [this] { ask_picture(); },
       tr("Picture of the perspective view"))] = Icon::Picture;
@@ -241,6 +242,11 @@ void MainWindow::make_drawing_actions() {
       [this] { m_zlist_dock->setVisible(action("zlists")->isChecked()); },
       tr("z-lists: depths along the motion of what is dragged or put"))
       ->setCheckable(true);
+  add_action(
+      "assets", tr("&Models"), tr("M"),
+      [this] { m_asset_dock->setVisible(action("assets")->isChecked()); },
+      tr("Models: folders of models, to drag into the views"))
+      ->setCheckable(true);
   add_action("dark", tr("&Dark theme"), {}, [this] {
     set_dark(action("dark")->isChecked());
   })->setCheckable(true);
@@ -261,10 +267,11 @@ void MainWindow::make_menus() {
                      [this, name] { open_demo(QString::fromStdString(name)); });
   fill(*file, m_actions,
        {"", "import", "", "save", "save as", "", "export", "picture", "", "start page", "quit"});
-  menu(tr("&Edit"),
-       {"undo",        "redo",    "", "duplicate",  "rename", "delete", "",      "select all",
-        "select none", "search",  "", "lock",       "unlock", "fix",    "unfix", "",
-        "group",       "ungroup", "", "preferences"});
+  menu(
+      tr("&Edit"),
+      {"undo",        "redo",    "", "duplicate", "rename",    "delete", "",           "select all",
+       "select none", "search",  "", "lock",      "unlock",    "fix",    "unfix",      "",
+       "group",       "ungroup", "", "collect",   "uncollect", "",       "preferences"});
   menu(tr("&Object"), {"select", "put", "push", "turn", "pick up", "move", "rotate", "", "put here",
                        "take next", "pick up now"});
   menu(tr("&Many"), {"array", "scatter", "put all", "", "align", "replace"});
@@ -273,7 +280,7 @@ void MainWindow::make_menus() {
                     "from above", "from behind", "follow contact", "", "maximise", "reset layout",
                     "", "hide", "show all", "not selectable", "all selectable"});
   view->addMenu(m_colours);
-  fill(*view, m_actions, {"", "shadows", "contacts", "watch settling", "zlists", "dark"});
+  fill(*view, m_actions, {"", "shadows", "contacts", "watch settling", "zlists", "assets", "dark"});
   menu(tr("&Help"), {"two minutes", "shortcuts", "about"});
   m_context_menu = new QMenu(this);
   fill(*m_context_menu, m_actions,

@@ -6,22 +6,10 @@
 #include <map>
 
 #include "apps/edit/window/icons.h"
+#include "apps/edit/window/outliner_items.h"
 
 namespace trivet::edit {
 namespace {
-
-constexpr int kIdRole = Qt::UserRole;
-
-QVariant data_of(ObjectId id) {
-  return QVariant::fromValue((quint64{id.generation} << 32) | id.index);
-}
-
-std::optional<ObjectId> id_of(const QTreeWidgetItem& item) {
-  const QVariant data = item.data(0, kIdRole);
-  if (!data.isValid()) return std::nullopt;
-  const quint64 bits = data.toULongLong();
-  return ObjectId{static_cast<std::uint32_t>(bits), static_cast<std::uint32_t>(bits >> 32)};
-}
 
 /// First supporting object of each object, by slot. Supports are never below their loads.
 std::map<std::uint32_t, std::uint32_t> supports(const SceneSnapshot& scene) {
@@ -54,6 +42,26 @@ QIcon state_icon(ObjectState state, const Theme& theme) {
   return {};
 }
 
+QString state_text(ObjectState state) {
+  switch (state) {
+    case ObjectState::Unplaced:
+      return QObject::tr("unplaced");
+    case ObjectState::Fixed:
+      return QObject::tr("fixed");
+    case ObjectState::Stable:
+      return QObject::tr("stable");
+    case ObjectState::Wedged:
+      return QObject::tr("wedged");
+    case ObjectState::Held:
+      return QObject::tr("held");
+    case ObjectState::Unsupported:
+      return QObject::tr("unsupported");
+    case ObjectState::Invalid:
+      return QObject::tr("invalid");
+  }
+  return {};
+}
+
 Outliner::Outliner(Document& document, QWidget* parent)
     : QTreeWidget(parent), m_document(document) {
   setColumnCount(2);
@@ -62,12 +70,13 @@ Outliner::Outliner(Document& document, QWidget* parent)
   setUniformRowHeights(true);
   setEditTriggers(QAbstractItemView::NoEditTriggers);
   setIndentation(14);
+  setDragDropMode(QAbstractItemView::DragDrop);
   header()->setStretchLastSection(false);
   header()->setSectionResizeMode(0, QHeaderView::Stretch);
   header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
   setToolTip(
-      tr("Objects with their loads. Double click to frame an object, or to put one that is not "
-         "placed yet"));
+      tr("Objects with their loads, and collections. Double click to frame an object, or to put "
+         "one that is not placed yet; drag objects into a collection"));
   connect(&m_document, &Document::snapshot_changed, this, &Outliner::rebuild);
   connect(&m_document, &Document::selection_changed, this, &Outliner::show_selection);
   connect(&m_document, &Document::looks_changed, this, [this] {
@@ -80,8 +89,8 @@ Outliner::Outliner(Document& document, QWidget* parent)
   connect(this, &QTreeWidget::itemDoubleClicked, this, [this](QTreeWidgetItem* item) {
     const auto id = id_of(*item);
     const ObjectSnapshot* const object = id ? m_document.snapshot()->find(*id) : nullptr;
-    if (!object) return;
-    if ((*object)->placed)
+    if (!object && !collection_of(*item)) return;
+    if (!object || (*object)->placed)
       Q_EMIT frame_wanted();
     else
       Q_EMIT put_wanted();
@@ -108,7 +117,7 @@ QTreeWidgetItem* Outliner::add(QTreeWidgetItem* parent, const ObjectSnapshot& ob
   if (!object->group.empty()) notes << QString::fromStdString(object->group);
   if (object->state != ObjectState::Stable && object->state != ObjectState::Fixed &&
       object->state != ObjectState::Unplaced)
-    notes << to_string(object->state);
+    notes << state_text(object->state);
   item->setText(1, notes.join(", "));
   item->setForeground(1, m_theme.faint_text());
   return item;
@@ -120,6 +129,7 @@ void Outliner::rebuild() {
   m_committed = snapshot->committed;
   const QSignalBlocker blocker(this);
   clear();
+  add_collections(*snapshot);
   add_placed(*snapshot, add_heading(snapshot->floor ? tr("Floor") : tr("Scene")));
   QTreeWidgetItem* unplaced = nullptr;
   for (const ObjectSnapshot& object : snapshot->objects) {
@@ -166,6 +176,8 @@ void Outliner::select_found() {
 // --- names -------------------------------------------------------------------------------------
 
 void Outliner::edit_name() {
+  if (const auto collection = currentItem() ? collection_of(*currentItem()) : std::nullopt)
+    return edit_name_of(*collection);
   const auto active = m_document.selection().active();
   for (QTreeWidgetItemIterator it(this); active && *it; ++it)
     if (id_of(**it) == active) {
@@ -177,11 +189,12 @@ void Outliner::edit_name() {
 }
 
 void Outliner::take_name(const QTreeWidgetItem& item) {
+  if (collection_of(item)) return take_collection_name(item);
   const auto id = id_of(item);
   const ObjectSnapshot* const object = id ? m_document.snapshot()->find(*id) : nullptr;
   const std::string wanted = item.text(0).trimmed().toStdString();
   if (object && !wanted.empty() && wanted != (*object)->name)
-    m_document.rename((*object)->name, wanted);
+    m_document.perform(RenameOperation{(*object)->name, wanted});
   // Shows the old name until it is done.
   m_committed = 0;
   QMetaObject::invokeMethod(
@@ -240,8 +253,15 @@ void Outliner::show_selection() {
 
 void Outliner::take_selection() {
   Selection selection;
-  for (const QTreeWidgetItem* item : selectedItems())
-    if (const auto id = id_of(*item)) selection.objects.push_back(*id);
+  const auto add = [&](ObjectId id) {
+    if (!selection.contains(id)) selection.objects.push_back(id);
+  };
+  for (const QTreeWidgetItem* item : selectedItems()) {
+    if (const auto id = id_of(*item)) add(*id);
+    const auto name = collection_of(*item);
+    if (const Collection* const in = name ? m_document.looks().collections.find(*name) : nullptr)
+      for (const ObjectId id : in->objects) add(id);
+  }
   // The last clicked object becomes active.
   if (const auto current = currentItem() ? id_of(*currentItem()) : std::nullopt)
     if (const auto it = std::find(selection.objects.begin(), selection.objects.end(), *current);

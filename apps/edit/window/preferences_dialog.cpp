@@ -3,6 +3,8 @@
 #include <QDialogButtonBox>
 #include <QFormLayout>
 
+#include "apps/edit/window/language.h"
+
 namespace trivet::edit {
 
 PreferencesDialog::PreferencesDialog(Document& document, const DetectionChoice& choice,
@@ -29,6 +31,7 @@ PreferencesDialog::PreferencesDialog(Document& document, const DetectionChoice& 
   form->addRow(about);
   form->addRow(tr("Collision detection"), m_backend);
   form->addRow(tr("On the graphics card by"), m_method);
+  form->addRow(tr("Language"), make_languages());
   m_answering->setObjectName("faint");
   m_answering->setWordWrap(true);
   form->addRow(m_answering);
@@ -38,6 +41,18 @@ PreferencesDialog::PreferencesDialog(Document& document, const DetectionChoice& 
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   connect(&m_document, &Document::detection_changed, this, &PreferencesDialog::show_answering);
   show_answering();
+}
+
+QComboBox* PreferencesDialog::make_languages() {
+  auto* const box = new QComboBox;
+  box->setObjectName("language");
+  box->setToolTip(tr("From the next start on"));
+  box->addItem(tr("As the system"), QString());
+  for (const Language& language : languages()) box->addItem(language.name, language.code);
+  box->setCurrentIndex(std::max(0, box->findData(saved_language())));
+  connect(box, &QComboBox::activated, this,
+          [box] { save_language(box->currentData().toString()); });
+  return box;
 }
 
 QComboBox* PreferencesDialog::make_box(const char* name,

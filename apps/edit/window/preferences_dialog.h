@@ -1,4 +1,4 @@
-// Preferences that take effect at once: who answers first-contact queries.
+// Preferences: who answers first-contact queries, at once; the language, at the next start.
 #pragma once
 
 #include <QComboBox>
@@ -23,6 +23,7 @@ class PreferencesDialog : public QDialog {
   QComboBox* make_box(const char* name,
                       std::initializer_list<std::pair<const char*, QString>> items,
                       const QString& current);
+  QComboBox* make_languages();
   DetectionChoice choice() const;
   void show_answering();
 

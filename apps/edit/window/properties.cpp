@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "apps/edit/window/outliner.h"
 #include "core/base/limits.h"
 #include "core/scene/materials.h"
 #include "ops/stability/stability.h"
@@ -238,7 +239,7 @@ void Properties::show_object() {
   QString name = QString::fromStdString(object.name);
   if (selection.objects.size() > 1) name += tr("  and %1 more").arg(selection.objects.size() - 1);
   m_name->setText(name);
-  set(tr("State"), QString::fromUtf8(to_string(object.state)));
+  set(tr("State"), state_text(object.state));
   const bool placed = object.placed;
   const QString none = QStringLiteral("–");
   for (VectorField* const field : {m_position, m_rotation}) field->setEnabled(placed);

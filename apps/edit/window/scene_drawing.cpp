@@ -148,7 +148,7 @@ LiveColour SceneDrawing::look_of(const ObjectSnapshot& object) const {
   const Selection& selection = m_document.selection();
   if (selection.contains(object.id) && selection.active() != object.id)
     return live_colour(m_theme.accent(), 0.3f);
-  const auto colour = m_document.looks().of(object.id).colour;
+  const auto colour = m_document.looks().shown(object.id).colour;
   return colour ? LiveColour{(*colour)[0], (*colour)[1], (*colour)[2], 0.8f} : LiveColour{};
 }
 
@@ -157,7 +157,7 @@ LiveScene SceneDrawing::scene(const View& view) const {
   LiveScene out;
   out.floor = snapshot->floor;
   for (const ObjectSnapshot& object : snapshot->objects) {
-    if (!object->placed || m_document.looks().of(object.id).hidden) continue;
+    if (!object->placed || m_document.looks().shown(object.id).hidden) continue;
     LiveObject live = live_object(*object.object, m_playback.pose_of(object));
     live.tint = tint_of(object);
     live.outlined = m_document.selection().contains(object.id);

@@ -1,4 +1,4 @@
-// Objects made anew: under another name, in another scale.
+// Objects under another name, and made anew in another scale.
 #include "apps/edit/document/same_pose.h"
 #include "apps/edit_document/scene_checks.h"
 #include "apps/edit_document/testing.h"
@@ -44,7 +44,8 @@ TEST_F(Remake, RenamesAsOneStepThatMovesNothing) {
   looks.change(document.id("small"), {false, false, LookColour{1, 0, 0}});
   document->set_looks(looks);
   const size_t steps = document->history().num_done;
-  ASSERT_TRUE(document.done(document->rename("small", "lid"))) << document.last_text();
+  ASSERT_TRUE(document.done(document->perform(RenameOperation{"small", "lid"})))
+      << document.last_text();
   EXPECT_FALSE(has("small"));
   const Object& lid = document.object("lid");
   EXPECT_TRUE(same_pose(lid.pose, before.pose));
@@ -62,7 +63,8 @@ TEST_F(Remake, RenamesAsOneStepThatMovesNothing) {
 }
 
 TEST_F(Remake, RenamesWhatIsNotPlacedAndWhatIsFixed) {
-  ASSERT_TRUE(document.done(document->rename("new", "newer"))) << document.last_text();
+  ASSERT_TRUE(document.done(document->perform(RenameOperation{"new", "newer"})))
+      << document.last_text();
   EXPECT_FALSE(document.object("newer").placed);
   document.import(folder.file("tray.obj"), "other tray");
   document->perform(FixOperation{"other tray", true});
@@ -71,38 +73,35 @@ TEST_F(Remake, RenamesWhatIsNotPlacedAndWhatIsFixed) {
   put.start.translation = Vec3(1, 0, 0.05);
   ASSERT_TRUE(document.done(document->perform(put)));
   const Pose pose = document.object("other tray").pose;
-  ASSERT_TRUE(document.done(document->rename("other tray", "shelf"))) << document.last_text();
+  ASSERT_TRUE(document.done(document->perform(RenameOperation{"other tray", "shelf"})))
+      << document.last_text();
   EXPECT_TRUE(document.object("shelf").fixed);
   EXPECT_EQ(document.object("shelf").state, ObjectState::Fixed);
   EXPECT_TRUE(same_pose(document.object("shelf").pose, pose));
 }
 
-TEST_F(Remake, RefusesToRenameWhatCarriesOthers) {
-  const auto before = document->snapshot();
-  for (const char* const name : {"box", "tray"}) {
-    EXPECT_FALSE(document.done(document->rename(name, "other")));
-    EXPECT_EQ(document.messages().back().kind, Message::Kind::Refused);
-    EXPECT_NE(document.last_text().find("rests on it"), std::string::npos) << document.last_text();
-    EXPECT_EQ(document->snapshot(), before);
-  }
+TEST_F(Remake, RenamesWhatCarriesOthersAndWhatIsHeld) {
+  const ObjectId box = document.id("box");
+  ASSERT_TRUE(document.done(document->perform(RenameOperation{"box", "base"})));
+  EXPECT_EQ(document.id("base"), box);
+  ASSERT_TRUE(document.done(document->perform(RenameOperation{"tray", "table"})));
+  PickUpOperation lift;
+  lift.object = "base";
+  lift.distance = 0.1;
+  ASSERT_TRUE(document.done(document->perform(lift)));
+  ASSERT_TRUE(document.done(document->perform(RenameOperation{"base", "crate"})));
+  EXPECT_EQ(document.object("crate").state, ObjectState::Held);
+  EXPECT_EQ(document.object("small").contacts.size(), 1u);
+  EXPECT_EQ(wrong_with(*document->snapshot()), "");
 }
 
 TEST_F(Remake, RefusesNamesThatAreTakenOrInvalid) {
   const auto before = document->snapshot();
   for (const char* const as : {"box", "floor", "", "two\nlines"}) {
-    EXPECT_FALSE(document.done(document->rename("small", as))) << as;
+    EXPECT_FALSE(document.done(document->perform(RenameOperation{"small", as}))) << as;
+    EXPECT_EQ(document.messages().back().kind, Message::Kind::Refused);
     EXPECT_EQ(document->snapshot(), before);
   }
-}
-
-TEST_F(Remake, RefusesToRenameWhatIsHeld) {
-  PickUpOperation lift;
-  lift.object = "small";
-  lift.distance = 0.1;
-  ASSERT_TRUE(document.done(document->perform(lift)));
-  EXPECT_FALSE(document.done(document->rename("small", "lid")));
-  EXPECT_NE(document.last_text().find("held"), std::string::npos) << document.last_text();
-  EXPECT_TRUE(has("small"));
 }
 
 TEST_F(Remake, ScalesInItsPlace) {
@@ -123,7 +122,7 @@ TEST_F(Remake, ScalesInItsPlace) {
 }
 
 TEST_F(Remake, ComesBackFromFiles) {
-  ASSERT_TRUE(document.done(document->rename("small", "lid")));
+  ASSERT_TRUE(document.done(document->perform(RenameOperation{"small", "lid"})));
   ASSERT_TRUE(document.done(document->rescale("lid", 0.5, 0.01)));
   const Pose pose = document.object("lid").pose;
   for (const char* const file : {"scene.glb", "layout.json"}) {

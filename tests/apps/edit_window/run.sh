@@ -8,4 +8,4 @@ fi
 mkdir -p "$2" && cd "$2" || exit 1
 export QT_QPA_PLATFORM=xcb XDG_RUNTIME_DIR="$2" HOME="$2"
 chmod 700 "$2"
-exec xvfb-run -a -s "-screen 0 2560x1440x24" "$1" "${@:3}"
+exec xvfb-run -a -s "-screen 0 2560x1600x24" "$1" "${@:3}"

@@ -3,6 +3,8 @@
 #include <QApplication>
 #include <QDialog>
 #include <QDropEvent>
+#include <QMenu>
+#include <QMenuBar>
 #include <QMimeData>
 #include <QScreen>
 #include <QToolBar>
@@ -30,6 +32,7 @@ User::User(Document& document, MainWindow& window, const QString& pictures)
 
 void User::press_key(Qt::Key key, Qt::KeyboardModifiers modifiers) {
   QApplication::setActiveWindow(&m_window);  // no window manager does so
+  ++m_effort.keys;
   QWidget* const focus = m_window.focusWidget();
   QTest::keyClick(focus ? focus : &m_window, key, modifiers);
 }
@@ -53,17 +56,46 @@ void User::release(QWidget& widget, const QPoint& at, Qt::MouseButton button) {
 }
 
 void User::click(QWidget& widget, const QPoint& at, Qt::KeyboardModifiers modifiers) {
+  ++m_effort.clicks;
   move_to(widget, at);
   QTest::mouseClick(m_window.windowHandle(), Qt::LeftButton, modifiers, in_window(widget, at));
   QTest::qWait(kStepMs);
 }
 
 void User::drag(QWidget& widget, const QPoint& from, const QPoint& to) {
+  ++m_effort.drags;
   move_to(widget, from);
   QTest::mousePress(m_window.windowHandle(), Qt::LeftButton, {}, in_window(widget, from));
   for (int i = 1; i <= kDragSteps; ++i) move_to(widget, from + (to - from) * i / kDragSteps);
   QTest::qWait(20 * kStepMs);  // until the dragged object has followed
   QTest::mouseRelease(m_window.windowHandle(), Qt::LeftButton, {}, in_window(widget, to));
+}
+
+void User::click_in(QWidget& widget, const QPoint& at) {
+  ++m_effort.clicks;
+  QTest::mouseClick(&widget, Qt::LeftButton, {}, at);
+}
+
+void User::type(QWidget& widget, const QString& text) {
+  m_effort.keys += static_cast<int>(text.size());
+  QTest::keyClicks(&widget, text);
+}
+
+void User::press_key_in(QWidget& widget, Qt::Key key, Qt::KeyboardModifiers modifiers) {
+  ++m_effort.keys;
+  QTest::keyClick(&widget, key, modifiers);
+}
+
+void User::choose(const QString& name) {
+  QAction* const chosen = m_window.action(name);
+  QMenuBar& bar = *m_window.menuBar();
+  for (QAction* const title : bar.actions()) {
+    if (!title->menu() || !title->menu()->actions().contains(chosen)) continue;
+    click(bar, bar.actionGeometry(title).center());
+    QVERIFY(QTest::qWaitFor([&] { return title->menu()->isVisible(); }, 3000));
+    return click_in(*title->menu(), title->menu()->actionGeometry(chosen).center());
+  }
+  QFAIL(qPrintable("no menu has " + name));
 }
 
 QPoint User::pixel(WindowKind kind, const Vec3& world) {

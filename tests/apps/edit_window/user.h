@@ -46,6 +46,19 @@ class User {
 
   const Object& object(const std::string& name);
 
+  // Any window: a dialog, a menu.
+  void click_in(QWidget& widget, const QPoint& at);
+  void type(QWidget& widget, const QString& text);
+  void press_key_in(QWidget& widget, Qt::Key key, Qt::KeyboardModifiers modifiers = {});
+  /// By two clicks, from the menu bar.
+  void choose(const QString& action);
+
+  /// What the hand has done. A drag counts once, a key with its modifiers once.
+  struct Effort {
+    int clicks = 0, drags = 0, keys = 0;
+  };
+  const Effort& effort() const { return m_effort; }
+
  private:
   QPoint in_window(QWidget& widget, const QPoint& at) { return widget.mapTo(&m_window, at); }
 
@@ -53,6 +66,7 @@ class User {
   MainWindow& m_window;
   QDir m_pictures;
   int m_number = 0;
+  Effort m_effort;
 };
 
 }  // namespace trivet::edit::test

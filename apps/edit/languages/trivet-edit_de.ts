@@ -1,0 +1,2137 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de_DE">
+<context>
+    <name>QObject</name>
+    <message>
+        <source>box trees</source>
+        <translation>Boxbäume</translation>
+    </message>
+    <message>
+        <source>z-lists in software</source>
+        <translation>z-Listen in Software</translation>
+    </message>
+    <message>
+        <source>z-lists: %1</source>
+        <translation>z-Listen: %1</translation>
+    </message>
+    <message>
+        <source>automatic: %1</source>
+        <translation>automatisch: %1</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source> pixels</source>
+        <translation> Pixel</translation>
+    </message>
+    <message>
+        <source>Draft</source>
+        <translation>Entwurf</translation>
+    </message>
+    <message>
+        <source>Clean</source>
+        <translation>Sauber</translation>
+    </message>
+    <message>
+        <source>Print</source>
+        <translation>Druck</translation>
+    </message>
+    <message>
+        <source>Transparent background</source>
+        <translation>Durchsichtiger Hintergrund</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation>Güte</translation>
+    </message>
+    <message>
+        <source>Save picture</source>
+        <translation>Bild speichern</translation>
+    </message>
+    <message>
+        <source>PNG (*.png)</source>
+        <translation>PNG (*.png)</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>nothing stops it</source>
+        <translation>nichts hält es auf</translation>
+    </message>
+    <message>
+        <source>inside %1 from the start</source>
+        <translation>von Anfang an in %1</translation>
+    </message>
+    <message>
+        <source>stops at &lt;b&gt;%1&lt;/b&gt; after &lt;b&gt;%2&lt;/b&gt;</source>
+        <translation>hält an &lt;b&gt;%1&lt;/b&gt; nach &lt;b&gt;%2&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source> · not before %1, at the latest %2</source>
+        <translation> · nicht vor %1, spätestens %2</translation>
+    </message>
+    <message>
+        <source> · %1 of %2 pixels doubtful</source>
+        <translation> · %1 von %2 Pixeln fraglich</translation>
+    </message>
+    <message>
+        <source> · %1 pairs of faces by %2, %3 confirmed</source>
+        <translation> · %1 Flächenpaare durch %2, %3 bestätigt</translation>
+    </message>
+    <message>
+        <source> · %1 ms</source>
+        <translation> · %1 ms</translation>
+    </message>
+    <message>
+        <source>unplaced</source>
+        <translation>nicht abgelegt</translation>
+    </message>
+    <message>
+        <source>fixed</source>
+        <translation>fest</translation>
+    </message>
+    <message>
+        <source>stable</source>
+        <translation>stabil</translation>
+    </message>
+    <message>
+        <source>wedged</source>
+        <translation>verkeilt</translation>
+    </message>
+    <message>
+        <source>held</source>
+        <translation>gehalten</translation>
+    </message>
+    <message>
+        <source>unsupported</source>
+        <translation>ohne Unterlage</translation>
+    </message>
+    <message>
+        <source>invalid</source>
+        <translation>ungültig</translation>
+    </message>
+</context>
+<context>
+    <name>tools</name>
+    <message>
+        <source>Drag a ring to turn the object; hold Control for steps, or type degrees</source>
+        <translation>Einen Ring ziehen, um das Objekt zu drehen; Strg für Schritte, oder Grad eintippen</translation>
+    </message>
+    <message>
+        <source>Drag an arrow, a square or the object itself; type metres, Tab for the axis</source>
+        <translation>Pfeil, Quadrat oder das Objekt selbst ziehen; Meter eintippen, Tab für die Achse</translation>
+    </message>
+    <message>
+        <source>Drag an object along the surface it lies on, or type x and y meanwhile; Escape cancels</source>
+        <translation>Ein Objekt auf seiner Unterlage ziehen, oder dabei x und y eintippen; Escape bricht ab</translation>
+    </message>
+    <message>
+        <source>Click an object to pick it up, or drag it away from its support</source>
+        <translation>Ein Objekt anklicken, um es aufzunehmen, oder von seiner Unterlage ziehen</translation>
+    </message>
+    <message>
+        <source>Click its place; hold Alt to drop it from just above that point; Escape drops it from the hand</source>
+        <translation>Anklicken, wohin es soll; mit Alt von knapp über dem Punkt; Escape legt es aus der Hand</translation>
+    </message>
+    <message>
+        <source>Nothing in hand: click an object to take it; N takes the next one that is not placed yet</source>
+        <translation>Nichts in der Hand: ein Objekt anklicken; N nimmt das nächste noch nicht abgelegte</translation>
+    </message>
+    <message>
+        <source>Click an object to select it, Shift-click to add it; drag for a selection box</source>
+        <translation>Ein Objekt anklicken, um es auszuwählen, mit Umschalt hinzufügen; ziehen für einen Rahmen</translation>
+    </message>
+    <message>
+        <source>Click a contact point, edge or area, then drag to turn about it; hold Control for steps, or type degrees</source>
+        <translation>Punkt, Kante oder Fläche eines Kontakts anklicken, dann ziehen; Strg für Schritte, oder Grad eintippen</translation>
+    </message>
+</context>
+<context>
+    <name>trivet::edit</name>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Use the tool: select, put, push, turn, ...</source>
+        <translation>Werkzeug benutzen: auswählen, ablegen, schieben, wenden …</translation>
+    </message>
+    <message>
+        <source>Middle, or Alt + Left</source>
+        <translation>Mitte oder Alt + Links</translation>
+    </message>
+    <message>
+        <source>Orbit (perspective), pan (other windows)</source>
+        <translation>Umkreisen (Perspektive), schwenken (andere)</translation>
+    </message>
+    <message>
+        <source>Shift + Middle, or Right</source>
+        <translation>Umschalt + Mitte oder Rechts</translation>
+    </message>
+    <message>
+        <source>Pan</source>
+        <translation>Schwenken</translation>
+    </message>
+    <message>
+        <source>Wheel, or Control + Middle</source>
+        <translation>Rad oder Strg + Mitte</translation>
+    </message>
+    <message>
+        <source>Zoom towards the mouse</source>
+        <translation>Zur Maus zoomen</translation>
+    </message>
+    <message>
+        <source>Right click</source>
+        <translation>Rechtsklick</translation>
+    </message>
+    <message>
+        <source>Menu for the selection</source>
+        <translation>Menü der Auswahl</translation>
+    </message>
+    <message>
+        <source>Double click on a title</source>
+        <translation>Doppelklick auf einen Titel</translation>
+    </message>
+    <message>
+        <source>Maximise the window, and restore it</source>
+        <translation>Fenster maximieren und wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Escape</source>
+        <translation>Escape</translation>
+    </message>
+    <message>
+        <source>Cancel the action in progress; close messages</source>
+        <translation>Laufendes abbrechen; Meldungen schließen</translation>
+    </message>
+    <message>
+        <source>Mouse and keys</source>
+        <translation>Maus und Tasten</translation>
+    </message>
+    <message>
+        <source>Mouse</source>
+        <translation>Maus</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>A table in two minutes</source>
+        <translation>Ein Tisch in zwei Minuten</translation>
+    </message>
+    <message>
+        <source>&lt;h2&gt;A table in two minutes&lt;/h2&gt;&lt;ol&gt;&lt;li&gt;&lt;b&gt;File, Import models…&lt;/b&gt; (or drop files onto the window): choose the table, its unit, and &lt;i&gt;fixed&lt;/i&gt;. Click the place for it on the floor.&lt;/li&gt;&lt;li&gt;Import plates, cups and spoons in the same way. After the import, each  is shown as a ghost where it would come to rest. Click on the table: it falls, settles, and lies at rest. Into a shelf: click on its board.&lt;/li&gt;&lt;li&gt;To put another object, press &lt;b&gt;N&lt;/b&gt; for the next one, or choose it in the tree, then press &lt;b&gt;W&lt;/b&gt; (Put). A red ghost says why it cannot be there.&lt;/li&gt;&lt;li&gt;&lt;b&gt;E&lt;/b&gt; (Push): drag a cup along the table. It stays on the surface, goes up onto saucers and over low steps, and stops at walls.&lt;/li&gt;&lt;li&gt;&lt;b&gt;R&lt;/b&gt; (Turn): click a contact point, edge or area in the constraint window and drag about it; or drag to turn about the contact&apos;s normal.&lt;/li&gt;&lt;li&gt;&lt;b&gt;T&lt;/b&gt; (Pick up), &lt;b&gt;G&lt;/b&gt; (Move) and &lt;b&gt;H&lt;/b&gt; (Rotate) move it through the air.&lt;/li&gt;&lt;li&gt;&lt;b&gt;Control+D&lt;/b&gt; makes a copy. &lt;b&gt;Control+Z&lt;/b&gt; undoes any number of steps; the History tab jumps to any of them.&lt;/li&gt;&lt;li&gt;&lt;b&gt;Control+S&lt;/b&gt; saves the scene as .glb, which other programs can read. &lt;b&gt;File, Picture…&lt;/b&gt; renders a picture of the current view.&lt;/li&gt;&lt;/ol&gt;&lt;p&gt;When an operation is refused, a bar gives the reason, and the obstacles are highlighted red. The scene is unchanged.&lt;/p&gt;</source>
+        <translation>&lt;h2&gt;Ein Tisch in zwei Minuten&lt;/h2&gt;&lt;ol&gt;&lt;li&gt;&lt;b&gt;Datei, Modelle importieren…&lt;/b&gt; (oder Dateien in dieses Fenster ziehen): den Tisch, seine Einheit und &lt;i&gt;fest&lt;/i&gt; wählen. Auf dem Boden anklicken, wohin er soll.&lt;/li&gt;&lt;li&gt;Teller, Tassen und Löffel ebenso importieren. Danach zeigt ein Geist jedes dort, wo es zur Ruhe käme. Auf den Tisch klicken: es fällt und liegt dann ruhig. In ein Regal: auf dessen Brett klicken.&lt;/li&gt;&lt;li&gt;Das nächste Objekt: &lt;b&gt;N&lt;/b&gt; drücken, oder es im Baum wählen und &lt;b&gt;W&lt;/b&gt; (Ablegen) drücken. Ein roter Geist sagt, warum es dort nicht sein kann.&lt;/li&gt;&lt;li&gt;&lt;b&gt;E&lt;/b&gt; (Schieben): eine Tasse über den Tisch ziehen. Sie bleibt auf der Fläche, steigt auf Untertassen und niedrige Stufen und hält an Wänden.&lt;/li&gt;&lt;li&gt;&lt;b&gt;R&lt;/b&gt; (Wenden): im Zwangsfenster Punkt, Kante oder Fläche eines Kontakts anklicken und darum ziehen; oder einfach ziehen, um die Normale des Kontakts.&lt;/li&gt;&lt;li&gt;&lt;b&gt;T&lt;/b&gt; (Aufnehmen), &lt;b&gt;G&lt;/b&gt; (Verschieben) und &lt;b&gt;H&lt;/b&gt; (Drehen) bewegen durch die Luft.&lt;/li&gt;&lt;li&gt;&lt;b&gt;Strg+D&lt;/b&gt; macht eine Kopie. &lt;b&gt;Strg+Z&lt;/b&gt; nimmt beliebig viele Schritte zurück; der Reiter „Verlauf“ springt zu jedem.&lt;/li&gt;&lt;li&gt;&lt;b&gt;Strg+S&lt;/b&gt; speichert die Szene als .glb, das andere Programme lesen. &lt;b&gt;Datei, Bild…&lt;/b&gt; rendert ein Bild der Ansicht.&lt;/li&gt;&lt;/ol&gt;&lt;p&gt;Wird eine Operation abgelehnt, nennt eine Leiste den Grund, und was im Weg ist, leuchtet rot. Die Szene bleibt, wie sie war.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>%1 from</source>
+        <translation>%1 von</translation>
+    </message>
+    <message>
+        <source>%1 to</source>
+        <translation>%1 bis</translation>
+    </message>
+    <message>
+        <source>Array of %1</source>
+        <translation>Reihe von %1</translation>
+    </message>
+    <message>
+        <source>Put</source>
+        <translation>Ablegen</translation>
+    </message>
+    <message>
+        <source>Pattern</source>
+        <translation>Muster</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Linie</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>Gitter</translation>
+    </message>
+    <message>
+        <source>Circle</source>
+        <translation>Kreis</translation>
+    </message>
+    <message>
+        <source>Objects</source>
+        <translation>Objekte</translation>
+    </message>
+    <message>
+        <source>Along x</source>
+        <translation>Entlang x</translation>
+    </message>
+    <message>
+        <source>Along y</source>
+        <translation>Entlang y</translation>
+    </message>
+    <message>
+        <source>Step x</source>
+        <translation>Schritt x</translation>
+    </message>
+    <message>
+        <source>Step y</source>
+        <translation>Schritt y</translation>
+    </message>
+    <message>
+        <source>Step z</source>
+        <translation>Schritt z</translation>
+    </message>
+    <message>
+        <source>Centre x</source>
+        <translation>Mitte x</translation>
+    </message>
+    <message>
+        <source>Centre y</source>
+        <translation>Mitte y</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>Turn each with its place</source>
+        <translation>Jedes mit seiner Stelle drehen</translation>
+    </message>
+    <message>
+        <source>The first is the object itself. Each copy is put from just above; what is refused is left out.</source>
+        <translation>Das erste ist das Objekt selbst. Jede Kopie wird von knapp darüber abgelegt; was abgelehnt wird, fehlt.</translation>
+    </message>
+    <message>
+        <source>Put all that are not placed</source>
+        <translation>Alle ablegen, die es nicht sind</translation>
+    </message>
+    <message>
+        <source>Scatter</source>
+        <translation>Verstreuen</translation>
+    </message>
+    <message>
+        <source>the floor</source>
+        <translation>der Boden</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>Auf</translation>
+    </message>
+    <message>
+        <source>In a rectangle</source>
+        <translation>In einem Rechteck</translation>
+    </message>
+    <message>
+        <source>Keep away</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Turned</source>
+        <translation>Gedreht</translation>
+    </message>
+    <message>
+        <source>not</source>
+        <translation>nicht</translation>
+    </message>
+    <message>
+        <source>about the vertical</source>
+        <translation>um die Senkrechte</translation>
+    </message>
+    <message>
+        <source>anyhow</source>
+        <translation>beliebig</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Startwert</translation>
+    </message>
+    <message>
+        <source>Each comes to rest on that alone, at a free place that the seed chooses; what finds none is left out.</source>
+        <translation>Jedes kommt allein darauf zur Ruhe, an einer freien Stelle, die der Startwert wählt; was keine findet, fehlt.</translation>
+    </message>
+    <message>
+        <source>Align</source>
+        <translation>Ausrichten</translation>
+    </message>
+    <message>
+        <source>By</source>
+        <translation>Nach</translation>
+    </message>
+    <message>
+        <source>lower sides</source>
+        <translation>unteren Seiten</translation>
+    </message>
+    <message>
+        <source>centres</source>
+        <translation>Mitten</translation>
+    </message>
+    <message>
+        <source>upper sides</source>
+        <translation>oberen Seiten</translation>
+    </message>
+    <message>
+        <source>equal gaps</source>
+        <translation>gleichen Lücken</translation>
+    </message>
+    <message>
+        <source>Along</source>
+        <translation>Entlang</translation>
+    </message>
+    <message>
+        <source>To the object that was selected last; equal gaps leave the outermost two. Each is put from just above, with its loads.</source>
+        <translation>Am zuletzt gewählten Objekt; gleiche Lücken lassen die äußersten zwei. Jedes wird von knapp darüber abgelegt, mit seinen Lasten.</translation>
+    </message>
+    <message>
+        <source>Orange</source>
+        <translation>Orange</translation>
+    </message>
+    <message>
+        <source>Sky blue</source>
+        <translation>Himmelblau</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>Grün</translation>
+    </message>
+    <message>
+        <source>Yellow</source>
+        <translation>Gelb</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>Blau</translation>
+    </message>
+    <message>
+        <source>Vermilion</source>
+        <translation>Zinnober</translation>
+    </message>
+    <message>
+        <source>Purple</source>
+        <translation>Purpur</translation>
+    </message>
+    <message>
+        <source>Grey</source>
+        <translation>Grau</translation>
+    </message>
+</context>
+<context>
+    <name>trivet::edit::AssetBrowser</name>
+    <message>
+        <source>%1, likely %2</source>
+        <translation>%1, wohl %2</translation>
+    </message>
+    <message>
+        <source>%1 units of %2 m</source>
+        <translation>%1 Einheiten zu %2 m</translation>
+    </message>
+    <message>
+        <source>Folder of models, with those below it</source>
+        <translation>Ordner mit Modellen, samt denen darunter</translation>
+    </message>
+    <message>
+        <source>Add folder…</source>
+        <translation>Ordner…</translation>
+    </message>
+    <message>
+        <source>Forget</source>
+        <translation>Vergessen</translation>
+    </message>
+    <message>
+        <source>Take this folder out of the list; its files stay</source>
+        <translation>Ordner aus der Liste nehmen; seine Dateien bleiben</translation>
+    </message>
+    <message>
+        <source>Search models</source>
+        <translation>Modelle suchen</translation>
+    </message>
+    <message>
+        <source>Unit of the files in this folder</source>
+        <translation>Einheit der Dateien in diesem Ordner</translation>
+    </message>
+    <message>
+        <source>Unit: likely</source>
+        <translation>Einheit: wohl</translation>
+    </message>
+    <message>
+        <source>Unit: %1</source>
+        <translation>Einheit: %1</translation>
+    </message>
+    <message>
+        <source>Drag a model into a view, or double click to take it in hand</source>
+        <translation>Modell in eine Ansicht ziehen; ein Doppelklick nimmt es in die Hand</translation>
+    </message>
+    <message>
+        <source>Folder of models</source>
+        <translation>Ordner mit Modellen</translation>
+    </message>
+</context>
+<context>
+    <name>trivet::edit::ControlWindow</name>
+    <message>
+        <source>Properties</source>
+        <translation>Eigenschaften</translation>
+    </message>
+    <message>
+        <source>Operation</source>
+        <translation>Operation</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Verlauf</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Dateien</translation>
+    </message>
+    <message>
+        <source>Click a step to go back or forward to it</source>
+        <translation>Ein Klick geht zu diesem Schritt zurück oder vor</translation>
+    </message>
+    <message>
+        <source>Search objects (/)</source>
+        <translation>Objekte suchen (/)</translation>
+    </message>
+    <message>
+        <source>Part of a name; Return selects all objects that are found</source>
+        <translation>Teil eines Namens; die Eingabetaste wählt alle gefundenen Objekte aus</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Anfang</translation>
+    </message>
+    <message>
+        <source>Demos</source>
+        <translation>Beispiele</translation>
+    </message>
+    <message>
+        <source>Recent</source>
+        <translation>Zuletzt</translation>
+    </message>
+</context>
+<context>
+    <name>trivet::edit::DepthImages</name>
+    <message>
+        <source>No other object is in the way of this motion.</source>
+        <translation>Dieser Bewegung ist kein anderes Objekt im Weg.</translation>
+    </message>
+    <message>
+        <source>Drag an object, or move the mouse with Put: the depths of its motion appear here.</source>
+        <translation>Ein Objekt ziehen oder mit „Ablegen“ die Maus bewegen: hier erscheinen die Tiefen seiner Bewegung.</translation>
+    </message>
+    <message>
+        <source>Moving front</source>
+        <translation>Bewegte Front</translation>
+    </message>
+    <message>
+        <source>Fixed front</source>
+        <translation>Feste Front</translation>
+    </message>
+    <message>
+        <source>Gap</source>
+        <translation>Abstand</translation>
+    </message>
+</context>
+<context>
+    <name>trivet::edit::FormDialog</name>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+</context>
+<context>
+    <name>trivet::edit::ImportDialog</name>
+    <message>
+        <source>Fixed: stays where it is put, and supports any load</source>
+        <translation>Fest: bleibt, wo es abgelegt wird, und trägt jede Last</translation>
+    </message>
+    <message>
+        <source>Import %1</source>
+        <translation>%1 importieren</translation>
+    </message>
+    <message>
+        <source>Import %1 models</source>
+        <translation>%1 Modelle importieren</translation>
+    </message>
+    <message>
+        <source>other</source>
+        <translation>andere</translation>
+    </message>
+    <message>
+        <source> m per unit</source>
+        <translation> m je Einheit</translation>
+    </message>
+    <message>
+        <source>As the format states</source>
+        <translation>Wie im Format angegeben</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>Unit of the file</source>
+        <translation>Einheit der Datei</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Maßstab</translation>
+    </message>
+    <message>
+        <source>Up axis</source>
+        <translation>Achse nach oben</translation>
+    </message>
+    <message>
+        <source>The imported model is not placed yet; click where to put it.</source>
+        <translation>Das importierte Modell ist noch nicht abgelegt; klicken, wohin es soll.</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importieren</translation>
+    </message>
+    <message>
+        <source>Models (%1)</source>
+        <translation>Modelle (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+</context>
+<context>
+    <name>trivet::edit::MainWindow</name>
+    <message>
+        <source>Models</source>
+        <translation>Modelle</translation>
+    </message>
+    <message>
+        <source>New &amp;collection</source>
+        <translation>Neue Samm&amp;lung</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+C</source>
+        <translation>Ctrl+Shift+C</translation>
+    </message>
+    <message>
+        <source>Collection: the selected objects under one name, to be shown and selected together</source>
+        <translation>Sammlung: die ausgewählten Objekte unter einem Namen, gemeinsam gezeigt und ausgewählt</translation>
+    </message>
+    <message>
+        <source>Take out of its collection</source>
+        <translation>Aus der Sammlung nehmen</translation>
+    </message>
+    <message>
+        <source>Take the selected objects out of their collections</source>
+        <translation>Die ausgewählten Objekte aus ihren Sammlungen nehmen</translation>
+    </message>
+    <message>
+        <source>collection</source>
+        <translation>Sammlung</translation>
+    </message>
+    <message>
+        <source>lock</source>
+        <translation>sperren</translation>
+    </message>
+    <message>
+        <source>unlock</source>
+        <translation>entsperren</translation>
+    </message>
+    <message>
+        <source>fix</source>
+        <translation>befestigen</translation>
+    </message>
+    <message>
+        <source>unfix</source>
+        <translation>lösen</translation>
+    </message>
+    <message>
+        <source>group %1</source>
+        <translation>Gruppe %1</translation>
+    </message>
+    <message>
+        <source>group</source>
+        <translation>gruppieren</translation>
+    </message>
+    <message>
+        <source>ungroup</source>
+        <translation>Gruppe auflösen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Stop the running operation; the scene stays unchanged (Escape)</source>
+        <translation>Laufende Operation abbrechen; die Szene bleibt unverändert (Escape)</translation>
+    </message>
+    <message>
+        <source>In hand: %1</source>
+        <translation>In der Hand: %1</translation>
+    </message>
+    <message>
+        <source>Objects: %1</source>
+        <translation>Objekte: %1</translation>
+    </message>
+    <message>
+        <source>, selected: %1</source>
+        <translation>, ausgewählt: %1</translation>
+    </message>
+    <message>
+        <source> (last: %1)</source>
+        <translation> (zuletzt: %1)</translation>
+    </message>
+    <message>
+        <source>Collision detection. Moves: %1. Previews: %2. See Preferences.</source>
+        <translation>Kollisionserkennung. Bewegungen: %1. Vorschau: %2. Siehe Einstellungen.</translation>
+    </message>
+    <message>
+        <source>The scene as a whole, at the friction of the materials: %1</source>
+        <translation>Die Szene als Ganzes, mit der Reibung der Materialien: %1</translation>
+    </message>
+    <message>
+        <source>%1, for simulators</source>
+        <translation>%1, für Simulatoren</translation>
+    </message>
+    <message>
+        <source>%1, a table of poses</source>
+        <translation>%1, Tabelle der Lagen</translation>
+    </message>
+    <message>
+        <source>All formats</source>
+        <translation>Alle Formate</translation>
+    </message>
+    <message>
+        <source>Unsaved work</source>
+        <translation>Nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>Save the changes to %1?</source>
+        <translation>Änderungen an %1 speichern?</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Scenes and layouts (*.glb *.json);;All files (*)</source>
+        <translation>Szenen und Layouts (*.glb *.json);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>Gespeichert: %1</translation>
+    </message>
+    <message>
+        <source>scene</source>
+        <translation>Szene</translation>
+    </message>
+    <message>
+        <source>Save as</source>
+        <translation>Speichern unter</translation>
+    </message>
+    <message>
+        <source>Scene (*.glb);;Layout (*.json)</source>
+        <translation>Szene (*.glb);;Layout (*.json)</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>Exported: %1</source>
+        <translation>Exportiert: %1</translation>
+    </message>
+    <message>
+        <source>Import models</source>
+        <translation>Modelle importieren</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>along the held edge of its contact with %1</source>
+        <translation>entlang der gehaltenen Kante am Kontakt mit %1</translation>
+    </message>
+    <message>
+        <source>along the normal at the held point of its contact with %1</source>
+        <translation>entlang der Normalen im gehaltenen Punkt am Kontakt mit %1</translation>
+    </message>
+    <message>
+        <source>along the normal of its contact with %1</source>
+        <translation>entlang der Normalen des Kontakts mit %1</translation>
+    </message>
+    <message>
+        <source>Control</source>
+        <translation>Steuerung</translation>
+    </message>
+    <message>
+        <source>Perspective</source>
+        <translation>Perspektive</translation>
+    </message>
+    <message>
+        <source>Three-view</source>
+        <translation>Dreitafel</translation>
+    </message>
+    <message>
+        <source>Constraint</source>
+        <translation>Zwangsbedingung</translation>
+    </message>
+    <message>
+        <source>z-lists of the motion</source>
+        <translation>z-Listen der Bewegung</translation>
+    </message>
+    <message>
+        <source>from above</source>
+        <translation>von oben</translation>
+    </message>
+    <message>
+        <source>the floor</source>
+        <translation>der Boden</translation>
+    </message>
+    <message>
+        <source>%1: there is none to put</source>
+        <translation>%1: es gibt keines abzulegen</translation>
+    </message>
+    <message>
+        <source>Array: first put the object</source>
+        <translation>Reihe: das Objekt zuerst ablegen</translation>
+    </message>
+    <message>
+        <source>array</source>
+        <translation>Reihe</translation>
+    </message>
+    <message>
+        <source>Put all: every object is placed</source>
+        <translation>Alle ablegen: jedes Objekt ist abgelegt</translation>
+    </message>
+    <message>
+        <source>put all</source>
+        <translation>alle ablegen</translation>
+    </message>
+    <message>
+        <source>scatter</source>
+        <translation>verstreuen</translation>
+    </message>
+    <message>
+        <source>Align: select two objects or more</source>
+        <translation>Ausrichten: zwei oder mehr Objekte auswählen</translation>
+    </message>
+    <message>
+        <source>align</source>
+        <translation>ausrichten</translation>
+    </message>
+    <message>
+        <source>Replace: select the objects, and last the one whose copies take their places</source>
+        <translation>Ersetzen: die Objekte auswählen, zuletzt das, dessen Kopien an ihre Stelle treten</translation>
+    </message>
+    <message>
+        <source>replace</source>
+        <translation>ersetzen</translation>
+    </message>
+    <message>
+        <source>&amp;Array…</source>
+        <translation>&amp;Reihe…</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+D</source>
+        <translation>Ctrl+Shift+D</translation>
+    </message>
+    <message>
+        <source>Array: copies in a line, a grid or a circle</source>
+        <translation>Reihe: Kopien auf einer Linie, einem Gitter oder einem Kreis</translation>
+    </message>
+    <message>
+        <source>&amp;Scatter…</source>
+        <translation>Ver&amp;streuen…</translation>
+    </message>
+    <message>
+        <source>Scatter: copies at free places of a support</source>
+        <translation>Verstreuen: Kopien an freien Stellen einer Unterlage</translation>
+    </message>
+    <message>
+        <source>Put a&amp;ll…</source>
+        <translation>A&amp;lle ablegen…</translation>
+    </message>
+    <message>
+        <source>Put all objects that are not placed yet</source>
+        <translation>Alle Objekte ablegen, die es noch nicht sind</translation>
+    </message>
+    <message>
+        <source>Al&amp;ign…</source>
+        <translation>A&amp;usrichten…</translation>
+    </message>
+    <message>
+        <source>Align the selected objects, or space them evenly</source>
+        <translation>Ausgewählte Objekte ausrichten oder gleichmäßig verteilen</translation>
+    </message>
+    <message>
+        <source>&amp;Replace by the last selected</source>
+        <translation>Durch das &amp;zuletzt gewählte ersetzen</translation>
+    </message>
+    <message>
+        <source>Replace the selected objects by copies of the one selected last</source>
+        <translation>Die ausgewählten Objekte durch Kopien des zuletzt gewählten ersetzen</translation>
+    </message>
+    <message>
+        <source>H&amp;ide</source>
+        <translation>Aus&amp;blenden</translation>
+    </message>
+    <message>
+        <source>Ctrl+H</source>
+        <translation>Ctrl+H</translation>
+    </message>
+    <message>
+        <source>Hide: not drawn; it stays in the scene</source>
+        <translation>Ausblenden: nicht gezeichnet; es bleibt in der Szene</translation>
+    </message>
+    <message>
+        <source>Sho&amp;w hidden</source>
+        <translation>Ausgeblendete &amp;zeigen</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+H</source>
+        <translation>Ctrl+Shift+H</translation>
+    </message>
+    <message>
+        <source>&amp;Not selectable</source>
+        <translation>&amp;Nicht auswählbar</translation>
+    </message>
+    <message>
+        <source>Ctrl+K</source>
+        <translation>Ctrl+K</translation>
+    </message>
+    <message>
+        <source>Not selectable: clicks pass through it, but things can be put on it</source>
+        <translation>Nicht auswählbar: Klicks gehen hindurch, aber man kann darauf ablegen</translation>
+    </message>
+    <message>
+        <source>All s&amp;electable</source>
+        <translation>Alle aus&amp;wählbar</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+K</source>
+        <translation>Ctrl+Shift+K</translation>
+    </message>
+    <message>
+        <source>Co&amp;lour</source>
+        <translation>&amp;Farbe</translation>
+    </message>
+    <message>
+        <source>As the model</source>
+        <translation>Wie das Modell</translation>
+    </message>
+    <message>
+        <source>A table in &amp;two minutes</source>
+        <translation>Ein Tisch in &amp;zwei Minuten</translation>
+    </message>
+    <message>
+        <source>&amp;Mouse and keys</source>
+        <translation>&amp;Maus und Tasten</translation>
+    </message>
+    <message>
+        <source>&amp;About Trivet</source>
+        <translation>&amp;Über Trivet</translation>
+    </message>
+    <message>
+        <source>About Trivet</source>
+        <translation>Über Trivet</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Trivet %1&lt;/b&gt;&lt;p&gt;Lays out objects with geometric and physical constraints, after Shinya and Forgue (1995).&lt;/p&gt;&lt;p&gt;MIT licence. Pictures: %2&lt;/p&gt;</source>
+        <translation>&lt;b&gt;Trivet %1&lt;/b&gt;&lt;p&gt;Ordnet Objekte mit geometrischen und physikalischen Bedingungen an, nach Shinya und Forgue (1995).&lt;/p&gt;&lt;p&gt;MIT-Lizenz. Bilder: %2&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>&amp;New</source>
+        <translation>&amp;Neu</translation>
+    </message>
+    <message>
+        <source>New scene: an empty floor</source>
+        <translation>Neue Szene: ein leerer Boden</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>Ö&amp;ffnen…</translation>
+    </message>
+    <message>
+        <source>Open a scene or a layout</source>
+        <translation>Szene oder Layout öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Import models…</source>
+        <translation>Modelle &amp;importieren…</translation>
+    </message>
+    <message>
+        <source>Ctrl+I</source>
+        <translation>Ctrl+I</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation>Speichern &amp;unter…</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+S</source>
+        <translation>Ctrl+Shift+S</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exportieren…</translation>
+    </message>
+    <message>
+        <source>Ctrl+E</source>
+        <translation>Ctrl+E</translation>
+    </message>
+    <message>
+        <source>Export for other programs, for simulators, or as a table</source>
+        <translation>Exportieren für andere Programme, für Simulatoren oder als Tabelle</translation>
+    </message>
+    <message>
+        <source>&amp;Picture…</source>
+        <translation>&amp;Bild…</translation>
+    </message>
+    <message>
+        <source>Ctrl+P</source>
+        <translation>Ctrl+P</translation>
+    </message>
+    <message>
+        <source>Picture of the perspective view</source>
+        <translation>Bild der perspektivischen Ansicht</translation>
+    </message>
+    <message>
+        <source>Start pa&amp;ge</source>
+        <translation>Startseit&amp;e</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+Z</source>
+        <translation>Ctrl+Shift+Z</translation>
+    </message>
+    <message>
+        <source>&amp;Duplicate</source>
+        <translation>&amp;Duplizieren</translation>
+    </message>
+    <message>
+        <source>Ctrl+D</source>
+        <translation>Ctrl+D</translation>
+    </message>
+    <message>
+        <source>Duplicate: add another object of the same model, not placed yet</source>
+        <translation>Duplizieren: ein weiteres Objekt desselben Modells, noch nicht abgelegt</translation>
+    </message>
+    <message>
+        <source>Rena&amp;me</source>
+        <translation>&amp;Umbenennen</translation>
+    </message>
+    <message>
+        <source>F2</source>
+        <translation>F2</translation>
+    </message>
+    <message>
+        <source>De&amp;lete</source>
+        <translation>&amp;Löschen</translation>
+    </message>
+    <message>
+        <source>Select &amp;all</source>
+        <translation>&amp;Alles auswählen</translation>
+    </message>
+    <message>
+        <source>Searc&amp;h</source>
+        <translation>Suc&amp;hen</translation>
+    </message>
+    <message>
+        <source>/</source>
+        <translation>/</translation>
+    </message>
+    <message>
+        <source>Select &amp;none</source>
+        <translation>&amp;Nichts auswählen</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+A</source>
+        <translation>Ctrl+Shift+A</translation>
+    </message>
+    <message>
+        <source>Loc&amp;k</source>
+        <translation>&amp;Sperren</translation>
+    </message>
+    <message>
+        <source>Ctrl+L</source>
+        <translation>Ctrl+L</translation>
+    </message>
+    <message>
+        <source>Lock: operations refuse to move it; it may still topple</source>
+        <translation>Sperren: Operationen bewegen es nicht; umkippen kann es dennoch</translation>
+    </message>
+    <message>
+        <source>Unlock</source>
+        <translation>Entsperren</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+L</source>
+        <translation>Ctrl+Shift+L</translation>
+    </message>
+    <message>
+        <source>Fi&amp;x</source>
+        <translation>Be&amp;festigen</translation>
+    </message>
+    <message>
+        <source>Ctrl+F</source>
+        <translation>Ctrl+F</translation>
+    </message>
+    <message>
+        <source>Fix: it never moves, and supports any load</source>
+        <translation>Befestigen: es bewegt sich nie und trägt jede Last</translation>
+    </message>
+    <message>
+        <source>Unfix</source>
+        <translation>Lösen</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+F</source>
+        <translation>Ctrl+Shift+F</translation>
+    </message>
+    <message>
+        <source>Unfix: it can be moved again, with its loads</source>
+        <translation>Lösen: es kann wieder bewegt werden, mit seinen Lasten</translation>
+    </message>
+    <message>
+        <source>&amp;Group</source>
+        <translation>&amp;Gruppieren</translation>
+    </message>
+    <message>
+        <source>Ctrl+G</source>
+        <translation>Ctrl+G</translation>
+    </message>
+    <message>
+        <source>Group: its objects always move together</source>
+        <translation>Gruppieren: ihre Objekte bewegen sich immer gemeinsam</translation>
+    </message>
+    <message>
+        <source>&amp;Preferences…</source>
+        <translation>&amp;Einstellungen…</translation>
+    </message>
+    <message>
+        <source>Ctrl+,</source>
+        <translation>Ctrl+,</translation>
+    </message>
+    <message>
+        <source>Ungroup</source>
+        <translation>Gruppe auflösen</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+G</source>
+        <translation>Ctrl+Shift+G</translation>
+    </message>
+    <message>
+        <source>&amp;Select</source>
+        <translation>&amp;Auswählen</translation>
+    </message>
+    <message>
+        <source>Select: click, or a box</source>
+        <translation>Auswählen: Klick oder Rahmen</translation>
+    </message>
+    <message>
+        <source>&amp;Put</source>
+        <translation>Ab&amp;legen</translation>
+    </message>
+    <message>
+        <source>Put: drop the object where you click, and let it settle</source>
+        <translation>Ablegen: das Objekt fällt, wo geklickt wird, und kommt zur Ruhe</translation>
+    </message>
+    <message>
+        <source>Pus&amp;h</source>
+        <translation>S&amp;chieben</translation>
+    </message>
+    <message>
+        <source>Push: move the object along the surface it lies on</source>
+        <translation>Schieben: das Objekt auf seiner Unterlage bewegen</translation>
+    </message>
+    <message>
+        <source>&amp;Turn</source>
+        <translation>&amp;Wenden</translation>
+    </message>
+    <message>
+        <source>Turn: about a contact&apos;s normal, edge or point</source>
+        <translation>Wenden: um Normale, Kante oder Punkt eines Kontakts</translation>
+    </message>
+    <message>
+        <source>Pick &amp;up</source>
+        <translation>Auf&amp;nehmen</translation>
+    </message>
+    <message>
+        <source>Pick up: move the object away from its support</source>
+        <translation>Aufnehmen: das Objekt von seiner Unterlage heben</translation>
+    </message>
+    <message>
+        <source>&amp;Move</source>
+        <translation>&amp;Verschieben</translation>
+    </message>
+    <message>
+        <source>Move: translate the object by handles</source>
+        <translation>Verschieben: das Objekt an Griffen bewegen</translation>
+    </message>
+    <message>
+        <source>&amp;Rotate</source>
+        <translation>&amp;Drehen</translation>
+    </message>
+    <message>
+        <source>Rotate: turn the object by handles</source>
+        <translation>Drehen: das Objekt an Griffen drehen</translation>
+    </message>
+    <message>
+        <source>Put at the mouse &amp;position</source>
+        <translation>An der &amp;Mausposition ablegen</translation>
+    </message>
+    <message>
+        <source>P</source>
+        <translation>P</translation>
+    </message>
+    <message>
+        <source>Put: drop the active object at the mouse position</source>
+        <translation>Ablegen: das aktive Objekt an der Mausposition fallen lassen</translation>
+    </message>
+    <message>
+        <source>Take the &amp;next object</source>
+        <translation>Nä&amp;chstes Objekt nehmen</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>Put: take the next object that is not placed yet</source>
+        <translation>Ablegen: das nächste noch nicht abgelegte Objekt nehmen</translation>
+    </message>
+    <message>
+        <source>Pick up &amp;now</source>
+        <translation>&amp;Jetzt aufnehmen</translation>
+    </message>
+    <message>
+        <source>U</source>
+        <translation>U</translation>
+    </message>
+    <message>
+        <source>Pick up the selected object by the distance in the operation panel</source>
+        <translation>Das ausgewählte Objekt um den Abstand im Reiter „Operation“ heben</translation>
+    </message>
+    <message>
+        <source>&amp;Frame selected</source>
+        <translation>&amp;Auswahl einpassen</translation>
+    </message>
+    <message>
+        <source>F</source>
+        <translation>F</translation>
+    </message>
+    <message>
+        <source>Frame &amp;all</source>
+        <translation>A&amp;lles einpassen</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Home</translation>
+    </message>
+    <message>
+        <source>&amp;Constraint window follows the contact</source>
+        <translation>&amp;Zwangsfenster folgt dem Kontakt</translation>
+    </message>
+    <message>
+        <source>C</source>
+        <translation>C</translation>
+    </message>
+    <message>
+        <source>&amp;Maximise window</source>
+        <translation>Fenster &amp;maximieren</translation>
+    </message>
+    <message>
+        <source>Ctrl+Space</source>
+        <translation>Ctrl+Space</translation>
+    </message>
+    <message>
+        <source>Maximise the window under the mouse, and restore it</source>
+        <translation>Das Fenster unter der Maus maximieren und wiederherstellen</translation>
+    </message>
+    <message>
+        <source>&amp;Reset layout</source>
+        <translation>Anordnung &amp;zurücksetzen</translation>
+    </message>
+    <message>
+        <source>View direction of the window under the mouse</source>
+        <translation>Blickrichtung des Fensters unter der Maus</translation>
+    </message>
+    <message>
+        <source>From the front</source>
+        <translation>Von vorn</translation>
+    </message>
+    <message>
+        <source>From the side</source>
+        <translation>Von der Seite</translation>
+    </message>
+    <message>
+        <source>From above</source>
+        <translation>Von oben</translation>
+    </message>
+    <message>
+        <source>From behind</source>
+        <translation>Von hinten</translation>
+    </message>
+    <message>
+        <source>&amp;Top</source>
+        <translation>&amp;Oben</translation>
+    </message>
+    <message>
+        <source>&amp;Side</source>
+        <translation>&amp;Seite</translation>
+    </message>
+    <message>
+        <source>Fr&amp;ont</source>
+        <translation>&amp;Vorn</translation>
+    </message>
+    <message>
+        <source>View direction of the three-view window</source>
+        <translation>Blickrichtung des Dreitafelfensters</translation>
+    </message>
+    <message>
+        <source>S&amp;hadows</source>
+        <translation>Sc&amp;hatten</translation>
+    </message>
+    <message>
+        <source>C&amp;ontacts of the active object</source>
+        <translation>K&amp;ontakte des aktiven Objekts</translation>
+    </message>
+    <message>
+        <source>&amp;Watch settling</source>
+        <translation>&amp;Zur-Ruhe-Kommen zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;z-lists of the motion</source>
+        <translation>&amp;z-Listen der Bewegung</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>z-lists: depths along the motion of what is dragged or put</source>
+        <translation>z-Listen: Tiefen entlang der Bewegung dessen, was gezogen oder abgelegt wird</translation>
+    </message>
+    <message>
+        <source>&amp;Models</source>
+        <translation>&amp;Modelle</translation>
+    </message>
+    <message>
+        <source>M</source>
+        <translation>M</translation>
+    </message>
+    <message>
+        <source>Models: folders of models, to drag into the views</source>
+        <translation>Modelle: Ordner mit Modellen, die in die Ansichten gezogen werden</translation>
+    </message>
+    <message>
+        <source>&amp;Dark theme</source>
+        <translation>&amp;Dunkle Darstellung</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>&amp;Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>Open &amp;demo</source>
+        <translation>&amp;Beispiel öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;Object</source>
+        <translation>&amp;Objekt</translation>
+    </message>
+    <message>
+        <source>&amp;Many</source>
+        <translation>&amp;Viele</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Werkzeuge</translation>
+    </message>
+    <message>
+        <source>Untitled</source>
+        <translation>Unbenannt</translation>
+    </message>
+</context>
+<context>
+    <name>trivet::edit::MessageBar</name>
+    <message>
+        <source>Close (Escape)</source>
+        <translation>Schließen (Escape)</translation>
+    </message>
+    <message>
+        <source>Refused</source>
+        <translation>Abgelehnt</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>Attention</source>
+        <translation>Achtung</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Fertig</translation>
+    </message>
+</context>
+<context>
+    <name>trivet::edit::OperationPanel</name>
+    <message>
+        <source>Settle objects left without support</source>
+        <translation>Objekte ohne Unterlage ablegen</translation>
+    </message>
+    <message>
+        <source>Objects that lose their support settle too; otherwise they are marked</source>
+        <translation>Objekte, die ihre Unterlage verlieren, kommen auch zur Ruhe; sonst werden sie markiert</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>For the mouse, while Control is held</source>
+        <translation>Für die Maus, solange Strg gehalten wird</translation>
+    </message>
+    <message>
+        <source>Apply to the active object with these numbers; other selected objects move along</source>
+        <translation>Mit diesen Zahlen auf das aktive Objekt anwenden; andere ausgewählte bewegen sich mit</translation>
+    </message>
+    <message>
+        <source>Click selects, Shift-click adds; drag from an empty place to select with a box.</source>
+        <translation>Klick wählt aus, Umschalt-Klick fügt hinzu; ziehen von einer leeren Stelle wählt mit einem Rahmen.</translation>
+    </message>
+    <message>
+        <source>From a position, the object falls; on another object, the free place nearest to x, y is searched</source>
+        <translation>Von einer Position fällt das Objekt; auf einem anderen wird die freie Stelle gesucht, die x, y am nächsten ist</translation>
+    </message>
+    <message>
+        <source>Onto</source>
+        <translation>Auf</translation>
+    </message>
+    <message>
+        <source>Turned</source>
+        <translation>Gedreht</translation>
+    </message>
+    <message>
+        <source>About the vertical axis</source>
+        <translation>Um die senkrechte Achse</translation>
+    </message>
+    <message>
+        <source>Keep away</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Distance from everything but its support</source>
+        <translation>Abstand von allem außer der Unterlage</translation>
+    </message>
+    <message>
+        <source>Drop height</source>
+        <translation>Fallhöhe</translation>
+    </message>
+    <message>
+        <source>For the mouse: above the highest point below the object</source>
+        <translation>Für die Maus: über dem höchsten Punkt unter dem Objekt</translation>
+    </message>
+    <message>
+        <source>Then take the next object</source>
+        <translation>Dann das nächste Objekt</translation>
+    </message>
+    <message>
+        <source>After a click that put one: the next object that is not placed yet (or press N)</source>
+        <translation>Nach einem Klick, der eines ablegte: das nächste noch nicht abgelegte Objekt (oder Taste N)</translation>
+    </message>
+    <message>
+        <source>Put</source>
+        <translation>Ablegen</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Seen from above, from x towards y</source>
+        <translation>Von oben gesehen, von x nach y</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Strecke</translation>
+    </message>
+    <message>
+        <source>Step up</source>
+        <translation>Stufe hinauf</translation>
+    </message>
+    <message>
+        <source>Higher steps stop the object</source>
+        <translation>Höhere Stufen halten das Objekt auf</translation>
+    </message>
+    <message>
+        <source>Step down</source>
+        <translation>Stufe hinab</translation>
+    </message>
+    <message>
+        <source>Deeper edges stop the object</source>
+        <translation>Tiefere Kanten halten das Objekt auf</translation>
+    </message>
+    <message>
+        <source>Slide along walls</source>
+        <translation>An Wänden entlang</translation>
+    </message>
+    <message>
+        <source>Otherwise walls stop the object</source>
+        <translation>Sonst halten Wände das Objekt auf</translation>
+    </message>
+    <message>
+        <source>Settle at the end</source>
+        <translation>Am Ende zur Ruhe</translation>
+    </message>
+    <message>
+        <source>Otherwise the object is held</source>
+        <translation>Sonst wird das Objekt gehalten</translation>
+    </message>
+    <message>
+        <source>Push</source>
+        <translation>Schieben</translation>
+    </message>
+    <message>
+        <source>the contact&apos;s normal</source>
+        <translation>die Normale des Kontakts</translation>
+    </message>
+    <message>
+        <source>an edge of the contact</source>
+        <translation>eine Kante des Kontakts</translation>
+    </message>
+    <message>
+        <source>a contact point</source>
+        <translation>einen Kontaktpunkt</translation>
+    </message>
+    <message>
+        <source>Click a contact point, edge or area in a view to choose it</source>
+        <translation>Kontaktpunkt, -kante oder -fläche in einer Ansicht anklicken, um sie zu wählen</translation>
+    </message>
+    <message>
+        <source>About</source>
+        <translation>Um</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Wenden</translation>
+    </message>
+    <message>
+        <source>Along the contact&apos;s normal</source>
+        <translation>Entlang der Normalen des Kontakts</translation>
+    </message>
+    <message>
+        <source>Pick up</source>
+        <translation>Aufnehmen</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>Ignore collisions</source>
+        <translation>Kollisionen übergehen</translation>
+    </message>
+    <message>
+        <source>As in a modeller; interpenetrating objects are marked until resolved</source>
+        <translation>Wie in einem Modellierer; durchdringende Objekte sind markiert, bis es behoben ist</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Verschieben</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <source>About the centre of mass</source>
+        <translation>Um den Schwerpunkt</translation>
+    </message>
+    <message>
+        <source>Rotate</source>
+        <translation>Drehen</translation>
+    </message>
+    <message>
+        <source>the surface below</source>
+        <translation>die Fläche darunter</translation>
+    </message>
+    <message>
+        <source>a free place on the floor</source>
+        <translation>eine freie Stelle am Boden</translation>
+    </message>
+</context>
+<context>
+    <name>trivet::edit::Outliner</name>
+    <message>
+        <source>Objects with their loads, and collections. Double click to frame an object, or to put one that is not placed yet; drag objects into a collection</source>
+        <translation>Objekte mit ihren Lasten, und Sammlungen. Doppelklick passt ein Objekt ein oder legt eines ab, das es noch nicht ist; Objekte in eine Sammlung ziehen</translation>
+    </message>
+    <message>
+        <source>locked</source>
+        <translation>gesperrt</translation>
+    </message>
+    <message>
+        <source>hidden</source>
+        <translation>ausgeblendet</translation>
+    </message>
+    <message>
+        <source>not selectable</source>
+        <translation>nicht auswählbar</translation>
+    </message>
+    <message>
+        <source>Floor</source>
+        <translation>Boden</translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation>Szene</translation>
+    </message>
+    <message>
+        <source>Not placed yet</source>
+        <translation>Noch nicht abgelegt</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n object(s)</source>
+        <translation>
+            <numerusform>%n Objekt</numerusform>
+            <numerusform>%n Objekte</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Select its objects</source>
+        <translation>Ihre Objekte auswählen</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Umbenennen</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Einblenden</translation>
+    </message>
+    <message>
+        <source>Hide</source>
+        <translation>Ausblenden</translation>
+    </message>
+    <message>
+        <source>Selectable</source>
+        <translation>Auswählbar</translation>
+    </message>
+    <message>
+        <source>Not selectable</source>
+        <translation>Nicht auswählbar</translation>
+    </message>
+    <message>
+        <source>Lock</source>
+        <translation>Sperren</translation>
+    </message>
+    <message>
+        <source>Unlock</source>
+        <translation>Entsperren</translation>
+    </message>
+    <message>
+        <source>Dissolve; its objects stay</source>
+        <translation>Auflösen; ihre Objekte bleiben</translation>
+    </message>
+</context>
+<context>
+    <name>trivet::edit::PictureJob</name>
+    <message>
+        <source>Picture written: %1</source>
+        <translation>Bild geschrieben: %1</translation>
+    </message>
+</context>
+<context>
+    <name>trivet::edit::PreferencesDialog</name>
+    <message>
+        <source>Preferences</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>Automatic: the fastest here</source>
+        <translation>Automatisch: das Schnellste hier</translation>
+    </message>
+    <message>
+        <source>Box trees</source>
+        <translation>Boxbäume</translation>
+    </message>
+    <message>
+        <source>z-lists in software</source>
+        <translation>z-Listen in Software</translation>
+    </message>
+    <message>
+        <source>z-lists on the graphics card</source>
+        <translation>z-Listen auf der Grafikkarte</translation>
+    </message>
+    <message>
+        <source>Automatic: the faster one</source>
+        <translation>Automatisch: das Schnellere</translation>
+    </message>
+    <message>
+        <source>Framebuffers</source>
+        <translation>Framebuffer</translation>
+    </message>
+    <message>
+        <source>Compute shaders</source>
+        <translation>Compute-Shader</translation>
+    </message>
+    <message>
+        <source>Who finds what stops a motion. Results are the same with all of them, to the bit.</source>
+        <translation>Wer findet, was eine Bewegung aufhält. Die Ergebnisse sind bei allen bitgleich.</translation>
+    </message>
+    <message>
+        <source>Collision detection</source>
+        <translation>Kollisionserkennung</translation>
+    </message>
+    <message>
+        <source>On the graphics card by</source>
+        <translation>Auf der Grafikkarte durch</translation>
+    </message>
+    <message>
+        <source>Answering now: %1; previews: %2</source>
+        <translation>Jetzt antwortet: %1; Vorschau: %2</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
+    </message>
+    <message>
+        <source>From the next start on</source>
+        <translation>Ab dem nächsten Start</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>Wie das System</translation>
+    </message>
+</context>
+<context>
+    <name>trivet::edit::Properties</name>
+    <message>
+        <source>floor</source>
+        <translation>Boden</translation>
+    </message>
+    <message>
+        <source>%1: %2 (%3)</source>
+        <translation>%1: %2 (%3)</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>surface, %1 m²</source>
+        <translation>Oberfläche, %1 m²</translation>
+    </message>
+    <message>
+        <source>convex hull, %1 litres</source>
+        <translation>konvexe Hülle, %1 Liter</translation>
+    </message>
+    <message>
+        <source>volume, %1 litres</source>
+        <translation>Volumen, %1 Liter</translation>
+    </message>
+    <message>
+        <source>Select an object to see its pose, its contacts, and how firmly it rests.</source>
+        <translation>Ein Objekt auswählen, um Lage, Kontakte und Standfestigkeit zu sehen.</translation>
+    </message>
+    <message>
+        <source> kg/m³</source>
+        <translation> kg/m³</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>x, y, z in metres; a number typed here puts the object exactly there, without settling</source>
+        <translation>x, y, z in Metern; eine Zahl hier setzt das Objekt genau dorthin, ohne dass es fällt</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>Degrees about x, then y, then z; a number typed here turns the object exactly so</source>
+        <translation>Grad um x, dann y, dann z; eine Zahl hier dreht das Objekt genau so</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Maßstab</translation>
+    </message>
+    <message>
+        <source>Metres per unit of the model; with another number it is put anew in its place</source>
+        <translation>Meter je Einheit des Modells; mit einer anderen Zahl wird es an seiner Stelle neu abgelegt</translation>
+    </message>
+    <message>
+        <source>numbers</source>
+        <translation>Zahlen</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Material</translation>
+    </message>
+    <message>
+        <source>A preset, or the numbers below</source>
+        <translation>Eine Vorgabe oder die Zahlen darunter</translation>
+    </message>
+    <message>
+        <source>Friction</source>
+        <translation>Reibung</translation>
+    </message>
+    <message>
+        <source>Coulomb coefficient; of two surfaces in contact the smaller one holds</source>
+        <translation>Coulomb-Beiwert; bei zwei Flächen gilt der kleinere</translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <translation>Dichte</translation>
+    </message>
+    <message>
+        <source>For weights, and for simulators</source>
+        <translation>Für Gewichte und Simulatoren</translation>
+    </message>
+    <message>
+        <source>Restitution</source>
+        <translation>Stoßzahl</translation>
+    </message>
+    <message>
+        <source>For simulators: nothing bounces here</source>
+        <translation>Für Simulatoren: hier prallt nichts ab</translation>
+    </message>
+    <message>
+        <source>  and %1 more</source>
+        <translation>  und %1 weitere</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>To tipping</source>
+        <translation>Bis zum Kippen</translation>
+    </message>
+    <message>
+        <source>Distance of the centre of mass inside the support polygon, seen from above; negative: outside</source>
+        <translation>Abstand des Schwerpunkts im Stützpolygon, von oben gesehen; negativ: außerhalb</translation>
+    </message>
+    <message>
+        <source>Least friction</source>
+        <translation>Kleinste Reibung</translation>
+    </message>
+    <message>
+        <source>no coefficient holds it</source>
+        <translation>kein Beiwert hält es</translation>
+    </message>
+    <message>
+        <source>Smallest Coulomb coefficient that holds the object</source>
+        <translation>Kleinster Coulomb-Beiwert, der das Objekt hält</translation>
+    </message>
+    <message>
+        <source>As a whole</source>
+        <translation>Als Ganzes</translation>
+    </message>
+    <message>
+        <source>%1, margin %2</source>
+        <translation>%1, Reserve %2</translation>
+    </message>
+    <message>
+        <source>With all that it touches, at the friction of the materials. Margin: how far all weights may shift sideways before it gives way</source>
+        <translation>Mit allem, was es berührt, bei der Reibung der Materialien. Reserve: wie weit alle Gewichte seitlich wandern dürfen, bevor es nachgibt</translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation>Gewicht</translation>
+    </message>
+    <message>
+        <source>Objects are of uniform density</source>
+        <translation>Objekte haben gleichmäßige Dichte</translation>
+    </message>
+    <message>
+        <source>Mass by</source>
+        <translation>Masse nach</translation>
+    </message>
+    <message>
+        <source>Touches</source>
+        <translation>Berührt</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>Dreiecke</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modell</translation>
+    </message>
+</context>
+<context>
+    <name>trivet::edit::SceneView</name>
+    <message>
+        <source>Cannot draw: %1</source>
+        <translation>Kann nicht zeichnen: %1</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>%1 cm</source>
+        <translation>%1 cm</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>trivet::edit::StartPage</name>
+    <message>
+        <source>A cup, a saucer and a spoon: the first steps</source>
+        <translation>Tasse, Untertasse und Löffel: die ersten Schritte</translation>
+    </message>
+    <message>
+        <source>A breakfast table of 24 objects</source>
+        <translation>Ein Frühstückstisch aus 24 Objekten</translation>
+    </message>
+    <message>
+        <source>A tidy office of 16 objects</source>
+        <translation>Ein aufgeräumtes Büro aus 16 Objekten</translation>
+    </message>
+    <message>
+        <source>The same office, untidied, with 9 more objects</source>
+        <translation>Dasselbe Büro, unordentlich, mit 9 weiteren Objekten</translation>
+    </message>
+    <message>
+        <source>Lays out 3D objects without interpenetration, at rest.</source>
+        <translation>Ordnet 3D-Objekte ohne Durchdringung und in Ruhe an.</translation>
+    </message>
+    <message>
+        <source>Begin</source>
+        <translation>Beginnen</translation>
+    </message>
+    <message>
+        <source>Demos</source>
+        <translation>Beispiele</translation>
+    </message>
+    <message>
+        <source>New scene</source>
+        <translation>Neue Szene</translation>
+    </message>
+    <message>
+        <source>An empty floor</source>
+        <translation>Ein leerer Boden</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>Öffnen…</translation>
+    </message>
+    <message>
+        <source>A scene (.glb) or a layout (.json)</source>
+        <translation>Eine Szene (.glb) oder ein Layout (.json)</translation>
+    </message>
+    <message>
+        <source>Import models…</source>
+        <translation>Modelle importieren…</translation>
+    </message>
+    <message>
+        <source>Any mesh; or drop files onto this window</source>
+        <translation>Beliebige Netze; oder Dateien in dieses Fenster ziehen</translation>
+    </message>
+    <message>
+        <source>A table in two minutes</source>
+        <translation>Ein Tisch in zwei Minuten</translation>
+    </message>
+    <message>
+        <source>A tutorial in eight steps</source>
+        <translation>Eine Anleitung in acht Schritten</translation>
+    </message>
+    <message>
+        <source>Recent files</source>
+        <translation>Zuletzt benutzt</translation>
+    </message>
+    <message>
+        <source>A scene that was never saved</source>
+        <translation>Eine nie gespeicherte Szene</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 was not closed properly; %n step(s), the last on %2</source>
+        <translation>
+            <numerusform>%1 wurde nicht richtig geschlossen; %n Schritt, am %2</numerusform>
+            <numerusform>%1 wurde nicht richtig geschlossen; %n Schritte, der letzte am %2</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
+    </message>
+</context>
+<context>
+    <name>trivet::edit::ViewFrame</name>
+    <message>
+        <source>Double click to maximise this window, and to restore it</source>
+        <translation>Doppelklick maximiert dieses Fenster und stellt es wieder her</translation>
+    </message>
+</context>
+<context>
+    <name>trivet::edit::ZListPanel</name>
+    <message>
+        <source>Moving face</source>
+        <translation>Bewegte Fläche</translation>
+    </message>
+    <message>
+        <source>Fixed face</source>
+        <translation>Feste Fläche</translation>
+    </message>
+    <message>
+        <source>Not before</source>
+        <translation>Nicht vor</translation>
+    </message>
+</context>
+<context>
+    <name>units</name>
+    <message>
+        <source>metres</source>
+        <translation>Meter</translation>
+    </message>
+    <message>
+        <source>centimetres</source>
+        <translation>Zentimeter</translation>
+    </message>
+    <message>
+        <source>millimetres</source>
+        <translation>Millimeter</translation>
+    </message>
+    <message>
+        <source>inches</source>
+        <translation>Zoll</translation>
+    </message>
+    <message>
+        <source>feet</source>
+        <translation>Fuß</translation>
+    </message>
+</context>
+<context>
+    <name>verdict</name>
+    <message>
+        <source> and %1 more</source>
+        <translation> und %1 weitere</translation>
+    </message>
+    <message>
+        <source>topples: </source>
+        <translation>kippt: </translation>
+    </message>
+    <message>
+        <source>not known to stand: </source>
+        <translation>ob sie steht, ist unbekannt: </translation>
+    </message>
+    <message>
+        <source>stands, but only just, margin %1</source>
+        <translation>steht, aber nur knapp, Reserve %1</translation>
+    </message>
+    <message>
+        <source>stands, margin %1</source>
+        <translation>steht, Reserve %1</translation>
+    </message>
+    <message>
+        <source>stands</source>
+        <translation>steht</translation>
+    </message>
+    <message>
+        <source>stands, but only just</source>
+        <translation>steht, aber nur knapp</translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,252 @@
+#include "apps/edit/window/asset_browser.h"
+
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QMimeData>
+#include <QScrollBar>
+#include <QSettings>
+#include <QSignalBlocker>
+#include <QUrl>
+#include <QVBoxLayout>
+
+#include "apps/edit/window/icons.h"
+#include "apps/edit/window/units.h"
+
+namespace trivet::edit {
+namespace {
+
+constexpr int kModelRole = Qt::UserRole;
+constexpr int kIconPx = 88, kCellPx = 108;
+constexpr int kSettleMs = 80;  // after scrolling, until pictures are asked for
+
+QString unit_key(const QString& folder) {
+  return "assets/units/" + QUrl::toPercentEncoding(folder);
+}
+
+/// "23.5 x 10 x 7.4 cm, likely"
+QString size_text(const AssetInfo& info) {
+  QStringList sides;
+  for (int i = 0; i < 3; ++i) sides << QLocale().toString(info.size[i], 'g', 4);
+  const QString size = sides.join(" × ");
+  if (!info.unit.isEmpty()) return AssetBrowser::tr("%1, likely %2").arg(size, info.unit);
+  return AssetBrowser::tr("%1 units of %2 m").arg(size, QLocale().toString(info.metres, 'g', 4));
+}
+
+}  // namespace
+
+QMimeData* AssetList::mimeData(const QList<QListWidgetItem*>& items) const {
+  QList<QUrl> urls;
+  for (const QListWidgetItem* const item : items)
+    urls << QUrl::fromLocalFile(item->data(kModelRole).toString());
+  auto* const mime = new QMimeData;
+  mime->setUrls(urls);
+  mime->setData(kAssetsMime, "models");
+  return mime;
+}
+
+AssetBrowser::AssetBrowser(const QString& cache, QWidget* parent)
+    : QWidget(parent),
+      m_thumbnails(cache),
+      m_folders(new QComboBox),
+      m_unit(new QComboBox),
+      m_search(new QLineEdit),
+      m_add(new QToolButton),
+      m_forget(new QToolButton),
+      m_list(new AssetList) {
+  make_widgets();
+  m_scrolled.setSingleShot(true);
+  m_scrolled.setInterval(kSettleMs);
+  connect(&m_scrolled, &QTimer::timeout, this, &AssetBrowser::want_seen);
+  connect(m_list->verticalScrollBar(), &QScrollBar::valueChanged, &m_scrolled,
+          qOverload<>(&QTimer::start));
+  connect(&m_thumbnails, &AssetThumbnails::listed, this, &AssetBrowser::fill);
+  connect(&m_thumbnails, &AssetThumbnails::made, this, &AssetBrowser::show_made);
+  connect(m_add, &QToolButton::clicked, this, &AssetBrowser::ask_folder);
+  connect(m_forget, &QToolButton::clicked, this, &AssetBrowser::forget_folder);
+  connect(m_search, &QLineEdit::textChanged, this, &AssetBrowser::filter);
+  connect(m_list, &QListWidget::itemActivated, this, [this](QListWidgetItem* item) {
+    with_asset(item->data(kModelRole).toString(),
+               [this](const Asset& asset) { Q_EMIT put_wanted(asset); });
+  });
+  for (const QString& folder : QSettings().value("assets/folders").toStringList())
+    m_folders->addItem(QDir(folder).dirName(), folder);
+  m_folders->setCurrentIndex(
+      std::max(0, m_folders->findData(QSettings().value("assets/folder").toString())));
+  connect(m_folders, &QComboBox::currentIndexChanged, this, &AssetBrowser::show_folder);
+  connect(m_unit, &QComboBox::currentIndexChanged, this,
+          [this] { QSettings().setValue(unit_key(folder()), m_unit->currentData()); });
+}
+
+void AssetBrowser::make_widgets() {
+  m_folders->setObjectName("asset folders");
+  m_folders->setMinimumContentsLength(14);
+  m_folders->setToolTip(tr("Folder of models, with those below it"));
+  m_add->setText(tr("Add folder…"));
+  m_add->setObjectName("add folder");
+  m_forget->setText(tr("Forget"));
+  m_forget->setToolTip(tr("Take this folder out of the list; its files stay"));
+  m_search->setObjectName("asset search");
+  m_search->setPlaceholderText(tr("Search models"));
+  m_search->setClearButtonEnabled(true);
+  m_unit->setObjectName("asset unit");
+  m_unit->setToolTip(tr("Unit of the files in this folder"));
+  m_unit->addItem(tr("Unit: likely"), 0.0);
+  for (const LengthUnit& unit : length_units())
+    m_unit->addItem(tr("Unit: %1").arg(unit.name), unit.metres);
+  m_list->setObjectName("assets");
+  m_list->setViewMode(QListView::IconMode);
+  m_list->setResizeMode(QListView::Adjust);
+  m_list->setMovement(QListView::Static);
+  m_list->setUniformItemSizes(true);
+  m_list->setIconSize(QSize(kIconPx, kIconPx));
+  m_list->setGridSize(QSize(kCellPx, kCellPx + 4));
+  m_list->setWordWrap(false);
+  m_list->setTextElideMode(Qt::ElideMiddle);
+  m_list->setSelectionMode(QAbstractItemView::ExtendedSelection);
+  m_list->setDragDropMode(QAbstractItemView::DragOnly);
+  m_list->setToolTip(tr("Drag a model into a view, or double click to take it in hand"));
+  auto* const row = new QHBoxLayout;
+  for (QWidget* const widget :
+       std::initializer_list<QWidget*>{m_folders, m_add, m_forget, m_unit, m_search})
+    row->addWidget(widget, widget == m_search ? 1 : 0);
+  auto* const column = new QVBoxLayout(this);
+  column->setContentsMargins(4, 4, 4, 4);
+  column->setSpacing(4);
+  column->addLayout(row);
+  column->addWidget(m_list, 1);
+}
+
+void AssetBrowser::set_theme(const Theme& theme) {
+  m_theme = theme;
+  for (QListWidgetItem* const item : m_items) show_item(*item);
+}
+
+// --- folders -----------------------------------------------------------------------------------
+
+void AssetBrowser::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  if (!m_listed) show_folder();
+}
+
+void AssetBrowser::save_folders() const {
+  QStringList all;
+  for (int i = 0; i < m_folders->count(); ++i) all << m_folders->itemData(i).toString();
+  QSettings().setValue("assets/folders", all);
+}
+
+void AssetBrowser::ask_folder() {
+  const QString folder = QFileDialog::getExistingDirectory(
+      this, tr("Folder of models"), QSettings().value("files/models").toString());
+  if (!folder.isEmpty()) add_folder(folder);
+}
+
+void AssetBrowser::add_folder(const QString& folder) {
+  const QString whole = QDir(folder).absolutePath();
+  int index = m_folders->findData(whole);
+  if (index < 0) {
+    const QSignalBlocker blocker(m_folders);
+    index = m_folders->count();
+    m_folders->addItem(QDir(whole).dirName(), whole);
+    m_folders->setCurrentIndex(-1);
+  }
+  save_folders();
+  m_folders->setCurrentIndex(index);
+}
+
+void AssetBrowser::forget_folder() {
+  QSettings().remove(unit_key(folder()));
+  m_folders->removeItem(m_folders->currentIndex());
+  save_folders();
+  if (m_folders->count() == 0) show_folder();
+}
+
+void AssetBrowser::show_folder() {
+  m_listed = true;
+  m_list->clear();
+  m_items.clear();
+  m_thumbnails.want({});
+  const bool has_one = !folder().isEmpty();
+  m_forget->setEnabled(has_one), m_unit->setEnabled(has_one), m_search->setEnabled(has_one);
+  if (!has_one) return;
+  QSettings().setValue("assets/folder", folder());
+  const QSignalBlocker blocker(m_unit);
+  const int unit = m_unit->findData(QSettings().value(unit_key(folder()), 0.0).toDouble());
+  m_unit->setCurrentIndex(std::max(0, unit));
+  m_folders->setToolTip(folder());
+  m_thumbnails.list(folder());
+}
+
+void AssetBrowser::fill(const QString& folder, const QStringList& files) {
+  if (folder != this->folder()) return;
+  m_list->clear();
+  m_items.clear();
+  for (const QString& file : files) {
+    auto* const item = new QListWidgetItem(QFileInfo(file).completeBaseName(), m_list);
+    item->setData(kModelRole, file);
+    item->setTextAlignment(Qt::AlignHCenter | Qt::AlignTop);
+    m_items[file] = item;
+    show_item(*item);
+  }
+  filter();
+}
+
+// --- items -------------------------------------------------------------------------------------
+
+void AssetBrowser::show_item(QListWidgetItem& item) {
+  const QString file = item.data(kModelRole).toString();
+  const AssetInfo* const info = m_thumbnails.find(file);
+  QString tip = file;
+  if (!info) {
+    item.setIcon(make_icon(Icon::Import, m_theme.faint_text()));
+  } else if (!info->error.isEmpty()) {
+    item.setIcon(make_icon(Icon::Invalid, m_theme.refused()));
+    item.setForeground(m_theme.refused());
+    tip = info->error;
+  } else {
+    item.setIcon(QPixmap::fromImage(info->picture));
+    tip += "\n" + size_text(*info);
+  }
+  item.setToolTip(tip);
+}
+
+void AssetBrowser::show_made(const QString& file) {
+  if (QListWidgetItem* const item = m_items.value(file)) show_item(*item);
+  const AssetInfo* const info = m_thumbnails.find(file);
+  const auto waiting = m_waiting.extract(file);
+  if (waiting.empty() || !info) return;
+  for (const auto& then : waiting.mapped()) with_asset(file, then);
+}
+
+void AssetBrowser::with_asset(const QString& file, std::function<void(const Asset&)> then) {
+  const AssetInfo* const info = m_thumbnails.find(file);
+  if (!info) {
+    m_waiting[file].push_back(std::move(then));
+    return want_seen();
+  }
+  if (!info->error.isEmpty()) return Q_EMIT refused(info->error);
+  const double chosen = m_unit->currentData().toDouble();
+  then({file, chosen > 0 ? chosen : info->metres});
+}
+
+void AssetBrowser::filter() {
+  for (QListWidgetItem* const item : m_items)
+    item->setHidden(!item->text().contains(m_search->text(), Qt::CaseInsensitive));
+  m_scrolled.start();
+}
+
+// Those that are waited for, then those that are seen, then the rest.
+void AssetBrowser::want_seen() {
+  QStringList first, seen, rest;
+  for (const auto& [file, then] : m_waiting) first << file;
+  const QRect window = m_list->viewport()->rect();
+  for (int row = 0; row < m_list->count(); ++row) {
+    const QListWidgetItem* const item = m_list->item(row);
+    const bool is_seen = !item->isHidden() && m_list->visualItemRect(item).intersects(window);
+    (is_seen ? seen : rest) << item->data(kModelRole).toString();
+  }
+  m_thumbnails.want(first + seen + rest);
+}
+
+}  // namespace trivet::edit

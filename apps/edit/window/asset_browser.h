@@ -1,0 +1,84 @@
+// Folders of models with their pictures: dragged into a view, or put by a double click.
+#pragma once
+
+#include <QComboBox>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QSet>
+#include <QTimer>
+#include <QToolButton>
+#include <QWidget>
+#include <functional>
+
+#include "apps/edit/window/asset_thumbnails.h"
+#include "apps/edit/window/theme.h"
+
+namespace trivet::edit {
+
+/// Of what is dragged out of the browser, beside its URLs.
+inline constexpr const char* kAssetsMime = "application/x-trivet-models";
+
+class AssetList : public QListWidget {
+ public:
+  using QListWidget::QListWidget;
+
+ protected:
+  QMimeData* mimeData(const QList<QListWidgetItem*>& items) const override;
+};
+
+/// A model to import from the browser.
+struct Asset {
+  QString file;
+  double metres = 1;  // per unit: as chosen for its folder, else stated or likely
+};
+
+class AssetBrowser : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// @param cache  see AssetThumbnails.
+  explicit AssetBrowser(const QString& cache, QWidget* parent = nullptr);
+
+  void set_theme(const Theme& theme);
+  /// Shows this folder, and remembers it.
+  void add_folder(const QString& folder);
+  QString folder() const { return m_folders->currentData().toString(); }
+  AssetList& list() { return *m_list; }
+  QLineEdit& search() { return *m_search; }
+  const AssetThumbnails& thumbnails() const { return m_thumbnails; }
+  /// Calls then() once it is known how large the model is; not for a bad one.
+  void with_asset(const QString& file, std::function<void(const Asset&)> then);
+
+ Q_SIGNALS:
+  void put_wanted(const trivet::edit::Asset& asset);
+  /// A model that cannot be read was chosen.
+  void refused(const QString& why);
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  void make_widgets();
+  void ask_folder();
+  void forget_folder();
+  void show_folder();
+  void fill(const QString& folder, const QStringList& files);
+  void show_made(const QString& file);
+  void show_item(QListWidgetItem& item);
+  void filter();
+  void want_seen();
+  void save_folders() const;
+
+  AssetThumbnails m_thumbnails;
+  Theme m_theme;
+  QComboBox *m_folders, *m_unit;
+  QLineEdit* m_search;
+  QToolButton *m_add, *m_forget;
+  AssetList* m_list;
+  QHash<QString, QListWidgetItem*> m_items;  // by file
+  QTimer m_scrolled;
+  std::map<QString, std::vector<std::function<void(const Asset&)>>> m_waiting;  // by file
+  bool m_listed = false;
+};
+
+}  // namespace trivet::edit

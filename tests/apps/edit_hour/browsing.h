@@ -1,0 +1,16 @@
+// The asset browser and collections in the window.
+#pragma once
+
+#include "apps/edit_window/user.h"
+
+namespace trivet::edit::test {
+
+/// @param folder  for models and the cache.
+void browse_models(Document& document, MainWindow& window, User& user, const QString& folder);
+/// Thumbnails are kept, and made again when a file changes. Without a window.
+void keep_thumbnails(const QString& folder);
+/// Leaves no unsaved changes.
+void collect_objects(Document& document, MainWindow& window, User& user, const QString& folder);
+void drop_files(Document& document, MainWindow& window, User& user, const QString& folder);
+
+}  // namespace trivet::edit::test
