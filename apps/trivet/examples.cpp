@@ -49,7 +49,8 @@ const std::map<std::string, std::string> kExamples = {
      "trivet export scene.glb -o objects.csv\n"},
     {"render",
      "trivet render scene.glb -o scene.png --width 320 --height 240 --renderer path\n"
-     "trivet render scene.glb --dome 4 --coco dataset --width 160 --height 120\n"},
+     "trivet render scene.glb --dome 4 --coco dataset --width 160 --height 120\n"
+     "trivet render layout.json --animation film.webp --fps 4 --width 160 --height 120\n"},
     {"zlist",
      "trivet zlist scene.glb -o lists.png\n"
      "trivet zlist scene.glb --pixel 128 128 --json\n"},

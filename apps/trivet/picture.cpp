@@ -57,13 +57,16 @@ std::string PictureMaker::png(const Scene& scene) {
     if (is_new) it->second = picture_mesh(*object.model);
     picture.objects.push_back({&it->second, object.world_from_object(), std::nullopt});
   }
-  const std::optional<Camera> camera = m_request.explicit_camera();
-  if (m_opengl) return encode_png(m_opengl->render(picture, camera, options_of(m_request, kViews)));
+  return encode_png(image(picture, m_request.explicit_camera()));
+}
+
+Image PictureMaker::image(const PictureScene& scene, const std::optional<Camera>& camera) {
+  if (m_opengl) return m_opengl->render(scene, camera, options_of(m_request, kViews));
   const double aspect = double(m_request.width) / m_request.height;
-  return traced_png(picture,
-                    pinhole_camera(camera ? *camera : automatic_camera(picture, aspect),
-                                   m_request.width, m_request.height),
-                    m_request);
+  return traced_image(scene,
+                      pinhole_camera(camera ? *camera : automatic_camera(scene, aspect),
+                                     m_request.width, m_request.height),
+                      m_request);
 }
 
 std::string PictureMaker::device() const {
@@ -72,6 +75,11 @@ std::string PictureMaker::device() const {
 
 std::string traced_png(const PictureScene& scene, const PinholeCamera& camera,
                        const PictureRequest& request) {
+  return encode_png(traced_image(scene, camera, request));
+}
+
+Image traced_image(const PictureScene& scene, const PinholeCamera& camera,
+                   const PictureRequest& request) {
   PictureOptions options = options_of(request, kPaths);
   options.width = camera.width, options.height = camera.height;
   PathOptions path;
@@ -79,7 +87,7 @@ std::string traced_png(const PictureScene& scene, const PinholeCamera& camera,
   Image image;
   tbb::task_arena(request.num_threads > 0 ? request.num_threads : tbb::task_arena::automatic)
       .execute([&] { image = trace_picture(scene, camera, options, path); });
-  return encode_png(image);
+  return image;
 }
 
 }  // namespace trivet::apps

@@ -46,6 +46,7 @@ class PictureMaker {
   PictureMaker(const PictureMaker&) = delete;
   PictureMaker& operator=(const PictureMaker&) = delete;
 
+  Image image(const PictureScene& scene, const std::optional<Camera>& camera);
   /// The bytes of a PNG file.
   std::string png(const Scene& scene);
   /// Renderer in use.
@@ -56,7 +57,10 @@ class PictureMaker {
   std::unique_ptr<GlPictures> m_opengl;  // null: rays
 };
 
-/// By rays, from any pinhole camera. @return the bytes of a PNG file.
+/// By rays, from any pinhole camera.
+Image traced_image(const PictureScene& scene, const PinholeCamera& camera,
+                   const PictureRequest& request);
+/// @return the bytes of a PNG file.
 std::string traced_png(const PictureScene& scene, const PinholeCamera& camera,
                        const PictureRequest& request);
 

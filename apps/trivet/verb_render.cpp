@@ -1,5 +1,6 @@
 #include <iostream>
 
+#include "apps/trivet/film_frames.h"
 #include "apps/trivet/label_outputs.h"
 #include "apps/trivet/outputs.h"
 #include "apps/trivet/scene_input.h"
@@ -14,6 +15,7 @@ struct RenderArguments {
   std::string scene, picture;
   PictureRequest request;
   LabelArguments labels;
+  FilmFrames film;
 };
 
 void render_picture(const RenderArguments& arguments, const CommonOptions& common) {
@@ -28,11 +30,22 @@ void render_picture(const RenderArguments& arguments, const CommonOptions& commo
               << ", \"device\": " << json_string(maker.device()) << "}\n";
 }
 
+// Beside nothing else: the scene is a layout then.
+int render_film(const RenderArguments& arguments, const CommonOptions& common) {
+  if (!arguments.picture.empty() || arguments.labels.any())
+    bad_input("--animation is asked for with other pictures; accepted: alone");
+  PictureRequest request = arguments.request;
+  request.num_threads = common.num_threads;
+  render_film(arguments.scene, arguments.film, request, common);
+  return 0;
+}
+
 int render(const RenderArguments& arguments, const CommonOptions& common) {
+  if (!arguments.film.file.empty()) return render_film(arguments, common);
   if (arguments.picture.empty() && !arguments.labels.any())
     bad_input(
-        "nothing is asked for; accepted: -o, --depth, --ids, --classes, --normals, --boxes, "
-        "--coco or --bop");
+        "nothing is asked for; accepted: -o, --animation, --depth, --ids, --classes, --normals, "
+        "--boxes, --coco or --bop");
   check_outputs({"", "", arguments.picture}, {arguments.scene});
   LabelArguments labels = arguments.labels;
   const bool many = labels.views.any();
@@ -54,7 +67,8 @@ Verb add_render(CLI::App& app, const CommonOptions& common) {
       "render", "Render a picture or labelled images of a scene or a model, without a display");
   const auto arguments = std::make_shared<RenderArguments>();
   PictureRequest& request = arguments->request;
-  verb->add_option("scene", arguments->scene, "The scene, or any model file")
+  verb->add_option("scene", arguments->scene,
+                   "The scene, or any model file; of --animation a layout")
       ->required()
       ->type_name("SCENE");
   verb->add_option("-o,--output", arguments->picture,
@@ -80,6 +94,7 @@ Verb add_render(CLI::App& app, const CommonOptions& common) {
   verb->add_option("--fov", request.fov_deg,
                    "Field of view, degrees from the lower to the upper edge")
       ->check(number_from(1, 170));
+  add_film_options(*verb, arguments->film);
   add_label_options(*verb, arguments->labels);
   return {verb, [arguments, &common] { return render(*arguments, common); }};
 }

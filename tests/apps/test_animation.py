@@ -1,6 +1,7 @@
 """Films of operations: animated .glb files."""
 import json
 import math
+import os
 import struct
 
 from program import SLAB, Case, main, put
@@ -181,6 +182,76 @@ class Animation(Case):
         self.trivet("run", "layout.json", "-o", "room.glb")
         self.write("in.json", json.dumps({"trivet": 1, "scene": "room.glb", "objects": [{"name": "a"}], "operations": []}))
         self.refused("run", "in.json", "-o", "o.glb", "--animation", "f.glb", says=["--animation", "layouts of models"])
+
+
+def webp_chunks(data):
+    """Names and contents."""
+    assert data[:4] == b"RIFF" and data[8:12] == b"WEBP" and len(data) == 8 + struct.unpack("<I", data[4:8])[0]
+    at, out = 12, []
+    while at < len(data):
+        name, size = data[at:at + 4].decode(), struct.unpack("<I", data[at + 4:at + 8])[0]
+        out.append((name, data[at + 8:at + 8 + size]))
+        at += 8 + size + size % 2
+    return out
+
+
+class Frames(Case):
+    """trivet render LAYOUT --animation."""
+    VIEW = ("--width", 64, "--height", 48, "--samples", 1, "--renderer", "path", "--camera", 1.5, -1.5, 1, 0, 0, 0.2)
+
+    def start(self):
+        return self.layout([SLAB, {"name": "a", "model": "cube.obj"}, {"name": "b", "model": "cube.obj"}],
+                           [put("a", 0.2, 0, 1), put("b", -0.2, 0, 0.6)])
+
+    def seconds(self, layout):
+        self.trivet("run", layout, "-o", "s.glb", "--animation", "f.glb")
+        return Film(self.read("f.glb")).seconds()
+
+    def test_numbered_pictures(self):
+        layout = self.start()
+        seconds = self.seconds(layout)
+        self.trivet("render", layout, "--animation", "frames/{}.png", "--fps", 10, *self.VIEW)
+        names = sorted(os.listdir(self.path("frames")))
+        self.assertEqual(names, ["%04d.png" % (k + 1) for k in range(len(names))])
+        self.assertGreaterEqual(len(names), 10 * seconds)
+        self.assertLess(len(names), 10 * (seconds + 0.3) + 2)
+        frames = [self.read("frames/" + name) for name in names]
+        self.assertGreater(len(set(frames)), len(frames) // 2)
+        # The first has no cube yet, the last is the scene.
+        self.trivet("render", "s.glb", "-o", "end.png", *self.VIEW)
+        self.assertEqual(frames[-1], self.read("end.png"))
+        self.trivet("run", self.layout([SLAB], []), "-o", "slab.glb")
+        self.trivet("render", "slab.glb", "-o", "begin.png", *self.VIEW)
+        self.assertEqual(frames[0], self.read("begin.png"))
+
+    def test_animated_webp(self):
+        layout = self.start()
+        seconds = self.seconds(layout)
+        for name in ("a.webp", "b.webp"):
+            self.trivet("render", layout, "--animation", name, "--fps", 8, *self.VIEW)
+        self.assertEqual(self.read("a.webp"), self.read("b.webp"))
+        chunks = webp_chunks(self.read("a.webp"))
+        self.assertEqual([name for name, _ in chunks[:2]], ["VP8X", "ANIM"])
+        header = dict(chunks)["VP8X"]
+        self.assertTrue(header[0] & 2)
+        self.assertEqual([1 + int.from_bytes(header[k:k + 3], "little") for k in (4, 7)], [64, 48])
+        shown = [int.from_bytes(frame[12:15], "little") for name, frame in chunks if name == "ANMF"]
+        self.assertGreater(len(shown), 5)
+        self.assertGreaterEqual(sum(shown), 1000 * seconds)
+        self.assertLess(sum(shown), 1000 * (seconds + 0.6))
+
+    def test_bad_input(self):
+        layout = self.start()
+        self.trivet("run", layout, "-o", "s.glb")
+        render = ("render", layout, "--animation")
+        self.refused(*render, "f.png", says=["f.png", "{}"])
+        self.refused(*render, "f.gif", says=["f.gif", ".webp"])
+        self.refused(*render, "f.webp", "-o", "p.png", says=["--animation", "alone"])
+        self.refused(*render, "f.webp", "--fps", 0, says="--fps")
+        self.refused(*render, "f{}.png", "--fps", 1000, "--width", 0, says="--width")
+        self.refused("render", "s.glb", "--animation", "f.webp", says=["s.glb", "layout"])
+        self.write("in.json", json.dumps({"trivet": 1, "scene": "s.glb", "objects": [{"name": "a"}], "operations": []}))
+        self.refused("render", "in.json", "--animation", "f.webp", says=["--animation", "layouts of models"])
 
 
 if __name__ == "__main__":

@@ -429,6 +429,22 @@
         <source>Grey</source>
         <translation>Grau</translation>
     </message>
+    <message>
+        <source>Control + Wheel</source>
+        <translation>Strg + Rad</translation>
+    </message>
+    <message>
+        <source>Move the section plane of the window</source>
+        <translation>Schnittebene des Fensters verschieben</translation>
+    </message>
+    <message>
+        <source>Control during a drag</source>
+        <translation>Strg beim Ziehen</translation>
+    </message>
+    <message>
+        <source>Snap, or not if the magnet is on</source>
+        <translation>Einrasten, oder nicht, wenn der Magnet an ist</translation>
+    </message>
 </context>
 <context>
     <name>trivet::edit::AssetBrowser</name>
@@ -1411,6 +1427,138 @@
         <source>Untitled</source>
         <translation>Unbenannt</translation>
     </message>
+    <message>
+        <source>P&amp;aint</source>
+        <translation>&amp;Malen</translation>
+    </message>
+    <message>
+        <source>Paint: drag over a surface to set down copies along the stroke</source>
+        <translation>Malen: über eine Fläche ziehen, um Kopien entlang des Strichs abzulegen</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt contact</source>
+        <translation>Nä&amp;chster Kontakt</translation>
+    </message>
+    <message>
+        <source>V</source>
+        <translation>V</translation>
+    </message>
+    <message>
+        <source>The next contact of the active object: the constraint window looks along it, and Push goes along it, walls included</source>
+        <translation>Der nächste Kontakt des aktiven Objekts: das Zwangsfenster blickt daran entlang, und Schieben folgt ihm, auch an Wänden</translation>
+    </message>
+    <message>
+        <source>S&amp;nap</source>
+        <translation>&amp;Einrasten</translation>
+    </message>
+    <message>
+        <source>S</source>
+        <translation>S</translation>
+    </message>
+    <message>
+        <source>Snap: to corners, edges, faces, the grid and steps of angles; Control turns it over during a drag</source>
+        <translation>Einrasten: an Ecken, Kanten, Flächen, Gitter und Winkelschritten; Strg kehrt es beim Ziehen um</translation>
+    </message>
+    <message>
+        <source>Sna&amp;p to</source>
+        <translation>Einrasten &amp;an</translation>
+    </message>
+    <message>
+        <source>&amp;Corners</source>
+        <translation>&amp;Ecken</translation>
+    </message>
+    <message>
+        <source>&amp;Edges</source>
+        <translation>&amp;Kanten</translation>
+    </message>
+    <message>
+        <source>&amp;Faces</source>
+        <translation>&amp;Flächen</translation>
+    </message>
+    <message>
+        <source>The &amp;grid</source>
+        <translation>&amp;Gitter</translation>
+    </message>
+    <message>
+        <source>While the magnet or Control is on</source>
+        <translation>Solange der Magnet an oder Strg gedrückt ist</translation>
+    </message>
+    <message>
+        <source>&amp;Steps…</source>
+        <translation>&amp;Schritte…</translation>
+    </message>
+    <message>
+        <source>&amp;Section: cut away what is in front</source>
+        <translation>&amp;Schnitt: wegschneiden, was davor steht</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Section: the window under the mouse cuts away what stands in front of the active object; Control and the wheel move the plane</source>
+        <translation>Schnitt: das Fenster unter der Maus schneidet weg, was vor dem aktiven Objekt steht; Strg und das Rad verschieben die Ebene</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>Cut away what hides the active object (X); Control and the wheel move the plane</source>
+        <translation>Wegschneiden, was das aktive Objekt verdeckt (X); Strg und das Rad verschieben die Ebene</translation>
+    </message>
+    <message>
+        <source>Cut away what stands in front of the active object (X); Control and the wheel move the plane</source>
+        <translation>Wegschneiden, was vor dem aktiven Objekt steht (X); Strg und das Rad verschieben die Ebene</translation>
+    </message>
+    <message>
+        <source>&amp;Bookmarks</source>
+        <translation>&amp;Lesezeichen</translation>
+    </message>
+    <message>
+        <source>View &amp;%1</source>
+        <translation>Ansicht &amp;%1</translation>
+    </message>
+    <message>
+        <source>Show the view stored as %1</source>
+        <translation>Die als %1 gemerkte Ansicht zeigen</translation>
+    </message>
+    <message>
+        <source>Store as view %1</source>
+        <translation>Als Ansicht %1 merken</translation>
+    </message>
+    <message>
+        <source>Store the view under the mouse as %1</source>
+        <translation>Die Ansicht unter der Maus als %1 merken</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>View &amp;%1: %2</source>
+        <translation>Ansicht &amp;%1: %2</translation>
+    </message>
+    <message>
+        <source>Stored as view %1: Alt+%1 shows it again</source>
+        <translation>Als Ansicht %1 gemerkt: Alt+%1 zeigt sie wieder</translation>
+    </message>
+    <message>
+        <source>Arrange</source>
+        <translation>Anordnen</translation>
+    </message>
+    <message>
+        <source>&amp;Arrange…</source>
+        <translation>Anor&amp;dnen…</translation>
+    </message>
+    <message>
+        <source>Ctrl+R</source>
+        <translation>Ctrl+R</translation>
+    </message>
+    <message>
+        <source>Arrange: wishes between objects, and scenes that meet them</source>
+        <translation>Anordnen: Wünsche zwischen Objekten, und Szenen, die sie erfüllen</translation>
+    </message>
 </context>
 <context>
     <name>trivet::edit::MessageBar</name>
@@ -1645,6 +1793,66 @@
         <source>a free place on the floor</source>
         <translation>eine freie Stelle am Boden</translation>
     </message>
+    <message>
+        <source>Steps in proportion to the object</source>
+        <translation>Stufen im Verhältnis zum Objekt</translation>
+    </message>
+    <message>
+        <source>Otherwise in millimetres. Steps are measured across the surface</source>
+        <translation>Sonst in Millimetern. Stufen werden quer zur Fläche gemessen</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Stufe</translation>
+    </message>
+    <message>
+        <source>Of the object&apos;s size: higher steps and deeper edges stop it</source>
+        <translation>Von der Größe des Objekts: höhere Stufen und tiefere Kanten halten es auf</translation>
+    </message>
+    <message>
+        <source>Drag over a surface: copies of the selected objects, in turn, along the stroke.</source>
+        <translation>Über eine Fläche ziehen: Kopien der ausgewählten Objekte, reihum, entlang des Strichs.</translation>
+    </message>
+    <message>
+        <source>Spacing</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Between the middles of the copies; 0: side by side</source>
+        <translation>Zwischen den Mitten der Kopien; 0: dicht an dicht</translation>
+    </message>
+    <message>
+        <source>side by side</source>
+        <translation>dicht an dicht</translation>
+    </message>
+    <message>
+        <source>Random turns</source>
+        <translation>Zufällig drehen</translation>
+    </message>
+    <message>
+        <source>Each copy is turned about the vertical axis</source>
+        <translation>Jede Kopie wird um die Senkrechte gedreht</translation>
+    </message>
+    <message>
+        <source>Of the turns: the same strokes give the same scene</source>
+        <translation>Für die Drehungen: gleiche Striche ergeben dieselbe Szene</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Startwert</translation>
+    </message>
+    <message>
+        <source>Above the surface under the stroke</source>
+        <translation>Über der Fläche unter dem Strich</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>For the mouse, while Control is held or the magnet is on</source>
+        <translation>Für die Maus, solange Strg gehalten oder der Magnet an ist</translation>
+    </message>
 </context>
 <context>
     <name>trivet::edit::Outliner</name>
@@ -1788,6 +1996,26 @@
     <message>
         <source>As the system</source>
         <translation>Wie das System</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Steps of drags while the magnet or Control is on.</source>
+        <translation>Schritte beim Ziehen, solange der Magnet an oder Strg gedrückt ist.</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>Gitter</translation>
+    </message>
+    <message>
+        <source>Angles</source>
+        <translation>Winkel</translation>
     </message>
 </context>
 <context>
@@ -1971,6 +2199,18 @@
         <source>%1 mm</source>
         <translation>%1 mm</translation>
     </message>
+    <message>
+        <source>Cut away in front of %1</source>
+        <translation>Weggeschnitten vor %1</translation>
+    </message>
+    <message>
+        <source>Cut away in front of the middle</source>
+        <translation>Weggeschnitten vor der Mitte</translation>
+    </message>
+    <message>
+        <source>Section: nothing is in the way</source>
+        <translation>Schnitt: es ist nichts im Weg</translation>
+    </message>
 </context>
 <context>
     <name>trivet::edit::StartPage</name>
@@ -2132,6 +2372,189 @@
     <message>
         <source>stands, but only just</source>
         <translation>steht, aber nur knapp</translation>
+    </message>
+</context>
+<context>
+    <name>trivet::edit::ArrangePanel</name>
+    <message>
+        <source>Swap</source>
+        <translation>Tauschen</translation>
+    </message>
+    <message>
+        <source>Swap the two objects</source>
+        <translation>Die zwei Objekte tauschen</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>zu</translation>
+    </message>
+    <message>
+        <source>Soft, weight</source>
+        <translation>Weich, Gewicht</translation>
+    </message>
+    <message>
+        <source>Add wish</source>
+        <translation>Wunsch hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add the wish to the scene&apos;s</source>
+        <translation>Den Wunsch denen der Szene hinzufügen</translation>
+    </message>
+    <message>
+        <source>Wish</source>
+        <translation>Wunsch</translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation>Gewicht</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Alle</translation>
+    </message>
+    <message>
+        <source>All wishes, not of the selected objects alone</source>
+        <translation>Alle Wünsche, nicht nur der ausgewählten Objekte</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the chosen wishes</source>
+        <translation>Die gewählten Wünsche entfernen</translation>
+    </message>
+    <message>
+        <source>Load…</source>
+        <translation>Laden…</translation>
+    </message>
+    <message>
+        <source>Load a problem of trivet arrange</source>
+        <translation>Eine Aufgabe von trivet arrange laden</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Speichern…</translation>
+    </message>
+    <message>
+        <source>Save scene and wishes as a problem of trivet arrange</source>
+        <translation>Szene und Wünsche als Aufgabe von trivet arrange speichern</translation>
+    </message>
+    <message>
+        <source>Selected only</source>
+        <translation>Nur ausgewählte</translation>
+    </message>
+    <message>
+        <source>Arrange the selected objects; all others stay</source>
+        <translation>Die ausgewählten Objekte anordnen; alle anderen bleiben</translation>
+    </message>
+    <message>
+        <source>Seed </source>
+        <translation>Startwert </translation>
+    </message>
+    <message>
+        <source>Turn the wheel for the next solution</source>
+        <translation>Am Rad drehen für die nächste Lösung</translation>
+    </message>
+    <message>
+        <source>Arrange</source>
+        <translation>Anordnen</translation>
+    </message>
+    <message>
+        <source>Look for an arrangement: a preview</source>
+        <translation>Eine Anordnung suchen: Vorschau</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>The next solution: another seed</source>
+        <translation>Die nächste Lösung: ein anderer Startwert</translation>
+    </message>
+    <message>
+        <source>Accept</source>
+        <translation>Annehmen</translation>
+    </message>
+    <message>
+        <source>Do it, as one step</source>
+        <translation>Ausführen, als ein Schritt</translation>
+    </message>
+    <message>
+        <source>Reject</source>
+        <translation>Ablehnen</translation>
+    </message>
+    <message>
+        <source>Leave the scene as it is</source>
+        <translation>Die Szene lassen, wie sie ist</translation>
+    </message>
+    <message>
+        <source>Drop the cheapest wish</source>
+        <translation>Billigsten Wunsch streichen</translation>
+    </message>
+    <message>
+        <source>Drop the wish that is nearest to being met, and look again</source>
+        <translation>Den Wunsch streichen, der fast erfüllt ist, und neu suchen</translation>
+    </message>
+    <message>
+        <source>Looks for a place for %1</source>
+        <translation>Sucht einen Platz für %1</translation>
+    </message>
+    <message>
+        <source>Select two objects: the first is to be … the second</source>
+        <translation>Zwei Objekte auswählen: das erste soll … das zweite</translation>
+    </message>
+    <message>
+        <source>% at least</source>
+        <translation>% mindestens</translation>
+    </message>
+    <message>
+        <source>cm</source>
+        <translation>cm</translation>
+    </message>
+    <message>
+        <source>cm at most</source>
+        <translation>cm höchstens</translation>
+    </message>
+    <message>
+        <source>hard</source>
+        <translation>hart</translation>
+    </message>
+    <message>
+        <source>A number makes the wish soft, no number hard</source>
+        <translation>Eine Zahl macht den Wunsch weich, keine hart</translation>
+    </message>
+    <message>
+        <source>Select objects that may move</source>
+        <translation>Objekte auswählen, die sich bewegen dürfen</translation>
+    </message>
+    <message>
+        <source>There is no object that may move</source>
+        <translation>Kein Objekt darf sich bewegen</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Looks for an arrangement</source>
+        <translation>Sucht eine Anordnung</translation>
+    </message>
+    <message>
+        <source>%1 (seed %2, %3 s)</source>
+        <translation>%1 (Startwert %2, %3 s)</translation>
+    </message>
+    <message>
+        <source>Save problem</source>
+        <translation>Aufgabe speichern</translation>
+    </message>
+    <message>
+        <source>Problems (*.json)</source>
+        <translation>Aufgaben (*.json)</translation>
+    </message>
+    <message>
+        <source>Load wishes</source>
+        <translation>Wünsche laden</translation>
     </message>
 </context>
 </TS>

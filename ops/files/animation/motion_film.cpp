@@ -64,7 +64,13 @@ void MotionFilm::meet(const Scene& scene) {
     if (!is_new) continue;
     const Object& object = scene.at(id);
     const double radius = 0.5 * object.scale * object.shape->box.diagonal();
-    it->second = {object.name, object.model, object.shape, object.up, object.scale, radius, {}};
+    std::shared_ptr<const Model> model = object.model;
+    if (!model) {
+      std::shared_ptr<const Model>& made = m_models[object.shape.get()];
+      if (!made) made = std::make_shared<const Model>(model_of_mesh(object.shape->mesh));
+      model = made;
+    }
+    it->second = {object.name, model, object.shape, object.up, object.scale, radius, {}};
     it->second.set(0, std::nullopt);
   }
 }
@@ -153,18 +159,28 @@ bool MotionFilm::arrive(const Scene& after) {
   return changed;
 }
 
+std::vector<MotionFilm::Seen> MotionFilm::at(double time) const {
+  std::vector<Seen> out;
+  out.reserve(m_actors.size());
+  for (const auto& [id, actor] : m_actors) {
+    const auto later = std::upper_bound(actor.keys.begin(), actor.keys.end(), time,
+                                        [](double t, const Key& key) { return t < key.first; });
+    const Key& now = later == actor.keys.begin() ? *later : *(later - 1);
+    if (!now.second) continue;
+    Pose pose = *now.second;
+    if (later != actor.keys.end() && later->second && time > now.first)
+      pose = interpolate_straight(pose, *later->second,
+                                  (time - now.first) / (later->first - now.first));
+    out.push_back({actor.model, world_from_object(pose, actor.up, actor.scale)});
+  }
+  return out;
+}
+
 std::string MotionFilm::glb() const {
-  std::map<const Shape*, std::shared_ptr<const Model>> models;  // of objects without one
   AnimatedScene scene;
   scene.origin = export_origin(m_box);
   for (const auto& [id, actor] : m_actors) {
-    std::shared_ptr<const Model> model = actor.model;
-    if (!model) {
-      std::shared_ptr<const Model>& made = models[actor.shape.get()];
-      if (!made) made = std::make_shared<const Model>(model_of_mesh(actor.shape->mesh));
-      model = made;
-    }
-    AnimatedObject object{{actor.name, model, {}, {}}, {}};
+    AnimatedObject object{{actor.name, actor.model, {}, {}}, {}};
     bool is_seen = false;
     object.keys.reserve(actor.keys.size());
     for (const auto& [time, pose] : actor.keys) {

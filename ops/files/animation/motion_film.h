@@ -26,6 +26,13 @@ class MotionFilm {
   void add(const Scene& after);
 
   double seconds() const { return m_time; }
+  /// An object in the scene at some time.
+  struct Seen {
+    std::shared_ptr<const Model> model;  // never null
+    Affine world_from_object;
+  };
+  /// @param time  seconds; before the first key the start, after the last one the end.
+  std::vector<Seen> at(double time) const;
   /// @throws Error (BadInput) as animated_glb().
   std::string glb() const;
 
@@ -52,6 +59,7 @@ class MotionFilm {
   bool arrive(const Scene& after);
 
   std::map<ActorId, Actor> m_actors;
+  std::map<const Shape*, std::shared_ptr<const Model>> m_models;  // of objects without one
   Aabb m_box;
   double m_time = 0;
 };

@@ -39,8 +39,8 @@ SceneLooks read_looks(const JsonPlace& place) {
   place.expect_object({}, {"objects", "collections"});
   SceneLooks out;
   std::set<std::string> shown, members, names;
-  if (const auto objects = place.find("objects"))
-    for (const JsonPlace& item : objects->items()) {
+  if (const auto looks = place.find("objects"))
+    for (const JsonPlace& item : looks->items()) {
       out.objects.push_back(read_object_look(item));
       expect_new(item.at("name"), shown, "each object once");
     }
@@ -51,7 +51,9 @@ SceneLooks read_looks(const JsonPlace& place) {
       collection.name = item.at("name").text();
       expect_new(item.at("name"), names, "each name once");
       read_flags(item, collection.hidden, collection.not_selectable);
-      for (const JsonPlace& object : item.at("objects").items()) {
+      const std::vector<JsonPlace> objects = item.at("objects").items();
+      collection.objects.reserve(objects.size());
+      for (const JsonPlace& object : objects) {
         collection.objects.push_back(object.text());
         expect_new(object, members, "an object in one collection");
       }

@@ -43,6 +43,8 @@ TEST_F(Remake, RenamesAsOneStepThatMovesNothing) {
   Looks looks;
   looks.change(document.id("small"), {false, false, LookColour{1, 0, 0}});
   document->set_looks(looks);
+  const ObjectId id = document.id("small");
+  document->select_only(id);
   const size_t steps = document->history().num_done;
   ASSERT_TRUE(document.done(document->perform(RenameOperation{"small", "lid"})))
       << document.last_text();
@@ -54,7 +56,8 @@ TEST_F(Remake, RenamesAsOneStepThatMovesNothing) {
   EXPECT_TRUE(lid.locked);
   EXPECT_EQ(lid.material.friction, 0.3);
   EXPECT_TRUE(document->looks().of(document.id("lid")).colour);
-  EXPECT_EQ(document->selection().active(), document.id("lid"));
+  EXPECT_EQ(document.id("lid"), id);
+  EXPECT_EQ(document->selection().active(), id);
   EXPECT_EQ(document->history().num_done, steps + 1);
   EXPECT_EQ(document->history().steps.back(), "rename \"small\"");
   EXPECT_EQ(wrong_with(*document->snapshot()), "");
