@@ -305,9 +305,10 @@ Operation read_values(const JsonPlace& place) {
       "\"put\", \"push\", \"turn\", \"pick_up\", \"translate\", \"rotate\", \"append\", "
       "\"duplicate\", \"delete\", \"lock\", \"unlock\", \"fix\", \"unfix\", \"material\", "
       "\"group\", \"ungroup\", \"stand\", \"unplace\", \"arrange\" or \"rename\"" +
-      did_you_mean(given, {"put", "push", "turn", "pick_up", "translate", "rotate", "append",
-                           "duplicate", "delete", "lock", "unlock", "fix", "unfix", "material",
-                           "group", "ungroup", "stand", "unplace", "arrange", "rename"}));
+      did_you_mean(given,
+                   {"put",       "push",    "turn",  "pick_up", "translate", "rotate", "append",
+                    "duplicate", "delete",  "lock",  "unlock",  "fix",       "unfix",  "material",
+                    "group",     "ungroup", "stand", "unplace", "arrange",   "rename"}));
 }
 
 }  // namespace
