@@ -234,11 +234,11 @@ void Hour::push_and_turn() {
 
 void Hour::type_numbers() {
   m_user.press_key(Qt::Key_G);
-  SceneView& view = m_window.view(WindowKind::ThreeView);
-  const QPoint cup = m_user.pixel(WindowKind::ThreeView, centre("cup"));
+  SceneView& view = m_window.view(WindowKind::Perspective);
+  const QPoint cup = m_user.pixel_on("cup", WindowKind::Perspective);
   const Vec3 before = m_user.object("cup").pose.translation;
   m_user.press(view, cup, Qt::LeftButton);
-  for (int i = 1; i <= 4; ++i) m_user.move_to(view, cup + QPoint(4 * i, 2 * i));
+  for (int i = 1; i <= 4; ++i) m_user.move_to(view, cup + QPoint(3 * i, -6 * i));
   QVERIFY(QTest::qWaitFor([&] { return m_document.is_dragging(); }, 3000));
   for (const Qt::Key key :
        {Qt::Key_0, Qt::Key_Period, Qt::Key_1, Qt::Key_Tab, Qt::Key_0, Qt::Key_Tab, Qt::Key_0})
