@@ -169,7 +169,8 @@ void Outliner::select_found() {
   if (m_filter.isEmpty()) return;
   Selection selection;
   for (QTreeWidgetItemIterator it(this); *it; ++it)
-    if (is_found(**it)) selection.objects.push_back(*id_of(**it));
+    if (is_found(**it) && !selection.contains(*id_of(**it)))
+      selection.objects.push_back(*id_of(**it));
   m_document.select(std::move(selection));
 }
 

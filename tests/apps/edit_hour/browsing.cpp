@@ -188,6 +188,11 @@ void collect_objects(Document& document, MainWindow& window, User& user, const Q
   QCOMPARE(collection("set")->objects.size(), size_t{1});
   user.select("b");
   drop("set");
+  // What is found is selected once, though the tree shows it twice.
+  window.control().search().setText("a");
+  outliner.select_found();
+  QCOMPARE(document.selection().objects, std::vector{document.snapshot()->find("a")->id});
+  window.control().search().clear();
   // A click on it selects all of it; its menu hides it.
   document.select({});
   user.select("set");
