@@ -4,6 +4,7 @@
 
 #include "ops/arrange/noise.h"
 #include "ops/arrange/solver.h"
+#include "ops/base/stopwatch.h"
 
 namespace trivet {
 
@@ -29,6 +30,7 @@ std::string ArrangeResult::reason() const {
 ArrangeResult arrange(Transaction& transaction, const Arrangement& arrangement,
                       const SettleOptions& options, const RunContext& context,
                       const ArrangeProgress& progress) {
+  const Stopwatch stopwatch;
   ArrangeResult out;
   Interrupt interrupt(context);
   RunContext each = context;
@@ -41,10 +43,17 @@ ArrangeResult arrange(Transaction& transaction, const Arrangement& arrangement,
     const std::uint64_t seed = scrambled(arrangement.seed ^ scrambled(attempt));
     Solver solver(world, seed, interrupt, progress, out);
     if (solver.run()) {
+      solver.improve();
+      if (interrupt.reason() == Interrupt::Reason::Cancelled) {
+        out.status = ArrangeResult::Status::Cancelled;
+        return out;
+      }
       solver.finish();
       trial.commit();
+      out.milliseconds = stopwatch.milliseconds();
       return out;
     }
+    out.milliseconds = stopwatch.milliseconds();
     if (out.status != ArrangeResult::Status::Done) return out;
   }
   out.status = ArrangeResult::Status::Conflict;

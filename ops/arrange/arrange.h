@@ -35,6 +35,8 @@ struct ArrangeResult {
   std::vector<Holds> relations;  // all but those of support; Done only
 
   int num_puts = 0, num_refused = 0, num_evictions = 0, num_attempts = 0;
+  int num_improvements = 0;                       // things moved for soft relations
+  double milliseconds = 0, put_milliseconds = 0;  // of the whole; of all PUTs
 
   bool ok() const { return status == Status::Done; }
   std::string reason() const;

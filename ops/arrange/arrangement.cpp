@@ -5,10 +5,11 @@
 namespace trivet {
 
 const char* to_string(RelationKind kind) {
-  constexpr const char* kNames[] = {"on",       "in",          "against", "near",    "left_of",
-                                    "right_of", "in_front_of", "behind",  "facing",  "away",
-                                    "aligned",  "parallel",    "same",    "centred", "within",
-                                    "at",       "symmetric"};
+  constexpr const char* kNames[] = {
+      "on",      "in",     "against", "near",      "left_of",  "right_of",      "in_front_of",
+      "behind",  "facing", "away",    "aligned",   "parallel", "perpendicular", "same",
+      "centred", "within", "at",      "symmetric", "at_edge",  "under",         "view",
+      "reach"};
   return kNames[static_cast<int>(kind)];
 }
 
@@ -20,13 +21,16 @@ const char* to_string(Side side) {
 std::string Relation::text() const {
   std::string out = quoted(a) + " " + to_string(kind);
   if (!b.empty()) out += " " + (b == "floor" ? "the floor" : quoted(b));
+  if (kind == RelationKind::View || kind == RelationKind::Reach)
+    return quoted(a) + (kind == RelationKind::View ? " in view" : " in reach") + " of " +
+           (b.empty() ? "its point" : quoted(b));
   if (b.empty() && kind == RelationKind::Within) out += " its region";
   if (b.empty() && kind != RelationKind::Within) out += " its point";
   return out;
 }
 
 std::string Pattern::text() const {
-  constexpr const char* kNames[] = {"row", "grid", "circle", "facings"};
+  constexpr const char* kNames[] = {"row", "grid", "circle", "facings", "line"};
   return std::string(kNames[static_cast<int>(kind)]) + " of " + std::to_string(things.size()) +
          " things on " + (on == "floor" ? "the floor" : quoted(on));
 }

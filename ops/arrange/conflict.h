@@ -14,11 +14,15 @@ struct Conflict {
   std::string thing;                      // or the pattern
   std::vector<std::string> constraints;   // the smallest set found; empty: PUT refused everywhere
   std::vector<std::string> objects = {};  // that the constraints name, each once; not `thing`
+  std::vector<size_t> relations = {};     // indices of those among the constraints
   bool as_they_stand = false;             // names things that could stand elsewhere
   /// Metres by which relations miss each other, by outlines alone: if each gave way by half of it,
   /// or a single one by all, they would leave a place.
   std::optional<double> missing;
-  std::string text;  // the sentence
+  /// Index of the hard relation of these that gives way by the least, so that there is a place;
+  /// nullopt: no relation is among them.
+  std::optional<size_t> cheapest = {};
+  std::string text = {};  // the sentence
 };
 
 /// Sets of 1, 2 and 3 relations by their half planes, over all rotations; then, on the places of

@@ -69,7 +69,9 @@ bool Solver::put_instead(Placer& placer, const PlaceCandidate& place, size_t thi
   take_out(items);
   OperationResult result;
   ++m_out.num_puts;
-  if (placer.put(place, result)) {
+  const auto why = placer.put(place, result);
+  m_out.put_milliseconds += result.milliseconds;
+  if (why) {
     ++m_out.num_refused;
     m_order = order;
     m_placed = placed;

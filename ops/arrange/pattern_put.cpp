@@ -2,6 +2,8 @@
 
 #include "core/base/quoted.h"
 #include "ops/arrange/angles.h"
+#include "ops/arrange/sights.h"
+#include "ops/arrange/steadiness.h"
 #include "ops/arrange/zones.h"
 
 namespace trivet {
@@ -37,6 +39,8 @@ std::optional<std::string> judge_slot(const World& world, const Slot& slot, cons
   for (const ObjectContact& entry : object.contacts)
     if (holds_up(entry.contact) && !(entry.with == on))
       return who + " does not rest on " + quoted(pattern.on) + " alone";
+  if (auto why = unsteady(world, thing)) return why;
+  if (auto why = broken_sight(world)) return why;
   return taken_zone(world, thing);
 }
 

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "raster/height_map/height_map.h"
-
 namespace trivet {
 namespace {
 
@@ -59,38 +57,37 @@ void PlaceField::set_grid(const ConvexRegion& region) {
   m_reach.upper.z() = m_start_z + 2 * m_body.world_box.half_extent().z();
 }
 
-namespace {
+// The grid of the scene's top under all places of an object's map.
+MapGrid PlaceField::scene_grid(const MapGrid& object) const {
+  MapGrid out = object;
+  out.corner += m_grid.first;
+  out.width = m_grid.columns + object.width - 1;
+  out.height = m_grid.rows + object.height - 1;
+  out.level = m_start_z;
+  return out;
+}
 
-// An object's underside, and the grid of the scene's top under all its places.
-struct FieldMaps {
-  HeightMap underside;
-  MapGrid object, scene;
-};
-
-// @param level  z of the object's underside.
-FieldMaps maps_of(std::span<const Body> moving, double level, double growth, double pixel,
-                  const Vec2& first, int columns, int rows, double start_z) {
-  FieldMaps out;
+PlaceField::Underside PlaceField::underside_of(std::span<const Body> moving, double growth) const {
   Aabb box = moving.front().world_box;
   for (const Body& body : moving) box.extend(body.world_box);
   box.lower.head<2>() -= Vec2::Constant(growth);
   box.upper.head<2>() += Vec2::Constant(growth);
-  out.object = MapGrid::about(box, pixel, level);
-  out.underside = draw_underside(moving, out.object, growth);
-  out.scene = out.object;
-  out.scene.corner += first;
-  out.scene.width = columns + out.object.width - 1;
-  out.scene.height = rows + out.object.height - 1;
-  out.scene.level = start_z;
-  return out;
+  const MapGrid grid = MapGrid::about(box, m_grid.pixel, m_body.world_box.lower.z());
+  return {growth, grid, draw_underside(moving, grid, growth)};
 }
 
-}  // namespace
+// Of the object itself, each growth drawn once.
+const PlaceField::Underside& PlaceField::underside(double growth) const {
+  for (const Underside& known : m_undersides)
+    if (known.growth == growth) return known;
+  m_undersides.push_back(underside_of({&m_body, 1}, growth));
+  return m_undersides.back();
+}
+
+double PlaceField::growth(double keep) const { return kGrown * largest_stop(m_clearance) + keep; }
 
 void PlaceField::find_supported(const Landing& landing) {
-  const double growth = kGrown * largest_stop(m_clearance);
-  const FieldMaps maps = maps_of({&m_body, 1}, m_body.world_box.lower.z(), growth, m_grid.pixel,
-                                 m_grid.first, m_grid.columns, m_grid.rows, m_start_z);
+  const Underside& moving = underside(growth(0));
   std::vector<Body> bodies;
   bool floor = false;
   for (const Support& support : landing.supports) {
@@ -99,12 +96,12 @@ void PlaceField::find_supported(const Landing& landing) {
     else
       bodies.push_back(body_of(m_scene.at(support.object())));
   }
-  const double ceiling = m_reach.upper.z() + growth;
-  const HeightMap top = draw_top(bodies, maps.scene, floor, ceiling);
-  const auto falls = m_brackets(maps.underside, top, m_grid.columns, m_grid.rows);
+  const double ceiling = m_reach.upper.z() + growth(0);
+  const HeightMap top = draw_top(bodies, scene_grid(moving.grid), floor, ceiling);
+  const auto falls = m_brackets(moving.map, top, m_grid.columns, m_grid.rows);
   m_upper.reserve(falls.size());
   for (const DropBracket& fall : falls) m_upper.push_back(fall.upper);
-  const Vec2 under = (m_centre - maps.object.corner) / m_grid.pixel;
+  const Vec2 under = (m_centre - moving.grid.corner) / m_grid.pixel;
   const double deepest = landing.lowest ? m_start_z - *landing.lowest : kInfinity;
   m_over.reserve(m_index.size());
   for (size_t k = 0; k < m_index.size(); ++k) {
@@ -119,16 +116,10 @@ void PlaceField::find_supported(const Landing& landing) {
   }
 }
 
-std::vector<char> PlaceField::clear(std::span<const Body> moving, std::span<const Body> others,
-                                    bool floor, double keep) const {
-  const double growth = kGrown * largest_stop(m_clearance) + keep;
-  const FieldMaps maps = maps_of(moving, m_body.world_box.lower.z(), growth, m_grid.pixel,
-                                 m_grid.first, m_grid.columns, m_grid.rows, m_start_z);
-  double ceiling = m_reach.upper.z();
-  for (const Body& body : moving)
-    ceiling = std::max(ceiling, m_start_z + body.world_box.upper.z() - m_body.world_box.lower.z());
-  const HeightMap top = draw_top(others, maps.scene, floor, ceiling + growth);
-  const auto falls = m_brackets(maps.underside, top, m_grid.columns, m_grid.rows);
+std::vector<char> PlaceField::clear(const Underside& moving, double highest,
+                                    std::span<const Body> others) const {
+  const HeightMap top = draw_top(others, scene_grid(moving.grid), false, highest + moving.growth);
+  const auto falls = m_brackets(moving.map, top, m_grid.columns, m_grid.rows);
   std::vector<char> out;
   out.reserve(m_index.size());
   for (const int i : m_index) out.push_back(m_upper[i] < falls[i].lower);
@@ -142,19 +133,35 @@ std::vector<char> PlaceField::clear_of(std::span<const ObjectId> others, double 
   for (const ObjectId id : others)
     if (overlaps(m_scene.world_box(id), m_reach, margin)) bodies.push_back(body_of(m_scene.at(id)));
   if (bodies.empty()) return std::vector<char>(m_index.size(), 1);
-  return clear({&m_body, 1}, bodies, false, keep);
+  return clear(underside(growth(keep)), m_reach.upper.z(), bodies);
 }
 
 std::vector<char> PlaceField::clear_of_bodies(std::span<const Body> others) const {
-  return clear_of_bodies({&m_body, 1}, others);
+  if (others.empty()) return std::vector<char>(m_index.size(), 1);
+  return clear(underside(growth(0)), m_reach.upper.z(), others);
 }
 
 std::vector<char> PlaceField::clear_of_bodies(std::span<const Body> moving,
                                               std::span<const Body> others) const {
   if (moving.empty() || others.empty()) return std::vector<char>(m_index.size(), 1);
-  return clear(moving, others, false, 0);
+  double highest = m_reach.upper.z();
+  for (const Body& body : moving)
+    highest = std::max(highest, m_start_z + body.world_box.upper.z() - m_body.world_box.lower.z());
+  return clear(underside_of(moving, growth(0)), highest, others);
 }
 
-std::vector<char> PlaceField::clear_of_floor() const { return clear({&m_body, 1}, {}, true, 0); }
+// The floor is as far below at every place: what drop_brackets() gives for a map of it alone.
+std::vector<char> PlaceField::clear_of_floor() const {
+  const Underside& moving = underside(growth(0));
+  MapGrid pixel = moving.grid;
+  pixel.width = pixel.height = 1;
+  pixel.level = m_start_z;
+  const float floor = draw_top({}, pixel, true).bound.front();
+  const float lower = *std::min_element(moving.map.bound.begin(), moving.map.bound.end()) - floor;
+  std::vector<char> out;
+  out.reserve(m_index.size());
+  for (const int i : m_index) out.push_back(m_upper[i] < lower);
+  return out;
+}
 
 }  // namespace trivet

@@ -2,13 +2,14 @@
 // by height maps as ops/place has them, but on a window, on one level, and apart for each obstacle.
 #pragma once
 
+#include <deque>
 #include <optional>
 #include <span>
 #include <vector>
 
-#include "core/contact/height_map.h"
 #include "ops/arrange/convex_region.h"
 #include "ops/placement/neighbourhood.h"
+#include "raster/height_map/height_map.h"
 
 namespace trivet {
 
@@ -32,6 +33,10 @@ class PlaceField {
   /// In the region.
   const Vec2& at(size_t place) const { return m_at[place]; }
   double pixel() const { return m_grid.pixel; }
+  /// z of the position where the object has certainly met the support; not far below where it does.
+  double met_at(size_t place) const {
+    return m_start_z - m_body.world_box.lower.z() - m_upper[m_index[place]];
+  }
   /// The centre of mass is over a support, which is certainly met.
   bool is_over_support(size_t place) const { return m_over[place] != 0; }
   /// Of each place whether none of these can be met before the support.
@@ -48,8 +53,18 @@ class PlaceField {
   const Aabb& reach() const { return m_reach; }
 
  private:
-  std::vector<char> clear(std::span<const Body> moving, std::span<const Body> others, bool floor,
-                          double keep) const;
+  struct Underside {
+    double growth = 0;  // metres
+    MapGrid grid;
+    HeightMap map;
+  };
+  double growth(double keep) const;
+  MapGrid scene_grid(const MapGrid& object) const;
+  Underside underside_of(std::span<const Body> moving, double growth) const;
+  const Underside& underside(double growth) const;
+  /// @param highest  z of what moves, at its start.
+  std::vector<char> clear(const Underside& moving, double highest,
+                          std::span<const Body> others) const;
   void set_grid(const ConvexRegion& region);
   void find_supported(const Landing& landing);
 
@@ -69,6 +84,7 @@ class PlaceField {
   std::vector<char> m_over;
   std::vector<float> m_upper;  // of the fall onto a support, of every place of the grid
   Aabb m_reach;
+  mutable std::deque<Underside> m_undersides;  // of the object, as they were asked for
 };
 
 }  // namespace trivet

@@ -11,10 +11,13 @@
 namespace trivet {
 namespace {
 
-constexpr int kTurns = 8;  // about z, where no relation asks for any
 constexpr double kTemperature = 0.2;
 constexpr double kNogoodRadius = 6e-3;  // metres
 constexpr size_t kMaxCandidates = 64;
+constexpr size_t kFewTurns = 3;  // of free ones, before all are tried
+constexpr size_t kAllTurns = 1000;
+constexpr size_t kEnough = 12;       // candidates that a few turns are to leave
+constexpr size_t kMaxSights = 2048;  // candidates whose lines of sight are looked at
 
 std::uint64_t counter(std::uint64_t seed, size_t combination, size_t place) {
   return scrambled(scrambled(seed ^ scrambled(combination)) ^ place);
@@ -22,8 +25,12 @@ std::uint64_t counter(std::uint64_t seed, size_t combination, size_t place) {
 
 }  // namespace
 
-Placer::Placer(World& world, size_t thing, std::uint64_t seed)
-    : m_world(world), m_thing(thing), m_seed(seed), m_clearance(world.clearance(model())) {
+Placer::Placer(World& world, size_t thing, std::uint64_t seed, Noise noise)
+    : m_world(world),
+      m_thing(thing),
+      m_seed(seed),
+      m_temperature(noise == Noise::On ? kTemperature : 0),
+      m_clearance(world.clearance(model())) {
   for (const size_t r : model().relations) {
     const Relation& relation = m_world.arrangement().relations[r];
     if (relation.is_support()) continue;
@@ -34,6 +41,10 @@ Placer::Placer(World& world, size_t thing, std::uint64_t seed)
     }
     m_relations.push_back(&relation);
   }
+  m_sights = sights_of({m_world, static_cast<int>(thing), {}});
+  m_has_soft_sights = std::any_of(m_relations.begin(), m_relations.end(), [](const Relation* r) {
+    return r->is_of_sight() && !r->is_hard();
+  });
   combine();
 }
 
@@ -45,78 +56,6 @@ const Outline* Placer::partner(const Relation& relation) const {
 double Placer::cost(const Relation& relation, const Outline& outline) const {
   if (relation.a == name()) return relation_cost(relation, outline, partner(relation));
   return relation_cost(relation, *partner(relation), &outline);
-}
-
-// Those that the thing asks for itself, else its hard relations, else all round; soft relations add
-// theirs.
-std::vector<Rotation> Placer::turns(const Rotation& rest) const {
-  std::vector<Rotation> out;
-  for (const double yaw : model().thing->yaws_deg) out.push_back(turned_about_z(yaw));
-  if (!out.empty()) return out;
-  const Outline outline = m_world.outline(model(), {rest, Vec3::Zero()});
-  std::vector<Rotation> soft;
-  bool faces = false;
-  for (const Relation* r : m_relations) {
-    faces = faces || wanted_front(*r, outline, partner(*r)) != Vec2::Zero();
-    if (!partner(*r)) continue;
-    // A side of b that is against a turns with b.
-    const bool turns_with_a = r->kind != RelationKind::Against || r->a == name();
-    if (!turns_with_a) continue;
-    for (const Rotation& turn : turns_asked_for(*r, outline, *partner(*r)))
-      (r->is_hard() ? out : soft).push_back(turn);
-    if (!out.empty()) return out;
-  }
-  const int count = faces ? kFacingTurns : kTurns;
-  for (int i = 0; i < count; ++i) out.push_back(turned_about_z(360.0 * i / count));
-  out.insert(out.end(), soft.begin(), soft.end());
-  return out;
-}
-
-// The centre of mass over the landing; on the unbounded floor, not far from everything.
-ConvexRegion Placer::window(const Landing& landing, const Outline& outline) const {
-  Vec2 lower = landing.lower, upper = landing.upper;
-  if (!(lower.x() > -kInfinity)) {
-    Aabb box = m_world.scene().box();
-    box.extend(Vec3::Zero());
-    double more = 0;
-    for (const ThingModel& thing : m_world.things()) more += std::sqrt(thing.area);
-    for (const Relation* r : m_relations) {
-      if (r->point) box.extend(Vec3(r->point->x(), r->point->y(), 0));
-      for (const Vec2& p : r->region) box.extend(Vec3(p.x(), p.y(), 0));
-      if (r->upper < kInfinity) more = std::max(more, r->upper);
-    }
-    const double size = outline.width(Vec2::UnitX()) + outline.width(Vec2::UnitY());
-    lower = box.lower.head<2>() - Vec2::Constant(more + size);
-    upper = box.upper.head<2>() + Vec2::Constant(more + size);
-  }
-  return {lower - outline.mass_centre, upper - outline.mass_centre};
-}
-
-void Placer::clip(Combination& combination) const {
-  for (const Relation* r : m_relations) {
-    if (!r->is_hard()) continue;
-    for (const HalfPlane& h : half_planes(*r, combination.outline, partner(*r), r->a == name()))
-      combination.region.clip(h);
-  }
-}
-
-void Placer::combine() {
-  for (const Rotation& rest : model().rests) {
-    const Outline lying = m_world.outline(model(), {rest, Vec3::Zero()});
-    std::string why_none;
-    const auto landings = m_world.landings(model(), lying.top - lying.bottom, why_none);
-    for (const Rotation& turn : turns(rest)) {
-      Combination combination;
-      combination.rotation = (turn * rest).normalized();
-      combination.outline = m_world.outline(model(), {combination.rotation, Vec3::Zero()});
-      for (const Landing& landing : landings) {
-        combination.landing = landing;
-        combination.region = window(landing, combination.outline);
-        clip(combination);
-        if (!combination.region.empty()) m_combinations.push_back(combination);
-      }
-    }
-  }
 }
 
 PlaceField Placer::field(const Combination& c) const {
@@ -205,27 +144,74 @@ std::vector<char> Placer::zones_clear_of(const PlaceField& field, const Combinat
   return out;
 }
 
+// Over the support, with all hard relations, away from nogoods.
+bool Placer::is_met(const PlaceField& field, size_t place, const Combination& combination,
+                    const std::vector<Vec2>& nogoods) const {
+  if (!field.is_over_support(place)) return false;
+  const Vec2& at = field.at(place);
+  const auto near = [&](const Vec2& p) { return (p - at).norm() < kNogoodRadius; };
+  return std::none_of(nogoods.begin(), nogoods.end(), near) &&
+         meets_hard(moved(combination.outline, at), kFacingSlackDeg);
+}
+
+void Placer::add_candidates(size_t c, Obstacles which, const std::vector<Vec2>& nogoods,
+                            std::vector<PlaceCandidate>& all) const {
+  const Combination& combination = m_combinations[c];
+  const PlaceField field = this->field(combination);
+  // The first place that relations leave; what is clear is not asked for if there is none.
+  size_t i = 0;
+  while (i < field.size() && !is_met(field, i, combination, nogoods)) ++i;
+  if (i == field.size()) return;
+  const std::vector<char> clear = this->clear(field, combination, which);
+  for (; i < field.size(); ++i) {
+    if (!clear[i] || !is_met(field, i, combination, nogoods)) continue;
+    const Vec2& at = field.at(i);
+    PlaceCandidate candidate{
+        0, energy(moved(combination.outline, at)), c, field.met_at(i), at, field.pixel()};
+    candidate.key = candidate.energy - m_temperature * gumbel_noise(counter(m_seed, c, i));
+    all.push_back(candidate);
+  }
+}
+
+// A few of the turns, where any will do, by the seed; all, if they leave too few places.
 std::vector<PlaceCandidate> Placer::candidates(Obstacles which,
                                                const std::vector<Vec2>& nogoods) const {
-  std::vector<PlaceCandidate> all;
+  if (!m_turns_are_free) return best_of(all_candidates(which, nogoods, 0, kAllTurns), which);
+  auto some = all_candidates(which, nogoods, 0, kFewTurns);
+  std::vector<PlaceCandidate> out = best_of(some, which);
+  if (out.size() >= kEnough) return out;
+  const auto others = all_candidates(which, nogoods, kFewTurns, kAllTurns);
+  some.insert(some.end(), others.begin(), others.end());
+  return best_of(std::move(some), which);
+}
+
+// Of the turns whose ranks by the seed are in [first, last).
+std::vector<PlaceCandidate> Placer::all_candidates(Obstacles which,
+                                                   const std::vector<Vec2>& nogoods, size_t first,
+                                                   size_t last) const {
+  std::vector<PlaceCandidate> out;
+  const auto key = [&](size_t turn) { return scrambled(m_seed ^ scrambled(~turn)); };
   for (size_t c = 0; c < m_combinations.size(); ++c) {
-    const Combination& combination = m_combinations[c];
-    const PlaceField field = this->field(combination);
-    const std::vector<char> clear = this->clear(field, combination, which);
-    for (size_t i = 0; i < field.size(); ++i) {
-      if (!clear[i] || !field.is_over_support(i)) continue;
-      const Vec2& at = field.at(i);
-      const auto near = [&](const Vec2& p) { return (p - at).norm() < kNogoodRadius; };
-      if (std::any_of(nogoods.begin(), nogoods.end(), near)) continue;
-      const Outline outline = moved(combination.outline, at);
-      if (!meets_hard(outline, kFacingSlackDeg)) continue;
-      PlaceCandidate candidate{0, energy(outline), c, at, field.pixel()};
-      candidate.key = candidate.energy - kTemperature * gumbel_noise(counter(m_seed, c, i));
-      all.push_back(candidate);
-    }
+    size_t rank = 0;
+    for (size_t turn = 0; m_turns_are_free && turn < m_num_turns; ++turn)
+      rank += key(turn) < key(m_combinations[c].turn) ? 1 : 0;
+    if (rank >= first && rank < last) add_candidates(c, which, nogoods, out);
   }
-  std::stable_sort(all.begin(), all.end(),
-                   [](const PlaceCandidate& a, const PlaceCandidate& b) { return a.key < b.key; });
+  return out;
+}
+
+// The best first, a pixel or more from each other, as lines of sight leave them.
+std::vector<PlaceCandidate> Placer::best_of(std::vector<PlaceCandidate> all,
+                                            Obstacles which) const {
+  const auto by_key = [](const PlaceCandidate& a, const PlaceCandidate& b) {
+    return a.key < b.key;
+  };
+  std::stable_sort(all.begin(), all.end(), by_key);
+  if (m_has_soft_sights) {
+    add_sight_energy(all);
+    std::stable_sort(all.begin(), all.end(), by_key);
+  }
+  size_t num_sights = 0;
   std::vector<PlaceCandidate> out;
   for (const PlaceCandidate& candidate : all) {
     const auto close = [&](const PlaceCandidate& o) {
@@ -233,6 +219,8 @@ std::vector<PlaceCandidate> Placer::candidates(Obstacles which,
              (o.at - candidate.at).norm() < 2 * candidate.pixel;
     };
     if (std::any_of(out.begin(), out.end(), close)) continue;
+    if (!m_sights.empty() && (++num_sights > kMaxSights || !meets_sights(candidate, which)))
+      continue;
     out.push_back(candidate);
     if (out.size() == kMaxCandidates) break;
   }
@@ -258,6 +246,12 @@ std::vector<size_t> Placer::blockers(const PlaceCandidate& candidate) const {
   }
   for (const ObjectId id : has_zones() ? m_world.standing() : std::vector<ObjectId>())
     note(id, zones_clear_of(field, here, id));
+  for (const Relation* r : m_sights) {
+    const SightTrial trial = sight_trial(candidate, Obstacles::All);
+    if (sight_cost(trial, *r) <= 1) continue;
+    const std::vector<size_t> between = things_between(trial, *r);
+    out.insert(out.end(), between.begin(), between.end());
+  }
   std::sort(out.begin(), out.end());
   out.erase(std::unique(out.begin(), out.end()), out.end());
   return out;

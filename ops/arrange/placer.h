@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ops/arrange/relations.h"
+#include "ops/arrange/sights.h"
 #include "ops/arrange/world.h"
 
 namespace trivet {
@@ -24,12 +25,14 @@ struct Combination {
   Outline outline;  // at position zero
   Landing landing;
   ConvexRegion region;
+  size_t turn = 0;  // index of it about z
 };
 
 struct PlaceCandidate {
   double key = 0;     // cost less noise: the smallest comes first
   double energy = 0;  // of the soft relations
   size_t combination = 0;
+  double start_z = 0;  // of the position, where it is certain to have met its support
   Vec2 at = Vec2::Zero();
   double pixel = 0;
 };
@@ -40,10 +43,15 @@ enum class Obstacles {
   Immovable,  // all but the things to arrange
 };
 
+enum class Noise {
+  On,   // places are sampled by their cost
+  Off,  // the cheapest come first
+};
+
 class Placer {
  public:
   /// @param thing  index. @param seed  of this search.
-  Placer(World& world, size_t thing, std::uint64_t seed);
+  Placer(World& world, size_t thing, std::uint64_t seed, Noise noise = Noise::On);
 
   /// Rotations and windows that the hard relations leave; empty: they cannot be met, by outlines
   /// alone.
@@ -66,6 +74,7 @@ class Placer {
   const ThingModel& model() const { return m_world.things()[m_thing]; }
   const std::string& name() const { return model().thing->object; }
   void combine();
+  bool turns_are_free() const;
   std::vector<Rotation> turns(const Rotation& rest) const;
   void clip(Combination& combination) const;
   ConvexRegion window(const Landing& landing, const Outline& outline) const;
@@ -73,7 +82,17 @@ class Placer {
   double cost(const Relation& relation, const Outline& outline) const;
   bool meets_hard(const Outline& outline, double slack_deg) const;
   double energy(const Outline& outline) const;
+  SightTrial sight_trial(const PlaceCandidate& candidate, Obstacles which) const;
+  bool meets_sights(const PlaceCandidate& candidate, Obstacles which) const;
+  void add_sight_energy(std::vector<PlaceCandidate>& all) const;
   std::vector<ObjectId> obstacles(const Combination& combination, Obstacles which) const;
+  bool is_met(const PlaceField& field, size_t place, const Combination& combination,
+              const std::vector<Vec2>& nogoods) const;
+  void add_candidates(size_t combination, Obstacles which, const std::vector<Vec2>& nogoods,
+                      std::vector<PlaceCandidate>& all) const;
+  std::vector<PlaceCandidate> all_candidates(Obstacles which, const std::vector<Vec2>& nogoods,
+                                             size_t first, size_t last) const;
+  std::vector<PlaceCandidate> best_of(std::vector<PlaceCandidate> all, Obstacles which) const;
   std::vector<char> clear(const PlaceField& field, const Combination& combination,
                           Obstacles which) const;
   /// Zones of this object that are free of the thing at each place, and its own of this object.
@@ -90,8 +109,13 @@ class Placer {
   World& m_world;
   size_t m_thing;
   std::uint64_t m_seed;
+  double m_temperature;
   double m_clearance;
-  std::vector<const Relation*> m_relations;   // that can be judged: the partner stands
+  std::vector<const Relation*> m_relations;  // that can be judged: the partner stands
+  std::vector<const Relation*> m_sights;     // hard ones of all that stands and this thing
+  bool m_has_soft_sights = false;
+  bool m_turns_are_free = false;  // any will do
+  size_t m_num_turns = 0;
   std::map<std::string, Outline> m_partners;  // of these
   std::vector<Combination> m_combinations;
 };

@@ -3,6 +3,7 @@
 
 #include "core/base/quoted.h"
 #include "ops/arrange/placer.h"
+#include "ops/arrange/steadiness.h"
 #include "ops/arrange/zones.h"
 #include "ops/place/distance_query.h"
 
@@ -10,8 +11,38 @@ namespace trivet {
 namespace {
 
 constexpr int kHalvings = 8;
+constexpr size_t kSoftSights = 256;     // best candidates that soft relations of sight are added to
+constexpr double kMostSightCost = 1e6;  // squared, of what is out of sight
+
+double square(double x) { return x * x; }
 
 }  // namespace
+
+SightTrial Placer::sight_trial(const PlaceCandidate& candidate, Obstacles which) const {
+  const Rotation& rotation = m_combinations[candidate.combination].rotation;
+  return {m_world,
+          static_cast<int>(m_thing),
+          {rotation, Vec3(candidate.at.x(), candidate.at.y(), candidate.start_z)},
+          which == Obstacles::Immovable};
+}
+
+bool Placer::meets_sights(const PlaceCandidate& candidate, Obstacles which) const {
+  const SightTrial trial = sight_trial(candidate, which);
+  return std::all_of(m_sights.begin(), m_sights.end(),
+                     [&](const Relation* r) { return sight_cost(trial, *r) <= 1; });
+}
+
+// To the best by all else.
+void Placer::add_sight_energy(std::vector<PlaceCandidate>& all) const {
+  for (size_t k = 0; k < std::min(all.size(), kSoftSights); ++k) {
+    const SightTrial trial = sight_trial(all[k], Obstacles::All);
+    double more = 0;
+    for (const Relation* r : m_relations)
+      if (r->is_of_sight() && !r->is_hard())
+        more += *r->weight * std::min(kMostSightCost, square(sight_cost(trial, *r)));
+    all[k].energy += more, all[k].key += more;
+  }
+}
 
 // Downhill in the soft costs, within a pixel.
 Vec2 Placer::refined(const PlaceCandidate& candidate) const {
@@ -72,6 +103,8 @@ std::optional<std::string> Placer::judge(const Combination& combination, const R
   for (const Relation* r : m_relations)
     if (r->is_hard() && !(cost(*r, outline) <= 1))
       return "where it comes to rest, not: " + r->text();
+  if (auto why = broken_sight(m_world)) return why;
+  if (auto why = unsteady(m_world, model())) return why;
   return judge_distances(combination);
 }
 

@@ -79,24 +79,58 @@ void SlotSearch::place_grid() {
   }
 }
 
-// Around the middle, counter-clockwise, at equal angles.
-void SlotSearch::place_circle() {
-  const Vec2 middle = m_pattern.middle.value_or(m_middle);
-  const double step = 360.0 / double(m_members.size());
+// With their centres and fronts there, if there is the gap between any two.
+void SlotSearch::place_round(const std::vector<Vec2>& centres, const std::vector<Vec2>& fronts) {
   std::vector<std::vector<Vec2>> hulls;
   hulls.reserve(m_members.size());
   for (size_t i = 0; i < m_members.size(); ++i) {
-    const Mat3 turn = turned_about_z(m_pattern.start_deg + step * double(i)).matrix();
-    const Vec2 out = turn.topLeftCorner<2, 2>() * m_on.right();
-    const Member member = member_of(m_members[i].thing, m_pattern.outwards ? out : Vec2(-out));
-    const Vec2 centre = middle + m_pattern.radius * out;
-    add_at(member, centre);
-    hulls.push_back(moved(member.outline, centre - member.outline.centre).hull);
+    const Member member = member_of(m_members[i].thing, fronts[i]);
+    add_at(member, centres[i]);
+    hulls.push_back(moved(member.outline, centres[i] - member.outline.centre).hull);
   }
   for (size_t i = 0; i < hulls.size(); ++i)
     for (size_t j = 0; j < i; ++j)
       if (const double apart = distance(hulls[i], hulls[j]); apart < m_gap)
         return fail("neighbours need", m_gap, "between them, there is", apart);
+}
+
+// Around the middle, counter-clockwise, at equal angles.
+void SlotSearch::place_circle() {
+  const Vec2 middle = m_pattern.middle.value_or(m_middle);
+  const double step = 360.0 / double(m_members.size());
+  std::vector<Vec2> centres, fronts;
+  for (size_t i = 0; i < m_members.size(); ++i) {
+    const Mat3 turn = turned_about_z(m_pattern.start_deg + step * double(i)).matrix();
+    const Vec2 out = turn.topLeftCorner<2, 2>() * m_on.right();
+    centres.push_back(middle + m_pattern.radius * out);
+    fronts.push_back(m_pattern.outwards ? out : Vec2(-out));
+  }
+  place_round(centres, fronts);
+}
+
+// At equal distances along the line, from its beginning.
+void SlotSearch::place_along() {
+  const std::vector<Vec2>& line = m_pattern.line;
+  double length = 0;
+  for (size_t k = 1; k < line.size(); ++k) length += (line[k] - line[k - 1]).norm();
+  const double count = double(m_members.size() - 1);
+  const double spacing = m_pattern.spacing > 0 ? m_pattern.spacing : length / std::max(1.0, count);
+  if (spacing * count > length + kFits)
+    return fail("along the line they take", spacing * count, "it is long by", length);
+  std::vector<Vec2> centres, fronts;
+  size_t k = 1;
+  double passed = 0;  // of the line, up to corner k - 1
+  for (size_t i = 0; i < m_members.size(); ++i) {
+    const double at = std::min(spacing * double(i), length);
+    while (k + 1 < line.size() && passed + (line[k] - line[k - 1]).norm() < at)
+      passed += (line[k] - line[k - 1]).norm(), ++k;
+    const Vec2 onwards = (line[k] - line[k - 1]).normalized();
+    centres.push_back(line[k - 1] + (at - passed) * onwards);
+    const Vec2 left = quarter_turned(onwards);
+    const Vec2 choices[] = {-left, left, onwards, -onwards};
+    fronts.push_back(choices[static_cast<int>(m_pattern.front)]);
+  }
+  place_round(centres, fronts);
 }
 
 // A block beside the other; in each the first things are in front, in columns.

@@ -47,6 +47,8 @@ class SlotSearch {
   void place_grid();
   void place_circle();
   void place_facings();
+  void place_along();
+  void place_round(const std::vector<Vec2>& centres, const std::vector<Vec2>& fronts);
 
   const World& m_world;
   const Pattern& m_pattern;

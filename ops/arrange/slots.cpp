@@ -42,6 +42,9 @@ Slots SlotSearch::run() {
     case Pattern::Kind::Facings:
       place_facings();
       break;
+    case Pattern::Kind::Along:
+      place_along();
+      break;
   }
   return m_out;
 }

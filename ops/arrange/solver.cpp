@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/quoted.h"
 #include "ops/arrange/noise.h"
 #include "ops/arrange/pattern_put.h"
 
@@ -20,6 +21,7 @@ Solver::Solver(World& world, std::uint64_t seed, Interrupt& interrupt,
   m_visits.assign(world.things().size(), 0);
   m_results.resize(world.things().size());
   m_times_refused.assign(m_items.size(), 0);
+  m_had_no_place.assign(world.things().size(), 0);
 }
 
 bool Solver::run() {
@@ -48,8 +50,9 @@ void Solver::finish() {
     if (r.is_support()) continue;
     std::optional<Outline> b;
     if (!r.b.empty()) b = m_world.outline(r.b);
-    m_out.relations.push_back(
-        {r.text(), r.is_hard(), relation_cost(r, m_world.outline(r.a), b ? &*b : nullptr)});
+    const double cost = r.is_of_sight() ? sight_cost({m_world, -1, {}}, r)
+                                        : relation_cost(r, m_world.outline(r.a), b ? &*b : nullptr);
+    m_out.relations.push_back({r.text(), r.is_hard(), cost});
   }
 }
 
@@ -71,11 +74,18 @@ void Solver::note_placed(size_t thing, OperationResult result) {
   m_order.push_back(thing);
 }
 
-bool Solver::put(Placer& placer, const PlaceCandidate& candidate, size_t thing) {
+bool Solver::put(Placer& placer, const PlaceCandidate& candidate, size_t thing, LookAhead looks) {
   OperationResult result;
   ++m_out.num_puts;
-  const auto why = placer.put(candidate, result);
+  World::Trial trial(m_world);
+  auto why = placer.put(candidate, result);
+  m_out.put_milliseconds += result.milliseconds;
+  if (!why && looks == LookAhead::On) {
+    why = leaves_no_room(thing);
+    m_left_no_room = m_left_no_room || why.has_value();
+  }
   if (!why) {
+    trial.commit();
     note_placed(thing, std::move(result));
     return true;
   }
@@ -84,14 +94,47 @@ bool Solver::put(Placer& placer, const PlaceCandidate& candidate, size_t thing) 
   return false;
 }
 
+// Looks ahead to what refers to the thing, stands next to it as soon as it stands, and has had no
+// place before: it is to have one.
+std::optional<std::string> Solver::leaves_no_room(size_t thing) {
+  const auto stands = [&](const std::string& other) {
+    return m_world.thing_of(other) < 0 || m_world.stands(other);
+  };
+  std::vector<size_t> followers;
+  for (const size_t r : m_world.things()[thing].relations) {
+    const Relation& relation = m_world.arrangement().relations[r];
+    const int t = relation.b == name(thing) ? m_world.thing_of(relation.a) : -1;
+    if (t >= 0 && relation.is_hard() && m_had_no_place[t] && !m_world.stands(relation.a))
+      followers.push_back(static_cast<size_t>(t));
+  }
+  std::sort(followers.begin(), followers.end());
+  followers.erase(std::unique(followers.begin(), followers.end()), followers.end());
+  for (const size_t t : followers) {
+    const auto& relations = m_world.things()[t].relations;
+    const bool ready = std::all_of(relations.begin(), relations.end(), [&](size_t r) {
+      const Relation& relation = m_world.arrangement().relations[r];
+      return relation.a != name(t) || stands(relation.b);
+    });
+    if (ready && Placer(m_world, t, seed_of(t)).candidates(Obstacles::All, m_nogoods[t]).empty())
+      return "it would leave no room for " + quoted(name(t));
+  }
+  return std::nullopt;
+}
+
 bool Solver::place_thing(size_t item) {
   const size_t thing = m_items[item].things.front();
   ++m_visits[thing];
   Placer placer(m_world, thing, seed_of(thing));
   const auto candidates = placer.candidates(Obstacles::All, m_nogoods[thing]);
-  for (size_t k = 0; k < std::min(candidates.size(), kTrials); ++k) {
-    if (stopped()) return false;
-    if (put(placer, candidates[k], thing)) return true;
+  if (candidates.empty()) m_had_no_place[thing] = 1;
+  // Where none leaves room for what follows, that is no fault of this one.
+  m_left_no_room = false;
+  for (const LookAhead looks : {LookAhead::On, LookAhead::Off}) {
+    if (looks == LookAhead::Off && !m_left_no_room) break;
+    for (size_t k = 0; k < std::min(candidates.size(), kTrials); ++k) {
+      if (stopped()) return false;
+      if (put(placer, candidates[k], thing, looks)) return true;
+    }
   }
   return false;
 }
@@ -100,6 +143,7 @@ bool Solver::place_pattern(size_t item) {
   std::vector<PlacedSlot> placed;
   auto conflict = put_pattern(m_world, *m_items[item].pattern, scrambled(m_seed), placed);
   m_out.num_puts += static_cast<int>(placed.size());
+  for (const PlacedSlot& slot : placed) m_out.put_milliseconds += slot.result.milliseconds;
   if (conflict) {
     m_out.num_refused += placed.empty() ? 0 : 1;
     m_out.conflict = std::move(conflict);

@@ -22,6 +22,9 @@ class Solver {
 
   /// False: out.conflict says why, or out.status that it was stopped.
   bool run();
+  /// After run(): lowers the cost of soft relations by moving single things with what they carry;
+  /// the scene is as true after each, and never worse. Bounded; ends early when it is interrupted.
+  void improve();
   /// Results and costs of relations, after run().
   void finish();
 
@@ -32,10 +35,18 @@ class Solver {
   bool stopped();
   std::uint64_t seed_of(size_t thing) const;
   void note_placed(size_t thing, OperationResult result);
-  bool put(Placer& placer, const PlaceCandidate& candidate, size_t thing);
+  enum class LookAhead { On, Off };
+  bool put(Placer& placer, const PlaceCandidate& candidate, size_t thing, LookAhead looks);
   bool place_thing(size_t item);
   bool place_pattern(size_t item);
   void explain(size_t item);
+  std::optional<std::string> leaves_no_room(size_t thing);
+
+  // improve.cpp
+  double soft_cost(const Relation& relation) const;
+  double soft_cost(std::vector<double>& of_thing) const;
+  bool move_for_less(size_t thing, double own, double& cost);
+  bool put_at_least(size_t thing, double most);
 
   // No place is left: eviction.cpp.
   bool back_off(size_t item);
@@ -61,6 +72,8 @@ class Solver {
   std::vector<OperationResult> m_results;    // #things
   std::vector<std::vector<Vec2>> m_nogoods;  // #things, positions
   std::vector<int> m_visits;                 // #things
+  std::vector<char> m_had_no_place;          // #things: at some time, for others
+  bool m_left_no_room = false;               // a PUT was kept but for what follows
   std::string m_refused;                     // of the first PUT of this item
   std::vector<int> m_times_refused;          // #items: places, but no PUT was kept
   int m_num_evictions = 0;

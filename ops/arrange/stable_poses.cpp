@@ -2,30 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <sstream>
 
 #include "core/contact/contact_points.h"
 #include "core/contact/plane_axes.h"
-#include "core/mesh/hull.h"
 #include "ops/arrange/angles.h"
+#include "ops/arrange/hull_facets.h"
 #include "ops/settle/equilibrium.h"
 
 namespace trivet {
 namespace {
 
-// cos(0.5 degrees).
-constexpr double kMergeCosine = 0.99996192306417129;
-constexpr double kInsideTolerance = 1e-9;  // of the object's size
 constexpr double kEqualProbability = 1e-9;
-
-struct HullFace {
-  Index3 corners;
-  Vec3 normal = Vec3::Zero();  // unit, outwards
-  double area = 0;
-  Index region = -1;
-  std::array<Index, 3> across = {-1, -1, -1};  // face beyond the edge from corner k to k + 1
-};
 
 // Hull triangles that count as one facet.
 struct Facet {
@@ -40,103 +28,27 @@ struct Facet {
 class PoseSearch {
  public:
   PoseSearch(std::vector<Vec3> points, const Vec3& centre)
-      : m_points(std::move(points)), m_centre(centre) {
-    Aabb box;
-    for (const Vec3& p : m_points) box.extend(p);
-    m_size = box.diagonal();
-  }
+      : m_hull(std::move(points)), m_centre(centre) {}
 
   std::vector<StablePose> run() {
-    if (!make_faces()) return flat_poses();
+    if (m_hull.faces().empty()) return flat_poses();
     if (!centre_is_inside()) return {};
-    connect();
-    grow_facets();
-    for (Facet& facet : m_facets) judge(facet);
+    std::vector<std::vector<Index>> facets = m_hull.facets();
+    m_facets.reserve(facets.size());
+    for (std::vector<Index>& faces : facets) {
+      m_facets.push_back({std::move(faces)});
+      judge(m_facets.back());
+    }
     return poses();
   }
 
  private:
-  Vec3 corner(const HullFace& face, int k) const { return m_points[face.corners[k]]; }
-
-  bool make_faces() {
-    const ConvexHull hull = convex_hull(m_points);
-    Vec3 inside = Vec3::Zero();
-    for (const Index v : hull.vertices) inside += m_points[v] / double(hull.vertices.size());
-    m_faces.reserve(hull.triangles.size());
-    for (Index3 t : hull.triangles) {
-      std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
-      HullFace face;
-      face.corners = t;
-      const Vec3 a = m_points[t[0]];
-      Vec3 twice = (m_points[t[1]] - a).cross(m_points[t[2]] - a);
-      if (twice.dot(a - inside) < 0) {
-        std::swap(face.corners[1], face.corners[2]);
-        twice = -twice;
-      }
-      face.area = 0.5 * twice.norm();
-      if (face.area > 0) face.normal = twice / (2 * face.area);
-      m_faces.push_back(face);
-    }
-    // Qhull's order is no promise.
-    std::sort(m_faces.begin(), m_faces.end(),
-              [](const HullFace& a, const HullFace& b) { return a.corners < b.corners; });
-    return !m_faces.empty();
-  }
+  Vec3 corner(const HullFace& face, int k) const { return m_hull.corner(face, k); }
 
   bool centre_is_inside() const {
-    return std::all_of(m_faces.begin(), m_faces.end(), [&](const HullFace& f) {
-      return f.normal.dot(m_centre - corner(f, 0)) <= kInsideTolerance * m_size;
+    return std::all_of(m_hull.faces().begin(), m_hull.faces().end(), [&](const HullFace& f) {
+      return f.normal.dot(m_centre - corner(f, 0)) <= kHullTolerance * m_hull.size();
     });
-  }
-
-  void connect() {
-    struct Side {
-      Index a, b, face;
-      int edge;
-    };
-    std::vector<Side> sides;
-    sides.reserve(3 * m_faces.size());
-    for (Index f = 0; f < static_cast<Index>(m_faces.size()); ++f)
-      for (int k = 0; k < 3; ++k) {
-        const auto [a, b] = std::minmax(m_faces[f].corners[k], m_faces[f].corners[(k + 1) % 3]);
-        sides.push_back({a, b, f, k});
-      }
-    const auto key = [](const Side& s) { return std::tuple(s.a, s.b, s.face); };
-    std::sort(sides.begin(), sides.end(),
-              [&](const Side& s, const Side& t) { return key(s) < key(t); });
-    for (size_t i = 0; i + 1 < sides.size(); ++i) {
-      const Side &s = sides[i], &t = sides[i + 1];
-      if (s.a != t.a || s.b != t.b) continue;
-      m_faces[s.face].across[s.edge] = t.face;
-      m_faces[t.face].across[t.edge] = s.face;
-    }
-  }
-
-  // From the largest face on; what is thinner than rounding joins whatever is beside it.
-  void grow_facets() {
-    std::vector<Index> order(m_faces.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::stable_sort(order.begin(), order.end(),
-                     [&](Index a, Index b) { return m_faces[a].area > m_faces[b].area; });
-    for (const Index seed : order) {
-      if (m_faces[seed].region >= 0) continue;
-      const auto region = static_cast<Index>(m_facets.size());
-      Facet facet;
-      facet.faces.push_back(seed);
-      m_faces[seed].region = region;
-      for (size_t i = 0; i < facet.faces.size(); ++i)
-        for (const Index next : m_faces[facet.faces[i]].across)
-          if (next >= 0 && m_faces[next].region < 0 && joins(m_faces[next], m_faces[seed])) {
-            m_faces[next].region = region;
-            facet.faces.push_back(next);
-          }
-      m_facets.push_back(std::move(facet));
-    }
-  }
-
-  bool joins(const HullFace& face, const HullFace& seed) const {
-    return face.area <= kInsideTolerance * kInsideTolerance * m_size * m_size ||
-           face.normal.dot(seed.normal) >= kMergeCosine;
   }
 
   // [Van Oosterom 1983]: tan(angle / 2), of corners seen from the centre.
@@ -158,8 +70,8 @@ class PoseSearch {
 
   void judge(Facet& facet) {
     for (const Index f : facet.faces) {
-      facet.normal += m_faces[f].area * m_faces[f].normal;
-      facet.solid_angle_deg += solid_angle_deg(m_faces[f]);
+      facet.normal += m_hull.faces()[f].area * m_hull.faces()[f].normal;
+      facet.solid_angle_deg += solid_angle_deg(m_hull.faces()[f]);
     }
     facet.normal.normalize();
     std::vector<Vec2> outline;
@@ -167,8 +79,9 @@ class PoseSearch {
     facet.height = -kInfinity;
     for (const Index f : facet.faces)
       for (int k = 0; k < 3; ++k) {
-        outline.push_back(seen(facet, corner(m_faces[f], k)));
-        facet.height = std::max(facet.height, facet.normal.dot(corner(m_faces[f], k) - m_centre));
+        outline.push_back(seen(facet, corner(m_hull.faces()[f], k)));
+        facet.height =
+            std::max(facet.height, facet.normal.dot(corner(m_hull.faces()[f], k) - m_centre));
       }
     facet.margin = hull_margin(outline, Vec2::Zero());
     if (facet.margin < 0) facet.rolls_to = beyond(facet);
@@ -180,16 +93,16 @@ class PoseSearch {
     double farthest = -kInfinity;
     for (const Index f : facet.faces)
       for (int k = 0; k < 3; ++k) {
-        const Index next = m_faces[f].across[k];
-        if (next < 0 || m_faces[next].region == m_faces[f].region) continue;
-        const Vec2 a = seen(facet, corner(m_faces[f], k));
-        const Vec2 along = seen(facet, corner(m_faces[f], (k + 1) % 3)) - a;
+        const Index next = m_hull.faces()[f].across[k];
+        if (next < 0 || m_hull.faces()[next].region == m_hull.faces()[f].region) continue;
+        const Vec2 a = seen(facet, corner(m_hull.faces()[f], k));
+        const Vec2 along = seen(facet, corner(m_hull.faces()[f], (k + 1) % 3)) - a;
         const double length = along.norm();
         // Corners run counter-clockwise seen from outside, so that the inside is to the left.
         const double distance = length > 0 ? cross(along, a) / length : -kInfinity;
         if (distance <= farthest) continue;
         farthest = distance;
-        out = m_faces[next].region;
+        out = m_hull.faces()[next].region;
       }
     return out;
   }
@@ -212,7 +125,7 @@ class PoseSearch {
     Vec3 normal = facet.normal;
     double lowest = kInfinity;
     for (const Index f : facet.faces) {
-      const HullFace& face = m_faces[f];
+      const HullFace& face = m_hull.faces()[f];
       const double height = face.normal.dot(corner(face, 0) - m_centre);
       if (!(face.area > 0) || height >= lowest) continue;
       const Vec3 foot = m_centre + height * face.normal;
@@ -220,7 +133,7 @@ class PoseSearch {
       for (int k = 0; k < 3; ++k) {
         const Vec3 along = corner(face, (k + 1) % 3) - corner(face, k);
         const double left = face.normal.dot(along.cross(foot - corner(face, k)));
-        inside = inside && left >= -kInsideTolerance * m_size * along.norm();
+        inside = inside && left >= -kHullTolerance * m_hull.size() * along.norm();
       }
       if (!inside) continue;
       lowest = height;
@@ -255,31 +168,30 @@ class PoseSearch {
 
   // Of points in one plane: it lies on either side.
   std::vector<StablePose> flat_poses() const {
-    if (m_points.size() < 3) return {};
+    if (m_hull.points().size() < 3) return {};
     const auto farthest = [&](const auto& distance) {
-      return *std::max_element(m_points.begin(), m_points.end(), [&](const Vec3& a, const Vec3& b) {
-        return distance(a) < distance(b);
-      });
+      return *std::max_element(
+          m_hull.points().begin(), m_hull.points().end(),
+          [&](const Vec3& a, const Vec3& b) { return distance(a) < distance(b); });
     };
-    const Vec3 a = m_points[0];
+    const Vec3 a = m_hull.points()[0];
     const Vec3 b = farthest([&](const Vec3& p) { return (p - a).squaredNorm(); }) - a;
     const Vec3 c = farthest([&](const Vec3& p) { return b.cross(p - a).squaredNorm(); }) - a;
     const Vec3 across = b.cross(c);
-    if (across.norm() <= kInsideTolerance * m_size * m_size) return {};
+    if (across.norm() <= kHullTolerance * m_hull.size() * m_hull.size()) return {};
     const Vec3 normal = across.normalized();
     const auto [u, v] = plane_axes(normal);
     std::vector<Vec2> outline;
-    outline.reserve(m_points.size());
-    for (const Vec3& p : m_points) outline.emplace_back(u.dot(p - m_centre), v.dot(p - m_centre));
+    outline.reserve(m_hull.points().size());
+    for (const Vec3& p : m_hull.points())
+      outline.emplace_back(u.dot(p - m_centre), v.dot(p - m_centre));
     const double margin = hull_margin(outline, Vec2::Zero());
     if (margin < 0) return {};
     return {pose_on(normal, 0.5, margin), pose_on(-normal, 0.5, margin)};
   }
 
-  std::vector<Vec3> m_points;
+  HullFacets m_hull;
   Vec3 m_centre;
-  double m_size = 0;
-  std::vector<HullFace> m_faces;
   std::vector<Facet> m_facets;
 };
 

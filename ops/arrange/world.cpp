@@ -14,6 +14,7 @@
 namespace trivet {
 namespace {
 
+constexpr double kSideDeg = 30;
 constexpr size_t kMaxRests = 6;  // stable poses that are tried, the likely ones
 
 [[noreturn]] void refuse(const std::string& what) { throw Error(Error::Kind::BadInput, what); }
@@ -23,6 +24,8 @@ std::vector<std::string> names_in(const Scene& scene) {
   for (const ObjectId id : scene.ids()) out.push_back(scene.at(id).name);
   return out;
 }
+
+bool lies_on_side(const StablePose& pose) { return std::abs(pose.tilt_deg - 90) <= kSideDeg; }
 
 void check_name(const Scene& scene, const std::string& name, const std::string& where) {
   if (!scene.find(name))
@@ -138,9 +141,14 @@ ThingModel World::model_of(const Thing& thing) const {
                ": there are " + std::to_string(poses.size()) + ", from 0");
       out.rests = {poses[thing.pose.number].rotation};
     } else {
-      for (size_t i = 0; i < std::min(poses.size(), kMaxRests); ++i)
-        out.rests.push_back(poses[i].rotation);
-      if (out.rests.empty()) refuse(quoted(thing.object) + " has no stable pose");
+      const bool on_side = thing.pose.kind == PoseChoice::Kind::Side;
+      for (const StablePose& pose : poses)
+        if (out.rests.size() < kMaxRests && (!on_side || lies_on_side(pose)))
+          out.rests.push_back(pose.rotation);
+      if (out.rests.empty())
+        refuse(quoted(thing.object) + (on_side ? " does not lie on its side: it has no stable pose "
+                                                 "with its up within 30 degrees of level"
+                                               : " has no stable pose"));
     }
   }
   const Outline seen = outline(out, {out.rests.front(), Vec3::Zero()});

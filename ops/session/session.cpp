@@ -43,7 +43,8 @@ Session::Session(Scene scene, Layout layout, ModelSource models)
     : m_scene(std::move(scene)),
       m_layout(std::move(layout)),
       m_models(std::move(models)),
-      m_first_clearance(default_clearance(m_scene)) {}
+      m_first_clearance(default_clearance(m_scene)),
+      m_saved_arrange(m_layout.arrange) {}
 Session::~Session() = default;
 Session::Session(Session&&) noexcept = default;
 Session& Session::operator=(Session&&) noexcept = default;
@@ -167,11 +168,14 @@ Layout Session::layout() const {
 void Session::mark_saved(const std::string& file) {
   if (m_journal) m_journal->append_saved(file);
   m_saved = m_position;
+  m_saved_arrange = m_layout.arrange;
   m_changed_aside.clear();
   tell({SessionEvent::Kind::Saved, file, {}, nullptr});
 }
 
-bool Session::is_modified() const { return m_position != m_saved || !m_changed_aside.empty(); }
+bool Session::is_modified() const {
+  return m_position != m_saved || !m_changed_aside.empty() || m_layout.arrange != m_saved_arrange;
+}
 
 std::vector<ObjectId> Session::changed_since_saving() const {
   std::vector<ObjectId> out = m_changed_aside;

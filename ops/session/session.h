@@ -86,6 +86,11 @@ class Session {
   /// Of the layout. No step: neither undone nor in the journal.
   void set_looks(SceneLooks looks) { m_layout.looks = std::move(looks); }
 
+  /// What is to be arranged, kept with the layout (Layout::arrange); neither a step nor in the
+  /// journal.
+  const std::string& arrange() const { return m_layout.arrange; }
+  void set_arrange(std::string text) { m_layout.arrange = std::move(text); }
+
   /// Metres: the largest default clearance that the scene has had, undone steps apart. What was at
   /// rest by it when the scene was larger is no less so when it has shrunk: the scene is to be
   /// judged by this.
@@ -129,6 +134,7 @@ class Session {
   std::vector<Done> m_done;  // of each step
   size_t m_position = 0;
   double m_first_clearance = 0;           // the default one at the start
+  std::string m_saved_arrange;            // Layout::arrange then
   size_t m_saved = 0;                     // how many steps were done when it was saved
   std::vector<ObjectId> m_changed_aside;  // by steps between the saved state and m_saved that were
                                           // undone and forgotten

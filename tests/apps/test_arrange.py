@@ -200,7 +200,29 @@ class Arrange(Case):
                  {"is": "facings", "of": [{"things": "mug_*", "wide": 2}, {"things": ["book"]}], "on": "shelf",
                   "level": "top", "align": "spread", "inset": 0.01},
                  {"is": "stack", "of": ["mug_1", "mug_2"], "on": "shelf", "level": 1, "tolerance": 0.02}]
-        bad = [({"is": "symmetric", "a": "mug_1", "b": "mug_2"}, None),
+        good += [{"is": "perpendicular", "a": "book", "b": "shelf"},
+                 {"is": "at_edge", "a": "mug_1", "b": "shelf", "side": "front", "gap": [0, 0.02]},
+                 {"is": "under", "a": "mug_1", "b": "shelf", "part": 0.8},
+                 {"is": "view", "a": "mug_1", "b": "shelf", "height": 1.5, "part": 0.25},
+                 {"is": "view", "a": "mug_1", "point": [0, -2, 1.6], "weight": 1},
+                 {"is": "reach", "a": "mug_1", "point": [0, -2, 1.6], "distance": 3},
+                 {"is": "near", "a": "mug_1", "b": "shelf", "distance": [0.5, 2]},
+                 {"is": "along", "of": "mug_*", "on": "floor", "points": [[1, 1], [2, 1], [2, 2]],
+                  "spacing": 0.5, "front": "onwards"},
+                 {"is": "stack", "of": ["mug_1", "mug_2"], "on": "shelf", "level": 1, "jitter": 0.02},
+                 {"is": "stands", "a": "mug_*", "margin": 0.01, "friction": 0.4}]
+        bad = [({"is": "view", "a": "mug_1"}, None),
+               ({"is": "view", "a": "mug_1", "point": [0, 0]}, None),
+               ({"is": "view", "a": "mug_1", "point": [0, 0, 1], "height": 1}, None),
+               ({"is": "view", "a": "mug_1", "b": "shelf", "part": 2}, None),
+               ({"is": "reach", "a": "mug_1", "b": "shelf", "distance": -1}, None),
+               ({"is": "under", "a": "mug_1"}, None),
+               ({"is": "at_edge", "a": "mug_1", "b": "shelf", "side": "top"}, None),
+               ({"is": "along", "of": "mug_*", "on": "floor", "points": [[1, 1]]}, None),
+               ({"is": "along", "of": "mug_*", "on": "floor"}, None),
+               ({"is": "stands", "a": "mug_1"}, None),
+               ({"is": "stands", "a": "mug_1", "margin": -1}, None),
+               ({"is": "symmetric", "a": "mug_1", "b": "mug_2"}, None),
                ({"is": "symmetric", "a": "mug_1", "b": "mug_2", "about": "shelf", "axis": [1, 0]}, None),
                ({"is": "circle", "of": "mug_*", "on": "floor"}, None),
                ({"is": "facings", "of": [], "on": "shelf"}, None),
@@ -213,6 +235,15 @@ class Arrange(Case):
                ({"is": "in", "a": "book", "b": "shelf"}, "level"),
                ({"is": "same", "a": "book", "b": "shelf", "weight": -1}, None),
                ({"is": "keep", "a": "*", "distance": 1, "except": [["a"]]}, None)]
+        for yaw, is_good in (([0, 90], True), ({"step": 15}, True), ("any", True), ("all", False),
+                             ({"step": 0}, False), ({}, False)):
+            things = [{"object": "mug_1", "yaw": yaw, "pose": "side"}]
+            self.assertEqual(validator.is_valid({"things": things}), is_good, yaw)
+            self.problem([], things=things)
+            if is_good:
+                self.trivet("arrange", "problem.json", "-o", "x.glb", status=(0, 1))
+            else:
+                self.refused("arrange", "problem.json", "-o", "x.glb", says="/arrange/things/0/yaw")
         for relation in good:
             self.assertTrue(validator.is_valid({"relations": [relation]}), relation)
             # Read without complaint: what ends it, if anything, is a conflict.

@@ -19,9 +19,15 @@ OrderedJson conflict_json(const Conflict& conflict) {
 }  // namespace
 
 std::string arrangement_json(const Arrangement& arrangement, const ArrangeResult& result) {
-  OrderedJson out = {{"status", to_string(result.status)}, {"seed", arrangement.seed},
-                     {"attempts", result.num_attempts},    {"puts", result.num_puts},
-                     {"refused_puts", result.num_refused}, {"evictions", result.num_evictions}};
+  OrderedJson out = {{"status", to_string(result.status)},
+                     {"seed", arrangement.seed},
+                     {"attempts", result.num_attempts},
+                     {"puts", result.num_puts},
+                     {"refused_puts", result.num_refused},
+                     {"evictions", result.num_evictions},
+                     {"improvements", result.num_improvements},
+                     {"milliseconds", result.milliseconds},
+                     {"put", {{"milliseconds", result.put_milliseconds}}}};
   if (!result.ok()) out["reason"] = result.reason();
   if (result.conflict) out["conflict"] = conflict_json(*result.conflict);
   out["relations"] = OrderedJson::array();
@@ -34,7 +40,9 @@ std::string arrangement_text(const ArrangeResult& result) {
   std::ostringstream out;
   out << "arrange: " << to_string(result.status) << "; " << result.num_puts << " PUTs, "
       << result.num_refused << " of them not kept, " << result.num_evictions << " evictions, "
-      << result.num_attempts << (result.num_attempts == 1 ? " attempt" : " attempts") << "\n";
+      << result.num_attempts << (result.num_attempts == 1 ? " attempt" : " attempts");
+  if (result.num_improvements) out << ", " << result.num_improvements << " improvements";
+  out << "\n";
   if (!result.ok()) out << "  " << result.reason() << "\n";
   double worst = 0;
   size_t num_soft = 0;

@@ -10,6 +10,7 @@ namespace {
 
 constexpr int kMaxEvictions = 100'000, kMaxAttempts = 1000;
 constexpr double kLeastZone = 1e-3;  // metres
+constexpr double kLeastYawStep = 1;  // degrees
 constexpr size_t kMaxZones = 10'000;
 
 constexpr std::pair<const char*, Vec3 (*)()> kFronts[] = {
@@ -31,11 +32,18 @@ class ArrangementReader {
     }
     read_count(place, "evictions", 0, kMaxEvictions, m_out.max_evictions);
     read_count(place, "attempts", 1, kMaxAttempts, m_out.max_attempts);
+    read_count(place, "improvements", 0, kMaxEvictions, m_out.max_improvements);
     read_things(place, otherwise);
     if (const auto fronts = place.find("fronts")) read_fronts(*fronts);
     if (const auto zones = place.find("zones")) read_all_zones(*zones);
+    size_t entry = 0;
     if (const auto relations = place.find("relations"))
-      for (const JsonPlace& item : relations->items()) read_relation(item, m_names, m_out);
+      for (const JsonPlace& item : relations->items()) {
+        const size_t before = m_out.relations.size();
+        read_relation(item, m_names, m_out);
+        for (size_t r = before; r < m_out.relations.size(); ++r) m_out.relations[r].entry = entry;
+        ++entry;
+      }
     return std::move(m_out);
   }
 
@@ -58,9 +66,7 @@ class ArrangementReader {
       place.expect_object({"objects"}, {"pose", "yaw"});
     Thing thing;
     if (const auto pose = place.find("pose")) thing.pose = read_pose_choice(*pose);
-    if (const auto yaw = place.find("yaw"))
-      for (const JsonPlace& item : yaw->items())
-        thing.yaws_deg.push_back(item.number(-kMaxAngleDeg, kMaxAngleDeg));
+    if (const auto yaw = place.find("yaw")) read_yaw(*yaw, thing);
     const auto one = place.find("object");
     for (const std::string& each : one ? std::vector<std::string>{m_names.one(*one)}
                                        : m_names.matching(place.at("objects"))) {
@@ -72,15 +78,31 @@ class ArrangementReader {
     }
   }
 
+  // Turns to choose from, a step between them, or any.
+  static void read_yaw(const JsonPlace& place, Thing& out) {
+    if (place.value() == "any") {
+      out.any_yaw = true;
+    } else if (place.value().is_object()) {
+      place.expect_object({"step"}, {});
+      const double step = place.at("step").number(kLeastYawStep, 360);
+      for (double yaw = 0; yaw < 360 - 1e-9; yaw += step) out.yaws_deg.push_back(yaw);
+    } else {
+      for (const JsonPlace& item : place.items())
+        out.yaws_deg.push_back(item.number(-kMaxAngleDeg, kMaxAngleDeg));
+    }
+  }
+
   static PoseChoice read_pose_choice(const JsonPlace& place) {
     if (place.value() == "upright") return {PoseChoice::Kind::Upright};
     if (place.value() == "as_modelled") return {PoseChoice::Kind::AsModelled};
     if (place.value() == "free") return {PoseChoice::Kind::Free};
     if (place.value() == "stable") return {PoseChoice::Kind::Stable};
+    if (place.value() == "side") return {PoseChoice::Kind::Side};
     if (place.value().is_number_unsigned() && place.value() < 1'000'000)
       return {PoseChoice::Kind::Number, place.value().get<int>()};
     place.refuse(
-        "\"upright\", \"as_modelled\", \"free\", \"stable\" or the number of a stable pose, as "
+        "\"upright\", \"as_modelled\", \"free\", \"stable\", \"side\" or the number of a stable "
+        "pose, as "
         "trivet info --poses has them");
   }
 
@@ -136,11 +158,11 @@ void read_zones(const JsonPlace& place, const std::string& object, std::vector<Z
 Arrangement read_arrangement(const JsonPlace& place, ArrangementPlace kind, ProblemNames names,
                              const std::vector<std::string>& otherwise) {
   if (kind == ArrangementPlace::InOperation)
-    place.expect_object(
-        {"op"}, {"seed", "things", "relations", "fronts", "zones", "evictions", "attempts"});
+    place.expect_object({"op"}, {"seed", "things", "relations", "fronts", "zones", "evictions",
+                                 "attempts", "improvements"});
   else
-    place.expect_object(
-        {}, {"seed", "things", "relations", "fronts", "zones", "evictions", "attempts"});
+    place.expect_object({}, {"seed", "things", "relations", "fronts", "zones", "evictions",
+                             "attempts", "improvements"});
   return ArrangementReader(std::move(names)).read(place, otherwise);
 }
 

@@ -1,4 +1,7 @@
 // Patterns in arrangement files; a stack becomes relations.
+#include <algorithm>
+#include <iterator>
+
 #include "core/base/limits.h"
 #include "ops/files/arrange/relation_json.h"
 
@@ -6,6 +9,7 @@ namespace trivet {
 namespace {
 
 constexpr int kMaxColumns = 1'000'000;
+constexpr double kLeastStretch = 1e-3;  // metres, of a line
 
 Pattern::Align read_align(const JsonPlace& place, const std::vector<std::string>& accepted) {
   std::string list;
@@ -17,8 +21,9 @@ Pattern::Align read_align(const JsonPlace& place, const std::vector<std::string>
 }
 
 void read_pattern_values(const JsonPlace& place, const ProblemNames& names, Pattern& pattern) {
-  pattern.on = pattern.kind == Pattern::Kind::Circle ? names.one_or_floor(place.at("on"))
-                                                     : names.one(place.at("on"));
+  const bool on_floor_too =
+      pattern.kind == Pattern::Kind::Circle || pattern.kind == Pattern::Kind::Along;
+  pattern.on = on_floor_too ? names.one_or_floor(place.at("on")) : names.one(place.at("on"));
   if (const auto level = place.find("level")) pattern.level = read_level(*level);
   if (const auto gap = place.find("gap")) pattern.gap = gap->number(0, kMaxLength);
   if (const auto align = place.find("align"))
@@ -80,14 +85,41 @@ void read_facings(const JsonPlace& place, const ProblemNames& names, Arrangement
   out.patterns.push_back(std::move(pattern));
 }
 
+void read_along(const JsonPlace& place, const ProblemNames& names, Arrangement& out) {
+  place.expect_object({"is", "of", "on", "points"}, {"level", "gap", "order", "spacing", "front"});
+  Pattern pattern;
+  pattern.kind = Pattern::Kind::Along;
+  pattern.things = names.listed(place.at("of"));
+  read_pattern_values(place, names, pattern);
+  for (const JsonPlace& corner : place.at("points").items()) {
+    pattern.line.push_back(read_point(corner));
+    const size_t n = pattern.line.size();
+    if (n > 1 && !((pattern.line[n - 1] - pattern.line[n - 2]).norm() >= kLeastStretch))
+      corner.refuse("a point 1 mm or more from the one before it");
+  }
+  if (pattern.line.size() < 2) place.at("points").refuse("at least two points [x, y]");
+  if (const auto spacing = place.find("spacing"))
+    pattern.spacing = spacing->number(kLeastStretch, kMaxLength);
+  if (const auto front = place.find("front")) {
+    constexpr const char* kWays[] = {"right", "left", "onwards", "back"};
+    const auto* const found = std::find(std::begin(kWays), std::end(kWays), front->value());
+    if (found == std::end(kWays)) front->refuse("\"right\", \"left\", \"onwards\" or \"back\"");
+    pattern.front = static_cast<Pattern::Front>(found - std::begin(kWays));
+  }
+  out.patterns.push_back(std::move(pattern));
+}
+
 // Each on the one before, centred on it.
 void read_stack(const JsonPlace& place, const ProblemNames& names, Arrangement& out) {
-  place.expect_object({"is", "of", "on"}, {"level", "tolerance"});
+  place.expect_object({"is", "of", "on"}, {"level", "tolerance", "jitter"});
+  if (place.find("tolerance") && place.find("jitter"))
+    place.fail("accepted: either \"tolerance\" or \"jitter\", which are one");
   Relation on = with_defaults(RelationKind::On), centred = with_defaults(RelationKind::Centred);
   on.b = names.one_or_floor(place.at("on"));
   if (const auto level = place.find("level")) on.level = read_level(*level);
   if (const auto t = place.find("tolerance"))
     centred.tolerance = t->number(kMinTolerance, kMaxLength);
+  if (const auto j = place.find("jitter")) centred.tolerance = j->number(kMinTolerance, kMaxLength);
   for (const std::string& name : names.listed(place.at("of"))) {
     const bool is_first = centred.b.empty();
     on.a = centred.a = name;
@@ -108,6 +140,8 @@ bool read_pattern(const JsonPlace& place, const std::string& is, const ProblemNa
     read_circle(place, names, out);
   else if (is == "facings")
     read_facings(place, names, out);
+  else if (is == "along")
+    read_along(place, names, out);
   else if (is == "stack")
     read_stack(place, names, out);
   else

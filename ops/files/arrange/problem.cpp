@@ -44,6 +44,16 @@ Arrangement take_marks(const JsonPlace& root, nlohmann::json& rest) {
   return out;
 }
 
+// The section with what is beside the objects.
+nlohmann::json with_marks(const JsonPlace& root, nlohmann::json section) {
+  for (const JsonPlace& object : root.at("objects").items())
+    for (const auto& [key, in_section] :
+         {std::pair("front", "fronts"), std::pair("zones", "zones")})
+      if (const auto mark = object.find(key))
+        section[in_section][object.at("name").text()] = mark->value();
+  return section;
+}
+
 }  // namespace
 
 Problem parse_problem(const std::string& text, const std::string& file) {
@@ -59,6 +69,7 @@ Problem parse_problem(const std::string& text, const std::string& file) {
   out.layout = parse_layout(rest.dump(), file);
   out.arrangement = read_arrangement(section, ArrangementPlace::InSection, names_of(out.layout),
                                      left_over(out.layout));
+  out.layout.arrange = with_marks(root, section.value()).dump();
   out.arrangement.fronts.merge(marks.fronts);
   out.arrangement.zones.insert(out.arrangement.zones.end(), marks.zones.begin(), marks.zones.end());
   return out;

@@ -11,12 +11,12 @@ namespace {
 
 constexpr int kMaxLevel = 1000;
 constexpr size_t kMaxRelations = 100'000;  // those of patterns each for itself
-constexpr double kMaxWeight = 1e6;
-constexpr double kNextTo = 0.1, kAgainst = 0.01;  // metres
+constexpr double kMaxWeight = 1e6, kMaxFriction = 1e6;
+constexpr double kNextTo = 0.1, kAgainst = 0.01, kArm = 0.7;  // metres
 
 std::vector<RelationKind> all_kinds() {
   std::vector<RelationKind> out;
-  for (int k = 0; k <= static_cast<int>(RelationKind::Symmetric); ++k)
+  for (int k = 0; k <= static_cast<int>(RelationKind::Reach); ++k)
     out.push_back(static_cast<RelationKind>(k));
   return out;
 }
@@ -79,8 +79,19 @@ void expect_keys(const JsonPlace& place, RelationKind kind, bool next_to) {
       return place.expect_object({"is", "a"}, {"b", "point", "tolerance", "weight"});
     case RelationKind::Aligned:
     case RelationKind::Parallel:
+    case RelationKind::Perpendicular:
     case RelationKind::Same:
       return place.expect_object({"is", "a", "b"}, {"tolerance", "weight"});
+    case RelationKind::AtEdge:
+      return place.expect_object({"is", "a", "b"}, {"side", "gap", "tolerance", "weight"});
+    case RelationKind::Under:
+      return place.expect_object({"is", "a", "b"}, {"part", "tolerance", "weight"});
+    case RelationKind::View:
+      return place.expect_object({"is", "a"},
+                                 {"b", "height", "point", "part", "tolerance", "weight"});
+    case RelationKind::Reach:
+      return place.expect_object({"is", "a"},
+                                 {"b", "height", "point", "distance", "tolerance", "weight"});
     case RelationKind::Centred:
       return place.expect_object({"is", "a", "b"}, {"along", "offset", "tolerance", "weight"});
     case RelationKind::Within:
@@ -105,11 +116,26 @@ void read_values(const JsonPlace& place, const ProblemNames& names, Relation& r)
   if (const auto level = place.find("level")) r.level = read_level(*level);
   if (const auto side = place.find("side")) r.side = read_side(*side);
   if (const auto gap = place.find("gap")) read_gap(*gap, r);
-  if (const auto d = place.find("distance")) r.upper = d->number(0, kMaxLength);
-  if (const auto overlap = place.find("overlap")) r.overlap = overlap->number(0, 1);
+  if (const auto d = place.find("distance")) {
+    if (d->value().is_array() && r.kind == RelationKind::Near)
+      read_gap(*d, r);
+    else
+      r.upper = d->number(0, kMaxLength);
+  }
+  for (const char* const key : {"overlap", "part"})
+    if (const auto overlap = place.find(key)) r.overlap = overlap->number(0, 1);
+  if (const auto height = place.find("height"))
+    r.eye_height = height->number(-kMaxLength, kMaxLength);
   if (const auto along = place.find("along")) read_along(*along, r);
   if (const auto offset = place.find("offset")) r.offset = read_point(*offset);
-  if (const auto point = place.find("point")) r.point = read_point(*point);
+  if (const auto point = place.find("point")) {
+    if (r.is_of_sight()) {
+      const auto p = point->numbers(3, -kMaxLength, kMaxLength);
+      r.eye = Vec3(p[0], p[1], p[2]);
+    } else {
+      r.point = read_point(*point);
+    }
+  }
   if (const auto about = place.find("about")) r.about = names.one(*about);
   if (const auto axis = place.find("axis")) r.axis = read_axis(*axis);
   if (const auto region = place.find("region")) r.region = read_region(*region);
@@ -125,6 +151,11 @@ void read_kind(const JsonPlace& place, RelationKind kind, bool next_to, const Pr
   const bool turns = kind == RelationKind::Facing || kind == RelationKind::Away;
   if (turns && relation.b.empty() != relation.point.has_value())
     place.fail("accepted: either \"b\" or \"point\"");
+  const bool has_eye = kind == RelationKind::View || kind == RelationKind::Reach;
+  if (has_eye && relation.b.empty() != relation.eye.has_value())
+    place.fail("accepted: either \"b\" or \"point\"");
+  if (has_eye && relation.eye && place.find("height"))
+    place.fail("accepted: \"height\" with \"b\", a \"point\" has its own");
   const bool has_point = relation.point.has_value(), has_axis = place.find("axis").has_value();
   const bool has_plane = has_point && has_axis, has_part = has_point || has_axis;
   if (kind == RelationKind::Symmetric && (relation.about.empty() ? !has_plane : has_part))
@@ -153,6 +184,18 @@ void read_keep(const JsonPlace& place, const ProblemNames& names, Arrangement& o
           if (a != b) keep.except.emplace_back(std::min(a, b), std::max(a, b));
     }
   out.keeps.push_back(std::move(keep));
+}
+
+void read_stands(const JsonPlace& place, const ProblemNames& names, Arrangement& out) {
+  place.expect_object({"is", "a"}, {"margin", "friction"});
+  Steadiness wanted;
+  wanted.things = names.listed(place.at("a"));
+  if (const auto margin = place.find("margin")) wanted.margin = margin->number(0, kMaxLength);
+  if (const auto friction = place.find("friction"))
+    wanted.friction = friction->number(0, kMaxFriction);
+  if (!place.find("margin") && !place.find("friction"))
+    place.fail("accepted: with \"margin\", \"friction\" or both");
+  out.steadiness.push_back(std::move(wanted));
 }
 
 }  // namespace
@@ -188,8 +231,20 @@ Relation with_defaults(RelationKind kind) {
       break;
     case RelationKind::Aligned:
     case RelationKind::Parallel:
+    case RelationKind::Perpendicular:
     case RelationKind::Same:
       out.tolerance = 2;
+      break;
+    case RelationKind::AtEdge:
+      out.upper = kAgainst;
+      break;
+    case RelationKind::Reach:
+      out.upper = kArm;
+      out.tolerance = 0.01;
+      break;
+    case RelationKind::View:
+    case RelationKind::Under:
+      out.tolerance = 0.01;
       break;
     case RelationKind::Centred:
     case RelationKind::At:
@@ -206,8 +261,10 @@ void read_relation(const JsonPlace& place, const ProblemNames& names, Arrangemen
   const std::string is = place.at("is").text();
   if (read_pattern(place, is, names, out)) return;
   if (is == "keep") return read_keep(place, names, out);
+  if (is == "stands") return read_stands(place, names, out);
   if (is == "next_to") return read_kind(place, RelationKind::Near, true, names, out);
-  std::vector<std::string> known{"next_to", "row", "grid", "circle", "facings", "stack", "keep"};
+  std::vector<std::string> known{"next_to", "row",   "grid", "circle", "facings",
+                                 "along",   "stack", "keep", "stands"};
   for (const RelationKind kind : all_kinds()) {
     if (is == to_string(kind)) return read_kind(place, kind, false, names, out);
     known.emplace_back(to_string(kind));

@@ -146,8 +146,9 @@ std::optional<Rotation> unit_rotation(const std::array<double, 4>& q) {
 Layout parse_layout(const std::string& text, const std::string& file) {
   const nlohmann::json document = parse_json(text, file);
   const JsonPlace root(document, file);
-  root.expect_object({"trivet", "objects"}, {"floor", "material", "floor_material", "settle",
-                                             "scene", "scene_objects", "operations", "looks"});
+  root.expect_object({"trivet", "objects"},
+                     {"floor", "material", "floor_material", "settle", "scene", "scene_objects",
+                      "operations", "looks", "arrange"});
   const JsonPlace version = root.at("trivet");
   if (!version.value().is_number() || version.value() != kLayoutVersion)
     version.refuse(std::to_string(kLayoutVersion) + ", the version of the layout format");
@@ -174,6 +175,11 @@ Layout parse_layout(const std::string& text, const std::string& file) {
     for (const JsonPlace& item : operations->items())
       layout.operations.push_back(read_known(item, names));
   if (const auto looks = root.find("looks")) layout.looks = read_looks(*looks);
+  if (const auto arrange = root.find("arrange")) {
+    if (!arrange->value().is_object())
+      arrange->refuse("an object, as trivet schema arrange has it");
+    layout.arrange = arrange->value().dump();
+  }
   return layout;
 }
 
@@ -208,6 +214,7 @@ std::string write_layout(const Layout& layout) {
   json["operations"] = Json::array();
   for (const Operation& o : layout.operations) json["operations"].push_back(operation_json(o));
   if (!layout.looks.empty()) json["looks"] = looks_json(layout.looks);
+  if (!layout.arrange.empty()) json["arrange"] = Json::parse(layout.arrange);
   return readable_json(json);
 }
 

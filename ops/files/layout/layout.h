@@ -49,6 +49,8 @@ struct Layout {
   std::vector<LayoutObject> objects;
   std::vector<Operation> operations;  // on objects of these names
   SceneLooks looks;                   // how editors show the result
+  std::string arrange = {};  // text of the section "arrange", which `trivet arrange` and the editor
+                             // solve; kept as it is; empty: none
 };
 
 /// A quaternion w, x, y, z of any length but zero as a rotation; one of unit length is taken as it

@@ -153,14 +153,14 @@ TEST(Relations, TurnTheirCosts) {
 // Where a relation holds to half its tolerance, its half planes hold: they never hide a place.
 TEST(Relations, HalfPlanesHoldWhereTheyDo) {
   constexpr RelationKind kKinds[] = {
-      RelationKind::Against, RelationKind::Near,      RelationKind::LeftOf,
-      RelationKind::RightOf, RelationKind::InFrontOf, RelationKind::Behind,
-      RelationKind::Centred, RelationKind::Within,    RelationKind::At};
+      RelationKind::Against,   RelationKind::Near,   RelationKind::LeftOf,  RelationKind::RightOf,
+      RelationKind::InFrontOf, RelationKind::Behind, RelationKind::Centred, RelationKind::AtEdge,
+      RelationKind::Within,    RelationKind::At};
   test::Random random(4);
   int num_hold = 0, num_planes = 0;
   for (int i = 0; i < 40000; ++i) {
     Relation r;
-    r.kind = kKinds[random.integer(0, 8)];
+    r.kind = kKinds[random.integer(0, 9)];
     r.lower = random.uniform(0, 0.1), r.upper = r.lower + random.uniform(0, 0.4);
     r.side = static_cast<Side>(random.integer(0, 3));
     r.tolerance = 0.05;
@@ -171,7 +171,8 @@ TEST(Relations, HalfPlanesHoldWhereTheyDo) {
     const Outline moving = box_outline(Vec2(0.02, 0), Vec2(0.2, 0.1), f);
     const Outline other = box_outline(Vec2(0.3, 0.1), Vec2(0.15, 0.3), g);
     const Vec2 at = random.in_cube(0.8).head<2>();
-    const bool moves_a = random.integer(0, 1) || r.kind >= RelationKind::Within;
+    const bool moves_a =
+        random.integer(0, 1) || r.kind == RelationKind::Within || r.kind == RelationKind::At;
     const Outline there = moved(moving, at);
     const double cost = moves_a ? relation_cost(r, there, &other) : relation_cost(r, other, &there);
     double worst = -kInfinity;

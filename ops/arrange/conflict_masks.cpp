@@ -1,0 +1,161 @@
+// Constraints as masks over all places of all poses of a thing.
+#include <algorithm>
+
+#include "core/base/quoted.h"
+#include "ops/arrange/conflict_search.h"
+
+namespace trivet {
+namespace {
+
+constexpr size_t kMaxSightPlaces = 4000;  // at which lines of sight are looked at
+
+bool has(const std::vector<std::uint64_t>& mask, size_t place) {
+  return mask[place / 64] >> (place % 64) & 1;
+}
+
+void append(std::vector<std::uint64_t>& mask, size_t& count, const std::vector<char>& places) {
+  for (size_t i = 0; i < places.size(); ++i) {
+    const size_t bit = count + i;
+    if (bit / 64 >= mask.size()) mask.resize(bit / 64 + 1, 0);
+    if (places[i]) mask[bit / 64] |= std::uint64_t{1} << (bit % 64);
+  }
+}
+
+}  // namespace
+
+void ConflictSearch::fill_masks() {
+  m_constraints.push_back({where(), support()});
+  for (const Relation* r : m_relations) m_constraints.push_back({r->text(), other_of(*r), r});
+  std::vector<ObjectId> others;
+  for (const ObjectId id : m_placer.obstacles(m_poses.front(), Obstacles::All)) {
+    const std::string& name = m_world.scene().at(id).name;
+    others.push_back(id);
+    m_constraints.push_back({"clear of " + quoted(name), name});
+  }
+  std::vector<ObjectId> with_zones;
+  for (const ObjectId id : m_placer.has_zones() ? m_world.standing() : std::vector<ObjectId>()) {
+    const std::string text = zones_text(m_world.scene().at(id).name);
+    if (text.empty()) continue;
+    with_zones.push_back(id);
+    m_constraints.push_back({text, m_world.scene().at(id).name});
+  }
+  size_t count = 0;
+  for (size_t p = 0; p < m_poses.size(); ++p) {
+    const Combination& c = m_poses[p];
+    const PlaceField field = m_placer.field(c);
+    for (size_t i = 0; i < field.size(); ++i) m_places.push_back({p, field.at(i), field.met_at(i)});
+    std::vector<std::vector<char>> masks(m_constraints.size());
+    for (size_t i = 0; i < field.size(); ++i) masks[0].push_back(field.is_over_support(i));
+    for (size_t r = 0; r < m_relations.size(); ++r)
+      for (size_t i = 0; i < field.size(); ++i)
+        masks[1 + r].push_back(
+            nearly_holds(*m_relations[r], moved(c.outline, field.at(i)), field.pixel()));
+    for (size_t k = 0; k < others.size(); ++k)
+      masks[1 + m_relations.size() + k] = field.clear_of(
+          {&others[k], 1}, m_world.keep(m_out.thing, m_world.scene().at(others[k]).name));
+    for (size_t k = 0; k < with_zones.size(); ++k)
+      masks[1 + m_relations.size() + others.size() + k] =
+          m_placer.zones_clear_of(field, c, with_zones[k]);
+    for (size_t k = 0; k < masks.size(); ++k) append(m_constraints[k].mask, count, masks[k]);
+    count += field.size();
+  }
+  for (Constraint& constraint : m_constraints) constraint.mask.resize(count / 64 + 1, 0);
+  fill_sights();
+}
+
+bool ConflictSearch::all_but_sights_hold(size_t place) const {
+  return std::all_of(m_constraints.begin(), m_constraints.end(), [&](const Constraint& c) {
+    return (c.relation && c.relation->is_of_sight()) || has(c.mask, place);
+  });
+}
+
+// Relations of sight at the places that all else leaves, of many only at some, which speak for
+// those that follow them; at others they count as met, so that no set is called empty that is not.
+void ConflictSearch::fill_sights() {
+  if (m_placer.m_sights.empty()) return;
+  std::vector<size_t> left;
+  for (size_t place = 0; place < m_places.size(); ++place)
+    if (all_but_sights_hold(place)) left.push_back(place);
+  const size_t stride = left.size() / kMaxSightPlaces + 1;
+  const int thing = m_world.thing_of(m_out.thing);
+  for (const Relation* r : m_placer.m_sights) {
+    const bool is_own = r->a == m_out.thing || r->b == m_out.thing;
+    Constraint sight{r->text(), is_own ? other_of(*r) : r->a, r,
+                     Mask(m_places.size() / 64 + 1, ~std::uint64_t{0})};
+    for (size_t k = 0; k < left.size(); k += stride) {
+      const Judged& at = m_places[left[k]];
+      const Pose pose{m_poses[at.pose].rotation, Vec3(at.at.x(), at.at.y(), at.start_z)};
+      if (sight_cost({m_world, thing, pose, false}, *r) <= 1) continue;
+      for (size_t i = k; i < std::min(left.size(), k + stride); ++i)
+        sight.mask[left[i] / 64] &= ~(std::uint64_t{1} << (left[i] % 64));
+    }
+    m_constraints.push_back(std::move(sight));
+  }
+}
+
+bool ConflictSearch::leaves_no_place(const Set& set) const {
+  for (size_t place = 0; place < m_places.size(); place += 64) {
+    const size_t left = m_places.size() - place;
+    std::uint64_t word = left >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << left) - 1;
+    for (const size_t i : set) word &= m_constraints[i].mask[place / 64];
+    if (word) return false;
+  }
+  return true;
+}
+
+// Of the set's relations that outlines judge, the one that is nearest to being met where all others
+// of the set are.
+void ConflictSearch::find_cheapest(const Set& set) {
+  double least = kInfinity;
+  for (const size_t i : set) {
+    const Relation* r = m_constraints[i].relation;
+    if (!r || r->is_of_sight()) continue;
+    for (size_t place = 0; place < m_places.size(); ++place) {
+      const bool others_hold = std::all_of(set.begin(), set.end(), [&](size_t k) {
+        return k == i || has(m_constraints[k].mask, place);
+      });
+      if (!others_hold) continue;
+      const Judged& at = m_places[place];
+      const double cost = m_placer.cost(*r, moved(m_poses[at.pose].outline, at.at));
+      if (cost < least) least = cost, m_out.cheapest = index_of(*r);
+    }
+  }
+}
+
+// Zones to be kept free, of the thing and another object; empty: neither has one.
+std::string ConflictSearch::zones_text(const std::string& other) const {
+  std::string out;
+  const auto add = [&](const std::string& text) {
+    out.append(out.empty() ? "" : ", ").append(text);
+  };
+  for (const Zone& zone : m_world.arrangement().zones) {
+    if (zone.object == other) add("out of the " + zone.text());
+    if (zone.object == m_out.thing) add(zone.text() + " clear of " + trivet::quoted(other));
+  }
+  return out;
+}
+
+// Relations need not hold to the last bit on the grid.
+bool ConflictSearch::nearly_holds(const Relation& r, const Outline& outline, double pixel) const {
+  const double slack_deg = 360.0 / 64;
+  const bool of_angles = r.kind == RelationKind::Facing || r.kind == RelationKind::Away ||
+                         r.kind == RelationKind::Aligned || r.kind == RelationKind::Parallel ||
+                         r.kind == RelationKind::Perpendicular || r.kind == RelationKind::Same;
+  return m_placer.cost(r, outline) <= 1 + (of_angles ? slack_deg : pixel) / r.tolerance;
+}
+
+bool ConflictSearch::find_in_masks() {
+  fill_masks();
+  const auto set =
+      smallest_empty(m_constraints.size(), [&](const Set& s) { return leaves_no_place(s); });
+  if (!set) return false;
+  for (const size_t i : *set) {
+    m_out.constraints.push_back(m_constraints[i].text);
+    note(m_constraints[i].object);
+    if (m_constraints[i].relation) m_out.relations.push_back(index_of(*m_constraints[i].relation));
+  }
+  find_cheapest(*set);
+  return true;
+}
+
+}  // namespace trivet

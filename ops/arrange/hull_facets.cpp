@@ -1,0 +1,99 @@
+#include "ops/arrange/hull_facets.h"
+
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+
+#include "core/mesh/hull.h"
+
+namespace trivet {
+namespace {
+
+// cos(0.5 degrees).
+constexpr double kMergeCosine = 0.99996192306417129;
+
+}  // namespace
+
+HullFacets::HullFacets(std::vector<Vec3> points) : m_points(std::move(points)) {
+  Aabb box;
+  for (const Vec3& p : m_points) box.extend(p);
+  m_size = box.diagonal();
+  make_faces();
+  connect();
+  grow_facets();
+}
+
+void HullFacets::make_faces() {
+  const ConvexHull hull = convex_hull(m_points);
+  Vec3 inside = Vec3::Zero();
+  for (const Index v : hull.vertices) inside += m_points[v] / double(hull.vertices.size());
+  m_faces.reserve(hull.triangles.size());
+  for (Index3 t : hull.triangles) {
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+    HullFace face;
+    face.corners = t;
+    const Vec3 a = m_points[t[0]];
+    Vec3 twice = (m_points[t[1]] - a).cross(m_points[t[2]] - a);
+    if (twice.dot(a - inside) < 0) {
+      std::swap(face.corners[1], face.corners[2]);
+      twice = -twice;
+    }
+    face.area = 0.5 * twice.norm();
+    if (face.area > 0) face.normal = twice / (2 * face.area);
+    m_faces.push_back(face);
+  }
+  // Qhull's order is no promise.
+  std::sort(m_faces.begin(), m_faces.end(),
+            [](const HullFace& a, const HullFace& b) { return a.corners < b.corners; });
+}
+
+void HullFacets::connect() {
+  struct Side {
+    Index a, b, face;
+    int edge;
+  };
+  std::vector<Side> sides;
+  sides.reserve(3 * m_faces.size());
+  for (Index f = 0; f < static_cast<Index>(m_faces.size()); ++f)
+    for (int k = 0; k < 3; ++k) {
+      const auto [a, b] = std::minmax(m_faces[f].corners[k], m_faces[f].corners[(k + 1) % 3]);
+      sides.push_back({a, b, f, k});
+    }
+  const auto key = [](const Side& s) { return std::tuple(s.a, s.b, s.face); };
+  std::sort(sides.begin(), sides.end(),
+            [&](const Side& s, const Side& t) { return key(s) < key(t); });
+  for (size_t i = 0; i + 1 < sides.size(); ++i) {
+    const Side &s = sides[i], &t = sides[i + 1];
+    if (s.a != t.a || s.b != t.b) continue;
+    m_faces[s.face].across[s.edge] = t.face;
+    m_faces[t.face].across[t.edge] = s.face;
+  }
+}
+
+void HullFacets::grow_facets() {
+  std::vector<Index> order(m_faces.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](Index a, Index b) { return m_faces[a].area > m_faces[b].area; });
+  for (const Index seed : order) {
+    if (m_faces[seed].region >= 0) continue;
+    const auto region = static_cast<Index>(m_facets.size());
+    std::vector<Index> facet;
+    facet.push_back(seed);
+    m_faces[seed].region = region;
+    for (size_t i = 0; i < facet.size(); ++i)
+      for (const Index next : m_faces[facet[i]].across)
+        if (next >= 0 && m_faces[next].region < 0 && joins(m_faces[next], m_faces[seed])) {
+          m_faces[next].region = region;
+          facet.push_back(next);
+        }
+    m_facets.push_back(std::move(facet));
+  }
+}
+
+bool HullFacets::joins(const HullFace& face, const HullFace& seed) const {
+  return face.area <= kHullTolerance * kHullTolerance * m_size * m_size ||
+         face.normal.dot(seed.normal) >= kMergeCosine;
+}
+
+}  // namespace trivet

@@ -1,0 +1,113 @@
+// After all stand: things are taken out and put where the soft relations cost less.
+#include <algorithm>
+
+#include "ops/arrange/sights.h"
+#include "ops/arrange/solver.h"
+
+namespace trivet {
+namespace {
+
+constexpr double kWorth = 0.05;      // least part of the cost for which a thing is moved
+constexpr double kLeastGain = 1e-3;  // of the cost: smaller ones do not count
+constexpr size_t kPlacesEach = 2;    // PUTs of a thing that is moved
+constexpr double kMostCost = 1e6;    // of a relation, squared: what is out of sight
+
+}  // namespace
+
+double Solver::soft_cost(const Relation& r) const {
+  if (r.is_hard()) return 0;
+  double cost = 0;
+  if (r.is_of_sight()) {
+    cost = sight_cost({m_world, -1, {}, false}, r);
+  } else {
+    std::optional<Outline> b;
+    if (!r.b.empty()) b = m_world.outline(r.b);
+    cost = relation_cost(r, m_world.outline(r.a), b ? &*b : nullptr);
+  }
+  return *r.weight * std::min(cost * cost, kMostCost);
+}
+
+// Of all soft relations. @param of_thing  that part of each thing.
+double Solver::soft_cost(std::vector<double>& of_thing) const {
+  const std::vector<Relation>& relations = m_world.arrangement().relations;
+  std::vector<double> costs;
+  double out = 0;
+  costs.reserve(relations.size());
+  for (const Relation& r : relations) {
+    costs.push_back(soft_cost(r));
+    out += costs.back();
+  }
+  of_thing.assign(m_world.things().size(), 0);
+  for (size_t t = 0; t < of_thing.size(); ++t)
+    for (const size_t r : m_world.things()[t].relations) of_thing[t] += costs[r];
+  return out;
+}
+
+void Solver::improve() {
+  std::vector<double> of_thing;
+  double cost = soft_cost(of_thing);
+  int num_tries = 0;
+  for (bool gained = true; gained;) {
+    gained = false;
+    std::vector<size_t> order;
+    for (size_t t = 0; t < of_thing.size(); ++t)
+      if (of_thing[t] > kWorth) order.push_back(t);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](size_t x, size_t y) { return of_thing[x] > of_thing[y]; });
+    for (const size_t t : order) {
+      if (num_tries++ == m_world.arrangement().max_improvements || m_interrupt.reason()) return;
+      if (m_progress) m_progress(name(t), standing(), m_world.things().size());
+      if (!move_for_less(t, of_thing[t], cost)) continue;
+      ++m_out.num_improvements;
+      gained = true;
+    }
+    soft_cost(of_thing);
+  }
+}
+
+// With what it carries, which is put again, too. @param own  cost of its relations. @param cost in:
+// of all; out: less.
+bool Solver::move_for_less(size_t thing, double own, double& cost) {
+  const std::vector<size_t> items = items_with_loads({thing});
+  if (has_pattern(items)) return false;
+  std::vector<size_t> again;  // in the order in which they came
+  std::vector<OperationResult> results;
+  for (const size_t t : m_order)
+    if (std::count(items.begin(), items.end(),
+                   static_cast<size_t>(item_of(m_world, m_items, name(t)))))
+      again.push_back(t), results.push_back(m_results[t]);
+  const std::vector<size_t> order = m_order;
+  const std::vector<char> placed = m_placed;
+  {
+    World::Trial trial(m_world);
+    take_out(items);
+    std::vector<double> of_thing;
+    const auto put_again = [&](size_t t) { return put_at_least(t, t == thing ? own : kInfinity); };
+    if (std::all_of(again.begin(), again.end(), put_again)) {
+      const double now = soft_cost(of_thing);
+      if (now < (1 - kLeastGain) * cost) {
+        cost = now;
+        m_placed = placed;
+        trial.commit();
+        return true;
+      }
+    }
+  }
+  m_order = order;
+  m_placed = placed;
+  for (size_t k = 0; k < again.size(); ++k) m_results[again[k]] = std::move(results[k]);
+  return false;
+}
+
+// At one of the places that cost least. @param most  those that cost as much are left out.
+bool Solver::put_at_least(size_t thing, double most) {
+  Placer placer(m_world, thing, seed_of(thing), Noise::Off);
+  const auto places = placer.candidates(Obstacles::All, m_nogoods[thing]);
+  for (size_t k = 0; k < std::min(places.size(), kPlacesEach); ++k) {
+    if (m_interrupt.reason() || !(places[k].energy < most)) return false;
+    if (put(placer, places[k], thing, LookAhead::Off)) return true;
+  }
+  return false;
+}
+
+}  // namespace trivet

@@ -1,0 +1,106 @@
+// Rotations of a thing, and where it may be in each.
+#include <algorithm>
+#include <cmath>
+
+#include "ops/arrange/noise.h"
+#include "ops/arrange/placer.h"
+
+namespace trivet {
+namespace {
+
+constexpr int kTurns = 8;      // about z, where no relation asks for any
+constexpr int kAnyTurns = 16;  // of things that may be turned at will
+
+}  // namespace
+
+// Those that the thing asks for itself, else its hard relations, else all round; soft relations add
+// theirs.
+std::vector<Rotation> Placer::turns(const Rotation& rest) const {
+  std::vector<Rotation> out;
+  for (const double yaw : model().thing->yaws_deg) out.push_back(turned_about_z(yaw));
+  if (!out.empty()) return out;
+  const Outline outline = m_world.outline(model(), {rest, Vec3::Zero()});
+  std::vector<Rotation> soft;
+  bool faces = false;
+  for (const Relation* r : m_relations) {
+    faces = faces || wanted_front(*r, outline, partner(*r)) != Vec2::Zero();
+    if (!partner(*r)) continue;
+    // A side of b that is against a turns with b.
+    const bool turns_with_a = r->kind != RelationKind::Against || r->a == name();
+    if (!turns_with_a) continue;
+    for (const Rotation& turn : turns_asked_for(*r, outline, *partner(*r)))
+      (r->is_hard() ? out : soft).push_back(turn);
+    if (!out.empty()) return out;
+  }
+  const bool any = model().thing->any_yaw;
+  const int count = faces ? kFacingTurns : any ? kAnyTurns : kTurns;
+  const double first = any && !faces ? double(scrambled(m_seed) >> 12) * 0x1p-52 * 360 / count : 0;
+  for (int i = 0; i < count; ++i) out.push_back(turned_about_z(first + 360.0 * i / count));
+  out.insert(out.end(), soft.begin(), soft.end());
+  return out;
+}
+
+// The centre of mass over the landing; on the unbounded floor, not far from everything.
+ConvexRegion Placer::window(const Landing& landing, const Outline& outline) const {
+  Vec2 lower = landing.lower, upper = landing.upper;
+  if (!(lower.x() > -kInfinity)) {
+    Aabb box = m_world.scene().box();
+    box.extend(Vec3::Zero());
+    double more = 0;
+    for (const ThingModel& thing : m_world.things()) more += std::sqrt(thing.area);
+    for (const Relation* r : m_relations) {
+      if (r->point) box.extend(Vec3(r->point->x(), r->point->y(), 0));
+      if (r->eye) box.extend(*r->eye);
+      for (const Vec2& p : r->region) box.extend(Vec3(p.x(), p.y(), 0));
+      if (r->upper < kInfinity) more = std::max(more, r->upper);
+    }
+    const double size = outline.width(Vec2::UnitX()) + outline.width(Vec2::UnitY());
+    lower = box.lower.head<2>() - Vec2::Constant(more + size);
+    upper = box.upper.head<2>() + Vec2::Constant(more + size);
+  }
+  return {lower - outline.mass_centre, upper - outline.mass_centre};
+}
+
+void Placer::clip(Combination& combination) const {
+  for (const Relation* r : m_relations) {
+    if (!r->is_hard()) continue;
+    for (const HalfPlane& h : half_planes(*r, combination.outline, partner(*r), r->a == name()))
+      combination.region.clip(h);
+  }
+}
+
+// True if no relation asks for a turn, and the thing for none.
+bool Placer::turns_are_free() const {
+  if (!model().thing->yaws_deg.empty()) return false;
+  const Outline outline = m_world.outline(model(), {model().rests.front(), Vec3::Zero()});
+  return std::all_of(m_relations.begin(), m_relations.end(), [&](const Relation* r) {
+    return wanted_front(*r, outline, partner(*r)) == Vec2::Zero() &&
+           (!partner(*r) || turns_asked_for(*r, outline, *partner(*r)).empty());
+  });
+}
+
+void Placer::combine() {
+  m_turns_are_free = m_temperature > 0 && turns_are_free();
+  for (const Rotation& rest : model().rests) {
+    const Outline lying = m_world.outline(model(), {rest, Vec3::Zero()});
+    std::string why_none;
+    const auto landings = m_world.landings(model(), lying.top - lying.bottom, why_none);
+    const std::vector<Rotation> turns = this->turns(rest);
+    m_num_turns = std::max(m_num_turns, turns.size());
+    for (size_t t = 0; t < turns.size(); ++t) {
+      const Rotation& turn = turns[t];
+      Combination combination;
+      combination.turn = t;
+      combination.rotation = (turn * rest).normalized();
+      combination.outline = m_world.outline(model(), {combination.rotation, Vec3::Zero()});
+      for (const Landing& landing : landings) {
+        combination.landing = landing;
+        combination.region = window(landing, combination.outline);
+        clip(combination);
+        if (!combination.region.empty()) m_combinations.push_back(combination);
+      }
+    }
+  }
+}
+
+}  // namespace trivet
