@@ -12,6 +12,7 @@ void real_scale_rows(Report& report);     // the same among real models, if ther
 void push_rows(Report& report);           // one step of a PUSH, and a table with its loads
 void table1_rows(Report& report);         // the paper's Table 1, by candidate finder
 void zlist_rows(Report& report);          // z-lists and BVHs, same motions; free places
+void place_rows(Report& report);          // the latter: thousands of places at once
 void confirm_rows(Report& report);        // Embree between z-lists and the closed form
 void settling_rows(Report& report);       // ours, Bullet's and MuJoCo's, from the same starts
 void shape_rows(Report& report);          // memory, index, import

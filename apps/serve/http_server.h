@@ -65,7 +65,7 @@ class HttpServer {
   /// From any thread.
   HttpLoad load() const;
 
-  struct State;  // of http_server.cpp
+  struct State;  // http_state.h
 
  private:
   std::unique_ptr<State> m_state;

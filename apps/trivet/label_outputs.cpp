@@ -7,6 +7,7 @@
 #include "apps/trivet/outputs.h"
 #include "apps/trivet/scene_input.h"
 #include "core/base/bad_input.h"
+#include "core/base/extension.h"
 #include "core/io/export.h"
 #include "core/picture/image_files.h"
 #include "ops/files/json/json_text.h"
@@ -30,7 +31,7 @@ std::vector<std::string> patterns(const LabelArguments& a) {
   return out;
 }
 
-bool is_exr(const std::string& file) { return extension_of(file) == ".exr"; }
+bool is_exr(const std::string& file) { return lower_extension(file) == ".exr"; }
 
 void check_one_view(const LabelArguments& arguments, std::size_t num_views) {
   if (num_views < 2) return;

@@ -2,9 +2,8 @@
 
 #include <algorithm>
 
-#include "apps/trivet/scene_input.h"
 #include "core/base/error.h"
-#include "core/base/nearest_name.h"
+#include "ops/base/refusal.h"
 #include "ops/files/json/json_text.h"
 #include "ops/operations/moving_group.h"
 
@@ -57,9 +56,9 @@ ObjectId placed_object(const Scene& scene, const MotionRequest& request) {
                                                      : "--turn";
   const auto id = scene.find(request.object());
   if (id && scene.at(*id).placed) return *id;
-  throw bad(std::string(option) + ": \"" + request.object() +
-            "\" is not accepted; accepted: the name of an object in the scene" +
-            did_you_mean(request.object(), names_of(scene)));
+  const Refusal why = id ? Refusal{Refusal::Cause::NotPlaced, {named(scene, *id)}}
+                         : unknown_object(scene, request.object());
+  throw bad(std::string(option) + ": " + message(why));
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "core/base/error.h"
+#include "core/base/extension.h"
 #include "core/io/export.h"
 #include "core/io/overwrites.h"
 #include "core/io/staged_files.h"
@@ -256,11 +257,6 @@ std::string summary(const LayoutRun& run) {
   return out.str();
 }
 
-std::string extension_of(const std::string& file) {
-  std::string extension = fs::path(file).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
+std::string extension_of(const std::string& file) { return lower_extension(file); }
 
 }  // namespace trivet::apps

@@ -24,12 +24,6 @@ Scene scene_of_model(const std::string& path, const CommonOptions& common) {
 
 }  // namespace
 
-std::vector<std::string> names_of(const Scene& scene) {
-  std::vector<std::string> names;
-  for (const ObjectId id : scene.ids()) names.push_back(scene.at(id).name);
-  return names;
-}
-
 SceneFile read_scene_with_layout(const std::string& path, const CommonOptions& common) {
   const std::string extension = extension_of(path);
   if ((extension != ".glb" && extension != ".gltf") || !is_scene_file(path)) {

@@ -14,7 +14,4 @@ Scene read_scene_or_model(const std::string& path, const CommonOptions& common);
 /// The same with the layout that made the scene; empty of a model.
 SceneFile read_scene_with_layout(const std::string& path, const CommonOptions& common);
 
-/// Of all objects, in their order.
-std::vector<std::string> names_of(const Scene& scene);
-
 }  // namespace trivet::apps

@@ -2,11 +2,11 @@
 #include <iostream>
 
 #include "apps/trivet/outputs.h"
-#include "apps/trivet/scene_input.h"
 #include "apps/trivet/verbs.h"
 #include "core/base/error.h"
-#include "core/base/nearest_name.h"
+#include "core/base/extension.h"
 #include "core/io/export.h"
+#include "ops/base/refusal.h"
 #include "ops/files/report/queries.h"
 #include "ops/files/report/report.h"
 
@@ -62,9 +62,8 @@ int tell_of_object(const CheckArguments& arguments, const CommonOptions& common,
                    const LayoutRun& run) {
   const auto id = run.scene.find(arguments.object);
   if (!id)
-    throw Error(Error::Kind::BadInput, "--object: \"" + arguments.object +
-                                           "\" is not accepted; accepted: the name of an object" +
-                                           did_you_mean(arguments.object, names_of(run.scene)));
+    throw Error(Error::Kind::BadInput,
+                "--object: " + message(unknown_object(run.scene, arguments.object)));
   StabilityOptions options = arguments.stability;
   options.clearance = arguments.settle.settle.clearance;
   if (common.json)
@@ -75,7 +74,7 @@ int tell_of_object(const CheckArguments& arguments, const CommonOptions& common,
 }
 
 int check(const CheckArguments& arguments, const CommonOptions& common) {
-  const bool layout = extension_of(arguments.file) == ".json";
+  const bool layout = lower_extension(arguments.file) == ".json";
   check_outputs({"", arguments.report, ""}, {arguments.file});
   const std::unique_ptr<Detector> detector = make_detector(common);
   const LayoutRun run = layout ? check_layout(arguments, common, *detector)

@@ -1,10 +1,9 @@
 // Verbs that move one object of a scene: push, turn, pick-up, translate, rotate; and fix, unfix and
 // material.
 #include "apps/trivet/outputs.h"
-#include "apps/trivet/scene_input.h"
 #include "apps/trivet/verbs.h"
 #include "core/base/error.h"
-#include "core/base/nearest_name.h"
+#include "ops/base/refusal.h"
 #include "ops/check/check.h"
 #include "ops/files/json/operation_json.h"
 
@@ -45,9 +44,8 @@ int move(const MoveArguments& arguments, const Operation& asked, const CommonOpt
   names.insert(names.begin(), arguments.move.object);
   for (const std::string& name : names)
     if (!file.scene.find(name))
-      throw Error(Error::Kind::BadInput, arguments.scene + ": there is no object \"" + name +
-                                             "\"; accepted: the name of one of its objects" +
-                                             did_you_mean(name, names_of(file.scene)));
+      throw Error(Error::Kind::BadInput,
+                  arguments.scene + ": " + message(unknown_object(file.scene, name)));
   const std::unique_ptr<Detector> detector = make_detector(common);
   RunOptions options = run_options(common, arguments.settle, detector.get());
   if (!(options.settle.clearance > 0)) options.settle.clearance = file.clearance;

@@ -6,6 +6,7 @@
 #include "apps/trivet/verbs.h"
 #include "apps/trivet/zlist_picture.h"
 #include "core/base/error.h"
+#include "core/base/extension.h"
 #include "ops/base/stopwatch.h"
 #include "ops/check/check.h"
 #include "ops/placement/clearance.h"
@@ -29,7 +30,8 @@ struct ZListArguments {
 
 // A layout is run first, like by `run`.
 Scene scene_of(const ZListArguments& arguments, const CommonOptions& common, int& status) {
-  if (extension_of(arguments.input) != ".json") return read_scene_or_model(arguments.input, common);
+  if (lower_extension(arguments.input) != ".json")
+    return read_scene_or_model(arguments.input, common);
   const Layout layout = read_layout(arguments.input, common.limits().max_file_bytes);
   check_not_inputs({"", arguments.dump, arguments.picture},
                    model_files(layout, folder_of(arguments.input)));

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/base/tunables.h"
+#include "core/contact/contact_ends.h"
 #include "core/contact/contact_face.h"
 #include "core/contact/dips.h"
 #include "core/contact/flush_faces.h"
@@ -20,7 +21,6 @@ namespace trivet {
 namespace {
 
 constexpr double kParallelSine = 1e-6;  // edges closer to parallel than this do not cross
-constexpr double kNoDirection = 1e-13;  // distance, of the coordinates, that has no direction
 
 auto features_of(const ContactPoint& c) {
   return std::tie(c.features, c.feature_object, c.feature_support);
@@ -45,26 +45,6 @@ std::vector<ContactPoint> first_of_each(const std::vector<ContactPoint>& points)
     if (out.empty() || features_of(out.back()) != features_of(*p)) out.push_back(*p);
   return out;
 }
-
-// Two vertices that are near, or a vertex and a place inside an edge.
-struct End {
-  enum class Kind { VertexEdge, EdgeVertex, Vertices };
-  Kind kind;
-  Index on_object, on_support;  // vertex or edge
-  Index face_object, face_support;
-  Vec3 p, q;  // on the object and on the support
-
-  auto features() const { return std::tie(kind, on_object, on_support); }
-
-  // One of the surfaces comes nearer beside: the other is not where they are nearest.
-  bool dips(const Body& object, const Body& support, const Vec3& normal) const {
-    const bool object_dips = kind == Kind::EdgeVertex ? edge_dips(object, on_object, p, normal)
-                                                      : vertex_dips(object, on_object, p, normal);
-    if (object_dips) return true;
-    return kind == Kind::VertexEdge ? edge_dips(support, on_support, q, -normal)
-                                    : vertex_dips(support, on_support, q, -normal);
-  }
-};
 
 // Adds those of `more` that have no point of the same normal near. Compares along the widest
 // extent.
@@ -104,11 +84,10 @@ class ContactSearch {
         m_frame(support),
         m_tree_object(m_frame.tree(object)),
         m_tree_support(m_frame.own_tree(support)),
-        m_own_axis{m_tree_object.own_axis(0), m_tree_object.own_axis(1),
-                   m_tree_object.own_axis(2)} {
-    m_reach = tolerance * 1.001 + 1e-14 * m_tree_object.translation.cwiseAbs().maxCoeff();
-    m_rotation = m_tree_object.linear / m_tree_object.scale;
-  }
+        m_own_axis{m_tree_object.own_axis(0), m_tree_object.own_axis(1), m_tree_object.own_axis(2)},
+        m_rotation(m_tree_object.linear / m_tree_object.scale),
+        m_reach(tolerance * 1.001 + 1e-14 * m_tree_object.translation.cwiseAbs().maxCoeff()),
+        m_ends(object, support, tolerance, m_reach) {}
 
   std::vector<ContactPoint> run() {
     if (!m_object.shape->has_faces() || !m_support.shape->has_faces()) return {};
@@ -116,7 +95,7 @@ class ContactSearch {
     m_slab_reach = m_reach + 1e-14 * (farthest(box_object) + farthest(box_support));
     visit(0, 0, box_object, box_support, nullptr);
     std::vector<ContactPoint> points = first_of_each(m_found);
-    std::vector<ContactPoint> more = ends();
+    std::vector<ContactPoint> more = m_ends.points();
     for (const ContactPoint& p : m_flush.corners()) more.push_back(p);
     append_elsewhere(more, m_tolerance, points);
     if (!points.empty()) return points;
@@ -189,9 +168,9 @@ class ContactSearch {
                  &eb = m_support.shape->adjacency.face_edges[face_b];
     for (int k = 0; k < 3; ++k) {
       if (!b.valid || !try_vertex_face(a.corners[k], va[k], b, face_b))
-        try_vertex_edges(a.corners[k], va[k], face_a, b, vb, eb, face_b);
+        m_ends.add_vertex(a.corners[k], va[k], face_a, b, vb, eb, face_b);
       if (!a.valid || !try_face_vertex(b.corners[k], vb[k], a, face_a))
-        try_edges_vertex(a, ea, face_a, b.corners[k], vb[k], face_b);
+        m_ends.add_support_vertex(a, ea, face_a, b.corners[k], vb[k], face_b);
     }
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j)
@@ -223,59 +202,6 @@ class ContactSearch {
     if (!vertex_dips(m_support, vertex, q, -normal))
       m_found.push_back({q, normal, std::abs(height), ContactFeatures::FaceVertex, face, vertex});
     return true;
-  }
-
-  // A vertex beside the face: near an edge of it, or a corner.
-  void try_vertex_edges(const Vec3& p, Index vertex, Index face_a, const ContactFace& b,
-                        const Index3& corners, const Index3& edges, Index face_b) {
-    for (int k = 0; k < 3; ++k) {
-      if ((p - b.corners[k]).squaredNorm() <= m_tolerance * m_tolerance)
-        m_ends.push_back(
-            {End::Kind::Vertices, vertex, corners[k], face_a, face_b, p, b.corners[k]});
-      if (const auto q = foot(p, b, k); q && edges[k] >= 0)
-        m_ends.push_back({End::Kind::VertexEdge, vertex, edges[k], face_a, face_b, p, *q});
-    }
-  }
-
-  void try_edges_vertex(const ContactFace& a, const Index3& edges, Index face_a, const Vec3& q,
-                        Index vertex, Index face_b) {
-    for (int k = 0; k < 3; ++k)
-      if (const auto p = foot(q, a, k); p && edges[k] >= 0)
-        m_ends.push_back({End::Kind::EdgeVertex, edges[k], vertex, face_a, face_b, *p, q});
-  }
-
-  // The foot of x on the inside of an edge that is near.
-  std::optional<Vec3> foot(const Vec3& x, const ContactFace& face, int k) const {
-    const Aabb& box = face.edge_box[k];
-    if (((x - box.lower).array() < -m_reach).any() || ((x - box.upper).array() > m_reach).any())
-      return std::nullopt;
-    const double s = face.edge[k].dot(x - face.corners[k]) / face.edge[k].squaredNorm();
-    if (!(s > 0 && s < 1)) return std::nullopt;
-    const Vec3 foot = face.corners[k] + s * face.edge[k];
-    if ((x - foot).squaredNorm() > m_tolerance * m_tolerance) return std::nullopt;
-    return foot;
-  }
-
-  // Nearest vertices and ends of (parallel) edges, each once.
-  std::vector<ContactPoint> ends() {
-    std::sort(m_ends.begin(), m_ends.end(), [](const End& x, const End& y) {
-      return std::tuple_cat(x.features(), std::tie(x.face_object, x.face_support)) <
-             std::tuple_cat(y.features(), std::tie(y.face_object, y.face_support));
-    });
-    m_ends.erase(
-        std::unique(m_ends.begin(), m_ends.end(),
-                    [](const End& x, const End& y) { return x.features() == y.features(); }),
-        m_ends.end());
-    std::vector<ContactPoint> out;
-    for (const End& end : m_ends) {
-      const double distance = (end.p - end.q).norm();
-      if (distance <= kNoDirection * end.p.cwiseAbs().maxCoeff()) continue;
-      const Vec3 normal = (end.p - end.q) / distance;
-      if (end.dips(m_object, m_support, normal)) continue;
-      out.push_back({end.kind == End::Kind::VertexEdge ? end.p : end.q, normal, distance,
-                     ContactFeatures::ClosestPoints, end.face_object, end.face_support});
-    }
-    return out;
   }
 
   bool past_end(double s, const Vec3& edge, double height) const {
@@ -315,15 +241,16 @@ class ContactSearch {
   }
 
   const Body &m_object, &m_support;
-  double m_tolerance, m_slack, m_reach = 0;
+  double m_tolerance, m_slack;
   double m_slab_reach = 0;  // with the rounding of slabs
   FlushFaces m_flush;
   UnitFrame m_frame;
   PlacedBvh m_tree_object, m_tree_support;
   std::array<Vec3, 3> m_own_axis;  // of the object
   Mat3 m_rotation;                 // likewise
+  double m_reach;
+  ContactEnds m_ends;
   std::vector<ContactPoint> m_found;
-  std::vector<End> m_ends;
   bool m_closest_only = false;
   PairNumbers m_tried_vertices, m_tried_faces;  // of the object and the support, one of them a face
 };

@@ -1,6 +1,7 @@
 #include "core/io/look.h"
 
 #include "core/base/error.h"
+#include "core/base/printable.h"
 #include "core/io/gltf/gltf_copy.h"
 
 namespace trivet {
@@ -44,7 +45,7 @@ std::shared_ptr<const Appearance> appearance_of_gltf(const GltfDocument& source,
   } catch (const Error& e) {
     return give_up(e.what());
   } catch (const GltfJson::exception& e) {
-    return give_up(e.what());
+    return give_up(printable(e.what()));
   }
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/base/printable.h"
+
 namespace trivet {
 namespace {
 
@@ -41,16 +43,8 @@ bool ModelFolder::has(const fs::path& file) const {
   return holds(file) && fs::is_regular_file(file, error);
 }
 
-std::string printable_name(const std::string& name) {
-  constexpr size_t kMaxLength = 100;
-  std::string shown = name.substr(0, kMaxLength) + (name.size() > kMaxLength ? "..." : "");
-  for (char& c : shown)
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
-  return shown;
-}
-
 std::string outside_folder(const std::string& name) {
-  return "names \"" + printable_name(name) +
+  return "names \"" + printable(name, 100) +
          "\", which is outside its folder; accepted: files in the folder of the model or below it";
 }
 

@@ -23,9 +23,6 @@ class ModelFolder {
   std::vector<std::filesystem::path> m_folders;  // canonical
 };
 
-/// A name of an untrusted file for messages: its beginning, without control characters.
-std::string printable_name(const std::string& name);
-
 /// "names "../x.bin", which is outside its folder; accepted: ...". Quotes the model file;
 /// does not look whether there is such a file.
 std::string outside_folder(const std::string& name);

@@ -9,18 +9,13 @@
 #include <sstream>
 
 #include "core/base/error.h"
+#include "core/base/extension.h"
 #include "core/io/gltf/gltf_builder.h"
 
 namespace trivet {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string extension_of(const std::string& path) {
-  std::string extension = fs::path(path).extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension;
-}
 
 bool exists(const std::string& path) {
   std::error_code ignored;
@@ -36,9 +31,9 @@ std::string canonical(const std::string& path) {
 std::vector<std::string> with_files_beside(const std::string& output) {
   std::vector<std::string> out{output};
   const fs::path path(output);
-  if (extension_of(output) == ".gltf")
+  if (lower_extension(output) == ".gltf")
     out.push_back((path.parent_path() / binary_name(path.stem().string())).string());
-  if (extension_of(output) == ".obj") out.push_back(fs::path(path).replace_extension(".mtl"));
+  if (lower_extension(output) == ".obj") out.push_back(fs::path(path).replace_extension(".mtl"));
   return out;
 }
 
@@ -81,7 +76,7 @@ std::vector<std::string> in_folder_of(const std::string& file, std::vector<std::
 }
 
 std::vector<std::string> named_by(const std::string& model) {
-  const std::string extension = extension_of(model);
+  const std::string extension = lower_extension(model);
   if (extension == ".gltf" || extension == ".glb") return in_folder_of(model, named_by_gltf(model));
   if (extension != ".obj") return {};
   std::vector<std::string> out = in_folder_of(model, named_by_lines(model, "mtllib"));
@@ -94,7 +89,7 @@ std::vector<std::string> named_by(const std::string& model) {
 
 // No model names such a file; looking into all models takes a while.
 bool is_never_beside(const std::string& path) {
-  const std::string extension = extension_of(path);
+  const std::string extension = lower_extension(path);
   for (const char* const own : {".glb", ".gltf", ".obj", ".ply", ".stl", ".json"})
     if (extension == own) return true;
   return false;

@@ -13,6 +13,7 @@
 #include <sstream>
 
 #include "core/base/bad_input.h"
+#include "core/base/extension.h"
 
 namespace trivet {
 namespace {
@@ -20,9 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 bool has_extension(const std::string& path, const std::string& wanted) {
-  std::string extension = fs::path(path).extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension == wanted;
+  return lower_extension(path) == wanted;
 }
 
 /// Reads a line ended by \n, \r\n or \r; skips blank ones. False at the end of the file.

@@ -3,11 +3,12 @@
 #include <cctype>
 #include <filesystem>
 
+#include "core/base/extension.h"
+
 namespace trivet {
 
 std::string cad_format(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string extension = lower_extension(path);
   if (extension == ".step" || extension == ".stp") return "STEP";
   if (extension == ".iges" || extension == ".igs") return "IGES";
   if (extension == ".brep" || extension == ".brp") return "BREP";

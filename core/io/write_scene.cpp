@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "core/base/error.h"
+#include "core/base/extension.h"
 #include "core/io/gltf/gltf_builder.h"
 #include "core/io/staged_files.h"
 #include "core/io/writers.h"
@@ -14,12 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string extension_of(const fs::path& target) {
-  std::string extension = target.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension;
-}
-
 std::string text_of(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
@@ -28,7 +23,7 @@ std::string text_of(const fs::path& file) {
 /// True if the existing target, a glTF or OBJ, names this companion file.
 bool names(const fs::path& target, const std::string& beside) {
   const std::string text = text_of(target);
-  if (extension_of(target) == ".gltf") return text.find('"' + beside + '"') != std::string::npos;
+  if (lower_extension(target) == ".gltf") return text.find('"' + beside + '"') != std::string::npos;
   for (const char* const end : {"\n", "\r"})
     if (text.find("mtllib " + beside + end) != std::string::npos) return true;
   return false;
@@ -76,7 +71,7 @@ void check_file_beside(const std::string& path, const std::string& beside) {
 
 void check_files_beside(const std::string& path) {
   const fs::path target(path);
-  const std::string extension = extension_of(target);
+  const std::string extension = lower_extension(target);
   if (extension == ".gltf") check_file_beside(target.string(), binary_name(target.stem().string()));
   if (extension == ".obj") check_file_beside(target.string(), mtl_name(target));
 }
@@ -91,7 +86,7 @@ std::string scene_bytes(const ExportScene& scene, const std::string& extension) 
 
 void write_scene(const ExportScene& scene, const std::string& path) {
   const fs::path target(path);
-  const std::string extension = extension_of(target);
+  const std::string extension = lower_extension(target);
   if (extension == ".gltf") {
     write_gltf(scene, target);
   } else if (extension == ".obj") {

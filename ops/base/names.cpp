@@ -1,19 +1,11 @@
 #include "ops/base/names.h"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
+
+#include "core/base/printable.h"
 
 namespace trivet {
 namespace {
-
-bool is_utf8(const std::string& text) {
-  try {
-    nlohmann::json(text).dump();  // throws otherwise
-    return true;
-  } catch (const nlohmann::json::exception&) {
-    return false;
-  }
-}
 
 bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
 

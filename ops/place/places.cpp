@@ -6,6 +6,7 @@
 #include "core/base/tunables.h"
 #include "core/contact/pair_contact.h"
 #include "ops/place/place_setting.h"
+#include "ops/place/shuffler.h"
 #include "raster/height_map/height_map.h"
 
 namespace trivet {
@@ -13,25 +14,6 @@ namespace {
 
 // Between places beyond everything, of their distance.
 constexpr double kBeyondStep = 1.0 / 16;
-
-// Reproducible on every machine, unlike std::shuffle [Steele 2014, splitmix64].
-class Shuffler {
- public:
-  explicit Shuffler(std::uint64_t seed) : m_state(seed) {}
-  template <class T>
-  void shuffle(std::vector<T>& values) {
-    for (size_t i = values.size(); i > 1; --i) std::swap(values[i - 1], values[next() % i]);
-  }
-
- private:
-  std::uint64_t next() {
-    std::uint64_t z = (m_state += 0x9e3779b97f4a7c15U);
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
-    return z ^ (z >> 31);
-  }
-  std::uint64_t m_state;
-};
 
 double pixel_of(const PlaceSetting& setting, const Vec2& window_size) {
   return std::max({setting.width() / kPlacePixelsAcross, window_size.maxCoeff() / kPlacesAcross,

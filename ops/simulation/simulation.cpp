@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "core/base/error.h"
+#include "core/base/extension.h"
 #include "core/base/tunables.h"
 #include "core/io/mesh/float_export.h"
 #include "core/scene/friction.h"
@@ -33,7 +34,7 @@ PartRule part_rule(CollisionRule rule) {
 }
 
 bool is_mjcf(const std::string& path) {
-  const std::string extension = std::filesystem::path(path).extension().string();
+  const std::string extension = lower_extension(path);
   return extension == ".xml" || extension == ".mjcf";
 }
 

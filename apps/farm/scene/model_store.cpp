@@ -10,6 +10,7 @@
 #include "apps/farm/recipe/sha256.h"
 #include "apps/farm/store/publish.h"
 #include "core/base/bad_input.h"
+#include "core/base/extension.h"
 
 namespace trivet::farm {
 namespace {
@@ -25,12 +26,6 @@ std::string sha256_of_file(const std::string& path) {
     hash.add({block.data(), static_cast<size_t>(in.gcount())});
   if (in.bad()) bad_file(path, "cannot be read");
   return hex(hash.digest());
-}
-
-std::string lower_extension(const fs::path& file) {
-  std::string out = file.extension().string();
-  for (char& c : out) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return out;
 }
 
 std::string without_percent(const std::string& uri) {

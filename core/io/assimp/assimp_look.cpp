@@ -5,21 +5,18 @@
 #include <assimp/scene.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <numbers>
 
 #include "core/base/error.h"
 #include "core/io/assimp/assimp_materials.h"
-#include "core/io/colour.h"
-#include "core/io/mesh/normals.h"
+#include "core/io/assimp/assimp_primitive.h"
 
 namespace trivet {
 namespace {
 
 std::string text_of(const aiString& text) { return text.C_Str(); }
-
-bool is_triangle(const aiFace& face) { return face.mNumIndices == 3; }
 
 GltfJson matrix_json(const aiMatrix4x4& m) {
   GltfJson out = GltfJson::array();
@@ -34,140 +31,6 @@ bool is_affine(const aiMatrix4x4& m) {
       if (!std::isfinite(m[r][c])) return false;
   return m.d1 == 0 && m.d2 == 0 && m.d3 == 0 && m.d4 == 1;
 }
-
-float finite(float value) { return std::isfinite(value) ? value : 0; }
-
-/// Rows of floats; equal rows are stored once, in order of first occurrence.
-class RowSet {
- public:
-  explicit RowSet(size_t width) : m_width(width), m_table(64, kEmpty) {}
-
-  std::uint32_t add(const std::vector<float>& row) {
-    if (2 * m_count >= m_table.size()) grow();
-    std::uint32_t& slot = find(row.data());
-    if (slot == kEmpty) {
-      slot = static_cast<std::uint32_t>(m_count++);
-      m_rows.insert(m_rows.end(), row.begin(), row.end());
-    }
-    return slot;
-  }
-
-  /// Adjacent columns of all rows.
-  std::vector<float> columns(size_t first, size_t count) const {
-    std::vector<float> out;
-    out.reserve(m_count * count);
-    for (size_t row = 0; row < m_count; ++row)
-      out.insert(out.end(), m_rows.begin() + static_cast<long>(row * m_width + first),
-                 m_rows.begin() + static_cast<long>(row * m_width + first + count));
-    return out;
-  }
-
- private:
-  static constexpr std::uint32_t kEmpty = 0xffffffff;
-
-  std::uint32_t& find(const float* row) {
-    size_t hash = 0;
-    for (size_t i = 0; i < m_width; ++i)
-      hash = (hash ^ std::bit_cast<std::uint32_t>(row[i])) * 0x9E3779B97F4A7C15u;
-    for (size_t i = hash >> 20;; ++i) {
-      std::uint32_t& slot = m_table[i & (m_table.size() - 1)];
-      if (slot == kEmpty) return slot;
-      if (std::memcmp(&m_rows[slot * m_width], row, 4 * m_width) == 0) return slot;
-    }
-  }
-
-  void grow() {
-    m_table.assign(2 * m_table.size(), kEmpty);
-    for (std::uint32_t row = 0; row < m_count; ++row) find(&m_rows[row * m_width]) = row;
-  }
-
-  const size_t m_width;
-  size_t m_count = 0;
-  std::vector<float> m_rows;
-  std::vector<std::uint32_t> m_table;
-};
-
-/// One mesh of assimp as a primitive of glTF.
-class PrimitiveMaker {
- public:
-  PrimitiveMaker(const aiMesh& mesh, bool normals_count) : m_mesh(mesh) {
-    if (!normals_count || !mesh.HasNormals()) m_smooth = smooth();
-  }
-
-  GltfJson make(GltfBuilder& builder) const {
-    const std::vector<unsigned> sets = coordinate_sets();
-    const bool coloured = m_mesh.HasVertexColors(0);
-    RowSet rows(6 + 2 * sets.size() + (coloured ? 4 : 0));
-    std::vector<std::uint32_t> indices;
-    std::vector<float> row;
-    for (unsigned f = 0, triangle = 0; f < m_mesh.mNumFaces; ++f) {
-      if (!is_triangle(m_mesh.mFaces[f])) continue;
-      for (int k = 0; k < 3; ++k) {
-        fill(row, m_mesh.mFaces[f].mIndices[k], triangle, k, sets, coloured);
-        indices.push_back(rows.add(row));
-      }
-      ++triangle;
-    }
-    GltfJson attributes = {{"POSITION", builder.add_positions(rows.columns(0, 3))},
-                           {"NORMAL", builder.add_floats(rows.columns(3, 3), 3)}};
-    for (size_t i = 0; i < sets.size(); ++i)
-      attributes["TEXCOORD_" + std::to_string(i)] =
-          builder.add_floats(rows.columns(6 + 2 * i, 2), 2);
-    if (coloured)
-      attributes["COLOR_0"] = builder.add_floats(rows.columns(6 + 2 * sets.size(), 4), 4);
-    return {{"attributes", std::move(attributes)}, {"indices", builder.add_indices(indices)}};
-  }
-
- private:
-  std::vector<unsigned> coordinate_sets() const {
-    std::vector<unsigned> sets;
-    while (sets.size() < AI_MAX_NUMBER_OF_TEXTURECOORDS &&
-           m_mesh.HasTextureCoords(static_cast<unsigned>(sets.size())))
-      sets.push_back(static_cast<unsigned>(sets.size()));
-    return sets;
-  }
-
-  CornerNormals smooth() const {
-    std::vector<Triangle> triangles;
-    const auto position = [&](unsigned v) {
-      const aiVector3D& p = m_mesh.mVertices[v];
-      return Vec3(p.x, p.y, p.z);
-    };
-    for (unsigned f = 0; f < m_mesh.mNumFaces; ++f)
-      if (const aiFace& face = m_mesh.mFaces[f]; is_triangle(face))
-        triangles.push_back(
-            {position(face.mIndices[0]), position(face.mIndices[1]), position(face.mIndices[2])});
-    return smooth_normals(weld(triangles));
-  }
-
-  Eigen::Vector3f normal(unsigned vertex, unsigned triangle, int corner) const {
-    if (!m_smooth.empty()) return m_smooth[triangle][static_cast<size_t>(corner)];
-    const aiVector3D& n = m_mesh.mNormals[vertex];
-    const Vec3 given(n.x, n.y, n.z);
-    const double length = given.norm();
-    if (!std::isfinite(length) || length == 0) return Eigen::Vector3f::UnitZ();
-    return (given / length).cast<float>();
-  }
-
-  void fill(std::vector<float>& row, unsigned v, unsigned triangle, int corner,
-            const std::vector<unsigned>& sets, bool coloured) const {
-    const aiVector3D& p = m_mesh.mVertices[v];
-    const Eigen::Vector3f n = normal(v, triangle, corner);
-    row = {p.x, p.y, p.z, n.x(), n.y(), n.z()};
-    for (const unsigned set : sets) {
-      const aiVector3D& t = m_mesh.mTextureCoords[set][v];
-      row.push_back(finite(t.x));
-      row.push_back(finite(1 - t.y));  // v runs up in assimp and down in glTF
-    }
-    if (!coloured) return;
-    const aiColor4D& c = m_mesh.mColors[0][v];
-    for (const float part : {c.r, c.g, c.b}) row.push_back(linear_from_srgb(finite(part)));
-    row.push_back(std::isfinite(c.a) ? std::clamp(c.a, 0.0f, 1.0f) : 1.0f);
-  }
-
-  const aiMesh& m_mesh;
-  CornerNormals m_smooth;  // of the triangles; empty: use the file's normals
-};
 
 class LookMaker {
  public:
@@ -222,8 +85,8 @@ class LookMaker {
     GltfJson primitives = GltfJson::array();
     for (const unsigned id : ids) {
       const aiMesh& mesh = *m_scene.mMeshes[id];
-      if (std::none_of(mesh.mFaces, mesh.mFaces + mesh.mNumFaces, is_triangle)) continue;
-      GltfJson primitive = PrimitiveMaker(mesh, m_model.format != "stl").make(m_builder);
+      if (!has_triangles(mesh)) continue;
+      GltfJson primitive = primitive_of_assimp(mesh, m_model.format != "stl", m_builder);
       primitive["material"] = m_materials.material(mesh.mMaterialIndex);
       primitives.push_back(std::move(primitive));
     }
@@ -253,7 +116,7 @@ class LookMaker {
       for (int i = 0; i < 3; ++i) matrix.push_back(static_cast<float>(column[i]));
       matrix.push_back(0);
     }
-    for (const float p : {position.x, position.y, position.z}) matrix.push_back(finite(p));
+    for (const float p : {position.x, position.y, position.z}) matrix.push_back(finite_or_zero(p));
     matrix.push_back(1);
     content["matrix"] = std::move(matrix);
     return m_builder.add("nodes", std::move(content));
@@ -304,19 +167,21 @@ class LookMaker {
                                                                       : nullptr;
     if (!type) return {};
     const aiColor3D& c = light.mColorDiffuse;
-    const float strength = std::max({finite(c.r), finite(c.g), finite(c.b), 0.0f});
+    const float strength =
+        std::max({finite_or_zero(c.r), finite_or_zero(c.g), finite_or_zero(c.b), 0.0f});
     GltfJson colour = GltfJson::array();
     for (const float part : {c.r, c.g, c.b})
-      colour.push_back(strength > 0 ? std::max(0.0f, finite(part)) / strength : 0.0f);
+      colour.push_back(strength > 0 ? std::max(0.0f, finite_or_zero(part)) / strength : 0.0f);
     GltfJson out = {{"name", text_of(light.mName)},
                     {"type", type},
                     {"color", std::move(colour)},
                     {"intensity", strength}};
     if (light.mType == aiLightSource_SPOT) {
       const double half_pi = std::numbers::pi / 2;
-      const double outer = std::clamp<double>(finite(light.mAngleOuterCone) / 2, 0.01, half_pi);
+      const double outer =
+          std::clamp<double>(finite_or_zero(light.mAngleOuterCone) / 2, 0.01, half_pi);
       const double inner =
-          std::clamp<double>(finite(light.mAngleInnerCone) / 2, 0.0, outer * 0.999);
+          std::clamp<double>(finite_or_zero(light.mAngleInnerCone) / 2, 0.0, outer * 0.999);
       out["spot"] = {{"innerConeAngle", inner}, {"outerConeAngle", outer}};
     }
     return out;

@@ -9,6 +9,8 @@
 
 #include "core/base/bad_input.h"
 #include "core/base/error.h"
+#include "core/base/extension.h"
+#include "core/base/printable.h"
 #include "core/io/assimp/assimp_appearance.h"
 #include "core/io/assimp/assimp_files.h"
 #include "core/io/assimp/assimp_geometry.h"
@@ -42,13 +44,9 @@ std::string format_of(const Assimp::Importer& importer) {
   return gltf2 ? "gltf2" : format;
 }
 
-// Reduces an assimp message, which may span lines and contain file bytes, to one printable line.
-std::string printable(std::string text) {
-  for (char& c : text)
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
-  constexpr size_t kMaxLength = 300;
-  if (text.size() > kMaxLength) text = text.substr(0, kMaxLength) + "...";
-  return text.empty() ? "unknown error" : text;
+// A message of assimp, which may span lines and contain bytes of the file.
+std::string why(const std::string& message) {
+  return message.empty() ? "unknown error" : printable(message);
 }
 
 // As the model has it: assimp puts its folder before it.
@@ -71,7 +69,7 @@ const aiScene& import_scene(Assimp::Importer& importer, const FolderIoSystem& fi
   if ((!scene || !scene->mRootNode) && !files.outside().empty())
     bad_file(path, outside_folder(name_in_file(files.outside().front(), path)));
   if (!scene || !scene->mRootNode)
-    bad_file(path, "cannot be read as a model: " + printable(importer.GetErrorString()));
+    bad_file(path, "cannot be read as a model: " + why(importer.GetErrorString()));
   return *scene;
 }
 
@@ -94,8 +92,7 @@ void check_buffers(const std::string& path) {
 }
 
 bool is_gltf(const std::string& path) {
-  std::string extension = fs::path(path).extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string extension = lower_extension(path);
   return extension == ".gltf" || extension == ".glb";
 }
 
@@ -145,7 +142,7 @@ Model read_model(const std::string& path, const ImportLimits& limits) {
   } catch (const std::bad_alloc&) {
     bad_file(path, "runs out of memory; the file is broken or too large");
   } catch (const std::exception& e) {
-    bad_file(path, "cannot be read as a model: " + printable(e.what()));
+    bad_file(path, "cannot be read as a model: " + why(e.what()));
   }
 }
 

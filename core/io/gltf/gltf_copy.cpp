@@ -4,7 +4,7 @@
 #include <array>
 
 #include "core/base/bad_input.h"
-#include "core/io/model_folder.h"
+#include "core/base/printable.h"
 
 namespace trivet {
 namespace {
@@ -189,7 +189,7 @@ void GltfCopier::copy_image(const GltfDocument& source, GltfJson& texture) {
   const size_t index = index_from(texture["source"]);
   if (index < source.images.size() && !source.images[index]) {
     const GltfJson& image = element(source.json, "images", texture["source"]);
-    m_left_out.insert("the image \"" + printable_name(name_of(image)) +
+    m_left_out.insert("the image \"" + printable(name_of(image), 100) +
                       "\", missing, outside the model's folder, or neither PNG, JPEG nor WebP");
     texture.erase("source");
     return;

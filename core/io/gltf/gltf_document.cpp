@@ -9,6 +9,8 @@
 
 #include "core/base/bad_input.h"
 #include "core/base/error.h"
+#include "core/base/extension.h"
+#include "core/base/printable.h"
 #include "core/io/base64.h"
 #include "core/io/gltf/glb_container.h"
 #include "core/io/model_folder.h"
@@ -37,9 +39,7 @@ std::string whole_file(const fs::path& path, std::uintmax_t max_bytes) {
 
 // Recognised by content too: sessions rename their start file.
 bool is_glb(const std::string& path) {
-  std::string extension = fs::path(path).extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  if (extension == ".glb") return true;
+  if (lower_extension(path) == ".glb") return true;
   std::error_code error;
   if (!fs::is_regular_file(path, error)) return false;  // opening a pipe would wait
   std::array<char, 4> begin{};
@@ -167,7 +167,7 @@ GltfJson parse_gltf_json(const std::string& path, const std::string& text) {
   try {
     return GltfJson::parse(text, check_depth);
   } catch (const GltfJson::exception& e) {
-    bad_input(path + ": the glTF JSON is malformed: " + e.what());
+    bad_input(path + ": the glTF JSON is malformed: " + printable(e.what()));
   }
 }
 
@@ -189,7 +189,7 @@ GltfDocument read_gltf_document(const std::string& path, const ImportLimits& lim
   try {
     return DocumentReader(path, limits).read();
   } catch (const GltfJson::exception& e) {
-    bad_input(path + ": is not valid glTF: " + e.what());
+    bad_input(path + ": is not valid glTF: " + printable(e.what()));
   } catch (const Error& e) {
     const std::string message = e.what();
     bad_input(message.rfind(path, 0) == 0 ? message : path + ": is not valid glTF: " + message);

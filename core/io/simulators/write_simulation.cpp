@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "core/base/error.h"
+#include "core/base/extension.h"
 #include "core/io/export.h"
 #include "core/io/simulators/simulation_files.h"
 #include "core/io/staged_files.h"
@@ -16,8 +17,7 @@ namespace fs = std::filesystem;
 enum class Format { Mjcf, Urdf, Sdf, Usda };
 
 Format format_of(const std::string& path) {
-  std::string extension = fs::path(path).extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string extension = lower_extension(path);
   if (extension == ".xml" || extension == ".mjcf") return Format::Mjcf;
   if (extension == ".urdf") return Format::Urdf;
   if (extension == ".sdf" || extension == ".world") return Format::Sdf;

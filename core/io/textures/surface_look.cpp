@@ -5,8 +5,8 @@
 #include <set>
 
 #include "core/base/error.h"
+#include "core/base/printable.h"
 #include "core/io/look.h"
-#include "core/io/model_folder.h"
 #include "core/io/textures/surface_materials.h"
 
 namespace trivet {
@@ -145,7 +145,7 @@ SharedBytes bytes_of_image(const Model& model, size_t image) {
 
 std::string name_of_image(const Model& model, size_t image) {
   const GltfJson& json = member(model.appearance->document->json, "images");
-  const std::string name = image < json.size() ? printable_name(name_of(json[image])) : "";
+  const std::string name = image < json.size() ? printable(name_of(json[image]), 100) : "";
   return name.empty() ? "number " + std::to_string(image) : name;
 }
 

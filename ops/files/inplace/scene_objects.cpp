@@ -3,27 +3,22 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <map>
 
 #include "core/base/error.h"
 #include "core/base/float32.h"
 #include "core/base/hash.h"
-#include "core/io/export.h"
+#include "core/base/printable.h"
 #include "core/io/gltf/gltf_builder.h"
 #include "core/io/look.h"
-#include "core/io/model_folder.h"
 #include "core/io/sandboxed_import.h"
-#include "core/io/staged_files.h"
 #include "ops/base/names.h"
+#include "ops/files/inplace/scene_copy.h"
 #include "ops/files/inplace/scene_document.h"
 #include "ops/files/report/temporary_file.h"
 
 namespace trivet {
 namespace {
-
-namespace fs = std::filesystem;
 
 // The file's y up, turned to z up: (x, y, z) -> (x, -z, y).
 Vec3 z_up(const Vec3& p) { return {p.x(), -p.z(), p.y()}; }
@@ -109,17 +104,6 @@ bool same(const Pose& a, const Pose& b) {
   return a.translation == b.translation && a.rotation.w == b.rotation.w &&
          a.rotation.x == b.rotation.x && a.rotation.y == b.rotation.y &&
          a.rotation.z == b.rotation.z;
-}
-
-std::string whole_file(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-std::string extension_of(const std::string& path) {
-  std::string out = fs::path(path).extension().string();
-  for (char& c : out) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return out;
 }
 
 }  // namespace
@@ -229,7 +213,7 @@ GltfScene::GltfScene(const std::string& path, SceneRule rule, const ImportLimits
     drop_appearance(d.resolved.json);
     d.find_objects();
   } catch (const GltfJson::exception& e) {
-    throw Error(Error::Kind::BadInput, path + ": is no valid glTF: " + e.what());
+    throw Error(Error::Kind::BadInput, path + ": is no valid glTF: " + printable(e.what()));
   } catch (const Error& e) {
     const std::string message = e.what();
     throw Error(e.kind(), message.rfind(path, 0) == 0 ? message : path + ": " + message);
@@ -305,69 +289,8 @@ std::vector<Vec3> GltfScene::written_positions(size_t object, const Mesh& mesh) 
   return out;
 }
 
-namespace {
-
-// Files that the scene names go along to another folder.
-void copy_companions(const GltfJson& root, const std::string& scene, const fs::path& target,
-                     StagedFiles& staged) {
-  const fs::path from = fs::path(scene).parent_path();
-  const ModelFolder folder(scene);
-  const fs::path to = target.parent_path();
-  if (fs::weakly_canonical(from / ".") == fs::weakly_canonical(to / ".")) return;
-  std::vector<std::string> wanted;
-  for (const char* list : {"buffers", "images"})
-    for (const GltfJson& item : member(root, list)) {
-      const GltfJson& uri = member(item, "uri");
-      if (!uri.is_string() || uri.get<std::string>().rfind("data:", 0) == 0) continue;
-      const fs::path file = decoded_uri(uri.get<std::string>());
-      const std::string normal = file.lexically_normal().generic_string();
-      if (file.is_absolute() || normal.rfind("..", 0) == 0)
-        throw Error(Error::Kind::BadInput, "the scene names \"" + uri.get<std::string>() +
-                                               "\", which lies outside its folder; accepted: an "
-                                               "output in the scene's own folder");
-      if (folder.has(from / file)) wanted.push_back(file.string());
-    }
-  std::erase_if(wanted, [&](const std::string& file) {
-    return fs::exists(to / file) &&
-           whole_file((to / file).string()) == whole_file((from / file).string());
-  });
-  for (const std::string& file : wanted) check_file_beside(target.string(), file);
-  for (const std::string& file : wanted) {
-    if (const fs::path below = (to / file).parent_path(); !below.empty())
-      staged.add_folder(below.string());
-    staged.add((to / file).string(), whole_file((from / file).string()));
-  }
-}
-
-// The same container with another JSON chunk; all other chunks byte for byte.
-std::string with_json(const std::string& glb, std::string json) {
-  json.append((4 - json.size() % 4) % 4, ' ');
-  std::uint32_t old_json = 0;
-  std::memcpy(&old_json, glb.data() + 12, sizeof old_json);
-  const std::string rest = glb.substr(std::min<size_t>(glb.size(), 20 + size_t{old_json}));
-  const auto total = static_cast<std::uint32_t>(20 + json.size() + rest.size());
-  const auto length = static_cast<std::uint32_t>(json.size());
-  std::string out = glb.substr(0, 8);
-  out.append(reinterpret_cast<const char*>(&total), 4);
-  out.append(reinterpret_cast<const char*>(&length), 4);
-  out += glb.substr(16, 4);
-  return out + json + rest;
-}
-
-}  // namespace
-
 void GltfScene::write(const std::string& path) const {
-  const Document& d = *m_document;
-  if (extension_of(path) != extension_of(d.path))
-    throw Error(Error::Kind::BadInput,
-                path + ": the scene stays what it is; accepted: " + extension_of(d.path));
-  const bool glb = extension_of(path) == ".glb";
-  const std::string json =
-      d.json.dump(glb ? -1 : 1, ' ', false, GltfJson::error_handler_t::replace);
-  StagedFiles staged;
-  copy_companions(d.original, d.path, path, staged);
-  staged.add(path, glb ? with_json(whole_file(d.path), json) : json);
-  staged.commit();
+  write_scene_copy(m_document->path, m_document->original, m_document->json, path);
 }
 
 }  // namespace trivet

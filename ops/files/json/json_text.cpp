@@ -8,6 +8,7 @@
 
 #include "core/base/bad_input.h"
 #include "core/base/nearest_name.h"
+#include "core/base/printable.h"
 #include "ops/files/json/input_text.h"
 
 namespace trivet {
@@ -129,14 +130,6 @@ class ParserWatch {
 };
 
 // Messages are one line of text; the parser may quote any bytes.
-std::string printable(std::string text) {
-  constexpr size_t kMaxLength = 200;
-  if (text.size() > kMaxLength) text = text.substr(0, kMaxLength) + "...";
-  for (char& c : text)
-    if (static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) > 0x7e) c = '?';
-  return text;
-}
-
 // "[json.exception.parse_error.101] parse error at line 1, column 5: what" -> from "line" on.
 std::string without_prefix(const std::string& message) {
   for (const char* mark : {"parse error at ", "parse error: ", "] "}) {
@@ -180,7 +173,7 @@ nlohmann::json parse_json(const std::string& text, const std::string& file) {
   } catch (const nlohmann::json::out_of_range& e) {
     bad_input(file + ": " + overflow_message(text, e.what()));
   } catch (const nlohmann::json::exception& e) {
-    bad_input(file + ": " + printable(without_prefix(e.what())));
+    bad_input(file + ": " + printable(without_prefix(e.what()), 200));
   }
 }
 

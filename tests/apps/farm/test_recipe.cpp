@@ -1,57 +1,24 @@
 // Recipes are read strictly, and equal ones have equal keys.
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "apps/farm/recipe/recipe.h"
 #include "core/base/error.h"
+#include "support/json_corpus.h"
 
 namespace trivet::farm {
 namespace {
 
 using nlohmann::json;
 
-json read_corpus() {
-  std::ifstream file(TRIVET_SOURCE_DIR "/tests/apps/farm/recipes.json");
-  return json::parse(file);
-}
+json read_corpus() { return test::read_corpus("tests/apps/farm/recipes.json"); }
 
-std::string text_of(const json& base, const json& c) {
-  if (c.contains("text")) return c["text"];
-  json recipe = base;
-  const json settings = c.value("set", json::object());
-  for (const auto& [pointer, value] : settings.items()) recipe[json::json_pointer(pointer)] = value;
-  json removals = json::array();
-  for (const json& pointer : c.value("remove", json::array()))
-    removals.push_back({{"op", "remove"}, {"path", pointer}});
-  return recipe.patch(removals).dump();
-}
-
-std::string complaint(const std::string& text) {
-  try {
-    parse_recipe(text, "a.json");
-  } catch (const Error& e) {
-    EXPECT_EQ(e.kind(), Error::Kind::BadInput);
-    return e.what();
-  }
-  return "";
-}
+/// The reader's error message; empty if there is none.
+std::string complaint(const std::string& text) { return test::complaint(parse_recipe, text); }
 
 TEST(Recipe, ReadsCorpus) {
-  const json corpus = read_corpus();
-  int num_good = 0, num_bad = 0;
-  for (const json& c : corpus["cases"]) {
-    const std::string what = c["what"], expected = c.value("message", "");
-    const std::string message = complaint(text_of(corpus["base"], c));
-    if (expected.empty()) {
-      EXPECT_EQ(message, "") << what;
-    } else {
-      EXPECT_EQ(message.rfind("a.json: ", 0), 0u) << what << ": " << message;
-      EXPECT_NE(message.find(expected), std::string::npos) << what << ": " << message;
-    }
-    ++(expected.empty() ? num_good : num_bad);
-  }
+  const auto [num_good, num_bad] = test::expect_corpus(read_corpus(), parse_recipe);
   EXPECT_GE(num_good, 6);
   EXPECT_GE(num_bad, 40);
 }
@@ -60,7 +27,7 @@ TEST(Recipe, ReadsWhatItSays) {
   const json corpus = read_corpus();
   const json& all = corpus["cases"][2];
   ASSERT_EQ(all["what"], "all of a recipe");
-  const Recipe recipe = parse_recipe(text_of(corpus["base"], all), "a.json");
+  const Recipe recipe = parse_recipe(test::text_of(corpus["base"], all), "a.json");
   const RecipeGroup& cup = recipe.groups[0];
   EXPECT_EQ(cup.count.low, 0);
   EXPECT_EQ(cup.count.high, 3);

@@ -50,6 +50,20 @@ TEST_F(ReadFormats, LeavesUpAndUnitOpenForPlainFormats) {
 
 TEST_F(ReadFormats, AcceptsUpperCaseExtension) { read("T.OBJ", testing::tetrahedron_obj()); }
 
+// assimp 5.2 leaves out vertices whose numbers begin with a point.
+TEST_F(ReadFormats, ReadsObjNumbersThatBeginWithTheirPoint) {
+  const std::string plain =
+      "o .5 name\nv -0.5 0.0 0.0\nv 0.5 0.25 1.\r\nv 0.0 1.5 0.0\nv 0 0 0.75\nv 5 5 5\n"
+      "vt 0.5 0.25\nvn 0.0 0.0 1.0\nf 1/1/1 3/1/1 2/1/1\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+  std::string bare = plain;
+  for (size_t at; (at = bare.find(" 0.")) != bare.npos;) bare.erase(at + 1, 1);
+  bare.replace(bare.find("-0.5"), 4, "-.5");
+  bare.replace(bare.find("v .5"), 2, "v\t");
+  const Model expected = read("plain.obj", plain), found = read_model(write("bare.obj", bare));
+  EXPECT_TRUE(same_triangles(triangles_of(expected.mesh), triangles_of(found.mesh)));
+  EXPECT_EQ(expected.mesh.vertices, found.mesh.vertices);
+}
+
 TEST_F(ReadFormats, ReadsGltfAsYUpInMetres) {
   const Model text = read("t.gltf", testing::tetrahedron_gltf(R"([{"mesh":0}])", "[0]"));
   const Model binary = read("t.glb", testing::tetrahedron_glb());

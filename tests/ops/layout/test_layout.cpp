@@ -12,53 +12,20 @@
 #include "ops/files/json/json_text.h"
 #include "ops/files/json/operation_json.h"
 #include "ops/files/layout/layout.h"
+#include "support/json_corpus.h"
 
 namespace trivet {
 namespace {
 
 using nlohmann::json;
 
-json read_corpus() {
-  std::ifstream file(TRIVET_SOURCE_DIR "/tests/ops/layout/corpus.json");
-  return json::parse(file);
-}
-
-std::string text_of(const json& base, const json& c) {
-  if (c.contains("text")) return c["text"];
-  json layout = base;
-  const json settings = c.value("set", json::object());
-  for (const auto& [pointer, value] : settings.items()) layout[json::json_pointer(pointer)] = value;
-  json removals = json::array();
-  for (const json& pointer : c.value("remove", json::array()))
-    removals.push_back({{"op", "remove"}, {"path", pointer}});
-  return layout.patch(removals).dump();
-}
+json read_corpus() { return test::read_corpus("tests/ops/layout/corpus.json"); }
 
 /// The reader's error message; empty if there is none.
-std::string complaint(const std::string& text) {
-  try {
-    parse_layout(text, "a.json");
-  } catch (const Error& e) {
-    EXPECT_EQ(e.kind(), Error::Kind::BadInput);
-    return e.what();
-  }
-  return "";
-}
+std::string complaint(const std::string& text) { return test::complaint(parse_layout, text); }
 
 TEST(Layout, ReadsCorpus) {
-  const json corpus = read_corpus();
-  int num_good = 0, num_bad = 0;
-  for (const json& c : corpus["cases"]) {
-    const std::string what = c["what"], expected = c.value("message", "");
-    const std::string message = complaint(text_of(corpus["base"], c));
-    if (expected.empty()) {
-      EXPECT_EQ(message, "") << what;
-    } else {
-      EXPECT_EQ(message.rfind("a.json: ", 0), 0u) << what << ": " << message;
-      EXPECT_NE(message.find(expected), std::string::npos) << what << ": " << message;
-    }
-    ++(expected.empty() ? num_good : num_bad);
-  }
+  const auto [num_good, num_bad] = test::expect_corpus(read_corpus(), parse_layout);
   EXPECT_GE(num_good, 15);
   EXPECT_GE(num_bad, 60);
 }

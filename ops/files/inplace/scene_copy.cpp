@@ -1,0 +1,86 @@
+#include "ops/files/inplace/scene_copy.h"
+
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+
+#include "core/base/error.h"
+#include "core/base/extension.h"
+#include "core/io/export.h"
+#include "core/io/gltf/gltf_builder.h"
+#include "core/io/model_folder.h"
+#include "core/io/staged_files.h"
+
+namespace trivet {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string whole_file(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+// Files that the scene names go along to another folder.
+void copy_companions(const GltfJson& root, const std::string& scene, const fs::path& target,
+                     StagedFiles& staged) {
+  const fs::path from = fs::path(scene).parent_path();
+  const ModelFolder folder(scene);
+  const fs::path to = target.parent_path();
+  if (fs::weakly_canonical(from / ".") == fs::weakly_canonical(to / ".")) return;
+  std::vector<std::string> wanted;
+  for (const char* list : {"buffers", "images"})
+    for (const GltfJson& item : member(root, list)) {
+      const GltfJson& uri = member(item, "uri");
+      if (!uri.is_string() || uri.get<std::string>().rfind("data:", 0) == 0) continue;
+      const fs::path file = decoded_uri(uri.get<std::string>());
+      const std::string normal = file.lexically_normal().generic_string();
+      if (file.is_absolute() || normal.rfind("..", 0) == 0)
+        throw Error(Error::Kind::BadInput, "the scene names \"" + uri.get<std::string>() +
+                                               "\", which lies outside its folder; accepted: an "
+                                               "output in the scene's own folder");
+      if (folder.has(from / file)) wanted.push_back(file.string());
+    }
+  std::erase_if(wanted, [&](const std::string& file) {
+    return fs::exists(to / file) &&
+           whole_file((to / file).string()) == whole_file((from / file).string());
+  });
+  for (const std::string& file : wanted) check_file_beside(target.string(), file);
+  for (const std::string& file : wanted) {
+    if (const fs::path below = (to / file).parent_path(); !below.empty())
+      staged.add_folder(below.string());
+    staged.add((to / file).string(), whole_file((from / file).string()));
+  }
+}
+
+// The same container with another JSON chunk; all other chunks byte for byte.
+std::string with_json(const std::string& glb, std::string json) {
+  json.append((4 - json.size() % 4) % 4, ' ');
+  std::uint32_t old_json = 0;
+  std::memcpy(&old_json, glb.data() + 12, sizeof old_json);
+  const std::string rest = glb.substr(std::min<size_t>(glb.size(), 20 + size_t{old_json}));
+  const auto total = static_cast<std::uint32_t>(20 + json.size() + rest.size());
+  const auto length = static_cast<std::uint32_t>(json.size());
+  std::string out = glb.substr(0, 8);
+  out.append(reinterpret_cast<const char*>(&total), 4);
+  out.append(reinterpret_cast<const char*>(&length), 4);
+  out += glb.substr(16, 4);
+  return out + json + rest;
+}
+
+}  // namespace
+
+void write_scene_copy(const std::string& from, const GltfJson& original, const GltfJson& json,
+                      const std::string& to) {
+  if (lower_extension(to) != lower_extension(from))
+    throw Error(Error::Kind::BadInput,
+                to + ": the scene stays what it is; accepted: " + lower_extension(from));
+  const bool glb = lower_extension(to) == ".glb";
+  const std::string text = json.dump(glb ? -1 : 1, ' ', false, GltfJson::error_handler_t::replace);
+  StagedFiles staged;
+  copy_companions(original, from, to, staged);
+  staged.add(to, glb ? with_json(whole_file(from), text) : text);
+  staged.commit();
+}
+
+}  // namespace trivet

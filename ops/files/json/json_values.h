@@ -1,0 +1,28 @@
+// Private. Values of operations in JSON, without their ranges: those are of
+// find_invalid_argument().
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/motion/pose.h"
+#include "ops/files/json/json_text.h"
+
+namespace trivet {
+
+Vec2 read_vec2(const JsonPlace& place);
+Vec3 read_vec3(const JsonPlace& place);
+/// By the type of the second.
+Vec2 read_vector(const JsonPlace& place, const Vec2&);
+Vec3 read_vector(const JsonPlace& place, const Vec3&);
+/// [w, x, y, z] of any length but zero.
+Rotation read_rotation(const JsonPlace& place);
+
+/// What has the key, if it is there.
+void read_to(const JsonPlace& place, const char* key, bool& out);
+void read_to(const JsonPlace& place, const char* key, double& out);
+void read_to(const JsonPlace& place, const char* key, double lower, double upper, double& out);
+void read_to(const JsonPlace& place, const char* key, std::optional<Vec3>& out);
+void read_to(const JsonPlace& place, const char* key, std::optional<std::string>& out);
+
+}  // namespace trivet
