@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include <algorithm>
 #include <cstdio>
 
 #include "raster/height_map/height_map.h"
@@ -96,7 +97,7 @@ struct Falls {
 TEST(DropBrackets, ContainExactFall) {
   constexpr unsigned kSeed = 31;
   const test::MeshPool pool(kSeed, 8);
-  const int num_scenes = test::with_effort(60);
+  const int num_scenes = std::max(60, test::with_effort(60));  // for the shares below
   int num_places = 0, num_hits = 0, num_bracketed = 0;
   double width = 0;
   for (int i = 0; i < num_scenes; ++i) {
