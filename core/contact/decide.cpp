@@ -21,11 +21,11 @@ void keep_earlier(const FirstContact& found, FirstContact& best) {
 
 }  // namespace
 
-void decide_faces(const FirstContactQuery& query, Index moving, Index fixed, Index face_moving,
-                  Index face_fixed, const Triangle& a, const Triangle& b, FirstContact& best) {
+double decide_faces(const FirstContactQuery& query, Index moving, Index fixed, Index face_moving,
+                    Index face_fixed, const Triangle& a, const Triangle& b, FirstContact& best) {
   ++best.work.face_pairs;
-  const PairContact pair = first_contact(a, b, query.motion, query.clearance, best.time);
-  if (pair.status == PairContact::Status::Free) return;
+  const auto [pair, apart_until] = decide_pair(a, b, query.motion, query.clearance, best.time);
+  if (pair.status == PairContact::Status::Free) return apart_until;
   FirstContact found;
   found.status = pair.status == PairContact::Status::Crossing ? FirstContact::Status::Crossing
                                                               : FirstContact::Status::Contact;
@@ -40,6 +40,7 @@ void decide_faces(const FirstContactQuery& query, Index moving, Index fixed, Ind
   found.normal = pair.normal;
   found.gap = pair.gap;
   keep_earlier(found, best);
+  return apart_until;
 }
 
 void decide_floor_vertex(const FirstContactQuery& query, Index moving, Index vertex,

@@ -5,11 +5,20 @@
 
 namespace trivet {
 
+/// first_contact() of two triangles.
+struct DecidedPair {
+  PairContact contact;
+  double apart_until;  // proved; of a Free pair whatever the motion's limit
+};
+DecidedPair decide_pair(const Triangle& moving, const Triangle& fixed, const Motion& motion,
+                        const Clearance& clearance, double best);
+
 /// Decides a pair of faces, and keeps it if it is earlier than `best` in the order of
 /// (time, moving, fixed, face_moving, face_fixed); so the order of the candidates does not matter.
 /// @param a, b  the faces' corners, world, at time 0.
-void decide_faces(const FirstContactQuery& query, Index moving, Index fixed, Index face_moving,
-                  Index face_fixed, const Triangle& a, const Triangle& b, FirstContact& best);
+/// @return time until which they are apart.
+double decide_faces(const FirstContactQuery& query, Index moving, Index fixed, Index face_moving,
+                    Index face_fixed, const Triangle& a, const Triangle& b, FirstContact& best);
 
 /// The same for a vertex of a moving body and the floor.
 void decide_floor_vertex(const FirstContactQuery& query, Index moving, Index vertex,

@@ -2,65 +2,56 @@
 
 #include "core/contact/approach.h"
 #include "core/contact/decide.h"
+#include "core/contact/floor_traversal.h"
 
 namespace trivet {
-namespace {
 
-// The moving body against the floor: only vertices can be first.
-class FloorTraversal {
- public:
-  FloorTraversal(const FirstContactQuery& query, Index moving, FirstContact& best)
-      : m_query(query),
-        m_moving(moving),
-        m_best(best),
-        m_tree(query.moving[moving]),
-        m_margin(query.clearance.largest_stop() * 1.002 +
-                 1e-14 * m_tree.translation.cwiseAbs().maxCoeff()) {}
+FloorTraversal::FloorTraversal(const FirstContactQuery& query, Index moving, FirstContact& best)
+    : m_query(query),
+      m_moving(moving),
+      m_best(best),
+      m_tree(query.moving[moving]),
+      m_margin(query.clearance.largest_stop() * 1.002 +
+               1e-14 * m_tree.translation.cwiseAbs().maxCoeff()) {
+  m_waiting.push_back({0, 0});
+}
 
-  void run() { visit(0); }
+void FloorTraversal::search(double until) {
+  m_until = until;
+  std::swap(m_waiting, m_woken);
+  m_waiting.clear();
+  for (const Waiting& next : m_woken) visit(next);
+}
 
- private:
-  double bound(Index node) const {
-    const PlacedBvh::Box box = m_tree.box(node);
-    const Motion& motion = m_query.motion;
-    const double gap = box.centre.z() - box.half.z() - m_margin;
-    const HeightFunction centre =
-        height_of_moving_point(0, Vec3::UnitZ(), box.centre - motion.centre, motion);
-    return box_until({gap, box.half.z(), box.radius, centre}, motion.kind);
+double FloorTraversal::bound(Index node) const {
+  const PlacedBvh::Box box = m_tree.box(node);
+  const Motion& motion = m_query.motion;
+  const double gap = box.centre.z() - box.half.z() - m_margin;
+  const HeightFunction centre =
+      height_of_moving_point(0, Vec3::UnitZ(), box.centre - motion.centre, motion);
+  return box_until({gap, box.half.z(), box.radius, centre}, motion.kind);
+}
+
+void FloorTraversal::visit(Waiting next) {
+  if (next.bound > std::min(m_best.time, m_query.motion.limit)) return;
+  if (next.bound > m_until) return m_waiting.push_back(next);
+  const BvhNode& n = m_tree.bvh.nodes[next.node];
+  if (n.is_leaf()) {
+    for (Index i = 0; i < n.num_faces; ++i)
+      for (const Index vertex :
+           m_query.moving[m_moving].shape->mesh.triangles[m_tree.bvh.faces[n.second_child + i]])
+        decide_floor_vertex(m_query, m_moving, vertex, m_best);
+    return;
   }
-
-  void visit(Index node) {
-    const BvhNode& n = m_tree.bvh.nodes[node];
-    if (n.is_leaf()) {
-      for (Index i = 0; i < n.num_faces; ++i)
-        for (const Index vertex :
-             m_query.moving[m_moving].shape->mesh.triangles[m_tree.bvh.faces[n.second_child + i]])
-          decide_floor_vertex(m_query, m_moving, vertex, m_best);
-      return;
-    }
-    m_best.work.node_pairs += 2;
-    Index first = node + 1, second = n.second_child;
-    double bound_first = bound(first), bound_second = bound(second);
-    if (bound_second < bound_first) {
-      std::swap(first, second);
-      std::swap(bound_first, bound_second);
-    }
-    const double limit = m_query.motion.limit;
-    if (bound_first <= m_best.time && bound_first <= limit) visit(first);
-    if (bound_second <= m_best.time && bound_second <= limit) visit(second);
-  }
-
-  const FirstContactQuery& m_query;
-  Index m_moving;
-  FirstContact& m_best;
-  PlacedBvh m_tree;
-  double m_margin;
-};
-
-}  // namespace
+  m_best.work.node_pairs += 2;
+  Waiting first{bound(next.node + 1), next.node + 1}, second{bound(n.second_child), n.second_child};
+  if (second.bound < first.bound) std::swap(first, second);
+  visit(first);
+  visit(second);
+}
 
 void decide_floor(const FirstContactQuery& query, Index moving, FirstContact& best) {
-  FloorTraversal(query, moving, best).run();
+  FloorTraversal(query, moving, best).search(query.motion.limit);
 }
 
 void decide_floor_without_tree(const FirstContactQuery& query, Index moving, FirstContact& best) {

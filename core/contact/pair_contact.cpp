@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/tunables.h"
+#include "core/contact/decide.h"
 #include "core/contact/rounding.h"
 #include "core/contact/triangle_distance.h"
 
@@ -200,15 +201,22 @@ bool clear_of_moving_plane(const State& s, const Vec3& n, double target, double 
   return true;
 }
 
-// Proves cheaply that the pair is free up to `horizon`, by the planes of the two faces.
-bool free_by_faces(const State& s, double largest_stop, double horizon) {
+// Proves cheaply, by the planes of the two faces, that the pair is free up to `horizon`.
+// @return until when the plane found proves it; 0: neither does.
+double free_by_faces(const State& s, double largest_stop, double horizon) {
   const Vec3 towards_a = (s.a[0] - s.b[0]) + (s.a[1] - s.b[1]) + (s.a[2] - s.b[2]);
   const Vec3 nb = face_normal(s.b, towards_a);
-  if (nb != Vec3::Zero() && clear_of_static_plane(s, nb, largest_stop, horizon)) return true;
+  if (nb != Vec3::Zero() && clear_of_static_plane(s, nb, largest_stop, horizon))
+    return std::max(horizon, until_static_plane(s, nb, largest_stop));
   const Vec3 na = face_normal(s.a, towards_a);
-  if (na == Vec3::Zero()) return false;
-  return s.turning() ? clear_of_moving_plane(s, na, largest_stop, horizon)
-                     : clear_of_static_plane(s, na, largest_stop, horizon);
+  if (na == Vec3::Zero()) return 0;
+  if (!s.turning())
+    return clear_of_static_plane(s, na, largest_stop, horizon)
+               ? std::max(horizon, until_static_plane(s, na, largest_stop))
+               : 0;
+  return clear_of_moving_plane(s, na, largest_stop, horizon)
+             ? std::max(horizon, until_moving_plane(s, na, largest_stop))
+             : 0;
 }
 
 double later(const State& s, double time, double step) {
@@ -227,15 +235,16 @@ Triangle at_time(const Triangle& t, const Motion& motion, double time) {
           moved_point(t[2], motion, time)};
 }
 
-PairContact at_contact(PairContact::Status status, double time, const ClosestPoints& closest,
+DecidedPair at_contact(PairContact::Status status, double time, const ClosestPoints& closest,
                        const Vec3& centre) {
-  PairContact out;
+  DecidedPair decided{{}, time};
+  PairContact& out = decided.contact;
   out.status = status;
   out.time = time;
   out.point = closest.point_b + centre;
   out.gap = closest.distance;
   if (closest.distance > 0) out.normal = (closest.point_a - closest.point_b) / closest.distance;
-  return out;
+  return decided;
 }
 
 }  // namespace
@@ -248,6 +257,11 @@ double Clearance::largest_stop() const { return (1 + 1.1 * kTargetSlack) * dista
 
 PairContact first_contact(const Triangle& moving, const Triangle& fixed, const Motion& motion,
                           const Clearance& clearance, double best) {
+  return decide_pair(moving, fixed, motion, clearance, best).contact;
+}
+
+DecidedPair decide_pair(const Triangle& moving, const Triangle& fixed, const Motion& motion,
+                        const Clearance& clearance, double best) {
   // Relative to the axis (or to the fixed triangle): no digits are lost far from the origin.
   const bool turning = motion.kind == Motion::Kind::Rotation;
   const Vec3 centre = turning ? motion.centre : fixed[0];
@@ -258,7 +272,8 @@ PairContact first_contact(const Triangle& moving, const Triangle& fixed, const M
   for (int k = 0; k < 3; ++k) start[k] = moving[k] - centre, s.b[k] = fixed[k] - centre;
   s.a = start;
   const double horizon = std::min(best, motion.limit);
-  if (free_by_faces(s, clearance.largest_stop(), horizon)) return {};
+  const double clear = free_by_faces(s, clearance.largest_stop(), horizon);
+  if (clear > 0) return {{}, clear};
 
   double time = 0, target = 0;
   for (int planes = 0; planes < kMaxSeparatingPlanes; ++planes) {
@@ -272,7 +287,7 @@ PairContact first_contact(const Triangle& moving, const Triangle& fixed, const M
       return at_contact(PairContact::Status::Contact, time, closest, centre);
     double next = later(s, time, until_best_plane(s, closest, target));
     if (next <= time) next = later(s, time, until_any_plane(s, closest, target));
-    if (next > horizon) return {};
+    if (next > horizon) return {{}, next};
     if (next <= time) return at_contact(PairContact::Status::Stalled, time, closest, centre);
     time = next;
     s.a = at_time(start, local, time);
