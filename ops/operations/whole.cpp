@@ -1,6 +1,7 @@
 #include "ops/operations/whole.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <map>
 #include <set>
@@ -44,7 +45,9 @@ class Whole {
       if (m_scene.at(id).placed) return;  // no other verdict counts until that is resolved
     PartVerdict verdict = judge();
     for (int round = 0; !verdict.stands && round < kMaxRounds && m_queries_left > 0; ++round) {
+      [[maybe_unused]] const double before = energy();
       if (stopped() || !give_way(verdict)) break;
+      assert(energy() <= before + 1e-12 * std::abs(before));
       verdict = judge();
     }
     if (stopped()) return;
@@ -77,6 +80,14 @@ class Whole {
     std::vector<ObjectId> out = m_transaction.touched();
     std::erase_if(out, [&](ObjectId id) { return !m_scene.contains(id); });
     return out;
+  }
+
+  // Weights times heights of all that may move. Never rises, whoever gives way.
+  double energy() const {
+    double sum = 0;
+    for (const ObjectId id : m_scene.ids())
+      if (may_move(id)) sum += weight_of(m_scene.at(id)) * height(id);
+    return sum;
   }
 
   bool give_way(const PartVerdict& verdict) {

@@ -88,11 +88,8 @@ class FrictionSettling {
   bool none_topples(const std::vector<FrictionContact>& contacts) {
     const double tolerance = kBalanceTolerance * clearance();
     const std::vector<Candidate> turns = sticking_turns(contacts, rubbing(), true);
-    return std::none_of(turns.begin(), turns.end(), [&](const Candidate& c) {
-      if (m_body.sinks_by(c.motion, c.motion.limit) <= tolerance) return false;
-      return m_body.sinks_by(c.motion, std::min(m_body.query(c.motion).time, c.motion.limit)) >
-             tolerance;
-    });
+    return std::none_of(turns.begin(), turns.end(),
+                        [&](const Candidate& c) { return m_body.can_sink(c.motion, tolerance); });
   }
 
   Hold is_held() {

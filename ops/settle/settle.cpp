@@ -112,10 +112,8 @@ class Settling {
   // By more than the contacts' tolerance.
   bool none_sinks(const std::vector<Candidate>& motions) {
     const double tolerance = kBalanceTolerance * clearance();
-    return std::none_of(motions.begin(), motions.end(), [&](const Candidate& c) {
-      const double time = std::min(m_body.query(c.motion).time, c.motion.limit);
-      return m_body.sinks_by(c.motion, time) > tolerance;
-    });
+    return std::none_of(motions.begin(), motions.end(),
+                        [&](const Candidate& c) { return m_body.can_sink(c.motion, tolerance); });
   }
 
   Candidates candidate_motions(const std::vector<ContactPoint>& points) const {

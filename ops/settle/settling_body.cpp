@@ -1,6 +1,7 @@
 #include "ops/settle/settling_body.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "core/base/tunables.h"
@@ -47,11 +48,24 @@ void SettlingBody::update() {
 
 std::vector<ContactPoint> SettlingBody::look_around() {
   update();
+  assert(is_lower_than_seen());
+  m_seen_height = m_object.centre.z();
+  m_num_seen_steps = m_out.steps.size();
   m_out.contacts = m_problem.contacts_at_start && m_out.steps.empty()
                        ? *m_problem.contacts_at_start
                        : contacts_with(m_bodies[0], *m_problem.others,
                                        kContactTolerance * clearance(), kFootSlack * clearance());
   return points(kContactTolerance);
+}
+
+// Energy never rises, except by the tiny translations that open gaps.
+bool SettlingBody::is_lower_than_seen() const {
+  if (m_out.steps.size() <= m_num_seen_steps) return true;  // unmoved, or back at a place
+  const bool lifted = m_out.steps.back().kind == SettleStep::Kind::Lift;
+  const double most = lifted ? 1.001 * kLargestSeparatingMotion * clearance()
+                             : -0.5 * kLastEnergyDrop * clearance();
+  const double height = m_object.centre.z();
+  return height <= m_seen_height + most + 1e-12 * std::max(m_object.size, std::abs(height));
 }
 
 Vec3 SettlingBody::centre_of(size_t body) const {
@@ -152,6 +166,13 @@ double SettlingBody::fall_limit() const {
 
 double SettlingBody::sinks_by(const Motion& motion, double time) const {
   return m_object.centre.z() - moved_point(m_object.centre, motion, time).z();
+}
+
+bool SettlingBody::can_sink(const Motion& motion, double drop) {
+  if (sinks_by(motion, motion.limit) <= drop) return false;
+  Motion part = motion;
+  while (sinks_by(motion, 0.5 * part.limit) > drop) part.limit *= 0.5;
+  return sinks_by(motion, std::min(query(part).time, part.limit)) > drop;
 }
 
 void SettlingBody::execute(SettleStep::Kind kind, const Motion& motion, double time, double drop) {

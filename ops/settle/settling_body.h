@@ -37,6 +37,9 @@ class SettlingBody {
   /// Metres that it may fall before it is below everything; 0 when nothing is below.
   double fall_limit() const;
   double sinks_by(const Motion& motion, double time) const;
+  /// True if a motion to where the centre is lowest sinks by more than `drop` before its first
+  /// contact. Looks no farther than that takes.
+  bool can_sink(const Motion& motion, double drop);
   void execute(SettleStep::Kind kind, const Motion& motion, double time, double drop);
   /// Opens gaps that shrank below half the clearance, by the smallest translation.
   /// @return whether it has moved.
@@ -58,6 +61,7 @@ class SettlingBody {
 
  private:
   std::vector<ContactsWith> contacts_of(size_t body, double num_clearances) const;
+  bool is_lower_than_seen() const;
   double own_friction(Index body) const;
   double mass_of(size_t body) const { return body == 0 ? 1 : m_problem.carried[body - 1].mass; }
   Vec3 centre_of(size_t body) const;
@@ -69,6 +73,9 @@ class SettlingBody {
   std::vector<Body> m_bodies;  // the object, then what it carries
   bool m_loads_weigh = false;
   int m_num_separating_motions = 0;
+  // When it last looked around: the height of its centre, and the number of its steps.
+  double m_seen_height = 0;
+  size_t m_num_seen_steps = 0;
 };
 
 }  // namespace trivet
