@@ -22,6 +22,7 @@ std::string LiveRenderer::key_of_still(const View& view) {
     for (int i = 0; i < 3; ++i) append_key(key, v[i]);
   append_key(key, view.camera.fov_deg);
   append_key(key, view.camera.height.value_or(0));
+  append_key(key, view.camera.cut.value_or(-kInfinity));
   append_key(key, view.options.theme);
   append_key(key, view.options.width), append_key(key, view.options.height);
   for (const LiveObject& object : view.scene.objects) {
@@ -41,6 +42,7 @@ void LiveRenderer::begin_still(const View& view, std::string key, std::optional<
   const double room = view.far_depth - view.near_depth;
   still->far_depth = view.far_depth + room;
   still->near_depth = view.camera.height ? view.near_depth - room : view.near_depth;
+  if (view.camera.cut) still->near_depth = std::max(still->near_depth, *view.camera.cut);
 }
 
 void LiveRenderer::draw_still(const View& view, const LiveStill& still) {

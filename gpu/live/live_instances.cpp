@@ -76,6 +76,10 @@ void LiveRenderer::find_depth_range(View& view) const {
     farthest = std::max(farthest, view.reach());
     nearest = std::max(nearest, kNearestOfFarthest * farthest);
   }
+  if (view.camera.cut && *view.camera.cut > nearest) {
+    nearest = *view.camera.cut;
+    farthest = std::max(farthest, nearest + room);
+  }
   view.near_depth = nearest, view.far_depth = farthest;
 }
 

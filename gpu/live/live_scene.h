@@ -78,6 +78,8 @@ struct LiveScene {
 /// A perspective camera or, with a height, an orthographic one.
 struct LiveCamera : Camera {
   std::optional<double> height;  // metres from the lower to the upper edge
+  std::optional<double> cut;  // metres along the view from the eye: objects and the floor are cut
+                              // away where they are nearer, overlays are not
 };
 
 /// Colours of everything but objects.

@@ -72,6 +72,32 @@ TEST_F(Live, KeepsMeshesAndShadowMap) {
   EXPECT_TRUE(m_view->work().shadow_map_drawn);
 }
 
+// What is cut away is as if it were not there; the section goes through the rest.
+TEST_F(Live, CutsAwayWhatIsNearer) {
+  LiveScene scene = cube_scene();
+  scene.objects.push_back(placed(box_model(Vec3(-3, -2, 3), Vec3(3, 2, 3.2), kGrey)));
+  LiveOptions options = small();
+  options.shadows = false;
+  const LiveScene without = cube_scene();
+  for (const bool orthographic : {true, false})
+    for (const bool draft : {false, true}) {
+      options.draft = draft;
+      LiveCamera camera = from_above();
+      if (!orthographic) camera.height.reset();
+      const Image open = draw(without, camera, options);
+      EXPECT_GT(num_different(draw(scene, camera, options), open), 1000);
+      camera.cut = 10 - 2.5;
+      EXPECT_LT(num_different(draw(scene, camera, options), open), 20);
+      camera.cut = 10 - 1;  // through the cube: its bottom is seen, and lines in front of it
+      scene.overlay.add_loop({Vec3(-2, 0, 5), Vec3(2, 0, 5), Vec3(0, 0, 5)}, {1, 0, 0, 1}, 3,
+                             Hidden::Shown);
+      const Image half = draw(scene, camera, options);
+      EXPECT_GT(num_different(half, open), 100);
+      EXPECT_TRUE(has_colour(half, pixel(camera, Vec3(1.4, 0, 5)), {1, 0, 0, 1}, 90));
+      scene.overlay = {};
+    }
+}
+
 TEST_F(Live, CullsObjectsOutOfSight) {
   LiveScene scene = cube_scene();
   for (int i = 0; i < 10; ++i)
