@@ -6,6 +6,7 @@
 #include "ops/operations/move_parts.h"
 #include "ops/operations/push.h"
 #include "ops/operations/whole.h"
+#include "ops/placement/contacts.h"
 
 namespace trivet {
 namespace {
@@ -183,11 +184,23 @@ std::vector<Placement> LiveMove::placements() const {
   return m_hand->group() ? m_hand->group()->placements() : std::vector<Placement>();
 }
 
-std::vector<ContactPoint> LiveMove::contacts() const {
-  std::vector<ContactPoint> out;
-  if (m_hand->group())
-    for (const GroupContact& touch : m_hand->group()->group_contacts()) out.push_back(touch.point);
+std::vector<Contact> LiveMove::contacts() const {
+  std::vector<Contact> out;
+  const MovingGroup* const group = m_hand->group();
+  if (!group) return out;
+  const std::vector<Placement> members = group->placements();
+  for (size_t i = 0; i < members.size(); ++i) {
+    const auto touched = group->contacts(static_cast<Index>(i));
+    for (ObjectContact& entry :
+         object_contacts_of(group->scene().at(members[i].id), members[i].pose, group->scene(),
+                            touched, group->clearance()))
+      out.push_back(std::move(entry.contact));
+  }
   return out;
+}
+
+std::span<const Body> LiveMove::bodies() const {
+  return m_hand->group() ? m_hand->group()->bodies() : std::span<const Body>();
 }
 
 }  // namespace trivet

@@ -30,8 +30,8 @@ class LiveMove {
   const SettleOptions& options() const;
   double clearance() const;  // metres, at which it stops; 0 when there is no such object
 
-  /// PUSH: target of the object's position, seen from above (z is ignored). TRANSLATE: offset from
-  /// where the object was at the start.
+  /// PUSH: target of the object's position in the two axes of the push (z is ignored). TRANSLATE:
+  /// offset from where the object was at the start.
   void follow(const Vec3& goal);
   /// TURN and ROTATE: degrees from the start. PICK-UP: metres.
   void follow(double amount);
@@ -39,8 +39,10 @@ class LiveMove {
   bool has_moved() const;
   /// Poses of the object and its loads, the object first.
   std::vector<Placement> placements() const;
-  /// Contacts of the group with the outside.
-  std::vector<ContactPoint> contacts() const;
+  /// Contacts of the group with the outside, one per pair of objects.
+  std::vector<Contact> contacts() const;
+  /// The group as it is now, the object first.
+  std::span<const Body> bodies() const;
 
   /// The operation that leads here.
   const Operation& operation() const;

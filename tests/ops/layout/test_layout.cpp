@@ -126,7 +126,8 @@ constexpr const char* kAllOperations[] = {
     R"({"op":"fix","object":"a"})",
     R"({"op":"unfix","object":"a"})",
     R"({"op":"group","object":"a","group":"set"})",
-    R"({"op":"ungroup","object":"a"})"};
+    R"({"op":"ungroup","object":"a"})",
+    R"({"op":"push","object":"a","to":[0.1,-0.2],"normal":[0.0,-1.0,0.5],"slide":false})"};
 
 TEST(Layout, RoundTripsOperationsToSameBits) {
   for (const char* text : kAllOperations) {
