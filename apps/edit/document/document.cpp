@@ -47,6 +47,7 @@ void Document::forget_scene() {
   m_selections.clear();
   set_selection({});
   show_looks({});
+  Q_EMIT scene_replaced();
 }
 
 void Document::show(State state) {

@@ -206,6 +206,7 @@ class Document : public QObject {
   bool wait_until_idle(int timeout_ms = 60000);
 
  Q_SIGNALS:
+  void scene_replaced();  // another one follows: a file, a new one
   void snapshot_changed();
   void verdict_changed();
   void selection_changed();

@@ -9,6 +9,10 @@
 
 namespace trivet::edit {
 
+/// Straight, or the turn, from one pose to the other, and on; nullopt: they are the same.
+/// @param size  of the object, metres.
+std::optional<Motion> motion_between(const Pose& from, const Pose& to, double size);
+
 /// Leads on from where the object is: straight to the goal, or on as it last went; turns on about
 /// the axis of its last turn.
 class DragMotion {
@@ -21,7 +25,6 @@ class DragMotion {
 
  private:
   std::optional<Motion> straight(const Pose& now, const DragGoal& goal) const;
-  std::optional<Motion> turning(const Pose& now) const;
 
   Operation m_operation;
   Pose m_start, m_before;

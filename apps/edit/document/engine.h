@@ -73,7 +73,6 @@ class Engine {
   void run();
   bool run(const Item& item);
   void follow();
-  void watch_drag(const std::shared_ptr<const SceneSnapshot>& snapshot, const DragGoal& goal);
   void show_again();
   void renew_detector();
   BackendOptions with_notes(BackendOptions options);

@@ -49,21 +49,14 @@ void Engine::follow() {
   else
     m_live->follow(goal->by);
   if (m_live->refused()) return;  // end_drag() reports the reason
-  const auto snapshot = m_snapshots.make_drag(m_opened->session.scene(), *m_live);
+  const std::optional<Motion> motion = m_motion->next(m_live->placements().front().pose, *goal);
+  const auto snapshot = m_snapshots.make_drag(m_opened->session.scene(), *m_live, motion);
   tell([snapshot, drag = m_drag, when = goal->when](Document& shown) {
     const std::chrono::duration<double, std::milli> took = DragGoal::Clock::now() - when;
     shown.show_drag(snapshot, drag, took.count());
   });
-  watch_drag(snapshot, *goal);
-}
-
-// Another thread computes the z-lists.
-void Engine::watch_drag(const std::shared_ptr<const SceneSnapshot>& snapshot,
-                        const DragGoal& goal) {
-  std::vector<Placement> moving = m_live->placements();
-  const std::optional<Motion> motion = m_motion->next(moving.front().pose, goal);
   if (m_watches && motion)
-    m_ghosts.watch({snapshot, std::move(moving), *motion, m_live->clearance()});
+    m_ghosts.watch({snapshot, m_live->placements(), *motion, m_live->clearance()});
 }
 
 bool Engine::end_drag(std::uint64_t drag) {

@@ -46,7 +46,7 @@ bool Engine::perform_groups(const std::string& what, const ManyObjects& many) {
     return false;
   }
   show_progress(what, 0, 0);
-  if (!perform_all(done, names)) return false;
+  if (!perform_all(done, many.select ? names : std::vector<std::string>())) return false;
   if (refused)
     tell(Message{Message::Kind::Info,
                  what + ": " + std::to_string(names.size()) + " of " +

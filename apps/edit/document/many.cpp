@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
+#include "apps/edit/document/dice.h"
 #include "apps/edit/document/names.h"
 #include "apps/edit/document/pose_numbers.h"
 #include "apps/edit/document/remake.h"
@@ -56,31 +56,6 @@ std::vector<Pose> array_poses(const Pose& first, const ArrayWish& wish) {
   }
   return out;
 }
-
-/// The same numbers on every machine.
-class Dice {
- public:
-  explicit Dice(std::uint64_t seed) : m_engine(seed) {}
-  double uniform(double low, double high) {
-    return low + (high - low) * (static_cast<double>(m_engine() >> 11) * 0x1p-53);
-  }
-  std::uint64_t seed() { return m_engine() >> 11; }  // JSON keeps 53 bits
-  Rotation rotation() {
-    for (;;) {
-      const Rotation r{uniform(-1, 1), uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)};
-      const double squared = r.w * r.w + r.x * r.x + r.y * r.y + r.z * r.z;
-      if (squared > 0.01 && squared <= 1) return r.normalized();
-    }
-  }
-  Rotation turned(RandomTurn how, const Rotation& r) {
-    if (how == RandomTurn::Any) return rotation();
-    if (how == RandomTurn::None) return r;
-    return (turned_about(Vec3::UnitZ(), uniform(0, 360)) * r).normalized();
-  }
-
- private:
-  std::mt19937_64 m_engine;
-};
 
 PutOperation scattered_put(const std::string& name, const Rotation& rotation,
                            const ScatterWish& wish, Dice& dice) {

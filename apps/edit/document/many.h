@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/edit/document/dice.h"
 #include "apps/edit/document/snapshot.h"
 #include "ops/operations/operations.h"
 
@@ -17,6 +18,7 @@ using OperationGroup = std::vector<Operation>;
 struct ManyObjects {
   std::vector<OperationGroup> groups;
   std::vector<std::string> names;  // of the object that each group puts
+  bool select = true;              // these objects afterwards; otherwise the selection stays
 };
 
 /// Copies in a pattern; each is put from just above the height of the original. Metres, world.
@@ -34,9 +36,6 @@ struct ArrayWish {
 };
 /// @return no groups if there is no such object, or it is not placed.
 ManyObjects array_of(const SceneSnapshot& scene, const ArrayWish& wish);
-
-/// How objects are turned before they are put.
-enum class RandomTurn { None, Yaw, Any };
 
 /// Objects at free places of a support, chosen by a seed.
 struct ScatterWish {

@@ -29,4 +29,15 @@ Aabb world_box(const Object& object) {
   return Body(*object.shape, object.world_from_object()).world_box;
 }
 
+std::vector<ObjectId> with_loads(const SceneSnapshot& scene, ObjectId object) {
+  std::vector<ObjectId> out{object};
+  for (size_t i = 0; i < out.size(); ++i)
+    for (const LoadSupport::Entry& e : scene.support->entries) {
+      if (!(e.object == out[i])) continue;
+      for (const ObjectId load : e.loads)
+        if (std::find(out.begin(), out.end(), load) == out.end()) out.push_back(load);
+    }
+  return out;
+}
+
 }  // namespace trivet::edit

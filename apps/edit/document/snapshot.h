@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/edit/document/projection_volume.h"
 #include "apps/edit/document/settled_way.h"
 #include "ops/placement/interference.h"
 
@@ -23,9 +24,10 @@ struct ObjectSnapshot {
 
 /// State of a drag. Not committed.
 struct DragSnapshot {
-  std::vector<ObjectId> moving;        // the object first, then its loads
-  std::vector<ContactPoint> contacts;  // between the moving objects and the rest; may be empty
-  bool blocked = false;                // cannot follow the goal any further
+  std::vector<ObjectId> moving;   // the object first, then its loads
+  std::vector<Contact> contacts;  // between the moving objects and the rest; may be empty
+  ProjectionVolume volume;        // of the motion; empty before the first one
+  bool blocked = false;           // cannot follow the goal any further
   OperationResult::End end = OperationResult::End::Reached;
   Named blocked_by;                // its name is empty when nothing did
   Vec3 blocked_at = Vec3::Zero();  // world
@@ -57,6 +59,9 @@ struct SceneSnapshot {
   /// World box of the placed objects; may be slightly too large.
   Aabb box() const;
 };
+
+/// The object and all that it carries, transitively: what moves with it.
+std::vector<ObjectId> with_loads(const SceneSnapshot& scene, ObjectId object);
 
 /// World box of one object, from the root of its BVH; contains all vertices.
 Aabb world_box(const Object& object);

@@ -76,7 +76,8 @@ std::shared_ptr<const SceneSnapshot> SnapshotMaker::make(const Scene& scene, dou
 }
 
 std::shared_ptr<const SceneSnapshot> SnapshotMaker::make_drag(const Scene& scene,
-                                                              const LiveMove& live) {
+                                                              const LiveMove& live,
+                                                              const std::optional<Motion>& motion) {
   auto made = std::make_shared<SceneSnapshot>(*m_last);
   made->revision = ++m_revision;
   DragSnapshot& drag = made->drag.emplace();
@@ -89,6 +90,7 @@ std::shared_ptr<const SceneSnapshot> SnapshotMaker::make_drag(const Scene& scene
   }
   const OperationResult& result = live.result();
   drag.contacts = live.contacts();
+  if (motion) drag.volume = projection_volume(live.bodies(), *motion);
   drag.end = result.end;
   drag.blocked = result.end != OperationResult::End::Reached;
   if (drag.blocked && result.end != OperationResult::End::Edge) {

@@ -20,7 +20,9 @@ class SnapshotMaker {
   std::shared_ptr<const SceneSnapshot> make(const Scene& scene, double clearance,
                                             std::optional<SettledWay> way);
   /// The last snapshot, with the moving objects in their dragged poses.
-  std::shared_ptr<const SceneSnapshot> make_drag(const Scene& scene, const LiveMove& live);
+  /// @param motion  that is to follow; nullopt: there is none yet.
+  std::shared_ptr<const SceneSnapshot> make_drag(const Scene& scene, const LiveMove& live,
+                                                 const std::optional<Motion>& motion);
   /// The last snapshot, before drags.
   std::shared_ptr<const SceneSnapshot> make_again();
 

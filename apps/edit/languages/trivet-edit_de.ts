@@ -139,8 +139,16 @@
         <translation>Pfeil, Quadrat oder das Objekt selbst ziehen; Meter eintippen, Tab für die Achse</translation>
     </message>
     <message>
-        <source>Drag an object along the surface it lies on, or type x and y meanwhile; Escape cancels</source>
-        <translation>Ein Objekt auf seiner Unterlage ziehen, oder dabei x und y eintippen; Escape bricht ab</translation>
+        <source>Drag an object along the surface it lies on, or a wall it touches (V: its next contact); type x and y meanwhile; Control snaps</source>
+        <translation>Ein Objekt entlang der Fläche ziehen, auf der es liegt, oder einer Wand, die es berührt (V: nächster Kontakt); x und y lassen sich eintippen; Strg rastet ein</translation>
+    </message>
+    <message>
+        <source>Select the objects to paint copies of, then drag over a surface</source>
+        <translation>Die Objekte auswählen, von denen Kopien gemalt werden, dann über eine Fläche ziehen</translation>
+    </message>
+    <message>
+        <source>Drag over a surface: copies are set down along the stroke; what does not fit is left out</source>
+        <translation>Über eine Fläche ziehen: Kopien werden entlang des Strichs abgelegt; was nicht passt, fehlt</translation>
     </message>
     <message>
         <source>Click an object to pick it up, or drag it away from its support</source>

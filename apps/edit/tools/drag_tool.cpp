@@ -4,6 +4,7 @@ namespace trivet::edit {
 namespace {
 
 constexpr double kClickPx = 3;  // a press with less motion is a click
+constexpr double kSnapMarkPx = 7;
 
 }  // namespace
 
@@ -14,6 +15,7 @@ bool DragTool::pointer(const PointerEvent& event) {
     if (event.button != MouseButton::Left || m_document.is_busy() || !grab(event)) return false;
     m_pressed = event;
     m_is_drag = false;
+    grab_for_snapping(event);
     return true;
   }
   if (!m_pressed) {
@@ -28,7 +30,10 @@ bool DragTool::pointer(const PointerEvent& event) {
         m_typed = numbers();
       }
     }
-    if (m_is_drag && m_document.is_dragging() && m_typed.empty()) steer(event);
+    if (m_is_drag && m_document.is_dragging() && m_typed.empty()) {
+      forget_snap();
+      steer(event);
+    }
     return true;
   }
   if (event.kind != Kind::Release || event.button != MouseButton::Left) return true;
@@ -42,9 +47,69 @@ bool DragTool::pointer(const PointerEvent& event) {
 }
 
 void DragTool::finish_drag() {
+  forget_snap();
   m_is_drag = false;
   m_pressed.reset();
   m_document.end_drag();
+}
+
+// --- snapping -----------------------------------------------------------------------------------
+
+void DragTool::grab_for_snapping(const PointerEvent& event) {
+  m_base = m_grabbed_at;
+  const auto active = m_document.selection().active();
+  if (!active) return;
+  SnapOptions own = m_options.snap;
+  own.faces = false;
+  const auto near = snap(scene(), event.view, event.px, own, m_document.looks().hidden(), active);
+  if (near) m_base = near->point;
+}
+
+void DragTool::forget_snap() {
+  m_target.reset();
+  m_note.clear();
+}
+
+void DragTool::show_snap(const Snap& snap) {
+  m_target = snap.point;
+  m_note = in_words(snap, scene());
+}
+
+std::optional<Vec3> DragTool::snapped_way(const PointerEvent& event) {
+  const SceneSnapshot& now = scene();
+  std::vector<ObjectId> except = m_document.looks().hidden();
+  for (const ObjectId id : m_document.selection().objects)
+    for (const ObjectId moving : with_loads(now, id)) except.push_back(moving);
+  const auto found = snap(now, event.view, event.px, m_options.snap, except);
+  if (!found) return std::nullopt;
+  show_snap(*found);
+  return Vec3(found->point - m_base);
+}
+
+double DragTool::on_grid_from(double grabbed, double way) const {
+  return on_grid(grabbed + way, m_options.snap.grid_step) - grabbed;
+}
+
+double DragTool::angle_step(const PointerEvent& event) {
+  if (!snaps(event)) return 0;
+  std::string degrees = std::to_string(m_options.angle_step_deg);
+  degrees.erase(degrees.find_last_not_of('0') + 1);
+  if (degrees.ends_with('.')) degrees.pop_back();
+  m_note = "steps of " + degrees + "°";
+  return m_options.angle_step_deg;
+}
+
+Overlay DragTool::overlay(const View& view) const {
+  Overlay out;
+  out.note = m_note;
+  if (!m_target) return out;
+  const double size = kSnapMarkPx * view.metres_per_px(view.depth(*m_target));
+  const View::Axes axes = view.axes();
+  const Vec3 r = size * axes.right, u = size * axes.up;
+  const std::array<Vec3, 4> corners{*m_target + r, *m_target + u, *m_target - r, *m_target - u};
+  for (size_t i = 0; i < 4; ++i)
+    out.lines.push_back({Overlay::Role::Snap, corners[i], corners[(i + 1) % 4]});
+  return out;
 }
 
 // --- numbers -----------------------------------------------------------------------------------
@@ -68,6 +133,7 @@ bool DragTool::type(const KeyEvent& event) {
     m_typed.erase();
   else
     m_typed.type(event.character);
+  forget_snap();
   if (m_document.is_dragging()) steer_by(m_typed.values());
   return true;
 }
@@ -90,6 +156,7 @@ bool DragTool::key(const KeyEvent& event) {
 }
 
 void DragTool::cancel() {
+  forget_snap();
   if (m_is_drag) m_document.cancel_drag();
   m_is_drag = false;
   m_pressed.reset();

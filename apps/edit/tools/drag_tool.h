@@ -18,7 +18,7 @@ class DragTool : public Tool {
   bool key(const KeyEvent& event) override;
   void cancel() override;
   bool is_active() const override { return m_pressed.has_value(); }
-  Overlay overlay(const View&) const override { return {}; }
+  Overlay overlay(const View& view) const override;
   Cursor cursor() const override;
   bool wants_key(const KeyEvent& event) const override;
   std::string reading() const override;
@@ -38,6 +38,25 @@ class DragTool : public Tool {
   virtual void hover(const PointerEvent&) {}
 
   const SceneSnapshot& scene() const { return *m_document.snapshot(); }
+  /// Handles a press that has grabbed the active object: drags snap what is grabbed of it, one of
+  /// its corners or edges where they are near.
+  void grab_for_snapping(const PointerEvent& event);
+  /// True if this drag snaps: the option, turned over by Control.
+  bool snaps(const PointerEvent& event) const {
+    return m_options.snap.on != event.modifiers.control;
+  }
+  /// The displacement that takes what is grabbed to where the mouse snaps; nullopt: it does not, or
+  /// only to a grid.
+  std::optional<Vec3> snapped_way(const PointerEvent& event);
+  /// A coordinate of what is grabbed, moved by `way`, on the grid. @return the way there.
+  double on_grid_from(double grabbed, double way) const;
+  void show_snap(const Snap& snap);
+  void forget_snap();
+  void note_grid() { m_note = grid_in_words(m_options.snap.grid_step); }
+  /// Degrees of a step, 0: none; says so at the pointer.
+  double angle_step(const PointerEvent& event);
+  /// What is grabbed: world.
+  const Vec3& grabbed() const { return m_base; }
   /// Makes the object under the mouse active; if it is selected, the selection stays.
   const ObjectSnapshot* grab_object(const PointerEvent& event);
   const ObjectSnapshot* active() const;
@@ -56,6 +75,9 @@ class DragTool : public Tool {
   bool type(const KeyEvent& event);
   void finish_drag();
 
+  Vec3 m_base = Vec3::Zero();    // world: what is grabbed
+  std::optional<Vec3> m_target;  // where it snaps to
+  std::string m_note;            // the same in words
   TypedNumbers m_typed;
 };
 

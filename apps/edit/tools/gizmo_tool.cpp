@@ -1,6 +1,7 @@
 #include "apps/edit/tools/gizmo_tool.h"
 
 #include <QtGlobal>
+#include <cmath>
 
 #include "apps/edit/tools/placing.h"
 
@@ -53,15 +54,29 @@ Vec3 GizmoTool::way(const PointerEvent& event) const {
 
 void GizmoTool::steer(const PointerEvent& event) {
   if (m_turns) {
-    m_document.drag_by(
-        m_turning.follow(event, event.modifiers.control ? m_options.angle_step_deg : 0));
+    m_document.drag_by(m_turning.follow(event, angle_step(event)));
   } else {
     Vec3 goal = way(event);
     const double step = event.view.metres_per_px(event.view.depth(m_grabbed_at)) / kGoalsPerPx;
     for (int k = 0; k < 3; ++k) goal[k] = rounded(goal[k], step);
+    if (snaps(event)) goal = snapped(event, goal);
     m_document.drag_to(goal);
   }
   show_ghost();
+}
+
+// As far as the handle lets it: along an arrow, in the plane of a square.
+Vec3 GizmoTool::snapped(const PointerEvent& event, Vec3 goal) {
+  const bool line = m_hot && m_hot->kind == GizmoHandle::Kind::Arrow;
+  if (const auto found = snapped_way(event)) {
+    if (line) return found->dot(m_axis) * m_axis;
+    return m_hot ? Vec3(*found - found->dot(m_axis) * m_axis) : *found;
+  }
+  if (!m_options.snap.grid) return goal;
+  note_grid();
+  for (int k = 0; k < 3; ++k)
+    if (!m_hot || (std::abs(m_axis[k]) == 1) == line) goal[k] = on_grid_from(grabbed()[k], goal[k]);
+  return goal;
 }
 
 TypedNumbers GizmoTool::numbers() const {
@@ -100,7 +115,7 @@ void GizmoTool::cancel() {
 }
 
 Overlay GizmoTool::overlay(const View& view) const {
-  Overlay overlay;
+  Overlay overlay = DragTool::overlay(view);
   const auto shown = gizmo();
   if (!shown) return overlay;
   for (const GizmoHandle& handle : shown->handles())

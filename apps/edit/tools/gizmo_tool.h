@@ -27,6 +27,7 @@ class GizmoTool : public DragTool {
  private:
   std::optional<Gizmo> gizmo() const;
   Vec3 way(const PointerEvent& event) const;
+  Vec3 snapped(const PointerEvent& event, Vec3 goal);
   void show_ghost();
 
   bool m_turns;

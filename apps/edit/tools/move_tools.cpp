@@ -1,13 +1,17 @@
 #include "apps/edit/tools/move_tools.h"
 
 #include <QtGlobal>
+#include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "apps/edit/tools/placing.h"
+#include "ops/operations/push_axes.h"
 
 namespace trivet::edit {
 namespace {
 
+constexpr double kSteepest = 0.5;  // cosine: PUSH is level on what is not steeper than 60 degrees
 constexpr double kFlatView =
     0.12;  // sine: on planes seen flatter, the mouse is followed across the view
 
@@ -20,6 +24,12 @@ Vec3 way_on_plane(const PointerEvent& pressed, const PointerEvent& now, const Ve
   return a && b ? Vec3(*b - *a) : Vec3(Vec3::Zero());
 }
 
+bool is_load(const SceneSnapshot& scene, ObjectId object, const Support& other) {
+  const std::vector<ObjectId> moving = with_loads(scene, object);
+  return other.is_object() &&
+         std::find(moving.begin(), moving.end(), other.object()) != moving.end();
+}
+
 }  // namespace
 
 // --- PUSH --------------------------------------------------------------------------------------
@@ -28,8 +38,12 @@ bool PushTool::grab(const PointerEvent& event) {
   const ObjectSnapshot* const object = grab_object(event);
   if (!object) return false;
   const ObjectContact* const entry = active_object_contact(m_document.selection(), scene());
-  m_normal = entry && entry->contact.normal.z() > 0.1 ? entry->contact.normal : Vec3(Vec3::UnitZ());
-  m_start = (*object)->pose.translation;
+  m_normal = entry && !is_load(scene(), object->id, entry->with) ? entry->contact.normal
+                                                                 : Vec3(Vec3::UnitZ());
+  m_above = Vec3::UnitZ();
+  if (m_normal.z() < kSteepest)
+    for (int k = 0; k < 3; ++k) m_above[k] = rounded(m_normal[k], 1e-6);
+  m_start = in_push_axes(m_above, (*object)->pose.translation);
   return true;
 }
 
@@ -37,18 +51,36 @@ std::optional<Operation> PushTool::begin() {
   const ObjectSnapshot* const object = active();
   if (!object) return std::nullopt;
   auto push = operation_of<PushOperation>(*object->object);
-  push.step_up = m_options.step_up;
-  push.step_down = m_options.step_down;
+  push.normal = m_above;
+  std::tie(push.step_up, push.step_down) = push_steps(m_options, *object->object);
   push.slide = m_options.slide;
   push.settle = m_options.settle;
   return push;
 }
 
 void PushTool::steer(const PointerEvent& event) {
-  Vec3 goal = m_start + way_on_plane(*m_pressed, event, m_grabbed_at, m_normal);
+  const Vec3 way = way_on_plane(*m_pressed, event, m_grabbed_at, m_normal);
+  Vec2 goal = (m_start + in_push_axes(m_above, way)).head<2>();
   const double step = event.view.metres_per_px(event.view.depth(m_grabbed_at)) / kGoalsPerPx;
   for (int k = 0; k < 2; ++k) goal[k] = rounded(goal[k], step);
-  m_document.drag_to(goal);
+  if (snaps(event)) goal = snapped(event, goal);
+  m_document.drag_to(Vec3(goal.x(), goal.y(), 0));
+}
+
+Vec2 PushTool::snapped(const PointerEvent& event, const Vec2& goal) {
+  if (const auto found = snapped_way(event))
+    return (m_start + in_push_axes(m_above, *found)).head<2>();
+  if (!m_options.snap.grid) return goal;
+  note_grid();
+  const Vec3 base = in_push_axes(m_above, grabbed());
+  Vec2 out;
+  for (int k = 0; k < 2; ++k) out[k] = m_start[k] + on_grid_from(base[k], goal[k] - m_start[k]);
+  return out;
+}
+
+TypedNumbers PushTool::numbers() const {
+  if (is_level(m_above)) return {{"x", "y"}, 0, " m"};
+  return {{"right", "up"}, 0, " m"};
 }
 
 void PushTool::steer_by(const std::vector<double>& values) {
@@ -58,7 +90,8 @@ void PushTool::steer_by(const std::vector<double>& values) {
 std::string PushTool::hint() const {
   return QT_TRANSLATE_NOOP(
       "tools",
-      "Drag an object along the surface it lies on, or type x and y meanwhile; Escape cancels");
+      "Drag an object along the surface it lies on, or a wall it touches (V: its "
+      "next contact); type x and y meanwhile; Control snaps");
 }
 
 // --- PICK-UP -----------------------------------------------------------------------------------

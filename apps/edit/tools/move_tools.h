@@ -33,7 +33,8 @@ class PutTool : public DragTool {
  private:
   const ObjectSnapshot* held() const;
   void drop();
-  std::optional<Operation> operation_at(const PointerEvent& event) const;
+  std::optional<Operation> operation_at(const PointerEvent& event);
+  void snap_place(const PointerEvent& event, const std::vector<ObjectId>& moving, Picked& place);
 
   std::optional<ObjectId> m_dropped;  // the active object, if it is not in hand
   Document::Job m_job = 0;            // that puts the object in hand
@@ -41,7 +42,8 @@ class PutTool : public DragTool {
   QMetaObject::Connection m_selected, m_finished;
 };
 
-/// PUSH: the object follows the mouse on the plane of its contact.
+/// PUSH: the object follows the mouse on the plane of its contact: what it lies on, a wall on which
+/// it hangs, or the contact that the constraint window looks along.
 class PushTool : public DragTool {
  public:
   using DragTool::DragTool;
@@ -52,12 +54,15 @@ class PushTool : public DragTool {
   bool grab(const PointerEvent& event) override;
   std::optional<Operation> begin() override;
   void steer(const PointerEvent& event) override;
-  TypedNumbers numbers() const override { return {{"x", "y"}, 0, " m"}; }
+  TypedNumbers numbers() const override;
   void steer_by(const std::vector<double>& values) override;
 
  private:
+  Vec2 snapped(const PointerEvent& event, const Vec2& goal);
+
   Vec3 m_normal = Vec3::UnitZ();  // of the plane for following the mouse
-  Vec3 m_start = Vec3::Zero();    // the object's position
+  Vec3 m_above = Vec3::UnitZ();   // PushOperation::normal
+  Vec3 m_start = Vec3::Zero();    // the object's position, in the axes of the push
 };
 
 /// PICK-UP: follows the mouse away from the support, or moves by a fixed distance.

@@ -53,7 +53,9 @@ class NearPick {
   NearPick(const SceneSnapshot& scene, const View& view, const std::vector<ObjectId>& except)
       : m_scene(scene), m_view(view), m_except(except) {}
 
-  std::optional<Picked> at(const Vec2& px) const { return pick(m_scene, m_view.ray(px), m_except); }
+  std::optional<Picked> at(const Vec2& px) const {
+    return pick(m_scene, m_view.seen_ray(px), m_except);
+  }
 
   /// True if an object that is seen at `px` covers little of what is around there.
   bool is_thin(ObjectId id, const Vec2& px) const {

@@ -7,17 +7,6 @@
 namespace trivet::edit {
 namespace {
 
-std::vector<ObjectId> moving_with(const SceneSnapshot& scene, ObjectId object) {
-  std::vector<ObjectId> out{object};
-  for (size_t i = 0; i < out.size(); ++i)
-    for (const LoadSupport::Entry& e : scene.support->entries) {
-      if (!(e.object == out[i])) continue;
-      for (const ObjectId load : e.loads)
-        if (std::find(out.begin(), out.end(), load) == out.end()) out.push_back(load);
-    }
-  return out;
-}
-
 bool can_be_moved(const Object& object) {
   return !object.locked && !(object.fixed && object.placed);
 }
@@ -81,20 +70,37 @@ void PutTool::click(const PointerEvent& event) {
   put(event);
 }
 
-std::optional<Operation> PutTool::operation_at(const PointerEvent& event) const {
+std::optional<Operation> PutTool::operation_at(const PointerEvent& event) {
+  forget_snap();
   const ObjectSnapshot* const object = active();
   if (!object) return std::nullopt;
-  std::vector<ObjectId> moving = moving_with(scene(), object->id);
+  std::vector<ObjectId> moving = with_loads(scene(), object->id);
   const std::vector<ObjectId> hidden = m_document.looks().hidden();
   moving.insert(moving.end(), hidden.begin(), hidden.end());
-  auto picked = pick(scene(), event.ray(), moving);
+  auto picked = pick(scene(), event.view.seen_ray(event.px), moving);
   if (!picked) return std::nullopt;
   const double step = event.view.metres_per_px(event.view.depth(picked->point)) / kGoalsPerPx;
   for (int k = 0; k < 2; ++k) picked->point[k] = rounded(picked->point[k], step);
+  if (snaps(event)) snap_place(event, moving, *picked);
   auto put = operation_of<PutOperation>(*object->object);
   put.start = put_start(scene(), *object->object, moving, *picked, m_options.drop_height,
                         event.modifiers.alt);
   return put;
+}
+
+// The object's centre comes over a corner or an edge, or over a point of the grid.
+void PutTool::snap_place(const PointerEvent& event, const std::vector<ObjectId>& moving,
+                         Picked& place) {
+  SnapOptions options = m_options.snap;
+  options.faces = false;
+  const auto found = snap(scene(), event.view, event.px, options, moving);
+  if (found) {
+    place.point = found->point;
+    return show_snap(*found);
+  }
+  if (!options.grid) return;
+  note_grid();
+  for (int k = 0; k < 2; ++k) place.point[k] = on_grid(place.point[k], options.grid_step);
 }
 
 bool PutTool::put(const PointerEvent& event) {
@@ -102,6 +108,7 @@ bool PutTool::put(const PointerEvent& event) {
   if (!operation) return false;
   m_document.clear_ghost();
   m_job = m_document.perform(*operation);
+  forget_snap();
   return true;
 }
 

@@ -6,14 +6,17 @@
 
 #include "apps/edit/document/document.h"
 #include "apps/edit/tools/events.h"
+#include "apps/edit/tools/snapping.h"
 
 namespace trivet::edit {
 
-enum class ToolKind { Select, Put, Push, Turn, PickUp, Move, Rotate };
+enum class ToolKind { Select, Put, Push, Turn, PickUp, Move, Rotate, Paint };
 
 /// Thresholds and options of the tools, as the operation panel shows them. Metres, degrees.
 struct ToolOptions {
-  double step_up = 0.01, step_down = 0.01;  // PUSH
+  double step_up = 0.01, step_down = 0.01;  // PUSH, unless in proportion
+  bool steps_by_size = true;                // PUSH: steps in proportion to the object
+  double step_share = 0.06;                 // PUSH: of its size, for both; see push_steps()
   bool slide = true;                        // PUSH: along walls
   bool settle = true;                       // PUSH: release at the end
   bool let_go = false;                      // TURN, MOVE, ROTATE: the same
@@ -23,7 +26,11 @@ struct ToolOptions {
   double drop_height = 0.02;      // PUT: above the highest point below the object; with Alt, above
                                   // the point under the mouse
   double pick_up_distance = 0.1;  // PICK-UP by key or click
-  double angle_step_deg = 15;     // TURN, ROTATE with Control
+  double angle_step_deg = 15;     // TURN, ROTATE while snapping
+  SnapOptions snap;
+  double paint_spacing = 0;      // PAINT: metres between copies; 0: by the object's width
+  bool paint_turned = true;      // PAINT: each about the vertical axis, by the seed
+  std::uint64_t paint_seed = 1;  // PAINT: of the first stroke; each has its own
 };
 
 /// Drawing of a tool over the scene.
@@ -34,6 +41,7 @@ struct Overlay {
     HotHandle,  // under the mouse, or being dragged
     Hint,       // pull direction, or axis of a turn
     HoverEdge,  // a contact's edge or point under the mouse
+    Snap,       // the place to which a drag snaps
   };
   struct Line {
     Role role;
@@ -41,6 +49,7 @@ struct Overlay {
     int axis = -1;  // 0 x, 1 y, 2 z, 3 the view direction
   };
   std::vector<Line> lines;
+  std::string note;                           // shown at the pointer: to what a drag snaps
   std::optional<std::array<Vec2, 2>> box_px;  // corners, in the window `box_window`
   WindowKind box_window = WindowKind::Perspective;
 };

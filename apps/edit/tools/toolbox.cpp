@@ -2,8 +2,10 @@
 
 #include "apps/edit/tools/gizmo_tool.h"
 #include "apps/edit/tools/move_tools.h"
+#include "apps/edit/tools/paint_tool.h"
 #include "apps/edit/tools/select_tool.h"
 #include "apps/edit/tools/turn_tool.h"
+#include "ops/operations/turn_axis.h"
 
 namespace trivet::edit {
 namespace {
@@ -24,6 +26,8 @@ std::unique_ptr<Tool> make_tool(ToolKind kind, Document& document, const ToolOpt
       return std::make_unique<GizmoTool>(document, options, false);
     case ToolKind::Rotate:
       return std::make_unique<GizmoTool>(document, options, true);
+    case ToolKind::Paint:
+      return std::make_unique<PaintTool>(document, options);
   }
   return std::make_unique<SelectTool>(document);
 }
@@ -44,6 +48,8 @@ std::optional<ToolKind> kind_of(char key) {
       return ToolKind::Move;
     case 'h':
       return ToolKind::Rotate;
+    case 'b':
+      return ToolKind::Paint;
     default:
       return std::nullopt;
   }
@@ -88,6 +94,21 @@ bool Toolbox::pick_up() {
   return PickUpTool(m_document, m_options).pick_up();
 }
 
+bool Toolbox::next_contact() {
+  if (m_document.is_busy() || m_document.is_dragging()) return false;
+  const SceneSnapshot& scene = *m_document.snapshot();
+  Selection selection = m_document.selection();
+  const auto active = selection.active();
+  const ObjectSnapshot* const object = active ? scene.find(*active) : nullptr;
+  if (!object || (*object)->contacts.empty()) return false;
+  const std::vector<ObjectContact>& all = (*object)->contacts;
+  const ObjectContact* const now = active_object_contact(selection, scene);
+  const ObjectContact& next = all[static_cast<size_t>(now - all.data() + 1) % all.size()];
+  selection.contact = {next.with, ActiveContact::Part::Area, centre_of(next.contact)};
+  m_document.select(std::move(selection));
+  return true;
+}
+
 bool Toolbox::erase_selected() {
   if (m_document.is_busy() || m_document.is_dragging()) return false;
   std::vector<Operation> operations;
@@ -110,7 +131,7 @@ bool Toolbox::key(const KeyEvent& event) {
     const auto kind = kind_of(event.character);
     if (kind) take(*kind);
     taken = kind || (event.character == 'p' && put_at_pointer()) ||
-            (event.character == 'u' && pick_up());
+            (event.character == 'u' && pick_up()) || (event.character == 'v' && next_contact());
   }
   if (taken && changed) changed();
   return taken;

@@ -18,6 +18,7 @@ class Toolbox {
   void take(ToolKind kind);  // cancels the previous tool's action
   Tool& tool() { return *m_tool; }
   ToolOptions& options() { return m_options; }
+  const ToolOptions& options() const { return m_options; }
 
   /// @return whether it was consumed; otherwise it is for the window's camera.
   bool pointer(const PointerEvent& event);
@@ -30,6 +31,8 @@ class Toolbox {
   bool take_next();       // into the hand of PUT: the next object that is not placed yet
   bool pick_up();         // the active object, by ToolOptions::pick_up_distance
   bool erase_selected();
+  bool next_contact();  // of the active object: what the constraint window looks along, and PUSH
+                        // goes along
 
   Overlay overlay(const View& view) const { return m_tool->overlay(view); }
   Cursor cursor() const;

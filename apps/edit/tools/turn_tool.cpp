@@ -58,8 +58,7 @@ std::optional<Operation> TurnTool::begin() {
 }
 
 void TurnTool::steer(const PointerEvent& event) {
-  m_document.drag_by(
-      m_turning.follow(event, event.modifiers.control ? m_options.angle_step_deg : 0));
+  m_document.drag_by(m_turning.follow(event, angle_step(event)));
 }
 
 void TurnTool::steer_by(const std::vector<double>& values) { m_document.drag_by(values[0]); }
@@ -70,7 +69,7 @@ void TurnTool::hover(const PointerEvent& event) {
 }
 
 Overlay TurnTool::overlay(const View& view) const {
-  Overlay overlay;
+  Overlay overlay = DragTool::overlay(view);
   if (m_axis && m_is_drag) {
     const Vec3 arm = kAxisPx * view.metres_per_px(view.depth(m_axis->centre)) * m_axis->direction;
     overlay.lines.push_back({Overlay::Role::Hint, m_axis->centre - arm, m_axis->centre + arm});

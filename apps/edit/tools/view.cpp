@@ -35,6 +35,12 @@ Ray View::ray(const Vec2& px) const {
   return {eye, (aside - a.back).normalized()};
 }
 
+Ray View::seen_ray(const Vec2& px) const {
+  Ray out = ray(px);
+  if (cut && *cut > 0) out.origin += *cut / -out.direction.dot(axes().back) * out.direction;
+  return out;
+}
+
 double View::depth(const Vec3& world) const { return (eye - world).dot(axes().back); }
 
 double View::metres_per_px(double depth) const {

@@ -14,8 +14,9 @@ struct View {
   Vec3 eye = Vec3(1, -2, 1), target = Vec3::Zero();
   Vec3 up = Vec3::UnitZ();  // replaced by another direction if parallel to the view
   bool orthographic = false;
-  double fov_deg = 30;  // perspective: from the lower to the upper edge, 1 to 170
-  double height = 1;    // orthographic: metres from the lower to the upper edge
+  double fov_deg = 30;        // perspective: from the lower to the upper edge, 1 to 170
+  double height = 1;          // orthographic: metres from the lower to the upper edge
+  std::optional<double> cut;  // depth of the section: what is nearer is cut away
   int width_px = 1, height_px = 1;
 
   /// Unit and right-handed: to the right, upwards, towards the viewer.
@@ -27,6 +28,8 @@ struct View {
 
   /// From the eye (orthographic: from the plane of the eye), of unit direction.
   Ray ray(const Vec2& px) const;
+  /// The same from the section on: for picking what is seen.
+  Ray seen_ray(const Vec2& px) const;
   /// Nullopt: behind the eye.
   std::optional<Vec2> project(const Vec3& world) const;
   /// Distance along the view from the plane of the eye, metres.

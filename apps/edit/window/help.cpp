@@ -41,6 +41,8 @@ void show_shortcuts(QWidget* parent, const std::vector<ShortcutRow>& menu_shortc
       {tr("Middle, or Alt + Left"), tr("Orbit (perspective), pan (other windows)")},
       {tr("Shift + Middle, or Right"), tr("Pan")},
       {tr("Wheel, or Control + Middle"), tr("Zoom towards the mouse")},
+      {tr("Control + Wheel"), tr("Move the section plane of the window")},
+      {tr("Control during a drag"), tr("Snap, or not if the magnet is on")},
       {tr("Right click"), tr("Menu for the selection")},
       {tr("Double click on a title"), tr("Maximise the window, and restore it")},
       {tr("Escape"), tr("Cancel the action in progress; close messages")},

@@ -74,6 +74,11 @@ Drawing tool_drawing(Icon icon) {
       d.head_at({13.6, 4.6}, {13.2, 8.4}, {17.2, 5.4});
       d.dot({10, 10}, 1.5);
       break;
+    case Icon::Paint:
+      d.line({{17, 3}, {9.5, 10.5}});
+      d.polygon({{9.4, 9.2}, {11.2, 11}, {8, 14.6}, {4, 15.5}, {6, 12.4}});
+      for (const double x : {3.5, 8.5, 13.5}) d.dot({x, 18}, 1.2);
+      break;
     default:
       break;
   }
@@ -128,6 +133,11 @@ Drawing edit_drawing(Icon icon) {
     case Icon::Maximise:
       d.box({3, 4, 14, 12}), d.line({{3, 6.5}, {17, 6.5}});
       break;
+    case Icon::Snap:  // a magnet
+      d.line({{4.5, 3}, {4.5, 10}}), d.line({{15.5, 3}, {15.5, 10}});
+      d.arc({4.5, 4.5, 11, 11}, 180, 180);
+      d.line({{2.5, 5.5}, {6.5, 5.5}}), d.line({{13.5, 5.5}, {17.5, 5.5}});
+      break;
     default:
       break;
   }
@@ -165,10 +175,10 @@ Drawing state_drawing(Icon icon) {
 }  // namespace
 
 QIcon make_icon(Icon icon, const QColor& colour) {
-  const Drawing drawing = icon <= Icon::Rotate     ? tool_drawing(icon)
-                          : icon <= Icon::Picture  ? file_drawing(icon)
-                          : icon <= Icon::Maximise ? edit_drawing(icon)
-                                                   : state_drawing(icon);
+  const Drawing drawing = icon <= Icon::Paint     ? tool_drawing(icon)
+                          : icon <= Icon::Picture ? file_drawing(icon)
+                          : icon <= Icon::Snap    ? edit_drawing(icon)
+                                                  : state_drawing(icon);
   QIcon out;
   for (const int size : {20, 40, 60}) {
     const auto draw = [&](const QColor& shown, QIcon::Mode mode) {

@@ -13,7 +13,8 @@ enum class Icon {
   Turn,
   PickUp,
   Move,
-  Rotate,  // tools, in the order of ToolKind
+  Rotate,
+  Paint,  // tools, in the order of ToolKind
   New,
   Open,
   Save,
@@ -23,6 +24,7 @@ enum class Icon {
   Redo,
   Frame,
   Maximise,
+  Snap,
   Stable,
   Fixed,
   Held,

@@ -184,7 +184,15 @@ void MainWindow::show_workspace() {
 }
 
 void MainWindow::ask_preferences() {
-  auto* const dialog = new PreferencesDialog(m_document, m_detection, this);
+  ToolOptions& options = m_toolbox.options();
+  auto* const dialog = new PreferencesDialog(
+      m_document, m_detection, {options.snap.grid_step, options.angle_step_deg}, this);
+  connect(dialog, &PreferencesDialog::steps_chosen, this, [this](const SnapSteps& steps) {
+    m_toolbox.options().snap.grid_step = steps.grid;
+    m_toolbox.options().angle_step_deg = steps.angle_deg;
+    save_snapping();
+    m_control->operations().show_tool(m_toolbox.current());
+  });
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &PreferencesDialog::detection_chosen, this,
           [this](const DetectionChoice& choice) {
@@ -205,8 +213,8 @@ void MainWindow::take_tool(ToolKind kind) {
 /// Tools can also be selected by keys of the toolbox.
 void MainWindow::show_tool() {
   const ToolKind kind = m_toolbox.current();
-  static constexpr const char* kActions[] = {"select",  "put",  "push",  "turn",
-                                             "pick up", "move", "rotate"};
+  static constexpr const char* kActions[] = {"select",  "put",  "push",   "turn",
+                                             "pick up", "move", "rotate", "paint"};
   QAction* const shown = action(kActions[static_cast<int>(kind)]);
   if (shown->isChecked() && kind == m_shown_tool) return;
   m_shown_tool = kind;

@@ -14,6 +14,7 @@
 #include <map>
 
 #include "apps/edit/window/asset_browser.h"
+#include "apps/edit/window/bookmarks.h"
 #include "apps/edit/window/control_window.h"
 #include "apps/edit/window/detection_choice.h"
 #include "apps/edit/window/help.h"
@@ -89,6 +90,23 @@ class MainWindow : public QMainWindow {
   void reset_layout();
   void restore_layout();
   void save_layout() const;
+
+  // snapping_actions.cpp
+  void make_snap_actions();
+  void dress_snap_button(QToolBar& bar);
+  void restore_snapping();
+  void save_snapping() const;
+
+  // views.cpp
+  SceneView* view_of(ViewFrame* frame) const;
+  void make_section_actions();
+  void toggle_section(SceneView& view);
+  void make_bookmark_actions();
+  void follow_bookmarks();
+  void name_bookmarks();
+  void store_bookmark(int number);
+  void show_bookmark(int number);
+  void reset_cameras_if_empty();
 
   // menus.cpp
   QAction* add_action(const QString& name, const QString& text, const QKeySequence& keys,
@@ -166,6 +184,12 @@ class MainWindow : public QMainWindow {
   QMenu* m_recent_menu = nullptr;
   QMenu* m_context_menu = nullptr;
   QMenu* m_colours = nullptr;
+  QMenu *m_bookmark_menu = nullptr, *m_snap_menu = nullptr;
+  std::map<const SceneView*, QToolButton*> m_section_buttons;
+  Bookmarks m_bookmarks;
+  QString m_bookmarks_of;      // file
+  bool m_is_replaced = false;  // another scene follows
+  size_t m_num_done = 0;       // steps
   QStackedWidget* m_pages = nullptr;
   StartPage* m_start_page = nullptr;
   QWidget* m_workspace = nullptr;

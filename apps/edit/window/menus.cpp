@@ -44,6 +44,7 @@ void MainWindow::make_actions() {
   make_edit_actions();
   make_tool_actions();
   make_hand_actions();
+  make_snap_actions();
   make_view_actions();
   make_many_actions();
   make_look_actions();
@@ -151,6 +152,8 @@ void MainWindow::make_tool_actions() {
        tr("Pick up: move the object away from its support"));
   tool("move", tr("&Move"), "G", ToolKind::Move, tr("Move: translate the object by handles"));
   tool("rotate", tr("&Rotate"), "H", ToolKind::Rotate, tr("Rotate: turn the object by handles"));
+  tool("paint", tr("P&aint"), "B", ToolKind::Paint,
+       tr("Paint: drag over a surface to set down copies along the stroke"));
 }
 
 void MainWindow::make_hand_actions() {
@@ -163,6 +166,10 @@ void MainWindow::make_hand_actions() {
   add_action(
       "pick up now", tr("Pick up &now"), tr("U"), [this] { m_toolbox.pick_up(); },
       tr("Pick up the selected object by the distance in the operation panel"));
+  add_action(
+      "next contact", tr("Ne&xt contact"), tr("V"), [this] { m_toolbox.next_contact(); },
+      tr("The next contact of the active object: the constraint window looks along it, and Push "
+         "goes along it, walls included"));
 }
 
 void MainWindow::make_view_actions() {
@@ -175,6 +182,8 @@ void MainWindow::make_view_actions() {
   });
   make_three_view_actions();
   make_direction_actions();
+  make_section_actions();
+  make_bookmark_actions();
   add_action("follow contact", tr("&Constraint window follows the contact"), tr("C"), [this] {
     m_constraint_is_free = false;
     aim_constraint_window();
@@ -272,14 +281,33 @@ void MainWindow::make_menus() {
       {"undo",        "redo",    "", "duplicate", "rename",    "delete", "",           "select all",
        "select none", "search",  "", "lock",      "unlock",    "fix",    "unfix",      "",
        "group",       "ungroup", "", "collect",   "uncollect", "",       "preferences"});
-  menu(tr("&Object"), {"select", "put", "push", "turn", "pick up", "move", "rotate", "", "put here",
-                       "take next", "pick up now"});
+  QMenu* const object =
+      menu(tr("&Object"), {"select", "put", "push", "turn", "pick up", "move", "rotate", "paint",
+                           "", "put here", "take next", "pick up now", "next contact", "", "snap"});
+  object->addMenu(m_snap_menu);
   menu(tr("&Many"), {"array", "scatter", "put all", "", "align", "replace"});
-  QMenu* const view = menu(
-      tr("&View"), {"frame", "frame all", "", "top", "side", "front", "from front", "from side",
-                    "from above", "from behind", "follow contact", "", "maximise", "reset layout",
-                    "", "hide", "show all", "not selectable", "all selectable"});
+  QMenu* const view = menu(tr("&View"), {"frame",
+                                         "frame all",
+                                         "",
+                                         "top",
+                                         "side",
+                                         "front",
+                                         "from front",
+                                         "from side",
+                                         "from above",
+                                         "from behind",
+                                         "follow contact",
+                                         "section",
+                                         "",
+                                         "maximise",
+                                         "reset layout",
+                                         "",
+                                         "hide",
+                                         "show all",
+                                         "not selectable",
+                                         "all selectable"});
   view->addMenu(m_colours);
+  view->addMenu(m_bookmark_menu);
   fill(*view, m_actions, {"", "shadows", "contacts", "watch settling", "zlists", "assets", "dark"});
   menu(tr("&Help"), {"two minutes", "shortcuts", "about"});
   m_context_menu = new QMenu(this);
@@ -296,8 +324,10 @@ void MainWindow::make_tool_bar() {
   bar->setIconSize(QSize(20, 20));
   bar->setContextMenuPolicy(Qt::PreventContextMenu);
   fill(*bar, m_actions,
-       {"new", "open", "save", "import", "", "undo", "redo", "", "select", "put", "push", "turn",
-        "pick up", "move", "rotate", "", "frame", "maximise", "picture"});
+       {"new",    "open", "save", "import", "",         "undo",   "redo",   "",
+        "select", "put",  "push", "turn",   "pick up",  "move",   "rotate", "paint",
+        "",       "snap", "",     "frame",  "maximise", "picture"});
+  dress_snap_button(*bar);
 }
 
 void MainWindow::dress_actions() {

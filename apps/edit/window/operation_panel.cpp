@@ -4,10 +4,6 @@
 #include <QScrollArea>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
-#include <cmath>
-
-#include "apps/edit/document/pose_numbers.h"
-#include "apps/edit/tools/operation_of.h"
 
 namespace trivet::edit {
 namespace {
@@ -15,8 +11,8 @@ namespace {
 constexpr double kLongest = 1000, kMillimetre = 1e-3;  // metres
 
 QString tool_name(int kind) {
-  static constexpr const char* kNames[] = {"Select",  "Put",  "Push",  "Turn",
-                                           "Pick up", "Move", "Rotate"};
+  static constexpr const char* kNames[] = {"Select",  "Put",  "Push",   "Turn",
+                                           "Pick up", "Move", "Rotate", "Paint"};
   return OperationPanel::tr(kNames[kind]);
 }
 
@@ -31,7 +27,7 @@ OperationPanel::OperationPanel(Document& document, Toolbox& toolbox, QWidget* pa
   auto* const column = new QVBoxLayout(this);
   column->setContentsMargins(10, 8, 10, 8);
   column->setSpacing(8);
-  for (int kind = 0; kind <= static_cast<int>(ToolKind::Rotate); ++kind) {
+  for (int kind = 0; kind <= static_cast<int>(ToolKind::Paint); ++kind) {
     m_tools->addItem(tool_name(kind));
     m_pages->addWidget(make_page(static_cast<ToolKind>(kind)));
   }
@@ -61,9 +57,9 @@ QWidget* OperationPanel::make_page(ToolKind kind) {
   static constexpr AddRows kRows[] = {&OperationPanel::add_select,  &OperationPanel::add_put,
                                       &OperationPanel::add_push,    &OperationPanel::add_turn,
                                       &OperationPanel::add_pick_up, &OperationPanel::add_move,
-                                      &OperationPanel::add_rotate};
+                                      &OperationPanel::add_rotate,  &OperationPanel::add_paint};
   (this->*kRows[static_cast<size_t>(kind)])(*form);
-  if (kind != ToolKind::Select)
+  if (kind != ToolKind::Select && kind != ToolKind::Paint)
     choice(*form, tr("Settle objects left without support"), &ToolOptions::settle_left,
            tr("Objects that lose their support settle too; otherwise they are marked"));
   auto* const scroll = new QScrollArea;
@@ -117,6 +113,24 @@ QDoubleSpinBox* OperationPanel::threshold(QFormLayout& form, const QString& name
   return box;
 }
 
+QDoubleSpinBox* OperationPanel::share(QFormLayout& form, const QString& name,
+                                      double ToolOptions::*option, const QString& tip) {
+  auto* const box = new QDoubleSpinBox;
+  box->setRange(0, 100);
+  box->setDecimals(1);
+  box->setSuffix(tr(" %"));
+  box->setToolTip(tip);
+  form.addRow(name, box);
+  m_refresh.push_back([this, box, option] {
+    const QSignalBlocker blocker(box);
+    box->setValue(100 * m_toolbox.options().*option);
+  });
+  m_refresh.back()();
+  connect(box, &QDoubleSpinBox::valueChanged, this,
+          [this, option](double value) { m_toolbox.options().*option = 0.01 * value; });
+  return box;
+}
+
 QCheckBox* OperationPanel::choice(QFormLayout& form, const QString& name, bool ToolOptions::*option,
                                   const QString& tip) {
   auto* const box = new QCheckBox(name);
@@ -135,7 +149,8 @@ QCheckBox* OperationPanel::choice(QFormLayout& form, const QString& name, bool T
 }
 
 void OperationPanel::add_angle_step(QFormLayout& form) {
-  auto* const box = angle(form, tr("Steps"), 0, tr("For the mouse, while Control is held"));
+  auto* const box =
+      angle(form, tr("Steps"), 0, tr("For the mouse, while Control is held or the magnet is on"));
   box->setMinimum(0.01);
   m_refresh.push_back([this, box] {
     const QSignalBlocker blocker(box);
@@ -161,138 +176,6 @@ QPushButton* OperationPanel::apply(QFormLayout& form, const QString& name,
     if (object) m_document.perform(make(*object->object));
   });
   return button;
-}
-
-void OperationPanel::add_select(QFormLayout& form) {
-  auto* const text = new QLabel(
-      tr("Click selects, Shift-click adds; drag from an empty place to select with a box."));
-  text->setWordWrap(true);
-  text->setObjectName("faint");
-  form.addRow(text);
-}
-
-void OperationPanel::add_put(QFormLayout& form) {
-  m_put_on = new QComboBox;
-  m_put_on->setToolTip(
-      tr("From a position, the object falls; on another object, the free place nearest to x, y "
-         "is searched"));
-  form.addRow(tr("Onto"), m_put_on);
-  const char* const names[] = {"X", "Y", "Z"};
-  for (int i = 0; i < 3; ++i) m_put_at[i] = length(form, tr(names[i]), i == 2 ? 1 : 0);
-  auto* const turned = angle(form, tr("Turned"), 0, tr("About the vertical axis"));
-  auto* const keep =
-      length(form, tr("Keep away"), 0, tr("Distance from everything but its support"));
-  threshold(form, tr("Drop height"), &ToolOptions::drop_height,
-            tr("For the mouse: above the highest point below the object"));
-  choice(form, tr("Then take the next object"), &ToolOptions::take_next,
-         tr("After a click that put one: the next object that is not placed yet (or press N)"));
-  connect(m_put_on, &QComboBox::currentIndexChanged, this, [this, keep](int index) {
-    m_put_at[2]->setEnabled(index <= 0);
-    keep->setEnabled(index > 0);
-  });
-  apply(form, tr("Put"), [this, turned, keep](const Object& object) {
-    auto put = operation_of<PutOperation>(object, m_document, m_toolbox.options());
-    const Rotation before = object.placed ? object.pose.rotation : Rotation{};
-    put.start.rotation = turned_about(Vec3::UnitZ(), turned->value()) * before;
-    put.start.translation = Vec3(m_put_at[0]->value(), m_put_at[1]->value(), m_put_at[2]->value());
-    if (m_put_on->currentIndex() <= 0) return Operation(put);
-    PlaceOptions place;
-    place.on = m_put_on->currentIndex() == 1 ? std::string("floor")
-                                             : m_put_on->currentText().toStdString();
-    place.near = Vec2(put.start.translation.head<2>());
-    place.keep = keep->value();
-    put.place = place;
-    return Operation(put);
-  });
-}
-
-void OperationPanel::add_push(QFormLayout& form) {
-  auto* const direction = angle(form, tr("Direction"), 0, tr("Seen from above, from x towards y"));
-  auto* const distance = length(form, tr("Distance"), 0.1);
-  threshold(form, tr("Step up"), &ToolOptions::step_up, tr("Higher steps stop the object"));
-  threshold(form, tr("Step down"), &ToolOptions::step_down, tr("Deeper edges stop the object"));
-  choice(form, tr("Slide along walls"), &ToolOptions::slide, tr("Otherwise walls stop the object"));
-  choice(form, tr("Settle at the end"), &ToolOptions::settle, tr("Otherwise the object is held"));
-  apply(form, tr("Push"), [this, direction, distance](const Object& object) {
-    auto push = operation_of<PushOperation>(object, m_document, m_toolbox.options());
-    const double radians = direction->value() * 0.0174532925199433;
-    push.direction = Vec2(std::cos(radians), std::sin(radians));
-    push.distance = distance->value();
-    push.step_up = m_toolbox.options().step_up;
-    push.step_down = m_toolbox.options().step_down;
-    push.slide = m_toolbox.options().slide;
-    push.settle = m_toolbox.options().settle;
-    return Operation(push);
-  });
-}
-
-void OperationPanel::add_turn(QFormLayout& form) {
-  auto* const about = new QComboBox;
-  about->addItems(
-      {tr("the contact's normal"), tr("an edge of the contact"), tr("a contact point")});
-  about->setToolTip(tr("Click a contact point, edge or area in a view to choose it"));
-  form.addRow(tr("About"), about);
-  auto* const by = angle(form, tr("Angle"), 15);
-  add_angle_step(form);
-  choice(form, tr("Settle at the end"), &ToolOptions::let_go, tr("Otherwise the object is held"));
-  apply(form, tr("Turn"), [this, about, by](const Object& object) {
-    auto turn = operation_of<TurnOperation>(object, m_document, m_toolbox.options());
-    turn.about = static_cast<TurnOperation::About>(about->currentIndex());
-    if (const auto& contact = m_document.selection().contact) {
-      turn.point = contact->near;
-      const ObjectSnapshot* const with =
-          contact->with.is_object() ? m_document.snapshot()->find(contact->with.object()) : nullptr;
-      turn.with = with ? (*with)->name : std::string("floor");
-    }
-    turn.angle_deg = by->value();
-    turn.settle = m_toolbox.options().let_go;
-    return Operation(turn);
-  });
-}
-
-void OperationPanel::add_pick_up(QFormLayout& form) {
-  threshold(form, tr("Distance"), &ToolOptions::pick_up_distance, tr("Along the contact's normal"));
-  apply(form, tr("Pick up"), [this](const Object& object) {
-    auto pick_up = operation_of<PickUpOperation>(object, m_document, m_toolbox.options());
-    pick_up.distance = m_toolbox.options().pick_up_distance;
-    return Operation(pick_up);
-  });
-}
-
-void OperationPanel::add_move(QFormLayout& form) {
-  auto* const x = length(form, tr("X"), 0);
-  auto* const y = length(form, tr("Y"), 0);
-  auto* const z = length(form, tr("Z"), 0.1);
-  choice(form, tr("Ignore collisions"), &ToolOptions::free,
-         tr("As in a modeller; interpenetrating objects are marked until resolved"));
-  choice(form, tr("Settle at the end"), &ToolOptions::let_go, tr("Otherwise the object is held"));
-  apply(form, tr("Move"), [this, x, y, z](const Object& object) {
-    auto move = operation_of<TranslateOperation>(object, m_document, m_toolbox.options());
-    move.by = Vec3(x->value(), y->value(), z->value());
-    move.free = m_toolbox.options().free;
-    move.settle = m_toolbox.options().let_go && !move.free;
-    return Operation(move);
-  });
-}
-
-void OperationPanel::add_rotate(QFormLayout& form) {
-  auto* const axis = new QComboBox;
-  axis->addItems({tr("X"), tr("Y"), tr("Z")});
-  axis->setCurrentIndex(2);
-  form.addRow(tr("Axis"), axis);
-  auto* const by = angle(form, tr("Angle"), 15, tr("About the centre of mass"));
-  add_angle_step(form);
-  choice(form, tr("Ignore collisions"), &ToolOptions::free,
-         tr("As in a modeller; interpenetrating objects are marked until resolved"));
-  choice(form, tr("Settle at the end"), &ToolOptions::let_go, tr("Otherwise the object is held"));
-  apply(form, tr("Rotate"), [this, axis, by](const Object& object) {
-    auto rotate = operation_of<RotateOperation>(object, m_document, m_toolbox.options());
-    rotate.axis = Vec3::Unit(axis->currentIndex());
-    rotate.angle_deg = by->value();
-    rotate.free = m_toolbox.options().free;
-    rotate.settle = m_toolbox.options().let_go && !rotate.free;
-    return Operation(rotate);
-  });
 }
 
 void OperationPanel::follow_document() {

@@ -29,6 +29,8 @@ class OperationPanel : public QWidget {
  private:
   struct Page;
   QWidget* make_page(ToolKind kind);
+
+  // operation_forms.cpp
   void add_select(QFormLayout& form);
   void add_put(QFormLayout& form);
   void add_push(QFormLayout& form);
@@ -36,12 +38,15 @@ class OperationPanel : public QWidget {
   void add_pick_up(QFormLayout& form);
   void add_move(QFormLayout& form);
   void add_rotate(QFormLayout& form);
+  void add_paint(QFormLayout& form);
   QDoubleSpinBox* length(QFormLayout& form, const QString& name, double value,
                          const QString& tip = {});
   QDoubleSpinBox* angle(QFormLayout& form, const QString& name, double value,
                         const QString& tip = {});
   QDoubleSpinBox* threshold(QFormLayout& form, const QString& name, double ToolOptions::*option,
                             const QString& tip);
+  QDoubleSpinBox* share(QFormLayout& form, const QString& name, double ToolOptions::*option,
+                        const QString& tip);
   QCheckBox* choice(QFormLayout& form, const QString& name, bool ToolOptions::*option,
                     const QString& tip);
   void add_angle_step(QFormLayout& form);

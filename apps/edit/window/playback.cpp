@@ -5,6 +5,7 @@
 #include <QMouseEvent>
 #include <algorithm>
 
+#include "apps/edit/document/drag_motion.h"
 #include "apps/edit/document/same_pose.h"
 #include "core/motion/pose_interpolation.h"
 
@@ -15,6 +16,7 @@ constexpr int kTickMs = 16;
 constexpr double kStraightMs = 320;  // duration of an unknown path
 // Duration of a known path per length in object sizes, with minimum and maximum.
 constexpr double kMsPerSize = 350, kShortestMs = 240, kLongestMs = 1400;
+constexpr double kAhead = 0.01;  // of the path: the motion is told from the poses at its ends
 constexpr double kApart = 0.01;  // of the object's size: larger differences are not rounding
 
 bool is_on_way(const SceneSnapshot& scene, ObjectId id) {
@@ -83,6 +85,17 @@ void Playback::move_on() {
 
 bool Playback::moves(ObjectId id) const {
   return is_on() && (is_on_way(*m_now, id) || m_straight.count(id.index) > 0);
+}
+
+std::vector<ObjectId> Playback::on_the_way() const {
+  return is_on() && m_now->way ? m_now->way->moved : std::vector<ObjectId>();
+}
+
+std::optional<Motion> Playback::motion() const {
+  if (!is_on() || !m_now->way) return std::nullopt;
+  const SettledWay& way = *m_now->way;
+  const double here = std::min(progress(), 1 - kAhead);
+  return motion_between(pose_on(way, here), pose_on(way, here + kAhead), way.size);
 }
 
 Pose Playback::pose_of(const ObjectSnapshot& object) const {

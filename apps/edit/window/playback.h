@@ -6,8 +6,10 @@
 #include <QObject>
 #include <QTimer>
 #include <map>
+#include <optional>
 
 #include "apps/edit/document/snapshot.h"
+#include "core/motion/motion.h"
 
 namespace trivet::edit {
 
@@ -23,6 +25,10 @@ class Playback : public QObject {
   void end();
   bool is_on() const { return m_now != nullptr; }
   bool moves(ObjectId id) const;
+  /// Objects that go along the known path, the first one first; empty: none.
+  std::vector<ObjectId> on_the_way() const;
+  /// Of the first one, from here; nullopt: none, or it stands still.
+  std::optional<Motion> motion() const;
   /// Displayed pose.
   Pose pose_of(const ObjectSnapshot& object) const;
 

@@ -8,7 +8,7 @@
 namespace trivet::edit {
 
 PreferencesDialog::PreferencesDialog(Document& document, const DetectionChoice& choice,
-                                     QWidget* parent)
+                                     const SnapSteps& steps, QWidget* parent)
     : QDialog(parent), m_document(document), m_answering(new QLabel) {
   setWindowTitle(tr("Preferences"));
   m_backend = make_box("backend",
@@ -22,9 +22,17 @@ PreferencesDialog::PreferencesDialog(Document& document, const DetectionChoice& 
                        {"framebuffer", tr("Framebuffers")},
                        {"compute", tr("Compute shaders")}},
                       choice.gpu_method);
+  m_grid =
+      make_step("grid step", 1000 * steps.grid, 1000 * kLeastGrid, 1000 * kLargestGrid, tr(" mm"));
+  m_angle = make_step("angle step", steps.angle_deg, kLeastAngle, kLargestAngle, tr("°"));
   auto* const form = new QFormLayout(this);
   form->setContentsMargins(20, 20, 20, 14);
   form->setVerticalSpacing(10);
+  auto* const snapping = new QLabel(tr("Steps of drags while the magnet or Control is on."));
+  snapping->setWordWrap(true);
+  form->addRow(snapping);
+  form->addRow(tr("Grid"), m_grid);
+  form->addRow(tr("Angles"), m_angle);
   auto* const about = new QLabel(
       tr("Who finds what stops a motion. Results are the same with all of them, to the bit."));
   about->setWordWrap(true);
@@ -65,6 +73,20 @@ QComboBox* PreferencesDialog::make_box(const char* name,
   connect(box, &QComboBox::activated, this, [this] {
     m_method->setEnabled(choice().backend != "bvh" && choice().backend != "software");
     Q_EMIT detection_chosen(choice());
+  });
+  return box;
+}
+
+QDoubleSpinBox* PreferencesDialog::make_step(const char* name, double value, double least,
+                                             double largest, const QString& unit) {
+  auto* const box = new QDoubleSpinBox;
+  box->setObjectName(name);
+  box->setRange(least, largest);
+  box->setDecimals(2);
+  box->setSuffix(unit);
+  box->setValue(value);
+  connect(box, &QDoubleSpinBox::valueChanged, this, [this] {
+    Q_EMIT steps_chosen({0.001 * m_grid->value(), m_angle->value()});
   });
   return box;
 }

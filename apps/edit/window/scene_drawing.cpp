@@ -7,46 +7,11 @@ namespace trivet::edit {
 namespace {
 
 constexpr int kGhostRestsMs = 120;  // without motion, after which it counts as still
-constexpr double kNormalPx = 26, kNormalOfObject = 0.15;  // length of normals: the shorter of both
-constexpr double kHeadPx = 9, kHeadOfArrow = 0.3;         // of arrows: the shorter of both
-constexpr size_t kManyPoints = 12;                        // of a contact
-constexpr size_t kManyFaces = 300;  // above, faces are lit without their edges
-const LiveColour kContactRed{0.92f, 0.20f, 0.18f, 1};
-const LiveColour kGravityLine{0.30f, 0.55f, 0.95f, 1};
-const LiveColour kBox{0.55f, 0.62f, 0.72f, 0.8f};
-const LiveColour kAxes[4] = {{0.86f, 0.27f, 0.27f, 1},
-                             {0.35f, 0.68f, 0.25f, 1},
-                             {0.25f, 0.45f, 0.90f, 1},
-                             {0.75f, 0.75f, 0.75f, 1}};
-
-LiveColour with_alpha(LiveColour colour, float alpha) {
-  colour[3] = alpha;
-  return colour;
-}
 
 LiveObject live_object(const Object& object, const Pose& pose) {
   LiveObject out;
   out.model = object.model;
   out.world_from_object = world_from_object(pose, object.up, object.scale);
-  return out;
-}
-
-/// Lower end of the gravity line: the floor, or the bottom of the scene.
-double foot_height(const SceneSnapshot& scene) {
-  if (scene.floor) return 0;
-  const Aabb box = scene.box();
-  return box.empty() ? 0 : box.lower.z();
-}
-
-std::vector<Triangle> triangles_of(const SceneSnapshot& scene, const FacesOfObject& of) {
-  std::vector<Triangle> out;
-  const ObjectSnapshot* const object = scene.find(of.id);
-  if (!object) return out;
-  const Affine world = (*object)->world_from_object();
-  for (const Index face : of.faces) {
-    out.push_back((*object)->shape->mesh.triangle(face));
-    for (Vec3& corner : out.back()) corner = world.apply(corner);
-  }
   return out;
 }
 
@@ -120,7 +85,8 @@ bool SceneDrawing::stops_drag(const ObjectSnapshot& object) const {
 
 LiveColour SceneDrawing::tint_of(const ObjectSnapshot& object) const {
   const auto snapshot = m_document.snapshot();
-  if (stops_drag(object))
+  // A table that stops it may fill the picture: of what is fixed, faces and points are lit alone.
+  if (stops_drag(object) && !object->fixed)
     return live_colour(m_theme.refused(), strength(0.45f, !snapshot->drag->faces.empty()));
   const bool is_lit =
       std::find(m_lit.objects.begin(), m_lit.objects.end(), object.id) != m_lit.objects.end();
@@ -165,8 +131,9 @@ LiveScene SceneDrawing::scene(const View& view) const {
     out.objects.push_back(std::move(live));
   }
   add_ghost(out);
-  add_active(out, view);
-  add_drag(out);
+  add_active(out.overlay, view);
+  add_drag(out.overlay);
+  add_playback(out.overlay);
   add_interference(out.overlay);
   add_toppling(out.overlay, view);
   add_zlists(out.overlay);
@@ -194,151 +161,6 @@ void SceneDrawing::add_ghost(LiveScene& scene) const {
   if (ghost.ok) return;
   for (const Vec3& point : ghost.points)
     scene.overlay.points.push_back({point, live_colour(m_theme.refused()), 6, Hidden::Shown});
-}
-
-void SceneDrawing::add_active(LiveScene& scene, const View& view) const {
-  const auto active = m_document.selection().active();
-  const auto snapshot = m_document.snapshot();
-  const ObjectSnapshot* const object = active ? snapshot->find(*active) : nullptr;
-  if (!object || !(*object)->placed || !m_options.contacts || m_playback.is_on()) return;
-  LiveOverlay& overlay = scene.overlay;
-  if (!(*object)->fixed) {
-    const Vec3 centre = (*object)->centre_of_mass();
-    const Vec3 foot(centre.x(), centre.y(), std::min(foot_height(*snapshot), centre.z()));
-    overlay.lines.push_back({centre, foot, kGravityLine, 1.5f, Hidden::Faint});
-    overlay.points.push_back({centre, kGravityLine, 4, Hidden::Shown});
-    overlay.points.push_back({centre, {1, 1, 1, 1}, 1.8f, Hidden::Shown});
-  }
-  if (!snapshot->drag) add_contacts(overlay, *object->object, view);
-}
-
-void SceneDrawing::add_contacts(LiveOverlay& overlay, const Object& object,
-                                const View& view) const {
-  const Aabb box = world_box(object);
-  const double metres = view.metres_per_px(std::max(view.depth(box.centre()), 0.0));
-  const double length = std::min(kNormalPx * metres, kNormalOfObject * box.diagonal());
-  for (const ObjectContact& entry : object.contacts) {
-    const Contact& contact = entry.contact;
-    overlay.add_polygon(contact.hull, with_alpha(kContactRed, 0.30f), Hidden::Faint);
-    if (contact.hull.size() > 1) overlay.add_loop(contact.hull, kContactRed, 1.8f, Hidden::Faint);
-    // For many points, marks only the corners of the hull, and one normal for all.
-    const bool many = contact.points.size() > kManyPoints;
-    Vec3 middle = Vec3::Zero();
-    for (const ContactPoint& point : contact.points) {
-      middle += point.point / double(contact.points.size());
-      overlay.points.push_back({point.point, kContactRed, many ? 1.5f : 3, Hidden::Faint});
-      if (!many)
-        overlay.lines.push_back({point.point, point.point + length * point.normal,
-                                 with_alpha(kContactRed, 0.75f), 1.2f, Hidden::Faint});
-    }
-    if (many)
-      overlay.lines.push_back(
-          {middle, middle + length * contact.normal, kContactRed, 1.8f, Hidden::Faint});
-  }
-}
-
-void SceneDrawing::add_drag(LiveScene& scene) const {
-  const auto snapshot = m_document.snapshot();
-  if (!snapshot->drag) return;
-  const DragSnapshot& drag = *snapshot->drag;
-  Aabb box;
-  for (const ObjectId id : drag.moving)
-    if (const ObjectSnapshot* const object = snapshot->find(id))
-      box.extend(world_box(*object->object));
-  if (!box.empty()) scene.overlay.add_box(box, kBox, 1, Hidden::Faint);
-  for (const ContactPoint& point : drag.contacts)
-    scene.overlay.points.push_back({point.point, kContactRed, 3, Hidden::Faint});
-  if (drag.blocked && drag.end != OperationResult::End::Edge)
-    scene.overlay.points.push_back({drag.blocked_at, live_colour(m_theme.refused()),
-                                    drag.faces.empty() ? 7.0f : 4.0f, Hidden::Shown});
-}
-
-// Draws interfering faces, including those of a message.
-void SceneDrawing::add_interference(LiveOverlay& overlay) const {
-  if (m_playback.is_on()) return;
-  const auto snapshot = m_document.snapshot();
-  if (snapshot->invalid)
-    for (const InvalidObject& object : *snapshot->invalid)
-      if (!is_dragged(object.id)) add_crossing(overlay, object.faces);
-  if (!snapshot->drag) return add_blocking(overlay, m_lit.faces);
-  if (snapshot->drag->blocked)
-    add_blocking(overlay, snapshot->drag->faces);
-  else
-    add_crossing(overlay, snapshot->drag->faces);
-}
-
-// Crossing faces may be large: geometry in front of them, and on them, stays visible.
-void SceneDrawing::add_crossing(LiveOverlay& overlay, const InterferingFaces& faces) const {
-  const LiveColour area = live_colour(m_theme.lit(), 0.4f), edge = live_colour(m_theme.lit(), 0.8f);
-  for (const FacesOfObject& of : faces.objects)
-    for (const Triangle& t : triangles_of(*m_document.snapshot(), of)) {
-      overlay.triangles.push_back({t, area, Hidden::Cut});
-      if (of.faces.size() <= kManyFaces) overlay.add_loop({t[0], t[1], t[2]}, edge, 1, Hidden::Cut);
-    }
-}
-
-// Touching faces are hidden by their own objects: their edges are drawn on top.
-void SceneDrawing::add_blocking(LiveOverlay& overlay, const InterferingFaces& faces) const {
-  const LiveColour area = live_colour(m_theme.lit(), 0.75f), edge = live_colour(m_theme.lit());
-  for (const FacesOfObject& of : faces.objects)
-    for (const Triangle& t : triangles_of(*m_document.snapshot(), of)) {
-      overlay.triangles.push_back({t, area, Hidden::Faint});
-      if (of.faces.size() <= kManyFaces)
-        overlay.add_loop({t[0], t[1], t[2]}, edge, 1.5f, Hidden::Shown);
-    }
-}
-
-// An arrow for what topples, the way it goes.
-void SceneDrawing::add_toppling(LiveOverlay& overlay, const View& view) const {
-  const auto snapshot = m_document.snapshot();
-  const auto verdict = m_document.verdict();
-  if (!verdict || snapshot->drag || m_playback.is_on()) return;
-  const LiveColour colour = live_colour(m_theme.refused());
-  for (const ObjectStability& o : verdict->stability.objects) {
-    const ObjectSnapshot* const object = o.topples ? snapshot->find(o.object) : nullptr;
-    const auto arrow = object ? toppling_arrow(*object->object, o) : std::nullopt;
-    if (!arrow) continue;
-    const Vec3 way = arrow->to - arrow->from;
-    const double metres = view.metres_per_px(std::max(view.depth(arrow->to), 0.0));
-    const double head = std::min(kHeadOfArrow * way.norm(), kHeadPx * metres);
-    const Vec3 side = head * way.unitOrthogonal(), back = head * 1.6 * way.normalized();
-    const Vec3 other = way.normalized().cross(side);
-    overlay.points.push_back({arrow->from, colour, 4, Hidden::Shown});
-    overlay.lines.push_back({arrow->from, arrow->to, colour, 3, Hidden::Shown});
-    for (const Vec3& barb : {side, Vec3(-side), other, Vec3(-other)})
-      overlay.lines.push_back({arrow->to, arrow->to - back + barb, colour, 3, Hidden::Shown});
-  }
-}
-
-// Pairs of faces of the z-list view, for as long as its motion is under the hand.
-void SceneDrawing::add_zlists(LiveOverlay& overlay) const {
-  const std::shared_ptr<const ZListView> view = m_document.zlists();
-  const auto snapshot = m_document.snapshot();
-  const bool in_hand = snapshot->drag || m_document.ghost();
-  if (!view || !in_hand || view->committed != snapshot->committed) return;
-  const auto add = [&](const std::vector<Triangle>& faces, const QColor& colour) {
-    for (const Triangle& t : faces) {
-      overlay.triangles.push_back({t, live_colour(colour, 0.6f), Hidden::Faint});
-      overlay.add_loop({t[0], t[1], t[2]}, live_colour(colour), 1.2f, Hidden::Shown);
-    }
-  };
-  add(view->fixed_faces, m_theme.fixed_face());
-  add(view->moving_faces, m_theme.moving_face());
-}
-
-void SceneDrawing::add_tool(LiveOverlay& overlay, const View& view) const {
-  for (const edit::Overlay::Line& line : m_toolbox.overlay(view).lines) {
-    LiveColour colour = line.axis >= 0 && line.axis < 4 ? kAxes[line.axis] : kGravityLine;
-    float width = 2.5f;
-    if (line.role == Overlay::Role::HotHandle) colour = {1, 0.85f, 0.25f, 1}, width = 3.5f;
-    if (line.role == Overlay::Role::HoverEdge) colour = {1, 0.65f, 0.1f, 1}, width = 4;
-    if (line.role == Overlay::Role::Hint) width = 1.5f;
-    const Hidden hidden = line.role == Overlay::Role::Hint ? Hidden::Faint : Hidden::Shown;
-    if ((line.a - line.b).norm() > 0)
-      overlay.lines.push_back({line.a, line.b, colour, width, hidden});
-    else
-      overlay.points.push_back({line.a, colour, 2 * width, hidden});
-  }
 }
 
 }  // namespace trivet::edit

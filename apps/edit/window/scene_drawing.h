@@ -49,9 +49,16 @@ class SceneDrawing : public QObject {
   LiveColour tint_of(const ObjectSnapshot& object) const;
   LiveColour look_of(const ObjectSnapshot& object) const;
   void add_ghost(LiveScene& scene) const;
-  void add_active(LiveScene& scene, const View& view) const;
-  void add_contacts(LiveOverlay& overlay, const Object& object, const View& view) const;
-  void add_drag(LiveScene& scene) const;
+
+  // scene_marks.cpp
+  void add_active(LiveOverlay& overlay, const View& view) const;
+  void add_gravity_line(LiveOverlay& overlay, const SceneSnapshot& scene, const Vec3& centre) const;
+  void add_hull(LiveOverlay& overlay, const Contact& contact) const;
+  void add_contact(LiveOverlay& overlay, const Object& object, const Contact& contact,
+                   const View& view) const;
+  void add_volume(LiveOverlay& overlay, const ProjectionVolume& volume) const;
+  void add_drag(LiveOverlay& overlay) const;
+  void add_playback(LiveOverlay& overlay) const;
   void add_interference(LiveOverlay& overlay) const;
   void add_crossing(LiveOverlay& overlay, const InterferingFaces& faces) const;
   void add_blocking(LiveOverlay& overlay, const InterferingFaces& faces) const;

@@ -7,6 +7,7 @@
 #include <QTimer>
 #include <QWidget>
 
+#include "apps/edit/tools/section.h"
 #include "apps/edit/tools/toolbox.h"
 #include "apps/edit/window/painter.h"
 #include "apps/edit/window/scene_drawing.h"
@@ -24,7 +25,9 @@ class SceneView : public QWidget {
   WindowKind kind() const { return m_kind; }
   const ViewCamera& camera() const { return m_camera; }
   void set_camera(const ViewCamera& camera);
-  View view() const { return m_camera.view(size()); }
+  View view() const;
+  const Section& section() const { return m_section; }
+  void set_section(const Section& section);
   void frame(const Aabb& box);
   /// Box to frame: of the selection, else of the scene.
   Aabb selected_box() const;
@@ -38,8 +41,9 @@ class SceneView : public QWidget {
   double last_picture_ms() const { return m_picture_ms; }
 
  Q_SIGNALS:
-  void pointed();       // the tools got an event
-  void camera_moved();  // by the user
+  void pointed();        // the tools got an event
+  void camera_moved();   // by the user
+  void section_moved();  // by the user
   void context_menu_wanted(const QPoint& global);
 
  protected:
@@ -69,7 +73,10 @@ class SceneView : public QWidget {
   void paint_axes(QPainter& painter) const;
   void paint_scale(QPainter& painter) const;
   void paint_rubber_band(QPainter& painter) const;
-  void paint_refusal(QPainter& painter) const;
+  void paint_at_pointer(QPainter& painter) const;
+  void paint_note(QPainter& painter, const QString& text, const Vec2& px,
+                  const QColor& frame) const;
+  void paint_section(QPainter& painter) const;
   void update_cursor();
 
   WindowKind m_kind;
@@ -78,6 +85,8 @@ class SceneView : public QWidget {
   SceneDrawing& m_drawing;
   Painter& m_painter;
   ViewCamera m_camera;
+  Section m_section;
+  std::optional<double> m_cut;  // depth of the section, for this scene and camera
   QImage m_image;
   QString m_failure;
   quint64 m_wanted = 0, m_requested = 0, m_shown = 0;  // picture numbers

@@ -69,24 +69,45 @@ void SceneView::paint_rubber_band(QPainter& painter) const {
   painter.drawRect(QRectF(QPointF(a.x(), a.y()), QPointF(b.x(), b.y())).normalized());
 }
 
-// Beside the pointer, as far as there is room.
-void SceneView::paint_refusal(QPainter& painter) const {
+void SceneView::paint_section(QPainter& painter) const {
+  if (!m_section.on || (m_section.only_if_hidden && m_section.shift == 0 && !m_cut)) return;
+  const auto active = m_document.selection().active();
+  const ObjectSnapshot* const object = active ? m_document.snapshot()->find(*active) : nullptr;
+  const QString text =
+      object && (*object)->placed
+          ? tr("Cut away in front of %1").arg(QString::fromStdString((*object)->name))
+          : tr("Cut away in front of the middle");
+  paint_label(painter, QRectF(12, 8, width() - 24, 20), Qt::AlignLeft | Qt::AlignTop,
+              m_cut ? text : tr("Section: nothing is in the way"), m_drawing.theme().accent());
+}
+
+// The reason of a refusal, or to what a drag snaps.
+void SceneView::paint_at_pointer(QPainter& painter) const {
   const auto& ghost = m_document.ghost();
   const auto& pointer = m_toolbox.last_pointer();
-  if (!ghost || ghost->ok || ghost->text.empty() || m_document.is_dragging()) return;
   if (!pointer || pointer->window != m_kind || pointer->kind == PointerEvent::Kind::Leave) return;
+  const Theme& theme = m_drawing.theme();
+  const bool refused = ghost && !ghost->ok && !ghost->text.empty() && !m_document.is_dragging();
+  const std::string note = refused ? ghost->text : m_toolbox.overlay(view()).note;
+  if (!note.empty())
+    paint_note(painter, QString::fromStdString(note), pointer->px,
+               refused ? theme.refused() : theme.accent());
+}
+
+// Beside the pointer, as far as there is room.
+void SceneView::paint_note(QPainter& painter, const QString& text, const Vec2& px,
+                           const QColor& frame) const {
   constexpr int kWidest = 320, kAside = 18, kPad = 6;
   constexpr int kFlags = Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap;
-  const QString text = QString::fromStdString(ghost->text);
   const QRect room(0, 0, std::min(kWidest, width() - 4 * kPad), height());
   QRect box = painter.fontMetrics().boundingRect(room, kFlags, text);
-  const int x = static_cast<int>(pointer->px.x()), y = static_cast<int>(pointer->px.y());
+  const int x = static_cast<int>(px.x()), y = static_cast<int>(px.y());
   box.moveTopLeft({std::clamp(x + kAside, 2 * kPad, std::max(width() - box.width() - 2 * kPad, 0)),
                    std::min(y + kAside, std::max(height() - box.height() - 2 * kPad, 0))});
   const Theme& theme = m_drawing.theme();
   QColor under = theme.window();
   under.setAlpha(230);
-  painter.setPen(QPen(theme.refused(), 1));
+  painter.setPen(QPen(frame, 1));
   painter.setBrush(under);
   painter.drawRoundedRect(QRectF(box).adjusted(-kPad, -kPad, kPad, kPad), 3, 3);
   painter.setPen(theme.text());

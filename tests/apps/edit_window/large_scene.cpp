@@ -4,19 +4,63 @@
 #include <QFile>
 #include <algorithm>
 #include <ctime>
+#include <fstream>
 
 #include "ops/files/layout/layout.h"
+#include "support/textured_square.h"
 
 namespace trivet::edit::test {
 namespace {
 
+/// The mesh with an image of 1024 x 1024 pixels over it, seen from above. @return the file's name.
+QString write_textured(const QString& folder, const Mesh& mesh) {
+  constexpr int kPixels = 1024;
+  Image image{kPixels, kPixels, {}};
+  for (int i = 0; i < kPixels * kPixels; ++i) {
+    const int x = i % kPixels, y = i / kPixels;
+    const auto tone =
+        static_cast<std::uint8_t>((x * 7 + y * 13 + (x / 64 + y / 64) % 2 * 90) % 256);
+    image.rgba.insert(image.rgba.end(), {tone, 120, static_cast<std::uint8_t>(255 - tone), 255});
+  }
+  std::string positions, places, corners;
+  const Aabb box = mesh.box();
+  const Vec3 size = box.upper - box.lower;
+  for (const Vec3& v : mesh.vertices) {
+    const Vec3 at = (v - box.lower).cwiseQuotient(size);
+    trivet::testing::append_numbers<float>(positions, {float(v.x()), float(v.y()), float(v.z())});
+    trivet::testing::append_numbers<float>(places, {float(at.x()), float(at.z())});
+  }
+  for (const auto& t : mesh.triangles)
+    trivet::testing::append_numbers<std::uint32_t>(
+        corners, {std::uint32_t(t[0]), std::uint32_t(t[1]), std::uint32_t(t[2])});
+  nlohmann::ordered_json json = trivet::testing::square_json("saucer.png");
+  const auto at = [](const Vec3& v) { return nlohmann::ordered_json{v.x(), v.y(), v.z()}; };
+  json["accessors"][0]["count"] = json["accessors"][1]["count"] = mesh.vertices.size();
+  json["accessors"][0]["min"] = at(box.lower), json["accessors"][0]["max"] = at(box.upper);
+  json["accessors"][2]["count"] = 3 * mesh.triangles.size();
+  json["accessors"][2]["componentType"] = 5125;
+  size_t offset = 0;
+  for (size_t i = 0; i < 3; ++i) {
+    const size_t length = (i == 0 ? positions : i == 1 ? places : corners).size();
+    json["bufferViews"][i]["byteOffset"] = offset, json["bufferViews"][i]["byteLength"] = length;
+    offset += length;
+  }
+  json["buffers"][0] = {
+      {"byteLength", offset},
+      {"uri", "data:application/octet-stream;base64," + base64(positions + places + corners)}};
+  const QString name = "textured_saucer.gltf";
+  std::ofstream((folder + "/saucer.png").toStdString(), std::ios::binary) << encode_png(image);
+  std::ofstream((folder + "/" + name).toStdString()) << json.dump();
+  return name;
+}
+
 /// 1,000 saucers on the floor, 648 triangles each. @return the layout's path.
-QString write_saucers(const QString& folder, const Pose& at_rest) {
+QString write_saucers(const QString& folder, const Pose& at_rest, const QString& model) {
   Layout layout;
   for (int i = 0; i < 1000; ++i) {
     LayoutObject saucer;
     saucer.name = "saucer_" + std::to_string(i);
-    saucer.model = "saucer.glb";
+    saucer.model = model.toStdString();
     saucer.pose = at_rest;
     saucer.pose->translation += Vec3(0.2 * (i % 40), 0.2 * (i / 40), 0);
     layout.objects.push_back(saucer);
@@ -34,10 +78,14 @@ double median(std::vector<double> all) {
 
 }  // namespace
 
-void measure_large_scene(Document& document, MainWindow& window, User& user,
-                         const QString& folder) {
+void measure_large_scene(Document& document, MainWindow& window, User& user, const QString& folder,
+                         bool textured) {
   constexpr int kMoves = 40, kHangsMs = 20000;
-  const QString file = write_saucers(folder, user.object("saucer").pose);
+  const Object& saucer = user.object("saucer");
+  const QString model =
+      textured ? write_textured(folder, saucer.shape->mesh) : QString("saucer.glb");
+  const QString file = write_saucers(folder, saucer.pose, model);
+  qInfo(textured ? "with an image of 1024 x 1024 pixels on each" : "without images");
   document.go_to_step(0);  // no unsaved changes, so no question
   QVERIFY(user.wait());
   QElapsedTimer timer;
@@ -74,7 +122,7 @@ void measure_large_scene(Document& document, MainWindow& window, User& user,
   user.release(view, middle + QPoint(3 * kMoves, kMoves), Qt::MiddleButton);
   const double whole = time_of([] {}, [&] { return view.is_up_to_date(); });
   const double whole_ms = processor_ms();
-  user.look("thousand_objects");
+  user.look(textured ? "thousand_textured_objects" : "thousand_objects");
   qInfo(
       "orbit: mouse move to picture: median %.0f ms, largest %.0f ms; then the whole picture "
       "in %.0f ms; processors: %.0f ms per move, %.0f ms for the whole",
@@ -96,9 +144,9 @@ void measure_large_scene(Document& document, MainWindow& window, User& user,
   user.release(view, at, Qt::LeftButton);
   QVERIFY(user.wait());
   qInfo(
-      "drag: mouse move to pose: median %.2f ms; to picture: median %.0f ms; processors: "
-      "%.0f ms per move",
-      median(poses), median(pictures), drag_ms);
+      "drag: mouse move to pose: median %.2f ms, largest %.2f ms; to picture: median %.0f ms; "
+      "processors: %.0f ms per move",
+      median(poses), *std::max_element(poses.begin(), poses.end()), median(pictures), drag_ms);
 }
 
 }  // namespace trivet::edit::test

@@ -22,6 +22,7 @@
 #include "apps/edit_window/together.h"
 #include "apps/edit_window/tour.h"
 #include "apps/edit_window/user.h"
+#include "apps/edit_window/views_and_tools.h"
 #include "apps/edit_window/zlists_watched.h"
 #include "core/io/export.h"
 #include "support/effort.h"
@@ -78,6 +79,10 @@ class TestWindow : public QObject {
   void shows_full_scenes_at_every_size();
   void shows_dialogs_and_menus();
   void fills_a_shelf();
+  void looks_under_a_shelf();
+  void keeps_views();
+  void snaps_and_paints();
+  void pushes_along_a_wall();
   void works_by_numbers();
   void lays_out_many();
   void shows_and_hides();
@@ -376,6 +381,22 @@ void TestWindow::fills_a_shelf() {
   fill_shelf(*m_document, *m_window, *m_user, m_folder.filePath("shelf"));
 }
 
+void TestWindow::looks_under_a_shelf() {
+  look_under_a_shelf(*m_document, *m_window, *m_user, m_folder.filePath("views"));
+}
+
+void TestWindow::keeps_views() {
+  keep_views(*m_document, *m_window, *m_user, m_folder.filePath("views"));
+}
+
+void TestWindow::snaps_and_paints() {
+  snap_and_paint(*m_document, *m_window, *m_user, m_folder.filePath("snapping"));
+}
+
+void TestWindow::pushes_along_a_wall() {
+  push_along_a_wall(*m_document, *m_window, *m_user, m_folder.filePath("wall"));
+}
+
 void TestWindow::works_by_numbers() {
   work_by_numbers(*m_document, *m_window, *m_user, m_folder.filePath("numbers"));
 }
@@ -392,7 +413,11 @@ void TestWindow::stays_usable_with_a_thousand_objects() {
   export_models(m_saved.path());
   m_window->open_demo("spoon-saucer");
   QVERIFY(m_user->wait());
-  measure_large_scene(*m_document, *m_window, *m_user, m_saved.path());
+  measure_large_scene(*m_document, *m_window, *m_user, m_saved.path(), false);
+  m_document->go_to_step(0);
+  m_window->open_demo("spoon-saucer");
+  QVERIFY(m_user->wait());
+  measure_large_scene(*m_document, *m_window, *m_user, m_saved.path(), true);
 }
 
 }  // namespace trivet::edit::test

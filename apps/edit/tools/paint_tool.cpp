@@ -1,0 +1,139 @@
+#include "apps/edit/tools/paint_tool.h"
+
+#include <QtGlobal>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "apps/edit/document/paint.h"
+#include "apps/edit/tools/picking.h"
+
+namespace trivet::edit {
+namespace {
+
+constexpr double kStrokePx = 4;  // between points of a stroke
+constexpr int kPlaceParts = 16;
+constexpr double kPlaceRadius = 0.35;  // radius of a place, of the spacing
+
+/// A level ring.
+void add_ring(const Vec3& centre, double radius, Overlay& out) {
+  const auto at = [&](int i) {
+    const double angle = 2 * std::numbers::pi * i / kPlaceParts;
+    return Vec3(centre + radius * Vec3(std::cos(angle), std::sin(angle), 0));
+  };
+  for (int i = 0; i < kPlaceParts; ++i)
+    out.lines.push_back({Overlay::Role::HoverEdge, at(i), at(i + 1)});
+}
+
+}  // namespace
+
+bool PaintTool::pointer(const PointerEvent& event) {
+  using Kind = PointerEvent::Kind;
+  if (event.kind == Kind::Press) {
+    if (m_pressed) return true;
+    if (event.button != MouseButton::Left || m_document.is_busy() || objects().empty())
+      return false;
+    m_pressed = event;
+    m_last = event.px;
+    m_stroke.clear();
+    if (const auto hit = pick(*m_document.snapshot(), event.view.seen_ray(event.px),
+                              m_document.looks().hidden()))
+      m_stroke.push_back(hit->point);
+    return true;
+  }
+  if (!m_pressed) return false;
+  if (event.kind == Kind::Move) paint_to(event);
+  if (event.kind == Kind::Release && event.button == MouseButton::Left) finish();
+  return true;
+}
+
+// Over the surfaces between the last pixel and this one. Where there is none the stroke goes on
+// straight at the next surface.
+void PaintTool::paint_to(const PointerEvent& event) {
+  const double length = (event.px - m_last).norm();
+  const int steps = static_cast<int>(length / kStrokePx);
+  const std::vector<ObjectId> hidden = m_document.looks().hidden();
+  for (int i = 1; i <= steps; ++i) {
+    const Vec2 px = m_last + (event.px - m_last) * i / steps;
+    if (const auto hit = pick(*m_document.snapshot(), m_pressed->view.seen_ray(px), hidden))
+      m_stroke.push_back(hit->point);
+  }
+  if (steps > 0) m_last = event.px;
+}
+
+void PaintTool::finish() {
+  PaintWish wish;
+  wish.objects = objects();
+  wish.places = places();
+  wish.turned = m_options.paint_turned;
+  wish.seed = m_options.paint_seed + m_strokes++;
+  wish.drop_height = m_options.drop_height;
+  m_pressed.reset();
+  m_stroke.clear();
+  if (wish.places.empty()) return;
+  ManyObjects copies = painted(*m_document.snapshot(), wish);
+  copies.select = false;  // the next stroke paints the same objects
+  m_document.perform_groups("paint", std::move(copies));
+}
+
+bool PaintTool::key(const KeyEvent& event) {
+  if (event.key != KeyEvent::Key::Escape) return false;
+  if (m_pressed)
+    cancel();
+  else if (m_document.selection() == Selection())
+    return false;
+  else
+    m_document.select({});
+  return true;
+}
+
+void PaintTool::cancel() {
+  m_pressed.reset();
+  m_stroke.clear();
+}
+
+std::vector<std::string> PaintTool::objects() const {
+  std::vector<std::string> out;
+  const auto snapshot = m_document.snapshot();
+  for (const ObjectId id : m_document.selection().objects)
+    if (const ObjectSnapshot* const object = snapshot->find(id)) out.push_back((*object)->name);
+  return out;
+}
+
+double PaintTool::spacing() const {
+  if (m_options.paint_spacing > 0) return m_options.paint_spacing;
+  return width_of(*m_document.snapshot(), objects());
+}
+
+std::vector<Vec3> PaintTool::places() const { return spaced(m_stroke, spacing()); }
+
+Overlay PaintTool::overlay(const View&) const {
+  Overlay out;
+  if (!m_pressed) return out;
+  const std::vector<Vec3> all = places();
+  const double radius = kPlaceRadius * spacing();
+  for (const Vec3& place : all) add_ring(place, radius, out);
+  for (size_t i = 0; i + 1 < m_stroke.size(); ++i)
+    out.lines.push_back({Overlay::Role::Hint, m_stroke[i], m_stroke[i + 1]});
+  out.note = std::to_string(all.size()) + (all.size() == 1 ? " copy" : " copies");
+  return out;
+}
+
+Cursor PaintTool::cursor() const { return objects().empty() ? Cursor::Arrow : Cursor::Cross; }
+
+std::string PaintTool::in_hand() const {
+  const std::vector<std::string> all = objects();
+  if (all.empty()) return {};
+  return all.size() == 1 ? all.front() : std::to_string(all.size()) + " objects in turn";
+}
+
+std::string PaintTool::hint() const {
+  if (objects().empty())
+    return QT_TRANSLATE_NOOP("tools",
+                             "Select the objects to paint copies of, then drag over a surface");
+  return QT_TRANSLATE_NOOP(
+      "tools",
+      "Drag over a surface: copies are set down along the stroke; what does not fit is left out");
+}
+
+}  // namespace trivet::edit

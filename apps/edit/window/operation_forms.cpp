@@ -1,0 +1,182 @@
+// The forms of the operation panel, one per tool.
+#include <QLabel>
+#include <QSpinBox>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+#include "apps/edit/document/pose_numbers.h"
+#include "apps/edit/tools/operation_of.h"
+#include "apps/edit/window/operation_panel.h"
+
+namespace trivet::edit {
+
+void OperationPanel::add_select(QFormLayout& form) {
+  auto* const text = new QLabel(
+      tr("Click selects, Shift-click adds; drag from an empty place to select with a box."));
+  text->setWordWrap(true);
+  text->setObjectName("faint");
+  form.addRow(text);
+}
+
+void OperationPanel::add_put(QFormLayout& form) {
+  m_put_on = new QComboBox;
+  m_put_on->setToolTip(
+      tr("From a position, the object falls; on another object, the free place nearest to x, y "
+         "is searched"));
+  form.addRow(tr("Onto"), m_put_on);
+  const char* const names[] = {"X", "Y", "Z"};
+  for (int i = 0; i < 3; ++i) m_put_at[i] = length(form, tr(names[i]), i == 2 ? 1 : 0);
+  auto* const turned = angle(form, tr("Turned"), 0, tr("About the vertical axis"));
+  auto* const keep =
+      length(form, tr("Keep away"), 0, tr("Distance from everything but its support"));
+  threshold(form, tr("Drop height"), &ToolOptions::drop_height,
+            tr("For the mouse: above the highest point below the object"));
+  choice(form, tr("Then take the next object"), &ToolOptions::take_next,
+         tr("After a click that put one: the next object that is not placed yet (or press N)"));
+  connect(m_put_on, &QComboBox::currentIndexChanged, this, [this, keep](int index) {
+    m_put_at[2]->setEnabled(index <= 0);
+    keep->setEnabled(index > 0);
+  });
+  apply(form, tr("Put"), [this, turned, keep](const Object& object) {
+    auto put = operation_of<PutOperation>(object, m_document, m_toolbox.options());
+    const Rotation before = object.placed ? object.pose.rotation : Rotation{};
+    put.start.rotation = turned_about(Vec3::UnitZ(), turned->value()) * before;
+    put.start.translation = Vec3(m_put_at[0]->value(), m_put_at[1]->value(), m_put_at[2]->value());
+    if (m_put_on->currentIndex() <= 0) return Operation(put);
+    PlaceOptions place;
+    place.on = m_put_on->currentIndex() == 1 ? std::string("floor")
+                                             : m_put_on->currentText().toStdString();
+    place.near = Vec2(put.start.translation.head<2>());
+    place.keep = keep->value();
+    put.place = place;
+    return Operation(put);
+  });
+}
+
+void OperationPanel::add_push(QFormLayout& form) {
+  auto* const direction = angle(form, tr("Direction"), 0, tr("Seen from above, from x towards y"));
+  auto* const distance = length(form, tr("Distance"), 0.1);
+  auto* const by_size =
+      choice(form, tr("Steps in proportion to the object"), &ToolOptions::steps_by_size,
+             tr("Otherwise in millimetres. Steps are measured across the surface"));
+  auto* const of_size = share(form, tr("Step"), &ToolOptions::step_share,
+                              tr("Of the object's size: higher steps and deeper edges stop it"));
+  auto* const up =
+      threshold(form, tr("Step up"), &ToolOptions::step_up, tr("Higher steps stop the object"));
+  auto* const down =
+      threshold(form, tr("Step down"), &ToolOptions::step_down, tr("Deeper edges stop the object"));
+  const auto show = [&form, of_size, up, down](bool on) {
+    form.setRowVisible(of_size, on);
+    form.setRowVisible(up, !on), form.setRowVisible(down, !on);
+  };
+  connect(by_size, &QCheckBox::toggled, this, show);
+  show(by_size->isChecked());
+  choice(form, tr("Slide along walls"), &ToolOptions::slide, tr("Otherwise walls stop the object"));
+  choice(form, tr("Settle at the end"), &ToolOptions::settle, tr("Otherwise the object is held"));
+  apply(form, tr("Push"), [this, direction, distance](const Object& object) {
+    auto push = operation_of<PushOperation>(object, m_document, m_toolbox.options());
+    const double radians = direction->value() * 0.0174532925199433;
+    push.direction = Vec2(std::cos(radians), std::sin(radians));
+    push.distance = distance->value();
+    std::tie(push.step_up, push.step_down) = push_steps(m_toolbox.options(), object);
+    push.slide = m_toolbox.options().slide;
+    push.settle = m_toolbox.options().settle;
+    return Operation(push);
+  });
+}
+
+void OperationPanel::add_turn(QFormLayout& form) {
+  auto* const about = new QComboBox;
+  about->addItems(
+      {tr("the contact's normal"), tr("an edge of the contact"), tr("a contact point")});
+  about->setToolTip(tr("Click a contact point, edge or area in a view to choose it"));
+  form.addRow(tr("About"), about);
+  auto* const by = angle(form, tr("Angle"), 15);
+  add_angle_step(form);
+  choice(form, tr("Settle at the end"), &ToolOptions::let_go, tr("Otherwise the object is held"));
+  apply(form, tr("Turn"), [this, about, by](const Object& object) {
+    auto turn = operation_of<TurnOperation>(object, m_document, m_toolbox.options());
+    turn.about = static_cast<TurnOperation::About>(about->currentIndex());
+    if (const auto& contact = m_document.selection().contact) {
+      turn.point = contact->near;
+      const ObjectSnapshot* const with =
+          contact->with.is_object() ? m_document.snapshot()->find(contact->with.object()) : nullptr;
+      turn.with = with ? (*with)->name : std::string("floor");
+    }
+    turn.angle_deg = by->value();
+    turn.settle = m_toolbox.options().let_go;
+    return Operation(turn);
+  });
+}
+
+void OperationPanel::add_pick_up(QFormLayout& form) {
+  threshold(form, tr("Distance"), &ToolOptions::pick_up_distance, tr("Along the contact's normal"));
+  apply(form, tr("Pick up"), [this](const Object& object) {
+    auto pick_up = operation_of<PickUpOperation>(object, m_document, m_toolbox.options());
+    pick_up.distance = m_toolbox.options().pick_up_distance;
+    return Operation(pick_up);
+  });
+}
+
+void OperationPanel::add_move(QFormLayout& form) {
+  auto* const x = length(form, tr("X"), 0);
+  auto* const y = length(form, tr("Y"), 0);
+  auto* const z = length(form, tr("Z"), 0.1);
+  choice(form, tr("Ignore collisions"), &ToolOptions::free,
+         tr("As in a modeller; interpenetrating objects are marked until resolved"));
+  choice(form, tr("Settle at the end"), &ToolOptions::let_go, tr("Otherwise the object is held"));
+  apply(form, tr("Move"), [this, x, y, z](const Object& object) {
+    auto move = operation_of<TranslateOperation>(object, m_document, m_toolbox.options());
+    move.by = Vec3(x->value(), y->value(), z->value());
+    move.free = m_toolbox.options().free;
+    move.settle = m_toolbox.options().let_go && !move.free;
+    return Operation(move);
+  });
+}
+
+void OperationPanel::add_rotate(QFormLayout& form) {
+  auto* const axis = new QComboBox;
+  axis->addItems({tr("X"), tr("Y"), tr("Z")});
+  axis->setCurrentIndex(2);
+  form.addRow(tr("Axis"), axis);
+  auto* const by = angle(form, tr("Angle"), 15, tr("About the centre of mass"));
+  add_angle_step(form);
+  choice(form, tr("Ignore collisions"), &ToolOptions::free,
+         tr("As in a modeller; interpenetrating objects are marked until resolved"));
+  choice(form, tr("Settle at the end"), &ToolOptions::let_go, tr("Otherwise the object is held"));
+  apply(form, tr("Rotate"), [this, axis, by](const Object& object) {
+    auto rotate = operation_of<RotateOperation>(object, m_document, m_toolbox.options());
+    rotate.axis = Vec3::Unit(axis->currentIndex());
+    rotate.angle_deg = by->value();
+    rotate.free = m_toolbox.options().free;
+    rotate.settle = m_toolbox.options().let_go && !rotate.free;
+    return Operation(rotate);
+  });
+}
+
+void OperationPanel::add_paint(QFormLayout& form) {
+  auto* const text = new QLabel(
+      tr("Drag over a surface: copies of the selected objects, in turn, along the stroke."));
+  text->setWordWrap(true);
+  text->setObjectName("faint");
+  form.addRow(text);
+  auto* const spacing = threshold(form, tr("Spacing"), &ToolOptions::paint_spacing,
+                                  tr("Between the middles of the copies; 0: side by side"));
+  spacing->setSpecialValueText(tr("side by side"));
+  spacing->setObjectName("paint spacing");
+  choice(form, tr("Random turns"), &ToolOptions::paint_turned,
+         tr("Each copy is turned about the vertical axis"));
+  auto* const seed = new QSpinBox;
+  seed->setRange(0, std::numeric_limits<int>::max());
+  seed->setToolTip(tr("Of the turns: the same strokes give the same scene"));
+  seed->setValue(static_cast<int>(m_toolbox.options().paint_seed));
+  connect(seed, &QSpinBox::valueChanged, this, [this](int value) {
+    m_toolbox.options().paint_seed = static_cast<std::uint64_t>(value);
+  });
+  form.addRow(tr("Seed"), seed);
+  threshold(form, tr("Drop height"), &ToolOptions::drop_height,
+            tr("Above the surface under the stroke"));
+}
+
+}  // namespace trivet::edit
