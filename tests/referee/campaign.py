@@ -4,12 +4,16 @@
     tests/referee/campaign.py --trivet build/release/apps/trivet --referee PATH/referee \\
         --shared ../shared [--set floor,pair,pile,bin] [--out DIR] [--same-as OTHER_TRIVET] [--threads 1,2]
         [--backends software,gpu] [--match REGEX] [--friction MU [--whole]] [--every N] [--heaps 4x50] [--bins 50x10]
-        [--tries 3]
+        [--tries 3] [--solids 20x8] [--simulate 5]
 
 floor: every model in 5 random orientations, put onto the floor.
 pair:  every model in 5 random orientations, put onto one of 10 other models that stand there fixed.
 pile:  heaps, 4 of 50 objects.
 bin:   bins, open boxes of 60 x 40 x 25 cm that stand fixed, each with 10 objects of up to 30 cm.
+solid: heaps of convex solids, 20 of 8: bricks, slabs, bars, wedges and prisms, which are their own
+       collision shapes. No real models are needed.
+--simulate: every scene is exported, and MuJoCo runs on it for so many seconds; how many objects moved
+by more than a millimetre and a centimetre is printed. It does not count for the exit status.
 --friction: settled with this coefficient, by the referee judged at it. --whole: every operation leaves
 the whole scene at rest, or is refused; the referee judges the whole scene, too.
 --tries: what a heap or a bin refuses is put again in the end, from another place above all, up to so
@@ -120,6 +124,52 @@ def bin_layouts(layouts, models, out, bins):
         yield f"bin_{k:02d}", layout.json, shifted_in_bin(f"again {k}", centres)
 
 
+def prism(layouts, out, name, polygon, depth):
+    """A convex polygon in xz, counter-clockwise, drawn out along y, as a model."""
+    n, path = len(polygon), os.path.join(out, name + ".obj")
+    rings = [list(range(1, n + 1)), list(range(2 * n, n, -1))]
+    rings += [[i + 1, n + i + 1, n + (i + 1) % n + 1, (i + 1) % n + 1] for i in range(n)]
+    with open(path, "w") as file:
+        for y in (-depth / 2, depth / 2):
+            for x, z in polygon:
+                file.write(f"v {x:.9g} {y:.9g} {z:.9g}\n")
+        for ring in rings:
+            for k in range(1, len(ring) - 1):
+                file.write(f"f {ring[0]} {ring[k]} {ring[k + 1]}\n")
+    low, high = ([f(p[k] for p in polygon) for k in (0, 1)] for f in (min, max))
+    box = [(low[0], -depth / 2, low[1]), (high[0], depth / 2, high[1])]
+    text = [" ".join(map(str, corner)) for corner in box]
+    size = " ".join(str(b - a) for a, b in zip(*box))
+    return layouts.Model({"file": name + ".obj", "kind": "solid", "up_axis": "z", "scale_to_m": 1,
+                          "size_m": size, "bbox_min": text[0], "bbox_max": text[1]}, path)
+
+
+def solid_models(layouts, out):
+    def rectangle(a, b):
+        return [(-a / 2, -b / 2), (a / 2, -b / 2), (a / 2, b / 2), (-a / 2, b / 2)]
+
+    def regular(radius, n):
+        return [(radius * math.cos(2 * math.pi * k / n), radius * math.sin(2 * math.pi * k / n))
+                for k in range(n)]
+    wedge = [(-0.1, -0.04), (0.1, -0.04), (-0.1, 0.06)]
+    return [prism(layouts, out, *solid) for solid in (
+        ("brick", rectangle(0.2, 0.06), 0.1), ("cube", rectangle(0.1, 0.1), 0.1),
+        ("slab", rectangle(0.25, 0.02), 0.2), ("hexagon", regular(0.06, 6), 0.12),
+        ("wedge", wedge, 0.1), ("bar", rectangle(0.3, 0.03), 0.03),
+        ("octagon", regular(0.07, 8), 0.04))]
+
+
+def solid_layouts(layouts, out, solids):
+    count, num_objects = map(int, solids.split("x"))
+    models = solid_models(layouts, out)
+    for k in range(count):
+        rng, layout = random.Random(f"solid {k}"), layouts.Layout()
+        for i in range(num_objects):
+            layout.put(f"object_{i + 1:02d}", rng.choice(models), layouts.random_rotation(rng),
+                       rng.uniform(-0.12, 0.12), rng.uniform(-0.12, 0.12), 0.3 * (i + 1))
+        yield f"solid_{k:02d}", layout.json, None
+
+
 def turned_about_centre(seed):
     """Puts an object of a heap again, with its start turned about the heap's axis."""
     rng = random.Random(seed)
@@ -221,6 +271,19 @@ def verdict_of(options, base, scene, report):
     return json.loads(done.stdout) if done.returncode in (0, 1) else {}
 
 
+def simulate(options, base, scene):
+    """Ways of the objects, in metres, while MuJoCo runs."""
+    if not options.simulate:
+        return []
+    report = base + ".exported.json"
+    done = subprocess.run([options.trivet, "export", scene, "-o", base + ".xml", "--report", report,
+                           "--simulate", str(options.simulate), "--quiet"],
+                          capture_output=True, text=True)
+    if done.returncode not in (0, 1):
+        raise RuntimeError(f"{base}: status {done.returncode}: {done.stderr}")
+    return [o["moved"] for o in read_report(report)["simulated"]["objects"]]
+
+
 def put_again(options, base, layout, again):
     """Appends further PUTs of what was refused, above all; runs anew after each round: what was done
     before is done the same again."""
@@ -250,10 +313,11 @@ def judge(options, name, layout, again):
     report = read_report(path)
     totals = verdict_of(options, base, scene, path)
     different = differences(options, base, scene, report)
+    moved = simulate(options, base, scene)
     os.remove(scene)
     placed = {o["object"] for o in report["operations"] if o["status"] == "ok"}
     num = len({o["object"] for o in layout["operations"]})
-    return name, report["operations"], totals, different, (len(placed), num)
+    return name, report["operations"], totals, different, (len(placed), num), moved
 
 
 TOTALS = ["interpenetrating_pairs", "float32_interpenetrating_pairs", "below_floor",
@@ -265,21 +329,26 @@ def run_set(options, title, layouts):
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
         chosen = [item for item in layouts if re.search(options.match, item[0])][::options.every]
         results = list(pool.map(lambda item: judge(options, *item), chosen))
-    operations = [o for _, ops, _, _, _ in results for o in ops]
+    operations = [o for _, ops, *_ in results for o in ops]
     placed, objects = (sum(r[4][k] for r in results) for k in (0, 1))
     done = [o for o in operations if o["status"] == "ok"]
     times = sorted(o["milliseconds"] for o in done)
-    true = sum(1 for _, _, totals, _, _ in results if totals.get("verdict"))
-    sums = {k: sum(t.get(k) or 0 for _, _, t, _, _ in results) for k in TOTALS}
-    different = [d for _, _, _, found, _ in results for d in found]
+    true = sum(1 for _, _, totals, *_ in results if totals.get("verdict"))
+    sums = {k: sum(t.get(k) or 0 for _, _, t, *_ in results) for k in TOTALS}
+    different = [d for _, _, _, found, *_ in results for d in found]
     print(f"| {title} | {len(results)} | {placed} of {objects} | {len(done)} of {len(operations)} | {true} | "
           f"{sum(sums.values())} | {statistics.median(times):.2f} | "
           f"{times[int(0.95 * (len(times) - 1))]:.1f} | {times[-1]:.0f} | {len(different)} |",
           flush=True)
+    moved = [way for r in results for way in r[5]]
+    if options.simulate:
+        print(f"  in MuJoCo, {options.simulate} s: {sum(way > 1e-3 for way in moved)} of "
+              f"{len(moved)} objects moved by more than 1 mm, {sum(way > 1e-2 for way in moved)} by "
+              "more than 1 cm", flush=True)
     for o in operations:
         if o["status"] != "ok":
             print(f"  refused: {o['reason']}", file=sys.stderr)
-    for name, _, totals, _, _ in results:
+    for name, _, totals, *_ in results:
         if not totals.get("verdict"):
             print(f"  not true: {name} {totals}", file=sys.stderr)
     for name in different:
@@ -303,6 +372,8 @@ def main():
     parser.add_argument("--every", type=int, default=1, help="every N-th scene only")
     parser.add_argument("--heaps", default="4x50", help="number and size of the heaps")
     parser.add_argument("--bins", default="50x10", help="number of bins and of objects in each")
+    parser.add_argument("--solids", default="20x8", help="number of heaps of solids and of objects in each")
+    parser.add_argument("--simulate", type=float, default=0, help="seconds of MuJoCo")
     parser.add_argument("--tries", type=int, default=1, help="PUTs of an object that heaps and bins refuse")
     parser.add_argument("--same-as", help="another build of trivet to compare with")
     parser.add_argument("--threads", default="", help="numbers of threads to compare, comma-separated")
@@ -317,10 +388,12 @@ def main():
     sets = {"floor": lambda: floor_layouts(layouts, models),
             "pair": lambda: pair_layouts(layouts, models),
             "pile": lambda: pile_layouts(layouts, models, args, options.heaps),
-            "bin": lambda: bin_layouts(layouts, models, options.out, options.bins)}
+            "bin": lambda: bin_layouts(layouts, models, options.out, options.bins),
+            "solid": lambda: solid_layouts(layouts, options.out, options.solids)}
     titles = {"floor": "80 models x 5 on the floor", "pair": "80 models x 5 on another model",
               "pile": f"heaps, {options.heaps} objects",
-              "bin": f"bins, {options.bins} objects"}
+              "bin": f"bins, {options.bins} objects",
+              "solid": f"solids, {options.solids} objects"}
     print("| scenes | number | placed | PUTs ok | true | findings | PUT ms median | p95 | max | differ |\n"
           "|---|---|---|---|---|---|---|---|---|---|")
     ok = [run_set(options, titles[name], sets[name]()) for name in options.set.split(",")]

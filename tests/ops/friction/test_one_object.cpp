@@ -50,6 +50,32 @@ TEST(Incline, TakesTheSmallerFrictionOfThePair) {
   EXPECT_FALSE(stays(stage.settle(block)));
 }
 
+// A plank down a slope on two rails, of friction mu_1 above and mu_2 below: the lower one bears
+// more by the height h of the plank's centre, and they lie d apart. It slips where tan a > (mu_1 +
+// mu_2) / 2 / (1 - (mu_2 - mu_1) h / d).
+TEST(Plank, SlipsOnTwoRailsAsBothTogetherHold) {
+  const double distance = 0.6, rail = 0.004, height = 0.1;
+  for (const auto& [mu_above, mu_below] : {std::pair(0.2, 0.6), {0.6, 0.2}, {0.1, 0.3}}) {
+    const double limit =
+        std::atan((mu_above + mu_below) / 2 / (1 - (mu_below - mu_above) * height / 2 / distance)) *
+        180 / M_PI;
+    for (const double degrees : {limit - 0.5, limit + 0.5}) {
+      Stage stage(1);
+      const double a = radians(degrees);
+      const Vec3 up(std::sin(a), 0, std::cos(a)), down(std::cos(a), 0, -std::sin(a));
+      const Vec3 middle(0, 0, 1);
+      for (const auto& [side, mu] : {std::pair(-0.5, mu_above), {0.5, mu_below}}) {
+        const ObjectId id = stage.add(box(rail, 0.3, 0.02), middle + side * distance * down,
+                                      about_y(degrees), true);
+        edit_object(stage.scene, id, [&](Object& o) { o.material.friction = mu; });
+      }
+      const ObjectId plank = stage.add(box(0.9, 0.2, height),
+                                       middle + (0.01 + height / 2 + kGap) * up, about_y(degrees));
+      EXPECT_EQ(stays(stage.settle(plank)), degrees < limit) << mu_above << " " << degrees;
+    }
+  }
+}
+
 // A tall block topples before it slips: above tan a = width / height.
 TEST(TallBlock, TopplesWhenItsCentreLeavesItsFoot) {
   for (const auto& [height, degrees, holds] : {std::tuple(0.45, 20.0, true),
@@ -93,6 +119,19 @@ TEST(Ladder, SlidesDownBelowItsAngle) {
     const SettleOutcome out = below.settle(ladder);
     expect_proper_end(below, ladder, out);
     EXPECT_LT(out.pose.translation.z(), 0.1) << mu;  // flat on the floor
+  }
+}
+
+// A smooth wall does not hold its top: tan a = 1 / (2 mu), but for the thickness.
+TEST(Ladder, SlidesEarlierAtASmoothWall) {
+  for (const double mu : {0.3, 0.5}) {
+    const double limit = std::atan(1 / (2 * (mu + 0.04 / 4))) * 180 / M_PI;
+    for (const double degrees : {limit - 0.5, limit + 0.5}) {
+      Stage stage(mu);
+      const ObjectId ladder = add_ladder(stage, degrees);
+      edit_object(stage.scene, stage.scene.ids()[0], [](Object& o) { o.material.friction = 1e-9; });
+      EXPECT_EQ(stays(stage.settle(ladder)), degrees > limit) << mu << " " << degrees;
+    }
   }
 }
 
