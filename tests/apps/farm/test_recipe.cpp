@@ -14,9 +14,6 @@ using nlohmann::json;
 
 json read_corpus() { return test::read_corpus("tests/apps/farm/recipes.json"); }
 
-/// The reader's error message; empty if there is none.
-std::string complaint(const std::string& text) { return test::complaint(parse_recipe, text); }
-
 TEST(Recipe, ReadsCorpus) {
   const auto [num_good, num_bad] = test::expect_corpus(read_corpus(), parse_recipe);
   EXPECT_GE(num_good, 6);
