@@ -83,6 +83,14 @@ Image trace_picture(const PictureScene& scene, const PinholeCamera& camera,
   return develop(path.filter ? filtered(sums) : unfiltered(sums), options);
 }
 
+std::string traced_png(const PictureScene& scene, const PinholeCamera& camera, int samples,
+                       const PathOptions& path) {
+  PictureOptions options;
+  options.width = camera.width, options.height = camera.height;
+  options.samples = samples;
+  return encode_png(trace_picture(scene, camera, options, path));
+}
+
 Image trace_picture(const PictureScene& scene, const std::optional<Camera>& camera,
                     const PictureOptions& options, const PathOptions& path) {
   check_picture(scene, options);

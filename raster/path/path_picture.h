@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <exception>
+#include <string>
 
 #include "core/picture/image.h"
 #include "core/picture/pinhole_camera.h"
@@ -38,6 +39,9 @@ struct PathOptions {
 ///   (Environment) for lack of memory.
 Image trace_picture(const PictureScene& scene, const PinholeCamera& camera,
                     const PictureOptions& options = {}, const PathOptions& path = {});
+/// The same as a picture of the camera's size: the bytes of a PNG file.
+std::string traced_png(const PictureScene& scene, const PinholeCamera& camera, int samples,
+                       const PathOptions& path = {});
 /// Without a camera, with the automatic one.
 Image trace_picture(const PictureScene& scene, const std::optional<Camera>& camera,
                     const PictureOptions& options = {}, const PathOptions& path = {});

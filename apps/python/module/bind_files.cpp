@@ -103,7 +103,7 @@ SceneFileOptions file_options(const Snapshot& snapshot, const std::string& folde
 }
 
 py::bytes bytes_of(const Snapshot& snapshot) {
-  return without_gil([&] {
+  return apart(std::make_shared<std::atomic<bool>>(false), [snapshot] {
     return scene_file_bytes(snapshot.scene, snapshot.layout,
                             file_options(snapshot, snapshot.model_folder));
   });

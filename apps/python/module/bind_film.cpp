@@ -21,7 +21,7 @@ MotionFilm end_film(SharedScene& scene) {
 }
 
 py::bytes film_bytes(const MotionFilm& film) {
-  return without_gil([&] { return film.glb(); });
+  return apart(std::make_shared<std::atomic<bool>>(false), [film] { return film.glb(); });
 }
 
 }  // namespace

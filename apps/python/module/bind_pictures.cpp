@@ -1,67 +1,20 @@
 // Pictures by rays and labelled images of a scene, as arrays; what `trivet render` writes.
 #include <pybind11/stl.h>
-#include <tbb/task_arena.h>
-
-#include <map>
 
 #include "apps/python/module/arrays.h"
 #include "apps/python/module/bindings.h"
 #include "apps/python/module/callback.h"
+#include "apps/python/module/drawn_scene.h"
 #include "apps/python/module/errors.h"
 #include "core/base/bad_input.h"
 #include "core/picture/camera_dome.h"
 #include "ops/files/labels/label_json.h"
-#include "ops/files/report/models_of_shapes.h"
 #include "raster/path/path_picture.h"
 
 namespace trivet::python {
 namespace {
 
 using namespace py::literals;
-using Names = std::map<std::string, std::string>;
-using Colours = std::map<std::string, std::array<float, 4>>;
-
-/// A scene as it is now, kept until the work is done: others may change theirs meanwhile.
-struct Drawn {
-  Scene scene;
-  std::optional<WholeModels> whole;  // of `scene`
-  LabelledScene labelled;            // of `whole`
-};
-
-std::unique_ptr<Drawn> drawn(SharedScene& shared, const Names& classes = {}) {
-  auto out = std::make_unique<Drawn>();
-  Layout layout;
-  {
-    const SceneGuard guard(shared);
-    out->scene = shared.scene();
-    layout = shared.session().layout();
-  }
-  for (const auto& [name, class_name] : classes)
-    if (!out->scene.find(name)) raise("NoSuchObject", "there is no object \"" + name + "\"");
-  without_gil([&] {
-    out->whole.emplace(out->scene);
-    out->labelled = labelled_scene(out->whole->scene(), layout, classes);
-    return 0;
-  });
-  return out;
-}
-
-void add_highlights(const Colours& colours, LabelledScene& scene) {
-  for (const auto& [name, colour] : colours) {
-    bool found = false;
-    for (std::size_t i = 0; i < scene.objects.size(); ++i)
-      if (scene.objects[i].name == name) {
-        scene.picture.objects[i].highlight = colour;
-        found = true;
-      }
-    if (!found) raise("NoSuchObject", "there is no object \"" + name + "\" in the scene");
-  }
-}
-
-template <class F>
-void in_arena(int num_threads, F f) {
-  tbb::task_arena(num_threads > 0 ? num_threads : tbb::task_arena::automatic).execute(f);
-}
 
 template <class T>
 py::array_t<T> image_of(std::vector<T>&& values, int width, int height, py::ssize_t channels) {
@@ -72,42 +25,63 @@ py::array_t<T> image_of(std::vector<T>&& values, int width, int height, py::ssiz
   return py::array_t<T>(shape, kept->data(), owner);
 }
 
-// Why a picture was not finished.
-[[noreturn]] void raise_for_cancelled(PythonCallback& told) {
-  told.rethrow();
-  if (PyErr_CheckSignals()) throw py::error_already_set();
-  PyErr_SetString(PyExc_RuntimeError, "the interpreter is ending: the picture was not finished");
-  throw py::error_already_set();
+// A picture under way: it may outlive the call that Ctrl+C ended, and its parts of Python do with
+// it.
+struct Painting {
+  Painting(SharedScene& shared, const PinholeCamera& of, const Colours& highlight,
+           const py::object& progress)
+      : camera(of), scene(std::in_place, shared, Names{}, highlight), told(progress, cancel) {}
+
+  Image image();
+
+  PinholeCamera camera;
+  std::optional<DrawnScene> scene;
+  std::atomic<bool> cancel = false;
+  PythonCallback told;
+  PictureOptions options;
+  PathOptions path;
+  int num_threads = 0;
+};
+
+Image Painting::image() {
+  Image out;
+  in_arena(num_threads,
+           [&] { out = trace_picture(scene->labelled().picture, camera, options, path); });
+  scene.reset();  // takes long for large meshes, too
+  return out;
+}
+
+// Ended with the GIL, wherever that is.
+std::shared_ptr<Painting> painting(SharedScene& shared, const PinholeCamera& camera,
+                                   const Colours& highlight, const py::object& progress) {
+  return {new Painting(shared, camera, highlight, progress), [](Painting* p) {
+            const py::gil_scoped_acquire acquire;
+            delete p;
+          }};
 }
 
 py::array_t<std::uint8_t> render(SharedScene& shared, const PinholeCamera& camera, int samples,
                                  int bounces, bool transparent, const Colours& highlight,
                                  const py::object& progress, int num_threads) {
-  const auto what = drawn(shared);
-  add_highlights(highlight, what->labelled);
-  std::atomic<bool> cancel = false;
-  PythonCallback told(progress, cancel);
-  PictureOptions options;
-  options.width = camera.width, options.height = camera.height;
-  options.samples = samples;
-  if (transparent) options.background[3] = 0;
-  if (told.is_given()) options.progress = [&](double fraction) { told(fraction); };
-  PathOptions path;
-  path.bounces = bounces;
-  path.cancel = &cancel;
+  const auto work = painting(shared, camera, highlight, progress);
+  work->options.width = camera.width, work->options.height = camera.height;
+  work->options.samples = samples;
+  if (transparent) work->options.background[3] = 0;
+  if (work->told.is_given())
+    work->options.progress = [told = &work->told](double fraction) { (*told)(fraction); };
+  work->path.bounces = bounces;
+  work->path.cancel = &work->cancel;
+  work->num_threads = num_threads;
+  const std::shared_ptr<std::atomic<bool>> cancel(work, &work->cancel);
   Image image;
   try {
-    const Cancellable cancellable(cancel);
-    without_gil([&] {
-      in_arena(num_threads,
-               [&] { image = trace_picture(what->labelled.picture, camera, options, path); });
-      return 0;
-    });
+    image = apart(cancel, [work] { return work->image(); });
   } catch (const PictureCancelled&) {
-    raise_for_cancelled(told);
+  } catch (const py::error_already_set&) {
+    if (!work->told.has_raised()) throw;
   }
-  told.rethrow();
-  if (PyErr_CheckSignals()) throw py::error_already_set();
+  work->told.rethrow();
+  if (image.rgba.empty()) raise_stopped();
   return image_of(std::move(image.rgba), camera.width, camera.height, 4);
 }
 
@@ -120,15 +94,29 @@ py::array_t<double> boxes(const std::vector<double>& values) {
   return column(values).reshape({static_cast<py::ssize_t>(values.size() / 4), py::ssize_t{4}});
 }
 
-void add_objects(const LabelledScene& scene, const Labels& labels, py::dict& out) {
+struct FoundLabels {
+  Labels labels;
+  std::vector<std::uint16_t> mask;
+  std::vector<LabelledObject> objects;
+  std::vector<std::string> classes;
+};
+
+FoundLabels found_labels(const LabelledScene& scene, const PinholeCamera& camera,
+                         const LabelOptions& options) {
+  FoundLabels out{render_labels(scene.picture, camera, options), {}, scene.objects, scene.classes};
+  out.mask = class_mask(scene, out.labels);
+  return out;
+}
+
+void add_objects(const FoundLabels& found, py::dict& out) {
   std::vector<std::string> names;
   std::vector<int> class_ids;
   std::vector<double> visible, whole, share;
   std::vector<std::int64_t> num_visible, num_alone;
-  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-    const ObjectLabel& label = labels.objects[i];
-    names.push_back(scene.objects[i].name);
-    class_ids.push_back(scene.objects[i].class_id);
+  for (std::size_t i = 0; i < found.objects.size(); ++i) {
+    const ObjectLabel& label = found.labels.objects[i];
+    names.push_back(found.objects[i].name);
+    class_ids.push_back(found.objects[i].class_id);
     add_box(visible_box_json(label.visible_box), visible);
     add_box(whole_box_json(label.whole_box), whole);
     share.push_back(label.visible_share());
@@ -136,7 +124,7 @@ void add_objects(const LabelledScene& scene, const Labels& labels, py::dict& out
     num_alone.push_back(label.num_alone);
   }
   out["names"] = py::tuple(py::cast(names));
-  out["class_names"] = py::tuple(py::cast(scene.classes));
+  out["class_names"] = py::tuple(py::cast(found.classes));
   out["class_ids"] = column(class_ids);
   out["boxes_visible"] = boxes(visible);
   out["boxes_whole"] = boxes(whole);
@@ -145,22 +133,27 @@ void add_objects(const LabelledScene& scene, const Labels& labels, py::dict& out
   out["visible_share"] = column(share);
 }
 
+// What f makes of the drawn scene, in a thread that alone owns it: to free it may take long, too.
+template <class F>
+auto of_drawn(SharedScene& shared, const Names& classes, int num_threads, F f) {
+  auto drawn = std::make_shared<DrawnScene>(shared, classes);
+  return apart(std::make_shared<std::atomic<bool>>(false),
+               [drawn = std::move(drawn), f, num_threads] {
+                 std::optional<decltype(f(drawn->labelled()))> out;
+                 in_arena(num_threads, [&] { out = f(drawn->labelled()); });
+                 return std::move(*out);
+               });
+}
+
 py::dict labels(SharedScene& shared, const PinholeCamera& camera, const Names& classes,
                 bool normals, bool visibility, int num_threads) {
-  const auto what = drawn(shared, classes);
-  Labels labels;
-  std::vector<std::uint16_t> mask;
-  without_gil([&] {
-    in_arena(num_threads, [&] {
-      labels = render_labels(what->labelled.picture, camera, {normals, visibility});
-      mask = class_mask(what->labelled, labels);
-    });
-    return 0;
+  FoundLabels found = of_drawn(shared, classes, num_threads, [=](const LabelledScene& scene) {
+    return found_labels(scene, camera, {normals, visibility});
   });
-  if (PyErr_CheckSignals()) throw py::error_already_set();
+  Labels& labels = found.labels;
   const int width = camera.width, height = camera.height;
   py::dict out;
-  add_objects(what->labelled, labels, out);
+  add_objects(found, out);
   out["normals"] = py::none();
   if (normals) {
     py::array_t<float> array({py::ssize_t{height}, py::ssize_t{width}, py::ssize_t{3}});
@@ -169,28 +162,29 @@ py::dict labels(SharedScene& shared, const PinholeCamera& camera, const Names& c
   }
   out["depth"] = image_of(std::move(labels.depth), width, height, 1);
   out["instances"] = image_of(std::move(labels.instances), width, height, 1);
-  out["classes"] = image_of(std::move(mask), width, height, 1);
+  out["classes"] = image_of(std::move(found.mask), width, height, 1);
   return out;
 }
 
 PinholeCamera automatic(SharedScene& shared, int width, int height) {
   check_camera(pinhole_camera(Camera{}, width, height));
-  const auto what = drawn(shared);
-  return pinhole_camera(automatic_camera(what->labelled.picture, double(width) / height), width,
-                        height);
+  return of_drawn(shared, {}, 0, [=](const LabelledScene& scene) {
+    return pinhole_camera(automatic_camera(scene.picture, double(width) / height), width, height);
+  });
 }
 
 std::vector<PinholeCamera> dome(SharedScene& shared, int count, int width, int height,
                                 std::uint64_t seed, double radius, double lowest, double highest,
                                 double fov) {
   check_camera(pinhole_camera(Camera{}, width, height));
-  const auto what = drawn(shared);
   const DomeOptions options{count, seed, radius, lowest, highest, fov};
-  std::vector<PinholeCamera> out;
-  out.reserve(static_cast<std::size_t>(std::max(count, 0)));
-  for (const Camera& camera : camera_dome(what->labelled.picture, double(width) / height, options))
-    out.push_back(pinhole_camera(camera, width, height));
-  return out;
+  return of_drawn(shared, {}, 0, [=](const LabelledScene& scene) {
+    std::vector<PinholeCamera> out;
+    out.reserve(static_cast<std::size_t>(std::max(count, 0)));
+    for (const Camera& camera : camera_dome(scene.picture, double(width) / height, options))
+      out.push_back(pinhole_camera(camera, width, height));
+    return out;
+  });
 }
 
 }  // namespace

@@ -198,6 +198,7 @@ void bind_scene(py::module_& m) {
   bind_queries(scene);
   bind_zlists(scene);
   bind_pictures(scene);
+  bind_data_sets(scene);
   bind_files(m, scene);
   bind_film(m, scene);
   m.def("materials", &materials);

@@ -11,13 +11,14 @@ namespace py = pybind11;
 using SceneClass = py::class_<SharedScene, std::shared_ptr<SharedScene>>;
 
 void bind_shape(py::module_& m);
-/// Scene, with what the seven below add to it.
+/// Scene, with what the eight below add to it.
 void bind_scene(py::module_& m);
 void bind_objects(SceneClass& scene);
 void bind_operations(SceneClass& scene);
 void bind_queries(SceneClass& scene);
 void bind_zlists(SceneClass& scene);
 void bind_pictures(SceneClass& scene);
+void bind_data_sets(SceneClass& scene);
 void bind_files(py::module_& m, SceneClass& scene);
 void bind_film(py::module_& m, SceneClass& scene);
 /// Cameras of pictures and labelled images.

@@ -21,6 +21,7 @@ class PythonCallback {
 
   template <class... Values>
   void operator()(const Values&... values) {
+    if (m_cancel) return;
     const py::gil_scoped_acquire acquire;
     if (m_raised) return;
     try {
@@ -31,6 +32,7 @@ class PythonCallback {
     }
   }
 
+  bool has_raised() const { return m_raised.has_value(); }
   void rethrow() {
     if (m_raised) throw std::move(*m_raised);
   }

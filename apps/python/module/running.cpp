@@ -3,6 +3,9 @@
 #include <pthread.h>
 
 #include <chrono>
+#include <condition_variable>
+#include <exception>
+#include <mutex>
 #include <set>
 #include <thread>
 
@@ -14,6 +17,7 @@ pthread_t main_thread;
 bool is_ending = false;
 int num_running = 0;
 int forks = 0;
+std::atomic<int> num_apart = 0;  // threads of run_apart() that have not ended
 std::set<std::atomic<bool>*>& cancellable() {
   static auto* const flags = new std::set<std::atomic<bool>*>;  // outlives static destructors
   return *flags;
@@ -40,13 +44,83 @@ bool is_handled(const struct sigaction& action) {
 void at_exit() {
   is_ending = true;
   for (std::atomic<bool>* const flag : cancellable()) flag->store(true);
-  while (num_running > 0) {
+  while (num_running > 0 || num_apart > 0) {
     const py::gil_scoped_release release;
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
 }
 
+// Work in a thread of its own.
+class ApartWork {
+ public:
+  explicit ApartWork(std::function<void()> work) : m_work(std::move(work)) {}
+
+  static void start(const std::shared_ptr<ApartWork>& self) {
+    ++num_apart;
+    try {
+      std::thread([self] { self->run(); }).detach();
+    } catch (...) {
+      --num_apart;
+      throw;
+    }
+  }
+  /// @return true if it has ended, false if it is cancelled before.
+  bool wait(const std::atomic<bool>& cancel) {
+    constexpr std::chrono::milliseconds kPause(1);
+    std::unique_lock lock(m_mutex);
+    while (!m_has_ended && !cancel) m_ended.wait_for(lock, kPause);
+    return m_has_ended;
+  }
+  void rethrow() const {
+    if (m_thrown) std::rethrow_exception(m_thrown);
+  }
+
+ private:
+  void run() {
+    try {
+      m_work();
+    } catch (...) {
+      m_thrown = std::current_exception();
+    }
+    m_work = nullptr;
+    {
+      const std::lock_guard lock(m_mutex);
+      m_has_ended = true;
+      m_ended.notify_all();
+    }
+    --num_apart;
+  }
+
+  std::function<void()> m_work;
+  std::exception_ptr m_thrown;
+  std::mutex m_mutex;
+  std::condition_variable m_ended;
+  bool m_has_ended = false;
+};
+
 }  // namespace
+
+void raise_stopped() {
+  PyErr_SetString(PyExc_RuntimeError,
+                  "stopped before it was done: by a signal whose handler raises nothing, or "
+                  "because the interpreter ends");
+  throw py::error_already_set();
+}
+
+void run_apart(std::shared_ptr<std::atomic<bool>> cancel, std::function<void()> work) {
+  const auto apart = std::make_shared<ApartWork>(std::move(work));
+  bool has_ended = false;
+  {
+    const Cancellable cancellable(*cancel);
+    has_ended = without_gil([&] {
+      ApartWork::start(apart);
+      return apart->wait(*cancel);
+    });
+  }
+  if (PyErr_CheckSignals()) throw py::error_already_set();
+  if (has_ended) return apart->rethrow();
+  raise_stopped();
+}
 
 bool in_main_thread() { return pthread_equal(pthread_self(), main_thread) != 0; }
 
@@ -103,6 +177,7 @@ void bind_running() {
   const py::cpp_function after_fork([] {
     main_thread = pthread_self();
     num_running = 0;
+    num_apart = 0;
     ++forks;
     cancellable().clear();
   });

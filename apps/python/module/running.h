@@ -11,6 +11,9 @@
 #include <signal.h>
 
 #include <atomic>
+#include <functional>
+#include <memory>
+#include <optional>
 #include <utility>
 
 namespace trivet::python {
@@ -51,6 +54,24 @@ class Cancellable {
   bool m_handles_signal = false;
   struct sigaction m_python = {};
 };
+
+/// Calls work() in a thread of its own, without the GIL. Ctrl+C sets `cancel` and is raised at
+/// once, in however long a step the work is: the rest ends by itself, and the interpreter waits for
+/// it.
+/// @param work  owns what it touches, `cancel` too, as it may outlive the call; nothing of Python.
+/// @throws what work() throws; RuntimeError (Python) when it was stopped otherwise.
+void run_apart(std::shared_ptr<std::atomic<bool>> cancel, std::function<void()> work);
+
+/// RuntimeError (Python): a call was cancelled, and no exception says why.
+[[noreturn]] void raise_stopped();
+
+/// The same, with what f() gives.
+template <class F>
+auto apart(const std::shared_ptr<std::atomic<bool>>& cancel, F f) {
+  const auto out = std::make_shared<std::optional<decltype(f())>>();
+  run_apart(cancel, [f = std::move(f), out] { out->emplace(f()); });
+  return std::move(**out);
+}
 
 bool in_main_thread();
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import html
+import os
 from typing import TYPE_CHECKING, Any, Callable, Iterable, Mapping, Optional, Sequence, Union, cast
 
 import numpy as np
@@ -12,6 +13,7 @@ from . import _arrays, _trivet
 from ._camera import MAX_SIDE, Camera, size_of
 from ._film import Film
 from ._labels import Labels
+from ._shape import PathLike
 from ._view import View, encode_png, num_faces, view_of
 
 if TYPE_CHECKING:
@@ -125,10 +127,48 @@ class Pictures:
             0: all cores; the labels do not depend on it.
         """
         view = self._camera_of(camera, size)
-        given = {_arrays.name_of("classes", name): _class_name(value) for name, value in (classes or {}).items()}
-        values = self._scene.labels(view._camera, given, bool(normals), bool(visibility),
+        values = self._scene.labels(view._camera, _class_names(classes), bool(normals), bool(visibility),
                                     _arrays.whole("num_threads", num_threads, 0, 1024))
         return Labels(camera=view, **values)
+
+    def write_data_set(self, folder: PathLike, cameras: Iterable[Camera], *, form: str = "coco",
+                       classes: Optional[Mapping[str, str]] = None, samples: int = 16, bounces: int = 3,
+                       depth_unit: float = 0.001, progress: Optional[Callable[[int, int], Any]] = None,
+                       num_threads: int = 0) -> None:
+        """Pictures and labels of many views as a data set in a folder: what ``trivet render --coco, --bop`` writes.
+
+        Files that describe all views are written last: a folder without them is not whole. Ctrl+C stops it within a view.
+
+        Parameters
+        ----------
+        folder : path
+            Made if it is not there; files in it are replaced.
+        cameras : Cameras
+            A view of each, as by `dome`; one at least.
+        form : "coco" or "bop"
+            COCO's instances (boxes, masks as run lengths, visible shares), or BOP's (poses, depth, masks, models in
+            millimetres).
+        classes, samples, bounces, num_threads
+            As for `labels` and `render`.
+        depth_unit : float
+            Metres for each unit of BOP's depth images, 1e-9 to 1e9.
+        progress : callable, optional
+            ``progress(done, total)``, of views; what it raises stops the work and is raised here.
+
+        Raises
+        ------
+        EnvironmentFailure
+            A file cannot be written.
+        """
+        views = [self._camera_of(_is_camera(one), None)._camera for one in cameras]
+        if not views:
+            raise _arrays.refuse("cameras", "[]", "one camera at least")
+        unit = _arrays.number("depth_unit", depth_unit)
+        if not 1e-9 <= unit <= 1e9:
+            raise _arrays.refuse("depth_unit", repr(depth_unit), "1e-9 to 1e9")
+        self._scene.write_data_set(os.fspath(folder), str(form), views, _class_names(classes),
+                                   _arrays.whole("samples", samples, 1, 4096), _arrays.whole("bounces", bounces, 0, 64),
+                                   unit, progress, _arrays.whole("num_threads", num_threads, 0, 1024))
 
     def view(self, *, show: Iterable[str] = (), highlight: Iterable[Any] = (), height: int = 480,
              max_faces: int = _MOST_SHOWN) -> View:
@@ -176,6 +216,16 @@ class Pictures:
             raise _arrays.refuse("size", repr(size), f"that of the camera, {camera.size}, or a size without a camera")
         size_of(camera.size)
         return camera
+
+
+def _is_camera(value: Any) -> Any:
+    if value is None:
+        raise _arrays.refuse("cameras", "None", "trivet.Cameras, as by dome(100)")
+    return value
+
+
+def _class_names(classes: Optional[Mapping[str, str]]) -> dict[str, str]:
+    return {_arrays.name_of("classes", name): _class_name(value) for name, value in (classes or {}).items()}
 
 
 def _class_name(value: Any) -> str:

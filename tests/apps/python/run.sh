@@ -15,5 +15,11 @@ if ! "$python" -c "import pytest" 2>/dev/null; then
   echo "Skipped: pytest is missing; install python3-pytest"
   exit 77
 fi
+[ -x "${TRIVET_PROGRAM:-}" ] || unset TRIVET_PROGRAM # its tests are skipped
+if [ -n "${TRIVET_ASAN_LIBRARIES:-}" ]; then
+  # Python keeps objects to its end, which count as leaks; by malloc(), so that they are watched, too.
+  export LD_PRELOAD="$TRIVET_ASAN_LIBRARIES" ASAN_OPTIONS=detect_leaks=0 PYTHONMALLOC=malloc
+  export UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1
+fi
 export PYTHONPATH="$folder${PYTHONPATH:+:$PYTHONPATH}" PYTHONDONTWRITEBYTECODE=1
 exec "$python" -m pytest -q -p no:cacheprovider -W error::pytest.PytestUnhandledThreadExceptionWarning -rs "$@"

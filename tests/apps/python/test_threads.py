@@ -12,7 +12,7 @@ import time
 import pytest
 
 import trivet
-from shapes import box, table_with_cup, torus
+from shapes import SANITIZED, box, table_with_cup, torus
 
 FOLDER = os.path.dirname(os.path.abspath(__file__))
 
@@ -207,7 +207,7 @@ def test_control_c_stops_a_put(delay):
     thread.join()
     assert stopped and scene.fingerprint == before
     print(f"stopped after {1e3 * wall:.1f} ms, {1e3 * cpu:.1f} ms of CPU")
-    assert min(wall, cpu) < 0.05
+    assert min(wall, cpu) < (5 if SANITIZED else 0.05)
     following.put([0.01, 0.01, 1])  # and works on
     assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
 
@@ -334,6 +334,7 @@ def other(scene, pipe):
         os.write(pipe, b"busy")
 
 
+@pytest.mark.skipif(SANITIZED, reason="the sanitizer gives no memory back")
 def test_memory_stays_flat_over_many_scenes():
     """Of 300 scenes after the first 300: a leak of one would show."""
     def kilobytes():

@@ -1,0 +1,120 @@
+"""Ctrl+C in the middle of long work: told within 50 ms, and the scene as it was."""
+import functools
+import os
+import signal
+import threading
+import time
+
+import pytest
+
+import trivet
+from shapes import SANITIZED, at, torus
+from test_threads import heavy_scene, run_script
+
+MOST = 5 if SANITIZED else 0.05  # seconds, by the clock or of CPU: the machine may be busy
+
+
+@functools.lru_cache(maxsize=None)
+def fine_rings():
+    """Two rings of a million faces, of which every step of a picture takes long; and a film of them."""
+    scene = trivet.Scene()
+    shape = torus(1000, 500)
+    scene.add("low", shape, pose=at(0, 0, 0.031), fixed=True)
+    with scene.film() as film:
+        scene.add("high", shape, pose=at(0, 0, 0.1))
+    return scene, film
+
+
+def seconds_to_stop(work, delay):
+    """Of work that Ctrl+C interrupts after a delay: by the clock and of CPU; None if it was done before."""
+    sent = []
+
+    def send():
+        time.sleep(delay)
+        sent.append((time.perf_counter(), time.process_time()))
+        os.kill(os.getpid(), signal.SIGINT)
+
+    thread = threading.Thread(target=send)
+    thread.start()
+    try:
+        work()
+        done = not sent
+        thread.join()
+        time.sleep(0.01)
+    except KeyboardInterrupt:
+        now = time.perf_counter(), time.process_time()
+        thread.join()
+        return None if not sent else (now[0] - sent[0][0], now[1] - sent[0][1])
+    assert done, "Ctrl+C was overheard"
+    return None
+
+
+WORKS = {"labels": lambda: fine_rings()[0].labels(size=(320, 180)),
+         "render": lambda: fine_rings()[0].render(size=(320, 180), samples=64),
+         "film": lambda: fine_rings()[1].to_glb(),
+         "camera": lambda: fine_rings()[0].camera(),
+         "to_glb": lambda: fine_rings()[0].to_glb()}
+
+
+@pytest.mark.parametrize("name", list(WORKS))
+def test_control_c_stops(name):
+    scene = fine_rings()[0]
+    before, stopped = scene.fingerprint, 0
+    for delay in (0.003, 0.02, 0.06, 0.15, 0.4, 0.9):
+        try:
+            seconds = seconds_to_stop(WORKS[name], delay)
+        except KeyboardInterrupt:  # it came when the work was done
+            seconds = None
+        if seconds is not None:
+            stopped += 1
+            print(f"{name}, after {delay} s: {1e3 * seconds[0]:.1f} ms, {1e3 * seconds[1]:.1f} ms of CPU")
+            assert min(seconds) < MOST, (delay, seconds)
+        assert scene.fingerprint == before
+    assert stopped > 0 and signal.getsignal(signal.SIGINT) is signal.default_int_handler
+
+
+def test_a_put_that_is_filmed_stops_too():
+    scene, following = heavy_scene(500, 250)
+    before = scene.fingerprint
+    with scene.film() as film:
+        with pytest.raises(KeyboardInterrupt):
+            timer = threading.Timer(0.02, os.kill, (os.getpid(), signal.SIGINT))
+            timer.start()
+            for _ in range(100):
+                following.put([0.01, 0.01, 1])
+                scene.undo()
+            time.sleep(1)
+    timer.join()
+    assert scene.fingerprint == before and len(film.to_glb()) > 100
+
+
+def test_a_handler_that_raises_nothing():
+    """The work is stopped all the same, and says so."""
+    called = []
+    before = signal.signal(signal.SIGINT, lambda *_: called.append(1))
+    try:
+        timer = threading.Timer(0.05, os.kill, (os.getpid(), signal.SIGINT))
+        timer.start()
+        with pytest.raises(RuntimeError, match="stopped before it was done"):
+            for _ in range(100):
+                fine_rings()[0].labels(size=(320, 180))
+        timer.join()
+    finally:
+        signal.signal(signal.SIGINT, before)
+    assert called == [1]
+
+
+def test_the_interpreter_may_end_while_work_is_left_alone():
+    done = run_script("""
+        import os, signal, threading
+        from test_interrupts import fine_rings
+        scene, film = fine_rings()
+        def told(fraction): raise SystemExit
+        for work in (lambda: scene.labels(), lambda: scene.render(progress=told), film.to_glb):
+            threading.Timer(0.02, os.kill, (os.getpid(), signal.SIGINT)).start()
+            try:
+                work()
+            except KeyboardInterrupt:
+                print("stopped")
+    """)
+    assert done.returncode == 0 and done.stdout == 3 * "stopped\n", done.stderr
