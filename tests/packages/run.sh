@@ -1,13 +1,14 @@
 #!/usr/bin/env bash
 # Packages: what installations hold, and every kind of package used in a bare Debian.
 #
-#   tests/packages/run.sh components|make|deb|dev|wheel|tarball|image|squashfs BUILD_DIR WORK_DIR
+#   tests/packages/run.sh components|make|deb|dev|wheel|blender|tarball|image|squashfs BUILD_DIR WORK_DIR
 #
 # components: what a build installs, by component; seconds
 # make:       apps/packages/make.sh, for the others; of BUILD_DIR if that is of the preset package, else it builds one
 # deb:        lintian; installed by apt in a bare Debian, used, and removed
 # dev:        a project built in a bare Debian with libtrivet-dev
 # wheel:      in a Debian with Python and NumPy only
+# blender:    the extension in a Debian with Blender, by the program of the package trivet alone, then by python3-trivet
 # tarball:    in bare Debians, this one and the next
 # image, squashfs: unpacked or mounted, as the user of the image
 #
@@ -174,6 +175,24 @@ test_wheel() {
   cmp "$base/job/poses.here" "$base/job/poses.wheel" || fail "the wheel puts otherwise"
   rm -rf "$base/job/site"
   say "wheel: the bits of the build"
+}
+
+test_blender() {
+  need_tools
+  bare_root blender bookworm blender
+  rm -rf "$work/job"
+  mkdir -p "$work/job"
+  cp "$(made_file 'trivet-blender-*.zip')" "$work/job/addon.zip"
+  cp "$(made_file 'trivet_*.deb')" "$(made_file 'python3-trivet_*.deb')" "$here/use_blender.py" "$work/job"
+  ONLINE=1 in_root "$roots/blender" "$work/job" "
+    export DEBIAN_FRONTEND=noninteractive
+    try() { blender -b --factory-startup --python-exit-code 9 -P use_blender.py -- addon.zip \$1 >\$1.log 2>&1 ||
+      { tail -n 20 \$1.log; exit 1; }; grep -E '^(backend|put):' \$1.log; }
+    apt-get update -q >/dev/null
+    apt-get install -q -y --no-install-recommends /job/trivet_*.deb >apt.log 2>&1 || { tail -n 20 apt.log; exit 1; }
+    try PROGRAM
+    apt-get install -q -y --no-install-recommends /job/python3-trivet_*.deb >apt.log 2>&1 || { tail -n 20 apt.log; exit 1; }
+    try MODULE" || fail "the extension in Blender"
 }
 
 test_tarball() {
