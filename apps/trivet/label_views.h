@@ -24,9 +24,7 @@ void add_view_options(CLI::App& app, ViewArguments& arguments);
 std::vector<LabelView> label_views(const ViewArguments& arguments, const PictureRequest& request,
                                    const PictureScene& scene, const CommonOptions& common);
 
-/// {"cameras": [...]}: of each "name", "width", "height" as wanted; and either "eye", "target" and,
-/// if wanted, "up" and "fov_deg"; or "K" (3 x 3) and "camera_from_world" (3 or 4 rows of 4), as the
-/// program writes them.
+/// {"cameras": [...]}, each as read_views() of ops/files/labels takes it.
 std::vector<LabelView> read_views(const std::string& text, const std::string& file,
                                   const PictureRequest& request);
 

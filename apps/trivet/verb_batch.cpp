@@ -33,8 +33,8 @@ UnitFormat format_from_name(const std::string& name) {
 void check_arguments(const BatchArguments& a) {
   if (a.recipe.empty())
     bad_input(
-        "batch: a recipe is missing; accepted: RECIPE.json, or status, verify, merge or "
-        "materialise and the folder of a batch");
+        "batch: a recipe is missing; accepted: RECIPE.json, or pictures, status, verify, "
+        "merge or materialise and the folder of a batch");
   if (a.run.count == 0) bad_input("--count is missing; accepted: the number of scenes");
   if (a.format == "poses" && !a.with.empty())
     bad_input("--with: is not accepted with --format poses; accepted: --format tar or dir");
@@ -50,7 +50,9 @@ BatchRun run_of(const BatchArguments& arguments) {
   BatchRun run = arguments.run;
   run.format = format_from_name(arguments.format);
   for (const std::string& what : arguments.with)
-    (what == "scene" ? run.with_scene : run.with_report) = true;
+    (what == "scene"      ? run.with_scene
+     : what == "contacts" ? run.with_contacts
+                          : run.with_report) = true;
   run.version = TRIVET_VERSION;
   return run;
 }
@@ -88,27 +90,6 @@ int print_only(const BatchArguments& arguments, const Work& work) {
                                 std::cout << json_line(made.scene) << std::flush;
                               });
   return done ? failed : kComeAgain;
-}
-
-int print_totals(const BatchTotals& totals, const BatchOptions& options,
-                 const CommonOptions& common) {
-  if (common.json)
-    std::cout << json_line({{"shard", options.shard.index},
-                            {"shards", options.shard.count},
-                            {"units", totals.units},
-                            {"units_there_before", totals.there_before},
-                            {"units_by_others", totals.dropped},
-                            {"ok", totals.ok},
-                            {"refused", totals.refused},
-                            {"failed", totals.failed},
-                            {"stopped", totals.stopped}});
-  else
-    std::cout << "shard " << options.shard.index << " of " << options.shard.count << ": "
-              << totals.units << " units, " << totals.there_before
-              << " were there; scenes: " << totals.ok << " ok, " << totals.refused << " refused, "
-              << totals.failed << " failed"
-              << (totals.stopped ? "; stopped: run it again to go on" : "") << "\n";
-  return totals.stopped ? kComeAgain : totals.failed > 0;
 }
 
 int make_batch(const BatchArguments& arguments, BatchRun run, const PreparedRecipe& prepared,
@@ -169,8 +150,9 @@ void add_batch_options(CLI::App& verb, BatchArguments& a) {
       ->check(one_of({"tar", "dir", "poses"}));
   verb.add_option("--per-tar", a.run.per_unit, "Scenes per unit")
       ->check(integer_from(1, 1'000'000));
-  verb.add_option("--with", a.with, "Beside the poses of each scene: scene (.glb), report")
-      ->check(one_of({"scene", "report"}))
+  verb.add_option("--with", a.with,
+                  "Beside the poses of each scene: scene (.glb), contacts, report (all)")
+      ->check(one_of({"scene", "contacts", "report"}))
       ->delimiter(',');
   verb.add_option("--only", a.only, "Print these scenes as JSON, write nothing")
       ->type_name("K,...")
@@ -182,6 +164,31 @@ void add_batch_options(CLI::App& verb, BatchArguments& a) {
 }
 
 }  // namespace
+
+int print_totals(const BatchTotals& totals, const BatchOptions& options,
+                 const CommonOptions& common) {
+  if (common.json)
+    std::cout << json_line({{"shard", options.shard.index},
+                            {"shards", options.shard.count},
+                            {"units", totals.units},
+                            {"units_there_before", totals.there_before},
+                            {"units_by_others", totals.dropped},
+                            {"ok", totals.ok},
+                            {"refused", totals.refused},
+                            {"failed", totals.failed},
+                            {"waiting", totals.waiting},
+                            {"stopped", totals.stopped}});
+  else
+    std::cout << "shard " << options.shard.index << " of " << options.shard.count << ": "
+              << totals.units << " units, " << totals.there_before
+              << " were there; scenes: " << totals.ok << " ok, " << totals.refused << " refused, "
+              << totals.failed << " failed"
+              << (totals.waiting > 0
+                      ? "; units whose scenes are not there yet: " + std::to_string(totals.waiting)
+                      : "")
+              << (totals.stopped ? "; stopped: run it again to go on" : "") << "\n";
+  return totals.stopped || totals.waiting > 0 ? kComeAgain : totals.failed > 0;
+}
 
 int num_jobs(int asked, const CommonOptions& common) {
   if (asked > 0) return asked;
@@ -211,7 +218,8 @@ Verb add_batch(CLI::App& app, const CommonOptions& common) {
       app.add_subcommand("batch", "Make random scenes by a recipe, one machine or many");
   const auto arguments = std::make_shared<BatchArguments>();
   add_batch_options(*verb, *arguments);
-  const std::vector<Verb> audits = add_batch_audits(*verb, common);
+  std::vector<Verb> audits = add_batch_audits(*verb, common);
+  audits.push_back(add_batch_pictures(*verb, common));
   return {verb, [arguments, audits, &common] {
             for (const Verb& audit : audits)
               if (audit.app->parsed()) return audit.run();

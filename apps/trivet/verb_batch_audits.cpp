@@ -134,6 +134,11 @@ std::vector<Verb> add_batch_audits(CLI::App& batch, const CommonOptions& common)
       ->add_option("--sample", arguments->verify.sample,
                    "Share of the scenes to make again, at least one; 0: none")
       ->check(number_from(0, 1));
+  verbs[1]
+      .app
+      ->add_option("--scenes", arguments->verify.scenes,
+                   "Of a batch of pictures: that of its scenes")
+      ->type_name("DIR");
   add_worker_options(*verbs[1].app, arguments->verify.jobs, arguments->verify.limits);
   verbs[3]
       .app->add_option("scene", arguments->k, "Its number")

@@ -1,7 +1,7 @@
 // Options shared by the verbs of batches. Private to verb_batch*.cpp.
 #pragma once
 
-#include "apps/farm/workers/work.h"
+#include "apps/farm/batch/batch.h"
 #include "apps/trivet/verbs.h"
 
 namespace trivet::apps {
@@ -11,6 +11,12 @@ void add_worker_options(CLI::App& verb, int& jobs, farm::WorkLimits& limits);
 
 /// The number asked for, else --threads, else the cores that this process may use.
 int num_jobs(int asked, const CommonOptions& common);
+
+/// What a shard has done, for people or as JSON. @return the exit status.
+int print_totals(const farm::BatchTotals& totals, const farm::BatchOptions& options,
+                 const CommonOptions& common);
+
+Verb add_batch_pictures(CLI::App& batch, const CommonOptions& common);
 
 /// status, verify, merge and materialise.
 std::vector<Verb> add_batch_audits(CLI::App& batch, const CommonOptions& common);

@@ -118,6 +118,8 @@ std::uint64_t merge_manifests(const std::string& out, const std::string& file) {
 void materialise(const std::string& out, std::uint64_t k, const std::string& file,
                  const ImportLimits& import) {
   const BatchRun run = read_run(out);
+  if (!run.views.empty())
+    bad_input(out + ": there are pictures in this folder; accepted: the batch of their scenes");
   if (k >= run.count)
     bad_input("scene " + std::to_string(k) + " is not accepted; accepted: 0 to " +
               std::to_string(run.count - 1));

@@ -21,6 +21,7 @@ struct BatchStatus {
 BatchStatus batch_status(const std::string& out);
 
 struct VerifyOptions {
+  std::string scenes;     // of pictures: the folder of their scenes
   double sample = 0.001;  // share of the scenes that are made again; one at least, 0: none
   int jobs = 1;
   WorkLimits limits;

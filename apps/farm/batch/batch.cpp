@@ -78,7 +78,10 @@ void BatchLoop::list_units() {
   for (std::uint64_t t = m_options.shard.index; t < m_run.num_units(); t += m_options.shard.count) {
     ++m_totals.units;
     if (!unit_exists(m_options.out, t, m_run.format)) {
-      m_missing.push_back(t);
+      if (m_options.is_ready && !m_options.is_ready(t))
+        ++m_totals.waiting;
+      else
+        m_missing.push_back(t);
       continue;
     }
     ++m_totals.there_before;

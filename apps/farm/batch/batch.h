@@ -40,12 +40,14 @@ struct BatchOptions {
   int jobs = 1;
   WorkLimits limits;
   std::function<void()> on_models_read;              // before the first unit; may be empty
+  std::function<bool(std::uint64_t unit)> is_ready;  // others are left to later; may be empty
   std::function<void(const std::string& line)> log;  // a line for people; may be empty
 };
 
 struct BatchTotals {
   std::uint64_t units = 0, there_before = 0, dropped = 0;  // of the shard; made by others meanwhile
   std::uint64_t ok = 0, refused = 0, failed = 0;           // scenes of the shard's units
+  std::uint64_t waiting = 0;                               // units that were not ready
   bool stopped = false;                                    // by a signal
 };
 

@@ -51,6 +51,7 @@ Work work_of(const PreparedRecipe& prepared, const BatchRun& run, const ImportLi
         stored ? (fs::path(out) / model.stored_path()).string() : model.file;
   work.import = import;
   work.with_scene = run.with_scene;
+  work.with_contacts = run.with_contacts;
   work.with_report = run.with_report;
   work.version = run.version;
   return work;

@@ -1,4 +1,6 @@
 #include "apps/farm/batch/audit.h"
+#include "apps/farm/batch/pictures.h"
+#include "core/base/bad_input.h"
 
 namespace trivet::farm {
 namespace {
@@ -54,22 +56,37 @@ std::string difference(const Sampled& there, const SceneMembers& made) {
   return "";
 }
 
+Work work_again(const BatchRun& run, const std::string& out, const VerifyOptions& options) {
+  if (!run.views.empty()) {
+    if (options.scenes.empty())
+      bad_input(out +
+                ": is a batch of pictures; accepted: with --scenes, the folder of its scenes");
+    return picture_work(run, options.scenes, options.import);
+  }
+  return work_of(prepared_recipe(run, out), run, options.import, out, true);
+}
+
+void check_models(const Work& work, Verification& result) {
+  for (const auto& [stored, file] : work.file_of) {
+    const std::string folder = file.substr(0, file.size() - stored.size());
+    if (const std::string finding = check_stored(folder, stored); !finding.empty())
+      result.findings.push_back(finding);
+  }
+}
+
 }  // namespace
 
 Verification verify_batch(const std::string& out, const VerifyOptions& options) {
   const BatchRun run = read_run(out);
   Verification result;
   Sample sample;
+  const Work work = work_again(run, out, options);
   check_bytes(out, run, options.sample, sample, result);
-  const PreparedRecipe prepared = prepared_recipe(run, out);
-  for (const BatchModel& model : prepared.models)
-    if (const std::string finding = check_stored(out, model.stored_path()); !finding.empty())
-      result.findings.push_back(finding);
+  check_models(work, result);
   if (sample.empty() || !result.findings.empty()) return result;
   std::vector<std::uint64_t> ks;
   ks.reserve(sample.size());
   for (const auto& [k, unused] : sample) ks.push_back(k);
-  const Work work = work_of(prepared, run, options.import, out, true);
   result.stopped =
       !make_only(work, ks, options.jobs, options.limits, [&](const SceneMembers& made) {
         ++result.made_again;

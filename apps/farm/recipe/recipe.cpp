@@ -4,6 +4,7 @@
 #include <functional>
 #include <set>
 
+#include "apps/farm/pictures/views.h"
 #include "apps/farm/recipe/recipe_json.h"
 #include "apps/farm/recipe/sha256.h"
 #include "core/base/nearest_name.h"
@@ -13,8 +14,8 @@ namespace trivet::farm {
 namespace {
 
 constexpr int kRecipeVersion = 1;
-constexpr const char* kOwnKeys[] = {"trivet_recipe", "groups", "then",       "accept",
-                                    "on_refusal",    "tries",  "max_motions"};
+constexpr const char* kOwnKeys[] = {"trivet_recipe", "groups", "then",        "accept",
+                                    "on_refusal",    "tries",  "max_motions", "views"};
 
 /// The part that is a layout, read by the layout's reader: its complaints name the same places.
 Layout read_base(const nlohmann::json& document, const std::string& file) {
@@ -98,7 +99,7 @@ OnRefusal read_on_refusal(const JsonPlace& place) {
 void check_top(const JsonPlace& root) {
   root.expect_object({"trivet_recipe"},
                      {"floor", "material", "floor_material", "settle", "objects", "operations",
-                      "groups", "then", "accept", "on_refusal", "tries", "max_motions"});
+                      "groups", "then", "accept", "on_refusal", "tries", "max_motions", "views"});
   const JsonPlace version = root.at("trivet_recipe");
   if (!version.value().is_number() || version.value() != kRecipeVersion)
     version.refuse(std::to_string(kRecipeVersion) + ", the version of the recipe format");
@@ -145,6 +146,7 @@ Recipe parse_recipe(const std::string& text, const std::string& file) {
   }
   if (const auto most = root.find("max_motions"))
     recipe.max_motions = read_integer(*most, 1, 1'000'000'000);
+  if (const auto views = root.find("views")) read_views(*views);  // a mistake is told at once
   if (recipe.base.objects.empty() && recipe.groups.empty())
     root.fail("neither \"objects\" nor \"groups\"; accepted: at least one object or group");
   return recipe;
@@ -171,7 +173,9 @@ std::vector<std::string> models_of(const Recipe& recipe) {
 }
 
 PhiloxKey recipe_key(const std::string& canonical, std::uint64_t seed) {
-  const Digest d = sha256(sha256_hex(canonical) + " " + std::to_string(seed));
+  nlohmann::json scenes = nlohmann::json::parse(canonical);
+  scenes.erase("views");
+  const Digest d = sha256(sha256_hex(scenes.dump()) + " " + std::to_string(seed));
   const auto word = [&](size_t at) {
     return static_cast<std::uint32_t>(d[at]) | static_cast<std::uint32_t>(d[at + 1]) << 8 |
            static_cast<std::uint32_t>(d[at + 2]) << 16 |

@@ -103,7 +103,7 @@ std::string canonical_recipe(const std::string& text, const std::string& file,
 std::vector<std::string> models_of(const Recipe& recipe);
 
 /// Key of all random decisions: of the canonical recipe, whose models' names have their SHA-256,
-/// and the seed.
+/// without its views, and the seed: other cameras see the same scenes.
 PhiloxKey recipe_key(const std::string& canonical, std::uint64_t seed);
 
 }  // namespace trivet::farm

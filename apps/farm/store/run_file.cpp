@@ -17,16 +17,21 @@ constexpr std::uintmax_t kMaxBytes = std::uintmax_t{1} << 30;
 std::string path_in(const std::string& out) { return (fs::path(out) / "run.json").string(); }
 
 Json json_of(const BatchRun& run) {
-  return {{"trivet_batch", kRunVersion},
-          {"version", run.version},
-          {"seed", run.seed},
-          {"count", run.count},
-          {"per_unit", run.per_unit},
-          {"format", to_string(run.format)},
-          {"with_scene", run.with_scene},
-          {"with_report", run.with_report},
-          {"recipe_sha256", sha256_hex(run.recipe)},
-          {"recipe", Json::parse(run.recipe)}};
+  Json json = {{"trivet_batch", kRunVersion},
+               {"version", run.version},
+               {"seed", run.seed},
+               {"count", run.count},
+               {"per_unit", run.per_unit},
+               {"format", to_string(run.format)},
+               {"with_scene", run.with_scene},
+               {"with_report", run.with_report},
+               {"recipe_sha256", sha256_hex(run.recipe)},
+               {"recipe", Json::parse(run.recipe)}};
+  if (run.with_contacts) json["with_contacts"] = true;
+  if (run.views.empty()) return json;
+  json["views"] = Json::parse(run.views);
+  json["scenes_sha256"] = run.scenes_sha256;
+  return json;
 }
 
 UnitFormat read_format(const JsonPlace& place) {
@@ -55,7 +60,7 @@ BatchRun read_run(const std::string& out) {
   const JsonPlace root(document, file);
   root.expect_object({"trivet_batch", "version", "seed", "count", "per_unit", "format",
                       "with_scene", "with_report", "recipe_sha256", "recipe"},
-                     {});
+                     {"with_contacts", "views", "scenes_sha256"});
   BatchRun run;
   run.version = root.at("version").text();
   run.seed = read_count(root.at("seed"));
@@ -65,9 +70,14 @@ BatchRun read_run(const std::string& out) {
   run.format = read_format(root.at("format"));
   run.with_scene = root.at("with_scene").boolean();
   run.with_report = root.at("with_report").boolean();
+  if (const auto contacts = root.find("with_contacts")) run.with_contacts = contacts->boolean();
   run.recipe = root.at("recipe").value().dump();
   if (root.at("recipe_sha256").value() != sha256_hex(run.recipe))
     root.at("recipe_sha256").fail("is not that of the recipe; the file was changed");
+  if (const auto views = root.find("views")) {
+    run.views = views->value().dump();
+    run.scenes_sha256 = root.at("scenes_sha256").text();
+  }
   return run;
 }
 
@@ -77,7 +87,12 @@ void check_run(const std::string& out, const BatchRun& run) {
     const PublishedFile trial(path_in(out));
     return;
   }
-  const Json ours = json_of(run), theirs = json_of(read_run(out));
+  const BatchRun there = read_run(out);
+  if (run.views.empty() != there.views.empty())
+    bad_input(path_in(out) + ": there are " + (there.views.empty() ? "scenes" : "pictures") +
+              " in this folder; accepted: another --out");
+  Json ours = json_of(run), theirs = json_of(there);
+  ours["with_contacts"] = run.with_contacts, theirs["with_contacts"] = there.with_contacts;
   for (const auto& [key, value] : ours.items())
     if (theirs.at(key) != value)
       bad_input(path_in(out) + ": another batch is in this folder: " + key + " is " +

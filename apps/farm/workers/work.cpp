@@ -3,6 +3,7 @@
 #include <set>
 
 #include "core/io/sandboxed_import.h"
+#include "ops/files/report/json_parts.h"
 #include "ops/files/report/report.h"
 #include "ops/files/report/scene_file.h"
 
@@ -22,6 +23,15 @@ std::vector<ModelRequest> requests_of(const Recipe& recipe) {
   return {requests.begin(), requests.end()};
 }
 
+// Of each object as in the report, and no more of it.
+std::string contacts_text(const Scene& scene) {
+  OrderedJson contacts = OrderedJson::object();
+  for (const ObjectId id : scene.ids())
+    if (const Object& object = scene.at(id); object.placed)
+      contacts[object.name] = contacts_json(scene, object);
+  return json_line({{"contacts", std::move(contacts)}});
+}
+
 }  // namespace
 
 LoadedModels load_models(const Work& work) {
@@ -39,8 +49,12 @@ LoadedModels load_models(const Work& work) {
 }
 
 SceneMembers make_members(const Work& work, const LoadedModels& models, std::uint64_t k) {
+  if (work.pictures) return make_pictures(*work.pictures, work.recipe, models, work.key, k);
   const MadeScene made = make_scene({work.recipe, models, work.key}, k);
   SceneMembers out{scene_json(k, made), {}};
+  // In the order of their names, as folders have them.
+  if (work.with_contacts)
+    out.more.push_back({member_name(k, ".contacts.json"), contacts_text(made.run.scene)});
   if (work.with_scene)
     out.more.push_back(
         {member_name(k, ".glb"), scene_file_bytes(made.run.scene, made.layout,

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <string>
 
+#include "apps/farm/pictures/scene_pictures.h"
 #include "apps/farm/recipe/recipe.h"
 #include "apps/farm/store/unit.h"
 #include "core/io/model.h"
@@ -15,8 +17,9 @@ struct Work {
   PhiloxKey key{};
   std::map<std::string, std::string> file_of;  // stored path of a model -> where it is read
   ImportLimits import;
-  bool with_scene = false, with_report = false;
-  std::string version;  // of the program, in scene files and reports
+  bool with_scene = false, with_contacts = false, with_report = false;
+  std::string version;                          // of the program, in scene files and reports
+  std::shared_ptr<const PictureWork> pictures;  // of scenes that are there; null: scenes are made
 };
 
 /// Limits of a worker, and how often a scene is tried that ends one.
@@ -32,7 +35,7 @@ inline constexpr double kWallFactor = 10;
 /// @throws Error as models do, naming the model.
 LoadedModels load_models(const Work& work);
 
-/// Scene k, with what the work asks for beside its JSON.
+/// Scene k, with what the work asks for beside its JSON; or its pictures.
 SceneMembers make_members(const Work& work, const LoadedModels& models, std::uint64_t k);
 
 }  // namespace trivet::farm

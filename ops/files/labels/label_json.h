@@ -1,8 +1,9 @@
-// Labels of one view as JSON: camera, boxes, visible shares. Private.
+// Labels of one view as JSON: camera, boxes, visible shares; cameras from JSON. Private.
 #pragma once
 
 #include <nlohmann/json.hpp>
 
+#include "ops/files/json/json_text.h"
 #include "ops/files/labels/labelled_scene.h"
 #include "raster/labels/labels.h"
 
@@ -18,6 +19,15 @@ struct LabelView {
 
 /// {"convention", "width", "height", "K": 3 x 3, "camera_from_world": 4 x 4, rows; metres}.
 OrderedJson camera_json(const PinholeCamera& camera);
+
+/// A view of each item: of each "name", "width", "height" as wanted; and either "eye", "target"
+/// and, if wanted, "up" and "fov_deg"; or "K" (3 x 3) and "camera_from_world" (3 or 4 rows of 4),
+/// as camera_json() writes them. Without names they are 000000, 000001, ...
+/// @param width, height  where an item has none, pixels.
+/// @throws Error (BadInput) naming the place, the value and what is accepted.
+std::vector<LabelView> read_views(const JsonPlace& list, int width, int height);
+/// A side of a picture. @throws Error (BadInput).
+int read_pixels(const JsonPlace& place);
 
 /// x, y, width, height, where pixel (i, j) covers [i, i + 1] x [j, j + 1], as COCO counts; null if
 /// empty.

@@ -1,0 +1,26 @@
+// Pictures and labels of a scene that has been made: from its poses, without laying it out again.
+#pragma once
+
+#include "apps/farm/pictures/views.h"
+#include "apps/farm/store/run_file.h"
+#include "ops/files/layout/scene_of_layout.h"
+
+namespace trivet::farm {
+
+/// What pictures are made of.
+struct PictureWork {
+  std::string folder;  // the batch of the scenes
+  BatchRun scenes;
+  Views views;
+};
+
+/// Of scene k: its JSON with "views", [{"name", "camera"}], and for each view members
+/// "K.VIEW.png" (the picture), "K.VIEW.depth.png", ".instances.png", ".classes.png",
+/// ".normals.png" as wanted, and, with labels, "K.VIEW.labels.json". Scenes that are not "ok" have
+/// no views. By rays in the calling thread; labels are the same bits on any machine, pictures where
+/// the mathematical library is the same.
+/// @throws Error (BadInput) when the batch has no scene k, or poses that do not fit.
+SceneMembers make_pictures(const PictureWork& work, const Recipe& recipe,
+                           const LoadedModels& models, const PhiloxKey& key, std::uint64_t k);
+
+}  // namespace trivet::farm

@@ -1,0 +1,38 @@
+// Cameras and images that are wanted of each scene.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "apps/farm/recipe/decisions.h"
+#include "core/picture/camera_dome.h"
+#include "ops/files/json/json_text.h"
+#include "ops/files/labels/label_json.h"
+
+namespace trivet::farm {
+
+struct Views {
+  int width = 640, height = 360;   // pixels
+  std::vector<LabelView> cameras;  // the same in all scenes; empty: a dome around each
+  DomeOptions dome;                // its seed is drawn, scene by scene
+  int samples = 16, bounces = 3;   // of pictures by rays
+  double depth_unit = 0.001;       // metres per unit of depth images
+  bool picture = true, depth = true, instances = true, classes = false, normals = false;
+
+  bool any_labels() const { return depth || instances || classes || normals; }
+};
+
+/// The value of a recipe's "views". Strictly: what recipe.schema.json does not have is an error.
+/// @throws Error (BadInput) naming the place, the value and what is accepted.
+Views read_views(const JsonPlace& place);
+
+/// Those of a file: {"views": ...}, or a recipe with them; as text, keys sorted.
+/// @throws Error (BadInput), also for a file without.
+std::string views_text(const std::string& text, const std::string& file);
+
+/// The cameras of scene k.
+std::vector<LabelView> cameras_of(const Views& views, const PictureScene& scene,
+                                  const PhiloxKey& key, std::uint64_t k);
+
+}  // namespace trivet::farm

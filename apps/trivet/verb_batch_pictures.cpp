@@ -1,0 +1,71 @@
+#include <iostream>
+
+#include "apps/farm/batch/pictures.h"
+#include "apps/trivet/verb_batch_parts.h"
+#include "core/base/bad_input.h"
+#include "ops/files/json/input_text.h"
+
+namespace trivet::apps {
+namespace {
+
+using namespace trivet::farm;
+
+struct PictureArguments {
+  std::string scenes, views, shard, format = "tar";
+  std::uint64_t per_unit = 0;
+  BatchOptions options;
+};
+
+int make(const PictureArguments& arguments, const CommonOptions& common) {
+  const std::string views =
+      arguments.views.empty()
+          ? ""
+          : views_text(
+                read_input_text(arguments.views, common.limits().max_file_bytes, TextKind::Json),
+                arguments.views);
+  BatchRun run = pictures_of(arguments.scenes, views);
+  run.version = TRIVET_VERSION;
+  run.format = arguments.format == "dir" ? UnitFormat::Dir : UnitFormat::Tar;
+  if (arguments.per_unit > 0) run.per_unit = arguments.per_unit;
+  BatchOptions options = arguments.options;
+  check_run(options.out, run);
+  const Work work = picture_work(run, arguments.scenes, common.limits());
+  options.shard = arguments.shard.empty() ? shard_from_environment(process_environment())
+                                          : shard_from_text(arguments.shard);
+  options.jobs = num_jobs(options.jobs, common);
+  options.log = [&common](const std::string& line) {
+    if (!common.quiet) std::cerr << line << "\n";
+  };
+  options.on_models_read = [&] { claim_run(options.out, run); };
+  options.is_ready = [&](std::uint64_t unit) {
+    return scenes_are_there(run, *work.pictures, unit);
+  };
+  return print_totals(run_batch(run, work, options), options, common);
+}
+
+}  // namespace
+
+Verb add_batch_pictures(CLI::App& batch, const CommonOptions& common) {
+  CLI::App* const verb =
+      batch.add_subcommand("pictures", "Pictures and labels of a batch's scenes, from their poses")
+          ->fallthrough();
+  const auto a = std::make_shared<PictureArguments>();
+  verb->add_option("folder", a->scenes, "The batch of the scenes: --out of trivet batch")
+      ->required()
+      ->type_name("DIR");
+  verb->add_option("--out", a->options.out, "Folder of the pictures; what is there stays")
+      ->required()
+      ->type_name("DIR");
+  verb->add_option("--views", a->views,
+                   "Cameras and images, {\"views\": ...}; default: those of the recipe")
+      ->type_name("FILE.json");
+  verb->add_option("--shard", a->shard, "I/N; default: as trivet batch")->type_name("I/N");
+  verb->add_option("--format", a->format, "Of units: tar or dir")->check(one_of({"tar", "dir"}));
+  verb->add_option("--per-tar", a->per_unit, "Scenes per unit; default: as the scenes")
+      ->check(integer_from(1, 1'000'000));
+  a->options.limits.scene_seconds = 600;
+  add_worker_options(*verb, a->options.jobs, a->options.limits);
+  return {verb, [a, &common] { return make(*a, common); }};
+}
+
+}  // namespace trivet::apps
