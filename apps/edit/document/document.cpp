@@ -47,6 +47,7 @@ void Document::forget_scene() {
   m_selections.clear();
   set_selection({});
   show_looks({});
+  clear_layout();
   Q_EMIT scene_replaced();
 }
 
@@ -55,6 +56,7 @@ void Document::show(State state) {
   if (now > before) m_selections[before] = m_selection;
   m_snapshot = std::move(state.snapshot);
   clear_ghost();
+  if (m_layout && m_layout->committed != m_snapshot->committed) clear_layout();
   m_history = std::move(state.history);
   const bool renamed = m_file != state.file || m_title != state.title;
   m_file = std::move(state.file);

@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "apps/edit/document/ghost.h"
+#include "apps/edit/document/layout_ghost.h"
 #include "apps/edit/document/looks.h"
 #include "apps/edit/document/many.h"
 #include "apps/edit/document/message.h"
@@ -27,6 +28,7 @@
 #include "apps/edit/document/selection.h"
 #include "apps/edit/document/snapshot.h"
 #include "apps/edit/document/thread_detector.h"
+#include "apps/edit/document/wishes.h"
 #include "apps/edit/document/zlist_view.h"
 #include "core/io/model.h"
 #include "ops/operations/perform.h"
@@ -187,6 +189,26 @@ class Document : public QObject {
   void clear_ghost();
   const std::optional<Ghost>& ghost() const { return m_ghost; }
 
+  // --- arrangements ----------------------------------------------------------------------------
+
+  /// Kept with the scene when it is saved.
+  const Wishes& wishes() const { return m_wishes; }
+  void set_wishes(Wishes wishes);
+  /// Looks for an arrangement of all objects, or of those selected with the others as they stand,
+  /// on a thread of its own; the latest request wins. layout_changed() answers.
+  /// @return false: there is none to arrange.
+  bool request_layout(std::uint64_t seed, bool selected_only);
+  void clear_layout();
+  /// Null: none was asked for, or it is looked for.
+  const std::shared_ptr<const LayoutGhost>& layout() const { return m_layout; }
+  bool is_seeking_layout() const { return m_seeking; }
+  /// As one step. @return 0: there is none.
+  Job accept_layout();
+  /// A problem of `trivet arrange`: all objects that may move, and the wishes.
+  Job save_problem(const std::string& file);
+  /// Of a problem, or its section "arrange". @throws Error  and keeps the wishes.
+  void load_wishes(const std::string& file);
+
   // --- detection -------------------------------------------------------------------------------
 
   /// Other detectors from the next move on; results do not depend on it. Each thread makes its own
@@ -218,6 +240,9 @@ class Document : public QObject {
   void progressed(const QString& what, int done, int total);
   void message(const trivet::edit::Message& message);
   void ghost_changed();
+  void wishes_changed();
+  void layout_changed();
+  void layout_progressed(const QString& thing, int done, int total);
   void detection_changed();
   /// Why another detector answers than was chosen. Each note once per choice.
   void detection_noted(const QString& note);
@@ -243,6 +268,8 @@ class Document : public QObject {
   void show_drag(std::shared_ptr<const SceneSnapshot> snapshot, std::uint64_t drag, double ms);
   void show_verdict(std::shared_ptr<const SceneVerdict> verdict);
   void show_ghost(std::uint64_t request, Ghost ghost);
+  void show_wishes(const std::string& json);
+  void show_layout(std::uint64_t number, std::shared_ptr<const LayoutGhost> layout);
   void show_zlists(std::shared_ptr<const ZListView> view);
   void show_moves_by(const Answering& answering);
   void show_previews_by(const Answering& answering);
@@ -262,6 +289,10 @@ class Document : public QObject {
   History m_history;
   std::string m_file, m_title, m_busy_with;
   std::optional<Ghost> m_ghost;
+  Wishes m_wishes;
+  std::shared_ptr<const LayoutGhost> m_layout;
+  std::uint64_t m_layout_request = 0;
+  bool m_seeking = false;
   Detection m_detection;
   std::set<std::string> m_detection_notes;  // since the last choice
   std::shared_ptr<const ZListView> m_zlists;

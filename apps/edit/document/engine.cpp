@@ -35,6 +35,7 @@ Engine::Engine(Document& document, DocumentOptions options)
       m_detector(until_measured(with_notes(m_options.detection))),
       m_chosen(with_notes(m_options.detection)),
       m_ghosts(with_notes(m_options.detection), ghost_listener()),
+      m_layouts(layout_listener()),
       m_thread([this] { run(); }) {}
 
 Engine::~Engine() {

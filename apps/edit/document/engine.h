@@ -8,6 +8,7 @@
 #include <mutex>
 #include <thread>
 
+#include "apps/edit/document/arrange_worker.h"
 #include "apps/edit/document/document.h"
 #include "apps/edit/document/drag_goal.h"
 #include "apps/edit/document/drag_motion.h"
@@ -36,12 +37,16 @@ class Engine {
   void cancel_drag(std::uint64_t drag);
   void request_ghost(std::uint64_t request, const Operation& operation,
                      std::shared_ptr<const SceneSnapshot> shown);
+  void set_wishes(std::string json);
+  void request_layout(std::uint64_t number, std::uint64_t seed, Wishes::Part part,
+                      size_t num_entries);
+  void cancel_layout() { m_layouts.cancel(); }
   /// Other detectors, made by the threads that ask, when nothing refers to the old ones.
   void choose_detection(BackendOptions options);
   /// Switches z-lists of dragged and previewed objects on or off.
   void watch_zlists(bool on) { m_watches = on; }
   /// True if no work or signal is pending.
-  bool is_idle() const { return m_num_open == 0 && m_ghosts.is_idle(); }
+  bool is_idle() const { return m_num_open == 0 && m_ghosts.is_idle() && m_layouts.is_idle(); }
 
   // ---------------------------------------------------------------------------------------------
 
@@ -57,6 +62,8 @@ class Engine {
                    const std::vector<std::string>& select = {});
   bool perform_groups(const std::string& what, const ManyObjects& many);
   bool import_model(const ImportModel& model);
+  bool accept_layout(const std::string& problem);
+  bool save_problem(const std::string& file, const std::string& arrange);
   bool go_to_step(size_t num_done);
   bool end_drag(std::uint64_t drag);
   size_t num_done() const { return m_opened->session.num_done(); }
@@ -78,6 +85,7 @@ class Engine {
   BackendOptions with_notes(BackendOptions options);
   void use_measured();
   GhostWorker::Listener ghost_listener();
+  ArrangeWorker::Listener layout_listener();
   SettleOptions settle_options() const;
   RunContext context() const;
   void tell(std::function<void(Document&)> what);
@@ -126,6 +134,7 @@ class Engine {
   std::optional<DragGoal> m_goal;
   bool m_stop = false;
   GhostWorker m_ghosts;
+  ArrangeWorker m_layouts;
   std::thread m_thread;
 };
 

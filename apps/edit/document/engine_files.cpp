@@ -83,7 +83,10 @@ void Engine::adopt(OpenedSession opened, const std::string& file, const std::str
   m_title = title;
   m_lock = std::move(lock);
   m_snapshots.forget();
-  tell([](Document& shown) { shown.forget_scene(); });
+  tell([wishes = m_opened->session.arrange()](Document& shown) {
+    shown.forget_scene();
+    shown.show_wishes(wishes);
+  });
   publish();
   tell([looks = m_opened->session.layout().looks](Document& shown) { shown.show_looks(looks); });
   for (const std::string& note : m_opened->notes) tell(Message{Message::Kind::Info, note, {}, {}});

@@ -3,6 +3,7 @@
 #include <QSettings>
 #include <algorithm>
 
+#include "apps/edit/window/arrange_panel.h"
 #include "apps/edit/window/main_window.h"
 
 namespace trivet::edit {
@@ -123,6 +124,7 @@ void MainWindow::set_dark(bool dark) {
   m_control->set_theme(theme);
   m_zlists->set_theme(theme);
   m_assets->set_theme(theme);
+  m_arrange_panel->set_theme(theme);
   action("dark")->setChecked(dark);
   dress_actions();
 }

@@ -39,6 +39,7 @@ MainWindow::MainWindow(Document& document, const DetectionChoice& detection)
   make_views();
   make_zlist_dock();
   make_asset_dock();
+  make_arrange_dock();
   make_actions();
   make_status_bar();
   connect_document();
@@ -53,6 +54,7 @@ MainWindow::~MainWindow() {
   m_document.disconnect(this);
   m_zlist_dock->disconnect(this);
   m_asset_dock->disconnect(this);
+  m_arrange_dock->disconnect(this);
   delete takeCentralWidget();  // delete before the members used by the views
 }
 

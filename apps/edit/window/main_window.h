@@ -28,6 +28,8 @@
 
 namespace trivet::edit {
 
+class ArrangePanel;
+
 class MainWindow : public QMainWindow {
   Q_OBJECT
 
@@ -62,6 +64,9 @@ class MainWindow : public QMainWindow {
   void make_views();
   void arrange_views();
   void make_zlist_dock();
+  // arrange_dock.cpp
+  void make_arrange_dock();
+  void make_arrange_action();
   void connect_document();
   void show_workspace();
   void show_start_page();
@@ -203,6 +208,8 @@ class MainWindow : public QMainWindow {
   ZListPanel* m_zlists = nullptr;
   QDockWidget* m_asset_dock = nullptr;
   AssetBrowser* m_assets = nullptr;
+  QDockWidget* m_arrange_dock = nullptr;
+  ArrangePanel* m_arrange_panel = nullptr;
   DetectionChoice m_detection;
   QLabel *m_hand = nullptr, *m_hint = nullptr, *m_count = nullptr, *m_busy = nullptr,
          *m_answering = nullptr;

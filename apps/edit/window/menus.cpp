@@ -285,7 +285,7 @@ void MainWindow::make_menus() {
       menu(tr("&Object"), {"select", "put", "push", "turn", "pick up", "move", "rotate", "paint",
                            "", "put here", "take next", "pick up now", "next contact", "", "snap"});
   object->addMenu(m_snap_menu);
-  menu(tr("&Many"), {"array", "scatter", "put all", "", "align", "replace"});
+  menu(tr("&Many"), {"array", "scatter", "put all", "", "align", "replace", "", "arrange"});
   QMenu* const view = menu(tr("&View"), {"frame",
                                          "frame all",
                                          "",

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "apps/edit/window/wish_marks.h"
+
 namespace trivet::edit {
 namespace {
 
@@ -29,7 +31,9 @@ SceneDrawing::SceneDrawing(Document& document, Toolbox& toolbox, QObject* parent
     m_ghost_moved.start();
     Q_EMIT changed();
   });
-  connect(&m_document, &Document::verdict_changed, this, &SceneDrawing::changed);
+  for (const auto signal :
+       {&Document::verdict_changed, &Document::wishes_changed, &Document::layout_changed})
+    connect(&m_document, signal, this, &SceneDrawing::changed);
   connect(&m_document, &Document::zlists_changed, this, &SceneDrawing::changed);
   connect(&m_document, &Document::message, this, &SceneDrawing::light);
   connect(&m_playback, &Playback::changed, this, &SceneDrawing::changed);
@@ -131,6 +135,7 @@ LiveScene SceneDrawing::scene(const View& view) const {
     out.objects.push_back(std::move(live));
   }
   add_ghost(out);
+  if (!m_playback.is_on()) add_arrangement(m_document, m_theme, out);
   add_active(out.overlay, view);
   add_drag(out.overlay);
   add_playback(out.overlay);

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "apps/edit/window/key_events.h"
+#include "apps/edit/window/wish_marks.h"
 
 namespace trivet::edit {
 namespace {
@@ -158,6 +159,10 @@ void SceneView::paintEvent(QPaintEvent*) {
   paint_rubber_band(painter);
   paint_at_pointer(painter);
   paint_section(painter);
+  paint_wishes(m_document, m_drawing.theme(), view(), painter.fontMetrics(),
+               [&](const QRectF& box, const QString& text, const QColor& colour) {
+                 paint_label(painter, box, Qt::AlignCenter, text, colour);
+               });
   if (hasFocus()) {
     painter.setPen(QPen(theme.accent(), 1));
     painter.setBrush(Qt::NoBrush);

@@ -13,6 +13,7 @@
 #include <QTemporaryDir>
 
 #include "apps/demo/demo.h"
+#include "apps/edit_window/arranged.h"
 #include "apps/edit_window/breakfast_table.h"
 #include "apps/edit_window/by_numbers.h"
 #include "apps/edit_window/large_scene.h"
@@ -86,6 +87,7 @@ class TestWindow : public QObject {
   void works_by_numbers();
   void lays_out_many();
   void shows_and_hides();
+  void arranges_by_wishes();
   void lives_through_random_events();
   void stays_usable_with_a_thousand_objects();
 
@@ -366,6 +368,10 @@ void TestWindow::moves_several_at_once() { move_several(*m_document, *m_window, 
 void TestWindow::lights_what_interferes() { look_at_interference(*m_document, *m_window, *m_user); }
 
 void TestWindow::shows_zlists_of_motions() { look_at_zlists(*m_document, *m_window, *m_user); }
+
+void TestWindow::arranges_by_wishes() {
+  arrange_by_wishes(*m_document, *m_window, *m_user, m_folder.path());
+}
 
 void TestWindow::plays_what_settles() { watch_settling(*m_document, *m_window, *m_user); }
 

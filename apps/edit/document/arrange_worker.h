@@ -1,0 +1,52 @@
+// Finds arrangements on copies of the scene, on a thread of its own; the latest request wins.
+// Private.
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+#include "apps/edit/document/layout_ghost.h"
+#include "apps/edit/document/wishes.h"
+
+namespace trivet::edit {
+
+class ArrangeWorker {
+ public:
+  struct Request {
+    std::uint64_t number = 0, seed = 0, committed = 0;
+    Wishes::Part part;
+    size_t num_entries = 0;  // of all wishes
+    std::unique_ptr<Scene> scene;
+    SettleOptions settle;
+  };
+  /// Called on the worker's thread; not for superseded requests.
+  struct Listener {
+    std::function<void(std::uint64_t number, LayoutGhost ghost)> found;
+    std::function<void(std::uint64_t number, const std::string& thing, size_t done, size_t total)>
+        progressed;
+  };
+  explicit ArrangeWorker(Listener listener);
+  ~ArrangeWorker();
+
+  void request(Request request);
+  void cancel();  // the latest one
+  bool is_idle() const;
+
+ private:
+  void run();
+  LayoutGhost answer_to(Request& request);
+
+  Listener m_listener;
+  std::atomic<bool> m_cancel = false;
+  mutable std::mutex m_mutex;  // guards the members below
+  std::condition_variable m_wake;
+  std::optional<Request> m_next;
+  bool m_works = false, m_stop = false;
+  std::thread m_thread;
+};
+
+}  // namespace trivet::edit

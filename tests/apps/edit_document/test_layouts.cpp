@@ -1,0 +1,187 @@
+// Arrangements of the editor: wishes, previews that change nothing, one step, conflicts, files.
+#include <fstream>
+#include <sstream>
+
+#include "apps/edit_document/scene_checks.h"
+#include "apps/edit_document/testing.h"
+#include "core/base/error.h"
+#include "core/scene/transaction.h"
+#include "ops/arrange/arrange.h"
+#include "ops/files/arrange/problem.h"
+
+namespace trivet::edit::test {
+namespace {
+
+/// A table, and three boxes that are not placed yet.
+class Layouts : public testing::Test {
+ protected:
+  Layouts() : document(folder.file("recovery")) {
+    write_boxes(folder.file("table.obj"), {{{-0.5, -0.4, 0}, {0.5, 0.4, 0.7}}});
+    write_boxes(folder.file("box.obj"), {{{-0.05, -0.04, 0}, {0.05, 0.04, 0.1}}});
+    document.import(folder.file("table.obj"), "table", true);
+    for (const char* name : {"jug", "cup", "pot"}) document.import(folder.file("box.obj"), name);
+    for (const char* name : {"jug", "cup", "pot"}) wish("on", name, "table");
+    wish("right_of", "cup", "jug", 0.02, 0.1);
+  }
+
+  void wish(const std::string& is, const std::string& a, const std::string& b, double lower = 0,
+            double upper = 0.1, std::optional<double> weight = {}) {
+    NewWish wish;
+    while (wish_kinds().at(wish.kind).is != is) ++wish.kind;
+    wish.a = a, wish.b = b, wish.lower = lower, wish.upper = upper, wish.weight = weight;
+    document->set_wishes(document->wishes().with(wish));
+  }
+
+  bool seek(std::uint64_t seed, bool selected_only = false) {
+    EXPECT_TRUE(document->request_layout(seed, selected_only));
+    EXPECT_TRUE(document->wait_until_idle());
+    return document->layout() && document->layout()->ok;
+  }
+
+  bool accept() { return document.done(document->accept_layout()); }
+  Vec3 at(const std::string& name) { return document.object(name).pose.translation; }
+  // Metres along the jug's right, as one who stands before it sees it.
+  double right_of_jug(const std::string& name) {
+    return (at(name) - at("jug")).dot(document.object("jug").pose.rotation.matrix().col(0));
+  }
+
+  TemporaryFolder folder;
+  Recorder document;
+};
+
+TEST_F(Layouts, PreviewChangesNothingAndAcceptingIsOneStep) {
+  const std::uint64_t before = fingerprint(*document->snapshot());
+  const size_t steps = document->history().num_done;
+  ASSERT_TRUE(seek(1)) << document.last_text();
+  EXPECT_EQ(fingerprint(*document->snapshot()), before);
+  const std::vector<Ghost::Member> members = document->layout()->members;
+  ASSERT_EQ(members.size(), 3U);
+  ASSERT_TRUE(accept()) << document.last_text();
+  EXPECT_EQ(document->layout(), nullptr);
+  EXPECT_EQ(document->history().num_done, steps + 1);
+  EXPECT_EQ(wrong_with(*document->snapshot()), "");
+  for (const Ghost::Member& member : members)  // to the bit as it was shown
+    EXPECT_EQ(document->snapshot()->find(member.id)->object->pose.translation,
+              member.pose.translation);
+  EXPECT_GT(right_of_jug("cup"), 0.1);
+  ASSERT_TRUE(document.done(document->undo()));
+  EXPECT_EQ(fingerprint(*document->snapshot()), before);
+}
+
+TEST_F(Layouts, EverySeedIsAnotherSolution) {
+  ASSERT_TRUE(seek(1));
+  const Vec3 first = document->layout()->members.front().pose.translation;
+  ASSERT_TRUE(seek(2));
+  EXPECT_GT((document->layout()->members.front().pose.translation - first).norm(), 1e-3);
+  EXPECT_EQ(document->layout()->seed, 2U);
+  ASSERT_TRUE(seek(1));
+  EXPECT_EQ(document->layout()->members.front().pose.translation, first);
+  document->clear_layout();
+  EXPECT_EQ(document->layout(), nullptr);
+}
+
+TEST_F(Layouts, SelectedAloneLeaveTheOthers) {
+  ASSERT_TRUE(seek(1));
+  ASSERT_TRUE(accept());
+  const Vec3 jug = at("jug"), pot = at("pot"), cup = at("cup");
+  document->select_only(document.id("cup"));
+  ASSERT_TRUE(seek(7, true));
+  ASSERT_EQ(document->layout()->members.size(), 1U);
+  ASSERT_TRUE(accept());
+  EXPECT_EQ(at("jug"), jug);
+  EXPECT_EQ(at("pot"), pot);
+  EXPECT_NE(at("cup"), cup);
+  EXPECT_GT(right_of_jug("cup"), 0.1);
+  EXPECT_EQ(wrong_with(*document->snapshot()), "");
+}
+
+// Without a wish about what carries them, things stay on what carries them now.
+TEST_F(Layouts, ThingsWithoutWishesStayOnTheirSupport) {
+  ASSERT_TRUE(seek(1));
+  ASSERT_TRUE(accept());
+  document->set_wishes({});
+  document->select_only(document.id("pot"));
+  ASSERT_TRUE(seek(3, true)) << document.last_text();
+  ASSERT_TRUE(accept());
+  EXPECT_NEAR(at("pot").z(), 0.7, 1e-3);
+}
+
+TEST_F(Layouts, ConflictNamesWishesAndTheCheapest) {
+  wish("left_of", "cup", "jug", 0.02, 0.1);
+  const std::uint64_t before = fingerprint(*document->snapshot());
+  EXPECT_FALSE(seek(1));
+  const auto layout = document->layout();
+  ASSERT_TRUE(layout);
+  EXPECT_EQ(layout->entries, (std::set<size_t>{3, 4}));
+  ASSERT_TRUE(layout->cheapest);
+  EXPECT_TRUE(layout->entries.count(*layout->cheapest));
+  ASSERT_FALSE(document.messages().empty());
+  EXPECT_EQ(document.messages().back().kind, Message::Kind::Refused);
+  EXPECT_EQ(document.messages().back().objects.size(), 2U);
+  EXPECT_EQ(fingerprint(*document->snapshot()), before);
+  document->set_wishes(document->wishes().without({*layout->cheapest}));
+  EXPECT_TRUE(seek(1)) << document.last_text();
+}
+
+TEST_F(Layouts, WishesAreKeptWithTheScene) {
+  ASSERT_TRUE(seek(1));
+  ASSERT_TRUE(accept());
+  wish("near", "pot", "jug", 0, 0.3, 2.0);
+  EXPECT_TRUE(document->is_modified());
+  ASSERT_TRUE(document.done(document->save_as(folder.file("scene.glb"))));
+  EXPECT_FALSE(document->is_modified());
+  const std::vector<Wish> before = document->wishes().list();
+  ASSERT_TRUE(document.done(document->new_scene()));
+  EXPECT_TRUE(document->wishes().empty());
+  ASSERT_TRUE(document.done(document->open(folder.file("scene.glb"))));
+  ASSERT_EQ(document->wishes().list().size(), 5U);
+  for (size_t i = 0; i < before.size(); ++i)
+    EXPECT_EQ(document->wishes().list()[i].text, before[i].text);
+  EXPECT_EQ(document->wishes().list().back().weight, 2.0);
+  EXPECT_FALSE(document->is_modified());
+}
+
+TEST_F(Layouts, SavesAProblemThatTheProgramArranges) {
+  ASSERT_TRUE(document.done(document->save_problem(folder.file("problem.json"))));
+  const Problem problem = read_problem(folder.file("problem.json"));
+  EXPECT_EQ(problem.arrangement.things.size(), 3U);
+  EXPECT_EQ(problem.arrangement.relations.size(), 4U);
+  document->set_wishes({});
+  document->load_wishes(folder.file("problem.json"));
+  EXPECT_EQ(document->wishes().list().size(), 4U);
+  std::ofstream(folder.file("bad.json")) << R"({"relations": [{"is": "abbove"}]})";
+  EXPECT_THROW(document->load_wishes(folder.file("bad.json")), Error);
+  EXPECT_THROW(document->load_wishes(folder.file("none.json")), Error);
+  EXPECT_EQ(document->wishes().list().size(), 4U);
+}
+
+TEST_F(Layouts, AnotherSceneEndsTheSearch) {
+  ASSERT_TRUE(document->request_layout(1, false));
+  EXPECT_TRUE(document->is_seeking_layout());
+  ASSERT_TRUE(document.done(document->new_scene()));
+  EXPECT_TRUE(document->wait_until_idle());
+  EXPECT_FALSE(document->is_seeking_layout());
+  EXPECT_EQ(document->layout(), nullptr);
+  EXPECT_FALSE(document->request_layout(1, false));  // there is nothing to arrange
+}
+
+TEST(Wishes, AreReadAsTheyAre) {
+  const Wishes wishes(R"({"seed": 5, "relations": [
+    {"is": "row", "of": ["book_*"], "on": "shelf"},
+    {"is": "right_of", "a": "cup", "b": "jug", "gap": [0.01, 0.03], "weight": 2},
+    {"is": "keep", "a": "*", "distance": 0.01}]})");
+  ASSERT_EQ(wishes.list().size(), 3U);
+  EXPECT_EQ(wishes.seed(), 5U);
+  EXPECT_EQ(wishes.list()[1].text, "\"cup\" right of \"jug\", 1 to 3 cm");
+  EXPECT_TRUE(wishes.is_about(0, "book_7"));
+  EXPECT_FALSE(wishes.is_about(1, "book_7"));
+  // A part without the row: one of its things is not among them.
+  const Wishes::Part part = wishes.part({"cup"}, 9, {});
+  EXPECT_EQ(part.entries, (std::vector<size_t>{1, 2}));
+  EXPECT_EQ(Wishes(part.json).seed(), 9U);
+  EXPECT_EQ(wishes.weighted(1, std::nullopt).list()[1].weight, std::nullopt);
+  EXPECT_THROW(Wishes("[1]"), Error);
+}
+
+}  // namespace
+}  // namespace trivet::edit::test
