@@ -18,7 +18,7 @@
 namespace trivet::edit::test {
 namespace {
 
-constexpr int kTimeoutMs = 120000;
+constexpr int kPatienceMs = 120000;
 const Vec3 kTray(0, -0.95, 0), kCup(0.85, -0.8, 0);
 
 class Hour {
@@ -65,7 +65,7 @@ void Hour::print_effort(const char* what) const {
 }
 
 void Hour::wait_for(const std::string& object) {
-  QTRY_VERIFY_WITH_TIMEOUT(m_document.snapshot()->find(object), kTimeoutMs);
+  QTRY_VERIFY_WITH_TIMEOUT(m_document.snapshot()->find(object), kPatienceMs);
   QVERIFY(m_user.wait());
 }
 
@@ -102,7 +102,7 @@ void Hour::show_folder(const QString& name) {
         return false;
     return assets.list().count() > 0;
   };
-  QVERIFY(QTest::qWaitFor(all_made, kTimeoutMs));
+  QVERIFY(QTest::qWaitFor(all_made, kPatienceMs));
 }
 
 void Hour::import_folders() {
@@ -142,7 +142,7 @@ void Hour::put_book_into_shelf() {
   begin();
   drag_asset(m_window, m_user, "book", WindowKind::Perspective, place);
   wait_for("book");
-  QVERIFY(QTest::qWaitFor([&] { return m_user.object("book").placed; }, kTimeoutMs));
+  QVERIFY(QTest::qWaitFor([&] { return m_user.object("book").placed; }, kPatienceMs));
   std::printf("effort: a book into a shelf: 0 clicks, 1 drags, 0 keys\n");
   QVERIFY2(std::abs(world_box(m_user.object("book")).lower.z() - 0.42) < 1e-3, "on the board");
   QVERIFY(m_user.wait());
@@ -212,7 +212,7 @@ void Hour::put_forty_apples() {
 void Hour::push_and_turn() {
   drag_asset(m_window, m_user, "cup", WindowKind::ThreeView, kCup);
   wait_for("cup");
-  QVERIFY(QTest::qWaitFor([&] { return m_user.object("cup").placed; }, kTimeoutMs));
+  QVERIFY(QTest::qWaitFor([&] { return m_user.object("cup").placed; }, kPatienceMs));
   m_user.select("cup");
   m_user.press_key(Qt::Key_E);
   const Vec3 before = m_user.object("cup").pose.translation;
@@ -309,7 +309,7 @@ void Hour::save_and_reopen() {
                        m_user.look("save_dialog");
                        enter_file(file);
                      });
-  QVERIFY(QTest::qWaitFor([&] { return QFile::exists(file); }, kTimeoutMs));
+  QVERIFY(QTest::qWaitFor([&] { return QFile::exists(file); }, kPatienceMs));
   QVERIFY(m_user.wait());
   QVERIFY(!m_document.is_modified());
   m_user.press_key(Qt::Key_N, Qt::ControlModifier);
@@ -332,7 +332,7 @@ void Hour::export_and_render() {
                        m_user.look("export_dialog");
                        enter_file(mesh);
                      });
-  QVERIFY(QTest::qWaitFor([&] { return QFile::exists(mesh); }, kTimeoutMs));
+  QVERIFY(QTest::qWaitFor([&] { return QFile::exists(mesh); }, kPatienceMs));
   QVERIFY(m_user.wait());
   m_user.with_dialog([&] { m_user.press_key(Qt::Key_P, Qt::ControlModifier); },
                      [&](QWidget& dialog) {
@@ -346,7 +346,7 @@ void Hour::export_and_render() {
                            dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Save),
                            Qt::LeftButton);
                      });
-  QVERIFY(QTest::qWaitFor([&] { return QFile::exists(picture); }, kTimeoutMs));
+  QVERIFY(QTest::qWaitFor([&] { return QFile::exists(picture); }, kPatienceMs));
   QVERIFY(QTest::qWaitFor([&] { return m_window.message_bar().isVisible(); }, 10000));
   m_user.look("picture_written");
 }
@@ -388,7 +388,7 @@ void write_hour_models(const QString& folder) {
   QProcess demo;
   demo.start(TRIVET_PROGRAM,
              {"demo", "breakfast", "-o", all + "/breakfast.glb", "--export", all, "--quiet"});
-  QVERIFY(demo.waitForFinished(kTimeoutMs));
+  QVERIFY(demo.waitForFinished(kPatienceMs));
   QCOMPARE(demo.exitCode(), 0);
   for (const char* const name : {"apple", "cup", "plate", "teapot"})
     QVERIFY(QFile::copy(all + "/" + name + ".glb", kitchen + "/" + name + ".glb"));
