@@ -214,7 +214,7 @@ class ZLists(Case):
 
     def test_bad_motions(self):
         scene = self.scene()
-        self.refused("zlist", scene, "--drop", "c", says=("--drop", '"c"', "name of an object"))
+        self.refused("zlist", scene, "--drop", "c", says='--drop: there is no object "c"')
         self.refused("zlist", scene, "--move", "b", says=("--move", "--along"))
         self.refused("zlist", scene, "--move", "b", "--along", 0, 0, 0, says=("--along", "but 0"))
         self.refused("zlist", scene, "--turn", "b", "--axis", 0, 0, 0, says=("--axis", "but 0"))
