@@ -9,6 +9,7 @@ namespace {
 
 constexpr float kOutlinePx = 2.2f;
 constexpr double kFinestCellPx = 6, kClearCellPx = 20;  // grid lines: first visible, full
+constexpr double kNearestMark = 2e-4;  // of the farthest depth: marks of a section are cut here
 
 }  // namespace
 
@@ -148,7 +149,10 @@ void LiveRenderer::draw_translucent(const View& view) {
 }
 
 void LiveRenderer::draw_overlay(const View& view) {
-  OverlayView overlay_view{view.camera, view.axes, view.clip_from_world, view.near_depth};
+  // A section cuts objects, not the marks in front of it.
+  const double near =
+      view.camera.cut ? std::min(view.near_depth, kNearestMark * view.far_depth) : view.near_depth;
+  OverlayView overlay_view{view.camera, view.axes, view.clip_from_world, near};
   overlay_view.closer = 2e-3 * view.reach();
   overlay_view.width = view.options.width;
   overlay_view.height = view.options.height;

@@ -93,7 +93,8 @@ TEST_F(Live, CutsAwayWhatIsNearer) {
                              Hidden::Shown);
       const Image half = draw(scene, camera, options);
       EXPECT_GT(num_different(half, open), 100);
-      EXPECT_TRUE(has_colour(half, pixel(camera, Vec3(1.4, 0, 5)), {1, 0, 0, 1}, 90));
+      EXPECT_TRUE(has_colour(half, pixel(camera, Vec3(1.4, 0, 5)), {1, 0, 0, 1}, 90))
+          << orthographic << draft;
       scene.overlay = {};
     }
 }
