@@ -186,6 +186,7 @@ void AssetBrowser::fill(const QString& folder, const QStringList& files) {
     auto* const item = new QListWidgetItem(QFileInfo(file).completeBaseName(), m_list);
     item->setData(kModelRole, file);
     item->setTextAlignment(Qt::AlignHCenter | Qt::AlignTop);
+    item->setSizeHint(m_list->gridSize());  // with room for the picture, which comes later
     m_items[file] = item;
     show_item(*item);
   }

@@ -37,6 +37,7 @@ void MainWindow::make_status_bar() {
                                                                m_answering, m_stands, m_count})
     statusBar()->addPermanentWidget(widget);
   statusBar()->setSizeGripEnabled(false);
+  m_count->setContentsMargins(0, 0, 6, 0);
   for (QWidget* const widget : std::initializer_list<QWidget*>{m_busy, m_progress, m_cancel})
     widget->hide();
   connect(m_cancel, &QToolButton::clicked, this, [this] {

@@ -42,6 +42,8 @@ void Theme::apply(QApplication& application) const {
     QMainWindow::separator, QSplitter::handle { background: %1; }
     QToolBar { border: none; border-bottom: 1px solid %1; padding: 2px 4px; spacing: 2px; }
     QToolBar QToolButton { padding: 3px; border: none; border-radius: 4px; }
+    QToolBar QToolButton[popupMode="1"] { padding-right: 17px; }
+    QToolBar QToolButton::menu-button { border: none; width: 14px; }
     QToolBar QToolButton:hover { background: rgba(128, 128, 128, 60); }
     QToolBar QToolButton:checked { background: %5; }
     QStatusBar { border-top: 1px solid %1; }
