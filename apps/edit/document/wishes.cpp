@@ -1,5 +1,6 @@
 #include "apps/edit/document/wishes.h"
 
+#include <QtGlobal>
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -95,25 +96,25 @@ bool any_matches(const std::vector<std::string>& patterns, const std::string& na
 const std::vector<WishKind>& wish_kinds() {
   using N = WishNumbers;
   static const std::vector<WishKind> kKinds = {
-      {"on", "on", N::None, false},
-      {"in", "in", N::None, false},
-      {"right_of", "right of", N::Gap},
-      {"left_of", "left of", N::Gap},
-      {"in_front_of", "in front of", N::Gap},
-      {"behind", "behind", N::Gap},
-      {"against", "with its back against", N::Gap},
-      {"at_edge", "at the edge of", N::Gap},
-      {"near", "near", N::Distance},
-      {"facing", "facing"},
-      {"away", "facing away from"},
-      {"same", "turned as"},
-      {"parallel", "parallel to"},
-      {"perpendicular", "perpendicular to"},
-      {"aligned", "aligned with"},
-      {"centred", "centred on"},
-      {"under", "under", N::Part},
-      {"view", "in view of", N::Part},
-      {"reach", "in reach of", N::Distance},
+      {"on", QT_TRANSLATE_NOOP("wishes", "on"), N::None, false},
+      {"in", QT_TRANSLATE_NOOP("wishes", "in"), N::None, false},
+      {"right_of", QT_TRANSLATE_NOOP("wishes", "right of"), N::Gap},
+      {"left_of", QT_TRANSLATE_NOOP("wishes", "left of"), N::Gap},
+      {"in_front_of", QT_TRANSLATE_NOOP("wishes", "in front of"), N::Gap},
+      {"behind", QT_TRANSLATE_NOOP("wishes", "behind"), N::Gap},
+      {"against", QT_TRANSLATE_NOOP("wishes", "with its back against"), N::Gap},
+      {"at_edge", QT_TRANSLATE_NOOP("wishes", "at the edge of"), N::Gap},
+      {"near", QT_TRANSLATE_NOOP("wishes", "near"), N::Distance},
+      {"facing", QT_TRANSLATE_NOOP("wishes", "facing")},
+      {"away", QT_TRANSLATE_NOOP("wishes", "facing away from")},
+      {"same", QT_TRANSLATE_NOOP("wishes", "turned as")},
+      {"parallel", QT_TRANSLATE_NOOP("wishes", "parallel to")},
+      {"perpendicular", QT_TRANSLATE_NOOP("wishes", "perpendicular to")},
+      {"aligned", QT_TRANSLATE_NOOP("wishes", "aligned with")},
+      {"centred", QT_TRANSLATE_NOOP("wishes", "centred on")},
+      {"under", QT_TRANSLATE_NOOP("wishes", "under"), N::Part},
+      {"view", QT_TRANSLATE_NOOP("wishes", "in view of"), N::Part},
+      {"reach", QT_TRANSLATE_NOOP("wishes", "in reach of"), N::Distance},
   };
   return kKinds;
 }

@@ -455,6 +455,189 @@
     </message>
 </context>
 <context>
+    <name>trivet::edit::ArrangePanel</name>
+    <message>
+        <source>Swap</source>
+        <translation>Tauschen</translation>
+    </message>
+    <message>
+        <source>Swap the two objects</source>
+        <translation>Die zwei Objekte tauschen</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>bis</translation>
+    </message>
+    <message>
+        <source>Soft, weight</source>
+        <translation>Weich, Gewicht</translation>
+    </message>
+    <message>
+        <source>Add wish</source>
+        <translation>Wunsch hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add the wish to the scene&apos;s</source>
+        <translation>Den Wunsch denen der Szene hinzufügen</translation>
+    </message>
+    <message>
+        <source>Wish</source>
+        <translation>Wunsch</translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation>Gewicht</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Alle</translation>
+    </message>
+    <message>
+        <source>All wishes, not of the selected objects alone</source>
+        <translation>Alle Wünsche, nicht nur der ausgewählten Objekte</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the chosen wishes</source>
+        <translation>Die gewählten Wünsche entfernen</translation>
+    </message>
+    <message>
+        <source>Load…</source>
+        <translation>Laden…</translation>
+    </message>
+    <message>
+        <source>Load a problem of trivet arrange</source>
+        <translation>Eine Aufgabe von trivet arrange laden</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Speichern…</translation>
+    </message>
+    <message>
+        <source>Save scene and wishes as a problem of trivet arrange</source>
+        <translation>Szene und Wünsche als Aufgabe von trivet arrange speichern</translation>
+    </message>
+    <message>
+        <source>Selected only</source>
+        <translation>Nur ausgewählte</translation>
+    </message>
+    <message>
+        <source>Arrange the selected objects; all others stay</source>
+        <translation>Die ausgewählten Objekte anordnen; alle anderen bleiben</translation>
+    </message>
+    <message>
+        <source>Seed </source>
+        <translation>Startwert </translation>
+    </message>
+    <message>
+        <source>Turn the wheel for the next solution</source>
+        <translation>Am Rad drehen für die nächste Lösung</translation>
+    </message>
+    <message>
+        <source>Arrange</source>
+        <translation>Anordnen</translation>
+    </message>
+    <message>
+        <source>Look for an arrangement: a preview</source>
+        <translation>Eine Anordnung suchen: Vorschau</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>The next solution: another seed</source>
+        <translation>Die nächste Lösung: ein anderer Startwert</translation>
+    </message>
+    <message>
+        <source>Accept</source>
+        <translation>Annehmen</translation>
+    </message>
+    <message>
+        <source>Do it, as one step</source>
+        <translation>Ausführen, als ein Schritt</translation>
+    </message>
+    <message>
+        <source>Reject</source>
+        <translation>Ablehnen</translation>
+    </message>
+    <message>
+        <source>Leave the scene as it is</source>
+        <translation>Die Szene lassen, wie sie ist</translation>
+    </message>
+    <message>
+        <source>Drop the cheapest wish</source>
+        <translation>Billigsten Wunsch streichen</translation>
+    </message>
+    <message>
+        <source>Drop the wish that is nearest to being met, and look again</source>
+        <translation>Den Wunsch streichen, der fast erfüllt ist, und neu suchen</translation>
+    </message>
+    <message>
+        <source>Looks for a place for %1</source>
+        <translation>Sucht einen Platz für %1</translation>
+    </message>
+    <message>
+        <source>Select two objects: the first is to be … the second</source>
+        <translation>Zwei Objekte auswählen: das erste soll … das zweite</translation>
+    </message>
+    <message>
+        <source>% at least</source>
+        <translation>% mindestens</translation>
+    </message>
+    <message>
+        <source>cm</source>
+        <translation>cm</translation>
+    </message>
+    <message>
+        <source>cm at most</source>
+        <translation>cm höchstens</translation>
+    </message>
+    <message>
+        <source>hard</source>
+        <translation>hart</translation>
+    </message>
+    <message>
+        <source>A number makes the wish soft, no number hard</source>
+        <translation>Eine Zahl macht den Wunsch weich, keine hart</translation>
+    </message>
+    <message>
+        <source>Select objects that may move</source>
+        <translation>Objekte auswählen, die sich bewegen dürfen</translation>
+    </message>
+    <message>
+        <source>There is no object that may move</source>
+        <translation>Kein Objekt darf sich bewegen</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Looks for an arrangement</source>
+        <translation>Sucht eine Anordnung</translation>
+    </message>
+    <message>
+        <source>%1 (seed %2, %3 s)</source>
+        <translation>%1 (Startwert %2, %3 s)</translation>
+    </message>
+    <message>
+        <source>Save problem</source>
+        <translation>Aufgabe speichern</translation>
+    </message>
+    <message>
+        <source>Problems (*.json)</source>
+        <translation>Aufgaben (*.json)</translation>
+    </message>
+    <message>
+        <source>Load wishes</source>
+        <translation>Wünsche laden</translation>
+    </message>
+</context>
+<context>
     <name>trivet::edit::AssetBrowser</name>
     <message>
         <source>%1, likely %2</source>
@@ -1618,10 +1801,6 @@
         <translation>Schritte</translation>
     </message>
     <message>
-        <source>For the mouse, while Control is held</source>
-        <translation>Für die Maus, solange Strg gehalten wird</translation>
-    </message>
-    <message>
         <source>Apply to the active object with these numbers; other selected objects move along</source>
         <translation>Mit diesen Zahlen auf das aktive Objekt anwenden; andere ausgewählte bewegen sich mit</translation>
     </message>
@@ -2383,186 +2562,82 @@
     </message>
 </context>
 <context>
-    <name>trivet::edit::ArrangePanel</name>
+    <name>wishes</name>
     <message>
-        <source>Swap</source>
-        <translation>Tauschen</translation>
+        <source>on</source>
+        <translation>auf</translation>
     </message>
     <message>
-        <source>Swap the two objects</source>
-        <translation>Die zwei Objekte tauschen</translation>
+        <source>in</source>
+        <translation>in</translation>
     </message>
     <message>
-        <source>to</source>
-        <translation>zu</translation>
+        <source>right of</source>
+        <translation>rechts von</translation>
     </message>
     <message>
-        <source>Soft, weight</source>
-        <translation>Weich, Gewicht</translation>
+        <source>left of</source>
+        <translation>links von</translation>
     </message>
     <message>
-        <source>Add wish</source>
-        <translation>Wunsch hinzufügen</translation>
+        <source>in front of</source>
+        <translation>vor</translation>
     </message>
     <message>
-        <source>Add the wish to the scene&apos;s</source>
-        <translation>Den Wunsch denen der Szene hinzufügen</translation>
+        <source>behind</source>
+        <translation>hinter</translation>
     </message>
     <message>
-        <source>Wish</source>
-        <translation>Wunsch</translation>
+        <source>with its back against</source>
+        <translation>mit dem Rücken an</translation>
     </message>
     <message>
-        <source>Weight</source>
-        <translation>Gewicht</translation>
+        <source>at the edge of</source>
+        <translation>am Rand von</translation>
     </message>
     <message>
-        <source>All</source>
-        <translation>Alle</translation>
+        <source>near</source>
+        <translation>nahe bei</translation>
     </message>
     <message>
-        <source>All wishes, not of the selected objects alone</source>
-        <translation>Alle Wünsche, nicht nur der ausgewählten Objekte</translation>
+        <source>facing</source>
+        <translation>zugewandt</translation>
     </message>
     <message>
-        <source>Remove</source>
-        <translation>Entfernen</translation>
+        <source>facing away from</source>
+        <translation>abgewandt von</translation>
     </message>
     <message>
-        <source>Remove the chosen wishes</source>
-        <translation>Die gewählten Wünsche entfernen</translation>
+        <source>turned as</source>
+        <translation>gedreht wie</translation>
     </message>
     <message>
-        <source>Load…</source>
-        <translation>Laden…</translation>
+        <source>parallel to</source>
+        <translation>parallel zu</translation>
     </message>
     <message>
-        <source>Load a problem of trivet arrange</source>
-        <translation>Eine Aufgabe von trivet arrange laden</translation>
+        <source>perpendicular to</source>
+        <translation>senkrecht zu</translation>
     </message>
     <message>
-        <source>Save…</source>
-        <translation>Speichern…</translation>
+        <source>aligned with</source>
+        <translation>ausgerichtet an</translation>
     </message>
     <message>
-        <source>Save scene and wishes as a problem of trivet arrange</source>
-        <translation>Szene und Wünsche als Aufgabe von trivet arrange speichern</translation>
+        <source>centred on</source>
+        <translation>mittig auf</translation>
     </message>
     <message>
-        <source>Selected only</source>
-        <translation>Nur ausgewählte</translation>
+        <source>under</source>
+        <translation>unter</translation>
     </message>
     <message>
-        <source>Arrange the selected objects; all others stay</source>
-        <translation>Die ausgewählten Objekte anordnen; alle anderen bleiben</translation>
+        <source>in view of</source>
+        <translation>im Blick von</translation>
     </message>
     <message>
-        <source>Seed </source>
-        <translation>Startwert </translation>
-    </message>
-    <message>
-        <source>Turn the wheel for the next solution</source>
-        <translation>Am Rad drehen für die nächste Lösung</translation>
-    </message>
-    <message>
-        <source>Arrange</source>
-        <translation>Anordnen</translation>
-    </message>
-    <message>
-        <source>Look for an arrangement: a preview</source>
-        <translation>Eine Anordnung suchen: Vorschau</translation>
-    </message>
-    <message>
-        <source>Next</source>
-        <translation>Weiter</translation>
-    </message>
-    <message>
-        <source>The next solution: another seed</source>
-        <translation>Die nächste Lösung: ein anderer Startwert</translation>
-    </message>
-    <message>
-        <source>Accept</source>
-        <translation>Annehmen</translation>
-    </message>
-    <message>
-        <source>Do it, as one step</source>
-        <translation>Ausführen, als ein Schritt</translation>
-    </message>
-    <message>
-        <source>Reject</source>
-        <translation>Ablehnen</translation>
-    </message>
-    <message>
-        <source>Leave the scene as it is</source>
-        <translation>Die Szene lassen, wie sie ist</translation>
-    </message>
-    <message>
-        <source>Drop the cheapest wish</source>
-        <translation>Billigsten Wunsch streichen</translation>
-    </message>
-    <message>
-        <source>Drop the wish that is nearest to being met, and look again</source>
-        <translation>Den Wunsch streichen, der fast erfüllt ist, und neu suchen</translation>
-    </message>
-    <message>
-        <source>Looks for a place for %1</source>
-        <translation>Sucht einen Platz für %1</translation>
-    </message>
-    <message>
-        <source>Select two objects: the first is to be … the second</source>
-        <translation>Zwei Objekte auswählen: das erste soll … das zweite</translation>
-    </message>
-    <message>
-        <source>% at least</source>
-        <translation>% mindestens</translation>
-    </message>
-    <message>
-        <source>cm</source>
-        <translation>cm</translation>
-    </message>
-    <message>
-        <source>cm at most</source>
-        <translation>cm höchstens</translation>
-    </message>
-    <message>
-        <source>hard</source>
-        <translation>hart</translation>
-    </message>
-    <message>
-        <source>A number makes the wish soft, no number hard</source>
-        <translation>Eine Zahl macht den Wunsch weich, keine hart</translation>
-    </message>
-    <message>
-        <source>Select objects that may move</source>
-        <translation>Objekte auswählen, die sich bewegen dürfen</translation>
-    </message>
-    <message>
-        <source>There is no object that may move</source>
-        <translation>Kein Objekt darf sich bewegen</translation>
-    </message>
-    <message>
-        <source>Stop</source>
-        <translation>Anhalten</translation>
-    </message>
-    <message>
-        <source>Looks for an arrangement</source>
-        <translation>Sucht eine Anordnung</translation>
-    </message>
-    <message>
-        <source>%1 (seed %2, %3 s)</source>
-        <translation>%1 (Startwert %2, %3 s)</translation>
-    </message>
-    <message>
-        <source>Save problem</source>
-        <translation>Aufgabe speichern</translation>
-    </message>
-    <message>
-        <source>Problems (*.json)</source>
-        <translation>Aufgaben (*.json)</translation>
-    </message>
-    <message>
-        <source>Load wishes</source>
-        <translation>Wünsche laden</translation>
+        <source>in reach of</source>
+        <translation>in Reichweite von</translation>
     </message>
 </context>
 </TS>
