@@ -89,10 +89,10 @@ void browse_models(Document& document, MainWindow& window, User& user, const QSt
   QVERIFY(user.wait());
   QVERIFY(user.object("brick").state == ObjectState::Stable);
   // One that is dragged lies where it is dropped.
-  drag_asset(window, user, "brick", WindowKind::ThreeView, Vec3(0.3, 0, 0));
+  drag_asset(window, user, "brick", WindowKind::ThreeView, Vec3(0.13, 0, 0));
   QTRY_VERIFY_WITH_TIMEOUT(document.snapshot()->find("brick_2"), kTimeoutMs);
   QVERIFY(QTest::qWaitFor([&] { return user.object("brick_2").placed; }, kTimeoutMs));
-  QVERIFY(std::abs(user.object("brick_2").pose.translation.x() - 0.3) < 0.02);
+  QVERIFY(std::abs(user.object("brick_2").pose.translation.x() - 0.13) < 0.02);
   double_click_asset(window, "bad");
   QVERIFY(window.message_bar().isVisible());
   QVERIFY(user.wait());
@@ -239,10 +239,9 @@ void drop_files(Document& document, MainWindow& window, User& user, const QStrin
   document.save_as(scene.toStdString());
   document.new_scene();
   QVERIFY(user.wait());
-  QMimeData data;
-  data.setUrls({QUrl::fromLocalFile(scene)});
-  QDropEvent event(QPointF(window.rect().center()), Qt::CopyAction, &data, Qt::LeftButton, {});
-  QApplication::sendEvent(&window, &event);
+  auto* const data = new QMimeData;
+  data->setUrls({QUrl::fromLocalFile(scene)});
+  send_drop(window, data, window.rect().center());
   QTRY_VERIFY_WITH_TIMEOUT(document.snapshot()->find("box"), kTimeoutMs);
   QVERIFY(user.wait());
   QVERIFY(!document.is_modified());

@@ -43,7 +43,9 @@ void drag_asset(MainWindow& window, User& user, const QString& name, WindowKind 
                 const Vec3& world) {
   AssetList& list = window.assets().list();
   const QModelIndex index = shown_asset(list, name);
-  send_drop(window.view(kind), list.model()->mimeData({index}), user.pixel(kind, world));
+  const QPoint at = user.pixel(kind, world);
+  QVERIFY2(window.view(kind).rect().contains(at), "the place is beside the view");
+  send_drop(window.view(kind), list.model()->mimeData({index}), at);
 }
 
 }  // namespace trivet::edit::test

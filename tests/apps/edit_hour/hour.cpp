@@ -234,6 +234,10 @@ void Hour::push_and_turn() {
 
 void Hour::type_numbers() {
   m_user.press_key(Qt::Key_G);
+  // From afar the handles hide it.
+  m_user.move_to(m_window.view(WindowKind::Perspective), QPoint(20, 20));
+  m_user.press_key(Qt::Key_F);
+  QVERIFY(m_user.wait());
   SceneView& view = m_window.view(WindowKind::Perspective);
   const QPoint cup = m_user.pixel_on("cup", WindowKind::Perspective);
   const Vec3 before = m_user.object("cup").pose.translation;

@@ -3,6 +3,7 @@
 //   test_apps_edit_hour [--hour] [--size 1280x800] [--dark] [--german] [Qt Test's own arguments]
 // --hour: nothing but the hour. QT_SCALE_FACTOR scales.
 #include <QApplication>
+#include <QComboBox>
 #include <QProcess>
 #include <QSettings>
 #include <QTemporaryDir>
@@ -125,7 +126,15 @@ void TestHour::works_an_hour() {
   work_an_hour(*m_document, *m_window, *m_user, m_folder.path());
 }
 
-void TestHour::shows_all_texts() { QCOMPARE(cut_off_texts(*m_window), QStringList()); }
+void TestHour::shows_all_texts() {
+  QCOMPARE(cut_off_texts(*m_window), QStringList());
+  m_user->press_key(Qt::Key_M);
+  m_user->press_key(Qt::Key_R, Qt::ControlModifier);
+  QVERIFY(m_user->wait());
+  m_user->look("arrange_dock");
+  QVERIFY(m_window->findChild<QComboBox*>("wish_kind")->isVisible());
+  QCOMPARE(cut_off_texts(*m_window), QStringList());
+}
 
 }  // namespace trivet::edit::test
 
