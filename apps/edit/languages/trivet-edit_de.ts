@@ -140,7 +140,7 @@
     </message>
     <message>
         <source>Drag an object along the surface it lies on, or a wall it touches (V: its next contact); type x and y meanwhile; Control snaps</source>
-        <translation>Ein Objekt entlang der Fläche ziehen, auf der es liegt, oder einer Wand, die es berührt (V: nächster Kontakt); x und y lassen sich eintippen; Strg rastet ein</translation>
+        <translation>Ein Objekt auf seiner Fläche oder an einer Wand entlangziehen (V: nächster Kontakt); x und y eintippen; Strg rastet ein</translation>
     </message>
     <message>
         <source>Select the objects to paint copies of, then drag over a surface</source>
@@ -1020,7 +1020,7 @@
     </message>
     <message>
         <source>the floor</source>
-        <translation>der Boden</translation>
+        <translation>dem Boden</translation>
     </message>
     <message>
         <source>%1: there is none to put</source>
@@ -2039,6 +2039,14 @@
     <message>
         <source>For the mouse, while Control is held or the magnet is on</source>
         <translation>Für die Maus, solange Strg gehalten oder der Magnet an ist</translation>
+    </message>
+    <message>
+        <source>Select</source>
+        <translation>Auswählen</translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation>Malen</translation>
     </message>
 </context>
 <context>

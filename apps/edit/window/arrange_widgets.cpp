@@ -34,12 +34,22 @@ QHBoxLayout* row_of(std::initializer_list<QWidget*> widgets) {
   return row;
 }
 
+/// As wide as its rows need in any language, `least_px` at least. Wrapped texts ask for no width.
+QVBoxLayout* column_in(QWidget& box, int least_px, QLabel& wrapped) {
+  wrapped.setWordWrap(true);
+  wrapped.setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  box.setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);
+  auto* const column = new QVBoxLayout(&box);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addStrut(least_px);
+  return column;
+}
+
 }  // namespace
 
 QWidget* ArrangePanel::make_new_wish() {
   m_pair = new QLabel;
   m_pair->setObjectName("wish_pair");
-  m_pair->setWordWrap(true);
   m_swap = make_button("wish_swap", tr("Swap"), tr("Swap the two objects"));
   m_kind = new QComboBox;
   m_kind->setObjectName("wish_kind");
@@ -54,9 +64,7 @@ QWidget* ArrangePanel::make_new_wish() {
   m_weight = make_number("wish_weight", kSoftWeight, 1000);
   m_add = make_button("wish_add", tr("Add wish"), tr("Add the wish to the scene's"));
   auto* const box = new QWidget;
-  box->setMaximumWidth(300);
-  auto* const column = new QVBoxLayout(box);
-  column->setContentsMargins(0, 0, 0, 0);
+  auto* const column = column_in(*box, 250, *m_pair);
   column->addWidget(m_pair);
   column->addLayout(row_of({m_kind, m_swap}));
   column->addLayout(row_of({m_lower, m_to, m_upper, m_unit}));
@@ -125,11 +133,8 @@ QWidget* ArrangePanel::make_search() {
   m_progress->setMaximumHeight(6);
   m_status = new QLabel;
   m_status->setObjectName("arrange_status");
-  m_status->setWordWrap(true);
   auto* const box = new QWidget;
-  box->setFixedWidth(400);
-  auto* const column = new QVBoxLayout(box);
-  column->setContentsMargins(0, 0, 0, 0);
+  auto* const column = column_in(*box, 400, *m_status);
   column->addLayout(row_of({m_selected_only, m_seed, m_arrange, m_next}));
   column->addWidget(m_progress);
   column->addWidget(m_status, 1);

@@ -11,9 +11,11 @@ namespace {
 constexpr double kLongest = 1000, kMillimetre = 1e-3;  // metres
 
 QString tool_name(int kind) {
-  static constexpr const char* kNames[] = {"Select",  "Put",  "Push",   "Turn",
-                                           "Pick up", "Move", "Rotate", "Paint"};
-  return OperationPanel::tr(kNames[kind]);
+  const QString names[] = {OperationPanel::tr("Select"),  OperationPanel::tr("Put"),
+                           OperationPanel::tr("Push"),    OperationPanel::tr("Turn"),
+                           OperationPanel::tr("Pick up"), OperationPanel::tr("Move"),
+                           OperationPanel::tr("Rotate"),  OperationPanel::tr("Paint")};
+  return names[kind];
 }
 
 }  // namespace

@@ -247,7 +247,9 @@ void Hour::type_numbers() {
   for (const Qt::Key key :
        {Qt::Key_0, Qt::Key_Period, Qt::Key_1, Qt::Key_Tab, Qt::Key_0, Qt::Key_Tab, Qt::Key_0})
     m_user.press_key(key);
-  QTest::qWait(100);
+  const auto moved = [&] { return m_user.object("cup").pose.translation.x() - before.x(); };
+  QVERIFY(QTest::qWaitFor([&] { return std::abs(moved() - 0.1) < 1e-5; }, kPatienceMs));
+  QTest::qWait(500);  // until it is drawn
   m_user.look("typed_in_a_drag");
   m_user.press_key(Qt::Key_Return);
   m_user.release(view, cup, Qt::LeftButton);
@@ -256,7 +258,7 @@ void Hour::type_numbers() {
   QVERIFY2(off.norm() < 1e-5,
            qPrintable(QString("%1 %2 %3").arg(off.x()).arg(off.y()).arg(off.z())));
   m_user.press_key(Qt::Key_Q);
-  m_user.show_tab(Properties::tr("Properties"));
+  m_user.show_tab(ControlWindow::tr("Properties"));
   auto* const box = m_window.control().findChild<QDoubleSpinBox*>("position x");
   box->setFocus();
   box->selectAll();
@@ -298,6 +300,7 @@ void Hour::collect() {
   QTRY_VERIFY(m_document.looks().collections.find("apples"));
   m_document.select({});
   QVERIFY(m_user.wait());
+  m_window.control().outliner().scrollToTop();
   m_user.look("collection");
 }
 

@@ -154,7 +154,9 @@ void User::select(const std::string& name, Qt::KeyboardModifiers modifiers) {
 void User::show_tab(const QString& title) {
   auto* const tabs = m_window.control().findChild<QTabWidget*>();
   for (int i = 0; i < tabs->count(); ++i)
-    if (tabs->tabText(i) == title) click(*tabs->tabBar(), tabs->tabBar()->tabRect(i).center());
+    if (tabs->tabText(i) == title)
+      return click(*tabs->tabBar(), tabs->tabBar()->tabRect(i).center());
+  QFAIL(qPrintable("no tab " + title));
 }
 
 bool User::wait(int timeout_ms) {
