@@ -170,6 +170,10 @@
         <source>Click a contact point, edge or area, then drag to turn about it; hold Control for steps, or type degrees</source>
         <translation>Punkt, Kante oder Fläche eines Kontakts anklicken, dann ziehen; Strg für Schritte, oder Grad eintippen</translation>
     </message>
+    <message>
+        <source>Tab: next axis, Return: done, Escape: cancel</source>
+        <translation>Tab: nächste Achse, Eingabe: fertig, Escape: abbrechen</translation>
+    </message>
 </context>
 <context>
     <name>trivet::edit</name>

@@ -1,5 +1,7 @@
 #include "apps/edit/tools/drag_tool.h"
 
+#include <QCoreApplication>
+
 namespace trivet::edit {
 namespace {
 
@@ -140,7 +142,9 @@ bool DragTool::type(const KeyEvent& event) {
 
 std::string DragTool::reading() const {
   if (!m_is_drag || m_typed.empty()) return {};
-  return m_typed.text() + "  –  Tab: next axis, Return: done, Escape: cancel";
+  return m_typed.text() + "  –  " +
+         QCoreApplication::translate("tools", "Tab: next axis, Return: done, Escape: cancel")
+             .toStdString();
 }
 
 bool DragTool::key(const KeyEvent& event) {

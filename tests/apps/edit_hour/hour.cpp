@@ -43,7 +43,8 @@ class Hour {
   void show_room();
   void wait_for(const std::string& object);
   void begin() { m_before = m_user.effort(); }
-  void print_effort(const char* what) const;
+  /// Since begin(), and what was done in the asset browser.
+  void print_effort(const char* what, int asset_clicks = 0, int asset_drags = 0) const;
   void enter_file(const QString& file);
   void with_row(QWidget& dialog, const char* row, const QString& text);
   Vec3 centre(const std::string& name) { return world_box(m_user.object(name)).centre(); }
@@ -58,10 +59,11 @@ class Hour {
 /// A row of a dialog, in the language of the window.
 QString in_words(const char* text) { return QCoreApplication::translate("QObject", text); }
 
-void Hour::print_effort(const char* what) const {
+void Hour::print_effort(const char* what, int asset_clicks, int asset_drags) const {
   const User::Effort& now = m_user.effort();
-  std::printf("effort: %s: %d clicks, %d drags, %d keys\n", what, now.clicks - m_before.clicks,
-              now.drags - m_before.drags, now.keys - m_before.keys);
+  std::printf("effort: %s: %d clicks, %d drags, %d keys\n", what,
+              now.clicks - m_before.clicks + asset_clicks, now.drags - m_before.drags + asset_drags,
+              now.keys - m_before.keys);
 }
 
 void Hour::wait_for(const std::string& object) {
@@ -143,7 +145,7 @@ void Hour::put_book_into_shelf() {
   drag_asset(m_window, m_user, "book", WindowKind::Perspective, place);
   wait_for("book");
   QVERIFY(QTest::qWaitFor([&] { return m_user.object("book").placed; }, kPatienceMs));
-  std::printf("effort: a book into a shelf: 0 clicks, 1 drags, 0 keys\n");
+  print_effort("a book into a shelf", 0, 1);
   QVERIFY2(std::abs(world_box(m_user.object("book")).lower.z() - 0.42) < 1e-3, "on the board");
   QVERIFY(m_user.wait());
   m_user.look("book_in_shelf");
@@ -197,9 +199,7 @@ void Hour::put_forty_apples() {
                        m_user.press_key_in(dialog, Qt::Key_Return);
                      });
   QVERIFY(m_user.wait());
-  const User::Effort& now = m_user.effort();
-  std::printf("effort: forty apples on a tray: %d clicks, 0 drags, %d keys\n",
-              now.clicks - m_before.clicks + 2, now.keys - m_before.keys);  // with the double click
+  print_effort("forty apples on a tray", 2);  // with the double click
   int apples = 0;
   for (const ObjectSnapshot& object : m_document.snapshot()->objects)
     apples += object->name.rfind("apple", 0) == 0 && object->state == ObjectState::Stable;
