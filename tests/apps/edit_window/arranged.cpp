@@ -119,6 +119,7 @@ void arrange_by_wishes(Document& document, MainWindow& window, User& user, const
   QCOMPARE(user.object("third_tin").pose.translation, third);
   find<QCheckBox>(window, "arrange_selected").setChecked(false);
   arrange->trigger();
+  document.new_scene();  // wishes count as unsaved work
   QVERIFY(user.wait());
 }
 

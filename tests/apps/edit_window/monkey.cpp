@@ -230,6 +230,7 @@ void play_monkey(Document& document, MainWindow& window, User& user) {
   const unsigned seed = 20261122;
   const int num_actions = trivet::test::with_effort(300);
   std::printf("monkey: %d actions, seed %u\n", num_actions, seed);
+  QVERIFY2(!document.is_modified(), "a question would wait for an answer");
   window.open_demo("spoon-saucer");
   QVERIFY(user.wait());
   Referee referee(document);
