@@ -95,7 +95,7 @@ bool any_matches(const std::vector<std::string>& patterns, const std::string& na
 
 const std::vector<WishKind>& wish_kinds() {
   using N = WishNumbers;
-  static const std::vector<WishKind> kKinds = {
+  static const std::vector<WishKind> kinds = {
       {"on", QT_TRANSLATE_NOOP("wishes", "on"), N::None, false},
       {"in", QT_TRANSLATE_NOOP("wishes", "in"), N::None, false},
       {"right_of", QT_TRANSLATE_NOOP("wishes", "right of"), N::Gap},
@@ -116,7 +116,7 @@ const std::vector<WishKind>& wish_kinds() {
       {"view", QT_TRANSLATE_NOOP("wishes", "in view of"), N::Part},
       {"reach", QT_TRANSLATE_NOOP("wishes", "in reach of"), N::Distance},
   };
-  return kKinds;
+  return kinds;
 }
 
 Wishes::Wishes(const std::string& json) {
