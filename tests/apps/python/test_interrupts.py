@@ -11,7 +11,9 @@ import trivet
 from shapes import SANITIZED, at, torus
 from test_threads import heavy_scene, run_script
 
-MOST = 5 if SANITIZED else 0.05  # seconds, by the clock or of CPU: the machine may be busy
+# Seconds, by the clock or of CPU: a bound of work not stopped at all, as the machine may be slow and busy. The
+# goal is 0.05; the times are printed.
+MOST = 5 if SANITIZED else 1
 
 
 @functools.lru_cache(maxsize=None)
