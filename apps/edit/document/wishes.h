@@ -1,4 +1,4 @@
-// What is to be arranged, as the editor lists it: the section "arrange" of a layout, entry by
+// Arrangement problem as the editor lists it: the section "arrange" of a layout, entry by
 // entry. Immutable: changes give another one.
 #pragma once
 

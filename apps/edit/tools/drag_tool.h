@@ -55,7 +55,7 @@ class DragTool : public Tool {
   void note_grid() { m_note = grid_in_words(m_options.snap.grid_step); }
   /// Degrees of a step, 0: none; says so at the pointer.
   double angle_step(const PointerEvent& event);
-  /// What is grabbed: world.
+  /// Grabbed point: world.
   const Vec3& grabbed() const { return m_base; }
   /// Makes the object under the mouse active; if it is selected, the selection stays.
   const ObjectSnapshot* grab_object(const PointerEvent& event);

@@ -9,7 +9,7 @@
 
 namespace trivet::edit {
 
-/// What drags snap to; see snap(). Metres.
+/// Targets of snapping; see snap(). Metres.
 struct SnapOptions {
   bool on = false;  // while a drag is on, Control turns it over
   bool corners = true, edges = true, faces = true, grid = true;
@@ -30,7 +30,7 @@ struct Snap {
 /// Within this distance of the pointer, pixels.
 inline constexpr double kSnapPx = 10;
 
-/// What the pointer snaps to: the nearest visible corner within kSnapPx pixels, else the nearest
+/// Target of the pointer: the nearest visible corner within kSnapPx pixels, else the nearest
 /// visible place of an edge, else the face under the pointer. Edges are those at which the faces
 /// turn by more than 20 degrees, or that have not two faces; corners end at least one of them.
 /// Distances are those of the picture; of two alike the first one counts, in the order of the

@@ -17,7 +17,7 @@
 
 namespace trivet::edit {
 
-/// What a file holds, without taking it into the scene.
+/// Content of a model file, without taking it into the scene.
 struct AssetInfo {
   QImage picture;  // square, transparent around the model; null: `error` says why
   QString error;

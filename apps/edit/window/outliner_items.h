@@ -1,4 +1,4 @@
-// What the items of the outliner stand for. Private.
+// Objects and collections behind the outliner's items. Private.
 #pragma once
 
 #include <QTreeWidgetItem>

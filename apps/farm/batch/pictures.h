@@ -5,7 +5,7 @@
 
 namespace trivet::farm {
 
-/// What a batch of pictures is, its format and number of scenes per unit apart.
+/// Run of a batch of pictures, its format and number of scenes per unit apart.
 /// @param scenes  folder of the scenes. @param views  their JSON; empty: those of the recipe.
 /// @throws Error (BadInput) when the folder is no batch of scenes, or there are no views.
 BatchRun pictures_of(const std::string& scenes, const std::string& views);

@@ -7,7 +7,7 @@
 
 namespace trivet::farm {
 
-/// What pictures are made of.
+/// Input of pictures.
 struct PictureWork {
   std::string folder;  // the batch of the scenes
   BatchRun scenes;
