@@ -11,9 +11,9 @@ import trivet
 from shapes import SANITIZED, at, torus
 from test_threads import heavy_scene, run_script
 
-# Seconds, by the clock or of CPU: a bound of work not stopped at all, as the machine may be slow and busy. The
-# goal is 0.05; the times are printed.
-MOST = 5 if SANITIZED else 1
+MOST = 5 if SANITIZED else 0.05  # seconds, by the clock or of CPU: the machine may be busy
+# What ends in bytes for Python: they are copied with the GIL held, which nothing interrupts; 98 ms were seen.
+MOST_OF_BYTES = 5 if SANITIZED else 1
 
 
 @functools.lru_cache(maxsize=None)
@@ -70,7 +70,7 @@ def test_control_c_stops(name):
         if seconds is not None:
             stopped += 1
             print(f"{name}, after {delay} s: {1e3 * seconds[0]:.1f} ms, {1e3 * seconds[1]:.1f} ms of CPU")
-            assert min(seconds) < MOST, (delay, seconds)
+            assert min(seconds) < (MOST_OF_BYTES if name in ("film", "to_glb") else MOST), (delay, seconds)
         assert scene.fingerprint == before
     assert stopped > 0 and signal.getsignal(signal.SIGINT) is signal.default_int_handler
 
