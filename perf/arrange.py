@@ -44,10 +44,14 @@ def summary(runs):
                                      for key in ("puts", "refused_puts", "evictions", "improvements")))
 
 
-def demos(trivet, seeds, names):
-    row("scene", "true of %d" % seeds, "processor time, s: least, median, most", "solver outside of PUT, median",
+def head(first, seeds):
+    row(first, "true of %d" % seeds, "processor time, s: least, median, most", "solver outside of PUT, median",
         "MB, most", "PUTs; not kept; evictions; improvements, most")
     row(*["---"] * 6)
+
+
+def demos(trivet, seeds, names):
+    head("scene", seeds)
     for name in names:
         with tempfile.TemporaryDirectory() as folder:
             subprocess.run([trivet, "demo", name, "--export", folder, "-o", os.path.join(folder, "scene.glb"),
@@ -82,9 +86,7 @@ def grown(count, folder):
 
 
 def growth(trivet, counts, seeds):
-    row("things", "true of %d" % seeds, "processor time, s: least, median, most", "solver outside of PUT, median",
-        "MB, most", "PUTs; not kept; evictions; improvements, most")
-    row(*["---"] * 6)
+    head("things", seeds)
     for count in counts:
         with tempfile.TemporaryDirectory() as folder:
             problem = grown(count, folder)

@@ -12,7 +12,7 @@ from shapes import SANITIZED, at, torus
 from test_threads import heavy_scene, run_script
 
 MOST = 5 if SANITIZED else 0.05  # seconds, by the clock or of CPU: the machine may be busy
-# What ends in bytes for Python: they are copied with the GIL held, which nothing interrupts; 98 ms were seen.
+# Bytes for Python are copied with the GIL held, which nothing interrupts; 98 ms were seen.
 MOST_OF_BYTES = 5 if SANITIZED else 1
 
 
