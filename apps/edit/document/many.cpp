@@ -126,10 +126,7 @@ std::vector<std::string> unplaced_names(const SceneSnapshot& scene) {
 
 ManyObjects scattered(const SceneSnapshot& scene, const ScatterWish& wish) {
   ManyObjects out;
-  std::vector<const Object*> originals;
-  for (const std::string& name : wish.objects)
-    if (const ObjectSnapshot* const found = scene.find(name))
-      originals.push_back(found->object.get());
+  const std::vector<const Object*> originals = objects_named(scene, wish.objects);
   if (originals.empty()) return out;
   Dice dice(wish.seed);
   std::set<std::string> taken;

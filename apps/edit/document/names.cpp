@@ -19,4 +19,13 @@ std::string free_name(const SceneSnapshot& scene, const std::string& like,
   }
 }
 
+std::vector<const Object*> objects_named(const SceneSnapshot& scene,
+                                         const std::vector<std::string>& names) {
+  std::vector<const Object*> out;
+  out.reserve(names.size());
+  for (const std::string& name : names)
+    if (const ObjectSnapshot* const found = scene.find(name)) out.push_back(found->object.get());
+  return out;
+}
+
 }  // namespace trivet::edit

@@ -55,11 +55,7 @@ double width_of(const SceneSnapshot& scene, const std::vector<std::string>& obje
 
 ManyObjects painted(const SceneSnapshot& scene, const PaintWish& wish) {
   ManyObjects out;
-  std::vector<const Object*> originals;
-  originals.reserve(wish.objects.size());
-  for (const std::string& name : wish.objects)
-    if (const ObjectSnapshot* const found = scene.find(name))
-      originals.push_back(found->object.get());
+  const std::vector<const Object*> originals = objects_named(scene, wish.objects);
   if (originals.empty()) return out;
   Dice dice(wish.seed);
   std::set<std::string> taken;
