@@ -11,9 +11,10 @@ import trivet
 from shapes import SANITIZED, at, torus
 from test_threads import heavy_scene, run_script
 
-MOST = 5 if SANITIZED else 0.05  # seconds, by the clock or of CPU: the machine may be busy
+MOST = 5 if SANITIZED else 0.05  # seconds
 # Bytes for Python are copied with the GIL held, which nothing interrupts; 98 ms were seen.
 MOST_OF_BYTES = 5 if SANITIZED else 1
+ATTEMPTS = 5  # other processes may keep any one of them waiting; a step that is not stopped is long in all
 
 
 @functools.lru_cache(maxsize=None)
@@ -51,28 +52,63 @@ def seconds_to_stop(work, delay):
     return None
 
 
+@functools.lru_cache(maxsize=None)
+def heavy():
+    return heavy_scene(500, 250)
+
+
+def put():
+    scene, following = heavy()
+    for _ in range(100):
+        following.put([0.01, 0.01, 1])
+        scene.undo()
+
+
 WORKS = {"labels": lambda: fine_rings()[0].labels(size=(320, 180)),
          "render": lambda: fine_rings()[0].render(size=(320, 180), samples=64),
          "film": lambda: fine_rings()[1].to_glb(),
          "camera": lambda: fine_rings()[0].camera(),
-         "to_glb": lambda: fine_rings()[0].to_glb()}
+         "to_glb": lambda: fine_rings()[0].to_glb(),
+         "put": put}
 
 
-@pytest.mark.parametrize("name", list(WORKS))
-def test_control_c_stops(name):
-    scene = fine_rings()[0]
-    before, stopped = scene.fingerprint, 0
-    for delay in (0.003, 0.02, 0.06, 0.15, 0.4, 0.9):
+def seconds_at_best(name, delay):
+    """The least of some attempts, by the clock or of CPU, as soon as it is below the bound; None if all was done before."""
+    scene = heavy()[0] if name == "put" else fine_rings()[0]
+    before, found = scene.fingerprint, []
+    for _ in range(ATTEMPTS):
         try:
             seconds = seconds_to_stop(WORKS[name], delay)
         except KeyboardInterrupt:  # it came when the work was done
             seconds = None
-        if seconds is not None:
-            stopped += 1
-            print(f"{name}, after {delay} s: {1e3 * seconds[0]:.1f} ms, {1e3 * seconds[1]:.1f} ms of CPU")
-            assert min(seconds) < (MOST_OF_BYTES if name in ("film", "to_glb") else MOST), (delay, seconds)
         assert scene.fingerprint == before
-    assert stopped > 0 and signal.getsignal(signal.SIGINT) is signal.default_int_handler
+        if seconds is None:
+            break
+        print(f"{name}, after {delay} s: {1e3 * seconds[0]:.1f} ms, {1e3 * seconds[1]:.1f} ms of CPU")
+        found.append(min(seconds))
+        if found[-1] < MOST:
+            break
+    return min(found, default=None)
+
+
+@pytest.mark.parametrize("name", list(WORKS))
+def test_control_c_stops(name):
+    found = [seconds_at_best(name, delay) for delay in (0.003, 0.02, 0.06, 0.15, 0.4, 0.9)]
+    stopped = [seconds for seconds in found if seconds is not None]
+    assert stopped and max(stopped) < (MOST_OF_BYTES if name in ("film", "to_glb") else MOST), stopped
+    assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
+
+
+def test_a_put_works_on_after_control_c():
+    scene, following = heavy()
+    with pytest.raises(KeyboardInterrupt):
+        timer = threading.Timer(0.01, os.kill, (os.getpid(), signal.SIGINT))
+        timer.start()
+        put()
+        time.sleep(1)
+    timer.join()
+    following.put([0.01, 0.01, 1])
+    assert following.state == "stable" and scene.undo()
 
 
 def test_a_put_that_is_filmed_stops_too():
