@@ -12,9 +12,9 @@ if command -v ccache >/dev/null; then
   # Precompiled headers: https://ccache.dev/manual/4.7.4.html#_precompiled_headers
   export CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime
 fi
-# A whole build is faster as a unity build; folders that are configured keep what they have.
+# A whole build is faster as a unity build of large units; folders that are configured keep what they have.
 unity=()
-[ -e "build/$preset/CMakeCache.txt" ] || unity=(-DTRIVET_UNITY=ON)
+[ -e "build/$preset/CMakeCache.txt" ] || unity=(-DTRIVET_UNITY=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=24)
 cmake --preset "$preset" "${unity[@]}" "$@"
 read -ra targets <<<"${TRIVET_TARGET:-all}"
 cmake --build --preset "$preset" --target "${targets[@]}" --parallel "$(nproc)" -- -k 0

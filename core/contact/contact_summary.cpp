@@ -4,6 +4,7 @@
 #include <tuple>
 #include <utility>
 
+#include "core/base/cross.h"
 #include "core/contact/contact_points.h"
 #include "core/contact/plane_axes.h"
 
@@ -52,10 +53,6 @@ ContactType type_of(const std::vector<Vec2>& hull, double extent) {
     high = std::max(high, across.dot(p));
   }
   return high - low <= extent ? ContactType::Line : ContactType::Area;
-}
-
-double cross(const Vec2& o, const Vec2& a, const Vec2& b) {
-  return (a - o).x() * (b - o).y() - (a - o).y() * (b - o).x();
 }
 
 bool is_less(const Vec3& a, const Vec3& b) {
@@ -161,7 +158,8 @@ std::vector<Vec2> convex_hull(std::vector<Vec2> points) {
   for (int pass = 0; pass < 2; ++pass) {
     const size_t start = hull.size();
     for (const Vec2& p : points) {
-      while (hull.size() >= start + 2 && cross(hull[hull.size() - 2], hull.back(), p) <= 0)
+      while (hull.size() >= start + 2 &&
+             cross(hull.back() - hull[hull.size() - 2], p - hull[hull.size() - 2]) <= 0)
         hull.pop_back();
       hull.push_back(p);
     }

@@ -2,12 +2,11 @@
 
 #include "core/base/error.h"
 #include "core/base/printable.h"
+#include "core/io/gltf/component_types.h"
 #include "core/io/gltf/gltf_copy.h"
 
 namespace trivet {
 namespace {
-
-constexpr int kFloatComponent = 5126;
 
 // Rejects integer positions, allowed by extensions, and sparse ones: importers differ there.
 void check_positions(const GltfJson& root) {
@@ -16,7 +15,7 @@ void check_positions(const GltfJson& root) {
       const GltfJson& position = member(member(primitive, "attributes"), "POSITION");
       if (position.is_null()) continue;
       const GltfJson& accessor = element(root, "accessors", position);
-      if (member(accessor, "componentType") != kFloatComponent || accessor.contains("sparse"))
+      if (member(accessor, "componentType") != gltf::kFloat || accessor.contains("sparse"))
         throw Error(Error::Kind::BadInput, "positions that are not plain float32");
     }
 }

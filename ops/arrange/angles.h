@@ -1,6 +1,7 @@
 // Angles between directions, by the series of core/motion: no libm, the same bits everywhere.
 #pragma once
 
+#include "core/base/cross.h"
 #include "core/base/types.h"
 #include "core/motion/pose.h"
 
@@ -21,6 +22,5 @@ Rotation smallest_rotation(const Vec3& from, const Vec3& to);
 
 /// x and y axis of the plane turned by a quarter, counter-clockwise.
 inline Vec2 quarter_turned(const Vec2& v) { return {-v.y(), v.x()}; }
-inline double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 }  // namespace trivet

@@ -48,22 +48,22 @@ void HullFacets::make_faces() {
 }
 
 void HullFacets::connect() {
-  struct Side {
+  struct EdgeSide {
     Index a, b, face;
     int edge;
   };
-  std::vector<Side> sides;
+  std::vector<EdgeSide> sides;
   sides.reserve(3 * m_faces.size());
   for (Index f = 0; f < static_cast<Index>(m_faces.size()); ++f)
     for (int k = 0; k < 3; ++k) {
       const auto [a, b] = std::minmax(m_faces[f].corners[k], m_faces[f].corners[(k + 1) % 3]);
       sides.push_back({a, b, f, k});
     }
-  const auto key = [](const Side& s) { return std::tuple(s.a, s.b, s.face); };
+  const auto key = [](const EdgeSide& s) { return std::tuple(s.a, s.b, s.face); };
   std::sort(sides.begin(), sides.end(),
-            [&](const Side& s, const Side& t) { return key(s) < key(t); });
+            [&](const EdgeSide& s, const EdgeSide& t) { return key(s) < key(t); });
   for (size_t i = 0; i + 1 < sides.size(); ++i) {
-    const Side &s = sides[i], &t = sides[i + 1];
+    const EdgeSide &s = sides[i], &t = sides[i + 1];
     if (s.a != t.a || s.b != t.b) continue;
     m_faces[s.face].across[s.edge] = t.face;
     m_faces[t.face].across[t.edge] = s.face;

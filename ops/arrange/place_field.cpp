@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kPixelsAcross = 24;      // of the object
 constexpr double kMostPixelsAcross = 96;  // of an object in a small window
-constexpr double kPlacesAcross = 80;      // of the window
+constexpr double kCellsAcross = 80;       // of the window
 constexpr double kFewPlacesAcross = 10;   // of a window that is small for the object
 constexpr double kAside = 0.75;           // pixels that a place may be outside the region
 constexpr double kGrown = 1.002;
@@ -36,7 +36,7 @@ void PlaceField::set_grid(const ConvexRegion& region) {
   const double width = 2 * m_body.world_box.half_extent().head<2>().maxCoeff();
   m_grid.pixel =
       std::max({std::min(width / kPixelsAcross, size.maxCoeff() / kFewPlacesAcross),
-                size.maxCoeff() / kPlacesAcross, width / kMostPixelsAcross, 16 * m_clearance});
+                size.maxCoeff() / kCellsAcross, width / kMostPixelsAcross, 16 * m_clearance});
   m_grid.columns = static_cast<int>(std::ceil(size.x() / m_grid.pixel)) + 1;
   m_grid.rows = static_cast<int>(std::ceil(size.y() / m_grid.pixel)) + 1;
   const Vec2 span = m_grid.pixel * Vec2(m_grid.columns - 1, m_grid.rows - 1);

@@ -13,11 +13,11 @@ namespace {
 
 constexpr double kTemperature = 0.2;
 constexpr double kNogoodRadius = 6e-3;  // metres
-constexpr size_t kMaxCandidates = 64;
+constexpr size_t kMaxPlaceCandidates = 64;
 constexpr size_t kFewTurns = 3;  // of free ones, before all are tried
 constexpr size_t kAllTurns = 1000;
-constexpr size_t kEnough = 12;       // candidates that a few turns are to leave
-constexpr size_t kMaxSights = 2048;  // candidates whose lines of sight are looked at
+constexpr size_t kEnoughPlaces = 12;  // candidates that a few turns are to leave
+constexpr size_t kMaxSights = 2048;   // candidates whose lines of sight are looked at
 
 std::uint64_t counter(std::uint64_t seed, size_t combination, size_t place) {
   return scrambled(scrambled(seed ^ scrambled(combination)) ^ place);
@@ -179,7 +179,7 @@ std::vector<PlaceCandidate> Placer::candidates(Obstacles which,
   if (!m_turns_are_free) return best_of(all_candidates(which, nogoods, 0, kAllTurns), which);
   auto some = all_candidates(which, nogoods, 0, kFewTurns);
   std::vector<PlaceCandidate> out = best_of(some, which);
-  if (out.size() >= kEnough) return out;
+  if (out.size() >= kEnoughPlaces) return out;
   const auto others = all_candidates(which, nogoods, kFewTurns, kAllTurns);
   some.insert(some.end(), others.begin(), others.end());
   return best_of(std::move(some), which);
@@ -222,7 +222,7 @@ std::vector<PlaceCandidate> Placer::best_of(std::vector<PlaceCandidate> all,
     if (!m_sights.empty() && (++num_sights > kMaxSights || !meets_sights(candidate, which)))
       continue;
     out.push_back(candidate);
-    if (out.size() == kMaxCandidates) break;
+    if (out.size() == kMaxPlaceCandidates) break;
   }
   return out;
 }

@@ -11,8 +11,8 @@ namespace {
 
 constexpr double kOnlySlides = 1e-4;   // turning, of the speed
 constexpr double kRoomToTurn = 1.2;    // of what the turn takes at first
-constexpr double kFarthestAway = 0.5;  // of the way of the leader
-constexpr double kShortest = 0.1;      // clearances: a shorter translation is left out
+constexpr double kFarthestGap = 0.5;   // of the way of the leader
+constexpr double kShortestStep = 0.1;  // clearances: a shorter translation is left out
 
 bool has(const std::vector<Index>& members, Index body) {
   return std::find(members.begin(), members.end(), body) != members.end();
@@ -59,14 +59,14 @@ Vec3 GroupMotion::away_from_pressed(const TwistGroup& group, const Twist& turnin
                        ContactFeatures::ClosestPoints, 0, 0});
   }
   const Vec3 away = smallest_separating_motion(pressed, 0);
-  const double longest = kFarthestAway * duration * m_motion.speed(group.leader);
+  const double longest = kFarthestGap * duration * m_motion.speed(group.leader);
   return away.norm() <= longest ? away : Vec3(Vec3::Zero());
 }
 
 // @return the part of the way that it gets.
 double GroupMotion::slide(const TwistGroup& group, const Vec3& way) {
   const double length = way.norm();
-  if (!(length > kShortest * m_clearance)) return 1;
+  if (!(length > kShortestStep * m_clearance)) return 1;
   return execute(group, Motion::translation(way / length, length));
 }
 

@@ -24,11 +24,11 @@ constexpr double kSame[] = {2e-3, 0.03, 0.3};
 constexpr double kEnoughEnergy = 0.2;  // of the predicted drop of energy
 constexpr double kAtLeast = 1e-3;      // the same, when none gets that far: creeping
 constexpr int kPasses = 3;
-constexpr double kStuck = 1e-3;         // of the duration: a pass in which no group gets farther
-constexpr int kMaxBlockers = 3;         // rounds in which some join the contacts
-constexpr int kMaxAttempts = 8;         // each costs a few queries for each group and pass
-constexpr double kSamePlace = 1e-4;     // of the size: a blocker there is a contact already
-constexpr double kSameNormal = 0.9999;  // cosine
+constexpr double kStuck = 1e-3;       // of the duration: a pass in which no group gets farther
+constexpr int kMaxBlockedRounds = 3;  // rounds in which some join the contacts
+constexpr int kMaxRestarts = 8;       // each costs a few queries for each group and pass
+constexpr double kSamePlace = 1e-4;   // of the size: a blocker there is a contact already
+constexpr double kSameWall = 0.9999;  // cosine
 constexpr double kLeastJointInertia = 1e-3;  // of a mass of 1, in squares of the size
 
 class JointMotion {
@@ -71,7 +71,7 @@ class JointMotion {
   // Until one gets far enough, or what blocks them is known.
   void search() {
     for (const double step : kSteps)
-      for (int round = 0; round <= kMaxBlockers; ++round) {
+      for (int round = 0; round <= kMaxBlockedRounds; ++round) {
         solve(step);
         if (!(m_motion.duration > 0) || !(predicted() > 0)) return;
         if (try_groups() || has_tried_enough() || m_run.interrupt.reason()) return;
@@ -80,7 +80,7 @@ class JointMotion {
   }
 
   bool has_tried_enough() const {
-    return m_num_attempts >= kMaxAttempts || m_num_queries >= m_max_queries;
+    return m_num_attempts >= kMaxRestarts || m_num_queries >= m_max_queries;
   }
 
   bool try_groups() {
@@ -209,7 +209,7 @@ class JointMotion {
           const double same = k.on == c.on && k.from == c.from   ? 1
                               : k.on == c.from && k.from == c.on ? -1
                                                                  : 0;
-          return same * k.normal.dot(c.normal) > kSameNormal && (k.point - c.point).norm() <= near;
+          return same * k.normal.dot(c.normal) > kSameWall && (k.point - c.point).norm() <= near;
         });
   }
 

@@ -11,7 +11,7 @@
 namespace trivet {
 namespace {
 
-constexpr double kShortest = 0.5;      // clearances
+constexpr double kShortestPush = 0.5;  // clearances
 constexpr double kStepOn = 6;          // clearances by which a step is entered: more than gaps
 constexpr double kLeastCosine = 0.02;  // of the push to a wall, for how far is stepped onto it
 constexpr double kUnknownEnd = 100;    // clearances until obstacles are looked at again
@@ -27,7 +27,7 @@ Push::Push(MovePlanner& planner, const PushOperation& o)
       m_options(o),
       m_is_level(is_level(o.normal)),
       m_axes(push_axes(o.normal)),
-      m_shortest(kShortest * planner.group().clearance()) {
+      m_shortest(kShortestPush * planner.group().clearance()) {
   find_contacts();
   note_way(false);
   const bool carried = std::any_of(

@@ -7,8 +7,8 @@ namespace trivet {
 namespace {
 
 constexpr double kWallNormalZ = 1e-3;  // below this a contact is a wall
-constexpr double kAgainst = 1e-7;      // level speed into a wall that still counts as none
-constexpr double kLeastGain = 1e-3;    // cosine to the direction that was asked for
+constexpr double kIntoWall = 1e-7;     // level speed into a wall that still counts as none
+constexpr double kLeastAlong = 1e-3;   // cosine to the direction that was asked for
 constexpr double kSameRise = 1e-9;
 
 double level_speed(const Vec3& normal, const Vec3& direction) {
@@ -63,8 +63,8 @@ SlidePlan plan_slide(const std::vector<Vec3>& normals, const Vec3& direction,
     const Vec3& n = normals[i];
     const bool wall = is_wall(n, direction, climb);
     const bool blocks =
-        wall ? level_speed(n, direction) < -kAgainst
-             : n.z() < 0 && plan.kind == SlidePlan::Kind::Go && n.dot(plan.velocity) < -kAgainst;
+        wall ? level_speed(n, direction) < -kIntoWall
+             : n.z() < 0 && plan.kind == SlidePlan::Kind::Go && n.dot(plan.velocity) < -kIntoWall;
     if (!blocks) continue;
     plan.kind = SlidePlan::Kind::Blocked;
     plan.blocker = i;
@@ -83,14 +83,14 @@ std::optional<Vec3> slide_direction(const std::vector<Vec3>& normals, const Vec3
       walls.push_back(level / length);
   }
   std::optional<Vec3> best;
-  double best_gain = kLeastGain;
+  double best_gain = kLeastAlong;
   for (const Vec3& wall : walls) {
     Vec3 along = direction - wall.dot(direction) * wall;
     const double length = along.norm();
-    if (length <= kLeastGain) continue;
+    if (length <= kLeastAlong) continue;
     along /= length;
     const bool free = std::all_of(walls.begin(), walls.end(),
-                                  [&](const Vec3& w) { return w.dot(along) >= -kAgainst; });
+                                  [&](const Vec3& w) { return w.dot(along) >= -kIntoWall; });
     if (free && along.dot(direction) > best_gain) best_gain = along.dot(direction), best = along;
   }
   return best;

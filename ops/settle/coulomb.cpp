@@ -40,9 +40,9 @@ Vec3 projected(const Vec3& f, const Vec3& n, double friction) {
   return normal_part * n + (friction * normal_part / length) * across;
 }
 
-class Solver {
+class CoulombSolver {
  public:
-  Solver(const std::vector<CoulombBody>& bodies, const std::vector<CoulombContact>& contacts)
+  CoulombSolver(const std::vector<CoulombBody>& bodies, const std::vector<CoulombContact>& contacts)
       : m_bodies(bodies), m_contacts(contacts), m_twists(bodies.size()), m_rows(contacts.size()) {
     double heaviest = 0;
     for (const CoulombBody& b : bodies) heaviest = std::max(heaviest, b.weight);
@@ -156,7 +156,7 @@ class Solver {
 std::vector<Twist> first_motion(const std::vector<CoulombBody>& bodies,
                                 const std::vector<CoulombContact>& contacts,
                                 const CoulombOptions& options) {
-  return Solver(bodies, contacts).run(options);
+  return CoulombSolver(bodies, contacts).run(options);
 }
 
 Vec3 parting_direction(const std::vector<Vec3>& normals, const Vec3& wanted, double parting) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/cross.h"
 #include "core/contact/contact_points.h"
 #include "ops/settle/linear_program.h"
 
@@ -17,8 +18,6 @@ constexpr double kSameNormal = 0.999;    // cosine
 constexpr size_t kProgramContacts = 40;  // of the first linear program
 constexpr size_t kMoreContacts = 8;      // that join it at once
 constexpr double kGain = 1e-6;  // of a force that joins, in parts of itself; CLP knows 1e-7
-
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 double distance_to_segment(const Vec2& p, const Vec2& a, const Vec2& b) {
   const Vec2 d = b - a;

@@ -11,7 +11,7 @@
 namespace trivet {
 namespace {
 
-constexpr double kEnough = 0.2;         // of the predicted drop: the motion was no creeping
+constexpr double kEnoughDrop = 0.2;     // of the predicted drop: the motion was no creeping
 constexpr double kEnoughOfSize = 1e-3;  // a drop that is never small
 constexpr int kMaxBlockers = 8;         // that join the contacts of one motion
 constexpr int kMaxSmallSteps = 60;      // accepted in all, when nothing better is found
@@ -174,7 +174,7 @@ class FrictionSettling {
     const Trial trial{c, time, m_body.sinks_by(c.motion, time)};
     const double predicted = m_body.sinks_by(c.motion, c.motion.limit);
     if (trial.drop >= kEnergyDrop * clearance() &&
-        trial.drop >= std::min(kEnough * predicted, kEnoughOfSize * object().size)) {
+        trial.drop >= std::min(kEnoughDrop * predicted, kEnoughOfSize * object().size)) {
       execute(trial);
       return Outcome::Moved;
     }
@@ -206,7 +206,7 @@ class FrictionSettling {
     const double length = back.norm();
     if (length > 0) go(SettleStep::Kind::Slide, Motion::translation(back / length, length));
     const double drop = before - object().centre.z();
-    if (drop >= kEnergyDrop * clearance() && drop >= -kEnough * screw.velocity.z() * duration)
+    if (drop >= kEnergyDrop * clearance() && drop >= -kEnoughDrop * screw.velocity.z() * duration)
       return true;
     m_body.go_back(start);
     m_body.update();

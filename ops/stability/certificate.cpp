@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "core/base/cross.h"
 #include "core/base/tunables.h"
 #include "core/contact/contact_points.h"
 #include "ops/settle/equilibrium.h"
@@ -13,15 +14,13 @@
 namespace trivet {
 namespace {
 
-double square(double x) { return x * x; }
-
-double cross_2d(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+double squared(double x) { return x * x; }
 
 // Parts of three corners; negative outside.
 std::array<double, 3> barycentric(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& p) {
-  const double area = cross_2d(b - a, c - a);
+  const double area = cross(b - a, c - a);
   if (!(area > 0)) return {-kInfinity, -kInfinity, -kInfinity};
-  const double wb = cross_2d(p - a, c - a) / area, wc = cross_2d(b - a, p - a) / area;
+  const double wb = cross(p - a, c - a) / area, wc = cross(b - a, p - a) / area;
   return {1 - wb - wc, wb, wc};
 }
 
@@ -77,7 +76,7 @@ Sides sides_of(const FreeBodies& all, double factor) {
     const BodyContact& t = all.touches[i];
     const double z = t.contact.normal.z();
     // A vertical force is inside the cone about the normal.
-    const double least_z = 1 / std::sqrt(1 + square(factor * t.friction));
+    const double least_z = 1 / std::sqrt(1 + squared(factor * t.friction));
     if (z >= least_z) {
       sides.below[t.on].push_back({i, t.from});
       if (t.from != BodyContact::kGround) sides.above[t.from].push_back({i, t.on});

@@ -12,7 +12,7 @@ using Vec4f = Eigen::Vector4f;
 // Beyond this, float32 has no fractions left worth looking up.
 constexpr float kFarthest = 1e6f;
 
-int wrapped(int i, int size, TextureWrap wrap) {
+int texel_index(int i, int size, TextureWrap wrap) {
   if (wrap == TextureWrap::Clamp) return std::clamp(i, 0, size - 1);
   if (wrap == TextureWrap::Repeat) return ((i % size) + size) % size;
   const int twice = 2 * size, at = ((i % twice) + twice) % twice;
@@ -31,18 +31,19 @@ Vec4f texel(const DecodedImage& level, int x, int y, bool srgb) {
 Vec4f bilinear(const DecodedImage& level, const TextureUse& use, const Vec2f& at, bool srgb) {
   const float x = at.x() * float(level.width) - 0.5f, y = at.y() * float(level.height) - 0.5f;
   const float fx = std::floor(x), fy = std::floor(y), s = x - fx, t = y - fy;
-  const int x0 = wrapped(int(fx), level.width, use.wrap_u);
-  const int x1 = wrapped(int(fx) + 1, level.width, use.wrap_u);
-  const int y0 = wrapped(int(fy), level.height, use.wrap_v);
-  const int y1 = wrapped(int(fy) + 1, level.height, use.wrap_v);
+  const int x0 = texel_index(int(fx), level.width, use.wrap_u);
+  const int x1 = texel_index(int(fx) + 1, level.width, use.wrap_u);
+  const int y0 = texel_index(int(fy), level.height, use.wrap_v);
+  const int y1 = texel_index(int(fy) + 1, level.height, use.wrap_v);
   const Vec4f above = (1 - s) * texel(level, x0, y0, srgb) + s * texel(level, x1, y0, srgb);
   const Vec4f below = (1 - s) * texel(level, x0, y1, srgb) + s * texel(level, x1, y1, srgb);
   return (1 - t) * above + t * below;
 }
 
 Vec4f nearest(const DecodedImage& level, const TextureUse& use, const Vec2f& at, bool srgb) {
-  const int x = wrapped(int(std::floor(at.x() * float(level.width))), level.width, use.wrap_u);
-  const int y = wrapped(int(std::floor(at.y() * float(level.height))), level.height, use.wrap_v);
+  const int x = texel_index(int(std::floor(at.x() * float(level.width))), level.width, use.wrap_u);
+  const int y =
+      texel_index(int(std::floor(at.y() * float(level.height))), level.height, use.wrap_v);
   return texel(level, x, y, srgb);
 }
 

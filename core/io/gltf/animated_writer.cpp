@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "core/io/animation.h"
+#include "core/io/gltf/component_types.h"
 #include "core/io/gltf/gltf_builder.h"
 #include "core/io/mesh/float_export.h"
 #include "core/io/writers.h"
@@ -99,7 +100,7 @@ class AnimationWriter {
     GltfJson& views = m_document.json["bufferViews"];
     GltfJson& accessors = m_document.json["accessors"];
     accessors.push_back({{"bufferView", views.size()},
-                         {"componentType", 5126},
+                         {"componentType", gltf::kFloat},
                          {"count", values.size() / components},
                          {"type", type}});
     views.push_back({{"buffer", 0},

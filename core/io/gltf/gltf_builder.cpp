@@ -2,13 +2,13 @@
 
 #include <algorithm>
 
+#include "core/io/gltf/component_types.h"
 #include "core/io/gltf/glb_container.h"
 
 namespace trivet {
 namespace {
 
 // Constants of the glTF 2.0 specification.
-constexpr int kFloat = 5126, kUnsignedInt = 5125;
 constexpr int kArrayBuffer = 34962, kElementArrayBuffer = 34963;
 
 constexpr const char* kLights = "KHR_lights_punctual";
@@ -56,7 +56,7 @@ size_t GltfBuilder::add_accessor(std::string_view bytes, size_t count, int targe
 size_t GltfBuilder::add_floats(std::span<const float> values, int num_components) {
   constexpr const char* kTypes[] = {"SCALAR", "VEC2", "VEC3", "VEC4"};
   return add_accessor(bytes_of(values), values.size() / static_cast<size_t>(num_components),
-                      kArrayBuffer, kFloat, kTypes[num_components - 1]);
+                      kArrayBuffer, gltf::kFloat, kTypes[num_components - 1]);
 }
 
 size_t GltfBuilder::add_positions(std::span<const float> values) {
@@ -76,7 +76,7 @@ size_t GltfBuilder::add_positions(std::span<const float> values) {
 
 size_t GltfBuilder::add_indices(const std::vector<std::uint32_t>& values) {
   return add_accessor({reinterpret_cast<const char*>(values.data()), 4 * values.size()},
-                      values.size(), kElementArrayBuffer, kUnsignedInt, "SCALAR");
+                      values.size(), kElementArrayBuffer, gltf::kUnsignedInt, "SCALAR");
 }
 
 size_t GltfBuilder::add_image(GltfJson image, const SharedBytes& bytes) {

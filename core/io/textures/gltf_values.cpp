@@ -5,24 +5,23 @@
 #include <cstring>
 
 #include "core/base/bad_input.h"
+#include "core/io/gltf/component_types.h"
 
 namespace trivet {
 namespace {
 
-constexpr int kByte = 5120, kUnsignedByte = 5121, kShort = 5122, kUnsignedShort = 5123,
-              kUnsignedInt = 5125, kFloat = 5126;
 constexpr int kTriangles = 4, kStrip = 5, kFan = 6;
 
 int bytes_of_component(int component) {
   switch (component) {
-    case kByte:
-    case kUnsignedByte:
+    case gltf::kByte:
+    case gltf::kUnsignedByte:
       return 1;
-    case kShort:
-    case kUnsignedShort:
+    case gltf::kShort:
+    case gltf::kUnsignedShort:
       return 2;
-    case kUnsignedInt:
-    case kFloat:
+    case gltf::kUnsignedInt:
+    case gltf::kFloat:
       return 4;
     default:
       bad_input("an accessor has the component type " + std::to_string(component));
@@ -83,15 +82,15 @@ float component_at(const char* at, const Items& items) {
     return items.normalised ? std::max(value / by, -1.0f) : value;
   };
   switch (items.component) {
-    case kByte:
+    case gltf::kByte:
       return scaled(loaded<std::int8_t>(at), 127);
-    case kUnsignedByte:
+    case gltf::kUnsignedByte:
       return scaled(loaded<std::uint8_t>(at), 255);
-    case kShort:
+    case gltf::kShort:
       return scaled(loaded<std::int16_t>(at), 32767);
-    case kUnsignedShort:
+    case gltf::kUnsignedShort:
       return scaled(loaded<std::uint16_t>(at), 65535);
-    case kUnsignedInt:
+    case gltf::kUnsignedInt:
       return static_cast<float>(loaded<std::uint32_t>(at));
     default:
       return loaded<float>(at);
@@ -110,9 +109,9 @@ std::vector<std::uint32_t> indices_of(const GltfDocument& document, const GltfJs
   out.reserve(items.count);
   for (size_t i = 0; i < items.count; ++i) {
     const char* const at = items.first + i * items.stride;
-    out.push_back(items.component == kUnsignedByte    ? loaded<std::uint8_t>(at)
-                  : items.component == kUnsignedShort ? loaded<std::uint16_t>(at)
-                                                      : loaded<std::uint32_t>(at));
+    out.push_back(items.component == gltf::kUnsignedByte    ? loaded<std::uint8_t>(at)
+                  : items.component == gltf::kUnsignedShort ? loaded<std::uint16_t>(at)
+                                                            : loaded<std::uint32_t>(at));
     if (out.back() >= num_vertices) bad_input("a primitive refers to a vertex that it has not");
   }
   return out;

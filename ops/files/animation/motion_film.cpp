@@ -7,6 +7,7 @@
 #include "core/io/mesh_model.h"
 #include "core/motion/pose_interpolation.h"
 #include "ops/operations/put.h"
+#include "ops/stability/stability.h"
 
 namespace trivet {
 namespace {
@@ -16,7 +17,6 @@ constexpr double kFrame = 1.0 / 30;      // seconds between keys of a long motio
 constexpr double kShortest = 1e-3;       // seconds, of a motion
 constexpr double kFramesPerTurn = 72;    // between keys things go straight: arcs need more of them
 constexpr double kMostFrames = 600;      // of a motion
-constexpr double kGravity = 9.80665;     // m/s^2
 constexpr double kLeastLength = 1e-300;  // metres: below, nothing moves
 
 double fall_time(double length) { return std::max(kShortest, std::sqrt(2 * length / kGravity)); }

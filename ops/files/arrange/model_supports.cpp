@@ -21,7 +21,7 @@ Body standing(const Model& model, const Shape& shape) {
   return {shape, world_from_object({}, model.up, 1)};
 }
 
-std::string name_of(const Model& model) {
+std::string node_name(const Model& model) {
   return std::filesystem::path(model.path).filename().string();
 }
 
@@ -55,7 +55,7 @@ void add_poses(const Model& model, const Shape& shape, OrderedJson& json) {
   for (const StablePose& pose : poses) json["poses"].push_back(pose_json(pose));
   json["upright"] = nullptr;
   const auto upright = upright_pose(poses);
-  if (!upright) json["upright_reason"] = no_upright_pose(name_of(model), poses);
+  if (!upright) json["upright_reason"] = no_upright_pose(node_name(model), poses);
   for (size_t i = 0; upright && i < poses.size(); ++i)
     if (poses[i].tilt_deg == upright->tilt_deg && json["upright"].is_null()) json["upright"] = i;
 }
@@ -77,7 +77,7 @@ void write_poses(const Model& model, const Shape& shape, std::ostream& out) {
   }
   if (poses.size() > kShownPoses)
     out << "              and " << poses.size() - kShownPoses << " less likely ones: see --json\n";
-  if (!upright) out << "  upright     " << no_upright_pose(name_of(model), poses) << "\n";
+  if (!upright) out << "  upright     " << no_upright_pose(node_name(model), poses) << "\n";
 }
 
 void write_surfaces(const Model& model, const Shape& shape, std::ostream& out) {

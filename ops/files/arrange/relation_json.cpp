@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kMaxLevel = 1000;
 constexpr size_t kMaxRelations = 100'000;  // those of patterns each for itself
-constexpr double kMaxWeight = 1e6, kMaxFriction = 1e6;
+constexpr double kMaxWeight = 1e6, kMostFriction = 1e6;
 constexpr double kNextTo = 0.1, kAgainst = 0.01, kArm = 0.7;  // metres
 
 std::vector<RelationKind> all_kinds() {
@@ -192,7 +192,7 @@ void read_stands(const JsonPlace& place, const ProblemNames& names, Arrangement&
   wanted.things = names.listed(place.at("a"));
   if (const auto margin = place.find("margin")) wanted.margin = margin->number(0, kMaxLength);
   if (const auto friction = place.find("friction"))
-    wanted.friction = friction->number(0, kMaxFriction);
+    wanted.friction = friction->number(0, kMostFriction);
   if (!place.find("margin") && !place.find("friction"))
     place.fail("accepted: with \"margin\", \"friction\" or both");
   out.steadiness.push_back(std::move(wanted));
