@@ -6,9 +6,10 @@
 namespace trivet::apps {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 /// A recipe has the keys of a layout, too: they and what they refer to are taken from its schema.
 std::string recipe_schema() {
-  using Json = nlohmann::ordered_json;
   Json recipe = Json::parse(kRecipeSchema);
   const Json layout = Json::parse(kLayoutSchema);
   for (const char* const key :
