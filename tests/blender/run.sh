@@ -26,10 +26,9 @@ zip="$work/trivet_addon.zip"
 "$python" "$addon/make_zip.py" "$zip"
 export HOME="$work" XDG_CONFIG_HOME="$work" BLENDER_USER_CONFIG="$work/config" BLENDER_USER_SCRIPTS="$work/scripts"
 if [ "$job" = window ]; then
-  command -v xvfb-run >/dev/null || skip "Xvfb is missing; install xvfb and xauth"
   mkdir "$work/pictures"
   export LIBGL_ALWAYS_SOFTWARE=1
-  exec xvfb-run -a -s "-screen 0 1280x800x24" timeout 900 blender --factory-startup --enable-event-simulate -p 0 0 1280 800 \
+  exec bash "$here/../support/virtual_screen.sh" 1280x800x24 timeout 900 blender --factory-startup --enable-event-simulate -p 0 0 1280 800 \
     -P "$here/test_window.py" -- "$zip" "$module" "$trivet" "$work/pictures"
 fi
 exec blender -b --factory-startup --python-exit-code 9 -P "$here/test_$job.py" -- "$zip" "$module" "$trivet"
