@@ -1,4 +1,5 @@
 """trivet batch pictures: images of scenes that are there, resumed, verified, and those of trivet render."""
+import glob
 import json
 import os
 import signal
@@ -83,22 +84,27 @@ class Pictures(BatchCase):
             self.pictures("two", "--shard", "%d/2" % shard, "--jobs", 2, "--recycle", 2)
         self.assertEqual(self.hashes("two"), one)
         process = self.start_pictures("killed")
-        time.sleep(0.3)
+        self.wait_for(process, "killed/0000/scenes-*.tar")
         process.kill()
         process.wait()
         self.assert_no_process_left()
         self.pictures("killed")
         self.assertEqual(self.hashes("killed"), one)
         process = self.start_pictures("stopped")
-        time.sleep(0.2)
+        self.wait_for(process, "stopped/run.json")
         process.send_signal(signal.SIGTERM)
-        self.assertIn(process.wait(timeout=10), (75, 0))
+        self.assertIn(process.wait(timeout=60), (75, 0))
+        self.assertEqual(self.temporaries("stopped"), [])
         self.pictures("stopped")
         self.assertEqual(self.hashes("stopped"), one)
 
     def start_pictures(self, out):
-        return subprocess.Popen([PROGRAM, "batch", "pictures", "scenes", "--out", out, "--quiet"], cwd=self.folder,
-                                stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        return subprocess.Popen([PROGRAM, "batch", "pictures", "scenes", "--out", out, "--quiet", "--jobs", "1"],
+                                cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+
+    def wait_for(self, process, pattern):
+        while not glob.glob(self.path(pattern)) and process.poll() is None:
+            time.sleep(0.002)
 
     def test_verify_makes_a_sample_again_and_finds_a_flipped_bit(self):
         self.pictures("p")

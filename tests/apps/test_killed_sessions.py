@@ -32,23 +32,25 @@ class KilledSessions(SessionCase):
         return put(chance.choice(names), chance.uniform(-.2, .2), chance.uniform(-.2, .2), 1)
 
     def kill_one(self, seed, layout):
-        """@return whether it was killed, and the states acknowledged before."""
+        """@return the states that it acknowledged."""
         chance = random.Random(seed)
         for name in ("j", "j.start", "saved.glb"):
             if os.path.exists(self.path(name)):
                 os.remove(self.path(name))
         live = Live(self.folder, layout, "--journal", "j")
         acknowledged, names = [live.start["state"]], ["a", "b"]
-        deadline = time.monotonic() + chance.uniform(0, 0.08)
         # Lines are sent ahead, so that the kill interrupts the work.
         lines = [self.some_line(chance, names, i) for i in range(60)]
         live.process.stdin.write("".join(json.dumps(line) + "\n" for line in lines))
         live.process.stdin.flush()
-        time.sleep(max(0, deadline - time.monotonic()))
+        answers = [live.process.stdout.readline() for _ in range(chance.randrange(16))]
+        time.sleep(chance.uniform(0, 0.005))
         live.process.kill()
-        killed = live.process.wait() == -signal.SIGKILL
-        answers = live.process.stdout.read().split("\n")
-        for answer in answers[:-1]:
+        self.assertEqual(live.process.wait(), -signal.SIGKILL)
+        answers += live.process.stdout.readlines()
+        for answer in answers:
+            if not answer.endswith("\n"):
+                break
             answer = json.loads(answer)
             if answer["status"] == "ok":
                 acknowledged.append(answer["state"])
@@ -58,14 +60,13 @@ class KilledSessions(SessionCase):
             live.process.stdin.close()
         except BrokenPipeError:
             pass
-        return killed, acknowledged
+        return acknowledged
 
     def test_kill_at_any_moment(self):
         layout = self.start_layout()
-        num_killed, num_steps, num_one_more = 0, 0, 0
+        num_steps, num_one_more = 0, 0
         for seed in range(KILLS):
-            killed, acknowledged = self.kill_one(seed, layout)
-            num_killed += killed
+            acknowledged = self.kill_one(seed, layout)
             num_steps += len(acknowledged) - 1
             whole = self.read("j").count(b"\n")
             live = Live(self.folder, "--journal", "j")
@@ -80,10 +81,10 @@ class KilledSessions(SessionCase):
             self.assertEqual(live.end(), 0)
             if os.path.exists(self.path("saved.glb")):
                 self.trivet("info", "saved.glb")
-        self.assertGreater(num_killed, KILLS // 2)
-        self.assertGreater(num_steps, KILLS)
-        print("%d sessions, %d killed, %d steps acknowledged, %d committed but not acknowledged"
-              % (KILLS, num_killed, num_steps, num_one_more))
+        self.assertGreater(num_steps, KILLS)  # those whose answers were waited for, at least
+        print("%d sessions killed, %d steps acknowledged, %d committed but not acknowledged"
+              % (KILLS, num_steps, num_one_more))
+
 
 if __name__ == "__main__":
     main()
