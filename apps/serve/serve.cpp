@@ -51,7 +51,7 @@ void serve(const ServeOptions& options) {
   const HttpServer* carrier = nullptr;
   Routes routes(things, sessions, [&] { return carrier->load(); });
   HttpServer server({[&](const HttpRequest& request) { return routes.answer(request); },
-                     Routes::is_quick, [&] { sessions.cancel_all(); }},
+                     Routes::is_quick, [&] { sessions.end_all(); }},
                     http_limits(options));
   carrier = &server;
   if (!options.socket.empty()) {

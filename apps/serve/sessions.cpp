@@ -23,9 +23,15 @@ std::optional<Dialogue::Answer> ServedSession::ask(const std::string& line) {
   const std::unique_lock lock(m_busy, std::try_to_lock);
   if (!lock) return std::nullopt;
   m_cancelled = false;
+  if (m_ended) m_cancelled = true;  // in this order: end() may come at any moment
   Dialogue::Answer out = m_dialogue.answer(line, m_cancelled);
   m_used = Clock::now();
   return out;
+}
+
+void ServedSession::end() {
+  m_ended = true;
+  m_cancelled = true;
 }
 
 std::optional<std::string> ServedSession::scene(const std::string& version) {
@@ -80,14 +86,14 @@ bool ServedSessions::close(const std::string& id) {
   const std::lock_guard lock(m_mutex);
   const auto found = m_sessions.find(id);
   if (found == m_sessions.end()) return false;
-  found->second->cancel();
+  found->second->end();
   m_sessions.erase(found);
   return true;
 }
 
-void ServedSessions::cancel_all() {
+void ServedSessions::end_all() {
   const std::lock_guard lock(m_mutex);
-  for (const auto& [id, session] : m_sessions) session->cancel();
+  for (const auto& [id, session] : m_sessions) session->end();
 }
 
 size_t ServedSessions::size() const {

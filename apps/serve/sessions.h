@@ -30,6 +30,8 @@ class ServedSession {
   Dialogue::Answer greeting() const { return m_dialogue.greeting(); }
   /// Stops the operation that is under way.
   void cancel() { m_cancelled = true; }
+  /// Stops it, and all operations that are asked for later.
+  void end();
   double idle_seconds() const;
 
  private:
@@ -37,7 +39,7 @@ class ServedSession {
   OpenedSession m_opened;
   Dialogue m_dialogue;
   std::mutex m_busy;
-  std::atomic<bool> m_cancelled = false;
+  std::atomic<bool> m_cancelled = false, m_ended = false;
   std::atomic<Clock::time_point> m_used = Clock::now();
 };
 
@@ -57,7 +59,8 @@ class ServedSessions {
   std::shared_ptr<ServedSession> find(const std::string& id) const;
   /// Ends what it does. @return false: no such session.
   bool close(const std::string& id);
-  void cancel_all();
+  /// Ends all, requests that still wait for a thread included.
+  void end_all();
   size_t size() const;
 
  private:

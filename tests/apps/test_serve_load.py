@@ -44,7 +44,7 @@ class Load(Served):
                         bad.sendall(b"GET / HT")
                         time.sleep(0.05)
 
-        with self.server("--request-seconds", 2) as server:
+        with self.server("--request-seconds", 30) as server:
             before = server.memory_mb()
             threads = [threading.Thread(target=client, args=(server, k)) for k in range(clients)]
             bad = threading.Thread(target=malice, args=(server,))
@@ -62,9 +62,9 @@ class Load(Served):
             len(ordered), 1e3 * statistics.median(ordered),
             1e3 * ordered[int(0.99 * (len(ordered) - 1))]))
 
-    def many_puts(self):
+    def many_puts(self, count=60):
         """A start, and a line of many operations on it."""
-        names = ["c%d" % i for i in range(60)]
+        names = ["c%d" % i for i in range(count)]
         self.start = self.layout([SLAB] + [{"name": n, "model": "cube.obj"} for n in names])
         return {"do": [put(n, 0, 0, 1 + 0.2 * i) for i, n in enumerate(names)]}
 
@@ -95,19 +95,25 @@ class Load(Served):
                          [(200, "ok")] * 3)
 
     def test_the_second_signal_cancels(self):
+        """What is computed, and what waits behind it."""
         line, answers = self.many_puts(), []
         with self.server("--threads", 1) as server:
-            session = server.open()
-            asking = threading.Thread(
-                target=lambda: answers.append(server.ask("POST", session, line)))
-            asking.start()
-            while sum(self.load(server)) < 1:
-                pass
+            threads = [threading.Thread(
+                target=lambda s=session: answers.append(server.ask("POST", s, line)))
+                for session in [server.open() for _ in range(3)]]
+            for thread in threads:
+                thread.start()
+            while self.load(server) != (2, 1):
+                self.assertEqual(answers, [])
             server.process.send_signal(signal.SIGTERM)
-            time.sleep(0.01)
+            with self.assertRaises(ConnectionRefusedError):  # once it has been taken: two at a time are one
+                while True:
+                    with server.socket():
+                        self.assertEqual(answers, [])
             self.assertEqual(server.end(), 0)
-            asking.join()
-        self.assertEqual(answers[0][1]["status"], "cancelled")
+            for thread in threads:
+                thread.join()
+        self.assertEqual([answer["status"] for _, answer in answers], ["cancelled"] * 3)
 
     def test_requests_beyond_the_queue_are_told_to_come_again(self):
         line, answers = self.many_puts(), []
