@@ -7,12 +7,27 @@
 # kill-node: as if it lost its power, slurmd, its steps and its jobs get SIGKILL.
 set -euo pipefail
 FARM_DIR="${FARM_DIR:?}"
-FARM_PORT="${FARM_PORT:-17800}"
 export SLURM_CONF="$FARM_DIR/slurm.conf"
 PATH="$PATH:/usr/sbin:/sbin"
 
+# The first of some ports in a row that nobody listens on; below those that systems give to clients.
+free_port() { # COUNT
+  local port p
+  for _ in $(seq 100); do
+    port=$((10000 + RANDOM % 20000))
+    for p in $(seq "$port" $((port + $1 - 1))); do
+      { : </dev/tcp/127.0.0.1/"$p"; } 2>/dev/null && continue 2
+    done
+    echo "$port"
+    return
+  done
+  echo "$0: no free port" >&2
+  return 1
+}
+
 config() { # NODES CPUS
-  local host n
+  local host n port
+  port="$(free_port $(($1 + 1)))"
   host="$(hostname -s)"
   mkdir -p "$FARM_DIR"/state
   chmod 0755 "$FARM_DIR"
@@ -20,7 +35,7 @@ config() { # NODES CPUS
   cat >"$SLURM_CONF" <<END
 ClusterName=farm
 SlurmctldHost=$host(127.0.0.1)
-SlurmctldPort=$FARM_PORT
+SlurmctldPort=$port
 SlurmUser=$(id -un)
 SlurmdUser=$(id -un)
 AuthType=auth/munge
@@ -57,7 +72,7 @@ ReturnToService=2
 MinJobAge=300
 END
   for n in $(seq "$1"); do
-    echo "NodeName=n$n NodeHostname=$host NodeAddr=127.0.0.1 Port=$((FARM_PORT + n)) CPUs=$2 State=UNKNOWN"
+    echo "NodeName=n$n NodeHostname=$host NodeAddr=127.0.0.1 Port=$((port + n)) CPUs=$2 State=UNKNOWN"
   done >>"$SLURM_CONF"
   echo "PartitionName=farm Nodes=ALL Default=YES MaxTime=INFINITE State=UP GraceTime=5" >>"$SLURM_CONF"
 }
@@ -82,16 +97,14 @@ up() { # NODES CPUS
 pid_of() { cat "$FARM_DIR/$1.pid" 2>/dev/null || true; }
 
 # Every process of node N, daemons first. Jobs have SLURMD_NODENAME in their environment; a slurmstepd overwrites its own with
-# its title, so it is found as the parent of those.
+# its title, so it is found as the parent of those. Two calls of grep for all: jobs go on meanwhile.
 node_processes() {
-  local p parent jobs="" steps=""
-  for p in /proc/[0-9]*; do
-    if { tr '\0' '\n' <"$p/environ" | grep -qxF "SLURM_CONF=$SLURM_CONF" &&
-      tr '\0' '\n' <"$p/environ" | grep -qxF "SLURMD_NODENAME=n$1"; } 2>/dev/null; then
-      jobs="$jobs ${p#/proc/}"
-      parent="$(sed -n 's/^PPid:[[:space:]]*//p' "$p/status" 2>/dev/null)"
-      [ "$(cat "/proc/$parent/comm" 2>/dev/null)" = slurmstepd ] && steps="$steps $parent"
-    fi
+  local file parent jobs="" steps=""
+  for file in $(grep -lzxF "SLURMD_NODENAME=n$1" /proc/[0-9]*/environ 2>/dev/null |
+    xargs -r grep -lzxF "SLURM_CONF=$SLURM_CONF" 2>/dev/null); do
+    jobs="$jobs $(basename "${file%/environ}")"
+    parent="$(sed -n 's/^PPid:[[:space:]]*//p' "${file%/environ}/status" 2>/dev/null)"
+    [ "$(cat "/proc/$parent/comm" 2>/dev/null)" = slurmstepd ] && steps="$steps $parent"
   done
   echo "$(pid_of "slurmd.n$1") $steps $jobs"
 }

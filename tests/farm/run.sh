@@ -27,7 +27,7 @@ fail() {
 rm -rf "$work"
 mkdir -p "$work"
 cd "$work"
-count=160 per=8 shards=4
+count=1600 per=8 shards=4 # some 10 s of work: what interrupts it comes in the middle
 
 # A box of half extents $1 about the origin.
 box() {
@@ -78,7 +78,8 @@ wait_for() { # SECONDS COMMAND...
   return 1
 }
 all_gone() { [ -z "$(squeue -h 2>/dev/null)" ]; }
-has_units() { [ "$(units "$1")" -ge "$2" ]; }
+# The first unit of every shard: all tasks are at work, with most still to do.
+all_at_work() { [ "$(find "$1" -name 'scenes-*.tar' -not -name '.*' 2>/dev/null | grep -c "scenes-00000[0-$((shards - 1))]")" = $shards ]; }
 running_on() { [ "$(squeue -h -t R -w "n$1" 2>/dev/null | wc -l)" -ge 1 ]; }
 node_down() { sinfo -h -N -n "n$1" -o %T | grep -q down; }
 
@@ -96,7 +97,7 @@ END
 lose_a_node() {
   submit lost 0-$((shards - 1)) >/dev/null
   wait_for 30 running_on 2 || fail "no task on n2"
-  wait_for 60 has_units lost 2 || fail "no units"
+  wait_for 60 all_at_work lost || fail "not all tasks have made a unit"
   "$here/cluster.sh" kill-node 2
   wait_for 60 node_down 2 || fail "n2 is not down"
   wait_for 300 all_gone || fail "the array did not end"
@@ -106,10 +107,12 @@ lose_a_node() {
 }
 
 stop_a_task() {
-  local id
+  local id task
   id=$(submit stopped 0-$((shards - 1)))
-  wait_for 60 has_units stopped 2 || fail "no units"
-  scancel --signal=TERM --batch "${id}_$(squeue -h -t R -o %K -j "$id" | head -n 1)"
+  wait_for 60 all_at_work stopped || fail "not all tasks have made a unit"
+  task=$(squeue -h -t R -o %K -j "$id" | head -n 1)
+  [ -n "$task" ] || fail "no task is running any more"
+  scancel --signal=TERM --batch "${id}_$task"
   wait_for 300 all_gone || fail "the array did not end"
   grep -q 'restart [1-9]' stopped.log || fail "the task that was stopped did not come again: exit 75 is to be requeued"
   same stopped
