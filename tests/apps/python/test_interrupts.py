@@ -1,4 +1,4 @@
-"""Ctrl+C in the middle of long work: told within 50 ms, and the scene as it was."""
+"""Ctrl+C in the middle of long work: told within 50 ms or a tenth of it, and the scene as it was."""
 import functools
 import os
 import signal
@@ -9,11 +9,9 @@ import pytest
 
 import trivet
 from shapes import SANITIZED, at, torus
-from test_threads import heavy_scene, run_script
+from test_threads import control_c_again_and_again, heavy_scene, run_script
 
 MOST = 5 if SANITIZED else 0.05  # seconds
-# Bytes for Python are copied with the GIL held, which nothing interrupts; 98 ms were seen.
-MOST_OF_BYTES = 5 if SANITIZED else 1
 ATTEMPTS = 5  # other processes may keep any one of them waiting; a step that is not stopped is long in all
 
 
@@ -29,8 +27,8 @@ def fine_rings():
 
 
 def seconds_to_stop(work, delay):
-    """Of work that Ctrl+C interrupts after a delay: by the clock and of CPU; None if it was done before."""
-    sent = []
+    """Of work that Ctrl+C interrupts after a delay: by the clock and of CPU; None if it came before or after it."""
+    sent, is_under_way = [], False
 
     def send():
         time.sleep(delay)
@@ -38,18 +36,18 @@ def seconds_to_stop(work, delay):
         os.kill(os.getpid(), signal.SIGINT)
 
     thread = threading.Thread(target=send)
-    thread.start()
     try:
+        thread.start()
+        is_under_way = True
         work()
-        done = not sent
+        is_under_way = False
         thread.join()
         time.sleep(0.01)
     except KeyboardInterrupt:
         now = time.perf_counter(), time.process_time()
         thread.join()
-        return None if not sent else (now[0] - sent[0][0], now[1] - sent[0][1])
-    assert done, "Ctrl+C was overheard"
-    return None
+        return (now[0] - sent[0][0], now[1] - sent[0][1]) if is_under_way else None
+    pytest.fail("Ctrl+C was overheard")
 
 
 @functools.lru_cache(maxsize=None)
@@ -57,11 +55,16 @@ def heavy():
     return heavy_scene(500, 250)
 
 
-def put():
+def put(times=100):
     scene, following = heavy()
-    for _ in range(100):
+    for _ in range(times):
         following.put([0.01, 0.01, 1])
         scene.undo()
+
+
+def is_as_before(scene, before):
+    """True, too, where Ctrl+C came when a put was done and before it was undone."""
+    return scene.fingerprint == before or scene.undo() and scene.fingerprint == before
 
 
 WORKS = {"labels": lambda: fine_rings()[0].labels(size=(320, 180)),
@@ -72,30 +75,41 @@ WORKS = {"labels": lambda: fine_rings()[0].labels(size=(320, 180)),
          "put": put}
 
 
+@functools.lru_cache(maxsize=None)
+def most_seconds(name):
+    """The bound: on slow machines a tenth of the work. Bytes for Python are copied with the GIL held, which nothing
+    interrupts: half of what consists of them."""
+    work = functools.partial(put, 1) if name == "put" else WORKS[name]
+    work()  # models are there
+    begin = time.perf_counter()
+    work()
+    seconds = time.perf_counter() - begin
+    print(f"{name}: {1e3 * seconds:.1f} ms")
+    return max(MOST, seconds * (0.5 if name in ("film", "to_glb") else 0.1))
+
+
 def seconds_at_best(name, delay):
     """The least of some attempts, by the clock or of CPU, as soon as it is below the bound; None if all was done before."""
     scene = heavy()[0] if name == "put" else fine_rings()[0]
     before, found = scene.fingerprint, []
     for _ in range(ATTEMPTS):
-        try:
-            seconds = seconds_to_stop(WORKS[name], delay)
-        except KeyboardInterrupt:  # it came when the work was done
-            seconds = None
-        assert scene.fingerprint == before
+        seconds = seconds_to_stop(WORKS[name], delay)
+        assert is_as_before(scene, before)
         if seconds is None:
             break
         print(f"{name}, after {delay} s: {1e3 * seconds[0]:.1f} ms, {1e3 * seconds[1]:.1f} ms of CPU")
         found.append(min(seconds))
-        if found[-1] < MOST:
+        if found[-1] < most_seconds(name):
             break
     return min(found, default=None)
 
 
 @pytest.mark.parametrize("name", list(WORKS))
 def test_control_c_stops(name):
+    most = most_seconds(name)
     found = [seconds_at_best(name, delay) for delay in (0.003, 0.02, 0.06, 0.15, 0.4, 0.9)]
     stopped = [seconds for seconds in found if seconds is not None]
-    assert stopped and max(stopped) < (MOST_OF_BYTES if name in ("film", "to_glb") else MOST), stopped
+    assert stopped and max(stopped) < most, (stopped, most)
     assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
 
 
@@ -123,23 +137,17 @@ def test_a_put_that_is_filmed_stops_too():
                 scene.undo()
             time.sleep(1)
     timer.join()
-    assert scene.fingerprint == before and len(film.to_glb()) > 100
+    assert is_as_before(scene, before) and len(film.to_glb()) > 100
 
 
 def test_a_handler_that_raises_nothing():
     """The work is stopped all the same, and says so."""
-    called = []
-    before = signal.signal(signal.SIGINT, lambda *_: called.append(1))
-    try:
-        timer = threading.Timer(0.05, os.kill, (os.getpid(), signal.SIGINT))
-        timer.start()
+    scene = fine_rings()[0]
+    with control_c_again_and_again() as called:
         with pytest.raises(RuntimeError, match="stopped before it was done"):
             for _ in range(100):
-                fine_rings()[0].labels(size=(320, 180))
-        timer.join()
-    finally:
-        signal.signal(signal.SIGINT, before)
-    assert called == [1]
+                scene.labels(size=(320, 180))
+    assert called
 
 
 def test_the_interpreter_may_end_while_work_is_left_alone():
@@ -149,9 +157,10 @@ def test_the_interpreter_may_end_while_work_is_left_alone():
         scene, film = fine_rings()
         def told(fraction): raise SystemExit
         for work in (lambda: scene.labels(), lambda: scene.render(progress=told), film.to_glb):
-            threading.Timer(0.02, os.kill, (os.getpid(), signal.SIGINT)).start()
             try:
-                work()
+                threading.Timer(0.02, os.kill, (os.getpid(), signal.SIGINT)).start()
+                while True:
+                    work()
             except KeyboardInterrupt:
                 print("stopped")
     """)

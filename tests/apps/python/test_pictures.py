@@ -16,6 +16,7 @@ from label_files import read_exr, read_png  # noqa: E402
 
 import trivet  # noqa: E402
 from shapes import at, box, box_arrays, table_with_cup, torus_arrays  # noqa: E402
+from test_threads import others_run_during  # noqa: E402
 
 PROGRAM = os.environ.get("TRIVET_PROGRAM")
 needs_program = pytest.mark.skipif(not PROGRAM, reason="TRIVET_PROGRAM is not set")
@@ -221,22 +222,20 @@ def test_others_work_while_a_picture_is_made():
     scene = table_with_cup()
     camera = scene.camera(size=(320, 240))
     wanted = scene.render(camera, samples=8)
-    made, began = [], threading.Event()
+    made, began, changed = [], threading.Event(), threading.Event()
 
-    def draw():
-        made.append(scene.render(camera, samples=8, progress=lambda fraction: began.set()))
+    def told(fraction):
+        began.set()
+        assert changed.wait(60)
 
-    thread = threading.Thread(target=draw)
+    thread = threading.Thread(target=lambda: made.append(scene.render(camera, samples=8, progress=told)))
     thread.start()
     assert began.wait(60)
-    ticks = 0
     scene["cup"].translate([0, 0, 0.3], free=True)
-    while thread.is_alive():
-        ticks += 1
-        time.sleep(0.001)
+    changed.set()
     thread.join()
-    assert ticks > 10 and (made[0] == wanted).all()
-    assert (scene.render(camera, samples=8) != wanted).any()
+    assert (made[0] == wanted).all() and (scene.render(camera, samples=8) != wanted).any()
+    assert others_run_during(lambda: scene.render(camera, samples=8))
 
 
 def film_of(glb):
