@@ -6,8 +6,8 @@
 
 namespace trivet::test {
 
-/// `count` times TRIVET_TEST_EFFORT (default 1): sanitizers run the long tests shortened. The bands
-/// of hit rates assume at least about a twentieth.
+/// `count` times TRIVET_TEST_EFFORT (default 1); tests/README.md says what sets it. The bands of
+/// hit rates assume at least about a twentieth.
 inline int with_effort(int count) {
   const char* text = std::getenv("TRIVET_TEST_EFFORT");
   const double factor = text ? std::atof(text) : 1.0;
