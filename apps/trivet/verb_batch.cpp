@@ -5,6 +5,7 @@
 #include <set>
 
 #include "apps/farm/batch/batch.h"
+#include "apps/farm/batch/stop_signals.h"
 #include "apps/farm/batch/templates.h"
 #include "apps/trivet/verb_batch_parts.h"
 #include "core/base/bad_input.h"
@@ -95,6 +96,7 @@ int print_only(const BatchArguments& arguments, const Work& work) {
 int make_batch(const BatchArguments& arguments, BatchRun run, const PreparedRecipe& prepared,
                const CommonOptions& common) {
   BatchOptions options = arguments.options;
+  const StopSignals from_here;  // a process that is stopped before its first scene comes again, too
   check_run(options.out, run);
   options.log = [&common](const std::string& line) {
     if (!common.quiet) std::cerr << line << "\n";
@@ -176,6 +178,7 @@ int print_totals(const BatchTotals& totals, const BatchOptions& options,
                             {"ok", totals.ok},
                             {"refused", totals.refused},
                             {"failed", totals.failed},
+                            {"failed_before", totals.failed_before},
                             {"waiting", totals.waiting},
                             {"stopped", totals.stopped}});
   else
@@ -183,6 +186,9 @@ int print_totals(const BatchTotals& totals, const BatchOptions& options,
               << totals.units << " units, " << totals.there_before
               << " were there; scenes: " << totals.ok << " ok, " << totals.refused << " refused, "
               << totals.failed << " failed"
+              << (totals.failed_before > 0
+                      ? ", " + std::to_string(totals.failed_before) + " without, as they had failed"
+                      : "")
               << (totals.waiting > 0
                       ? "; units whose scenes are not there yet: " + std::to_string(totals.waiting)
                       : "")

@@ -1,6 +1,7 @@
 #include <iostream>
 
 #include "apps/farm/batch/pictures.h"
+#include "apps/farm/batch/stop_signals.h"
 #include "apps/trivet/verb_batch_parts.h"
 #include "core/base/bad_input.h"
 #include "ops/files/json/input_text.h"
@@ -28,6 +29,7 @@ int make(const PictureArguments& arguments, const CommonOptions& common) {
   run.format = arguments.format == "dir" ? UnitFormat::Dir : UnitFormat::Tar;
   if (arguments.per_unit > 0) run.per_unit = arguments.per_unit;
   BatchOptions options = arguments.options;
+  const StopSignals from_here;  // as of scenes
   check_run(options.out, run);
   const Work work = picture_work(run, arguments.scenes, common.limits());
   options.shard = arguments.shard.empty() ? shard_from_environment(process_environment())

@@ -12,7 +12,7 @@ import tarfile
 import time
 import unittest
 
-from program import PROGRAM, Case, main
+from program import PROGRAM, Case, grid_obj, main
 
 EFFORT = float(os.environ.get("TRIVET_TEST_EFFORT", "1"))
 SLAB = {"name": "slab", "model": "slab.obj", "fixed": True, "position": [0, 0, 0.050001]}
@@ -48,9 +48,20 @@ class BatchCase(Case):
         return self.trivet("batch", recipe, "--count", count, "--per-tar", 5, "--out", out, "--quiet",
                            *more, status=status, env=env)
 
-    def start(self, out, *more, count=40):
-        return subprocess.Popen([PROGRAM, "batch", "recipe.json", "--count", str(count), "--per-tar", "5", "--out", out,
-                                 "--quiet", *more], cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    def start(self, out, *more, count=40, per_tar=5):
+        return subprocess.Popen([PROGRAM, "batch", "recipe.json", "--count", str(count), "--per-tar", str(per_tar),
+                                 "--out", out, "--quiet", *more], cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+
+    def workers_of(self, batch):
+        """Ids of the processes that make its scenes."""
+        def children(process):
+            with open("/proc/%s/task/%s/children" % (process, process)) as file:
+                return file.read().split()
+
+        def name_of(process):
+            with open("/proc/%s/comm" % process) as file:
+                return file.read().strip()
+        return [w for zygote in children(batch)[:1] for w in children(zygote) if name_of(w) == "trivet"]
 
     def hashes(self, out):
         """SHA-256 of all that a batch has but temporary files, by path."""
@@ -157,18 +168,10 @@ class Bytes(BatchCase):
     def shoot_a_worker(self, batch, generator):
         """@return whether there was one."""
         try:
-            with open("/proc/%d/task/%d/children" % (batch, batch)) as file:
-                zygote = file.read().split()[0]
-            with open("/proc/%s/task/%s/children" % (zygote, zygote)) as file:
-                workers = [w for w in file.read().split() if self.name_of(w) == "trivet"]
-            os.kill(int(generator.choice(workers)), generator.choice([signal.SIGSEGV, signal.SIGKILL]))
+            os.kill(int(generator.choice(self.workers_of(batch))), generator.choice([signal.SIGSEGV, signal.SIGKILL]))
             return True
         except (OSError, IndexError):
             return False
-
-    def name_of(self, process):
-        with open("/proc/%s/comm" % process) as file:
-            return file.read().strip()
 
     def test_arrangements_differ_from_scene_to_scene(self):
         cubes = [{"name": "c%d" % i, "model": "cube.obj", "scale": 0.2} for i in range(3)]
@@ -226,7 +229,7 @@ class Faults(BatchCase):
         return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
 
     def test_a_scene_beyond_its_cpu_time_is_listed(self):
-        self.write_recipe(groups=[{**HEAP, "count": [0, 60]}])
+        self.write_recipe(groups=[{**HEAP, "count": [0, 20]}])
         self.batch("free", count=20)
         free = self.merged("free")
         smallest, *_, largest = [row["k"] for row in sorted(free, key=lambda row: row["objects"])]
@@ -252,6 +255,40 @@ class Faults(BatchCase):
         rows = self.merged("out")
         self.assertEqual([row["status"] for row in rows], ["failed"] * 6)
 
+    def test_scenes_behind_a_slow_one_fill_no_memory(self):
+        """A worker is held, the other one goes on until what waits for its place in the unit is enough."""
+        self.write("sheet.obj", grid_obj(200))
+        sheet = {"name": "sheet", "model": "sheet.obj", "fixed": True, "position": [5, 5, 5]}  # 2 MB of each .glb
+        self.write_recipe(objects=[SLAB, sheet])
+        process = self.start("out", "--jobs", "2", "--with", "scene", "--scene-seconds", "1000", count=150, per_tar=150)
+        while not os.path.exists(self.path("out/run.json")):
+            self.assertIsNone(process.poll())
+            time.sleep(0.005)
+        before = self.kilobytes(process.pid)
+        workers = []
+        while len(workers) < 2:
+            self.assertIsNone(process.poll())
+            workers = self.workers_of(process.pid)
+        os.kill(int(workers[0]), signal.SIGSTOP)
+        worked, since = self.cpu_ticks(workers[1]), time.monotonic()
+        most = 0
+        while time.monotonic() - since < 2:
+            most = max(most, self.kilobytes(process.pid) - before)
+            if self.cpu_ticks(workers[1]) != worked:
+                worked, since = self.cpu_ticks(workers[1]), time.monotonic()
+            time.sleep(0.05)
+        os.kill(int(workers[0]), signal.SIGCONT)
+        self.assertEqual(process.wait(), 0)
+        self.assertLess(most, 150e3)  # all are 300 MB
+
+    def kilobytes(self, process):
+        with open("/proc/%d/status" % process) as file:
+            return int([line for line in file if line.startswith("VmRSS")][0].split()[1])
+
+    def cpu_ticks(self, process):
+        with open("/proc/%s/stat" % process) as file:
+            return sum(map(int, file.read().split()[13:15]))
+
     def test_sigterm_stops_within_seconds_and_leaves_whole_units(self):
         self.write_recipe(groups=[{**HEAP, "count": 12}])
         process = self.start("out", "--jobs", "2", count=4000)
@@ -266,6 +303,16 @@ class Faults(BatchCase):
         self.assert_no_process_left()
         self.trivet("batch", "status", "out", status=1)
         self.trivet("batch", "verify", "out", "--sample", 0)
+
+    def test_sigterm_at_the_beginning_leaves_nothing_half_made(self):
+        generator = random.Random(4)
+        for _ in range(8):
+            process = self.start("out", count=100000)
+            time.sleep(generator.uniform(0, 0.1))
+            process.send_signal(signal.SIGTERM)
+            self.assertIn(process.wait(), (75, -signal.SIGTERM))  # the latter before it looks at the folder
+            self.assertEqual(self.temporaries("out"), [])
+            self.assert_no_process_left()
 
     def test_full_disk_stops_at_once_with_all_written_intact(self):
         run = as_root_in_mounts(

@@ -6,7 +6,6 @@ import signal
 import subprocess
 import tarfile
 import time
-import unittest
 
 from label_files import read_png
 from program import PROGRAM, main
@@ -118,6 +117,12 @@ class Pictures(BatchCase):
             file.seek(-1, 1)
             file.write(bytes([byte ^ 4]))
         self.trivet("batch", "verify", "p", "--scenes", "scenes", "--sample", 0, status=1)
+
+    def test_failed_scenes_have_none_and_are_no_failure_here(self):
+        self.batch("bad", "--scene-memory-mb", 1, count=6, status=1)
+        for _ in range(2):  # made, and there before
+            self.assertIn("0 failed, 6 without", self.pictures("p", scenes="bad")[0])
+        self.assertIn("failed: ", self.trivet("batch", "status", "p")[0])
 
     def test_units_wait_for_their_scenes(self):
         os.remove(self.path("scenes/0000/scenes-000001.tar"))

@@ -127,7 +127,7 @@ void materialise(const std::string& out, std::uint64_t k, const std::string& fil
   if (!unit_exists(out, unit, run.format))
     bad_file((fs::path(out) / unit_name(unit, run.format)).string(),
              "is not there yet; trivet batch --only makes a scene alone");
-  const Json scene = read_scene(out, unit, run.format, k);
+  const Json scene = SceneReader(out, run.format).read(unit, k);
   if (scene.at("status") == "failed")
     bad_input("scene " + std::to_string(k) + " failed: " + scene.value("reason", ""));
   const PreparedRecipe prepared = prepared_recipe(run, out);

@@ -27,21 +27,32 @@ class OpenUnit {
   bool complete() const { return m_next == m_end; }
   bool has(std::uint64_t k) const { return m_next <= k && k < m_end; }
   void add(DoneScene done) {
-    m_early[done.k] = std::move(done.members);
+    m_early_bytes += done.num_bytes;
+    m_early.emplace(done.k, std::move(done));
     for (auto it = m_early.begin(); it != m_early.end() && it->first == m_next;
-         it = m_early.erase(it), ++m_next)
-      m_writer.add(it->second);
+         it = m_early.erase(it), ++m_next) {
+      m_early_bytes -= it->second.num_bytes;
+      m_writer.add(it->second.members);
+    }
   }
+  size_t early_bytes() const { return m_early_bytes; }
   bool publish() { return m_writer.publish(); }
 
  private:
   std::uint64_t m_number, m_next, m_end;
-  std::map<std::uint64_t, SceneMembers> m_early;
+  std::map<std::uint64_t, DoneScene> m_early;  // done before one ahead of them
+  size_t m_early_bytes = 0;
   UnitWriter m_writer;
 };
 
-void count_status(const std::string& status, BatchTotals& totals) {
-  ++(status == "ok" ? totals.ok : status == "refused" ? totals.refused : totals.failed);
+/// @param scene  its JSON, or its row of a manifest.
+void count_status(const Json& scene, BatchTotals& totals) {
+  const std::string status = scene.at("status");
+  const bool before = scene.contains("views");  // what has no pictures for it had failed as a scene
+  ++(status == "ok"        ? totals.ok
+     : status == "refused" ? totals.refused
+     : before              ? totals.failed_before
+                           : totals.failed);
 }
 
 class BatchLoop {
@@ -56,6 +67,7 @@ class BatchLoop {
   void make_missing();
   void hand_out(Pool& pool);
   bool open_next_unit();
+  size_t early_bytes() const;
   void take(DoneScene done);
   void publish_complete();
   void log_progress(std::uint64_t unit, const char* what);
@@ -86,7 +98,7 @@ void BatchLoop::list_units() {
     }
     ++m_totals.there_before;
     visit_rows(m_options.out, t, m_run.format,
-               [&](const Json& row) { count_status(row.at("status"), m_totals); });
+               [&](const Json& row) { count_status(row, m_totals); });
   }
 }
 
@@ -106,11 +118,18 @@ bool BatchLoop::open_next_unit() {
   return false;
 }
 
-// Enough that no worker waits, so few that scenes which wait for an earlier one stay few.
+size_t BatchLoop::early_bytes() const {
+  size_t sum = 0;
+  for (const OpenUnit& unit : m_open) sum += unit.early_bytes();
+  return sum;
+}
+
+// Enough that no worker waits, until those that are done behind a slow one fill the memory for
+// them.
 void BatchLoop::hand_out(Pool& pool) {
-  constexpr size_t kMaxOpenUnits = 2;
+  constexpr size_t kMaxOpenUnits = 2, kMaxEarlyBytes = size_t{64} << 20;
   const auto most = static_cast<size_t>(m_options.jobs) + 1;
-  while (pool.num_pending() < most) {
+  while (pool.num_pending() < most && early_bytes() < kMaxEarlyBytes) {
     if (m_next_scene == m_end_scene && (m_open.size() >= kMaxOpenUnits || !open_next_unit()))
       return;
     pool.submit(m_next_scene++);
@@ -119,10 +138,10 @@ void BatchLoop::hand_out(Pool& pool) {
 
 void BatchLoop::take(DoneScene done) {
   const Json& scene = done.members.scene;
-  const std::string status = scene.at("status");
-  count_status(status, m_totals);
+  const std::uint64_t failed = m_totals.failed;
+  count_status(scene, m_totals);
   ++m_num_made;
-  if (status == "failed")
+  if (m_totals.failed > failed)
     log("scene " + std::to_string(done.k) + " failed: " + scene.at("reason").get<std::string>());
   for (OpenUnit& unit : m_open)
     if (unit.has(done.k)) {

@@ -31,7 +31,7 @@ Work picture_work(const BatchRun& run, const std::string& scenes, const ImportLi
   Work work = work_of(prepared_recipe(there, scenes), there, import, scenes, true);
   const nlohmann::json views = nlohmann::json::parse(run.views);
   work.pictures = std::make_shared<const PictureWork>(
-      PictureWork{scenes, there, read_views(JsonPlace(views, "views"))});
+      PictureWork{scenes, there, read_view_wishes(JsonPlace(views, "views"))});
   return work;
 }
 

@@ -1,4 +1,4 @@
-// Signals that ask a process to stop, as a descriptor. Private.
+// Signals that ask a process to stop, as a descriptor.
 #pragma once
 
 #include <signal.h>
@@ -10,7 +10,8 @@
 namespace trivet::farm {
 
 /// Blocks SIGTERM and SIGINT, and takes them here; as before when it is destroyed. What began
-/// before the first goes on for kSecondsToFinish, after the second for none.
+/// before the first goes on for kSecondsToFinish, after the second for none. They may be nested:
+/// one that nobody has read yet comes to the inner one.
 class StopSignals {
  public:
   StopSignals();

@@ -66,12 +66,11 @@ Work work_again(const BatchRun& run, const std::string& out, const VerifyOptions
   return work_of(prepared_recipe(run, out), run, options.import, out, true);
 }
 
-void check_models(const Work& work, Verification& result) {
-  for (const auto& [stored, file] : work.file_of) {
-    const std::string folder = file.substr(0, file.size() - stored.size());
+/// @param folder  that has their store.
+void check_models(const std::string& folder, const Work& work, Verification& result) {
+  for (const auto& [stored, unused] : work.file_of)
     if (const std::string finding = check_stored(folder, stored); !finding.empty())
       result.findings.push_back(finding);
-  }
 }
 
 }  // namespace
@@ -82,7 +81,7 @@ Verification verify_batch(const std::string& out, const VerifyOptions& options) 
   Sample sample;
   const Work work = work_again(run, out, options);
   check_bytes(out, run, options.sample, sample, result);
-  check_models(work, result);
+  check_models(run.views.empty() ? out : options.scenes, work, result);
   if (sample.empty() || !result.findings.empty()) return result;
   std::vector<std::uint64_t> ks;
   ks.reserve(sample.size());

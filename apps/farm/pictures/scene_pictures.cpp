@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "apps/farm/pictures/cameras.h"
 #include "core/picture/image_files.h"
 #include "core/scene/transaction.h"
 #include "ops/files/json/json_text.h"
@@ -70,10 +71,9 @@ Scene standing(const Layout& layout, const LoadedModels& models, const std::stri
 
 }  // namespace
 
-SceneMembers make_pictures(const PictureWork& work, const Recipe& recipe,
+SceneMembers make_pictures(const PictureWork& work, SceneReader& scenes, const Recipe& recipe,
                            const LoadedModels& models, const PhiloxKey& key, std::uint64_t k) {
-  const BatchRun& run = work.scenes;
-  SceneMembers out{read_scene(work.folder, k / run.per_unit, run.format, k), {}};
+  SceneMembers out{scenes.read(k / work.scenes.per_unit, k), {}};
   Json& views = out.scene["views"] = Json::array();
   if (out.scene.at("status") != "ok") return out;
   const std::string where = "scene " + std::to_string(k);

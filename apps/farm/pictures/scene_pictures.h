@@ -1,7 +1,7 @@
 // Pictures and labels of a scene that has been made: from its poses, without laying it out again.
 #pragma once
 
-#include "apps/farm/pictures/views.h"
+#include "apps/farm/recipe/views.h"
 #include "apps/farm/store/run_file.h"
 #include "ops/files/layout/scene_of_layout.h"
 
@@ -19,8 +19,9 @@ struct PictureWork {
 /// ".normals.png" as wanted, and, with labels, "K.VIEW.labels.json". Scenes that are not "ok" have
 /// no views. By rays in the calling thread; labels are the same bits on any machine, pictures where
 /// the mathematical library is the same.
+/// @param scenes  of the folder of the work.
 /// @throws Error (BadInput) when the batch has no scene k, or poses that do not fit.
-SceneMembers make_pictures(const PictureWork& work, const Recipe& recipe,
+SceneMembers make_pictures(const PictureWork& work, SceneReader& scenes, const Recipe& recipe,
                            const LoadedModels& models, const PhiloxKey& key, std::uint64_t k);
 
 }  // namespace trivet::farm

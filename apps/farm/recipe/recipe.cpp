@@ -4,9 +4,9 @@
 #include <functional>
 #include <set>
 
-#include "apps/farm/pictures/views.h"
 #include "apps/farm/recipe/recipe_json.h"
 #include "apps/farm/recipe/sha256.h"
+#include "apps/farm/recipe/views.h"
 #include "core/base/nearest_name.h"
 #include "ops/files/json/json_text.h"
 
@@ -146,7 +146,7 @@ Recipe parse_recipe(const std::string& text, const std::string& file) {
   }
   if (const auto most = root.find("max_motions"))
     recipe.max_motions = read_integer(*most, 1, 1'000'000'000);
-  if (const auto views = root.find("views")) read_views(*views);  // a mistake is told at once
+  if (const auto views = root.find("views")) read_view_wishes(*views);  // a mistake is told at once
   if (recipe.base.objects.empty() && recipe.groups.empty())
     root.fail("neither \"objects\" nor \"groups\"; accepted: at least one object or group");
   return recipe;

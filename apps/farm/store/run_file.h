@@ -17,7 +17,7 @@ struct BatchRun {
   bool with_scene = false, with_contacts = false, with_report = false;
   std::string version;  // of the program
   // Of a batch of pictures of another batch's scenes; else empty.
-  std::string views, scenes_sha256;  // JSON, see farm/pictures/views.h; of that batch's run.json
+  std::string views, scenes_sha256;  // JSON, see farm/recipe/views.h; of that batch's run.json
 
   std::uint64_t num_units() const { return (count + per_unit - 1) / per_unit; }
   std::uint64_t first_scene(std::uint64_t unit) const { return unit * per_unit; }

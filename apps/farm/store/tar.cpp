@@ -81,31 +81,48 @@ void TarWriter::finish() {
   check_written(*m_state, archive_write_close(m_state->tar.get()) == ARCHIVE_OK);
 }
 
-void visit_tar(const std::string& path, const TarVisitor& visit) {
-  const std::unique_ptr<archive, decltype(&archive_read_free)> tar(archive_read_new(),
-                                                                   archive_read_free);
+struct TarReader::State {
+  std::unique_ptr<archive, decltype(&archive_read_free)> tar{archive_read_new(), archive_read_free};
+};
+
+TarReader::TarReader(std::string path)
+    : m_path(std::move(path)), m_state(std::make_unique<State>()) {
+  archive* const tar = m_state->tar.get();
   if (!tar) throw std::bad_alloc();
-  const auto fail = [&] {
-    const char* const why = archive_error_string(tar.get());
-    bad_file(path, std::string("cannot be read as a tar: ") + (why ? why : "unknown"));
-  };
-  archive_read_support_format_tar(tar.get());
-  if (archive_read_open_filename(tar.get(), path.c_str(), 1 << 16) != ARCHIVE_OK) fail();
-  for (archive_entry* entry = nullptr;;) {
-    const int result = archive_read_next_header(tar.get(), &entry);
-    if (result == ARCHIVE_EOF) return;
-    if (result != ARCHIVE_OK) fail();
-    const char* const name = archive_entry_pathname(entry);
-    visit(name ? name : "", [&] {
-      std::string bytes;
-      char block[1 << 16];
-      for (la_ssize_t count; (count = archive_read_data(tar.get(), block, sizeof block)) != 0;) {
-        if (count < 0) fail();
-        bytes.append(block, static_cast<size_t>(count));
-      }
-      return bytes;
-    });
+  archive_read_support_format_tar(tar);
+  if (archive_read_open_filename(tar, m_path.c_str(), 1 << 16) != ARCHIVE_OK) fail();
+}
+
+TarReader::~TarReader() = default;
+
+void TarReader::fail() const {
+  const char* const why = archive_error_string(m_state->tar.get());
+  bad_file(m_path, std::string("cannot be read as a tar: ") + (why ? why : "unknown"));
+}
+
+std::optional<std::string> TarReader::next() {
+  archive_entry* entry = nullptr;
+  const int result = archive_read_next_header(m_state->tar.get(), &entry);
+  if (result == ARCHIVE_EOF) return std::nullopt;
+  if (result != ARCHIVE_OK) fail();
+  const char* const name = archive_entry_pathname(entry);
+  return name ? name : "";
+}
+
+std::string TarReader::bytes() {
+  std::string out;
+  char block[1 << 16];
+  for (la_ssize_t count;
+       (count = archive_read_data(m_state->tar.get(), block, sizeof block)) != 0;) {
+    if (count < 0) fail();
+    out.append(block, static_cast<size_t>(count));
   }
+  return out;
+}
+
+void visit_tar(const std::string& path, const TarVisitor& visit) {
+  TarReader reader(path);
+  while (const auto name = reader.next()) visit(*name, [&] { return reader.bytes(); });
 }
 
 }  // namespace trivet::farm

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -28,9 +29,30 @@ class TarWriter {
   std::unique_ptr<State> m_state;
 };
 
-/// Calls visit(name, read) for each member in order; read() gives its bytes, and members that are
-/// not read are skipped at no cost.
-/// @throws Error (BadInput) when the file is no tar, or ends early.
+/// Reads a tar, member after member; what is not asked for is skipped at no cost.
+class TarReader {
+ public:
+  /// @throws Error (BadInput), as all calls, when the file is no tar, or ends early.
+  explicit TarReader(std::string path);
+  ~TarReader();
+  TarReader(const TarReader&) = delete;
+  TarReader& operator=(const TarReader&) = delete;
+
+  /// Name of the next member; nullopt at the end.
+  std::optional<std::string> next();
+  /// Bytes of this member, once.
+  std::string bytes();
+
+ private:
+  struct State;
+  [[noreturn]] void fail() const;
+
+  std::string m_path;
+  std::unique_ptr<State> m_state;
+};
+
+/// Calls visit(name, read) for each member in order; read() gives its bytes.
+/// @throws Error as TarReader.
 using TarVisitor =
     std::function<void(const std::string& name, const std::function<std::string()>& read)>;
 void visit_tar(const std::string& path, const TarVisitor& visit);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <fstream>
 #include <functional>
 #include <memory>
 #include <string>
@@ -10,6 +11,7 @@
 
 #include "apps/farm/recipe/sha256.h"
 #include "apps/farm/scene/scene_json.h"
+#include "apps/farm/store/tar.h"
 
 namespace trivet::farm {
 
@@ -83,8 +85,24 @@ using SceneVisitor = std::function<void(const Json& scene, const std::vector<Mem
 std::string check_unit(const std::string& out, std::uint64_t unit, UnitFormat format,
                        const SceneVisitor& visit);
 
-/// One scene of a unit.
-/// @throws Error (BadInput) when it is not there.
-Json read_scene(const std::string& out, std::uint64_t unit, UnitFormat format, std::uint64_t k);
+/// Reads scenes one by one; a unit is gone through once while they ascend.
+class SceneReader {
+ public:
+  SceneReader(std::string out, UnitFormat format) : m_out(std::move(out)), m_format(format) {}
+
+  /// Scene k of this unit. @throws Error (BadInput) when it is not there.
+  Json read(std::uint64_t unit, std::uint64_t k);
+
+ private:
+  void open(std::uint64_t unit);
+  bool find(std::uint64_t k, Json& scene);
+
+  std::string m_out, m_path;
+  UnitFormat m_format;
+  bool m_goes_on = false;  // from scene m_last of m_unit
+  std::uint64_t m_unit = 0, m_last = 0;
+  std::unique_ptr<TarReader> m_tar;
+  std::ifstream m_lines;
+};
 
 }  // namespace trivet::farm

@@ -170,20 +170,44 @@ std::string check_unit(const std::string& out, std::uint64_t unit, UnitFormat fo
   }
 }
 
-Json read_scene(const std::string& out, std::uint64_t unit, UnitFormat format, std::uint64_t k) {
-  const fs::path path = fs::path(out) / unit_name(unit, format);
-  if (format == UnitFormat::Poses) {
-    for (const Json& scene : rows_of(file_bytes(path), path.string()))
-      if (scene.value("k", ~std::uint64_t{0}) == k) return scene;
-  } else {
-    std::string text;
-    const std::string wanted = member_name(k, ".json");
-    visit_members(path, format, [&](const std::string& name, const auto& read) {
-      if (name == wanted) text = read();
-    });
-    if (!text.empty()) return parsed(text, wanted);
+void SceneReader::open(std::uint64_t unit) {
+  m_unit = unit;
+  m_path = (fs::path(m_out) / unit_name(unit, m_format)).string();
+  if (m_format == UnitFormat::Tar) m_tar = std::make_unique<TarReader>(m_path);
+  if (m_format == UnitFormat::Poses) m_lines = std::ifstream(m_path, std::ios::binary);
+}
+
+bool SceneReader::find(std::uint64_t k, Json& scene) {
+  const std::string wanted = member_name(k, ".json");
+  if (m_format == UnitFormat::Dir) {
+    const fs::path file = fs::path(m_path) / wanted;
+    if (!fs::exists(file)) return false;
+    scene = parsed(file_bytes(file), file.string());
+    return true;
   }
-  bad_file(path.string(), "has no scene " + std::to_string(k));
+  if (m_format == UnitFormat::Tar) {
+    while (const auto name = m_tar->next())
+      if (*name == wanted) {
+        scene = parsed(m_tar->bytes(), wanted);
+        return true;
+      }
+    return false;
+  }
+  for (std::string line; std::getline(m_lines, line);) {
+    scene = parsed(line, m_path);
+    if (scene.value("k", ~std::uint64_t{0}) == k) return true;
+  }
+  return false;
+}
+
+Json SceneReader::read(std::uint64_t unit, std::uint64_t k) {
+  if (!m_goes_on || unit != m_unit || k <= m_last) open(unit);
+  m_goes_on = false;  // after an error from the beginning
+  Json scene;
+  if (!find(k, scene)) bad_file(m_path, "has no scene " + std::to_string(k));
+  m_goes_on = true;
+  m_last = k;
+  return scene;
 }
 
 }  // namespace trivet::farm

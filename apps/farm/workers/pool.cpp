@@ -136,7 +136,7 @@ void Pool::fail_or_retry(Job job, const std::string& why, std::vector<DoneScene>
   if (job.num_deaths++ < m_limits.retries)
     m_waiting.push_front(job);
   else
-    done.push_back({job.k, {failed_scene_json(job.k, why), {}}});
+    done.push_back({job.k, {failed_scene_json(job.k, why), {}}, why.size()});
 }
 
 void Pool::bury(size_t index, std::vector<DoneScene>& done) {
@@ -159,7 +159,8 @@ void Pool::receive(size_t index, std::vector<DoneScene>& done) {
   const Job job = worker.job;
   bool last = worker.num_scenes >= m_limits.recycle;
   if (json.is_object() && json.contains("scene")) {
-    DoneScene out{job.k, {Json::parse(json["scene"].get_ref<const std::string&>()), {}}};
+    DoneScene out{
+        job.k, {Json::parse(json["scene"].get_ref<const std::string&>()), {}}, reply->size()};
     for (const nlohmann::json& member : json["more"]) {
       const auto& bytes = member[1].get_binary();
       out.members.more.push_back({member[0].get<std::string>(), {bytes.begin(), bytes.end()}});

@@ -13,6 +13,7 @@ namespace trivet::farm {
 struct DoneScene {
   std::uint64_t k = 0;
   SceneMembers members;  // of a scene that could not be made: its JSON says why
+  size_t num_bytes = 0;  // as they came from its process
 };
 
 class Pool {

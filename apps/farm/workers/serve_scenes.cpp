@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 #include <new>
+#include <optional>
 
 #include "apps/farm/workers/zygote.h"
 #include "core/base/error.h"
@@ -27,10 +28,28 @@ std::string error_reply(const std::string& text, bool fatal) {
   return {bytes.begin(), bytes.end()};
 }
 
-std::string reply_for(const Work& work, const LoadedModels& models, const WorkLimits& limits,
-                      std::uint64_t k) {
+/// Makes scenes, or pictures of scenes that are there.
+class Maker {
+ public:
+  Maker(const Work& work, const LoadedModels& models) : m_work(work), m_models(models) {
+    if (const PictureWork* const pictures = work.pictures.get())
+      m_scenes.emplace(pictures->folder, pictures->scenes.format);
+  }
+
+  SceneMembers make(std::uint64_t k) {
+    if (!m_scenes) return make_members(m_work, m_models, k);
+    return make_pictures(*m_work.pictures, *m_scenes, m_work.recipe, m_models, m_work.key, k);
+  }
+
+ private:
+  const Work& m_work;
+  const LoadedModels& m_models;
+  std::optional<SceneReader> m_scenes;
+};
+
+std::string reply_for(Maker& maker, const WorkLimits& limits, std::uint64_t k) {
   try {
-    return reply_of(make_members(work, models, k));
+    return reply_of(maker.make(k));
   } catch (const std::bad_alloc&) {
     return error_reply("needs more than " + std::to_string(limits.memory_mb) + " MB", true);
   } catch (const std::exception& e) {
@@ -55,12 +74,13 @@ void serve_scenes(const Work& work, const LoadedModels& models, const WorkLimits
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, nullptr);
   signal(SIGPROF, SIG_DFL);
+  Maker maker(work, models);
   while (const auto request = receive_frame(socket)) {
     std::uint64_t k = 0;
     if (request->size() != sizeof k) _exit(1);
     std::memcpy(&k, request->data(), sizeof k);
     set_cpu_limit(limits.scene_seconds);
-    const std::string reply = reply_for(work, models, limits, k);
+    const std::string reply = reply_for(maker, limits, k);
     set_cpu_limit(0);
     if (!send_frame(socket, reply)) _exit(1);
   }

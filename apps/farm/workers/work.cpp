@@ -49,7 +49,6 @@ LoadedModels load_models(const Work& work) {
 }
 
 SceneMembers make_members(const Work& work, const LoadedModels& models, std::uint64_t k) {
-  if (work.pictures) return make_pictures(*work.pictures, work.recipe, models, work.key, k);
   const MadeScene made = make_scene({work.recipe, models, work.key}, k);
   SceneMembers out{scene_json(k, made), {}};
   // In the order of their names, as folders have them.

@@ -35,7 +35,7 @@ inline constexpr double kWallFactor = 10;
 /// @throws Error as models do, naming the model.
 LoadedModels load_models(const Work& work);
 
-/// Scene k, with what the work asks for beside its JSON; or its pictures.
+/// Scene k, with what the work asks for beside its JSON.
 SceneMembers make_members(const Work& work, const LoadedModels& models, std::uint64_t k);
 
 }  // namespace trivet::farm

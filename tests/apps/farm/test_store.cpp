@@ -86,8 +86,42 @@ TEST(Unit, IsReadBack) {
     ASSERT_EQ(rows.size(), 4u);
     EXPECT_EQ(rows[2].at("k"), 6);
     EXPECT_EQ(rows[2].at("objects"), 1);
-    EXPECT_EQ(json_line(read_scene(out.path(), 1, format, 5)), json_line(scene(5)));
-    EXPECT_THROW(read_scene(out.path(), 1, format, 3), Error);
+    SceneReader reader(out.path(), format);
+    for (const std::uint64_t k : {5u, 7u, 4u, 4u, 5u, 6u})  // back, too
+      EXPECT_EQ(json_line(reader.read(1, k)), json_line(scene(k)));
+    EXPECT_THROW(reader.read(1, 8), Error);
+    EXPECT_THROW(reader.read(1, 3), Error);
+    EXPECT_EQ(json_line(reader.read(1, 6)), json_line(scene(6))) << "after an error";
+    EXPECT_THROW(reader.read(2, 8), Error) << "no such unit";
+  }
+}
+
+// Bytes that this process has read, as the kernel counts them.
+std::uint64_t bytes_read() {
+  std::ifstream in("/proc/self/io");
+  std::uint64_t count = 0;
+  std::string key;
+  return in >> key >> count ? count : 0;
+}
+
+TEST(SceneReader, ReadsAUnitOnce) {
+  if (bytes_read() == 0) GTEST_SKIP() << "no /proc/self/io here";
+  constexpr std::uint64_t kCount = 100;
+  for (const UnitFormat format : kFormats) {
+    const TemporaryFolder out;
+    {
+      UnitWriter writer(out.path(), 0, format);
+      for (std::uint64_t k = 0; k < kCount; ++k) {
+        Json large = scene(k);
+        large["reason"] = std::string(10'000, 'x');
+        writer.add({large, {}});
+      }
+      ASSERT_TRUE(writer.publish());
+    }
+    SceneReader reader(out.path(), format);
+    const std::uint64_t before = bytes_read();
+    for (std::uint64_t k = 0; k < kCount; ++k) EXPECT_EQ(reader.read(0, k).at("k"), k);
+    EXPECT_LT(bytes_read() - before, 4 * 10'000 * kCount);
   }
 }
 

@@ -1,11 +1,9 @@
-// Cameras and images that are wanted of each scene.
+// Cameras and images that are wanted of each scene: "views" of a recipe.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "apps/farm/recipe/decisions.h"
 #include "core/picture/camera_dome.h"
 #include "ops/files/json/json_text.h"
 #include "ops/files/labels/label_json.h"
@@ -25,14 +23,10 @@ struct Views {
 
 /// The value of a recipe's "views". Strictly: what recipe.schema.json does not have is an error.
 /// @throws Error (BadInput) naming the place, the value and what is accepted.
-Views read_views(const JsonPlace& place);
+Views read_view_wishes(const JsonPlace& place);
 
 /// Those of a file: {"views": ...}, or a recipe with them; as text, keys sorted.
 /// @throws Error (BadInput), also for a file without.
 std::string views_text(const std::string& text, const std::string& file);
-
-/// The cameras of scene k.
-std::vector<LabelView> cameras_of(const Views& views, const PictureScene& scene,
-                                  const PhiloxKey& key, std::uint64_t k);
 
 }  // namespace trivet::farm

@@ -1,8 +1,7 @@
-#include "apps/farm/pictures/views.h"
+#include "apps/farm/recipe/views.h"
 
 #include "apps/farm/recipe/recipe_json.h"
 #include "core/base/limits.h"
-#include "ops/files/labels/folders.h"
 
 namespace trivet::farm {
 namespace {
@@ -39,7 +38,7 @@ void read_images(const JsonPlace& place, Views& views) {
 
 }  // namespace
 
-Views read_views(const JsonPlace& place) {
+Views read_view_wishes(const JsonPlace& place) {
   place.expect_object(
       {}, {"width", "height", "cameras", "dome", "samples", "bounces", "depth_unit", "images"});
   Views out;
@@ -48,7 +47,7 @@ Views read_views(const JsonPlace& place) {
   if (place.find("cameras") && place.find("dome"))
     place.at("dome").fail("there are \"cameras\" beside it; accepted: one of them");
   if (const auto cameras = place.find("cameras"))
-    out.cameras = trivet::read_views(*cameras, out.width, out.height);
+    out.cameras = read_views(*cameras, out.width, out.height);
   if (const auto dome = place.find("dome")) read_dome(*dome, out.dome);
   if (const auto samples = place.find("samples")) out.samples = read_integer(*samples, 1, 4096);
   if (const auto bounces = place.find("bounces")) out.bounces = read_integer(*bounces, 0, 64);
@@ -63,21 +62,8 @@ std::string views_text(const std::string& text, const std::string& file) {
   if (!document.is_object() || !root.find("views"))
     root.fail("has no \"views\"; accepted: a recipe with them, or {\"views\": {...}}");
   if (!root.find("trivet_recipe")) root.expect_object({"views"}, {});
-  read_views(root.at("views"));
+  read_view_wishes(root.at("views"));
   return document.at("views").dump();
-}
-
-std::vector<LabelView> cameras_of(const Views& views, const PictureScene& scene,
-                                  const PhiloxKey& key, std::uint64_t k) {
-  if (!views.cameras.empty()) return views.cameras;
-  DomeOptions dome = views.dome;
-  dome.seed = Decision(key, k, "views").bits();
-  std::vector<LabelView> out;
-  out.reserve(static_cast<size_t>(dome.count));
-  for (const Camera& camera : camera_dome(scene, double(views.width) / views.height, dome))
-    out.push_back(
-        {number_text(int(out.size())), pinhole_camera(camera, views.width, views.height)});
-  return out;
 }
 
 }  // namespace trivet::farm
