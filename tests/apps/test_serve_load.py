@@ -62,7 +62,7 @@ class Load(Served):
             len(ordered), 1e3 * statistics.median(ordered),
             1e3 * ordered[int(0.99 * (len(ordered) - 1))]))
 
-    def many_puts(self, count=60):
+    def many_puts(self, count=300):
         """A start, and a line of many operations on it."""
         names = ["c%d" % i for i in range(count)]
         self.start = self.layout([SLAB] + [{"name": n, "model": "cube.obj"} for n in names])
@@ -96,7 +96,7 @@ class Load(Served):
 
     def test_the_second_signal_cancels(self):
         """What is computed, and what waits behind it."""
-        line, answers = self.many_puts(), []
+        line, answers = self.many_puts(1000), []
         with self.server("--threads", 1) as server:
             threads = [threading.Thread(
                 target=lambda s=session: answers.append(server.ask("POST", s, line)))

@@ -65,6 +65,7 @@ try_parallel() {
   kill -9 $(cat "/proc/$pid/task/$pid/children") $pid 2>/dev/null || true
   wait $pid 2>/dev/null || true
   say "killed with $(units many) of $((count / per)) units"
+  [ "$(units many)" -lt $((count / per)) ] || fail "it was done before it was killed"
   "${run[@]}" >/dev/null 2>&1 || fail "the second run"
   same many
 }

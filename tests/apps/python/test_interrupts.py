@@ -77,15 +77,14 @@ WORKS = {"labels": lambda: fine_rings()[0].labels(size=(320, 180)),
 
 @functools.lru_cache(maxsize=None)
 def most_seconds(name):
-    """The bound: on slow machines a tenth of the work. Bytes for Python are copied with the GIL held, which nothing
-    interrupts: half of what consists of them."""
+    """The bound: on slow machines, and of bytes for Python, which are copied in one go, a tenth of the work."""
     work = functools.partial(put, 1) if name == "put" else WORKS[name]
     work()  # models are there
     begin = time.perf_counter()
     work()
     seconds = time.perf_counter() - begin
     print(f"{name}: {1e3 * seconds:.1f} ms")
-    return max(MOST, seconds * (0.5 if name in ("film", "to_glb") else 0.1))
+    return max(MOST, 0.1 * seconds)
 
 
 def seconds_at_best(name, delay):
