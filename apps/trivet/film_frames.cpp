@@ -2,43 +2,43 @@
 
 #include <cmath>
 #include <iomanip>
+#include <iostream>
 #include <map>
 #include <sstream>
 
 #include "apps/trivet/outputs.h"
 #include "core/base/bad_input.h"
+#include "core/base/extension.h"
 #include "core/io/export.h"
 #include "core/picture/webp_animation.h"
-#include "ops/files/animation/motion_film.h"
 #include "ops/files/json/json_text.h"
-#include "ops/files/layout/watched_run.h"
 
 namespace trivet::apps {
 namespace {
 
-constexpr const char* kPlaceOfNumber = "{}";
 constexpr double kMostFrames = 100'000;
 
 void check_file(const std::string& file, const std::vector<std::string>& inputs) {
   check_extension(file, {".webp", ".png"});
-  if (extension_of(file) == ".png" && file.find(kPlaceOfNumber) == std::string::npos)
+  if (lower_extension(file) == ".png" && file.find(kPlaceOfName) == std::string::npos)
     bad_input("--animation: " + file +
               " is one picture; accepted: a .png with {} for the number, or .webp");
   check_files({file}, inputs);
 }
 
-MotionFilm filmed(const std::string& file, const Layout& layout, const CommonOptions& common) {
+struct FilmedRun {
+  LayoutRun run;
+  MotionFilm film;
+};
+
+FilmedRun filmed(const std::string& file, const Layout& layout, const CommonOptions& common) {
   const std::unique_ptr<Detector> detector = make_detector(common);
   RunOptions options = run_options(common, {}, detector.get());
   options.layout_file = file;
   std::optional<MotionFilm> film;
-  RunWatch watch;
-  watch.standing = [&](const Scene& start) { film.emplace(start); };
-  watch.done = [&](const Scene& after, const Operation& operation, const OperationResult& done) {
-    film->add(after, operation, done);
-  };
-  run_layout(layout, models_in_folder(folder_of(file), common.limits()), options, watch);
-  return std::move(*film);
+  LayoutRun run = run_layout(layout, models_in_folder(folder_of(file), common.limits()), options,
+                             film_watch(film));
+  return {std::move(run), std::move(*film)};
 }
 
 /// Keeps the meshes of all models that were seen.
@@ -65,11 +65,11 @@ class Frames {
   std::map<const Model*, PictureMesh> m_meshes;  // node-based: stable addresses
 };
 
-std::string numbered_file(std::string file, size_t number, size_t count) {
+std::string numbered_file(const std::string& file, size_t number, size_t count) {
   std::ostringstream digits;
   const size_t width = std::max<size_t>(4, std::to_string(count).size());
   digits << std::setw(static_cast<int>(width)) << std::setfill('0') << number;
-  return file.replace(file.find(kPlaceOfNumber), 2, digits.str());
+  return with_name(file, digits.str());
 }
 
 size_t num_frames(const MotionFilm& film, double fps) {
@@ -83,32 +83,46 @@ size_t num_frames(const MotionFilm& film, double fps) {
 }  // namespace
 
 void add_film_options(CLI::App& app, FilmFrames& film) {
-  app.add_option("--animation", film.file,
-                 "Of a layout: render what its operations move, as an animated .webp, or numbered "
-                 "pictures, a .png with {} for the number")
-      ->type_name("FILE");
+  CLI::Option* const file =
+      app.add_option("--animation", film.file,
+                     "Of a layout: render what its operations move, as an animated .webp, or "
+                     "numbered pictures, a .png with {} for the number")
+          ->type_name("FILE");
   app.add_option("--fps", film.fps, "Pictures of the animation in a second; default: 24")
-      ->check(number_from(0.1, 1000));
+      ->check(number_from(0.1, 1000))
+      ->needs(file);
 }
 
-void render_film(const std::string& file, const FilmFrames& film, const PictureRequest& request,
-                 const CommonOptions& common) {
-  if (extension_of(file) != ".json")
-    bad_input("--animation: " + file + " has no operations; accepted: a layout (.json)");
-  const Layout layout = read_layout(file, common.limits().max_file_bytes);
+void check_can_be_filmed(const Layout& layout) {
   if (!layout.scene.empty())
     bad_input("--animation: is not accepted for scenes in place; accepted: layouts of models");
+}
+
+RunWatch film_watch(std::optional<MotionFilm>& film) {
+  RunWatch watch;
+  watch.standing = [&film](const Scene& start) { film.emplace(start); };
+  watch.done = [&film](const Scene& after, const Operation& operation,
+                       const OperationResult& done) { film->add(after, operation, done); };
+  return watch;
+}
+
+int render_film(const std::string& file, const FilmFrames& film, const PictureRequest& request,
+                const CommonOptions& common) {
+  if (lower_extension(file) != ".json")
+    bad_input("--animation: " + file + " has no operations; accepted: a layout (.json)");
+  const Layout layout = read_layout(file, common.limits().max_file_bytes);
+  check_can_be_filmed(layout);
   std::vector<std::string> inputs = model_files(layout, folder_of(file));
   inputs.push_back(file);
   check_file(film.file, inputs);
   PictureMaker maker(request);
-  const MotionFilm motion = filmed(file, layout, common);
+  const auto [run, motion] = filmed(file, layout, common);
   Frames frames(motion, layout.floor);
   const size_t count = num_frames(motion, film.fps);
   const double aspect = double(request.width) / request.height;
   const Camera camera =
       request.explicit_camera().value_or(automatic_camera(frames.at(motion.seconds()), aspect));
-  const bool webp = extension_of(film.file) == ".webp";
+  const bool webp = lower_extension(film.file) == ".webp";
   std::optional<WebpAnimation> animation;
   if (webp) animation.emplace(request.width, request.height);
   const ProgressCallback progress = terminal_progress(common);
@@ -124,6 +138,9 @@ void render_film(const std::string& file, const FilmFrames& film, const PictureR
   }
   if (webp) write_file_atomically(film.file, animation->bytes());
   clear_progress_line(common);
+  if (run.ok()) return 0;
+  if (!common.quiet) std::cerr << summary(run);
+  return 1;
 }
 
 }  // namespace trivet::apps

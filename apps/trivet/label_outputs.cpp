@@ -12,17 +12,10 @@
 #include "core/picture/image_files.h"
 #include "ops/files/json/json_text.h"
 #include "ops/files/labels/data_sets.h"
+#include "raster/path/path_picture.h"
 
 namespace trivet::apps {
 namespace {
-
-const std::string kPlaceOfName = "{}";
-
-std::string file_of(const std::string& pattern, const LabelView& view) {
-  const std::size_t at = pattern.find(kPlaceOfName);
-  return at == std::string::npos ? pattern
-                                 : std::string(pattern).replace(at, kPlaceOfName.size(), view.name);
-}
 
 std::vector<std::string> patterns(const LabelArguments& a) {
   std::vector<std::string> out;
@@ -66,7 +59,7 @@ class LabelWriter {
   std::string depth_bytes(const Labels& labels);
   std::string normal_bytes(const Labels& labels) const;
   void write_file(const std::string& pattern, const LabelView& view, const std::string& bytes) {
-    write_file_atomically(file_of(pattern, view), bytes);
+    write_file_atomically(with_name(pattern, view.name), bytes);
   }
 
   const LabelledScene& m_scene;
@@ -108,7 +101,10 @@ void LabelWriter::write(const LabelView& view) {
     write_file(a.boxes, view,
                readable_json(labels_json(m_scene, view, labels, options.visibility)));
   if (m_sets.empty() && a.picture.empty()) return;
-  const std::string picture = traced_png(m_scene.picture, view.camera, m_request);
+  PathOptions path;
+  path.bounces = m_request.bounces;
+  const std::string picture =
+      traced_png(m_scene.picture, view.camera, m_request.paths_per_pixel(), path);
   if (!a.picture.empty()) write_file(a.picture, view, picture);
   for (const auto& set : m_sets) set->add(view, labels, picture);
 }

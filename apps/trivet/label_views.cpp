@@ -12,6 +12,34 @@ namespace {
 
 constexpr int kMaxViews = 1'000'000;
 
+// {"cameras": [...]}
+std::vector<LabelView> views_of_file(const std::string& file, const PictureRequest& request,
+                                     const CommonOptions& common) {
+  const std::string text =
+      read_input_text(file, static_cast<std::uintmax_t>(common.max_file_mb * 1e6), TextKind::Json);
+  const nlohmann::json document = parse_json(text, file);
+  const JsonPlace root(document, file);
+  root.expect_object({"cameras"}, {});
+  return read_views(root.at("cameras"), request.width, request.height);
+}
+
+std::vector<LabelView> dome_views(const ViewArguments& arguments, const PictureRequest& request,
+                                  const PictureScene& scene) {
+  DomeOptions dome;
+  dome.count = arguments.dome;
+  dome.seed = arguments.dome_seed;
+  dome.radius = arguments.dome_radius;
+  dome.fov_deg = request.fov_deg;
+  if (const auto& degrees = arguments.dome_elevation_deg; !degrees.empty())
+    dome.lowest_deg = degrees[0], dome.highest_deg = degrees[1];
+  std::vector<LabelView> views;
+  views.reserve(static_cast<std::size_t>(dome.count));
+  for (const Camera& camera : camera_dome(scene, double(request.width) / request.height, dome))
+    views.push_back(
+        {number_text(int(views.size())), pinhole_camera(camera, request.width, request.height)});
+  return views;
+}
+
 }  // namespace
 
 void add_view_options(CLI::App& app, ViewArguments& arguments) {
@@ -38,38 +66,9 @@ void add_view_options(CLI::App& app, ViewArguments& arguments) {
       ->group(group);
 }
 
-std::vector<LabelView> read_views(const std::string& text, const std::string& file,
-                                  const PictureRequest& request) {
-  const nlohmann::json document = parse_json(text, file);
-  const JsonPlace root(document, file);
-  root.expect_object({"cameras"}, {});
-  return trivet::read_views(root.at("cameras"), request.width, request.height);
-}
-
-std::vector<LabelView> dome_views(const ViewArguments& arguments, const PictureRequest& request,
-                                  const PictureScene& scene) {
-  DomeOptions dome;
-  dome.count = arguments.dome;
-  dome.seed = arguments.dome_seed;
-  dome.radius = arguments.dome_radius;
-  dome.fov_deg = request.fov_deg;
-  if (const auto& degrees = arguments.dome_elevation_deg; !degrees.empty())
-    dome.lowest_deg = degrees[0], dome.highest_deg = degrees[1];
-  std::vector<LabelView> views;
-  views.reserve(static_cast<std::size_t>(dome.count));
-  for (const Camera& camera : camera_dome(scene, double(request.width) / request.height, dome))
-    views.push_back(
-        {number_text(int(views.size())), pinhole_camera(camera, request.width, request.height)});
-  return views;
-}
-
 std::vector<LabelView> label_views(const ViewArguments& arguments, const PictureRequest& request,
                                    const PictureScene& scene, const CommonOptions& common) {
-  if (!arguments.cameras.empty())
-    return read_views(
-        read_input_text(arguments.cameras, static_cast<std::uintmax_t>(common.max_file_mb * 1e6),
-                        TextKind::Json),
-        arguments.cameras, request);
+  if (!arguments.cameras.empty()) return views_of_file(arguments.cameras, request, common);
   if (const auto& deg = arguments.dome_elevation_deg; !deg.empty() && deg[0] > deg[1])
     throw Error(Error::Kind::BadInput, "--dome-elevation: " + short_number(deg[0]) + " to " +
                                            short_number(deg[1]) + "; accepted: the lowest first");

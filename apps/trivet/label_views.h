@@ -24,12 +24,4 @@ void add_view_options(CLI::App& app, ViewArguments& arguments);
 std::vector<LabelView> label_views(const ViewArguments& arguments, const PictureRequest& request,
                                    const PictureScene& scene, const CommonOptions& common);
 
-/// {"cameras": [...]}, each as read_views() of ops/files/labels takes it.
-std::vector<LabelView> read_views(const std::string& text, const std::string& file,
-                                  const PictureRequest& request);
-
-/// Those of camera_dome(), by number.
-std::vector<LabelView> dome_views(const ViewArguments& arguments, const PictureRequest& request,
-                                  const PictureScene& scene);
-
 }  // namespace trivet::apps

@@ -157,7 +157,7 @@ void add_output_options(CLI::App& app, OutputPaths& paths) {
 }
 
 void check_extension(const std::string& path, const std::vector<std::string>& accepted) {
-  const std::string extension = extension_of(path);
+  const std::string extension = lower_extension(path);
   if (std::find(accepted.begin(), accepted.end(), extension) != accepted.end()) return;
   std::string list;
   for (const std::string& e : accepted) list += (list.empty() ? "" : ", ") + e;
@@ -220,7 +220,7 @@ int Outputs::write(const LayoutRun& run, const Layout& layout, const RunOptions&
   StagedFiles beside;  // a full disk leaves none of all
   if (!m_paths.report.empty()) beside.add(m_paths.report, report);
   if (m_picture) beside.add(m_paths.picture, png);
-  const std::string extension = extension_of(m_paths.scene);
+  const std::string extension = lower_extension(m_paths.scene);
   if (in_place && (extension == ".glb" || extension == ".gltf"))
     in_place->write(m_paths.scene);
   else if (!m_paths.scene.empty())
@@ -257,6 +257,11 @@ std::string summary(const LayoutRun& run) {
   return out.str();
 }
 
-std::string extension_of(const std::string& file) { return lower_extension(file); }
+std::string with_name(const std::string& pattern, const std::string& name) {
+  const size_t at = pattern.find(kPlaceOfName);
+  return at == std::string::npos
+             ? pattern
+             : std::string(pattern).replace(at, std::strlen(kPlaceOfName), name);
+}
 
 }  // namespace trivet::apps

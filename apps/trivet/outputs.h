@@ -73,7 +73,9 @@ void tell_work(const Detector& detector, const CommonOptions& common, ReportOpti
 /// Refusals and findings of the check, for display.
 std::string summary(const LayoutRun& run);
 
-/// ".glb" of "a.GLB".
-std::string extension_of(const std::string& file);
+/// Stands for the name of a view, or the number of a picture, in the name of many files.
+inline constexpr const char* kPlaceOfName = "{}";
+/// The file of this name or number: `pattern` itself without a place for it.
+std::string with_name(const std::string& pattern, const std::string& name);
 
 }  // namespace trivet::apps

@@ -11,7 +11,7 @@
 namespace trivet::apps {
 namespace {
 
-constexpr int kViews = 32, kPaths = 16;  // per pixel, where none are asked for
+constexpr int kViews = 32;  // per pixel, where none are asked for
 
 std::unique_ptr<GlPictures> chosen_opengl(const std::string& renderer) {
   if (renderer == "opengl") return make_gl_pictures();
@@ -27,7 +27,7 @@ PictureOptions options_of(const PictureRequest& request, int samples) {
   PictureOptions options;
   options.width = request.width;
   options.height = request.height;
-  options.samples = request.samples > 0 ? request.samples : samples;
+  options.samples = samples;
   return options;
 }
 
@@ -61,33 +61,21 @@ std::string PictureMaker::png(const Scene& scene) {
 }
 
 Image PictureMaker::image(const PictureScene& scene, const std::optional<Camera>& camera) {
-  if (m_opengl) return m_opengl->render(scene, camera, options_of(m_request, kViews));
-  const double aspect = double(m_request.width) / m_request.height;
-  return traced_image(scene,
-                      pinhole_camera(camera ? *camera : automatic_camera(scene, aspect),
-                                     m_request.width, m_request.height),
-                      m_request);
+  const int views = m_request.samples > 0 ? m_request.samples : kViews;
+  if (m_opengl) return m_opengl->render(scene, camera, options_of(m_request, views));
+  PathOptions path;
+  path.bounces = m_request.bounces;
+  Image image;
+  tbb::task_arena(m_request.num_threads > 0 ? m_request.num_threads : tbb::task_arena::automatic)
+      .execute([&] {
+        image =
+            trace_picture(scene, camera, options_of(m_request, m_request.paths_per_pixel()), path);
+      });
+  return image;
 }
 
 std::string PictureMaker::device() const {
   return m_opengl ? m_opengl->device() : "rays on the processor (Embree)";
-}
-
-std::string traced_png(const PictureScene& scene, const PinholeCamera& camera,
-                       const PictureRequest& request) {
-  return encode_png(traced_image(scene, camera, request));
-}
-
-Image traced_image(const PictureScene& scene, const PinholeCamera& camera,
-                   const PictureRequest& request) {
-  PictureOptions options = options_of(request, kPaths);
-  options.width = camera.width, options.height = camera.height;
-  PathOptions path;
-  path.bounces = request.bounces;
-  Image image;
-  tbb::task_arena(request.num_threads > 0 ? request.num_threads : tbb::task_arena::automatic)
-      .execute([&] { image = trace_picture(scene, camera, options, path); });
-  return image;
 }
 
 }  // namespace trivet::apps

@@ -32,6 +32,7 @@ struct PictureRequest {
   std::vector<double> camera;      // eye and target, 6 numbers, metres; empty: frames everything
   double fov_deg = 30;             // for an explicit camera
 
+  int paths_per_pixel() const { return samples > 0 ? samples : 16; }
   /// Empty: chosen automatically.
   std::optional<Camera> explicit_camera() const;
 };
@@ -56,12 +57,5 @@ class PictureMaker {
   PictureRequest m_request;
   std::unique_ptr<GlPictures> m_opengl;  // null: rays
 };
-
-/// By rays, from any pinhole camera.
-Image traced_image(const PictureScene& scene, const PinholeCamera& camera,
-                   const PictureRequest& request);
-/// @return the bytes of a PNG file.
-std::string traced_png(const PictureScene& scene, const PinholeCamera& camera,
-                       const PictureRequest& request);
 
 }  // namespace trivet::apps

@@ -1,6 +1,6 @@
 #include "apps/trivet/scene_input.h"
 
-#include "apps/trivet/outputs.h"
+#include "core/base/extension.h"
 #include "core/io/sandboxed_import.h"
 #include "core/scene/transaction.h"
 
@@ -25,7 +25,7 @@ Scene scene_of_model(const std::string& path, const CommonOptions& common) {
 }  // namespace
 
 SceneFile read_scene_with_layout(const std::string& path, const CommonOptions& common) {
-  const std::string extension = extension_of(path);
+  const std::string extension = lower_extension(path);
   if ((extension != ".glb" && extension != ".gltf") || !is_scene_file(path)) {
     SceneFile file;
     file.scene = scene_of_model(path, common);

@@ -3,6 +3,7 @@
 #include "apps/trivet/outputs.h"
 #include "apps/trivet/verbs.h"
 #include "core/base/error.h"
+#include "core/base/extension.h"
 #include "core/io/export.h"
 #include "ops/files/report/tables.h"
 #include "ops/simulation/scene_formats.h"
@@ -39,7 +40,7 @@ int export_table(const ExportArguments& arguments, const CommonOptions& common) 
 
 void check_can_simulate(const ExportArguments& arguments) {
   if (!(arguments.simulate > 0)) return;
-  const std::string extension = extension_of(arguments.output);
+  const std::string extension = lower_extension(arguments.output);
   if (!can_simulate()) throw Error(Error::Kind::BadInput, "--simulate: " + no_simulator());
   if (extension != ".xml" && extension != ".mjcf")
     throw Error(Error::Kind::BadInput, "--simulate: MuJoCo does not read " + arguments.output +
@@ -68,7 +69,7 @@ int export_scene(const ExportArguments& arguments, const CommonOptions& common,
                  const CLI::App& verb) {
   using Kind = SceneFormat::Kind;
   check_extension(arguments.output, extensions_of({Kind::Simulator, Kind::Table}));
-  const bool is_table = is_table_extension(extension_of(arguments.output));
+  const bool is_table = is_table_extension(lower_extension(arguments.output));
   for (const CLI::Option* option : verb.get_options())
     if (option->count() > 0 && option->get_group() == (is_table ? kSimulators : kTables))
       throw Error(Error::Kind::BadInput,

@@ -34,10 +34,11 @@ void render_picture(const RenderArguments& arguments, const CommonOptions& commo
 int render_film(const RenderArguments& arguments, const CommonOptions& common) {
   if (!arguments.picture.empty() || arguments.labels.any())
     bad_input("--animation is asked for with other pictures; accepted: alone");
+  if (arguments.labels.views.any())
+    bad_input("--animation is asked for with --cameras or --dome; accepted: one --camera");
   PictureRequest request = arguments.request;
   request.num_threads = common.num_threads;
-  render_film(arguments.scene, arguments.film, request, common);
-  return 0;
+  return render_film(arguments.scene, arguments.film, request, common);
 }
 
 int render(const RenderArguments& arguments, const CommonOptions& common) {

@@ -1,10 +1,10 @@
+#include "apps/trivet/film_frames.h"
 #include "apps/trivet/outputs.h"
 #include "apps/trivet/verbs.h"
 #include "core/base/error.h"
+#include "core/base/extension.h"
 #include "core/io/export.h"
-#include "ops/files/animation/motion_film.h"
 #include "ops/files/inplace/run_in_scene.h"
-#include "ops/files/layout/watched_run.h"
 
 namespace trivet::apps {
 namespace {
@@ -19,19 +19,17 @@ struct RunArguments {
 
 // A scene laid out in place keeps its format.
 void check_kind(const std::string& output, const std::string& scene) {
-  const std::string wanted = extension_of(output), is = extension_of(scene);
+  const std::string wanted = lower_extension(output), is = lower_extension(scene);
   if ((wanted == ".glb" || wanted == ".gltf") && wanted != is)
     throw Error(Error::Kind::BadInput, output + ": the scene " + scene +
                                            " keeps its format; accepted: " + is +
                                            ", .obj, .ply, .stl");
 }
 
-void check_animation(const RunArguments& arguments, bool in_place,
+void check_animation(const RunArguments& arguments, const Layout& layout,
                      const std::vector<std::string>& inputs) {
   if (arguments.animation.empty()) return;
-  if (in_place)
-    throw Error(Error::Kind::BadInput,
-                "--animation: is not accepted for scenes in place; accepted: layouts of models");
+  check_can_be_filmed(layout);
   check_extension(arguments.animation, {".glb"});
   const OutputPaths& outputs = arguments.outputs;
   check_files({arguments.animation, outputs.scene, outputs.report, outputs.picture}, inputs);
@@ -48,20 +46,14 @@ int run(const RunArguments& arguments, const CommonOptions& common) {
     check_kind(arguments.outputs.scene, file);
   }
   inputs.push_back(arguments.layout);
-  check_animation(arguments, scene != nullptr, inputs);
+  check_animation(arguments, layout, inputs);
   Outputs outputs(arguments.outputs, inputs, common);
   const std::unique_ptr<Detector> detector = make_detector(common);
   RunOptions options = run_options(common, arguments.settle, detector.get());
   options.stop_at_refusal = arguments.stop_at_refusal;
   options.layout_file = arguments.layout;
   std::optional<MotionFilm> film;
-  RunWatch watch;
-  if (!arguments.animation.empty()) {
-    watch.standing = [&](const Scene& start) { film.emplace(start); };
-    watch.done = [&](const Scene& after, const Operation& operation, const OperationResult& done) {
-      film->add(after, operation, done);
-    };
-  }
+  const RunWatch watch = arguments.animation.empty() ? RunWatch{} : film_watch(film);
   const LayoutRun result =
       scene ? run_in_scene(layout, *scene, options)
             : run_layout(layout, models_in_folder(folder, common.limits()), options, watch);

@@ -240,6 +240,15 @@ class Frames(Case):
         self.assertGreaterEqual(sum(shown), 1000 * seconds)
         self.assertLess(sum(shown), 1000 * (seconds + 0.6))
 
+    def test_refused_operations_are_told(self):
+        layout = self.layout([SLAB, {"name": "a", "model": "cube.obj"}, {"name": "b", "model": "cube.obj"}],
+                             [put("a", 0.2, 0, 1), put("b", 0, 0, 0.05)])
+        out, err = self.trivet("render", layout, "--animation", "f.webp", "--fps", 4, *self.VIEW, status=1)
+        self.assertEqual(out, "")
+        self.assertIn('put "b": refused: ', err)
+        self.assertIn("1 refused", err)
+        self.assertGreater(len(self.read("f.webp")), 100)
+
     def test_bad_input(self):
         layout = self.start()
         self.trivet("run", layout, "-o", "s.glb")
@@ -247,6 +256,9 @@ class Frames(Case):
         self.refused(*render, "f.png", says=["f.png", "{}"])
         self.refused(*render, "f.gif", says=["f.gif", ".webp"])
         self.refused(*render, "f.webp", "-o", "p.png", says=["--animation", "alone"])
+        self.refused(*render, "f.webp", "--dome", 3, says=["--animation", "--dome", "--camera"])
+        self.refused(*render, "f.webp", "--cameras", "c.json", says=["--animation", "--cameras"])
+        self.refused("render", layout, "-o", "p.png", "--fps", 10, says=["--fps", "--animation"])
         self.refused(*render, "f.webp", "--fps", 0, says="--fps")
         self.refused(*render, "f{}.png", "--fps", 1000, "--width", 0, says="--width")
         self.refused("render", "s.glb", "--animation", "f.webp", says=["s.glb", "layout"])
