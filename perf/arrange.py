@@ -21,11 +21,16 @@ DEMOS = ["table-for-six", "tight-table", "bookcase", "market", "office3", "works
 def arrange(trivet, problem, seed, folder):
     """Status, processor seconds, megabytes at most and the report's section of one run."""
     report = os.path.join(folder, "report.json")
+    if os.path.exists(report):  # of the seed before
+        os.remove(report)
     process = subprocess.Popen([trivet, "arrange", problem, "--seed", str(seed), "--threads", "1", "--quiet",
                                 "-o", os.path.join(folder, "scene.glb"), "--report", report],
                                stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     _, status, usage = os.wait4(process.pid, 0)
     process.returncode = status
+    if not os.path.exists(report):
+        raise SystemExit("trivet arrange %s --seed %d gave no report: status %d"
+                         % (problem, seed, os.waitstatus_to_exitcode(status)))
     with open(report) as file:
         section = json.load(file)["arrange"]
     return status == 0, usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1024, section

@@ -11,8 +11,8 @@ void scale_rows(Report& report);          // operations among 100 to 100,000 obj
 void real_scale_rows(Report& report);     // the same among real models, if there are any
 void push_rows(Report& report);           // one step of a PUSH, and a table with its loads
 void table1_rows(Report& report);         // the paper's Table 1, by candidate finder
-void zlist_rows(Report& report);          // z-lists and BVHs, same motions; free places
-void place_rows(Report& report);          // the latter: thousands of places at once
+void zlist_rows(Report& report);          // z-lists and BVHs, same motions
+void place_rows(Report& report);          // thousands of places at once
 void confirm_rows(Report& report);        // Embree between z-lists and the closed form
 void settling_rows(Report& report);       // ours, Bullet's and MuJoCo's, from the same starts
 void shape_rows(Report& report);          // memory, index, import
