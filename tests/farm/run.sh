@@ -4,7 +4,7 @@
 #   tests/farm/run.sh slurm|parallel TRIVET WORK_DIR
 #
 # slurm:     a cluster of three nodes on this machine (cluster.sh): an array that loses a node, a task that is told to stop and
-#            comes again, a part of an array that is submitted once more; 1 to 2 minutes
+#            comes again, a part of an array that is submitted once more; 2 to 3 minutes
 # parallel:  GNU parallel, killed in the middle, and resumed
 #
 # Skipped (status 77) without the engine (Debian: slurmctld slurmd slurm-client munge procps; parallel).
