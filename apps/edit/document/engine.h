@@ -46,7 +46,10 @@ class Engine {
   /// Switches z-lists of dragged and previewed objects on or off.
   void watch_zlists(bool on) { m_watches = on; }
   /// True if no work or signal is pending.
-  bool is_idle() const { return m_num_open == 0 && m_ghosts.is_idle() && m_layouts.is_idle(); }
+  bool is_idle() const {
+    // Workers open a signal before they are idle: it is looked for again after them.
+    return m_num_open == 0 && m_ghosts.is_idle() && m_layouts.is_idle() && m_num_open == 0;
+  }
 
   // ---------------------------------------------------------------------------------------------
 

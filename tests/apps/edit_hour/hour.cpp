@@ -18,7 +18,6 @@
 namespace trivet::edit::test {
 namespace {
 
-constexpr int kPatienceMs = 120000;
 const Vec3 kTray(0, -0.95, 0), kCup(0.85, -0.8, 0);
 
 class Hour {
@@ -46,6 +45,7 @@ class Hour {
   /// Since begin(), and what was done in the asset browser.
   void print_effort(const char* what, int asset_clicks = 0, int asset_drags = 0) const;
   void enter_file(const QString& file);
+  void enter_file_once_asked(const QString& file);
   void with_row(QWidget& dialog, const char* row, const QString& text);
   Vec3 centre(const std::string& name) { return world_box(m_user.object(name)).centre(); }
 
@@ -79,16 +79,33 @@ void Hour::with_row(QWidget& dialog, const char* row, const QString& text) {
   m_user.type(*box, text);
 }
 
+/// Null: none is open.
+QFileDialog* open_file_dialog() {
+  for (QWidget* const widget : QApplication::topLevelWidgets())
+    if (auto* const files = qobject_cast<QFileDialog*>(widget); files && files->isVisible())
+      return files;
+  return nullptr;
+}
+
 /// Into the file dialog that is open.
 void Hour::enter_file(const QString& file) {
-  for (QWidget* const widget : QApplication::topLevelWidgets())
-    if (auto* const files = qobject_cast<QFileDialog*>(widget); files && files->isVisible()) {
-      auto* const field = files->findChild<QLineEdit*>("fileNameEdit");
-      field->setText(file);
-      QTest::keyClick(field, Qt::Key_Return);
-      return;
-    }
-  QFAIL("no file dialog");
+  QFileDialog* const files = open_file_dialog();
+  QVERIFY2(files, "no file dialog");
+  auto* const field = files->findChild<QLineEdit*>("fileNameEdit");
+  field->setText(file);
+  QTest::keyClick(field, Qt::Key_Return);
+}
+
+/// Into one that another dialog is about to open.
+void Hour::enter_file_once_asked(const QString& file) {
+  auto* const timer = new QTimer(qApp);
+  QObject::connect(timer, &QTimer::timeout, timer, [this, timer, file] {
+    if (!open_file_dialog()) return;
+    timer->stop();
+    timer->deleteLater();
+    enter_file(file);
+  });
+  timer->start(50);
 }
 
 // --- models ------------------------------------------------------------------------------------
@@ -243,13 +260,13 @@ void Hour::type_numbers() {
   const Vec3 before = m_user.object("cup").pose.translation;
   m_user.press(view, cup, Qt::LeftButton);
   for (int i = 1; i <= 4; ++i) m_user.move_to(view, cup + QPoint(3 * i, -6 * i));
-  QVERIFY(QTest::qWaitFor([&] { return m_document.is_dragging(); }, 3000));
+  QVERIFY(QTest::qWaitFor([&] { return m_document.is_dragging(); }, kPatienceMs));
   for (const Qt::Key key :
        {Qt::Key_0, Qt::Key_Period, Qt::Key_1, Qt::Key_Tab, Qt::Key_0, Qt::Key_Tab, Qt::Key_0})
     m_user.press_key(key);
   const auto moved = [&] { return m_user.object("cup").pose.translation.x() - before.x(); };
   QVERIFY(QTest::qWaitFor([&] { return std::abs(moved() - 0.1) < 1e-5; }, kPatienceMs));
-  QTest::qWait(500);  // until it is drawn
+  QVERIFY(m_user.wait_for_drag(view));
   m_user.look("typed_in_a_drag");
   m_user.press_key(Qt::Key_Return);
   m_user.release(view, cup, Qt::LeftButton);
@@ -297,7 +314,7 @@ void Hour::collect() {
   field->selectAll();
   m_user.type(*field, "apples");
   m_user.press_key_in(*field, Qt::Key_Return);
-  QTRY_VERIFY(m_document.looks().collections.find("apples"));
+  QTRY_VERIFY_WITH_TIMEOUT(m_document.looks().collections.find("apples"), kPatienceMs);
   m_document.select({});
   QVERIFY(m_user.wait());
   m_window.control().outliner().scrollToTop();
@@ -348,13 +365,13 @@ void Hour::export_and_render() {
                        sizes[0]->setValue(320), sizes[1]->setValue(200);
                        dialog.findChild<QComboBox*>()->setCurrentIndex(0);
                        m_user.look("picture_dialog");
-                       QTimer::singleShot(500, qApp, [&] { enter_file(picture); });
+                       enter_file_once_asked(picture);
                        QTest::mouseClick(
                            dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Save),
                            Qt::LeftButton);
                      });
   QVERIFY(QTest::qWaitFor([&] { return QFile::exists(picture); }, kPatienceMs));
-  QVERIFY(QTest::qWaitFor([&] { return m_window.message_bar().isVisible(); }, 10000));
+  QVERIFY(QTest::qWaitFor([&] { return m_window.message_bar().isVisible(); }, kPatienceMs));
   m_user.look("picture_written");
 }
 

@@ -67,6 +67,7 @@ void TestHour::initTestCase() {
   DocumentOptions options;
   options.version = "test";
   options.recovery_folder = m_folder.filePath("recovery").toStdString();
+  options.limits.max_seconds = kPatienceMs / 1000;  // by the clock
   QDir().mkpath(m_folder.filePath("recovery"));
   m_document = std::make_unique<Document>(options);
   m_window = std::make_unique<MainWindow>(*m_document);
@@ -74,7 +75,7 @@ void TestHour::initTestCase() {
   m_window->resize(m_kind.size);
   m_window->show();
   m_window->move(0, 0);
-  QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+  QVERIFY(QTest::qWaitForWindowExposed(m_window.get(), kPatienceMs));
   m_user = std::make_unique<User>(*m_document, *m_window, QDir::current().filePath("pictures"));
   QVERIFY(m_user->wait());
   m_user->look("start_page");
@@ -95,7 +96,7 @@ void TestHour::helps_without_a_display() {
   editor.setProcessEnvironment(none);
   for (const char* const option : {"--help", "--version"}) {
     editor.start(TRIVET_EDIT_PROGRAM, {option});
-    QVERIFY(editor.waitForFinished(20000));
+    QVERIFY(editor.waitForFinished(kPatienceMs));
     QCOMPARE(editor.exitCode(), 0);
     QVERIFY(editor.readAllStandardOutput().contains("trivet-edit"));
   }

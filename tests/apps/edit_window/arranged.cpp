@@ -36,7 +36,7 @@ void add_wish(MainWindow& window, User& user, const std::string& a, const char* 
 }
 
 bool found(Document& document) {
-  return QTest::qWaitFor([&] { return document.layout() != nullptr; }, 60000);
+  return QTest::qWaitFor([&] { return document.layout() != nullptr; }, kPatienceMs);
 }
 
 }  // namespace
@@ -58,7 +58,7 @@ void arrange_by_wishes(Document& document, MainWindow& window, User& user, const
   auto* const arrange = window.action("arrange");
   if (!arrange->isChecked()) arrange->trigger();
   auto& dock = find<QDockWidget>(window, "arrange_dock");
-  QVERIFY(QTest::qWaitFor([&] { return dock.isVisible(); }, 5000));
+  QVERIFY(QTest::qWaitFor([&] { return dock.isVisible(); }, kPatienceMs));
   QVERIFY(user.wait());
 
   for (const char* tin : {"left_tin", "right_tin", "third_tin"})
@@ -84,7 +84,7 @@ void arrange_by_wishes(Document& document, MainWindow& window, User& user, const
                     Qt::NoModifier, Qt::NoScrollPhase, false);
   QApplication::sendEvent(&seed, &wheel);
   QVERIFY(QTest::qWaitFor([&] { return document.layout() && document.layout()->seed != before; },
-                          60000));
+                          kPatienceMs));
   QVERIFY((document.layout()->members.front().pose.translation - first).norm() > 1e-3);
 
   const size_t steps = document.history().num_done;
@@ -112,7 +112,7 @@ void arrange_by_wishes(Document& document, MainWindow& window, User& user, const
   auto& drop = find<QPushButton>(window, "arrange_drop");
   QVERIFY(drop.isVisible());
   user.click(drop);
-  QVERIFY(QTest::qWaitFor([&] { return document.layout() && document.layout()->ok; }, 60000));
+  QVERIFY(QTest::qWaitFor([&] { return document.layout() && document.layout()->ok; }, kPatienceMs));
   QCOMPARE(document.wishes().list().size(), size_t(4));
   user.click(find<QPushButton>(window, "arrange_accept"));
   QVERIFY(user.wait());

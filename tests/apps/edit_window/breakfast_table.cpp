@@ -23,7 +23,7 @@ class Table {
       QTest::mouseClick(box->button(QDialogButtonBox::Ok), Qt::LeftButton);
     });
     QVERIFY(m_user.wait());
-    QTRY_VERIFY(m_document.snapshot()->find(names.back().toStdString()));
+    QTRY_VERIFY_WITH_TIMEOUT(m_document.snapshot()->find(names.back().toStdString()), kPatienceMs);
     QVERIFY(m_user.wait());
   }
 
@@ -31,7 +31,7 @@ class Table {
   void put(const std::string& name, const Vec3& at, const QString& picture,
            WindowKind kind = WindowKind::Perspective) {
     m_user.move_to(m_window.view(kind), m_user.pixel(kind, at));
-    QTRY_VERIFY(m_document.ghost().has_value());
+    QTRY_VERIFY_WITH_TIMEOUT(m_document.ghost().has_value(), kPatienceMs);
     QVERIFY(m_user.wait());
     if (!picture.isEmpty()) m_user.look(picture);
     m_user.click(kind, at);
@@ -59,7 +59,7 @@ void lay_breakfast_table(Document& document, MainWindow& window, User& user,
   QProcess demo;
   demo.start(TRIVET_PROGRAM,
              {"demo", "breakfast", "-o", folder + "/breakfast.glb", "--export", folder, "--quiet"});
-  QVERIFY(demo.waitForFinished(60000));
+  QVERIFY(demo.waitForFinished(kPatienceMs));
   QCOMPARE(demo.exitCode(), 0);
   Table table(document, window, user, folder);
   user.press_key(Qt::Key_N, Qt::ControlModifier);

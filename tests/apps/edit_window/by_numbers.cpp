@@ -96,13 +96,13 @@ void type_in_a_drag(Document& document, MainWindow& window, User& user) {
   const Vec3 before = user.object("apple").pose.translation;
   user.press(view, apple, Qt::LeftButton);
   for (int i = 1; i <= 4; ++i) user.move_to(view, apple + QPoint(3 * i, -6 * i));
-  QVERIFY(QTest::qWaitFor([&] { return document.is_dragging(); }, 3000));
+  QVERIFY(QTest::qWaitFor([&] { return document.is_dragging(); }, kPatienceMs));
   // Digits are shortcuts elsewhere.
   for (const Qt::Key key :
        {Qt::Key_0, Qt::Key_Period, Qt::Key_1, Qt::Key_Tab, Qt::Key_Minus, Qt::Key_0, Qt::Key_Period,
         Qt::Key_0, Qt::Key_5, Qt::Key_Tab, Qt::Key_0, Qt::Key_Period, Qt::Key_2})
     user.press_key(key);
-  QTest::qWait(100);
+  QVERIFY(user.wait_for_drag(view));
   user.look("typed_in_a_drag");
   QCOMPARE(QString::fromStdString(window.toolbox().reading()).section("  –", 0, 0),
            QString("x 0.1 m  y -0.05 m  [z] 0.2 m"));

@@ -16,7 +16,7 @@ namespace {
 
 using trivet::test::Random;
 
-constexpr int kWaitMs = 60'000, kCloseDialogMs = 40;
+constexpr int kCloseDialogMs = 40;
 
 struct Key {
   Qt::Key key;
@@ -202,7 +202,7 @@ class Referee {
   explicit Referee(Document& document) : m_document(document) {}
 
   void judge(int action) {
-    QVERIFY2(m_document.wait_until_idle(kWaitMs), qPrintable(QString::number(action)));
+    QVERIFY2(m_document.wait_until_idle(kPatienceMs), qPrintable(QString::number(action)));
     const SceneSnapshot& scene = *m_document.snapshot();
     if (scene.committed == m_judged) return;
     m_judged = scene.committed;

@@ -39,7 +39,7 @@ void fill_shelf(Document& document, MainWindow& window, User& user, const QStrin
   user.take("put");
   const Vec3 place(0.1, -0.05, 0.42);
   user.move_to(view, user.pixel(WindowKind::Perspective, place));
-  QTRY_VERIFY(document.ghost() && document.ghost()->ok);
+  QTRY_VERIFY_WITH_TIMEOUT(document.ghost() && document.ghost()->ok, kPatienceMs);
   QVERIFY(shown_hand(window).contains("first book"));
   user.wait();
   user.look("shelf_ghost");
@@ -51,7 +51,7 @@ void fill_shelf(Document& document, MainWindow& window, User& user, const QStrin
   user.press_key(Qt::Key_N);
   QVERIFY(shown_hand(window).contains("second book"));
   user.move_to(view, user.pixel(WindowKind::Perspective, place + Vec3(0.035, -0.02, 0)));
-  QTRY_VERIFY(document.ghost() && !document.ghost()->ok);
+  QTRY_VERIFY_WITH_TIMEOUT(document.ghost() && !document.ghost()->ok, kPatienceMs);
   user.wait();
   user.look("shelf_refused");
   user.press_key(Qt::Key_Escape);

@@ -125,7 +125,7 @@ void TestWindow::open_window() {
   m_window->resize(1280, 720);
   m_window->show();
   m_window->move(0, 0);
-  QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+  QVERIFY(QTest::qWaitForWindowExposed(m_window.get(), kPatienceMs));
   m_user = std::make_unique<User>(*m_document, *m_window,
                                   QDir::current().filePath("edit_window_pictures"));
 }
@@ -171,7 +171,8 @@ void TestWindow::imports_by_dropping_files() {
   });
   QVERIFY(looked);
   QVERIFY(m_user->wait());
-  QTRY_COMPARE(m_document->snapshot()->objects.size(), static_cast<size_t>(files.size()));
+  QTRY_COMPARE_WITH_TIMEOUT(m_document->snapshot()->objects.size(),
+                            static_cast<size_t>(files.size()), kPatienceMs);
   QVERIFY(m_window->toolbox().current() == ToolKind::Put);
   m_user->look("imported");
 }
@@ -180,7 +181,7 @@ void TestWindow::puts_by_clicking() {
   select_and("saucer", "put");
   m_user->move_to(m_window->view(Window::Perspective),
                   m_user->pixel(Window::Perspective, Vec3::Zero()));
-  QTRY_VERIFY(m_document->ghost().has_value());
+  QTRY_VERIFY_WITH_TIMEOUT(m_document->ghost().has_value(), kPatienceMs);
   m_user->look("ghost");
   m_user->click(Window::Perspective, Vec3::Zero());
   QVERIFY(m_user->wait());
@@ -300,7 +301,7 @@ void TestWindow::saves_and_opens() {
   m_user->look("saved");
   QProcess check;
   check.start(TRIVET_PROGRAM, {"check", file, "--report", m_saved.filePath("report.json")});
-  QVERIFY(check.waitForFinished(120000));
+  QVERIFY(check.waitForFinished(kPatienceMs));
   QVERIFY2(check.exitCode() == 0, check.readAllStandardError() + check.readAllStandardOutput());
   m_window->action("new")->trigger();
   QVERIFY(m_user->wait());

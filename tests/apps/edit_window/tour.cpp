@@ -17,7 +17,8 @@ void look_at_menus(MainWindow& window, User& user) {
   QMenuBar* const bar = window.menuBar();
   for (QAction* const menu : bar->actions()) {
     user.click(*bar, bar->actionGeometry(menu).center());
-    QVERIFY(QTest::qWaitFor([] { return QApplication::activePopupWidget() != nullptr; }, 2000));
+    QVERIFY(
+        QTest::qWaitFor([] { return QApplication::activePopupWidget() != nullptr; }, kPatienceMs));
     user.look("menu_" + menu->text().remove('&').toLower());
     QTest::keyClick(QApplication::activePopupWidget(), Qt::Key_Escape);
   }

@@ -15,7 +15,7 @@
 namespace trivet::edit::test {
 namespace {
 
-constexpr int kDragSteps = 12, kStepMs = 15, kDialogMs = 3000;
+constexpr int kDragSteps = 12, kStepMs = 15;
 
 QWidget* open_dialog() {
   for (QWidget* const widget : QApplication::topLevelWidgets())
@@ -67,7 +67,7 @@ void User::drag(QWidget& widget, const QPoint& from, const QPoint& to) {
   move_to(widget, from);
   QTest::mousePress(m_window.windowHandle(), Qt::LeftButton, {}, in_window(widget, from));
   for (int i = 1; i <= kDragSteps; ++i) move_to(widget, from + (to - from) * i / kDragSteps);
-  QTest::qWait(20 * kStepMs);  // until the dragged object has followed
+  QVERIFY(m_document.wait_until_idle(kPatienceMs));  // the dragged object has followed
   QTest::mouseRelease(m_window.windowHandle(), Qt::LeftButton, {}, in_window(widget, to));
 }
 
@@ -92,7 +92,7 @@ void User::choose(const QString& name) {
   for (QAction* const title : bar.actions()) {
     if (!title->menu() || !title->menu()->actions().contains(chosen)) continue;
     click(bar, bar.actionGeometry(title).center());
-    QVERIFY(QTest::qWaitFor([&] { return title->menu()->isVisible(); }, 3000));
+    QVERIFY(QTest::qWaitFor([&] { return title->menu()->isVisible(); }, kPatienceMs));
     return click_in(*title->menu(), title->menu()->actionGeometry(chosen).center());
   }
   QFAIL(qPrintable("no menu has " + name));
@@ -159,7 +159,7 @@ void User::show_tab(const QString& title) {
   QFAIL(qPrintable("no tab " + title));
 }
 
-bool User::wait(int timeout_ms) {
+bool User::wait() {
   const auto is_done = [this] {
     if (m_document.is_busy() || m_document.is_dragging()) return false;
     for (const WindowKind kind :
@@ -170,7 +170,12 @@ bool User::wait(int timeout_ms) {
     return true;
   };
   QTest::qWait(2 * kStepMs);
-  return QTest::qWaitFor(is_done, timeout_ms);
+  return QTest::qWaitFor(is_done, kPatienceMs);
+}
+
+bool User::wait_for_drag(const SceneView& view) {
+  return m_document.wait_until_idle(kPatienceMs) && m_document.is_dragging() &&
+         QTest::qWaitFor([&] { return view.shows_latest(); }, kPatienceMs);
 }
 
 QImage User::look(const QString& name) {
@@ -197,7 +202,7 @@ void User::with_dialog(std::function<void()> open, std::function<void(QWidget&)>
   timer.start();
   open();
   // Non-modal dialogs are still open.
-  QVERIFY(QTest::qWaitFor([&] { return !timer.isActive(); }, kDialogMs));
+  QVERIFY(QTest::qWaitFor([&] { return !timer.isActive(); }, kPatienceMs));
 }
 
 void User::drop(const QStringList& files, std::function<void(QWidget&)> then) {

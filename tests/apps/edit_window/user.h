@@ -9,6 +9,9 @@
 
 namespace trivet::edit::test {
 
+/// Longest wait for anything that has to happen: on a busy machine a window answers late.
+inline constexpr int kPatienceMs = 120'000;
+
 class User {
  public:
   /// @param pictures  folder for screenshots.
@@ -35,7 +38,10 @@ class User {
   void show_tab(const QString& title);  // of the control window
 
   /// Waits until the document is idle and all views show it. @return false on timeout.
-  bool wait(int timeout_ms = 120000);
+  bool wait();
+  /// Waits until the drag has followed the last move and the view shows it, as a draft at least.
+  /// @return false on timeout, and if there is no drag.
+  bool wait_for_drag(const SceneView& view);
   /// Saves and returns a screenshot.
   QImage look(const QString& name);
 

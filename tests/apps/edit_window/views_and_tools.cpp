@@ -34,7 +34,6 @@ QToolButton* section_button(MainWindow& window, Window kind) {
 void press_and_move(User& user, SceneView& view, const QPoint& from, const QPoint& to) {
   user.press(view, from, Qt::LeftButton);
   for (int i = 1; i <= 10; ++i) user.move_to(view, from + (to - from) * i / 10);
-  QTest::qWait(300);
 }
 
 Vec3 eye(MainWindow& window, Window kind) { return window.view(kind).camera().camera().eye; }
@@ -64,7 +63,8 @@ void look_under_a_shelf(Document& document, MainWindow& window, User& user, cons
   const QPoint to =
       user.pixel(Window::Constraint, user.object("book").centre_of_mass() + Vec3(0.2, 0, 0));
   press_and_move(user, constraint, from, to);
-  QVERIFY(document.is_dragging());
+  QVERIFY(user.wait_for_drag(constraint));
+  QVERIFY(document.snapshot()->drag);
   QVERIFY(!document.snapshot()->drag->volume.empty());
   QVERIFY(!document.snapshot()->drag->contacts.empty());
   user.look("volume_and_hull_of_a_drag");
@@ -165,6 +165,7 @@ void snap_and_paint(Document& document, MainWindow& window, User& user, const QS
   const Vec3 goal(-0.5, -0.3, 0.02);
   press_and_move(user, view, user.pixel(Window::Perspective, corner) + QPoint(2, 2),
                  user.pixel(Window::Perspective, goal) + QPoint(3, -2));
+  QVERIFY(user.wait_for_drag(view));
   QCOMPARE(QString::fromStdString(window.toolbox().overlay(view.view()).note),
            QString("corner of \"tray\""));
   user.look("snaps_to_a_corner");
@@ -241,6 +242,7 @@ void push_along_a_wall(Document& document, MainWindow& window, User& user, const
   const Vec3 grabbed = user.object("picture").centre_of_mass() + Vec3(0, -0.01, 0.1);
   const QPoint to = user.pixel(Window::Constraint, grabbed + Vec3(0.25, 0, 0.3));
   press_and_move(user, constraint, user.pixel(Window::Constraint, grabbed), to);
+  QVERIFY(user.wait_for_drag(constraint));
   user.look("push_along_a_wall");
   user.release(constraint, to, Qt::LeftButton);
   QVERIFY(user.wait());

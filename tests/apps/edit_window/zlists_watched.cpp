@@ -23,8 +23,8 @@ bool shows(Document& document, SceneView& view) {
   const auto has_view = [&] {
     return document.zlists() && !document.zlists()->lists.depths.frame.empty();
   };
-  return QTest::qWaitFor(has_view, 10000) &&
-         QTest::qWaitFor([&] { return view.shows_latest(); }, 30000);
+  return QTest::qWaitFor(has_view, kPatienceMs) &&
+         QTest::qWaitFor([&] { return view.shows_latest(); }, kPatienceMs);
 }
 
 void look_at_a_drag(Document& document, MainWindow& window, User& user) {
@@ -35,8 +35,7 @@ void look_at_a_drag(Document& document, MainWindow& window, User& user) {
   const QPoint from = user.pixel_on("teapot", WindowKind::Perspective);
   user.press(view, from, Qt::LeftButton);
   for (int i = 1; i <= 12; ++i) user.move_to(view, from + QPoint(-4 * i, 0));
-  QTest::qWait(300);
-  QVERIFY(document.is_dragging());
+  QVERIFY(user.wait_for_drag(view));
   QVERIFY(shows(document, view));
   QVERIFY(!document.zlists()->touched.empty());
   for (const bool dark : {true, false}) {
@@ -58,7 +57,7 @@ void look_at_a_fall(Document& document, MainWindow& window, User& user) {
   SceneView& view = window.view(WindowKind::ThreeView);
   user.move_to(view,
                user.pixel(WindowKind::ThreeView, user.object("plate_front").centre_of_mass()));
-  QVERIFY(QTest::qWaitFor([&] { return document.ghost().has_value(); }, 10000));
+  QVERIFY(QTest::qWaitFor([&] { return document.ghost().has_value(); }, kPatienceMs));
   QVERIFY(shows(document, view));
   QVERIFY(document.zlists()->motion.axis == Vec3(0, 0, -1));
   user.look("zlists_fall");
@@ -66,21 +65,23 @@ void look_at_a_fall(Document& document, MainWindow& window, User& user) {
 }
 
 void look_at_preferences(Document& document, MainWindow& window, User& user) {
-  user.with_dialog([&] { window.action("preferences")->trigger(); },
-                   [&](QWidget& dialog) {
-                     auto* const box = dialog.findChild<QComboBox*>("backend");
-                     QVERIFY(box);
-                     box->setFocus();
-                     QTest::keyClick(box, Qt::Key_End);
-                     QTest::keyClick(box, Qt::Key_Up);  // z-lists in software
-                     QVERIFY(QTest::qWaitFor(
-                         [&] { return document.detection().moves.name == "software"; }, 10000));
-                     user.look("preferences");
-                     for (int i = 0; i < 2; ++i) QTest::keyClick(box, Qt::Key_Up);  // automatic
-                     QVERIFY(box->currentIndex() == 0);
-                     QTest::keyClick(&dialog, Qt::Key_Escape);
-                   });
-  QVERIFY(QTest::qWaitFor([&] { return document.detection().moves.name != "software"; }, 10000));
+  user.with_dialog(
+      [&] { window.action("preferences")->trigger(); },
+      [&](QWidget& dialog) {
+        auto* const box = dialog.findChild<QComboBox*>("backend");
+        QVERIFY(box);
+        box->setFocus();
+        QTest::keyClick(box, Qt::Key_End);
+        QTest::keyClick(box, Qt::Key_Up);  // z-lists in software
+        QVERIFY(QTest::qWaitFor([&] { return document.detection().moves.name == "software"; },
+                                kPatienceMs));
+        user.look("preferences");
+        for (int i = 0; i < 2; ++i) QTest::keyClick(box, Qt::Key_Up);  // automatic
+        QVERIFY(box->currentIndex() == 0);
+        QTest::keyClick(&dialog, Qt::Key_Escape);
+      });
+  QVERIFY(
+      QTest::qWaitFor([&] { return document.detection().moves.name != "software"; }, kPatienceMs));
 }
 
 }  // namespace
