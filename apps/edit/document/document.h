@@ -107,6 +107,7 @@ class Document : public QObject {
   /// True while a job is waiting or running. Drags do not count.
   bool is_busy() const { return m_num_jobs > 0; }
   const std::string& busy_with() const { return m_busy_with; }  // "open \"x.glb\""
+  const ImportLimits& import_limits() const { return m_options.limits; }
   /// Latency of the last drag: milliseconds from drag_to() or drag_by() to snapshot_changed().
   const std::vector<double>& drag_milliseconds() const { return m_drag_milliseconds; }
 

@@ -46,9 +46,9 @@ QMimeData* AssetList::mimeData(const QList<QListWidgetItem*>& items) const {
   return mime;
 }
 
-AssetBrowser::AssetBrowser(const QString& cache, QWidget* parent)
+AssetBrowser::AssetBrowser(const QString& cache, const ImportLimits& limits, QWidget* parent)
     : QWidget(parent),
-      m_thumbnails(cache),
+      m_thumbnails(cache, limits),
       m_folders(new QComboBox),
       m_unit(new QComboBox),
       m_search(new QLineEdit),
@@ -63,6 +63,7 @@ AssetBrowser::AssetBrowser(const QString& cache, QWidget* parent)
           qOverload<>(&QTimer::start));
   connect(&m_thumbnails, &AssetThumbnails::listed, this, &AssetBrowser::fill);
   connect(&m_thumbnails, &AssetThumbnails::made, this, &AssetBrowser::show_made);
+  connect(&m_thumbnails, &AssetThumbnails::dropped, this, &AssetBrowser::show_file);
   connect(m_add, &QToolButton::clicked, this, &AssetBrowser::ask_folder);
   connect(m_forget, &QToolButton::clicked, this, &AssetBrowser::forget_folder);
   connect(m_search, &QLineEdit::textChanged, this, &AssetBrowser::filter);
@@ -166,7 +167,7 @@ void AssetBrowser::show_folder() {
   m_listed = true;
   m_list->clear();
   m_items.clear();
-  m_thumbnails.want({});
+  want_seen();
   const bool has_one = !folder().isEmpty();
   m_forget->setEnabled(has_one), m_unit->setEnabled(has_one), m_search->setEnabled(has_one);
   if (!has_one) return;
@@ -198,37 +199,41 @@ void AssetBrowser::fill(const QString& folder, const QStringList& files) {
 void AssetBrowser::show_item(QListWidgetItem& item) {
   const QString file = item.data(kModelRole).toString();
   const AssetInfo* const info = m_thumbnails.find(file);
-  QString tip = file;
-  if (!info) {
-    item.setIcon(make_icon(Icon::Import, m_theme.faint_text()));
-  } else if (!info->error.isEmpty()) {
+  const bool is_bad = info && !info->error.isEmpty();
+  if (is_bad)
     item.setIcon(make_icon(Icon::Invalid, m_theme.refused()));
-    item.setForeground(m_theme.refused());
-    tip = info->error;
-  } else {
+  else if (info && !info->picture.isNull())
     item.setIcon(QPixmap::fromImage(info->picture));
-    tip += "\n" + size_text(*info);
-  }
-  item.setToolTip(tip);
+  else
+    item.setIcon(make_icon(Icon::Import, m_theme.faint_text()));
+  item.setData(Qt::ForegroundRole, is_bad ? QVariant(m_theme.refused()) : QVariant());
+  item.setToolTip(is_bad ? info->error : info ? file + "\n" + size_text(*info) : file);
+}
+
+void AssetBrowser::show_file(const QString& file) {
+  if (QListWidgetItem* const item = m_items.value(file)) show_item(*item);
 }
 
 void AssetBrowser::show_made(const QString& file) {
-  if (QListWidgetItem* const item = m_items.value(file)) show_item(*item);
-  const AssetInfo* const info = m_thumbnails.find(file);
+  show_file(file);
+  const AssetInfo* const known = m_thumbnails.find(file);
   const auto waiting = m_waiting.extract(file);
-  if (waiting.empty() || !info) return;
-  for (const auto& then : waiting.mapped()) with_asset(file, then);
+  if (waiting.empty() || !known) return;
+  const AssetInfo info = *known;
+  if (!info.error.isEmpty()) return Q_EMIT refused(info.error);
+  for (const Waiting& one : waiting.mapped())
+    one.then({file, one.chosen > 0 ? one.chosen : info.metres});
 }
 
+// A bad one is read again: there may have been no time for it, or it may have been mended.
 void AssetBrowser::with_asset(const QString& file, std::function<void(const Asset&)> then) {
-  const AssetInfo* const info = m_thumbnails.find(file);
-  if (!info) {
-    m_waiting[file].push_back(std::move(then));
-    return want_seen();
-  }
-  if (!info->error.isEmpty()) return Q_EMIT refused(info->error);
   const double chosen = m_unit->currentData().toDouble();
-  then({file, chosen > 0 ? chosen : info->metres});
+  const AssetInfo* const info = m_thumbnails.find(file);
+  if (info && info->error.isEmpty() && m_thumbnails.is_current(file))
+    return then({file, chosen > 0 ? chosen : info->metres});
+  m_thumbnails.forget(file);
+  m_waiting[file].push_back({chosen, std::move(then)});
+  want_seen();
 }
 
 void AssetBrowser::filter() {
@@ -247,7 +252,7 @@ void AssetBrowser::want_seen() {
     const bool is_seen = !item->isHidden() && m_list->visualItemRect(item).intersects(window);
     (is_seen ? seen : rest) << item->data(kModelRole).toString();
   }
-  m_thumbnails.want(first + seen + rest);
+  m_thumbnails.want(first + seen, rest);
 }
 
 }  // namespace trivet::edit

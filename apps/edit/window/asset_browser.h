@@ -36,8 +36,8 @@ class AssetBrowser : public QWidget {
   Q_OBJECT
 
  public:
-  /// @param cache  see AssetThumbnails.
-  explicit AssetBrowser(const QString& cache, QWidget* parent = nullptr);
+  /// @param cache, limits  see AssetThumbnails.
+  AssetBrowser(const QString& cache, const ImportLimits& limits, QWidget* parent = nullptr);
 
   void set_theme(const Theme& theme);
   /// Shows this folder, and remembers it.
@@ -46,7 +46,8 @@ class AssetBrowser : public QWidget {
   AssetList& list() { return *m_list; }
   QLineEdit& search() { return *m_search; }
   const AssetThumbnails& thumbnails() const { return m_thumbnails; }
-  /// Calls then() once it is known how large the model is; not for a bad one.
+  /// Calls then() once it is known how large the model is, in the unit that is chosen now; not for
+  /// a bad one.
   void with_asset(const QString& file, std::function<void(const Asset&)> then);
 
  Q_SIGNALS:
@@ -64,6 +65,7 @@ class AssetBrowser : public QWidget {
   void show_folder();
   void fill(const QString& folder, const QStringList& files);
   void show_made(const QString& file);
+  void show_file(const QString& file);
   void show_item(QListWidgetItem& item);
   void filter();
   void want_seen();
@@ -77,7 +79,11 @@ class AssetBrowser : public QWidget {
   AssetList* m_list;
   QHash<QString, QListWidgetItem*> m_items;  // by file
   QTimer m_scrolled;
-  std::map<QString, std::vector<std::function<void(const Asset&)>>> m_waiting;  // by file
+  struct Waiting {
+    double chosen;  // metres per unit; 0: as likely
+    std::function<void(const Asset&)> then;
+  };
+  std::map<QString, std::vector<Waiting>> m_waiting;  // by file
   bool m_listed = false;
 };
 

@@ -8,7 +8,11 @@
 #include <QDirIterator>
 #include <QFileInfo>
 #include <QSaveFile>
+#include <algorithm>
+#include <functional>
+#include <utility>
 
+#include "apps/edit/window/units.h"
 #include "core/io/sandboxed_import.h"
 #include "core/picture/image.h"
 #include "ops/files/report/model_info.h"
@@ -18,14 +22,14 @@ namespace trivet::edit {
 namespace {
 
 constexpr int kPixels = 160, kSamples = 8;
-constexpr int kMostFiles = 5000;  // of a folder
-constexpr int kMostKept = 5000;   // in the cache: about 100 MB
+constexpr int kMostFiles = 5000;        // of a folder
+constexpr int kMostLookedAt = 200'000;  // files and folders, for these
+constexpr int kMostKept = 5000;         // in the cache: about 100 MB
+constexpr qsizetype kMostHeld = 300;    // pictures in memory: 30 MB, unless more are in sight
 constexpr double kMostSeconds = 10;
 constexpr std::int64_t kMostTriangles = 5'000'000;
 constexpr int kLeastUrgent = 19;  // of nice(): the window's threads come first
-constexpr int kVersion = 1;       // of what is kept
-
-double metres_of(const std::string& unit) { return unit == "m" ? 1 : unit == "cm" ? 0.01 : 0.001; }
+constexpr int kVersion = 2;       // of what is kept
 
 QImage picture_of(const Model& model, double metres, const std::atomic<bool>& stop) {
   const PictureMesh mesh = picture_mesh(model);
@@ -50,16 +54,30 @@ void prune(const QString& cache) {
   for (qsizetype i = kMostKept; i < kept.size(); ++i) QFile::remove(kept[i].filePath());
 }
 
-QStringList models_in(const QString& folder, const std::atomic<bool>& stop) {
+bool is_model(const QFileInfo& file) {
+  return file.isFile() && AssetThumbnails::patterns().contains("*." + file.suffix().toLower());
+}
+
+// One by one, so that it can be stopped where there are no models, too.
+QStringList models_in(const QString& folder, const std::function<bool()>& is_stopped) {
   QStringList out;
-  QDirIterator it(folder, AssetThumbnails::patterns(), QDir::Files | QDir::Readable,
+  QDirIterator it(folder, QDir::Files | QDir::Dirs | QDir::NoDotAndDotDot | QDir::Readable,
                   QDirIterator::Subdirectories);
-  while (it.hasNext() && out.size() < kMostFiles && !stop) out << it.next();
+  for (int i = 0; i < kMostLookedAt && it.hasNext() && out.size() < kMostFiles; ++i) {
+    if (is_stopped()) break;
+    it.next();
+    if (is_model(it.fileInfo())) out << it.filePath();
+  }
   out.sort(Qt::CaseInsensitive);
   return out;
 }
 
 }  // namespace
+
+FileStamp FileStamp::of(const QString& file) {
+  const QFileInfo now(file);
+  return {now.size(), now.lastModified().toMSecsSinceEpoch()};
+}
 
 const QStringList& AssetThumbnails::patterns() {
   static const QStringList all = {"*.obj", "*.glb",  "*.gltf", "*.ply",   "*.stl", "*.fbx",
@@ -71,13 +89,16 @@ const QStringList& AssetThumbnails::patterns() {
 AssetThumbnails::AssetThumbnails(QString cache, ImportLimits limits, QObject* parent)
     : QObject(parent), m_cache(std::move(cache)), m_limits(std::move(limits)) {
   if (m_limits.importer.empty()) m_limits.importer = find_importer();
-  m_limits.max_seconds = kMostSeconds;
-  m_limits.max_triangles = kMostTriangles;
+  if (!(m_limits.max_seconds > 0)) m_limits.max_seconds = kMostSeconds;
+  m_limits.max_triangles = std::min(m_limits.max_triangles, kMostTriangles);
   m_thread = std::thread([this] { run(); });
 }
 
 AssetThumbnails::~AssetThumbnails() {
-  m_stop = true;
+  {
+    const std::lock_guard lock(m_mutex);
+    m_stop = true;
+  }
   m_wake.notify_all();
   m_thread.join();
 }
@@ -85,19 +106,54 @@ AssetThumbnails::~AssetThumbnails() {
 void AssetThumbnails::list(const QString& folder) {
   {
     const std::lock_guard lock(m_mutex);
-    m_folders.push_back(folder);
+    m_folder = folder;
+    m_lists_another = true;
   }
   m_wake.notify_all();
 }
 
-void AssetThumbnails::want(QStringList files) {
-  files.removeIf([this](const QString& file) { return m_known.contains(file); });
+void AssetThumbnails::want(const QStringList& seen, const QStringList& rest) {
+  hold(seen);
+  std::deque<QString> wanted;
+  for (const QString& file : seen) {
+    const AssetInfo* const info = find(file);
+    if (!info || (info->picture.isNull() && info->error.isEmpty())) wanted.push_back(file);
+  }
+  for (const QString& file : rest)
+    if (!find(file)) wanted.push_back(file);
   {
     const std::lock_guard lock(m_mutex);
-    m_wanted.assign(files.begin(), files.end());
+    m_wanted = std::move(wanted);
   }
   m_wake.notify_all();
 }
+
+// Of folders with thousands of models not all pictures are in memory.
+void AssetThumbnails::hold(const QStringList& seen) {
+  m_in_sight = QSet<QString>(seen.begin(), seen.end());
+  m_held.removeIf([this](const QString& file) { return m_in_sight.contains(file); });
+  m_held += seen;
+  while (m_held.size() > std::max(kMostHeld, seen.size())) {
+    const QString file = m_held.takeFirst();
+    const auto known = m_known.find(file);
+    if (known == m_known.end() || known->picture.isNull()) continue;
+    known->picture = QImage();
+    Q_EMIT dropped(file);
+  }
+}
+
+void AssetThumbnails::take(const QString& file, AssetInfo info) {
+  if (!m_in_sight.contains(file)) info.picture = QImage();
+  m_known[file] = std::move(info);
+  Q_EMIT made(file);
+}
+
+bool AssetThumbnails::is_current(const QString& file) const {
+  const AssetInfo* const info = find(file);
+  return info && info->stamp == FileStamp::of(file);
+}
+
+void AssetThumbnails::forget(const QString& file) { m_known.remove(file); }
 
 const AssetInfo* AssetThumbnails::find(const QString& file) const {
   const auto found = m_known.constFind(file);
@@ -111,55 +167,55 @@ void AssetThumbnails::run() {
     QString folder, file;
     {
       std::unique_lock lock(m_mutex);
-      m_wake.wait(lock, [&] { return m_stop || !m_folders.empty() || !m_wanted.empty(); });
+      m_wake.wait(lock, [&] { return m_stop || m_folder || !m_wanted.empty(); });
       if (m_stop) return;
-      std::deque<QString>& queue = m_folders.empty() ? m_wanted : m_folders;
-      (m_folders.empty() ? file : folder) = queue.front();
-      queue.pop_front();
+      m_lists_another = false;
+      if (m_folder) {
+        folder = *std::exchange(m_folder, std::nullopt);
+      } else {
+        file = m_wanted.front();
+        m_wanted.pop_front();
+      }
     }
     if (!folder.isEmpty()) {
-      Q_EMIT listed(folder, models_in(folder, m_stop));
+      const QStringList models = models_in(folder, [this] { return m_stop || m_lists_another; });
+      if (!m_lists_another) Q_EMIT listed(folder, models);
       continue;
     }
     const AssetInfo info = info_of(file);
     if (m_stop) return;
     QMetaObject::invokeMethod(
-        this,
-        [this, file, info] {
-          m_known[file] = info;
-          Q_EMIT made(file);
-        },
-        Qt::QueuedConnection);
+        this, [this, file, info] { take(file, info); }, Qt::QueuedConnection);
   }
 }
 
-// Another content has another time, and so another picture.
-QString AssetThumbnails::cached_file(const QString& file) const {
-  const QFileInfo now(file);
+// Another content has another picture.
+QString AssetThumbnails::cached_file(const QString& file, const FileStamp& stamp) const {
   const QString key = QString("%1\n%2\n%3\n%4")
                           .arg(kVersion)
-                          .arg(now.canonicalFilePath())
-                          .arg(now.size())
-                          .arg(now.lastModified().toMSecsSinceEpoch());
+                          .arg(QFileInfo(file).canonicalFilePath())
+                          .arg(stamp.bytes)
+                          .arg(stamp.modified_ms);
   const QByteArray hash = QCryptographicHash::hash(key.toUtf8(), QCryptographicHash::Sha1);
   return QDir(m_cache).filePath(QString::fromLatin1(hash.toHex()) + ".png");
 }
 
 AssetInfo AssetThumbnails::info_of(const QString& file) const {
-  if (m_cache.isEmpty()) return made_of(file);
+  const FileStamp stamp = FileStamp::of(file);
   AssetInfo info;
-  if (info.picture.load(cached_file(file)) && !info.picture.text("metres").isEmpty()) {
+  if (!m_cache.isEmpty() && info.picture.load(cached_file(file, stamp)) &&
+      !info.picture.text("metres").isEmpty()) {
     const QImage& kept = info.picture;
     const QStringList size = kept.text("size").split(' ');
     for (int i = 0; i < 3 && size.size() == 3; ++i) info.size[i] = size[i].toDouble();
     info.metres = kept.text("metres").toDouble();
     info.unit = kept.text("unit");
-    info.error = kept.text("error");
-    if (!info.error.isEmpty()) info.picture = QImage();
-    return info;
+  } else {
+    info = made_of(file);
+    // Errors are not kept: the next time there may be time and memory for it, or an importer.
+    if (!m_cache.isEmpty() && !m_stop && info.error.isEmpty()) keep(cached_file(file, stamp), info);
   }
-  info = made_of(file);
-  if (!m_stop) keep(file, info);
+  info.stamp = stamp;
   return info;
 }
 
@@ -170,7 +226,7 @@ AssetInfo AssetThumbnails::made_of(const QString& file) const {
     const Aabb box = model.mesh.box();
     info.size = box.upper - box.lower;
     if (!model.metres_per_unit) info.unit = likely_unit(box);
-    info.metres = model.metres_per_unit.value_or(metres_of(info.unit.toStdString()));
+    info.metres = model.metres_per_unit.value_or(metres_of(info.unit));
     info.picture = picture_of(model, info.metres, m_stop);
   } catch (const std::exception& error) {
     info.error = QString::fromUtf8(error.what());
@@ -179,18 +235,16 @@ AssetInfo AssetThumbnails::made_of(const QString& file) const {
 }
 
 // A cache that cannot be written is no error: the picture is made again next time.
-void AssetThumbnails::keep(const QString& file, const AssetInfo& info) const {
+void AssetThumbnails::keep(const QString& cached, const AssetInfo& info) const {
   QImage kept = info.picture;
-  if (kept.isNull()) kept = QImage(1, 1, QImage::Format_RGBA8888);
   kept.setText("metres", QString::number(info.metres, 'g', 17));
   kept.setText("size", QString("%1 %2 %3")
                            .arg(info.size.x(), 0, 'g', 9)
                            .arg(info.size.y(), 0, 'g', 9)
                            .arg(info.size.z(), 0, 'g', 9));
   kept.setText("unit", info.unit);
-  kept.setText("error", info.error);
   QDir().mkpath(m_cache);
-  QSaveFile out(cached_file(file));
+  QSaveFile out(cached);
   if (out.open(QIODevice::WriteOnly) && kept.save(&out, "PNG")) out.commit();
 }
 

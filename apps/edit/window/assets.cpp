@@ -9,7 +9,8 @@ namespace trivet::edit {
 
 void MainWindow::make_asset_dock() {
   const QString cache = QStandardPaths::writableLocation(QStandardPaths::CacheLocation);
-  m_assets = new AssetBrowser(cache.isEmpty() ? cache : cache + "/models");
+  m_assets =
+      new AssetBrowser(cache.isEmpty() ? cache : cache + "/models", m_document.import_limits());
   m_asset_dock = new QDockWidget(tr("Models"), this);
   m_asset_dock->setObjectName("asset_dock");
   m_asset_dock->setWidget(m_assets);

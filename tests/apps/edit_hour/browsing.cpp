@@ -14,11 +14,10 @@
 
 #include "apps/edit_document/boxes.h"
 #include "apps/edit_hour/dragging.h"
+#include "support/effort.h"
 
 namespace trivet::edit::test {
 namespace {
-
-constexpr int kTimeoutMs = 60000;
 
 void write_text(const QString& file, const QByteArray& text) {
   QFile out(file);
@@ -57,7 +56,7 @@ void browse_models(Document& document, MainWindow& window, User& user, const QSt
   QVERIFY(user.wait());
   user.press_key(Qt::Key_M);
   AssetBrowser& assets = window.assets();
-  QVERIFY(QTest::qWaitFor([&] { return assets.isVisible(); }, 3000));
+  QVERIFY(QTest::qWaitFor([&] { return assets.isVisible(); }, kPatienceMs));
   assets.add_folder(folder);
   // The window answers while models are read.
   QElapsedTimer timer;
@@ -68,8 +67,10 @@ void browse_models(Document& document, MainWindow& window, User& user, const QSt
         timer.start();
         return all_made(assets, 4);
       },
-      kTimeoutMs));
-  QVERIFY2(longest < 1000, qPrintable(QString("%1 ms").arg(longest)));
+      kPatienceMs));
+  // A second where nothing else runs: needs TRIVET_TEST_EFFORT=2.
+  std::printf("assets: the window answered within %lld ms\n", longest);
+  QVERIFY(longest < (trivet::test::with_effort(100) < 200 ? 20000 : 1000));
   user.look("assets");
   QVERIFY(!item_of(assets, "notes"));
   QVERIFY(item_of(assets, "bad")->toolTip().contains("bad."));
@@ -81,7 +82,7 @@ void browse_models(Document& document, MainWindow& window, User& user, const QSt
   auto* const unit = assets.findChild<QComboBox*>("asset unit");
   unit->setCurrentIndex(unit->findData(0.001));
   double_click_asset(window, "brick");
-  QTRY_VERIFY_WITH_TIMEOUT(document.snapshot()->find("brick"), kTimeoutMs);
+  QTRY_VERIFY_WITH_TIMEOUT(document.snapshot()->find("brick"), kPatienceMs);
   QVERIFY(user.wait());
   QCOMPARE(user.object("brick").scale, 0.001);
   QVERIFY(window.toolbox().in_hand() == "brick");
@@ -90,11 +91,18 @@ void browse_models(Document& document, MainWindow& window, User& user, const QSt
   QVERIFY(user.object("brick").state == ObjectState::Stable);
   // One that is dragged lies where it is dropped.
   drag_asset(window, user, "brick", WindowKind::ThreeView, Vec3(0.13, 0, 0));
-  QTRY_VERIFY_WITH_TIMEOUT(document.snapshot()->find("brick_2"), kTimeoutMs);
-  QVERIFY(QTest::qWaitFor([&] { return user.object("brick_2").placed; }, kTimeoutMs));
+  QTRY_VERIFY_WITH_TIMEOUT(document.snapshot()->find("brick_2"), kPatienceMs);
+  QVERIFY(QTest::qWaitFor([&] { return user.object("brick_2").placed; }, kPatienceMs));
   QVERIFY(std::abs(user.object("brick_2").pose.translation.x() - 0.13) < 0.02);
+  // A file that has changed is measured again.
+  unit->setCurrentIndex(0);
+  write_boxes((folder + "/brick.obj").toStdString(), {{{-0.05, -0.05, 0}, {0.05, 0.05, 0.21}}});
+  double_click_asset(window, "brick");
+  QTRY_VERIFY_WITH_TIMEOUT(document.snapshot()->find("brick_3"), kPatienceMs);
+  QCOMPARE(user.object("brick_3").scale, 1.0);
+  QVERIFY(user.wait());
   double_click_asset(window, "bad");
-  QVERIFY(window.message_bar().isVisible());
+  QTRY_VERIFY_WITH_TIMEOUT(window.message_bar().isVisible(), kPatienceMs);
   QVERIFY(user.wait());
   user.look("assets_used");
   user.press_key(Qt::Key_M);
@@ -108,20 +116,22 @@ void keep_thumbnails(const QString& folder) {
   const auto box = [&](double height) {
     write_boxes(file.toStdString(), {{{-1, -1, 0}, {1, 1, height}}});
   };
-  double height = 0;
-  QImage picture;
-  const auto read = [&] {
-    AssetThumbnails thumbnails(cache);
-    thumbnails.want({file});
-    QVERIFY2(QTest::qWaitFor([&] { return thumbnails.find(file) != nullptr; }, kTimeoutMs), "made");
-    height = thumbnails.find(file)->size.z();
-    picture = thumbnails.find(file)->picture;
+  ImportLimits limits;
+  limits.max_seconds = kPatienceMs / 1000;  // by the clock
+  AssetInfo info;
+  const auto read = [&](const QStringList& seen, const QStringList& rest) {
+    AssetThumbnails thumbnails(cache, limits);
+    thumbnails.want(seen, rest);
+    QVERIFY2(QTest::qWaitFor([&] { return thumbnails.find(file) != nullptr; }, kPatienceMs),
+             "made");
+    QVERIFY(thumbnails.is_current(file));
+    info = *thumbnails.find(file);
   };
   box(2);
-  read();
-  QCOMPARE(height, 2.0);
-  QVERIFY(!picture.isNull());
-  const QImage first = picture;
+  read({file}, {});
+  QCOMPARE(info.size.z(), 2.0);
+  QVERIFY(!info.picture.isNull());
+  const QImage first = info.picture;
   // Other content of the same size and time is not noticed: the kept one is shown.
   const QDateTime time = QFileInfo(file).lastModified();
   const auto set_time = [&](const QDateTime& when) {
@@ -131,21 +141,30 @@ void keep_thumbnails(const QString& folder) {
   };
   box(3);
   set_time(time);
-  read();
-  QCOMPARE(height, 2.0);
+  read({file}, {});
+  QCOMPARE(info.size.z(), 2.0);
   set_time(time.addSecs(2));
-  read();
-  QCOMPARE(height, 3.0);
-  QVERIFY(picture != first);
-  // What is bad is known to be so the next time, too.
+  read({file}, {});
+  QCOMPARE(info.size.z(), 3.0);
+  QVERIFY(info.picture != first);
+  // Of what is not in sight there is the size, the picture is in the cache alone.
+  read({}, {file});
+  QCOMPARE(info.size.z(), 3.0);
+  QVERIFY(info.picture.isNull());
+  // An error of this machine is not kept.
+  box(4);
+  limits.importer = folder.toStdString() + "/none";
+  read({file}, {});
+  QVERIFY(info.picture.isNull());
+  QVERIFY2(info.error.contains("none"), qPrintable(info.error));
+  limits.importer.clear();
+  read({file}, {});
+  QCOMPARE(info.size.z(), 4.0);
+  QVERIFY2(!info.picture.isNull() && info.error.isEmpty(), qPrintable(info.error));
   write_text(file, "v 0 0\nf 1 2 3\n");
-  for (int i = 0; i < 2; ++i) {
-    AssetThumbnails thumbnails(cache);
-    thumbnails.want({file});
-    QVERIFY(QTest::qWaitFor([&] { return thumbnails.find(file) != nullptr; }, kTimeoutMs));
-    QVERIFY(thumbnails.find(file)->picture.isNull());
-    QVERIFY(thumbnails.find(file)->error.contains("brick.obj"));
-  }
+  read({file}, {});
+  QVERIFY(info.picture.isNull());
+  QVERIFY2(info.error.contains("brick.obj"), qPrintable(info.error));
 }
 
 void collect_objects(Document& document, MainWindow& window, User& user, const QString& folder) {
@@ -170,7 +189,7 @@ void collect_objects(Document& document, MainWindow& window, User& user, const Q
   field->selectAll();
   user.type(*field, "set");
   user.press_key_in(*field, Qt::Key_Return);
-  QTRY_VERIFY(collection("set"));
+  QTRY_VERIFY_WITH_TIMEOUT(collection("set"), kPatienceMs);
   // Dragged into it, and out of it.
   user.select("b");
   const auto drop = [&](const QString& onto) {
@@ -235,14 +254,14 @@ void drop_files(Document& document, MainWindow& window, User& user, const QStrin
   user.drop({box}, [&](QWidget& dialog) {
     user.click_in(*dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok), {5, 5});
   });
-  QTRY_VERIFY_WITH_TIMEOUT(document.snapshot()->find("box"), kTimeoutMs);
+  QTRY_VERIFY_WITH_TIMEOUT(document.snapshot()->find("box"), kPatienceMs);
   document.save_as(scene.toStdString());
   document.new_scene();
   QVERIFY(user.wait());
   auto* const data = new QMimeData;
   data->setUrls({QUrl::fromLocalFile(scene)});
   send_drop(window, data, window.rect().center());
-  QTRY_VERIFY_WITH_TIMEOUT(document.snapshot()->find("box"), kTimeoutMs);
+  QTRY_VERIFY_WITH_TIMEOUT(document.snapshot()->find("box"), kPatienceMs);
   QVERIFY(user.wait());
   QVERIFY(!document.is_modified());
 }
