@@ -56,14 +56,16 @@ ArrangeWorker::~ArrangeWorker() {
 void ArrangeWorker::request(Request request) {
   {
     const std::lock_guard lock(m_mutex);
+    if (m_cancelled && request.number <= *m_cancelled) return;
     m_next = std::move(request);
     m_cancel = true;
   }
   m_wake.notify_all();
 }
 
-void ArrangeWorker::cancel() {
+void ArrangeWorker::cancel(std::uint64_t number) {
   const std::lock_guard lock(m_mutex);
+  m_cancelled = number;
   m_next.reset();
   m_cancel = true;
 }

@@ -32,8 +32,10 @@ class ArrangeWorker {
   explicit ArrangeWorker(Listener listener);
   ~ArrangeWorker();
 
+  /// Not of a number that was cancelled. Numbers grow.
   void request(Request request);
-  void cancel();  // the latest one
+  /// Those up to this number, also if they are yet to be requested.
+  void cancel(std::uint64_t number);
   bool is_idle() const;
 
  private:
@@ -45,6 +47,7 @@ class ArrangeWorker {
   mutable std::mutex m_mutex;  // guards the members below
   std::condition_variable m_wake;
   std::optional<Request> m_next;
+  std::optional<std::uint64_t> m_cancelled;
   bool m_works = false, m_stop = false;
   std::thread m_thread;
 };

@@ -35,6 +35,16 @@ void Collections::put(std::span<const ObjectId> objects, const std::string& name
     if (one.name == name) one.objects.insert(one.objects.end(), objects.begin(), objects.end());
 }
 
+void Collections::inherit(ObjectId from, ObjectId to) {
+  if (of(to)) return;
+  for (Collection& one : m_all)
+    if (const auto at = std::find(one.objects.begin(), one.objects.end(), from);
+        at != one.objects.end()) {
+      one.objects.insert(at + 1, to);
+      return;
+    }
+}
+
 bool Collections::rename(const std::string& name, const std::string& to) {
   if (to.empty() || find(to)) return false;
   for (Collection& one : m_all)

@@ -30,6 +30,8 @@ class Collections {
   /// all others.
   void put(std::span<const ObjectId> objects, const std::string& name);
   void take_out(std::span<const ObjectId> objects);
+  /// Puts `to` beside `from` into its collection, unless it is in one.
+  void inherit(ObjectId from, ObjectId to);
   /// @return false, and nothing changes: there is no such collection, or `to` is empty or taken.
   bool rename(const std::string& name, const std::string& to);
   void show(const std::string& name, bool hidden, bool not_selectable);

@@ -4,6 +4,7 @@
 #include <QEventLoop>
 #include <QTimer>
 #include <algorithm>
+#include <utility>
 
 #include "apps/edit/document/engine.h"
 #include "apps/edit/document/recovery.h"
@@ -41,8 +42,9 @@ void Document::end(Job job, bool ok) {
   Q_EMIT busy_changed();
 }
 
-// Another scene follows.
-void Document::forget_scene() {
+void Document::forget_scene(std::uint64_t next) {
+  m_scene = next;
+  m_is_replaced = true;
   m_history = {};
   m_selections.clear();
   set_selection({});
@@ -54,9 +56,10 @@ void Document::forget_scene() {
 void Document::show(State state) {
   const size_t before = m_history.num_done, now = state.history.num_done;
   if (now > before) m_selections[before] = m_selection;
-  m_snapshot = std::move(state.snapshot);
+  const auto last = std::exchange(m_snapshot, std::move(state.snapshot));
   clear_ghost();
-  if (m_layout && m_layout->committed != m_snapshot->committed) clear_layout();
+  const bool is_outdated = m_layout && m_layout->committed != m_snapshot->committed;
+  if (is_outdated || m_seeking) clear_layout();
   m_history = std::move(state.history);
   const bool renamed = m_file != state.file || m_title != state.title;
   m_file = std::move(state.file);
@@ -65,10 +68,26 @@ void Document::show(State state) {
   Q_EMIT snapshot_changed();
   Q_EMIT history_changed();
   if (renamed) Q_EMIT file_changed();
-  const auto known = now < before ? m_selections.find(now) : m_selections.end();
+  restore_selection(before);
+  if (!std::exchange(m_is_replaced, false)) follow(changes_between(*last, *m_snapshot));
+}
+
+// What was selected when the objects that are selected now went, if they went by undo.
+void Document::restore_selection(size_t steps_before) {
+  const size_t now = m_history.num_done;
+  const auto known = now < steps_before ? m_selections.find(now) : m_selections.end();
   const bool restores =
       known != m_selections.end() && pruned(m_selection, *m_snapshot).objects.empty();
   set_selection(restores ? known->second : m_selection);
+}
+
+// Wishes go by names, looks by objects.
+void Document::follow(const ObjectChanges& changes) {
+  if (!changes.renamed.empty()) set_wishes(m_wishes.renamed(changes.renamed));
+  if (changes.remade.empty()) return;
+  Looks looks = m_looks;
+  for (const auto& [gone, made] : changes.remade) looks.inherit(gone, made);
+  set_looks(std::move(looks));
 }
 
 void Document::show_scene(std::shared_ptr<const SceneSnapshot> snapshot) {
@@ -207,9 +226,12 @@ void Document::set_looks(Looks looks) {
   Q_EMIT history_changed();
 }
 
+// As saved counts what this document would write of them: files may have names that mean nothing,
+// defaults, or another order.
 void Document::show_looks(const SceneLooks& looks) {
-  m_saved_looks = looks;
-  set_looks(Looks::of_file(looks, *m_snapshot));
+  Looks shown = Looks::of_file(looks, *m_snapshot);
+  m_saved_looks = shown.named(names_in(*m_snapshot));
+  set_looks(std::move(shown));
 }
 
 bool Document::is_modified() const {

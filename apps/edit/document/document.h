@@ -19,65 +19,23 @@
 #include <string>
 #include <vector>
 
+#include "apps/edit/document/document_options.h"
 #include "apps/edit/document/ghost.h"
 #include "apps/edit/document/layout_ghost.h"
 #include "apps/edit/document/looks.h"
 #include "apps/edit/document/many.h"
 #include "apps/edit/document/message.h"
+#include "apps/edit/document/object_changes.h"
 #include "apps/edit/document/scene_verdict.h"
 #include "apps/edit/document/selection.h"
 #include "apps/edit/document/snapshot.h"
-#include "apps/edit/document/thread_detector.h"
 #include "apps/edit/document/wishes.h"
 #include "apps/edit/document/zlist_view.h"
-#include "core/io/model.h"
-#include "ops/operations/perform.h"
 
 namespace trivet::edit {
 
 class Engine;
 struct DragGoal;
-
-struct DocumentOptions {
-  /// Folder of data that must survive a crash: journals, demos, locks. Empty: no recovery.
-  std::string recovery_folder;
-  std::string version;   // of the program; written to saved files
-  SettleOptions settle;  // of all operations, as far as the file states no rules
-  SettleRules rules;     // before those of the file
-  RunContext context;
-  BackendOptions detection;  // `note` is not used: see detection_noted()
-  int num_threads = 0;       // of loading; 0: all cores
-  ImportLimits limits;
-};
-
-/// Detectors that answer the queries of moves and of previews, for display.
-struct Detection {
-  Answering moves, previews;
-};
-
-/// All steps of the session; redoable ones last.
-struct History {
-  std::vector<std::string> steps;  // "put \"cup\""
-  size_t num_done = 0;
-};
-
-/// A session that ended abnormally.
-struct Recoverable {
-  std::string journal;
-  std::string file;  // open file; empty: a scene that was never saved
-  std::string when;  // of the last step, local time, "2026-11-21 17:54"
-  size_t num_steps = 0;
-};
-
-/// Options for importing a model.
-struct ImportModel {
-  std::string file;
-  std::string name;          // empty: of the file; made unique
-  double scale = 1;          // metres per unit of the file
-  std::optional<UpAxis> up;  // nullopt: as the format states
-  bool fixed = false;
-  std::optional<Pose> put;  // nullopt: not placed until it is put
-};
 
 class Document : public QObject {
   Q_OBJECT
@@ -192,8 +150,9 @@ class Document : public QObject {
 
   // --- arrangements ----------------------------------------------------------------------------
 
-  /// Kept with the scene when it is saved.
+  /// Kept with the scene when it is saved. They follow objects that get another name.
   const Wishes& wishes() const { return m_wishes; }
+  /// What they cannot be is refused, with a message.
   void set_wishes(Wishes wishes);
   /// Looks for an arrangement of all objects, or of those selected with the others as they stand,
   /// on a thread of its own; the latest request wins. layout_changed() answers.
@@ -203,7 +162,7 @@ class Document : public QObject {
   /// Null: none was asked for, or it is looked for.
   const std::shared_ptr<const LayoutGhost>& layout() const { return m_layout; }
   bool is_seeking_layout() const { return m_seeking; }
-  /// As one step. @return 0: there is none.
+  /// As one step, of the scene that it was found for. @return 0: there is none.
   Job accept_layout();
   /// A problem of `trivet arrange`: all objects that may move, and the wishes.
   Job save_problem(const std::string& file);
@@ -229,7 +188,7 @@ class Document : public QObject {
   bool wait_until_idle(int timeout_ms = 60000);
 
  Q_SIGNALS:
-  void scene_replaced();  // another one follows: a file, a new one
+  void scene_replaced();  // by a file or a new one, which snapshot_changed() shows next
   void snapshot_changed();
   void verdict_changed();
   void selection_changed();
@@ -264,7 +223,9 @@ class Document : public QObject {
   void steer(const DragGoal& goal);
   void end(Job job, bool ok);
   void show(State state);
-  void forget_scene();
+  void restore_selection(size_t steps_before);
+  void follow(const ObjectChanges& changes);
+  void forget_scene(std::uint64_t next);
   void show_scene(std::shared_ptr<const SceneSnapshot> snapshot);
   void show_drag(std::shared_ptr<const SceneSnapshot> snapshot, std::uint64_t drag, double ms);
   void show_verdict(std::shared_ptr<const SceneVerdict> verdict);
@@ -290,6 +251,8 @@ class Document : public QObject {
   History m_history;
   std::string m_file, m_title, m_busy_with;
   std::optional<Ghost> m_ghost;
+  std::uint64_t m_scene = 0;   // number of the scene, see Engine::adopt()
+  bool m_is_replaced = false;  // the next snapshot is of another scene
   Wishes m_wishes;
   std::shared_ptr<const LayoutGhost> m_layout;
   std::uint64_t m_layout_request = 0;

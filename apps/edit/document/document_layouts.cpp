@@ -1,18 +1,31 @@
 // Wishes and arrangements, on the side of the windows.
-#include <QFile>
 #include <nlohmann/json.hpp>
 
 #include "apps/edit/document/document.h"
 #include "apps/edit/document/engine.h"
 #include "core/base/error.h"
 #include "ops/files/arrange/arrange_section.h"
+#include "ops/files/json/input_text.h"
+#include "ops/files/json/json_text.h"
 
 namespace trivet::edit {
 namespace {
 
-// The selected objects that may move, or all that may, and what they carry.
-std::vector<std::string> things_of(const SceneSnapshot& scene,
-                                   const std::vector<ObjectId>& selected) {
+constexpr std::uintmax_t kMostProblemBytes = std::uintmax_t{1} << 28;
+
+// Moved along with an object: what lies on it, and its group, as far as it is placed.
+void append_companions(const SceneSnapshot& scene, const ObjectSnapshot& object,
+                       std::vector<ObjectId>& out) {
+  if (!object->placed) return;
+  for (const LoadSupport::Entry& entry : scene.support->entries)
+    if (entry.object == object.id) out.insert(out.end(), entry.loads.begin(), entry.loads.end());
+  if (object->group.empty()) return;
+  for (const ObjectSnapshot& other : scene.objects)
+    if (other->placed && other->group == object->group) out.push_back(other.id);
+}
+
+// The selected objects that may move, or all that may, and what moves along with them.
+std::set<std::string> things_of(const SceneSnapshot& scene, const std::vector<ObjectId>& selected) {
   std::set<std::string> out;
   std::vector<ObjectId> open = selected;
   if (selected.empty())
@@ -22,31 +35,54 @@ std::vector<std::string> things_of(const SceneSnapshot& scene,
     open.pop_back();
     if (!object || (*object)->fixed || (*object)->locked || !out.insert((*object)->name).second)
       continue;
-    for (const LoadSupport::Entry& entry : scene.support->entries)
-      if (entry.object == object->id)
-        open.insert(open.end(), entry.loads.begin(), entry.loads.end());
+    append_companions(scene, *object, open);
   }
-  return {out.begin(), out.end()};
+  return out;
 }
 
-// The one object that carries each of them now.
+// Of several objects that carry one the first.
 std::map<std::string, std::string> carriers_of(const SceneSnapshot& scene) {
   std::map<std::string, std::string> out;
   for (const LoadSupport::Entry& entry : scene.support->entries) {
     const ObjectSnapshot* const object = scene.find(entry.object);
-    if (!object || entry.on_floor || entry.supports.size() != 1) continue;
+    if (!object || entry.on_floor || entry.supports.empty()) continue;
     if (const ObjectSnapshot* const below = scene.find(entry.supports.front()))
       out[(*object)->name] = (*below)->name;
   }
   return out;
 }
 
+Wishes::Scope scope_of(const SceneSnapshot& scene, const std::vector<ObjectId>& selected) {
+  Wishes::Scope out{things_of(scene, selected), {}, carriers_of(scene)};
+  out.names.reserve(scene.objects.size());
+  for (const ObjectSnapshot& object : scene.objects) out.names.push_back(object->name);
+  return out;
+}
+
+// With what problem files have beside the objects.
+nlohmann::json with_marks(const JsonPlace& root, nlohmann::json section) {
+  const auto objects = root.find("objects");
+  if (!objects) return section;
+  for (const JsonPlace& object : objects->items())
+    for (const auto& [key, in_section] :
+         {std::pair("front", "fronts"), std::pair("zones", "zones")})
+      if (const auto mark = object.find(key))
+        section[in_section][object.at("name").text()] = mark->value();
+  return section;
+}
+
 }  // namespace
 
 void Document::set_wishes(Wishes wishes) {
   if (wishes.json() == m_wishes.json()) return;
+  try {
+    if (!wishes.json().empty()) arrange_operation(wishes.json());
+  } catch (const Error& e) {
+    Q_EMIT message(Message{Message::Kind::Refused, e.what(), {}, {}});
+    return;
+  }
   m_wishes = std::move(wishes);
-  m_engine->set_wishes(m_wishes.json());
+  m_engine->set_wishes(m_scene, m_wishes.json());
   clear_layout();
   Q_EMIT wishes_changed();
 }
@@ -63,24 +99,20 @@ void Document::show_wishes(const std::string& json) {
 }
 
 bool Document::request_layout(std::uint64_t seed, bool selected_only) {
-  const std::vector<ObjectId> selected =
-      selected_only ? m_selection.objects : std::vector<ObjectId>();
-  const std::vector<std::string> things = selected_only && selected.empty()
-                                              ? std::vector<std::string>()
-                                              : things_of(*m_snapshot, selected);
-  if (things.empty()) return false;
+  if (selected_only && m_selection.objects.empty()) return false;
+  const Wishes::Scope scope =
+      scope_of(*m_snapshot, selected_only ? m_selection.objects : std::vector<ObjectId>());
+  if (scope.things.empty()) return false;
   clear_layout();
   m_seeking = true;
-  m_engine->request_layout(m_layout_request, seed,
-                           m_wishes.part(things, seed, carriers_of(*m_snapshot)),
+  m_engine->request_layout(m_layout_request, seed, m_wishes.part(scope, seed),
                            m_wishes.list().size());
   Q_EMIT layout_changed();
   return true;
 }
 
 void Document::clear_layout() {
-  ++m_layout_request;
-  m_engine->cancel_layout();
+  m_engine->cancel_layout(m_layout_request++);
   if (!m_layout && !m_seeking) return;
   m_seeking = false;
   m_layout.reset();
@@ -102,39 +134,29 @@ void Document::show_layout(std::uint64_t number, std::shared_ptr<const LayoutGho
 
 Document::Job Document::accept_layout() {
   if (!m_layout || !m_layout->ok) return 0;
-  const std::string problem = m_layout->problem;
+  const auto layout = m_layout;
   clear_layout();
-  return start("arrange", [problem](Engine& engine) { return engine.accept_layout(problem); });
+  return start("arrange", [layout](Engine& engine) { return engine.accept_layout(*layout); });
 }
 
 Document::Job Document::save_problem(const std::string& file) {
-  std::vector<std::string> things = things_of(*m_snapshot, {});
-  const Wishes::Part part = m_wishes.part(things, m_wishes.seed(), carriers_of(*m_snapshot));
+  const Wishes::Part part = m_wishes.part(scope_of(*m_snapshot, {}), m_wishes.seed());
   return start("save \"" + file + "\"",
                [file, part](Engine& engine) { return engine.save_problem(file, part.json); });
 }
 
 void Document::load_wishes(const std::string& file) {
-  QFile in(QString::fromStdString(file));
-  const std::string where = "\"" + file + "\": ";
-  if (!in.open(QIODevice::ReadOnly))
-    throw Error(Error::Kind::Environment, where + "cannot be read");
-  const auto document = nlohmann::ordered_json::parse(in.readAll().toStdString(), nullptr, false);
-  if (!document.is_object())
-    throw Error(Error::Kind::BadInput, where +
-                                           "accepted: a JSON object, a problem of trivet "
-                                           "arrange or its section \"arrange\"");
-  auto section = document.value("arrange", document);
-  // Beside the objects, as problem files may have them.
-  if (document.contains("arrange") && document.contains("objects"))
-    for (const auto& object : document["objects"])
-      for (const auto& [key, in_section] :
-           {std::pair("front", "fronts"), std::pair("zones", "zones")})
-        if (object.is_object() && object.contains(key) && object.contains("name") &&
-            object["name"].is_string())
-          section[in_section][object["name"].get<std::string>()] = object[key];
-  arrange_operation(section.dump());  // refuses what it cannot be
-  set_wishes(Wishes(section.dump()));
+  const nlohmann::json document =
+      parse_json(read_input_text(file, kMostProblemBytes, TextKind::Json), file);
+  const JsonPlace root(document, file);
+  const auto found = root.find("arrange");
+  const JsonPlace& place = found ? *found : root;
+  if (!place.value().is_object())
+    place.refuse("a problem of trivet arrange or its section \"arrange\", an object");
+  arrange_operation(place.value().dump());  // refuses what it cannot be
+  const std::string json = (found ? with_marks(root, place.value()) : place.value()).dump();
+  arrange_operation(json);
+  set_wishes(Wishes(json));
 }
 
 }  // namespace trivet::edit

@@ -15,12 +15,6 @@ constexpr int kMaxJudgedObjects = 100;
 /// Thrown from progress callbacks when the user has cancelled.
 struct Cancelled {};
 
-// BVHs answer until the machine is measured.
-BackendOptions until_measured(BackendOptions options) {
-  options.machine.reset();
-  return options;
-}
-
 // Sandboxed import: a file that crashes the import library must not crash the editor.
 DocumentOptions with_importer(DocumentOptions options) {
   if (options.limits.importer.empty()) options.limits.importer = find_importer();
@@ -47,22 +41,6 @@ Engine::~Engine() {
   }
   m_wake.notify_all();
   m_thread.join();
-}
-
-GhostWorker::Listener Engine::ghost_listener() {
-  GhostWorker::Listener listener;
-  listener.ghost = [this](std::uint64_t request, Ghost ghost) {
-    tell(
-        [request, ghost = std::move(ghost)](Document& shown) { shown.show_ghost(request, ghost); });
-  };
-  listener.zlists = [this](std::shared_ptr<const ZListView> view) {
-    tell([view = std::move(view)](Document& shown) { shown.show_zlists(view); });
-  };
-  listener.answering = [this](const Answering& answering) {
-    tell([answering](Document& shown) { shown.show_previews_by(answering); });
-  };
-  listener.measured = [this] { use_measured(); };
-  return listener;
 }
 
 void Engine::post(Document::Job job, const std::string& what, Work work) {
@@ -246,60 +224,6 @@ bool Engine::go_to_step(size_t num_done) {
   }
   publish();
   return session.num_done() == num_done;
-}
-
-// --- detection ---------------------------------------------------------------------------------
-
-BackendOptions Engine::with_notes(BackendOptions options) {
-  options.note = [this](const std::string& note) {
-    tell([note](Document& shown) { shown.show_detection_note(note); });
-  };
-  return options;
-}
-
-void Engine::choose_detection(BackendOptions options) {
-  options = with_notes(std::move(options));
-  {
-    const std::lock_guard lock(m_mutex);
-    m_chosen = options;
-  }
-  m_detector.choose(until_measured(options));
-  m_ghosts.choose(std::move(options));
-  post({0, "detection", [](Engine&) { return true; }});  // renews it
-}
-
-void Engine::use_measured() {
-  {
-    const std::lock_guard lock(m_mutex);
-    m_detector.choose(m_chosen);
-  }
-  post({0, "detection", [](Engine&) { return true; }});
-}
-
-// Between moves, which refer to the detector.
-void Engine::renew_detector() {
-  if (!m_live) m_detector.renew();
-  if (const Answering now = m_detector.answering(); !(now == m_told)) {
-    m_told = now;
-    tell([now](Document& shown) { shown.show_moves_by(now); });
-  }
-}
-
-// --- ghost -------------------------------------------------------------------------------------
-
-void Engine::request_ghost(std::uint64_t request, const Operation& operation,
-                           std::shared_ptr<const SceneSnapshot> shown) {
-  if (!m_watches) shown = nullptr;
-  post({0, "ghost", [request, operation, shown = std::move(shown)](Engine& engine) {
-          std::unique_ptr<Scene> scene;
-          if (!engine.m_ghosts_know)
-            scene = std::make_unique<Scene>(engine.m_opened->session.scene());
-          engine.m_ghosts_know = true;
-          // The z-lists of a drag are those of its own motion, not of the fall after it.
-          engine.m_ghosts.request(request, operation, engine.settle_options(), engine.context(),
-                                  std::move(scene), engine.m_live ? nullptr : shown);
-          return true;
-        }});
 }
 
 }  // namespace trivet::edit

@@ -21,7 +21,7 @@
 
 namespace trivet::edit {
 
-/// Functions above the line are for the document's thread, those below for jobs.
+/// Functions above the line are for the thread of the windows, those below for jobs.
 class Engine {
  public:
   Engine(Document& document, DocumentOptions options);
@@ -37,10 +37,12 @@ class Engine {
   void cancel_drag(std::uint64_t drag);
   void request_ghost(std::uint64_t request, const Operation& operation,
                      std::shared_ptr<const SceneSnapshot> shown);
-  void set_wishes(std::string json);
+  /// @param scene  number of the one that is shown: another one keeps its own.
+  void set_wishes(std::uint64_t scene, std::string json);
   void request_layout(std::uint64_t number, std::uint64_t seed, Wishes::Part part,
                       size_t num_entries);
-  void cancel_layout() { m_layouts.cancel(); }
+  /// Requests up to this number.
+  void cancel_layout(std::uint64_t number) { m_layouts.cancel(number); }
   /// Other detectors, made by the threads that ask, when nothing refers to the old ones.
   void choose_detection(BackendOptions options);
   /// Switches z-lists of dragged and previewed objects on or off.
@@ -65,7 +67,7 @@ class Engine {
                    const std::vector<std::string>& select = {});
   bool perform_groups(const std::string& what, const ManyObjects& many);
   bool import_model(const ImportModel& model);
-  bool accept_layout(const std::string& problem);
+  bool accept_layout(const LayoutGhost& layout);
   bool save_problem(const std::string& file, const std::string& arrange);
   bool go_to_step(size_t num_done);
   bool end_drag(std::uint64_t drag);
@@ -74,7 +76,7 @@ class Engine {
 
  private:
   struct Item {
-    Document::Job job = 0;  // 0: a part of a drag, or of a ghost
+    Document::Job job = 0;  // 0: none that windows wait for, such as a part of a drag
     std::string what;
     Work work;
     std::uint64_t generation = 0;
@@ -86,6 +88,7 @@ class Engine {
   void show_again();
   void renew_detector();
   BackendOptions with_notes(BackendOptions options);
+  static BackendOptions until_measured(BackendOptions options);
   void use_measured();
   GhostWorker::Listener ghost_listener();
   ArrangeWorker::Listener layout_listener();
@@ -103,7 +106,6 @@ class Engine {
   std::string new_journal() const;
   std::unique_ptr<FileLock> locked(const std::string& file) const;
   std::string model_path(const std::string& file) const;
-  OpenedSession opened_from(const std::string& file);
   SceneLooks keep_looks(const Looks& looks);
   void publish(std::optional<SettledWay> way = std::nullopt);
   /// Judges the scene as a whole, unless it has changed since.
@@ -115,6 +117,7 @@ class Engine {
   std::atomic<bool> m_cancel = false;
 
   std::optional<OpenedSession> m_opened;  // always set while jobs run
+  std::uint64_t m_scene = 0;              // number of this session's scene
   std::string m_file, m_title;
   std::unique_ptr<FileLock> m_lock;
   SnapshotMaker m_snapshots;

@@ -9,6 +9,7 @@
 #include "apps/edit/document/engine.h"
 #include "apps/edit/document/layout_paths.h"
 #include "core/base/error.h"
+#include "core/base/extension.h"
 #include "core/io/export.h"
 #include "core/io/overwrites.h"
 #include "ops/base/names.h"
@@ -21,12 +22,6 @@ namespace trivet::edit {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string extension_of(const std::string& file) {
-  std::string out = fs::path(file).extension().string();
-  for (char& c : out) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return out;
-}
 
 void make_folder(const std::string& folder) {
   std::error_code error;
@@ -83,8 +78,8 @@ void Engine::adopt(OpenedSession opened, const std::string& file, const std::str
   m_title = title;
   m_lock = std::move(lock);
   m_snapshots.forget();
-  tell([wishes = m_opened->session.arrange()](Document& shown) {
-    shown.forget_scene();
+  tell([scene = ++m_scene, wishes = m_opened->session.arrange()](Document& shown) {
+    shown.forget_scene(scene);
     shown.show_wishes(wishes);
   });
   publish();
@@ -116,7 +111,7 @@ bool Engine::new_scene() {
 bool Engine::open(const std::string& file) {
   auto lock = locked(file);
   if (!lock && m_lock && m_lock->file() == file) lock = std::move(m_lock);
-  const std::string extension = extension_of(file);
+  const std::string extension = lower_extension(file);
   try {
     if (extension != ".glb" && extension != ".json")
       throw Error(Error::Kind::BadInput, file +
@@ -156,7 +151,7 @@ SceneLooks Engine::keep_looks(const Looks& looks) {
 }
 
 bool Engine::save_as(const std::string& file, const Looks& looks) {
-  const std::string extension = extension_of(file);
+  const std::string extension = lower_extension(file);
   const SceneLooks kept = keep_looks(looks);
   if (extension == ".json") {
     write_file_atomically(file,

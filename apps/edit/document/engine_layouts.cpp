@@ -28,8 +28,9 @@ ArrangeWorker::Listener Engine::layout_listener() {
   return out;
 }
 
-void Engine::set_wishes(std::string json) {
-  post({0, "wishes", [json = std::move(json)](Engine& engine) {
+void Engine::set_wishes(std::uint64_t scene, std::string json) {
+  post({0, "wishes", [scene, json = std::move(json)](Engine& engine) {
+          if (scene != engine.m_scene) return false;
           engine.m_opened->session.set_arrange(json);
           engine.tell([modified = engine.m_opened->session.is_modified()](Document& shown) {
             shown.m_modified = modified;
@@ -55,12 +56,17 @@ void Engine::request_layout(std::uint64_t number, std::uint64_t seed, Wishes::Pa
         }});
 }
 
-bool Engine::accept_layout(const std::string& problem) {
-  return perform(Operation(arrange_operation(problem)));
+bool Engine::accept_layout(const LayoutGhost& layout) {
+  if (layout.committed == m_published) return perform(Operation(arrange_operation(layout.problem)));
+  tell(Message{Message::Kind::Refused,
+               "arrange: the scene has changed since the arrangement was found; look for another",
+               {},
+               {}});
+  return false;
 }
 
 // A problem for `trivet arrange`: the layout that makes this scene, and the wishes; things are all
-// that no wish leaves out.
+// that may move.
 bool Engine::save_problem(const std::string& file, const std::string& arrange) {
   Layout layout =
       moved_layout(m_opened->session.layout(), folder_from(file, m_opened->model_folder));

@@ -34,8 +34,7 @@ class GhostWorker {
   void choose(BackendOptions detection);
   /// @param scene  null: that of the last request.
   /// @param shown  what windows show of it: the z-lists of the fall of a PUT are computed, too;
-  /// null:
-  ///   they are not.
+  ///   null: they are not.
   void request(std::uint64_t number, const Operation& operation, const SettleOptions& options,
                const RunContext& context, std::unique_ptr<Scene> scene,
                std::shared_ptr<const SceneSnapshot> shown);

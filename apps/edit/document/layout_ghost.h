@@ -12,7 +12,7 @@ namespace trivet::edit {
 
 struct LayoutGhost {
   bool ok = false;
-  std::string problem;  // text of the section "arrange" that gives it; its names are the scene's
+  std::string problem;  // section "arrange" that gives it, about objects of this scene
   std::uint64_t seed = 0;
   std::uint64_t committed = 0;         // SceneSnapshot::committed that it is of
   std::string text;                    // how it went

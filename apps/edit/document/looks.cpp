@@ -16,6 +16,11 @@ void Looks::change(ObjectId id, const Look& look) {
     m_looks[{id.index, id.generation}] = look;
 }
 
+void Looks::inherit(ObjectId from, ObjectId to) {
+  if (of(to) == Look()) change(to, of(from));
+  collections.inherit(from, to);
+}
+
 Look Looks::shown(ObjectId id) const {
   Look out = of(id);
   if (const Collection* const in = collections.of(id)) {

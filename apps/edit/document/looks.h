@@ -31,6 +31,8 @@ class Looks {
   /// Its own, whatever its collection; the default one unless it was changed.
   Look of(ObjectId id) const;
   void change(ObjectId id, const Look& look);
+  /// Gives an object the look and the collection of another one, as far as it has none.
+  void inherit(ObjectId from, ObjectId to);
   /// With what its collection says.
   Look shown(ObjectId id) const;
   /// Those of hidden collections, too.

@@ -107,9 +107,9 @@ ManyObjects array_of(const SceneSnapshot& scene, const ArrayWish& wish) {
   ManyObjects out;
   const Object* const original = placed_object(scene, wish.object);
   if (!original) return out;
-  std::set<std::string> taken;
+  NewNames names(scene);
   for (const Pose& pose : array_poses(original->pose, wish)) {
-    const std::string name = free_name(scene, wish.object, taken);
+    const std::string name = names.like(wish.object);
     const Pose start = shifted(pose, Vec3(0, 0, wish.drop_height));
     out.groups.push_back({DuplicateOperation{wish.object, name}, put_from(name, start)});
     out.names.push_back(name);
@@ -129,13 +129,13 @@ ManyObjects scattered(const SceneSnapshot& scene, const ScatterWish& wish) {
   const std::vector<const Object*> originals = objects_named(scene, wish.objects);
   if (originals.empty()) return out;
   Dice dice(wish.seed);
-  std::set<std::string> taken;
+  NewNames names(scene);
   for (size_t i = 0; i < static_cast<size_t>(std::max(wish.count, 0)); ++i) {
     const Object& original = *originals[i % originals.size()];
     OperationGroup group;
     std::string name = original.name;
     if (original.placed || i >= originals.size()) {
-      name = free_name(scene, original.name, taken);
+      name = names.like(original.name);
       group.push_back(DuplicateOperation{original.name, name});
     }
     group.push_back(scattered_put(name, original.pose.rotation, wish, dice));
@@ -178,12 +178,12 @@ ManyObjects replaced(const SceneSnapshot& scene, const std::vector<std::string>&
   ManyObjects out;
   const ObjectSnapshot* const model = scene.find(by);
   if (!model) return out;
-  std::set<std::string> taken;
+  NewNames names(scene);
   for (const std::string& name : objects) {
     const Object* const old = placed_object(scene, name);
     if (!old || name == by) continue;
     const Pose start = start_in_place_of(*old, *model->object, drop_height);
-    const std::string copy = free_name(scene, by, taken);
+    const std::string copy = names.like(by);
     DeleteOperation erase;
     erase.object = name;
     out.groups.push_back({DuplicateOperation{by, copy}, erase, put_from(copy, start)});

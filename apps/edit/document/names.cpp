@@ -1,21 +1,29 @@
 #include "apps/edit/document/names.h"
 
-#include <algorithm>
-
 namespace trivet::edit {
 
-std::string free_name(const SceneSnapshot& scene, const std::string& like,
-                      std::set<std::string>& taken) {
-  std::string stem = like;
-  const size_t space = stem.find_last_of(' ');
-  if (space != std::string::npos && space + 1 < stem.size() &&
-      std::all_of(stem.begin() + static_cast<std::ptrdiff_t>(space) + 1, stem.end(),
-                  [](char c) { return c >= '0' && c <= '9'; }))
-    stem.resize(space);
-  for (int i = 2;; ++i) {
-    std::string name = stem;
-    name.append(" ").append(std::to_string(i));
-    if (!scene.find(name) && taken.insert(name).second) return name;
+namespace {
+
+std::string without_number(const std::string& name) {
+  const size_t space = name.find_last_of(' ');
+  const bool is_numbered =
+      space != std::string::npos && space + 1 < name.size() &&
+      name.find_first_not_of("0123456789", space + 1) == std::string::npos;
+  return is_numbered ? name.substr(0, space) : name;
+}
+
+}  // namespace
+
+NewNames::NewNames(const SceneSnapshot& scene) {
+  for (const ObjectSnapshot& object : scene.objects) m_taken.insert(object->name);
+}
+
+std::string NewNames::like(const std::string& name) {
+  const std::string stem = without_number(name);
+  for (int& number = m_next.try_emplace(stem, 2).first->second;; ++number) {
+    std::string out = stem;
+    out.append(" ").append(std::to_string(number));
+    if (m_taken.insert(out).second) return out;
   }
 }
 

@@ -58,10 +58,10 @@ ManyObjects painted(const SceneSnapshot& scene, const PaintWish& wish) {
   const std::vector<const Object*> originals = objects_named(scene, wish.objects);
   if (originals.empty()) return out;
   Dice dice(wish.seed);
-  std::set<std::string> taken;
+  NewNames names(scene);
   for (size_t i = 0; i < wish.places.size(); ++i) {
     const Object& original = *originals[i % originals.size()];
-    const std::string name = free_name(scene, original.name, taken);
+    const std::string name = names.like(original.name);
     PutOperation put;
     put.object = name;
     put.start = over_place(

@@ -7,8 +7,8 @@
 
 namespace trivet::edit {
 
-/// Points of a stroke at equal distances along it, the first one first. @param spacing  metres, >
-/// 0; the stroke is straight between its points.
+/// Points of a stroke at equal distances along it, the first one first.
+/// @param spacing  metres, > 0; the stroke is straight between its points.
 std::vector<Vec3> spaced(std::span<const Vec3> stroke, double spacing);
 
 /// Distance of copies that stand side by side however they are turned about the vertical axis: the

@@ -3,21 +3,17 @@
 #include <QtGlobal>
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <span>
+#include <string_view>
 
 #include "core/base/error.h"
 #include "core/base/quoted.h"
+#include "ops/files/arrange/arrange_section.h"
 
 namespace trivet::edit {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-bool matches(const std::string& name, const std::string& pattern) {
-  const size_t star = pattern.find('*');
-  if (star == std::string::npos) return name == pattern;
-  const std::string head = pattern.substr(0, star), tail = pattern.substr(star + 1);
-  return name.size() >= head.size() + tail.size() && name.starts_with(head) && name.ends_with(tail);
-}
 
 // Names at a key: one, or a list.
 std::vector<std::string> names_at(const Json& entry, const char* key) {
@@ -70,12 +66,20 @@ std::optional<double> weight_of(const Json& entry) {
   return entry["weight"].get<double>();
 }
 
+bool may_be_soft(const Wish& wish) {
+  const bool is_hard =
+      wish.is == "on" || wish.is == "in" || wish.is == "keep" || wish.is == "stands";
+  return !is_hard && !wish.is_pattern;
+}
+
 Wish wish_of(const Json& entry) {
   Wish out;
-  const std::string is = entry.value("is", "");
+  out.is = entry.value("is", "");
+  out.is_pattern = entry.contains("of");
+  out.may_be_soft = may_be_soft(out);
   out.a = names_at(entry, entry.contains("of") ? "of" : "a");
   out.b = names_at(entry, entry.contains("on") ? "on" : "b");
-  out.text = listed(out.a) + " " + label_of(is);
+  out.text = listed(out.a) + " " + label_of(out.is);
   if (!out.b.empty()) out.text += " " + listed(out.b);
   out.text += numbers_text(entry);
   out.weight = weight_of(entry);
@@ -88,7 +92,79 @@ Json document_of(const std::string& json) {
 
 bool any_matches(const std::vector<std::string>& patterns, const std::string& name) {
   return std::any_of(patterns.begin(), patterns.end(),
-                     [&](const std::string& p) { return matches(name, p); });
+                     [&](const std::string& p) { return matches_name(name, p); });
+}
+
+bool is_support(const Wish& wish) { return wish.is == "on" || wish.is == "in" || wish.is_pattern; }
+
+bool names_a_thing(const std::vector<std::string>& patterns, const Wishes::Scope& scope) {
+  return std::any_of(scope.things.begin(), scope.things.end(),
+                     [&](const std::string& thing) { return any_matches(patterns, thing); });
+}
+
+// True if all objects of this pattern are there, and things.
+bool names_things_alone(const std::string& pattern, const Wishes::Scope& scope) {
+  bool any = false;
+  for (const std::string& name : scope.names) {
+    if (!matches_name(name, pattern)) continue;
+    if (!scope.things.count(name)) return false;
+    any = true;
+  }
+  return any;
+}
+
+bool concerns(const Wish& wish, const Wishes::Scope& scope) {
+  if (wish.is == "keep" || wish.is == "stands") return true;
+  if (wish.is_pattern)
+    return std::all_of(wish.a.begin(), wish.a.end(), [&](const std::string& pattern) {
+      return names_things_alone(pattern, scope);
+    });
+  return names_a_thing(wish.a, scope) || (!is_support(wish) && names_a_thing(wish.b, scope));
+}
+
+// As "things" has it, else by its name alone.
+Json thing_entry(const Json& known, const std::string& thing) {
+  Json out = {{"object", thing}};
+  for (const Json& entry : known)
+    if (matches_name(thing, entry.value("object", entry.value("objects", "")))) {
+      out = entry;
+      out.erase("objects");
+      out["object"] = thing;
+    }
+  return out;
+}
+
+// Keys of a problem at which there are names, or objects by their names.
+constexpr std::string_view kNameKeys[] = {"a",      "b",      "on",     "of",     "about",
+                                          "except", "things", "object", "objects"};
+constexpr std::string_view kKeyedByNames[] = {"fronts", "zones"};
+
+bool is_in(std::span<const std::string_view> keys, const std::string& key) {
+  return std::find(keys.begin(), keys.end(), key) != keys.end();
+}
+
+Json keyed_anew(const Json& by_name, const std::map<std::string, std::string>& names) {
+  Json out = Json::object();
+  for (const auto& [key, value] : by_name.items()) {
+    const auto found = names.find(key);
+    out[found == names.end() ? key : found->second] = value;
+  }
+  return out;
+}
+
+void rename_in(Json& value, bool is_name, const std::map<std::string, std::string>& names) {
+  if (value.is_string() && is_name) {
+    if (const auto found = names.find(value.get<std::string>()); found != names.end())
+      value = found->second;
+  } else if (value.is_array()) {
+    for (Json& item : value) rename_in(item, is_name, names);
+  } else if (value.is_object()) {
+    for (const auto& item : value.items())
+      if (is_in(kKeyedByNames, item.key()) && item.value().is_object())
+        item.value() = keyed_anew(item.value(), names);
+      else
+        rename_in(item.value(), is_in(kNameKeys, item.key()), names);
+  }
 }
 
 }  // namespace
@@ -174,50 +250,37 @@ bool Wishes::is_about(size_t entry, const std::string& object) const {
   return any_matches(m_list[entry].a, object) || any_matches(m_list[entry].b, object);
 }
 
-Wishes::Part Wishes::part(const std::vector<std::string>& things, std::uint64_t seed,
-                          const std::map<std::string, std::string>& carried_by) const {
-  const auto is_thing = [&](const std::vector<std::string>& names) {
-    return std::any_of(things.begin(), things.end(),
-                       [&](const std::string& thing) { return any_matches(names, thing); });
-  };
-  const Json document = document_of(m_json);
-  Json out = document, relations = Json::array(), chosen = Json::array();
+Wishes Wishes::renamed(const std::map<std::string, std::string>& names) const {
+  if (m_json.empty()) return *this;
+  Json document = document_of(m_json);
+  rename_in(document, false, names);
+  return Wishes(document.dump());
+}
+
+Wishes::Part Wishes::part(const Scope& scope, std::uint64_t seed) const {
+  Json out = document_of(m_json);
+  const Json all = out.value("relations", Json::array()), known = out.value("things", Json::array());
+  Json things = Json::array(), relations = Json::array();
   Part part;
-  std::set<std::string> supported;
-  const Json listed = document.value("relations", Json::array());
+  std::vector<const Wish*> supports;
   for (size_t i = 0; i < m_list.size(); ++i) {
-    const std::string is = listed[i].is_object() ? listed[i].value("is", "") : "";
-    const bool is_pattern = listed[i].is_object() && listed[i].contains("of");
-    const bool supports = is == "on" || is == "in" || is_pattern;
-    const Wish& wish = m_list[i];
-    // Of a pattern all have to be among the things.
-    const bool whole = std::all_of(wish.a.begin(), wish.a.end(),
-                                   [&](const std::string& name) { return is_thing({name}); });
-    const bool is_of_all = is == "keep" || is == "stands";
-    if (supports ? !(is_pattern ? whole : is_thing(wish.a))
-                 : !is_of_all && !is_thing(wish.a) && !is_thing(wish.b))
-      continue;
-    relations.push_back(listed[i]);
+    if (!concerns(m_list[i], scope)) continue;
+    relations.push_back(all[i]);
     part.entries.push_back(i);
-    for (const std::string& thing : things)
-      if (supports && any_matches(wish.a, thing)) supported.insert(thing);
+    if (is_support(m_list[i])) supports.push_back(&m_list[i]);
   }
-  for (const std::string& thing : things) {
-    Json entry = {{"object", thing}};
-    for (const Json& known : document.value("things", Json::array()))
-      if (matches(thing, known.value("object", known.value("objects", "")))) {
-        entry = known;
-        entry.erase("objects");
-        entry["object"] = thing;
-      }
-    chosen.push_back(std::move(entry));
-    const auto below = carried_by.find(thing);
-    if (supported.count(thing) || below == carried_by.end()) continue;
+  for (const std::string& thing : scope.things) {
+    things.push_back(thing_entry(known, thing));
+    const auto below = scope.carried_by.find(thing);
+    const bool is_supported =
+        std::any_of(supports.begin(), supports.end(),
+                    [&](const Wish* wish) { return any_matches(wish->a, thing); });
+    if (is_supported || below == scope.carried_by.end()) continue;
     relations.push_back({{"is", "on"}, {"a", thing}, {"b", below->second}});
     part.entries.push_back(m_list.size());
   }
   out["seed"] = seed;
-  out["things"] = std::move(chosen);
+  out["things"] = std::move(things);
   out["relations"] = std::move(relations);
   part.json = out.dump();
   return part;

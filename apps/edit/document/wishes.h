@@ -29,6 +29,9 @@ struct WishKind {
 };
 const std::vector<WishKind>& wish_kinds();
 
+/// Of soft wishes, from 0; as trivet schema arrange has it.
+inline constexpr double kMostWeight = 1e6;
+
 struct NewWish {
   size_t kind = 0;  // of wish_kinds()
   std::string a, b;
@@ -39,8 +42,11 @@ struct NewWish {
 
 /// An entry of "relations".
 struct Wish {
+  std::string is;
   std::string text;               // "cup" right of "plate", 1 to 3 cm
   std::vector<std::string> a, b;  // names or patterns of names, as it has them
+  bool is_pattern = false;        // a row, a grid, ... of all its objects
+  bool may_be_soft = false;
   std::optional<double> weight;
 };
 
@@ -62,14 +68,21 @@ class Wishes {
   /// True if an entry is about this object.
   bool is_about(size_t entry, const std::string& object) const;
 
-  /// The problem of some things alone, all others as they stand: with the entries that are about
-  /// them, and, for those without one, the object that carries each of them now.
+  /// With other names for some objects; patterns stay. @param names  old, new.
+  Wishes renamed(const std::map<std::string, std::string>& names) const;
+
+  struct Scope {
+    std::set<std::string> things;                   // to be arranged
+    std::vector<std::string> names;                 // of all objects
+    std::map<std::string, std::string> carried_by;  // now: an object, what carries it
+  };
   struct Part {
     std::string json;
-    std::vector<size_t> entries;  // of this, of each entry of the part
+    std::vector<size_t> entries;  // place in list() of each relation; its size: it was added
   };
-  Part part(const std::vector<std::string>& things, std::uint64_t seed,
-            const std::map<std::string, std::string>& carried_by) const;
+  /// The problem of some things alone, all others as they stand: with the entries that are about
+  /// them, and, for those without one, the object that carries each of them now.
+  Part part(const Scope& scope, std::uint64_t seed) const;
 
  private:
   std::string m_json;

@@ -146,6 +146,7 @@ std::vector<ObjectId> pick_in_box(const SceneSnapshot& scene, const View& view, 
                                   const Vec2& opposite, const std::vector<ObjectId>& except) {
   const Vec2 lower = corner.cwiseMin(opposite), upper = corner.cwiseMax(opposite);
   const auto inside = [&](const Vec3& p) {
+    if (view.cut && view.depth(p) < *view.cut) return false;
     const auto px = view.project(p);
     return px && (px->array() >= lower.array()).all() && (px->array() <= upper.array()).all();
   };

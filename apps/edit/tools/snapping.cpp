@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kCrease = 0.93969262078590838;  // cos 20 degrees: flatter edges are none
 constexpr double kInFrontPx = 0.5;               // of depth: nearer things hide a candidate
-constexpr size_t kMostTried = 64;                // candidates that are looked at, nearest first
+constexpr size_t kMostTried = 64;  // candidates of each kind that are looked at, nearest first
 
 Vec3 unit_normal(const Triangle& t) {
   const Vec3 n = (t[1] - t[0]).cross(t[2] - t[0]);
@@ -165,8 +165,11 @@ std::optional<Snap> snap(const SceneSnapshot& scene, const View& view, const Vec
     if (a.snap.kind != b.snap.kind) return a.snap.kind < b.snap.kind;
     return a.px < b.px;
   });
-  for (size_t i = 0; i < std::min(found.size(), kMostTried); ++i)
-    if (is_seen(scene, view, found[i].snap.point, except)) return found[i].snap;
+  std::array<size_t, 2> tried{};  // corners, edges
+  for (const Candidate& candidate : found)
+    if (tried[static_cast<size_t>(candidate.snap.kind)]++ < kMostTried &&
+        is_seen(scene, view, candidate.snap.point, except))
+      return candidate.snap;
   if (!options.faces) return std::nullopt;
   const auto hit = pick(scene, view.seen_ray(px), except);
   if (!hit || (only && hit->object != only)) return std::nullopt;

@@ -34,7 +34,8 @@ inline constexpr double kSnapPx = 10;
 /// visible place of an edge, else the face under the pointer. Edges are those at which the faces
 /// turn by more than 20 degrees, or that have not two faces; corners end at least one of them.
 /// Distances are those of the picture; of two alike the first one counts, in the order of the
-/// scene. Found in the objects' BVHs; the same as by looking at all edges.
+/// scene. Found in the objects' BVHs; the same as by looking at all edges, but where the 64 nearest
+/// corners, or edges, are all hidden.
 /// @param except  objects to ignore. @param only  if set, the other objects only hide.
 std::optional<Snap> snap(const SceneSnapshot& scene, const View& view, const Vec2& px,
                          const SnapOptions& options, const std::vector<ObjectId>& except,

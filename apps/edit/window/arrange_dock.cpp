@@ -1,6 +1,4 @@
 // The dock of arrangements.
-#include <QScrollArea>
-
 #include "apps/edit/window/arrange_panel.h"
 #include "apps/edit/window/main_window.h"
 

@@ -101,8 +101,9 @@ void ArrangePanel::list_wishes() {
     auto* const item = new QTreeWidgetItem({QString::fromStdString(wishes[i].text),
                                             weight ? QLocale().toString(*weight) : tr("hard")});
     item->setData(0, kEntryRole, static_cast<qulonglong>(i));
-    item->setToolTip(1, tr("A number makes the wish soft, no number hard"));
-    item->setFlags(item->flags() | Qt::ItemIsEditable);
+    item->setToolTip(1, wishes[i].may_be_soft ? tr("A number makes the wish soft, no number hard")
+                                              : tr("This wish is always hard"));
+    if (wishes[i].may_be_soft) item->setFlags(item->flags() | Qt::ItemIsEditable);
     if (layout && layout->entries.count(i))
       for (const int column : {0, 1}) item->setForeground(column, m_theme.refused());
     m_list->addTopLevelItem(item);
@@ -136,14 +137,23 @@ void ArrangePanel::weigh(QTreeWidgetItem* item, int column) {
   const size_t entry = item->data(0, kEntryRole).toULongLong();
   bool is_number = false;
   const double weight = QLocale().toDouble(item->text(1), &is_number);
-  const bool is_soft = is_number && weight >= 0;
+  const auto wanted = is_number ? std::optional(weight) : std::nullopt;
   // After the event that edits the item, as the list is made anew.
-  QTimer::singleShot(0, this, [this, entry, column, is_soft, weight] {
-    if (column == 1 && entry < m_document.wishes().list().size())
-      m_document.set_wishes(m_document.wishes().weighted(
-          entry, is_soft ? std::optional<double>(weight) : std::nullopt));
+  QTimer::singleShot(0, this, [this, entry, column, wanted] {
+    if (column == 1) take_weight(entry, wanted);
     list_wishes();
   });
+}
+
+void ArrangePanel::take_weight(size_t entry, std::optional<double> weight) {
+  const Wishes& wishes = m_document.wishes();
+  if (entry >= wishes.list().size()) return;
+  if (!weight || (*weight >= 0 && *weight <= kMostWeight))
+    return m_document.set_wishes(wishes.weighted(entry, weight));
+  const QString text = tr("Weight %1: accepted: a number from 0 to %2, or none for a hard wish")
+                           .arg(QLocale().toString(*weight))
+                           .arg(QLocale().toString(kMostWeight));
+  Q_EMIT m_document.message(Message{Message::Kind::Refused, text.toStdString(), {}, {}});
 }
 
 void ArrangePanel::seek() {

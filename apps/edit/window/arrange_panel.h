@@ -36,6 +36,7 @@ class ArrangePanel : public QWidget {
   void add_wish();
   void remove_wishes();
   void weigh(QTreeWidgetItem* item, int column);
+  void take_weight(size_t entry, std::optional<double> weight);
   void seek();
   void seek_next();
   void show_layout();
@@ -56,7 +57,7 @@ class ArrangePanel : public QWidget {
   QSpinBox* m_seed;
   QLabel* m_status;
   QProgressBar* m_progress;
-  QTimer m_turned;  // of the seed wheel: until it rests
+  QTimer m_turned;  // begins a search when the wheel of the seed has come to rest
   bool m_is_swapped = false, m_is_listing = false;
 };
 

@@ -20,19 +20,21 @@ void MainWindow::perform_on_selection(const QString& name,
 
 void MainWindow::duplicate() {
   const auto snapshot = m_document.snapshot();
-  std::set<std::string> names;
+  NewNames free(*snapshot);
+  std::vector<std::string> names;
   std::vector<Operation> operations;
   for (const ObjectId id : m_document.selection().objects) {
     const ObjectSnapshot* const object = snapshot->find(id);
     if (!object) continue;
     DuplicateOperation operation;
     operation.object = (*object)->name;
-    operation.as = free_name(*snapshot, (*object)->name, names);
+    operation.as = free.like((*object)->name);
+    names.push_back(operation.as);
     operations.push_back(operation);
   }
   if (operations.empty()) return;
   when_finished(
-      m_document.perform_all("duplicate", std::move(operations), {names.begin(), names.end()}),
+      m_document.perform_all("duplicate", std::move(operations), std::move(names)),
       [this](bool ok) {
         if (ok) take_tool(ToolKind::Put);
       });

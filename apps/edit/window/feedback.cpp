@@ -97,7 +97,7 @@ void MainWindow::show_detection() {
                               .arg(text, in_words(now.previews)));
 }
 
-// The last word stays while the next is not spoken.
+// The last verdict is shown until there is another.
 void MainWindow::show_verdict() {
   const auto verdict = m_document.verdict();
   if (!verdict) return;

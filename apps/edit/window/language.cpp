@@ -6,6 +6,8 @@
 #include <QLocale>
 #include <QSettings>
 
+#include "core/base/error.h"
+
 namespace trivet::edit {
 namespace {
 
@@ -20,6 +22,14 @@ std::vector<Language> languages() {
   for (const char* const code : {"de"})
     if (QFile::exists(file_of(code))) out.push_back({code, QLocale(code).nativeLanguageName()});
   return out;
+}
+
+void check_language(const QString& code) {
+  QStringList codes;
+  for (const Language& language : languages()) codes << language.code;
+  if (!codes.contains(code))
+    throw Error(Error::Kind::BadInput, "--language " + code.toStdString() + ": accepted: " +
+                                           codes.join(", ").toStdString());
 }
 
 QString saved_language() { return QSettings().value(kKey).toString(); }

@@ -16,6 +16,9 @@ struct Language {
 /// English, and those that this build has translations of.
 std::vector<Language> languages();
 
+/// @throws Error (BadInput) for a code of none of them.
+void check_language(const QString& code);
+
 /// Empty: the system's.
 QString saved_language();
 /// For the next start.

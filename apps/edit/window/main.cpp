@@ -38,7 +38,7 @@ void add_options(QCommandLineParser& parser) {
   parser.addOption({"gpu-method", "How a GPU does it: auto, framebuffer or compute", "name"});
 }
 
-// Help and version need no display.
+// Help, version and a language that is none need no display.
 void answer_without_display(int argc, char** argv) {
   QCoreApplication application(argc, argv);
   name_application();
@@ -46,14 +46,14 @@ void answer_without_display(int argc, char** argv) {
   add_options(parser);
   QStringList given;
   for (int i = 0; i < argc; ++i) given << QString::fromLocal8Bit(argv[i]);
-  const bool asks = parser.parse(given) && (parser.isSet("help") || parser.isSet("version"));
+  const bool is_known = parser.parse(given);
+  const bool asks = is_known && (parser.isSet("help") || parser.isSet("version"));
   if (asks || given.contains("--help-all")) parser.process(application);
+  if (is_known && parser.isSet("language"))
+    trivet::edit::check_language(parser.value("language"));
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  trivet::open_standard_streams();
+int run(int argc, char** argv) {
   answer_without_display(argc, argv);
   QApplication application(argc, argv);
   name_application();
@@ -63,26 +63,33 @@ int main(int argc, char** argv) {
   parser.process(application);
   trivet::edit::speak(application, parser.isSet("language") ? parser.value("language")
                                                             : trivet::edit::saved_language());
+  trivet::edit::DetectionChoice detection = trivet::edit::saved_detection();
+  if (parser.isSet("backend")) detection.backend = parser.value("backend");
+  if (parser.isSet("gpu-method")) detection.gpu_method = parser.value("gpu-method");
+  trivet::edit::DocumentOptions options;
+  options.version = TRIVET_VERSION;
+  options.detection = trivet::edit::backend_options(detection);
+  if (parser.isSet("perfect-friction")) options.rules.perfect_friction = true;
+  if (parser.isSet("objects-alone")) options.rules.whole_at_rest = false;
+  options.recovery_folder =
+      QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation).toStdString();
+  QDir().mkpath(QString::fromStdString(options.recovery_folder));
+  trivet::edit::Document document(options);
+  trivet::edit::MainWindow window(document, detection);
+  window.show();
+  if (parser.isSet("demo"))
+    window.open_demo(parser.value("demo"));
+  else if (!parser.positionalArguments().isEmpty())
+    window.open_file(parser.positionalArguments().front());
+  return QApplication::exec();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  trivet::open_standard_streams();
   try {
-    trivet::edit::DetectionChoice detection = trivet::edit::saved_detection();
-    if (parser.isSet("backend")) detection.backend = parser.value("backend");
-    if (parser.isSet("gpu-method")) detection.gpu_method = parser.value("gpu-method");
-    trivet::edit::DocumentOptions options;
-    options.version = TRIVET_VERSION;
-    options.detection = trivet::edit::backend_options(detection);
-    if (parser.isSet("perfect-friction")) options.rules.perfect_friction = true;
-    if (parser.isSet("objects-alone")) options.rules.whole_at_rest = false;
-    options.recovery_folder =
-        QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation).toStdString();
-    QDir().mkpath(QString::fromStdString(options.recovery_folder));
-    trivet::edit::Document document(options);
-    trivet::edit::MainWindow window(document, detection);
-    window.show();
-    if (parser.isSet("demo"))
-      window.open_demo(parser.value("demo"));
-    else if (!parser.positionalArguments().isEmpty())
-      window.open_file(parser.positionalArguments().front());
-    return QApplication::exec();
+    return run(argc, argv);
   } catch (const trivet::Error& error) {
     std::cerr << "trivet-edit: " << error.what() << "\n";
     return error.kind() == trivet::Error::Kind::BadInput ? 2 : 3;

@@ -27,7 +27,6 @@ class OperationPanel : public QWidget {
   void tool_wanted(trivet::edit::ToolKind kind);
 
  private:
-  struct Page;
   QWidget* make_page(ToolKind kind);
 
   // operation_forms.cpp

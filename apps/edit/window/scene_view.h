@@ -41,9 +41,8 @@ class SceneView : public QWidget {
   double last_picture_ms() const { return m_picture_ms; }
 
  Q_SIGNALS:
-  void pointed();        // the tools got an event
-  void camera_moved();   // by the user
-  void section_moved();  // by the user
+  void pointed();       // the tools got an event
+  void camera_moved();  // by the user
   void context_menu_wanted(const QPoint& global);
 
  protected:

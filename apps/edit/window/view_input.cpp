@@ -124,7 +124,6 @@ void SceneView::wheelEvent(QWheelEvent* event) {
     const View now = view();
     const double metres = now.metres_per_px(std::max(now.depth(now.target), 0.0));
     m_section.shift += kCutPx * metres * event->angleDelta().y() / 120.0;
-    Q_EMIT section_moved();
     return redraw();
   }
   m_camera.zoom(event->angleDelta().y() / 120.0, event->position(), size());

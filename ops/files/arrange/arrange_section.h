@@ -14,6 +14,9 @@ namespace trivet {
 /// @throws Error (BadInput) with the place, the value and what is accepted.
 Arrangement parse_arrange_section(const std::string& json, const Scene& scene);
 
+/// True if the pattern is this name, or has one * that stands for any letters of it.
+bool matches_name(const std::string& name, const std::string& pattern);
+
 /// The operation that solves it; its names mean what the scene has then.
 /// @throws Error (BadInput) as far as no scene is needed.
 ArrangeOperation arrange_operation(const std::string& json);

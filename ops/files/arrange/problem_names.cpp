@@ -3,18 +3,16 @@
 #include <algorithm>
 
 #include "core/base/nearest_name.h"
+#include "ops/files/arrange/arrange_section.h"
 
 namespace trivet {
-namespace {
 
-bool matches(const std::string& name, const std::string& pattern) {
+bool matches_name(const std::string& name, const std::string& pattern) {
   const size_t star = pattern.find('*');
   if (star == std::string::npos) return name == pattern;
   const std::string head = pattern.substr(0, star), tail = pattern.substr(star + 1);
   return name.size() >= head.size() + tail.size() && name.starts_with(head) && name.ends_with(tail);
 }
-
-}  // namespace
 
 bool ProblemNames::knows(const std::string& name) const {
   return !m_names || std::find(m_names->begin(), m_names->end(), name) != m_names->end();
@@ -42,7 +40,7 @@ std::vector<std::string> ProblemNames::matching(const std::string& pattern,
   if (!m_names) return {pattern};
   std::vector<std::string> out;
   for (const std::string& name : *m_names)
-    if (matches(name, pattern)) out.push_back(name);
+    if (matches_name(name, pattern)) out.push_back(name);
   if (out.empty())
     place.refuse("the name of one of /objects, or one with * for any letters" +
                  did_you_mean(pattern, *m_names));
@@ -68,7 +66,7 @@ std::vector<std::string> ProblemNames::subjects(const JsonPlace& place,
   std::vector<std::string> out;
   const auto collect = [&](const std::vector<std::string>& names) {
     for (const std::string& name : names)
-      if (name != other && matches(name, pattern)) out.push_back(name);
+      if (name != other && matches_name(name, pattern)) out.push_back(name);
   };
   collect(m_things);
   return out.empty() ? matching(place) : out;

@@ -1,4 +1,6 @@
 // Collections and looks: what they do to objects, and that they are saved with the scene.
+#include <fstream>
+
 #include "apps/edit_document/testing.h"
 
 namespace trivet::edit::test {
@@ -106,6 +108,19 @@ TEST_F(Collecting, IsSavedWithTheScene) {
               (Look{true, true, LookColour{0.9f, 0.62f, 0.0f}}));
     EXPECT_FALSE(document->is_modified()) << file;
   }
+}
+
+// Whatever the order of a file, its defaults, and names that mean nothing.
+TEST_F(Collecting, LeavesAFileThatIsOpenedUnmodified) {
+  std::ofstream(folder.file("others.json")) << R"({"trivet": 1,
+    "objects": [{"name": "a", "model": "box.obj"}, {"name": "b", "model": "box.obj"}],
+    "looks": {"objects": [{"name": "b", "hidden": true}, {"name": "nobody", "hidden": true},
+                          {"name": "a", "not_selectable": true}],
+              "collections": [{"name": "set", "objects": ["nobody", "a"]}]}})";
+  ASSERT_TRUE(document.done(document->open(folder.file("others.json")))) << document.last_text();
+  EXPECT_TRUE(document->looks().of(document.id("b")).hidden);
+  EXPECT_EQ(collection("set").objects, ids({"a"}));
+  EXPECT_FALSE(document->is_modified());
 }
 
 TEST_F(Collecting, CountsAsAChange) {

@@ -165,22 +165,116 @@ TEST_F(Layouts, AnotherSceneEndsTheSearch) {
   EXPECT_FALSE(document->request_layout(1, false));  // there is nothing to arrange
 }
 
-TEST(Wishes, AreReadAsTheyAre) {
-  const Wishes wishes(R"({"seed": 5, "relations": [
-    {"is": "row", "of": ["book_*"], "on": "shelf"},
-    {"is": "right_of", "a": "cup", "b": "jug", "gap": [0.01, 0.03], "weight": 2},
-    {"is": "keep", "a": "*", "distance": 0.01}]})");
-  ASSERT_EQ(wishes.list().size(), 3U);
-  EXPECT_EQ(wishes.seed(), 5U);
-  EXPECT_EQ(wishes.list()[1].text, "\"cup\" right of \"jug\", 1 to 3 cm");
-  EXPECT_TRUE(wishes.is_about(0, "book_7"));
-  EXPECT_FALSE(wishes.is_about(1, "book_7"));
-  // A part without the row: one of its things is not among them.
-  const Wishes::Part part = wishes.part({"cup"}, 9, {});
-  EXPECT_EQ(part.entries, (std::vector<size_t>{1, 2}));
-  EXPECT_EQ(Wishes(part.json).seed(), 9U);
-  EXPECT_EQ(wishes.weighted(1, std::nullopt).list()[1].weight, std::nullopt);
-  EXPECT_THROW(Wishes("[1]"), Error);
+TEST_F(Layouts, StepEndsTheSearch) {
+  ASSERT_TRUE(document->request_layout(1, false));
+  ASSERT_TRUE(document.done(document->perform(LockOperation{"pot", true})));
+  EXPECT_FALSE(document->is_seeking_layout());
+  EXPECT_EQ(document->layout(), nullptr);
+}
+
+TEST_F(Layouts, RefusesWeightsThatCannotBe) {
+  const std::string before = document->wishes().json();
+  EXPECT_FALSE(document->wishes().list()[0].may_be_soft);
+  EXPECT_TRUE(document->wishes().list()[3].may_be_soft);
+  const std::pair<size_t, double> bad[] = {{0, 1.0}, {3, 2e6}, {3, -1.0}, {3, kInfinity}};
+  for (const auto& [entry, weight] : bad) {
+    document.forget();
+    document->set_wishes(document->wishes().weighted(entry, weight));
+    EXPECT_EQ(document->wishes().json(), before) << entry << " " << weight;
+    ASSERT_EQ(document.messages().size(), 1U) << entry << " " << weight;
+    EXPECT_EQ(document.messages().back().kind, Message::Kind::Refused);
+    EXPECT_NE(document.last_text().find("accepted"), std::string::npos) << document.last_text();
+  }
+  document->set_wishes(document->wishes().weighted(3, kMostWeight));
+  EXPECT_EQ(document->wishes().list()[3].weight, kMostWeight);
+}
+
+TEST_F(Layouts, RefusesFilesThatAreNoProblems) {
+  const std::string before = document->wishes().json();
+  const std::string deep(100'000, '[');
+  for (const std::string& text :
+       {std::string(R"({"arrange": []})"), std::string(R"({"arrange": 7, "objects": []})"),
+        std::string(R"({"arrange": {"fronts": "x"}, "objects": [{"name": "cup", "front": "x"}]})"),
+        std::string(R"({"arrange": {"zones": []}, "objects": [{"name": "cup", "zones": []}]})"),
+        std::string(R"({"arrange": {}, "objects": 7})"),
+        std::string(R"({"arrange": {}, "objects": [{"name": "cup", "front": 7}]})"),
+        std::string("[]"), std::string("no JSON"), deep}) {
+    std::ofstream(folder.file("bad.json")) << text;
+    EXPECT_THROW(document->load_wishes(folder.file("bad.json")), Error) << text.substr(0, 100);
+    EXPECT_EQ(document->wishes().json(), before);
+  }
+  std::ofstream(folder.file("good.json"))
+      << R"({"arrange": {"relations": []}, "objects": [{"name": "cup", "front": "-x"}]})";
+  document->load_wishes(folder.file("good.json"));
+  EXPECT_NE(document->wishes().json().find(R"("fronts":{"cup":"-x"})"), std::string::npos);
+}
+
+TEST_F(Layouts, KeepsTheWishesOfAFileThatIsOpening) {
+  const std::string file = folder.file("scene.glb");
+  ASSERT_TRUE(document.done(document->save_as(file)));
+  const Document::Job opening = document->open(file);
+  wish("near", "pot", "jug", 0, 0.3);  // about the scene that is still shown
+  ASSERT_TRUE(document.done(opening)) << document.last_text();
+  EXPECT_EQ(document->wishes().list().size(), 4U);
+  EXPECT_FALSE(document->is_modified());
+}
+
+TEST_F(Layouts, IsAcceptedOnlyForTheSceneThatItWasFoundFor) {
+  ASSERT_TRUE(seek(1));
+  const size_t steps = document->history().num_done;
+  document->perform(MaterialOperation{"table", {"", 0.3, 700, 0.1}});
+  EXPECT_FALSE(accept());
+  EXPECT_EQ(document->history().num_done, steps + 1);
+  EXPECT_NE(document.last_text().find("changed"), std::string::npos) << document.last_text();
+  ASSERT_TRUE(seek(1));
+  EXPECT_TRUE(accept()) << document.last_text();
+}
+
+TEST_F(Layouts, SelectedMemberOfAGroupTakesTheOthers) {
+  ASSERT_TRUE(seek(1));
+  ASSERT_TRUE(accept());
+  for (const char* name : {"jug", "cup"})
+    ASSERT_TRUE(document.done(document->perform(GroupOperation{name, "set"})));
+  document->select_only(document.id("cup"));
+  ASSERT_TRUE(seek(7, true)) << document.last_text();
+  EXPECT_EQ(document->layout()->members.size(), 2U);
+  ASSERT_TRUE(accept()) << document.last_text();
+  EXPECT_EQ(wrong_with(*document->snapshot()), "");
+}
+
+// Without a wish, a plank over the gap between two benches stays on them.
+TEST_F(Layouts, BridgeStaysOnOneOfItsSupports) {
+  write_boxes(folder.file("bench.obj"), {{{-0.2, -0.2, 0}, {0.2, 0.2, 0.2}}});
+  write_boxes(folder.file("plank.obj"), {{{-0.1, -0.03, 0}, {0.1, 0.03, 0.02}}});
+  const auto put = [&](const char* model, const char* name, const Vec3& to) {
+    document.import(folder.file(model), name);
+    PutOperation operation;
+    operation.object = name;
+    operation.start.translation = to;
+    ASSERT_TRUE(document.done(document->perform(operation))) << document.last_text();
+  };
+  put("bench.obj", "left", Vec3(1.795, 0, 0.01));
+  put("bench.obj", "right", Vec3(2.205, 0, 0.01));
+  put("plank.obj", "plank", Vec3(2, 0, 0.25));
+  ASSERT_EQ(document.object("plank").contacts.size(), 2U);
+  document->set_wishes({});
+  document->select_only(document.id("plank"));
+  ASSERT_TRUE(seek(3, true)) << document.last_text();
+  ASSERT_TRUE(accept());
+  EXPECT_NEAR(at("plank").z(), 0.2, 1e-3);
+}
+
+TEST_F(Layouts, FollowObjectsThatAreRenamed) {
+  ASSERT_TRUE(document.done(document->save_as(folder.file("scene.glb"))));
+  const std::string before = document->wishes().json();
+  ASSERT_TRUE(document.done(document->perform(RenameOperation{"cup", "mug"})));
+  EXPECT_EQ(document->wishes().list()[3].a, std::vector<std::string>{"mug"});
+  EXPECT_TRUE(seek(1)) << document.last_text();
+  ASSERT_TRUE(document.done(document->undo()));
+  EXPECT_EQ(document->wishes().json(), before);
+  EXPECT_FALSE(document->is_modified());
+  ASSERT_TRUE(document.done(document->redo()));
+  EXPECT_EQ(document->wishes().list()[1].a, std::vector<std::string>{"mug"});
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "apps/edit/document/many.h"
+#include "apps/edit/document/names.h"
 #include "apps/edit/document/pose_numbers.h"
 #include "apps/edit_document/scene_checks.h"
 #include "apps/edit_document/testing.h"
@@ -243,6 +244,23 @@ TEST_F(Many, LayoutMakesTheSameScene) {
   ASSERT_TRUE(document.done(document->save_as(folder.file("layout.json")))) << document.last_text();
   ASSERT_TRUE(document.done(document->open(folder.file("layout.json")))) << document.last_text();
   EXPECT_EQ(positions(), before);
+}
+
+// The first that is free, again and again.
+TEST_F(Many, NewNamesAreThoseOfASearchFromTwo) {
+  put("box 3", Vec3(-0.1, 0, 0.03));
+  put("lid", Vec3(0, 0, 0.03));
+  NewNames names(scene());
+  std::set<std::string> taken = {"tray", "box", "box 3", "lid"};
+  for (int i = 0; i < 200; ++i) {
+    const std::string like = i % 3 == 0 ? "lid" : i % 3 == 1 ? "box 7" : "box";
+    const std::string stem = i % 3 == 0 ? "lid" : "box";
+    int number = 2;
+    while (!taken.insert(stem + " " + std::to_string(number)).second) ++number;
+    EXPECT_EQ(names.like(like), stem + " " + std::to_string(number));
+  }
+  EXPECT_EQ(names.like("box "), "box  2");
+  EXPECT_EQ(names.like("12"), "12 2");
 }
 
 }  // namespace

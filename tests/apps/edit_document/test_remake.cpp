@@ -124,6 +124,25 @@ TEST_F(Remake, ScalesInItsPlace) {
   EXPECT_FALSE(document.object("new").placed);
 }
 
+TEST_F(Remake, KeepsLookAndCollectionInAnotherScale) {
+  const ObjectId before = document.id("small");
+  Looks looks;
+  looks.change(before, {false, true, LookColour{1, 0, 0}});
+  looks.collections.put(std::vector{before, document.id("box")}, "set");
+  document->set_looks(looks);
+  ASSERT_TRUE(document.done(document->rescale("small", 0.5, 0.01))) << document.last_text();
+  const ObjectId now = document.id("small");
+  ASSERT_NE(now, before);
+  EXPECT_EQ(document->looks().of(now), looks.of(before));
+  ASSERT_TRUE(document->looks().collections.of(now));
+  EXPECT_EQ(document->looks().collections.of(now)->name, "set");
+  EXPECT_EQ(document->looks().named(names_in(*document->snapshot())).collections[0].objects,
+            (std::vector<std::string>{"small", "box"}));
+  ASSERT_TRUE(document.done(document->undo()));
+  EXPECT_EQ(document->looks().of(document.id("small")), looks.of(before));
+  EXPECT_EQ(document->looks().collections.of(document.id("small"))->name, "set");
+}
+
 TEST_F(Remake, ComesBackFromFiles) {
   ASSERT_TRUE(document.done(document->perform(RenameOperation{"small", "lid"})));
   ASSERT_TRUE(document.done(document->rescale("lid", 0.5, 0.01)));

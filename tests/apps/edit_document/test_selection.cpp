@@ -108,6 +108,17 @@ TEST_F(Selecting, PassesThroughWhatIsHiddenOrNotSelectable) {
   EXPECT_EQ(click(on_box), "box");
 }
 
+TEST_F(Selecting, BoxTakesWhatIsSeenBehindTheSectionAlone) {
+  View view = hand.view;
+  const SceneSnapshot& scene = *document->snapshot();
+  const Vec2 all(1000, 1000);
+  EXPECT_EQ(pick_in_box(scene, view, Vec2::Zero(), all).size(), 3U);
+  view.cut = view.depth(Vec3(0, 0, 0.021));  // through rod and box
+  EXPECT_EQ(pick_in_box(scene, view, Vec2::Zero(), all).size(), 3U);
+  view.cut = view.depth(Vec3(0, 0, 0.019));  // through the board
+  EXPECT_EQ(pick_in_box(scene, view, Vec2::Zero(), all), std::vector{document.id("board")});
+}
+
 TEST_F(Selecting, ForgetsLooksWithTheScene) {
   Looks looks;
   looks.change(document.id("box"), {true, false, {}});

@@ -140,6 +140,28 @@ TEST_F(Snapping, EqualsBruteForce) {
   EXPECT_GT(num_edges_cut, 20);
 }
 
+// Many corners behind a wall do not hide its edge from the pointer.
+TEST(Snap, FindsAnEdgeBeforeManyHiddenCorners) {
+  TemporaryFolder folder;
+  Recorder document(folder.file("recovery"));
+  std::vector<Aabb> boxes = {{{-0.5, -0.1, 0}, {0.5, 0, 0.5}}};
+  for (int i = 0; i < 12; ++i) {  // 96 corners, 8 mm below the edge
+    const double x = 1e-3 * i - 6e-3;
+    boxes.push_back({{x, 0.3, 0.4920}, {x + 5e-4, 0.31, 0.4925}});
+  }
+  write_boxes(folder.file("wall.obj"), boxes);
+  document.import(folder.file("wall.obj"), "wall", true);
+  View view;  // 1 px is 1 mm
+  view.orthographic = true;
+  view.width_px = view.height_px = 1000, view.height = 1;
+  view.eye = Vec3(0, -3, 0.5), view.target = Vec3(0, 0, 0.5);
+  const Vec2 pointer = *view.project(Vec3(0, -0.1, 0.4985));
+  const auto found = snap(*document->snapshot(), view, pointer, {}, {});
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->kind, Snap::Kind::Edge);
+  EXPECT_NEAR(found->point.z(), 0.5, 1e-4);
+}
+
 TEST_F(Snapping, LeavesOutWhatIsNotWanted) {
   const SceneSnapshot& scene = *document->snapshot();
   const Vec2 at = hand.px(corner_of_box()) + Vec2(1, 1);

@@ -100,6 +100,10 @@ void TestHour::helps_without_a_display() {
     QCOMPARE(editor.exitCode(), 0);
     QVERIFY(editor.readAllStandardOutput().contains("trivet-edit"));
   }
+  editor.start(TRIVET_EDIT_PROGRAM, {"--language", "xx"});
+  QVERIFY(editor.waitForFinished(kPatienceMs));
+  QCOMPARE(editor.exitCode(), 2);
+  QVERIFY(editor.readAllStandardError().contains("--language xx: accepted: en"));
 }
 
 void TestHour::keeps_thumbnails() {

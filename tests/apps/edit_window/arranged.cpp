@@ -66,6 +66,11 @@ void arrange_by_wishes(Document& document, MainWindow& window, User& user, const
   add_wish(window, user, "right_tin", "right of", "left_tin");
   QCOMPARE(document.wishes().list().size(), size_t(4));
   QCOMPARE(find<QTreeWidget>(window, "wishes").topLevelItemCount(), 4);
+  const auto is_editable = [&](int row) {
+    return find<QTreeWidget>(window, "wishes").topLevelItem(row)->flags().testFlag(
+        Qt::ItemIsEditable);
+  };
+  QVERIFY2(!is_editable(0) && is_editable(3), "what lies on something does so for certain");
 
   user.click(find<QPushButton>(window, "arrange"));
   QVERIFY(found(document));
