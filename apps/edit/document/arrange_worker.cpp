@@ -1,5 +1,8 @@
 #include "apps/edit/document/arrange_worker.h"
 
+#include <QCoreApplication>
+#include <QLocale>
+
 #include "ops/arrange/arrange.h"
 #include "ops/base/stopwatch.h"
 #include "ops/files/arrange/arrange_section.h"
@@ -13,14 +16,15 @@ void describe(const ArrangeResult& result, const Scene& scene, LayoutGhost& out)
   double worst = 0;
   for (const ArrangeResult::Holds& r : result.relations)
     if (!r.hard) worst = std::max(worst, r.cost);
-  char text[160];
-  std::snprintf(text, sizeof(text), "%zu placed, all hard wishes hold%s", result.placed.size(),
-                worst > 0 ? "" : "; the others, too");
-  out.text = text;
-  if (worst > 0) {
-    std::snprintf(text, sizeof(text), "; the worst of the others is off by %.3g tolerances", worst);
-    out.text += text;
-  }
+  const QString text =
+      worst > 0 ? QCoreApplication::translate("wishes",
+                                              "%1 placed, all hard wishes hold; the worst of the "
+                                              "others is off by %2 tolerances")
+                      .arg(result.placed.size())
+                      .arg(QLocale().toString(worst, 'g', 3))
+                : QCoreApplication::translate("wishes", "%1 placed, all wishes hold")
+                      .arg(result.placed.size());
+  out.text = text.toStdString();
 }
 
 // Entries of all wishes, from relations of the part.

@@ -6,9 +6,8 @@ namespace {
 
 std::string without_number(const std::string& name) {
   const size_t space = name.find_last_of(' ');
-  const bool is_numbered =
-      space != std::string::npos && space + 1 < name.size() &&
-      name.find_first_not_of("0123456789", space + 1) == std::string::npos;
+  const bool is_numbered = space != std::string::npos && space + 1 < name.size() &&
+                           name.find_first_not_of("0123456789", space + 1) == std::string::npos;
   return is_numbered ? name.substr(0, space) : name;
 }
 

@@ -11,7 +11,7 @@
 namespace trivet::edit {
 
 struct ObjectChanges {
-  std::map<std::string, std::string> renamed;          // old name, new name
+  std::map<std::string, std::string> renamed;         // old name, new name
   std::vector<std::pair<ObjectId, ObjectId>> remade;  // of one name: gone, new
 };
 

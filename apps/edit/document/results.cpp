@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/quoted.h"
 #include "core/base/tunables.h"
 #include "ops/files/report/verdict.h"
 #include "ops/placement/clearance.h"
@@ -52,7 +53,7 @@ std::string quoted_names(const std::vector<std::string>& names) {
   std::string out;
   for (size_t i = 0; i < names.size(); ++i) {
     if (i > 0) out.append(i + 1 < names.size() ? ", " : " and ");
-    out.append("\"").append(names[i]).append("\"");
+    out.append(quoted(names[i]));
   }
   return out;
 }
@@ -98,8 +99,7 @@ void add_sentence(std::string& text, const std::string& sentence) {
 std::optional<Message> message_of(const Scene& scene, const Operation& operation,
                                   const OperationResult& result, double clearance) {
   Message message;
-  std::string name = "\"";
-  name.append(object_name(operation)).append("\"");
+  std::string name = quoted(object_name(operation));
   if (!result.ok()) {
     message.kind = Message::Kind::Refused;
     message.text = result.reason();

@@ -15,6 +15,13 @@ std::optional<ObjectId> Selection::active() const {
   return objects.back();
 }
 
+std::vector<std::string> selected_names(const Selection& selection, const SceneSnapshot& scene) {
+  std::vector<std::string> names;
+  for (const ObjectId id : selection.objects)
+    if (const ObjectSnapshot* const object = scene.find(id)) names.push_back((*object)->name);
+  return names;
+}
+
 std::vector<std::string> selected_beside_active(const Selection& selection,
                                                 const SceneSnapshot& scene) {
   std::vector<std::string> names;

@@ -28,6 +28,9 @@ struct Selection {
   friend bool operator==(const Selection&, const Selection&) = default;
 };
 
+/// Names of the selected objects, placed or not.
+std::vector<std::string> selected_names(const Selection& selection, const SceneSnapshot& scene);
+
 /// Names of the selected objects in the scene that move along with the active one.
 std::vector<std::string> selected_beside_active(const Selection& selection,
                                                 const SceneSnapshot& scene);

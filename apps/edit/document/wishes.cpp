@@ -1,6 +1,8 @@
 #include "apps/edit/document/wishes.h"
 
-#include <QtGlobal>
+#include <QCoreApplication>
+#include <QLocale>
+#include <QString>
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <span>
@@ -31,21 +33,21 @@ std::vector<std::string> names_at(const Json& entry, const char* key) {
 }
 
 std::string listed(const std::vector<std::string>& names) {
-  if (names.size() > 3) return std::to_string(names.size()) + " objects";
+  if (names.size() > 3)
+    return QCoreApplication::translate("wishes", "%1 objects").arg(names.size()).toStdString();
   std::string out;
   for (const std::string& name : names) out += (out.empty() ? "" : ", ") + quoted(name);
   return out;
 }
 
-std::string centimetres(double metres) {
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.4g", 100 * metres);
-  return text;
+// Centimetres of metres, percents of shares.
+QString hundredths(const Json& number) {
+  return QLocale().toString(100 * number.get<double>(), 'g', 4);
 }
 
 std::string label_of(const std::string& is) {
   for (const WishKind& kind : wish_kinds())
-    if (is == kind.is) return kind.label;
+    if (is == kind.is) return QCoreApplication::translate("wishes", kind.label).toStdString();
   return is;
 }
 
@@ -53,12 +55,15 @@ std::string numbers_text(const Json& entry) {
   const auto number = [&](const char* key) {
     return entry.contains(key) && entry[key].is_number();
   };
+  QString out;
   if (entry.contains("gap") && entry["gap"].is_array() && entry["gap"].size() == 2)
-    return ", " + centimetres(entry["gap"][0].get<double>()) + " to " +
-           centimetres(entry["gap"][1].get<double>()) + " cm";
-  if (number("distance")) return ", " + centimetres(entry["distance"].get<double>()) + " cm";
-  if (number("part")) return ", " + centimetres(entry["part"].get<double>()) + " %";
-  return "";
+    out = QCoreApplication::translate("wishes", ", %1 to %2 cm")
+              .arg(hundredths(entry["gap"][0]), hundredths(entry["gap"][1]));
+  else if (number("distance"))
+    out = QString(", %1 cm").arg(hundredths(entry["distance"]));
+  else if (number("part"))
+    out = QString(", %1 %").arg(hundredths(entry["part"]));
+  return out.toStdString();
 }
 
 std::optional<double> weight_of(const Json& entry) {
@@ -259,7 +264,8 @@ Wishes Wishes::renamed(const std::map<std::string, std::string>& names) const {
 
 Wishes::Part Wishes::part(const Scope& scope, std::uint64_t seed) const {
   Json out = document_of(m_json);
-  const Json all = out.value("relations", Json::array()), known = out.value("things", Json::array());
+  const Json all = out.value("relations", Json::array()),
+             known = out.value("things", Json::array());
   Json things = Json::array(), relations = Json::array();
   Part part;
   std::vector<const Wish*> supports;
@@ -272,9 +278,9 @@ Wishes::Part Wishes::part(const Scope& scope, std::uint64_t seed) const {
   for (const std::string& thing : scope.things) {
     things.push_back(thing_entry(known, thing));
     const auto below = scope.carried_by.find(thing);
-    const bool is_supported =
-        std::any_of(supports.begin(), supports.end(),
-                    [&](const Wish* wish) { return any_matches(wish->a, thing); });
+    const bool is_supported = std::any_of(supports.begin(), supports.end(), [&](const Wish* wish) {
+      return any_matches(wish->a, thing);
+    });
     if (is_supported || below == scope.carried_by.end()) continue;
     relations.push_back({{"is", "on"}, {"a", thing}, {"b", below->second}});
     part.entries.push_back(m_list.size());

@@ -43,7 +43,7 @@ struct NewWish {
 /// An entry of "relations".
 struct Wish {
   std::string is;
-  std::string text;               // "cup" right of "plate", 1 to 3 cm
+  std::string text;               // "cup" right of "plate", 1 to 3 cm; translated
   std::vector<std::string> a, b;  // names or patterns of names, as it has them
   bool is_pattern = false;        // a row, a grid, ... of all its objects
   bool may_be_soft = false;

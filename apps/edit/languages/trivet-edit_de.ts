@@ -174,6 +174,58 @@
         <source>Tab: next axis, Return: done, Escape: cancel</source>
         <translation>Tab: nächste Achse, Eingabe: fertig, Escape: abbrechen</translation>
     </message>
+    <message>
+        <source>steps of %1°</source>
+        <translation>Schritte von %1°</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>up</source>
+        <translation>oben</translation>
+    </message>
+    <message>
+        <source>1 copy</source>
+        <translation>1 Kopie</translation>
+    </message>
+    <message>
+        <source>%1 copies</source>
+        <translation>%1 Kopien</translation>
+    </message>
+    <message>
+        <source>%1 objects in turn</source>
+        <translation>%1 Objekte reihum</translation>
+    </message>
+    <message>
+        <source>%1 is locked: it is not taken in hand</source>
+        <translation>%1 ist gesperrt und wird nicht in die Hand genommen</translation>
+    </message>
+    <message>
+        <source>%1 is fixed: it is not taken in hand</source>
+        <translation>%1 ist fest und wird nicht in die Hand genommen</translation>
+    </message>
+    <message>
+        <source>the floor</source>
+        <translation>der Boden</translation>
+    </message>
+    <message>
+        <source>face of %1</source>
+        <translation>Fläche von %1</translation>
+    </message>
+    <message>
+        <source>corner of %1</source>
+        <translation>Ecke von %1</translation>
+    </message>
+    <message>
+        <source>edge of %1</source>
+        <translation>Kante von %1</translation>
+    </message>
+    <message>
+        <source>grid %1 mm</source>
+        <translation>Raster %1 mm</translation>
+    </message>
 </context>
 <context>
     <name>trivet::edit</name>
@@ -639,6 +691,14 @@
     <message>
         <source>Load wishes</source>
         <translation>Wünsche laden</translation>
+    </message>
+    <message>
+        <source>This wish is always hard</source>
+        <translation>Dieser Wunsch ist immer hart</translation>
+    </message>
+    <message>
+        <source>Weight %1: accepted: a number from 0 to %2, or none for a hard wish</source>
+        <translation>Gewicht %1: möglich ist eine Zahl von 0 bis %2, oder keine für einen harten Wunsch</translation>
     </message>
 </context>
 <context>
@@ -2650,6 +2710,22 @@
     <message>
         <source>in reach of</source>
         <translation>in Reichweite von</translation>
+    </message>
+    <message>
+        <source>%1 placed, all hard wishes hold; the worst of the others is off by %2 tolerances</source>
+        <translation>%1 hingestellt, alle harten Wünsche sind erfüllt; der schlechteste der anderen weicht um %2 Toleranzen ab</translation>
+    </message>
+    <message>
+        <source>%1 placed, all wishes hold</source>
+        <translation>%1 hingestellt, alle Wünsche sind erfüllt</translation>
+    </message>
+    <message>
+        <source>%1 objects</source>
+        <translation>%1 Objekte</translation>
+    </message>
+    <message>
+        <source>, %1 to %2 cm</source>
+        <translation>, %1 bis %2 cm</translation>
     </message>
 </context>
 </TS>

@@ -94,10 +94,9 @@ double DragTool::on_grid_from(double grabbed, double way) const {
 
 double DragTool::angle_step(const PointerEvent& event) {
   if (!snaps(event)) return 0;
-  std::string degrees = std::to_string(m_options.angle_step_deg);
-  degrees.erase(degrees.find_last_not_of('0') + 1);
-  if (degrees.ends_with('.')) degrees.pop_back();
-  m_note = "steps of " + degrees + "°";
+  m_note = QCoreApplication::translate("tools", "steps of %1°")
+               .arg(QString::fromStdString(plain_number(m_options.angle_step_deg)))
+               .toStdString();
   return m_options.angle_step_deg;
 }
 
@@ -148,15 +147,7 @@ std::string DragTool::reading() const {
 }
 
 bool DragTool::key(const KeyEvent& event) {
-  if (type(event)) return true;
-  if (event.key != KeyEvent::Key::Escape) return false;
-  if (m_pressed) {
-    cancel();
-    return true;
-  }
-  if (m_document.selection() == Selection()) return false;
-  m_document.select({});
-  return true;
+  return type(event) || (event.key == KeyEvent::Key::Escape && escape(*this, m_document));
 }
 
 void DragTool::cancel() {

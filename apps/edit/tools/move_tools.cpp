@@ -1,6 +1,6 @@
 #include "apps/edit/tools/move_tools.h"
 
-#include <QtGlobal>
+#include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -80,7 +80,10 @@ Vec2 PushTool::snapped(const PointerEvent& event, const Vec2& goal) {
 
 TypedNumbers PushTool::numbers() const {
   if (is_level(m_above)) return {{"x", "y"}, 0, " m"};
-  return {{"right", "up"}, 0, " m"};
+  return {{QCoreApplication::translate("tools", "right").toStdString(),
+           QCoreApplication::translate("tools", "up").toStdString()},
+          0,
+          " m"};
 }
 
 void PushTool::steer_by(const std::vector<double>& values) {

@@ -1,6 +1,6 @@
 #include "apps/edit/tools/paint_tool.h"
 
-#include <QtGlobal>
+#include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -77,14 +77,7 @@ void PaintTool::finish() {
 }
 
 bool PaintTool::key(const KeyEvent& event) {
-  if (event.key != KeyEvent::Key::Escape) return false;
-  if (m_pressed)
-    cancel();
-  else if (m_document.selection() == Selection())
-    return false;
-  else
-    m_document.select({});
-  return true;
+  return event.key == KeyEvent::Key::Escape && escape(*this, m_document);
 }
 
 void PaintTool::cancel() {
@@ -93,11 +86,7 @@ void PaintTool::cancel() {
 }
 
 std::vector<std::string> PaintTool::objects() const {
-  std::vector<std::string> out;
-  const auto snapshot = m_document.snapshot();
-  for (const ObjectId id : m_document.selection().objects)
-    if (const ObjectSnapshot* const object = snapshot->find(id)) out.push_back((*object)->name);
-  return out;
+  return selected_names(m_document.selection(), *m_document.snapshot());
 }
 
 double PaintTool::spacing() const {
@@ -115,7 +104,10 @@ Overlay PaintTool::overlay(const View&) const {
   for (const Vec3& place : all) add_ring(place, radius, out);
   for (size_t i = 0; i + 1 < m_stroke.size(); ++i)
     out.lines.push_back({Overlay::Role::Hint, m_stroke[i], m_stroke[i + 1]});
-  out.note = std::to_string(all.size()) + (all.size() == 1 ? " copy" : " copies");
+  const QString note = all.size() == 1
+                           ? QCoreApplication::translate("tools", "1 copy")
+                           : QCoreApplication::translate("tools", "%1 copies").arg(all.size());
+  out.note = note.toStdString();
   return out;
 }
 
@@ -124,7 +116,8 @@ Cursor PaintTool::cursor() const { return objects().empty() ? Cursor::Arrow : Cu
 std::string PaintTool::in_hand() const {
   const std::vector<std::string> all = objects();
   if (all.empty()) return {};
-  return all.size() == 1 ? all.front() : std::to_string(all.size()) + " objects in turn";
+  if (all.size() == 1) return all.front();
+  return QCoreApplication::translate("tools", "%1 objects in turn").arg(all.size()).toStdString();
 }
 
 std::string PaintTool::hint() const {

@@ -1,8 +1,9 @@
-#include <QtGlobal>
+#include <QCoreApplication>
 #include <algorithm>
 
 #include "apps/edit/tools/move_tools.h"
 #include "apps/edit/tools/placing.h"
+#include "core/base/quoted.h"
 
 namespace trivet::edit {
 namespace {
@@ -10,8 +11,6 @@ namespace {
 bool can_be_moved(const Object& object) {
   return !object.locked && !(object.fixed && object.placed);
 }
-
-std::string quoted(const std::string& name) { return "\"" + name + "\""; }
 
 }  // namespace
 
@@ -146,9 +145,13 @@ std::string PutTool::hint() const {
         "Click its place; hold Alt to drop it from just above that point; Escape drops it from "
         "the hand");
   const ObjectSnapshot* const object = active();
-  if (object && !can_be_moved(*object->object))
-    return quoted((*object)->name) + " is " + ((*object)->locked ? "locked" : "fixed") +
-           ": it is not taken in hand";
+  if (object && !can_be_moved(*object->object)) {
+    const QString why =
+        (*object)->locked
+            ? QCoreApplication::translate("tools", "%1 is locked: it is not taken in hand")
+            : QCoreApplication::translate("tools", "%1 is fixed: it is not taken in hand");
+    return why.arg(QString::fromStdString(quoted((*object)->name))).toStdString();
+  }
   return QT_TRANSLATE_NOOP(
       "tools",
       "Nothing in hand: click an object to take it; N takes the next one that is not placed yet");

@@ -1,11 +1,14 @@
 #include "apps/edit/tools/snapping.h"
 
 #include <Eigen/Geometry>
+#include <QCoreApplication>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "apps/edit/tools/picking.h"
+#include "apps/edit/tools/typed_numbers.h"
+#include "core/base/quoted.h"
 #include "core/index/shape.h"
 
 namespace trivet::edit {
@@ -182,23 +185,18 @@ double on_grid(double value, double step) {
 
 std::string in_words(const Snap& snap, const SceneSnapshot& scene) {
   const ObjectSnapshot* const object = snap.object ? scene.find(*snap.object) : nullptr;
-  const std::string of = object ? "\"" + (*object)->name + "\"" : std::string("the floor");
-  switch (snap.kind) {
-    case Snap::Kind::Corner:
-      return "corner of " + of;
-    case Snap::Kind::Edge:
-      return "edge of " + of;
-    case Snap::Kind::Face:
-      break;
-  }
-  return object ? "face of " + of : of;
+  const QString of = object ? QString::fromStdString(quoted((*object)->name))
+                            : QCoreApplication::translate("tools", "the floor");
+  QString text = QCoreApplication::translate("tools", "face of %1");
+  if (snap.kind == Snap::Kind::Corner) text = QCoreApplication::translate("tools", "corner of %1");
+  if (snap.kind == Snap::Kind::Edge) text = QCoreApplication::translate("tools", "edge of %1");
+  return (object ? text.arg(of) : of).toStdString();
 }
 
 std::string grid_in_words(double step) {
-  std::string text = std::to_string(step * 1000);  // millimetres, without zeros at the end
-  text.erase(text.find_last_not_of('0') + 1);
-  if (text.ends_with('.')) text.pop_back();
-  return "grid " + text + " mm";
+  return QCoreApplication::translate("tools", "grid %1 mm")
+      .arg(QString::fromStdString(plain_number(1000 * step)))
+      .toStdString();
 }
 
 }  // namespace trivet::edit

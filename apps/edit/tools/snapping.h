@@ -44,7 +44,7 @@ std::optional<Snap> snap(const SceneSnapshot& scene, const View& view, const Vec
 /// The multiple of `step` nearest to `value`; `value` itself where the step is none.
 double on_grid(double value, double step);
 
-/// "corner of \"shelf\"", "the floor", "grid 50 mm": for people.
+/// "corner of \"shelf\"", "the floor", "grid 50 mm": in the language of the windows.
 std::string in_words(const Snap& snap, const SceneSnapshot& scene);
 std::string grid_in_words(double step);
 

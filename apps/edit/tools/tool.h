@@ -80,4 +80,7 @@ class Tool {
   virtual std::string in_hand() const { return {}; }
 };
 
+/// Escape: cancels what the tool does, else clears the selection. @return false: there is neither.
+bool escape(Tool& tool, Document& document);
+
 }  // namespace trivet::edit

@@ -17,6 +17,13 @@ double value_of(const std::string& text) {
 
 }  // namespace
 
+std::string plain_number(double value) {
+  std::string text = std::to_string(value);
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.ends_with('.')) text.pop_back();
+  return text;
+}
+
 TypedNumbers::TypedNumbers(std::vector<std::string> axes, size_t first, std::string unit)
     : m_axes(std::move(axes)),
       m_texts(m_axes.size()),

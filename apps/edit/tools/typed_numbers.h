@@ -6,6 +6,9 @@
 
 namespace trivet::edit {
 
+/// "12.5": six decimals at most, without zeros at the end.
+std::string plain_number(double value);
+
 class TypedNumbers {
  public:
   TypedNumbers() = default;  // takes nothing

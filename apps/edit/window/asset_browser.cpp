@@ -249,6 +249,7 @@ void AssetBrowser::want_seen() {
   const QRect window = m_list->viewport()->rect();
   for (int row = 0; row < m_list->count(); ++row) {
     const QListWidgetItem* const item = m_list->item(row);
+    if (m_waiting.count(item->data(kModelRole).toString())) continue;
     const bool is_seen = !item->isHidden() && m_list->visualItemRect(item).intersects(window);
     (is_seen ? seen : rest) << item->data(kModelRole).toString();
   }

@@ -7,11 +7,8 @@
 namespace trivet::edit {
 void MainWindow::perform_on_selection(const QString& name,
                                       const std::function<Operation(const std::string&)>& make) {
-  const auto snapshot = m_document.snapshot();
   std::vector<Operation> operations;
-  for (const ObjectId id : m_document.selection().objects)
-    if (const ObjectSnapshot* const object = snapshot->find(id))
-      operations.push_back(make((*object)->name));
+  for (const std::string& object : selected_names()) operations.push_back(make(object));
   if (operations.size() == 1)
     m_document.perform(operations.front());
   else if (!operations.empty())
@@ -19,25 +16,18 @@ void MainWindow::perform_on_selection(const QString& name,
 }
 
 void MainWindow::duplicate() {
-  const auto snapshot = m_document.snapshot();
-  NewNames free(*snapshot);
+  NewNames free(*m_document.snapshot());
   std::vector<std::string> names;
   std::vector<Operation> operations;
-  for (const ObjectId id : m_document.selection().objects) {
-    const ObjectSnapshot* const object = snapshot->find(id);
-    if (!object) continue;
-    DuplicateOperation operation;
-    operation.object = (*object)->name;
-    operation.as = free.like((*object)->name);
-    names.push_back(operation.as);
-    operations.push_back(operation);
+  for (const std::string& name : selected_names()) {
+    names.push_back(free.like(name));
+    operations.push_back(DuplicateOperation{name, names.back()});
   }
   if (operations.empty()) return;
-  when_finished(
-      m_document.perform_all("duplicate", std::move(operations), std::move(names)),
-      [this](bool ok) {
-        if (ok) take_tool(ToolKind::Put);
-      });
+  when_finished(m_document.perform_all("duplicate", std::move(operations), std::move(names)),
+                [this](bool ok) {
+                  if (ok) take_tool(ToolKind::Put);
+                });
 }
 
 void MainWindow::lock_selected(bool locked) {

@@ -56,6 +56,18 @@ void MainWindow::update_title() {
   update_actions();
 }
 
+void MainWindow::follow_busy() {
+  // Dismisses messages about earlier operations.
+  if (m_document.is_busy() && !m_was_busy) m_message_bar->dismiss();
+  m_was_busy = m_document.is_busy();
+  if (m_document.is_busy())
+    m_busy_for_long.start();
+  else
+    m_busy_for_long.stop(), show_busy();
+  update_actions();
+  update_status();
+}
+
 void MainWindow::show_busy() {
   const bool busy = m_document.is_busy() || m_picture;
   if (busy && m_document.is_busy()) m_busy->setText(QString::fromStdString(m_document.busy_with()));

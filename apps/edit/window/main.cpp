@@ -49,8 +49,7 @@ void answer_without_display(int argc, char** argv) {
   const bool is_known = parser.parse(given);
   const bool asks = is_known && (parser.isSet("help") || parser.isSet("version"));
   if (asks || given.contains("--help-all")) parser.process(application);
-  if (is_known && parser.isSet("language"))
-    trivet::edit::check_language(parser.value("language"));
+  if (is_known && parser.isSet("language")) trivet::edit::check_language(parser.value("language"));
 }
 
 int run(int argc, char** argv) {

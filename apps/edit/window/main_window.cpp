@@ -1,11 +1,6 @@
 #include "apps/edit/window/main_window.h"
 
-#include <QApplication>
-#include <QCloseEvent>
-#include <QKeyEvent>
-#include <QMimeData>
 #include <QStatusBar>
-#include <algorithm>
 
 #include "apps/edit/tools/constraint_camera.h"
 #include "apps/edit/window/preferences_dialog.h"
@@ -144,17 +139,7 @@ void MainWindow::connect_document() {
   connect(&m_document, &Document::detection_noted, this,
           [this](const QString& note) { statusBar()->showMessage(note, kNoteMs); });
   show_detection();
-  connect(&m_document, &Document::busy_changed, this, [this] {
-    // Dismisses messages about earlier operations.
-    if (m_document.is_busy() && !m_was_busy) m_message_bar->dismiss();
-    m_was_busy = m_document.is_busy();
-    if (m_document.is_busy())
-      m_busy_for_long.start();
-    else
-      m_busy_for_long.stop(), show_busy();
-    update_actions();
-    update_status();
-  });
+  connect(&m_document, &Document::busy_changed, this, &MainWindow::follow_busy);
   connect(&m_document, &Document::progressed, this,
           [this](const QString& what, int done, int total) {
             m_busy->setText(what);
@@ -272,55 +257,6 @@ SceneView* MainWindow::active_view() const {
   for (SceneView* const view : {m_three, m_constraint})
     if (view->hasFocus()) return view;
   return m_perspective;
-}
-
-// --- keys and files -----------------------------------------------------------------------------
-
-void MainWindow::keyPressEvent(QKeyEvent* event) {
-  if (event->key() == Qt::Key_Escape) {
-    if (m_message_bar->isVisible())
-      m_message_bar->dismiss();
-    else if (m_document.is_busy())
-      m_document.cancel();
-    else
-      take_tool(ToolKind::Select);
-    return;
-  }
-  QMainWindow::keyPressEvent(event);
-}
-
-void MainWindow::resizeEvent(QResizeEvent* event) {
-  QMainWindow::resizeEvent(event);
-  place_message_bar();
-}
-
-void MainWindow::closeEvent(QCloseEvent* event) {
-  if (m_may_close || !may_lose_work([this] {
-        m_may_close = true;
-        when_finished(m_document.close(), [this](bool) { close(); });
-      })) {
-    event->setAccepted(m_may_close);
-    if (m_may_close) save_layout();
-    return;
-  }
-  event->ignore();
-}
-
-void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-  if (event->mimeData()->hasUrls()) event->acceptProposedAction();
-}
-
-void MainWindow::dropEvent(QDropEvent* event) {
-  if (event->mimeData()->hasFormat(kAssetsMime))
-    return drop_assets(event->mimeData()->urls(), event->position().toPoint());
-  QStringList models;
-  for (const QUrl& url : event->mimeData()->urls()) {
-    const QString file = url.toLocalFile();
-    if (file.endsWith(".json", Qt::CaseInsensitive) || event->mimeData()->urls().size() == 1)
-      return open_file(file);
-    if (!file.isEmpty()) models << file;
-  }
-  if (!models.isEmpty()) import_files(models);
 }
 
 }  // namespace trivet::edit

@@ -80,6 +80,7 @@ class MainWindow : public QMainWindow {
   // feedback.cpp
   void make_status_bar();
   void update_title();
+  void follow_busy();
   void show_busy();
   void update_status();
   void show_detection();
@@ -121,15 +122,22 @@ class MainWindow : public QMainWindow {
   void make_edit_actions();
   void make_tool_actions();
   void make_hand_actions();
-  void make_view_actions();
-  void make_three_view_actions();
-  void make_drawing_actions();
-  void make_direction_actions();
+  void connect_start_page();
+  QMenu* add_menu(const QString& title, std::initializer_list<const char*> names);
+  void make_file_menu();
+  void make_view_menu();
+  void make_context_menu();
   void make_menus();
   void make_tool_bar();
   void dress_actions();
   void show_context_menu(const QPoint& global);
   std::vector<ShortcutRow> shortcut_rows() const;
+
+  // view_actions.cpp
+  void make_view_actions();
+  void make_three_view_actions();
+  void make_drawing_actions();
+  void make_direction_actions();
 
   // edits.cpp: menu actions on the selection
   void duplicate();
@@ -193,7 +201,7 @@ class MainWindow : public QMainWindow {
   std::map<const SceneView*, QToolButton*> m_section_buttons;
   Bookmarks m_bookmarks;
   QString m_bookmarks_of;      // file
-  bool m_is_replaced = false;  // another scene follows
+  bool m_is_replaced = false;  // the scene is about to be another one
   size_t m_num_done = 0;       // steps
   QStackedWidget* m_pages = nullptr;
   StartPage* m_start_page = nullptr;

@@ -22,11 +22,7 @@ constexpr NamedColour kColours[] = {
 }  // namespace
 
 std::vector<std::string> MainWindow::selected_names() const {
-  std::vector<std::string> out;
-  for (const ObjectId id : m_document.selection().objects)
-    if (const ObjectSnapshot* const object = m_document.snapshot()->find(id))
-      out.push_back((*object)->name);
-  return out;
+  return edit::selected_names(m_document.selection(), *m_document.snapshot());
 }
 
 void MainWindow::perform_many(const QString& name, ManyObjects many) {

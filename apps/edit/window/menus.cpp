@@ -61,6 +61,10 @@ void MainWindow::make_actions() {
   });
   make_menus();
   make_tool_bar();
+  connect_start_page();
+}
+
+void MainWindow::connect_start_page() {
   connect(m_start_page, &StartPage::new_wanted, this, &MainWindow::new_scene);
   connect(m_start_page, &StartPage::open_wanted, this, &MainWindow::ask_open);
   connect(m_start_page, &StartPage::import_wanted, this, &MainWindow::ask_import);
@@ -172,102 +176,14 @@ void MainWindow::make_hand_actions() {
          "goes along it, walls included"));
 }
 
-void MainWindow::make_view_actions() {
-  m_icons[add_action("frame", tr("&Frame selected"), tr("F"), [this] {
-    active_view()->frame(active_view()->selected_box());
-  })] = Icon::Frame;
-  add_action("frame all", tr("Frame &all"), tr("Home"), [this] {
-    const Aabb box = m_document.snapshot()->box();
-    box.empty() ? reset_cameras() : active_view()->frame(box);
-  });
-  make_three_view_actions();
-  make_direction_actions();
-  make_section_actions();
-  make_bookmark_actions();
-  add_action("follow contact", tr("&Constraint window follows the contact"), tr("C"), [this] {
-    m_constraint_is_free = false;
-    aim_constraint_window();
-  });
-  m_icons[add_action(
-      "maximise", tr("&Maximise window"), tr("Ctrl+Space"),
-      [this] {
-        ViewFrame* frame = m_frames[0];
-        for (ViewFrame* const other : m_frames)
-          if (other->content() == active_view()) frame = other;
-        toggle_maximised(m_maximised ? m_maximised : frame);
-      },
-      tr("Maximise the window under the mouse, and restore it"))] = Icon::Maximise;
-  add_action("reset layout", tr("&Reset layout"), {}, [this] { reset_layout(); });
-  make_drawing_actions();
+QMenu* MainWindow::add_menu(const QString& title, std::initializer_list<const char*> names) {
+  QMenu* const out = menuBar()->addMenu(title);
+  fill(*out, m_actions, names);
+  return out;
 }
 
-// Of any view, as in other programs: on the number pad.
-void MainWindow::make_direction_actions() {
-  const auto direction = [&](const char* name, const QString& text, Qt::Key key, const Vec3& way) {
-    add_action(
-        name, text, QKeySequence(Qt::KeypadModifier | key), [this, way] { look_along(way); },
-        tr("View direction of the window under the mouse"));
-  };
-  direction("from front", tr("From the front"), Qt::Key_1, Vec3::UnitY());
-  direction("from side", tr("From the side"), Qt::Key_3, -Vec3::UnitX());
-  direction("from above", tr("From above"), Qt::Key_7, -Vec3::UnitZ());
-  direction("from behind", tr("From behind"), Qt::Key_9, -Vec3::UnitY());
-}
-
-void MainWindow::make_three_view_actions() {
-  auto* const group = new QActionGroup(this);
-  int key = Qt::Key_1;
-  for (const char* const name : {"top", "side", "front"}) {
-    const QString text = name == QString("top")    ? tr("&Top")
-                         : name == QString("side") ? tr("&Side")
-                                                   : tr("Fr&ont");
-    QAction* const action = add_action(
-        name, text, QKeySequence(key++), [this, name] { aim_three_view(name); },
-        tr("View direction of the three-view window"));
-    action->setCheckable(true);
-    group->addAction(action);
-    auto* const button = new QToolButton;
-    button->setDefaultAction(action);
-    button->setAutoRaise(true);
-    button->setFocusPolicy(Qt::NoFocus);
-    m_frames[2]->add_to_title(button);
-  }
-}
-
-void MainWindow::make_drawing_actions() {
-  const auto option = [&](const char* name, const QString& text, bool DrawingOptions::*field) {
-    QAction* const action = add_action(name, text, {}, [this, name, field] {
-      DrawingOptions options = m_drawing.options();
-      options.*field = m_actions.at(name)->isChecked();
-      m_drawing.set_options(options);
-    });
-    action->setCheckable(true);
-  };
-  option("shadows", tr("S&hadows"), &DrawingOptions::shadows);
-  option("contacts", tr("C&ontacts of the active object"), &DrawingOptions::contacts);
-  option("watch settling", tr("&Watch settling"), &DrawingOptions::watch_settling);
-  add_action(
-      "zlists", tr("&z-lists of the motion"), tr("Z"),
-      [this] { m_zlist_dock->setVisible(action("zlists")->isChecked()); },
-      tr("z-lists: depths along the motion of what is dragged or put"))
-      ->setCheckable(true);
-  add_action(
-      "assets", tr("&Models"), tr("M"),
-      [this] { m_asset_dock->setVisible(action("assets")->isChecked()); },
-      tr("Models: folders of models, to drag into the views"))
-      ->setCheckable(true);
-  add_action("dark", tr("&Dark theme"), {}, [this] {
-    set_dark(action("dark")->isChecked());
-  })->setCheckable(true);
-}
-
-void MainWindow::make_menus() {
-  const auto menu = [this](const QString& title, std::initializer_list<const char*> names) {
-    QMenu* const out = menuBar()->addMenu(title);
-    fill(*out, m_actions, names);
-    return out;
-  };
-  QMenu* const file = menu(tr("&File"), {"new", "open"});
+void MainWindow::make_file_menu() {
+  QMenu* const file = add_menu(tr("&File"), {"new", "open"});
   m_recent_menu = file->addMenu(tr("Open &recent"));
   connect(m_recent_menu, &QMenu::aboutToShow, this, &MainWindow::fill_recent_menu);
   QMenu* const demos = file->addMenu(tr("Open &demo"));
@@ -276,45 +192,42 @@ void MainWindow::make_menus() {
                      [this, name] { open_demo(QString::fromStdString(name)); });
   fill(*file, m_actions,
        {"", "import", "", "save", "save as", "", "export", "picture", "", "start page", "quit"});
-  menu(
-      tr("&Edit"),
-      {"undo",        "redo",    "", "duplicate", "rename",    "delete", "",           "select all",
-       "select none", "search",  "", "lock",      "unlock",    "fix",    "unfix",      "",
-       "group",       "ungroup", "", "collect",   "uncollect", "",       "preferences"});
-  QMenu* const object =
-      menu(tr("&Object"), {"select", "put", "push", "turn", "pick up", "move", "rotate", "paint",
-                           "", "put here", "take next", "pick up now", "next contact", "", "snap"});
-  object->addMenu(m_snap_menu);
-  menu(tr("&Many"), {"array", "scatter", "put all", "", "align", "replace", "", "arrange"});
-  QMenu* const view = menu(tr("&View"), {"frame",
-                                         "frame all",
-                                         "",
-                                         "top",
-                                         "side",
-                                         "front",
-                                         "from front",
-                                         "from side",
-                                         "from above",
-                                         "from behind",
-                                         "follow contact",
-                                         "section",
-                                         "",
-                                         "maximise",
-                                         "reset layout",
-                                         "",
-                                         "hide",
-                                         "show all",
-                                         "not selectable",
-                                         "all selectable"});
+}
+
+void MainWindow::make_view_menu() {
+  QMenu* const view = add_menu(tr("&View"), {"frame", "frame all", ""});
+  fill(*view, m_actions,
+       {"top", "side", "front", "from front", "from side", "from above", "from behind",
+        "follow contact", "section", "", "maximise", "reset layout", ""});
+  fill(*view, m_actions, {"hide", "show all", "not selectable", "all selectable"});
   view->addMenu(m_colours);
   view->addMenu(m_bookmark_menu);
   fill(*view, m_actions, {"", "shadows", "contacts", "watch settling", "zlists", "assets", "dark"});
-  menu(tr("&Help"), {"two minutes", "shortcuts", "about"});
+}
+
+void MainWindow::make_context_menu() {
   m_context_menu = new QMenu(this);
   fill(*m_context_menu, m_actions,
        {"put", "push", "turn", "pick up", "move", "rotate", "", "duplicate", "delete", "lock",
         "unlock", "fix", "unfix", "", "frame", "hide", "not selectable"});
   m_context_menu->addMenu(m_colours);
+}
+
+void MainWindow::make_menus() {
+  make_file_menu();
+  add_menu(
+      tr("&Edit"),
+      {"undo",        "redo",    "", "duplicate", "rename",    "delete", "",           "select all",
+       "select none", "search",  "", "lock",      "unlock",    "fix",    "unfix",      "",
+       "group",       "ungroup", "", "collect",   "uncollect", "",       "preferences"});
+  QMenu* const object = add_menu(
+      tr("&Object"), {"select", "put", "push", "turn", "pick up", "move", "rotate", "paint", "",
+                      "put here", "take next", "pick up now", "next contact", "", "snap"});
+  object->addMenu(m_snap_menu);
+  add_menu(tr("&Many"), {"array", "scatter", "put all", "", "align", "replace", "", "arrange"});
+  make_view_menu();
+  add_menu(tr("&Help"), {"two minutes", "shortcuts", "about"});
+  make_context_menu();
 }
 
 void MainWindow::make_tool_bar() {

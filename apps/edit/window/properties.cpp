@@ -226,6 +226,42 @@ void Properties::set(const QString& name, const QString& value, const QString& t
   label->setText(value);
 }
 
+void Properties::show_pose(const Object& object) {
+  const bool placed = object.placed;
+  for (VectorField* const field : {m_position, m_rotation}) field->setEnabled(placed);
+  m_position->show_values(placed ? object.pose.translation : Vec3::Zero());
+  m_rotation->show_values(placed ? angles_deg(object.pose.rotation) : Vec3::Zero());
+  const QSignalBlocker scale(m_scale);
+  m_scale->setValue(object.scale);
+  const Vec3 size = placed ? Vec3(2 * world_box(object).half_extent())
+                           : Vec3(2 * object.scale * object.shape->box.half_extent());
+  set(tr("Size"), QString("%1 × %2 × %3")
+                      .arg(length_text(size.x()), length_text(size.y()), length_text(size.z())));
+}
+
+// How firmly it rests, alone and with all that it touches.
+void Properties::show_rest(const Object& object, ObjectId id) {
+  const QString none = QStringLiteral("–");
+  const bool rests = object.placed && !object.fixed;
+  set(tr("To tipping"), rests ? length_text(object.stability_margin) : none,
+      tr("Distance of the centre of mass inside the support polygon, seen from "
+         "above; negative: outside"));
+  set(tr("Least friction"),
+      !rests                                 ? none
+      : std::isfinite(object.least_friction) ? number(object.least_friction, 3)
+                                             : tr("no coefficient holds it"),
+      tr("Smallest Coulomb coefficient that holds the object"));
+  const auto verdict = m_document.verdict();
+  const ObjectStability* const judged = verdict ? verdict->find(id) : nullptr;
+  set(tr("As a whole"),
+      judged ? tr("%1, margin %2")
+                   .arg(QString::fromStdString(object_text(object, *judged)),
+                        length_text(judged->margin))
+             : none,
+      tr("With all that it touches, at the friction of the materials. Margin: how far all weights "
+         "may shift sideways before it gives way"));
+}
+
 void Properties::show_object() {
   const auto snapshot = m_document.snapshot();
   const Selection& selection = m_document.selection();
@@ -240,35 +276,8 @@ void Properties::show_object() {
   if (selection.objects.size() > 1) name += tr("  and %1 more").arg(selection.objects.size() - 1);
   m_name->setText(name);
   set(tr("State"), state_text(object.state));
-  const bool placed = object.placed;
-  const QString none = QStringLiteral("–");
-  for (VectorField* const field : {m_position, m_rotation}) field->setEnabled(placed);
-  m_position->show_values(placed ? object.pose.translation : Vec3::Zero());
-  m_rotation->show_values(placed ? angles_deg(object.pose.rotation) : Vec3::Zero());
-  const QSignalBlocker scale(m_scale);
-  m_scale->setValue(object.scale);
-  const Vec3 size = placed ? Vec3(2 * world_box(object).half_extent())
-                           : Vec3(2 * object.scale * object.shape->box.half_extent());
-  set(tr("Size"), QString("%1 × %2 × %3")
-                      .arg(length_text(size.x()), length_text(size.y()), length_text(size.z())));
-  const bool rests = placed && !object.fixed;
-  set(tr("To tipping"), rests ? length_text(object.stability_margin) : none,
-      tr("Distance of the centre of mass inside the support polygon, seen from "
-         "above; negative: outside"));
-  set(tr("Least friction"),
-      !rests                                 ? none
-      : std::isfinite(object.least_friction) ? number(object.least_friction, 3)
-                                             : tr("no coefficient holds it"),
-      tr("Smallest Coulomb coefficient that holds the object"));
-  const auto verdict = m_document.verdict();
-  const ObjectStability* const judged = verdict ? verdict->find(found->id) : nullptr;
-  set(tr("As a whole"),
-      judged ? tr("%1, margin %2")
-                   .arg(QString::fromStdString(object_text(object, *judged)),
-                        length_text(judged->margin))
-             : none,
-      tr("With all that it touches, at the friction of the materials. Margin: how far all weights "
-         "may shift sideways before it gives way"));
+  show_pose(object);
+  show_rest(object, found->id);
   show_material(object.material);
   set(tr("Weight"), weight_text(object), tr("Objects are of uniform density"));
   set(tr("Mass by"), mass_text(object), tr("Objects are of uniform density"));

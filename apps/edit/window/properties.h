@@ -23,6 +23,8 @@ class Properties : public QScrollArea {
 
  private:
   void show_object();
+  void show_pose(const Object& object);
+  void show_rest(const Object& object, ObjectId id);
   void add_pose();
   void add_scale();
   void stand(PosePart part, int axis, double value);

@@ -3,19 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "apps/edit/window/live_objects.h"
 #include "apps/edit/window/wish_marks.h"
 
 namespace trivet::edit {
 namespace {
 
 constexpr int kGhostRestsMs = 120;  // without motion, after which it counts as still
-
-LiveObject live_object(const Object& object, const Pose& pose) {
-  LiveObject out;
-  out.model = object.model;
-  out.world_from_object = world_from_object(pose, object.up, object.scale);
-  return out;
-}
 
 /// Marks whole objects weakly when faces are lit.
 float strength(float alone, bool faces_are_lit) { return faces_are_lit ? 0.35f * alone : alone; }
@@ -154,15 +148,9 @@ void SceneDrawing::add_ghost(LiveScene& scene) const {
   const Ghost& ghost = *m_document.ghost();
   const auto snapshot = m_document.snapshot();
   if (!ghost.ok && snapshot->drag) return;  // the dragged object is there
-  for (const Ghost::Member& member : ghost.members) {
-    const ObjectSnapshot* const object = snapshot->find(member.id);
-    if (!object) continue;
-    LiveObject live = live_object(*object->object, member.pose);
-    live.opacity = 0.55f;
-    live.tint = ghost.ok ? live_colour(m_theme.accent(), 0.45f) : live_colour(m_theme.lit(), 0.7f);
-    live.moving = true;
-    scene.objects.push_back(std::move(live));
-  }
+  add_ghosts(*snapshot, ghost.members,
+             ghost.ok ? live_colour(m_theme.accent(), 0.45f) : live_colour(m_theme.lit(), 0.7f),
+             scene);
   if (ghost.ok) return;
   for (const Vec3& point : ghost.points)
     scene.overlay.points.push_back({point, live_colour(m_theme.refused()), 6, Hidden::Shown});

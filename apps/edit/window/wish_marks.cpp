@@ -2,13 +2,12 @@
 
 #include <algorithm>
 
-#include "gpu/live/live_scene.h"
+#include "apps/edit/window/live_objects.h"
 
 namespace trivet::edit {
 namespace {
 
 constexpr size_t kMostMarks = 200;
-constexpr float kGhostOpacity = 0.55f;
 
 // Where it is previewed, else where it stands.
 std::optional<Vec3> middle_of(const Document& document, const ObjectSnapshot& object) {
@@ -69,19 +68,8 @@ std::vector<WishMark> wish_marks(const Document& document) {
 }
 
 void add_arrangement(const Document& document, const Theme& theme, LiveScene& scene) {
-  const auto snapshot = document.snapshot();
   if (const auto& layout = document.layout())
-    for (const Ghost::Member& member : layout->members)
-      if (const ObjectSnapshot* const object = snapshot->find(member.id)) {
-        LiveObject live;
-        live.model = object->object->model;
-        live.world_from_object =
-            world_from_object(member.pose, object->object->up, object->object->scale);
-        live.opacity = kGhostOpacity;
-        live.tint = live_colour(theme.accent(), 0.45f);
-        live.moving = true;
-        scene.objects.push_back(std::move(live));
-      }
+    add_ghosts(*document.snapshot(), layout->members, live_colour(theme.accent(), 0.45f), scene);
   for (const WishMark& mark : wish_marks(document)) {
     const LiveColour colour = live_colour(colour_of(mark, theme));
     scene.overlay.lines.push_back({mark.a, mark.b, colour, 2, Hidden::Shown});

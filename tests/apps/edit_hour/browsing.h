@@ -9,6 +9,8 @@ namespace trivet::edit::test {
 void browse_models(Document& document, MainWindow& window, User& user, const QString& folder);
 /// Thumbnails are kept, and made again when a file changes. Without a window.
 void keep_thumbnails(const QString& folder);
+/// A model that could not be read is read again the next time. Without a window.
+void forget_errors(const QString& folder);
 /// Leaves no unsaved changes.
 void collect_objects(Document& document, MainWindow& window, User& user, const QString& folder);
 void drop_files(Document& document, MainWindow& window, User& user, const QString& folder);

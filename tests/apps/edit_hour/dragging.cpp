@@ -32,6 +32,14 @@ void send_drop(QWidget& widget, QMimeData* data, const QPoint& at) {
   QFAIL("nowhere can it be dropped");
 }
 
+bool all_made(AssetBrowser& assets, int count) {
+  int made = 0;
+  for (int i = 0; i < assets.list().count(); ++i)
+    made +=
+        assets.thumbnails().find(assets.list().item(i)->data(Qt::UserRole).toString()) != nullptr;
+  return made > 0 && made == (count > 0 ? count : assets.list().count());
+}
+
 void double_click_asset(MainWindow& window, const QString& name) {
   AssetList& list = window.assets().list();
   const QPoint at = list.visualRect(shown_asset(list, name)).center();

@@ -1,4 +1,4 @@
-// Drags between windows: what the window system would send.
+// Models of the asset browser, and drags between windows: what the window system would send.
 #pragma once
 
 #include <QMimeData>
@@ -9,6 +9,9 @@ namespace trivet::edit::test {
 
 /// Takes `data`. Sends the drop to the widget, and to those around it until one takes it.
 void send_drop(QWidget& widget, QMimeData* data, const QPoint& at);
+
+/// True once that many of the listed models, 0: all, were read.
+bool all_made(AssetBrowser& assets, int count = 0);
 
 void double_click_asset(MainWindow& window, const QString& name);
 /// From the asset browser to a world point in a view.

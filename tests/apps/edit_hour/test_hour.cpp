@@ -46,6 +46,7 @@ class TestHour : public QObject {
   void cleanupTestCase();
   void helps_without_a_display();
   void keeps_thumbnails();
+  void forgets_errors();
   void browses_models();
   void collects_objects();
   void drops_files();
@@ -109,6 +110,11 @@ void TestHour::helps_without_a_display() {
 void TestHour::keeps_thumbnails() {
   if (m_kind.only_hour) QSKIP("--hour");
   keep_thumbnails(m_folder.filePath("thumbnails"));
+}
+
+void TestHour::forgets_errors() {
+  if (m_kind.only_hour) QSKIP("--hour");
+  forget_errors(m_folder.filePath("errors"));
 }
 
 void TestHour::browses_models() {

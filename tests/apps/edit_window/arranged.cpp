@@ -39,39 +39,30 @@ bool found(Document& document) {
   return QTest::qWaitFor([&] { return document.layout() != nullptr; }, kPatienceMs);
 }
 
-}  // namespace
+/// A fixed bench, and three tins that are not placed yet.
+void import_tins(User& user, const QString& folder) {
+  const QString bench = folder + "/bench.obj", tin = folder + "/tin.obj";
+  write_boxes(bench.toStdString(), {{{-0.6, -0.3, 0}, {0.6, 0.3, 0.4}}});
+  write_boxes(tin.toStdString(), {{{-0.06, -0.05, 0}, {0.06, 0.05, 0.15}}});
+  user.import_model(bench, "bench", Vec3(0, 0, 0.01), true);
+  for (const char* name : {"left_tin", "right_tin", "third_tin"}) user.import_model(tin, name);
+}
 
-void arrange_by_wishes(Document& document, MainWindow& window, User& user, const QString& folder) {
-  document.new_scene();
-  QVERIFY(user.wait());
-  write_boxes((folder + "/bench.obj").toStdString(), {{{-0.6, -0.3, 0}, {0.6, 0.3, 0.4}}});
-  write_boxes((folder + "/tin.obj").toStdString(), {{{-0.06, -0.05, 0}, {0.06, 0.05, 0.15}}});
-  for (const char* name : {"bench", "left_tin", "right_tin", "third_tin"}) {
-    ImportModel import;
-    import.file = (folder + (name == QString("bench") ? "/bench.obj" : "/tin.obj")).toStdString();
-    import.name = name;
-    import.fixed = name == QString("bench");
-    if (import.fixed) import.put = Pose{{}, Vec3(0, 0, 0.01)};
-    document.import_model(import);
-  }
-  QVERIFY(user.wait());
-  auto* const arrange = window.action("arrange");
-  if (!arrange->isChecked()) arrange->trigger();
-  auto& dock = find<QDockWidget>(window, "arrange_dock");
-  QVERIFY(QTest::qWaitFor([&] { return dock.isVisible(); }, kPatienceMs));
-  QVERIFY(user.wait());
-
+void wish(Document& document, MainWindow& window, User& user) {
   for (const char* tin : {"left_tin", "right_tin", "third_tin"})
     add_wish(window, user, tin, "on", "bench");
   add_wish(window, user, "right_tin", "right of", "left_tin");
   QCOMPARE(document.wishes().list().size(), size_t(4));
-  QCOMPARE(find<QTreeWidget>(window, "wishes").topLevelItemCount(), 4);
+  const QTreeWidget& list = find<QTreeWidget>(window, "wishes");
+  QCOMPARE(list.topLevelItemCount(), 4);
   const auto is_editable = [&](int row) {
-    return find<QTreeWidget>(window, "wishes").topLevelItem(row)->flags().testFlag(
-        Qt::ItemIsEditable);
+    return list.topLevelItem(row)->flags().testFlag(Qt::ItemIsEditable);
   };
   QVERIFY2(!is_editable(0) && is_editable(3), "what lies on something does so for certain");
+}
 
+/// A preview, by the wheel another one, and then that as a step.
+void accept_the_second(Document& document, MainWindow& window, User& user) {
   user.click(find<QPushButton>(window, "arrange"));
   QVERIFY(found(document));
   QVERIFY2(document.layout()->ok, document.layout()->text.c_str());
@@ -79,8 +70,6 @@ void arrange_by_wishes(Document& document, MainWindow& window, User& user, const
   choose_pair(user, "left_tin", "right_tin");
   QVERIFY(user.wait());
   user.look("arrange_preview");
-
-  // The wheel: another solution.
   const Vec3 first = document.layout()->members.front().pose.translation;
   auto& seed = find<QSpinBox>(window, "arrange_seed");
   const std::uint64_t before = document.layout()->seed;
@@ -91,7 +80,6 @@ void arrange_by_wishes(Document& document, MainWindow& window, User& user, const
   QVERIFY(QTest::qWaitFor([&] { return document.layout() && document.layout()->seed != before; },
                           kPatienceMs));
   QVERIFY((document.layout()->members.front().pose.translation - first).norm() > 1e-3);
-
   const size_t steps = document.history().num_done;
   user.click(find<QPushButton>(window, "arrange_accept"));
   QVERIFY(user.wait());
@@ -101,8 +89,10 @@ void arrange_by_wishes(Document& document, MainWindow& window, User& user, const
   const Vec3 between = user.object("right_tin").pose.translation - left.translation;
   QVERIFY(between.dot(left.rotation.matrix().col(0)) > 0.1);
   user.look("arrange_accepted");
+}
 
-  // A contradiction is lit, and its cheapest wish can be dropped.
+/// A contradiction is lit, and its cheapest wish can be dropped.
+void contradict(Document& document, MainWindow& window, User& user) {
   add_wish(window, user, "right_tin", "left of", "left_tin");
   const Vec3 third = user.object("third_tin").pose.translation;
   user.select("right_tin");
@@ -123,6 +113,22 @@ void arrange_by_wishes(Document& document, MainWindow& window, User& user, const
   QVERIFY(user.wait());
   QCOMPARE(user.object("third_tin").pose.translation, third);
   find<QCheckBox>(window, "arrange_selected").setChecked(false);
+}
+
+}  // namespace
+
+void arrange_by_wishes(Document& document, MainWindow& window, User& user, const QString& folder) {
+  document.new_scene();
+  QVERIFY(user.wait());
+  import_tins(user, folder);
+  auto* const arrange = window.action("arrange");
+  if (!arrange->isChecked()) arrange->trigger();
+  const auto& dock = find<QDockWidget>(window, "arrange_dock");
+  QVERIFY(QTest::qWaitFor([&] { return dock.isVisible(); }, kPatienceMs));
+  QVERIFY(user.wait());
+  wish(document, window, user);
+  accept_the_second(document, window, user);
+  contradict(document, window, user);
   arrange->trigger();
   document.new_scene();  // wishes count as unsaved work
   QVERIFY(user.wait());

@@ -51,6 +51,66 @@ class Table {
   QString m_folder;
 };
 
+void put_all(Table& table, User& user) {
+  table.import({"table"}, true, "table_import");
+  table.put("table", Vec3::Zero(), "table_ghost");
+  table.import({"plate", "saucer", "cup", "spoon"}, false, "table_import_more");
+  user.select("saucer");
+  table.put("saucer", table.top_of("table", 0.12, -0.2), "table_saucer");
+  user.select("plate");
+  table.put("plate", table.top_of("table", -0.13, -0.2), "");
+  user.select("cup");
+  table.put("cup", table.box("saucer").centre(), "");
+  user.select("spoon");
+  table.put("spoon", table.box("saucer").centre() + Vec3(0.005, -0.052, 0.01), "",
+            WindowKind::ThreeView);
+  user.look("table_laid");
+}
+
+/// Cup and spoon move along.
+void push_saucer(Table& table, MainWindow& window, User& user) {
+  user.select("saucer");
+  user.press_key(Qt::Key_E);
+  QVERIFY(user.wait());
+  const Vec3 before = table.box("saucer").centre(), cup = table.box("cup").centre();
+  const QPoint rim = user.pixel_on("saucer", WindowKind::Constraint);
+  const QPoint by = user.pixel(WindowKind::Constraint, before + Vec3(0.05, 0.08, 0)) -
+                    user.pixel(WindowKind::Constraint, before);
+  user.drag(window.view(WindowKind::Constraint), rim, rim + by);
+  QVERIFY(user.wait());
+  const Vec3 moved = table.box("saucer").centre() - before;
+  QVERIFY2(moved.head<2>().norm() > 0.05, qPrintable(window.message_bar().text()));
+  QVERIFY((table.box("cup").centre() - cup - moved).norm() < 1e-5);
+  user.look("table_pushed");
+}
+
+void turn_cup(MainWindow& window, User& user) {
+  user.select("cup");
+  user.press_key(Qt::Key_R);
+  QVERIFY(user.wait());
+  const Rotation straight = user.object("cup").pose.rotation;
+  const QPoint handle = user.pixel_on("cup", WindowKind::Constraint);
+  user.drag(window.view(WindowKind::Constraint), handle, handle + QPoint(30, 40));
+  QVERIFY(user.wait());
+  QVERIFY(user.object("cup").pose.rotation.w != straight.w);
+  user.look("table_turned");
+}
+
+/// A second plate; then undone.
+void copy_plate(Table& table, Document& document, User& user) {
+  user.select("plate");
+  user.press_key(Qt::Key_D, Qt::ControlModifier);
+  QVERIFY(user.wait());
+  const std::string copy = (*document.snapshot()->find(*document.selection().active()))->name;
+  QVERIFY(copy != "plate");
+  table.put(copy, table.top_of("table", 0.1, 0.2), "");
+  user.look("table_done");
+  const size_t num_steps = document.history().num_done;
+  user.press_key(Qt::Key_Z, Qt::ControlModifier);
+  QVERIFY(user.wait());
+  QCOMPARE(document.history().num_done, num_steps - 1);
+}
+
 }  // namespace
 
 void lay_breakfast_table(Document& document, MainWindow& window, User& user,
@@ -65,57 +125,10 @@ void lay_breakfast_table(Document& document, MainWindow& window, User& user,
   user.press_key(Qt::Key_N, Qt::ControlModifier);
   QVERIFY(user.wait());
   QCOMPARE(document.snapshot()->objects.size(), size_t{0});
-
-  table.import({"table"}, true, "table_import");
-  table.put("table", Vec3::Zero(), "table_ghost");
-  table.import({"plate", "saucer", "cup", "spoon"}, false, "table_import_more");
-  user.select("saucer");
-  table.put("saucer", table.top_of("table", 0.12, -0.2), "table_saucer");
-  user.select("plate");
-  table.put("plate", table.top_of("table", -0.13, -0.2), "");
-  user.select("cup");
-  table.put("cup", table.box("saucer").centre(), "");
-  user.select("spoon");
-  table.put("spoon", table.box("saucer").centre() + Vec3(0.005, -0.052, 0.01), "",
-            WindowKind::ThreeView);
-  user.look("table_laid");
-
-  // Cup and spoon move along.
-  user.select("saucer");
-  user.press_key(Qt::Key_E);
-  QVERIFY(user.wait());
-  const Vec3 before = table.box("saucer").centre(), cup = table.box("cup").centre();
-  const QPoint rim = user.pixel_on("saucer", WindowKind::Constraint);
-  const QPoint by = user.pixel(WindowKind::Constraint, before + Vec3(0.05, 0.08, 0)) -
-                    user.pixel(WindowKind::Constraint, before);
-  user.drag(window.view(WindowKind::Constraint), rim, rim + by);
-  QVERIFY(user.wait());
-  const Vec3 moved = table.box("saucer").centre() - before;
-  QVERIFY2(moved.head<2>().norm() > 0.05, qPrintable(window.message_bar().text()));
-  QVERIFY((table.box("cup").centre() - cup - moved).norm() < 1e-5);
-  user.look("table_pushed");
-
-  user.select("cup");
-  user.press_key(Qt::Key_R);
-  QVERIFY(user.wait());
-  const Rotation straight = user.object("cup").pose.rotation;
-  const QPoint handle = user.pixel_on("cup", WindowKind::Constraint);
-  user.drag(window.view(WindowKind::Constraint), handle, handle + QPoint(30, 40));
-  QVERIFY(user.wait());
-  QVERIFY(user.object("cup").pose.rotation.w != straight.w);
-  user.look("table_turned");
-
-  user.select("plate");
-  user.press_key(Qt::Key_D, Qt::ControlModifier);
-  QVERIFY(user.wait());
-  const std::string copy = (*document.snapshot()->find(*document.selection().active()))->name;
-  QVERIFY(copy != "plate");
-  table.put(copy, table.top_of("table", 0.1, 0.2), "");
-  user.look("table_done");
-  const size_t num_steps = document.history().num_done;
-  user.press_key(Qt::Key_Z, Qt::ControlModifier);
-  QVERIFY(user.wait());
-  QCOMPARE(document.history().num_done, num_steps - 1);
+  put_all(table, user);
+  push_saucer(table, window, user);
+  turn_cup(window, user);
+  copy_plate(table, document, user);
 }
 
 }  // namespace trivet::edit::test

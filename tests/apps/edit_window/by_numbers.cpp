@@ -27,18 +27,6 @@ void enter(MainWindow& window, const char* box_name, const QString& text) {
   QTest::keyClick(box, Qt::Key_Return);
 }
 
-void import_put(Document& document, User& user, const QString& file, const char* name, bool fixed,
-                const Vec3& at) {
-  ImportModel model;
-  model.file = file.toStdString();
-  model.name = name;
-  model.fixed = fixed;
-  model.put = Pose{{}, at};
-  document.import_model(model);
-  QVERIFY(user.wait());
-  QVERIFY(user.object(name).placed);
-}
-
 void edit_position(Document& document, MainWindow& window, User& user) {
   user.select("apple");
   user.show_tab("Properties");
@@ -67,13 +55,9 @@ void edit_position(Document& document, MainWindow& window, User& user) {
 
 void rename_and_scale(Document& document, MainWindow& window, User& user) {
   user.press_key(Qt::Key_F2);
-  auto* const field = window.control().outliner().findChild<QLineEdit*>();
-  QVERIFY2(field && field->isVisible(), "F2 opens a field");
   const ToolKind tool = window.toolbox().current();
-  field->selectAll();
-  QTest::keyClicks(field, "quince");
   user.look("rename");
-  QTest::keyClick(field, Qt::Key_Return);
+  user.enter_name("quince");
   QVERIFY(user.wait());
   QVERIFY2(document.snapshot()->find("quince"), qPrintable(window.message_bar().text()));
   QVERIFY(!document.snapshot()->find("apple"));
@@ -131,8 +115,8 @@ void work_by_numbers(Document& document, MainWindow& window, User& user, const Q
   write_boxes(apple.toStdString(), {{{-0.03, -0.03, 0}, {0.03, 0.03, 0.06}}});
   document.new_scene();
   QVERIFY(user.wait());
-  import_put(document, user, tray, "tray", true, Vec3(0, 0, 0.01));
-  import_put(document, user, apple, "apple", false, Vec3(-0.2, -0.1, 0.04));
+  user.import_model(tray, "tray", Vec3(0, 0, 0.01), true);
+  user.import_model(apple, "apple", Vec3(-0.2, -0.1, 0.04));
   window.view(WindowKind::Perspective).frame(document.snapshot()->box());
   edit_position(document, window, user);
   rename_and_scale(document, window, user);

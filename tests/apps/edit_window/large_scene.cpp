@@ -12,6 +12,8 @@
 namespace trivet::edit::test {
 namespace {
 
+constexpr int kMoves = 40;
+
 /// The mesh with an image of 1024 x 1024 pixels over it, seen from above. @return the file's name.
 QString write_textured(const QString& folder, const Mesh& mesh) {
   constexpr int kPixels = 1024;
@@ -76,11 +78,81 @@ double median(std::vector<double> all) {
   return all.empty() ? 0 : all[all.size() / 2];
 }
 
+/// Of all threads of this program since the last call, including llvmpipe's.
+class ProcessorTime {
+ public:
+  double milliseconds() {
+    const std::clock_t before = m_since;
+    m_since = std::clock();
+    return 1e3 * double(m_since - before) / CLOCKS_PER_SEC;
+  }
+
+ private:
+  std::clock_t m_since = std::clock();
+};
+
+/// Milliseconds from an action until something is so.
+double time_of(const std::function<void()>& act, const std::function<bool()>& done) {
+  constexpr int kHangsMs = 20000;
+  QElapsedTimer timer;
+  timer.start();
+  act();
+  while (!done() && timer.elapsed() < kHangsMs)
+    QCoreApplication::processEvents(QEventLoop::AllEvents, 1);
+  return 1e-6 * double(timer.nsecsElapsed());
+}
+
+double largest(const std::vector<double>& all) { return *std::max_element(all.begin(), all.end()); }
+
+void measure_orbit(SceneView& view, User& user, const QString& picture) {
+  const QPoint middle = view.rect().center();
+  std::vector<double> orbit;
+  orbit.reserve(kMoves);
+  user.press(view, middle, Qt::MiddleButton);
+  ProcessorTime processors;
+  for (int i = 1; i <= kMoves; ++i)
+    orbit.push_back(time_of([&] { user.send_move(view, middle + QPoint(3 * i, i)); },
+                            [&] { return view.shows_latest(); }));
+  const double orbit_ms = processors.milliseconds() / kMoves;
+  user.look(picture + "_orbit");
+  processors.milliseconds();
+  user.release(view, middle + QPoint(3 * kMoves, kMoves), Qt::MiddleButton);
+  const double whole = time_of([] {}, [&] { return view.is_up_to_date(); });
+  const double whole_ms = processors.milliseconds();
+  user.look(picture);
+  qInfo(
+      "orbit: mouse move to picture: median %.0f ms, largest %.0f ms; then the whole picture "
+      "in %.0f ms; processors: %.0f ms per move, %.0f ms for the whole",
+      median(orbit), largest(orbit), whole, orbit_ms, whole_ms);
+}
+
+void measure_push(Document& document, SceneView& view, User& user) {
+  user.take("push");
+  const QPoint at = user.pixel_on("saucer_512", WindowKind::Perspective);
+  std::vector<double> pictures;
+  pictures.reserve(kMoves);
+  ProcessorTime processors;
+  user.press(view, at, Qt::LeftButton);
+  for (int i = 1; i <= kMoves; ++i) {
+    const auto followed = [&, num = document.drag_milliseconds().size()] {
+      return document.drag_milliseconds().size() > num && view.shows_latest();
+    };
+    pictures.push_back(time_of([&] { user.send_move(view, at + QPoint(4 + i, i / 4)); }, followed));
+  }
+  const double drag_ms = processors.milliseconds() / kMoves;
+  const std::vector<double> poses = document.drag_milliseconds();
+  user.release(view, at, Qt::LeftButton);
+  QVERIFY(user.wait());
+  qInfo(
+      "drag: mouse move to pose: median %.2f ms, largest %.2f ms; to picture: median %.0f ms; "
+      "processors: %.0f ms per move",
+      median(poses), largest(poses), median(pictures), drag_ms);
+}
+
 }  // namespace
 
 void measure_large_scene(Document& document, MainWindow& window, User& user, const QString& folder,
                          bool textured) {
-  constexpr int kMoves = 40, kHangsMs = 20000;
   const Object& saucer = user.object("saucer");
   const QString model =
       textured ? write_textured(folder, saucer.shape->mesh) : QString("saucer.glb");
@@ -94,59 +166,9 @@ void measure_large_scene(Document& document, MainWindow& window, User& user, con
   QVERIFY(user.wait());
   QCOMPARE(document.snapshot()->objects.size(), size_t{1000});
   qInfo("open, until all views show it: %lld ms", timer.elapsed());
-
   SceneView& view = window.view(WindowKind::Perspective);
-  const auto time_of = [&](const std::function<void()>& act, const std::function<bool()>& done) {
-    timer.start();
-    act();
-    while (!done() && timer.elapsed() < kHangsMs)
-      QCoreApplication::processEvents(QEventLoop::AllEvents, 1);
-    return 1e-6 * double(timer.nsecsElapsed());
-  };
-  const auto shown = [&] { return view.shows_latest(); };
-  const QPoint middle = view.rect().center();
-  /// Of all threads of this program, including llvmpipe's.
-  auto processor_ms = [since = std::clock()]() mutable {
-    const std::clock_t before = since;
-    since = std::clock();
-    return 1e3 * double(since - before) / CLOCKS_PER_SEC;
-  };
-  std::vector<double> orbit;
-  processor_ms();
-  user.press(view, middle, Qt::MiddleButton);
-  for (int i = 1; i <= kMoves; ++i)
-    orbit.push_back(time_of([&] { user.send_move(view, middle + QPoint(3 * i, i)); }, shown));
-  const double orbit_ms = processor_ms() / kMoves;
-  user.look("thousand_objects_orbit");
-  processor_ms();
-  user.release(view, middle + QPoint(3 * kMoves, kMoves), Qt::MiddleButton);
-  const double whole = time_of([] {}, [&] { return view.is_up_to_date(); });
-  const double whole_ms = processor_ms();
-  user.look(textured ? "thousand_textured_objects" : "thousand_objects");
-  qInfo(
-      "orbit: mouse move to picture: median %.0f ms, largest %.0f ms; then the whole picture "
-      "in %.0f ms; processors: %.0f ms per move, %.0f ms for the whole",
-      median(orbit), *std::max_element(orbit.begin(), orbit.end()), whole, orbit_ms, whole_ms);
-
-  user.take("push");
-  const QPoint at = user.pixel_on("saucer_512", WindowKind::Perspective);
-  std::vector<double> pictures;
-  processor_ms();
-  user.press(view, at, Qt::LeftButton);
-  for (int i = 1; i <= kMoves; ++i) {
-    const auto followed = [&, num = document.drag_milliseconds().size()] {
-      return document.drag_milliseconds().size() > num && view.shows_latest();
-    };
-    pictures.push_back(time_of([&] { user.send_move(view, at + QPoint(4 + i, i / 4)); }, followed));
-  }
-  const double drag_ms = processor_ms() / kMoves;
-  const std::vector<double> poses = document.drag_milliseconds();
-  user.release(view, at, Qt::LeftButton);
-  QVERIFY(user.wait());
-  qInfo(
-      "drag: mouse move to pose: median %.2f ms, largest %.2f ms; to picture: median %.0f ms; "
-      "processors: %.0f ms per move",
-      median(poses), *std::max_element(poses.begin(), poses.end()), median(pictures), drag_ms);
+  measure_orbit(view, user, textured ? "thousand_textured_objects" : "thousand_objects");
+  measure_push(document, view, user);
 }
 
 }  // namespace trivet::edit::test

@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QDialog>
 #include <QDropEvent>
+#include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMimeData>
@@ -188,6 +189,27 @@ QImage User::look(const QString& name) {
           .toImage();
   image.save(m_pictures.filePath(file));
   return image;
+}
+
+void User::import_model(const QString& file, const std::string& name,
+                        const std::optional<Vec3>& put, bool fixed) {
+  ImportModel model;
+  model.file = file.toStdString();
+  model.name = name;
+  model.fixed = fixed;
+  if (put) model.put = Pose{{}, *put};
+  m_document.import_model(model);
+  QVERIFY(wait());
+  QVERIFY2(m_document.snapshot()->find(name), qPrintable(m_window.message_bar().text()));
+  QCOMPARE(object(name).placed, put.has_value());
+}
+
+void User::enter_name(const QString& name) {
+  auto* const field = m_window.control().outliner().findChild<QLineEdit*>();
+  QVERIFY2(field && field->isVisible(), "there is a field for the name");
+  field->selectAll();
+  type(*field, name);
+  press_key_in(*field, Qt::Key_Return);
 }
 
 void User::with_dialog(std::function<void()> open, std::function<void(QWidget&)> then) {

@@ -45,6 +45,12 @@ class User {
   /// Saves and returns a screenshot.
   QImage look(const QString& name);
 
+  /// Imports a file as an object of this name; not placed unless it is put at a position.
+  void import_model(const QString& file, const std::string& name,
+                    const std::optional<Vec3>& put = {}, bool fixed = false);
+  /// Into the outliner's field for a name, which has to be open; ends with Return.
+  void enter_name(const QString& name);
+
   /// Drops files from a file manager; `then` runs when a dialog has opened.
   void drop(const QStringList& files, std::function<void(QWidget& dialog)> then);
   /// Opens a dialog by `open` and continues in it.

@@ -1,8 +1,6 @@
 #include "apps/edit_window/views_and_tools.h"
 
 #include <QMenu>
-#include <QToolBar>
-#include <QWheelEvent>
 
 #include "apps/edit_document/boxes.h"
 
@@ -11,24 +9,12 @@ namespace {
 
 using Window = WindowKind;
 
-void import(Document& document, User& user, const QString& folder, const char* name,
-            const std::vector<Aabb>& boxes, const std::optional<Pose>& put, bool fixed = false) {
+void import(User& user, const QString& folder, const char* name, const Aabb& box, const Vec3& at,
+            bool fixed = false) {
   QVERIFY(QDir().mkpath(folder));
-  ImportModel model;
-  model.file = (folder + "/" + name + ".obj").toStdString();
-  write_boxes(model.file, boxes);
-  model.name = name;
-  model.fixed = fixed;
-  model.put = put;
-  document.import_model(model);
-  QVERIFY(user.wait());
-  QVERIFY(document.snapshot()->find(name));
-}
-
-Pose at(double x, double y, double z) { return {{}, Vec3(x, y, z)}; }
-
-QToolButton* section_button(MainWindow& window, Window kind) {
-  return window.view(kind).parentWidget()->findChild<QToolButton*>("section");
+  const QString file = folder + "/" + name + ".obj";
+  write_boxes(file.toStdString(), {box});
+  user.import_model(file, name, at, fixed);
 }
 
 void press_and_move(User& user, SceneView& view, const QPoint& from, const QPoint& to) {
@@ -38,63 +24,73 @@ void press_and_move(User& user, SceneView& view, const QPoint& from, const QPoin
 
 Vec3 eye(MainWindow& window, Window kind) { return window.view(kind).camera().camera().eye; }
 
-}  // namespace
-
-void look_under_a_shelf(Document& document, MainWindow& window, User& user, const QString& folder) {
-  document.new_scene();
-  QVERIFY(user.wait());
-  import(document, user, folder, "shelf", shelf_boxes(), at(0, 0, 0.01), true);
-  import(document, user, folder, "book",
-         {{ {-0.12, -0.08, 0},
-            { 0.12,
-              0.08,
-              0.05 } }},
-         at(-0.1, -0.05, 0.05));
-  window.view(Window::Perspective).frame(document.snapshot()->box());
-  user.select("book");
+/// The upper corner of the block to that of the tray.
+void snap_to_a_corner(MainWindow& window, User& user) {
+  SceneView& view = window.view(Window::Perspective);
+  user.select("block");
   user.take("push");
+  user.press_key(Qt::Key_S);
+  QVERIFY(window.action("snap")->isChecked());
   QVERIFY(user.wait());
-  SceneView& constraint = window.view(Window::Constraint);
-  QVERIFY(section_button(window, Window::Constraint)->isChecked());
-  QVERIFY2(constraint.view().cut, "the board over the book is cut away");
-  user.look("section_under_a_shelf");
-  const Vec3 before = user.object("book").pose.translation;
-  const QPoint from = user.pixel(Window::Constraint, user.object("book").centre_of_mass());
-  const QPoint to =
-      user.pixel(Window::Constraint, user.object("book").centre_of_mass() + Vec3(0.2, 0, 0));
-  press_and_move(user, constraint, from, to);
-  QVERIFY(user.wait_for_drag(constraint));
-  QVERIFY(document.snapshot()->drag);
-  QVERIFY(!document.snapshot()->drag->volume.empty());
-  QVERIFY(!document.snapshot()->drag->contacts.empty());
-  user.look("volume_and_hull_of_a_drag");
-  user.release(constraint, to, Qt::LeftButton);
+  const Vec3 corner = user.object("block").pose.translation + Vec3(-0.05, -0.05, 0.1);
+  const Vec3 goal(-0.5, -0.3, 0.02);
+  press_and_move(user, view, user.pixel(Window::Perspective, corner) + QPoint(2, 2),
+                 user.pixel(Window::Perspective, goal) + QPoint(3, -2));
+  QVERIFY(user.wait_for_drag(view));
+  QCOMPARE(QString::fromStdString(window.toolbox().overlay(view.view()).note),
+           QString("corner of \"tray\""));
+  user.look("snaps_to_a_corner");
+  user.release(view, user.pixel(Window::Perspective, goal), Qt::LeftButton);
   QVERIFY(user.wait());
-  QVERIFY(std::abs(user.object("book").pose.translation.x() - before.x() - 0.2) < 0.02);
-  user.click(*section_button(window, Window::Constraint));
-  QVERIFY(user.wait());
-  QVERIFY(!constraint.view().cut);
-  user.look("section_off");
-  user.click(*section_button(window, Window::Constraint));
-  // In any view, by key; Control and the wheel move the plane.
-  SceneView& perspective = window.view(Window::Perspective);
-  user.move_to(perspective, perspective.rect().center());
-  user.press_key(Qt::Key_X);
-  QVERIFY(user.wait());
-  QVERIFY(section_button(window, Window::Perspective)->isChecked());
-  QVERIFY(perspective.view().cut);
-  user.look("section_of_the_perspective_view");
-  const double cut = *perspective.view().cut;
-  const QPointF centre = perspective.rect().center();
-  QWheelEvent wheel(centre, perspective.mapToGlobal(centre), {}, QPoint(0, 360), Qt::NoButton,
-                    Qt::ControlModifier, Qt::NoScrollPhase, false);
-  QApplication::sendEvent(&perspective, &wheel);
-  QVERIFY(*perspective.view().cut > cut);
-  QVERIFY(user.wait());
-  user.look("section_moved");
-  user.press_key(Qt::Key_X);
-  QVERIFY(!perspective.view().cut);
+  const Vec3 now = user.object("block").pose.translation + Vec3(-0.05, -0.05, 0);
+  QVERIFY2((now - goal).head<2>().norm() < 1e-3, qPrintable(window.message_bar().text()));
+  user.look("snapped");
 }
+
+void choose_grid(MainWindow& window, User& user) {
+  auto* const menu = window.findChild<QMenu*>("snap to");
+  menu->popup(window.mapToGlobal(QPoint(600, 60)));
+  QTest::qWait(100);
+  user.look("snap_menu");
+  menu->close();
+  user.press_key(Qt::Key_S);
+  bool asked = false;
+  user.with_dialog([&] { window.action("preferences")->trigger(); },
+                   [&](QWidget& dialog) {
+                     user.look("snap_steps");
+                     auto* const grid = dialog.findChild<QDoubleSpinBox*>("grid step");
+                     asked = grid != nullptr;
+                     if (grid) grid->setValue(25);
+                     dialog.close();
+                   });
+  QVERIFY(asked);
+  QCOMPARE(window.toolbox().options().snap.grid_step, 0.025);
+}
+
+/// Over the tray, as one step, which is undone.
+void paint_blocks(Document& document, MainWindow& window, User& user) {
+  SceneView& view = window.view(Window::Perspective);
+  user.select("block");
+  user.take("paint");
+  QVERIFY(window.toolbox().current() == ToolKind::Paint);
+  const size_t steps = document.history().num_done;
+  const QPoint from = user.pixel(Window::Perspective, Vec3(-0.3, 0.15, 0.02));
+  const QPoint to = user.pixel(Window::Perspective, Vec3(0.4, 0.1, 0.02));
+  press_and_move(user, view, from, to);
+  user.look("paint_stroke");
+  user.release(view, to, Qt::LeftButton);
+  QVERIFY(user.wait());
+  QCOMPARE(document.history().num_done, steps + 1);
+  QVERIFY(document.snapshot()->objects.size() >= 6);
+  for (const ObjectSnapshot& object : document.snapshot()->objects)
+    QVERIFY2(object->fixed || object->state == ObjectState::Stable, object->name.c_str());
+  user.look("painted");
+  document.undo();
+  QVERIFY(user.wait());
+  QCOMPARE(document.snapshot()->objects.size(), size_t{2});
+}
+
+}  // namespace
 
 void keep_views(Document& document, MainWindow& window, User& user, const QString& folder) {
   SceneView& view = window.view(Window::Perspective);
@@ -142,88 +138,21 @@ void keep_views(Document& document, MainWindow& window, User& user, const QStrin
 void snap_and_paint(Document& document, MainWindow& window, User& user, const QString& folder) {
   document.new_scene();
   QVERIFY(user.wait());
-  import(document, user, folder, "tray",
-         {{ {-0.5, -0.3, 0},
-            { 0.5,
-              0.3,
-              0.02 } }},
-         at(0, 0, 0.01), true);
-  import(document, user, folder, "block",
-         {{ {-0.05, -0.05, 0},
-            { 0.05,
-              0.05,
-              0.1 } }},
-         at(-0.3, -0.1, 0.05));
-  SceneView& view = window.view(Window::Perspective);
-  view.frame(document.snapshot()->box());
-  user.select("block");
-  user.take("push");
-  user.press_key(Qt::Key_S);
-  QVERIFY(window.action("snap")->isChecked());
-  QVERIFY(user.wait());
-  const Vec3 corner = user.object("block").pose.translation + Vec3(-0.05, -0.05, 0.1);
-  const Vec3 goal(-0.5, -0.3, 0.02);
-  press_and_move(user, view, user.pixel(Window::Perspective, corner) + QPoint(2, 2),
-                 user.pixel(Window::Perspective, goal) + QPoint(3, -2));
-  QVERIFY(user.wait_for_drag(view));
-  QCOMPARE(QString::fromStdString(window.toolbox().overlay(view.view()).note),
-           QString("corner of \"tray\""));
-  user.look("snaps_to_a_corner");
-  user.release(view, user.pixel(Window::Perspective, goal), Qt::LeftButton);
-  QVERIFY(user.wait());
-  const Vec3 now = user.object("block").pose.translation + Vec3(-0.05, -0.05, 0);
-  QVERIFY2((now - goal).head<2>().norm() < 1e-3, qPrintable(window.message_bar().text()));
-  user.look("snapped");
-  auto* const menu = window.findChild<QMenu*>("snap to");
-  menu->popup(window.mapToGlobal(QPoint(600, 60)));
-  QTest::qWait(100);
-  user.look("snap_menu");
-  menu->close();
-  user.press_key(Qt::Key_S);
-  bool asked = false;
-  user.with_dialog([&] { window.action("preferences")->trigger(); },
-                   [&](QWidget& dialog) {
-                     user.look("snap_steps");
-                     auto* const grid = dialog.findChild<QDoubleSpinBox*>("grid step");
-                     asked = grid != nullptr;
-                     if (grid) grid->setValue(25);
-                     dialog.close();
-                   });
-  QVERIFY(asked);
-  QCOMPARE(window.toolbox().options().snap.grid_step, 0.025);
-
+  import(user, folder, "tray", {{-0.5, -0.3, 0}, { 0.5, 0.3, 0.02 }}, Vec3(0, 0, 0.01), true);
+  import(user, folder, "block", {{-0.05, -0.05, 0}, { 0.05, 0.05, 0.1 }}, Vec3(-0.3, -0.1, 0.05));
+  window.view(Window::Perspective).frame(document.snapshot()->box());
+  snap_to_a_corner(window, user);
+  choose_grid(window, user);
   document.undo();
   QVERIFY(user.wait());
-  user.select("block");
-  user.take("paint");
-  QVERIFY(window.toolbox().current() == ToolKind::Paint);
-  const size_t steps = document.history().num_done;
-  const QPoint from = user.pixel(Window::Perspective, Vec3(-0.3, 0.15, 0.02));
-  const QPoint to = user.pixel(Window::Perspective, Vec3(0.4, 0.1, 0.02));
-  press_and_move(user, view, from, to);
-  user.look("paint_stroke");
-  user.release(view, to, Qt::LeftButton);
-  QVERIFY(user.wait());
-  QCOMPARE(document.history().num_done, steps + 1);
-  QVERIFY(document.snapshot()->objects.size() >= 6);
-  for (const ObjectSnapshot& object : document.snapshot()->objects)
-    QVERIFY2(object->fixed || object->state == ObjectState::Stable, object->name.c_str());
-  user.look("painted");
-  document.undo();
-  QVERIFY(user.wait());
-  QCOMPARE(document.snapshot()->objects.size(), size_t{2});
+  paint_blocks(document, window, user);
 }
 
 void push_along_a_wall(Document& document, MainWindow& window, User& user, const QString& folder) {
   document.new_scene();
   QVERIFY(user.wait());
-  import(document, user, folder, "wall", {{ {-1, 0, 0}, { 1, 0.1, 1.5 } }}, at(0, 0, 0.01), true);
-  import(document, user, folder, "picture",
-         {{ {-0.2, -0.02, 0},
-            { 0.2,
-              0,
-              0.3 } }},
-         at(-0.4, -3.6e-6, 0.05));
+  import(user, folder, "wall", {{-1, 0, 0}, { 1, 0.1, 1.5 }}, Vec3(0, 0, 0.01), true);
+  import(user, folder, "picture", {{-0.2, -0.02, 0}, { 0.2, 0, 0.3 }}, Vec3(-0.4, -3.6e-6, 0.05));
   window.view(Window::Perspective).frame(document.snapshot()->box());
   user.select("picture");
   user.take("push");

@@ -1,13 +1,11 @@
-// Sections, bookmarks, snapping, painting and PUSH along walls in the window.
+// Bookmarks, snapping, painting and PUSH along walls in the window.
 #pragma once
 
 #include "apps/edit_window/user.h"
 
 namespace trivet::edit::test {
 
-/// @param folder  for models.
-void look_under_a_shelf(Document& document, MainWindow& window, User& user, const QString& folder);
-/// In the scene that look_under_a_shelf() left.
+/// In the scene that look_under_a_shelf() left. @param folder  for files.
 void keep_views(Document& document, MainWindow& window, User& user, const QString& folder);
 void snap_and_paint(Document& document, MainWindow& window, User& user, const QString& folder);
 void push_along_a_wall(Document& document, MainWindow& window, User& user, const QString& folder);

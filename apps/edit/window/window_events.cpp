@@ -1,0 +1,57 @@
+// Events of the main window: Escape, size, end, files that are dropped.
+#include <QCloseEvent>
+#include <QKeyEvent>
+#include <QMimeData>
+
+#include "apps/edit/window/main_window.h"
+
+namespace trivet::edit {
+
+void MainWindow::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Escape) {
+    if (m_message_bar->isVisible())
+      m_message_bar->dismiss();
+    else if (m_document.is_busy())
+      m_document.cancel();
+    else
+      take_tool(ToolKind::Select);
+    return;
+  }
+  QMainWindow::keyPressEvent(event);
+}
+
+void MainWindow::resizeEvent(QResizeEvent* event) {
+  QMainWindow::resizeEvent(event);
+  place_message_bar();
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  if (m_may_close || !may_lose_work([this] {
+        m_may_close = true;
+        when_finished(m_document.close(), [this](bool) { close(); });
+      })) {
+    event->setAccepted(m_may_close);
+    if (m_may_close) save_layout();
+    return;
+  }
+  event->ignore();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  if (event->mimeData()->hasUrls()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  if (event->mimeData()->hasFormat(kAssetsMime))
+    return drop_assets(event->mimeData()->urls(), event->position().toPoint());
+  QStringList models;
+  for (const QUrl& url : event->mimeData()->urls()) {
+    const QString file = url.toLocalFile();
+    if (file.endsWith(".json", Qt::CaseInsensitive) || event->mimeData()->urls().size() == 1)
+      return open_file(file);
+    if (!file.isEmpty()) models << file;
+  }
+  if (!models.isEmpty()) import_files(models);
+}
+
+}  // namespace trivet::edit
