@@ -4,6 +4,7 @@
 
 #include "core/base/limits.h"
 #include "ops/files/arrange/relation_json.h"
+#include "ops/files/json/json_values.h"
 
 namespace trivet {
 namespace {
@@ -102,8 +103,7 @@ class ArrangementReader {
       return {PoseChoice::Kind::Number, place.value().get<int>()};
     place.refuse(
         "\"upright\", \"as_modelled\", \"free\", \"stable\", \"side\" or the number of a stable "
-        "pose, as "
-        "trivet info --poses has them");
+        "pose, as trivet info --poses has them");
   }
 
   void read_fronts(const JsonPlace& place) {
@@ -142,12 +142,7 @@ void read_zones(const JsonPlace& place, const std::string& object, std::vector<Z
     item.expect_object({"name", "box"}, {});
     const auto corners = item.at("box").items();
     if (corners.size() != 2) item.at("box").refuse("two corners [x, y, z]");
-    const auto lower = corners[0].numbers(3, -kMaxLength, kMaxLength);
-    const auto upper = corners[1].numbers(3, -kMaxLength, kMaxLength);
-    Zone zone{object,
-              item.at("name").text(),
-              {lower[0], lower[1], lower[2]},
-              {upper[0], upper[1], upper[2]}};
+    Zone zone{object, item.at("name").text(), read_position(corners[0]), read_position(corners[1])};
     if (!((zone.upper - zone.lower).minCoeff() >= kLeastZone))
       item.at("box").refuse("the lower corner first, the upper one 1 mm beyond it or more");
     out.push_back(std::move(zone));

@@ -5,6 +5,7 @@
 #include "core/base/limits.h"
 #include "core/base/nearest_name.h"
 #include "ops/arrange/angles.h"
+#include "ops/files/json/json_values.h"
 
 namespace trivet {
 namespace {
@@ -119,6 +120,8 @@ void read_values(const JsonPlace& place, const ProblemNames& names, Relation& r)
   if (const auto d = place.find("distance")) {
     if (d->value().is_array() && r.kind == RelationKind::Near)
       read_gap(*d, r);
+    else if (!d->value().is_number() && r.kind == RelationKind::Near)
+      d->refuse("a number, or [least, most]");
     else
       r.upper = d->number(0, kMaxLength);
   }
@@ -130,8 +133,7 @@ void read_values(const JsonPlace& place, const ProblemNames& names, Relation& r)
   if (const auto offset = place.find("offset")) r.offset = read_point(*offset);
   if (const auto point = place.find("point")) {
     if (r.is_of_sight()) {
-      const auto p = point->numbers(3, -kMaxLength, kMaxLength);
-      r.eye = Vec3(p[0], p[1], p[2]);
+      r.eye = read_position(*point);
     } else {
       r.point = read_point(*point);
     }

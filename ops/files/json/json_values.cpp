@@ -15,6 +15,11 @@ Vec3 read_vec3(const JsonPlace& place) {
   return {p[0], p[1], p[2]};
 }
 
+Vec3 read_position(const JsonPlace& place) {
+  const std::vector<double> p = place.numbers(3, -kMaxLength, kMaxLength);
+  return {p[0], p[1], p[2]};
+}
+
 Vec2 read_vector(const JsonPlace& place, const Vec2&) { return read_vec2(place); }
 Vec3 read_vector(const JsonPlace& place, const Vec3&) { return read_vec3(place); }
 

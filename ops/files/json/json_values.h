@@ -12,6 +12,8 @@ namespace trivet {
 
 Vec2 read_vec2(const JsonPlace& place);
 Vec3 read_vec3(const JsonPlace& place);
+/// Within kMaxLength.
+Vec3 read_position(const JsonPlace& place);
 /// By the type of the second.
 Vec2 read_vector(const JsonPlace& place, const Vec2&);
 Vec3 read_vector(const JsonPlace& place, const Vec3&);

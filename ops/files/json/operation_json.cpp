@@ -300,8 +300,7 @@ Tessellation read_tessellation(const JsonPlace& place, const std::string& model)
 
 Pose read_pose(const JsonPlace& place) {
   Pose pose;
-  const std::vector<double> p = place.at("position").numbers(3, -kMaxLength, kMaxLength);
-  pose.translation = {p[0], p[1], p[2]};
+  pose.translation = read_position(place.at("position"));
   if (const auto rotation = place.find("rotation")) pose.rotation = read_rotation(*rotation);
   return pose;
 }

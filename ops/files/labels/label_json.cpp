@@ -1,11 +1,12 @@
 #include "ops/files/labels/label_json.h"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
 #include "core/base/error.h"
-#include "core/base/limits.h"
 #include "ops/files/json/json_text.h"
+#include "ops/files/json/json_values.h"
 #include "ops/files/labels/folders.h"
 
 namespace trivet {
@@ -44,16 +45,12 @@ int pixels(const JsonPlace& place, const char* key, int otherwise) {
   return value ? read_pixels(*value) : otherwise;
 }
 
-Vec3 point(const JsonPlace& place) {
-  const std::vector<double> v = place.numbers(3, -kMaxLength, kMaxLength);
-  return {v[0], v[1], v[2]};
-}
-
 PinholeCamera aimed_camera(const JsonPlace& place, int width, int height) {
   place.expect_object({"eye", "target"}, {"name", "width", "height", "up", "fov_deg"});
   Camera camera;
-  camera.eye = point(place.at("eye")), camera.target = point(place.at("target"));
-  if (const auto up = place.find("up")) camera.up = point(*up);
+  camera.eye = read_position(place.at("eye"));
+  camera.target = read_position(place.at("target"));
+  if (const auto up = place.find("up")) camera.up = read_position(*up);
   if (const auto fov = place.find("fov_deg")) camera.fov_deg = fov->number(1, 170);
   return pinhole_camera(camera, width, height);
 }
@@ -63,7 +60,8 @@ std::vector<std::vector<double>> rows(const JsonPlace& place, std::size_t least,
   std::vector<std::vector<double>> out;
   for (const JsonPlace& row : place.items()) out.push_back(row.numbers(columns));
   if (out.size() < least || out.size() > most)
-    place.refuse("a matrix of " + std::to_string(least) + " rows");
+    place.refuse("a matrix of " + std::to_string(least) +
+                 (most > least ? " or " + std::to_string(most) : "") + " rows");
   return out;
 }
 
@@ -73,6 +71,8 @@ PinholeCamera measured_camera(const JsonPlace& place, int width, int height) {
   const auto m = rows(place.at("camera_from_world"), 3, 4, 4);
   if (k[0][1] != 0 || k[1][0] != 0 || k[2] != std::vector<double>{0, 0, 1})
     place.at("K").refuse("[[fx, 0, cx], [0, fy, cy], [0, 0, 1]]");
+  if (m.size() == 4 && m[3] != std::vector<double>{0, 0, 0, 1})
+    place.at("camera_from_world").refuse("[0, 0, 0, 1] as fourth row, or none");
   PinholeCamera camera;
   camera.width = width, camera.height = height;
   camera.fx = k[0][0], camera.fy = k[1][1], camera.cx = k[0][2], camera.cy = k[1][2];
@@ -85,15 +85,28 @@ PinholeCamera measured_camera(const JsonPlace& place, int width, int height) {
   return camera;
 }
 
+// Becomes a part of file names, before endings that begin with a point.
+std::string read_view_name(const JsonPlace& place) {
+  constexpr std::size_t kMaxName = 64;
+  std::string name = place.text();
+  const bool accepted =
+      name.size() <= kMaxName && std::all_of(name.begin(), name.end(), [](char c) {
+        return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || ('0' <= c && c <= '9') ||
+               c == '_' || c == '-';
+      });
+  if (!accepted)
+    place.refuse("1 to " + std::to_string(kMaxName) +
+                 " letters a to z and A to Z, digits, _ and -, as it becomes a part of file names");
+  return name;
+}
+
 LabelView read_view(const JsonPlace& place, const std::string& name, int default_width,
                     int default_height) {
   if (!place.value().is_object()) place.refuse("an object");
   const int width = pixels(place, "width", default_width);
   const int height = pixels(place, "height", default_height);
   LabelView view{name, {}};
-  if (const auto given = place.find("name")) view.name = given->text();
-  if (view.name.find('/') != std::string::npos || view.name == "." || view.name == "..")
-    place.at("name").refuse("a name without slashes, as it becomes a part of file names");
+  if (const auto given = place.find("name")) view.name = read_view_name(*given);
   try {
     view.camera = place.find("K") ? measured_camera(place, width, height)
                                   : aimed_camera(place, width, height);
@@ -119,7 +132,8 @@ OrderedJson camera_json(const PinholeCamera& camera) {
 
 int read_pixels(const JsonPlace& place) {
   const double number = place.number(1, kMaxPictureSide);
-  if (number != std::floor(number)) place.refuse("whole numbers from 1 to 16384");
+  if (number != std::floor(number))
+    place.refuse("whole numbers from 1 to " + std::to_string(kMaxPictureSide));
   return static_cast<int>(number);
 }
 

@@ -22,7 +22,8 @@ OrderedJson camera_json(const PinholeCamera& camera);
 
 /// A view of each item: of each "name", "width", "height" as wanted; and either "eye", "target"
 /// and, if wanted, "up" and "fov_deg"; or "K" (3 x 3) and "camera_from_world" (3 or 4 rows of 4),
-/// as camera_json() writes them. Without names they are 000000, 000001, ...
+/// as camera_json() writes them. Names are 1 to 64 of a-z, A-Z, 0-9, _ and -; without they are
+/// 000000, 000001, ...
 /// @param width, height  where an item has none, pixels.
 /// @throws Error (BadInput) naming the place, the value and what is accepted.
 std::vector<LabelView> read_views(const JsonPlace& list, int width, int height);

@@ -5,6 +5,7 @@
 
 #include "core/io/export.h"
 #include "ops/files/json/json_text.h"
+#include "ops/files/json/json_values.h"
 #include "ops/files/json/material_json.h"
 #include "ops/files/json/operation_json.h"
 #include "ops/files/report/json_parts.h"
@@ -119,9 +120,8 @@ ExtrasObject read_object_entry(const JsonPlace& place, size_t num_models) {
   if (const auto group = place.find("group")) object.group = group->text();
   if (const auto material = place.find("material")) object.material = read_material(*material);
   if (!place.find("position")) return object;
-  const std::vector<double> t = place.at("position").numbers(3, -kMaxLength, kMaxLength);
   const std::vector<double> r = place.at("rotation").numbers(4, -2, 2);
-  object.pose = Pose{{r[0], r[1], r[2], r[3]}, {t[0], t[1], t[2]}};
+  object.pose = Pose{{r[0], r[1], r[2], r[3]}, read_position(place.at("position"))};
   return object;
 }
 
@@ -177,10 +177,7 @@ TrivetExtras parse_scene_extras(const std::string& text, const std::string& file
   if (const auto material = root.find("floor_material"))
     extras.floor_material = read_material(*material);
   extras.clearance = root.at("clearance").number(0, kMaxLength);
-  if (const auto place = root.find("origin")) {
-    const std::vector<double> at = place->numbers(3, -kMaxLength, kMaxLength);
-    extras.origin = {at[0], at[1], at[2]};
-  }
+  if (const auto place = root.find("origin")) extras.origin = read_position(*place);
   for (const JsonPlace& item : root.at("models").items())
     extras.models.push_back(read_model_entry(item));
   for (const JsonPlace& item : root.at("objects").items())
