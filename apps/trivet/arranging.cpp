@@ -6,6 +6,7 @@
 #include "core/base/limits.h"
 #include "ops/arrange/solutions.h"
 #include "ops/files/arrange/problem.h"
+#include "ops/files/layout/watched_run.h"
 
 namespace trivet::apps {
 namespace {
@@ -94,6 +95,7 @@ int arrange_file(const ArrangeFile& file, const ArrangingOptions& arranging,
   options.layout_file = file.problem;
   const ModelSource models = models_in_folder(folder_of(file.problem), common.limits());
   const LayoutRun start = run_layout(problem.layout, models, options);
+  problem.layout = without_refused(std::move(problem.layout), start);
   options.settle = start.settle;
   RunContext context = options.context;
   context.time_budget_s = arranging.seconds;

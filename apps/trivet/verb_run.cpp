@@ -58,8 +58,8 @@ int run(const RunArguments& arguments, const CommonOptions& common) {
       scene ? run_in_scene(layout, *scene, options)
             : run_layout(layout, models_in_folder(folder, common.limits()), options, watch);
   if (film) write_file_atomically(arguments.animation, film->glb());
-  return outputs.write(result, layout, options, {folder_from(arguments.outputs.scene, folder), ""},
-                       scene.get());
+  return outputs.write(result, without_refused(layout, result), options,
+                       {folder_from(arguments.outputs.scene, folder), ""}, scene.get());
 }
 
 }  // namespace

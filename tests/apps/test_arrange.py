@@ -152,6 +152,46 @@ class Arrange(Case):
         self.trivet("replay", "j", "-o", "c.glb")
         self.assertEqual(self.read("c.glb"), self.read("b.glb"))
 
+    def test_marks_beside_objects_join_the_section(self):
+        """All programs solve the same problem, wherever its fronts and zones are written."""
+        zone = {"name": "way", "box": [[-0.4, -0.9, 0], [0.4, -0.15, 1]]}
+        other = {"name": "side", "box": [[0.42, -0.15, 0], [0.9, 0.15, 1]]}
+        relations = [{"is": "facing", "a": "mug_1", "point": [3, 0]}, {"is": "keep", "a": "*", "distance": 0.01}]
+        scenes = []
+        for beside in (False, True):
+            self.problem(relations, fronts={} if beside else {"mug_1": "x"},
+                         zones={"shelf": [other] if beside else [other, zone]})
+            document = self.read_json("problem.json")
+            if beside:
+                document["objects"][0]["zones"] = [zone]
+                document["objects"][1]["front"] = "x"
+                self.write("problem.json", json.dumps(document))
+            self.trivet("arrange", "problem.json", "-o", "a.glb", "--report", "a.json")
+            scenes.append(self.positions(self.read_json("a.json")))
+            self.trivet("run", "problem.json", "-o", "run.glb")  # laid out without the section
+        self.assertEqual(scenes[0], scenes[1])
+        document["arrange"]["fronts"] = {"mug_1": "y"}
+        self.write("problem.json", json.dumps(document))
+        self.refused("arrange", "problem.json", "-o", "x.glb", says="/objects/1/front: /arrange/fronts has one")
+        del document["arrange"]
+        self.write("problem.json", json.dumps(document))
+        self.refused("run", "problem.json", "-o", "x.glb", says="/objects/0/zones: there is no section")
+
+    def test_names_mean_what_the_operations_left(self):
+        self.problem([{"is": "near", "a": "cup", "b": "twin", "distance": 0.5},
+                      {"is": "at", "a": "twin", "point": [0.2, 1]}],
+                     things=[{"objects": "cup"}, {"object": "twin"}])
+        document = self.read_json("problem.json")
+        document["operations"] = [{"op": "rename", "object": "mug_1", "to": "cup"},
+                                  {"op": "duplicate", "object": "mug_2", "as": "twin"}]
+        self.write("problem.json", json.dumps(document))
+        self.trivet("arrange", "problem.json", "-o", "a.glb", "--report", "a.json")
+        placed = [o["name"] for o in self.read_json("a.json")["objects"] if o["state"] == "stable"]
+        self.assertEqual(sorted(placed), ["cup", "twin"])
+        document["arrange"]["relations"][0]["a"] = "mug_1"
+        self.write("problem.json", json.dumps(document))
+        self.refused("arrange", "problem.json", "-o", "x.glb", says=["/arrange/relations/0/a", '"mug_1"'])
+
     def test_bad_problems(self):
         def refused(relation, says, **more):
             self.problem([relation], **more)
@@ -228,6 +268,8 @@ class Arrange(Case):
                ({"is": "facings", "of": [], "on": "shelf"}, None),
                ({"is": "facings", "of": [{"things": "mug_*", "wide": 0}], "on": "shelf"}, None),
                ({"is": "stack", "of": "mug_*", "on": "shelf"}, "gap"),
+               ({"is": "stack", "of": "mug_*", "on": "shelf", "tolerance": 0.01, "jitter": 0.01}, None),
+               ({"is": "near", "a": "book", "b": "shelf", "distance": "1 m"}, None),
                ({"is": "on"}, None), ({"is": "row", "of": "mug_*", "on": "shelf"}, "columns"),
                ({"is": "near", "a": "book", "b": "shelf"}, None),
                ({"is": "at", "a": "book", "point": [1]}, None),

@@ -198,6 +198,26 @@ class Labels(Case):
                           math.floor(max(p[0] for p in points)),
                           math.floor(max(p[1] for p in points))])
 
+    def test_labels_follow_names_but_not_refusals(self):
+        layout = self.read_json("l.json")
+        layout["objects"][2] |= {"class": "stone", "attributes": {"sides": 1}}
+        layout["operations"] += [
+            {"op": "rename", "object": "one", "to": "uno"},
+            {"op": "duplicate", "object": "uno", "as": "one"},
+            {"op": "put", "object": "one", "position": [0.1, 0.3, 0.5]},
+            {"op": "lock", "object": "slab"},
+            {"op": "delete", "object": "slab"},                    # refused: it is locked,
+            {"op": "rename", "object": "two", "to": "slab"}]       # so that the name is taken
+        self.write("l.json", json.dumps(layout))
+        self.trivet("run", "l.json", "-o", "t.glb", status=1)
+        self.trivet("render", "t.glb", *SIZE, *CAMERA, "--boxes", "b.json")
+        found = {o["name"]: (o["class"], o.get("attributes")) for o in self.read_json("b.json")["objects"]}
+        die = ("die", {"colour": "red", "sides": 6})
+        self.assertEqual(found, {"slab": ("table", None), "uno": die, "one": die, "two": ("stone", {"sides": 1})})
+        # What was refused is no part of what made the scene, so that more can be done with it.
+        self.trivet("push", "t.glb", "two", "--direction", -1, 0, "--distance", 0.01, "-o", "u.glb")
+        self.trivet("check", "u.glb")
+
     def test_a_model_alone(self):
         self.trivet("render", "cube.obj", *SIZE, "--ids", "i.png", "--boxes", "b.json")
         self.assertEqual(set(self.png("i.png")), {0, 1})
@@ -217,7 +237,13 @@ class Labels(Case):
                 ('{"cameras": []}', "at least one camera"),
                 ('{"cameras": [{"eye": [0, 0, 1]}]}', "target"),
                 ('{"cameras": [{"eye": [0, 0, 1], "target": [0, 0, 1]}]}', "/cameras/0"),
-                ('{"cameras": [{"eye": [0, 0, 1], "target": [0, 0, 0], "name": "a/b"}]}', "slashes"),
+                ('{"cameras": [{"eye": [0, 0, 1], "target": [0, 0, 0], "name": "a/b"}]}', "digits, _ and -"),
+                ('{"cameras": [{"eye": [0, 0, 1], "target": [0, 0, 0], "name": "a.depth"}]}', "/cameras/0/name"),
+                (json.dumps({"cameras": [{"eye": [0, 0, 1], "target": [0, 0, 0], "name": 65 * "a"}]}), "1 to 64"),
+                ('{"cameras": [{"K": [[1, 0, 0], [0, 1, 0], [0, 0, 1]], "camera_from_world": '
+                 '[[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 2]]}]}', "[0, 0, 0, 1] as fourth row"),
+                ('{"cameras": [{"K": [[1, 0, 0], [0, 1, 0], [0, 0, 1]], "camera_from_world": [[1, 0, 0, 0]]}]}',
+                 "3 or 4 rows"),
                 ('{"cameras": [{"eye": [0, 0, 1], "target": [0, 0, 0], "width": 0}]}', "width"),
                 ('{"cameras": [{"K": [[1, 0, 0], [0, 1, 0], [0, 0, 1]], "camera_from_world": '
                  '[[2, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]]}]}', "rotation"),

@@ -5,6 +5,7 @@
 #include "apps/edit/document/engine.h"
 #include "core/base/error.h"
 #include "ops/files/arrange/arrange_section.h"
+#include "ops/files/arrange/marks_json.h"
 #include "ops/files/json/input_text.h"
 #include "ops/files/json/json_text.h"
 
@@ -57,18 +58,6 @@ Wishes::Scope scope_of(const SceneSnapshot& scene, const std::vector<ObjectId>& 
   out.names.reserve(scene.objects.size());
   for (const ObjectSnapshot& object : scene.objects) out.names.push_back(object->name);
   return out;
-}
-
-// With what problem files have beside the objects.
-nlohmann::json with_marks(const JsonPlace& root, nlohmann::json section) {
-  const auto objects = root.find("objects");
-  if (!objects) return section;
-  for (const JsonPlace& object : objects->items())
-    for (const auto& [key, in_section] :
-         {std::pair("front", "fronts"), std::pair("zones", "zones")})
-      if (const auto mark = object.find(key))
-        section[in_section][object.at("name").text()] = mark->value();
-  return section;
 }
 
 }  // namespace
@@ -154,7 +143,8 @@ void Document::load_wishes(const std::string& file) {
   if (!place.value().is_object())
     place.refuse("a problem of trivet arrange or its section \"arrange\", an object");
   arrange_operation(place.value().dump());  // refuses what it cannot be
-  const std::string json = (found ? with_marks(root, place.value()) : place.value()).dump();
+  const bool is_layout = found && root.find("objects");
+  const std::string json = (is_layout ? section_with_marks(root) : place.value()).dump();
   arrange_operation(json);
   set_wishes(Wishes(json));
 }

@@ -9,6 +9,7 @@
 #include "apps/farm/recipe/views.h"
 #include "core/base/nearest_name.h"
 #include "ops/files/json/json_text.h"
+#include "ops/files/layout/named_objects.h"
 
 namespace trivet::farm {
 namespace {
@@ -44,17 +45,7 @@ std::string first_members(const std::string& group) {
 class Known {
  public:
   explicit Known(const Layout& base) : m_floor(base.floor) {
-    for (const LayoutObject& object : base.objects) m_names.insert(object.name);
-    for (const Operation& operation : base.operations) {
-      if (const auto* append = std::get_if<AppendOperation>(&operation))
-        m_names.insert(append->object);
-      if (const auto* copy = std::get_if<DuplicateOperation>(&operation)) m_names.insert(copy->as);
-      if (const auto* gone = std::get_if<DeleteOperation>(&operation)) m_names.erase(gone->object);
-      if (const auto* renamed = std::get_if<RenameOperation>(&operation)) {
-        m_names.erase(renamed->object);
-        m_names.insert(renamed->to);
-      }
-    }
+    for (std::string& name : objects_after(base).names()) m_names.insert(std::move(name));
   }
 
   void add_group(const JsonPlace& place, const std::string& name) {

@@ -5,6 +5,7 @@
 #include "core/base/bad_input.h"
 #include "ops/files/json/material_json.h"
 #include "ops/files/json/operation_json.h"
+#include "ops/files/layout/named_objects.h"
 #include "ops/files/report/json_parts.h"
 
 namespace trivet::farm {
@@ -45,13 +46,6 @@ double least_friction(const Scene& scene) {
   return out;
 }
 
-// By name: objects that operations appended have none.
-std::map<std::string, const LayoutObject*> wanted_by_name(const Layout& layout) {
-  std::map<std::string, const LayoutObject*> out;
-  for (const LayoutObject& object : layout.objects) out[object.name] = &object;
-  return out;
-}
-
 void add_totals(const MadeScene& made, Json& json) {
   const LayoutRun& run = made.run;
   size_t refused = 0, triangles = 0;
@@ -74,14 +68,14 @@ Json scene_json(std::uint64_t k, const MadeScene& made) {
   if (!made.accepted) json["reason"] = made.reason;
   json["attempt"] = made.attempt;
   add_totals(made, json);
-  const auto wanted = wanted_by_name(made.layout);
+  const NamedObjects wanted = objects_after(made.layout);
   const LayoutObject none;
   Json objects = Json::array();
   for (const ObjectId id : made.run.scene.ids()) {
     const Object& object = made.run.scene.at(id);
-    const auto it = wanted.find(object.name);
     const auto left_out = made.left_out.find(object.name);
-    objects.push_back(object_of_scene(object, it == wanted.end() ? none : *it->second,
+    const LayoutObject* const own = wanted.find(object.name);
+    objects.push_back(object_of_scene(object, own ? *own : none,
                                       left_out == made.left_out.end() ? "" : left_out->second));
   }
   json["objects"] = std::move(objects);

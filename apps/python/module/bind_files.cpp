@@ -1,7 +1,7 @@
 // Scenes from and to files, bytes and simulators; snapshots.
 #include <pybind11/stl.h>
 
-#include <set>
+#include <algorithm>
 
 #include "apps/python/module/bindings.h"
 #include "apps/python/module/callback.h"
@@ -9,6 +9,7 @@
 #include "core/io/overwrites.h"
 #include "core/scene/fingerprint.h"
 #include "ops/check/check.h"
+#include "ops/files/layout/named_objects.h"
 #include "ops/files/layout/paths.h"
 #include "ops/files/report/scene_file.h"
 #include "ops/simulation/simulation.h"
@@ -61,30 +62,23 @@ struct Snapshot {
   SettleOptions settle;
 };
 
-// True if a file may keep this layout: all objects are of files, or copies of such.
-bool is_of_files(const Layout& layout) {
-  std::set<std::string> known;
-  for (const LayoutObject& object : layout.objects) known.insert(object.name);
+// True if a file may keep this layout: all objects that there ever were are of files, or copies of
+// such.
+bool is_of_files(const Layout& layout, const Scene& scene) {
+  NamedObjects known(layout.objects);
   for (const Operation& operation : layout.operations) {
-    if (const auto* append = std::get_if<AppendOperation>(&operation)) {
-      if (append->model.empty()) return false;
-      known.insert(append->object);
-    } else if (!known.contains(object_name(operation))) {
-      return false;
-    } else if (const auto* duplicate = std::get_if<DuplicateOperation>(&operation)) {
-      known.insert(duplicate->as);
-    } else if (const auto* renamed = std::get_if<RenameOperation>(&operation)) {
-      known.erase(renamed->object);
-      known.insert(renamed->to);
-    }
+    const auto* const append = std::get_if<AppendOperation>(&operation);
+    if ((append && append->model.empty()) || !known.follow(operation)) return false;
   }
-  return true;
+  const std::vector<ObjectId> ids = scene.ids();
+  return std::all_of(ids.begin(), ids.end(),
+                     [&](ObjectId id) { return known.contains(scene.at(id).name); });
 }
 
 // Of scenes whose objects come from arrays: nothing; the scene file has all there is.
 Layout layout_of(const Session& session, const SettleOptions& settle) {
   Layout layout = session.layout();
-  if (!is_of_files(layout)) {
+  if (!is_of_files(layout, session.scene())) {
     layout = Layout{};
     layout.floor = session.scene().floor;
   }

@@ -80,9 +80,8 @@ ArrangeOperation arrange_operation(const std::string& json) {
   return operation_of(std::move(document));
 }
 
-void check_names(const JsonPlace& arrange, const std::set<std::string>& names) {
-  const std::vector<std::string> all(names.begin(), names.end());
-  read_arrangement(arrange, ArrangementPlace::InOperation, ProblemNames(all), all);
+void check_names(const JsonPlace& arrange, const std::vector<std::string>& names) {
+  read_arrangement(arrange, ArrangementPlace::InOperation, ProblemNames(names), names);
 }
 
 }  // namespace trivet

@@ -1,8 +1,8 @@
 // Private. The operation "arrange" of layouts, journals and sessions.
 #pragma once
 
-#include <set>
 #include <string>
+#include <vector>
 
 #include "ops/files/json/json_text.h"
 #include "ops/operations/operations.h"
@@ -14,6 +14,6 @@ namespace trivet {
 ArrangeOperation read_arrange(const JsonPlace& place);
 
 /// @throws Error (BadInput) for names that are none of these.
-void check_names(const JsonPlace& arrange, const std::set<std::string>& names);
+void check_names(const JsonPlace& arrange, const std::vector<std::string>& names);
 
 }  // namespace trivet

@@ -3,30 +3,17 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "ops/files/layout/named_objects.h"
+
 namespace trivet {
 namespace {
 
-struct ClassAndAttributes {
-  std::string class_name, attributes;
-};
-
-std::map<std::string, ClassAndAttributes> named_labels(const Layout& layout) {
-  std::map<std::string, ClassAndAttributes> out;
-  for (const LayoutObject& object : layout.objects)
-    out[object.name] = {object.class_name, object.attributes};
-  for (const Operation& operation : layout.operations) {
-    if (const auto* copy = std::get_if<DuplicateOperation>(&operation))
-      out[copy->as] = out[copy->object];
-    if (const auto* renamed = std::get_if<RenameOperation>(&operation)) {
-      out[renamed->to] = out[renamed->object];
-      out.erase(renamed->object);
-    }
-  }
-  return out;
-}
-
-std::string class_of(const Object& object, const ClassAndAttributes& labels) {
-  if (!labels.class_name.empty()) return labels.class_name;
+// @param given  of the caller; else the layout's. @param made  null: the layout has none.
+std::string class_of(const Object& object, const std::map<std::string, std::string>& given,
+                     const LayoutObject* made) {
+  std::string name = made ? made->class_name : "";
+  if (const auto found = given.find(object.name); found != given.end()) name = found->second;
+  if (!name.empty()) return name;
   const std::string stem = std::filesystem::path(object.model->path).stem().string();
   return stem.empty() ? object.name : stem;
 }
@@ -60,20 +47,18 @@ LabelledScene labelled_scene(const Scene& scene, const Layout& layout,
                              const std::map<std::string, std::string>& classes) {
   LabelledScene out;
   out.picture.floor = scene.floor;
-  auto labels = named_labels(layout);
-  for (const auto& [name, class_name] : classes) labels[name].class_name = class_name;
+  const NamedObjects named = objects_in(scene, layout);
   for (const ObjectId id : scene.ids()) {
     const Object& object = scene.at(id);
     if (!object.placed) continue;
     const auto [mesh, is_new] = out.meshes.try_emplace(object.model.get());
     if (is_new) mesh->second = picture_mesh(*object.model);
     out.picture.objects.push_back({&mesh->second, object.world_from_object(), std::nullopt});
-    const auto given = labels.find(object.name);
-    const ClassAndAttributes own = given == labels.end() ? ClassAndAttributes{} : given->second;
+    const LayoutObject* const made = named.find(object.name);
     LabelledObject labelled;
     labelled.name = object.name;
-    labelled.class_name = class_of(object, own);
-    labelled.attributes = own.attributes;
+    labelled.class_name = class_of(object, classes, made);
+    if (made) labelled.attributes = made->attributes;
     labelled.model_id = model_id(object, out.models);
     labelled.pose = object.pose;
     out.objects.push_back(std::move(labelled));

@@ -40,8 +40,9 @@ struct LabelledScene {
   LabelledScene& operator=(LabelledScene&&) = default;
 };
 
-/// @param layout  what made the scene: classes and attributes of objects, by their names; a
-/// duplicate has those of its original. Without a class: the name of the model's file.
+/// @param layout  what made the scene: classes and attributes of objects, by the names that its
+/// operations left them; a duplicate has those of its original, and refused operations have no part
+/// in it. Without a class: the name of the model's file.
 /// @param classes  of objects by their names, before those of the layout.
 /// The scene's models must outlive the result.
 LabelledScene labelled_scene(const Scene& scene, const Layout& layout,

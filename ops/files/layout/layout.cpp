@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
 
 #include "core/base/nearest_name.h"
 #include "ops/files/arrange/arrange_operation.h"
+#include "ops/files/arrange/marks_json.h"
 #include "ops/files/json/input_text.h"
 #include "ops/files/json/json_text.h"
 #include "ops/files/json/looks_json.h"
@@ -14,6 +14,7 @@
 #include "ops/files/json/operation_json.h"
 #include "ops/files/json/settle_json.h"
 #include "ops/files/layout/label_keys.h"
+#include "ops/files/layout/named_objects.h"
 
 namespace trivet {
 namespace {
@@ -53,10 +54,11 @@ LayoutObject read_scene_object(const JsonPlace& place) {
   return object;
 }
 
+// Its marks for the section "arrange" go there.
 LayoutObject read_object(const JsonPlace& place) {
   place.expect_object({"name", "model"},
                       {"scale", "up", "fixed", "material", "chord", "facet_angle_deg", "position",
-                       "rotation", "class", "attributes"});
+                       "rotation", "class", "attributes", "front", "zones"});
   LayoutObject object;
   read_labels(place, object);
   object.name = read_name(place.at("name"));
@@ -87,37 +89,28 @@ std::vector<LayoutObject> read_objects(const JsonPlace& place, bool of_scene) {
   return objects;
 }
 
-// @param names  of the objects at this point; brought up to date.
-Operation read_known(const JsonPlace& place, std::set<std::string>& names) {
+// @param objects  at this point; brought up to date.
+Operation read_known(const JsonPlace& place, NamedObjects& objects) {
   Operation operation = read_operation(place);
-  const std::string& name = object_name(operation);
-  const auto add = [&](const char* key, const std::string& new_name) {
-    if (!names.insert(new_name).second) place.at(key).refuse("a name that no object has");
-  };
-  if (std::holds_alternative<AppendOperation>(operation)) {
-    add("object", name);
-    return operation;
-  }
   if (std::holds_alternative<ArrangeOperation>(operation)) {
-    check_names(place, names);
+    check_names(place, objects.names());
     return operation;
   }
   const auto refuse = [&](const JsonPlace& where, const std::string& accepted) {
-    where.refuse(accepted + did_you_mean(where.text(), {names.begin(), names.end()}));
+    where.refuse(accepted + did_you_mean(where.text(), objects.names()));
   };
-  if (!names.count(name)) refuse(place.at("object"), "the name of one of /objects");
-  if (const auto* o = std::get_if<DuplicateOperation>(&operation)) add("as", o->as);
-  if (const auto* o = std::get_if<RenameOperation>(&operation)) {
-    add("to", o->to);
-    names.erase(name);
-  }
-  if (std::holds_alternative<DeleteOperation>(operation)) names.erase(name);
+  if (!std::holds_alternative<AppendOperation>(operation) &&
+      !objects.contains(object_name(operation)))
+    refuse(place.at("object"), "the name of one of /objects");
+  if (const auto given = given_name(operation); given && objects.contains(*given->name))
+    place.at(given->key).refuse("a name that no object has");
   if (const auto* put = std::get_if<PutOperation>(&operation))
-    if (put->place && put->place->on != "floor" && !names.count(put->place->on))
+    if (put->place && put->place->on != "floor" && !objects.contains(put->place->on))
       refuse(place.at("on"), "\"floor\" or the name of one of /objects");
   if (const auto together = place.find("together"))
     for (const JsonPlace& other : together->items())
-      if (!names.count(other.text())) refuse(other, "the name of one of /objects");
+      if (!objects.contains(other.text())) refuse(other, "the name of one of /objects");
+  objects.follow(operation);
   return operation;
 }
 
@@ -169,17 +162,15 @@ Layout parse_layout(const std::string& text, const std::string& file) {
     layout.settle = read_settle_rules(*settle);
   }
   layout.objects = read_objects(root.at("objects"), !layout.scene.empty());
-  std::set<std::string> names;
-  for (const LayoutObject& object : layout.objects) names.insert(object.name);
+  NamedObjects objects(layout.objects);
   if (const auto operations = root.find("operations"))
     for (const JsonPlace& item : operations->items())
-      layout.operations.push_back(read_known(item, names));
+      layout.operations.push_back(read_known(item, objects));
   if (const auto looks = root.find("looks")) layout.looks = read_looks(*looks);
-  if (const auto arrange = root.find("arrange")) {
-    if (!arrange->value().is_object())
-      arrange->refuse("an object, as trivet schema arrange has it");
-    layout.arrange = arrange->value().dump();
-  }
+  if (root.find("arrange"))
+    layout.arrange = section_with_marks(root).dump();
+  else
+    for (const JsonPlace& object : root.at("objects").items()) refuse_marks(object);
   return layout;
 }
 

@@ -201,6 +201,17 @@ LayoutRun run_layout(const Layout& without_models, const ModelSource& models,
   return run;
 }
 
+Layout without_refused(Layout layout, const LayoutRun& run) {
+  // Ahead of the operations there may be refusals to stand.
+  const size_t first = run.operations.size() - layout.operations.size();
+  std::vector<Operation> done;
+  done.reserve(layout.operations.size());
+  for (size_t i = 0; i < layout.operations.size(); ++i)
+    if (run.operations[first + i].result.ok()) done.push_back(std::move(layout.operations[i]));
+  layout.operations = std::move(done);
+  return layout;
+}
+
 LayoutRun run_start_only(const Layout& layout, const ModelSource& models, const RunOptions& given) {
   RunOptions options = given;
   options.settle = settle_options(given, layout.settle);

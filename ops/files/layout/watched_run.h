@@ -16,4 +16,8 @@ struct RunWatch {
 LayoutRun run_layout(const Layout& layout, const ModelSource& models, const RunOptions& options,
                      const RunWatch& watch);
 
+/// What made the scene: the layout without the operations that were refused.
+/// @param run  of this layout.
+Layout without_refused(Layout layout, const LayoutRun& run);
+
 }  // namespace trivet
