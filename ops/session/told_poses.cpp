@@ -16,6 +16,11 @@ void add(const std::optional<Pose>& pose, OrderedJson& json) {
     json["rotation"] = {pose->rotation.w, pose->rotation.x, pose->rotation.y, pose->rotation.z};
 }
 
+void tell(const std::string& name, const std::optional<Pose>& pose, OrderedJson& out) {
+  out.push_back({{"object", name}});
+  add(pose, out.back());
+}
+
 std::optional<Pose> pose_of(const Object& object) {
   if (!object.placed) return std::nullopt;
   return object.pose;
@@ -37,20 +42,17 @@ OrderedJson ToldPoses::news(const Scene& scene, const std::vector<ObjectId>& cha
     const auto told = m_told.find(key(id));
     const bool known = told != m_told.end(), here = scene.contains(id);
     if (!known && !here) continue;
-    const Told now = here ? told_of(scene.at(id)) : Told{told->second.name, std::nullopt};
-    const bool renamed = known && told->second.name != now.name;
-    if (renamed && !scene.find(told->second.name)) {
-      out.push_back({{"object", told->second.name}});
-      add(std::nullopt, out.back());
-    }
-    if (!known || renamed || !same_bits(told->second.pose, now.pose)) {
-      out.push_back({{"object", now.name}});
-      add(now.pose, out.back());
-    }
-    if (here)
-      m_told[key(id)] = now;
-    else
+    // A name that another object has now is told by that object's entry.
+    if (known && (here || told->second.pose) && !scene.find(told->second.name))
+      tell(told->second.name, std::nullopt, out);
+    if (!here) {
       m_told.erase(told);
+      continue;
+    }
+    const Told now = told_of(scene.at(id));
+    if (!known || told->second.name != now.name || !same_bits(told->second.pose, now.pose))
+      tell(now.name, now.pose, out);
+    m_told[key(id)] = now;
   }
   return out;
 }

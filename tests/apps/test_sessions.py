@@ -2,7 +2,7 @@
 import json
 
 from live_session import Live, SessionCase
-from program import main, put
+from program import SLAB, main, put
 
 
 class Sessions(SessionCase):
@@ -123,6 +123,18 @@ class Sessions(SessionCase):
             for key in ("position", "rotation"):
                 self.assertEqual(now[key], known[now["object"]][key], now["object"])
         self.assertEqual(live.ask(query="b")["poses"], [])
+        self.assertEqual(live.end(), 0)
+
+    def test_a_name_that_another_object_takes_is_not_gone(self):
+        live = Live(self.folder, self.layout(
+            [SLAB, {"name": "b", "model": "cube.obj"}, {"name": "a", "model": "cube.obj"}],
+            [put("b", 0, 0, 1), put("a", 0.3, 0, 1)]))
+        answer = live.ask(do=[{"op": "delete", "object": "a"}, {"op": "rename", "object": "b", "to": "a"}])
+        self.assertEqual([(p["object"], p["position"] is None) for p in answer["poses"]],
+                         [("b", True), ("a", False)])
+        undone = live.ask(undo=True)
+        self.assertEqual(sorted((p["object"], p["position"] is None) for p in undone["poses"]),
+                         [("a", False), ("b", False)])
         self.assertEqual(live.end(), 0)
 
     def test_an_object_called_objects(self):
