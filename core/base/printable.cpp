@@ -11,6 +11,19 @@ unsigned byte(std::string_view text, size_t at) {
 
 bool continues(std::string_view text, size_t at) { return (byte(text, at) & 0xc0) == 0x80; }
 
+// Those that end lines of terminals and logs, and tabs.
+bool is_white_space(std::string_view character) {
+  return character == "\n" || character == "\r" || character == "\t" ||
+         character == "\xe2\x80\xa8" || character == "\xe2\x80\xa9";
+}
+
+// U+0000 to U+001F and U+007F to U+009F.
+bool is_control(std::string_view character) {
+  const unsigned first = byte(character, 0);
+  if (character.size() == 1) return first < 0x20 || first == 0x7f;
+  return character.size() == 2 && first == 0xc2 && byte(character, 1) < 0xa0;
+}
+
 }  // namespace
 
 size_t utf8_length(std::string_view text, size_t at) {
@@ -42,13 +55,13 @@ std::string printable(std::string_view text, size_t most) {
   for (size_t at = 0; at < text.size();) {
     const size_t length = utf8_length(text, at);
     if (out.size() + std::max<size_t>(length, 1) > most) return out + "...";
-    const unsigned c = byte(text, at);
-    if (c == '\n' || c == '\r' || c == '\t')
+    const std::string_view character = text.substr(at, length);
+    if (is_white_space(character))
       out += ' ';
-    else if (length == 0 || c < 0x20 || c == 0x7f)
+    else if (length == 0 || is_control(character))
       out += '?';
     else
-      out += text.substr(at, length);
+      out += character;
     at += std::max<size_t>(length, 1);
   }
   return out;

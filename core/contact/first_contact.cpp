@@ -42,7 +42,7 @@ class Search {
         if (m_pairs[pair].apart_until() > std::min(until, m_best.time)) break;
         m_pairs[pair].search(until);
       }
-      if (until >= limit || m_best.time <= until) return m_best;
+      if (!(until < limit) || m_best.time <= until) return m_best;
     }
   }
 
@@ -54,7 +54,8 @@ class Search {
     m_pairs.push_back(std::move(pair));
   }
 
-  // Short ones are not worth a part of their own.
+  // End of the first part: kFirstPart of the motion, longer where nothing moves kLeastPart
+  // clearances in it.
   double first_part() const {
     const Motion& motion = m_query.motion;
     double speed = 1;
@@ -83,6 +84,7 @@ class Search {
 }  // namespace
 
 FirstContact first_contact(const FirstContactQuery& query) {
+  assert(query.motion.limit >= 0);
   // box_until() holds for a quarter turn at most.
   assert(query.motion.kind == Motion::Kind::Translation || query.motion.limit <= 1);
   return Search(query).run();

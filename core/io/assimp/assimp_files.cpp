@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <string_view>
 
 #include "core/base/extension.h"
 
@@ -18,37 +19,69 @@ bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0;
 
 bool is_obj(const std::string& file) { return lower_extension(file) == ".obj"; }
 
-// A number that begins with its point, as in "v .5 0 0", after `before` and with `after` behind it.
-bool is_bare_point(char before, char c, char after) {
-  return c == '.' && (before == ' ' || before == '\t') && is_digit(after);
+// An OBJ file byte by byte, with its lines as assimp has them: behind a backslash they go on in the
+// next one.
+class ObjLines {
+ public:
+  // True at the first digit of a coordinate that begins with its point, as in "v .5 0 0".
+  bool reads_bare_number(char c) {
+    const bool found = m_after_point && is_digit(c);
+    m_after_point = false;
+    if (c == '\\') {
+      m_goes_on = true;
+    } else if (c == '\n' || c == '\r') {
+      if (!m_goes_on) m_before = '\n';
+      m_goes_on = m_goes_on && c == '\r';
+    } else {
+      if (m_before == '\n') m_coordinates = c == 'v';
+      m_after_point = m_coordinates && c == '.' && (m_before == ' ' || m_before == '\t');
+      m_before = c;
+    }
+    return found;
+  }
+
+ private:
+  char m_before = '\n';  // in its line
+  bool m_coordinates = false, m_goes_on = false, m_after_point = false;
+};
+
+constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+
+// A zero before the points of coordinates; names stay what they are.
+std::string with_zeros_before_points(std::string_view text) {
+  std::string out;
+  out.reserve(text.size() + text.size() / 8);
+  ObjLines lines;
+  for (const char c : text) {
+    if (lines.reads_bare_number(c)) out.insert(out.end() - 1, '0');
+    out += c;
+  }
+  return out;
 }
 
-bool has_bare_points(const std::string& file) {
+bool must_be_mended(const std::string& file) {
   std::ifstream in(file, std::ios::binary);
   std::array<char, 1 << 16> piece;
-  char last[2] = {'\n', '\n'};
-  while (in.read(piece.data(), piece.size()) || in.gcount() > 0)
-    for (std::streamsize i = 0; i < in.gcount(); ++i) {
-      const char c = piece[static_cast<size_t>(i)];
-      if (is_bare_point(last[0], last[1], c)) return true;
-      last[0] = last[1], last[1] = c;
-    }
+  ObjLines lines;
+  bool first = true;
+  while (in.read(piece.data(), piece.size()) || in.gcount() > 0) {
+    const std::string_view text(piece.data(), static_cast<size_t>(in.gcount()));
+    if (first && text.starts_with(kByteOrderMark)) return true;
+    first = false;
+    for (const char c : text)
+      if (lines.reads_bare_number(c)) return true;
+  }
   return false;
 }
 
-// Of lines with coordinates; names stay what they are.
-std::string with_zeros_before_points(const std::string& text) {
-  std::string out;
-  out.reserve(text.size() + text.size() / 8);
-  bool coordinates = false;
-  for (size_t i = 0; i < text.size(); ++i) {
-    const char before = i > 0 ? text[i - 1] : '\n';
-    if (before == '\n' || before == '\r') coordinates = text[i] == 'v';
-    if (coordinates && i + 1 < text.size() && is_bare_point(before, text[i], text[i + 1]))
-      out += '0';
-    out += text[i];
-  }
-  return out;
+// assimp 5.2 leaves out vertices with ".5", so that faces get others; "0.5" and "-.5" it reads. The
+// line behind a byte order mark it leaves out, too.
+std::string mended_obj(const std::string& file) {
+  std::ifstream in(file, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  const std::string_view whole = text;
+  return with_zeros_before_points(
+      whole.starts_with(kByteOrderMark) ? whole.substr(kByteOrderMark.size()) : whole);
 }
 
 Assimp::IOStream* stream_of(const std::string& text) {
@@ -74,11 +107,7 @@ bool FolderIoSystem::Exists(const char* file) const {
 Assimp::IOStream* FolderIoSystem::Open(const char* file, const char* mode) {
   const bool reads = std::string(mode).find_first_of("wa+") == std::string::npos;
   if (!reads || !may_open(file)) return nullptr;
-  // assimp 5.2 leaves out vertices with ".5", so that faces get others; "0.5" and "-.5" it reads.
-  if (is_obj(file) && has_bare_points(file)) {
-    std::ifstream in(file, std::ios::binary);
-    return stream_of(with_zeros_before_points({std::istreambuf_iterator<char>(in), {}}));
-  }
+  if (is_obj(file) && must_be_mended(file)) return stream_of(mended_obj(file));
   return DefaultIOSystem::Open(file, mode);
 }
 

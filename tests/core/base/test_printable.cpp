@@ -16,6 +16,13 @@ TEST(Printable, KeepsTextAndReplacesWhatIsNone) {
   EXPECT_EQ(printable("\xed\xa0\x80"), "???");       // half of a surrogate
   EXPECT_EQ(printable("\xf4\x90\x80\x80"), "????");  // beyond the last
   EXPECT_EQ(printable(std::string_view("a\0b", 3)), "a?b");
+  EXPECT_EQ(printable("\xc2\x80\xc2\x85\xc2\x9b\xc2\x9f"), "????");  // C1: they steer terminals
+  EXPECT_EQ(printable("\xc2\xa0"), "\xc2\xa0");
+  EXPECT_EQ(printable("a\xe2\x80\xa8"
+                      "b\xe2\x80\xa9"
+                      "c"),
+            "a b c");  // ends of lines
+  EXPECT_EQ(printable("\xe2\x80\xa7\xe2\x80\xaa"), "\xe2\x80\xa7\xe2\x80\xaa");
 }
 
 TEST(Printable, CutsBetweenCharacters) {

@@ -64,6 +64,23 @@ TEST_F(ReadFormats, ReadsObjNumbersThatBeginWithTheirPoint) {
   EXPECT_EQ(expected.mesh.vertices, found.mesh.vertices);
 }
 
+// Lines go on behind a backslash; a byte order mark is no part of the first one.
+TEST_F(ReadFormats, ReadsObjNumbersInContinuedLinesAndBehindAByteOrderMark) {
+  const std::string faces = "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+  const Model expected =
+      read("plain.obj", "v 0.5 0 0\nv 0 0.5 0\nv 0 0 0.5\nv 0.25 0.25 0.5\n" + faces);
+  const char* const vertices[] = {
+      "v 0.5 0 0\nv 0 \\\n .5 0\nv 0 0 \\\r\n .5\nv .25 \\\n .25 \\\n\t.5\n",
+      "v .5 0 0\nv 0 .5 \\\n0\nv 0 \\\n0 \\\n.5\nv .25 .25 .5\n",
+      "\xef\xbb\xbfv .5 0 0\nv 0 .5 0\nv 0 0 .5\nv .25 .25 .5\n",
+      "\xef\xbb\xbfv 0.5 0 0\nv 0 0.5 0\nv 0 0 0.5\nv 0.25 0.25 0.5\n"};
+  for (const char* const text : vertices) {
+    const Model found = read_model(write("bare.obj", text + faces));
+    EXPECT_EQ(expected.mesh.vertices, found.mesh.vertices) << text;
+    EXPECT_TRUE(same_triangles(triangles_of(expected.mesh), triangles_of(found.mesh))) << text;
+  }
+}
+
 TEST_F(ReadFormats, ReadsGltfAsYUpInMetres) {
   const Model text = read("t.gltf", testing::tetrahedron_gltf(R"([{"mesh":0}])", "[0]"));
   const Model binary = read("t.glb", testing::tetrahedron_glb());
