@@ -8,14 +8,26 @@
 
 namespace trivet {
 
+/// Length of the normal seen from above.
+inline double level_part(const Vec3& normal) {
+  return std::sqrt(normal.x() * normal.x() + normal.y() * normal.y());
+}
+
+/// True within a micrometre per metre.
+inline bool is_vertical(const Vec3& normal) {
+  constexpr double kRounding = 1e-6;
+  return level_part(normal) <= kRounding * std::abs(normal.z());
+}
+
 /// Rows: the two axes in which directions and goals of a PUSH are given, then the unit normal. With
 /// the normal upwards x, y and z; on walls, seen from the object's side, to the right and upwards;
-/// under a ceiling x and -y.
+/// under a ceiling x and -y. What is vertical but for rounding counts as vertical: the axes of
+/// walls turn with it.
 /// @param normal  from the surface to the object, any length but zero.
 inline Mat3 push_axes(const Vec3& normal) {
   Mat3 rows = Mat3::Identity();
-  const double level = std::sqrt(normal.x() * normal.x() + normal.y() * normal.y());
-  if (level == 0) {
+  const double level = level_part(normal);
+  if (is_vertical(normal)) {
     if (normal.z() < 0) rows(1, 1) = rows(2, 2) = -1;
     return rows;
   }
@@ -25,9 +37,7 @@ inline Mat3 push_axes(const Vec3& normal) {
 }
 
 /// True if the axes are those of the world: the push is level.
-inline bool is_level(const Vec3& normal) {
-  return normal.x() == 0 && normal.y() == 0 && normal.z() > 0;
-}
+inline bool is_level(const Vec3& normal) { return is_vertical(normal) && normal.z() > 0; }
 
 /// A point or vector of the world in these axes; its own bits where the push is level.
 inline Vec3 in_push_axes(const Vec3& normal, const Vec3& v) {

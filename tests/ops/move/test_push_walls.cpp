@@ -48,6 +48,14 @@ TEST(PushAlongWalls, HasAxesToTheRightAndUpwards) {
   EXPECT_EQ(Vec3(wall.row(0)), Vec3::UnitY());
   EXPECT_EQ(Vec3(wall.row(1)), Vec3::UnitZ());
   EXPECT_EQ(Vec3(push_axes(Vec3(0, 0, -1)).row(1)), Vec3(0, -1, 0));
+  for (const double tilt : {0.0, 1e-300, 1e-9, -1e-9, 1e-7}) {
+    const Vec3 up(tilt, -tilt, 2);
+    EXPECT_EQ(push_axes(up), Mat3::Identity()) << tilt;
+    EXPECT_EQ(push_axes(-up), push_axes(Vec3(0, 0, -1))) << tilt;
+    EXPECT_TRUE(is_level(up)) << tilt;
+    EXPECT_FALSE(is_level(-up)) << tilt;
+  }
+  EXPECT_FALSE(is_level(Vec3(1e-5, 0, 1)));
   std::mt19937 random(3);
   std::uniform_real_distribution<double> uniform(-1, 1);
   for (int i = 0; i < 100; ++i) {
