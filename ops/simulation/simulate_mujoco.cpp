@@ -33,6 +33,9 @@ struct Mujoco {
 
  private:
   Mujoco() : m_library(dlopen(kLibrary, RTLD_NOW | RTLD_LOCAL)) {
+#ifdef TRIVET_MUJOCO_FILE  // where this build found it: it need not be in the loader's path
+    if (!m_library) m_library = dlopen(TRIVET_MUJOCO_FILE, RTLD_NOW | RTLD_LOCAL);
+#endif
     if (!m_library) return;
     m_found = find("mj_loadXML", load) && find("mj_makeData", make_data) &&
               find("mj_deleteModel", delete_model) && find("mj_deleteData", delete_data) &&
