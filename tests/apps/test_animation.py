@@ -150,6 +150,15 @@ class Animation(Case):
             self.assertEqual([scales[0][0], scales[-1][0]], [0, 0])
             self.assertTrue(any(s[0] == 1 for s in scales))
 
+    def test_names_are_those_of_the_end(self):
+        film, report = self.run_layout(
+            [SLAB, {"name": "a", "model": "cube.obj"}],
+            [put("a", 0, 0, 1), {"op": "rename", "object": "a", "to": "b"},
+             {"op": "duplicate", "object": "b", "as": "a"}, put("a", 0.3, 0, 1)])
+        self.assertEqual(sorted(film.nodes), ["a", "b", "slab"])
+        self.check_ends(film, report)
+        self.assertAlmostEqual(film.position("b", film.seconds())[0], 0, 5)
+
     def test_the_scene_is_the_same_and_far_ones_keep_their_digits(self):
         layout = self.layout([dict(SLAB, position=[4000, -2000, 0.050001]), {"name": "a", "model": "cube.obj"}],
                              [put("a", 4000.1, -2000, 1)])

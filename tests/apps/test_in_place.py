@@ -188,6 +188,18 @@ class InPlace(Case):
         self.assertEqual(self.changed_nodes(self.read_json("in/room.gltf"),
                                             self.read_json("out/room.gltf")), [3])
 
+    def test_companion_files_with_points_in_their_names(self):
+        for folder in ("in", "out"):
+            (Path(self.folder) / folder).mkdir()
+        room().write(Path(self.path("in/room.gltf")), "..room.bin")
+        self.run_scene("in/room.gltf", ["cup"], [put("cup", 0.1, 0.1, 1.5)], output="out/room.gltf")
+        self.assertEqual(self.read("in/..room.bin"), self.read("out/..room.bin"))
+        document = self.read_json("in/room.gltf")
+        document["images"] = [{"uri": "../\u0085" + 200 * "x"}]
+        self.write("in/room.gltf", json.dumps(document))
+        self.says("in/room.gltf", ["cup"], [put("cup", 0.1, 0.1, 1.5)], 'the scene names "../?x',
+                  'x...", which lies outside its folder', output="out/other.gltf")
+
     def says(self, scene, picked, operations, *parts, **more):
         before = self.files()
         out, err = self.run_scene(scene, picked, operations, status=2, **more)

@@ -60,9 +60,12 @@ MotionFilm::MotionFilm(const Scene& start) {
 void MotionFilm::meet(const Scene& scene) {
   m_box.extend(scene.box());
   for (const ObjectId id : scene.ids()) {
-    const auto [it, is_new] = m_actors.try_emplace(id_of(id));
-    if (!is_new) continue;
     const Object& object = scene.at(id);
+    const auto [it, is_new] = m_actors.try_emplace(id_of(id));
+    if (!is_new) {
+      it->second.name = object.name;  // it may have another one now
+      continue;
+    }
     const double radius = 0.5 * object.scale * object.shape->box.diagonal();
     std::shared_ptr<const Model> model = object.model;
     if (!model) {

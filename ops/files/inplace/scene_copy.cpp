@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/extension.h"
+#include "core/base/printable.h"
 #include "core/io/export.h"
 #include "core/io/gltf/gltf_builder.h"
 #include "core/io/model_folder.h"
@@ -16,9 +17,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::size_t kBeforeJson = 20;  // bytes of a .glb: its header, that of the chunk
+
 std::string whole_file(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
+}
+
+bool leaves_folder(const fs::path& file) {
+  const fs::path normal = file.lexically_normal();
+  return file.is_absolute() || (!normal.empty() && *normal.begin() == "..");
 }
 
 // Files that the scene names go along to another folder.
@@ -34,11 +42,11 @@ void copy_companions(const GltfJson& root, const std::string& scene, const fs::p
       const GltfJson& uri = member(item, "uri");
       if (!uri.is_string() || uri.get<std::string>().rfind("data:", 0) == 0) continue;
       const fs::path file = decoded_uri(uri.get<std::string>());
-      const std::string normal = file.lexically_normal().generic_string();
-      if (file.is_absolute() || normal.rfind("..", 0) == 0)
-        throw Error(Error::Kind::BadInput, "the scene names \"" + uri.get<std::string>() +
-                                               "\", which lies outside its folder; accepted: an "
-                                               "output in the scene's own folder");
+      if (leaves_folder(file))
+        throw Error(Error::Kind::BadInput,
+                    "the scene names \"" + printable(uri.get<std::string>(), 100) +
+                        "\", which lies outside its folder; accepted: an output in the scene's own "
+                        "folder");
       if (folder.has(from / file)) wanted.push_back(file.string());
     }
   std::erase_if(wanted, [&](const std::string& file) {
@@ -54,12 +62,17 @@ void copy_companions(const GltfJson& root, const std::string& scene, const fs::p
 }
 
 // The same container with another JSON chunk; all other chunks byte for byte.
-std::string with_json(const std::string& glb, std::string json) {
-  json.append((4 - json.size() % 4) % 4, ' ');
+// @param file  it was read from before, and may be another one by now.
+std::string with_json(const std::string& file, std::string json) {
+  const std::string glb = whole_file(file);
   std::uint32_t old_json = 0;
-  std::memcpy(&old_json, glb.data() + 12, sizeof old_json);
-  const std::string rest = glb.substr(std::min<size_t>(glb.size(), 20 + size_t{old_json}));
-  const auto total = static_cast<std::uint32_t>(20 + json.size() + rest.size());
+  if (glb.size() >= kBeforeJson) std::memcpy(&old_json, glb.data() + 12, sizeof old_json);
+  if (glb.size() < kBeforeJson + old_json || glb.compare(0, 4, "glTF") != 0)
+    throw Error(Error::Kind::Environment,
+                file + ": has changed since it was read; accepted: a scene that stays as it is");
+  json.append((4 - json.size() % 4) % 4, ' ');
+  const std::string rest = glb.substr(kBeforeJson + old_json);
+  const auto total = static_cast<std::uint32_t>(kBeforeJson + json.size() + rest.size());
   const auto length = static_cast<std::uint32_t>(json.size());
   std::string out = glb.substr(0, 8);
   out.append(reinterpret_cast<const char*>(&total), 4);
@@ -79,7 +92,7 @@ void write_scene_copy(const std::string& from, const GltfJson& original, const G
   const std::string text = json.dump(glb ? -1 : 1, ' ', false, GltfJson::error_handler_t::replace);
   StagedFiles staged;
   copy_companions(original, from, to, staged);
-  staged.add(to, glb ? with_json(whole_file(from), text) : text);
+  staged.add(to, glb ? with_json(from, text) : text);
   staged.commit();
 }
 
