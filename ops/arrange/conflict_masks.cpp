@@ -7,10 +7,16 @@
 namespace trivet {
 namespace {
 
-constexpr size_t kMaxSightPlaces = 4000;  // at which lines of sight are looked at
+constexpr size_t kMaxSightPlaces = 4000;    // at which lines of sight are looked at first
+constexpr size_t kMostSightPlaces = 40000;  // of a relation that is to be named
 
 bool has(const std::vector<std::uint64_t>& mask, size_t place) {
   return mask[place / 64] >> (place % 64) & 1;
+}
+
+void set_place(std::vector<std::uint64_t>& mask, size_t place, bool holds) {
+  const std::uint64_t bit = std::uint64_t{1} << (place % 64);
+  mask[place / 64] = holds ? mask[place / 64] | bit : mask[place / 64] & ~bit;
 }
 
 void append(std::vector<std::uint64_t>& mask, size_t& count, const std::vector<char>& places) {
@@ -69,28 +75,51 @@ bool ConflictSearch::all_but_sights_hold(size_t place) const {
   });
 }
 
-// Relations of sight at the places that all else leaves, of many only at some, which speak for
-// those that follow them; at others they count as met, so that no set is called empty that is not.
+bool ConflictSearch::sight_holds(const Relation& r, size_t place) const {
+  const Judged& at = m_places[place];
+  const Pose pose{m_poses[at.pose].rotation, Vec3(at.at.x(), at.at.y(), at.start_z)};
+  return sight_cost({m_world, m_world.thing_of(m_out.thing), pose, false}, r) <= 1;
+}
+
+// Relations of sight at the places that all else leaves; of many only at some, which speak for
+// those that follow them until a set is to be named: see complete().
 void ConflictSearch::fill_sights() {
   if (m_placer.m_sights.empty()) return;
-  std::vector<size_t> left;
   for (size_t place = 0; place < m_places.size(); ++place)
-    if (all_but_sights_hold(place)) left.push_back(place);
-  const size_t stride = left.size() / kMaxSightPlaces + 1;
-  const int thing = m_world.thing_of(m_out.thing);
+    if (all_but_sights_hold(place)) m_left.push_back(place);
+  const size_t stride = m_left.size() / kMaxSightPlaces + 1;
   for (const Relation* r : m_placer.m_sights) {
     const bool is_own = r->a == m_out.thing || r->b == m_out.thing;
     Constraint sight{r->text(), is_own ? other_of(*r) : r->a, r,
-                     Mask(m_places.size() / 64 + 1, ~std::uint64_t{0})};
-    for (size_t k = 0; k < left.size(); k += stride) {
-      const Judged& at = m_places[left[k]];
-      const Pose pose{m_poses[at.pose].rotation, Vec3(at.at.x(), at.at.y(), at.start_z)};
-      if (sight_cost({m_world, thing, pose, false}, *r) <= 1) continue;
-      for (size_t i = k; i < std::min(left.size(), k + stride); ++i)
-        sight.mask[left[i] / 64] &= ~(std::uint64_t{1} << (left[i] % 64));
+                     Mask(m_places.size() / 64 + 1, ~std::uint64_t{0}), stride > 1};
+    for (size_t k = 0; k < m_left.size(); k += stride) {
+      if (sight_holds(*r, m_left[k])) continue;
+      for (size_t i = k; i < std::min(m_left.size(), k + stride); ++i)
+        set_place(sight.mask, m_left[i], false);
     }
     m_constraints.push_back(std::move(sight));
   }
+}
+
+// Looks at the places for which others spoke. Of too many the last count as met.
+void ConflictSearch::complete(Constraint& sight) {
+  sight.is_sampled = false;
+  size_t num_looked_at = 0;
+  for (const size_t place : m_left)
+    if (!has(sight.mask, place) &&
+        (++num_looked_at > kMostSightPlaces || sight_holds(*sight.relation, place)))
+      set_place(sight.mask, place, true);
+}
+
+// No set is called empty that is not.
+bool ConflictSearch::surely_leaves_no_place(const Set& set) {
+  if (!leaves_no_place(set)) return false;
+  for (const size_t i : set)
+    if (m_constraints[i].is_sampled) {
+      complete(m_constraints[i]);
+      if (!leaves_no_place(set)) return false;
+    }
+  return true;
 }
 
 bool ConflictSearch::leaves_no_place(const Set& set) const {
@@ -147,7 +176,7 @@ bool ConflictSearch::nearly_holds(const Relation& r, const Outline& outline, dou
 bool ConflictSearch::find_in_masks() {
   fill_masks();
   const auto set =
-      smallest_empty(m_constraints.size(), [&](const Set& s) { return leaves_no_place(s); });
+      smallest_empty(m_constraints.size(), [&](const Set& s) { return surely_leaves_no_place(s); });
   if (!set) return false;
   for (const size_t i : *set) {
     m_out.constraints.push_back(m_constraints[i].text);

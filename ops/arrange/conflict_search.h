@@ -30,6 +30,7 @@ class ConflictSearch {
     std::string object;  // that it names; may be empty
     const Relation* relation = nullptr;
     Mask mask = {};
+    bool is_sampled = false;  // of sight: not at every place that all else leaves
   };
   struct Judged {
     size_t pose;
@@ -62,7 +63,10 @@ class ConflictSearch {
   std::string zones_text(const std::string& other) const;
   bool nearly_holds(const Relation& r, const Outline& outline, double pixel) const;
   bool find_in_masks();
+  bool sight_holds(const Relation& r, size_t place) const;
+  void complete(Constraint& sight);
   bool leaves_no_place(const Set& set) const;
+  bool surely_leaves_no_place(const Set& set);
   void find_cheapest(const Set& set);
 
   World& m_world;
@@ -72,6 +76,7 @@ class ConflictSearch {
   std::vector<const Relation*> m_relations;  // hard, judged by outlines
   std::vector<Constraint> m_constraints;
   std::vector<Judged> m_places;
+  std::vector<size_t> m_left;  // places at which lines of sight are looked at
   std::string m_why_none;
   bool m_anywhere = false;  // relations alone, without what the support leaves
   Conflict m_out;

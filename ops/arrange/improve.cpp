@@ -7,10 +7,9 @@
 namespace trivet {
 namespace {
 
-constexpr double kWorth = 0.05;      // least part of the cost for which a thing is moved
+constexpr double kWorth = 0.05;      // least cost of a thing's relations for which it is moved
 constexpr double kLeastGain = 1e-3;  // of the cost: smaller ones do not count
 constexpr size_t kPlacesEach = 2;    // PUTs of a thing that is moved
-constexpr double kMostCost = 1e6;    // of a relation, squared: what is out of sight
 
 }  // namespace
 
@@ -24,7 +23,7 @@ double Solver::soft_cost(const Relation& r) const {
     if (!r.b.empty()) b = m_world.outline(r.b);
     cost = relation_cost(r, m_world.outline(r.a), b ? &*b : nullptr);
   }
-  return *r.weight * std::min(cost * cost, kMostCost);
+  return *r.weight * cost * cost;
 }
 
 // Of all soft relations. @param of_thing  that part of each thing.

@@ -39,7 +39,6 @@ std::optional<std::string> judge_slot(const World& world, const Slot& slot, cons
   for (const ObjectContact& entry : object.contacts)
     if (holds_up(entry.contact) && !(entry.with == on))
       return who + " does not rest on " + quoted(pattern.on) + " alone";
-  if (auto why = unsteady(world, thing)) return why;
   if (auto why = broken_sight(world)) return why;
   return taken_zone(world, thing);
 }
@@ -60,6 +59,10 @@ std::optional<Conflict> put_pattern(World& world, const Pattern& pattern, std::u
     if (const auto why = judge_slot(world, slot, pattern, placed.back().result))
       return conflict_of(pattern, pattern.text() + ": " + *why, 0);
   }
+  // What carries them is judged with all of them: they may balance each other.
+  for (const Slot& slot : slots.slots)
+    if (const auto why = unsteady(world, world.things()[slot.thing]))
+      return conflict_of(pattern, pattern.text() + ": " + *why, 0);
   trial.commit();
   return std::nullopt;
 }

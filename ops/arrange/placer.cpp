@@ -207,10 +207,10 @@ std::vector<PlaceCandidate> Placer::best_of(std::vector<PlaceCandidate> all,
     return a.key < b.key;
   };
   std::stable_sort(all.begin(), all.end(), by_key);
-  if (m_has_soft_sights) {
-    add_sight_energy(all);
-    std::stable_sort(all.begin(), all.end(), by_key);
-  }
+  // Those that were not looked at stay behind: they may cost more than they seem to.
+  if (m_has_soft_sights)
+    std::stable_sort(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(add_sight_energy(all)),
+                     by_key);
   size_t num_sights = 0;
   std::vector<PlaceCandidate> out;
   for (const PlaceCandidate& candidate : all) {

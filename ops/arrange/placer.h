@@ -84,7 +84,7 @@ class Placer {
   double energy(const Outline& outline) const;
   SightTrial sight_trial(const PlaceCandidate& candidate, Obstacles which) const;
   bool meets_sights(const PlaceCandidate& candidate, Obstacles which) const;
-  void add_sight_energy(std::vector<PlaceCandidate>& all) const;
+  size_t add_sight_energy(std::vector<PlaceCandidate>& all) const;
   std::vector<ObjectId> obstacles(const Combination& combination, Obstacles which) const;
   bool is_met(const PlaceField& field, size_t place, const Combination& combination,
               const std::vector<Vec2>& nogoods) const;

@@ -11,8 +11,7 @@ namespace trivet {
 namespace {
 
 constexpr int kHalvings = 8;
-constexpr size_t kSoftSights = 256;     // best candidates that soft relations of sight are added to
-constexpr double kMostSightCost = 1e6;  // squared, of what is out of sight
+constexpr size_t kSoftSights = 256;  // best candidates that soft relations of sight are added to
 
 double square(double x) { return x * x; }
 
@@ -32,16 +31,17 @@ bool Placer::meets_sights(const PlaceCandidate& candidate, Obstacles which) cons
                      [&](const Relation* r) { return sight_cost(trial, *r) <= 1; });
 }
 
-// To the best by all else.
-void Placer::add_sight_energy(std::vector<PlaceCandidate>& all) const {
-  for (size_t k = 0; k < std::min(all.size(), kSoftSights); ++k) {
+// To the best by all else. @return so many.
+size_t Placer::add_sight_energy(std::vector<PlaceCandidate>& all) const {
+  const size_t count = std::min(all.size(), kSoftSights);
+  for (size_t k = 0; k < count; ++k) {
     const SightTrial trial = sight_trial(all[k], Obstacles::All);
     double more = 0;
     for (const Relation* r : m_relations)
-      if (r->is_of_sight() && !r->is_hard())
-        more += *r->weight * std::min(kMostSightCost, square(sight_cost(trial, *r)));
+      if (r->is_of_sight() && !r->is_hard()) more += *r->weight * square(sight_cost(trial, *r));
     all[k].energy += more, all[k].key += more;
   }
+  return count;
 }
 
 // Downhill in the soft costs, within a pixel.

@@ -54,6 +54,11 @@ double edge_gap(const Outline& a, const Outline& b, Side side) {
   return extent(b.hull, d) - extent(a.hull, d);
 }
 
+Vec3 eye_of(const Relation& r, const Outline* b) {
+  if (r.eye) return *r.eye;
+  return {b->centre.x(), b->centre.y(), b->bottom + r.eye_height};
+}
+
 Vec2 mirrored_direction(const Relation& r, const Vec2& v) { return 2 * v.dot(r.axis) * r.axis - v; }
 
 Vec2 mirrored_point(const Relation& r, const Vec2& p) {

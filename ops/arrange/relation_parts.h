@@ -14,6 +14,8 @@ Vec2 direction_of(const Relation& r, const Outline& a, const Outline& b);
 double wanted_overlap(const Relation& r, const Outline& a, const Outline& b, const Vec2& across);
 /// From a side of b to a's outline, inwards.
 double edge_gap(const Outline& a, const Outline& b, Side side);
+/// From where a is seen and reached: the relation's point, or over b's centre.
+Vec3 eye_of(const Relation& r, const Outline* b);
 Vec2 mirrored_direction(const Relation& r, const Vec2& v);
 Vec2 mirrored_point(const Relation& r, const Vec2& p);
 

@@ -71,8 +71,7 @@ Outline point_outline(const Vec2& p) {
 std::vector<HalfPlane> reach_planes(const Relation& r, const Outline& moving, const Outline* other,
                                     bool moves_a, double slack) {
   if (!moves_a) return near_planes(r, point_outline(moving.centre), *other, slack);
-  const Vec2 eye = r.eye ? Vec2(r.eye->head<2>()) : other->centre;
-  return near_planes(r, moving, point_outline(eye), slack);
+  return near_planes(r, moving, point_outline(eye_of(r, other).head<2>()), slack);
 }
 
 // b's outline over a's, at least by a point.

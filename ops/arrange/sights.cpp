@@ -2,13 +2,11 @@
 
 #include <algorithm>
 
-#include "core/index/ray.h"
+#include "ops/arrange/relation_parts.h"
+#include "ops/arrange/sight_grid.h"
 
 namespace trivet {
 namespace {
-
-constexpr int kRaysAcross = 8;
-constexpr double kAbove = 1e-6;  // metres over a, where rays up from it begin
 
 /// Objects of the trial with their places.
 class Eyes {
@@ -29,18 +27,11 @@ class Eyes {
     if (trial.thing >= 0 && !is_party) m_others.push_back({body(name_of_thing()), trial.thing});
   }
 
-  double cost() {
-    switch (m_relation.kind) {
-      case RelationKind::Under:
-        return std::max(0.0, m_relation.overlap - covered()) / m_relation.tolerance;
-      case RelationKind::View:
-        return std::max(0.0, m_relation.overlap - seen()) / m_relation.tolerance;
-      default:
-        return std::max(0.0, nearest_in_reach() - m_relation.upper) / m_relation.tolerance;
-    }
+  double cost() const {
+    return std::min(kMostSightCost, std::max(0.0, missing()) / m_relation.tolerance);
   }
 
-  std::vector<size_t> between() {
+  std::vector<size_t> between() const {
     std::vector<size_t> out;
     if (m_relation.kind == RelationKind::Under) return out;
     for (const Ray& ray : rays()) {
@@ -61,15 +52,35 @@ class Eyes {
     int thing;
   };
 
+  double missing() const {
+    switch (m_relation.kind) {
+      case RelationKind::Under:
+        return m_relation.overlap - covered();
+      case RelationKind::View:
+        return m_relation.overlap - seen();
+      default:
+        return nearest_in_reach() - m_relation.upper;
+    }
+  }
+
   const std::string& name_of_thing() const {
     return m_trial.world.things()[m_trial.thing].thing->object;
   }
 
+  bool is_tried(const std::string& name) const {
+    const int t = m_trial.world.thing_of(name);
+    return t >= 0 && t == m_trial.thing;
+  }
+
   Body body(const std::string& name) const {
+    const Object& object = m_trial.world.scene().at(*m_trial.world.scene().find(name));
+    return is_tried(name) ? body_of(object, m_trial.pose) : body_of(object);
+  }
+
+  Outline outline(const std::string& name) const {
     const World& world = m_trial.world;
-    const Object& object = world.scene().at(*world.scene().find(name));
-    const int t = world.thing_of(name);
-    return t >= 0 && t == m_trial.thing ? body_of(object, m_trial.pose) : body_of(object);
+    return is_tried(name) ? world.outline(world.things()[m_trial.thing], m_trial.pose)
+                          : world.outline(name);
   }
 
   static double hit(const Body& body, const Ray& ray, double until) {
@@ -89,13 +100,8 @@ class Eyes {
 
   // Share of a's box, seen from above, that b is over.
   double covered() const {
-    const Aabb& box = m_a.world_box;
     int num_met = 0, num_covered = 0;
-    for (int i = 0; i < kRaysAcross * kRaysAcross; ++i) {
-      const Vec2 cell((i % kRaysAcross + 0.5) / kRaysAcross, (i / kRaysAcross + 0.5) / kRaysAcross);
-      const Vec2 at =
-          box.lower.head<2>() + cell.cwiseProduct(Vec2(box.upper.head<2>() - box.lower.head<2>()));
-      const Ray down{Vec3(at.x(), at.y(), box.upper.z() + kAbove), -Vec3::UnitZ()};
+    for (const Ray& down : rays_down_to(m_a.world_box)) {
       if (!(hit(m_a, down, kInfinity) < kInfinity)) continue;
       ++num_met;
       if (hit(*m_b, {down.origin, Vec3::UnitZ()}, kInfinity) < kInfinity) ++num_covered;
@@ -103,38 +109,10 @@ class Eyes {
     return num_met ? double(num_covered) / num_met : 0;
   }
 
-  Vec3 eye() const {
-    if (m_relation.eye) return *m_relation.eye;
-    const Vec3 centre = m_b->world_box.centre();
-    return {centre.x(), centre.y(), m_b->world_box.lower.z() + m_relation.eye_height};
-  }
-
-  // From the eye through a grid on the rectangle that holds a's box as it is seen.
   std::vector<Ray> rays() const {
-    const Vec3 from = eye(), to = m_a.world_box.centre() - from;
-    if (!(to.norm() > 0)) return {};
-    const Vec3 ahead = to.normalized();
-    const Vec3 aside = (std::abs(ahead.z()) < 0.9 ? Vec3::UnitZ() : Vec3::UnitX());
-    const Vec3 right = ahead.cross(aside).normalized(), up = right.cross(ahead);
-    Vec2 lower = Vec2::Constant(kInfinity), upper = -lower;
-    const Aabb& box = m_a.world_box;
-    for (int i = 0; i < 8; ++i) {
-      const Vec3 corner(i & 1 ? box.upper.x() : box.lower.x(),
-                        i & 2 ? box.upper.y() : box.lower.y(),
-                        i & 4 ? box.upper.z() : box.lower.z());
-      const Vec3 v = corner - from;
-      if (!(v.dot(ahead) > 0)) return {{from, ahead}};  // the eye is in it, or nearly
-      const Vec2 p(v.dot(right) / v.dot(ahead), v.dot(up) / v.dot(ahead));
-      lower = lower.cwiseMin(p), upper = upper.cwiseMax(p);
-    }
-    std::vector<Ray> out;
-    out.reserve(kRaysAcross * kRaysAcross);
-    for (int i = 0; i < kRaysAcross * kRaysAcross; ++i) {
-      const Vec2 cell((i % kRaysAcross + 0.5) / kRaysAcross, (i / kRaysAcross + 0.5) / kRaysAcross);
-      const Vec2 p = lower + cell.cwiseProduct(Vec2(upper - lower));
-      out.push_back({from, (ahead + p.x() * right + p.y() * up).normalized()});
-    }
-    return out;
+    std::optional<Outline> b;
+    if (!m_relation.b.empty()) b = outline(m_relation.b);
+    return rays_to(eye_of(m_relation, b ? &*b : nullptr), m_a.world_box);
   }
 
   double seen() const {

@@ -82,7 +82,7 @@ bool Solver::put(Placer& placer, const PlaceCandidate& candidate, size_t thing, 
   m_out.put_milliseconds += result.milliseconds;
   if (!why && looks == LookAhead::On) {
     why = leaves_no_room(thing);
-    m_left_no_room = m_left_no_room || why.has_value();
+    m_left_no_room = why.has_value();
   }
   if (!why) {
     trial.commit();
@@ -127,16 +127,15 @@ bool Solver::place_thing(size_t item) {
   Placer placer(m_world, thing, seed_of(thing));
   const auto candidates = placer.candidates(Obstacles::All, m_nogoods[thing]);
   if (candidates.empty()) m_had_no_place[thing] = 1;
-  // Where none leaves room for what follows, that is no fault of this one.
-  m_left_no_room = false;
-  for (const LookAhead looks : {LookAhead::On, LookAhead::Off}) {
-    if (looks == LookAhead::Off && !m_left_no_room) break;
-    for (size_t k = 0; k < std::min(candidates.size(), kTrials); ++k) {
-      if (stopped()) return false;
-      if (put(placer, candidates[k], thing, looks)) return true;
-    }
+  const PlaceCandidate* without_room = nullptr;  // the first that was kept but for what follows
+  for (size_t k = 0; k < std::min(candidates.size(), kTrials); ++k) {
+    if (stopped()) return false;
+    m_left_no_room = false;
+    if (put(placer, candidates[k], thing, LookAhead::On)) return true;
+    if (m_left_no_room && !without_room) without_room = &candidates[k];
   }
-  return false;
+  // Where none leaves room for what follows, that is no fault of this one.
+  return without_room && !stopped() && put(placer, *without_room, thing, LookAhead::Off);
 }
 
 bool Solver::place_pattern(size_t item) {

@@ -73,7 +73,7 @@ class Solver {
   std::vector<std::vector<Vec2>> m_nogoods;  // #things, positions
   std::vector<int> m_visits;                 // #things
   std::vector<char> m_had_no_place;          // #things: at some time, for others
-  bool m_left_no_room = false;               // a PUT was kept but for what follows
+  bool m_left_no_room = false;               // the last PUT was kept but for what follows
   std::string m_refused;                     // of the first PUT of this item
   std::vector<int> m_times_refused;          // #items: places, but no PUT was kept
   int m_num_evictions = 0;

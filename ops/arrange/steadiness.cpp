@@ -3,21 +3,56 @@
 #include <algorithm>
 
 #include "core/base/quoted.h"
+#include "ops/placement/clearance.h"
+#include "ops/settle/rest.h"
+#include "ops/stability/stability.h"
 
 namespace trivet {
 namespace {
 
-bool is_carried_by(const Object& object, ObjectId other) {
-  return std::any_of(object.contacts.begin(), object.contacts.end(), [&](const ObjectContact& c) {
-    return c.with == Support(other) && holds_up(c.contact);
-  });
+// The object and all that lies on it, whole, though it may lie on others, too.
+std::vector<ObjectId> with_loads(const Scene& scene, ObjectId id) {
+  std::vector<ObjectId> out{id};
+  for (size_t i = 0; i < out.size(); ++i)
+    for (const ObjectContact& entry : scene.at(out[i]).contacts) {
+      if (!entry.with.is_object() || !weighs_on(entry.contact)) continue;
+      const ObjectId load = entry.with.object();
+      if (!scene.at(load).fixed && !std::count(out.begin(), out.end(), load)) out.push_back(load);
+    }
+  return out;
 }
 
-std::optional<std::string> unsteady(const Object& object, const Steadiness& wanted) {
-  char text[96];
-  if (object.stability_margin < wanted.margin)
-    std::snprintf(text, sizeof(text), "it tips over an edge %.4g m away; accepted: %.4g m or more",
-                  object.stability_margin, wanted.margin);
+// Of the first of these, with the weight of all where their common centre of mass is.
+double common_margin(const World& world, const std::vector<ObjectId>& all) {
+  const Scene& scene = world.scene();
+  double weight = 0;
+  Vec3 moment = Vec3::Zero();
+  for (const ObjectId id : all) {
+    const double own = weight_of(scene.at(id));
+    weight += own;
+    moment += own * scene.at(id).centre_of_mass();
+  }
+  const Object& object = scene.at(all.front());
+  std::vector<ContactsWith> below = linked_contacts(object);
+  std::erase_if(below, [&](const ContactsWith& c) {
+    return c.with.is_object() && std::count(all.begin(), all.end(), c.with.object());
+  });
+  const SettleOptions& settle = world.setting().settle;
+  return tipping_margin(scene, object, moment / weight, below,
+                        rest_rules(settle, clearance_of(scene, settle)));
+}
+
+// @param all  the object first, then what lies on it.
+std::optional<std::string> unsteady(const World& world, const std::vector<ObjectId>& all,
+                                    const Steadiness& wanted) {
+  const Object& object = world.scene().at(all.front());
+  const double common = all.size() > 1 && wanted.margin > 0 ? common_margin(world, all) : kInfinity;
+  const double margin = std::min(object.stability_margin, common);
+  char text[128];
+  if (margin < wanted.margin)
+    std::snprintf(
+        text, sizeof(text), "it tips%s over an edge %.4g m away; accepted: %.4g m or more",
+        common < object.stability_margin ? ", with what lies on it," : "", margin, wanted.margin);
   else if (object.least_friction > wanted.friction)
     std::snprintf(text, sizeof(text), "it needs friction of %.4g; accepted: %.4g or less",
                   object.least_friction, wanted.friction);
@@ -33,9 +68,9 @@ std::optional<std::string> unsteady(const World& world, const ThingModel& thing)
   for (const Steadiness& wanted : world.arrangement().steadiness)
     for (const std::string& name : wanted.things) {
       if (!world.stands(name)) continue;
-      const ObjectId id = *scene.find(name);
-      if (id != thing.id && !is_carried_by(world.object(thing), id)) continue;
-      if (auto why = unsteady(scene.at(id), wanted)) return why;
+      const std::vector<ObjectId> all = with_loads(scene, *scene.find(name));
+      if (!std::count(all.begin(), all.end(), thing.id)) continue;
+      if (auto why = unsteady(world, all, wanted)) return why;
     }
   return std::nullopt;
 }

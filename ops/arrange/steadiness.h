@@ -8,7 +8,9 @@
 
 namespace trivet {
 
-/// Why the thing, or what carries it, stands less well than it is to; nullopt: all do.
+/// Why the thing, or what carries it, directly or by others, stands less well than it is to;
+/// nullopt: all do. The margin is the less of two: of the object's own weight, and of that with all
+/// that lies on it, where their common centre of mass is.
 std::optional<std::string> unsteady(const World& world, const ThingModel& thing);
 
 }  // namespace trivet

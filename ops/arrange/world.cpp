@@ -50,8 +50,18 @@ World::World(Transaction& transaction, const Arrangement& arrangement,
   check_zones();
   m_zones.reserve(m_arrangement.zones.size());
   for (const Zone& zone : m_arrangement.zones) m_zones.push_back(object_of(zone));
+  find_hulls();
   find_planes();
   unplace_things();
+}
+
+void World::find_hulls() {
+  for (const Relation& r : m_arrangement.relations)
+    for (const std::string& name : {r.b, r.about}) {
+      const auto id = scene().find(name);
+      if (id && !r.is_support() && thing_of(name) < 0 && !m_hulls.count(name))
+        m_hulls[name] = hull_points(*scene().at(*id).shape);
+    }
 }
 
 void World::check_zones() const {
@@ -217,9 +227,11 @@ Outline World::outline(const ThingModel& thing, const Pose& pose) const {
 Outline World::outline(const std::string& name) const {
   const Object& object = scene().at(*scene().find(name));
   if (const int t = thing_of(name); t >= 0) return outline(m_things[t], object.pose);
-  const auto front = m_arrangement.fronts.find(name);
-  return outline_of(hull_points(*object.shape), object, object.pose,
-                    front == m_arrangement.fronts.end() ? Vec3(-Vec3::UnitY()) : front->second);
+  const auto given = m_arrangement.fronts.find(name);
+  const Vec3 front = given == m_arrangement.fronts.end() ? Vec3(-Vec3::UnitY()) : given->second;
+  const auto hull = m_hulls.find(name);
+  return outline_of(hull == m_hulls.end() ? hull_points(*object.shape) : hull->second, object,
+                    object.pose, front);
 }
 
 std::vector<ObjectId> World::standing() const {

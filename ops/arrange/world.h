@@ -97,6 +97,7 @@ class World {
   void check_names() const;
   void check_cycles() const;
   void check_zones() const;
+  void find_hulls();
   void find_planes();
   void unplace_things();
 
@@ -106,6 +107,7 @@ class World {
   std::vector<Object> m_zones;
   std::vector<ThingModel> m_things;
   std::map<std::string, int> m_thing_of;
+  std::map<std::string, std::vector<Vec3>> m_hulls;  // of what relations name and is no thing
 };
 
 /// A surface of a support as a landing for a thing of this height; nullopt: no head room.

@@ -16,13 +16,9 @@ Vec3 centre_at(const Object& object, const Pose& pose) {
   return body_of(object, pose).world_from_object.apply(object.shape->mass.centre);
 }
 
-double margin_of(const Scene& scene, const Object& object, const Pose& pose,
-                 const std::vector<ContactsWith>& contacts, const RestRules& rules) {
-  const double distance = kContactTolerance * rules.clearance;
-  if (rules.perfect_friction)
-    return carrying_margin(all_points(contacts, distance), centre_at(object, pose));
-  return friction_margin(friction_contacts(scene, object.material.friction, contacts, distance),
-                         centre_at(object, pose));
+double own_margin(const Scene& scene, const Object& object, const Pose& pose,
+                  const std::vector<ContactsWith>& contacts, const RestRules& rules) {
+  return tipping_margin(scene, object, centre_at(object, pose), contacts, rules);
 }
 
 }  // namespace
@@ -36,6 +32,14 @@ std::vector<FrictionContact> friction_contacts(const Scene& scene, double fricti
     for (const ContactPoint& p : merged(c.points, distance)) out.push_back({p, of_pair});
   }
   return out;
+}
+
+double tipping_margin(const Scene& scene, const Object& object, const Vec3& centre,
+                      const std::vector<ContactsWith>& contacts, const RestRules& rules) {
+  const double distance = kContactTolerance * rules.clearance;
+  if (rules.perfect_friction) return carrying_margin(all_points(contacts, distance), centre);
+  return friction_margin(friction_contacts(scene, object.material.friction, contacts, distance),
+                         centre);
 }
 
 RestRules rest_rules(const SettleOptions& options, double clearance) {
@@ -69,7 +73,7 @@ RestRating rate_rest(const Scene& scene, ObjectId id, const Pose& pose,
   const auto least = [&](const std::vector<ContactsWith>& all, double distance) {
     return least_friction(all_points(all, distance), centre_at(object, pose), size, tolerance);
   };
-  RestRating out{margin_of(scene, object, pose, contacts, rules),
+  RestRating out{own_margin(scene, object, pose, contacts, rules),
                  least(contacts, kContactTolerance * rules.clearance)};
   if (rules.perfect_friction || out.least_friction < kInfinity) return out;
   const double distance = kBalanceTolerance * rules.clearance;
@@ -81,7 +85,7 @@ RestRating rate_rest(const Scene& scene, ObjectId id, const Pose& pose,
 
 RestRating rate_unheld(const Scene& scene, const Object& object, const Pose& pose,
                        const std::vector<ContactsWith>& contacts, const RestRules& rules) {
-  return {margin_of(scene, object, pose, contacts, rules), kInfinity};
+  return {own_margin(scene, object, pose, contacts, rules), kInfinity};
 }
 
 RestRating rating_by_links(const Scene& scene, ObjectId id, const RestRules& rules) {

@@ -30,6 +30,11 @@ std::vector<FrictionContact> friction_contacts(const Scene& scene, double fricti
                                                const std::vector<ContactsWith>& contacts,
                                                double distance);
 
+/// Metres from `centre`, where the weight of an object acts, to where these contacts no longer
+/// carry it; see Object::stability_margin.
+double tipping_margin(const Scene& scene, const Object& object, const Vec3& centre,
+                      const std::vector<ContactsWith>& contacts, const RestRules& rules);
+
 /// Margin to tipping and least friction; see Object.
 struct RestRating {
   double stability_margin = 0, least_friction = 0;

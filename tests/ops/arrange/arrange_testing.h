@@ -52,7 +52,13 @@ class Stage {
     return arrange(scene, arrangement, {}, {});
   }
   const Object& at(const std::string& name) const { return scene.at(*scene.find(name)); }
-  Aabb box(const std::string& name) const { return scene.world_box(*scene.find(name)); }
+  /// Of its vertices.
+  Aabb box(const std::string& name) const {
+    Aabb out;
+    for (const Vec3& v : at(name).shape->mesh.vertices)
+      out.extend(at(name).world_from_object().apply(v));
+    return out;
+  }
 };
 
 /// Boards 2 cm thick with these upper sides, 0.8 x 0.3 m between two sides.
