@@ -1,8 +1,5 @@
 #include "core/io/tessellation.h"
 
-#include <cctype>
-#include <filesystem>
-
 #include "core/base/extension.h"
 
 namespace trivet {
