@@ -4,7 +4,9 @@
 //   places     height maps and relations on one grid, sampled by cost with noise (placer.h)
 //   patterns   in closed form (slots.h)
 //   PUT        the judge of every place; relations again where it came to rest
+//   look ahead what had no place once gets one when its references are put (solver.cpp)
 //   evict      what is in the way, or what relations refer to, weighted, with nogoods; restarts
+//   improve    soft costs, one thing after the other, once all stand (improve.cpp)
 //   conflict   the smallest set of constraints that leaves no place (conflict.h)
 #pragma once
 

@@ -19,8 +19,8 @@ struct Conflict {
   /// Metres by which relations miss each other, by outlines alone: if each gave way by half of it,
   /// or a single one by all, they would leave a place.
   std::optional<double> missing;
-  /// Index of the hard relation of these that gives way by the least, so that there is a place;
-  /// nullopt: no relation is among them.
+  /// Index of the one of `relations` that has to give way by the least for a place; nullopt: rays
+  /// judge them all, or there are none.
   std::optional<size_t> cheapest = {};
   std::string text = {};  // the sentence
 };

@@ -7,12 +7,6 @@
 #include "core/mesh/hull.h"
 
 namespace trivet {
-namespace {
-
-// cos(0.5 degrees).
-constexpr double kMergeCosine = 0.99996192306417129;
-
-}  // namespace
 
 HullFacets::HullFacets(std::vector<Vec3> points) : m_points(std::move(points)) {
   Aabb box;
@@ -93,7 +87,7 @@ void HullFacets::grow_facets() {
 
 bool HullFacets::joins(const HullFace& face, const HullFace& seed) const {
   return face.area <= kHullTolerance * kHullTolerance * m_size * m_size ||
-         face.normal.dot(seed.normal) >= kMergeCosine;
+         face.normal.dot(seed.normal) >= kFacetMergeCosine;
 }
 
 }  // namespace trivet

@@ -9,6 +9,9 @@
 namespace trivet {
 
 inline constexpr double kHullTolerance = 1e-9;  // of the object's size
+/// Of 0.5 degrees, within which normals of one facet are: scans and polygonised cylinders are never
+/// quite flat.
+inline constexpr double kFacetMergeCosine = 0.99996192306417129;
 
 struct HullFace {
   Index3 corners;
@@ -26,9 +29,9 @@ class HullFacets {
   double size() const { return m_size; }  // diagonal of the points' box
   /// In the order of their corners; none: the points are in one plane.
   const std::vector<HullFace>& faces() const { return m_faces; }
-  /// Faces whose normals are within kFacetMergeDeg of the largest one's, from the largest face on;
-  /// what is thinner than rounding joins whatever is beside it. A face's region is its facet.
-  std::vector<std::vector<Index>> facets() const { return m_facets; }
+  /// Faces whose normals are within kFacetMergeCosine of the largest one's, from the largest face
+  /// on; what is thinner than rounding joins whatever is beside it. A face's region is its facet.
+  const std::vector<std::vector<Index>>& facets() const { return m_facets; }
   Vec3 corner(const HullFace& face, int k) const { return m_points[face.corners[k]]; }
 
  private:

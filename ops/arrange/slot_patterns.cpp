@@ -133,33 +133,35 @@ void SlotSearch::place_along() {
   place_round(centres, fronts);
 }
 
-// A block beside the other; in each the first things are in front, in columns.
-void SlotSearch::place_facings() {
-  struct Block {
-    double cell = 0, width = 0, depth = 0;
-  };
-  std::vector<Block> blocks;
-  blocks.reserve(m_pattern.blocks.size());
-  double total = -m_gap;
+std::vector<SlotSearch::Facing> SlotSearch::measured_facings() const {
+  std::vector<Facing> out;
+  out.reserve(m_pattern.blocks.size());
   size_t first = 0;
   for (const Pattern::Block& given : m_pattern.blocks) {
-    Block block;
-    double deepest = 0;
+    Facing block;
     for (size_t i = first; i < first + given.count; ++i) {
       block.cell = std::max(block.cell, m_members[i].width);
-      deepest = std::max(deepest, m_members[i].depth);
+      block.row = std::max(block.row, m_members[i].depth);
     }
+    first += given.count;
     const auto wide = static_cast<size_t>(given.wide);
     const size_t rows = (given.count + wide - 1) / wide;
     block.width = double(std::min(wide, given.count)) * (block.cell + m_gap) - m_gap;
-    block.depth = deepest;
-    const double depth = double(rows) * (deepest + m_gap) - m_gap;
-    if (depth > m_across.length() - m_pattern.inset + kFits)
-      return fail("a block is", depth, "deep, there is room for",
-                  m_across.length() - m_pattern.inset);
+    block.depth = double(rows) * (block.row + m_gap) - m_gap;
+    out.push_back(block);
+  }
+  return out;
+}
+
+// A block beside the other; in each the first things are in front, in columns.
+void SlotSearch::place_facings() {
+  const std::vector<Facing> blocks = measured_facings();
+  const double room = m_across.length() - m_pattern.inset;
+  double total = -m_gap;
+  for (const Facing& block : blocks) {
+    if (block.depth > room + kFits)
+      return fail("a block is", block.depth, "deep, there is room for", room);
     total += block.width + m_gap;
-    first += given.count;
-    blocks.push_back(block);
   }
   if (total > m_along.length() + kFits)
     return fail("with gaps they are", total, "wide, there is room for", m_along.length());
@@ -174,7 +176,7 @@ void SlotSearch::place_facings() {
       const Member& member = m_members[next];
       const size_t column = i % wide, row = i / wide;
       const double x = at + double(column) * (blocks[b].cell + m_gap);
-      const double y = m_across.lower + m_pattern.inset + double(row) * (blocks[b].depth + m_gap);
+      const double y = m_across.lower + m_pattern.inset + double(row) * (blocks[b].row + m_gap);
       add(member, x + 0.5 * (blocks[b].cell - member.width), y);
     }
     at += blocks[b].width + between;

@@ -32,6 +32,10 @@ class SlotSearch {
     Outline outline;  // at position zero
     double width, depth;
   };
+  /// A block of facings: room for each of its things, and of the whole.
+  struct Facing {
+    double cell = 0, row = 0, width = 0, depth = 0;
+  };
 
   bool on_floor() const { return m_pattern.on == kFloorName; }
   void make_members();
@@ -46,6 +50,7 @@ class SlotSearch {
   void place_row();
   void place_grid();
   void place_circle();
+  std::vector<Facing> measured_facings() const;
   void place_facings();
   void place_along();
   void place_round(const std::vector<Vec2>& centres, const std::vector<Vec2>& fronts);

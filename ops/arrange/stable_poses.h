@@ -15,9 +15,6 @@
 
 namespace trivet {
 
-/// Facets whose normals are nearer than this to that of the largest of them are one: scans and
-/// polygonised cylinders are never quite flat.
-inline constexpr double kFacetMergeDeg = 0.5;
 /// Upright is what is nearer than this to the model's own up.
 inline constexpr double kUprightDeg = 15;
 

@@ -12,10 +12,7 @@ namespace trivet {
 namespace {
 
 constexpr double kShortestPush = 0.5;  // clearances
-constexpr double kStepOn = 6;          // clearances by which a step is entered: more than gaps
-constexpr double kLeastCosine = 0.02;  // of the push to a wall, for how far is stepped onto it
 constexpr double kUnknownEnd = 100;    // clearances until obstacles are looked at again
-constexpr int kMaxStalls = 12;         // events in a row without a way
 
 Vec3 level(const Vec2& v) { return {v.x(), v.y(), 0}; }
 
@@ -132,110 +129,6 @@ Push::Next Push::go(const SlidePlan& plan, double length) {
     return Next::Stop;
   }
   return Next::GoOn;
-}
-
-// Length of a steep rise or drop that may still be followed; nullopt: the plan's is not steep.
-std::optional<double> Push::steep_allowance(const SlidePlan& plan) {
-  const double rise = plan.velocity.z(), z = position().z();
-  if (std::abs(rise) <= kSteepRise) return std::nullopt;
-  if (!m_steep) m_steep = Steep{m_group.here(), z, m_way.size()};
-  const double done = rise > 0 ? z - m_steep->z : m_steep->z - z;
-  return ((rise > 0 ? m_options.step_up : m_options.step_down) - done) / std::abs(rise);
-}
-
-// Back to where it began; from there it is an edge, or a wall.
-Push::Next Push::give_up_steep(const SlidePlan& plan) {
-  m_group.go_back(m_steep->start);
-  m_way.resize(m_steep->way_length);
-  m_steep.reset();
-  if (plan.velocity.z() < 0) return stop(OperationResult::End::Edge);
-  m_climb = false;
-  // The obstacle up there is not here; the steep surface itself is.
-  const size_t i = plan.blocker;
-  const Obstacle steep = i < m_group_contacts.size()
-                             ? Obstacle{m_group_contacts[i].point.normal,
-                                        m_group_contacts[i].point.point, m_group_contacts[i].with}
-                             : m_obstacles[i - m_group_contacts.size()];
-  m_obstacles = {steep};
-  return Next::GoOn;
-}
-
-// --- walls, steps and edges ------------------------------------------------------------------
-
-Push::Next Push::pass_wall(const SlidePlan& blocked, const Vec3& direction, double length) {
-  const Vec3 wall = m_normals[blocked.blocker];
-  if (++m_num_stalls > kMaxStalls) return stop_blocked(blocked.blocker);
-  if (m_options.step_up > 0 && step_up(direction, wall, m_options.step_up)) return Next::GoOn;
-  if (m_options.slide)
-    if (const auto along = slide_direction(m_normals, direction, blocked.blocker, m_climb)) {
-      const SlidePlan aside = slide(*along);
-      const double gain = length * along->dot(direction);
-      if (gain > m_shortest && aside.kind == SlidePlan::Kind::Go) return go(aside, gain);
-      if (gain > m_shortest && aside.kind == SlidePlan::Kind::NoSupport && step_down(*along))
-        return Next::GoOn;
-    }
-  return stop_blocked(blocked.blocker);
-}
-
-// Up, a little forward, and down onto it. @return the rise; nothing: it is higher, and the object
-// is where it was.
-std::optional<double> Push::step_up(const Vec3& direction, const Vec3& wall, double highest) {
-  const Place before = m_group.here();
-  const double z = position().z(), clearance = m_group.clearance();
-  const auto give_up = [&]() -> std::optional<double> {
-    m_group.go_back(before);
-    return std::nullopt;
-  };
-  ObstacleContact found;
-  const auto move = [&](const Vec3& way, double length) {
-    const Motion motion = Motion::translation(to_world(way), length);
-    found = m_group.first_contact(motion);
-    if (found.status == FirstContact::Status::Crossing) return 0.0;
-    const double time = std::min(found.time, length);
-    m_group.advance(motion, time);
-    return time;
-  };
-  const double up = move(Vec3::UnitZ(), highest + clearance);
-  const double cosine = std::max(kLeastCosine, -direction.dot(wall));
-  const double forward = std::min(kStepOn * clearance / cosine, way_left().norm());
-  if (up < clearance || move(direction, forward) < 0.9 * forward) return give_up();
-  const double down = up + clearance + m_options.step_down;
-  if (move(-Vec3::UnitZ(), down) >= down) return give_up();
-  const double rise = position().z() - z;
-  if (rise > highest + 0.5 * clearance) return give_up();
-  // Steep surfaces were followed before, and found to be higher: this is the same one, not its top.
-  if (!m_climb && is_steep(from_world(found.normal), direction)) return give_up();
-  m_planner.note_step(SettleStep::Kind::StepUp);
-  note_way(false);
-  if (rise > 2 * clearance) m_num_stalls = 0;
-  m_obstacles.clear();
-  m_steep.reset();
-  return rise;
-}
-
-bool Push::step_down(const Vec3& direction) {
-  const Place before = m_group.here();
-  const double clearance = m_group.clearance();
-  const double forward = std::min(kStepOn * clearance, way_left().norm());
-  const Motion over = Motion::translation(to_world(direction), forward);
-  const ObstacleContact ahead = m_group.first_contact(over);
-  m_group.advance(over, std::min(ahead.time, forward));
-  const Motion fall =
-      Motion::translation(to_world(-Vec3::UnitZ()), m_options.step_down + clearance);
-  const ObstacleContact below = m_group.first_contact(fall);
-  if (below.status != FirstContact::Status::Contact) {
-    m_group.go_back(before);
-    return false;
-  }
-  m_group.advance(fall, below.time);
-  m_planner.note_step(SettleStep::Kind::StepDown);
-  note_way(false);
-  m_obstacles = {{below.normal, below.point, below.with}};
-  if (ahead.status == FirstContact::Status::Contact)
-    m_obstacles.push_back({ahead.normal, ahead.point, ahead.with});
-  const bool stands_still = ahead.time < m_shortest && below.time < m_shortest;
-  m_num_stalls = stands_still ? m_num_stalls + 1 : 0;
-  return m_num_stalls <= kMaxStalls;
 }
 
 // --- the end ---------------------------------------------------------------------------------

@@ -71,6 +71,7 @@ class Push {
     bool straight;  // from the one before
   };
   enum class Next { GoOn, Stop };
+  static constexpr int kMaxStalls = 12;  // events in a row without a way
 
   // From the axes of the push to those of the world, and back.
   Vec3 to_world(const Vec3& v) const { return m_is_level ? v : Vec3(m_axes.transpose() * v); }
