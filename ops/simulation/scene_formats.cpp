@@ -1,10 +1,9 @@
 #include "ops/simulation/scene_formats.h"
 
 #include <algorithm>
-#include <cctype>
-#include <filesystem>
 
 #include "core/base/bad_input.h"
+#include "core/base/extension.h"
 #include "ops/files/report/tables.h"
 #include "ops/simulation/simulation.h"
 
@@ -34,9 +33,7 @@ std::vector<std::string> extensions_of(std::initializer_list<SceneFormat::Kind> 
 }
 
 const SceneFormat* format_of(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string extension = lower_extension(path);
   for (const SceneFormat& format : scene_formats())
     for (const std::string& known : format.extensions)
       if (known == extension) return &format;

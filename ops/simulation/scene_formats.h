@@ -1,6 +1,7 @@
 // All formats in which a laid-out scene is written, for the command line and the editor.
 #pragma once
 
+#include <initializer_list>
 #include <string>
 #include <vector>
 

@@ -1,6 +1,7 @@
 #include "ops/files/arrange/relation_json.h"
 
 #include <algorithm>
+#include <initializer_list>
 
 #include "core/base/limits.h"
 #include "core/base/nearest_name.h"
@@ -14,13 +15,6 @@ constexpr int kMaxLevel = 1000;
 constexpr size_t kMaxRelations = 100'000;  // those of patterns each for itself
 constexpr double kMaxWeight = 1e6, kMostFriction = 1e6;
 constexpr double kNextTo = 0.1, kAgainst = 0.01, kArm = 0.7;  // metres
-
-std::vector<RelationKind> all_kinds() {
-  std::vector<RelationKind> out;
-  for (int k = 0; k <= static_cast<int>(RelationKind::Reach); ++k)
-    out.push_back(static_cast<RelationKind>(k));
-  return out;
-}
 
 Side read_side(const JsonPlace& place) {
   for (const Side side : {Side::Front, Side::Back, Side::Left, Side::Right})
@@ -56,53 +50,40 @@ void read_along(const JsonPlace& place, Relation& r) {
   r.along_y = place.value() != "x";
 }
 
-// Keys of a kind beside "is" and "a", and its defaults.
+struct KindKeys {
+  RelationKind kind;
+  std::initializer_list<const char*> required, optional;
+};
+
+const KindKeys kKeys[] = {
+    {RelationKind::On, {"is", "a", "b"}, {"level"}},
+    {RelationKind::In, {"is", "a", "b"}, {}},
+    {RelationKind::Against, {"is", "a", "b"}, {"side", "gap", "overlap", "tolerance", "weight"}},
+    {RelationKind::Near, {"is", "a", "b", "distance"}, {"tolerance", "weight"}},
+    {RelationKind::LeftOf, {"is", "a", "b"}, {"gap", "overlap", "tolerance", "weight"}},
+    {RelationKind::RightOf, {"is", "a", "b"}, {"gap", "overlap", "tolerance", "weight"}},
+    {RelationKind::InFrontOf, {"is", "a", "b"}, {"gap", "overlap", "tolerance", "weight"}},
+    {RelationKind::Behind, {"is", "a", "b"}, {"gap", "overlap", "tolerance", "weight"}},
+    {RelationKind::Facing, {"is", "a"}, {"b", "point", "tolerance", "weight"}},
+    {RelationKind::Away, {"is", "a"}, {"b", "point", "tolerance", "weight"}},
+    {RelationKind::Aligned, {"is", "a", "b"}, {"tolerance", "weight"}},
+    {RelationKind::Parallel, {"is", "a", "b"}, {"tolerance", "weight"}},
+    {RelationKind::Perpendicular, {"is", "a", "b"}, {"tolerance", "weight"}},
+    {RelationKind::Same, {"is", "a", "b"}, {"tolerance", "weight"}},
+    {RelationKind::Centred, {"is", "a", "b"}, {"along", "offset", "tolerance", "weight"}},
+    {RelationKind::Within, {"is", "a", "region"}, {"tolerance", "weight"}},
+    {RelationKind::At, {"is", "a", "point"}, {"tolerance", "weight"}},
+    {RelationKind::Symmetric, {"is", "a", "b"}, {"about", "point", "axis", "tolerance", "weight"}},
+    {RelationKind::AtEdge, {"is", "a", "b"}, {"side", "gap", "tolerance", "weight"}},
+    {RelationKind::Under, {"is", "a", "b"}, {"part", "tolerance", "weight"}},
+    {RelationKind::View, {"is", "a"}, {"b", "height", "point", "part", "tolerance", "weight"}},
+    {RelationKind::Reach, {"is", "a"}, {"b", "height", "point", "distance", "tolerance", "weight"}},
+};
+
 void expect_keys(const JsonPlace& place, RelationKind kind, bool next_to) {
-  switch (kind) {
-    case RelationKind::On:
-      return place.expect_object({"is", "a", "b"}, {"level"});
-    case RelationKind::In:
-      return place.expect_object({"is", "a", "b"}, {});
-    case RelationKind::Against:
-      return place.expect_object({"is", "a", "b"},
-                                 {"side", "gap", "overlap", "tolerance", "weight"});
-    case RelationKind::Near:
-      if (next_to)
-        return place.expect_object({"is", "a", "b"}, {"distance", "tolerance", "weight"});
-      return place.expect_object({"is", "a", "b", "distance"}, {"tolerance", "weight"});
-    case RelationKind::LeftOf:
-    case RelationKind::RightOf:
-    case RelationKind::InFrontOf:
-    case RelationKind::Behind:
-      return place.expect_object({"is", "a", "b"}, {"gap", "overlap", "tolerance", "weight"});
-    case RelationKind::Facing:
-    case RelationKind::Away:
-      return place.expect_object({"is", "a"}, {"b", "point", "tolerance", "weight"});
-    case RelationKind::Aligned:
-    case RelationKind::Parallel:
-    case RelationKind::Perpendicular:
-    case RelationKind::Same:
-      return place.expect_object({"is", "a", "b"}, {"tolerance", "weight"});
-    case RelationKind::AtEdge:
-      return place.expect_object({"is", "a", "b"}, {"side", "gap", "tolerance", "weight"});
-    case RelationKind::Under:
-      return place.expect_object({"is", "a", "b"}, {"part", "tolerance", "weight"});
-    case RelationKind::View:
-      return place.expect_object({"is", "a"},
-                                 {"b", "height", "point", "part", "tolerance", "weight"});
-    case RelationKind::Reach:
-      return place.expect_object({"is", "a"},
-                                 {"b", "height", "point", "distance", "tolerance", "weight"});
-    case RelationKind::Centred:
-      return place.expect_object({"is", "a", "b"}, {"along", "offset", "tolerance", "weight"});
-    case RelationKind::Within:
-      return place.expect_object({"is", "a", "region"}, {"tolerance", "weight"});
-    case RelationKind::At:
-      return place.expect_object({"is", "a", "point"}, {"tolerance", "weight"});
-    case RelationKind::Symmetric:
-      return place.expect_object({"is", "a", "b"},
-                                 {"about", "point", "axis", "tolerance", "weight"});
-  }
+  if (next_to) return place.expect_object({"is", "a", "b"}, {"distance", "tolerance", "weight"});
+  for (const KindKeys& keys : kKeys)
+    if (keys.kind == kind) return place.expect_object(keys.required, keys.optional);
 }
 
 void read_gap(const JsonPlace& place, Relation& r) {
@@ -267,9 +248,9 @@ void read_relation(const JsonPlace& place, const ProblemNames& names, Arrangemen
   if (is == "next_to") return read_kind(place, RelationKind::Near, true, names, out);
   std::vector<std::string> known{"next_to", "row",   "grid", "circle", "facings",
                                  "along",   "stack", "keep", "stands"};
-  for (const RelationKind kind : all_kinds()) {
-    if (is == to_string(kind)) return read_kind(place, kind, false, names, out);
-    known.emplace_back(to_string(kind));
+  for (const KindKeys& keys : kKeys) {
+    if (is == to_string(keys.kind)) return read_kind(place, keys.kind, false, names, out);
+    known.emplace_back(to_string(keys.kind));
   }
   std::string list;
   for (const std::string& each : known) list += (list.empty() ? "" : ", ") + each;

@@ -129,7 +129,6 @@ class ParserWatch {
   std::vector<Level> m_levels;
 };
 
-// Messages are one line of text; the parser may quote any bytes.
 // "[json.exception.parse_error.101] parse error at line 1, column 5: what" -> from "line" on.
 std::string without_prefix(const std::string& message) {
   for (const char* mark : {"parse error at ", "parse error: ", "] "}) {

@@ -49,4 +49,29 @@ void read_to(const JsonPlace& place, const char* key, std::optional<std::string>
   if (const auto found = place.find(key)) out = found->text();
 }
 
+UpAxis read_up(const JsonPlace& place) {
+  if (place.value() == "y") return UpAxis::Y;
+  if (place.value() == "z") return UpAxis::Z;
+  place.refuse("\"y\" or \"z\"");
+}
+
+Tessellation read_tessellation(const JsonPlace& place, const std::string& model) {
+  Tessellation out;
+  read_to(place, "chord", kMinChord, kMaxChord, out.chord);
+  read_to(place, "facet_angle_deg", kMinFacetAngleDeg, kMaxFacetAngleDeg, out.facet_angle_deg);
+  for (const char* const key : {"chord", "facet_angle_deg"})
+    if (const auto found = place.find(key); found && cad_format(model).empty())
+      found->fail("\"" + model +
+                  "\" has no curved surfaces; accepted: with models in STEP, IGES or BREP (.step "
+                  ".stp .iges .igs .brep .brp)");
+  return out;
+}
+
+Pose read_pose(const JsonPlace& place) {
+  Pose pose;
+  pose.translation = read_position(place.at("position"));
+  if (const auto rotation = place.find("rotation")) pose.rotation = read_rotation(*rotation);
+  return pose;
+}
+
 }  // namespace trivet

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "core/io/tessellation.h"
 #include "core/motion/pose.h"
 #include "ops/files/json/json_text.h"
 
@@ -20,7 +21,14 @@ Vec3 read_vector(const JsonPlace& place, const Vec3&);
 /// [w, x, y, z] of any length but zero.
 Rotation read_rotation(const JsonPlace& place);
 
-/// What has the key, if it is there.
+/// "position" and "rotation" (optional, the identity) of an object. See unit_rotation().
+Pose read_pose(const JsonPlace& place);
+/// "y" or "z".
+UpAxis read_up(const JsonPlace& place);
+/// "chord" and "facet_angle_deg" of a model; refused for formats of triangles.
+Tessellation read_tessellation(const JsonPlace& place, const std::string& model);
+
+/// The value of a key, if it is there.
 void read_to(const JsonPlace& place, const char* key, bool& out);
 void read_to(const JsonPlace& place, const char* key, double& out);
 void read_to(const JsonPlace& place, const char* key, double lower, double upper, double& out);

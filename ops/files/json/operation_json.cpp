@@ -1,10 +1,10 @@
 #include "ops/files/json/operation_json.h"
 
-#include <algorithm>
+#include <iterator>
+#include <utility>
 
 #include "core/base/nearest_name.h"
 #include "ops/files/arrange/arrange_operation.h"
-#include "ops/files/json/json_values.h"
 #include "ops/files/json/material_json.h"
 #include "ops/files/layout/layout.h"
 #include "ops/operations/validate.h"
@@ -212,14 +212,16 @@ StandOperation read_stand(const JsonPlace& place) {
   return operation;
 }
 
-LockOperation read_lock(const JsonPlace& place, bool locked) {
+template <bool kLocked>
+LockOperation read_lock(const JsonPlace& place) {
   place.expect_object({"op", "object"}, {});
-  return {place.at("object").text(), locked};
+  return {place.at("object").text(), kLocked};
 }
 
-FixOperation read_fix(const JsonPlace& place, bool fixed) {
+template <bool kFixed>
+FixOperation read_fix(const JsonPlace& place) {
   place.expect_object({"op", "object"}, {});
-  return {place.at("object").text(), fixed};
+  return {place.at("object").text(), kFixed};
 }
 
 MaterialOperation read_material_operation(const JsonPlace& place) {
@@ -237,38 +239,52 @@ GroupOperation read_ungroup(const JsonPlace& place) {
   return {place.at("object").text(), ""};
 }
 
+template <auto kRead>
+Operation read_by(const JsonPlace& place) {
+  return kRead(place);
+}
+
+constexpr std::pair<const char*, Operation (*)(const JsonPlace&)> kReaders[] = {
+    {"put", read_by<read_put>},
+    {"push", read_by<read_push>},
+    {"turn", read_by<read_turn>},
+    {"pick_up", read_by<read_pick_up>},
+    {"translate", read_by<read_translate>},
+    {"rotate", read_by<read_rotate>},
+    {"append", read_by<read_append>},
+    {"duplicate", read_by<read_duplicate>},
+    {"delete", read_by<read_removal<DeleteOperation>>},
+    {"lock", read_by<read_lock<true>>},
+    {"unlock", read_by<read_lock<false>>},
+    {"fix", read_by<read_fix<true>>},
+    {"unfix", read_by<read_fix<false>>},
+    {"material", read_by<read_material_operation>},
+    {"group", read_by<read_group>},
+    {"ungroup", read_by<read_ungroup>},
+    {"stand", read_by<read_stand>},
+    {"unplace", read_by<read_removal<UnplaceOperation>>},
+    {"arrange", read_by<read_arrange>},
+    {"rename", read_by<read_rename>},
+};
+
+[[noreturn]] void refuse_unknown_op(const JsonPlace& op) {
+  std::vector<std::string> names;
+  std::string list;
+  for (const auto& [name, read] : kReaders) {
+    if (!names.empty()) list += names.size() + 1 == std::size(kReaders) ? " or " : ", ";
+    list.append("\"").append(name).append("\"");
+    names.emplace_back(name);
+  }
+  const std::string given = op.value().is_string() ? op.value().get<std::string>() : "";
+  op.refuse(list + did_you_mean(given, names));
+}
+
 Operation read_values(const JsonPlace& place) {
   if (!place.value().is_object()) place.refuse("an object with the keys op, object, ...");
   const JsonPlace op = place.at("op");
-  if (op.value() == "put") return read_put(place);
-  if (op.value() == "push") return read_push(place);
-  if (op.value() == "turn") return read_turn(place);
-  if (op.value() == "pick_up") return read_pick_up(place);
-  if (op.value() == "translate") return read_translate(place);
-  if (op.value() == "rotate") return read_rotate(place);
-  if (op.value() == "append") return read_append(place);
-  if (op.value() == "duplicate") return read_duplicate(place);
-  if (op.value() == "delete") return read_removal<DeleteOperation>(place);
-  if (op.value() == "lock") return read_lock(place, true);
-  if (op.value() == "unlock") return read_lock(place, false);
-  if (op.value() == "fix") return read_fix(place, true);
-  if (op.value() == "unfix") return read_fix(place, false);
-  if (op.value() == "material") return read_material_operation(place);
-  if (op.value() == "group") return read_group(place);
-  if (op.value() == "ungroup") return read_ungroup(place);
-  if (op.value() == "stand") return read_stand(place);
-  if (op.value() == "unplace") return read_removal<UnplaceOperation>(place);
-  if (op.value() == "arrange") return read_arrange(place);
-  if (op.value() == "rename") return read_rename(place);
-  const std::string given = op.value().is_string() ? op.value().get<std::string>() : "";
-  op.refuse(
-      "\"put\", \"push\", \"turn\", \"pick_up\", \"translate\", \"rotate\", \"append\", "
-      "\"duplicate\", \"delete\", \"lock\", \"unlock\", \"fix\", \"unfix\", \"material\", "
-      "\"group\", \"ungroup\", \"stand\", \"unplace\", \"arrange\" or \"rename\"" +
-      did_you_mean(given,
-                   {"put",       "push",    "turn",  "pick_up", "translate", "rotate", "append",
-                    "duplicate", "delete",  "lock",  "unlock",  "fix",       "unfix",  "material",
-                    "group",     "ungroup", "stand", "unplace", "arrange",   "rename"}));
+  for (const auto& [name, read] : kReaders)
+    if (op.value() == name) return read(place);
+  refuse_unknown_op(op);
 }
 
 }  // namespace
@@ -278,31 +294,6 @@ Operation read_operation(const JsonPlace& place) {
   if (const auto found = find_invalid_argument(operation))
     place.at(found->key.c_str()).refuse(found->accepted);
   return operation;
-}
-
-UpAxis read_up(const JsonPlace& place) {
-  if (place.value() == "y") return UpAxis::Y;
-  if (place.value() == "z") return UpAxis::Z;
-  place.refuse("\"y\" or \"z\"");
-}
-
-Tessellation read_tessellation(const JsonPlace& place, const std::string& model) {
-  Tessellation out;
-  read_to(place, "chord", kMinChord, kMaxChord, out.chord);
-  read_to(place, "facet_angle_deg", kMinFacetAngleDeg, kMaxFacetAngleDeg, out.facet_angle_deg);
-  for (const char* const key : {"chord", "facet_angle_deg"})
-    if (const auto found = place.find(key); found && cad_format(model).empty())
-      found->fail("\"" + model +
-                  "\" has no curved surfaces; accepted: with models in STEP, IGES or BREP (.step "
-                  ".stp .iges .igs .brep .brp)");
-  return out;
-}
-
-Pose read_pose(const JsonPlace& place) {
-  Pose pose;
-  pose.translation = read_position(place.at("position"));
-  if (const auto rotation = place.find("rotation")) pose.rotation = read_rotation(*rotation);
-  return pose;
 }
 
 }  // namespace trivet

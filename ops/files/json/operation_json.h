@@ -1,7 +1,7 @@
 // Private. One operation as JSON: for layouts, journals and sessions.
 #pragma once
 
-#include "ops/files/json/json_text.h"
+#include "ops/files/json/json_values.h"
 #include "ops/operations/operations.h"
 
 namespace trivet {
@@ -14,16 +14,9 @@ Operation read_operation(const JsonPlace& place);
 /// JSON that read_operation() reads to the same bits; defaults are left out.
 nlohmann::ordered_json operation_json(const Operation& operation);
 
-/// "y" or "z".
-UpAxis read_up(const JsonPlace& place);
-
-/// "chord" and "facet_angle_deg" of a model; refused for formats of triangles.
-Tessellation read_tessellation(const JsonPlace& place, const std::string& model);
-/// Values that are not the default.
+/// What read_tessellation() reads; values that are not the default.
 void write_tessellation(const Tessellation& tessellation, nlohmann::ordered_json& json);
-
-/// "position" and "rotation" (optional, the identity) of an object. See unit_rotation().
-Pose read_pose(const JsonPlace& place);
+/// What read_pose() reads.
 void write_pose(const Pose& pose, nlohmann::ordered_json& json);
 
 }  // namespace trivet
