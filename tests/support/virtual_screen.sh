@@ -10,7 +10,7 @@ if ! command -v Xvfb >/dev/null; then
 fi
 exec 9< <(exec Xvfb -displayfd 1 -screen 0 "$1" -nolisten tcp -noreset 2>/dev/null)
 server=$!
-trap 'kill "$server" 2>/dev/null' EXIT
+trap 'kill "$server" 2>/dev/null; wait "$server" 2>/dev/null' EXIT
 if ! read -r -t 120 display <&9; then
   echo "Xvfb did not start"
   exit 1
