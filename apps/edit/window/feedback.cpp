@@ -1,5 +1,6 @@
 // Title, status bar and enabled actions of the main window, as the document is.
 #include <QCoreApplication>
+#include <QMenu>
 #include <QStatusBar>
 
 #include "apps/edit/window/main_window.h"
