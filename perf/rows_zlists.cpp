@@ -137,8 +137,8 @@ void rows_of(int num_triangles, Report& report) {
   const SpherePair spheres = make_sphere_pair(num_triangles);
   for (const auto kind : {Motion::Kind::Translation, Motion::Kind::Rotation}) {
     const std::string size = short_count(num_triangles);
-    report.section("Candidate finders, " + size + " triangles against " + size + ", " +
-                   (kind == Motion::Kind::Translation ? "drop" : "quarter turn"));
+    report.section(text("Candidate finders, %s triangles against %s, %s", size.c_str(),
+                        size.c_str(), kind == Motion::Kind::Translation ? "drop" : "quarter turn"));
     ResultHash hash;
     Cases cases{num_triangles, kind, {}, 0, &report, &hash};
     ask_bvhs(spheres, cases);
