@@ -117,7 +117,7 @@ namespace {
 class Brick {
  public:
   explicit Brick(const QString& folder) : file(folder + "/brick.obj"), m_cache(folder + "/cache") {
-    limits.max_seconds = kPatienceMs / 1000;  // by the clock
+    limits.max_seconds = kPatienceMs / 1000.0;  // by the clock
   }
 
   void write(double height) { write_boxes(file.toStdString(), {{{-1, -1, 0}, {1, 1, height}}}); }

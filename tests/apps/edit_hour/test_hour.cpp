@@ -68,7 +68,7 @@ void TestHour::initTestCase() {
   DocumentOptions options;
   options.version = "test";
   options.recovery_folder = m_folder.filePath("recovery").toStdString();
-  options.limits.max_seconds = kPatienceMs / 1000;  // by the clock
+  options.limits.max_seconds = kPatienceMs / 1000.0;  // by the clock
   QDir().mkpath(m_folder.filePath("recovery"));
   m_document = std::make_unique<Document>(options);
   m_window = std::make_unique<MainWindow>(*m_document);
