@@ -7,8 +7,8 @@
 namespace trivet {
 namespace {
 
-constexpr size_t kMaxSightPlaces = 4000;    // at which lines of sight are looked at first
-constexpr size_t kMostSightPlaces = 40000;  // of a relation that is to be named
+constexpr size_t kMaxSightPlaces = 4000;     // at which lines of sight are looked at first
+constexpr size_t kMostSightPlaces = 100000;  // of a relation that is to be named
 
 bool has(const std::vector<std::uint64_t>& mask, size_t place) {
   return mask[place / 64] >> (place % 64) & 1;

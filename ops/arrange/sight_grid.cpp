@@ -15,10 +15,11 @@ constexpr double kWidest = 4;
 std::vector<Vec2> grid_on(const Vec2& lower, const Vec2& upper) {
   std::vector<Vec2> out;
   out.reserve(kRaysAcross * kRaysAcross);
-  for (int i = 0; i < kRaysAcross * kRaysAcross; ++i) {
-    const Vec2 cell((i % kRaysAcross + 0.5) / kRaysAcross, (i / kRaysAcross + 0.5) / kRaysAcross);
-    out.emplace_back(lower + cell.cwiseProduct(Vec2(upper - lower)));
-  }
+  for (int row = 0; row < kRaysAcross; ++row)
+    for (int column = 0; column < kRaysAcross; ++column) {
+      const Vec2 cell((column + 0.5) / kRaysAcross, (row + 0.5) / kRaysAcross);
+      out.emplace_back(lower + cell.cwiseProduct(Vec2(upper - lower)));
+    }
   return out;
 }
 

@@ -227,8 +227,6 @@ Relation with_defaults(RelationKind kind) {
       break;
     case RelationKind::View:
     case RelationKind::Under:
-      out.tolerance = 0.01;
-      break;
     case RelationKind::Centred:
     case RelationKind::At:
     case RelationKind::Symmetric:

@@ -19,7 +19,7 @@ void read_via(const JsonPlace& place, std::vector<Vec>& out) {
 }
 
 std::string read_new_name(const JsonPlace& place) {
-  const std::string name = place.text();
+  std::string name = place.text();
   if (name == "floor") place.refuse("any name but \"floor\", which is the floor");
   return name;
 }

@@ -32,7 +32,7 @@ SceneRule read_scene_rule(const JsonPlace& place) {
 }
 
 std::string read_name(const JsonPlace& place) {
-  const std::string name = place.text();
+  std::string name = place.text();
   if (name == "floor") place.refuse("any name but \"floor\", which is the floor");
   return name;
 }

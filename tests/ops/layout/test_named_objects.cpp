@@ -20,12 +20,12 @@ LayoutObject layout_object(const std::string& name) {
 }
 
 AppendOperation append(const std::string& name) {
-  static const std::shared_ptr<const Shape> kShape =
+  static const std::shared_ptr<const Shape> shape =
       test::object_of("box", test::box_triangles(Vec3(1, 1, 1))).shape;
   AppendOperation out;
   out.object = name;
   out.model = "appended.obj";
-  out.shape = kShape;
+  out.shape = shape;
   return out;
 }
 
