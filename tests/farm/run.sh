@@ -56,6 +56,7 @@ same() { # FOLDER: has all units, of the right bytes
 
 try_parallel() {
   command -v parallel >/dev/null || skip "no GNU parallel"
+  count=400 # processes are killed at once, a node is not
   make --out one
   local run=(parallel --will-cite -j 2 --joblog log --resume-failed --retries 3
     "$trivet" batch recipe.json --count $count --per-tar $per --jobs 1 --quiet --shard "{}/$shards" --out many ':::' 0 1 2 3)
