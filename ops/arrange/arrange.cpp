@@ -37,7 +37,7 @@ ArrangeResult arrange(Transaction& transaction, const Arrangement& arrangement,
   each.time_budget_s = 0;  // of the whole, not of each PUT
   for (int attempt = 0; attempt < std::max(1, arrangement.max_attempts); ++attempt) {
     Transaction trial(transaction);
-    World world(trial, arrangement, {options, each});
+    World world(trial, arrangement, {options, each, &interrupt});
     out.conflict.reset();
     ++out.num_attempts;
     const std::uint64_t seed = scrambled(arrangement.seed ^ scrambled(attempt));

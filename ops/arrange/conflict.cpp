@@ -100,6 +100,7 @@ ConvexRegion ConflictSearch::region(const Combination& c, const Set& set,
 }
 
 bool ConflictSearch::leaves_nothing(const Set& set, const Slack& slack) const {
+  m_world.check_interrupt();
   return std::all_of(m_poses.begin(), m_poses.end(),
                      [&](const Combination& c) { return region(c, set, slack).empty(); });
 }

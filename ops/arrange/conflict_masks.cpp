@@ -47,6 +47,7 @@ void ConflictSearch::fill_masks() {
   }
   size_t count = 0;
   for (size_t p = 0; p < m_poses.size(); ++p) {
+    m_world.check_interrupt();
     const Combination& c = m_poses[p];
     const PlaceField field = m_placer.field(c);
     for (size_t i = 0; i < field.size(); ++i) m_places.push_back({p, field.at(i), field.met_at(i)});
@@ -76,6 +77,7 @@ bool ConflictSearch::all_but_sights_hold(size_t place) const {
 }
 
 bool ConflictSearch::sight_holds(const Relation& r, size_t place) const {
+  m_world.check_interrupt();
   const Judged& at = m_places[place];
   const Pose pose{m_poses[at.pose].rotation, Vec3(at.at.x(), at.at.y(), at.start_z)};
   return sight_cost({m_world, m_world.thing_of(m_out.thing), pose, false}, r) <= 1;
@@ -123,6 +125,7 @@ bool ConflictSearch::surely_leaves_no_place(const Set& set) {
 }
 
 bool ConflictSearch::leaves_no_place(const Set& set) const {
+  m_world.check_interrupt();
   for (size_t place = 0; place < m_places.size(); place += 64) {
     const size_t left = m_places.size() - place;
     std::uint64_t word = left >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << left) - 1;

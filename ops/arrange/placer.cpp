@@ -156,6 +156,7 @@ bool Placer::is_met(const PlaceField& field, size_t place, const Combination& co
 
 void Placer::add_candidates(size_t c, Obstacles which, const std::vector<Vec2>& nogoods,
                             std::vector<PlaceCandidate>& all) const {
+  m_world.check_interrupt();
   const Combination& combination = m_combinations[c];
   const PlaceField field = this->field(combination);
   // The first place that relations leave; what is clear is not asked for if there is none.
@@ -214,6 +215,7 @@ std::vector<PlaceCandidate> Placer::best_of(std::vector<PlaceCandidate> all,
   size_t num_sights = 0;
   std::vector<PlaceCandidate> out;
   for (const PlaceCandidate& candidate : all) {
+    m_world.check_interrupt();
     const auto close = [&](const PlaceCandidate& o) {
       return o.combination == candidate.combination &&
              (o.at - candidate.at).norm() < 2 * candidate.pixel;

@@ -35,6 +35,7 @@ bool Placer::meets_sights(const PlaceCandidate& candidate, Obstacles which) cons
 size_t Placer::add_sight_energy(std::vector<PlaceCandidate>& all) const {
   const size_t count = std::min(all.size(), kSoftSights);
   for (size_t k = 0; k < count; ++k) {
+    m_world.check_interrupt();
     const SightTrial trial = sight_trial(all[k], Obstacles::All);
     double more = 0;
     for (const Relation* r : m_relations)

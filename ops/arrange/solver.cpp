@@ -25,6 +25,15 @@ Solver::Solver(World& world, std::uint64_t seed, Interrupt& interrupt,
 }
 
 bool Solver::run() {
+  try {
+    return place_all();
+  } catch (const ArrangeStopped&) {
+    stopped();
+    return false;
+  }
+}
+
+bool Solver::place_all() {
   while (true) {
     const auto next = std::find(m_placed.begin(), m_placed.end(), 0);
     if (next == m_placed.end()) return true;
@@ -143,6 +152,7 @@ bool Solver::place_pattern(size_t item) {
   auto conflict = put_pattern(m_world, *m_items[item].pattern, scrambled(m_seed), placed);
   m_out.num_puts += static_cast<int>(placed.size());
   for (const PlacedSlot& slot : placed) m_out.put_milliseconds += slot.result.milliseconds;
+  if (stopped()) return false;
   if (conflict) {
     m_out.num_refused += placed.empty() ? 0 : 1;
     m_out.conflict = std::move(conflict);

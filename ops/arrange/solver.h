@@ -32,6 +32,7 @@ class Solver {
   const std::string& name(size_t thing) const { return m_world.things()[thing].thing->object; }
   std::string name_of(size_t item) const { return name(m_items[item].things.front()); }
   size_t standing() const { return m_order.size(); }
+  bool place_all();
   bool stopped();
   std::uint64_t seed_of(size_t thing) const;
   void note_placed(size_t thing, OperationResult result);

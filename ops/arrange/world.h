@@ -13,6 +13,7 @@
 #include "ops/arrange/place_field.h"
 #include "ops/arrange/support_surfaces.h"
 #include "ops/base/context.h"
+#include "ops/base/interrupt.h"
 #include "ops/base/options.h"
 #include "ops/base/outcome.h"
 #include "ops/operations/operations.h"
@@ -23,7 +24,11 @@ namespace trivet {
 struct ArrangeSetting {
   SettleOptions settle;
   RunContext context;
+  Interrupt* interrupt = nullptr;  // of the whole arrangement; nullptr: it goes on to its end
 };
+
+/// Thrown by World::check_interrupt(), and caught where an arrangement is given up.
+struct ArrangeStopped {};
 
 /// A thing with what does not depend on places.
 struct ThingModel {
@@ -65,6 +70,10 @@ class World {
   OperationResult perform(const Operation& operation);
   const Arrangement& arrangement() const { return m_arrangement; }
   const ArrangeSetting& setting() const { return m_setting; }
+  /// For loops that take long. @throws ArrangeStopped.
+  void check_interrupt() const {
+    if (m_setting.interrupt && m_setting.interrupt->reason()) throw ArrangeStopped{};
+  }
   const std::vector<ThingModel>& things() const { return m_things; }
   /// Index of a thing; -1: it is none.
   int thing_of(const std::string& name) const;

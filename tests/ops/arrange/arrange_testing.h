@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "core/base/hash.h"
 #include "core/scene/transaction.h"
 #include "ops/arrange/arrange.h"
 #include "ops/check/check.h"
@@ -15,6 +16,20 @@ namespace trivet::test {
 
 inline Triangles box_between(const Vec3& lower, const Vec3& upper) {
   return moved(box_triangles(0.5 * (upper - lower)), 0.5 * (lower + upper));
+}
+
+/// Names, poses and what is placed, as one number.
+inline std::uint64_t state_of(const Scene& scene) {
+  Hash hash;
+  for (const ObjectId id : scene.ids()) {
+    const Object& o = scene.at(id);
+    hash.add(o.name).add(std::uint64_t{o.placed});
+    for (const double v :
+         {o.pose.rotation.w, o.pose.rotation.x, o.pose.rotation.y, o.pose.rotation.z,
+          o.pose.translation.x(), o.pose.translation.y(), o.pose.translation.z()})
+      hash.add(v);
+  }
+  return hash.value();
 }
 
 /// A scene, what stands in it, and an arrangement in the making.

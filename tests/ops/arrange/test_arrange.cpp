@@ -5,7 +5,6 @@
 #include <set>
 
 #include "core/base/error.h"
-#include "core/base/hash.h"
 #include "core/contact/first_contact.h"
 #include "ops/arrange/arrange_testing.h"
 #include "ops/arrange/relations.h"
@@ -17,19 +16,7 @@ namespace {
 
 using test::expect_true;
 using test::Stage;
-
-std::uint64_t state_of(const Scene& scene) {
-  Hash hash;
-  for (const ObjectId id : scene.ids()) {
-    const Object& o = scene.at(id);
-    hash.add(o.name).add(std::uint64_t{o.placed});
-    for (const double v :
-         {o.pose.rotation.w, o.pose.rotation.x, o.pose.rotation.y, o.pose.rotation.z,
-          o.pose.translation.x(), o.pose.translation.y(), o.pose.translation.z()})
-      hash.add(v);
-  }
-  return hash.value();
-}
+using test::state_of;
 
 Pattern& add_grid(Stage& stage, int count) {
   Pattern grid;

@@ -1,9 +1,11 @@
 // Lines of sight and of reach, edges, what is under something, how well things stand; each with a
 // judge of its own.
+#include <atomic>
 #include <cmath>
 
 #include "ops/arrange/arrange_testing.h"
 #include "ops/arrange/conflict.h"
+#include "ops/arrange/placer.h"
 #include "ops/arrange/relations.h"
 #include "ops/arrange/sight_grid.h"
 #include "ops/arrange/sights.h"
@@ -131,6 +133,34 @@ TEST(Sights, AreNamedOnlyWhereNoPlaceIsLeft) {
     const Conflict conflict = find_conflict(world, 0, "");
     EXPECT_EQ(!conflict.relations.empty(), closed) << conflict.text;
   }
+}
+
+// Stopped when its only thing is looked for; the conflict is not named, which takes seconds.
+TEST(Sights, StopWithTheirArrangement) {
+  Stage stage = screen_stage(0.6);
+  stage.fix("wall", box_between(Vec3(-2, -0.5, 0), Vec3(2, -0.45, 2)), Vec3(0, 0, 1e-5));
+  const auto before = state_of(stage.scene);
+  std::atomic<bool> cancel{false};
+  const ArrangeResult result =
+      arrange(stage.scene, stage.arrangement, {}, {nullptr, &cancel, 0},
+              [&](const std::string&, std::size_t, std::size_t) { cancel = true; });
+  EXPECT_EQ(result.status, ArrangeResult::Status::Cancelled) << result.reason();
+  EXPECT_FALSE(result.conflict);
+  EXPECT_EQ(state_of(stage.scene), before);
+}
+
+TEST(Sights, StopWhileTheirConflictIsNamed) {
+  Stage stage = screen_stage(0.6);
+  stage.fix("wall", box_between(Vec3(-2, -0.5, 0), Vec3(2, -0.45, 2)), Vec3(0, 0, 1e-5));
+  Transaction transaction(stage.scene);
+  std::atomic<bool> cancel{false};
+  Interrupt interrupt({nullptr, &cancel, 0});
+  World world(transaction, stage.arrangement, {{}, {}, &interrupt});
+  const auto cup = static_cast<size_t>(world.thing_of("cup"));
+  EXPECT_FALSE(find_conflict(world, cup, "").relations.empty());
+  cancel = true;
+  EXPECT_THROW(find_conflict(world, cup, ""), ArrangeStopped);
+  EXPECT_THROW(Placer(world, cup, 1).candidates(Obstacles::All, {}), ArrangeStopped);
 }
 
 TEST(Sights, ShareThatIsSeenIsThatOfTheTruth) {
