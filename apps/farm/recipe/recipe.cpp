@@ -46,15 +46,18 @@ class Known {
  public:
   explicit Known(const Layout& base) : m_floor(base.floor) {
     for (std::string& name : objects_after(base).names()) m_names.insert(std::move(name));
+    m_taken = m_names;
+    for (const LayoutObject& object : base.objects) m_taken.insert(object.name);
   }
 
   void add_group(const JsonPlace& place, const std::string& name) {
-    for (const std::string& known : m_names)
+    for (const std::string& known : m_taken)
       if (known == name || is_member_name(known, name) ||
           (m_groups.count(known) && is_member_name(name, known)))
         place.refuse("a name that neither an object or group has, nor this group's objects: " +
                      first_members(name));
     m_names.insert(name);
+    m_taken.insert(name);
     m_groups.insert(name);
   }
   void expect(const JsonPlace& place, const std::string& name, bool floor) const {
@@ -71,6 +74,7 @@ class Known {
  private:
   bool m_floor;
   std::set<std::string> m_names, m_groups;
+  std::set<std::string> m_taken;  // of m_names, and of objects that are renamed or deleted later
 };
 
 void check_place(const JsonPlace& place, const RecipeGroup& group, const Known& known) {
