@@ -2,6 +2,7 @@
 #include <cstring>
 #include <sstream>
 
+#include "core/io/base64.h"
 #include "core/io/io_testing.h"
 
 namespace trivet::testing {
@@ -40,17 +41,6 @@ std::string gltf_buffer() {
   std::string out;
   append(out, kCorners);
   append(out, kFaces);
-  return out;
-}
-
-std::string base64(const std::string& bytes) {
-  const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string out;  // only complete groups of three: the buffer has 72 bytes
-  for (size_t i = 0; i + 2 < bytes.size(); i += 3) {
-    const auto byte = [&](size_t k) { return static_cast<unsigned char>(bytes[i + k]); };
-    const unsigned group = byte(0) << 16 | byte(1) << 8 | byte(2);
-    for (int shift = 18; shift >= 0; shift -= 6) out += digits[group >> shift & 63];
-  }
   return out;
 }
 
