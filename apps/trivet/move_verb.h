@@ -1,4 +1,4 @@
-// What verbs have in common that do one operation to one object of a scene. Private to them.
+// Base of the verbs that do one operation to one object of a scene. Private to them.
 #pragma once
 
 #include <functional>

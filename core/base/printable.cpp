@@ -11,7 +11,7 @@ unsigned byte(std::string_view text, size_t at) {
 
 bool continues(std::string_view text, size_t at) { return (byte(text, at) & 0xc0) == 0x80; }
 
-// Those that end lines of terminals and logs, and tabs.
+// Tabs, and characters that end lines of terminals and logs.
 bool is_white_space(std::string_view character) {
   return character == "\n" || character == "\r" || character == "\t" ||
          character == "\xe2\x80\xa8" || character == "\xe2\x80\xa9";

@@ -59,7 +59,7 @@ std::optional<Conflict> put_pattern(World& world, const Pattern& pattern, std::u
     if (const auto why = judge_slot(world, slot, pattern, placed.back().result))
       return conflict_of(pattern, pattern.text() + ": " + *why, 0);
   }
-  // What carries them is judged with all of them: they may balance each other.
+  // Carriers are judged with all of them: things may balance each other.
   for (const Slot& slot : slots.slots)
     if (const auto why = unsteady(world, world.things()[slot.thing]))
       return conflict_of(pattern, pattern.text() + ": " + *why, 0);

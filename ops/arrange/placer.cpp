@@ -208,7 +208,7 @@ std::vector<PlaceCandidate> Placer::best_of(std::vector<PlaceCandidate> all,
     return a.key < b.key;
   };
   std::stable_sort(all.begin(), all.end(), by_key);
-  // Those that were not looked at stay behind: they may cost more than they seem to.
+  // Candidates that were not looked at stay behind: they may cost more than they seem to.
   if (m_has_soft_sights)
     std::stable_sort(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(add_sight_energy(all)),
                      by_key);

@@ -8,8 +8,8 @@
 namespace trivet {
 
 /// From the eye to the centres of a grid of 8 x 8 on the rectangle that holds the box as it is
-/// seen, as far as that lies within four fifths of a right angle of the box's centre. One ray to
-/// the centre where the eye is in the box, or nearly; none where it is that centre.
+/// seen, as far as that lies within 76 degrees of the box's centre. One ray to the centre where the
+/// eye is in the box, or nearly; none where it is that centre.
 std::vector<Ray> rays_to(const Vec3& eye, const Aabb& box);
 
 /// Down to the centres of a grid of 8 x 8 on the box, from a micrometre over it.

@@ -26,10 +26,10 @@ constexpr double kAtLeast = 1e-3;      // the same, when none gets that far: cre
 constexpr int kPasses = 3;
 constexpr double kStuck = 1e-3;       // of the duration: a pass in which no group gets farther
 constexpr int kMaxBlockedRounds = 3;  // rounds in which some join the contacts
-constexpr int kMaxRestarts = 8;       // each costs a few queries for each group and pass
+constexpr int kMaxJointAttempts = 8;  // each costs a few queries for each group and pass
 constexpr double kSamePlace = 1e-4;   // of the size: a blocker there is a contact already
-constexpr double kSameWall = 0.9999;  // cosine
-constexpr double kLeastJointInertia = 1e-3;  // of a mass of 1, in squares of the size
+constexpr double kSameContactCosine = 0.9999;  // cosine
+constexpr double kLeastJointInertia = 1e-3;    // of a mass of 1, in squares of the size
 
 class JointMotion {
  public:
@@ -80,7 +80,7 @@ class JointMotion {
   }
 
   bool has_tried_enough() const {
-    return m_num_attempts >= kMaxRestarts || m_num_queries >= m_max_queries;
+    return m_num_attempts >= kMaxJointAttempts || m_num_queries >= m_max_queries;
   }
 
   bool try_groups() {
@@ -204,13 +204,14 @@ class JointMotion {
 
   bool is_known(const CoulombContact& c) const {
     const double near = kSamePlace * m_motion.bodies[c.on].size;
-    return std::any_of(
-        m_motion.contacts.begin(), m_motion.contacts.end(), [&](const CoulombContact& k) {
-          const double same = k.on == c.on && k.from == c.from   ? 1
-                              : k.on == c.from && k.from == c.on ? -1
-                                                                 : 0;
-          return same * k.normal.dot(c.normal) > kSameWall && (k.point - c.point).norm() <= near;
-        });
+    return std::any_of(m_motion.contacts.begin(), m_motion.contacts.end(),
+                       [&](const CoulombContact& k) {
+                         const double same = k.on == c.on && k.from == c.from   ? 1
+                                             : k.on == c.from && k.from == c.on ? -1
+                                                                                : 0;
+                         return same * k.normal.dot(c.normal) > kSameContactCosine &&
+                                (k.point - c.point).norm() <= near;
+                       });
   }
 
   // --- the end -------------------------------------------------------------------------------

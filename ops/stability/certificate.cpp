@@ -14,8 +14,6 @@
 namespace trivet {
 namespace {
 
-double squared(double x) { return x * x; }
-
 // Parts of three corners; negative outside.
 std::array<double, 3> barycentric(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& p) {
   const double area = cross(b - a, c - a);
@@ -76,7 +74,7 @@ Sides sides_of(const FreeBodies& all, double factor) {
     const BodyContact& t = all.touches[i];
     const double z = t.contact.normal.z();
     // A vertical force is inside the cone about the normal.
-    const double least_z = 1 / std::sqrt(1 + squared(factor * t.friction));
+    const double slope = factor * t.friction, least_z = 1 / std::sqrt(1 + slope * slope);
     if (z >= least_z) {
       sides.below[t.on].push_back({i, t.from});
       if (t.from != BodyContact::kGround) sides.above[t.from].push_back({i, t.on});

@@ -34,7 +34,7 @@ class ArrangeWorker {
 
   /// Not of a number that was cancelled. Numbers grow.
   void request(Request request);
-  /// Those up to this number, also if they are yet to be requested.
+  /// Cancels requests up to this number, also those that are yet to come.
   void cancel(std::uint64_t number);
   bool is_idle() const;
 

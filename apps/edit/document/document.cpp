@@ -72,7 +72,7 @@ void Document::show(State state) {
   if (!std::exchange(m_is_replaced, false)) follow(changes_between(*last, *m_snapshot));
 }
 
-// What was selected when the objects that are selected now went, if they went by undo.
+// Restores an earlier selection where undo took away all that is selected now.
 void Document::restore_selection(size_t steps_before) {
   const size_t now = m_history.num_done;
   const auto known = now < steps_before ? m_selections.find(now) : m_selections.end();

@@ -152,7 +152,7 @@ class Document : public QObject {
 
   /// Kept with the scene when it is saved. They follow objects that get another name.
   const Wishes& wishes() const { return m_wishes; }
-  /// What they cannot be is refused, with a message.
+  /// Invalid wishes are refused, with a message.
   void set_wishes(Wishes wishes);
   /// Looks for an arrangement of all objects, or of those selected with the others as they stand,
   /// on a thread of its own; the latest request wins. layout_changed() answers.

@@ -1,4 +1,4 @@
-// What a document is made with, and what it tells of itself.
+// Options of a document, and the plain data that it shows of itself.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// What became of the objects of a scene in a step: other names, or other objects of the same name.
+// Changes of objects in a step: other names, or other objects of the same name.
 #pragma once
 
 #include <map>

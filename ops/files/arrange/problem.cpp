@@ -25,7 +25,7 @@ std::vector<std::string> left_over(const Layout& layout) {
 Problem parse_problem(const std::string& text, const std::string& file) {
   const nlohmann::json document = parse_json(text, file);
   const JsonPlace root(document, file);
-  root.at("arrange");
+  root.at("arrange");  // layouts need none, problems do
   if (const auto scene = root.find("scene"))
     scene->fail("scenes of other programs cannot be arranged; accepted: objects with models");
   Problem out{parse_layout(text, file), {}};

@@ -14,9 +14,9 @@ Operation read_operation(const JsonPlace& place);
 /// JSON that read_operation() reads to the same bits; defaults are left out.
 nlohmann::ordered_json operation_json(const Operation& operation);
 
-/// What read_tessellation() reads; values that are not the default.
+/// Inverse of read_tessellation(): values that are not the default.
 void write_tessellation(const Tessellation& tessellation, nlohmann::ordered_json& json);
-/// What read_pose() reads.
+/// Inverse of read_pose().
 void write_pose(const Pose& pose, nlohmann::ordered_json& json);
 
 }  // namespace trivet

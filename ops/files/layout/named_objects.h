@@ -16,7 +16,7 @@ struct GivenName {
   const char* key;
   const std::string* name;  // of the operation
 };
-/// Nothing: of operations that give none.
+/// Nullopt for operations that give none.
 std::optional<GivenName> given_name(const Operation& operation);
 
 /// Appended, duplicated, renamed and deleted objects; other operations leave names as they are.

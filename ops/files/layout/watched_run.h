@@ -16,7 +16,7 @@ struct RunWatch {
 LayoutRun run_layout(const Layout& layout, const ModelSource& models, const RunOptions& options,
                      const RunWatch& watch);
 
-/// What made the scene: the layout without the operations that were refused.
+/// The layout without the operations that were refused: it makes the same scene.
 /// @param run  of this layout.
 Layout without_refused(Layout layout, const LayoutRun& run);
 

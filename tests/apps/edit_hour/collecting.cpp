@@ -57,7 +57,7 @@ void Collecting::drag_in_and_out() {
   drop("b", "set");
 }
 
-/// What is found is selected once, though the tree shows it twice.
+/// An object that is found is selected once, though the tree shows it twice.
 void Collecting::search() {
   m_window.control().search().setText("a");
   outliner().select_found();
