@@ -1,17 +1,23 @@
 #!/usr/bin/env bash
 # Runs all tests on a fresh Debian 12: installs missing packages, builds, tests.
-#   tests/run.sh [--asan|--tsan|--release|--nightly] [options of ctest]
-# Without an option, tests the preset dev: optimised, with assertions, and the long random tests
-# with TRIVET_TEST_EFFORT, by default 0.4. --nightly does everything with effort 1, and makes
-# packages and uses them in bare systems. For a single test see README.md.
+#   tests/run.sh [--long|--nightly|--asan|--tsan|--release] [options of ctest]
+# Without an option, tests the preset dev (optimised, with assertions) but for tests labelled `long`,
+# and random tests with TRIVET_TEST_EFFORT 0.2. --long runs those, too, with effort 0.4, as CI does;
+# --nightly everything with effort 1, and makes packages and uses them in bare systems. For a single
+# test see README.md.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 preset=dev
 tests=""
-effort=0.4
+effort=0.2
 case "${1:-}" in
   --asan | --tsan | --release)
     preset="${1#--}"
+    shift
+    ;;
+  --long)
+    tests=long
+    effort=0.4
     shift
     ;;
   --nightly)
@@ -21,7 +27,7 @@ case "${1:-}" in
     shift
     ;;
   --help | -h)
-    sed -n '2,6s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"
+    sed -n '2,7s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"
     exit 0
     ;;
 esac
@@ -29,5 +35,5 @@ esac
 .ci/install-packages.sh build editor cad convex exr serve python docs tests
 .ci/build.sh "$preset"
 export TRIVET_TEST_EFFORT="${TRIVET_TEST_EFFORT:-$effort}"
-# One more than cores: some wait for windows, clusters and processes that are to be killed.
-ctest --preset "${tests:-$preset}" --parallel "$(($(nproc) + 1))" --no-tests=error "$@"
+# Twice as many as cores: half of the long ones wait for windows, clusters and processes that are to be killed.
+ctest --preset "${tests:-$preset}" --parallel "$((2 * $(nproc)))" --no-tests=error "$@"
