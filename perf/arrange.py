@@ -3,17 +3,26 @@
 
     perf/arrange.py TRIVET demos [--seeds 20] [--only NAME ...]
     perf/arrange.py TRIVET growth [--things 20 50 100 200]
+    perf/arrange.py TRIVET beside [--things 5 10 15 20 25] [--seeds 10]
 
 Processor time is of the whole program in one thread, reading models and checking the scene included; the share of
 PUT is of the solver's wall time. A scene counts as true when `trivet arrange` ends with 0: all hard relations hold,
 the exact check finds nothing crossing, and it stands as a whole.
+
+`beside` fills a board of 0.7 x 0.7 m with crockery of `trivet demo table-for-six`, once by `trivet arrange` and once by
+a baseline, boxes and rejection: each thing upright, turned by quarters, its box seen from above apart from all others
+and on the board, 100 tries a thing, 10 of the whole, 2 mm over the board, as generators of scenes do that let a simulator settle.
+Its time is of the tries alone; the models' boxes are known. Drift is MuJoCo's: 5 s of `trivet export --simulate`.
 """
 import argparse
 import json
+import math
 import os
+import random
 import statistics
 import subprocess
 import tempfile
+import time
 
 DEMOS = ["table-for-six", "tight-table", "bookcase", "market", "office3", "workshop"]
 
@@ -98,18 +107,127 @@ def growth(trivet, counts, seeds):
             row(count, *summary([arrange(trivet, problem, seed, folder) for seed in range(1, seeds + 1)]))
 
 
+CROCKERY = ["plate", "cup", "bowl", "glass", "saucer", "jug", "apple", "toast"]
+BOARD = 0.7  # metres
+TRIES, ATTEMPTS = 100, 10  # of a thing, and of the whole, by rejection
+
+
+def board_layout(folder, count):
+    """Models' boxes seen from above by name, and a layout of a board and so many things without places."""
+    with open(os.path.join(folder, "board.obj"), "w") as file:
+        file.write(box_obj(BOARD / 2, BOARD / 2, 0.5))
+    objects = [{"name": "board", "model": "board.obj", "fixed": True, "position": [0, 0, 1e-5]}]
+    names = ["%s_%d" % (CROCKERY[i % len(CROCKERY)], i) for i in range(count)]
+    return names, objects + [{"name": n, "model": n.split("_")[0] + ".glb"} for n in names]
+
+
+def box_of(trivet, model):
+    """Lower and upper corner as the model stands, z up."""
+    info = json.loads(subprocess.run([trivet, "info", model, "--json"], stdout=subprocess.PIPE, check=True).stdout)
+    (ax, ay, az), (bx, by, bz) = info["box"]["lower"], info["box"]["upper"]
+    return ((ax, -bz, ay), (bx, -az, by)) if info["up"] == "y" else ((ax, ay, az), (bx, by, bz))
+
+
+def by_rejection(boxes, seed):
+    """Positions and turns of things with these boxes; None: in each attempt one had no place in all its tries."""
+    numbers = random.Random(seed)
+    return next(filter(None, (attempt(boxes, numbers) for _ in range(ATTEMPTS))), None)
+
+
+def attempt(boxes, numbers):
+    taken, out = [], []
+    for (ax, ay, az), (bx, by, _) in boxes:
+        for _ in range(TRIES):
+            turn = numbers.randrange(4) * math.pi / 2  # boxes of other turns would be larger
+            c, s = round(math.cos(turn)), round(math.sin(turn))
+            corners = [(c * x - s * y, s * x + c * y) for x in (ax, bx) for y in (ay, by)]
+            lower, upper = [min(p[k] for p in corners) for k in (0, 1)], [max(p[k] for p in corners) for k in (0, 1)]
+            if any(upper[k] - lower[k] > BOARD for k in (0, 1)):
+                continue
+            at = [numbers.uniform(-BOARD / 2 - lower[k], BOARD / 2 - upper[k]) for k in (0, 1)]
+            box = [at[k] + lower[k] for k in (0, 1)] + [at[k] + upper[k] for k in (0, 1)]
+            if all(box[0] > t[2] or box[2] < t[0] or box[1] > t[3] or box[3] < t[1] for t in taken):
+                break
+        else:
+            return None
+        taken.append(box)
+        out.append((at + [0.5 + 1e-5 + 0.002 - az], [math.cos(turn / 2), 0, 0, math.sin(turn / 2)]))
+    return out
+
+
+def judged(trivet, scene, folder):
+    """Crossing pairs, things that are not at rest (both by the exact check), and metres that MuJoCo moves each by."""
+    found = json.loads(subprocess.run([trivet, "check", scene, "--json"], stdout=subprocess.PIPE, check=False).stdout)
+    report = os.path.join(folder, "export.json")
+    subprocess.run([trivet, "export", scene, "-o", os.path.join(folder, "scene.xml"), "--simulate", "5",
+                    "--max-overlap", "0.02", "--quiet", "--report", report], stdout=subprocess.DEVNULL,
+                   stderr=subprocess.DEVNULL, check=False)
+    with open(report) as file:
+        moved = [o["moved"] for o in json.load(file)["simulated"]["objects"]]
+    return found["check"]["interpenetrating_pairs"], len(found["check"]["not_at_rest"]), moved
+
+
+def baseline(trivet, names, objects, boxes, seed, folder):
+    """Whether boxes and rejection found places, processor seconds of that, and the scene."""
+    begin = time.process_time()
+    places = by_rejection(boxes, seed)
+    seconds = time.process_time() - begin
+    if places is None:
+        return False, seconds, None
+    stands = [{"op": "stand", "object": n, "position": at, "rotation": turn}
+              for n, (at, turn) in zip(names, places)]
+    layout, scene = os.path.join(folder, "layout.json"), os.path.join(folder, "scene.glb")
+    with open(layout, "w") as file:
+        json.dump({"trivet": 1, "objects": objects, "operations": stands}, file)
+    subprocess.run([trivet, "run", layout, "-o", scene, "--quiet"], stdout=subprocess.DEVNULL, check=False)
+    return True, seconds, scene
+
+
+def beside(trivet, counts, seeds):
+    row("things", "by", "all placed, of %d" % seeds, "processor time, s: median", "crossing pairs", "not at rest",
+        "moved by over 1 cm in MuJoCo", "most, m")
+    row(*["---"] * 8)
+    with tempfile.TemporaryDirectory() as folder:
+        subprocess.run([trivet, "demo", "table-for-six", "--export", folder, "-o",
+                        os.path.join(folder, "scene.glb"), "--quiet"], stdout=subprocess.DEVNULL, check=False)
+        sizes = {model: box_of(trivet, os.path.join(folder, model + ".glb")) for model in CROCKERY}
+        for count in counts:
+            names, objects = board_layout(folder, count)
+            problem = os.path.join(folder, "board.json")
+            with open(problem, "w") as file:
+                json.dump({"trivet": 1, "objects": objects, "arrange": {
+                    "things": [{"object": n, "yaw": "any"} for n in names],
+                    "relations": [{"is": "on", "a": "*", "b": "board"}]}}, file)
+            boxes = [sizes[n.split("_")[0]] for n in names]
+            for by in ("boxes and rejection", "arrange"):
+                runs = []
+                for seed in range(1, seeds + 1):
+                    if by == "arrange":
+                        done, seconds, _, _ = arrange(trivet, problem, seed, folder)
+                        scene = os.path.join(folder, "scene.glb")
+                    else:
+                        done, seconds, scene = baseline(trivet, names, objects, boxes, seed, folder)
+                    runs.append((done, seconds) + (judged(trivet, scene, folder) if done else (0, 0, [])))
+                moved = [m for r in runs for m in r[4]]
+                row(count, by, sum(r[0] for r in runs), "%.3f" % statistics.median(r[1] for r in runs),
+                    sum(r[2] for r in runs), "%d of %d" % (sum(r[3] for r in runs), len(moved)),
+                    "%d of %d" % (sum(m > 0.01 for m in moved), len(moved)), "%.3f" % max(moved, default=0))
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("trivet")
-    parser.add_argument("what", choices=["demos", "growth"])
+    parser.add_argument("what", choices=["demos", "growth", "beside"])
     parser.add_argument("--seeds", type=int)
     parser.add_argument("--only", nargs="+", default=DEMOS)
-    parser.add_argument("--things", nargs="+", type=int, default=[20, 50, 100, 200])
+    parser.add_argument("--things", nargs="+", type=int)
     arguments = parser.parse_args()
     if arguments.what == "demos":
         demos(os.path.abspath(arguments.trivet), arguments.seeds or 20, arguments.only)
+    elif arguments.what == "beside":
+        beside(os.path.abspath(arguments.trivet), arguments.things or [5, 10, 15, 20, 25], arguments.seeds or 10)
     else:
-        growth(os.path.abspath(arguments.trivet), arguments.things, arguments.seeds or 3)
+        growth(os.path.abspath(arguments.trivet), arguments.things or [20, 50, 100, 200], arguments.seeds or 3)
 
 
 if __name__ == "__main__":

@@ -35,9 +35,10 @@ ArrangeResult arrange(Transaction& transaction, const Arrangement& arrangement,
   Interrupt interrupt(context);
   RunContext each = context;
   each.time_budget_s = 0;  // of the whole, not of each PUT
+  ShapeFacts facts;
   for (int attempt = 0; attempt < std::max(1, arrangement.max_attempts); ++attempt) {
     Transaction trial(transaction);
-    World world(trial, arrangement, {options, each, &interrupt});
+    World world(trial, arrangement, {options, each, &interrupt, &facts});
     out.conflict.reset();
     ++out.num_attempts;
     const std::uint64_t seed = scrambled(arrangement.seed ^ scrambled(attempt));

@@ -1,6 +1,8 @@
 // Constraints as masks over all places of all poses of a thing.
 #include <algorithm>
+#include <bit>
 
+#include "core/base/in_parallel.h"
 #include "core/base/quoted.h"
 #include "ops/arrange/conflict_search.h"
 
@@ -9,6 +11,8 @@ namespace {
 
 constexpr size_t kMaxSightPlaces = 4000;     // at which lines of sight are looked at first
 constexpr size_t kMostSightPlaces = 100000;  // of a relation that is to be named
+constexpr size_t kSightsAtOnce = 4096;       // between two looks whether that refutes the set
+constexpr size_t kSightsOfPart = 128;        // of a thread's part of the work
 
 bool has(const std::vector<std::uint64_t>& mask, size_t place) {
   return mask[place / 64] >> (place % 64) & 1;
@@ -76,52 +80,76 @@ bool ConflictSearch::all_but_sights_hold(size_t place) const {
   });
 }
 
-bool ConflictSearch::sight_holds(const Relation& r, size_t place) const {
+// Of each place; in parallel, with the same answers.
+std::vector<char> ConflictSearch::sight_holds(const Relation& r,
+                                              std::span<const size_t> places) const {
   m_world.check_interrupt();
-  const Judged& at = m_places[place];
-  const Pose pose{m_poses[at.pose].rotation, Vec3(at.at.x(), at.at.y(), at.start_z)};
-  return sight_cost({m_world, m_world.thing_of(m_out.thing), pose, false}, r) <= 1;
+  std::vector<char> out(places.size());
+  const size_t num_parts = (places.size() + kSightsOfPart - 1) / kSightsOfPart;
+  in_parallel(num_parts, [&](size_t part) {
+    SightJudge judge({m_world, m_world.thing_of(m_out.thing), {}, false}, r);
+    const size_t end = std::min(places.size(), (part + 1) * kSightsOfPart);
+    for (size_t k = part * kSightsOfPart; k < end; ++k) {
+      const Judged& at = m_places[places[k]];
+      out[k] = static_cast<char>(
+          judge.holds_at({m_poses[at.pose].rotation, Vec3(at.at.x(), at.at.y(), at.start_z)}));
+    }
+  });
+  return out;
 }
 
 // Relations of sight at the places that all else leaves; of many only at some, which speak for
-// those that follow them until a set is to be named: see complete().
+// those that follow them until a set is to be named: see is_refuted().
 void ConflictSearch::fill_sights() {
   if (m_placer.m_sights.empty()) return;
+  std::vector<size_t> left, some;
   for (size_t place = 0; place < m_places.size(); ++place)
-    if (all_but_sights_hold(place)) m_left.push_back(place);
-  const size_t stride = m_left.size() / kMaxSightPlaces + 1;
+    if (all_but_sights_hold(place)) left.push_back(place);
+  const size_t stride = left.size() / kMaxSightPlaces + 1;
+  for (size_t k = 0; k < left.size(); k += stride) some.push_back(left[k]);
   for (const Relation* r : m_placer.m_sights) {
     const bool is_own = r->a == m_out.thing || r->b == m_out.thing;
     Constraint sight{r->text(), is_own ? other_of(*r) : r->a, r,
-                     Mask(m_places.size() / 64 + 1, ~std::uint64_t{0}), stride > 1};
-    for (size_t k = 0; k < m_left.size(); k += stride) {
-      if (sight_holds(*r, m_left[k])) continue;
-      for (size_t i = k; i < std::min(m_left.size(), k + stride); ++i)
-        set_place(sight.mask, m_left[i], false);
-    }
+                     Mask(m_places.size() / 64 + 1, ~std::uint64_t{0})};
+    const std::vector<char> holds = sight_holds(*r, some);
+    for (size_t k = 0; k < some.size(); ++k)
+      for (size_t i = k * stride; !holds[k] && i < std::min(left.size(), (k + 1) * stride); ++i)
+        set_place(sight.mask, left[i], false);
+    // Between those that were looked at: in the middle first.
+    for (size_t step = std::bit_floor(stride); step > 0; step /= 2)
+      for (size_t k = 0; k < some.size(); ++k)
+        for (size_t i = step; !holds[k] && i < stride; i += step)
+          if (i / step % 2 == 1 && k * stride + i < left.size())
+            sight.unseen.push_back(left[k * stride + i]);
     m_constraints.push_back(std::move(sight));
   }
 }
 
-// Looks at the places for which others spoke. Of too many the last count as met.
-void ConflictSearch::complete(Constraint& sight) {
-  sight.is_sampled = false;
-  size_t num_looked_at = 0;
-  for (const size_t place : m_left)
-    if (!has(sight.mask, place) &&
-        (++num_looked_at > kMostSightPlaces || sight_holds(*sight.relation, place)))
-      set_place(sight.mask, place, true);
+// Looks at the places for which others spoke, until the set leaves one of them. Of too many the
+// last count as met.
+bool ConflictSearch::is_refuted(const Set& set, Constraint& sight) {
+  if (sight.unseen.size() > kMostSightPlaces) {
+    for (size_t k = kMostSightPlaces; k < sight.unseen.size(); ++k)
+      set_place(sight.mask, sight.unseen[k], true);
+    sight.unseen.resize(kMostSightPlaces);
+  }
+  while (leaves_no_place(set)) {
+    if (sight.unseen.empty()) return false;
+    const size_t count = std::min(kSightsAtOnce, sight.unseen.size());
+    const std::vector<char> holds = sight_holds(*sight.relation, {sight.unseen.data(), count});
+    for (size_t k = 0; k < count; ++k)
+      if (holds[k]) set_place(sight.mask, sight.unseen[k], true);
+    sight.unseen.erase(sight.unseen.begin(),
+                       sight.unseen.begin() + static_cast<std::ptrdiff_t>(count));
+  }
+  return true;
 }
 
 // No set is called empty that is not.
 bool ConflictSearch::surely_leaves_no_place(const Set& set) {
   if (!leaves_no_place(set)) return false;
-  for (const size_t i : set)
-    if (m_constraints[i].is_sampled) {
-      complete(m_constraints[i]);
-      if (!leaves_no_place(set)) return false;
-    }
-  return true;
+  return std::none_of(set.begin(), set.end(),
+                      [&](size_t i) { return is_refuted(set, m_constraints[i]); });
 }
 
 bool ConflictSearch::leaves_no_place(const Set& set) const {

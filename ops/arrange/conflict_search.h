@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -30,7 +31,8 @@ class ConflictSearch {
     std::string object;  // that it names; may be empty
     const Relation* relation = nullptr;
     Mask mask = {};
-    bool is_sampled = false;  // of sight: not at every place that all else leaves
+    std::vector<size_t> unseen = {};  // of sight: places for which others speak, from coarse to
+                                      // fine
   };
   struct Judged {
     size_t pose;
@@ -63,8 +65,8 @@ class ConflictSearch {
   std::string zones_text(const std::string& other) const;
   bool nearly_holds(const Relation& r, const Outline& outline, double pixel) const;
   bool find_in_masks();
-  bool sight_holds(const Relation& r, size_t place) const;
-  void complete(Constraint& sight);
+  std::vector<char> sight_holds(const Relation& r, std::span<const size_t> places) const;
+  bool is_refuted(const Set& set, Constraint& sight);
   bool leaves_no_place(const Set& set) const;
   bool surely_leaves_no_place(const Set& set);
   void find_cheapest(const Set& set);
@@ -76,7 +78,6 @@ class ConflictSearch {
   std::vector<const Relation*> m_relations;  // hard, judged by outlines
   std::vector<Constraint> m_constraints;
   std::vector<Judged> m_places;
-  std::vector<size_t> m_left;  // places at which lines of sight are looked at
   std::string m_why_none;
   bool m_anywhere = false;  // relations alone, without what the support leaves
   Conflict m_out;

@@ -38,8 +38,7 @@ bool Solver::forget_nogoods(size_t item) {
 bool Solver::evict_blockers(size_t item) {
   const size_t thing = m_items[item].things.front();
   Placer placer(m_world, thing, seed_of(thing));
-  auto places = placer.candidates(Obstacles::Immovable, m_nogoods[thing]);
-  if (places.size() > kEvictionPlaces) places.resize(kEvictionPlaces);
+  const auto places = placer.candidates(Obstacles::Immovable, m_nogoods[thing], kEvictionPlaces);
   struct Choice {
     double weight;
     size_t place;

@@ -101,10 +101,10 @@ bool Solver::move_for_less(size_t thing, double own, double& cost) {
 // At one of the places that cost least. @param most  those that cost as much are left out.
 bool Solver::put_at_least(size_t thing, double most) try {
   Placer placer(m_world, thing, seed_of(thing), Noise::Off);
-  const auto places = placer.candidates(Obstacles::All, m_nogoods[thing]);
-  for (size_t k = 0; k < std::min(places.size(), kPlacesEach); ++k) {
-    if (m_interrupt.reason() || !(places[k].energy < most)) return false;
-    if (put(placer, places[k], thing, LookAhead::Off)) return true;
+  for (const PlaceCandidate& place :
+       placer.candidates(Obstacles::All, m_nogoods[thing], kPlacesEach)) {
+    if (m_interrupt.reason() || !(place.energy < most)) return false;
+    if (put(placer, place, thing, LookAhead::Off)) return true;
   }
   return false;
 } catch (const ArrangeStopped&) {

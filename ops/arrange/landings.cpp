@@ -86,7 +86,7 @@ std::vector<Landing> World::landings(const ThingModel& thing, double height,
   }
   const ObjectId id = *scene().find(support->b);
   if (support->kind == RelationKind::In) return {landing_in(scene(), id, clearance)};
-  const std::vector<SupportSurface> surfaces = this->surfaces(support->b);
+  const std::vector<SupportSurface>& surfaces = this->surfaces(support->b);
   const auto add = [&](const SupportSurface& surface) {
     if (auto landing = landing_on(scene(), id, surfaces, surface, height, clearance))
       out.push_back(std::move(*landing));

@@ -13,22 +13,41 @@ constexpr double kCellsAcross = 80;       // of the window
 constexpr double kFewPlacesAcross = 10;   // of a window that is small for the object
 constexpr double kAside = 0.75;           // pixels that a place may be outside the region
 constexpr double kGrown = 1.002;
+constexpr int kSingleShare = 4;  // falls are found one by one for a part of the places: 1 in 4
 
 double largest_stop(double clearance) { return Clearance{clearance}.largest_stop(); }
 
 }  // namespace
 
+LazyFalls::LazyFalls(const HeightMap& object, HeightMap top, int columns, int rows,
+                     const DropBracketFunction& brackets)
+    : m_object(object),
+      m_probe(object),
+      m_top(std::move(top)),
+      m_columns(columns),
+      m_rows(rows),
+      m_brackets(brackets) {}
+
+DropBracket LazyFalls::at(int column, int row) {
+  if (m_all.empty()) {
+    if (kSingleShare * ++m_num_single <= m_columns * m_rows) return m_probe.at(m_top, column, row);
+    m_all = m_brackets(m_object, m_top, m_columns, m_rows);
+  }
+  return m_all[size_t(row) * m_columns + column];
+}
+
 PlaceField::PlaceField(const Scene& scene, ObjectId object, const Rotation& rotation,
                        const Landing& landing, const ConvexRegion& region, double clearance,
                        DropBracketFunction brackets)
     : m_scene(scene),
+      m_landing(landing),
       m_clearance(clearance),
       m_brackets(std::move(brackets)),
       m_start_z(landing.start_z),
       m_body(body_of(scene.at(object), {rotation, Vec3::Zero()})),
       m_centre(m_body.world_from_object.apply(scene.at(object).shape->mass.centre).head<2>()) {
   set_grid(region);
-  find_supported(landing);
+  set_window();
 }
 
 void PlaceField::set_grid(const ConvexRegion& region) {
@@ -48,10 +67,34 @@ void PlaceField::set_grid(const ConvexRegion& region) {
     m_index.push_back(i);
     m_at.push_back(inside);
   }
+}
+
+void PlaceField::leave(const std::vector<size_t>& places) {
+  for (size_t k = 0; k < places.size(); ++k) {
+    m_index[k] = m_index[places[k]];
+    m_at[k] = m_at[places[k]];
+  }
+  m_index.resize(places.size());
+  m_at.resize(places.size());
+  set_window();
+}
+
+void PlaceField::set_window() {
+  int last_column = 0, last_row = 0;
+  m_window.column = m_grid.columns, m_window.row = m_grid.rows;
+  for (size_t k = 0; k < m_index.size(); ++k) {
+    m_window.column = std::min(m_window.column, column_of(k));
+    m_window.row = std::min(m_window.row, row_of(k));
+    last_column = std::max(last_column, column_of(k));
+    last_row = std::max(last_row, row_of(k));
+  }
+  m_window.columns = last_column + 1 - m_window.column;
+  m_window.rows = last_row + 1 - m_window.row;
   m_reach = m_body.world_box;
+  const int first[] = {m_window.column, m_window.row}, last[] = {last_column, last_row};
   for (int k = 0; k < 2; ++k) {
-    m_reach.lower[k] += m_grid.first[k];
-    m_reach.upper[k] += m_grid.first[k] + span[k];
+    m_reach.lower[k] += m_grid.first[k] + m_grid.pixel * first[k];
+    m_reach.upper[k] += m_grid.first[k] + m_grid.pixel * last[k];
   }
   m_reach.lower.z() = -kInfinity;
   m_reach.upper.z() = m_start_z + 2 * m_body.world_box.half_extent().z();
@@ -60,9 +103,9 @@ void PlaceField::set_grid(const ConvexRegion& region) {
 // The grid of the scene's top under all places of an object's map.
 MapGrid PlaceField::scene_grid(const MapGrid& object) const {
   MapGrid out = object;
-  out.corner += m_grid.first;
-  out.width = m_grid.columns + object.width - 1;
-  out.height = m_grid.rows + object.height - 1;
+  out.corner += m_grid.first + m_grid.pixel * Vec2(m_window.column, m_window.row);
+  out.width = m_window.columns + object.width - 1;
+  out.height = m_window.rows + object.height - 1;
   out.level = m_start_z;
   return out;
 }
@@ -86,81 +129,108 @@ const PlaceField::Underside& PlaceField::underside(double growth) const {
 
 double PlaceField::growth(double keep) const { return kGrown * largest_stop(m_clearance) + keep; }
 
-void PlaceField::find_supported(const Landing& landing) {
+LazyFalls& PlaceField::supported() const {
+  if (m_supported) return *m_supported;
   const Underside& moving = underside(growth(0));
   std::vector<Body> bodies;
+  bodies.reserve(m_landing.supports.size());
   bool floor = false;
-  for (const Support& support : landing.supports) {
+  for (const Support& support : m_landing.supports) {
     if (support.is_floor())
       floor = true;
     else
       bodies.push_back(body_of(m_scene.at(support.object())));
   }
   const double ceiling = m_reach.upper.z() + growth(0);
-  const HeightMap top = draw_top(bodies, scene_grid(moving.grid), floor, ceiling);
-  const auto falls = m_brackets(moving.map, top, m_grid.columns, m_grid.rows);
-  m_upper.reserve(falls.size());
-  for (const DropBracket& fall : falls) m_upper.push_back(fall.upper);
-  const Vec2 under = (m_centre - moving.grid.corner) / m_grid.pixel;
-  const double deepest = landing.lowest ? m_start_z - *landing.lowest : kInfinity;
-  m_over.reserve(m_index.size());
-  for (size_t k = 0; k < m_index.size(); ++k) {
-    const int i = m_index[k], column = i % m_grid.columns, row = i / m_grid.columns;
-    const size_t pixel =
-        top.index(column + static_cast<int>(under.x()), row + static_cast<int>(under.y()));
-    const Vec2 centre = m_at[k] + m_centre;
-    const bool in_rectangle = (centre.array() >= landing.lower.array()).all() &&
-                              (centre.array() <= landing.upper.array()).all();
-    m_over.push_back(in_rectangle && top.bound[pixel] > -kInfinity && falls[i].lower >= 0 &&
-                     falls[i].upper < kInfinity && falls[i].upper <= deepest);
-  }
+  return m_supported.emplace(moving.map, draw_top(bodies, scene_grid(moving.grid), floor, ceiling),
+                             m_window.columns, m_window.rows, m_brackets);
 }
 
-std::vector<char> PlaceField::clear(const Underside& moving, double highest,
-                                    std::span<const Body> others) const {
-  const HeightMap top = draw_top(others, scene_grid(moving.grid), false, highest + moving.growth);
-  const auto falls = m_brackets(moving.map, top, m_grid.columns, m_grid.rows);
-  std::vector<char> out;
-  out.reserve(m_index.size());
-  for (const int i : m_index) out.push_back(m_upper[i] < falls[i].lower);
+DropBracket PlaceField::support_at(size_t place) const {
+  if (m_known.place != place) m_known = {place, fall_at(supported(), place)};
+  return m_known.fall;
+}
+
+double PlaceField::met_at(size_t place) const {
+  return m_start_z - m_body.world_box.lower.z() - support_at(place).upper;
+}
+
+bool PlaceField::is_over_rectangle(size_t place) const {
+  const Vec2 centre = m_at[place] + m_centre;
+  return (centre.array() >= m_landing.lower.array()).all() &&
+         (centre.array() <= m_landing.upper.array()).all();
+}
+
+bool PlaceField::is_over_support(size_t place) const {
+  if (!is_over_rectangle(place)) return false;
+  const HeightMap& top = supported().top();
+  const Vec2 under = (m_centre - underside(growth(0)).grid.corner) / m_grid.pixel;
+  const size_t pixel = top.index(column_of(place) - m_window.column + static_cast<int>(under.x()),
+                                 row_of(place) - m_window.row + static_cast<int>(under.y()));
+  if (!(top.bound[pixel] > -kInfinity)) return false;
+  const double deepest = m_landing.lowest ? m_start_z - *m_landing.lowest : kInfinity;
+  const DropBracket fall = support_at(place);
+  return fall.lower >= 0 && fall.upper < kInfinity && fall.upper <= deepest;
+}
+
+bool PlaceField::Obstruction::is_clear(size_t place) {
+  if (m_floor) return m_field.support_at(place).upper < *m_floor;
+  return !m_falls || m_field.support_at(place).upper < m_field.fall_at(*m_falls, place).lower;
+}
+
+std::unique_ptr<PlaceField::Obstruction> PlaceField::obstruction(
+    const Underside& moving, double highest, std::span<const Body> others) const {
+  std::unique_ptr<Obstruction> out(new Obstruction(*this));
+  out->m_falls.emplace(moving.map,
+                       draw_top(others, scene_grid(moving.grid), false, highest + moving.growth),
+                       m_window.columns, m_window.rows, m_brackets);
   return out;
 }
 
-std::vector<char> PlaceField::clear_of(std::span<const ObjectId> others, double keep) const {
+std::unique_ptr<PlaceField::Obstruction> PlaceField::obstruction(std::span<const ObjectId> others,
+                                                                 double keep) const {
   std::vector<Body> bodies;
   bodies.reserve(others.size());
   const double margin = 2 * m_grid.pixel + keep + largest_stop(m_clearance);
   for (const ObjectId id : others)
     if (overlaps(m_scene.world_box(id), m_reach, margin)) bodies.push_back(body_of(m_scene.at(id)));
-  if (bodies.empty()) return std::vector<char>(m_index.size(), 1);
-  return clear(underside(growth(keep)), m_reach.upper.z(), bodies);
+  if (bodies.empty()) return std::unique_ptr<Obstruction>(new Obstruction(*this));
+  return obstruction(underside(growth(keep)), m_reach.upper.z(), bodies);
 }
 
-std::vector<char> PlaceField::clear_of_bodies(std::span<const Body> others) const {
-  if (others.empty()) return std::vector<char>(m_index.size(), 1);
-  return clear(underside(growth(0)), m_reach.upper.z(), others);
+std::unique_ptr<PlaceField::Obstruction> PlaceField::obstruction(
+    std::span<const Body> others) const {
+  if (others.empty()) return std::unique_ptr<Obstruction>(new Obstruction(*this));
+  return obstruction(underside(growth(0)), m_reach.upper.z(), others);
 }
 
-std::vector<char> PlaceField::clear_of_bodies(std::span<const Body> moving,
-                                              std::span<const Body> others) const {
-  if (moving.empty() || others.empty()) return std::vector<char>(m_index.size(), 1);
+std::unique_ptr<PlaceField::Obstruction> PlaceField::obstruction(
+    std::span<const Body> moving, std::span<const Body> others) const {
+  if (moving.empty() || others.empty()) return std::unique_ptr<Obstruction>(new Obstruction(*this));
   double highest = m_reach.upper.z();
   for (const Body& body : moving)
     highest = std::max(highest, m_start_z + body.world_box.upper.z() - m_body.world_box.lower.z());
-  return clear(underside_of(moving, growth(0)), highest, others);
+  m_undersides_with.push_back(underside_of(moving, growth(0)));
+  return obstruction(m_undersides_with.back(), highest, others);
 }
 
 // The floor is as far below at every place: what drop_brackets() gives for a map of it alone.
-std::vector<char> PlaceField::clear_of_floor() const {
+std::unique_ptr<PlaceField::Obstruction> PlaceField::obstruction_of_floor() const {
   const Underside& moving = underside(growth(0));
   MapGrid pixel = moving.grid;
   pixel.width = pixel.height = 1;
   pixel.level = m_start_z;
   const float floor = draw_top({}, pixel, true).bound.front();
-  const float lower = *std::min_element(moving.map.bound.begin(), moving.map.bound.end()) - floor;
+  std::unique_ptr<Obstruction> out(new Obstruction(*this));
+  out->m_floor = *std::min_element(moving.map.bound.begin(), moving.map.bound.end()) - floor;
+  return out;
+}
+
+std::vector<char> PlaceField::clear_of(std::span<const ObjectId> others, double keep) const {
+  const auto obstruction = this->obstruction(others, keep);
   std::vector<char> out;
-  out.reserve(m_index.size());
-  for (const int i : m_index) out.push_back(m_upper[i] < lower);
+  out.reserve(size());
+  for (size_t place = 0; place < size(); ++place) out.push_back(obstruction->is_clear(place));
   return out;
 }
 

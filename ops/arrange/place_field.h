@@ -3,6 +3,7 @@
 #pragma once
 
 #include <deque>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -21,34 +22,73 @@ struct Landing {
   Vec2 lower, upper;              // rectangle in which the centre of mass is over them
 };
 
+/// Falls onto one height map, each when it is asked for; all at once when many are.
+class LazyFalls {
+ public:
+  /// @param object, brackets  outlive this.
+  LazyFalls(const HeightMap& object, HeightMap top, int columns, int rows,
+            const DropBracketFunction& brackets);
+  DropBracket at(int column, int row);
+  const HeightMap& top() const { return m_top; }
+
+ private:
+  const HeightMap& m_object;
+  DropProbe m_probe;
+  HeightMap m_top;
+  int m_columns, m_rows;
+  const DropBracketFunction& m_brackets;
+  int m_num_single = 0;
+  std::vector<DropBracket> m_all;  // empty: not yet
+};
+
+/// Height maps are drawn, and falls found, when they are asked for: queries are not re-entrant.
 class PlaceField {
  public:
   /// @param rotation  of the object.
   /// @param region  of the object's position, seen from above; not empty.
   PlaceField(const Scene& scene, ObjectId object, const Rotation& rotation, const Landing& landing,
              const ConvexRegion& region, double clearance, DropBracketFunction brackets);
+  PlaceField(const PlaceField&) = delete;
+  PlaceField& operator=(const PlaceField&) = delete;
 
+  /// Leaves these places alone, in their order; before any query of heights.
+  /// @param places  indices, ascending, not empty.
+  void leave(const std::vector<size_t>& places);
   /// Places that count: row by row, in the region or less than a pixel from it.
   size_t size() const { return m_at.size(); }
   /// In the region.
   const Vec2& at(size_t place) const { return m_at[place]; }
   double pixel() const { return m_grid.pixel; }
   /// z of the position where the object has certainly met the support; not far below where it does.
-  double met_at(size_t place) const {
-    return m_start_z - m_body.world_box.lower.z() - m_upper[m_index[place]];
-  }
+  double met_at(size_t place) const;
+  /// The centre of mass is in the landing's rectangle.
+  bool is_over_rectangle(size_t place) const;
   /// The centre of mass is over a support, which is certainly met.
-  bool is_over_support(size_t place) const { return m_over[place] != 0; }
-  /// Of each place whether none of these can be met before the support.
-  /// @param keep  metres to stay away from them, sideways.
-  std::vector<char> clear_of(std::span<const ObjectId> others, double keep) const;
+  bool is_over_support(size_t place) const;
+
+  /// Bodies that may be in the way.
+  class Obstruction {
+   public:
+    /// None of them can be met before the support.
+    bool is_clear(size_t place);
+
+   private:
+    friend class PlaceField;
+    explicit Obstruction(const PlaceField& field) : m_field(field) {}
+    const PlaceField& m_field;
+    std::optional<LazyFalls> m_falls;
+    std::optional<float> m_floor;  // the fall onto it, the same everywhere; neither: always clear
+  };
+  /// The field outlives it. @param keep  metres to stay away from them, sideways.
+  std::unique_ptr<Obstruction> obstruction(std::span<const ObjectId> others, double keep) const;
   /// The same of bodies, and of bodies that move with the object, `moving` where it is with its
   /// position at the origin.
-  std::vector<char> clear_of_bodies(std::span<const Body> others) const;
-  std::vector<char> clear_of_bodies(std::span<const Body> moving,
-                                    std::span<const Body> others) const;
-  /// The same of the floor.
-  std::vector<char> clear_of_floor() const;
+  std::unique_ptr<Obstruction> obstruction(std::span<const Body> others) const;
+  std::unique_ptr<Obstruction> obstruction(std::span<const Body> moving,
+                                           std::span<const Body> others) const;
+  std::unique_ptr<Obstruction> obstruction_of_floor() const;
+  /// Of each place whether none of these can be met before the support.
+  std::vector<char> clear_of(std::span<const ObjectId> others, double keep) const;
   /// World box that the object sweeps, at all places.
   const Aabb& reach() const { return m_reach; }
 
@@ -63,12 +103,20 @@ class PlaceField {
   Underside underside_of(std::span<const Body> moving, double growth) const;
   const Underside& underside(double growth) const;
   /// @param highest  z of what moves, at its start.
-  std::vector<char> clear(const Underside& moving, double highest,
-                          std::span<const Body> others) const;
+  std::unique_ptr<Obstruction> obstruction(const Underside& moving, double highest,
+                                           std::span<const Body> others) const;
   void set_grid(const ConvexRegion& region);
-  void find_supported(const Landing& landing);
+  void set_window();
+  int column_of(size_t place) const { return m_index[place] % m_grid.columns; }
+  int row_of(size_t place) const { return m_index[place] / m_grid.columns; }
+  DropBracket fall_at(LazyFalls& falls, size_t place) const {
+    return falls.at(column_of(place) - m_window.column, row_of(place) - m_window.row);
+  }
+  LazyFalls& supported() const;
+  DropBracket support_at(size_t place) const;
 
   const Scene& m_scene;
+  Landing m_landing;
   double m_clearance;
   DropBracketFunction m_brackets;
   double m_start_z;
@@ -79,12 +127,20 @@ class PlaceField {
     int columns = 0, rows = 0;
     Vec2 first;  // position at place (0, 0)
   } m_grid;
+  struct Window {
+    int column = 0, row = 0, columns = 0, rows = 0;
+  } m_window;                // of the grid, about all places that count
   std::vector<int> m_index;  // of the places that count, on the grid
   std::vector<Vec2> m_at;
-  std::vector<char> m_over;
-  std::vector<float> m_upper;  // of the fall onto a support, of every place of the grid
   Aabb m_reach;
-  mutable std::deque<Underside> m_undersides;  // of the object, as they were asked for
+  struct Known {
+    size_t place = SIZE_MAX;
+    DropBracket fall = {};
+  };
+  mutable std::deque<Underside> m_undersides;       // of the object, as they were asked for
+  mutable std::deque<Underside> m_undersides_with;  // of what moves with it
+  mutable std::optional<LazyFalls> m_supported;     // onto a support
+  mutable Known m_known;                            // the last of these
 };
 
 }  // namespace trivet

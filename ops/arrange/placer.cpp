@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ops/arrange/noise.h"
+#include "ops/arrange/place_order.h"
 #include "ops/arrange/zones.h"
 #include "ops/detect/detector.h"
 #include "ops/operations/moving_group.h"
@@ -12,16 +13,8 @@ namespace trivet {
 namespace {
 
 constexpr double kTemperature = 0.2;
-constexpr double kNogoodRadius = 6e-3;  // metres
-constexpr size_t kMaxPlaceCandidates = 64;
-constexpr size_t kFewTurns = 3;  // of free ones, before all are tried
-constexpr size_t kAllTurns = 1000;
+constexpr size_t kFewTurns = 3;       // of free ones, before all are tried
 constexpr size_t kEnoughPlaces = 12;  // candidates that a few turns are to leave
-constexpr size_t kMaxSights = 2048;   // candidates whose lines of sight are looked at
-
-std::uint64_t counter(std::uint64_t seed, size_t combination, size_t place) {
-  return scrambled(scrambled(seed ^ scrambled(combination)) ^ place);
-}
 
 }  // namespace
 
@@ -68,27 +61,6 @@ PlaceField Placer::field(const Combination& c) const {
           drop_brackets_of(m_world.setting().context.detector)};
 }
 
-// @param slack_deg  of things that are turned to face something afterwards.
-bool Placer::meets_hard(const Outline& outline, double slack_deg) const {
-  for (const Relation* r : m_relations) {
-    if (!r->is_hard()) continue;
-    const bool turns_later = r->kind == RelationKind::Facing || r->kind == RelationKind::Away;
-    const double slack = turns_later && r->a == name() ? slack_deg / r->tolerance : 0;
-    if (!(cost(*r, outline) <= 1 + slack)) return false;
-  }
-  return true;
-}
-
-double Placer::energy(const Outline& outline) const {
-  double out = 0;
-  for (const Relation* r : m_relations) {
-    if (r->is_hard()) continue;
-    const double c = cost(*r, outline);
-    out += *r->weight * c * c;
-  }
-  return out;
-}
-
 // Others that are not kept apart by a relation.
 std::vector<ObjectId> Placer::obstacles(const Combination& combination, Obstacles which) const {
   std::vector<ObjectId> out;
@@ -106,127 +78,55 @@ std::vector<ObjectId> Placer::obstacles(const Combination& combination, Obstacle
   return out;
 }
 
-std::vector<char> Placer::clear(const PlaceField& field, const Combination& combination,
-                                Obstacles which) const {
-  std::map<double, std::vector<ObjectId>> by_keep;
-  for (const ObjectId id : obstacles(combination, which))
-    by_keep[m_world.keep(name(), m_world.scene().at(id).name)].push_back(id);
-  std::vector<char> out(field.size(), 1);
-  const auto take = [&](const std::vector<char>& other) {
-    for (size_t i = 0; i < out.size(); ++i) out[i] &= other[i];
-  };
-  for (const auto& [keep, ids] : by_keep) take(field.clear_of(ids, keep));
+Obstructions Placer::zone_obstructions(const PlaceField& field, const Combination& combination,
+                                       ObjectId other) const {
+  Obstructions out;
+  if (other == model().id) return out;
+  const Object& object = m_world.scene().at(other);
+  for (const Body& zone : zones_of(m_world, object.name, object.pose))
+    out.push_back(field.obstruction({&zone, 1}));
   const auto& supports = combination.landing.supports;
-  const bool on_floor = std::count(supports.begin(), supports.end(), Support::floor()) > 0;
-  if (m_world.scene().floor && !on_floor) take(field.clear_of_floor());
-  for (const ObjectId id : has_zones() ? m_world.standing() : std::vector<ObjectId>()) {
-    const bool may_move = m_world.thing_of(m_world.scene().at(id).name) >= 0;
-    if (which == Obstacles::All || !may_move) take(zones_clear_of(field, combination, id));
-  }
+  if (std::count(supports.begin(), supports.end(), Support(other))) return out;
+  const Body body = body_of(object);
+  for (const Body& zone : zones_of(m_world, name(), {combination.rotation, Vec3::Zero()}))
+    out.push_back(field.obstruction({&zone, 1}, {&body, 1}));
   return out;
 }
 
 std::vector<char> Placer::zones_clear_of(const PlaceField& field, const Combination& combination,
                                          ObjectId other) const {
   std::vector<char> out(field.size(), 1);
-  if (other == model().id) return out;
-  const Object& object = m_world.scene().at(other);
-  const auto take = [&](const std::vector<char>& clear) {
-    for (size_t i = 0; i < out.size(); ++i) out[i] &= clear[i];
+  for (const auto& zone : zone_obstructions(field, combination, other))
+    for (size_t place = 0; place < out.size(); ++place)
+      out[place] &= static_cast<char>(zone->is_clear(place));
+  return out;
+}
+
+// Of turns that are free, by the seed.
+size_t Placer::rank_of_turn(size_t turn) const {
+  const auto key = [&](size_t t) { return scrambled(m_seed ^ scrambled(~t)); };
+  size_t out = 0;
+  for (size_t t = 0; t < m_num_turns; ++t) out += key(t) < key(turn) ? 1 : 0;
+  return out;
+}
+
+// A few of the turns, where any will do; all, if they leave too few places.
+std::vector<PlaceCandidate> Placer::candidates(Obstacles which, const std::vector<Vec2>& nogoods,
+                                               size_t most) const {
+  PlaceOrder search(*this, which, nogoods);
+  const auto add = [&](bool few) {
+    for (size_t c = 0; c < m_combinations.size(); ++c)
+      if ((rank_of_turn(m_combinations[c].turn) < kFewTurns) == few) search.add(c);
   };
-  for (const Body& zone : zones_of(m_world, object.name, object.pose))
-    take(field.clear_of_bodies({&zone, 1}));
-  const auto& supports = combination.landing.supports;
-  if (std::count(supports.begin(), supports.end(), Support(other))) return out;
-  const Body body = body_of(object);
-  for (const Body& zone : zones_of(m_world, name(), {combination.rotation, Vec3::Zero()}))
-    take(field.clear_of_bodies({&zone, 1}, {&body, 1}));
-  return out;
-}
-
-// Over the support, with all hard relations, away from nogoods.
-bool Placer::is_met(const PlaceField& field, size_t place, const Combination& combination,
-                    const std::vector<Vec2>& nogoods) const {
-  if (!field.is_over_support(place)) return false;
-  const Vec2& at = field.at(place);
-  const auto near = [&](const Vec2& p) { return (p - at).norm() < kNogoodRadius; };
-  return std::none_of(nogoods.begin(), nogoods.end(), near) &&
-         meets_hard(moved(combination.outline, at), kFacingSlackDeg);
-}
-
-void Placer::add_candidates(size_t c, Obstacles which, const std::vector<Vec2>& nogoods,
-                            std::vector<PlaceCandidate>& all) const {
-  m_world.check_interrupt();
-  const Combination& combination = m_combinations[c];
-  const PlaceField field = this->field(combination);
-  // The first place that relations leave; what is clear is not asked for if there is none.
-  size_t i = 0;
-  while (i < field.size() && !is_met(field, i, combination, nogoods)) ++i;
-  if (i == field.size()) return;
-  const std::vector<char> clear = this->clear(field, combination, which);
-  for (; i < field.size(); ++i) {
-    if (!clear[i] || !is_met(field, i, combination, nogoods)) continue;
-    const Vec2& at = field.at(i);
-    PlaceCandidate candidate{
-        0, energy(moved(combination.outline, at)), c, field.met_at(i), at, field.pixel()};
-    candidate.key = candidate.energy - m_temperature * gumbel_noise(counter(m_seed, c, i));
-    all.push_back(candidate);
+  if (m_turns_are_free) {
+    add(true);
+    auto out = search.best(most);
+    if (out.size() >= std::min(most, kEnoughPlaces)) return out;
+    add(false);
+    return search.best(most);
   }
-}
-
-// A few of the turns, where any will do, by the seed; all, if they leave too few places.
-std::vector<PlaceCandidate> Placer::candidates(Obstacles which,
-                                               const std::vector<Vec2>& nogoods) const {
-  if (!m_turns_are_free) return best_of(all_candidates(which, nogoods, 0, kAllTurns), which);
-  auto some = all_candidates(which, nogoods, 0, kFewTurns);
-  std::vector<PlaceCandidate> out = best_of(some, which);
-  if (out.size() >= kEnoughPlaces) return out;
-  const auto others = all_candidates(which, nogoods, kFewTurns, kAllTurns);
-  some.insert(some.end(), others.begin(), others.end());
-  return best_of(std::move(some), which);
-}
-
-// Of the turns whose ranks by the seed are in [first, last).
-std::vector<PlaceCandidate> Placer::all_candidates(Obstacles which,
-                                                   const std::vector<Vec2>& nogoods, size_t first,
-                                                   size_t last) const {
-  std::vector<PlaceCandidate> out;
-  const auto key = [&](size_t turn) { return scrambled(m_seed ^ scrambled(~turn)); };
-  for (size_t c = 0; c < m_combinations.size(); ++c) {
-    size_t rank = 0;
-    for (size_t turn = 0; m_turns_are_free && turn < m_num_turns; ++turn)
-      rank += key(turn) < key(m_combinations[c].turn) ? 1 : 0;
-    if (rank >= first && rank < last) add_candidates(c, which, nogoods, out);
-  }
-  return out;
-}
-
-// The best first, a pixel or more from each other, as lines of sight leave them.
-std::vector<PlaceCandidate> Placer::best_of(std::vector<PlaceCandidate> all,
-                                            Obstacles which) const {
-  const auto by_key = [](const PlaceCandidate& a, const PlaceCandidate& b) {
-    return a.key < b.key;
-  };
-  std::stable_sort(all.begin(), all.end(), by_key);
-  // Candidates that were not looked at stay behind: they may cost more than they seem to.
-  if (m_has_soft_sights)
-    std::stable_sort(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(add_sight_energy(all)),
-                     by_key);
-  size_t num_sights = 0;
-  std::vector<PlaceCandidate> out;
-  for (const PlaceCandidate& candidate : all) {
-    m_world.check_interrupt();
-    const auto close = [&](const PlaceCandidate& o) {
-      return o.combination == candidate.combination &&
-             (o.at - candidate.at).norm() < 2 * candidate.pixel;
-    };
-    if (std::any_of(out.begin(), out.end(), close)) continue;
-    if (!m_sights.empty() && (++num_sights > kMaxSights || !meets_sights(candidate, which)))
-      continue;
-    out.push_back(candidate);
-    if (out.size() == kMaxPlaceCandidates) break;
-  }
-  return out;
+  for (size_t c = 0; c < m_combinations.size(); ++c) search.add(c);
+  return search.best(most);
 }
 
 std::vector<size_t> Placer::blockers(const PlaceCandidate& candidate) const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,7 +36,10 @@ struct PlaceCandidate {
   double start_z = 0;  // of the position, where it is certain to have met its support
   Vec2 at = Vec2::Zero();
   double pixel = 0;
+  size_t field = 0, place = 0;  // of the search
 };
+
+using Obstructions = std::vector<std::unique_ptr<PlaceField::Obstruction>>;
 
 /// Objects that count as obstacles.
 enum class Obstacles {
@@ -57,9 +61,9 @@ class Placer {
   /// alone.
   const std::vector<Combination>& combinations() const { return m_combinations; }
   /// Places that fit, the best first, a pixel or more from each other.
-  /// @param nogoods  positions that are left out, by 6 mm.
-  std::vector<PlaceCandidate> candidates(Obstacles obstacles,
-                                         const std::vector<Vec2>& nogoods) const;
+  /// @param nogoods  positions that are left out, by 6 mm. @param most  so many at most.
+  std::vector<PlaceCandidate> candidates(Obstacles obstacles, const std::vector<Vec2>& nogoods,
+                                         size_t most) const;
   /// Things to arrange that are in the way at a candidate.
   std::vector<size_t> blockers(const PlaceCandidate& candidate) const;
 
@@ -70,6 +74,8 @@ class Placer {
 
  private:
   friend class ConflictSearch;
+  friend class PlaceCosts;
+  friend class PlaceOrder;
 
   const ThingModel& model() const { return m_world.things()[m_thing]; }
   const std::string& name() const { return model().thing->object; }
@@ -80,22 +86,12 @@ class Placer {
   ConvexRegion window(const Landing& landing, const Outline& outline) const;
   const Outline* partner(const Relation& relation) const;
   double cost(const Relation& relation, const Outline& outline) const;
-  bool meets_hard(const Outline& outline, double slack_deg) const;
-  double energy(const Outline& outline) const;
   SightTrial sight_trial(const PlaceCandidate& candidate, Obstacles which) const;
-  bool meets_sights(const PlaceCandidate& candidate, Obstacles which) const;
-  size_t add_sight_energy(std::vector<PlaceCandidate>& all) const;
   std::vector<ObjectId> obstacles(const Combination& combination, Obstacles which) const;
-  bool is_met(const PlaceField& field, size_t place, const Combination& combination,
-              const std::vector<Vec2>& nogoods) const;
-  void add_candidates(size_t combination, Obstacles which, const std::vector<Vec2>& nogoods,
-                      std::vector<PlaceCandidate>& all) const;
-  std::vector<PlaceCandidate> all_candidates(Obstacles which, const std::vector<Vec2>& nogoods,
-                                             size_t first, size_t last) const;
-  std::vector<PlaceCandidate> best_of(std::vector<PlaceCandidate> all, Obstacles which) const;
-  std::vector<char> clear(const PlaceField& field, const Combination& combination,
-                          Obstacles which) const;
+  size_t rank_of_turn(size_t turn) const;
   /// Zones of this object that are free of the thing at each place, and its own of this object.
+  Obstructions zone_obstructions(const PlaceField& field, const Combination& combination,
+                                 ObjectId other) const;
   std::vector<char> zones_clear_of(const PlaceField& field, const Combination& combination,
                                    ObjectId other) const;
   bool has_zones() const { return !m_world.arrangement().zones.empty(); }

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "core/base/quoted.h"
-#include "ops/arrange/placer.h"
+#include "ops/arrange/place_order.h"
 #include "ops/arrange/steadiness.h"
 #include "ops/arrange/zones.h"
 #include "ops/place/distance_query.h"
@@ -11,9 +11,6 @@ namespace trivet {
 namespace {
 
 constexpr int kHalvings = 8;
-constexpr size_t kSoftSights = 256;  // best candidates that soft relations of sight are added to
-
-double square(double x) { return x * x; }
 
 }  // namespace
 
@@ -25,38 +22,20 @@ SightTrial Placer::sight_trial(const PlaceCandidate& candidate, Obstacles which)
           which == Obstacles::Immovable};
 }
 
-bool Placer::meets_sights(const PlaceCandidate& candidate, Obstacles which) const {
-  const SightTrial trial = sight_trial(candidate, which);
-  return std::all_of(m_sights.begin(), m_sights.end(),
-                     [&](const Relation* r) { return sight_cost(trial, *r) <= 1; });
-}
-
-// To the best by all else. @return so many.
-size_t Placer::add_sight_energy(std::vector<PlaceCandidate>& all) const {
-  const size_t count = std::min(all.size(), kSoftSights);
-  for (size_t k = 0; k < count; ++k) {
-    m_world.check_interrupt();
-    const SightTrial trial = sight_trial(all[k], Obstacles::All);
-    double more = 0;
-    for (const Relation* r : m_relations)
-      if (r->is_of_sight() && !r->is_hard()) more += *r->weight * square(sight_cost(trial, *r));
-    all[k].energy += more, all[k].key += more;
-  }
-  return count;
-}
-
 // Downhill in the soft costs, within a pixel.
 Vec2 Placer::refined(const PlaceCandidate& candidate) const {
   const Combination& c = m_combinations[candidate.combination];
   Vec2 at = candidate.at;
   if (!(candidate.energy > 0)) return at;
-  double best = energy(moved(c.outline, at)), step = 0.5 * candidate.pixel;
+  PlaceCosts costs(*this, c);
+  costs.move_to(at);
+  double best = costs.energy(), step = 0.5 * candidate.pixel;
   for (int k = 0; k < kHalvings; ++k, step *= 0.5)
     for (const Vec2& d : {Vec2(1, 0), Vec2(0, 1), Vec2(-1, 0), Vec2(0, -1)}) {
       const Vec2 next = c.region.nearest(at + step * d);
-      const Outline outline = moved(c.outline, next);
-      const double there = energy(outline);
-      if (!(there < best) || !meets_hard(outline, kFacingSlackDeg)) continue;
+      costs.move_to(next);
+      const double there = costs.energy();
+      if (!(there < best) || !costs.meets_hard()) continue;
       best = there;
       at = next;
     }

@@ -6,7 +6,8 @@
 #include "ops/arrange/sight_grid.h"
 
 namespace trivet {
-namespace {
+
+inline constexpr double kLittle = 1e-9;  // rounding, relative
 
 /// Objects of the trial with their places.
 class Eyes {
@@ -27,8 +28,27 @@ class Eyes {
     if (trial.thing >= 0 && !is_party) m_others.push_back({body(name_of_thing()), trial.thing});
   }
 
-  double cost() const {
-    return std::min(kMostSightCost, std::max(0.0, missing()) / m_relation.tolerance);
+  double cost() const { return cost_of(missing()); }
+
+  /// Moves the thing of the trial.
+  void move_to(const Pose& pose) {
+    m_trial.pose = pose;
+    if (is_tried(m_relation.a)) m_a = body(m_relation.a);
+    if (is_tried(m_relation.b)) m_b = body(m_relation.b);
+    for (Other& other : m_others)
+      if (other.thing >= 0 && other.thing == m_trial.thing) other.body = body(name_of_thing());
+  }
+
+  /// cost() <= 1, by as few rays as decide it.
+  bool holds() const {
+    switch (m_relation.kind) {
+      case RelationKind::View:
+        return is_seen();
+      case RelationKind::Reach:
+        return is_in_reach();
+      default:
+        return cost() <= 1;
+    }
   }
 
   std::vector<size_t> between() const {
@@ -63,6 +83,54 @@ class Eyes {
     }
   }
 
+  double cost_of(double missing) const {
+    return std::min(kMostSightCost, std::max(0.0, missing) / m_relation.tolerance);
+  }
+
+  bool is_enough(int num_seen, int num_met) const {
+    const double seen = num_met ? double(num_seen) / num_met : 0;
+    return cost_of(m_relation.overlap - seen) <= 1;
+  }
+
+  // As seen(): where all rays are cut off before they come to a's box, without a look at a.
+  bool is_seen() const {
+    const std::vector<Ray> all = rays();
+    const auto ends_before = [&](const Ray& ray) { return cut_off(ray, entry(ray)); };
+    if (!is_enough(0, 1) && std::all_of(all.begin(), all.end(), ends_before)) return false;
+    std::vector<std::pair<const Ray*, double>> met;
+    met.reserve(all.size());
+    for (const Ray& ray : all)
+      if (const double until = hit(m_a, ray, kInfinity); until < kInfinity)
+        met.emplace_back(&ray, until);
+    const int num_met = static_cast<int>(met.size());
+    int num_seen = 0, num_left = num_met;
+    for (const auto& [ray, until] : met) {
+      if (is_enough(num_seen, num_met)) return true;
+      if (!is_enough(num_seen + num_left, num_met)) return false;
+      if (!cut_off(*ray, until)) ++num_seen;
+      --num_left;
+    }
+    return is_enough(num_seen, num_met);
+  }
+
+  // As nearest_in_reach(): one ray is enough.
+  bool is_in_reach() const {
+    const auto is_near = [&](double distance) { return cost_of(distance - m_relation.upper) <= 1; };
+    for (const Ray& ray : rays()) {
+      if (!is_near(entry(ray))) continue;
+      const double until = hit(m_a, ray, kInfinity);
+      if (is_near(until) && !cut_off(ray, until)) return true;
+    }
+    return false;
+  }
+
+  // Along the ray, not beyond the first point of a: of the sphere about its box.
+  double entry(const Ray& ray) const {
+    const Aabb& box = m_a.world_box;
+    const double radius = box.half_extent().norm() * (1 + kLittle);
+    return std::max(0.0, (box.centre() - ray.origin).norm() - radius);
+  }
+
   const std::string& name_of_thing() const {
     return m_trial.world.things()[m_trial.thing].thing->object;
   }
@@ -93,9 +161,13 @@ class Eyes {
     return found ? found->time : kInfinity;
   }
 
+  // What cut off the last ray is looked at first.
   bool cut_off(const Ray& ray, double until) const {
-    return std::any_of(m_others.begin(), m_others.end(),
-                       [&](const Other& o) { return hit(o.body, ray, until) < until; });
+    for (size_t k = 0; k < m_others.size(); ++k) {
+      const size_t i = k == 0 ? m_last : k <= m_last ? k - 1 : k;
+      if (hit(m_others[i].body, ray, until) < until) return m_last = i, true;
+    }
+    return false;
   }
 
   // Share of a's box, seen from above, that b is over.
@@ -135,14 +207,23 @@ class Eyes {
     return out;
   }
 
-  const SightTrial& m_trial;
+  SightTrial m_trial;
   const Relation& m_relation;
   Body m_a;
   std::optional<Body> m_b;
   std::vector<Other> m_others;
+  mutable size_t m_last = 0;  // of these, that cut off a ray
 };
 
-}  // namespace
+SightJudge::SightJudge(const SightTrial& trial, const Relation& relation)
+    : m_eyes(std::make_unique<Eyes>(trial, relation)) {}
+
+SightJudge::~SightJudge() = default;
+
+bool SightJudge::holds_at(const Pose& pose) {
+  m_eyes->move_to(pose);
+  return m_eyes->holds();
+}
 
 double sight_cost(const SightTrial& trial, const Relation& relation) {
   return Eyes(trial, relation).cost();

@@ -1,6 +1,7 @@
 // Relations that rays decide in the scene: under, in view, in reach.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,6 +26,21 @@ inline constexpr double kMostSightCost = 1000;
 /// that a's box is seen in; those that meet a count. Reach: the shortest of these to a that nothing
 /// else cuts off, the viewer itself left out. At most kMostSightCost.
 double sight_cost(const SightTrial& trial, const Relation& relation);
+
+/// The same decision at one pose of the thing after the other, sooner: what stands is looked up
+/// once, and rays are cast until it is certain.
+class SightJudge {
+ public:
+  SightJudge(const SightTrial& trial, const Relation& relation);
+  ~SightJudge();
+  SightJudge(const SightJudge&) = delete;
+  SightJudge& operator=(const SightJudge&) = delete;
+  /// sight_cost() of the trial with the thing there is 1 at most.
+  bool holds_at(const Pose& pose);
+
+ private:
+  std::unique_ptr<class Eyes> m_eyes;
+};
 
 /// Things to arrange that rays of the relation meet before a; neither of its objects.
 std::vector<size_t> things_between(const SightTrial& trial, const Relation& relation);

@@ -81,7 +81,7 @@ bool SlotSearch::choose_surface() {
     m_start_z = kAboveFloorClearances * clearance;
     return true;
   }
-  const auto surfaces = m_world.surfaces(m_pattern.on);
+  const auto& surfaces = m_world.surfaces(m_pattern.on);
   const int level = m_pattern.level.value_or(-1);
   const SupportSurface* surface = surface_at(surfaces, level);
   if (!surface) {

@@ -124,7 +124,7 @@ std::optional<std::string> Solver::leaves_no_room(size_t thing) {
       const Relation& relation = m_world.arrangement().relations[r];
       return relation.a != name(t) || stands(relation.b);
     });
-    if (ready && Placer(m_world, t, seed_of(t)).candidates(Obstacles::All, m_nogoods[t]).empty())
+    if (ready && Placer(m_world, t, seed_of(t)).candidates(Obstacles::All, m_nogoods[t], 1).empty())
       return "it would leave no room for " + quoted(name(t));
   }
   return std::nullopt;
@@ -134,14 +134,14 @@ bool Solver::place_thing(size_t item) {
   const size_t thing = m_items[item].things.front();
   ++m_visits[thing];
   Placer placer(m_world, thing, seed_of(thing));
-  const auto candidates = placer.candidates(Obstacles::All, m_nogoods[thing]);
+  const auto candidates = placer.candidates(Obstacles::All, m_nogoods[thing], kTrials);
   if (candidates.empty()) m_had_no_place[thing] = 1;
   const PlaceCandidate* without_room = nullptr;  // the first that was kept but for what follows
-  for (size_t k = 0; k < std::min(candidates.size(), kTrials); ++k) {
+  for (const PlaceCandidate& candidate : candidates) {
     if (stopped()) return false;
     m_left_no_room = false;
-    if (put(placer, candidates[k], thing, LookAhead::On)) return true;
-    if (m_left_no_room && !without_room) without_room = &candidates[k];
+    if (put(placer, candidate, thing, LookAhead::On)) return true;
+    if (m_left_no_room && !without_room) without_room = &candidate;
   }
   // Where none leaves room for what follows, that is no fault of this one.
   return without_room && !stopped() && put(placer, *without_room, thing, LookAhead::Off);

@@ -60,7 +60,7 @@ void World::find_hulls() {
     for (const std::string& name : {r.b, r.about}) {
       const auto id = scene().find(name);
       if (id && !r.is_support() && thing_of(name) < 0 && !m_hulls.count(name))
-        m_hulls[name] = hull_points(*scene().at(*id).shape);
+        m_hulls[name] = facts().hull(scene().at(*id));
     }
 }
 
@@ -128,39 +128,43 @@ void World::check_names() const {
   }
 }
 
+// Turns into the poses that a thing may have.
+std::vector<Rotation> World::rests_of(const Thing& thing) const {
+  using Kind = PoseChoice::Kind;
+  const Kind kind = thing.pose.kind;
+  if (kind == Kind::AsModelled || kind == Kind::Free) return {Rotation{}};
+  const std::vector<StablePose>& poses = facts().poses(scene().at(*scene().find(thing.object)));
+  if (kind == Kind::Upright) {
+    const auto upright = upright_pose(poses);
+    if (!upright) refuse(no_upright_pose(thing.object, poses));
+    return {upright->rotation};
+  }
+  if (kind == Kind::Number) {
+    if (thing.pose.number < 0 || thing.pose.number >= static_cast<int>(poses.size()))
+      refuse(quoted(thing.object) + " has no stable pose " + std::to_string(thing.pose.number) +
+             ": there are " + std::to_string(poses.size()) + ", from 0");
+    return {poses[thing.pose.number].rotation};
+  }
+  std::vector<Rotation> out;
+  for (const StablePose& pose : poses)
+    if (out.size() < kMaxRests && (kind != Kind::Side || lies_on_side(pose)))
+      out.push_back(pose.rotation);
+  if (out.empty())
+    refuse(quoted(thing.object) + (kind == Kind::Side
+                                       ? " does not lie on its side: it has no stable pose with "
+                                         "its up within 30 degrees of level"
+                                       : " has no stable pose"));
+  return out;
+}
+
 ThingModel World::model_of(const Thing& thing) const {
   ThingModel out;
   out.thing = &thing;
   out.id = *scene().find(thing.object);
-  const Object& object = scene().at(out.id);
-  out.points = hull_points(*object.shape);
+  out.points = facts().hull(scene().at(out.id));
   const auto front = m_arrangement.fronts.find(thing.object);
   out.front = front == m_arrangement.fronts.end() ? Vec3(-Vec3::UnitY()) : front->second;
-  if (thing.pose.kind == PoseChoice::Kind::AsModelled ||
-      thing.pose.kind == PoseChoice::Kind::Free) {
-    out.rests = {Rotation{}};
-  } else {
-    const auto poses = stable_poses(*object.shape, object.up, object.scale);
-    if (thing.pose.kind == PoseChoice::Kind::Upright) {
-      const auto upright = upright_pose(poses);
-      if (!upright) refuse(no_upright_pose(thing.object, poses));
-      out.rests = {upright->rotation};
-    } else if (thing.pose.kind == PoseChoice::Kind::Number) {
-      if (thing.pose.number < 0 || thing.pose.number >= static_cast<int>(poses.size()))
-        refuse(quoted(thing.object) + " has no stable pose " + std::to_string(thing.pose.number) +
-               ": there are " + std::to_string(poses.size()) + ", from 0");
-      out.rests = {poses[thing.pose.number].rotation};
-    } else {
-      const bool on_side = thing.pose.kind == PoseChoice::Kind::Side;
-      for (const StablePose& pose : poses)
-        if (out.rests.size() < kMaxRests && (!on_side || lies_on_side(pose)))
-          out.rests.push_back(pose.rotation);
-      if (out.rests.empty())
-        refuse(quoted(thing.object) + (on_side ? " does not lie on its side: it has no stable pose "
-                                                 "with its up within 30 degrees of level"
-                                               : " has no stable pose"));
-    }
-  }
+  out.rests = rests_of(thing);
   const Outline seen = outline(out, {out.rests.front(), Vec3::Zero()});
   for (size_t i = 0; i < seen.hull.size(); ++i)
     out.area += 0.5 * cross(seen.hull[i], seen.hull[(i + 1) % seen.hull.size()]);
@@ -230,7 +234,7 @@ Outline World::outline(const std::string& name) const {
   const auto given = m_arrangement.fronts.find(name);
   const Vec3 front = given == m_arrangement.fronts.end() ? Vec3(-Vec3::UnitY()) : given->second;
   const auto hull = m_hulls.find(name);
-  return outline_of(hull == m_hulls.end() ? hull_points(*object.shape) : hull->second, object,
+  return outline_of(hull == m_hulls.end() ? facts().hull(object) : hull->second, object,
                     object.pose, front);
 }
 
@@ -249,8 +253,8 @@ const Relation* World::support_of(const ThingModel& thing) const {
   return nullptr;
 }
 
-std::vector<SupportSurface> World::surfaces(const std::string& name) const {
-  return support_surfaces(body_of(scene().at(*scene().find(name))));
+const std::vector<SupportSurface>& World::surfaces(const std::string& name) const {
+  return facts().surfaces(scene().at(*scene().find(name)));
 }
 
 double World::keep(const std::string& a, const std::string& b) const {

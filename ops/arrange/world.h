@@ -11,7 +11,7 @@
 #include "ops/arrange/arrangement.h"
 #include "ops/arrange/outline.h"
 #include "ops/arrange/place_field.h"
-#include "ops/arrange/support_surfaces.h"
+#include "ops/arrange/shape_facts.h"
 #include "ops/base/context.h"
 #include "ops/base/interrupt.h"
 #include "ops/base/options.h"
@@ -25,6 +25,7 @@ struct ArrangeSetting {
   SettleOptions settle;
   RunContext context;
   Interrupt* interrupt = nullptr;  // of the whole arrangement; nullptr: it goes on to its end
+  ShapeFacts* facts = nullptr;     // that attempts share; nullptr: the world's own
 };
 
 /// Thrown by World::check_interrupt(), and caught where an arrangement is given up.
@@ -92,7 +93,7 @@ class World {
   std::vector<Landing> landings(const ThingModel& thing, double height,
                                 std::string& why_none) const;
   /// Surfaces of an object in the scene.
-  std::vector<SupportSurface> surfaces(const std::string& name) const;
+  const std::vector<SupportSurface>& surfaces(const std::string& name) const;
 
   /// The box of a zone of the arrangement, for poses of its object; in no scene.
   const Object& zone(size_t index) const { return m_zones[index]; }
@@ -102,6 +103,8 @@ class World {
   double clearance(const ThingModel& thing) const;
 
  private:
+  ShapeFacts& facts() const { return m_setting.facts ? *m_setting.facts : *m_own_facts; }
+  std::vector<Rotation> rests_of(const Thing& thing) const;
   ThingModel model_of(const Thing& thing) const;
   void check_names() const;
   void check_cycles() const;
@@ -113,6 +116,7 @@ class World {
   Transaction* m_transaction;  // the innermost
   Arrangement m_arrangement;   // with the planes of Symmetric
   ArrangeSetting m_setting;
+  std::unique_ptr<ShapeFacts> m_own_facts = std::make_unique<ShapeFacts>();
   std::vector<Object> m_zones;
   std::vector<ThingModel> m_things;
   std::map<std::string, int> m_thing_of;

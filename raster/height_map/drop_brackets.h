@@ -21,4 +21,21 @@ namespace trivet {
 std::vector<DropBracket> drop_brackets(const HeightMap& object, const HeightMap& scene, int columns,
                                        int rows);
 
+/// The same at single places.
+class DropProbe {
+ public:
+  /// @param object  outlives the probe.
+  explicit DropProbe(const HeightMap& object);
+  DropBracket at(const HeightMap& scene, int column, int row) const;
+
+ private:
+  // A run of the object's pixels in one row, non-empty at its first and its last.
+  struct RowRun {
+    int row, first, last;  // [first, last)
+  };
+
+  const HeightMap& m_object;
+  std::vector<RowRun> m_runs;
+};
+
 }  // namespace trivet

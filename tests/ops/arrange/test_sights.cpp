@@ -158,7 +158,7 @@ TEST(Sights, StopWhileTheirConflictIsNamed) {
   EXPECT_FALSE(find_conflict(world, cup, "").relations.empty());
   cancel = true;
   EXPECT_THROW(find_conflict(world, cup, ""), ArrangeStopped);
-  EXPECT_THROW(Placer(world, cup, 1).candidates(Obstacles::All, {}), ArrangeStopped);
+  EXPECT_THROW(Placer(world, cup, 1).candidates(Obstacles::All, {}, 1), ArrangeStopped);
 }
 
 TEST(Sights, ShareThatIsSeenIsThatOfTheTruth) {

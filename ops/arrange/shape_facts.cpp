@@ -1,0 +1,35 @@
+#include "ops/arrange/shape_facts.h"
+
+#include "ops/arrange/outline.h"
+#include "ops/placement/neighbourhood.h"
+
+namespace trivet {
+namespace {
+
+// The value of a key, made when it is asked for first.
+template <class Map, class Make>
+const typename Map::mapped_type& known(Map& map, const typename Map::key_type& key, Make make) {
+  const auto it = map.find(key);
+  return it == map.end() ? map.emplace(key, make()).first->second : it->second;
+}
+
+}  // namespace
+
+const std::vector<Vec3>& ShapeFacts::hull(const Object& object) {
+  return known(m_hulls, object.shape, [&] { return hull_points(*object.shape); });
+}
+
+const std::vector<StablePose>& ShapeFacts::poses(const Object& object) {
+  return known(m_poses, {object.shape, object.up, object.scale},
+               [&] { return stable_poses(*object.shape, object.up, object.scale); });
+}
+
+const std::vector<SupportSurface>& ShapeFacts::surfaces(const Object& object) {
+  const Affine place = object.world_from_object();
+  std::vector<double> key(place.linear.data(), place.linear.data() + place.linear.size());
+  for (const double x : place.translation) key.push_back(x);
+  return known(m_surfaces, {object.shape, std::move(key)},
+               [&] { return support_surfaces(body_of(object)); });
+}
+
+}  // namespace trivet

@@ -1,0 +1,33 @@
+// What an arrangement asks of shapes again and again, found once: hulls, stable poses, surfaces.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <tuple>
+#include <vector>
+
+#include "core/scene/object.h"
+#include "ops/arrange/stable_poses.h"
+#include "ops/arrange/support_surfaces.h"
+
+namespace trivet {
+
+/// Objects of one model share their shape, and so what is found here; of several arrangements, too.
+/// Not thread-safe.
+class ShapeFacts {
+ public:
+  /// See hull_points().
+  const std::vector<Vec3>& hull(const Object& object);
+  /// See stable_poses().
+  const std::vector<StablePose>& poses(const Object& object);
+  /// See support_surfaces(); where the object is.
+  const std::vector<SupportSurface>& surfaces(const Object& object);
+
+ private:
+  using Shared = std::shared_ptr<const Shape>;  // alive, so that no other gets its address
+  std::map<Shared, std::vector<Vec3>> m_hulls;
+  std::map<std::tuple<Shared, UpAxis, double>, std::vector<StablePose>> m_poses;
+  std::map<std::pair<Shared, std::vector<double>>, std::vector<SupportSurface>> m_surfaces;
+};
+
+}  // namespace trivet
