@@ -1,11 +1,10 @@
 #include "apps/trivet/label_outputs.h"
 
-#include <tbb/task_arena.h>
-
 #include <iostream>
 
 #include "apps/trivet/outputs.h"
 #include "apps/trivet/scene_input.h"
+#include "core/base/arena.h"
 #include "core/base/bad_input.h"
 #include "core/base/extension.h"
 #include "core/io/export.h"
@@ -171,8 +170,7 @@ void write_labels(const std::string& scene_file, const LabelArguments& arguments
     }
     writer.finish();
   };
-  tbb::task_arena(common.num_threads > 0 ? common.num_threads : tbb::task_arena::automatic)
-      .execute(write_all);
+  in_arena(common.num_threads, write_all);
   clear_progress_line(common);
 }
 

@@ -1,10 +1,9 @@
 #include "apps/trivet/picture.h"
 
-#include <tbb/task_arena.h>
-
 #include <map>
 
 #include "apps/trivet/common.h"
+#include "core/base/arena.h"
 #include "core/base/error.h"
 #include "raster/path/path_picture.h"
 
@@ -66,11 +65,9 @@ Image PictureMaker::image(const PictureScene& scene, const std::optional<Camera>
   PathOptions path;
   path.bounces = m_request.bounces;
   Image image;
-  tbb::task_arena(m_request.num_threads > 0 ? m_request.num_threads : tbb::task_arena::automatic)
-      .execute([&] {
-        image =
-            trace_picture(scene, camera, options_of(m_request, m_request.paths_per_pixel()), path);
-      });
+  in_arena(m_request.num_threads, [&] {
+    image = trace_picture(scene, camera, options_of(m_request, m_request.paths_per_pixel()), path);
+  });
   return image;
 }
 

@@ -2,11 +2,10 @@
 // changes no overlap, and huge, tiny or distant coordinates cost float32 no digits.
 #include "core/index/box_pairs.h"
 
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <mutex>
 
+#include "core/base/arena.h"
 #include "core/base/outward.h"
 #include "core/index/embree.h"
 
@@ -134,7 +133,7 @@ std::optional<std::vector<BoxPair>> overlapping_boxes(std::span<const Aabb> a,
     return std::nullopt;
   Found found{boxes_a, boxes_b, {}, {}};
   // One thread: sets are small, and a wait for others' tasks would cost more than it gains.
-  tbb::task_arena(1).execute([&] {
+  in_arena(1, [&] {
     const EmbreePointer<RTCScene> scene_a = make_scene(boxes_a.boxes),
                                   scene_b = make_scene(boxes_b.boxes);
     if (scene_a && scene_b) rtcCollide(scene_a.get(), scene_b.get(), keep, &found);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "core/base/arena.h"
 #include "core/base/in_parallel.h"
 
 namespace trivet {
@@ -30,7 +31,7 @@ void for_each_part(size_t count, int num_threads, F f) {
   const auto run = [&](size_t i) { f(i, begin(i), begin(i + 1)); };
   if (parts == 1) return run(0);
   const int cores = std::min(num_threads, tbb::this_task_arena::max_concurrency());
-  tbb::task_arena(cores).execute([&] { in_parallel(parts, run); });
+  in_arena(cores, [&] { in_parallel(parts, run); });
 }
 
 }  // namespace trivet

@@ -1,7 +1,6 @@
 #include "apps/edit/window/asset_thumbnails.h"
 
 #include <sys/resource.h>
-#include <tbb/task_arena.h>
 
 #include <QCryptographicHash>
 #include <QDir>
@@ -13,6 +12,7 @@
 #include <utility>
 
 #include "apps/edit/window/units.h"
+#include "core/base/arena.h"
 #include "core/io/sandboxed_import.h"
 #include "core/picture/image.h"
 #include "ops/files/report/model_info.h"
@@ -44,7 +44,7 @@ QImage picture_of(const Model& model, double metres, const std::atomic<bool>& st
   path.bounces = 1;
   path.cancel = &stop;
   Image image;
-  tbb::task_arena(1).execute([&] { image = trace_picture(scene, std::nullopt, options, path); });
+  in_arena(1, [&] { image = trace_picture(scene, std::nullopt, options, path); });
   return QImage(image.rgba.data(), image.width, image.height, QImage::Format_RGBA8888).copy();
 }
 

@@ -1,10 +1,9 @@
 #include "apps/farm/pictures/scene_pictures.h"
 
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 
 #include "apps/farm/pictures/cameras.h"
+#include "core/base/arena.h"
 #include "core/picture/image_files.h"
 #include "core/scene/transaction.h"
 #include "ops/files/json/json_text.h"
@@ -87,7 +86,7 @@ SceneMembers make_pictures(const PictureWork& work, SceneReader& scenes, const R
       writer.add(view);
     }
   };
-  tbb::task_arena(1).execute(draw);
+  in_arena(1, draw);
   // As folders have them.
   std::sort(out.more.begin(), out.more.end(),
             [](const Member& a, const Member& b) { return a.name < b.name; });

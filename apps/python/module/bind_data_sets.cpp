@@ -4,6 +4,7 @@
 #include "apps/python/module/bindings.h"
 #include "apps/python/module/callback.h"
 #include "apps/python/module/drawn_scene.h"
+#include "core/base/arena.h"
 #include "core/base/bad_input.h"
 #include "ops/files/labels/data_sets.h"
 #include "ops/files/labels/folders.h"

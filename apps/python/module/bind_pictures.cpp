@@ -6,6 +6,7 @@
 #include "apps/python/module/callback.h"
 #include "apps/python/module/drawn_scene.h"
 #include "apps/python/module/errors.h"
+#include "core/base/arena.h"
 #include "core/base/bad_input.h"
 #include "core/picture/camera_dome.h"
 #include "ops/files/labels/label_json.h"

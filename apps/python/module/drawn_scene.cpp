@@ -1,7 +1,5 @@
 #include "apps/python/module/drawn_scene.h"
 
-#include <tbb/task_arena.h>
-
 #include "apps/python/module/errors.h"
 
 namespace trivet::python {
@@ -29,10 +27,6 @@ LabelledScene& DrawnScene::labelled() {
         found != m_highlights.end())
       m_labelled->picture.objects[i].highlight = found->second;
   return *m_labelled;
-}
-
-void in_arena(int num_threads, const std::function<void()>& f) {
-  tbb::task_arena(num_threads > 0 ? num_threads : tbb::task_arena::automatic).execute(f);
 }
 
 }  // namespace trivet::python

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -35,8 +34,5 @@ class DrawnScene {
   std::optional<WholeModels> m_whole;       // of m_scene
   std::optional<LabelledScene> m_labelled;  // of m_whole
 };
-
-/// Calls f() on this many threads; 0: all cores.
-void in_arena(int num_threads, const std::function<void()>& f);
 
 }  // namespace trivet::python

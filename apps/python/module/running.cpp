@@ -9,6 +9,8 @@
 #include <set>
 #include <thread>
 
+#include "core/base/arena.h"
+
 namespace trivet::python {
 namespace {
 
@@ -58,7 +60,7 @@ class ApartWork {
   static void start(const std::shared_ptr<ApartWork>& self) {
     ++num_apart;
     try {
-      std::thread([self] { self->run(); }).detach();
+      std::thread([self] { in_arena(0, [&] { self->run(); }); }).detach();
     } catch (...) {
       --num_apart;
       throw;

@@ -7,6 +7,7 @@
 #include <mutex>
 #include <thread>
 
+#include "core/base/arena.h"
 #include "core/io/sandboxed_import.h"
 
 namespace trivet {
@@ -55,7 +56,7 @@ std::vector<LoadedModel> load_models(const std::vector<ModelRequest>& requests,
   const size_t num_workers =
       std::min(requests.size(), num_threads > 0 ? static_cast<size_t>(num_threads) : num_cores);
   std::vector<std::jthread> helpers;
-  for (size_t k = 1; k < num_workers; ++k) helpers.emplace_back(work);
+  for (size_t k = 1; k < num_workers; ++k) helpers.emplace_back([&] { in_arena(0, work); });
   work();
   helpers.clear();
   for (const std::exception_ptr& error : errors)
