@@ -9,8 +9,10 @@
 #include <cstring>
 #include <filesystem>
 #include <iostream>
+#include <set>
 #include <sstream>
 
+#include "core/base/count_of.h"
 #include "core/base/error.h"
 #include "core/base/extension.h"
 #include "core/io/export.h"
@@ -67,10 +69,6 @@ void check_writable(const std::string& path) {
   if (descriptor < 0) fail_write(path);
   close(descriptor);
   unlink(trial.c_str());
-}
-
-std::string count_of(size_t count, const std::string& what) {
-  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
 
 void append_findings(std::ostringstream& out, const std::vector<SceneCheck::PairFinding>& findings,
@@ -198,6 +196,17 @@ Outputs::Outputs(const OutputPaths& paths, const std::vector<std::string>& input
 
 namespace {
 
+// On what the models' files have and is left out, each once.
+void print_model_notes(const Scene& scene, const CommonOptions& common) {
+  std::set<std::string> told;
+  for (const ObjectId id : scene.ids()) {
+    const std::shared_ptr<const Model> model = scene.at(id).model;
+    for (const std::string& note : model ? model->notes : std::vector<std::string>())
+      if (told.insert(model->path + ": " + note).second)
+        print_note(common, model->path + ": " + note);
+  }
+}
+
 // Layout that gives the same scene again.
 Layout with_rules_of(const LayoutRun& run, Layout layout) {
   layout.settle = rules_of(run.settle);
@@ -217,6 +226,7 @@ int Outputs::write(const LayoutRun& run, const Layout& layout, const RunOptions&
   // Everything that can fail, except the disk, comes first.
   const std::string png = m_picture ? m_picture->png(run.scene) : "";
   clear_progress_line(m_common);
+  print_model_notes(run.scene, m_common);
   StagedFiles beside;  // a full disk leaves none of all
   if (!m_paths.report.empty()) beside.add(m_paths.report, report);
   if (m_picture) beside.add(m_paths.picture, png);

@@ -9,6 +9,7 @@
 #include "apps/farm/batch/templates.h"
 #include "apps/trivet/verb_batch_parts.h"
 #include "core/base/bad_input.h"
+#include "core/base/count_of.h"
 #include "ops/files/json/input_text.h"
 #include "ops/files/layout/paths.h"
 
@@ -76,10 +77,10 @@ int print_plan(const BatchRun& run, const PreparedRecipe& prepared, const BatchO
                             {"models", prepared.models.size()},
                             {"recipe_sha256", sha256_hex(prepared.canonical)}});
   else
-    std::cout << "shard " << options.shard.index << " of " << options.shard.count << ": " << units
-              << " units, " << there << " of them there; " << scenes << " scenes, "
-              << prepared.models.size() << " models; recipe " << sha256_hex(prepared.canonical)
-              << "\n";
+    std::cout << "shard " << options.shard.index << " of " << options.shard.count << ": "
+              << count_of(units, "unit") << ", " << there << " of them there; "
+              << count_of(scenes, "scene") << ", " << count_of(prepared.models.size(), "model")
+              << "; recipe " << sha256_hex(prepared.canonical) << "\n";
   return 0;
 }
 

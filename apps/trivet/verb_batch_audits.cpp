@@ -5,6 +5,7 @@
 #include "apps/farm/batch/audit.h"
 #include "apps/trivet/outputs.h"
 #include "apps/trivet/verb_batch_parts.h"
+#include "core/base/count_of.h"
 
 namespace trivet::apps {
 namespace {
@@ -92,8 +93,9 @@ int verify(const AuditArguments& arguments, const CommonOptions& common) {
                             {"findings", result.findings}});
   } else {
     for (const std::string& finding : result.findings) std::cout << finding << "\n";
-    std::cout << result.units << " units, " << result.scenes << " scenes, " << result.made_again
-              << " made again: " << result.findings.size() << " findings\n";
+    std::cout << count_of(result.units, "unit") << ", " << count_of(result.scenes, "scene") << ", "
+              << result.made_again << " made again: " << count_of(result.findings.size(), "finding")
+              << "\n";
   }
   return result.stopped ? kComeAgain : !result.findings.empty();
 }
@@ -101,7 +103,7 @@ int verify(const AuditArguments& arguments, const CommonOptions& common) {
 int merge(const AuditArguments& arguments, const CommonOptions& common) {
   check_files({arguments.output}, {});
   const std::uint64_t scenes = merge_manifests(arguments.folder, arguments.output);
-  if (!common.quiet) std::cout << scenes << " scenes\n";
+  if (!common.quiet) std::cout << count_of(scenes, "scene") << "\n";
   return 0;
 }
 

@@ -1,5 +1,6 @@
 #include "ops/arrange/arrangement.h"
 
+#include "core/base/count_of.h"
 #include "core/base/quoted.h"
 
 namespace trivet {
@@ -31,8 +32,8 @@ std::string Relation::text() const {
 
 std::string Pattern::text() const {
   constexpr const char* kNames[] = {"row", "grid", "circle", "facings", "line"};
-  return std::string(kNames[static_cast<int>(kind)]) + " of " + std::to_string(things.size()) +
-         " things on " + (on == "floor" ? "the floor" : quoted(on));
+  return std::string(kNames[static_cast<int>(kind)]) + " of " + count_of(things.size(), "thing") +
+         " on " + (on == "floor" ? "the floor" : quoted(on));
 }
 
 std::string Zone::text() const { return "zone " + quoted(name) + " of " + quoted(object); }

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "core/base/count_of.h"
 #include "ops/files/json/json_text.h"
 #include "ops/simulation/simulate.h"
 
@@ -65,9 +66,9 @@ std::string simulation_text(const SimulationExport& done) {
   for (const PartOverlap& o : done.overlaps)
     out << "overlap: \"" << o.a << "\" and \"" << o.b << "\": " << short_number(o.depth)
         << " m deep\n";
-  out << done.scene.bodies.size() << " objects, " << done.files.size() - 1 << " mesh files, "
-      << num_renamed << " renamed, " << done.overlaps.size()
-      << " pairs whose convex parts overlap\n";
+  out << count_of(done.scene.bodies.size(), "object") << ", "
+      << count_of(done.files.size() - 1, "mesh file") << ", " << num_renamed << " renamed, "
+      << count_of(done.overlaps.size(), "pair") << " whose convex parts overlap\n";
   return out.str();
 }
 
@@ -88,8 +89,8 @@ std::string simulated_text(const SimulatedScene& simulated) {
     out << "\"" << o.name << "\" moved by " << short_number(o.moved) << " m, turned by "
         << short_number(o.turned_deg) << " degrees\n";
   out << simulated.simulator << ", " << simulated.seconds << " s: " << moved.size() << " of "
-      << simulated.objects.size() << " objects moved by more than a millimetre, "
-      << simulated.num_warnings << " warnings\n";
+      << count_of(simulated.objects.size(), "object") << " moved by more than a millimetre, "
+      << count_of(simulated.num_warnings, "warning") << "\n";
   return out.str();
 }
 

@@ -67,7 +67,7 @@ class Cad(CadCase):
         exact = 4 / 3 * 3.141592653589793 * 0.04 ** 3
         self.assertLess(abs(fine["volume"] / exact - 1), 1e-3)
         self.assertGreater(abs(coarse["volume"] / exact - 1), 1e-3)
-        self.assertIn("polygonised 1 faces", self.trivet("info", "ball.step")[0])
+        self.assertIn("polygonised 1 face,", self.trivet("info", "ball.step")[0])
 
     def test_layout(self):
         self.trivet("run", self.table_layout(), "-o", "s.glb", "--report", "r.json")
