@@ -1,4 +1,5 @@
 """Textured models through the program: pictures, saved scenes, notes on what is not drawn, hostile images."""
+import base64
 import json
 import os
 import struct
@@ -40,6 +41,25 @@ def textured_box(half=0.05, image="checker.png"):
         obj += "f %d/1 %d/2 %d/3\nf %d/1 %d/3 %d/4\n" % (
             s[0] + 1, s[1] + 1, s[2] + 1, s[0] + 1, s[2] + 1, s[3] + 1)
     return obj, "newmtl skin\nKd 1 1 1\nmap_Kd %s\n" % image
+
+
+def textured_square(extension, image, required):
+    """A glTF of two triangles whose texture has an image by this extension alone."""
+    buffer = struct.pack("<12f8f6H", 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 1, 1, 1, 1, 0, 0, 0, 0, 1, 2, 0, 2, 3) + image
+    views = [(0, 48), (48, 32), (80, 12), (92, len(image))]
+    return json.dumps({
+        "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+        "extensionsUsed": [extension], **({"extensionsRequired": [extension]} if required else {}),
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "indices": 2, "material": 0}]}],
+        "materials": [{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}],
+        "textures": [{"extensions": {extension: {"source": 0}}}],
+        "images": [{"name": "bark", "bufferView": 3, "mimeType": "image/ktx2"}],
+        "accessors": [{"bufferView": i, "componentType": c, "count": n, "type": t, **more} for i, (c, n, t, more) in
+                      enumerate(((5126, 4, "VEC3", {"min": [0, 0, 0], "max": [1, 1, 0]}), (5126, 4, "VEC2", {}),
+                                 (5123, 6, "SCALAR", {})))],
+        "bufferViews": [{"buffer": 0, "byteOffset": at, "byteLength": size} for at, size in views],
+        "buffers": [{"byteLength": len(buffer),
+                     "uri": "data:application/octet-stream;base64," + base64.b64encode(buffer).decode()}]})
 
 
 class Textures(Case):
@@ -115,6 +135,19 @@ class Textures(Case):
             self.assertIn(says, out)
             self.trivet("render", "box.obj", "-o", "p.png", *SIZE)
             self.assertEqual(self.colours("p.png"), (0, 0))
+
+    def test_compressed_textures_are_named_and_kept(self):
+        for extension, kind, image in (("KHR_texture_basisu", "KTX2", b"\xabKTX 20\xbb\r\n\x1a\n" + bytes(68)),
+                                       ("MSFT_texture_dds", "DDS", b"DDS " + bytes(124)),
+                                       ("EXT_texture_avif", "AVIF", bytes(4) + b"ftypavif" + bytes(40))):
+            for required in (False, True):
+                self.write("square.gltf", textured_square(extension, image, required))
+                out, _ = self.trivet("info", "square.gltf")
+                self.assertIn('not drawn: the image "bark" is of the kind %s; accepted: PNG, JPEG, WebP' % kind, out)
+                layout = self.layout([{"name": "square", "model": "square.gltf", "position": [0, 0, 1], "fixed": True}], [])
+                out, err = self.trivet("run", layout, "-o", "s.glb")
+                self.assertIn("bark", out + err)
+                self.assertIn(image, self.read("s.glb"))
 
     def test_images_outside_the_folder_are_not_opened(self):
         self.write("outside.png", checker())

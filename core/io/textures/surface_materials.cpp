@@ -37,9 +37,15 @@ void read_transform(const GltfJson& given, TextureUse& use) {
 }  // namespace
 
 const GltfJson& image_of_texture(const GltfJson& texture) {
-  const GltfJson& webp =
-      member(member(member(texture, "extensions"), "EXT_texture_webp"), "source");
-  return webp.is_null() ? member(texture, "source") : webp;
+  const auto source = [&](const char* extension) -> const GltfJson& {
+    return member(member(member(texture, "extensions"), extension), "source");
+  };
+  const GltfJson& plain = member(texture, "source");
+  if (const GltfJson& webp = source("EXT_texture_webp"); !webp.is_null()) return webp;
+  if (!plain.is_null()) return plain;
+  for (const char* const other : {"KHR_texture_basisu", "MSFT_texture_dds", "EXT_texture_avif"})
+    if (const GltfJson& image = source(other); !image.is_null()) return image;
+  return plain;
 }
 
 Index SurfaceMaterials::add(const GltfJson& primitive, const Material& plain) {

@@ -32,7 +32,8 @@ class SurfaceMaterials {
   Index m_plain = -1;
 };
 
-/// The image that a texture shows, of the kinds that are decoded; null: none.
+/// The image that a texture shows: WebP, PNG or JPEG; where there is none of these, the one that
+/// cannot be decoded and has to be named. Null: none.
 const GltfJson& image_of_texture(const GltfJson& texture);
 
 }  // namespace trivet
