@@ -1,8 +1,10 @@
 #include "ops/files/report/model_info.h"
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
+#include "core/base/count_of.h"
 #include "core/io/look.h"
 #include "core/io/textures/surface_look.h"
 #include "ops/files/json/json_text.h"
@@ -11,9 +13,29 @@
 namespace trivet {
 namespace {
 
-const char* up_reason(const Model& model) {
-  return model.up_from_format ? "the format or the file says so"
-                              : "the format does not say; z is taken";
+std::string up_reason(const Model& model) {
+  if (model.up_from_format) return "the format or the file says so";
+  const auto likely = likely_up(model.mesh);
+  return std::string("the format does not say; z is taken") + (!likely ? ""
+                                                               : *likely == UpAxis::Y
+                                                                   ? "; by its shape likely y"
+                                                                   : "; likely so by its shape");
+}
+
+// How much an axis looks like up: 1 for a plane of the origin that the model stands on, and the
+// part of its outline that the lowest slice has.
+double standing(const Mesh& mesh, const Aabb& box, int axis) {
+  constexpr double kOnOrigin = 0.02, kSlice = 0.02;  // of the largest side
+  const Vec3 size = box.upper - box.lower;
+  const double largest = size.maxCoeff();
+  Aabb slice;
+  for (const Vec3& v : mesh.vertices)
+    if (v[axis] <= box.lower[axis] + kSlice * largest) slice.extend(v);
+  double foot = 1;
+  for (int other = 0; other < 3; ++other)
+    if (other != axis && size[other] > 0)
+      foot *= (slice.upper[other] - slice.lower[other]) / size[other];
+  return foot + (std::abs(box.lower[axis]) <= kOnOrigin * largest ? 1 : 0);
 }
 
 std::string yes_no(bool value) { return value ? "yes" : "no"; }
@@ -79,10 +101,11 @@ std::string polygonised_text(const Model& model) {
   const Polygonisation& p = *model.polygonised;
   std::ostringstream out;
   out.precision(3);
-  out << "  polygonised " << p.num_faces << " faces, " << p.num_edges << " edges, left out "
-      << p.num_failed_faces << " faces; chord " << p.chord << " m, angle "
-      << model.tessellation.facet_angle_deg << " degrees; largest deviation measured "
-      << p.deviation << " m" << (p.deviation <= p.chord ? "" : ", NOT within the chord") << "\n";
+  out << "  polygonised " << count_of(p.num_faces, "face") << ", " << count_of(p.num_edges, "edge")
+      << ", left out " << count_of(p.num_failed_faces, "face") << "; chord " << p.chord
+      << " m, angle " << model.tessellation.facet_angle_deg
+      << " degrees; largest deviation measured " << p.deviation << " m"
+      << (p.deviation <= p.chord ? "" : ", NOT within the chord") << "\n";
   return out.str();
 }
 
@@ -118,6 +141,15 @@ const char* likely_unit(const Aabb& box) {
   return length <= 100 * kLongest ? "cm" : "mm";
 }
 
+std::optional<UpAxis> likely_up(const Mesh& mesh) {
+  constexpr double kDoubtful = 0.2;
+  const Aabb box = mesh.box();
+  if (box.empty() || !((box.upper - box.lower).maxCoeff() > 0)) return std::nullopt;
+  const double by_y = standing(mesh, box, 1) - standing(mesh, box, 2);
+  if (std::abs(by_y) <= kDoubtful) return std::nullopt;
+  return by_y > 0 ? UpAxis::Y : UpAxis::Z;
+}
+
 std::string model_info_json(const Model& model, const Shape& shape) {
   const Topology t = topology(shape.adjacency);
   const Aabb box = shape.mesh.box();
@@ -142,6 +174,8 @@ std::string model_info_json(const Model& model, const Shape& shape) {
   json["size"] = to_json(Vec3(box.upper - box.lower));
   json["up"] = model.up == UpAxis::Y ? "y" : "z";
   json["up_reason"] = up_reason(model);
+  const auto up = model.up_from_format ? std::nullopt : likely_up(model.mesh);
+  json["likely_up"] = up ? OrderedJson(*up == UpAxis::Y ? "y" : "z") : OrderedJson();
   json["metres_per_unit"] =
       model.metres_per_unit ? OrderedJson(*model.metres_per_unit) : OrderedJson();
   json["likely_unit"] = model.metres_per_unit ? OrderedJson() : OrderedJson(likely_unit(box));

@@ -1,6 +1,7 @@
 // Output of `trivet info`, as text and as JSON.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "core/index/shape.h"
@@ -23,6 +24,10 @@ Topology topology(const Adjacency& adjacency);
 /// "m", "cm" or "mm": the largest unit in which the model is at most 3 m long. A guess, for files
 /// that state none.
 const char* likely_unit(const Aabb& box);
+
+/// The axis along which a model seems to stand: on the plane through its origin, or on the wider
+/// foot. A guess, for formats that state none; nullopt: there is no telling. O(vertices).
+std::optional<UpAxis> likely_up(const Mesh& mesh);
 
 /// One JSON object; lengths in the file's units.
 std::string model_info_json(const Model& model, const Shape& shape);

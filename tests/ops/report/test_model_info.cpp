@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "ops/files/report/model_info.h"
@@ -60,6 +63,58 @@ TEST(ModelInfo, GuessesTheUnitBySize) {
   EXPECT_EQ(nlohmann::json::parse(model_info_json(model, *shape))["likely_unit"], "cm");
   model.metres_per_unit = 0.001;
   EXPECT_TRUE(nlohmann::json::parse(model_info_json(model, *shape))["likely_unit"].is_null());
+}
+
+Mesh moved(Mesh mesh, const Vec3& by) {
+  for (Vec3& v : mesh.vertices) v += by;
+  return mesh;
+}
+
+// As a model with y up: (x, y, z) to (x, z, -y).
+Mesh with_y_up(Mesh mesh) {
+  for (Vec3& v : mesh.vertices) v = Vec3(v.x(), v.z(), -v.y());
+  return mesh;
+}
+
+TEST(ModelInfo, GuessesTheUpAxisByTheFootAndTheOrigin) {
+  const Mesh box = box_model(1, 1.5, 2).mesh;
+  EXPECT_EQ(likely_up(box), std::nullopt) << "it may stand on any side";
+  const Mesh on_floor = moved(box, {0, 0, 2});
+  EXPECT_EQ(likely_up(on_floor), UpAxis::Z);
+  EXPECT_EQ(likely_up(with_y_up(on_floor)), UpAxis::Y);
+  Mesh pyramid;
+  pyramid.vertices = {{-1, -1, 5}, {1, -1, 5}, {1, 1, 5}, {-1, 1, 5}, {0, 0, 7}};
+  pyramid.triangles = {{0, 2, 1}, {0, 3, 2}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}};
+  EXPECT_EQ(likely_up(pyramid), UpAxis::Z);
+  EXPECT_EQ(likely_up(with_y_up(pyramid)), UpAxis::Y);
+  EXPECT_EQ(likely_up(Mesh()), std::nullopt);
+  Mesh point;
+  point.vertices = {{1, 2, 3}};
+  EXPECT_EQ(likely_up(point), std::nullopt);
+}
+
+constexpr std::uintmax_t kLargestReadBytes = 60000;  // for speed
+
+// Where the format does not say, of models whose axis is known.
+TEST(ModelInfo, GuessesTheUpAxisOfMostRealModels) {
+  const std::filesystem::path folder = std::filesystem::path(TRIVET_SHARED_DIR) / "data";
+  std::ifstream table(folder / "models.csv");
+  if (!table) GTEST_SKIP() << "no " << folder;
+  int right = 0, wrong = 0, open = 0;
+  std::string line;
+  while (std::getline(table, line)) {
+    const std::string file = line.substr(0, line.find(','));
+    const bool is_y = line.find(",y,") != std::string::npos;
+    const std::filesystem::path path = folder / "models" / file;
+    std::error_code missing;
+    if (path.extension() != ".obj" || file_size(path, missing) > kLargestReadBytes) continue;
+    const auto up = likely_up(read_model(path.string()).mesh);
+    ++(!up ? open : (*up == UpAxis::Y) == is_y ? right : wrong);
+  }
+  EXPECT_GE(right, 11);
+  EXPECT_LE(wrong, 2);
+  EXPECT_LE(open, 5);
+  std::printf("up axes: %d right, %d wrong, %d not guessed\n", right, wrong, open);
 }
 
 TEST(ModelInfo, PrintsSameAsTextAndJson) {
