@@ -1,259 +1,321 @@
+// Refusals as sentences, one per cause.
 #include <sstream>
 
 #include "core/base/quoted.h"
-#include "ops/base/refusal.h"
+#include "ops/base/sentence.h"
 
 namespace trivet {
 namespace {
 
-/// Writes one sentence per cause.
+Sentence verbatim(std::string text) { return {std::move(text), {}, {}, true}; }
+
+Sentence say(const char* pattern, std::vector<Sentence> parts = {}) {
+  return {pattern, std::move(parts), {}, false};
+}
+
 class Writer {
  public:
-  explicit Writer(const Refusal& refusal) : m_r(refusal) { m_out.precision(4); }
+  explicit Writer(const Refusal& refusal) : m_r(refusal) {}
 
-  std::string run() {
-    write();
-    return m_out.str();
+  Sentence run() const {
+    for (const auto part :
+         {&Writer::request, &Writer::state, &Writer::exact_test, &Writer::motion, &Writer::place})
+      if (auto out = (this->*part)()) return *out;
+    return interruption();
   }
 
  private:
-  // "the floor", or the quoted name.
-  std::string name(size_t i) const {
-    if (i >= m_r.objects.size()) return "?";
+  using Cause = Refusal::Cause;
+  using Maybe = std::optional<Sentence>;
+
+  Sentence name(size_t i) const {
+    if (!has(i)) return verbatim("?");
     const std::string& name = m_r.objects[i].name;
-    return name == kFloorName ? "the floor" : quoted(name);
+    return name == kFloorName ? say(TRIVET_SENTENCE("refusal", "the floor"))
+                              : verbatim(quoted(name));
   }
   bool has(size_t i) const { return i < m_r.objects.size(); }
-  double number(const char* key) const { return m_r.number(key); }
-  long whole(const char* key) const { return static_cast<long>(m_r.number(key)); }
-
-  using Cause = Refusal::Cause;
-
-  void write() {
-    if (!write_request() && !write_state() && !write_exact_test() && !write_motion() &&
-        !write_place())
-      write_interruption();
+  Sentence number(const char* key) const { return {"", {}, m_r.number(key), false}; }
+  Sentence whole(const char* key) const {
+    return verbatim(std::to_string(static_cast<long>(m_r.number(key))));
   }
+  Sentence detail() const { return verbatim(m_r.detail); }
 
-  bool write_request() {
+  Maybe request() const {
     switch (m_r.cause) {
       case Cause::InvalidArgument:
-        m_out << m_r.detail;
-        return true;
+        return detail();
       case Cause::UnknownObject:
-        m_out << "there is no object " << name(0);
-        if (has(1)) m_out << " to put " << name(1) << " on";
-        if (!m_r.detail.empty()) m_out << "; did you mean " << quoted(m_r.detail) << "?";
-        return true;
+        return unknown_object();
       case Cause::InvalidName:
-        m_out << quoted(m_r.objects[0].name)
-              << " is no name; accepted: UTF-8 without control characters, not \"floor\"";
-        return true;
+        return say(TRIVET_SENTENCE("refusal",
+                                   "%1 is no name; accepted: UTF-8 without control characters, not "
+                                   "\"floor\""),
+                   {verbatim(quoted(m_r.objects[0].name))});
       case Cause::NameTaken:
-        m_out << "there is an object " << name(0) << " already";
-        return true;
+        return say(TRIVET_SENTENCE("refusal", "there is an object %1 already"), {name(0)});
       case Cause::ModelNotLoaded:
-        m_out << "the model " << quoted(m_r.detail) << " of " << name(0) << " was not loaded";
-        return true;
+        return say(TRIVET_SENTENCE("refusal", "the model %1 of %2 was not loaded"),
+                   {verbatim(quoted(m_r.detail)), name(0)});
       case Cause::NotInteractive:
-        m_out << m_r.detail << " cannot follow a hand";
-        return true;
+        return say(TRIVET_SENTENCE("refusal", "%1 cannot follow a hand"), {detail()});
       default:
-        return false;
+        return {};
     }
   }
 
-  void write_immovable(const char* how, const char* cure) {
-    m_out << name(0) << " is " << how << (has(1) ? " and would have to move along: " : ": ") << cure
-          << " it first";
+  Sentence unknown_object() const {
+    Sentence out = say(TRIVET_SENTENCE("refusal", "there is no object %1"), {name(0)});
+    if (has(1))
+      out =
+          say(TRIVET_SENTENCE("refusal", "there is no object %1 to put %2 on"), {name(0), name(1)});
+    if (m_r.detail.empty()) return out;
+    return say(TRIVET_SENTENCE("refusal", "%1; did you mean %2?"),
+               {out, verbatim(quoted(m_r.detail))});
   }
 
-  bool write_state() {
+  Maybe state() const {
     switch (m_r.cause) {
       case Cause::Fixed:
-        write_immovable("fixed", "unfix");
-        return true;
+        return say(has(1) ? TRIVET_SENTENCE("refusal",
+                                            "%1 is fixed and would have to move along: unfix it "
+                                            "first")
+                          : TRIVET_SENTENCE("refusal", "%1 is fixed: unfix it first"),
+                   {name(0)});
       case Cause::Locked:
-        write_immovable("locked", "unlock");
-        return true;
+        return say(has(1) ? TRIVET_SENTENCE("refusal",
+                                            "%1 is locked and would have to move along: unlock it "
+                                            "first")
+                          : TRIVET_SENTENCE("refusal", "%1 is locked: unlock it first"),
+                   {name(0)});
       case Cause::NotPlaced:
-        m_out << name(0) << " is not in the scene: put it there first";
-        return true;
+        return say(TRIVET_SENTENCE("refusal", "%1 is not in the scene: put it there first"),
+                   {name(0)});
       case Cause::SupportNotPlaced:
-        m_out << name(0) << " is not in the scene";
-        return true;
+        return say(TRIVET_SENTENCE("refusal", "%1 is not in the scene"), {name(0)});
       case Cause::NoFloor:
-        m_out << "there is no floor to put " << name(0) << " on";
-        return true;
+        return say(TRIVET_SENTENCE("refusal", "there is no floor to put %1 on"), {name(0)});
       case Cause::OnItself:
-        m_out << name(0) << " cannot be put on itself or on what it carries";
-        return true;
-      case Cause::TooCoarse:
-        write_too_coarse();
-        return true;
-      case Cause::InvalidClearance:
-        m_out << "a clearance of " << number("clearance") << " m is not between "
-              << number("smallest") << " and " << number("largest")
-              << " m for a scene of this size";
-        return true;
+        return say(TRIVET_SENTENCE("refusal", "%1 cannot be put on itself or on what it carries"),
+                   {name(0)});
       default:
-        return false;
+        return precision();
     }
   }
 
-  void write_too_coarse() {
-    m_out << name(0) << " reaches a coordinate of " << number("coordinate")
-          << " m: the clearance there, " << number("clearance") << " m, is too coarse for "
-          << name(1) << " of " << number("diagonal")
-          << " m; accepted: coordinates and sizes of scenes up to " << number("largest_coordinate")
-          << " m";
-    if (number("largest_clearance") > 0)
-      m_out << ", or a clearance that is asked for, up to " << number("largest_clearance") << " m";
+  Maybe precision() const {
+    if (m_r.cause == Cause::InvalidClearance)
+      return say(TRIVET_SENTENCE("refusal",
+                                 "a clearance of %1 m is not between %2 and %3 m for a scene of "
+                                 "this size"),
+                 {number("clearance"), number("smallest"), number("largest")});
+    if (m_r.cause != Cause::TooCoarse) return {};
+    Sentence out = say(
+        TRIVET_SENTENCE("refusal",
+                        "%1 reaches a coordinate of %2 m: the clearance there, %3 m, is too coarse "
+                        "for %4 of %5 m; accepted: coordinates and sizes of scenes up to %6 m"),
+        {name(0), number("coordinate"), number("clearance"), name(1), number("diagonal"),
+         number("largest_coordinate")});
+    if (!(m_r.number("largest_clearance") > 0)) return out;
+    return say(TRIVET_SENTENCE("refusal", "%1, or a clearance that is asked for, up to %2 m"),
+               {out, number("largest_clearance")});
   }
 
-  bool write_exact_test() {
-    const char* what = nullptr;
+  const char* exact_pattern() const {
     switch (m_r.cause) {
       case Cause::Crossing:
-        what = " passes through ";
-        break;
+        return TRIVET_SENTENCE("refusal", "%1 passes through %2");
       case Cause::Inside:
-        what = " is inside ";
-        break;
+        return TRIVET_SENTENCE("refusal", "%1 is inside %2");
       case Cause::Float32Contact:
-        what = " would touch ";
-        break;
+        return TRIVET_SENTENCE("refusal",
+                               "%1 would touch %2 in the float32 values of an exported file");
       case Cause::BelowFloor:
-        what = " reaches below the floor";
-        break;
+        return TRIVET_SENTENCE("refusal", "%1 reaches below the floor");
       case Cause::Float32BelowFloor:
-        what = " would reach below the floor in an exported file";
+        return TRIVET_SENTENCE("refusal", "%1 would reach below the floor in an exported file");
+      default:
+        return nullptr;
+    }
+  }
+
+  Maybe exact_test() const {
+    const char* const pattern = exact_pattern();
+    if (!pattern) return {};
+    const Sentence out = say(pattern, {name(0), name(1)});
+    switch (m_r.at) {
+      case Refusal::At::Start:
+        return say(TRIVET_SENTENCE("refusal", "at its start position %1"), {out});
+      case Refusal::At::Given:
+        return say(TRIVET_SENTENCE("refusal", "at its position %1"), {out});
+      case Refusal::At::Now:
+        return say(TRIVET_SENTENCE("refusal", "%1: move it out freely first"), {out});
+      case Refusal::At::End:
         break;
-      default:
-        return false;
     }
-    if (m_r.at == Refusal::At::Start) m_out << "at its start position ";
-    if (m_r.at == Refusal::At::Given) m_out << "at its position ";
-    m_out << name(0) << what;
-    if (has(1)) m_out << name(1);
-    if (m_r.cause == Cause::Float32Contact) m_out << " in the float32 values of an exported file";
-    if (m_r.at == Refusal::At::Now) m_out << ": move it out freely first";
-    return true;
-  }
-
-  bool write_motion() {
-    switch (m_r.cause) {
-      case Cause::AlreadyTouches:
-        m_out << name(0) << " touches " << name(1) << " already";
-        return true;
-      case Cause::NothingBelow:
-        m_out << "nothing is below " << name(0) << ": it would fall for ever";
-        return true;
-      case Cause::Topples:
-        m_out << "the scene would not stand at friction " << number("friction") << ": "
-              << names_from(1) << " would move";
-        return true;
-      case Cause::Wedged:
-        m_out << name(0) << " is wedged " << wedged_where()
-              << ": it can neither sink further nor be held there";
-        return true;
-      case Cause::TouchesAtStart:
-        m_out << name(0) << " touches something at its start";
-        return true;
-      case Cause::TooManyMotions:
-        m_out << name(0) << " did not come to rest within " << whole("max_motions") << " motions";
-        return true;
-      case Cause::PathTooLong:
-        m_out << name(0) << " did not get to the end of its way within " << whole("max_motions")
-              << " motions";
-        return true;
-      default:
-        return write_missing_contact();
-    }
-  }
-
-  bool write_missing_contact() {
-    switch (m_r.cause) {
-      case Cause::NothingToSlideOn:
-        m_out << name(0) << " lies on nothing along which it could be pushed";
-        return true;
-      case Cause::LiesOnNothing:
-        m_out << name(0) << " lies on nothing: there is no contact " << m_r.detail;
-        return true;
-      case Cause::NoContact:
-        m_out << name(0) << " does not touch " << (has(1) ? name(1) : "anything")
-              << ": there is no contact " << m_r.detail;
-        return true;
-      case Cause::PointContact:
-        m_out << name(0) << " touches " << name(1)
-              << " in one point: there is no line to turn about";
-        return true;
-      default:
-        return false;
-    }
-  }
-
-  std::string wedged_where() const {
-    if (m_r.objects.size() < 2) return "in the air";
-    return (m_r.objects.size() == 2 ? "against " : "between ") + names_from(1);
-  }
-
-  std::string names_from(size_t first) const {
-    std::string out;
-    for (size_t i = first; i < m_r.objects.size(); ++i)
-      out.append(out.empty() ? "" : " and ").append(name(i));
     return out;
   }
 
-  bool write_place() {
+  Maybe motion() const {
     switch (m_r.cause) {
-      case Cause::NoFreePlace:
-        m_out << "no free place for " << name(0) << " on " << name(1) << ": of " << whole("judged")
-              << " places, every " << number("spacing") << " m, " << whole("beside")
-              << " are over no part of it and " << whole("blocked")
-              << " are blocked by other things";
-        if (m_r.first)
-          m_out << "; it was tried at " << whole("tried") << " others: first "
-                << message(*m_r.first);
-        return true;
-      case Cause::KeepTooLarge:
-        m_out
-            << name(0) << " cannot be kept " << number("keep")
-            << " m away from everything else: a scene so large is too coarse for its objects, the "
-               "smallest of which is "
-            << number("diagonal") << " m; accepted: a distance to keep of up to "
-            << number("largest_keep") << " m";
-        return true;
-      case Cause::RestsOnOther:
-        m_out << name(0) << " would come to rest against " << name(1);
-        return true;
-      case Cause::NoArrangement:
-        m_out << m_r.detail;
-        return true;
-      case Cause::RestsTooClose:
-        m_out << name(0) << " would come to rest too near to " << name(1);
-        return true;
+      case Cause::AlreadyTouches:
+        return say(TRIVET_SENTENCE("refusal", "%1 touches %2 already"), {name(0), name(1)});
+      case Cause::NothingBelow:
+        return say(TRIVET_SENTENCE("refusal", "nothing is below %1: it would fall for ever"),
+                   {name(0)});
+      case Cause::Topples:
+        return say(
+            TRIVET_SENTENCE("refusal", "the scene would not stand at friction %1: %2 would move"),
+            {number("friction"), names_from(1)});
+      case Cause::Wedged:
+        return wedged();
+      case Cause::TouchesAtStart:
+        return say(TRIVET_SENTENCE("refusal", "%1 touches something at its start"), {name(0)});
+      case Cause::TooManyMotions:
+        return say(TRIVET_SENTENCE("refusal", "%1 did not come to rest within %2 motions"),
+                   {name(0), whole("max_motions")});
+      case Cause::PathTooLong:
+        return say(
+            TRIVET_SENTENCE("refusal", "%1 did not get to the end of its way within %2 motions"),
+            {name(0), whole("max_motions")});
       default:
-        return false;
+        return missing_contact();
     }
   }
 
-  void write_interruption() {
+  Sentence wedged() const {
+    if (m_r.objects.size() < 2)
+      return say(TRIVET_SENTENCE("refusal",
+                                 "%1 is wedged in the air: it can neither sink further nor be held "
+                                 "there"),
+                 {name(0)});
+    return say(m_r.objects.size() == 2
+                   ? TRIVET_SENTENCE("refusal",
+                                     "%1 is wedged against %2: it can neither sink further nor be "
+                                     "held there")
+                   : TRIVET_SENTENCE("refusal",
+                                     "%1 is wedged between %2: it can neither sink further nor be "
+                                     "held there"),
+               {name(0), names_from(1)});
+  }
+
+  Maybe missing_contact() const {
+    switch (m_r.cause) {
+      case Cause::NothingToSlideOn:
+        return say(TRIVET_SENTENCE("refusal", "%1 lies on nothing along which it could be pushed"),
+                   {name(0)});
+      case Cause::LiesOnNothing:
+        return say(TRIVET_SENTENCE("refusal", "%1 lies on nothing: there is no contact %2"),
+                   {name(0), purpose()});
+      case Cause::NoContact:
+        return say(
+            TRIVET_SENTENCE("refusal", "%1 does not touch %2: there is no contact %3"),
+            {name(0), has(1) ? name(1) : say(TRIVET_SENTENCE("refusal", "anything")), purpose()});
+      case Cause::PointContact:
+        return say(TRIVET_SENTENCE("refusal",
+                                   "%1 touches %2 in one point: there is no line to turn about"),
+                   {name(0), name(1)});
+      default:
+        return {};
+    }
+  }
+
+  // Of a contact.
+  Sentence purpose() const {
+    for (const char* const known : {TRIVET_SENTENCE("refusal", "to turn about"),
+                                    TRIVET_SENTENCE("refusal", "to pick it up from")})
+      if (m_r.detail == known) return say(known);
+    return detail();
+  }
+
+  Sentence names_from(size_t first) const {
+    if (!has(first)) return verbatim("");
+    Sentence out = name(first);
+    for (size_t i = first + 1; has(i); ++i)
+      out = say(TRIVET_SENTENCE("refusal", "%1 and %2"), {out, name(i)});
+    return out;
+  }
+
+  Maybe place() const {
+    switch (m_r.cause) {
+      case Cause::NoFreePlace:
+        return no_free_place();
+      case Cause::KeepTooLarge:
+        return say(
+            TRIVET_SENTENCE(
+                "refusal",
+                "%1 cannot be kept %2 m away from everything else: a scene so large is too coarse "
+                "for its objects, the smallest of which is %3 m; accepted: a distance to keep of "
+                "up to %4 m"),
+            {name(0), number("keep"), number("diagonal"), number("largest_keep")});
+      case Cause::RestsOnOther:
+        return say(TRIVET_SENTENCE("refusal", "%1 would come to rest against %2"),
+                   {name(0), name(1)});
+      case Cause::NoArrangement:
+        return detail();
+      case Cause::RestsTooClose:
+        return say(TRIVET_SENTENCE("refusal", "%1 would come to rest too near to %2"),
+                   {name(0), name(1)});
+      default:
+        return {};
+    }
+  }
+
+  Sentence no_free_place() const {
+    const Sentence out = say(
+        TRIVET_SENTENCE("refusal",
+                        "no free place for %1 on %2: of %3 places, every %4 m, %5 are over no "
+                        "part of it and %6 are blocked by other things"),
+        {name(0), name(1), whole("judged"), number("spacing"), whole("beside"), whole("blocked")});
+    if (!m_r.first) return out;
+    return say(TRIVET_SENTENCE("refusal", "%1; it was tried at %2 others: first %3"),
+               {out, whole("tried"), sentence_of(*m_r.first)});
+  }
+
+  Sentence interruption() const {
     if (m_r.cause == Cause::NotTried)
-      m_out << "not tried, because " << m_r.detail << " of " << name(0) << " was refused before";
-    else if (m_r.cause == Cause::Cancelled)
-      m_out << m_r.detail << " of " << name(0) << " was cancelled";
-    else
-      m_out << m_r.detail << " of " << name(0) << " did not end within " << number("seconds")
-            << " s";
+      return say(TRIVET_SENTENCE("refusal", "not tried, because %1 of %2 was refused before"),
+                 {detail(), name(0)});
+    if (m_r.cause == Cause::Cancelled)
+      return say(TRIVET_SENTENCE("refusal", "%1 of %2 was cancelled"), {detail(), name(0)});
+    return say(TRIVET_SENTENCE("refusal", "%1 of %2 did not end within %3 s"),
+               {detail(), name(0), number("seconds")});
   }
 
   const Refusal& m_r;
-  std::ostringstream m_out;
 };
 
 }  // namespace
 
-std::string message(const Refusal& refusal) { return Writer(refusal).run(); }
+std::string filled(const std::string& pattern, const std::vector<std::string>& parts) {
+  std::string out;
+  for (size_t i = 0; i < pattern.size(); ++i) {
+    const bool is_place = pattern[i] == '%' && i + 1 < pattern.size();
+    const size_t part = is_place ? static_cast<size_t>(pattern[i + 1] - '1') : parts.size();
+    if (part < parts.size())
+      out += parts[part], ++i;
+    else
+      out += pattern[i];
+  }
+  return out;
+}
+
+std::string in_english(const Sentence& sentence) {
+  if (sentence.is_verbatim) return sentence.text;
+  if (sentence.number) {
+    std::ostringstream out;
+    out.precision(4);
+    out << *sentence.number;
+    return out.str();
+  }
+  std::vector<std::string> parts;
+  parts.reserve(sentence.parts.size());
+  for (const Sentence& part : sentence.parts) parts.push_back(in_english(part));
+  return filled(sentence.text, parts);
+}
+
+Sentence sentence_of(const Refusal& refusal) { return Writer(refusal).run(); }
+
+std::string message(const Refusal& refusal) { return in_english(sentence_of(refusal)); }
 
 }  // namespace trivet
