@@ -9,6 +9,7 @@
 #include "apps/edit/document/engine.h"
 #include "apps/edit/document/recovery.h"
 #include "apps/edit/document/remake.h"
+#include "apps/edit/document/words.h"
 
 namespace trivet::edit {
 
@@ -47,6 +48,7 @@ void Document::forget_scene(std::uint64_t next) {
   m_is_replaced = true;
   m_history = {};
   m_selections.clear();
+  m_num_open_looks = 0;
   set_selection({});
   show_looks({});
   clear_layout();
@@ -87,7 +89,7 @@ void Document::follow(const ObjectChanges& changes) {
   if (changes.remade.empty()) return;
   Looks looks = m_looks;
   for (const auto& [gone, made] : changes.remade) looks.inherit(gone, made);
-  set_looks(std::move(looks));
+  put_looks(std::move(looks));
 }
 
 void Document::show_scene(std::shared_ptr<const SceneSnapshot> snapshot) {
@@ -112,34 +114,36 @@ void Document::cancel() {
 // --- files -------------------------------------------------------------------------------------
 
 Document::Job Document::new_scene() {
-  return start("new scene", [](Engine& engine) { return engine.new_scene(); });
+  return start(tr("new scene").toStdString(), [](Engine& engine) { return engine.new_scene(); });
 }
 
 Document::Job Document::open(const std::string& file) {
-  return start("open \"" + file + "\"", [file](Engine& engine) { return engine.open(file); });
+  return start(with_name(tr("open \"%1\""), file),
+               [file](Engine& engine) { return engine.open(file); });
 }
 
 Document::Job Document::open_demo(const std::string& name) {
-  return start("demo \"" + name + "\"", [name](Engine& engine) { return engine.open_demo(name); });
+  return start(with_name(tr("demo \"%1\""), name),
+               [name](Engine& engine) { return engine.open_demo(name); });
 }
 
 Document::Job Document::save() {
-  return start("save",
+  return start(tr("save").toStdString(),
                [looks = m_looks](Engine& engine) { return engine.save_as(engine.file(), looks); });
 }
 
 Document::Job Document::save_as(const std::string& file) {
-  return start("save \"" + file + "\"",
+  return start(with_name(tr("save \"%1\""), file),
                [file, looks = m_looks](Engine& engine) { return engine.save_as(file, looks); });
 }
 
 Document::Job Document::export_to(const std::string& file) {
-  return start("export \"" + file + "\"",
+  return start(with_name(tr("export \"%1\""), file),
                [file, looks = m_looks](Engine& engine) { return engine.export_to(file, looks); });
 }
 
 Document::Job Document::close() {
-  return start("close", [](Engine& engine) { return engine.close(); });
+  return start(tr("close").toStdString(), [](Engine& engine) { return engine.close(); });
 }
 
 std::vector<Recoverable> Document::recoverable() const {
@@ -147,7 +151,8 @@ std::vector<Recoverable> Document::recoverable() const {
 }
 
 Document::Job Document::restore(const std::string& journal) {
-  return start("restore", [journal](Engine& engine) { return engine.restore(journal); });
+  return start(tr("restore").toStdString(),
+               [journal](Engine& engine) { return engine.restore(journal); });
 }
 
 void Document::discard(const std::string& journal) { discard_session(journal); }
@@ -155,7 +160,7 @@ void Document::discard(const std::string& journal) { discard_session(journal); }
 // --- operations --------------------------------------------------------------------------------
 
 Document::Job Document::perform(const Operation& operation) {
-  std::string what = op_name(operation);
+  std::string what = in_words(op_name(operation));
   what.append(" \"").append(object_name(operation)).append("\"");
   return start(what, [operation](Engine& engine) { return engine.perform(operation); });
 }
@@ -173,8 +178,14 @@ Document::Job Document::perform_groups(const std::string& name, ManyObjects many
 }
 
 Document::Job Document::rescale(const std::string& name, double scale, double drop_height) {
-  return start("scale \"" + name + "\"",
-               [operations = rescaling(*m_snapshot, name, scale, drop_height),
+  const ObjectSnapshot* const object = m_snapshot->find(name);
+  return rescale(name, scale, object ? (*object)->up : UpAxis::Z, drop_height);
+}
+
+Document::Job Document::rescale(const std::string& name, double scale, UpAxis up,
+                                double drop_height) {
+  return start(with_name(tr("scale \"%1\""), name),
+               [operations = rescaling(*m_snapshot, name, scale, up, drop_height),
                 name](Engine& engine) { return engine.perform_all(operations, {name}); });
 }
 
@@ -187,22 +198,24 @@ void Document::select_named(const std::vector<std::string>& names) {
 }
 
 Document::Job Document::import_model(const ImportModel& model) {
-  return start("import \"" + model.file + "\"",
+  return start(with_name(tr("import \"%1\""), model.file),
                [model](Engine& engine) { return engine.import_model(model); });
 }
 
 Document::Job Document::undo() {
-  return start("undo", [](Engine& engine) {
+  return start(tr("undo").toStdString(), [](Engine& engine) {
     return engine.num_done() > 0 && engine.go_to_step(engine.num_done() - 1);
   });
 }
 
 Document::Job Document::redo() {
-  return start("redo", [](Engine& engine) { return engine.go_to_step(engine.num_done() + 1); });
+  return start(tr("redo").toStdString(),
+               [](Engine& engine) { return engine.go_to_step(engine.num_done() + 1); });
 }
 
 Document::Job Document::go_to_step(size_t num_done) {
-  return start("history", [num_done](Engine& engine) { return engine.go_to_step(num_done); });
+  return start(tr("history").toStdString(),
+               [num_done](Engine& engine) { return engine.go_to_step(num_done); });
 }
 
 // --- selection ---------------------------------------------------------------------------------
@@ -218,7 +231,31 @@ void Document::set_selection(Selection selection) {
   Q_EMIT selection_changed();
 }
 
-void Document::set_looks(Looks looks) {
+void Document::set_looks(Looks looks, const std::string& name) {
+  if (looks == m_looks) return;
+  ++m_num_open_looks;
+  m_engine->add_look_step(m_scene, {0, name, m_looks, looks}, m_selection);
+  put_looks(std::move(looks));
+}
+
+void Document::show_look_step(const History& history, const Selection& before) {
+  --m_num_open_looks;
+  m_selections[m_history.num_done] = before;
+  show_history(history);
+}
+
+// Of a step that was undone or redone. A change that was made meanwhile stays.
+void Document::show_looks_of_step(const Looks& looks) {
+  if (m_num_open_looks == 0) put_looks(looks);
+}
+
+void Document::show_history(const History& history) {
+  const size_t before = std::exchange(m_history, history).num_done;
+  Q_EMIT history_changed();
+  restore_selection(before);
+}
+
+void Document::put_looks(Looks looks) {
   if (looks == m_looks) return;
   m_looks = std::move(looks);
   Q_EMIT looks_changed();
@@ -231,7 +268,7 @@ void Document::set_looks(Looks looks) {
 void Document::show_looks(const SceneLooks& looks) {
   Looks shown = Looks::of_file(looks, *m_snapshot);
   m_saved_looks = shown.named(names_in(*m_snapshot));
-  set_looks(std::move(shown));
+  put_looks(std::move(shown));
 }
 
 bool Document::is_modified() const {

@@ -103,6 +103,7 @@ class Document : public QObject {
   Job perform_groups(const std::string& name, ManyObjects many);
   /// As one step; see remake.h.
   Job rescale(const std::string& name, double scale, double drop_height);
+  Job rescale(const std::string& name, double scale, UpAxis up, double drop_height);
   /// Imports as one step; the new object is selected on success. If it cannot be put, it stays
   /// unplaced.
   Job import_model(const ImportModel& model);
@@ -123,7 +124,8 @@ class Document : public QObject {
 
   /// Of this scene, until another one is opened. Saved with it.
   const Looks& looks() const { return m_looks; }
-  void set_looks(Looks looks);
+  /// As one undoable step. @param name  of the step, for the history.
+  void set_looks(Looks looks, const std::string& name = "looks");
 
   // --- drags ----------------------------------------------------------------------------------
 
@@ -238,7 +240,11 @@ class Document : public QObject {
   void show_detection_note(const std::string& note);
   void drag_refused(std::uint64_t drag);
   void set_selection(Selection selection);
+  void put_looks(Looks looks);
   void show_looks(const SceneLooks& looks);
+  void show_looks_of_step(const Looks& looks);
+  void show_look_step(const History& history, const Selection& before);
+  void show_history(const History& history);
   void select_named(const std::vector<std::string>& names);
 
   DocumentOptions m_options;
@@ -248,6 +254,7 @@ class Document : public QObject {
   std::map<size_t, Selection> m_selections;  // by steps done: when the next one began
   Looks m_looks;
   SceneLooks m_saved_looks;
+  int m_num_open_looks = 0;  // changes that are no steps yet
   History m_history;
   std::string m_file, m_title, m_busy_with;
   std::optional<Ghost> m_ghost;

@@ -3,6 +3,7 @@
 
 #include "apps/edit/document/document.h"
 #include "apps/edit/document/engine.h"
+#include "apps/edit/document/words.h"
 #include "core/base/error.h"
 #include "ops/files/arrange/arrange_section.h"
 #include "ops/files/arrange/marks_json.h"
@@ -125,12 +126,13 @@ Document::Job Document::accept_layout() {
   if (!m_layout || !m_layout->ok) return 0;
   const auto layout = m_layout;
   clear_layout();
-  return start("arrange", [layout](Engine& engine) { return engine.accept_layout(*layout); });
+  return start(tr("arrange").toStdString(),
+               [layout](Engine& engine) { return engine.accept_layout(*layout); });
 }
 
 Document::Job Document::save_problem(const std::string& file) {
   const Wishes::Part part = m_wishes.part(scope_of(*m_snapshot, {}), m_wishes.seed());
-  return start("save \"" + file + "\"",
+  return start(with_name(tr("save \"%1\""), file),
                [file, part](Engine& engine) { return engine.save_problem(file, part.json); });
 }
 

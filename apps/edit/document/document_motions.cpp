@@ -24,7 +24,8 @@ void Document::drag_by(double amount) { steer({std::nullopt, amount, DragGoal::C
 Document::Job Document::end_drag() {
   if (!m_dragging) return 0;
   m_dragging = false;
-  return start("drag", [drag = m_drag](Engine& engine) { return engine.end_drag(drag); });
+  return start(tr("drag").toStdString(),
+               [drag = m_drag](Engine& engine) { return engine.end_drag(drag); });
 }
 
 void Document::cancel_drag() {

@@ -1,7 +1,7 @@
 #include "apps/edit/document/engine.h"
 
-#include "apps/edit/document/remake.h"
 #include "apps/edit/document/results.h"
+#include "apps/edit/document/words.h"
 #include "core/base/error.h"
 #include "core/io/sandboxed_import.h"
 #include "ops/placement/neighbourhood.h"
@@ -92,11 +92,13 @@ bool Engine::run(const Item& item) {
   try {
     return item.work(*this);
   } catch (const Cancelled&) {
-    tell(Message{Message::Kind::Refused, item.what + " was cancelled", {}, {}});
+    tell(Message{
+        Message::Kind::Refused, with_name(Document::tr("%1 was cancelled"), item.what), {}, {}});
   } catch (const Error& e) {
     tell(Message{Message::Kind::Error, e.what(), {}, {}});
   } catch (const std::bad_alloc&) {
-    tell(Message{Message::Kind::Error, item.what + ": not enough memory", {}, {}});
+    tell(Message{
+        Message::Kind::Error, with_name(Document::tr("%1: not enough memory"), item.what), {}, {}});
   } catch (const std::exception& e) {
     tell(Message{Message::Kind::Error, item.what + ": " + e.what(), {}, {}});
   }
@@ -150,12 +152,11 @@ void Engine::publish(std::optional<SettledWay> way) {
   const Session& session = m_opened->session;
   Document::State state;
   state.snapshot = m_snapshots.make(session.scene(), settled_clearance(*m_opened), std::move(way));
-  for (const SessionStep& step : session.steps()) state.history.steps.push_back(label_of(step));
-  state.history.num_done = session.num_done();
+  state.history = history();
   state.file = m_file;
   state.title = m_title;
   state.modified = session.is_modified();
-  m_ghosts_know = false;
+  m_ghosts_know = m_is_behind = false;
   m_published = state.snapshot->committed;
   tell([state](Document& shown) { shown.show(state); });
   post({0, "verdict", [committed = m_published](Engine& engine) {
@@ -208,22 +209,14 @@ bool Engine::perform_all(const std::vector<Operation>& operations,
   Session& session = m_opened->session;
   const std::optional<Pose> from = pose_before(operations);
   const OperationResult result = session.perform_all(operations, settle_options(), context());
-  if (result.ok())
+  if (result.ok()) {
+    m_look_steps.follow_new_step();
     publish(settled_way(session.scene(), operations.back(), result, result.steps, from));
+  }
   if (result.ok() && !select.empty())
     tell([select](Document& shown) { shown.select_named(select); });
   tell(result, operations.back());
   return result.ok();
-}
-
-bool Engine::go_to_step(size_t num_done) {
-  Session& session = m_opened->session;
-  while (session.num_done() > num_done && session.undo()) {
-  }
-  while (session.num_done() < num_done && session.redo()) {
-  }
-  publish();
-  return session.num_done() == num_done;
 }
 
 }  // namespace trivet::edit

@@ -14,6 +14,7 @@
 #include "apps/edit/document/drag_motion.h"
 #include "apps/edit/document/file_lock.h"
 #include "apps/edit/document/ghost_worker.h"
+#include "apps/edit/document/look_steps.h"
 #include "apps/edit/document/snapshot_maker.h"
 #include "apps/edit/document/thread_detector.h"
 #include "ops/operations/live_move.h"
@@ -39,6 +40,9 @@ class Engine {
                      std::shared_ptr<const SceneSnapshot> shown);
   /// @param scene  number of the one that is shown: another one keeps its own.
   void set_wishes(std::uint64_t scene, std::string json);
+  /// A change of looks, which windows show already, as a step. @param scene  as above.
+  /// @param selection  before it.
+  void add_look_step(std::uint64_t scene, LookStep step, Selection selection);
   void request_layout(std::uint64_t number, std::uint64_t seed, Wishes::Part part,
                       size_t num_entries);
   /// Requests up to this number.
@@ -69,9 +73,9 @@ class Engine {
   bool import_model(const ImportModel& model);
   bool accept_layout(const LayoutGhost& layout);
   bool save_problem(const std::string& file, const std::string& arrange);
-  bool go_to_step(size_t num_done);
+  bool go_to_step(size_t wanted);
   bool end_drag(std::uint64_t drag);
-  size_t num_done() const { return m_opened->session.num_done(); }
+  size_t num_done() const;
   const std::string& file() const { return m_file; }
 
  private:
@@ -107,7 +111,12 @@ class Engine {
   std::unique_ptr<FileLock> locked(const std::string& file) const;
   std::string model_path(const std::string& file) const;
   SceneLooks keep_looks(const Looks& looks);
+  void tell_notes(const std::string& object);
   void publish(std::optional<SettledWay> way = std::nullopt);
+  History history() const;
+  bool undo_one();
+  bool redo_one();
+  void show_looks(const Looks& looks);
   /// Judges the scene as a whole, unless it has changed since.
   void judge(std::uint64_t committed);
   std::optional<Pose> pose_before(const std::vector<Operation>& operations) const;
@@ -118,6 +127,8 @@ class Engine {
 
   std::optional<OpenedSession> m_opened;  // always set while jobs run
   std::uint64_t m_scene = 0;              // number of this session's scene
+  LookSteps m_look_steps;
+  bool m_is_behind = false;  // windows show the scene before steps that were undone or redone
   std::string m_file, m_title;
   std::unique_ptr<FileLock> m_lock;
   SnapshotMaker m_snapshots;

@@ -70,6 +70,7 @@ bool Engine::end_drag(std::uint64_t drag) {
   m_live.reset();
   const bool committed = moves && result.ok();
   if (committed) {
+    m_look_steps.follow_new_step();
     const std::span<const SettleStep> all = result.steps;
     publish(settled_way(m_opened->session.scene(), operation, result,
                         all.subspan(std::min(num_seen, all.size())), seen.front().pose));

@@ -10,6 +10,7 @@
 #include "apps/edit/document/layout_paths.h"
 #include "core/base/error.h"
 #include "core/base/extension.h"
+#include "core/base/quoted.h"
 #include "core/io/export.h"
 #include "core/io/overwrites.h"
 #include "ops/base/names.h"
@@ -74,6 +75,7 @@ void Engine::adopt(OpenedSession opened, const std::string& file, const std::str
   m_opened.emplace(std::move(opened));
   m_opened->session.on_event(
       [this](const SessionEvent& event) { m_snapshots.note_changed(event.changed); });
+  m_look_steps = {};
   m_file = file;
   m_title = title;
   m_lock = std::move(lock);
@@ -222,11 +224,25 @@ bool Engine::import_model(const ImportModel& model) {
   append.up = model.up;
   append.fixed = model.fixed;
   const std::vector<std::string> select{append.object};
-  if (!model.put) return perform_all({append}, select);
   PutOperation put;
   put.object = append.object;
-  put.start = *model.put;
-  return perform_all({append, put}, select) || perform_all({append}, select);
+  if (model.put) put.start = *model.put;
+  const bool is_done =
+      (model.put && perform_all({append, put}, select)) || perform_all({append}, select);
+  if (is_done) tell_notes(append.object);
+  return is_done;
+}
+
+// On what its file has and is left out.
+void Engine::tell_notes(const std::string& object) {
+  const Scene& scene = m_opened->session.scene();
+  const auto id = scene.find(object);
+  const std::shared_ptr<const Model> model = id ? scene.at(*id).model : nullptr;
+  if (!model || model->notes.empty()) return;
+  std::string text = quoted(object) + ": ";
+  for (const std::string& note : model->notes)
+    text += (note == model->notes.front() ? "" : "; ") + note;
+  tell(Message{Message::Kind::Info, text, {}, {}});
 }
 
 }  // namespace trivet::edit

@@ -59,7 +59,9 @@ void Engine::request_layout(std::uint64_t number, std::uint64_t seed, Wishes::Pa
 bool Engine::accept_layout(const LayoutGhost& layout) {
   if (layout.committed == m_published) return perform(Operation(arrange_operation(layout.problem)));
   tell(Message{Message::Kind::Refused,
-               "arrange: the scene has changed since the arrangement was found; look for another",
+               Document::tr("arrange: the scene has changed since the arrangement was found; look "
+                            "for another")
+                   .toStdString(),
                {},
                {}});
   return false;

@@ -1,5 +1,6 @@
 // Jobs on many objects of the document's thread.
 #include "apps/edit/document/engine.h"
+#include "apps/edit/document/words.h"
 #include "core/scene/transaction.h"
 
 namespace trivet::edit {
@@ -49,9 +50,11 @@ bool Engine::perform_groups(const std::string& what, const ManyObjects& many) {
   if (!perform_all(done, many.select ? names : std::vector<std::string>())) return false;
   if (refused)
     tell(Message{Message::Kind::Info,
-                 what + ": " + std::to_string(names.size()) + " of " +
-                     std::to_string(many.groups.size()) +
-                     "; the others were refused, the first: " + refused->reason(),
+                 Document::tr("%1: %2 of %3; the others were refused, the first: %4")
+                     .arg(QString::fromStdString(what), QString::number(names.size()),
+                          QString::number(many.groups.size()),
+                          QString::fromStdString(reason_in_words(*refused)))
+                     .toStdString(),
                  {},
                  {}});
   return true;

@@ -25,7 +25,7 @@ Pose start_in_place_of(const Object& old, Object there, double drop_height) {
 }
 
 OperationGroup rescaling(const SceneSnapshot& scene, const std::string& name, double scale,
-                         double drop_height) {
+                         UpAxis up, double drop_height) {
   OperationGroup out;
   const ObjectSnapshot* const found = scene.find(name);
   if (!found || !(*found)->model) return out;
@@ -35,7 +35,7 @@ OperationGroup rescaling(const SceneSnapshot& scene, const std::string& name, do
   append.model = old.model->path;
   append.tessellation = old.model->tessellation;
   append.scale = scale;
-  append.up = old.up;
+  append.up = up;
   append.fixed = old.fixed;
   append.material = old.material;
   if (old.locked) out.push_back(LockOperation{name, false});
@@ -44,6 +44,7 @@ OperationGroup rescaling(const SceneSnapshot& scene, const std::string& name, do
   if (old.placed) {
     Object there = old;
     there.scale = scale;
+    there.up = up;
     PutOperation put;
     put.object = name;
     put.start = start_in_place_of(old, there, drop_height);
@@ -51,16 +52,6 @@ OperationGroup rescaling(const SceneSnapshot& scene, const std::string& name, do
   }
   keep_properties(old, name, out);
   return out;
-}
-
-std::string label_of(const SessionStep& step) {
-  const std::vector<Operation>& all = step.operations;
-  const size_t first = std::holds_alternative<LockOperation>(all.front()) ? 1 : 0;
-  if (all.size() < first + 2) return step.name;
-  const bool rescales = std::holds_alternative<DeleteOperation>(all[first]) &&
-                        std::holds_alternative<AppendOperation>(all[first + 1]) &&
-                        object_name(all[first]) == object_name(all[first + 1]);
-  return rescales ? "scale \"" + object_name(all[first]) + "\"" : step.name;
 }
 
 }  // namespace trivet::edit

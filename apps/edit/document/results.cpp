@@ -1,10 +1,13 @@
 #include "apps/edit/document/results.h"
 
+#include <QCoreApplication>
+#include <QLocale>
+#include <QStringList>
 #include <algorithm>
 
+#include "apps/edit/document/words.h"
 #include "core/base/quoted.h"
 #include "core/base/tunables.h"
-#include "ops/files/report/verdict.h"
 #include "ops/placement/clearance.h"
 #include "ops/placement/neighbourhood.h"
 
@@ -49,31 +52,46 @@ std::vector<std::string> names_of(const std::vector<GaveWay>& objects) {
   return out;
 }
 
-std::string quoted_names(const std::vector<std::string>& names) {
-  std::string out;
-  for (size_t i = 0; i < names.size(); ++i) {
-    if (i > 0) out.append(i + 1 < names.size() ? ", " : " and ");
-    out.append(quoted(names[i]));
-  }
-  return out;
+QString phrase(const char* text) { return QCoreApplication::translate("results", text); }
+
+QString quoted_names(const std::vector<std::string>& names) {
+  QStringList out;
+  for (const std::string& name : names) out << QString::fromStdString(quoted(name));
+  if (out.size() < 2) return out.join("");
+  const QString last = out.takeLast();
+  return phrase(QT_TRANSLATE_NOOP("results", "%1 and %2")).arg(out.join(", "), last);
 }
 
-std::string why_it_ended(const OperationResult& result) {
+// "\"a\" by 1.2 mm and 0.3 degrees, ..."
+QString gave_way_words(const std::vector<GaveWay>& objects) {
+  QStringList out;
+  const QLocale locale;
+  for (const GaveWay& object : objects)
+    out << phrase(QT_TRANSLATE_NOOP("results", "%1 by %2 mm and %3 degrees"))
+               .arg(QString::fromStdString(quoted(object.name)),
+                    locale.toString(1000 * object.moved, 'g', 2),
+                    locale.toString(object.turned_deg, 'g', 2));
+  return out.join(", ");
+}
+
+QString why_it_ended(const OperationResult& result) {
   const std::string& name = result.blocked_by.name;
-  const std::string by = name == "floor" ? std::string("the floor") : quoted_names({name});
+  const QString by =
+      name == kFloorName ? phrase(QT_TRANSLATE_NOOP("results", "the floor")) : quoted_names({name});
   switch (result.end) {
     case OperationResult::End::Blocked:
-      return "stopped by " + by;
+      return phrase(QT_TRANSLATE_NOOP("results", "stopped by %1")).arg(by);
     case OperationResult::End::Step:
-      return "stopped by a step of " + by + " higher than allowed";
+      return phrase(QT_TRANSLATE_NOOP("results", "stopped by a step of %1 higher than allowed"))
+          .arg(by);
     case OperationResult::End::Edge:
-      return "stopped before an edge deeper than allowed";
+      return phrase(QT_TRANSLATE_NOOP("results", "stopped before an edge deeper than allowed"));
     case OperationResult::End::Done:
     case OperationResult::End::AtRest:
     case OperationResult::End::Reached:
       break;
   }
-  return "";
+  return {};
 }
 
 // Uses current poses: objects released since may have moved on, so there may be none.
@@ -89,25 +107,20 @@ InterferingFaces faces_that_stopped(const Scene& scene, const Operation& operati
                         kContactTolerance * clearance);
 }
 
-void add_sentence(std::string& text, const std::string& sentence) {
-  if (!text.empty()) text.append("; ");
-  text.append(sentence);
-}
-
 }  // namespace
 
 std::optional<Message> message_of(const Scene& scene, const Operation& operation,
                                   const OperationResult& result, double clearance) {
   Message message;
-  std::string name = quoted(object_name(operation));
   if (!result.ok()) {
     message.kind = Message::Kind::Refused;
-    message.text = result.reason();
+    message.text = reason_in_words(result);
     if (result.refusal) add_objects(scene, *result.refusal, message.objects);
     return message;
   }
-  std::string what = why_it_ended(result);
-  if (!what.empty()) {
+  QStringList what;
+  if (const QString why = why_it_ended(result); !why.isEmpty()) {
+    what << why;
     add(message.objects, scene.find(result.blocked_by.name));
     if (result.end != OperationResult::End::Edge) {
       message.points.push_back(result.blocked_at);
@@ -115,17 +128,21 @@ std::optional<Message> message_of(const Scene& scene, const Operation& operation
     }
   }
   const std::vector<std::string> gave_way = names_of(result.gave_way);
-  if (!gave_way.empty()) add_sentence(what, "gave way: " + gave_way_text(result.gave_way));
+  if (!gave_way.empty())
+    what << phrase(QT_TRANSLATE_NOOP("results", "gave way: %1"))
+                .arg(gave_way_words(result.gave_way));
   if (!result.unsupported.empty())
-    add_sentence(what, quoted_names(result.unsupported) + " left without support");
+    what << phrase(QT_TRANSLATE_NOOP("results", "%1 left without support"))
+                .arg(quoted_names(result.unsupported));
   if (!result.interpenetrates.empty())
-    add_sentence(what, "interpenetrates " + quoted_names(result.interpenetrates));
-  if (what.empty()) return std::nullopt;
+    what << phrase(QT_TRANSLATE_NOOP("results", "interpenetrates %1"))
+                .arg(quoted_names(result.interpenetrates));
+  if (what.isEmpty()) return std::nullopt;
   if (!result.unsupported.empty() || !result.interpenetrates.empty())
     message.kind = Message::Kind::Warning;
   for (const auto* const names : {&gave_way, &result.unsupported, &result.interpenetrates})
     for (const std::string& other : *names) add(message.objects, scene.find(other));
-  message.text = name.append(": ").append(what);
+  message.text = quoted(object_name(operation)) + ": " + what.join("; ").toStdString();
   return message;
 }
 

@@ -4,6 +4,7 @@
 #include <QLocale>
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "core/base/quoted.h"
 #include "ops/files/report/verdict.h"
@@ -30,6 +31,18 @@ std::string names_of_what_topples(const SceneSnapshot& scene, const Stability& s
   if (count > kMostNames)
     out += said(QCoreApplication::translate("verdict", " and %1 more").arg(count - kMostNames));
   return out;
+}
+
+// The direction stays as it is.
+std::string way_in_words(const std::string& way) {
+  for (const char* const known :
+       {QT_TRANSLATE_NOOP("verdict", "tips towards"),
+        QT_TRANSLATE_NOOP("verdict", "slides towards"),
+        QT_TRANSLATE_NOOP("verdict", "turns about the vertical"),
+        QT_TRANSLATE_NOOP("verdict", "moves"), QT_TRANSLATE_NOOP("verdict", "sinks")})
+    if (way.rfind(known, 0) == 0)
+      return said(QCoreApplication::translate("verdict", known)) + way.substr(std::strlen(known));
+  return way;
 }
 
 }  // namespace
@@ -78,7 +91,7 @@ std::string whole_text(const SceneSnapshot& scene, const SceneVerdict& verdict) 
 }
 
 std::string object_text(const Object& object, const ObjectStability& verdict) {
-  if (verdict.topples) return way_text(object, verdict.motion);
+  if (verdict.topples) return way_in_words(way_text(object, verdict.motion));
   if (verdict.marginal)
     return said(QCoreApplication::translate("verdict", "stands, but only just"));
   return said(QCoreApplication::translate("verdict", "stands"));

@@ -33,8 +33,9 @@ std::vector<std::string> names_at(const Json& entry, const char* key) {
 }
 
 std::string listed(const std::vector<std::string>& names) {
-  if (names.size() > 3)
-    return QCoreApplication::translate("wishes", "%1 objects").arg(names.size()).toStdString();
+  const int count = static_cast<int>(names.size());
+  if (count > 3)
+    return QCoreApplication::translate("wishes", "%n objects", nullptr, count).toStdString();
   std::string out;
   for (const std::string& name : names) out += (out.empty() ? "" : ", ") + quoted(name);
   return out;

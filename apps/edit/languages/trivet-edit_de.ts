@@ -92,10 +92,6 @@
         <translation> · %1 von %2 Pixeln fraglich</translation>
     </message>
     <message>
-        <source> · %1 pairs of faces by %2, %3 confirmed</source>
-        <translation> · %1 Flächenpaare durch %2, %3 bestätigt</translation>
-    </message>
-    <message>
         <source> · %1 ms</source>
         <translation> · %1 ms</translation>
     </message>
@@ -126,6 +122,380 @@
     <message>
         <source>invalid</source>
         <translation>ungültig</translation>
+    </message>
+    <message numerus="yes">
+        <source> · %n pairs of faces by %1, %2 confirmed</source>
+        <translation>
+            <numerusform> · %n Flächenpaar durch %1, %2 bestätigt</numerusform>
+            <numerusform> · %n Flächenpaare durch %1, %2 bestätigt</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>assets</name>
+    <message>
+        <source>%1, likely %2</source>
+        <translation>%1, wohl %2</translation>
+    </message>
+    <message>
+        <source>%1 units of %2 m</source>
+        <translation>%1 Einheiten von %2 m</translation>
+    </message>
+    <message>
+        <source>up: %1</source>
+        <translation>oben: %1</translation>
+    </message>
+    <message>
+        <source>up: %1, likely</source>
+        <translation>oben: %1, wohl</translation>
+    </message>
+</context>
+<context>
+    <name>operations</name>
+    <message>
+        <source>put</source>
+        <translation>hinstellen</translation>
+    </message>
+    <message>
+        <source>push</source>
+        <translation>schieben</translation>
+    </message>
+    <message>
+        <source>turn</source>
+        <translation>drehen</translation>
+    </message>
+    <message>
+        <source>pick_up</source>
+        <translation>aufheben</translation>
+    </message>
+    <message>
+        <source>translate</source>
+        <translation>bewegen</translation>
+    </message>
+    <message>
+        <source>rotate</source>
+        <translation>rotieren</translation>
+    </message>
+    <message>
+        <source>append</source>
+        <translation>hinzufügen</translation>
+    </message>
+    <message>
+        <source>duplicate</source>
+        <translation>verdoppeln</translation>
+    </message>
+    <message>
+        <source>delete</source>
+        <translation>löschen</translation>
+    </message>
+    <message>
+        <source>lock</source>
+        <translation>sperren</translation>
+    </message>
+    <message>
+        <source>unlock</source>
+        <translation>entsperren</translation>
+    </message>
+    <message>
+        <source>fix</source>
+        <translation>befestigen</translation>
+    </message>
+    <message>
+        <source>unfix</source>
+        <translation>lösen</translation>
+    </message>
+    <message>
+        <source>group</source>
+        <translation>gruppieren</translation>
+    </message>
+    <message>
+        <source>ungroup</source>
+        <translation>Gruppe auflösen</translation>
+    </message>
+    <message>
+        <source>rename</source>
+        <translation>umbenennen</translation>
+    </message>
+    <message>
+        <source>stand</source>
+        <translation>genau hinstellen</translation>
+    </message>
+    <message>
+        <source>unplace</source>
+        <translation>wegnehmen</translation>
+    </message>
+    <message>
+        <source>material</source>
+        <translation>Material</translation>
+    </message>
+    <message>
+        <source>arrange</source>
+        <translation>anordnen</translation>
+    </message>
+    <message>
+        <source>scale &quot;%1&quot;</source>
+        <translation>skalieren „%1“</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 und %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 %n objects</source>
+        <translation>
+            <numerusform>%1: %n Objekt</numerusform>
+            <numerusform>%1: %n Objekte</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>refusal</name>
+    <message>
+        <source>the floor</source>
+        <translation>der Boden</translation>
+    </message>
+    <message>
+        <source>%1 is no name; accepted: UTF-8 without control characters, not &quot;floor&quot;</source>
+        <translation>%1 ist kein Name; erlaubt: UTF-8 ohne Steuerzeichen, nicht „floor“</translation>
+    </message>
+    <message>
+        <source>there is an object %1 already</source>
+        <translation>ein Objekt %1 gibt es schon</translation>
+    </message>
+    <message>
+        <source>the model %1 of %2 was not loaded</source>
+        <translation>das Modell %1 von %2 wurde nicht geladen</translation>
+    </message>
+    <message>
+        <source>%1 cannot follow a hand</source>
+        <translation>%1 kann keiner Hand folgen</translation>
+    </message>
+    <message>
+        <source>there is no object %1</source>
+        <translation>ein Objekt %1 gibt es nicht</translation>
+    </message>
+    <message>
+        <source>there is no object %1 to put %2 on</source>
+        <translation>ein Objekt %1, worauf %2 gestellt werden soll, gibt es nicht</translation>
+    </message>
+    <message>
+        <source>%1; did you mean %2?</source>
+        <translation>%1; war %2 gemeint?</translation>
+    </message>
+    <message>
+        <source>%1 is fixed and would have to move along: unfix it first</source>
+        <translation>%1 ist befestigt und müsste sich mitbewegen: zuerst lösen</translation>
+    </message>
+    <message>
+        <source>%1 is fixed: unfix it first</source>
+        <translation>%1 ist befestigt: zuerst lösen</translation>
+    </message>
+    <message>
+        <source>%1 is locked and would have to move along: unlock it first</source>
+        <translation>%1 ist gesperrt und müsste sich mitbewegen: zuerst entsperren</translation>
+    </message>
+    <message>
+        <source>%1 is locked: unlock it first</source>
+        <translation>%1 ist gesperrt: zuerst entsperren</translation>
+    </message>
+    <message>
+        <source>%1 is not in the scene: put it there first</source>
+        <translation>%1 ist nicht in der Szene: zuerst hinstellen</translation>
+    </message>
+    <message>
+        <source>%1 is not in the scene</source>
+        <translation>%1 ist nicht in der Szene</translation>
+    </message>
+    <message>
+        <source>there is no floor to put %1 on</source>
+        <translation>es gibt keinen Boden für %1</translation>
+    </message>
+    <message>
+        <source>%1 cannot be put on itself or on what it carries</source>
+        <translation>%1 kann nicht auf sich selbst stehen, und nicht auf seiner Last</translation>
+    </message>
+    <message>
+        <source>a clearance of %1 m is not between %2 and %3 m for a scene of this size</source>
+        <translation>ein Abstand von %1 m liegt nicht zwischen %2 und %3 m, wie für eine Szene dieser Größe nötig</translation>
+    </message>
+    <message>
+        <source>%1 reaches a coordinate of %2 m: the clearance there, %3 m, is too coarse for %4 of %5 m; accepted: coordinates and sizes of scenes up to %6 m</source>
+        <translation>%1 reicht bis zur Koordinate %2 m: der Abstand dort, %3 m, ist zu grob für %4 von %5 m; erlaubt: Koordinaten und Größen von Szenen bis %6 m</translation>
+    </message>
+    <message>
+        <source>%1, or a clearance that is asked for, up to %2 m</source>
+        <translation>%1, oder ein ausdrücklich gewählter Abstand bis %2 m</translation>
+    </message>
+    <message>
+        <source>%1 passes through %2</source>
+        <translation>%1 durchdringt: %2</translation>
+    </message>
+    <message>
+        <source>%1 is inside %2</source>
+        <translation>%1 steckt im Innern: %2</translation>
+    </message>
+    <message>
+        <source>%1 would touch %2 in the float32 values of an exported file</source>
+        <translation>%1 würde in den float32-Werten einer exportierten Datei berühren: %2</translation>
+    </message>
+    <message>
+        <source>%1 reaches below the floor</source>
+        <translation>%1 reicht unter den Boden</translation>
+    </message>
+    <message>
+        <source>%1 would reach below the floor in an exported file</source>
+        <translation>%1 würde in einer exportierten Datei unter den Boden reichen</translation>
+    </message>
+    <message>
+        <source>at its start position %1</source>
+        <translation>am Anfang der Bewegung: %1</translation>
+    </message>
+    <message>
+        <source>at its position %1</source>
+        <translation>in seiner Lage: %1</translation>
+    </message>
+    <message>
+        <source>%1: move it out freely first</source>
+        <translation>%1; zuerst frei herausbewegen</translation>
+    </message>
+    <message>
+        <source>%1 touches %2 already</source>
+        <translation>%1 berührt schon: %2</translation>
+    </message>
+    <message>
+        <source>nothing is below %1: it would fall for ever</source>
+        <translation>unter %1 ist nichts: es fiele ohne Ende</translation>
+    </message>
+    <message>
+        <source>the scene would not stand at friction %1: %2 would move</source>
+        <translation>die Szene stünde bei Reibung %1 nicht; in Bewegung gerieten: %2</translation>
+    </message>
+    <message>
+        <source>%1 touches something at its start</source>
+        <translation>%1 berührt am Anfang etwas</translation>
+    </message>
+    <message>
+        <source>%1 did not come to rest within %2 motions</source>
+        <translation>%1 kam in %2 Bewegungen nicht zur Ruhe</translation>
+    </message>
+    <message>
+        <source>%1 did not get to the end of its way within %2 motions</source>
+        <translation>%1 kam in %2 Bewegungen nicht ans Ende seines Wegs</translation>
+    </message>
+    <message>
+        <source>%1 is wedged in the air: it can neither sink further nor be held there</source>
+        <translation>%1 klemmt in der Luft: es kann weder weiter sinken noch dort gehalten werden</translation>
+    </message>
+    <message>
+        <source>%1 is wedged against %2: it can neither sink further nor be held there</source>
+        <translation>%1 klemmt (an: %2): es kann weder weiter sinken noch dort gehalten werden</translation>
+    </message>
+    <message>
+        <source>%1 is wedged between %2: it can neither sink further nor be held there</source>
+        <translation>%1 klemmt (zwischen: %2): es kann weder weiter sinken noch dort gehalten werden</translation>
+    </message>
+    <message>
+        <source>%1 lies on nothing along which it could be pushed</source>
+        <translation>%1 liegt auf nichts, worauf es geschoben werden könnte</translation>
+    </message>
+    <message>
+        <source>%1 lies on nothing: there is no contact %2</source>
+        <translation>%1 liegt auf nichts: es gibt keinen Kontakt %2</translation>
+    </message>
+    <message>
+        <source>%1 does not touch %2: there is no contact %3</source>
+        <translation>%1 berührt nicht: %2; es gibt keinen Kontakt %3</translation>
+    </message>
+    <message>
+        <source>anything</source>
+        <translation>irgend etwas</translation>
+    </message>
+    <message>
+        <source>%1 touches %2 in one point: there is no line to turn about</source>
+        <translation>%1 berührt in nur einem Punkt: %2; es gibt keine Gerade, um die es sich drehen ließe</translation>
+    </message>
+    <message>
+        <source>to turn about</source>
+        <translation>zum Drehen</translation>
+    </message>
+    <message>
+        <source>to pick it up from</source>
+        <translation>zum Aufheben</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 und %2</translation>
+    </message>
+    <message>
+        <source>%1 cannot be kept %2 m away from everything else: a scene so large is too coarse for its objects, the smallest of which is %3 m; accepted: a distance to keep of up to %4 m</source>
+        <translation>%1 kann nicht %2 m Abstand von allem halten: eine so große Szene ist zu grob für ihre Objekte, deren kleinstes %3 m misst; erlaubt: ein Abstand bis %4 m</translation>
+    </message>
+    <message>
+        <source>%1 would come to rest against %2</source>
+        <translation>%1 käme nicht frei zur Ruhe; im Weg: %2</translation>
+    </message>
+    <message>
+        <source>%1 would come to rest too near to %2</source>
+        <translation>%1 käme zu nahe zur Ruhe; im Weg: %2</translation>
+    </message>
+    <message>
+        <source>no free place for %1 on %2: of %3 places, every %4 m, %5 are over no part of it and %6 are blocked by other things</source>
+        <translation>kein freier Platz für %1 (auf: %2): von %3 Plätzen, alle %4 m, liegen %5 daneben, %6 sind von anderem besetzt</translation>
+    </message>
+    <message>
+        <source>%1; it was tried at %2 others: first %3</source>
+        <translation>%1; an %2 anderen wurde es versucht, zuerst: %3</translation>
+    </message>
+    <message>
+        <source>not tried, because %1 of %2 was refused before</source>
+        <translation>nicht versucht, weil vorher abgelehnt wurde: %1 von %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 was cancelled</source>
+        <translation>abgebrochen: %1 von %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 did not end within %3 s</source>
+        <translation>nicht fertig in %3 s: %1 von %2</translation>
+    </message>
+</context>
+<context>
+    <name>results</name>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 und %2</translation>
+    </message>
+    <message>
+        <source>%1 by %2 mm and %3 degrees</source>
+        <translation>%1 um %2 mm und %3 Grad</translation>
+    </message>
+    <message>
+        <source>the floor</source>
+        <translation>der Boden</translation>
+    </message>
+    <message>
+        <source>stopped by %1</source>
+        <translation>aufgehalten, im Weg: %1</translation>
+    </message>
+    <message>
+        <source>stopped by a step of %1 higher than allowed</source>
+        <translation>aufgehalten von einer zu hohen Stufe: %1</translation>
+    </message>
+    <message>
+        <source>stopped before an edge deeper than allowed</source>
+        <translation>angehalten vor einer zu tiefen Kante</translation>
+    </message>
+    <message>
+        <source>gave way: %1</source>
+        <translation>nachgegeben: %1</translation>
+    </message>
+    <message>
+        <source>%1 left without support</source>
+        <translation>%1 ohne Halt</translation>
+    </message>
+    <message>
+        <source>interpenetrates %1</source>
+        <translation>durchdringt %1</translation>
     </message>
 </context>
 <context>
@@ -187,18 +557,6 @@
         <translation>oben</translation>
     </message>
     <message>
-        <source>1 copy</source>
-        <translation>1 Kopie</translation>
-    </message>
-    <message>
-        <source>%1 copies</source>
-        <translation>%1 Kopien</translation>
-    </message>
-    <message>
-        <source>%1 objects in turn</source>
-        <translation>%1 Objekte reihum</translation>
-    </message>
-    <message>
         <source>%1 is locked: it is not taken in hand</source>
         <translation>%1 ist gesperrt und wird nicht in die Hand genommen</translation>
     </message>
@@ -225,6 +583,20 @@
     <message>
         <source>grid %1 mm</source>
         <translation>Raster %1 mm</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n copies</source>
+        <translation>
+            <numerusform>%n Kopie</numerusform>
+            <numerusform>%n Kopien</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n objects in turn</source>
+        <translation>
+            <numerusform>%n Objekt reihum</numerusform>
+            <numerusform>%n Objekte reihum</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -704,14 +1076,6 @@
 <context>
     <name>trivet::edit::AssetBrowser</name>
     <message>
-        <source>%1, likely %2</source>
-        <translation>%1, wohl %2</translation>
-    </message>
-    <message>
-        <source>%1 units of %2 m</source>
-        <translation>%1 Einheiten zu %2 m</translation>
-    </message>
-    <message>
         <source>Folder of models, with those below it</source>
         <translation>Ordner mit Modellen, samt denen darunter</translation>
     </message>
@@ -819,6 +1183,85 @@
     </message>
 </context>
 <context>
+    <name>trivet::edit::Document</name>
+    <message>
+        <source>new scene</source>
+        <translation>neue Szene</translation>
+    </message>
+    <message>
+        <source>open &quot;%1&quot;</source>
+        <translation>öffnen: „%1“</translation>
+    </message>
+    <message>
+        <source>demo &quot;%1&quot;</source>
+        <translation>Demo „%1“</translation>
+    </message>
+    <message>
+        <source>save</source>
+        <translation>sichern</translation>
+    </message>
+    <message>
+        <source>save &quot;%1&quot;</source>
+        <translation>sichern: „%1“</translation>
+    </message>
+    <message>
+        <source>export &quot;%1&quot;</source>
+        <translation>exportieren: „%1“</translation>
+    </message>
+    <message>
+        <source>close</source>
+        <translation>schließen</translation>
+    </message>
+    <message>
+        <source>restore</source>
+        <translation>wiederherstellen</translation>
+    </message>
+    <message>
+        <source>scale &quot;%1&quot;</source>
+        <translation>skalieren „%1“</translation>
+    </message>
+    <message>
+        <source>import &quot;%1&quot;</source>
+        <translation>importieren: „%1“</translation>
+    </message>
+    <message>
+        <source>undo</source>
+        <translation>rückgängig</translation>
+    </message>
+    <message>
+        <source>redo</source>
+        <translation>wiederholen</translation>
+    </message>
+    <message>
+        <source>history</source>
+        <translation>Verlauf</translation>
+    </message>
+    <message>
+        <source>arrange</source>
+        <translation>anordnen</translation>
+    </message>
+    <message>
+        <source>drag</source>
+        <translation>ziehen</translation>
+    </message>
+    <message>
+        <source>%1 was cancelled</source>
+        <translation>%1: abgebrochen</translation>
+    </message>
+    <message>
+        <source>%1: not enough memory</source>
+        <translation>%1: zu wenig Speicher</translation>
+    </message>
+    <message>
+        <source>arrange: the scene has changed since the arrangement was found; look for another</source>
+        <translation>anordnen: die Szene hat sich geändert, seit die Anordnung gefunden wurde; eine andere suchen</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3; the others were refused, the first: %4</source>
+        <translation>%1: %2 von %3; die anderen wurden abgelehnt, das erste: %4</translation>
+    </message>
+</context>
+<context>
     <name>trivet::edit::FormDialog</name>
     <message>
         <source> m</source>
@@ -840,20 +1283,8 @@
         <translation>%1 importieren</translation>
     </message>
     <message>
-        <source>Import %1 models</source>
-        <translation>%1 Modelle importieren</translation>
-    </message>
-    <message>
         <source>other</source>
         <translation>andere</translation>
-    </message>
-    <message>
-        <source> m per unit</source>
-        <translation> m je Einheit</translation>
-    </message>
-    <message>
-        <source>As the format states</source>
-        <translation>Wie im Format angegeben</translation>
     </message>
     <message>
         <source>Y</source>
@@ -862,22 +1293,6 @@
     <message>
         <source>Z</source>
         <translation>Z</translation>
-    </message>
-    <message>
-        <source>Unit of the file</source>
-        <translation>Einheit der Datei</translation>
-    </message>
-    <message>
-        <source>Scale</source>
-        <translation>Maßstab</translation>
-    </message>
-    <message>
-        <source>Up axis</source>
-        <translation>Achse nach oben</translation>
-    </message>
-    <message>
-        <source>The imported model is not placed yet; click where to put it.</source>
-        <translation>Das importierte Modell ist noch nicht abgelegt; klicken, wohin es soll.</translation>
     </message>
     <message>
         <source>Import</source>
@@ -890,6 +1305,76 @@
     <message>
         <source>All files (*)</source>
         <translation>Alle Dateien (*)</translation>
+    </message>
+    <message numerus="yes">
+        <source>Import %n models</source>
+        <translation>
+            <numerusform>%n Modell importieren</numerusform>
+            <numerusform>%n Modelle importieren</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Metres per unit</source>
+        <translation>Meter je Einheit</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Hinweise</translation>
+    </message>
+    <message>
+        <source>likely</source>
+        <translation>wohl</translation>
+    </message>
+    <message>
+        <source>All: unit</source>
+        <translation>Alle: Einheit</translation>
+    </message>
+    <message>
+        <source>up</source>
+        <translation>oben</translation>
+    </message>
+    <message>
+        <source>as stated</source>
+        <translation>wie angegeben</translation>
+    </message>
+    <message>
+        <source>likely %1</source>
+        <translation>wohl %1</translation>
+    </message>
+    <message>
+        <source>as stated: %1</source>
+        <translation>wie angegeben: %1</translation>
+    </message>
+    <message>
+        <source>Imported models are not placed yet; click where to put them.</source>
+        <translation>Importierte Modelle stehen noch nirgends; klicken, wohin sie sollen.</translation>
+    </message>
+    <message>
+        <source>Reading: %1 of %2 files</source>
+        <translation>Gelesen: %1 von %2 Dateien</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n files cannot be read and are left out.</source>
+        <translation>
+            <numerusform>%n Datei ist nicht lesbar und bleibt weg.</numerusform>
+            <numerusform>%n Dateien sind nicht lesbar und bleiben weg.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1814,6 +2299,45 @@
         <source>Arrange: wishes between objects, and scenes that meet them</source>
         <translation>Anordnen: Wünsche zwischen Objekten, und Szenen, die sie erfüllen</translation>
     </message>
+    <message>
+        <source>take out of its collection</source>
+        <translation>aus der Sammlung nehmen</translation>
+    </message>
+    <message>
+        <source>new collection</source>
+        <translation>neue Sammlung</translation>
+    </message>
+    <message>
+        <source>duplicate</source>
+        <translation>verdoppeln</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n models were not imported: %1</source>
+        <translation>
+            <numerusform>%n Modell wurde nicht importiert: %1</numerusform>
+            <numerusform>%n Modelle wurden nicht importiert: %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>hide</source>
+        <translation>ausblenden</translation>
+    </message>
+    <message>
+        <source>show hidden</source>
+        <translation>Ausgeblendetes zeigen</translation>
+    </message>
+    <message>
+        <source>not selectable</source>
+        <translation>nicht wählbar</translation>
+    </message>
+    <message>
+        <source>all selectable</source>
+        <translation>alle wählbar</translation>
+    </message>
+    <message>
+        <source>colour</source>
+        <translation>Farbe</translation>
+    </message>
 </context>
 <context>
     <name>trivet::edit::MessageBar</name>
@@ -2143,13 +2667,6 @@
         <source>Not placed yet</source>
         <translation>Noch nicht abgelegt</translation>
     </message>
-    <message numerus="yes">
-        <source>%n object(s)</source>
-        <translation>
-            <numerusform>%n Objekt</numerusform>
-            <numerusform>%n Objekte</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Select its objects</source>
         <translation>Ihre Objekte auswählen</translation>
@@ -2185,6 +2702,25 @@
     <message>
         <source>Dissolve; its objects stay</source>
         <translation>Auflösen; ihre Objekte bleiben</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n objects</source>
+        <translation>
+            <numerusform>%n Objekt</numerusform>
+            <numerusform>%n Objekte</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>change of a collection</source>
+        <translation>Sammlung ändern</translation>
+    </message>
+    <message>
+        <source>lock</source>
+        <translation>sperren</translation>
+    </message>
+    <message>
+        <source>unlock</source>
+        <translation>entsperren</translation>
     </message>
 </context>
 <context>
@@ -2439,6 +2975,34 @@
         <source>Model</source>
         <translation>Modell</translation>
     </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Of the model&apos;s file; with another one it is put anew</source>
+        <translation>Der Modelldatei; mit einer anderen wird es neu hingestellt</translation>
+    </message>
+    <message>
+        <source>Up axis</source>
+        <translation>Oben-Achse</translation>
+    </message>
+    <message>
+        <source>other</source>
+        <translation>andere</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>material</source>
+        <translation>Material</translation>
+    </message>
 </context>
 <context>
     <name>trivet::edit::SceneView</name>
@@ -2541,13 +3105,6 @@
         <source>A scene that was never saved</source>
         <translation>Eine nie gespeicherte Szene</translation>
     </message>
-    <message numerus="yes">
-        <source>%1 was not closed properly; %n step(s), the last on %2</source>
-        <translation>
-            <numerusform>%1 wurde nicht richtig geschlossen; %n Schritt, am %2</numerusform>
-            <numerusform>%1 wurde nicht richtig geschlossen; %n Schritte, der letzte am %2</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Recover</source>
         <translation>Wiederherstellen</translation>
@@ -2555,6 +3112,13 @@
     <message>
         <source>Discard</source>
         <translation>Verwerfen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 was not closed properly; %n steps, the last on %2</source>
+        <translation>
+            <numerusform>%1 wurde nicht richtig geschlossen; %n Schritt, der letzte am %2</numerusform>
+            <numerusform>%1 wurde nicht richtig geschlossen; %n Schritte, der letzte am %2</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2631,6 +3195,26 @@
     <message>
         <source>stands, but only just</source>
         <translation>steht, aber nur knapp</translation>
+    </message>
+    <message>
+        <source>tips towards</source>
+        <translation>kippt nach</translation>
+    </message>
+    <message>
+        <source>slides towards</source>
+        <translation>rutscht nach</translation>
+    </message>
+    <message>
+        <source>turns about the vertical</source>
+        <translation>dreht sich um die Senkrechte</translation>
+    </message>
+    <message>
+        <source>moves</source>
+        <translation>bewegt sich</translation>
+    </message>
+    <message>
+        <source>sinks</source>
+        <translation>sinkt</translation>
     </message>
 </context>
 <context>
@@ -2720,12 +3304,15 @@
         <translation>%1 hingestellt, alle Wünsche sind erfüllt</translation>
     </message>
     <message>
-        <source>%1 objects</source>
-        <translation>%1 Objekte</translation>
-    </message>
-    <message>
         <source>, %1 to %2 cm</source>
         <translation>, %1 bis %2 cm</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n objects</source>
+        <translation>
+            <numerusform>%n Objekt</numerusform>
+            <numerusform>%n Objekte</numerusform>
+        </translation>
     </message>
 </context>
 </TS>

@@ -1,4 +1,12 @@
 #!/bin/bash
-# Brings the translations up to date with the sources: new texts are added as unfinished, unused ones go.
+# Brings the translations up to date with the sources: new texts are added as unfinished, unused ones go. English has
+# the singular of texts with a number alone.
+#   update.sh [FOLDER]      of the .ts files; default: this one
 cd "$(dirname "$0")/../../.." || exit 1
-exec "${LUPDATE:-/usr/lib/qt6/bin/lupdate}" -no-obsolete -locations none -I . apps/edit -ts apps/edit/languages/*.ts
+folder="${1:-apps/edit/languages}"
+update() {
+  "${LUPDATE:-/usr/lib/qt6/bin/lupdate}" -silent -no-obsolete -locations none -I . \
+    -tr-function-alias QT_TRANSLATE_NOOP+=TRIVET_SENTENCE "$@"
+}
+sources=(apps/edit ops/base/refusal_text.cpp)
+update "${sources[@]}" -ts "$folder/trivet-edit_de.ts" && update -pluralonly "${sources[@]}" -ts "$folder/trivet-edit_en.ts"

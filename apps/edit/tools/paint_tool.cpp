@@ -104,10 +104,8 @@ Overlay PaintTool::overlay(const View&) const {
   for (const Vec3& place : all) add_ring(place, radius, out);
   for (size_t i = 0; i + 1 < m_stroke.size(); ++i)
     out.lines.push_back({Overlay::Role::Hint, m_stroke[i], m_stroke[i + 1]});
-  const QString note = all.size() == 1
-                           ? QCoreApplication::translate("tools", "1 copy")
-                           : QCoreApplication::translate("tools", "%1 copies").arg(all.size());
-  out.note = note.toStdString();
+  const int count = static_cast<int>(all.size());
+  out.note = QCoreApplication::translate("tools", "%n copies", nullptr, count).toStdString();
   return out;
 }
 
@@ -117,7 +115,8 @@ std::string PaintTool::in_hand() const {
   const std::vector<std::string> all = objects();
   if (all.empty()) return {};
   if (all.size() == 1) return all.front();
-  return QCoreApplication::translate("tools", "%1 objects in turn").arg(all.size()).toStdString();
+  const int count = static_cast<int>(all.size());
+  return QCoreApplication::translate("tools", "%n objects in turn", nullptr, count).toStdString();
 }
 
 std::string PaintTool::hint() const {

@@ -11,6 +11,7 @@
 #include <QUrl>
 #include <QVBoxLayout>
 
+#include "apps/edit/window/asset_facts.h"
 #include "apps/edit/window/icons.h"
 #include "apps/edit/window/units.h"
 
@@ -21,17 +22,11 @@ constexpr int kModelRole = Qt::UserRole;
 constexpr int kIconPx = 88, kCellPx = 108;
 constexpr int kSettleMs = 80;  // after scrolling, until pictures are asked for
 
-QString unit_key(const QString& folder) {
-  return "assets/units/" + QUrl::toPercentEncoding(folder);
-}
-
-/// "23.5 x 10 x 7.4 cm, likely"
-QString size_text(const AssetInfo& info) {
-  QStringList sides;
-  for (int i = 0; i < 3; ++i) sides << QLocale().toString(info.size[i], 'g', 4);
-  const QString size = sides.join(" × ");
-  if (!info.unit.isEmpty()) return AssetBrowser::tr("%1, likely %2").arg(size, info.unit);
-  return AssetBrowser::tr("%1 units of %2 m").arg(size, QLocale().toString(info.metres, 'g', 4));
+/// With a row for each fact.
+QString facts_text(const QString& file, const AssetInfo& info) {
+  return QStringList{file, size_text(info), up_text(info), info.notes.join('\n')}
+      .join('\n')
+      .trimmed();
 }
 
 }  // namespace
@@ -77,7 +72,7 @@ AssetBrowser::AssetBrowser(const QString& cache, const ImportLimits& limits, QWi
       std::max(0, m_folders->findData(QSettings().value("assets/folder").toString())));
   connect(m_folders, &QComboBox::currentIndexChanged, this, &AssetBrowser::show_folder);
   connect(m_unit, &QComboBox::currentIndexChanged, this,
-          [this] { QSettings().setValue(unit_key(folder()), m_unit->currentData()); });
+          [this] { choose_unit(m_unit->currentData().toDouble()); });
 }
 
 void AssetBrowser::make_widgets() {
@@ -157,10 +152,16 @@ void AssetBrowser::add_folder(const QString& folder) {
 }
 
 void AssetBrowser::forget_folder() {
-  QSettings().remove(unit_key(folder()));
+  choose_unit(0);
   m_folders->removeItem(m_folders->currentIndex());
   save_folders();
   if (m_folders->count() == 0) show_folder();
+}
+
+void AssetBrowser::choose_unit(double metres) {
+  FolderChoice choice = FolderChoice::of(folder());
+  choice.metres = metres;
+  choice.remember(folder());
 }
 
 void AssetBrowser::show_folder() {
@@ -173,7 +174,7 @@ void AssetBrowser::show_folder() {
   if (!has_one) return;
   QSettings().setValue("assets/folder", folder());
   const QSignalBlocker blocker(m_unit);
-  const int unit = m_unit->findData(QSettings().value(unit_key(folder()), 0.0).toDouble());
+  const int unit = m_unit->findData(FolderChoice::of(folder()).metres);
   m_unit->setCurrentIndex(std::max(0, unit));
   m_folders->setToolTip(folder());
   m_thumbnails.list(folder());
@@ -207,7 +208,7 @@ void AssetBrowser::show_item(QListWidgetItem& item) {
   else
     item.setIcon(make_icon(Icon::Import, m_theme.faint_text()));
   item.setData(Qt::ForegroundRole, is_bad ? QVariant(m_theme.refused()) : QVariant());
-  item.setToolTip(is_bad ? info->error : info ? file + "\n" + size_text(*info) : file);
+  item.setToolTip(is_bad ? info->error : info ? facts_text(file, *info) : file);
 }
 
 void AssetBrowser::show_file(const QString& file) {
@@ -222,7 +223,7 @@ void AssetBrowser::show_made(const QString& file) {
   const AssetInfo info = *known;
   if (!info.error.isEmpty()) return Q_EMIT refused(info.error);
   for (const Waiting& one : waiting.mapped())
-    one.then({file, one.chosen > 0 ? one.chosen : info.metres});
+    one.then({file, one.chosen > 0 ? one.chosen : info.metres, info.up});
 }
 
 // A bad one is read again: there may have been no time for it, or it may have been mended.
@@ -230,7 +231,7 @@ void AssetBrowser::with_asset(const QString& file, std::function<void(const Asse
   const double chosen = m_unit->currentData().toDouble();
   const AssetInfo* const info = m_thumbnails.find(file);
   if (info && info->error.isEmpty() && m_thumbnails.is_current(file))
-    return then({file, chosen > 0 ? chosen : info->metres});
+    return then({file, chosen > 0 ? chosen : info->metres, info->up});
   m_thumbnails.forget(file);
   m_waiting[file].push_back({chosen, std::move(then)});
   want_seen();

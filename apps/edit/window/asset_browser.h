@@ -29,7 +29,8 @@ class AssetList : public QListWidget {
 /// A model to import from the browser.
 struct Asset {
   QString file;
-  double metres = 1;  // per unit: as chosen for its folder, else stated or likely
+  double metres = 1;      // per unit: as chosen for its folder, else stated or likely
+  UpAxis up = UpAxis::Z;  // stated or likely
 };
 
 class AssetBrowser : public QWidget {
@@ -62,6 +63,7 @@ class AssetBrowser : public QWidget {
   void make_widgets();
   void ask_folder();
   void forget_folder();
+  void choose_unit(double metres);
   void show_folder();
   void fill(const QString& folder, const QStringList& files);
   void show_made(const QString& file);

@@ -29,13 +29,13 @@ constexpr qsizetype kMostHeld = 300;    // pictures in memory: 30 MB, unless mor
 constexpr double kMostSeconds = 10;
 constexpr std::int64_t kMostTriangles = 5'000'000;
 constexpr int kLeastUrgent = 19;  // of nice(): the window's threads come first
-constexpr int kVersion = 2;       // of what is kept
+constexpr int kVersion = 3;       // of what is kept
 
-QImage picture_of(const Model& model, double metres, const std::atomic<bool>& stop) {
+QImage picture_of(const Model& model, UpAxis up, double metres, const std::atomic<bool>& stop) {
   const PictureMesh mesh = picture_mesh(model);
   PictureScene scene;
   scene.floor = false;
-  scene.objects.push_back({&mesh, world_from_object({}, model.up, metres), std::nullopt});
+  scene.objects.push_back({&mesh, world_from_object({}, up, metres), std::nullopt});
   PictureOptions options;
   options.width = options.height = kPixels;
   options.samples = kSamples;
@@ -210,6 +210,9 @@ AssetInfo AssetThumbnails::info_of(const QString& file) const {
     for (int i = 0; i < 3 && size.size() == 3; ++i) info.size[i] = size[i].toDouble();
     info.metres = kept.text("metres").toDouble();
     info.unit = kept.text("unit");
+    info.up = kept.text("up").startsWith('y') ? UpAxis::Y : UpAxis::Z;
+    info.states_up = kept.text("up").endsWith("stated");
+    info.notes = kept.text("notes").split('\n', Qt::SkipEmptyParts);
   } else {
     info = made_of(file);
     // Errors are not kept: the next time there may be time and memory for it, or an importer.
@@ -227,7 +230,10 @@ AssetInfo AssetThumbnails::made_of(const QString& file) const {
     info.size = box.upper - box.lower;
     if (!model.metres_per_unit) info.unit = likely_unit(box);
     info.metres = model.metres_per_unit.value_or(metres_of(info.unit));
-    info.picture = picture_of(model, info.metres, m_stop);
+    info.states_up = model.up_from_format;
+    info.up = info.states_up ? model.up : likely_up(model.mesh).value_or(model.up);
+    for (const std::string& note : model.notes) info.notes << QString::fromStdString(note);
+    info.picture = picture_of(model, info.up, info.metres, m_stop);
   } catch (const std::exception& error) {
     info.error = QString::fromUtf8(error.what());
   }
@@ -243,6 +249,8 @@ void AssetThumbnails::keep(const QString& cached, const AssetInfo& info) const {
                            .arg(info.size.y(), 0, 'g', 9)
                            .arg(info.size.z(), 0, 'g', 9));
   kept.setText("unit", info.unit);
+  kept.setText("up", QString(info.up == UpAxis::Y ? "y" : "z") + (info.states_up ? " stated" : ""));
+  kept.setText("notes", info.notes.join('\n'));
   QDir().mkpath(m_cache);
   QSaveFile out(cached);
   if (out.open(QIODevice::WriteOnly) && kept.save(&out, "PNG")) out.commit();

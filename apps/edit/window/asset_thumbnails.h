@@ -33,6 +33,9 @@ struct AssetInfo {
   Vec3 size = Vec3::Zero();  // of its box, in the file's units and axes
   double metres = 1;         // per unit: stated by the file, else likely by its size
   QString unit;              // "cm": a guess; empty: the file states it
+  UpAxis up = UpAxis::Z;     // stated by the file, else likely by its shape
+  bool states_up = false;
+  QStringList notes;  // on what was left out
 };
 
 class AssetThumbnails : public QObject {

@@ -1,16 +1,14 @@
 // The asset browser in the main window: what is taken from it.
 #include <QApplication>
 #include <QMouseEvent>
-#include <QStandardPaths>
 
+#include "apps/edit/window/asset_facts.h"
 #include "apps/edit/window/main_window.h"
 
 namespace trivet::edit {
 
 void MainWindow::make_asset_dock() {
-  const QString cache = QStandardPaths::writableLocation(QStandardPaths::CacheLocation);
-  m_assets =
-      new AssetBrowser(cache.isEmpty() ? cache : cache + "/models", m_document.import_limits());
+  m_assets = new AssetBrowser(picture_cache(), m_document.import_limits());
   m_asset_dock = new QDockWidget(tr("Models"), this);
   m_asset_dock->setObjectName("asset_dock");
   m_asset_dock->setWidget(m_assets);
@@ -31,6 +29,7 @@ ImportModel import_of(const Asset& asset) {
   ImportModel model;
   model.file = asset.file.toStdString();
   model.scale = asset.metres;
+  model.up = asset.up;
   return model;
 }
 

@@ -12,7 +12,7 @@ void MainWindow::make_collection_actions() {
       [this] {
         Looks looks = m_document.looks();
         looks.collections.take_out(m_document.selection().objects);
-        m_document.set_looks(std::move(looks));
+        m_document.set_looks(std::move(looks), tr("take out of its collection").toStdString());
       },
       tr("Take the selected objects out of their collections"));
 }
@@ -21,7 +21,7 @@ void MainWindow::collect_selected() {
   Looks looks = m_document.looks();
   const std::string name = looks.collections.free_name(tr("collection").toStdString());
   looks.collections.put(m_document.selection().objects, name);
-  m_document.set_looks(std::move(looks));
+  m_document.set_looks(std::move(looks), tr("new collection").toStdString());
   m_control->outliner().edit_name_of(name);
 }
 

@@ -10,6 +10,7 @@ namespace trivet::edit {
 namespace {
 
 constexpr int kFileRole = Qt::UserRole, kDemoRole = Qt::UserRole + 1;
+constexpr QSize kPicture(48, 32);  // of a demo
 
 }  // namespace
 
@@ -31,6 +32,7 @@ ControlWindow::ControlWindow(Document& document, Toolbox& toolbox, QWidget* pare
   m_history->setObjectName("history");
   m_history->setToolTip(tr("Click a step to go back or forward to it"));
   m_history->setUniformItemSizes(true);
+  m_files->setIconSize(kPicture);
   addWidget(make_search());
   addWidget(m_tabs);
   setChildrenCollapsible(false);
@@ -90,9 +92,11 @@ void ControlWindow::show_files(const QStringList& recent) {
     item->setFlags(Qt::NoItemFlags);
   };
   heading(tr("Demos"));
-  for (const std::string& name : demo_names())
-    (new QListWidgetItem("   " + QString::fromStdString(name), m_files))
-        ->setData(kDemoRole, QString::fromStdString(name));
+  for (const std::string& demo : demo_names()) {
+    const QString name = QString::fromStdString(demo);
+    auto* const item = new QListWidgetItem(QPixmap(":/demos/" + name + ".png"), name, m_files);
+    item->setData(kDemoRole, name);
+  }
   if (!recent.isEmpty()) heading(tr("Recent"));
   for (const QString& file : recent) {
     auto* const item = new QListWidgetItem("   " + QFileInfo(file).fileName(), m_files);

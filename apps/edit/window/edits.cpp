@@ -24,7 +24,8 @@ void MainWindow::duplicate() {
     operations.push_back(DuplicateOperation{name, names.back()});
   }
   if (operations.empty()) return;
-  when_finished(m_document.perform_all("duplicate", std::move(operations), std::move(names)),
+  when_finished(m_document.perform_all(tr("duplicate").toStdString(), std::move(operations),
+                                       std::move(names)),
                 [this](bool ok) {
                   if (ok) take_tool(ToolKind::Put);
                 });

@@ -8,6 +8,7 @@
 #include <QSettings>
 #include <QStandardPaths>
 
+#include "apps/edit/window/asset_facts.h"
 #include "apps/edit/window/import_dialog.h"
 #include "apps/edit/window/main_window.h"
 #include "ops/files/report/scene_file.h"
@@ -181,21 +182,33 @@ void MainWindow::ask_import() {
 }
 
 void MainWindow::import_files(const QStringList& files) {
-  ImportDialog dialog(files, this);
+  ImportDialog dialog(files, picture_cache(), m_document.import_limits(), this);
   if (dialog.exec() != QDialog::Accepted) return;
+  dialog.remember_choices();
   show_workspace();
+  m_not_imported.clear();
   for (ImportModel& model : dialog.models()) m_imports.push_back(std::move(model));
+  m_num_imports = m_imports.size();
   import_next();
 }
 
 void MainWindow::import_next() {
-  if (m_imports.empty()) return;
+  if (m_imports.empty()) return show_not_imported();
   const ImportModel model = std::move(m_imports.front());
   m_imports.pop_front();
-  when_finished(m_document.import_model(model), [this](bool ok) {
+  when_finished(m_document.import_model(model), [this, file = model.file](bool ok) {
     if (ok && m_imports.empty()) take_tool(ToolKind::Put);
+    if (!ok) m_not_imported << QFileInfo(QString::fromStdString(file)).fileName();
     import_next();
   });
+}
+
+// Of one file the reason is shown already; of several it was, until the next one began.
+void MainWindow::show_not_imported() {
+  if (m_num_imports > 1 && !m_not_imported.isEmpty())
+    say(Message::Kind::Error,
+        tr("%n models were not imported: %1", nullptr, static_cast<int>(m_not_imported.size()))
+            .arg(m_not_imported.join(", ")));
 }
 
 void MainWindow::ask_picture() {

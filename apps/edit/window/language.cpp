@@ -48,7 +48,7 @@ void speak(QCoreApplication& application, const QString& code) {
   const QString chosen = code.isEmpty() ? QLocale::system().name().section('_', 0, 0) : code;
   if (!code.isEmpty()) QLocale::setDefault(QLocale(code));
   auto* const own = new Translation(&application);
-  if (!own->load(file_of(chosen))) return;
+  if (!own->load(file_of(chosen)) && !own->load(file_of("en"))) return;
   // Qt's own dialogs, where its translations are installed.
   auto* const of_qt = new QTranslator(&application);
   if (of_qt->load("qtbase_" + chosen, QLibraryInfo::path(QLibraryInfo::TranslationsPath)))

@@ -157,8 +157,9 @@ class MainWindow : public QMainWindow {
   void scatter(bool put_all);
   void align_selected();
   void replace_selected();
-  void change_looks(const std::function<void(Look&)>& change);  // of the selected objects
-  void reset_looks(bool Look::*field);
+  /// Of the selected objects. @param name  of the step.
+  void change_looks(const QString& name, const std::function<void(Look&)>& change);
+  void reset_looks(const QString& name, bool Look::*field);
 
   // collect.cpp
   void make_collection_actions();
@@ -180,6 +181,7 @@ class MainWindow : public QMainWindow {
   void ask_import();
   void import_files(const QStringList& files);
   void import_next();
+  void show_not_imported();
   void ask_picture();
   void remember_file(const QString& file);
   QString file_to_save(const QString& extension) const;
@@ -227,6 +229,8 @@ class MainWindow : public QMainWindow {
   QTimer m_busy_for_long;
   std::map<Document::Job, std::function<void(bool)>> m_waiting;
   std::deque<ImportModel> m_imports;
+  size_t m_num_imports = 0;
+  QStringList m_not_imported;
   std::unique_ptr<PictureJob> m_picture;
   std::optional<std::string> m_framed_title;
   std::optional<ObjectId> m_aimed_at;

@@ -75,24 +75,24 @@ void MainWindow::replace_selected() {
                replaced(*m_document.snapshot(), names, by, m_toolbox.options().drop_height));
 }
 
-void MainWindow::change_looks(const std::function<void(Look&)>& change) {
+void MainWindow::change_looks(const QString& name, const std::function<void(Look&)>& change) {
   Looks looks = m_document.looks();
   for (const ObjectId id : m_document.selection().objects) {
     Look look = looks.of(id);
     change(look);
     looks.change(id, look);
   }
-  m_document.set_looks(std::move(looks));
+  m_document.set_looks(std::move(looks), name.toStdString());
 }
 
-void MainWindow::reset_looks(bool Look::*field) {
+void MainWindow::reset_looks(const QString& name, bool Look::*field) {
   Looks looks = m_document.looks();
   for (const ObjectSnapshot& object : m_document.snapshot()->objects) {
     Look look = looks.of(object.id);
     look.*field = false;
     looks.change(object.id, look);
   }
-  m_document.set_looks(std::move(looks));
+  m_document.set_looks(std::move(looks), name.toStdString());
 }
 
 void MainWindow::make_many_actions() {
@@ -117,26 +117,30 @@ void MainWindow::make_many_actions() {
 void MainWindow::make_look_actions() {
   add_action(
       "hide", tr("H&ide"), tr("Ctrl+H"),
-      [this] { change_looks([](Look& look) { look.hidden = true; }); },
+      [this] { change_looks(tr("hide"), [](Look& look) { look.hidden = true; }); },
       tr("Hide: not drawn; it stays in the scene"));
   add_action("show all", tr("Sho&w hidden"), tr("Ctrl+Shift+H"),
-             [this] { reset_looks(&Look::hidden); });
+             [this] { reset_looks(tr("show hidden"), &Look::hidden); });
   add_action(
       "not selectable", tr("&Not selectable"), tr("Ctrl+K"),
-      [this] { change_looks([](Look& look) { look.not_selectable = true; }); },
+      [this] {
+        change_looks(tr("not selectable"), [](Look& look) { look.not_selectable = true; });
+      },
       tr("Not selectable: clicks pass through it, but things can be put on it"));
   add_action("all selectable", tr("All s&electable"), tr("Ctrl+Shift+K"),
-             [this] { reset_looks(&Look::not_selectable); });
+             [this] { reset_looks(tr("all selectable"), &Look::not_selectable); });
   m_colours = new QMenu(tr("Co&lour"), this);
   m_colours->setObjectName("colours");
-  m_colours->addAction(tr("As the model"),
-                       [this] { change_looks([](Look& look) { look.colour.reset(); }); });
+  m_colours->addAction(tr("As the model"), [this] {
+    change_looks(tr("colour"), [](Look& look) { look.colour.reset(); });
+  });
   for (const NamedColour& named : kColours) {
     const LookColour c = named.colour;
     QPixmap sample(16, 16);
     sample.fill(QColor::fromRgbF(c[0], c[1], c[2]));
-    m_colours->addAction(sample, tr(named.name),
-                         [this, c] { change_looks([c](Look& look) { look.colour = c; }); });
+    m_colours->addAction(sample, tr(named.name), [this, c] {
+      change_looks(tr("colour"), [c](Look& look) { look.colour = c; });
+    });
   }
 }
 

@@ -23,7 +23,7 @@ void Outliner::add_collections(const SceneSnapshot& scene) {
     item->setForeground(0, m_theme.accent());
     for (const ObjectId id : collection.objects)
       if (const ObjectSnapshot* const object = scene.find(id)) add(item, *object);
-    QStringList notes{tr("%n object(s)", nullptr, item->childCount())};
+    QStringList notes{tr("%n objects", nullptr, item->childCount())};
     if (collection.hidden) notes << tr("hidden");
     if (collection.not_selectable) notes << tr("not selectable");
     item->setText(1, notes.join(", "));
@@ -44,7 +44,7 @@ void Outliner::edit_name_of(const std::string& collection) {
 void Outliner::change_collections(const std::function<void(Collections&)>& change) {
   Looks looks = m_document.looks();
   change(looks.collections);
-  m_document.set_looks(std::move(looks));
+  m_document.set_looks(std::move(looks), tr("change of a collection").toStdString());
 }
 
 void Outliner::take_collection_name(const QTreeWidgetItem& item) {
@@ -138,7 +138,8 @@ void Outliner::show_collection_menu(const Collection& collection, const QPoint& 
     for (const ObjectId id : c.objects)
       if (const ObjectSnapshot* const object = m_document.snapshot()->find(id))
         all.emplace_back(LockOperation{(*object)->name, locked});
-    if (!all.empty()) m_document.perform_all(locked ? "lock" : "unlock", std::move(all));
+    if (!all.empty())
+      m_document.perform_all((locked ? tr("lock") : tr("unlock")).toStdString(), std::move(all));
   };
   menu->addAction(tr("Lock"), [lock] { lock(true); });
   menu->addAction(tr("Unlock"), [lock] { lock(false); });

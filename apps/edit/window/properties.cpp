@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "apps/edit/window/outliner.h"
+#include "apps/edit/window/units.h"
 #include "core/base/limits.h"
 #include "core/scene/materials.h"
 #include "ops/stability/stability.h"
@@ -17,8 +18,10 @@ namespace {
 constexpr double kDropHeight = 0.01;  // metres, from which a scaled object is put anew
 
 QString number(double x, int decimals) {
-  QString text = QString::number(x, 'f', decimals);
-  return text == "-" + QString::number(0.0, 'f', decimals) ? text.mid(1) : text;
+  QLocale locale;
+  locale.setNumberOptions(QLocale::OmitGroupSeparator);
+  const QString text = locale.toString(x, 'f', decimals);
+  return text == "-" + locale.toString(0.0, 'f', decimals) ? text.mid(1) : text;
 }
 
 QString contacts_text(const Object& object, const SceneSnapshot& scene) {
@@ -82,6 +85,8 @@ Properties::Properties(Document& document, QWidget* parent)
       m_position(new VectorField("position", 1e6, 4, 0.01)),
       m_rotation(new VectorField("rotation", 360, 2, 5)),
       m_scale(number_box(1e-6, 1e6, 6, 0.1, {})),
+      m_unit(new QComboBox),
+      m_up(new QComboBox),
       m_friction(number_box(kMinFriction, kMaxFriction, 3, 0.05, {})),
       m_density(number_box(kMinDensity, kMaxDensity, 0, 50, tr(" kg/m³"))),
       m_restitution(number_box(0, kMaxRestitution, 2, 0.05, {})) {
@@ -101,6 +106,7 @@ Properties::Properties(Document& document, QWidget* parent)
   m_content->setLayout(m_form);
   add_pose();
   add_scale();
+  add_frame();
   add_material();
   column->addWidget(m_empty);
   column->addWidget(m_name);
@@ -141,20 +147,58 @@ void Properties::add_scale() {
     widget->setToolTip(
         tr("Metres per unit of the model; with another number it is put anew in its place"));
   m_form->addRow(title, m_scale);
-  connect(m_scale, &QDoubleSpinBox::valueChanged, this, [this](double value) {
-    const auto active = m_document.selection().active();
-    const ObjectSnapshot* const found = active ? m_document.snapshot()->find(*active) : nullptr;
-    if (found) m_document.rescale((*found)->name, value, kDropHeight);
+  connect(m_scale, &QDoubleSpinBox::valueChanged, this, &Properties::take_scale);
+}
+
+// What the file's numbers mean, if it was imported wrongly.
+void Properties::add_frame() {
+  const auto add = [&](const QString& name, QComboBox* box, const char* id, const QString& tip) {
+    auto* const title = new QLabel(name);
+    title->setObjectName("faint");
+    box->setObjectName(id);
+    title->setToolTip(tip), box->setToolTip(tip);
+    m_form->addRow(title, box);
+  };
+  add(tr("Unit"), m_unit, "unit", tr("Of the model's file; with another one it is put anew"));
+  add(tr("Up axis"), m_up, "up", tr("Of the model's file; with another one it is put anew"));
+  for (const LengthUnit& unit : length_units()) m_unit->addItem(unit.name, unit.metres);
+  m_unit->addItem(tr("other"), 0.0);
+  m_up->addItems({tr("Y"), tr("Z")});
+  connect(m_unit, &QComboBox::activated, this, [this] {
+    if (const double metres = m_unit->currentData().toDouble(); metres > 0) take_scale(metres);
   });
+  connect(m_up, &QComboBox::activated, this,
+          [this](int index) { take_up(index == 0 ? UpAxis::Y : UpAxis::Z); });
+}
+
+const Object* Properties::active_object() const {
+  const auto active = m_document.selection().active();
+  const ObjectSnapshot* const found = active ? m_document.snapshot()->find(*active) : nullptr;
+  return found ? found->object.get() : nullptr;
+}
+
+void Properties::take_scale(double metres) {
+  if (const Object* const object = active_object())
+    m_document.rescale(object->name, metres, kDropHeight);
+}
+
+void Properties::take_up(UpAxis up) {
+  const Object* const object = active_object();
+  if (object && object->up != up) m_document.rescale(object->name, object->scale, up, kDropHeight);
+}
+
+void Properties::show_frame(const Object& object) {
+  const int unit = m_unit->findData(object.scale);
+  m_unit->setCurrentIndex(unit >= 0 ? unit : m_unit->count() - 1);
+  m_up->setCurrentIndex(object.up == UpAxis::Y ? 0 : 1);
 }
 
 void Properties::stand(PosePart part, int axis, double value) {
-  const auto active = m_document.selection().active();
-  const ObjectSnapshot* const found = active ? m_document.snapshot()->find(*active) : nullptr;
-  if (!found) return;
+  const Object* const object = active_object();
+  if (!object) return;
   StandOperation stand;
-  stand.object = (*found)->name;
-  stand.pose = with_number((*found)->pose, part, axis, value);
+  stand.object = object->name;
+  stand.pose = with_number(object->pose, part, axis, value);
   m_document.perform(stand);
 }
 
@@ -208,7 +252,8 @@ void Properties::take_material(const PhysicsMaterial& material) {
   for (const ObjectId id : m_document.selection().objects)
     if (const ObjectSnapshot* const object = snapshot->find(id))
       operations.push_back(MaterialOperation{(*object)->name, material});
-  if (!operations.empty()) m_document.perform_all("material", std::move(operations));
+  if (!operations.empty())
+    m_document.perform_all(tr("material").toStdString(), std::move(operations));
 }
 
 void Properties::set(const QString& name, const QString& value, const QString& tip) {
@@ -233,6 +278,7 @@ void Properties::show_pose(const Object& object) {
   m_rotation->show_values(placed ? angles_deg(object.pose.rotation) : Vec3::Zero());
   const QSignalBlocker scale(m_scale);
   m_scale->setValue(object.scale);
+  show_frame(object);
   const Vec3 size = placed ? Vec3(2 * world_box(object).half_extent())
                            : Vec3(2 * object.scale * object.shape->box.half_extent());
   set(tr("Size"), QString("%1 × %2 × %3")

@@ -27,6 +27,12 @@ class Properties : public QScrollArea {
   void show_rest(const Object& object, ObjectId id);
   void add_pose();
   void add_scale();
+  void add_frame();
+  const Object* active_object() const;  // null: there is none
+  // Another one has the model put anew in its place.
+  void take_scale(double metres);
+  void take_up(UpAxis up);
+  void show_frame(const Object& object);
   void stand(PosePart part, int axis, double value);
   void add_material();
   void show_material(const PhysicsMaterial& material);
@@ -44,6 +50,7 @@ class Properties : public QScrollArea {
   QComboBox* m_preset;
   VectorField *m_position, *m_rotation;
   QDoubleSpinBox* m_scale;
+  QComboBox *m_unit, *m_up;
   QDoubleSpinBox *m_friction, *m_density, *m_restitution;
 };
 

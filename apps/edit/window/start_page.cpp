@@ -15,6 +15,10 @@ namespace {
 
 constexpr int kWidth = 720;
 constexpr int kMostShown = 6;
+constexpr QSize kDemoPicture(96, 64);
+
+/// In the resources: 288 x 192 pixels.
+QPixmap picture_of(const QString& demo) { return QPixmap(":/demos/" + demo + ".png"); }
 
 QString description_of(const std::string& demo) {
   if (demo == "spoon-saucer") return StartPage::tr("A cup, a saucer and a spoon: the first steps");
@@ -85,23 +89,30 @@ void StartPage::add_beginnings(QVBoxLayout& column) {
   grid->addWidget(heading(tr("Begin")), 0, 0);
   grid->addWidget(heading(tr("Demos")), 0, 1);
   int line[2] = {1, 1};
-  const auto add = [&](int side, Icon icon, const QString& name, const QString& text,
+  const auto add = [&](int side, const QIcon& icon, const QString& name, const QString& text,
                        auto&& clicked) {
     auto* const button = new QCommandLinkButton(name, text);
-    button->setIcon(make_icon(icon, palette().color(QPalette::Highlight)));
+    button->setIcon(icon);
     grid->addWidget(button, line[side]++, side);
     connect(button, &QCommandLinkButton::clicked, this, clicked);
+    return button;
   };
-  add(0, Icon::New, tr("New scene"), tr("An empty floor"), [this] { Q_EMIT new_wanted(); });
-  add(0, Icon::Open, tr("Open…"), tr("A scene (.glb) or a layout (.json)"),
+  const auto icon_of = [this](Icon icon) {
+    return make_icon(icon, palette().color(QPalette::Highlight));
+  };
+  add(0, icon_of(Icon::New), tr("New scene"), tr("An empty floor"),
+      [this] { Q_EMIT new_wanted(); });
+  add(0, icon_of(Icon::Open), tr("Open…"), tr("A scene (.glb) or a layout (.json)"),
       [this] { Q_EMIT open_wanted(); });
-  add(0, Icon::Import, tr("Import models…"), tr("Any mesh; or drop files onto this window"),
-      [this] { Q_EMIT import_wanted(); });
-  add(0, Icon::Put, tr("A table in two minutes"), tr("A tutorial in eight steps"),
+  add(0, icon_of(Icon::Import), tr("Import models…"),
+      tr("Any mesh; or drop files onto this window"), [this] { Q_EMIT import_wanted(); });
+  add(0, icon_of(Icon::Put), tr("A table in two minutes"), tr("A tutorial in eight steps"),
       [this] { Q_EMIT help_wanted(); });
   for (const std::string& demo : demo_names()) {
     const QString name = QString::fromStdString(demo);
-    add(1, Icon::Picture, name, description_of(demo), [this, name] { Q_EMIT demo_wanted(name); });
+    add(1, picture_of(name), name, description_of(demo), [this, name] {
+      Q_EMIT demo_wanted(name);
+    })->setIconSize(kDemoPicture);
   }
   column.addLayout(grid);
 }
@@ -126,8 +137,8 @@ void StartPage::add_recoverable(QVBoxLayout& column, const Recoverable& session)
   auto* const row = new QHBoxLayout(card);
   const QString name = session.file.empty() ? tr("A scene that was never saved")
                                             : QString::fromStdString(session.file);
-  auto* const text = new QLabel(tr("%1 was not closed properly; %n step(s), the last on %2",
-                                   nullptr, static_cast<int>(session.num_steps))
+  auto* const text = new QLabel(tr("%1 was not closed properly; %n steps, the last on %2", nullptr,
+                                   static_cast<int>(session.num_steps))
                                     .arg(name, QString::fromStdString(session.when)));
   text->setWordWrap(true);
   auto* const recover = new QPushButton(tr("Recover"));

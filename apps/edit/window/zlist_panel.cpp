@@ -2,6 +2,7 @@
 
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <QLocale>
 #include <QPainter>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -13,7 +14,7 @@ namespace {
 
 constexpr int kMargin = 10, kBarHeight = 8;
 
-QString number(double x) { return QString::number(x, 'g', 4); }
+QString number(double x) { return QLocale().toString(x, 'g', 4); }
 
 QString unit_of(const Motion& motion) {
   return motion.kind == Motion::Kind::Translation ? QObject::tr(" mm") : QStringLiteral("°");
@@ -70,11 +71,11 @@ QString summary_of(const ZListView& view) {
   out += QObject::tr(" · not before %1, at the latest %2")
              .arg(time_text(view.motion, lists.lower()), time_text(view.motion, lists.upper()));
   out += QObject::tr(" · %1 of %2 pixels doubtful").arg(depths.num_doubtful).arg(depths.num_pixels);
-  out += QObject::tr(" · %1 pairs of faces by %2, %3 confirmed")
-             .arg(lists.candidates.work.face_pairs)
+  const int num_pairs = static_cast<int>(lists.candidates.work.face_pairs);
+  out += QObject::tr(" · %n pairs of faces by %1, %2 confirmed", nullptr, num_pairs)
              .arg(QString::fromStdString(view.finder).toHtmlEscaped())
              .arg(lists.num_confirmed);
-  return out + QObject::tr(" · %1 ms").arg(view.milliseconds, 0, 'f', 1);
+  return out + QObject::tr(" · %1 ms").arg(QLocale().toString(view.milliseconds, 'f', 1));
 }
 
 QIcon swatch(const QColor& colour) {

@@ -43,6 +43,7 @@ TEST_F(Remake, RenamesAsOneStepThatMovesNothing) {
   Looks looks;
   looks.change(document.id("small"), {false, false, LookColour{1, 0, 0}});
   document->set_looks(looks);
+  ASSERT_TRUE(document->wait_until_idle());
   const ObjectId id = document.id("small");
   document->select_only(id);
   const size_t steps = document->history().num_done;

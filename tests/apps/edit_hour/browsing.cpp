@@ -191,7 +191,9 @@ void drop_files(Document& document, MainWindow& window, User& user, const QStrin
   document.new_scene();
   QVERIFY(user.wait());
   user.drop({box}, [&](QWidget& dialog) {
-    user.click_in(*dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok), {5, 5});
+    auto* const done = dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
+    QVERIFY(QTest::qWaitFor([&] { return done->isEnabled(); }, kPatienceMs));
+    user.click_in(*done, {5, 5});
   });
   QTRY_VERIFY_WITH_TIMEOUT(document.snapshot()->find("box"), kPatienceMs);
   document.save_as(scene.toStdString());

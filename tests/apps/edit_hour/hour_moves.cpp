@@ -2,6 +2,7 @@
 #include <QDoubleSpinBox>
 #include <QLineEdit>
 
+#include "apps/edit/document/words.h"
 #include "apps/edit_hour/dragging.h"
 #include "apps/edit_hour/hour_steps.h"
 
@@ -77,7 +78,7 @@ void Hour::rename() {
   m_user.press_key(Qt::Key_F2);
   m_user.enter_name("mug");
   wait_for("mug");
-  QVERIFY(m_document.history().steps.back() == "rename \"cup\"");
+  QVERIFY(m_document.history().steps.back() == edit::in_words("rename") + " \"cup\"");
   m_user.look("renamed");
 }
 

@@ -49,6 +49,7 @@ class TestHour : public QObject {
   void forgets_errors();
   void browses_models();
   void collects_objects();
+  void imports_files();
   void drops_files();
   void works_an_hour();
   void shows_all_texts();
@@ -125,6 +126,11 @@ void TestHour::browses_models() {
 void TestHour::collects_objects() {
   if (m_kind.only_hour) QSKIP("--hour");
   collect_objects(*m_document, *m_window, *m_user, m_folder.filePath("collections"));
+}
+
+void TestHour::imports_files() {
+  if (m_kind.only_hour) QSKIP("--hour");
+  import_files(*m_document, *m_window, *m_user, m_folder.filePath("imported"));
 }
 
 void TestHour::drops_files() {

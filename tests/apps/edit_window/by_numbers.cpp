@@ -177,6 +177,13 @@ void show_and_hide(Document& document, MainWindow& window, User& user) {
   QVERIFY(document.selection().objects.empty());
   QVERIFY(user.wait());
   user.look("hidden");
+  user.press_key(Qt::Key_Z, Qt::ControlModifier);
+  QVERIFY(user.wait());
+  QVERIFY(document.looks().hidden().empty());
+  QVERIFY(document.selection().objects.size() >= 5);
+  user.press_key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+  QVERIFY(user.wait());
+  QVERIFY(document.looks().hidden().size() >= 5);
   window.action("show all")->trigger();
   search.clear();
   user.select("tray");

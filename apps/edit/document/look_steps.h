@@ -1,0 +1,45 @@
+// Changes of looks as steps between those of the session: which of the two undo and redo take next.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "apps/edit/document/document_options.h"
+#include "apps/edit/document/looks.h"
+
+namespace trivet::edit {
+
+struct LookStep {
+  size_t after = 0;  // steps of the session that were done before it
+  std::string name;  // "hide"
+  Looks before, now;
+};
+
+/// A session knows nothing of looks: a change of them cuts off the steps that it could redo, and
+/// they stay with it unseen until its next step.
+class LookSteps {
+ public:
+  /// The newest step of all: what was undone is forgotten.
+  void add(LookStep step);
+  /// The session has a new step.
+  void follow_new_step();
+
+  /// The change that is undone (redone) next; null: a step of the session is.
+  const LookStep* to_undo(size_t session_done) const;
+  const LookStep* to_redo(size_t session_done) const;
+  void undo() { --m_num_done; }
+  void redo() { ++m_num_done; }
+  /// @param num_steps  of the session. @return those that are not cut off.
+  size_t num_seen(size_t num_steps) const { return num_steps < m_end ? num_steps : m_end; }
+
+  /// Both in order. @param labels  of the session's steps.
+  History merged(const std::vector<std::string>& labels, size_t session_done) const;
+  size_t num_done() const { return m_num_done; }
+
+ private:
+  std::vector<LookStep> m_steps;  // ordered by `after`; the first m_num_done of them are done
+  size_t m_num_done = 0;
+  size_t m_end = static_cast<size_t>(-1);  // steps of the session from here on are cut off
+};
+
+}  // namespace trivet::edit

@@ -1,0 +1,82 @@
+#include "apps/edit/document/words.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <algorithm>
+
+namespace trivet::edit {
+namespace {
+
+// For lupdate; they are looked up by name.
+[[maybe_unused]] constexpr const char* kOperations[] = {
+    QT_TRANSLATE_NOOP("operations", "put"),       QT_TRANSLATE_NOOP("operations", "push"),
+    QT_TRANSLATE_NOOP("operations", "turn"),      QT_TRANSLATE_NOOP("operations", "pick_up"),
+    QT_TRANSLATE_NOOP("operations", "translate"), QT_TRANSLATE_NOOP("operations", "rotate"),
+    QT_TRANSLATE_NOOP("operations", "append"),    QT_TRANSLATE_NOOP("operations", "duplicate"),
+    QT_TRANSLATE_NOOP("operations", "delete"),    QT_TRANSLATE_NOOP("operations", "lock"),
+    QT_TRANSLATE_NOOP("operations", "unlock"),    QT_TRANSLATE_NOOP("operations", "fix"),
+    QT_TRANSLATE_NOOP("operations", "unfix"),     QT_TRANSLATE_NOOP("operations", "group"),
+    QT_TRANSLATE_NOOP("operations", "ungroup"),   QT_TRANSLATE_NOOP("operations", "rename"),
+    QT_TRANSLATE_NOOP("operations", "stand"),     QT_TRANSLATE_NOOP("operations", "unplace"),
+    QT_TRANSLATE_NOOP("operations", "material"),  QT_TRANSLATE_NOOP("operations", "arrange")};
+
+std::string translated(const char* context, const std::string& text) {
+  return QCoreApplication::translate(context, text.c_str()).toStdString();
+}
+
+std::string number_in_words(const Sentence& number) {
+  QLocale locale;
+  if (locale.decimalPoint() == ".") return in_english(number);
+  locale.setNumberOptions(QLocale::OmitGroupSeparator);
+  return locale.toString(*number.number, 'g', 4).toStdString();
+}
+
+bool rescales(const std::vector<Operation>& all, size_t first) {
+  return all.size() >= first + 2 && std::holds_alternative<DeleteOperation>(all[first]) &&
+         std::holds_alternative<AppendOperation>(all[first + 1]) &&
+         object_name(all[first]) == object_name(all[first + 1]);
+}
+
+}  // namespace
+
+std::string in_words(const Sentence& sentence) {
+  if (sentence.is_verbatim) return sentence.text;
+  if (sentence.number) return number_in_words(sentence);
+  std::vector<std::string> parts;
+  parts.reserve(sentence.parts.size());
+  for (const Sentence& part : sentence.parts) parts.push_back(in_words(part));
+  return filled(translated("refusal", sentence.text), parts);
+}
+
+std::string reason_in_words(const OperationResult& result) {
+  return result.refusal ? in_words(sentence_of(*result.refusal)) : "";
+}
+
+std::string in_words(const char* op_name) { return translated("operations", op_name); }
+
+std::string with_name(const QString& text, const std::string& name) {
+  return text.arg(QString::fromStdString(name)).toStdString();
+}
+
+std::string label_of(const SessionStep& step) {
+  const std::vector<Operation>& all = step.operations;
+  const size_t first = std::holds_alternative<LockOperation>(all.front()) ? 1 : 0;
+  if (rescales(all, first))
+    return with_name(QCoreApplication::translate("operations", "scale \"%1\""),
+                     object_name(all[first]));
+  const std::string name = op_name(all.front());
+  const bool same =
+      std::all_of(all.begin(), all.end(), [&](const Operation& o) { return op_name(o) == name; });
+  const int count = static_cast<int>(all.size());
+  if (same && count > 1)
+    return with_name(QCoreApplication::translate("operations", "%1 %n objects", nullptr, count),
+                     in_words(name.c_str()));
+  std::string out = in_words(name.c_str());
+  out.append(" \"").append(object_name(all.front())).append("\"");
+  if (same) return out;
+  return QCoreApplication::translate("operations", "%1 and %2")
+      .arg(QString::fromStdString(out), QString::fromStdString(in_words(op_name(all.back()))))
+      .toStdString();
+}
+
+}  // namespace trivet::edit

@@ -1,0 +1,63 @@
+#include "apps/edit/window/asset_facts.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QSettings>
+#include <QStandardPaths>
+#include <QUrl>
+
+namespace trivet::edit {
+namespace {
+
+QString words(const char* text) { return QCoreApplication::translate("assets", text); }
+
+QString settings_key(const char* what, const QString& folder) {
+  return QString("assets/%1/").arg(what) + QUrl::toPercentEncoding(folder);
+}
+
+void keep(const QString& key, const QVariant& value, bool is_default) {
+  QSettings settings;
+  if (is_default)
+    settings.remove(key);
+  else
+    settings.setValue(key, value);
+}
+
+}  // namespace
+
+QString size_text(const AssetInfo& info) {
+  QStringList sides;
+  for (int i = 0; i < 3; ++i) sides << QLocale().toString(info.size[i], 'g', 4);
+  const QString size = sides.join(" × ");
+  if (!info.unit.isEmpty())
+    return words(QT_TRANSLATE_NOOP("assets", "%1, likely %2")).arg(size, info.unit);
+  return words(QT_TRANSLATE_NOOP("assets", "%1 units of %2 m"))
+      .arg(size, QLocale().toString(info.metres, 'g', 4));
+}
+
+QString up_text(const AssetInfo& info) {
+  const QString axis = info.up == UpAxis::Y ? "y" : "z";
+  return (info.states_up ? words(QT_TRANSLATE_NOOP("assets", "up: %1"))
+                         : words(QT_TRANSLATE_NOOP("assets", "up: %1, likely")))
+      .arg(axis);
+}
+
+QString picture_cache() {
+  const QString cache = QStandardPaths::writableLocation(QStandardPaths::CacheLocation);
+  return cache.isEmpty() ? cache : cache + "/models";
+}
+
+FolderChoice FolderChoice::of(const QString& folder) {
+  FolderChoice out;
+  out.metres = QSettings().value(settings_key("units", folder), 0.0).toDouble();
+  const QString up = QSettings().value(settings_key("up", folder)).toString();
+  if (!up.isEmpty()) out.up = up == "y" ? UpAxis::Y : UpAxis::Z;
+  return out;
+}
+
+void FolderChoice::remember(const QString& folder) const {
+  keep(settings_key("units", folder), metres, metres == 0);
+  keep(settings_key("up", folder), up == UpAxis::Y ? "y" : "z", !up);
+}
+
+}  // namespace trivet::edit

@@ -1,0 +1,26 @@
+// Size, unit and up axis of a model's file in words; what was chosen for its folder.
+#pragma once
+
+#include <optional>
+
+#include "apps/edit/window/asset_thumbnails.h"
+
+namespace trivet::edit {
+
+/// "23.5 × 10 × 7.4, likely cm"
+QString size_text(const AssetInfo& info);
+/// "up: y, likely"
+QString up_text(const AssetInfo& info);
+
+/// Where pictures of models are kept; empty: nowhere.
+QString picture_cache();
+
+/// What was chosen for the models of a folder, in the user's settings.
+struct FolderChoice {
+  double metres = 0;         // per unit; 0: as stated or likely
+  std::optional<UpAxis> up;  // nullopt: as stated or likely
+  static FolderChoice of(const QString& folder);
+  void remember(const QString& folder) const;
+};
+
+}  // namespace trivet::edit

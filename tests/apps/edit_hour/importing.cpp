@@ -1,0 +1,94 @@
+// Files dropped onto the window: what the import dialog tells of each, and what it remembers.
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFile>
+#include <QPushButton>
+#include <QTableWidget>
+
+#include "apps/edit_document/boxes.h"
+#include "apps/edit_hour/browsing.h"
+#include "apps/edit_hour/dragging.h"
+
+namespace trivet::edit::test {
+namespace {
+
+enum Column { kModel, kSize, kUnit, kScale, kUp, kNotes };
+
+/// The dialog's parts.
+struct Import {
+  explicit Import(QWidget& dialog)
+      : table(*dialog.findChild<QTableWidget*>("models")),
+        button(*dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok)) {}
+
+  void wait() {
+    QVERIFY(QTest::qWaitFor([this] { return button.isEnabled(); }, kPatienceMs));
+  }
+  QComboBox& choice(int row, Column column) {
+    return *qobject_cast<QComboBox*>(table.cellWidget(row, column));
+  }
+  QString text(int row, Column column) { return table.item(row, column)->text(); }
+
+  QTableWidget& table;
+  QPushButton& button;
+};
+
+/// A brick that stands along y, 100 x 200 x 100 mm; a crate of 0.4 m; a file that is no model.
+QStringList write_files(const QString& folder) {
+  const QStringList files{folder + "/brick.obj", folder + "/crate.obj", folder + "/bad.obj"};
+  write_boxes(files[0].toStdString(), {{{-50, 0, -50}, {50, 200, 50}}});
+  write_boxes(files[1].toStdString(), {{{-0.2, -0.2, 0}, {0.2, 0.2, 0.4}}});
+  QFile bad(files[2]);
+  if (bad.open(QIODevice::WriteOnly)) bad.write("v 0 0\nf 1 2 3\n");
+  return files;
+}
+
+}  // namespace
+
+void import_files(Document& document, MainWindow& window, User& user, const QString& folder) {
+  QVERIFY(QDir().mkpath(folder));
+  const QStringList files = write_files(folder);
+  document.new_scene();
+  QVERIFY(user.wait());
+  user.drop(files, [&](QWidget& dialog) {
+    Import import(dialog);
+    import.wait();
+    user.look("import_dialog");
+    QVERIFY2(import.text(0, kSize).contains("likely cm"), qPrintable(import.text(0, kSize)));
+    QCOMPARE(import.choice(0, kUp).currentText(), QString("likely y"));
+    QCOMPARE(import.choice(1, kUp).currentText(), QString("likely z"));
+    QVERIFY2(import.text(2, kNotes).contains("bad.obj"), qPrintable(import.text(2, kNotes)));
+    QVERIFY(!import.table.item(0, kModel)->icon().isNull());
+    import.choice(0, kUnit).setCurrentIndex(import.choice(0, kUnit).findData(0.001));
+    user.click_in(import.button, {5, 5});
+  });
+  QTRY_VERIFY_WITH_TIMEOUT(document.snapshot()->find("crate"), kPatienceMs);
+  QVERIFY(user.wait());
+  QCOMPARE(user.object("brick").scale, 0.001);
+  QVERIFY(user.object("brick").up == UpAxis::Y && user.object("crate").up == UpAxis::Z);
+  QCOMPARE(user.object("crate").scale, 1.0);
+  QVERIFY(!document.snapshot()->find("bad"));
+  // Of the folder's files the last one's choice counts: the brick's, when it comes alone.
+  for (const char* const name : {"brick_2", "brick_3"}) {
+    user.drop({files[0]}, [&](QWidget& dialog) {
+      Import import(dialog);
+      import.wait();
+      QComboBox& unit = import.choice(0, kUnit);
+      if (std::string(name) == "brick_2") unit.setCurrentIndex(unit.findData(0.0254));
+      QCOMPARE(unit.currentData().toDouble(), 0.0254);
+      user.click_in(import.button, {5, 5});
+    });
+    QTRY_VERIFY_WITH_TIMEOUT(document.snapshot()->find(name), kPatienceMs);
+    QVERIFY(user.wait());
+    QCOMPARE(user.object(name).scale, 0.0254);
+  }
+  // Changed afterwards, and back.
+  user.select("brick");
+  auto* const up = window.findChild<QComboBox*>("up");
+  QVERIFY(up && up->currentIndex() == 0);
+  user.press_key_in(*up, Qt::Key_Down);
+  QTRY_VERIFY_WITH_TIMEOUT(user.object("brick").up == UpAxis::Z, kPatienceMs);
+  document.go_to_step(0);
+  QVERIFY(user.wait());
+}
+
+}  // namespace trivet::edit::test
