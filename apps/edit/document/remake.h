@@ -5,8 +5,9 @@
 
 namespace trivet::edit {
 
-/// The object deleted, and its model appended in another scale or with another axis up; if it was placed, put in its place
-/// from just above. What it carried settles. No operations: there is no such object.
+/// The object deleted, and its model appended in another scale or with another axis up; if it was
+/// placed, put in its place from just above. What it carried settles. No operations: there is no
+/// such object.
 /// @param scale  metres per unit of the model. @param up  its axis.
 OperationGroup rescaling(const SceneSnapshot& scene, const std::string& name, double scale,
                          UpAxis up, double drop_height);
