@@ -142,7 +142,7 @@ class Writer {
   Maybe exact_test() const {
     const char* const pattern = exact_pattern();
     if (!pattern) return {};
-    const Sentence out = say(pattern, {name(0), name(1)});
+    Sentence out = say(pattern, {name(0), name(1)});
     switch (m_r.at) {
       case Refusal::At::Start:
         return say(TRIVET_SENTENCE("refusal", "at its start position %1"), {out});
@@ -262,7 +262,7 @@ class Writer {
   }
 
   Sentence no_free_place() const {
-    const Sentence out = say(
+    Sentence out = say(
         TRIVET_SENTENCE("refusal",
                         "no free place for %1 on %2: of %3 places, every %4 m, %5 are over no "
                         "part of it and %6 are blocked by other things"),

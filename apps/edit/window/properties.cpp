@@ -20,7 +20,7 @@ constexpr double kDropHeight = 0.01;  // metres, from which a scaled object is p
 QString number(double x, int decimals) {
   QLocale locale;
   locale.setNumberOptions(QLocale::OmitGroupSeparator);
-  const QString text = locale.toString(x, 'f', decimals);
+  QString text = locale.toString(x, 'f', decimals);
   return text == "-" + locale.toString(0.0, 'f', decimals) ? text.mid(1) : text;
 }
 
