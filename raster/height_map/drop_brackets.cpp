@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <limits>
 
@@ -10,9 +11,10 @@
 namespace trivet {
 namespace {
 
-constexpr int kLanes = 8;
-using Lanes = Eigen::Array<float, kLanes, 1>;  // independent minima, which Eigen vectorises
-constexpr float kEmpty = std::numeric_limits<float>::infinity();  // height of an empty pixel
+constexpr int kSide = 8;                       // of a tile, pixels
+constexpr int kLanes = 8;                      // neighbouring places, judged together
+using Lanes = Eigen::Array<float, kLanes, 1>;  // which Eigen vectorises
+constexpr float kEmpty = std::numeric_limits<float>::infinity();
 
 void take_gaps(const float* low, const float* high, int count, Lanes& minima) {
   int i = 0;
@@ -20,6 +22,111 @@ void take_gaps(const float* low, const float* high, int count, Lanes& minima) {
     minima = minima.min(Eigen::Map<const Lanes>(low + i) - Eigen::Map<const Lanes>(high + i));
   for (; i < count; ++i) minima[0] = std::min(minima[0], low[i] - high[i]);
 }
+
+// A square of the object's pixels, filled up with empty ones.
+struct Tile {
+  int column, row;
+  float lowest = kEmpty;
+  std::array<float, size_t(kSide) * kSide> heights;
+};
+
+// Tiles that are not empty.
+std::vector<Tile> tiles_of(const HeightMap& object, const std::vector<float>& heights) {
+  std::vector<Tile> out;
+  for (int row = 0; row < object.height; row += kSide)
+    for (int column = 0; column < object.width; column += kSide) {
+      Tile tile{column, row, kEmpty, {}};
+      tile.heights.fill(kEmpty);
+      for (int y = row; y < std::min(row + kSide, object.height); ++y)
+        for (int x = column; x < std::min(column + kSide, object.width); ++x)
+          tile.heights[(y - row) * kSide + x - column] = heights[object.index(x, y)];
+      tile.lowest = *std::min_element(tile.heights.begin(), tile.heights.end());
+      if (tile.lowest < kEmpty) out.push_back(tile);
+    }
+  return out;
+}
+
+// The scene with an empty margin to the right and below, so that tiles and lanes fit everywhere.
+struct Top {
+  int stride, num_rows;
+  std::vector<float> heights;
+  std::vector<float> lowest, highest;  // in the tile that begins at each pixel
+
+  Top(const HeightMap& scene, const std::vector<float>& from)
+      : stride(scene.width + kSide + kLanes),
+        num_rows(scene.height + kSide),
+        heights(size_t(stride) * num_rows, -kEmpty) {
+    for (int y = 0; y < scene.height; ++y)
+      std::copy_n(&from[scene.index(0, y)], scene.width, &heights[index(0, y)]);
+    lowest = highest = heights;
+    for (const size_t along : {size_t{1}, size_t(stride)})
+      for (size_t step = along; step < kSide * along; step *= 2) widen(step);
+  }
+  size_t index(int column, int row) const { return size_t(row) * stride + column; }
+
+ private:
+  // Where the end of a row meets the begin of the next there is only margin.
+  void widen(size_t step) {
+    const auto count = static_cast<Eigen::Index>(heights.size() - step);
+    using Line = Eigen::Map<Eigen::ArrayXf>;
+    Line low(lowest.data(), count), high(highest.data(), count);
+    low = low.min(Line(lowest.data() + step, count));
+    high = high.max(Line(highest.data() + step, count));
+  }
+};
+
+// The smallest difference of an object's heights and a scene's, by branch and bound: it is at most
+// a tile's lowest less the lowest under the tile, and in no tile below the lowest less the highest
+// there. Rounding is monotone, so that this holds for rounded differences.
+class SmallestGaps {
+ public:
+  SmallestGaps(const HeightMap& object, const std::vector<float>& object_heights,
+               const HeightMap& scene, const std::vector<float>& scene_heights)
+      : m_tiles(tiles_of(object, object_heights)), m_top(scene, scene_heights) {}
+
+  // At the first `count` places from (column, row) on.
+  // @param bounds  scratch.
+  Lanes at(int column, int row, int count, std::vector<Lanes>& bounds) const {
+    bounds.resize(m_tiles.size());
+    Lanes least = Lanes::Constant(kEmpty), most = least;
+    for (size_t k = 0; k < m_tiles.size(); ++k) {
+      const Tile& tile = m_tiles[k];
+      const size_t under = m_top.index(column + tile.column, row + tile.row);
+      bounds[k] = tile.lowest - Eigen::Map<const Lanes>(&m_top.highest[under]);
+      least = least.min(bounds[k]);
+      most = most.min(tile.lowest - Eigen::Map<const Lanes>(&m_top.lowest[under]));
+    }
+    for (int lane = 0; lane < count; ++lane)
+      if (least[lane] < most[lane])
+        most[lane] = at_place(column + lane, row, lane, most[lane], bounds);
+    return most;
+  }
+
+ private:
+  // The most promising tile first, until none can go below `found`.
+  float at_place(int column, int row, int lane, float found, std::vector<Lanes>& bounds) const {
+    while (true) {
+      size_t best = 0;
+      for (size_t k = 1; k < bounds.size(); ++k)
+        if (bounds[k][lane] < bounds[best][lane]) best = k;
+      if (!(bounds[best][lane] < found)) return found;
+      bounds[best][lane] = kEmpty;
+      found = std::min(found, in_tile(m_tiles[best], column, row));
+    }
+  }
+
+  float in_tile(const Tile& tile, int column, int row) const {
+    const float* high = &m_top.heights[m_top.index(column + tile.column, row + tile.row)];
+    Lanes minima = Lanes::Constant(kEmpty);
+    for (int y = 0; y < kSide; ++y)
+      minima = minima.min(Eigen::Map<const Lanes>(&tile.heights[size_t(y) * kSide]) -
+                          Eigen::Map<const Lanes>(high + size_t(y) * m_top.stride));
+    return minima.minCoeff();
+  }
+
+  std::vector<Tile> m_tiles;
+  Top m_top;
+};
 
 }  // namespace
 
@@ -47,11 +154,18 @@ DropBracket DropProbe::at(const HeightMap& scene, int column, int row) const {
 std::vector<DropBracket> drop_brackets(const HeightMap& object, const HeightMap& scene, int columns,
                                        int rows) {
   assert(scene.width >= columns + object.width - 1 && scene.height >= rows + object.height - 1);
-  const DropProbe probe(object);
+  const SmallestGaps lower(object, object.bound, scene, scene.bound);
+  const SmallestGaps upper(object, object.sample, scene, scene.sample);
   std::vector<DropBracket> out(size_t(columns) * rows);
   in_parallel(static_cast<size_t>(rows), [&](size_t row) {
-    for (int column = 0; column < columns; ++column)
-      out[row * columns + column] = probe.at(scene, column, static_cast<int>(row));
+    std::vector<Lanes> bounds;
+    for (int column = 0; column < columns; column += kLanes) {
+      const int count = std::min(kLanes, columns - column);
+      const Lanes low = lower.at(column, static_cast<int>(row), count, bounds);
+      const Lanes high = upper.at(column, static_cast<int>(row), count, bounds);
+      for (int lane = 0; lane < count; ++lane)
+        out[row * columns + column + lane] = {low[lane], high[lane]};
+    }
   });
   return out;
 }

@@ -36,6 +36,33 @@ DropBracket by_loops(const HeightMap& object, const HeightMap& scene, int column
   return out;
 }
 
+// A round underside over a flat top with pits, holes and steps: most tiles cannot hold the minimum.
+TEST(DropBrackets, EqualPlainLoopsOverFlatScenes) {
+  test::Random random(12);
+  for (const int width : {5, 16, 41}) {
+    const int columns = 37, rows = 21;
+    HeightMap object(width, width, kInf), scene(columns + width, rows + width, -kInf);
+    for (int y = 0; y < width; ++y)
+      for (int x = 0; x < width; ++x) {
+        const float a = 2.0F * x / width - 1, b = 2.0F * y / width - 1, r = a * a + b * b;
+        if (r < 1) object.bound[object.index(x, y)] = object.sample[object.index(x, y)] = 0.3F * r;
+      }
+    for (int y = 0; y < scene.height; ++y)
+      for (int x = 0; x < scene.width / 2 + y; ++x) {
+        const bool pit = random.integer(0, 40) == 0;
+        const size_t at = scene.index(std::min(x, scene.width - 1), y);
+        scene.bound[at] = pit ? random.integer(0, 1) ? -kInf : -1 : y < 9 ? 0.1F : 0;
+        scene.sample[at] = scene.bound[at] - 0.05F;
+      }
+    const auto found = drop_brackets(object, scene, columns, rows);
+    for (int i = 0; i < columns * rows; ++i) {
+      const DropBracket truth = by_loops(object, scene, i % columns, i / columns);
+      ASSERT_EQ(found[i].lower, truth.lower) << i;
+      ASSERT_EQ(found[i].upper, truth.upper) << i;
+    }
+  }
+}
+
 TEST(DropBrackets, EqualPlainLoopsAtOddSizes) {
   test::Random random(11);
   for (const int width : {1, 2, 7, 8, 9, 17, 40})
