@@ -66,6 +66,8 @@ class PairTraversal {
   void visit(Index ia, Index ib, const PlacedBvh::Box& box_a, const PlacedBvh::Box& box_b,
              const LeafBox* leaf);
   void try_leaves(Index ia, Index ib);
+  double speed_of(const Triangle& moving) const;
+  double faces_apart_until(const Aabb& moving, const Aabb& fixed, double speed) const;
 
   const FirstContactQuery& m_query;
   FirstContactQuery m_part;  // the same up to the end of this part
@@ -78,7 +80,7 @@ class PairTraversal {
   Mat3 m_rotation;                                 // of the moving body
   std::array<Vec3, 3> m_own_axis, m_own_axis_abs;  // of the moving body
   std::array<double, 3> m_own_axis_speed;          // of a translation, along them
-  double m_margin;
+  double m_margin, m_world_margin;
   SlabMotion m_slabs;
   double m_apart_until;  // both bodies
   std::vector<Waiting> m_waiting, m_woken;

@@ -1,6 +1,8 @@
 #include "ops/settle/linear_program.h"
 
+#include <ClpMessage.hpp>
 #include <ClpSimplex.hpp>
+#include <CoinMessage.hpp>
 #include <Eigen/Geometry>
 #include <cmath>
 
@@ -8,6 +10,18 @@ namespace trivet {
 namespace {
 
 constexpr double kNoise = 1e-12;  // forces and torques of size one: rounding below this
+
+/// A solver whose messages are copied: making them takes as long as solving a small program.
+class QuietSolver : public ClpSimplex {
+ public:
+  QuietSolver() : ClpSimplex(true) {
+    static const ClpMessage clp_messages;
+    static const CoinMessage coin_messages;
+    messages_ = clp_messages;
+    coinMessages_ = coin_messages;
+    setLogLevel(0);
+  }
+};
 
 }  // namespace
 
@@ -48,8 +62,7 @@ int LinearProgram::add_column(std::span<const Entry> entries, double cost, doubl
 LinearProgram::Solution LinearProgram::solve(bool scale) const {
   const int num_columns = static_cast<int>(m_costs.size());
   const int num_rows = static_cast<int>(m_row_lower.size());
-  ClpSimplex solver;
-  solver.setLogLevel(0);
+  QuietSolver solver;
   if (!scale) solver.scaling(0);
   solver.loadProblem(num_columns, num_rows, m_starts.data(), m_rows.data(), m_values.data(),
                      nullptr, m_column_upper.data(), m_costs.data(), m_row_lower.data(),

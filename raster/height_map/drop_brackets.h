@@ -16,8 +16,9 @@
 
 namespace trivet {
 
-/// See DropBracketFunction. Uses as many threads as TBB allows; results do not depend on it. About
-/// a nanosecond per three pixels of the object and place.
+/// See DropBracketFunction. Uses as many threads as TBB allows; results do not depend on it.
+/// Branch and bound over tiles of 8 x 8 pixels: over flat supports and beside other things a place
+/// costs about as many steps as the object has tiles, over rough ones as it has pixels.
 std::vector<DropBracket> drop_brackets(const HeightMap& object, const HeightMap& scene, int columns,
                                        int rows);
 

@@ -12,6 +12,9 @@ namespace trivet {
 
 class GltfBuilder {
  public:
+  /// Room for so many bytes of buffer views.
+  void reserve(size_t bytes) { m_binary.reserve(bytes); }
+
   /// Appends to a top-level list. @return its index there.
   size_t add(const char* list, GltfJson item);
 

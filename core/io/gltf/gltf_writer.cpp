@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <map>
+#include <set>
 #include <unordered_map>
 
 #include "core/base/error.h"
@@ -96,6 +97,7 @@ class SceneWriter {
   SceneWriter() : m_copier(m_builder) {}
 
   GltfDocument write(const ExportScene& scene) {
+    reserve(scene);
     GltfJson roots = GltfJson::array();
     for (const ExportObject& object : scene.objects)
       roots.push_back(add_object(relative_to(scene.origin, object)));
@@ -108,6 +110,17 @@ class SceneWriter {
   }
 
  private:
+  // Buffers of megabytes are not moved again and again.
+  void reserve(const ExportScene& scene) {
+    std::set<const GltfDocument*> seen;
+    size_t bytes = 0;
+    for (const ExportObject& object : scene.objects)
+      if (const auto& look = object.model->appearance;
+          look && seen.insert(look->document.get()).second)
+        bytes += look->document->binary.size();
+    m_builder.reserve(bytes);
+  }
+
   // In double, as JSON's numbers are: readers that compute so lose nothing.
   size_t add_origin(const Vec3& origin, const GltfJson& children) {
     const Vec3 y_up(origin.x(), origin.z(), 0.0 - origin.y());

@@ -275,6 +275,7 @@ std::vector<ImageSummary> images_of(const Model& model) {
 }
 
 std::vector<std::string> undrawn_textures(const Model& model) {
+  if (!model.appearance || model.appearance->document->images.empty()) return {};
   std::vector<std::pair<size_t, bool>> images;
   undecoded_look(model, images);
   std::set<size_t> seen;
