@@ -55,10 +55,14 @@ TEST(DropBrackets, EqualPlainLoopsOverFlatScenes) {
         scene.sample[at] = scene.bound[at] - 0.05F;
       }
     const auto found = drop_brackets(object, scene, columns, rows);
+    const DropProbe probe(object);
     for (int i = 0; i < columns * rows; ++i) {
       const DropBracket truth = by_loops(object, scene, i % columns, i / columns);
       ASSERT_EQ(found[i].lower, truth.lower) << i;
       ASSERT_EQ(found[i].upper, truth.upper) << i;
+      const DropBracket single = probe.at(scene, i % columns, i / columns);
+      ASSERT_EQ(single.lower, truth.lower) << i;
+      ASSERT_EQ(single.upper, truth.upper) << i;
     }
   }
 }
