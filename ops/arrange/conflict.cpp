@@ -13,6 +13,24 @@ constexpr size_t kMaxTriples = 40;  // constraints of which all triples are trie
 constexpr size_t kMaxPairs = 200;   // and all pairs
 constexpr double kAnywhere = 1e6;   // metres
 
+// Leaves out all of [first, last) if the rest leaves nothing without them, else what it can of each
+// half, the later first: as one by one from the end, as more constraints never leave more.
+void leave_out(std::vector<size_t>& set, size_t first, size_t last,
+               const std::function<bool(const std::vector<size_t>&)>& leaves_nothing) {
+  if (first == last) return;
+  std::vector<size_t> fewer = set;
+  fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(first),
+              fewer.begin() + static_cast<std::ptrdiff_t>(last));
+  if (!fewer.empty() && leaves_nothing(fewer)) {
+    set = std::move(fewer);
+    return;
+  }
+  if (last - first == 1) return;
+  const size_t middle = first + (last - first) / 2;
+  leave_out(set, middle, last, leaves_nothing);
+  leave_out(set, first, middle, leaves_nothing);
+}
+
 }  // namespace
 
 std::optional<std::vector<size_t>> smallest_empty(
@@ -29,11 +47,7 @@ std::optional<std::vector<size_t>> smallest_empty(
     for (size_t j = i + 1; j < count; ++j)
       for (size_t k = j + 1; k < count; ++k)
         if (leaves_nothing({i, j, k})) return {{i, j, k}};
-  for (size_t i = all.size(); i-- > 0;) {
-    std::vector<size_t> fewer = all;
-    fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
-    if (!fewer.empty() && leaves_nothing(fewer)) all = std::move(fewer);
-  }
+  leave_out(all, 0, all.size(), leaves_nothing);
   return all;
 }
 

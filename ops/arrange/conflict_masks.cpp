@@ -106,6 +106,7 @@ void ConflictSearch::fill_sights() {
   for (size_t place = 0; place < m_places.size(); ++place)
     if (all_but_sights_hold(place)) left.push_back(place);
   const size_t stride = left.size() / kMaxSightPlaces + 1;
+  some.reserve(left.size() / stride + 1);
   for (size_t k = 0; k < left.size(); k += stride) some.push_back(left[k]);
   for (const Relation* r : m_placer.m_sights) {
     const bool is_own = r->a == m_out.thing || r->b == m_out.thing;

@@ -112,7 +112,11 @@ bool Solver::evict_references(size_t item) {
   };
   collect(false);
   if (things.empty()) collect(true);
-  const std::vector<size_t> items = items_with_loads(things);
+  // Each with its cluster, which would hold it where it is.
+  std::vector<size_t> all;
+  for (const size_t t : things)
+    for (const size_t member : cluster_of(t)) all.push_back(member);
+  const std::vector<size_t> items = items_with_loads(all);
   if (items.empty() || has_pattern(items)) return false;
   for (const size_t t : things) {
     const Vec3 at = m_world.object(m_world.things()[t]).pose.translation;
@@ -124,6 +128,35 @@ bool Solver::evict_references(size_t item) {
   trial.commit();
   note_evictions(items);
   return true;
+}
+
+// The thing first, then what stands by it alone: all hard relations that place it are to things of
+// the cluster, such as those of a knife to its plate, and of a spoon to the knife.
+std::vector<size_t> Solver::cluster_of(size_t thing) const {
+  std::vector<size_t> out{thing};
+  const auto is_in = [&](const std::string& other) {
+    const int t = m_world.thing_of(other);
+    return t >= 0 && std::count(out.begin(), out.end(), static_cast<size_t>(t));
+  };
+  const auto follows = [&](size_t t) {
+    bool refers = false;
+    for (const size_t r : m_world.things()[t].relations) {
+      const Relation& relation = m_world.arrangement().relations[r];
+      if (!relation.is_hard() || relation.is_support() || relation.a != name(t)) continue;
+      if (!is_in(relation.b)) return false;
+      refers = true;
+    }
+    return refers;
+  };
+  for (bool grows = true; grows;) {
+    grows = false;
+    for (const size_t t : m_order) {
+      if (is_in(name(t)) || !follows(t)) continue;
+      out.push_back(t);
+      grows = true;
+    }
+  }
+  return out;
 }
 
 // Items of these things and of all that they carry, each once.

@@ -1,6 +1,8 @@
-// After all stand: things are taken out and put where the soft relations cost less.
+// After all stand: things, or their clusters, are taken out and put where the soft relations cost
+// less.
 #include <algorithm>
 
+#include "ops/arrange/place_order.h"
 #include "ops/arrange/sights.h"
 #include "ops/arrange/solver.h"
 
@@ -56,7 +58,10 @@ void Solver::improve() {
     for (const size_t t : order) {
       if (num_tries++ == m_world.arrangement().max_improvements || m_interrupt.reason()) return;
       if (m_progress) m_progress(name(t), standing(), m_world.things().size());
-      if (!move_for_less(t, of_thing[t], cost)) continue;
+      const std::vector<size_t> cluster = cluster_of(t);
+      const bool moved = (cluster.size() > 1 && move_for_less(t, cluster, of_thing[t], cost)) ||
+                         move_for_less(t, {t}, of_thing[t], cost);
+      if (!moved) continue;
       ++m_out.num_improvements;
       gained = true;
     }
@@ -64,10 +69,11 @@ void Solver::improve() {
   }
 }
 
-// With what it carries, which is put again, too. @param own  cost of its relations. @param cost in:
-// of all; out: less.
-bool Solver::move_for_less(size_t thing, double own, double& cost) {
-  const std::vector<size_t> items = items_with_loads({thing});
+// With others and what all of them carry, which are put again, too. @param own  cost of its
+// relations. @param cost in: of all; out: less.
+bool Solver::move_for_less(size_t thing, const std::vector<size_t>& with, double own,
+                           double& cost) {
+  const std::vector<size_t> items = items_with_loads(with);
   if (has_pattern(items)) return false;
   std::vector<size_t> again;  // in the order in which they came
   std::vector<OperationResult> results;
@@ -98,13 +104,16 @@ bool Solver::move_for_less(size_t thing, double own, double& cost) {
   return false;
 }
 
-// At one of the places that cost least. @param most  those that cost as much are left out.
+// At one of the places that cost least. @param most  those that cost as much are left out;
+// infinity: at any place, sampled, as what comes along may stand wherever it can.
 bool Solver::put_at_least(size_t thing, double most) try {
-  Placer placer(m_world, thing, seed_of(thing), Noise::Off);
-  for (const PlaceCandidate& place :
-       placer.candidates(Obstacles::All, m_nogoods[thing], kPlacesEach)) {
-    if (m_interrupt.reason() || !(place.energy < most)) return false;
-    if (put(placer, place, thing, LookAhead::Off)) return true;
+  const bool is_sampled = !(most < kInfinity);
+  Placer placer(m_world, thing, seed_of(thing), is_sampled ? Noise::On : Noise::Off);
+  PlaceOrder places(placer, Obstacles::All, m_nogoods[thing]);
+  for (size_t k = 0; k < (is_sampled ? kTrials : kPlacesEach); ++k) {
+    const auto place = places.next();
+    if (!place || m_interrupt.reason() || !(place->energy < most)) return false;
+    if (put(placer, *place, thing, LookAhead::Off)) return true;
   }
   return false;
 } catch (const ArrangeStopped&) {

@@ -1,6 +1,7 @@
 #include "ops/arrange/place_order.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "ops/arrange/noise.h"
 
@@ -8,6 +9,9 @@ namespace trivet {
 namespace {
 
 constexpr double kNogoodRadius = 6e-3;  // metres
+constexpr size_t kFewTurns = 3;         // of free ones, before all are tried
+constexpr double kLittleCosine = 1e-6;  // far more than rounding
+constexpr double kLittleWay = 1e-9;     // metres, likewise
 constexpr size_t kMaxSights = 2048;     // candidates whose lines of sight are looked at
 constexpr size_t kSoftSights = 256;     // best candidates that soft relations of sight are added to
 
@@ -15,6 +19,12 @@ double square(double x) { return x * x; }
 
 std::uint64_t counter(std::uint64_t seed, size_t combination, size_t place) {
   return scrambled(scrambled(seed ^ scrambled(combination)) ^ place);
+}
+
+// Tolerances more for a thing that is turned to face something afterwards.
+double slack_of(const Relation& r, const std::string& thing) {
+  const bool turns_later = r.kind == RelationKind::Facing || r.kind == RelationKind::Away;
+  return turns_later && r.a == thing ? kFacingSlackDeg / r.tolerance : 0;
 }
 
 bool is_of_turn(const Relation& r) {
@@ -27,9 +37,16 @@ bool is_of_turn(const Relation& r) {
 PlaceCosts::PlaceCosts(const Placer& placer, const Combination& combination)
     : m_placer(placer), m_base(combination.outline), m_here(combination.outline) {
   m_fixed.resize(placer.m_relations.size());
-  for (size_t k = 0; k < m_fixed.size(); ++k)
-    if (is_of_turn(*placer.m_relations[k]))
-      m_fixed[k] = placer.cost(*placer.m_relations[k], m_base);
+  m_cosines.assign(m_fixed.size(), kInfinity);
+  m_known.resize(m_fixed.size());
+  for (size_t k = 0; k < m_fixed.size(); ++k) {
+    const Relation& r = *placer.m_relations[k];
+    if (is_of_turn(r)) m_fixed[k] = placer.cost(r, m_base);
+    const double widest_deg = r.tolerance * (1 + slack_of(r, placer.name()));
+    if (r.a == placer.name() && widest_deg < 180 &&
+        (r.kind == RelationKind::Facing || r.kind == RelationKind::Away))
+      m_cosines[k] = turned_about_z(widest_deg).matrix()(0, 0);
+  }
 }
 
 void PlaceCosts::move_to(const Vec2& at) {
@@ -43,15 +60,49 @@ double PlaceCosts::cost(size_t relation) const {
                            : m_placer.cost(*m_placer.m_relations[relation], m_here);
 }
 
+// What is cheap to judge first: most places are left out by that.
 bool PlaceCosts::meets_hard() const {
+  const auto& relations = m_placer.m_relations;
+  for (size_t k = 0; k < m_fixed.size(); ++k)
+    if (relations[k]->is_hard() && (!faces(k).value_or(true) || m_fixed[k].value_or(0) > 1))
+      return false;
   for (size_t k = 0; k < m_fixed.size(); ++k) {
-    const Relation& r = *m_placer.m_relations[k];
-    if (!r.is_hard()) continue;
-    const bool turns_later = r.kind == RelationKind::Facing || r.kind == RelationKind::Away;
-    const double slack = turns_later && r.a == m_placer.name() ? kFacingSlackDeg / r.tolerance : 0;
-    if (!(cost(k) <= 1 + slack)) return false;
+    if (!relations[k]->is_hard() || faces(k)) continue;
+    if (relations[k]->kind == RelationKind::Near) {
+      if (!is_near(k)) return false;
+      continue;
+    }
+    if (!(cost(k) <= 1 + slack_of(*relations[k], m_placer.name()))) return false;
   }
   return true;
+}
+
+// By cosines, where the angle is certainly within its bound, or beyond it: nullopt: it is near.
+std::optional<bool> PlaceCosts::faces(size_t relation) const {
+  const double least = m_cosines[relation];
+  if (!(least < kInfinity)) return std::nullopt;
+  const Relation& r = *m_placer.m_relations[relation];
+  const double cosine = m_here.front.dot(wanted_front(r, m_here, m_placer.partner(r)));
+  if (std::abs(cosine - least) < kLittleCosine) return std::nullopt;
+  return cosine > least;
+}
+
+// No distance changes by more than the way from where it was measured: near its bounds it is
+// measured again. One below its upper end may be too large, as near_distance() says.
+bool PlaceCosts::is_near(size_t relation) const {
+  const Relation& r = *m_placer.m_relations[relation];
+  Known& known = m_known[relation];
+  const double way = (m_here.mass_centre - known.at).norm() + kLittleWay;
+  if (known.distance >= 0) {
+    const bool is_exact = r.lower > 0 || known.distance > r.upper;
+    if (is_exact && known.distance - way > r.upper + r.tolerance) return false;
+    if (known.distance + way <= r.upper && (r.lower == 0 || known.distance - way >= r.lower))
+      return true;
+  }
+  const Outline& partner = *m_placer.partner(r);
+  const bool is_a = r.a == m_placer.name();
+  known = {m_here.mass_centre, near_distance(r, is_a ? m_here : partner, is_a ? partner : m_here)};
+  return near_cost(r, known.distance) <= 1;
 }
 
 double PlaceCosts::energy() const {
@@ -77,6 +128,23 @@ std::vector<size_t> PlaceOrder::met(const PlaceField& field, PlaceCosts& costs) 
   return out;
 }
 
+PlaceOrder::PlaceOrder(const Placer& placer, Obstacles which, const std::vector<Vec2>& nogoods)
+    : m_placer(placer), m_which(which), m_nogoods(nogoods), m_has_more(placer.m_turns_are_free) {
+  add_turns(true);
+}
+
+// A few of the turns, by the seed, where any will do, then the others.
+void PlaceOrder::add_turns(bool few) {
+  m_all.clear();
+  for (size_t c = 0; c < m_placer.m_combinations.size(); ++c) {
+    const size_t turn = m_placer.m_combinations[c].turn;
+    if (!m_placer.m_turns_are_free || (m_placer.rank_of_turn(turn) < kFewTurns) == few) add(c);
+  }
+  start();
+  if (m_placer.m_has_soft_sights) m_first = with_sight_energy();
+}
+
+// The places that all relations leave in one rotation, whatever is in the way.
 void PlaceOrder::add(size_t c) {
   m_placer.m_world.check_interrupt();
   const Combination& combination = m_placer.m_combinations[c];
@@ -106,6 +174,7 @@ Obstructions PlaceOrder::obstructions(const Open& open) const {
   for (const ObjectId id : m_placer.obstacles(open.combination, m_which))
     by_keep[world.keep(m_placer.name(), world.scene().at(id).name)].push_back(id);
   Obstructions out;
+  out.reserve(by_keep.size() + 1);
   for (const auto& [keep, ids] : by_keep) out.push_back(open.field.obstruction(ids, keep));
   const auto& supports = open.combination.landing.supports;
   const bool on_floor = std::count(supports.begin(), supports.end(), Support::floor()) > 0;
@@ -131,7 +200,9 @@ bool PlaceOrder::fits(PlaceCandidate& candidate) {
 
 bool PlaceOrder::meets_sights(const PlaceCandidate& candidate) {
   const SightTrial trial = m_placer.sight_trial(candidate, m_which);
-  if (m_judges.empty())
+  const bool are_new = m_judges.empty();
+  m_judges.reserve(m_placer.m_sights.size());
+  if (are_new)
     for (const Relation* r : m_placer.m_sights)
       m_judges.push_back(std::make_unique<SightJudge>(trial, *r));
   return std::all_of(m_judges.begin(), m_judges.end(),
@@ -148,7 +219,7 @@ void PlaceOrder::start() {
   std::make_heap(m_heap.begin(), m_heap.end(), later);
 }
 
-std::optional<PlaceCandidate> PlaceOrder::next() {
+std::optional<PlaceCandidate> PlaceOrder::pop() {
   if (m_heap.empty()) return std::nullopt;
   m_placer.m_world.check_interrupt();
   const auto later = [&](size_t i, size_t j) {
@@ -160,19 +231,14 @@ std::optional<PlaceCandidate> PlaceOrder::next() {
   return m_all[i];
 }
 
-std::optional<PlaceCandidate> PlaceOrder::next_that_fits() {
-  while (auto candidate = next())
-    if (fits(*candidate)) return candidate;
-  return std::nullopt;
-}
-
-// The best by all else, in a new order. Candidates that are not looked at stay behind: they may
-// cost more than they seem to.
+// The best by all else, in a new order, the last one first. Candidates that are not looked at stay
+// behind: they may cost more than they seem to.
 std::vector<PlaceCandidate> PlaceOrder::with_sight_energy() {
   std::vector<PlaceCandidate> out;
   while (out.size() < kSoftSights) {
-    auto candidate = next_that_fits();
+    auto candidate = pop();
     if (!candidate) break;
+    if (!fits(*candidate)) continue;
     const SightTrial trial = m_placer.sight_trial(*candidate, Obstacles::All);
     double more = 0;
     for (const Relation* r : m_placer.m_relations)
@@ -185,29 +251,37 @@ std::vector<PlaceCandidate> PlaceOrder::with_sight_energy() {
   return out;
 }
 
-std::vector<PlaceCandidate> PlaceOrder::best(size_t most) {
-  start();
-  std::vector<PlaceCandidate> out;
-  size_t num_sights = 0;
-  const auto is_close = [&](const PlaceCandidate& candidate) {
-    return std::any_of(out.begin(), out.end(), [&](const PlaceCandidate& o) {
-      return o.combination == candidate.combination &&
-             (o.at - candidate.at).norm() < 2 * candidate.pixel;
-    });
-  };
-  const auto take = [&](const PlaceCandidate& candidate) {
-    if (m_placer.m_sights.empty() || (++num_sights <= kMaxSights && meets_sights(candidate)))
-      out.push_back(candidate);
-  };
-  if (m_placer.m_has_soft_sights)
-    for (const PlaceCandidate& candidate : with_sight_energy())
-      if (out.size() < most && !is_close(candidate)) take(candidate);
-  while (out.size() < most) {
-    auto candidate = next();
-    if (!candidate) break;
-    if (!is_close(*candidate) && fits(*candidate)) take(*candidate);
+bool PlaceOrder::is_close(const PlaceCandidate& candidate) const {
+  return std::any_of(m_given.begin(), m_given.end(), [&](const PlaceCandidate& o) {
+    return o.combination == candidate.combination &&
+           (o.at - candidate.at).norm() < 2 * candidate.pixel;
+  });
+}
+
+bool PlaceOrder::take(const PlaceCandidate& candidate) {
+  if (!m_placer.m_sights.empty() && (++m_num_sights > kMaxSights || !meets_sights(candidate)))
+    return false;
+  m_given.push_back(candidate);
+  return true;
+}
+
+std::optional<PlaceCandidate> PlaceOrder::next_of_these() {
+  while (!m_first.empty()) {
+    const PlaceCandidate candidate = m_first.back();
+    m_first.pop_back();
+    if (!is_close(candidate) && take(candidate)) return candidate;
   }
-  return out;
+  while (auto candidate = pop())
+    if (!is_close(*candidate) && fits(*candidate) && take(*candidate)) return candidate;
+  return std::nullopt;
+}
+
+std::optional<PlaceCandidate> PlaceOrder::next() {
+  if (auto candidate = next_of_these()) return candidate;
+  if (!m_has_more) return std::nullopt;
+  m_has_more = false;
+  add_turns(false);
+  return next_of_these();
 }
 
 }  // namespace trivet

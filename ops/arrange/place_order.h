@@ -1,5 +1,5 @@
-// Private. The best places of a thing: costs and noise of all places first, heights only of those
-// whose turn comes.
+// Private. Places of a thing by their costs with noise: heights are looked at only where a place's
+// turn comes.
 #pragma once
 
 #include <memory>
@@ -22,22 +22,29 @@ class PlaceCosts {
 
  private:
   double cost(size_t relation) const;
+  std::optional<bool> faces(size_t relation) const;
+  bool is_near(size_t relation) const;
 
   const Placer& m_placer;
   const Outline& m_base;
   Outline m_here;
   std::vector<std::optional<double>> m_fixed;  // of relations that are of the rotation alone
+  std::vector<double> m_cosines;               // of the widest angles of those that face something
+  struct Known {
+    Vec2 at = Vec2::Zero();
+    double distance = -1;  // less than 0: none yet
+  };
+  mutable std::vector<Known> m_known;  // of each Near, where it was measured last
 };
 
+/// Places that fit, the best first, a pixel or more from each other, each found when it is asked
+/// for. The scene is to be as it was at the beginning then.
 class PlaceOrder {
  public:
-  PlaceOrder(const Placer& placer, Obstacles which, const std::vector<Vec2>& nogoods)
-      : m_placer(placer), m_which(which), m_nogoods(nogoods) {}
-
-  /// Adds the places that all relations leave in one rotation, whatever is in the way.
-  void add(size_t combination);
-  /// The best that fit, a pixel or more from each other.
-  std::vector<PlaceCandidate> best(size_t most);
+  /// @param nogoods  positions that are left out, by 6 mm; outlive this.
+  PlaceOrder(const Placer& placer, Obstacles which, const std::vector<Vec2>& nogoods);
+  /// nullopt: there are no more.
+  std::optional<PlaceCandidate> next();
 
  private:
   // A rotation with the height maps of its places, drawn when they are asked for.
@@ -48,13 +55,17 @@ class PlaceOrder {
     std::optional<Obstructions> in_the_way;
   };
 
+  void add_turns(bool few);
+  void add(size_t combination);
   std::vector<size_t> met(const PlaceField& field, PlaceCosts& costs) const;
   Obstructions obstructions(const Open& open) const;
   bool fits(PlaceCandidate& candidate);
   bool meets_sights(const PlaceCandidate& candidate);
+  bool is_close(const PlaceCandidate& candidate) const;
+  bool take(const PlaceCandidate& candidate);
   void start();
-  std::optional<PlaceCandidate> next();
-  std::optional<PlaceCandidate> next_that_fits();
+  std::optional<PlaceCandidate> pop();
+  std::optional<PlaceCandidate> next_of_these();
   std::vector<PlaceCandidate> with_sight_energy();
 
   const Placer& m_placer;
@@ -62,7 +73,11 @@ class PlaceOrder {
   const std::vector<Vec2>& m_nogoods;
   std::vector<std::unique_ptr<Open>> m_open;
   std::vector<PlaceCandidate> m_all;
-  std::vector<size_t> m_heap;                         // of these, the best on top
+  std::vector<size_t> m_heap;           // of these, the best on top
+  std::vector<PlaceCandidate> m_first;  // before them, the last one first: by soft sights, too
+  std::vector<PlaceCandidate> m_given;
+  size_t m_num_sights = 0;
+  bool m_has_more = false;                            // turns that were not added yet
   std::vector<std::unique_ptr<SightJudge>> m_judges;  // of hard relations of sight
 };
 

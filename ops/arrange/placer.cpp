@@ -13,8 +13,6 @@ namespace trivet {
 namespace {
 
 constexpr double kTemperature = 0.2;
-constexpr size_t kFewTurns = 3;       // of free ones, before all are tried
-constexpr size_t kEnoughPlaces = 12;  // candidates that a few turns are to leave
 
 }  // namespace
 
@@ -110,23 +108,16 @@ size_t Placer::rank_of_turn(size_t turn) const {
   return out;
 }
 
-// A few of the turns, where any will do; all, if they leave too few places.
 std::vector<PlaceCandidate> Placer::candidates(Obstacles which, const std::vector<Vec2>& nogoods,
                                                size_t most) const {
-  PlaceOrder search(*this, which, nogoods);
-  const auto add = [&](bool few) {
-    for (size_t c = 0; c < m_combinations.size(); ++c)
-      if ((rank_of_turn(m_combinations[c].turn) < kFewTurns) == few) search.add(c);
-  };
-  if (m_turns_are_free) {
-    add(true);
-    auto out = search.best(most);
-    if (out.size() >= std::min(most, kEnoughPlaces)) return out;
-    add(false);
-    return search.best(most);
+  PlaceOrder places(*this, which, nogoods);
+  std::vector<PlaceCandidate> out;
+  while (out.size() < most) {
+    const auto next = places.next();
+    if (!next) break;
+    out.push_back(*next);
   }
-  for (size_t c = 0; c < m_combinations.size(); ++c) search.add(c);
-  return search.best(most);
+  return out;
 }
 
 std::vector<size_t> Placer::blockers(const PlaceCandidate& candidate) const {

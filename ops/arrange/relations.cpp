@@ -65,6 +65,14 @@ double edge_cost(const Relation& r, const Outline& a, const Outline& b) {
 
 }  // namespace
 
+double near_distance(const Relation& r, const Outline& a, const Outline& b) {
+  return distance(a.hull, b.hull, r.lower > 0 ? 0 : r.upper);
+}
+
+double near_cost(const Relation& r, double distance) {
+  return outside(distance, r.lower, r.upper) / r.tolerance;
+}
+
 double relation_cost(const Relation& r, const Outline& a, const Outline* b) {
   switch (r.kind) {
     case RelationKind::On:
@@ -82,8 +90,7 @@ double relation_cost(const Relation& r, const Outline& a, const Outline* b) {
     case RelationKind::AtEdge:
       return edge_cost(r, a, *b);
     case RelationKind::Near:
-      return outside(distance(a.hull, b->hull, r.lower > 0 ? 0 : r.upper), r.lower, r.upper) /
-             r.tolerance;
+      return near_cost(r, near_distance(r, a, *b));
     case RelationKind::Facing:
     case RelationKind::Away:
       return angle_between_deg(a.front, wanted_front(r, a, b)) / r.tolerance;

@@ -9,6 +9,12 @@
 
 namespace trivet {
 
+/// Metres between the outlines of Near; what is no more than its upper end may be anything up to
+/// that, where it has no lower one.
+double near_distance(const Relation& r, const Outline& a, const Outline& b);
+/// Cost of Near at that distance.
+double near_cost(const Relation& r, double distance);
+
 /// Cost in tolerances: 0 where it holds exactly, 1 at its tolerance. Relations of support are not
 /// seen from above: 0.
 /// @param b  null where the relation has none.

@@ -19,15 +19,23 @@ const std::vector<Vec3>& ShapeFacts::hull(const Object& object) {
   return known(m_hulls, object.shape, [&] { return hull_points(*object.shape); });
 }
 
+// The hull of both is the same.
 const std::vector<StablePose>& ShapeFacts::poses(const Object& object) {
-  return known(m_poses, {object.shape, object.up, object.scale},
-               [&] { return stable_poses(*object.shape, object.up, object.scale); });
+  return known(m_poses, {object.shape, object.up, object.scale}, [&] {
+    std::vector<Index> ids;
+    auto out = stable_poses(*object.shape, object.up, object.scale, &ids);
+    std::vector<Vec3> points;
+    points.reserve(ids.size());
+    for (const Index v : ids) points.push_back(object.shape->mesh.vertices[v]);
+    m_hulls.emplace(object.shape, std::move(points));
+    return out;
+  });
 }
 
 const std::vector<SupportSurface>& ShapeFacts::surfaces(const Object& object) {
   const Affine place = object.world_from_object();
   std::vector<double> key(place.linear.data(), place.linear.data() + place.linear.size());
-  for (const double x : place.translation) key.push_back(x);
+  key.insert(key.end(), place.translation.data(), place.translation.data() + 3);
   return known(m_surfaces, {object.shape, std::move(key)},
                [&] { return support_surfaces(body_of(object)); });
 }

@@ -23,12 +23,12 @@ std::vector<Vec2> grid_on(const Vec2& lower, const Vec2& upper) {
   return out;
 }
 
+}  // namespace
+
 Vec3 corner_of(const Aabb& box, int i) {
   return {i & 1 ? box.upper.x() : box.lower.x(), i & 2 ? box.upper.y() : box.lower.y(),
           i & 4 ? box.upper.z() : box.lower.z()};
 }
-
-}  // namespace
 
 std::vector<Ray> rays_to(const Vec3& eye, const Aabb& box) {
   const Vec3 to = box.centre() - eye;

@@ -7,6 +7,9 @@
 
 namespace trivet {
 
+/// One of the 8 corners.
+Vec3 corner_of(const Aabb& box, int i);
+
 /// From the eye to the centres of a grid of 8 x 8 on the rectangle that holds the box as it is
 /// seen, as far as that lies within 76 degrees of the box's centre. One ray to the centre where the
 /// eye is in the box, or nearly; none where it is that centre.

@@ -7,7 +7,26 @@
 
 namespace trivet {
 
-inline constexpr double kLittle = 1e-9;  // rounding, relative
+namespace {
+
+constexpr double kLittle = 1e-9;             // rounding, relative
+constexpr size_t kMostToBeConvex = 1 << 16;  // faces x vertices that are looked at
+
+// A solid with all vertices behind all faces; of small meshes only.
+bool is_convex_solid(const Shape& shape) {
+  const Mesh& mesh = shape.mesh;
+  if (shape.mass.rule != MassRule::Volume ||
+      mesh.triangles.size() * mesh.vertices.size() > kMostToBeConvex)
+    return false;
+  return std::all_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const Index3& t) {
+    const Vec3& a = mesh.vertices[t[0]];
+    const Vec3 normal = (mesh.vertices[t[1]] - a).cross(mesh.vertices[t[2]] - a);
+    return std::all_of(mesh.vertices.begin(), mesh.vertices.end(),
+                       [&](const Vec3& v) { return normal.dot(v - a) <= 0; });
+  });
+}
+
+}  // namespace
 
 /// Objects of the trial with their places.
 class Eyes {
@@ -21,14 +40,20 @@ class Eyes {
       const int t = world.thing_of(name);
       if (name == relation.a || name == relation.b || (t >= 0 && t == trial.thing)) continue;
       if (trial.immovable_only && t >= 0) continue;
-      m_others.push_back({body_of(world.scene().at(id)), t});
+      m_others.push_back({body_of(world.scene().at(id)), t, false});
     }
     const bool is_party =
         trial.thing >= 0 && (name_of_thing() == relation.a || name_of_thing() == relation.b);
-    if (trial.thing >= 0 && !is_party) m_others.push_back({body(name_of_thing()), trial.thing});
+    if (trial.thing >= 0 && !is_party)
+      m_others.push_back({body(name_of_thing()), trial.thing, false});
   }
 
   double cost() const { return cost_of(missing()); }
+
+  /// Looks which bodies cast a shadow as a whole.
+  void find_convex() {
+    for (Other& other : m_others) other.is_convex = is_convex_solid(*other.body.shape);
+  }
 
   /// Moves the thing of the trial.
   void move_to(const Pose& pose) {
@@ -70,6 +95,7 @@ class Eyes {
   struct Other {
     Body body;
     int thing;
+    bool is_convex = false;
   };
 
   double missing() const {
@@ -92,8 +118,26 @@ class Eyes {
     return cost_of(m_relation.overlap - seen) <= 1;
   }
 
+  // Behind one convex body: what it hides from a point is convex, so that all of a is hidden if the
+  // corners of its box are.
+  bool is_in_shadow() const {
+    return std::any_of(m_others.begin(), m_others.end(), [&](const Other& other) {
+      if (!other.is_convex) return false;
+      for (int i = 0; i < 8; ++i)
+        if (!is_behind(other.body, corner_of(m_a.world_box, i))) return false;
+      return true;
+    });
+  }
+
+  bool is_behind(const Body& body, const Vec3& point) const {
+    const Vec3 to = point - eye();
+    const double until = (1 - kLittle) * to.norm();
+    return until > 0 && hit(body, {eye(), to.normalized()}, until) < until;
+  }
+
   // As seen(): where all rays are cut off before they come to a's box, without a look at a.
   bool is_seen() const {
+    if (!is_enough(0, 1) && is_in_shadow()) return false;
     const std::vector<Ray> all = rays();
     const auto ends_before = [&](const Ray& ray) { return cut_off(ray, entry(ray)); };
     if (!is_enough(0, 1) && std::all_of(all.begin(), all.end(), ends_before)) return false;
@@ -181,11 +225,13 @@ class Eyes {
     return num_met ? double(num_covered) / num_met : 0;
   }
 
-  std::vector<Ray> rays() const {
+  Vec3 eye() const {
     std::optional<Outline> b;
     if (!m_relation.b.empty()) b = outline(m_relation.b);
-    return rays_to(eye_of(m_relation, b ? &*b : nullptr), m_a.world_box);
+    return eye_of(m_relation, b ? &*b : nullptr);
   }
+
+  std::vector<Ray> rays() const { return rays_to(eye(), m_a.world_box); }
 
   double seen() const {
     int num_met = 0, num_seen = 0;
@@ -216,7 +262,9 @@ class Eyes {
 };
 
 SightJudge::SightJudge(const SightTrial& trial, const Relation& relation)
-    : m_eyes(std::make_unique<Eyes>(trial, relation)) {}
+    : m_eyes(std::make_unique<Eyes>(trial, relation)) {
+  m_eyes->find_convex();
+}
 
 SightJudge::~SightJudge() = default;
 

@@ -5,6 +5,7 @@
 #include "core/base/quoted.h"
 #include "ops/arrange/noise.h"
 #include "ops/arrange/pattern_put.h"
+#include "ops/arrange/place_order.h"
 
 namespace trivet {
 
@@ -134,14 +135,16 @@ bool Solver::place_thing(size_t item) {
   const size_t thing = m_items[item].things.front();
   ++m_visits[thing];
   Placer placer(m_world, thing, seed_of(thing));
-  const auto candidates = placer.candidates(Obstacles::All, m_nogoods[thing], kTrials);
-  if (candidates.empty()) m_had_no_place[thing] = 1;
-  const PlaceCandidate* without_room = nullptr;  // the first that was kept but for what follows
-  for (const PlaceCandidate& candidate : candidates) {
+  PlaceOrder places(placer, Obstacles::All, m_nogoods[thing]);
+  std::optional<PlaceCandidate> without_room;  // the first that was kept but for what follows
+  for (size_t k = 0; k < kTrials; ++k) {
+    const auto candidate = places.next();
+    if (!candidate && k == 0) m_had_no_place[thing] = 1;
+    if (!candidate) break;
     if (stopped()) return false;
     m_left_no_room = false;
-    if (put(placer, candidate, thing, LookAhead::On)) return true;
-    if (m_left_no_room && !without_room) without_room = &candidate;
+    if (put(placer, *candidate, thing, LookAhead::On)) return true;
+    if (m_left_no_room && !without_room) without_room = candidate;
   }
   // Where none leaves room for what follows, that is no fault of this one.
   return without_room && !stopped() && put(placer, *without_room, thing, LookAhead::Off);

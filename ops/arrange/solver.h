@@ -22,8 +22,9 @@ class Solver {
 
   /// False: out.conflict says why, or out.status that it was stopped.
   bool run();
-  /// After run(): lowers the cost of soft relations by moving single things with what they carry;
-  /// the scene is as true after each, and never worse. Bounded; ends early when it is interrupted.
+  /// After run(): lowers the cost of soft relations by moving things with what they carry, alone or
+  /// as clusters; the scene is as true after each, and never worse. Bounded; ends early when it is
+  /// interrupted.
   void improve();
   /// Results and costs of relations, after run().
   void finish();
@@ -46,7 +47,7 @@ class Solver {
   // improve.cpp
   double soft_cost(const Relation& relation) const;
   double soft_cost(std::vector<double>& of_thing) const;
-  bool move_for_less(size_t thing, double own, double& cost);
+  bool move_for_less(size_t thing, const std::vector<size_t>& with, double own, double& cost);
   bool put_at_least(size_t thing, double most);
 
   // No place is left: eviction.cpp.
@@ -58,6 +59,7 @@ class Solver {
   bool evict_references(size_t item);
   bool has_pattern(const std::vector<size_t>& items) const;
   bool carries(const std::vector<size_t>& items, size_t thing) const;
+  std::vector<size_t> cluster_of(size_t thing) const;
   std::vector<size_t> items_with_loads(const std::vector<size_t>& things) const;
   void take_out(const std::vector<size_t>& items);
   void note_evictions(const std::vector<size_t>& items);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <sstream>
 
 #include "core/contact/contact_points.h"
@@ -40,6 +41,20 @@ class PoseSearch {
       judge(m_facets.back());
     }
     return poses();
+  }
+
+  // Ids, ascending; all of points in one plane.
+  std::vector<Index> hull_vertices() const {
+    std::vector<Index> out;
+    out.reserve(3 * m_hull.faces().size());
+    for (const HullFace& face : m_hull.faces())
+      out.insert(out.end(), face.corners.begin(), face.corners.end());
+    std::sort(out.begin(), out.end());
+    out.erase(std::unique(out.begin(), out.end()), out.end());
+    if (!out.empty()) return out;
+    out.resize(m_hull.points().size());
+    std::iota(out.begin(), out.end(), 0);
+    return out;
   }
 
  private:
@@ -201,13 +216,15 @@ std::tuple<double, double, double, double> as_tuple(const Rotation& r) {
 
 }  // namespace
 
-std::vector<StablePose> stable_poses(const Shape& shape, UpAxis up, double scale) {
+std::vector<StablePose> stable_poses(const Shape& shape, UpAxis up, double scale,
+                                     std::vector<Index>* hull_vertices) {
   const Affine standing = world_from_object({}, up, scale);
   std::vector<Vec3> points;
   points.reserve(shape.mesh.vertices.size());
   for (const Vec3& v : shape.mesh.vertices) points.push_back(standing.apply(v));
-  std::vector<StablePose> out =
-      PoseSearch(std::move(points), standing.apply(shape.mass.centre)).run();
+  PoseSearch search(std::move(points), standing.apply(shape.mass.centre));
+  if (hull_vertices) *hull_vertices = search.hull_vertices();
+  std::vector<StablePose> out = search.run();
   const auto key = [](const StablePose& p) {
     return std::tuple(-std::floor(p.probability / kEqualProbability + 0.5), p.tilt_deg,
                       as_tuple(p.rotation));

@@ -30,7 +30,9 @@ struct StablePose {
 /// A flat object has two; none: the vertices lie on a line, or the centre of mass is outside the
 /// hull (meshes that are inside out in parts).
 /// @param scale  metres per unit of the file.   Cost O(n log n).   Thread-safe.
-std::vector<StablePose> stable_poses(const Shape& shape, UpAxis up, double scale = 1);
+/// @param hull_vertices  becomes the ids of the hull's vertices, ascending; all of a flat object.
+std::vector<StablePose> stable_poses(const Shape& shape, UpAxis up, double scale = 1,
+                                     std::vector<Index>* hull_vertices = nullptr);
 
 /// The pose nearest to the model's own up; nullopt: none, or it is farther than kUprightDeg.
 std::optional<StablePose> upright_pose(const std::vector<StablePose>& poses);

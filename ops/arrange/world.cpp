@@ -161,10 +161,10 @@ ThingModel World::model_of(const Thing& thing) const {
   ThingModel out;
   out.thing = &thing;
   out.id = *scene().find(thing.object);
+  out.rests = rests_of(thing);
   out.points = facts().hull(scene().at(out.id));
   const auto front = m_arrangement.fronts.find(thing.object);
   out.front = front == m_arrangement.fronts.end() ? Vec3(-Vec3::UnitY()) : front->second;
-  out.rests = rests_of(thing);
   const Outline seen = outline(out, {out.rests.front(), Vec3::Zero()});
   for (size_t i = 0; i < seen.hull.size(); ++i)
     out.area += 0.5 * cross(seen.hull[i], seen.hull[(i + 1) % seen.hull.size()]);

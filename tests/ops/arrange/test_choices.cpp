@@ -110,5 +110,45 @@ TEST(Conflict, OffersTheCheapestWishToDrop) {
   expect_true(stage, stage.run());
 }
 
+// A plate is held by its knife and its spoon, which stand by it: alone it moves by half a
+// centimetre, with them to where it is to be.
+TEST(Improve, MovesThingsWithThoseThatStandByThem) {
+  double before = 0, after = 0;
+  int num_there = 0;
+  constexpr int kSeeds = 8;
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    for (const int most : {0, 12}) {
+      Stage stage;
+      stage.fix("table", box_between(Vec3(-0.5, -0.4, 0), Vec3(0.5, 0.4, 0.7)), Vec3(0, 0, 1e-5));
+      stage.add("plate", box_between(Vec3(-0.1, -0.1, 0), Vec3(0.1, 0.1, 0.02)), {"", {}, {0}});
+      stage.add("knife", box_between(Vec3(-0.01, -0.1, 0), Vec3(0.01, 0.1, 0.01)), {"", {}, {0}});
+      stage.add("spoon", box_between(Vec3(-0.01, -0.08, 0), Vec3(0.01, 0.08, 0.01)), {"", {}, {0}});
+      for (const char* name : {"plate", "knife", "spoon"})
+        stage.relate(name, RelationKind::On, "table");
+      Relation& at = stage.relate("plate", RelationKind::At);
+      at.point = Vec2(0.1, -0.1);
+      at.tolerance = 0.2, at.weight = 1;
+      const auto beside = [&](const char* name, const char* other) {
+        Relation& right = stage.relate(name, RelationKind::RightOf, other);
+        right.lower = 0.005, right.upper = 0.01;
+        Relation& level = stage.relate(name, RelationKind::Centred, other);
+        level.along_x = false, level.tolerance = 0.003;
+      };
+      beside("knife", "plate");
+      beside("spoon", "knife");
+      stage.arrangement.max_improvements = most;
+      const ArrangeResult result = stage.run(seed);
+      expect_true(stage, result);
+      const Vec3 plate = stage.box("plate").centre();
+      const double off = (plate.head<2>() - Vec2(0.1, -0.1)).norm();
+      (most == 0 ? before : after) += off;
+      if (most > 0 && off < 0.01) ++num_there;
+    }
+  }
+  EXPECT_GT(before / kSeeds, 0.02);
+  EXPECT_LT(after, 0.5 * before);
+  EXPECT_GE(num_there, kSeeds - 2);
+}
+
 }  // namespace
 }  // namespace trivet::test
