@@ -190,6 +190,11 @@ test_blender() {
       { tail -n 20 \$1.log; exit 1; }; grep -E '^(backend|put):' \$1.log; }
     apt-get update -q >/dev/null
     apt-get install -q -y --no-install-recommends /job/trivet_*.deb >apt.log 2>&1 || { tail -n 20 apt.log; exit 1; }
+    if (try PROGRAM) >without.log || ! grep -q 'apt install python3-numpy' without.log; then
+      tail -n 20 without.log
+      exit 1
+    fi
+    apt-get install -q -y --no-install-recommends python3-numpy >apt.log 2>&1 || { tail -n 20 apt.log; exit 1; }
     try PROGRAM
     apt-get install -q -y --no-install-recommends /job/python3-trivet_*.deb >apt.log 2>&1 || { tail -n 20 apt.log; exit 1; }
     try MODULE" || fail "the extension in Blender"

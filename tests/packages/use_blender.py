@@ -2,6 +2,7 @@
 
 Puts a monkey by the backend that is found, which has to be KIND, "MODULE" or "PROGRAM"; prints which, and where it lies.
 """
+import os
 import sys
 
 import addon_utils
@@ -10,7 +11,7 @@ import bpy
 ADDON = "trivet_addon"
 ZIP, KIND = sys.argv[sys.argv.index("--") + 1:]
 
-bpy.ops.preferences.addon_install(filepath=ZIP)
+bpy.ops.preferences.addon_install(filepath=os.path.abspath(ZIP))  # Blender asks for its folder
 addon_utils.enable(ADDON, default_set=True)
 from trivet_addon import memory, preferences  # noqa: E402
 

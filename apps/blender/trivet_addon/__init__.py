@@ -12,6 +12,11 @@ bl_info = {
 
 
 def _parts():
+    try:
+        import numpy  # noqa: F401
+    except ImportError as error:
+        raise ImportError("Trivet needs NumPy in Blender's Python. Builds of blender.org have it; for Debian's: "
+                          "apt install python3-numpy") from error
     from . import op_check, op_export, op_moves, op_put, op_scatter, overlay, preferences, properties, ui
 
     operators = (op_put, op_moves, op_scatter, op_check, op_export)

@@ -200,7 +200,7 @@ def test_progress_goes_up_and_what_it_raises_stops_the_picture():
 
     begin = time.perf_counter()
     with pytest.raises(ZeroDivisionError):
-        scene.render(size=(1920, 1080), samples=256, progress=stop)  # minutes of work
+        scene.render(size=(480, 270), samples=4096, progress=stop)  # minutes of work
     assert time.perf_counter() - begin < 30
 
 
