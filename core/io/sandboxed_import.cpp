@@ -33,8 +33,6 @@ constexpr double kBaseSeconds = 60, kSecondsPerByte = 1e-6;
 constexpr std::uintmax_t kBaseMemory = std::uintmax_t{1} << 30, kMemoryPerByte = 64;
 constexpr int kOutput = 3;  // descriptor on which trivet-import answers
 constexpr int kPipeBytes = 1 << 20;
-constexpr std::uintmax_t kUsualBytes =
-    1 << 24;  // of an answer; memory that is not used costs nothing
 
 [[noreturn]] void fail_environment(const std::string& what, int error) {
   throw Error(Error::Kind::Environment, what + ": " + std::strerror(error));
@@ -157,7 +155,6 @@ class Child {
 std::string received(int descriptor, const std::string& path, const ImportLimits& limits) {
   const auto deadline = Clock::now() + std::chrono::duration<double>(limits.max_seconds);
   std::string out;
-  out.reserve(static_cast<size_t>(std::min(limits.max_memory_bytes, kUsualBytes)));
   std::array<char, 1 << 16> block;
   while (true) {
     const double left = std::chrono::duration<double>(deadline - Clock::now()).count();
