@@ -1,4 +1,7 @@
 // Pixels in blocks of eight, blocks in bands of rows, bands in parallel.
+#include <algorithm>
+#include <atomic>
+#include <functional>
 #include <mutex>
 
 #include "raster/path/path_state.h"
@@ -45,21 +48,48 @@ void PathTracer::trace_block(int x0, int y0, SumImage& image) const {
   }
 }
 
+namespace {
+
+/// Tells how much of a count is done, 256 times, from any thread; fractions grow up to 1.
+class Telling {
+ public:
+  Telling(int count, const std::function<void(double)>& tell) : m_count(count), m_tell(tell) {}
+
+  void count_one() {
+    const int step = std::max(m_count / 256, 1), done = ++m_done;
+    if (!m_tell || (done % step != 0 && done != m_count)) return;
+    const std::lock_guard lock(m_mutex);
+    if (done < m_told) return;
+    m_told = done;
+    m_tell(double(done) / m_count);
+  }
+
+ private:
+  const int m_count;
+  const std::function<void(double)>& m_tell;
+  std::atomic<int> m_done = 0;
+  std::mutex m_mutex;
+  int m_told = 0;
+};
+
+}  // namespace
+
 SumImage PathTracer::trace() {
   SumImage image;
   image.width = m_options.width, image.height = m_options.height;
   image.samples = m_options.samples;
   image.pixels.resize(std::size_t(image.width) * image.height);
   const int num_bands = (image.height + kPathRows - 1) / kPathRows;
-  std::mutex mutex;
-  int num_done = 0;
+  const int blocks_per_row = (image.width + kBlockWidth - 1) / kBlockWidth;
+  const int block_rows = (image.height + kBlockHeight - 1) / kBlockHeight;
+  Telling telling(blocks_per_row * block_rows, m_options.progress);
   in_parallel(num_bands, [&](std::size_t band) {
     const int first = static_cast<int>(band) * kPathRows;
     for (int y = first; y < std::min(first + kPathRows, image.height); y += kBlockHeight)
-      for (int x = 0; x < image.width; x += kBlockWidth) trace_block(x, y, image);
-    if (!m_options.progress) return;
-    const std::lock_guard lock(mutex);
-    m_options.progress(double(++num_done) / num_bands);
+      for (int x = 0; x < image.width; x += kBlockWidth) {
+        trace_block(x, y, image);
+        telling.count_one();
+      }
   });
   return image;
 }
