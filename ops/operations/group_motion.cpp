@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ops/settle/settle.h"
+#include "ops/settle/separation.h"
 
 namespace trivet {
 namespace {

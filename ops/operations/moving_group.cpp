@@ -6,6 +6,7 @@
 
 #include "core/base/tunables.h"
 #include "core/contact/contact_points.h"
+#include "ops/settle/separation.h"
 #include "ops/stability/stability.h"
 
 namespace trivet {

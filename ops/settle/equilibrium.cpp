@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/cross.h"
+#include "core/base/tunables.h"
 #include "core/contact/contact_points.h"
 #include "ops/settle/linear_program.h"
 
@@ -230,6 +231,17 @@ std::vector<ContactPoint> reduced(const std::vector<ContactPoint>& contacts, siz
 
 std::vector<FrictionContact> reduced(const std::vector<FrictionContact>& contacts, size_t limit) {
   return reduced_points(contacts, limit);
+}
+
+double residual_tolerance(double size, double clearance) {
+  return std::min(1e-2, 1e-7 + kBalanceTolerance * clearance / std::max(size, clearance));
+}
+
+bool is_balanced(const std::vector<ContactPoint>& contacts, const Vec3& centre, double size,
+                 double clearance) {
+  if (carrying_margin(contacts, centre) >= kRestMargin * size) return true;
+  const double enough = residual_tolerance(size, clearance);
+  return equilibrium_residual(contacts, centre, size, kLargestFriction, enough) <= enough;
 }
 
 }  // namespace trivet

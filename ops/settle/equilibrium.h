@@ -48,6 +48,13 @@ double friction_residual(const std::vector<FrictionContact>& contacts, const Vec
 double least_friction(const std::vector<ContactPoint>& contacts, const Vec3& centre, double size,
                       double tolerance);
 
+/// The residual of equilibrium_residual() that contacts known to a few clearances leave open.
+double residual_tolerance(double size, double clearance);
+
+/// True if the centre is inside the hull of the contacts that carry, or contact forces balance.
+bool is_balanced(const std::vector<ContactPoint>& contacts, const Vec3& centre, double size,
+                 double clearance);
+
 /// At most about `limit` contacts with (nearly) the same span of forces: per direction of normal
 /// the convex hull of the points, then the points farthest from each other.
 std::vector<ContactPoint> reduced(const std::vector<ContactPoint>& contacts, size_t limit);

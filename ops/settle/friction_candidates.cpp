@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "ops/settle/settle.h"
+#include "ops/settle/separation.h"
 
 namespace trivet {
 namespace {

@@ -1,7 +1,7 @@
 // Settling with Coulomb friction by the materials: slides, turns and falls.
 #pragma once
 
-#include "ops/settle/settle.h"
+#include "ops/settle/settle_problem.h"
 
 namespace trivet {
 

@@ -10,7 +10,6 @@
 #include "ops/settle/candidates.h"
 #include "ops/settle/equilibrium.h"
 #include "ops/settle/friction_settling.h"
-#include "ops/settle/half_spaces.h"
 #include "ops/settle/settling_body.h"
 #include "ops/settle/subsets.h"
 
@@ -154,26 +153,9 @@ class Settling {
 
 }  // namespace
 
-Vec3 smallest_separating_motion(const std::vector<ContactPoint>& points, double clearance) {
-  std::vector<HalfSpace<3>> open;
-  for (const ContactPoint& p : points) open.push_back({p.normal, clearance - p.gap});
-  return nearest_inside<3>(open, Vec3::Zero(), kLiftSweeps);
-}
-
-bool is_balanced(const std::vector<ContactPoint>& contacts, const Vec3& centre, double size,
-                 double clearance) {
-  if (carrying_margin(contacts, centre) >= kRestMargin * size) return true;
-  const double enough = residual_tolerance(size, clearance);
-  return equilibrium_residual(contacts, centre, size, kLargestFriction, enough) <= enough;
-}
-
 bool is_at_rest(const SettleProblem& problem) {
   return has_finite_friction(problem.options) ? rests_with_friction(problem)
                                               : Settling(problem).is_at_rest();
-}
-
-double residual_tolerance(double size, double clearance) {
-  return std::min(1e-2, 1e-7 + kBalanceTolerance * clearance / std::max(size, clearance));
 }
 
 SettleOutcome settle(const SettleProblem& problem) {

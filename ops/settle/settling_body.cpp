@@ -8,6 +8,7 @@
 #include "core/contact/contact_points.h"
 #include "core/scene/friction.h"
 #include "ops/settle/rest.h"
+#include "ops/settle/separation.h"
 
 namespace trivet {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "ops/settle/candidates.h"
 #include "ops/settle/equilibrium.h"
-#include "ops/settle/settle.h"
+#include "ops/settle/settle_problem.h"
 #include "ops/settle/subsets.h"
 
 namespace trivet {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "ops/settle/equilibrium.h"
 #include "ops/settle/linear_program.h"
-#include "ops/settle/settle.h"
 
 namespace trivet {
 namespace {

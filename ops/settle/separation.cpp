@@ -1,0 +1,14 @@
+#include "ops/settle/separation.h"
+
+#include "core/base/tunables.h"
+#include "ops/settle/half_spaces.h"
+
+namespace trivet {
+
+Vec3 smallest_separating_motion(const std::vector<ContactPoint>& points, double clearance) {
+  std::vector<HalfSpace<3>> open;
+  for (const ContactPoint& p : points) open.push_back({p.normal, clearance - p.gap});
+  return nearest_inside<3>(open, Vec3::Zero(), kLiftSweeps);
+}
+
+}  // namespace trivet
