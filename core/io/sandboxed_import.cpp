@@ -95,7 +95,7 @@ class ImporterEnvironment {
   char** variables() { return m_variables.data(); }
 
  private:
-  // What is freed is kept for what comes next, too.
+  // Freed memory is kept for the next allocation, too.
   std::string m_tunables =
       "GLIBC_TUNABLES=glibc.malloc.hugetlb=1:glibc.malloc.mmap_threshold=33554432:"
       "glibc.malloc.trim_threshold=1073741824";

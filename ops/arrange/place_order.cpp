@@ -60,7 +60,7 @@ double PlaceCosts::cost(size_t relation) const {
                            : m_placer.cost(*m_placer.m_relations[relation], m_here);
 }
 
-// What is cheap to judge first: most places are left out by that.
+// Cheap conditions first: they leave most places out.
 bool PlaceCosts::meets_hard() const {
   const auto& relations = m_placer.m_relations;
   for (size_t k = 0; k < m_fixed.size(); ++k)

@@ -1,4 +1,5 @@
-// What an arrangement asks of shapes again and again, found once: hulls, stable poses, surfaces.
+// Hulls, stable poses and surfaces of shapes, found once: arrangements ask for them again and
+// again.
 #pragma once
 
 #include <map>

@@ -205,7 +205,7 @@ class Eyes {
     return found ? found->time : kInfinity;
   }
 
-  // What cut off the last ray is looked at first.
+  // The obstacle of the last ray is looked at first.
   bool cut_off(const Ray& ray, double until) const {
     for (size_t k = 0; k < m_others.size(); ++k) {
       const size_t i = k == 0 ? m_last : k <= m_last ? k - 1 : k;

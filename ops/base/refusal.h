@@ -65,6 +65,7 @@ struct Refusal {
     KeepTooLarge,   // objects: it. numbers: keep, diagonal, largest_keep
     RestsOnOther,   // objects: it, the other
     RestsTooClose,  // objects: it, the other
+    StandsBadly,    // objects: it. numbers: margin, least_margin, or friction, most_friction
     // Arranging.
     NoArrangement,  // objects: the thing without a place, then all that the conflict names.
                     // numbers: as_things_stand [, missing: metres]. detail: the conflict

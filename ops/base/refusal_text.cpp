@@ -256,6 +256,16 @@ class Writer {
       case Cause::RestsTooClose:
         return say(TRIVET_SENTENCE("refusal", "%1 would come to rest too near to %2"),
                    {name(0), name(1)});
+      case Cause::StandsBadly:
+        if (m_r.number("least_margin") > 0)
+          return say(TRIVET_SENTENCE("refusal",
+                                     "%1 would not stand well: it tips over an edge %2 m away; "
+                                     "accepted: %3 m or more"),
+                     {name(0), number("margin"), number("least_margin")});
+        return say(TRIVET_SENTENCE("refusal",
+                                   "%1 would not stand well: it needs friction of %2; accepted: "
+                                   "%3 or less"),
+                   {name(0), number("friction"), number("most_friction")});
       default:
         return {};
     }

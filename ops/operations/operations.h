@@ -39,6 +39,8 @@ struct PlaceOptions {
   std::uint64_t seed = 0;      // selects the place when `near` is empty
   double keep = 0;             // distance to all but the support, metres
   std::optional<double> from;  // height z of the start; nullopt: just above the support
+  double least_margin = 0;     // metres of its centre of mass from where it tips, at rest
+  double most_friction = kInfinity;  // that it may need to stay there
 };
 
 /// From a start pose down along gravity to the first contact, then settle. "put"

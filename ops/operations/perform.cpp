@@ -23,6 +23,25 @@ bool unbalances(const Any&) {
 }
 bool unbalances(const FixOperation& o) { return !o.fixed; }
 
+/// Of a PUT where there is room, what is asked for beside rest.
+bool asks_to_stand_well(const PlaceOptions& place) {
+  return place.least_margin > 0 || place.most_friction < kInfinity;
+}
+
+std::optional<Refusal> refuse_to_stand(const Scene& scene, ObjectId id, const PlaceOptions& place) {
+  const Object& object = scene.at(id);
+  const Named name = named(scene, Support(id));
+  if (object.stability_margin < place.least_margin)
+    return Refusal{Refusal::Cause::StandsBadly,
+                   {name},
+                   {{"margin", object.stability_margin}, {"least_margin", place.least_margin}}};
+  if (object.least_friction > place.most_friction)
+    return Refusal{Refusal::Cause::StandsBadly,
+                   {name},
+                   {{"friction", object.least_friction}, {"most_friction", place.most_friction}}};
+  return std::nullopt;
+}
+
 template <class Any>
 OperationResult perform_one(Transaction& transaction, ObjectId id, const Any& o, OperationRun& run,
                             const RunContext& context) {
@@ -30,14 +49,18 @@ OperationResult perform_one(Transaction& transaction, ObjectId id, const Any& o,
   if constexpr (std::is_same_v<Any, ArrangeOperation>) {
     return o.problem->solve(transaction, run.options, context);
   } else if constexpr (Plannable<Any>) {
-    if (std::is_same_v<Any, PutOperation> && keeps_whole_at_rest(run.options))
-      run.refuse_commit = [&](const MovePlan& plan) {
-        Transaction trial(transaction);  // taken back
-        run.is_trial = true;
-        const OperationResult result = commit_at_rest(trial, plan, run, name);
-        run.is_trial = false;
-        return result.refusal;
-      };
+    if constexpr (std::is_same_v<Any, PutOperation>) {
+      const bool is_judged = o.place && asks_to_stand_well(*o.place);
+      if (is_judged || keeps_whole_at_rest(run.options))
+        run.refuse_commit = [&, is_judged](const MovePlan& plan) {
+          Transaction trial(transaction);  // taken back
+          run.is_trial = true;
+          const OperationResult result = commit_at_rest(trial, plan, run, name);
+          run.is_trial = false;
+          return is_judged && result.ok() ? refuse_to_stand(trial.scene(), id, *o.place)
+                                          : result.refusal;
+        };
+    }
     return commit_at_rest(transaction, plan(transaction.scene(), id, o, run), run, name);
   } else {
     OperationResult result = apply(transaction, o, run);

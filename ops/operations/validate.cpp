@@ -86,6 +86,9 @@ void check(const PutOperation& o, Checker& checker) {
   if (o.place->near) checker.vector("at", *o.place->near);
   checker.range("seed", static_cast<double>(o.place->seed), 0, static_cast<double>(kMaxSeed));
   checker.range("keep", o.place->keep, 0, kMaxLength);
+  checker.range("least_margin", o.place->least_margin, 0, kMaxLength);
+  if (o.place->most_friction < kInfinity)
+    checker.range("most_friction", o.place->most_friction, kMinFriction, kMaxFriction);
   if (o.place->from) checker.range("from", *o.place->from, -kMaxLength, kMaxLength);
 }
 

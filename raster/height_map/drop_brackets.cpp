@@ -65,7 +65,7 @@ struct Top {
   size_t index(int column, int row) const { return size_t(row) * stride + column; }
 
  private:
-  // Where the end of a row meets the begin of the next there is only margin.
+  // Only margin lies between the end of a row and the start of the next.
   void widen(size_t step) {
     const auto count = static_cast<Eigen::Index>(heights.size() - step);
     using Line = Eigen::Map<Eigen::ArrayXf>;

@@ -439,6 +439,14 @@
         <translation>%1 käme zu nahe zur Ruhe; im Weg: %2</translation>
     </message>
     <message>
+        <source>%1 would not stand well: it tips over an edge %2 m away; accepted: %3 m or more</source>
+        <translation>%1 stünde nicht gut: es kippt über eine Kante, die %2 m entfernt ist; erlaubt: %3 m oder mehr</translation>
+    </message>
+    <message>
+        <source>%1 would not stand well: it needs friction of %2; accepted: %3 or less</source>
+        <translation>%1 stünde nicht gut: nötig ist eine Reibung von %2; erlaubt: %3 oder weniger</translation>
+    </message>
+    <message>
         <source>no free place for %1 on %2: of %3 places, every %4 m, %5 are over no part of it and %6 are blocked by other things</source>
         <translation>kein freier Platz für %1 (auf: %2): von %3 Plätzen, alle %4 m, liegen %5 daneben, %6 sind von anderem besetzt</translation>
     </message>

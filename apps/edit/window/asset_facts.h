@@ -12,10 +12,10 @@ QString size_text(const AssetInfo& info);
 /// "up: y, likely"
 QString up_text(const AssetInfo& info);
 
-/// Where pictures of models are kept; empty: nowhere.
+/// The folder of models' pictures; empty: none are kept.
 QString picture_cache();
 
-/// What was chosen for the models of a folder, in the user's settings.
+/// Choices for the models of a folder, kept in the user's settings.
 struct FolderChoice {
   double metres = 0;         // per unit; 0: as stated or likely
   std::optional<UpAxis> up;  // nullopt: as stated or likely

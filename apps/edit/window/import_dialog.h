@@ -1,4 +1,4 @@
-// What is known of models that are to be imported, a row per file; their units and up axes.
+// Models that are to be imported, a row per file; their units and up axes.
 #pragma once
 
 #include <QCheckBox>

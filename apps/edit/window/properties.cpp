@@ -150,7 +150,7 @@ void Properties::add_scale() {
   connect(m_scale, &QDoubleSpinBox::valueChanged, this, &Properties::take_scale);
 }
 
-// What the file's numbers mean, if it was imported wrongly.
+// Unit and up axis of the file's numbers, if it was imported wrongly.
 void Properties::add_frame() {
   const auto add = [&](const QString& name, QComboBox* box, const char* id, const QString& tip) {
     auto* const title = new QLabel(name);

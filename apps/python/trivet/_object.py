@@ -33,7 +33,8 @@ class Object(Properties):
         return [self._scene[name] for name in self._scene._scene.loads(self._key, self._name, recursive)]
 
     def put(self, position: Optional[ArrayLike] = None, wxyz: Optional[ArrayLike] = None, *, on: Optional[Other] = None,
-            at: Optional[ArrayLike] = None, keep: float = 0.0, seed: int = 0, settle_left: bool = False,
+            at: Optional[ArrayLike] = None, keep: float = 0.0, seed: int = 0, least_margin: float = 0.0,
+            most_friction: Optional[float] = None, settle_left: bool = False,
             budget: Optional[float] = None) -> Result:
         """Let the object fall from where it is held, settle, and prove that it rests.
 
@@ -53,6 +54,10 @@ class Object(Properties):
             Metres from all but the support.
         seed : int
             Selects the place of ``at="anywhere"``.
+        least_margin : float
+            With `on`: metres of its centre of mass from where it would tip, at rest; other places are tried.
+        most_friction : float, optional
+            With `on`: Coulomb's coefficient that it may need to stay there; other places are tried.
         settle_left : bool
             Objects that it leaves without support settle, too; else they are named in `Result.unsupported`.
         budget : float, optional
@@ -71,18 +76,23 @@ class Object(Properties):
         BadInputError
             An argument is not accepted.
         """
-        return _checked(self.try_put(position, wxyz, on=on, at=at, keep=keep, seed=seed, settle_left=settle_left,
-                                     budget=budget))
+        return _checked(self.try_put(position, wxyz, on=on, at=at, keep=keep, seed=seed, least_margin=least_margin,
+                                     most_friction=most_friction, settle_left=settle_left, budget=budget))
 
     def try_put(self, position: Optional[ArrayLike] = None, wxyz: Optional[ArrayLike] = None, *,
                 on: Optional[Other] = None, at: Optional[ArrayLike] = None, keep: float = 0.0, seed: int = 0,
-                settle_left: bool = False, budget: Optional[float] = None) -> Result:
+                least_margin: float = 0.0, most_friction: Optional[float] = None, settle_left: bool = False,
+                budget: Optional[float] = None) -> Result:
         """As `put`, but a refusal is returned."""
         if on is not None:
             if position is not None:
                 raise BadInputError("put: position and on are given; accepted: one of them")
             return self._try(budget, op="put", on=_arrays.name_of("on", on), at=_place(at), seed=int(seed),
-                             keep=_arrays.number("keep", keep), rotation=_rotation(wxyz), settle_left=settle_left or None)
+                             keep=_arrays.number("keep", keep),
+                             least_margin=_arrays.number("least_margin", least_margin),
+                             most_friction=most_friction if most_friction is None
+                             else _arrays.number("most_friction", most_friction),
+                             rotation=_rotation(wxyz), settle_left=settle_left or None)
         if position is None:
             position = self.position
             if position is None:

@@ -36,8 +36,8 @@ void read_common(const JsonPlace& place, JointMoveOptions& move) {
 }
 
 PlaceOptions read_place(const JsonPlace& place) {
-  place.expect_object({"op", "object", "on"},
-                      {"at", "seed", "keep", "from", "rotation", "settle_left"});
+  place.expect_object({"op", "object", "on"}, {"at", "seed", "keep", "from", "least_margin",
+                                               "most_friction", "rotation", "settle_left"});
   PlaceOptions out;
   out.on = place.at("on").text();
   if (const auto at = place.find("at")) {
@@ -51,6 +51,8 @@ PlaceOptions read_place(const JsonPlace& place) {
     out.seed = seed->value().get<std::uint64_t>();
   }
   read_to(place, "keep", out.keep);
+  read_to(place, "least_margin", out.least_margin);
+  read_to(place, "most_friction", out.most_friction);
   if (const auto from = place.find("from")) out.from = from->number();
   return out;
 }

@@ -124,6 +124,64 @@ TEST(PutSomewhere, KeepsAnyDistanceFromNothing) {
   EXPECT_TRUE(result.ok()) << result.reason();
 }
 
+// A cube of 0.1 m at the table's edge: half of it may hang over, unless it is to stand well.
+TEST(PutSomewhere, StandsWithTheMarginThatIsAskedFor) {
+  for (const double margin : {0.0, 0.01, 0.03, 0.045}) {
+    TableRoom room;
+    room.scene.add(test::box_object("cube", Vec3::Constant(0.05)));
+    PlaceOptions place;
+    place.on = "table";
+    place.near = Vec2(0.7, 0);
+    place.least_margin = margin;
+    const OperationResult result = room.put_on("cube", place);
+    ASSERT_TRUE(result.ok()) << result.reason();
+    EXPECT_GE(room.at("cube").stability_margin, margin);
+    EXPECT_NEAR(room.at("cube").pose.translation.x(), 0.6 - margin, 2e-3);
+  }
+  TableRoom room;
+  room.scene.add(test::box_object("cube", Vec3::Constant(0.05)));
+  PlaceOptions place;
+  place.on = "table";
+  place.least_margin = 0.051;  // more than it ever has
+  const OperationResult result = room.put_on("cube", place);
+  ASSERT_TRUE(result.refusal);
+  EXPECT_EQ(result.refusal->cause, Refusal::Cause::NoFreePlace);
+  ASSERT_TRUE(result.refusal->first);
+  EXPECT_EQ(result.refusal->first->cause, Refusal::Cause::StandsBadly);
+  EXPECT_NE(result.reason().find("tips over an edge 0.05 m away; accepted: 0.051 m or more"),
+            std::string::npos)
+      << result.reason();
+  EXPECT_FALSE(room.at("cube").placed);
+}
+
+// On a slope of 15 degrees, which needs friction of 0.27, or on the flat part above it.
+TEST(PutSomewhere, NeedsNoMoreFrictionThanIsAccepted) {
+  for (const bool slippery : {false, true}) {
+    Scene scene;
+    Object ramp = test::object_of(
+        "ramp", test::prism({{-1, 0}, {0.5, 0}, {0.5, 0.268}, {0, 0.268}}, 0.4), true);
+    ramp.placed = true;
+    ramp.state = ObjectState::Fixed;
+    ramp.pose.translation.z() = 1e-5;
+    scene.add(std::move(ramp));
+    scene.add(test::box_object("cube", Vec3::Constant(0.05)));
+    PutOperation o;
+    o.object = "cube";
+    o.place.emplace();
+    o.place->on = "ramp";
+    o.place->near = Vec2(-0.4, 0);
+    if (slippery) o.place->most_friction = 0.1;
+    const OperationResult result = perform(scene, o);
+    ASSERT_TRUE(result.ok()) << result.reason();
+    const Object& cube = scene.at(*scene.find("cube"));
+    if (slippery)
+      EXPECT_LE(cube.least_friction, 0.1);
+    else
+      EXPECT_NEAR(cube.least_friction, 0.268, 0.01);
+    EXPECT_EQ(cube.pose.translation.x() > -0.01, slippery);
+  }
+}
+
 // More than there is on a table: all is blocked, and the maps stay small.
 TEST(PutSomewhere, RefusesAnyDistanceOnATable) {
   for (const double keep : {10.0, 1e6, 1e12, 1e15}) {

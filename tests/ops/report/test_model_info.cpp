@@ -95,7 +95,7 @@ TEST(ModelInfo, GuessesTheUpAxisByTheFootAndTheOrigin) {
 
 constexpr std::uintmax_t kLargestReadBytes = 60000;  // for speed
 
-// Where the format does not say, of models whose axis is known.
+// Models whose axis is known, in formats that do not say.
 TEST(ModelInfo, GuessesTheUpAxisOfMostRealModels) {
   const std::filesystem::path folder = std::filesystem::path(TRIVET_SHARED_DIR) / "data";
   std::ifstream table(folder / "models.csv");
