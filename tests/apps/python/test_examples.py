@@ -1,8 +1,6 @@
 """The examples of the documentation, at length; test_docs.py runs them as they stand there. Pictures and pages have tests of their
 own. Left out: the sharing of shapes by id between processes."""
 import multiprocessing
-import sys
-import types
 
 import numpy as np
 import pytest
@@ -97,23 +95,42 @@ def test_contacts_and_supports_are_arrays():
     assert scene["table"].loads(recursive=True) == [scene["cup"]]
 
 
-def test_tables_and_graphs_go_to_pandas_and_networkx(monkeypatch):
-    """Both are stood in for: what of them Trivet calls."""
-    pandas = types.SimpleNamespace(DataFrame=dict)
-
-    class DiGraph:
-        def __init__(self):
-            self.nodes, self.edges = [], []
-            self.add_nodes_from, self.add_edges_from = self.nodes.extend, self.edges.extend
-
-    monkeypatch.setitem(sys.modules, "pandas", pandas)
-    monkeypatch.setitem(sys.modules, "networkx", types.SimpleNamespace(DiGraph=DiGraph))
+def test_contacts_become_a_table_of_pandas():
+    pandas = pytest.importorskip("pandas", reason="python3-pandas is missing")
     scene = table_with_cup()
     rows = scene.contacts().to_pandas()
+    assert isinstance(rows, pandas.DataFrame) and len(rows) == len(scene.contacts())
     assert set(zip(rows["object"], rows["support"])) == {("table", "floor"), ("cup", "table")}
-    assert len(rows["nz"]) == len(rows["gap"]) == len(scene.contacts())
+    height = rows.groupby("object")["z"].mean()
+    assert height["cup"] == pytest.approx(0.1, abs=1e-3) and height["table"] == pytest.approx(0, abs=1e-4)
+    assert (rows["nz"] > 0.9).all() and rows["gap"].dtype == np.float64
+
+
+def test_supports_become_a_graph_of_networkx():
+    networkx = pytest.importorskip("networkx", reason="python3-networkx is missing")
+    scene = table_with_cup()
     graph = scene.support_graph().to_networkx()
-    assert graph.nodes == ["table", "cup"] and graph.edges == [("floor", "table"), ("table", "cup")]
+    assert list(networkx.topological_sort(graph)) == ["floor", "table", "cup"]
+    assert networkx.descendants(graph, "table") == {"cup"} and networkx.is_directed_acyclic_graph(graph)
+
+
+def test_pictures_and_labels_are_drawn_by_matplotlib(tmp_path):
+    matplotlib = pytest.importorskip("matplotlib", reason="python3-matplotlib is missing")
+    matplotlib.use("Agg")
+    from matplotlib import pyplot
+
+    scene = table_with_cup()
+    camera = scene.dome(1)[0]
+    picture = scene.render(camera, samples=1)
+    pyplot.imsave(tmp_path / "picture.png", picture)
+    assert (np.round(255 * pyplot.imread(tmp_path / "picture.png")[..., :3]) == picture).all()
+    figure, axes = pyplot.subplots()
+    axes.imshow(scene.labels(camera).depth)
+    points = scene.contacts().point
+    axes.scatter(points[:, 0], points[:, 1])
+    figure.savefig(tmp_path / "figure.png")
+    pyplot.close(figure)
+    assert pyplot.imread(tmp_path / "figure.png").std() > 0.05
 
 
 def test_first_contact_of_a_fall_and_a_turn():
