@@ -116,7 +116,8 @@ bool Solver::evict_references(size_t item) {
   std::vector<size_t> all;
   for (const size_t t : things)
     for (const size_t member : cluster_of(t)) all.push_back(member);
-  const std::vector<size_t> items = items_with_loads(all);
+  std::vector<size_t> items = items_with_loads(all);
+  if (has_pattern(items)) items = items_with_loads(things);
   if (items.empty() || has_pattern(items)) return false;
   for (const size_t t : things) {
     const Vec3 at = m_world.object(m_world.things()[t]).pose.translation;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "ops/arrange/noise.h"
 
@@ -136,6 +137,7 @@ PlaceOrder::PlaceOrder(const Placer& placer, Obstacles which, const std::vector<
 // A few of the turns, by the seed, where any will do, then the others.
 void PlaceOrder::add_turns(bool few) {
   m_all.clear();
+  m_num_sights = 0;
   for (size_t c = 0; c < m_placer.m_combinations.size(); ++c) {
     const size_t turn = m_placer.m_combinations[c].turn;
     if (!m_placer.m_turns_are_free || (m_placer.rank_of_turn(turn) < kFewTurns) == few) add(c);
@@ -213,26 +215,20 @@ bool PlaceOrder::meets_sights(const PlaceCandidate& candidate) {
 void PlaceOrder::start() {
   m_heap.resize(m_all.size());
   for (size_t i = 0; i < m_heap.size(); ++i) m_heap[i] = i;
-  const auto later = [&](size_t i, size_t j) {
-    return m_all[i].key != m_all[j].key ? m_all[i].key > m_all[j].key : i > j;
-  };
-  std::make_heap(m_heap.begin(), m_heap.end(), later);
+  std::make_heap(m_heap.begin(), m_heap.end(), later());
 }
 
 std::optional<PlaceCandidate> PlaceOrder::pop() {
   if (m_heap.empty()) return std::nullopt;
   m_placer.m_world.check_interrupt();
-  const auto later = [&](size_t i, size_t j) {
-    return m_all[i].key != m_all[j].key ? m_all[i].key > m_all[j].key : i > j;
-  };
-  std::pop_heap(m_heap.begin(), m_heap.end(), later);
+  std::pop_heap(m_heap.begin(), m_heap.end(), later());
   const size_t i = m_heap.back();
   m_heap.pop_back();
   return m_all[i];
 }
 
-// The best by all else, in a new order, the last one first. Candidates that are not looked at stay
-// behind: they may cost more than they seem to.
+// The best by all else, in a new order, the best of all at the back. Candidates that are not looked
+// at stay behind: they may cost more than they seem to.
 std::vector<PlaceCandidate> PlaceOrder::with_sight_energy() {
   std::vector<PlaceCandidate> out;
   while (out.size() < kSoftSights) {
@@ -248,6 +244,7 @@ std::vector<PlaceCandidate> PlaceOrder::with_sight_energy() {
   }
   std::stable_sort(out.begin(), out.end(),
                    [](const PlaceCandidate& a, const PlaceCandidate& b) { return a.key < b.key; });
+  std::reverse(out.begin(), out.end());
   return out;
 }
 
@@ -259,20 +256,25 @@ bool PlaceOrder::is_close(const PlaceCandidate& candidate) const {
 }
 
 bool PlaceOrder::take(const PlaceCandidate& candidate) {
-  if (!m_placer.m_sights.empty() && (++m_num_sights > kMaxSights || !meets_sights(candidate)))
-    return false;
+  if (!m_placer.m_sights.empty()) {
+    ++m_num_sights;
+    if (!meets_sights(candidate)) return false;
+  }
   m_given.push_back(candidate);
   return true;
 }
 
 std::optional<PlaceCandidate> PlaceOrder::next_of_these() {
-  while (!m_first.empty()) {
+  while (!m_first.empty() && m_num_sights < kMaxSights) {
     const PlaceCandidate candidate = m_first.back();
     m_first.pop_back();
     if (!is_close(candidate) && take(candidate)) return candidate;
   }
-  while (auto candidate = pop())
+  while (m_num_sights < kMaxSights) {
+    auto candidate = pop();
+    if (!candidate) break;
     if (!is_close(*candidate) && fits(*candidate) && take(*candidate)) return candidate;
+  }
   return std::nullopt;
 }
 

@@ -63,6 +63,11 @@ class PlaceOrder {
   bool meets_sights(const PlaceCandidate& candidate);
   bool is_close(const PlaceCandidate& candidate) const;
   bool take(const PlaceCandidate& candidate);
+  auto later() const {
+    return [this](size_t i, size_t j) {
+      return m_all[i].key != m_all[j].key ? m_all[i].key > m_all[j].key : i > j;
+    };
+  }
   void start();
   std::optional<PlaceCandidate> pop();
   std::optional<PlaceCandidate> next_of_these();
@@ -74,7 +79,7 @@ class PlaceOrder {
   std::vector<std::unique_ptr<Open>> m_open;
   std::vector<PlaceCandidate> m_all;
   std::vector<size_t> m_heap;           // of these, the best on top
-  std::vector<PlaceCandidate> m_first;  // before them, the last one first: by soft sights, too
+  std::vector<PlaceCandidate> m_first;  // before them, by soft sights, too; the best at the back
   std::vector<PlaceCandidate> m_given;
   size_t m_num_sights = 0;
   bool m_has_more = false;                            // turns that were not added yet

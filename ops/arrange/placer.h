@@ -89,9 +89,10 @@ class Placer {
   SightTrial sight_trial(const PlaceCandidate& candidate, Obstacles which) const;
   std::vector<ObjectId> obstacles(const Combination& combination, Obstacles which) const;
   size_t rank_of_turn(size_t turn) const;
-  /// Zones of this object that are free of the thing at each place, and its own of this object.
+  /// The other's zones as obstructions of the thing, and the other as one of the thing's zones.
   Obstructions zone_obstructions(const PlaceField& field, const Combination& combination,
                                  ObjectId other) const;
+  /// Zones of this object that are free of the thing at each place, and its own of this object.
   std::vector<char> zones_clear_of(const PlaceField& field, const Combination& combination,
                                    ObjectId other) const;
   bool has_zones() const { return !m_world.arrangement().zones.empty(); }

@@ -19,15 +19,16 @@ const std::vector<Vec3>& ShapeFacts::hull(const Object& object) {
   return known(m_hulls, object.shape, [&] { return hull_points(*object.shape); });
 }
 
-// The hull of both is the same.
+// Its hull is kept, too, but of points in one plane, of which it is all points.
 const std::vector<StablePose>& ShapeFacts::poses(const Object& object) {
   return known(m_poses, {object.shape, object.up, object.scale}, [&] {
     std::vector<Index> ids;
     auto out = stable_poses(*object.shape, object.up, object.scale, &ids);
+    const bool is_flat = ids.size() == object.shape->mesh.vertices.size();
     std::vector<Vec3> points;
     points.reserve(ids.size());
     for (const Index v : ids) points.push_back(object.shape->mesh.vertices[v]);
-    m_hulls.emplace(object.shape, std::move(points));
+    if (!is_flat) m_hulls.emplace(object.shape, std::move(points));
     return out;
   });
 }

@@ -118,15 +118,19 @@ class Eyes {
     return cost_of(m_relation.overlap - seen) <= 1;
   }
 
-  // Behind one convex body: what it hides from a point is convex, so that all of a is hidden if the
-  // corners of its box are.
+  // Behind one convex body: what it hides from a point outside is convex, so that all of a is
+  // hidden if the corners of its box are.
   bool is_in_shadow() const {
     return std::any_of(m_others.begin(), m_others.end(), [&](const Other& other) {
-      if (!other.is_convex) return false;
+      if (!other.is_convex || is_inside(other.body.world_box, eye())) return false;
       for (int i = 0; i < 8; ++i)
         if (!is_behind(other.body, corner_of(m_a.world_box, i))) return false;
       return true;
     });
+  }
+
+  static bool is_inside(const Aabb& box, const Vec3& point) {
+    return overlaps(box, Aabb{point, point});
   }
 
   bool is_behind(const Body& body, const Vec3& point) const {

@@ -103,16 +103,17 @@ class SmallestGaps {
   }
 
  private:
-  // The most promising tile first, until none can go below `found`.
-  float at_place(int column, int row, int lane, float found, std::vector<Lanes>& bounds) const {
-    while (true) {
-      size_t best = 0;
-      for (size_t k = 1; k < bounds.size(); ++k)
-        if (bounds[k][lane] < bounds[best][lane]) best = k;
-      if (!(bounds[best][lane] < found)) return found;
-      bounds[best][lane] = kEmpty;
-      found = std::min(found, in_tile(m_tiles[best], column, row));
-    }
+  // The most promising tile first, then all that can still go below `found`.
+  float at_place(int column, int row, int lane, float found,
+                 const std::vector<Lanes>& bounds) const {
+    size_t best = 0;
+    for (size_t k = 1; k < bounds.size(); ++k)
+      if (bounds[k][lane] < bounds[best][lane]) best = k;
+    found = std::min(found, in_tile(m_tiles[best], column, row));
+    for (size_t k = 0; k < bounds.size(); ++k)
+      if (k != best && bounds[k][lane] < found)
+        found = std::min(found, in_tile(m_tiles[k], column, row));
+    return found;
   }
 
   float in_tile(const Tile& tile, int column, int row) const {

@@ -18,7 +18,8 @@ namespace trivet {
 
 /// See DropBracketFunction. Uses as many threads as TBB allows; results do not depend on it.
 /// Branch and bound over tiles of 8 x 8 pixels: over flat supports and beside other things a place
-/// costs about as many steps as the object has tiles, over rough ones as it has pixels.
+/// costs about as many steps as the object has tiles, over rough ones three times as many and its
+/// pixels.
 std::vector<DropBracket> drop_brackets(const HeightMap& object, const HeightMap& scene, int columns,
                                        int rows);
 

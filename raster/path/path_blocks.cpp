@@ -50,13 +50,14 @@ void PathTracer::trace_block(int x0, int y0, SumImage& image) const {
 
 namespace {
 
-/// Tells how much of a count is done, 256 times, from any thread; fractions grow up to 1.
-class Telling {
+/// Tells how much of a count is done, at most 256 times, from any thread; fractions grow up to 1.
+class ProgressSteps {
  public:
-  Telling(int count, const std::function<void(double)>& tell) : m_count(count), m_tell(tell) {}
+  ProgressSteps(int count, const std::function<void(double)>& tell)
+      : m_count(count), m_tell(tell) {}
 
   void count_one() {
-    const int step = std::max(m_count / 256, 1), done = ++m_done;
+    const int step = (m_count + 255) / 256, done = ++m_done;
     if (!m_tell || (done % step != 0 && done != m_count)) return;
     const std::lock_guard lock(m_mutex);
     if (done < m_told) return;
@@ -82,13 +83,13 @@ SumImage PathTracer::trace() {
   const int num_bands = (image.height + kPathRows - 1) / kPathRows;
   const int blocks_per_row = (image.width + kBlockWidth - 1) / kBlockWidth;
   const int block_rows = (image.height + kBlockHeight - 1) / kBlockHeight;
-  Telling telling(blocks_per_row * block_rows, m_options.progress);
+  ProgressSteps progress(blocks_per_row * block_rows, m_options.progress);
   in_parallel(num_bands, [&](std::size_t band) {
     const int first = static_cast<int>(band) * kPathRows;
     for (int y = first; y < std::min(first + kPathRows, image.height); y += kBlockHeight)
       for (int x = 0; x < image.width; x += kBlockWidth) {
         trace_block(x, y, image);
-        telling.count_one();
+        progress.count_one();
       }
   });
   return image;

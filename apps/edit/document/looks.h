@@ -1,5 +1,5 @@
 // How objects are shown: hidden, not selectable, in a colour, alone or by collections. Saved with
-// the scene, but no step: not undone.
+// the scene; steps of the document's history (look_steps.h), not of the session's.
 #pragma once
 
 #include <array>

@@ -43,7 +43,7 @@ QMimeData* AssetList::mimeData(const QList<QListWidgetItem*>& items) const {
 
 AssetBrowser::AssetBrowser(const QString& cache, const ImportLimits& limits, QWidget* parent)
     : QWidget(parent),
-      m_thumbnails(cache, limits),
+      m_thumbnails(cache, AssetThumbnails::quick(limits)),
       m_folders(new QComboBox),
       m_unit(new QComboBox),
       m_search(new QLineEdit),

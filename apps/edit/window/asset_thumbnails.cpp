@@ -89,9 +89,13 @@ const QStringList& AssetThumbnails::patterns() {
 AssetThumbnails::AssetThumbnails(QString cache, ImportLimits limits, QObject* parent)
     : QObject(parent), m_cache(std::move(cache)), m_limits(std::move(limits)) {
   if (m_limits.importer.empty()) m_limits.importer = find_importer();
-  if (!(m_limits.max_seconds > 0)) m_limits.max_seconds = kMostSeconds;
-  m_limits.max_triangles = std::min(m_limits.max_triangles, kMostTriangles);
   m_thread = std::thread([this] { run(); });
+}
+
+ImportLimits AssetThumbnails::quick(ImportLimits limits) {
+  if (!(limits.max_seconds > 0)) limits.max_seconds = kMostSeconds;
+  limits.max_triangles = std::min(limits.max_triangles, kMostTriangles);
+  return limits;
 }
 
 AssetThumbnails::~AssetThumbnails() {

@@ -43,9 +43,11 @@ class AssetThumbnails : public QObject {
 
  public:
   /// @param cache  folder, made when the first picture is; empty: none are kept.
-  /// @param limits  of reading a model; at most kMostTriangles, 10 s unless they say otherwise.
+  /// @param limits  of reading a model.
   explicit AssetThumbnails(QString cache, ImportLimits limits = {}, QObject* parent = nullptr);
-  /// Waits for the model that is being read, for some seconds at most.
+  /// These limits, or less: for folders, of which a single large model may not hold up the others.
+  static ImportLimits quick(ImportLimits limits);
+  /// Waits for the model that is being read.
   ~AssetThumbnails() override;
 
   /// Lists the models in the folder and below: listed(). An older list that is not done is given

@@ -19,12 +19,6 @@ enum AxisRole { kAsStated, kY, kZ };
 constexpr int kPicturePx = 56;
 constexpr double kOther = -1;  // data of a unit that is none of the list
 constexpr QSize kDialogSize(940, 420);
-constexpr double kPatienceSeconds = 120;  // of reading a model
-
-ImportLimits patient(ImportLimits limits) {
-  if (!(limits.max_seconds > 0)) limits.max_seconds = kPatienceSeconds;
-  return limits;
-}
 
 QString folder_of(const QString& file) { return QFileInfo(file).absolutePath(); }
 
@@ -34,7 +28,7 @@ ImportDialog::ImportDialog(const QStringList& files, const QString& cache,
                            const ImportLimits& limits, QWidget* parent)
     : QDialog(parent),
       m_files(files),
-      m_thumbnails(cache, patient(limits)),
+      m_thumbnails(cache, limits),
       m_table(new QTableWidget),
       m_fixed(new QCheckBox(tr("Fixed: stays where it is put, and supports any load"))),
       m_state(new QLabel) {
@@ -177,6 +171,7 @@ void ImportDialog::show_info(int number, const AssetInfo& info) {
 
 void ImportDialog::show_scale(const Row& row) {
   const double metres = chosen_metres(row);
+  if (row.scale->value() == metres) return;  // it may be what is being typed
   const QSignalBlocker blocker(row.scale);
   row.scale->setValue(metres);
 }

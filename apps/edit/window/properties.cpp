@@ -166,6 +166,7 @@ void Properties::add_frame() {
   m_up->addItems({tr("Y"), tr("Z")});
   connect(m_unit, &QComboBox::activated, this, [this] {
     if (const double metres = m_unit->currentData().toDouble(); metres > 0) take_scale(metres);
+    if (const Object* const object = active_object()) show_frame(*object);
   });
   connect(m_up, &QComboBox::activated, this,
           [this](int index) { take_up(index == 0 ? UpAxis::Y : UpAxis::Z); });
@@ -178,8 +179,8 @@ const Object* Properties::active_object() const {
 }
 
 void Properties::take_scale(double metres) {
-  if (const Object* const object = active_object())
-    m_document.rescale(object->name, metres, kDropHeight);
+  const Object* const object = active_object();
+  if (object && object->scale != metres) m_document.rescale(object->name, metres, kDropHeight);
 }
 
 void Properties::take_up(UpAxis up) {
