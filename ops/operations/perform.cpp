@@ -3,6 +3,7 @@
 #include "ops/operations/arrange_problem.h"
 #include "ops/operations/commit.h"
 #include "ops/operations/edit.h"
+#include "ops/operations/put.h"
 #include "ops/operations/validate.h"
 #include "ops/operations/whole.h"
 #include "ops/placement/clearance.h"
@@ -22,11 +23,6 @@ bool unbalances(const Any&) {
   return std::is_same_v<Any, DeleteOperation> || std::is_same_v<Any, UnplaceOperation>;
 }
 bool unbalances(const FixOperation& o) { return !o.fixed; }
-
-/// Of a PUT where there is room, what is asked for beside rest.
-bool asks_to_stand_well(const PlaceOptions& place) {
-  return place.least_margin > 0 || place.most_friction < kInfinity;
-}
 
 std::optional<Refusal> refuse_to_stand(const Scene& scene, ObjectId id, const PlaceOptions& place) {
   const Object& object = scene.at(id);
@@ -54,11 +50,13 @@ OperationResult perform_one(Transaction& transaction, ObjectId id, const Any& o,
       if (is_judged || keeps_whole_at_rest(run.options))
         run.refuse_commit = [&, is_judged](const MovePlan& plan) {
           Transaction trial(transaction);  // taken back
+          const double clearance = plan.group ? plan.group->clearance() : 0;
           run.is_trial = true;
           const OperationResult result = commit_at_rest(trial, plan, run, name);
           run.is_trial = false;
-          return is_judged && result.ok() ? refuse_to_stand(trial.scene(), id, *o.place)
-                                          : result.refusal;
+          if (!is_judged || !result.ok()) return result.refusal;
+          rate_again(trial, {id}, rest_rules(run.options, clearance));
+          return refuse_to_stand(trial.scene(), id, *o.place);
         };
     }
     return commit_at_rest(transaction, plan(transaction.scene(), id, o, run), run, name);

@@ -1,5 +1,6 @@
 // PUT where there is room: places are proposed by height maps, and PUT decides at each in turn.
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "core/base/tunables.h"
@@ -123,9 +124,13 @@ class FreePlaceSearch {
     return default_clearance(m_scene, body_of(object, m_operation.start).world_box);
   }
 
+  // Margins change slowly from place to place: where they are asked for, each eight failures double
+  // the way.
   bool near_a_failure(const Pose& start, double spacing) const {
+    const int doublings = asks_to_stand_well(*m_operation.place) ? m_num_trials / 8 : 0;
+    const double distance = std::ldexp(2 * spacing, doublings);
     for (const Vec2& at : m_failures)
-      if ((start.translation.head<2>() - at).norm() < 2 * spacing) return true;
+      if ((start.translation.head<2>() - at).norm() < distance) return true;
     return false;
   }
 
@@ -234,6 +239,10 @@ class FreePlaceSearch {
 };
 
 }  // namespace
+
+bool asks_to_stand_well(const PlaceOptions& place) {
+  return place.least_margin > 0 || place.most_friction < kInfinity;
+}
 
 MovePlan plan_put_where_free(const Scene& scene, ObjectId id, const PutOperation& o,
                              OperationRun& run) {
