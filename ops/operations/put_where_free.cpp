@@ -124,10 +124,11 @@ class FreePlaceSearch {
     return default_clearance(m_scene, body_of(object, m_operation.start).world_box);
   }
 
-  // Margins change slowly from place to place: where they are asked for, each eight failures double
-  // the way.
+  // Margins change slowly from place to place: where they are asked for, every six failures double
+  // the way to the next place, up to 32 times.
   bool near_a_failure(const Pose& start, double spacing) const {
-    const int doublings = asks_to_stand_well(*m_operation.place) ? m_num_trials / 8 : 0;
+    const bool is_slow = asks_to_stand_well(*m_operation.place);
+    const int doublings = is_slow ? std::min(m_num_trials / 6, 5) : 0;
     const double distance = std::ldexp(2 * spacing, doublings);
     for (const Vec2& at : m_failures)
       if ((start.translation.head<2>() - at).norm() < distance) return true;
