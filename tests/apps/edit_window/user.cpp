@@ -2,11 +2,13 @@
 
 #include <QApplication>
 #include <QDialog>
+#include <QDialogButtonBox>
 #include <QDropEvent>
 #include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMimeData>
+#include <QPushButton>
 #include <QScreen>
 #include <QToolBar>
 #include <QTreeWidgetItemIterator>
@@ -227,7 +229,14 @@ void User::with_dialog(std::function<void()> open, std::function<void(QWidget&)>
   QVERIFY(QTest::qWaitFor([&] { return !timer.isActive(); }, kPatienceMs));
 }
 
+// The dialog has read the files when it can import them.
 void User::drop(const QStringList& files, std::function<void(QWidget&)> then) {
+  const auto then_when_read = [&](QWidget& dialog) {
+    auto* const buttons = dialog.findChild<QDialogButtonBox*>();
+    QPushButton* const done = buttons ? buttons->button(QDialogButtonBox::Ok) : nullptr;
+    QVERIFY(!done || QTest::qWaitFor([&] { return done->isEnabled(); }, kPatienceMs));
+    then(dialog);
+  };
   with_dialog(
       [&] {
         QMimeData data;
@@ -239,7 +248,7 @@ void User::drop(const QStringList& files, std::function<void(QWidget&)> then) {
         QDropEvent event(m_window.rect().center(), Qt::CopyAction, &data, Qt::LeftButton, {});
         QApplication::sendEvent(&m_window, &event);
       },
-      std::move(then));
+      then_when_read);
 }
 
 const Object& User::object(const std::string& name) {
