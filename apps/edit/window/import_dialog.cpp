@@ -13,8 +13,8 @@
 namespace trivet::edit {
 namespace {
 
-enum Column { kModel, kSize, kUnit, kScale, kUp, kNotes, kNumColumns };
-enum AxisRole { kAsStated, kY, kZ };
+constexpr int kModel = 0, kSize = 1, kUnit = 2, kScale = 3, kUp = 4, kNotes = 5, kNumColumns = 6;
+constexpr int kAsStated = 0, kY = 1, kZ = 2;  // in the list of axes
 
 constexpr int kPicturePx = 56;
 constexpr double kOther = -1;  // data of a unit that is none of the list

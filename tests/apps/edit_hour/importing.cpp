@@ -12,7 +12,7 @@
 namespace trivet::edit::test {
 namespace {
 
-enum Column { kModel, kSize, kUnit, kScale, kUp, kNotes };
+constexpr int kModel = 0, kSize = 1, kUnit = 2, kScale = 3, kUp = 4, kNotes = 5;  // columns
 
 /// The dialog's parts.
 struct Import {
@@ -23,10 +23,10 @@ struct Import {
   void wait() {
     QVERIFY(QTest::qWaitFor([this] { return button.isEnabled(); }, kPatienceMs));
   }
-  QComboBox& choice(int row, Column column) {
+  QComboBox& choice(int row, int column) {
     return *qobject_cast<QComboBox*>(table.cellWidget(row, column));
   }
-  QString text(int row, Column column) { return table.item(row, column)->text(); }
+  QString text(int row, int column) { return table.item(row, column)->text(); }
 
   QTableWidget& table;
   QPushButton& button;
