@@ -48,6 +48,7 @@ void add_objects(const Scene& scene, const Refusal& refusal, std::vector<ObjectI
 
 std::vector<std::string> names_of(const std::vector<GaveWay>& objects) {
   std::vector<std::string> out;
+  out.reserve(objects.size());
   for (const GaveWay& object : objects) out.push_back(object.name);
   return out;
 }

@@ -34,7 +34,7 @@ struct Import {
 
 /// A brick that stands along y, 100 x 200 x 100 mm; a crate of 0.4 m; a file that is no model.
 QStringList write_files(const QString& folder) {
-  const QStringList files{folder + "/brick.obj", folder + "/crate.obj", folder + "/bad.obj"};
+  QStringList files{folder + "/brick.obj", folder + "/crate.obj", folder + "/bad.obj"};
   write_boxes(files[0].toStdString(), {{{-50, 0, -50}, {50, 200, 50}}});
   write_boxes(files[1].toStdString(), {{{-0.2, -0.2, 0}, {0.2, 0.2, 0.4}}});
   QFile bad(files[2]);

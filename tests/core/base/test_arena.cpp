@@ -43,6 +43,7 @@ TEST(Arena, DoesNotKeepCallersWaitingForEachOther) {
   for (const int num_threads : {0, 1, 2}) {
     std::barrier meet(kCallers);
     std::vector<std::jthread> callers;
+    callers.reserve(kCallers);
     for (int k = 0; k < kCallers; ++k)
       callers.emplace_back([&] { in_arena(num_threads, [&] { meet.arrive_and_wait(); }); });
   }
