@@ -8,6 +8,8 @@
 namespace trivet {
 namespace {
 
+constexpr double kWider = 1 + 1e-9;  // far more than rounding
+
 Vec2 nearest_on_segment(const Vec2& p, const Vec2& a, const Vec2& b) {
   const Vec2 along = b - a;
   const double length = along.squaredNorm();
@@ -33,6 +35,27 @@ double squared_distance_to_outline(const Vec2& p, const std::vector<Vec2>& polyg
     out = std::min(out, (nearest_on_segment(p, a, b) - p).squaredNorm());
   }
   return out;
+}
+
+struct Box {
+  Vec2 lower = Vec2::Constant(kInfinity), upper = Vec2::Constant(-kInfinity);
+  explicit Box(const std::vector<Vec2>& points) {
+    for (const Vec2& p : points) lower = lower.cwiseMin(p), upper = upper.cwiseMax(p);
+  }
+  double squared_distance(const Vec2& p) const {
+    return (p - p.cwiseMax(lower).cwiseMin(upper)).squaredNorm();
+  }
+};
+
+// The smaller of `least` and the squared distances of these points from a polygon, of which those
+// that its box shows to be farther are left out.
+double least_squared_distance(const std::vector<Vec2>& points, const std::vector<Vec2>& polygon,
+                              double least) {
+  const Box box(polygon);
+  for (const Vec2& p : points)
+    if (box.squared_distance(p) <= kWider * least)
+      least = std::min(least, squared_distance_to_outline(p, polygon));
+  return least;
 }
 
 // A point of the other one that is nearest to the middle of this.
@@ -109,10 +132,7 @@ double distance(const std::vector<Vec2>& a, const std::vector<Vec2>& b, double e
   }
   if (!separated_by_edge(a, b) && !separated_by_edge(b, a) && a.size() > 2 && b.size() > 2)
     return 0;
-  double out = kInfinity;
-  for (const Vec2& p : a) out = std::min(out, squared_distance_to_outline(p, b));
-  for (const Vec2& p : b) out = std::min(out, squared_distance_to_outline(p, a));
-  return std::sqrt(out);
+  return std::sqrt(least_squared_distance(b, a, least_squared_distance(a, b, kInfinity)));
 }
 
 }  // namespace trivet

@@ -82,11 +82,12 @@ void PlaceField::leave(const std::vector<size_t>& places) {
 void PlaceField::set_window() {
   int last_column = 0, last_row = 0;
   m_window.column = m_grid.columns, m_window.row = m_grid.rows;
-  for (size_t k = 0; k < m_index.size(); ++k) {
-    m_window.column = std::min(m_window.column, column_of(k));
-    m_window.row = std::min(m_window.row, row_of(k));
-    last_column = std::max(last_column, column_of(k));
-    last_row = std::max(last_row, row_of(k));
+  for (const int index : m_index) {
+    const int row = index / m_grid.columns, column = index - row * m_grid.columns;
+    m_window.column = std::min(m_window.column, column);
+    m_window.row = std::min(m_window.row, row);
+    last_column = std::max(last_column, column);
+    last_row = std::max(last_row, row);
   }
   m_window.columns = last_column + 1 - m_window.column;
   m_window.rows = last_row + 1 - m_window.row;

@@ -42,6 +42,8 @@ PlaceCosts::PlaceCosts(const Placer& placer, const Combination& combination)
   m_known.resize(m_fixed.size());
   for (size_t k = 0; k < m_fixed.size(); ++k) {
     const Relation& r = *placer.m_relations[k];
+    if (!r.is_hard()) m_soft.push_back(k);
+    if (r.is_hard() && !(is_decided_by_planes(r) && r.tolerance > kLittleWay)) m_hard.push_back(k);
     if (is_of_turn(r)) m_fixed[k] = placer.cost(r, m_base);
     const double widest_deg = r.tolerance * (1 + slack_of(r, placer.name()));
     if (r.a == placer.name() && widest_deg < 180 &&
@@ -51,24 +53,31 @@ PlaceCosts::PlaceCosts(const Placer& placer, const Combination& combination)
 }
 
 void PlaceCosts::move_to(const Vec2& at) {
-  for (size_t i = 0; i < m_base.hull.size(); ++i) m_here.hull[i] = m_base.hull[i] + at;
+  m_at = at;
+  m_has_hull = false;
   m_here.centre = m_base.centre + at;
   m_here.mass_centre = m_base.mass_centre + at;
 }
 
+const Outline& PlaceCosts::here() const {
+  if (m_has_hull) return m_here;
+  for (size_t i = 0; i < m_base.hull.size(); ++i) m_here.hull[i] = m_base.hull[i] + m_at;
+  m_has_hull = true;
+  return m_here;
+}
+
 double PlaceCosts::cost(size_t relation) const {
   return m_fixed[relation] ? *m_fixed[relation]
-                           : m_placer.cost(*m_placer.m_relations[relation], m_here);
+                           : m_placer.cost(*m_placer.m_relations[relation], here());
 }
 
 // Cheap conditions first: they leave most places out.
 bool PlaceCosts::meets_hard() const {
   const auto& relations = m_placer.m_relations;
-  for (size_t k = 0; k < m_fixed.size(); ++k)
-    if (relations[k]->is_hard() && (!faces(k).value_or(true) || m_fixed[k].value_or(0) > 1))
-      return false;
-  for (size_t k = 0; k < m_fixed.size(); ++k) {
-    if (!relations[k]->is_hard() || faces(k)) continue;
+  for (const size_t k : m_hard)
+    if (!faces(k).value_or(true) || m_fixed[k].value_or(0) > 1) return false;
+  for (const size_t k : m_hard) {
+    if (faces(k)) continue;
     if (relations[k]->kind == RelationKind::Near) {
       if (!is_near(k)) return false;
       continue;
@@ -102,29 +111,27 @@ bool PlaceCosts::is_near(size_t relation) const {
   }
   const Outline& partner = *m_placer.partner(r);
   const bool is_a = r.a == m_placer.name();
-  known = {m_here.mass_centre, near_distance(r, is_a ? m_here : partner, is_a ? partner : m_here)};
+  known = {m_here.mass_centre, near_distance(r, is_a ? here() : partner, is_a ? partner : here())};
   return near_cost(r, known.distance) <= 1;
 }
 
 double PlaceCosts::energy() const {
   double out = 0;
-  for (size_t k = 0; k < m_fixed.size(); ++k) {
-    const Relation& r = *m_placer.m_relations[k];
-    if (!r.is_hard()) out += *r.weight * square(cost(k));
-  }
+  for (const size_t k : m_soft) out += *m_placer.m_relations[k]->weight * square(cost(k));
   return out;
 }
 
 // Over the landing, with all hard relations, away from nogoods.
-std::vector<size_t> PlaceOrder::met(const PlaceField& field, PlaceCosts& costs) const {
+std::vector<size_t> PlaceOrder::met(Open& open) const {
+  const PlaceField& field = open.field;
   std::vector<size_t> out;
   for (size_t place = 0; place < field.size(); ++place) {
     const Vec2& at = field.at(place);
     const auto near = [&](const Vec2& p) { return (p - at).norm() < kNogoodRadius; };
     if (!field.is_over_rectangle(place) || std::any_of(m_nogoods.begin(), m_nogoods.end(), near))
       continue;
-    costs.move_to(at);
-    if (costs.meets_hard()) out.push_back(place);
+    open.costs.move_to(at);
+    if (open.costs.meets_hard()) out.push_back(place);
   }
   return out;
 }
@@ -136,35 +143,28 @@ PlaceOrder::PlaceOrder(const Placer& placer, Obstacles which, const std::vector<
 
 // A few of the turns, by the seed, where any will do, then the others.
 void PlaceOrder::add_turns(bool few) {
-  m_all.clear();
+  m_heap.clear();
   m_num_sights = 0;
   for (size_t c = 0; c < m_placer.m_combinations.size(); ++c) {
     const size_t turn = m_placer.m_combinations[c].turn;
     if (!m_placer.m_turns_are_free || (m_placer.rank_of_turn(turn) < kFewTurns) == few) add(c);
   }
-  start();
+  std::make_heap(m_heap.begin(), m_heap.end(), is_later);
   if (m_placer.m_has_soft_sights) m_first = with_sight_energy();
 }
 
 // The places that all relations leave in one rotation, whatever is in the way.
 void PlaceOrder::add(size_t c) {
   m_placer.m_world.check_interrupt();
-  const Combination& combination = m_placer.m_combinations[c];
-  auto open = std::make_unique<Open>(m_placer, combination);
-  PlaceField& field = open->field;
-  PlaceCosts costs(m_placer, combination);
-  const std::vector<size_t> met = this->met(field, costs);
+  auto open = std::make_unique<Open>(m_placer, c);
+  const std::vector<size_t> met = this->met(*open);
   if (met.empty()) return;
-  field.leave(met);
-  m_all.reserve(m_all.size() + met.size());
+  open->field.leave(met);
+  m_heap.reserve(m_heap.size() + met.size());
   for (size_t k = 0; k < met.size(); ++k) {
-    costs.move_to(field.at(k));
-    PlaceCandidate candidate{0, costs.energy(), c, 0, field.at(k), field.pixel()};
-    candidate.key = candidate.energy -
-                    m_placer.m_temperature * gumbel_noise(counter(m_placer.m_seed, c, met[k]));
-    candidate.field = m_open.size();
-    candidate.place = k;
-    m_all.push_back(candidate);
+    const double noise = gumbel_noise(counter(m_placer.m_seed, c, met[k]));
+    m_heap.push_back({-m_placer.m_temperature * noise, std::nullopt,
+                      static_cast<std::uint32_t>(m_open.size()), static_cast<std::uint32_t>(k)});
   }
   m_open.push_back(std::move(open));
 }
@@ -211,20 +211,38 @@ bool PlaceOrder::meets_sights(const PlaceCandidate& candidate) {
                      [&](const auto& judge) { return judge->holds_at(trial.pose); });
 }
 
-// The smallest key, then the first that was added, on top.
-void PlaceOrder::start() {
-  m_heap.resize(m_all.size());
-  for (size_t i = 0; i < m_heap.size(); ++i) m_heap[i] = i;
-  std::make_heap(m_heap.begin(), m_heap.end(), later());
+std::optional<PlaceCandidate> PlaceOrder::pop() {
+  while (!m_heap.empty()) {
+    m_placer.m_world.check_interrupt();
+    std::pop_heap(m_heap.begin(), m_heap.end(), is_later);
+    Entry& best = m_heap.back();
+    if (best.energy) {
+      const PlaceCandidate out = candidate_of(best);
+      m_heap.pop_back();
+      return out;
+    }
+    add_soft_costs(best);
+    std::push_heap(m_heap.begin(), m_heap.end(), is_later);
+  }
+  return std::nullopt;
 }
 
-std::optional<PlaceCandidate> PlaceOrder::pop() {
-  if (m_heap.empty()) return std::nullopt;
-  m_placer.m_world.check_interrupt();
-  std::pop_heap(m_heap.begin(), m_heap.end(), later());
-  const size_t i = m_heap.back();
-  m_heap.pop_back();
-  return m_all[i];
+// Soft costs only raise a key: what comes first with them, of all that might, is the best.
+void PlaceOrder::add_soft_costs(Entry& entry) {
+  Open& open = *m_open[entry.field];
+  open.costs.move_to(open.field.at(entry.place));
+  entry.energy = open.costs.energy();
+  entry.key += *entry.energy;
+}
+
+PlaceCandidate PlaceOrder::candidate_of(const Entry& entry) const {
+  const Open& open = *m_open[entry.field];
+  PlaceCandidate out;
+  out.key = entry.key, out.energy = *entry.energy;
+  out.combination = open.index;
+  out.at = open.field.at(entry.place), out.pixel = open.field.pixel();
+  out.field = entry.field, out.place = entry.place;
+  return out;
 }
 
 // The best by all else, in a new order, the best of all at the back. Candidates that are not looked

@@ -2,8 +2,10 @@
 // turn comes.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
+#include <tuple>
 #include <vector>
 
 #include "ops/arrange/placer.h"
@@ -15,19 +17,24 @@ class PlaceCosts {
  public:
   PlaceCosts(const Placer& placer, const Combination& combination);
   void move_to(const Vec2& at);
-  /// But for things that are turned to face something afterwards: kFacingSlackDeg.
+  /// In the combination's region. But for things that are turned to face something afterwards:
+  /// kFacingSlackDeg.
   bool meets_hard() const;
-  /// Of the soft relations.
+  /// Of the soft relations: not negative.
   double energy() const;
 
  private:
   double cost(size_t relation) const;
   std::optional<bool> faces(size_t relation) const;
   bool is_near(size_t relation) const;
+  const Outline& here() const;
 
   const Placer& m_placer;
   const Outline& m_base;
-  Outline m_here;
+  mutable Outline m_here;  // without its hull until that is asked for
+  Vec2 m_at = Vec2::Zero();
+  mutable bool m_has_hull = false;
+  std::vector<size_t> m_hard, m_soft;          // relations; hard ones that the region leaves open
   std::vector<std::optional<double>> m_fixed;  // of relations that are of the rotation alone
   std::vector<double> m_cosines;               // of the widest angles of those that face something
   struct Known {
@@ -49,27 +56,38 @@ class PlaceOrder {
  private:
   // A rotation with the height maps of its places, drawn when they are asked for.
   struct Open {
-    Open(const Placer& placer, const Combination& c) : combination(c), field(placer.field(c)) {}
+    Open(const Placer& placer, size_t c)
+        : index(c),
+          combination(placer.combinations()[c]),
+          field(placer.field(combination)),
+          costs(placer, combination) {}
+    size_t index;  // of the combination
     const Combination& combination;
     PlaceField field;
+    PlaceCosts costs;
     std::optional<Obstructions> in_the_way;
+  };
+  struct Entry {
+    double key = 0;  // without the soft costs until these are known
+    std::optional<double> energy;
+    std::uint32_t field = 0, place = 0;
   };
 
   void add_turns(bool few);
   void add(size_t combination);
-  std::vector<size_t> met(const PlaceField& field, PlaceCosts& costs) const;
+  std::vector<size_t> met(Open& open) const;
   Obstructions obstructions(const Open& open) const;
   bool fits(PlaceCandidate& candidate);
   bool meets_sights(const PlaceCandidate& candidate);
   bool is_close(const PlaceCandidate& candidate) const;
   bool take(const PlaceCandidate& candidate);
-  auto later() const {
-    return [this](size_t i, size_t j) {
-      return m_all[i].key != m_all[j].key ? m_all[i].key > m_all[j].key : i > j;
-    };
+  // The smallest key, then the first that was added, on top.
+  static bool is_later(const Entry& a, const Entry& b) {
+    return std::tie(a.key, a.field, a.place) > std::tie(b.key, b.field, b.place);
   }
-  void start();
   std::optional<PlaceCandidate> pop();
+  void add_soft_costs(Entry& entry);
+  PlaceCandidate candidate_of(const Entry& entry) const;
   std::optional<PlaceCandidate> next_of_these();
   std::vector<PlaceCandidate> with_sight_energy();
 
@@ -77,8 +95,7 @@ class PlaceOrder {
   Obstacles m_which;
   const std::vector<Vec2>& m_nogoods;
   std::vector<std::unique_ptr<Open>> m_open;
-  std::vector<PlaceCandidate> m_all;
-  std::vector<size_t> m_heap;           // of these, the best on top
+  std::vector<Entry> m_heap;            // the best on top
   std::vector<PlaceCandidate> m_first;  // before them, by soft sights, too; the best at the back
   std::vector<PlaceCandidate> m_given;
   size_t m_num_sights = 0;

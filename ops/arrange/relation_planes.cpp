@@ -144,6 +144,24 @@ std::vector<HalfPlane> half_planes(const Relation& r, const Outline& moving, con
   }
 }
 
+bool is_decided_by_planes(const Relation& r) {
+  switch (r.kind) {
+    case RelationKind::Against:
+    case RelationKind::LeftOf:
+    case RelationKind::RightOf:
+    case RelationKind::InFrontOf:
+    case RelationKind::Behind:
+    case RelationKind::Centred:
+    case RelationKind::Within:
+    case RelationKind::At:
+      return true;
+    case RelationKind::AtEdge:
+      return r.side.has_value();
+    default:
+      return false;
+  }
+}
+
 bool separates(const Relation& r) {
   switch (r.kind) {
     case RelationKind::Against:

@@ -28,6 +28,9 @@ double relation_cost(const Relation& relation, const Outline& a, const Outline* 
 std::vector<HalfPlane> half_planes(const Relation& relation, const Outline& moving,
                                    const Outline* other, bool moves_a, double more = 0);
 
+/// True of a relation that holds wherever the position is in all of its half planes.
+bool is_decided_by_planes(const Relation& relation);
+
 /// True of a relation that keeps the outlines of its objects apart.
 bool separates(const Relation& relation);
 

@@ -78,9 +78,12 @@ class PoseSearch {
                        : 360 - twice_arctangent_deg(sine, -cosine);
   }
 
-  Vec2 seen(const Facet& facet, const Vec3& p) const {
+  // From the centre, in the facet's plane.
+  auto view_of(const Facet& facet) const {
     const auto [u, v] = plane_axes(facet.normal);
-    return {u.dot(p - m_centre), v.dot(p - m_centre)};
+    return [this, u = u, v = v](const Vec3& p) {
+      return Vec2(u.dot(p - m_centre), v.dot(p - m_centre));
+    };
   }
 
   void judge(Facet& facet) {
@@ -89,12 +92,13 @@ class PoseSearch {
       facet.solid_angle_deg += solid_angle_deg(m_hull.faces()[f]);
     }
     facet.normal.normalize();
+    const auto seen = view_of(facet);
     std::vector<Vec2> outline;
     outline.reserve(3 * facet.faces.size());
     facet.height = -kInfinity;
     for (const Index f : facet.faces)
       for (int k = 0; k < 3; ++k) {
-        outline.push_back(seen(facet, corner(m_hull.faces()[f], k)));
+        outline.push_back(seen(corner(m_hull.faces()[f], k)));
         facet.height =
             std::max(facet.height, facet.normal.dot(corner(m_hull.faces()[f], k) - m_centre));
       }
@@ -104,14 +108,15 @@ class PoseSearch {
 
   // Over the edge that the centre's projection is beyond by most.
   Index beyond(const Facet& facet) const {
+    const auto seen = view_of(facet);
     Index out = -1;
     double farthest = -kInfinity;
     for (const Index f : facet.faces)
       for (int k = 0; k < 3; ++k) {
         const Index next = m_hull.faces()[f].across[k];
         if (next < 0 || m_hull.faces()[next].region == m_hull.faces()[f].region) continue;
-        const Vec2 a = seen(facet, corner(m_hull.faces()[f], k));
-        const Vec2 along = seen(facet, corner(m_hull.faces()[f], (k + 1) % 3)) - a;
+        const Vec2 a = seen(corner(m_hull.faces()[f], k));
+        const Vec2 along = seen(corner(m_hull.faces()[f], (k + 1) % 3)) - a;
         const double length = along.norm();
         // Corners run counter-clockwise seen from outside, so that the inside is to the left.
         const double distance = length > 0 ? cross(along, a) / length : -kInfinity;

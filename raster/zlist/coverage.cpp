@@ -9,14 +9,32 @@ namespace {
 // Twice the area, relative to the squared longest edge, below which its sign may be rounding error.
 constexpr double kNoInside = 1e-9;
 
-int clamped(double x, int low, int high) {
-  return static_cast<int>(std::clamp(x, static_cast<double>(low), static_cast<double>(high)));
+// std::ceil() and std::floor() of an int's range, without a call of the library.
+int ceiling(double x) {
+  const auto out = static_cast<int>(x);
+  return out + (out < x ? 1 : 0);
+}
+
+int floor_of(double x) {
+  const auto out = static_cast<int>(x);
+  return out - (out > x ? 1 : 0);
+}
+
+double clamped(double x, int low, int high) {
+  return std::clamp(x, static_cast<double>(low), static_cast<double>(high));
 }
 
 }  // namespace
 
 Coverage::Coverage(const std::array<Vec2, 3>& p, double half_x, double half_y, int width,
                    int height) {
+  // Pixel i has its centre at i + 1/2.
+  const Vec2 low = p[0].cwiseMin(p[1]).cwiseMin(p[2]), high = p[0].cwiseMax(p[1]).cwiseMax(p[2]);
+  m_first_column = ceiling(clamped(low.x() - half_x - 0.5, 0, width));
+  m_last_column = floor_of(clamped(high.x() + half_x - 0.5, -1, width - 1));
+  m_first_row = ceiling(clamped(low.y() - half_y - 0.5, 0, height));
+  m_last_row = floor_of(clamped(high.y() + half_y - 0.5, -1, height - 1));
+  if (is_empty()) return;
   const Vec2 e = p[1] - p[0], f = p[2] - p[0];
   const double signed_area2 = e.x() * f.y() - e.y() * f.x();
   const double sign = signed_area2 < 0 ? -1 : 1;
@@ -28,12 +46,6 @@ Coverage::Coverage(const std::array<Vec2, 3>& p, double half_x, double half_y, i
     m_reach[k] = std::abs(d.y()) * half_x + std::abs(d.x()) * half_y;
   }
   if (m_area2 <= kNoInside * m_squared_size) use_longest_edge();
-  // Pixel i has its centre at i + 1/2.
-  const Vec2 low = p[0].cwiseMin(p[1]).cwiseMin(p[2]), high = p[0].cwiseMax(p[1]).cwiseMax(p[2]);
-  m_first_column = clamped(std::ceil(low.x() - half_x - 0.5), 0, width);
-  m_last_column = clamped(std::floor(high.x() + half_x - 0.5), -1, width - 1);
-  m_first_row = clamped(std::ceil(low.y() - half_y - 0.5), 0, height);
-  m_last_row = clamped(std::floor(high.y() + half_y - 0.5), -1, height - 1);
 }
 
 // Rounding may have flipped a degenerate triangle, and an edge of it to any direction: use a band
@@ -66,7 +78,7 @@ Coverage::Columns Coverage::columns(int row, const std::array<double, 3>& reach)
     }
   }
   if (!(first <= last)) return {0, -1};
-  return {static_cast<int>(std::ceil(first)), static_cast<int>(std::floor(last))};
+  return {ceiling(first), floor_of(last)};
 }
 
 Coverage::Columns Coverage::inside(int row, double shrink) const {

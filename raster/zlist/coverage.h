@@ -23,7 +23,9 @@ class Coverage {
   Coverage(const std::array<Vec2, 3>& corners, double half_x, double half_y, int width, int height);
 
   int first_row() const { return m_first_row; }
-  int last_row() const { return m_last_row; }  // < first_row(): empty
+  int last_row() const { return m_last_row; }
+  /// It meets none of the pixels; of such a triangle nothing else is known.
+  bool is_empty() const { return m_last_row < m_first_row || m_last_column < m_first_column; }
   Columns touched(int row) const { return columns(row, m_reach); }
   /// Pixels whose centre is inside by more than `shrink` pixels.
   Columns inside(int row, double shrink) const;
@@ -41,7 +43,7 @@ class Coverage {
 
   std::array<Edge, 3> m_edges;
   std::array<double, 3> m_reach;
-  double m_area2, m_squared_size;
+  double m_area2 = 0, m_squared_size = 0;
   int m_first_row, m_last_row, m_first_column, m_last_column;
 };
 

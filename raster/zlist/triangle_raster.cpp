@@ -66,7 +66,7 @@ void TriangleRaster::draw_straight(const Triangle& c, SpanSink& sink) {
     p[k] = m_view.scale * (c[k].head<2>() - Vec2(m_view.column, m_view.row));
   const double half = 0.5 + kRoundingPixels + m_growth;
   const Coverage cover(p, half, half, m_view.width, m_view.height);
-  if (cover.last_row() < cover.first_row()) return;
+  if (cover.is_empty()) return;
   const double low = std::min({c[0].z(), c[1].z(), c[2].z()});
   const double high = std::max({c[0].z(), c[1].z(), c[2].z()});
   const double rounding = kFloatError * (std::abs(low) + std::abs(high));
@@ -77,8 +77,9 @@ void TriangleRaster::draw_straight(const Triangle& c, SpanSink& sink) {
   const auto error = static_cast<float>(rounding + 1e-3 * slope.margin);
   const auto step = static_cast<float>(slope.x);
   for (int row = cover.first_row(); row <= cover.last_row(); ++row) {
-    const Coverage::Columns columns = cover.touched(row), in = cover.inside(row, kRoundingPixels);
+    const Coverage::Columns columns = cover.touched(row);
     if (columns.first > columns.last) continue;
+    const Coverage::Columns in = cover.inside(row, kRoundingPixels);
     const auto start = static_cast<float>(c[0].z() + slope.x * (columns.first + 0.5 - p[0].x()) +
                                           slope.y * (row + 0.5 - p[0].y()));
     const int count = columns.last - columns.first + 1;

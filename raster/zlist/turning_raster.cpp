@@ -217,7 +217,7 @@ void TriangleRaster::draw_narrow(const Piece& piece, double shift, SpanSink& sin
     p[k] = {(piece.radius[k] - left) * scale - bulge / 2,
             (piece.corners[k].z() - m_view.row) * scale};
   const Coverage cover(p, half_x, half_y, m_view.width, m_view.height);
-  if (cover.last_row() < cover.first_row()) return;
+  if (cover.is_empty()) return;
   const TurningPlane plane(piece.corners, piece.largest_radius);
   const double base = plane.normal_angle();
   const double q0 = wrapped(piece.first_angle - base, -kPi);
