@@ -33,6 +33,7 @@ constexpr double kBaseSeconds = 60, kSecondsPerByte = 1e-6;
 constexpr std::uintmax_t kBaseMemory = std::uintmax_t{1} << 30, kMemoryPerByte = 64;
 constexpr int kOutput = 3;  // descriptor on which trivet-import answers
 constexpr int kPipeBytes = 1 << 20;
+constexpr double kCancelSeconds = 0.05;  // until it is noticed
 
 [[noreturn]] void fail_environment(const std::string& what, int error) {
   throw Error(Error::Kind::Environment, what + ": " + std::strerror(error));
@@ -150,19 +151,22 @@ class Child {
   pid_t m_id = -1;
 };
 
-/// Reads all output up to the deadline. @throws Error (BadInput) at the deadline, and if the output
-/// exceeds the limit.
-std::string received(int descriptor, const std::string& path, const ImportLimits& limits) {
+/// Reads all output up to the deadline. @throws Error (BadInput) at the deadline, if the output
+/// exceeds the limit, and if cancelled.
+std::string received(int descriptor, const std::string& path, const ImportLimits& limits,
+                     const std::atomic<bool>* cancel) {
   const auto deadline = Clock::now() + std::chrono::duration<double>(limits.max_seconds);
   std::string out;
   std::array<char, 1 << 16> block;
   while (true) {
+    if (cancel && *cancel) bad_file(path, "reading it was cancelled");
     const double left = std::chrono::duration<double>(deadline - Clock::now()).count();
     if (left <= 0)
       bad_file(path, "reading it took longer than the limit of " +
                          std::to_string(static_cast<long>(std::ceil(limits.max_seconds))) + " s");
     pollfd waiting{descriptor, POLLIN, 0};
-    const int ready = poll(&waiting, 1, static_cast<int>(std::min(left * 1e3 + 1, 1e6)));
+    const double wait = std::min(left, cancel ? kCancelSeconds : 1e3);
+    const int ready = poll(&waiting, 1, static_cast<int>(wait * 1e3 + 1));
     if (ready < 0 && errno != EINTR) fail_environment(path + ": cannot be awaited", errno);
     if (ready <= 0) continue;
     const ssize_t count = read(descriptor, block.data(), block.size());
@@ -203,7 +207,7 @@ bool write_all(int descriptor, std::string_view bytes) {
 }  // namespace
 
 Model read_model_sandboxed(const std::string& path, const ImportLimits& given,
-                           const Tessellation& tessellation) {
+                           const Tessellation& tessellation, const std::atomic<bool>* cancel) {
   check_file(path, given);  // checks that need no other process
   const std::string importer = importer_of(path, given);
   const ImportLimits limits = with_defaults(given, path);
@@ -214,7 +218,7 @@ Model read_model_sandboxed(const std::string& path, const ImportLimits& given,
   Descriptor output(ends[1]);
   Child child(importer, path, limits, tessellation, output.number());
   output.reset();
-  const std::string bytes = received(input.number(), path, limits);
+  const std::string bytes = received(input.number(), path, limits, cancel);
   check_end(child.wait(), importer, path, limits);
   try {
     Model model = model_from_bytes(bytes, path, limits);
@@ -228,9 +232,9 @@ Model read_model_sandboxed(const std::string& path, const ImportLimits& given,
 }
 
 Model import_model(const std::string& path, const ImportLimits& limits,
-                   const Tessellation& tessellation) {
+                   const Tessellation& tessellation, const std::atomic<bool>* cancel) {
   return limits.importer.empty() ? read_model(path, limits)
-                                 : read_model_sandboxed(path, limits, tessellation);
+                                 : read_model_sandboxed(path, limits, tessellation, cancel);
 }
 
 std::string find_importer() {

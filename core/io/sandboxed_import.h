@@ -1,6 +1,7 @@
 // Sandboxed import of untrusted files: in a separate process, within limits.
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <string>
 
@@ -13,14 +14,18 @@ namespace trivet {
 /// validated like a file. STEP, IGES and BREP are read by the same program's name with suffix
 /// "-cad", if the build had Open CASCADE. Thread-safe.
 ///
-/// @throws Error: BadInput as read_model(), and for a crash or an exceeded limit; Environment if
-///   the program is missing or cannot be started.
+/// @param cancel  once another thread sets it, the program is killed. Null: never.
+/// @throws Error: BadInput as read_model(), for a crash or an exceeded limit, and if cancelled;
+///   Environment if the program is missing or cannot be started.
 Model read_model_sandboxed(const std::string& path, const ImportLimits& limits,
-                           const Tessellation& tessellation = {});
+                           const Tessellation& tessellation = {},
+                           const std::atomic<bool>* cancel = nullptr);
 
-/// read_model_sandboxed() if limits.importer names a program, else read_model().
+/// read_model_sandboxed() if limits.importer names a program, else read_model(), which cannot be
+/// cancelled.
 Model import_model(const std::string& path, const ImportLimits& limits,
-                   const Tessellation& tessellation = {});
+                   const Tessellation& tessellation = {},
+                   const std::atomic<bool>* cancel = nullptr);
 
 /// Path in the environment variable TRIVET_IMPORTER, else trivet-import beside the running program
 /// or in its parent folder; empty: not found.

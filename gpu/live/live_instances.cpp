@@ -36,7 +36,7 @@ void LiveRenderer::place_instances(const LiveScene& scene) {
   std::erase_if(m_meshes, [](const auto& known) { return known.second.model.expired(); });
   m_instances.clear();
   m_num_triangles = 0;
-  Aabb box;
+  Aabb all, still;
   for (const LiveObject& object : scene.objects) {
     const UploadedMesh& mesh = mesh_of(object.model);
     const Affine& pose = object.world_from_object;
@@ -46,12 +46,14 @@ void LiveRenderer::place_instances(const LiveScene& scene) {
     instance.tint = linear_from_srgb(object.tint);
     for (int i = 0; i < 8; ++i) {
       instance.corners[i] = pose.apply(box_corner(mesh.box, i));
-      box.extend(instance.corners[i]);
+      all.extend(instance.corners[i]);
+      if (!object.moving) still.extend(instance.corners[i]);
     }
     m_num_triangles += mesh.num_corners / 3;
     m_instances.push_back(instance);
   }
-  m_frame = frame_of_box(box);
+  // The same while some objects move: what is drawn once more covers what it was drawn as before.
+  m_frame = frame_of_box(still.empty() ? all : still);
   for (Instance& instance : m_instances)
     instance.placement = place_mesh(*instance.mesh, instance.object->world_from_object, m_frame);
 }

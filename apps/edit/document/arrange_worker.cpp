@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <QLocale>
 
+#include "apps/edit/document/words.h"
 #include "ops/arrange/arrange.h"
 #include "ops/base/stopwatch.h"
 #include "ops/files/arrange/arrange_section.h"
@@ -30,7 +31,7 @@ void describe(const ArrangeResult& result, const Scene& scene, LayoutGhost& out)
 // Entries of all wishes, from relations of the part.
 void describe(const Conflict& conflict, const Arrangement& arrangement,
               const ArrangeWorker::Request& request, LayoutGhost& out) {
-  out.text = conflict.text;
+  out.text = english_in_words(conflict.text);
   out.objects = conflict.objects;
   out.objects.insert(out.objects.begin(), conflict.thing);
   const auto entry_of = [&](size_t relation) {
@@ -118,10 +119,10 @@ LayoutGhost ArrangeWorker::answer_to(Request& request) {
     else if (result.conflict)
       describe(*result.conflict, arrangement, request, out);
     else
-      out.text = result.reason();
+      out.text = english_in_words(result.reason());
   } catch (const std::exception& e) {
     out.ok = false;
-    out.text = e.what();
+    out.text = english_in_words(e.what());
   }
   out.milliseconds = stopwatch.milliseconds();
   return out;

@@ -48,7 +48,7 @@ void Document::forget_scene(std::uint64_t next) {
   m_is_replaced = true;
   m_history = {};
   m_selections.clear();
-  m_num_open_looks = 0;
+  m_open_looks.clear();
   set_selection({});
   show_looks({});
   clear_layout();
@@ -233,20 +233,22 @@ void Document::set_selection(Selection selection) {
 
 void Document::set_looks(Looks looks, const std::string& name) {
   if (looks == m_looks) return;
-  ++m_num_open_looks;
-  m_engine->add_look_step(m_scene, {0, name, m_looks, looks}, m_selection);
+  m_open_looks.push_back({0, name, m_looks, looks});
+  m_engine->add_look_step(m_scene, m_open_looks.back(), m_selection);
   put_looks(std::move(looks));
 }
 
 void Document::show_look_step(const History& history, const Selection& before) {
-  --m_num_open_looks;
+  m_open_looks.pop_front();
   m_selections[m_history.num_done] = before;
   show_history(history);
 }
 
-// Of a step that was undone or redone. A change that was made meanwhile stays.
-void Document::show_looks_of_step(const Looks& looks) {
-  if (m_num_open_looks == 0) put_looks(looks);
+// Of a step that was undone or redone. Changes that were made meanwhile stay, and only those.
+void Document::show_looks_of_step(const Looks& from, const Looks& to) {
+  Looks looks = m_looks.changed(from, to);
+  for (const LookStep& open : m_open_looks) looks = looks.changed(open.before, open.now);
+  put_looks(std::move(looks));
 }
 
 void Document::show_history(const History& history) {

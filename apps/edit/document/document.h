@@ -11,6 +11,7 @@
 
 #include <QObject>
 #include <QString>
+#include <deque>
 #include <functional>
 #include <map>
 #include <memory>
@@ -22,6 +23,7 @@
 #include "apps/edit/document/document_options.h"
 #include "apps/edit/document/ghost.h"
 #include "apps/edit/document/layout_ghost.h"
+#include "apps/edit/document/look_steps.h"
 #include "apps/edit/document/looks.h"
 #include "apps/edit/document/many.h"
 #include "apps/edit/document/message.h"
@@ -242,7 +244,7 @@ class Document : public QObject {
   void set_selection(Selection selection);
   void put_looks(Looks looks);
   void show_looks(const SceneLooks& looks);
-  void show_looks_of_step(const Looks& looks);
+  void show_looks_of_step(const Looks& from, const Looks& to);
   void show_look_step(const History& history, const Selection& before);
   void show_history(const History& history);
   void select_named(const std::vector<std::string>& names);
@@ -254,7 +256,7 @@ class Document : public QObject {
   std::map<size_t, Selection> m_selections;  // by steps done: when the next one began
   Looks m_looks;
   SceneLooks m_saved_looks;
-  int m_num_open_looks = 0;  // changes that are no steps yet
+  std::deque<LookStep> m_open_looks;  // changes that are no steps yet
   History m_history;
   std::string m_file, m_title, m_busy_with;
   std::optional<Ghost> m_ghost;

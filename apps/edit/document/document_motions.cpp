@@ -1,6 +1,7 @@
 // Drags, previews and what is shown of motions, on the side of the windows.
 #include "apps/edit/document/document.h"
 #include "apps/edit/document/engine.h"
+#include "apps/edit/document/words.h"
 
 namespace trivet::edit {
 
@@ -85,7 +86,8 @@ void Document::show_previews_by(const Answering& answering) {
 
 // Several threads may have the same trouble.
 void Document::show_detection_note(const std::string& note) {
-  if (m_detection_notes.insert(note).second) Q_EMIT detection_noted(QString::fromStdString(note));
+  if (m_detection_notes.insert(note).second)
+    Q_EMIT detection_noted(QString::fromStdString(english_in_words(note)));
 }
 
 void Document::watch_zlists(bool on) {

@@ -116,7 +116,7 @@ class Engine {
   History history() const;
   bool undo_one();
   bool redo_one();
-  void show_looks(const Looks& looks);
+  void show_looks(const Looks& from, const Looks& to);
   /// Judges the scene as a whole, unless it has changed since.
   void judge(std::uint64_t committed);
   std::optional<Pose> pose_before(const std::vector<Operation>& operations) const;

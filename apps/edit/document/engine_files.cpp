@@ -8,6 +8,7 @@
 #include "apps/demo/demo.h"
 #include "apps/edit/document/engine.h"
 #include "apps/edit/document/layout_paths.h"
+#include "apps/edit/document/words.h"
 #include "core/base/error.h"
 #include "core/base/extension.h"
 #include "core/base/quoted.h"
@@ -86,7 +87,8 @@ void Engine::adopt(OpenedSession opened, const std::string& file, const std::str
   });
   publish();
   tell([looks = m_opened->session.layout().looks](Document& shown) { shown.show_looks(looks); });
-  for (const std::string& note : m_opened->notes) tell(Message{Message::Kind::Info, note, {}, {}});
+  for (const std::string& note : m_opened->notes)
+    tell(Message{Message::Kind::Info, english_in_words(note), {}, {}});
 }
 
 // Removes the recovery files, which are no longer needed.
@@ -241,7 +243,7 @@ void Engine::tell_notes(const std::string& object) {
   if (!model || model->notes.empty()) return;
   std::string text = quoted(object) + ": ";
   for (const std::string& note : model->notes)
-    text += (note == model->notes.front() ? "" : "; ") + note;
+    text += (note == model->notes.front() ? "" : "; ") + english_in_words(note);
   tell(Message{Message::Kind::Info, text, {}, {}});
 }
 

@@ -36,7 +36,7 @@ bool Engine::undo_one() {
     m_is_behind |= is_undone;
     return is_undone;
   }
-  show_looks(look->before);
+  show_looks(look->now, look->before);
   m_look_steps.undo();
   return true;
 }
@@ -50,15 +50,15 @@ bool Engine::redo_one() {
     m_is_behind |= is_redone;
     return is_redone;
   }
-  show_looks(look->now);
+  show_looks(look->before, look->now);
   m_look_steps.redo();
   return true;
 }
 
 // Looks follow objects that are made anew by steps: the scene of the steps before comes first.
-void Engine::show_looks(const Looks& looks) {
+void Engine::show_looks(const Looks& from, const Looks& to) {
   if (m_is_behind) publish();
-  tell([looks](Document& shown) { shown.show_looks_of_step(looks); });
+  tell([from, to](Document& shown) { shown.show_looks_of_step(from, to); });
 }
 
 bool Engine::go_to_step(size_t wanted) {

@@ -1,10 +1,41 @@
 #include "apps/edit/document/look_steps.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace trivet::edit {
 
+void LookSteps::learn(const Looks& from, const Looks& to) {
+  for (const ObjectId id : from.differing(to)) {
+    if (std::find(m_known.begin(), m_known.end(), id) == m_known.end()) m_known.push_back(id);
+    m_now.change(id, to.of(id));
+  }
+  if (from.collections == to.collections) return;
+  m_knows_collections = true;
+  m_now.collections = to.collections;
+}
+
+Looks LookSteps::now(Looks looks) const {
+  for (const ObjectId id : m_known) looks.change(id, m_now.of(id));
+  if (m_knows_collections) looks.collections = m_now.collections;
+  return looks;
+}
+
+void LookSteps::undo() {
+  const LookStep& step = m_steps[--m_num_done];
+  learn(step.now, step.before);
+}
+
+void LookSteps::redo() {
+  const LookStep& step = m_steps[m_num_done++];
+  learn(step.before, step.now);
+}
+
 void LookSteps::add(LookStep step) {
+  Looks before = now(step.before);
+  step.now = before.changed(step.before, step.now);
+  step.before = std::move(before);
+  learn(step.before, step.now);
   m_end = step.after;
   m_steps.resize(m_num_done);
   m_steps.push_back(std::move(step));

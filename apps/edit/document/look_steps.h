@@ -19,7 +19,8 @@ struct LookStep {
 /// they stay with it unseen until its next step.
 class LookSteps {
  public:
-  /// The newest step of all: what was undone is forgotten.
+  /// The newest step of all: what was undone is forgotten. It may have been made of looks from
+  /// before the last undo or redo: then it keeps what it changes, and begins at the looks of now.
   void add(LookStep step);
   /// The session has a new step.
   void follow_new_step();
@@ -27,8 +28,8 @@ class LookSteps {
   /// The change that is undone (redone) next; null: a step of the session is.
   const LookStep* to_undo(size_t session_done) const;
   const LookStep* to_redo(size_t session_done) const;
-  void undo() { --m_num_done; }
-  void redo() { ++m_num_done; }
+  void undo();
+  void redo();
   /// @param num_steps  of the session. @return those that are not cut off.
   size_t num_seen(size_t num_steps) const { return num_steps < m_end ? num_steps : m_end; }
 
@@ -37,8 +38,15 @@ class LookSteps {
   size_t num_done() const { return m_num_done; }
 
  private:
+  void learn(const Looks& from, const Looks& to);
+  /// The looks of now: as steps have left them, forgotten ones too, else as given.
+  Looks now(Looks looks) const;
+
   std::vector<LookStep> m_steps;  // ordered by `after`; the first m_num_done of them are done
   size_t m_num_done = 0;
+  Looks m_now;                    // of what steps have ever changed:
+  std::vector<ObjectId> m_known;  // each once
+  bool m_knows_collections = false;
   size_t m_end = static_cast<size_t>(-1);  // steps of the session from here on are cut off
 };
 

@@ -21,6 +21,22 @@ void Looks::inherit(ObjectId from, ObjectId to) {
   collections.inherit(from, to);
 }
 
+std::vector<ObjectId> Looks::differing(const Looks& other) const {
+  std::vector<ObjectId> out;
+  for (const auto& [key, look] : m_looks)
+    if (const ObjectId id{key.first, key.second}; look != other.of(id)) out.push_back(id);
+  for (const auto& [key, look] : other.m_looks)
+    if (!m_looks.count(key)) out.push_back({key.first, key.second});
+  return out;
+}
+
+Looks Looks::changed(const Looks& from, const Looks& to) const {
+  Looks out = *this;
+  if (!(from.collections == to.collections)) out.collections = to.collections;
+  for (const ObjectId id : from.differing(to)) out.change(id, to.of(id));
+  return out;
+}
+
 Look Looks::shown(ObjectId id) const {
   Look out = of(id);
   if (const Collection* const in = collections.of(id)) {

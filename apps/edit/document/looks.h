@@ -33,6 +33,11 @@ class Looks {
   void change(ObjectId id, const Look& look);
   /// Gives an object the look and the collection of another one, as far as it has none.
   void inherit(ObjectId from, ObjectId to);
+  /// Objects whose looks of their own are others there, each once.
+  std::vector<ObjectId> differing(const Looks& other) const;
+  /// With what differs between two others as the second one has it: looks by object, all
+  /// collections together.
+  Looks changed(const Looks& from, const Looks& to) const;
   /// With what its collection says.
   Look shown(ObjectId id) const;
   /// Those of hidden collections, too.

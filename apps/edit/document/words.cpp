@@ -4,6 +4,8 @@
 #include <QLocale>
 #include <algorithm>
 
+#include "apps/edit/document/sentence_reader.h"
+
 namespace trivet::edit {
 namespace {
 
@@ -37,15 +39,22 @@ bool rescales(const std::vector<Operation>& all, size_t first) {
          object_name(all[first]) == object_name(all[first + 1]);
 }
 
-}  // namespace
-
-std::string in_words(const Sentence& sentence) {
-  if (sentence.is_verbatim) return sentence.text;
+/// @param reads  whether texts from elsewhere are read as English.
+std::string spoken(const Sentence& sentence, bool reads) {
+  if (sentence.is_verbatim) return reads ? english_in_words(sentence.text) : sentence.text;
   if (sentence.number) return number_in_words(sentence);
   std::vector<std::string> parts;
   parts.reserve(sentence.parts.size());
-  for (const Sentence& part : sentence.parts) parts.push_back(in_words(part));
+  for (const Sentence& part : sentence.parts) parts.push_back(spoken(part, reads));
   return filled(translated("refusal", sentence.text), parts);
+}
+
+}  // namespace
+
+std::string in_words(const Sentence& sentence) { return spoken(sentence, true); }
+
+std::string english_in_words(const std::string& english) {
+  return spoken(read_sentence(english), false);
 }
 
 std::string reason_in_words(const OperationResult& result) {

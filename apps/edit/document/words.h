@@ -12,6 +12,10 @@ namespace trivet::edit {
 
 std::string in_words(const Sentence& sentence);
 
+/// Of an English sentence that comes as text: an error, a conflict of an arrangement, a note. What
+/// is not known stays English.
+std::string english_in_words(const std::string& english);
+
 /// The refusal; empty when there is none.
 std::string reason_in_words(const OperationResult& result);
 

@@ -466,6 +466,1802 @@
         <source>%1 of %2 did not end within %3 s</source>
         <translation>nicht fertig in %3 s: %1 von %2</translation>
     </message>
+    <message>
+        <source>%1 has no place %2: %3</source>
+        <translation>%1 hat keinen Platz %2: %3</translation>
+    </message>
+    <message>
+        <source>%1 has no place: these leave none together: %2</source>
+        <translation>%1 hat keinen Platz: diese lassen zusammen keinen: %2</translation>
+    </message>
+    <message>
+        <source>%1 has no place: these leave none together, as things stand: %2</source>
+        <translation>%1 hat keinen Platz: diese lassen zusammen keinen, so wie alles steht: %2</translation>
+    </message>
+    <message>
+        <source>%1 has no place: this leaves none: %2</source>
+        <translation>%1 hat keinen Platz: dies lässt keinen: %2</translation>
+    </message>
+    <message>
+        <source>%1 has no place: this leaves none, as things stand: %2</source>
+        <translation>%1 hat keinen Platz: dies lässt keinen, so wie alles steht: %2</translation>
+    </message>
+    <message>
+        <source>%1; %2 m are missing</source>
+        <translation>%1; es fehlen %2 m</translation>
+    </message>
+    <message>
+        <source>%1; the cheapest to drop: %2</source>
+        <translation>%1; am billigsten fällt weg: %2</translation>
+    </message>
+    <message>
+        <source>%1 comes to rest nowhere as it is asked for</source>
+        <translation>%1 kommt nirgends so zur Ruhe, wie es gewünscht ist</translation>
+    </message>
+    <message>
+        <source>%1 comes to rest nowhere as it is asked for; first: %2</source>
+        <translation>%1 kommt nirgends so zur Ruhe, wie es gewünscht ist; zuerst: %2</translation>
+    </message>
+    <message>
+        <source>%1, level %2</source>
+        <translation>%1, Ebene %2</translation>
+    </message>
+    <message>
+        <source>on the floor</source>
+        <translation>auf dem Boden</translation>
+    </message>
+    <message>
+        <source>on &quot;%1&quot;</source>
+        <translation>auf „%1“</translation>
+    </message>
+    <message>
+        <source>in &quot;%1&quot;</source>
+        <translation>in „%1“</translation>
+    </message>
+    <message>
+        <source>clear of &quot;%1&quot;</source>
+        <translation>frei von „%1“</translation>
+    </message>
+    <message>
+        <source>out of the zone &quot;%1&quot; of &quot;%2&quot;</source>
+        <translation>außerhalb der Zone „%1“ von „%2“</translation>
+    </message>
+    <message>
+        <source>zone &quot;%1&quot; of &quot;%2&quot; clear of &quot;%3&quot;</source>
+        <translation>Zone „%1“ von „%2“ frei von „%3“</translation>
+    </message>
+    <message>
+        <source>zone &quot;%1&quot; of &quot;%2&quot;</source>
+        <translation>Zone „%1“ von „%2“</translation>
+    </message>
+    <message>
+        <source>there is no floor</source>
+        <translation>es gibt keinen Boden</translation>
+    </message>
+    <message>
+        <source>the head room there is less than its height</source>
+        <translation>die Höhe dort ist geringer als seine eigene</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has %2 surfaces, none of which is %3</source>
+        <translation>„%1“ hat %2 Flächen, von denen keine %3 ist</translation>
+    </message>
+    <message>
+        <source>%1 does not fit: %2</source>
+        <translation>%1 passt nicht: %2</translation>
+    </message>
+    <message>
+        <source>there is room for %1 by %2 of %3 x %4 m with gaps of %5 m, in %6 x %7 m</source>
+        <translation>es ist Platz für %1 mal %2 von %3 x %4 m mit Abständen von %5 m, in %6 x %7 m</translation>
+    </message>
+    <message>
+        <source>with gaps they are %1 m wide, there is room for %2 m</source>
+        <translation>mit Abständen sind sie %1 m breit, es ist Platz für %2 m</translation>
+    </message>
+    <message>
+        <source>the deepest of them is %1 m deep, there is room for %2 m</source>
+        <translation>das tiefste von ihnen ist %1 m tief, es ist Platz für %2 m</translation>
+    </message>
+    <message>
+        <source>neighbours need %1 m between them, there is %2 m</source>
+        <translation>Nachbarn brauchen %1 m zwischen sich, es sind %2 m</translation>
+    </message>
+    <message>
+        <source>along the line they take %1 m, it is long by %2 m</source>
+        <translation>entlang der Linie brauchen sie %1 m, sie ist %2 m lang</translation>
+    </message>
+    <message>
+        <source>along the line they take %1 m it is long by %2 m</source>
+        <translation>entlang der Linie brauchen sie %1 m, sie ist %2 m lang</translation>
+    </message>
+    <message>
+        <source>a block is %1 m deep, there is room for %2 m</source>
+        <translation>ein Block ist %1 m tief, es ist Platz für %2 m</translation>
+    </message>
+    <message>
+        <source>the highest of them needs %1 m of head room, there is %2 m</source>
+        <translation>das höchste von ihnen braucht %1 m Höhe, es sind %2 m</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; gives way</source>
+        <translation>„%1“ gibt nach</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; makes others give way</source>
+        <translation>„%1“ lässt andere nachgeben</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; tips</source>
+        <translation>„%1“ kippt</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; slides away</source>
+        <translation>„%1“ rutscht weg</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; does not rest on &quot;%2&quot; alone</source>
+        <translation>„%1“ ruht nicht auf „%2“ allein</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; does not rest on what it is to rest on</source>
+        <translation>„%1“ ruht nicht auf dem, worauf es ruhen soll</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; comes to rest on the floor</source>
+        <translation>„%1“ kommt auf dem Boden zur Ruhe</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; comes to rest on &quot;%2&quot;</source>
+        <translation>„%1“ kommt auf „%2“ zur Ruhe</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; comes too near to &quot;%2&quot;</source>
+        <translation>„%1“ kommt „%2“ zu nahe</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is in the zone &quot;%2&quot; of &quot;%3&quot;</source>
+        <translation>„%1“ ist in der Zone „%2“ von „%3“</translation>
+    </message>
+    <message>
+        <source>as things come to rest, not: %1</source>
+        <translation>so wie alles zur Ruhe kommt, gilt nicht: %1</translation>
+    </message>
+    <message>
+        <source>where it comes to rest, not: %1</source>
+        <translation>wo es zur Ruhe kommt, gilt nicht: %1</translation>
+    </message>
+    <message>
+        <source>it would leave no room for &quot;%1&quot;</source>
+        <translation>es ließe keinen Platz für „%1“</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; would not stand well: %2</source>
+        <translation>„%1“ stünde nicht gut: %2</translation>
+    </message>
+    <message>
+        <source>it tips over an edge %1 m away</source>
+        <translation>es kippt über eine Kante, die %1 m entfernt ist</translation>
+    </message>
+    <message>
+        <source>it tips, with what lies on it, over an edge %1 m away</source>
+        <translation>es kippt mit dem, was darauf liegt, über eine Kante, die %1 m entfernt ist</translation>
+    </message>
+    <message>
+        <source>%1 m or more</source>
+        <translation>%1 m oder mehr</translation>
+    </message>
+    <message>
+        <source>it needs friction of %1</source>
+        <translation>es braucht eine Reibung von %1</translation>
+    </message>
+    <message>
+        <source>%1 or less</source>
+        <translation>%1 oder weniger</translation>
+    </message>
+    <message>
+        <source>the arrangement was cancelled</source>
+        <translation>das Anordnen wurde abgebrochen</translation>
+    </message>
+    <message>
+        <source>the arrangement did not end in time</source>
+        <translation>das Anordnen endete nicht rechtzeitig</translation>
+    </message>
+    <message>
+        <source>there is no object &quot;%1&quot;</source>
+        <translation>ein Objekt „%1“ gibt es nicht</translation>
+    </message>
+    <message>
+        <source>a box whose upper corner is above its lower one</source>
+        <translation>ein Kasten, dessen obere Ecke über der unteren liegt</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is fixed</source>
+        <translation>„%1“ ist befestigt</translation>
+    </message>
+    <message>
+        <source>objects that may move</source>
+        <translation>Objekte, die sich bewegen dürfen</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; comes twice</source>
+        <translation>„%1“ kommt zweimal vor</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is none of the things to arrange</source>
+        <translation>„%1“ ist keines der Dinge, die anzuordnen sind</translation>
+    </message>
+    <message>
+        <source>%1 says already what carries &quot;%2&quot;</source>
+        <translation>%1 sagt schon, was „%2“ trägt</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; stands nowhere and is none of the things to arrange</source>
+        <translation>„%1“ steht nirgends und ist keines der Dinge, die anzuordnen sind</translation>
+    </message>
+    <message>
+        <source>a thing has no relation to itself</source>
+        <translation>ein Ding hat keine Relation zu sich selbst</translation>
+    </message>
+    <message>
+        <source>neither is one of the things to arrange</source>
+        <translation>keines von beiden ist eines der Dinge, die anzuordnen sind</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no object that stands already</source>
+        <translation>„%1“ ist kein Objekt, das schon steht</translation>
+    </message>
+    <message>
+        <source>one that does</source>
+        <translation>eines, das steht</translation>
+    </message>
+    <message>
+        <source>at least one</source>
+        <translation>mindestens eines</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has no stable pose %2: there are %3, from 0</source>
+        <translation>„%1“ hat keine stabile Lage %2: es gibt %3, ab 0</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; does not lie on its side: it has no stable pose with its up within 30 degrees of level</source>
+        <translation>„%1“ liegt nicht auf der Seite: es hat keine stabile Lage, deren Oben höchstens 30 Grad von der Waagerechten abweicht</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has no stable pose</source>
+        <translation>„%1“ hat keine stabile Lage</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; would have to carry itself: it lies on what it carries</source>
+        <translation>„%1“ müsste sich selbst tragen: es liegt auf dem, was es trägt</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; carries &quot;%2&quot;, which is none of the things to arrange</source>
+        <translation>„%1“ trägt „%2“, das keines der Dinge ist, die anzuordnen sind</translation>
+    </message>
+    <message>
+        <source>things</source>
+        <translation>Dinge</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; on &quot;%2&quot;</source>
+        <translation>„%1“ auf „%2“</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; near &quot;%2&quot;</source>
+        <translation>„%1“ nahe bei „%2“</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; left_of &quot;%2&quot;</source>
+        <translation>„%1“ links von „%2“</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; right_of &quot;%2&quot;</source>
+        <translation>„%1“ rechts von „%2“</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; in_front_of &quot;%2&quot;</source>
+        <translation>„%1“ vor „%2“</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; behind &quot;%2&quot;</source>
+        <translation>„%1“ hinter „%2“</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; facing &quot;%2&quot;</source>
+        <translation>„%1“ zugewandt „%2“</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; facing its point</source>
+        <translation>„%1“ zugewandt seinem Punkt</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; away &quot;%2&quot;</source>
+        <translation>„%1“ abgewandt von „%2“</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; away its point</source>
+        <translation>„%1“ abgewandt von seinem Punkt</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; aligned &quot;%2&quot;</source>
+        <translation>„%1“ ausgerichtet an „%2“</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; parallel &quot;%2&quot;</source>
+        <translation>„%1“ parallel zu „%2“</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; perpendicular &quot;%2&quot;</source>
+        <translation>„%1“ senkrecht zu „%2“</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; same &quot;%2&quot;</source>
+        <translation>„%1“ gedreht wie „%2“</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; centred &quot;%2&quot;</source>
+        <translation>„%1“ mittig auf „%2“</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; within &quot;%2&quot;</source>
+        <translation>„%1“ innerhalb von „%2“</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; at &quot;%2&quot;</source>
+        <translation>„%1“ bei „%2“</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; at its point</source>
+        <translation>„%1“ bei seinem Punkt</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; symmetric &quot;%2&quot;</source>
+        <translation>„%1“ symmetrisch zu „%2“</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; at_edge &quot;%2&quot;</source>
+        <translation>„%1“ am Rand von „%2“</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; under &quot;%2&quot;</source>
+        <translation>„%1“ unter „%2“</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; against &quot;%2&quot;</source>
+        <translation>„%1“ mit dem Rücken an „%2“</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; in &quot;%2&quot;</source>
+        <translation>„%1“ in „%2“</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; within its region</source>
+        <translation>„%1“ innerhalb seines Gebiets</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; on the floor</source>
+        <translation>„%1“ auf dem Boden</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; in view of &quot;%2&quot;</source>
+        <translation>„%1“ im Blick von „%2“</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; in view of its point</source>
+        <translation>„%1“ im Blick von seinem Punkt</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; in reach of &quot;%2&quot;</source>
+        <translation>„%1“ in Reichweite von „%2“</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; in reach of its point</source>
+        <translation>„%1“ in Reichweite von seinem Punkt</translation>
+    </message>
+    <message>
+        <source>row of %1 things on &quot;%2&quot;</source>
+        <translation>Reihe aus %1 Dingen auf „%2“</translation>
+    </message>
+    <message>
+        <source>row of %1 things on the floor</source>
+        <translation>Reihe aus %1 Dingen auf dem Boden</translation>
+    </message>
+    <message>
+        <source>row of 1 thing on &quot;%1&quot;</source>
+        <translation>Reihe aus einem Ding auf „%1“</translation>
+    </message>
+    <message>
+        <source>row of 1 thing on the floor</source>
+        <translation>Reihe aus einem Ding auf dem Boden</translation>
+    </message>
+    <message>
+        <source>grid of %1 things on &quot;%2&quot;</source>
+        <translation>Raster aus %1 Dingen auf „%2“</translation>
+    </message>
+    <message>
+        <source>grid of %1 things on the floor</source>
+        <translation>Raster aus %1 Dingen auf dem Boden</translation>
+    </message>
+    <message>
+        <source>grid of 1 thing on &quot;%1&quot;</source>
+        <translation>Raster aus einem Ding auf „%1“</translation>
+    </message>
+    <message>
+        <source>grid of 1 thing on the floor</source>
+        <translation>Raster aus einem Ding auf dem Boden</translation>
+    </message>
+    <message>
+        <source>circle of %1 things on &quot;%2&quot;</source>
+        <translation>Kreis aus %1 Dingen auf „%2“</translation>
+    </message>
+    <message>
+        <source>circle of %1 things on the floor</source>
+        <translation>Kreis aus %1 Dingen auf dem Boden</translation>
+    </message>
+    <message>
+        <source>circle of 1 thing on &quot;%1&quot;</source>
+        <translation>Kreis aus einem Ding auf „%1“</translation>
+    </message>
+    <message>
+        <source>circle of 1 thing on the floor</source>
+        <translation>Kreis aus einem Ding auf dem Boden</translation>
+    </message>
+    <message>
+        <source>facings of %1 things on &quot;%2&quot;</source>
+        <translation>Frontreihen aus %1 Dingen auf „%2“</translation>
+    </message>
+    <message>
+        <source>facings of %1 things on the floor</source>
+        <translation>Frontreihen aus %1 Dingen auf dem Boden</translation>
+    </message>
+    <message>
+        <source>facings of 1 thing on &quot;%1&quot;</source>
+        <translation>Frontreihen aus einem Ding auf „%1“</translation>
+    </message>
+    <message>
+        <source>facings of 1 thing on the floor</source>
+        <translation>Frontreihen aus einem Ding auf dem Boden</translation>
+    </message>
+    <message>
+        <source>line of %1 things on &quot;%2&quot;</source>
+        <translation>Linie aus %1 Dingen auf „%2“</translation>
+    </message>
+    <message>
+        <source>line of %1 things on the floor</source>
+        <translation>Linie aus %1 Dingen auf dem Boden</translation>
+    </message>
+    <message>
+        <source>line of 1 thing on &quot;%1&quot;</source>
+        <translation>Linie aus einem Ding auf „%1“</translation>
+    </message>
+    <message>
+        <source>line of 1 thing on the floor</source>
+        <translation>Linie aus einem Ding auf dem Boden</translation>
+    </message>
+    <message>
+        <source>cannot be written: %1</source>
+        <translation>lässt sich nicht schreiben: %1</translation>
+    </message>
+    <message>
+        <source>cannot be made: %1</source>
+        <translation>lässt sich nicht anlegen: %1</translation>
+    </message>
+    <message>
+        <source>cannot be created: %1</source>
+        <translation>lässt sich nicht anlegen: %1</translation>
+    </message>
+    <message>
+        <source>this folder cannot be made</source>
+        <translation>dieser Ordner lässt sich nicht anlegen</translation>
+    </message>
+    <message>
+        <source>a temporary file cannot be written: %1</source>
+        <translation>eine vorübergehende Datei lässt sich nicht schreiben: %1</translation>
+    </message>
+    <message>
+        <source>the extras of %1 are not valid JSON: %2</source>
+        <translation>die Zusätze von %1 sind kein gültiges JSON: %2</translation>
+    </message>
+    <message>
+        <source>is not glTF: its JSON has no asset</source>
+        <translation>ist kein glTF: sein JSON hat kein „asset“</translation>
+    </message>
+    <message>
+        <source>a scene, which trivet run makes of a layout</source>
+        <translation>eine Szene, wie trivet run sie aus einem Layout macht</translation>
+    </message>
+    <message>
+        <source>object &apos;%1&apos; lies beyond the range of float32, or its pose is not finite</source>
+        <translation>Objekt „%1“ liegt jenseits des Bereichs von float32, oder seine Lage ist nicht endlich</translation>
+    </message>
+    <message>
+        <source>it cannot be exported</source>
+        <translation>es lässt sich nicht exportieren</translation>
+    </message>
+    <message>
+        <source>the scene has %1 triangles, more than %2 supports</source>
+        <translation>die Szene hat %1 Dreiecke, mehr als %2 erlaubt</translation>
+    </message>
+    <message>
+        <source>a mesh without triangles</source>
+        <translation>ein Netz ohne Dreiecke</translation>
+    </message>
+    <message>
+        <source>one at least</source>
+        <translation>mindestens eines</translation>
+    </message>
+    <message>
+        <source>%1: is an input, named by %2, and would be overwritten</source>
+        <translation>%1: ist eine Eingabe, genannt von %2, und würde überschrieben</translation>
+    </message>
+    <message>
+        <source>is an input and would be overwritten</source>
+        <translation>ist eine Eingabe und würde überschrieben</translation>
+    </message>
+    <message>
+        <source>another name</source>
+        <translation>ein anderer Name</translation>
+    </message>
+    <message>
+        <source>exists and does not belong to %1, so it would be overwritten</source>
+        <translation>gibt es schon und gehört nicht zu %1; es würde überschrieben</translation>
+    </message>
+    <message>
+        <source>another name or folder, or a single-file format, such as .glb</source>
+        <translation>ein anderer Name oder Ordner, oder ein Format aus einer Datei, etwa .glb</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no format of one file</source>
+        <translation>„%1“ ist kein Format aus einer Datei</translation>
+    </message>
+    <message>
+        <source>%1; accepted are %2</source>
+        <translation>%1; erlaubt sind %2</translation>
+    </message>
+    <message>
+        <source>cannot write %1</source>
+        <translation>%1 kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>no extension</source>
+        <translation>keine Endung</translation>
+    </message>
+    <message>
+        <source>.glb, .ply and .stl</source>
+        <translation>.glb, .ply und .stl</translation>
+    </message>
+    <message>
+        <source>.glb, .gltf, .obj, .ply and .stl</source>
+        <translation>.glb, .gltf, .obj, .ply und .stl</translation>
+    </message>
+    <message>
+        <source>has no extension of a format</source>
+        <translation>hat keine Endung eines Formats</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was changed</source>
+        <translation>„%1“ wurde geändert</translation>
+    </message>
+    <message>
+        <source>the geometry of &quot;%1&quot; was changed since Trivet wrote it</source>
+        <translation>die Geometrie von „%1“ wurde geändert, seit Trivet sie schrieb</translation>
+    </message>
+    <message>
+        <source>the scene was moved since Trivet wrote it</source>
+        <translation>die Szene wurde bewegt, seit Trivet sie schrieb</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was moved since Trivet wrote it</source>
+        <translation>„%1“ wurde bewegt, seit Trivet es schrieb</translation>
+    </message>
+    <message>
+        <source>scenes as Trivet wrote them</source>
+        <translation>Szenen, wie Trivet sie schrieb</translation>
+    </message>
+    <message>
+        <source>scenes that Trivet wrote</source>
+        <translation>Szenen, die Trivet schrieb</translation>
+    </message>
+    <message>
+        <source>has no data of Trivet</source>
+        <translation>hat keine Daten von Trivet</translation>
+    </message>
+    <message>
+        <source>is not the mesh that Trivet wrote</source>
+        <translation>ist nicht das Netz, das Trivet schrieb</translation>
+    </message>
+    <message>
+        <source>has %1 triangles, not %2 as Trivet wrote</source>
+        <translation>hat %1 Dreiecke, nicht %2, wie Trivet sie schrieb</translation>
+    </message>
+    <message>
+        <source>another program has changed it</source>
+        <translation>ein anderes Programm hat sie geändert</translation>
+    </message>
+    <message>
+        <source>has no mesh for &quot;%1&quot;</source>
+        <translation>hat kein Netz für „%1“</translation>
+    </message>
+    <message>
+        <source>is no array in base64 of items of %1 bytes</source>
+        <translation>ist keine Liste in base64 aus Einträgen von %1 Bytes</translation>
+    </message>
+    <message>
+        <source>is not the material of each triangle</source>
+        <translation>ist nicht das Material jedes Dreiecks</translation>
+    </message>
+    <message>
+        <source>has not 9 numbers per triangle</source>
+        <translation>hat nicht 9 Zahlen für jedes Dreieck</translation>
+    </message>
+    <message>
+        <source>the geometry of &quot;%1&quot; is that of the scene file, rounded to float32: the model file is missing or has changed</source>
+        <translation>die Geometrie von „%1“ ist die der Szenendatei, auf float32 gerundet: die Modelldatei fehlt oder hat sich geändert</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;, which was out of the scene, is left out: &quot;%2&quot; is missing or has changed</source>
+        <translation>„%1“, das nicht in der Szene stand, ist weggelassen: „%2“ fehlt oder hat sich geändert</translation>
+    </message>
+    <message>
+        <source>%1 &quot;%2&quot;: refused: %3</source>
+        <translation>%1 „%2“: abgelehnt: %3</translation>
+    </message>
+    <message>
+        <source>the last line of &quot;%1&quot; is torn: its operation was never committed, and is left out</source>
+        <translation>die letzte Zeile von „%1“ ist abgerissen: ihre Operation wurde nie übernommen, und ist weggelassen</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; does not give the same scene to the bit</source>
+        <translation>„%1“ ergibt nicht auf das Bit dieselbe Szene</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is restored up to here: %2</source>
+        <translation>„%1“ ist bis hierher wiederhergestellt: %2</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>Zeile %1</translation>
+    </message>
+    <message>
+        <source>the result is not the same to the bit</source>
+        <translation>das Ergebnis ist nicht auf das Bit dasselbe</translation>
+    </message>
+    <message>
+        <source>there is nothing to undo or redo</source>
+        <translation>es gibt nichts rückgängig zu machen oder zu wiederholen</translation>
+    </message>
+    <message>
+        <source>neither &quot;%1&quot; nor &quot;%2&quot; is the file that the session began with</source>
+        <translation>weder „%1“ noch „%2“ ist die Datei, mit der die Sitzung begann</translation>
+    </message>
+    <message>
+        <source>the same bytes</source>
+        <translation>dieselben Bytes</translation>
+    </message>
+    <message>
+        <source>line %1 is damaged, and others follow it</source>
+        <translation>Zeile %1 ist beschädigt, und andere folgen ihr</translation>
+    </message>
+    <message>
+        <source>a journal as Trivet wrote it</source>
+        <translation>ein Journal, wie Trivet es schrieb</translation>
+    </message>
+    <message>
+        <source>a journal that Trivet wrote</source>
+        <translation>ein Journal, das Trivet schrieb</translation>
+    </message>
+    <message>
+        <source>is no journal</source>
+        <translation>ist kein Journal</translation>
+    </message>
+    <message>
+        <source>the journal cannot be opened: %1</source>
+        <translation>das Journal lässt sich nicht öffnen: %1</translation>
+    </message>
+    <message>
+        <source>the journal cannot be locked: %1</source>
+        <translation>das Journal lässt sich nicht sperren: %1</translation>
+    </message>
+    <message>
+        <source>the journal cannot be read: %1</source>
+        <translation>das Journal lässt sich nicht lesen: %1</translation>
+    </message>
+    <message>
+        <source>the journal cannot be written: %1</source>
+        <translation>das Journal lässt sich nicht schreiben: %1</translation>
+    </message>
+    <message>
+        <source>another session is writing this journal</source>
+        <translation>eine andere Sitzung schreibt dieses Journal</translation>
+    </message>
+    <message>
+        <source>another session has written this journal</source>
+        <translation>eine andere Sitzung hat dieses Journal geschrieben</translation>
+    </message>
+    <message>
+        <source>there is a journal already</source>
+        <translation>ein Journal gibt es schon</translation>
+    </message>
+    <message>
+        <source>a new name, or restore this one</source>
+        <translation>ein neuer Name, oder dieses wiederherstellen</translation>
+    </message>
+    <message>
+        <source>there is no folder &quot;%1&quot; for the journal</source>
+        <translation>den Ordner „%1“ für das Journal gibt es nicht</translation>
+    </message>
+    <message>
+        <source>16 hexadecimal digits</source>
+        <translation>16 hexadezimale Ziffern</translation>
+    </message>
+    <message>
+        <source>%1, the version of the journal</source>
+        <translation>%1, die Version des Journals</translation>
+    </message>
+    <message>
+        <source>an operation or several</source>
+        <translation>eine Operation oder mehrere</translation>
+    </message>
+    <message>
+        <source>cannot be opened</source>
+        <translation>lässt sich nicht öffnen</translation>
+    </message>
+    <message>
+        <source>%1; box trees are used instead</source>
+        <translation>%1; stattdessen antworten Boxbäume</translation>
+    </message>
+    <message>
+        <source>a scene (.glb) written by Trivet, or a layout (.json)</source>
+        <translation>eine Szene (.glb) von Trivet, oder ein Layout (.json)</translation>
+    </message>
+    <message>
+        <source>cannot be saved</source>
+        <translation>lässt sich nicht speichern</translation>
+    </message>
+    <message>
+        <source>a file name ending in .glb or .json</source>
+        <translation>ein Dateiname auf .glb oder .json</translation>
+    </message>
+    <message>
+        <source>is open in another editor; close it there first</source>
+        <translation>ist in einem anderen Editor offen; zuerst dort schließen</translation>
+    </message>
+    <message>
+        <source>demos need a recovery folder for their files, and this editor has none</source>
+        <translation>Demos brauchen für ihre Dateien einen Ordner zur Wiederherstellung, und dieser Editor hat keinen</translation>
+    </message>
+    <message>
+        <source>wishes: accepted: a section &quot;arrange&quot;, as trivet schema arrange has it</source>
+        <translation>Wünsche: erlaubt: ein Abschnitt „arrange“, wie trivet schema arrange ihn beschreibt</translation>
+    </message>
+    <message>
+        <source>no demo &apos;%1&apos;</source>
+        <translation>keine Demo „%1“</translation>
+    </message>
+    <message>
+        <source>no arranged demo &apos;%1&apos;</source>
+        <translation>keine angeordnete Demo „%1“</translation>
+    </message>
+    <message>
+        <source>there are %1</source>
+        <translation>es gibt %1</translation>
+    </message>
+    <message>
+        <source>MuJoCo does not accept it: %1</source>
+        <translation>MuJoCo nimmt es nicht an: %1</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has no size and so no mass</source>
+        <translation>„%1“ hat keine Größe und damit keine Masse</translation>
+    </message>
+    <message>
+        <source>it cannot be simulated</source>
+        <translation>es lässt sich nicht simulieren</translation>
+    </message>
+    <message>
+        <source>convex parts of &quot;%1&quot; and &quot;%2&quot; overlap by %3 metres, more than %4: a simulator would push them apart</source>
+        <translation>konvexe Teile von „%1“ und „%2“ überlappen um %3 Meter, mehr als %4: ein Simulator drückte sie auseinander</translation>
+    </message>
+    <message>
+        <source>convex parts of &quot;%1&quot; and &quot;%2&quot; overlap by %3 metres, more than %4, and of %5 more pairs: a simulator would push them apart</source>
+        <translation>konvexe Teile von „%1“ und „%2“ überlappen um %3 Meter, mehr als %4, und die von %5 weiteren Paaren: ein Simulator drückte sie auseinander</translation>
+    </message>
+    <message>
+        <source>--max-overlap from %1</source>
+        <translation>--max-overlap ab %1</translation>
+    </message>
+    <message>
+        <source>the picture of %1 x %2 pixels cannot be encoded as PNG: %3</source>
+        <translation>das Bild von %1 x %2 Pixeln lässt sich nicht als PNG kodieren: %3</translation>
+    </message>
+    <message>
+        <source>a picture of %1 x %2 pixels</source>
+        <translation>ein Bild von %1 x %2 Pixeln</translation>
+    </message>
+    <message>
+        <source>a picture of %1 samples</source>
+        <translation>ein Bild mit %1 Proben</translation>
+    </message>
+    <message>
+        <source>%1 to %2 in each dimension</source>
+        <translation>%1 bis %2 in jeder Richtung</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1; %2</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1; accepted: %2</source>
+        <translation>%1; erlaubt: %2</translation>
+    </message>
+    <message>
+        <source>accepted: %1</source>
+        <translation>erlaubt: %1</translation>
+    </message>
+    <message>
+        <source>%1; accepted for &quot;%2&quot;: %3</source>
+        <translation>%1; erlaubt für „%2“: %3</translation>
+    </message>
+    <message>
+        <source>%1; did you mean &quot;%2&quot;?</source>
+        <translation>%1; war „%2“ gemeint?</translation>
+    </message>
+    <message>
+        <source>&quot;listed&quot; or &quot;any&quot;</source>
+        <translation>&quot;listed&quot; oder &quot;any&quot;</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>Datei oder Ordner nicht gefunden</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>keine Berechtigung</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>kein Platz mehr auf dem Datenträger</translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation>der Datenträger ist schreibgeschützt</translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation>ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>Not a directory</source>
+        <translation>ist kein Ordner</translation>
+    </message>
+    <message>
+        <source>File exists</source>
+        <translation>die Datei gibt es schon</translation>
+    </message>
+    <message>
+        <source>Input/output error</source>
+        <translation>Fehler beim Lesen oder Schreiben</translation>
+    </message>
+    <message>
+        <source>Too many open files</source>
+        <translation>zu viele offene Dateien</translation>
+    </message>
+    <message>
+        <source>Cannot allocate memory</source>
+        <translation>nicht genug Speicher</translation>
+    </message>
+    <message>
+        <source>%1 is not accepted</source>
+        <translation>%1 ist nicht erlaubt</translation>
+    </message>
+    <message>
+        <source>is a pipe that nobody has opened for writing within %1 s</source>
+        <translation>ist eine Pipe, die niemand innerhalb von %1 s zum Schreiben geöffnet hat</translation>
+    </message>
+    <message>
+        <source>a file, or a pipe that is fed</source>
+        <translation>eine Datei, oder eine Pipe, die gespeist wird</translation>
+    </message>
+    <message>
+        <source>is empty</source>
+        <translation>ist leer</translation>
+    </message>
+    <message>
+        <source>a JSON object</source>
+        <translation>ein JSON-Objekt</translation>
+    </message>
+    <message>
+        <source>is a scene or a model in binary glTF</source>
+        <translation>ist eine Szene oder ein Modell in binärem glTF</translation>
+    </message>
+    <message>
+        <source>JSON, as of a layout</source>
+        <translation>JSON, etwa ein Layout</translation>
+    </message>
+    <message>
+        <source>nested too deep</source>
+        <translation>zu tief verschachtelt</translation>
+    </message>
+    <message>
+        <source>up to %1 levels</source>
+        <translation>bis zu %1 Ebenen</translation>
+    </message>
+    <message>
+        <source>this key comes twice</source>
+        <translation>dieser Schlüssel kommt zweimal vor</translation>
+    </message>
+    <message>
+        <source>each key once</source>
+        <translation>jeder Schlüssel einmal</translation>
+    </message>
+    <message>
+        <source>line %1, column %2: %3</source>
+        <translation>Zeile %1, Spalte %2: %3</translation>
+    </message>
+    <message>
+        <source>syntax error while parsing %1 - %2</source>
+        <translation>Syntaxfehler in %1 - %2</translation>
+    </message>
+    <message>
+        <source>numbers between -1.797e308 and 1.797e308</source>
+        <translation>Zahlen zwischen -1.797e308 und 1.797e308</translation>
+    </message>
+    <message>
+        <source>unknown key</source>
+        <translation>unbekannter Schlüssel</translation>
+    </message>
+    <message>
+        <source>the key &quot;%1&quot; is missing; required: %2</source>
+        <translation>der Schlüssel „%1“ fehlt; nötig: %2</translation>
+    </message>
+    <message>
+        <source>the key &quot;%1&quot; is missing</source>
+        <translation>der Schlüssel „%1“ fehlt</translation>
+    </message>
+    <message>
+        <source>an object with the keys %1</source>
+        <translation>ein Objekt mit den Schlüsseln %1</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>ein Objekt</translation>
+    </message>
+    <message>
+        <source>an array</source>
+        <translation>eine Liste</translation>
+    </message>
+    <message>
+        <source>an array of %1 numbers</source>
+        <translation>eine Liste aus %1 Zahlen</translation>
+    </message>
+    <message>
+        <source>an array of at least one operation</source>
+        <translation>eine Liste mit mindestens einer Operation</translation>
+    </message>
+    <message>
+        <source>text</source>
+        <translation>ein Text</translation>
+    </message>
+    <message>
+        <source>text or a number</source>
+        <translation>ein Text oder eine Zahl</translation>
+    </message>
+    <message>
+        <source>text of at least one character, without control characters</source>
+        <translation>ein Text aus mindestens einem Zeichen, ohne Steuerzeichen</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true oder false</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>a number from %1 to %2</source>
+        <translation>eine Zahl von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>eine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>a whole number from %1 to %2</source>
+        <translation>eine ganze Zahl von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>whole numbers from %1 to %2</source>
+        <translation>ganze Zahlen von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>a quaternion [w, x, y, z] whose length is not zero</source>
+        <translation>ein Quaternion [w, x, y, z], dessen Länge nicht null ist</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has no curved surfaces</source>
+        <translation>„%1“ hat keine gekrümmten Flächen</translation>
+    </message>
+    <message>
+        <source>with models in STEP, IGES or BREP (%1)</source>
+        <translation>bei Modellen in STEP, IGES oder BREP (%1)</translation>
+    </message>
+    <message>
+        <source>%1, or an object with friction, density and restitution</source>
+        <translation>%1, oder ein Objekt mit friction, density und restitution</translation>
+    </message>
+    <message>
+        <source>any name but &quot;floor&quot;, which is the floor</source>
+        <translation>jeder Name außer „floor“, dem Boden</translation>
+    </message>
+    <message>
+        <source>&quot;anywhere&quot; or a point [x, y]</source>
+        <translation>&quot;anywhere&quot; oder ein Punkt [x, y]</translation>
+    </message>
+    <message>
+        <source>a place is missing</source>
+        <translation>ein Ort fehlt</translation>
+    </message>
+    <message>
+        <source>&quot;position&quot;, from where it falls, or &quot;on&quot;, an object or &quot;floor&quot;, on which a place is found</source>
+        <translation>&quot;position&quot;, von wo es fällt, oder &quot;on&quot;, ein Objekt oder &quot;floor&quot;, worauf ein Platz gefunden wird</translation>
+    </message>
+    <message>
+        <source>a target is missing</source>
+        <translation>ein Ziel fehlt</translation>
+    </message>
+    <message>
+        <source>&quot;to&quot;, or &quot;direction&quot; and &quot;distance&quot;</source>
+        <translation>&quot;to&quot;, oder &quot;direction&quot; und &quot;distance&quot;</translation>
+    </message>
+    <message>
+        <source>an object with the keys op, object, ...</source>
+        <translation>ein Objekt mit den Schlüsseln op, object, ...</translation>
+    </message>
+    <message>
+        <source>a rotation without a position</source>
+        <translation>eine Drehung ohne Position</translation>
+    </message>
+    <message>
+        <source>both, or neither for an object that is out of the scene until it is put</source>
+        <translation>beide, oder keine für ein Objekt, das nicht in der Szene ist, bis es hingestellt wird</translation>
+    </message>
+    <message>
+        <source>%1 is already the name of /objects/%2</source>
+        <translation>%1 ist schon der Name von /objects/%2</translation>
+    </message>
+    <message>
+        <source>a name of its own</source>
+        <translation>ein eigener Name</translation>
+    </message>
+    <message>
+        <source>the name of one of /objects</source>
+        <translation>der Name eines von /objects</translation>
+    </message>
+    <message>
+        <source>&quot;floor&quot; or the name of one of /objects</source>
+        <translation>&quot;floor&quot; oder der Name eines von /objects</translation>
+    </message>
+    <message>
+        <source>the name of one of /objects, or one with * for any letters</source>
+        <translation>der Name eines von /objects, oder einer mit * für beliebige Zeichen</translation>
+    </message>
+    <message>
+        <source>a name that no object has</source>
+        <translation>ein Name, den kein Objekt hat</translation>
+    </message>
+    <message>
+        <source>an object of names and texts, numbers, true or false</source>
+        <translation>ein Objekt aus Namen und Texten, Zahlen, true oder false</translation>
+    </message>
+    <message>
+        <source>a text, a number, true or false</source>
+        <translation>ein Text, eine Zahl, true oder false</translation>
+    </message>
+    <message>
+        <source>%1, the version of the layout format</source>
+        <translation>%1, die Version des Layoutformats</translation>
+    </message>
+    <message>
+        <source>there is no &quot;scene&quot; for it</source>
+        <translation>es gibt keine „scene“ dafür</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; reaches %2 metres</source>
+        <translation>„%1“ reicht bis %2 Meter</translation>
+    </message>
+    <message>
+        <source>up to %1</source>
+        <translation>bis zu %1</translation>
+    </message>
+    <message>
+        <source>is not accepted here</source>
+        <translation>ist hier nicht erlaubt</translation>
+    </message>
+    <message>
+        <source>layouts of models. Scenes in place are laid out by trivet run</source>
+        <translation>Layouts aus Modellen. Szenen an Ort und Stelle legt trivet run aus</translation>
+    </message>
+    <message>
+        <source>one material at least</source>
+        <translation>mindestens ein Material</translation>
+    </message>
+    <message>
+        <source>each object once</source>
+        <translation>jedes Objekt einmal</translation>
+    </message>
+    <message>
+        <source>at least one object</source>
+        <translation>mindestens ein Objekt</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is named before</source>
+        <translation>„%1“ ist schon genannt</translation>
+    </message>
+    <message>
+        <source>&quot;upright&quot;, &quot;as_modelled&quot;, &quot;free&quot;, &quot;stable&quot;, &quot;side&quot; or the number of a stable pose, as trivet info --poses has them</source>
+        <translation>&quot;upright&quot;, &quot;as_modelled&quot;, &quot;free&quot;, &quot;stable&quot;, &quot;side&quot; oder die Nummer einer stabilen Lage, wie trivet info --poses sie nennt</translation>
+    </message>
+    <message>
+        <source>an object of names and their fronts</source>
+        <translation>ein Objekt aus Namen und ihren Vorderseiten</translation>
+    </message>
+    <message>
+        <source>an object of names and lists of zones</source>
+        <translation>ein Objekt aus Namen und Listen von Zonen</translation>
+    </message>
+    <message>
+        <source>an object of names and their %1</source>
+        <translation>ein Objekt aus Namen und ihren %1</translation>
+    </message>
+    <message>
+        <source>two corners [x, y, z]</source>
+        <translation>zwei Ecken [x, y, z]</translation>
+    </message>
+    <message>
+        <source>the lower corner first, the upper one 1 mm beyond it or more</source>
+        <translation>zuerst die untere Ecke, die obere mindestens 1 mm darüber hinaus</translation>
+    </message>
+    <message>
+        <source>too many zones</source>
+        <translation>zu viele Zonen</translation>
+    </message>
+    <message>
+        <source>/arrange/fronts has one for &quot;%1&quot;</source>
+        <translation>/arrange/fronts hat eine für „%1“</translation>
+    </message>
+    <message>
+        <source>one front for an object</source>
+        <translation>eine Vorderseite für ein Objekt</translation>
+    </message>
+    <message>
+        <source>there is no section &quot;arrange&quot; for it</source>
+        <translation>es gibt keinen Abschnitt „arrange“ dafür</translation>
+    </message>
+    <message>
+        <source>beside such a section</source>
+        <translation>neben einem solchen Abschnitt</translation>
+    </message>
+    <message>
+        <source>an object, as trivet schema arrange has it</source>
+        <translation>ein Objekt, wie trivet schema arrange es beschreibt</translation>
+    </message>
+    <message>
+        <source>one of %1</source>
+        <translation>eines von %1</translation>
+    </message>
+    <message>
+        <source>at least one block {&quot;things&quot;, &quot;wide&quot;}</source>
+        <translation>mindestens ein Block {&quot;things&quot;, &quot;wide&quot;}</translation>
+    </message>
+    <message>
+        <source>a point 1 mm or more from the one before it</source>
+        <translation>ein Punkt mindestens 1 mm von dem vor ihm</translation>
+    </message>
+    <message>
+        <source>at least two points [x, y]</source>
+        <translation>mindestens zwei Punkte [x, y]</translation>
+    </message>
+    <message>
+        <source>either %1</source>
+        <translation>entweder %1</translation>
+    </message>
+    <message>
+        <source>either &quot;tolerance&quot; or &quot;jitter&quot;, which are one</source>
+        <translation>entweder &quot;tolerance&quot; oder &quot;jitter&quot;, die dasselbe sind</translation>
+    </message>
+    <message>
+        <source>scenes of other programs cannot be arranged</source>
+        <translation>Szenen anderer Programme lassen sich nicht anordnen</translation>
+    </message>
+    <message>
+        <source>objects with models</source>
+        <translation>Objekte mit Modellen</translation>
+    </message>
+    <message>
+        <source>at least 3 corners [x, y] of a convex polygon, counter-clockwise</source>
+        <translation>mindestens 3 Ecken [x, y] eines konvexen Vielecks, gegen den Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>a direction [x, y] whose length is not zero</source>
+        <translation>eine Richtung [x, y], deren Länge nicht null ist</translation>
+    </message>
+    <message>
+        <source>[least, most] with the least first</source>
+        <translation>[least, most] mit dem kleinsten zuerst</translation>
+    </message>
+    <message>
+        <source>a number, or [least, most]</source>
+        <translation>eine Zahl, oder [least, most]</translation>
+    </message>
+    <message>
+        <source>either &quot;b&quot; or &quot;point&quot;</source>
+        <translation>entweder &quot;b&quot; oder &quot;point&quot;</translation>
+    </message>
+    <message>
+        <source>&quot;height&quot; with &quot;b&quot;, a &quot;point&quot; has its own</source>
+        <translation>&quot;height&quot; mit &quot;b&quot;, ein &quot;point&quot; hat seine eigene</translation>
+    </message>
+    <message>
+        <source>either &quot;about&quot; an object, or &quot;point&quot; and &quot;axis&quot;</source>
+        <translation>entweder &quot;about&quot; ein Objekt, oder &quot;point&quot; und &quot;axis&quot;</translation>
+    </message>
+    <message>
+        <source>another object than a</source>
+        <translation>ein anderes Objekt als a</translation>
+    </message>
+    <message>
+        <source>with this there are more than %1 relations</source>
+        <translation>damit sind es mehr als %1 Relationen</translation>
+    </message>
+    <message>
+        <source>fewer</source>
+        <translation>weniger</translation>
+    </message>
+    <message>
+        <source>two names or patterns</source>
+        <translation>zwei Namen oder Muster</translation>
+    </message>
+    <message>
+        <source>with &quot;margin&quot;, &quot;friction&quot; or both</source>
+        <translation>mit &quot;margin&quot;, &quot;friction&quot; oder beidem</translation>
+    </message>
+    <message>
+        <source>&quot;top&quot;, &quot;bottom&quot;, or a number as trivet info --surfaces has them, from above if negative</source>
+        <translation>&quot;top&quot;, &quot;bottom&quot;, oder eine Nummer, wie trivet info --surfaces sie nennt, von oben, wenn negativ</translation>
+    </message>
+    <message>
+        <source>a problem of trivet arrange or its section &quot;arrange&quot;, an object</source>
+        <translation>ein Problem von trivet arrange oder sein Abschnitt „arrange“, ein Objekt</translation>
+    </message>
+    <message>
+        <source>no such file</source>
+        <translation>die Datei gibt es nicht</translation>
+    </message>
+    <message>
+        <source>is missing or empty</source>
+        <translation>fehlt oder ist leer</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>die Datei ist leer</translation>
+    </message>
+    <message>
+        <source>cannot be read</source>
+        <translation>lässt sich nicht lesen</translation>
+    </message>
+    <message>
+        <source>cannot be read: %1</source>
+        <translation>lässt sich nicht lesen: %1</translation>
+    </message>
+    <message>
+        <source>cannot be read to its end</source>
+        <translation>lässt sich nicht bis zum Ende lesen</translation>
+    </message>
+    <message>
+        <source>cannot be opened: %1</source>
+        <translation>lässt sich nicht öffnen: %1</translation>
+    </message>
+    <message>
+        <source>is a folder, not a model file</source>
+        <translation>ist ein Ordner, keine Modelldatei</translation>
+    </message>
+    <message>
+        <source>is a folder, not a scene file</source>
+        <translation>ist ein Ordner, keine Szenendatei</translation>
+    </message>
+    <message>
+        <source>is a folder, not a file</source>
+        <translation>ist ein Ordner, keine Datei</translation>
+    </message>
+    <message>
+        <source>is not a regular file</source>
+        <translation>ist keine gewöhnliche Datei</translation>
+    </message>
+    <message>
+        <source>is a device or a pipe</source>
+        <translation>ist ein Gerät oder eine Pipe</translation>
+    </message>
+    <message>
+        <source>a regular file</source>
+        <translation>eine gewöhnliche Datei</translation>
+    </message>
+    <message>
+        <source>%1 bytes, more than the limit of %2</source>
+        <translation>%1 Bytes, mehr als die Grenze von %2</translation>
+    </message>
+    <message>
+        <source>is larger than the limit of %1 bytes</source>
+        <translation>ist größer als die Grenze von %1 Bytes</translation>
+    </message>
+    <message>
+        <source>%1 faces, more than the limit of %2</source>
+        <translation>%1 Flächen, mehr als die Grenze von %2</translation>
+    </message>
+    <message>
+        <source>has no file extension</source>
+        <translation>hat keine Endung</translation>
+    </message>
+    <message>
+        <source>no importer for %1</source>
+        <translation>Dateien %1 werden nicht gelesen</translation>
+    </message>
+    <message>
+        <source>.obj, .ply, .stl, .gltf, .glb, .fbx, .dae, .3ds, .step, .iges, .brep and others</source>
+        <translation>.obj, .ply, .stl, .gltf, .glb, .fbx, .dae, .3ds, .step, .iges, .brep und andere</translation>
+    </message>
+    <message>
+        <source>cannot be read as a model: %1</source>
+        <translation>lässt sich nicht als Modell lesen: %1</translation>
+    </message>
+    <message>
+        <source>unknown error</source>
+        <translation>unbekannter Fehler</translation>
+    </message>
+    <message>
+        <source>the PLY header has no end_header</source>
+        <translation>der PLY-Kopf hat kein end_header</translation>
+    </message>
+    <message>
+        <source>is truncated: a file of %1 bytes cannot hold %2 elements &quot;%3&quot;</source>
+        <translation>ist abgeschnitten: eine Datei von %1 Bytes kann nicht %2 Elemente „%3“ enthalten</translation>
+    </message>
+    <message>
+        <source>is truncated: %1 of %2 lines of PLY data</source>
+        <translation>ist abgeschnitten: %1 von %2 Zeilen an PLY-Daten</translation>
+    </message>
+    <message>
+        <source>is truncated: %1 bytes of %2</source>
+        <translation>ist abgeschnitten: %1 Bytes von %2</translation>
+    </message>
+    <message>
+        <source>%1 files are read only by the program trivet-import-cad, never in this process</source>
+        <translation>%1-Dateien liest nur das Programm trivet-import-cad, nie dieser Prozess</translation>
+    </message>
+    <message>
+        <source>%1 files need %2, which is missing: this build of Trivet lacks Open CASCADE</source>
+        <translation>%1-Dateien brauchen %2, das fehlt: dieses Trivet wurde ohne Open CASCADE gebaut</translation>
+    </message>
+    <message>
+        <source>a build with it (Debian: libocct-data-exchange-dev libocct-ocaf-dev; TRIVET_OCCT)</source>
+        <translation>gebaut mit ihm (Debian: libocct-data-exchange-dev libocct-ocaf-dev; TRIVET_OCCT)</translation>
+    </message>
+    <message>
+        <source>runs out of memory; the file is broken or too large</source>
+        <translation>der Speicher reicht nicht; die Datei ist beschädigt oder zu groß</translation>
+    </message>
+    <message>
+        <source>runs out of memory; the chord is too small or the file is broken</source>
+        <translation>der Speicher reicht nicht; die Sehne ist zu klein, oder die Datei ist beschädigt</translation>
+    </message>
+    <message>
+        <source>node &apos;%1&apos; refers to mesh %2 of %3</source>
+        <translation>Knoten „%1“ verweist auf Netz %2 von %3</translation>
+    </message>
+    <message>
+        <source>mesh &apos;%1&apos;: %2</source>
+        <translation>Netz „%1“: %2</translation>
+    </message>
+    <message>
+        <source>mesh %1: face %2</source>
+        <translation>Netz %1: Fläche %2</translation>
+    </message>
+    <message>
+        <source>mesh &apos;%1&apos;: face %2</source>
+        <translation>Netz „%1“: Fläche %2</translation>
+    </message>
+    <message>
+        <source>%1 has no corners</source>
+        <translation>%1 hat keine Ecken</translation>
+    </message>
+    <message>
+        <source>the file is broken or truncated</source>
+        <translation>die Datei ist beschädigt oder abgeschnitten</translation>
+    </message>
+    <message>
+        <source>%1 refers to vertex %2 of %3</source>
+        <translation>%1 verweist auf Ecke %2 von %3</translation>
+    </message>
+    <message>
+        <source>vertex %1 is not finite</source>
+        <translation>Ecke %1 ist nicht endlich</translation>
+    </message>
+    <message>
+        <source>vertex %1 is not finite after the transform of its node</source>
+        <translation>Ecke %1 ist nach der Transformation ihres Knotens nicht endlich</translation>
+    </message>
+    <message>
+        <source>vertex %1 lies beyond 1e30</source>
+        <translation>Ecke %1 liegt jenseits von 1e30</translation>
+    </message>
+    <message>
+        <source>vertex %1 lies beyond 1e30 after the transform of its node</source>
+        <translation>Ecke %1 liegt nach der Transformation ihres Knotens jenseits von 1e30</translation>
+    </message>
+    <message>
+        <source>contains no triangle</source>
+        <translation>enthält kein Dreieck</translation>
+    </message>
+    <message>
+        <source>contains no triangle (%1)</source>
+        <translation>enthält kein Dreieck (%1)</translation>
+    </message>
+    <message>
+        <source>nodes are nested too deeply</source>
+        <translation>Knoten sind zu tief verschachtelt</translation>
+    </message>
+    <message>
+        <source>a node&apos;s transform is not affine</source>
+        <translation>die Transformation eines Knotens ist nicht affin</translation>
+    </message>
+    <message>
+        <source>gives more than %1 triangles, the limit, at a chord of %2</source>
+        <translation>ergibt mehr als %1 Dreiecke, die Grenze, bei einer Sehne von %2</translation>
+    </message>
+    <message>
+        <source>has coordinates that are not finite</source>
+        <translation>hat Koordinaten, die nicht endlich sind</translation>
+    </message>
+    <message>
+        <source>has no surface</source>
+        <translation>hat keine Oberfläche</translation>
+    </message>
+    <message>
+        <source>a chord of %1 is too small for its size</source>
+        <translation>eine Sehne von %1 ist zu klein für seine Größe</translation>
+    </message>
+    <message>
+        <source>at least %1</source>
+        <translation>mindestens %1</translation>
+    </message>
+    <message>
+        <source>names another file, &quot;%1&quot;, which is not opened</source>
+        <translation>nennt eine weitere Datei, „%1“, die nicht geöffnet wird</translation>
+    </message>
+    <message>
+        <source>one STEP file with all parts</source>
+        <translation>eine STEP-Datei mit allen Teilen</translation>
+    </message>
+    <message>
+        <source>cannot be read as %1</source>
+        <translation>lässt sich nicht als %1 lesen</translation>
+    </message>
+    <message>
+        <source>is not binary glTF: it does not begin with &apos;glTF&apos;</source>
+        <translation>ist kein binäres glTF: es beginnt nicht mit „glTF“</translation>
+    </message>
+    <message>
+        <source>is not binary glTF: only %1 bytes</source>
+        <translation>ist kein binäres glTF: nur %1 Bytes</translation>
+    </message>
+    <message>
+        <source>glTF version %1</source>
+        <translation>glTF Version %1</translation>
+    </message>
+    <message>
+        <source>the first glTF chunk is not JSON</source>
+        <translation>der erste Abschnitt des glTF ist kein JSON</translation>
+    </message>
+    <message>
+        <source>the glTF JSON chunk is longer than the file</source>
+        <translation>der JSON-Abschnitt des glTF ist länger als die Datei</translation>
+    </message>
+    <message>
+        <source>the scene needs %1 bytes, more than the 4 GiB limit of binary glTF</source>
+        <translation>die Szene braucht %1 Bytes, mehr als die Grenze von 4 GiB von binärem glTF</translation>
+    </message>
+    <message>
+        <source>its nodes do not form a tree, or nest too deeply</source>
+        <translation>seine Knoten bilden keinen Baum, oder sind zu tief verschachtelt</translation>
+    </message>
+    <message>
+        <source>a mesh is compressed (Draco), which is not supported</source>
+        <translation>ein Netz ist komprimiert (Draco), was nicht unterstützt wird</translation>
+    </message>
+    <message>
+        <source>a buffer view extends beyond its buffer</source>
+        <translation>eine Puffersicht reicht über ihren Puffer hinaus</translation>
+    </message>
+    <message>
+        <source>a buffer view refers to a missing buffer</source>
+        <translation>eine Puffersicht verweist auf einen Puffer, den es nicht gibt</translation>
+    </message>
+    <message>
+        <source>the JSON has no &quot;asset&quot; object</source>
+        <translation>das JSON hat kein Objekt „asset“</translation>
+    </message>
+    <message>
+        <source>a data URI is not base64</source>
+        <translation>eine Daten-URI ist nicht base64</translation>
+    </message>
+    <message>
+        <source>buffer %1 has %2 bytes, expected %3</source>
+        <translation>Puffer %1 hat %2 Bytes, erwartet sind %3</translation>
+    </message>
+    <message>
+        <source>the buffers exceed the limit</source>
+        <translation>die Puffer überschreiten die Grenze</translation>
+    </message>
+    <message>
+        <source>an image is not an object</source>
+        <translation>ein Bild ist kein Objekt</translation>
+    </message>
+    <message>
+        <source>the glTF JSON is nested deeper than %1 levels</source>
+        <translation>das glTF-JSON ist tiefer als %1 Ebenen verschachtelt</translation>
+    </message>
+    <message>
+        <source>the glTF JSON is malformed: %1</source>
+        <translation>das glTF-JSON ist fehlerhaft: %1</translation>
+    </message>
+    <message>
+        <source>is not glTF, neither binary nor JSON</source>
+        <translation>ist kein glTF, weder binär noch JSON</translation>
+    </message>
+    <message>
+        <source>.glb and .gltf</source>
+        <translation>.glb und .gltf</translation>
+    </message>
+    <message>
+        <source>is not valid glTF: %1</source>
+        <translation>ist kein gültiges glTF: %1</translation>
+    </message>
+    <message>
+        <source>is no valid glTF: %1</source>
+        <translation>ist kein gültiges glTF: %1</translation>
+    </message>
+    <message>
+        <source>refers to element %1 of &quot;%2&quot;, which has %3</source>
+        <translation>verweist auf Element %1 von „%2“, das %3 hat</translation>
+    </message>
+    <message>
+        <source>element %1 of &quot;%2&quot; is not an object</source>
+        <translation>Element %1 von „%2“ ist kein Objekt</translation>
+    </message>
+    <message>
+        <source>%1 is not an index or a size</source>
+        <translation>%1 ist weder Nummer noch Größe</translation>
+    </message>
+    <message>
+        <source>positions that are not plain float32</source>
+        <translation>Positionen, die nicht einfaches float32 sind</translation>
+    </message>
+    <message>
+        <source>the importer&apos;s answer is incomplete</source>
+        <translation>die Antwort des Leseprogramms ist unvollständig</translation>
+    </message>
+    <message>
+        <source>reading it was cancelled</source>
+        <translation>das Lesen wurde abgebrochen</translation>
+    </message>
+    <message>
+        <source>reading it took longer than the limit of %1 s</source>
+        <translation>das Lesen dauerte länger als die Grenze von %1 s</translation>
+    </message>
+    <message>
+        <source>output exceeds the memory limit</source>
+        <translation>die Ausgabe überschreitet die Speichergrenze</translation>
+    </message>
+    <message>
+        <source>cannot be started</source>
+        <translation>lässt sich nicht starten</translation>
+    </message>
+    <message>
+        <source>cannot be started: %1</source>
+        <translation>lässt sich nicht starten: %1</translation>
+    </message>
+    <message>
+        <source>cannot be awaited: %1</source>
+        <translation>das Ende lässt sich nicht abwarten: %1</translation>
+    </message>
+    <message>
+        <source>cannot be received: %1</source>
+        <translation>lässt sich nicht empfangen: %1</translation>
+    </message>
+    <message>
+        <source>cannot create a pipe: %1</source>
+        <translation>eine Pipe lässt sich nicht anlegen: %1</translation>
+    </message>
+    <message>
+        <source>the importer ended with %1</source>
+        <translation>das Leseprogramm endete mit %1</translation>
+    </message>
+    <message>
+        <source>status %1</source>
+        <translation>Status %1</translation>
+    </message>
+    <message>
+        <source>the file is broken, or needs more memory than the limit of %1 MiB</source>
+        <translation>die Datei ist beschädigt, oder braucht mehr Speicher als die Grenze von %1 MiB</translation>
+    </message>
+    <message>
+        <source>needs more memory than the limit of %1 MiB</source>
+        <translation>braucht mehr Speicher als die Grenze von %1 MiB</translation>
+    </message>
+    <message>
+        <source>the file&apos;s up axis is neither +y nor +z; z is assumed</source>
+        <translation>die Achse der Datei nach oben ist weder +y noch +z; z wird angenommen</translation>
+    </message>
+    <message>
+        <source>left out: %1</source>
+        <translation>weggelassen: %1</translation>
+    </message>
+    <message>
+        <source>hierarchy and textures left out: %1</source>
+        <translation>Hierarchie und Texturen weggelassen: %1</translation>
+    </message>
+    <message>
+        <source>the texture &quot;%1&quot;, missing, outside the model&apos;s folder, or neither PNG, JPEG nor WebP</source>
+        <translation>die Textur „%1“, die fehlt, außerhalb des Modellordners liegt, oder weder PNG, JPEG noch WebP ist</translation>
+    </message>
+    <message>
+        <source>the image &quot;%1&quot;, missing, outside the model&apos;s folder, or neither PNG, JPEG nor WebP</source>
+        <translation>das Bild „%1“, das fehlt, außerhalb des Modellordners liegt, oder weder PNG, JPEG noch WebP ist</translation>
+    </message>
+    <message>
+        <source>names &quot;%1&quot;, which is outside its folder</source>
+        <translation>nennt „%1“, das außerhalb ihres Ordners liegt</translation>
+    </message>
+    <message>
+        <source>files in the folder of the model or below it</source>
+        <translation>Dateien im Ordner des Modells oder darunter</translation>
+    </message>
+    <message>
+        <source>the extension %1</source>
+        <translation>die Erweiterung %1</translation>
+    </message>
+    <message>
+        <source>skins (geometry is in bind pose)</source>
+        <translation>Skins (die Geometrie ist in Grundstellung)</translation>
+    </message>
+    <message>
+        <source>morph target weights</source>
+        <translation>Gewichte von Morph-Zielen</translation>
+    </message>
+    <message>
+        <source>ambient and area lights</source>
+        <translation>Umgebungs- und Flächenlichter</translation>
+    </message>
+    <message>
+        <source>animations</source>
+        <translation>Animationen</translation>
+    </message>
+    <message>
+        <source>bump maps</source>
+        <translation>Höhentexturen</translation>
+    </message>
+    <message>
+        <source>maps of metalness</source>
+        <translation>Texturen des Metallischen</translation>
+    </message>
+    <message>
+        <source>maps of roughness</source>
+        <translation>Texturen der Rauheit</translation>
+    </message>
+    <message>
+        <source>maps of specular colour</source>
+        <translation>Texturen der Glanzfarbe</translation>
+    </message>
+    <message>
+        <source>it %1</source>
+        <translation>sie %1</translation>
+    </message>
+    <message>
+        <source>points left out: %1</source>
+        <translation>weggelassene Punkte: %1</translation>
+    </message>
+    <message>
+        <source>lines left out: %1</source>
+        <translation>weggelassene Linien: %1</translation>
+    </message>
+    <message>
+        <source>polygons left out, as they could not be triangulated: %1</source>
+        <translation>weggelassene Vielecke, die sich nicht in Dreiecke zerlegen ließen: %1</translation>
+    </message>
+    <message>
+        <source>meshes with bones, read in bind pose: %1</source>
+        <translation>Netze mit Knochen, in Grundstellung gelesen: %1</translation>
+    </message>
+    <message>
+        <source>mirrored meshes, winding kept as in the file: %1</source>
+        <translation>gespiegelte Netze, Umlaufsinn wie in der Datei: %1</translation>
+    </message>
+    <message>
+        <source>not drawn: the image &quot;%1&quot; %2</source>
+        <translation>nicht gezeichnet: das Bild „%1“ %2</translation>
+    </message>
+    <message>
+        <source>is a damaged JPEG: %1</source>
+        <translation>ist ein beschädigtes JPEG: %1</translation>
+    </message>
+    <message>
+        <source>is a damaged PNG: %1</source>
+        <translation>ist ein beschädigtes PNG: %1</translation>
+    </message>
+    <message>
+        <source>is a damaged WebP: its header cannot be read</source>
+        <translation>ist ein beschädigtes WebP: sein Kopf ist nicht lesbar</translation>
+    </message>
+    <message>
+        <source>is a damaged WebP</source>
+        <translation>ist ein beschädigtes WebP</translation>
+    </message>
+    <message>
+        <source>is an animated WebP</source>
+        <translation>ist ein animiertes WebP</translation>
+    </message>
+    <message>
+        <source>single pictures</source>
+        <translation>einzelne Bilder</translation>
+    </message>
+    <message>
+        <source>is a CMYK JPEG</source>
+        <translation>ist ein CMYK-JPEG</translation>
+    </message>
+    <message>
+        <source>grey and colour</source>
+        <translation>Grau und Farbe</translation>
+    </message>
+    <message>
+        <source>has %1 x %2 texels</source>
+        <translation>hat %1 x %2 Texel</translation>
+    </message>
+    <message>
+        <source>1 to %1 each way, at most %2 Mi together</source>
+        <translation>1 bis %1 in jeder Richtung, zusammen höchstens %2 Mi</translation>
+    </message>
+    <message>
+        <source>is of the kind %1</source>
+        <translation>ist von der Art %1</translation>
+    </message>
+    <message>
+        <source>an accessor has the component type %1</source>
+        <translation>ein Accessor hat den Komponententyp %1</translation>
+    </message>
+    <message>
+        <source>an accessor is no scalar and no vector</source>
+        <translation>ein Accessor ist weder Skalar noch Vektor</translation>
+    </message>
+    <message>
+        <source>an accessor is sparse</source>
+        <translation>ein Accessor ist dünn besetzt</translation>
+    </message>
+    <message>
+        <source>an accessor extends beyond its buffer</source>
+        <translation>ein Accessor reicht über seinen Puffer hinaus</translation>
+    </message>
+    <message>
+        <source>a primitive refers to a vertex that it has not</source>
+        <translation>ein Grundelement verweist auf eine Ecke, die es nicht hat</translation>
+    </message>
 </context>
 <context>
     <name>results</name>

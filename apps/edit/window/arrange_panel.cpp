@@ -4,6 +4,7 @@
 #include <QHBoxLayout>
 #include <QLocale>
 
+#include "apps/edit/document/words.h"
 #include "core/base/error.h"
 
 namespace trivet::edit {
@@ -213,7 +214,7 @@ void ArrangePanel::load_problem() {
   try {
     m_document.load_wishes(file.toStdString());
   } catch (const Error& e) {
-    Q_EMIT m_document.message(Message{Message::Kind::Error, e.what(), {}, {}});
+    Q_EMIT m_document.message(Message{Message::Kind::Error, english_in_words(e.what()), {}, {}});
   }
 }
 

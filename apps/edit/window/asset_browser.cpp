@@ -11,7 +11,6 @@
 #include <QUrl>
 #include <QVBoxLayout>
 
-#include "apps/edit/window/asset_facts.h"
 #include "apps/edit/window/icons.h"
 #include "apps/edit/window/units.h"
 
@@ -22,9 +21,13 @@ constexpr int kModelRole = Qt::UserRole;
 constexpr int kIconPx = 88, kCellPx = 108;
 constexpr int kSettleMs = 80;  // after scrolling, until pictures are asked for
 
+Asset asset_of(const QString& file, const AssetInfo& info, const FolderChoice& chosen) {
+  return {file, chosen.metres > 0 ? chosen.metres : info.metres, chosen.up.value_or(info.up)};
+}
+
 /// With a row for each fact.
 QString facts_text(const QString& file, const AssetInfo& info) {
-  return QStringList{file, size_text(info), up_text(info), info.notes.join('\n')}
+  return QStringList{file, size_text(info), up_text(info), notes_text(info).join('\n')}
       .join('\n')
       .trimmed();
 }
@@ -152,7 +155,7 @@ void AssetBrowser::add_folder(const QString& folder) {
 }
 
 void AssetBrowser::forget_folder() {
-  choose_unit(0);
+  FolderChoice().remember(folder());
   m_folders->removeItem(m_folders->currentIndex());
   save_folders();
   if (m_folders->count() == 0) show_folder();
@@ -208,7 +211,7 @@ void AssetBrowser::show_item(QListWidgetItem& item) {
   else
     item.setIcon(make_icon(Icon::Import, m_theme.faint_text()));
   item.setData(Qt::ForegroundRole, is_bad ? QVariant(m_theme.refused()) : QVariant());
-  item.setToolTip(is_bad ? info->error : info ? facts_text(file, *info) : file);
+  item.setToolTip(is_bad ? notes_text(*info).join('\n') : info ? facts_text(file, *info) : file);
 }
 
 void AssetBrowser::show_file(const QString& file) {
@@ -221,17 +224,16 @@ void AssetBrowser::show_made(const QString& file) {
   const auto waiting = m_waiting.extract(file);
   if (waiting.empty() || !known) return;
   const AssetInfo info = *known;
-  if (!info.error.isEmpty()) return Q_EMIT refused(info.error);
-  for (const Waiting& one : waiting.mapped())
-    one.then({file, one.chosen > 0 ? one.chosen : info.metres, info.up});
+  if (!info.error.isEmpty()) return Q_EMIT refused(notes_text(info).join('\n'));
+  for (const Waiting& one : waiting.mapped()) one.then(asset_of(file, info, one.chosen));
 }
 
 // A bad one is read again: there may have been no time for it, or it may have been mended.
 void AssetBrowser::with_asset(const QString& file, std::function<void(const Asset&)> then) {
-  const double chosen = m_unit->currentData().toDouble();
+  const FolderChoice chosen{m_unit->currentData().toDouble(), FolderChoice::up_of(file, folder())};
   const AssetInfo* const info = m_thumbnails.find(file);
   if (info && info->error.isEmpty() && m_thumbnails.is_current(file))
-    return then({file, chosen > 0 ? chosen : info->metres, info->up});
+    return then(asset_of(file, *info, chosen));
   m_thumbnails.forget(file);
   m_waiting[file].push_back({chosen, std::move(then)});
   want_seen();

@@ -10,6 +10,7 @@
 #include <QWidget>
 #include <functional>
 
+#include "apps/edit/window/asset_facts.h"
 #include "apps/edit/window/asset_thumbnails.h"
 #include "apps/edit/window/theme.h"
 
@@ -30,7 +31,7 @@ class AssetList : public QListWidget {
 struct Asset {
   QString file;
   double metres = 1;      // per unit: as chosen for its folder, else stated or likely
-  UpAxis up = UpAxis::Z;  // stated or likely
+  UpAxis up = UpAxis::Z;  // as chosen for its folder, else stated or likely
 };
 
 class AssetBrowser : public QWidget {
@@ -82,7 +83,7 @@ class AssetBrowser : public QWidget {
   QHash<QString, QListWidgetItem*> m_items;  // by file
   QTimer m_scrolled;
   struct Waiting {
-    double chosen;  // metres per unit; 0: as likely
+    FolderChoice chosen;
     std::function<void(const Asset&)> then;
   };
   std::map<QString, std::vector<Waiting>> m_waiting;  // by file

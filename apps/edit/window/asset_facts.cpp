@@ -1,10 +1,14 @@
 #include "apps/edit/window/asset_facts.h"
 
 #include <QCoreApplication>
+#include <QDir>
+#include <QFileInfo>
 #include <QLocale>
 #include <QSettings>
 #include <QStandardPaths>
 #include <QUrl>
+
+#include "apps/edit/document/words.h"
 
 namespace trivet::edit {
 namespace {
@@ -42,6 +46,13 @@ QString up_text(const AssetInfo& info) {
       .arg(axis);
 }
 
+QStringList notes_text(const AssetInfo& info) {
+  QStringList out;
+  for (const QString& note : info.error.isEmpty() ? info.notes : QStringList(info.error))
+    out << QString::fromStdString(english_in_words(note.toStdString()));
+  return out;
+}
+
 QString picture_cache() {
   const QString cache = QStandardPaths::writableLocation(QStandardPaths::CacheLocation);
   return cache.isEmpty() ? cache : cache + "/models";
@@ -53,6 +64,17 @@ FolderChoice FolderChoice::of(const QString& folder) {
   const QString up = QSettings().value(settings_key("up", folder)).toString();
   if (!up.isEmpty()) out.up = up == "y" ? UpAxis::Y : UpAxis::Z;
   return out;
+}
+
+std::optional<UpAxis> FolderChoice::up_of(const QString& file, const QString& top) {
+  const QString last = QDir(top).absolutePath();
+  QString folder = QFileInfo(file).absolutePath();
+  for (;;) {
+    if (const auto up = of(folder).up) return up;
+    const QString above = QFileInfo(folder).absolutePath();
+    if (folder == last || above == folder) return std::nullopt;
+    folder = above;
+  }
 }
 
 void FolderChoice::remember(const QString& folder) const {

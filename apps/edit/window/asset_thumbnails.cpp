@@ -229,7 +229,7 @@ AssetInfo AssetThumbnails::info_of(const QString& file) const {
 AssetInfo AssetThumbnails::made_of(const QString& file) const {
   AssetInfo info;
   try {
-    const Model model = import_model(file.toStdString(), m_limits);
+    const Model model = import_model(file.toStdString(), m_limits, {}, &m_stop);
     const Aabb box = model.mesh.box();
     info.size = box.upper - box.lower;
     if (!model.metres_per_unit) info.unit = likely_unit(box);

@@ -47,7 +47,7 @@ class AssetThumbnails : public QObject {
   explicit AssetThumbnails(QString cache, ImportLimits limits = {}, QObject* parent = nullptr);
   /// These limits, or less: for folders, of which a single large model may not hold up the others.
   static ImportLimits quick(ImportLimits limits);
-  /// Waits for the model that is being read.
+  /// Stops what reads a model.
   ~AssetThumbnails() override;
 
   /// Lists the models in the folder and below: listed(). An older list that is not done is given

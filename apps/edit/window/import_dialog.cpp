@@ -158,8 +158,9 @@ void ImportDialog::show_info(int number, const AssetInfo& info) {
   for (QWidget* const widget : std::initializer_list<QWidget*>{row.unit, row.scale, row.up})
     widget->setEnabled(!is_bad);
   QTableWidgetItem* const notes = m_table->item(number, kNotes);
-  notes->setText(is_bad ? info.error : info.notes.join("; "));
-  notes->setToolTip(is_bad ? info.error : info.notes.join('\n'));
+  const QStringList said = notes_text(info);
+  notes->setText(said.join("; "));
+  notes->setToolTip(said.join('\n'));
   if (is_bad) return notes->setForeground(Qt::red);
   m_table->item(number, kModel)->setIcon(QPixmap::fromImage(info.picture));
   m_table->item(number, kSize)->setText(size_text(info));

@@ -57,9 +57,10 @@ void Painter::run() {
       QElapsedTimer timer;
       timer.start();
       const QImage image = qt_image(live.draw(request->scene, request->camera, request->options));
-      const bool once = live.work().still_kept && !request->options.coarse;
+      const LiveView::Work& work = live.work();
+      const bool whole = request->options.coarse || !(work.still_kept || work.still_reused);
       Q_EMIT painted(request->view, request->number, image, 1e-6 * double(timer.nsecsElapsed()),
-                     once);
+                     whole);
     }
   } catch (const std::exception& error) {
     Q_EMIT failed(QString::fromUtf8(error.what()));

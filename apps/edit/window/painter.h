@@ -34,8 +34,9 @@ class Painter : public QObject {
   QString device() const { return m_device; }
 
  Q_SIGNALS:
-  /// @param once  a draft reused by the following ones: they are faster until the camera moves.
-  void painted(int view, quint64 number, const QImage& image, double milliseconds, bool once);
+  /// @param whole  of drafts: the next one takes as long. Otherwise it reuses, or is reused by,
+  ///   others: in another resolution all of it would have to be drawn again.
+  void painted(int view, quint64 number, const QImage& image, double milliseconds, bool whole);
   /// Drawing is impossible: no graphics driver is available.
   void failed(const QString& why);
 

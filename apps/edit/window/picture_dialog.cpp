@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <map>
 
+#include "apps/edit/document/words.h"
 #include "core/picture/image.h"
 #include "gpu/egl/egl_context.h"
 #include "gpu/egl/graphics_hardware.h"
@@ -57,7 +58,7 @@ void PictureJob::run() {
   } catch (const Cancelled&) {
     Q_EMIT done(false, QString());
   } catch (const std::exception& error) {
-    Q_EMIT done(false, QString::fromUtf8(error.what()));
+    Q_EMIT done(false, QString::fromStdString(english_in_words(error.what())));
   }
 }
 

@@ -83,9 +83,6 @@ bool SceneDrawing::stops_drag(const ObjectSnapshot& object) const {
 
 LiveColour SceneDrawing::tint_of(const ObjectSnapshot& object) const {
   const auto snapshot = m_document.snapshot();
-  // A table that stops it may fill the picture: of what is fixed, faces and points are lit alone.
-  if (stops_drag(object) && !object->fixed)
-    return live_colour(m_theme.refused(), strength(0.45f, !snapshot->drag->faces.empty()));
   const bool is_lit =
       std::find(m_lit.objects.begin(), m_lit.objects.end(), object.id) != m_lit.objects.end();
   const bool warns = m_lit.kind == Message::Kind::Warning;
@@ -127,6 +124,7 @@ LiveScene SceneDrawing::scene(const View& view) const {
     live.outlined = m_document.selection().contains(object.id);
     live.moving = m_playback.moves(object.id) || is_dragged(object.id);
     out.objects.push_back(std::move(live));
+    add_in_the_way(object, out);
   }
   add_ghost(out);
   if (!m_playback.is_on()) add_arrangement(m_document, m_theme, out);
@@ -141,6 +139,18 @@ LiveScene SceneDrawing::scene(const View& view) const {
     out.overlay.points.push_back(
         {point, live_colour(m_theme.refused()), m_lit.faces.empty() ? 6.0f : 4.0f, Hidden::Shown});
   return out;
+}
+
+// What stops the drag is drawn once more, as if it moved: what stands still need not be drawn again
+// whenever it is touched. A table may fill the picture: of what is fixed, faces and points are lit
+// alone.
+void SceneDrawing::add_in_the_way(const ObjectSnapshot& object, LiveScene& scene) const {
+  if (!stops_drag(object) || object->fixed) return;
+  LiveObject again = scene.objects.back();
+  again.tint =
+      live_colour(m_theme.refused(), strength(0.45f, !m_document.snapshot()->drag->faces.empty()));
+  again.moving = true;
+  scene.objects.push_back(std::move(again));
 }
 
 void SceneDrawing::add_ghost(LiveScene& scene) const {

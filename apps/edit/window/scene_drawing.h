@@ -48,6 +48,7 @@ class SceneDrawing : public QObject {
   bool stops_drag(const ObjectSnapshot& object) const;
   LiveColour tint_of(const ObjectSnapshot& object) const;
   LiveColour look_of(const ObjectSnapshot& object) const;
+  void add_in_the_way(const ObjectSnapshot& object, LiveScene& scene) const;
   void add_ghost(LiveScene& scene) const;
 
   // scene_marks.cpp

@@ -83,8 +83,6 @@ bool SceneView::camera_moves() const {
 bool SceneView::is_in_motion() const { return camera_moves() || m_drawing.is_moving(); }
 
 void SceneView::redraw() {
-  m_cut = section_depth(*m_document.snapshot(), m_document.selection(), m_camera.view(size()),
-                        m_section, m_document.looks().hidden());
   ++m_wanted;
   request();
 }
@@ -106,13 +104,15 @@ void SceneView::request() {
   PaintRequest request;
   request.view = static_cast<int>(m_kind);
   request.number = m_requested = m_wanted;
+  m_cut = section_depth(*m_document.snapshot(), m_document.selection(), m_camera.view(size()),
+                        m_section, m_document.looks().hidden());
   request.scene = m_drawing.scene(view());
   request.camera = m_camera.camera();
   request.camera.cut = m_cut;
   LiveOptions& options = request.options;
   options.draft = m_requested_draft = is_in_motion();
   options.coarse = options.draft && camera_moves();
-  const int coarse = options.draft ? m_coarseness : 1;
+  const int coarse = options.draft ? coarseness() : 1;
   const double ratio = devicePixelRatioF() / coarse;
   options.width = std::max(static_cast<int>(std::lround(width() * ratio)), 1);
   options.height = std::max(static_cast<int>(std::lround(height() * ratio)), 1);
@@ -124,8 +124,10 @@ void SceneView::request() {
   m_painter.paint(std::move(request));
 }
 
+int& SceneView::coarseness() { return camera_moves() ? m_camera_coarseness : m_coarseness; }
+
 void SceneView::take(int view, quint64 number, const QImage& image, double milliseconds,
-                     bool once) {
+                     bool whole) {
   if (view != static_cast<int>(m_kind)) return;
   m_waiting = false;
   m_image = image;
@@ -133,8 +135,9 @@ void SceneView::take(int view, quint64 number, const QImage& image, double milli
   m_shown_is_draft = m_requested_draft;
   m_picture_ms = milliseconds;
   if (m_shown_is_draft) {
-    if (milliseconds > kSlowDraftMs && !once) m_coarseness = std::min(m_coarseness + 1, kCoarsest);
-    if (milliseconds < kQuickDraftMs) m_coarseness = std::max(m_coarseness - 1, 1);
+    int& coarse = coarseness();
+    if (milliseconds > kSlowDraftMs && whole) coarse = std::min(coarse + 1, kCoarsest);
+    if (milliseconds < kQuickDraftMs && whole) coarse = std::max(coarse - 1, 1);
     m_calm.start();
   }
   update();

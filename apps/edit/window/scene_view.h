@@ -65,7 +65,8 @@ class SceneView : public QWidget {
   bool camera_moves() const;
   bool is_in_motion() const;
   void request();
-  void take(int view, quint64 number, const QImage& image, double milliseconds, bool once);
+  int& coarseness();
+  void take(int view, quint64 number, const QImage& image, double milliseconds, bool whole);
   bool send(PointerEvent::Kind kind, const QMouseEvent& event);
   void paint_label(QPainter& painter, const QRectF& box, int flags, const QString& text,
                    const QColor& colour) const;
@@ -90,7 +91,8 @@ class SceneView : public QWidget {
   QString m_failure;
   quint64 m_wanted = 0, m_requested = 0, m_shown = 0;  // picture numbers
   bool m_waiting = false, m_requested_draft = false, m_shown_is_draft = true;
-  int m_coarseness = 1;  // of drafts: screen pixels per pixel
+  // Screen pixels per pixel of drafts: while objects move, while the camera moves.
+  int m_coarseness = 1, m_camera_coarseness = 1;
   double m_picture_ms = 0;
   CameraDrag m_camera_drag = CameraDrag::None;
   QPointF m_last_position, m_pressed_at;

@@ -206,5 +206,75 @@ TEST_F(UndoingLooks, KeepsTheOrderWhileTheDocumentIsBusy) {
   EXPECT_NEAR(document.object("b").pose.translation.x(), 0.4, 1e-6);
 }
 
+// Whatever is changed while an undo waits: the undone change is not shown, nor brought back.
+TEST_F(UndoingLooks, TakesBackWhatWasUndoneWhileOthersAreMade) {
+  change("a", red, "colour");
+  const size_t before = document->history().num_done;
+  for (const std::string name : {"b", "a"}) {
+    document->undo();
+    Looks looks = document->looks();
+    looks.change(document.id(name), hidden);
+    document->set_looks(looks, "hide");
+    ASSERT_TRUE(document->wait_until_idle());
+    EXPECT_EQ(look("a"), name == "a" ? hidden : Look());
+    EXPECT_EQ(look("b"), name == "b" ? hidden : Look());
+    EXPECT_EQ(document->history().num_done, before);
+    undo();
+    EXPECT_EQ(look("a"), Look());
+    EXPECT_EQ(look("b"), Look());
+    redo();
+    EXPECT_EQ(look(name), hidden);
+    undo();
+    change("a", red, "colour");
+  }
+}
+
+// Undo and redo that wait, with changes between them: as if each had been waited for.
+TEST_F(UndoingLooks, AreTheSameWhetherTheyWaitOrNot) {
+  std::mt19937 random(11);
+  const size_t start = document->history().num_done;
+  int num_changes = 0, num_moves = 0;
+  for (int round = 0; round < trivet::test::with_effort(60); ++round) {
+    Looks shown[2];
+    const auto seed = static_cast<std::mt19937::result_type>(random());
+    for (const bool waits : {true, false}) {
+      ASSERT_TRUE(document.done(document->go_to_step(start)));
+      std::mt19937 actions(seed);
+      size_t done = 0, undone = 0;
+      std::string said;  // what was done
+      for (int i = 0; i < 12; ++i) {
+        const auto what = actions() % 4;
+        const std::string name = actions() % 2 ? "a" : "b";
+        if (what == 0 && done > 0) {
+          document->undo();
+          --done, ++undone, ++num_moves;
+          said += " undo";
+        } else if (what == 1 && undone > 0) {
+          document->redo();
+          ++done, --undone, ++num_moves;
+          said += " redo";
+        } else if (what >= 2) {
+          Looks now = document->looks();
+          now.change(document.id(name), {what == 3, false, LookColour{0.01f * float(i), 0, 0}});
+          document->set_looks(now, "look");
+          ++done, ++num_changes;
+          undone = 0;
+          said += " " + name;
+        }
+        if (waits) {
+          ASSERT_TRUE(document->wait_until_idle());
+          ASSERT_EQ(document->history().num_done, start + done) << said;
+        }
+      }
+      ASSERT_TRUE(document->wait_until_idle());
+      EXPECT_EQ(document->history().num_done, start + done) << said;
+      shown[waits] = document->looks();
+    }
+    EXPECT_EQ(shown[0], shown[1]) << "round " << round;
+  }
+  EXPECT_GT(num_changes, 100 * trivet::test::with_effort(60) / 60);
+  EXPECT_GT(num_moves, 100 * trivet::test::with_effort(60) / 60);
+}
+
 }  // namespace
 }  // namespace trivet::edit::test

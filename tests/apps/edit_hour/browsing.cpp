@@ -102,6 +102,17 @@ void browse_models(Document& document, MainWindow& window, User& user, const QSt
   QTRY_VERIFY_WITH_TIMEOUT(document.snapshot()->find("brick_3"), kPatienceMs);
   QVERIFY(user.wait());
   QCOMPARE(user.object("brick_3").scale, 1.0);
+  // The axis of the nearest folder for which one was chosen, whatever is likely.
+  FolderChoice{0.0254, UpAxis::Y}.remember(folder);
+  double_click_asset(window, "crate");
+  QTRY_VERIFY_WITH_TIMEOUT(document.snapshot()->find("crate"), kPatienceMs);
+  QVERIFY(user.wait());
+  QVERIFY(user.object("crate").up == UpAxis::Y);
+  FolderChoice{0, UpAxis::Z}.remember(folder + "/below");
+  double_click_asset(window, "crate");
+  QTRY_VERIFY_WITH_TIMEOUT(document.snapshot()->find("crate_2"), kPatienceMs);
+  QVERIFY(user.wait());
+  QVERIFY(user.object("crate_2").up == UpAxis::Z);
   double_click_asset(window, "bad");
   QTRY_VERIFY_WITH_TIMEOUT(window.message_bar().isVisible(), kPatienceMs);
   QVERIFY(user.wait());

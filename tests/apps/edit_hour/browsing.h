@@ -15,6 +15,8 @@ void forget_errors(const QString& folder);
 void collect_objects(Document& document, MainWindow& window, User& user, const QString& folder);
 /// Of several files each has a row; what is chosen is remembered for their folder.
 void import_files(Document& document, MainWindow& window, User& user, const QString& folder);
+/// Closing the import dialog stops what reads a file.
+void stop_reading(const QString& folder);
 void drop_files(Document& document, MainWindow& window, User& user, const QString& folder);
 
 }  // namespace trivet::edit::test

@@ -1,10 +1,14 @@
 // Files dropped onto the window: what the import dialog tells of each, and what it remembers.
+#include <signal.h>
+
 #include <QComboBox>
 #include <QDialogButtonBox>
+#include <QElapsedTimer>
 #include <QFile>
 #include <QPushButton>
 #include <QTableWidget>
 
+#include "apps/edit/window/import_dialog.h"
 #include "apps/edit_document/boxes.h"
 #include "apps/edit_hour/browsing.h"
 #include "apps/edit_hour/dragging.h"
@@ -89,6 +93,36 @@ void import_files(Document& document, MainWindow& window, User& user, const QStr
   QTRY_VERIFY_WITH_TIMEOUT(user.object("brick").up == UpAxis::Z, kPatienceMs);
   document.go_to_step(0);
   QVERIFY(user.wait());
+}
+
+// The dialog is closed while a program reads a file, which would take 1,000 s.
+void stop_reading(const QString& folder) {
+  QVERIFY(QDir().mkpath(folder));
+  const QStringList files = write_files(folder);
+  const QString importer = folder + "/importer", number = folder + "/process";
+  QFile program(importer);
+  QVERIFY(program.open(QIODevice::WriteOnly));
+  program.write("#!/bin/sh\necho $$ > " + number.toUtf8() + ".new\nmv " + number.toUtf8() +
+                ".new " + number.toUtf8() + "\nexec sleep 1000\n");
+  program.close();
+  QVERIFY(program.setPermissions(QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner));
+  ImportLimits limits;
+  limits.importer = importer.toStdString();
+  limits.max_seconds = 1000;
+  QElapsedTimer timer;
+  {
+    ImportDialog dialog(files, "", limits);
+    dialog.show();
+    QVERIFY(QTest::qWaitFor([&] { return QFile::exists(number); }, kPatienceMs));
+    timer.start();
+    dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Cancel)->click();
+    QCOMPARE(dialog.result(), int{QDialog::Rejected});
+  }
+  QVERIFY(timer.elapsed() < kPatienceMs);
+  QFile process(number);
+  QVERIFY(process.open(QIODevice::ReadOnly));
+  const int id = process.readAll().trimmed().toInt();
+  QVERIFY(id > 0 && kill(id, 0) != 0 && errno == ESRCH);
 }
 
 }  // namespace trivet::edit::test

@@ -50,6 +50,7 @@ class TestHour : public QObject {
   void browses_models();
   void collects_objects();
   void imports_files();
+  void stops_reading();
   void drops_files();
   void works_an_hour();
   void shows_all_texts();
@@ -131,6 +132,11 @@ void TestHour::collects_objects() {
 void TestHour::imports_files() {
   if (m_kind.only_hour) QSKIP("--hour");
   import_files(*m_document, *m_window, *m_user, m_folder.filePath("imported"));
+}
+
+void TestHour::stops_reading() {
+  if (m_kind.only_hour) QSKIP("--hour");
+  stop_reading(m_folder.filePath("stopped"));
 }
 
 void TestHour::drops_files() {
