@@ -61,10 +61,12 @@ class PlaceSearch {
   }
 
   Places run(const DropBracketFunction& brackets) {
-    const HeightMap underside = underside_on_grid();
+    HeightMap underside = underside_on_grid();
     const HeightMap support = top_of_support(underside);
     const auto on = brackets(underside, support, m_columns, m_rows);
     HeightMap rest = top_of_others(underside);
+    // Of the others only lower bounds are asked for: nothing is met on any line.
+    std::fill(underside.sample.begin(), underside.sample.end(), static_cast<float>(kInfinity));
     if (!(m_keep > 0)) {
       sort_out(support, on, brackets(underside, rest, m_columns, m_rows));
       return std::move(m_out);

@@ -18,7 +18,10 @@ constexpr double kTotalFriction = 10;    // of all contacts together, in weights
 constexpr double kSameNormal = 0.999;    // cosine
 constexpr size_t kProgramContacts = 40;  // of the first linear program
 constexpr size_t kMoreContacts = 8;      // that join it at once
-constexpr double kGain = 1e-6;  // of a force that joins, in parts of itself; CLP knows 1e-7
+constexpr double kGain = 1e-6;      // of a force that joins, in parts of itself; CLP knows 1e-7
+constexpr size_t kFewContacts = 8;  // what they clearly miss is told without a program
+constexpr double kClearlyMissing = 1e-5;  // beyond twice what is tolerated
+constexpr double kNoWork = 1e-13;         // of a force in a motion: rounding
 
 double distance_to_segment(const Vec2& p, const Vec2& a, const Vec2& b) {
   const Vec2 d = b - a;
@@ -88,6 +91,75 @@ struct Weight {
   }
 };
 
+/// Motions at which the weight sinks and no force of a contact works against it. Turned round they
+/// are prices of force and torque that no force is worth: what they give for the weight is less
+/// than the program's cost.
+class SinkingMotions {
+ public:
+  SinkingMotions(const Weight& weight, const std::vector<FrictionContact>& contacts, double enough)
+      : m_weight(weight), m_contacts(contacts), m_enough(enough) {
+    m_forces.resize(contacts.size());
+    for (size_t i = 0; i < contacts.size(); ++i) {
+      m_forces[i].reserve(9);
+      weight.for_each_force(contacts[i], [&](const auto& entries) {
+        Prices& force = m_forces[i].emplace_back();
+        for (int row = 0; row < 6; ++row) force[row] = entries[static_cast<size_t>(row)].value;
+      });
+    }
+  }
+
+  double least_missing() {
+    for (size_t i = 0; i < m_contacts.size(); ++i) {
+      slide(m_contacts[i]);
+      const Vec3 r = m_weight.centre - m_contacts[i].point;
+      turn(i, i, Vec3(r.y(), -r.x(), 0));
+      for (size_t j = i + 1; j < m_contacts.size(); ++j)
+        turn(i, j, m_contacts[j].point - m_contacts[i].point);
+    }
+    return m_best;
+  }
+
+ private:
+  using Prices = Eigen::Matrix<double, 6, 1>;
+
+  // Down the slope, and so far from it that friction does not hinder.
+  void slide(const FrictionContact& c) {
+    const Vec3 down = c.normal.z() * c.normal - Vec3::UnitZ();
+    const double length = down.norm();
+    if (!(length > 0)) return;
+    Prices rising = Prices::Zero();
+    rising.head<3>() = -(down / length + c.friction * c.normal);
+    offer(rising, m_contacts.size(), m_contacts.size());
+  }
+
+  void turn(size_t i, size_t j, Vec3 axis) {
+    const double length = axis.norm();
+    if (!(length > 0)) return;
+    axis /= length;
+    const Vec3 speed = axis.cross(m_weight.centre - m_contacts[i].point);
+    Prices rising;
+    rising << speed, m_weight.size * axis;
+    offer(speed.z() < 0 ? Prices(-rising) : rising, i, j);
+  }
+
+  // Forces at pivots do no work.
+  void offer(const Prices& rising, size_t pivot, size_t other) {
+    const double largest = rising.cwiseAbs().maxCoeff();
+    if (!(rising.z() > m_best * largest) || m_best > m_enough) return;
+    for (size_t k = 0; k < m_forces.size(); ++k)
+      if (k != pivot && k != other)
+        for (const Prices& force : m_forces[k])
+          if (force.dot(rising) > kNoWork * largest) return;
+    m_best = rising.z() / largest;
+  }
+
+  const Weight m_weight;
+  const std::vector<FrictionContact>& m_contacts;
+  const double m_enough;
+  std::vector<std::vector<Prices>> m_forces;  // of each contact
+  double m_best = 0;
+};
+
 // The farthest from what is chosen already, again and again.
 template <class Point>
 std::vector<Point> farthest(const std::vector<Point>& points, size_t limit) {
@@ -154,6 +226,14 @@ std::vector<Point> reduced_points(const std::vector<Point>& contacts, size_t lim
   return out.size() <= limit ? out : farthest(out, limit);
 }
 
+std::vector<FrictionContact> with_friction(const std::vector<ContactPoint>& contacts,
+                                           double friction) {
+  std::vector<FrictionContact> out;
+  out.reserve(contacts.size());
+  for (const ContactPoint& c : contacts) out.push_back({c, friction});
+  return out;
+}
+
 }  // namespace
 
 double hull_margin(const std::vector<Vec2>& points, const Vec2& centre) {
@@ -187,9 +267,7 @@ double friction_margin(const std::vector<FrictionContact>& contacts, const Vec3&
 
 double equilibrium_residual(const std::vector<ContactPoint>& contacts, const Vec3& centre,
                             double size, double friction, double enough) {
-  std::vector<FrictionContact> same;
-  for (const ContactPoint& c : contacts) same.push_back({c, friction});
-  return friction_residual(same, centre, size, enough);
+  return friction_residual(with_friction(contacts, friction), centre, size, enough);
 }
 
 double friction_residual(const std::vector<FrictionContact>& contacts, const Vec3& centre,
@@ -210,10 +288,23 @@ double friction_residual(const std::vector<FrictionContact>& contacts, const Vec
   }
 }
 
+double least_missing(const std::vector<FrictionContact>& contacts, const Vec3& centre, double size,
+                     double enough) {
+  return SinkingMotions({centre, size}, contacts, enough).least_missing();
+}
+
+bool forces_balance(const std::vector<FrictionContact>& contacts, const Vec3& centre, double size,
+                    double enough) {
+  const double clearly = 2 * enough + kClearlyMissing;
+  if (contacts.size() <= kFewContacts && least_missing(contacts, centre, size, clearly) > clearly)
+    return false;
+  return friction_residual(contacts, centre, size, enough) <= enough;
+}
+
 double least_friction(const std::vector<ContactPoint>& contacts, const Vec3& centre, double size,
                       double tolerance) {
   const auto holds = [&](double friction) {
-    return equilibrium_residual(contacts, centre, size, friction, tolerance) <= tolerance;
+    return forces_balance(with_friction(contacts, friction), centre, size, tolerance);
   };
   if (carrying_margin(contacts, centre, 1 - 1e-9) >= 0 || holds(0)) return 0;
   if (!holds(kLargestFriction)) return kInfinity;
@@ -240,8 +331,8 @@ double residual_tolerance(double size, double clearance) {
 bool is_balanced(const std::vector<ContactPoint>& contacts, const Vec3& centre, double size,
                  double clearance) {
   if (carrying_margin(contacts, centre) >= kRestMargin * size) return true;
-  const double enough = residual_tolerance(size, clearance);
-  return equilibrium_residual(contacts, centre, size, kLargestFriction, enough) <= enough;
+  return forces_balance(with_friction(contacts, kLargestFriction), centre, size,
+                        residual_tolerance(size, clearance));
 }
 
 }  // namespace trivet

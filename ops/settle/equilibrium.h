@@ -43,6 +43,18 @@ double equilibrium_residual(const std::vector<ContactPoint>& contacts, const Vec
 double friction_residual(const std::vector<FrictionContact>& contacts, const Vec3& centre,
                          double size, double enough = 0);
 
+/// True if friction_residual() is at most `enough`. What a few contacts clearly cannot hold is told
+/// without a program.
+bool forces_balance(const std::vector<FrictionContact>& contacts, const Vec3& centre, double size,
+                    double enough);
+
+/// A lower bound of friction_residual(), by weak duality: a slide, or a turn about one contact or a
+/// line through two, at which the centre sinks and no force of a contact works against it, shows
+/// that forces do not hold it. O(n^3); 0: none was found.
+/// @param enough  any bound above this will do.
+double least_missing(const std::vector<FrictionContact>& contacts, const Vec3& centre, double size,
+                     double enough = kInfinity);
+
 /// Smallest friction coefficient with a residual of at most `tolerance`, to 1 %; infinity when even
 /// kLargestFriction does not do.
 double least_friction(const std::vector<ContactPoint>& contacts, const Vec3& centre, double size,

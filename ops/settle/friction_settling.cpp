@@ -78,10 +78,18 @@ class FrictionSettling {
 
   // --- rest ------------------------------------------------------------------------------------
 
+  static bool are_the_same(const std::vector<FrictionContact>& a,
+                           const std::vector<FrictionContact>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [](const FrictionContact& x, const FrictionContact& y) {
+                        return x.point == y.point && x.normal == y.normal &&
+                               x.friction == y.friction;
+                      });
+  }
+
   bool balances(const std::vector<FrictionContact>& contacts) const {
     const double enough = kTolerated * residual_tolerance(object().size, clearance());
-    return !contacts.empty() &&
-           friction_residual(contacts, object().centre, object().size, enough) <= enough;
+    return !contacts.empty() && forces_balance(contacts, object().centre, object().size, enough);
   }
 
   // No turn lowers it that no friction can hinder: it does not merely balance on a tip.
@@ -100,7 +108,8 @@ class FrictionSettling {
     const bool touches = std::any_of(near.begin(), near.end(), [&](const FrictionContact& c) {
       return c.gap <= kHoverTolerance * clearance();
     });
-    if (!touches || !balances(near) || !none_topples(m_close.empty() ? near : m_close))
+    if (!touches || are_the_same(near, m_close) || !balances(near) ||
+        !none_topples(m_close.empty() ? near : m_close))
       return Hold::No;
     if (!m_held_at) m_held_at = {m_body.here(), object().centre};
     return Hold::Nearly;

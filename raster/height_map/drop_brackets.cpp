@@ -48,10 +48,11 @@ std::vector<Tile> tiles_of(const HeightMap& object, const std::vector<float>& he
 
 // The scene with an empty margin to the right and below, so that tiles and lanes fit everywhere.
 struct Top {
-  int stride, num_rows;
+  int stride = 0, num_rows = 0;
   std::vector<float> heights;
   std::vector<float> lowest, highest;  // in the tile that begins at each pixel
 
+  Top() = default;
   Top(const HeightMap& scene, const std::vector<float>& from)
       : stride(scene.width + kSide + kLanes),
         num_rows(scene.height + kSide),
@@ -82,7 +83,9 @@ class SmallestGaps {
  public:
   SmallestGaps(const HeightMap& object, const std::vector<float>& object_heights,
                const HeightMap& scene, const std::vector<float>& scene_heights)
-      : m_tiles(tiles_of(object, object_heights)), m_top(scene, scene_heights) {}
+      : m_tiles(tiles_of(object, object_heights)) {
+    if (!m_tiles.empty()) m_top = Top(scene, scene_heights);
+  }
 
   // At the first `count` places from (column, row) on.
   // @param bounds  scratch.

@@ -59,19 +59,40 @@ std::string with_zeros_before_points(std::string_view text) {
   return out;
 }
 
-bool must_be_mended(const std::string& file) {
+// True if a point follows a blank, or what ends or continues a line. Most files have none.
+bool may_begin_with_point(std::string_view text, char before) {
+  constexpr std::string_view kNotInNumber = " \t\\\n\r";
+  for (size_t at = text.find('.'); at != std::string_view::npos; at = text.find('.', at + 1))
+    if (kNotInNumber.find(at > 0 ? text[at - 1] : before) != std::string_view::npos) return true;
+  return false;
+}
+
+// Calls f(piece) with the bytes of a file until that is true. @return whether it was.
+template <class F>
+bool in_any_piece(const std::string& file, F f) {
   std::ifstream in(file, std::ios::binary);
   std::array<char, 1 << 16> piece;
-  ObjLines lines;
-  bool first = true;
-  while (in.read(piece.data(), piece.size()) || in.gcount() > 0) {
-    const std::string_view text(piece.data(), static_cast<size_t>(in.gcount()));
-    if (first && text.starts_with(kByteOrderMark)) return true;
-    first = false;
-    for (const char c : text)
-      if (lines.reads_bare_number(c)) return true;
-  }
+  while (in.read(piece.data(), piece.size()) || in.gcount() > 0)
+    if (f(std::string_view(piece.data(), static_cast<size_t>(in.gcount())))) return true;
   return false;
+}
+
+bool must_be_mended(const std::string& file) {
+  bool marked = false, first = true;
+  char before = '\n';
+  const bool doubtful = in_any_piece(file, [&](std::string_view text) {
+    marked = first && text.starts_with(kByteOrderMark);
+    const bool found = marked || may_begin_with_point(text, before);
+    first = false;
+    before = text.back();
+    return found;
+  });
+  if (!doubtful || marked) return doubtful;
+  ObjLines lines;
+  return in_any_piece(file, [&](std::string_view text) {
+    return std::any_of(text.begin(), text.end(),
+                       [&](char c) { return lines.reads_bare_number(c); });
+  });
 }
 
 // assimp 5.2 leaves out vertices with ".5", so that faces get others; "0.5" and "-.5" it reads. The

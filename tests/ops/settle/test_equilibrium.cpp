@@ -212,6 +212,54 @@ TEST(Equilibrium, OneMoreContactNeverHurts) {
   EXPECT_LT(num_held, 190);
 }
 
+// Also of contacts at one place, above each other, in one line, under the centre, and without
+// friction.
+std::vector<FrictionContact> few_contacts(test::Random& random) {
+  std::vector<FrictionContact> out;
+  const double up = random.uniform(-1, 1.5);
+  const int n = random.integer(1, 9), kind = random.integer(0, 4);
+  for (int k = 0; k < n; ++k) {
+    Vec3 point = random.in_cube(1);
+    if (kind == 1 && k > 0) point = out[0].point;
+    if (kind == 2) point = Vec3(point.x(), 0, 0.5 * point.x());
+    if (kind == 3) point.z() = 0;
+    const Vec3 normal = kind == 3 ? Vec3::UnitZ() : Vec3(random.direction() + up * Vec3::UnitZ());
+    out.push_back({contact(point, normal), random.integer(0, 3) ? random.uniform(0, 2) : 0});
+  }
+  return out;
+}
+
+TEST(LeastMissing, IsNeverMoreThanTheProgramFinds) {
+  test::Random random(7);
+  int num_told = 0, num_missing = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const std::vector<FrictionContact> contacts = few_contacts(random);
+    const bool over_first = random.integer(0, 4) == 0;
+    Vec3 centre = random.in_cube(1);
+    if (over_first) centre.head<2>() = contacts[0].point.head<2>();
+    const double size = random.uniform(0.5, 4), enough = random.integer(0, 1) ? 1e-2 : 3e-6;
+    const double residual = friction_residual(contacts, centre, size);
+    EXPECT_LE(least_missing(contacts, centre, size), residual + 1e-6) << i;
+    EXPECT_EQ(forces_balance(contacts, centre, size, enough),
+              friction_residual(contacts, centre, size, enough) <= enough)
+        << i;
+    num_missing += residual > 0.03;
+    num_told += residual > 0.03 && least_missing(contacts, centre, size) > 0.03;
+  }
+  EXPECT_GT(num_missing, 1000);
+  EXPECT_GT(num_told, num_missing / 3);
+}
+
+// A block of ice slides down a slope, a plank tips over its support.
+TEST(LeastMissing, KnowsSlidesAndTurns) {
+  const Vec3 slope = Vec3(0.6, 0, 0.8);
+  const FrictionContact ice{contact({0, 0, 0}, slope), 0.1};
+  EXPECT_GT(least_missing({ice}, slope, 1), 0.1);
+  const FrictionContact edge{contact({0, 0, 0}, Vec3::UnitZ()), 0.5}, other{edge};
+  EXPECT_NEAR(least_missing({edge, other}, {0.25, 0, 0}, 1), 0.25, 1e-12);
+  EXPECT_EQ(least_missing({edge}, {0, 0, 1}, 1), 0);
+}
+
 // A sample of 40 contacts may leave out those that matter.
 TEST(Equilibrium, FindsResidualOfAllOfManyContacts) {
   test::Random random(6);

@@ -86,6 +86,20 @@ TEST(DropBrackets, EqualPlainLoopsAtOddSizes) {
     }
 }
 
+TEST(DropBrackets, NeedNoSamplesForLowerBounds) {
+  test::Random random(13);
+  HeightMap object = random_map(19, 11, kInf, random);
+  const HeightMap scene = random_map(40, 30, -kInf, random);
+  const auto both = drop_brackets(object, scene, 20, 18);
+  std::fill(object.sample.begin(), object.sample.end(), kInf);
+  const auto lower = drop_brackets(object, scene, 20, 18);
+  ASSERT_EQ(lower.size(), both.size());
+  for (size_t i = 0; i < both.size(); ++i) {
+    ASSERT_EQ(lower[i].lower, both[i].lower);
+    ASSERT_EQ(lower[i].upper, kInf);
+  }
+}
+
 // An object above a scene, and a grid of places for it.
 struct Falls {
   Body object, scene;
