@@ -3,26 +3,29 @@
 
     perf/arrange.py TRIVET demos [--seeds 20] [--only NAME ...]
     perf/arrange.py TRIVET growth [--things 20 50 100 200]
-    perf/arrange.py TRIVET beside [--things 5 10 15 20 25] [--seeds 10]
+    perf/arrange.py TRIVET beside [--things 4 6 8 10 12] [--seeds 10]
 
 Processor time is of the whole program in one thread, reading models and checking the scene included; the share of
 PUT is of the solver's wall time. A scene counts as true when `trivet arrange` ends with 0: all hard relations hold,
 the exact check finds nothing crossing, and it stands as a whole.
 
-`beside` fills a board of 0.7 x 0.7 m with crockery of `trivet demo table-for-six`, once by `trivet arrange` and once by
-a baseline, boxes and rejection: each thing upright, turned by quarters, its box seen from above apart from all others
-and on the board, 100 tries a thing, 10 of the whole, 2 mm over the board, as generators of scenes do that let a simulator settle.
-Its time is of the tries alone; the models' boxes are known. Drift is MuJoCo's: 5 s of `trivet export --simulate`.
+`beside` lays crockery of `trivet demo table-for-six` on a board of 0.7 x 0.7 m, every second thing by relations to the one
+before it, once by `trivet arrange` and once by a baseline, boxes and rejection (boxes_and_rejection.py), 2 mm over the
+board. The baseline's time is of the tries alone; the models' boxes are known. Relations are judged again by outlines of
+the meshes where they stand. Drift is MuJoCo's: 5 s of `trivet export --simulate`.
 """
 import argparse
+import itertools
 import json
 import math
 import os
-import random
 import statistics
+import struct
 import subprocess
 import tempfile
 import time
+
+from boxes_and_rejection import by_rejection, holds, placed
 
 DEMOS = ["table-for-six", "tight-table", "bookcase", "market", "office3", "workshop"]
 
@@ -109,50 +112,64 @@ def growth(trivet, counts, seeds):
 
 CROCKERY = ["plate", "cup", "bowl", "glass", "saucer", "jug", "apple", "toast"]
 BOARD = 0.7  # metres
-TRIES, ATTEMPTS = 100, 10  # of a thing, and of the whole, by rejection
+HOVER = 0.002  # of the baseline, metres over the board
+PAIRS = [[{"is": "right_of", "gap": [0.005, 0.03]}], [{"is": "near", "distance": 0.02}],
+         [{"is": "near", "distance": 0.04}, {"is": "facing", "tolerance": 10}]]
 
 
 def board_layout(folder, count):
-    """Models' boxes seen from above by name, and a layout of a board and so many things without places."""
+    """Names of things, a layout of a board and these without places, and relations of every second to the one before."""
     with open(os.path.join(folder, "board.obj"), "w") as file:
         file.write(box_obj(BOARD / 2, BOARD / 2, 0.5))
     objects = [{"name": "board", "model": "board.obj", "fixed": True, "position": [0, 0, 1e-5]}]
     names = ["%s_%d" % (CROCKERY[i % len(CROCKERY)], i) for i in range(count)]
-    return names, objects + [{"name": n, "model": n.split("_")[0] + ".glb"} for n in names]
+    relations = [dict(r, a=names[i], b=names[i - 1]) for i in range(1, count, 2) for r in PAIRS[i // 2 % 3]]
+    return names, objects + [{"name": n, "model": n.split("_")[0] + ".glb"} for n in names], relations
 
 
-def box_of(trivet, model):
-    """Lower and upper corner as the model stands, z up."""
-    info = json.loads(subprocess.run([trivet, "info", model, "--json"], stdout=subprocess.PIPE, check=True).stdout)
-    (ax, ay, az), (bx, by, bz) = info["box"]["lower"], info["box"]["upper"]
-    return ((ax, -bz, ay), (bx, -az, by)) if info["up"] == "y" else ((ax, ay, az), (bx, by, bz))
-
-
-def by_rejection(boxes, seed):
-    """Positions and turns of things with these boxes; None: in each attempt one had no place in all its tries."""
-    numbers = random.Random(seed)
-    return next(filter(None, (attempt(boxes, numbers) for _ in range(ATTEMPTS))), None)
-
-
-def attempt(boxes, numbers):
-    taken, out = [], []
-    for (ax, ay, az), (bx, by, _) in boxes:
-        for _ in range(TRIES):
-            turn = numbers.randrange(4) * math.pi / 2  # boxes of other turns would be larger
-            c, s = round(math.cos(turn)), round(math.sin(turn))
-            corners = [(c * x - s * y, s * x + c * y) for x in (ax, bx) for y in (ay, by)]
-            lower, upper = [min(p[k] for p in corners) for k in (0, 1)], [max(p[k] for p in corners) for k in (0, 1)]
-            if any(upper[k] - lower[k] > BOARD for k in (0, 1)):
-                continue
-            at = [numbers.uniform(-BOARD / 2 - lower[k], BOARD / 2 - upper[k]) for k in (0, 1)]
-            box = [at[k] + lower[k] for k in (0, 1)] + [at[k] + upper[k] for k in (0, 1)]
-            if all(box[0] > t[2] or box[2] < t[0] or box[1] > t[3] or box[3] < t[1] for t in taken):
-                break
-        else:
-            return None
-        taken.append(box)
-        out.append((at + [0.5 + 1e-5 + 0.002 - az], [math.cos(turn / 2), 0, 0, math.sin(turn / 2)]))
+def vertices_of(path):
+    """Of a binary glTF file whose nodes have a mesh and a matrix: z up, in its model's frame."""
+    with open(path, "rb") as file:
+        data = file.read()
+    length = struct.unpack_from("<I", data, 12)[0]
+    gltf, binary = json.loads(data[20:20 + length]), 28 + length
+    out = []
+    for node in gltf["nodes"]:
+        m = node.get("matrix", [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1])
+        for primitive in gltf["meshes"][node["mesh"]]["primitives"]:
+            accessor = gltf["accessors"][primitive["attributes"]["POSITION"]]
+            view = gltf["bufferViews"][accessor["bufferView"]]
+            begin = binary + view.get("byteOffset", 0) + accessor.get("byteOffset", 0)
+            for i in range(accessor["count"]):
+                p = struct.unpack_from("<fff", data, begin + i * view.get("byteStride", 12)) + (1,)
+                x, y, z = (sum(m[4 * k + row] * p[k] for k in range(4)) for row in range(3))
+                out.append((x, -z, y))
     return out
+
+
+def outline(points):
+    """Corners of the convex hull, counter-clockwise [Andrew 1979]."""
+    def half(ordered):
+        out = []
+        for p in ordered:
+            while len(out) > 1 and ((out[-1][0] - out[-2][0]) * (p[1] - out[-2][1]) <=
+                                    (out[-1][1] - out[-2][1]) * (p[0] - out[-2][0])):
+                out.pop()
+            out.append(p)
+        return out[:-1]
+    ordered = sorted(set(points))
+    return half(ordered) + half(ordered[::-1])
+
+
+class Model:
+    """Seen from above, as it stands: its outline, its box's corners; z of its lowest point."""
+
+    def __init__(self, path):
+        vertices = vertices_of(path)
+        self.outline = outline([v[:2] for v in vertices])
+        (ax, ay), (bx, by) = ([f(v[k] for v in vertices) for k in (0, 1)] for f in (min, max))
+        self.box = [(ax, ay), (bx, ay), (bx, by), (ax, by)]
+        self.bottom = min(v[2] for v in vertices)
 
 
 def judged(trivet, scene, folder):
@@ -167,51 +184,89 @@ def judged(trivet, scene, folder):
     return found["check"]["interpenetrating_pairs"], len(found["check"]["not_at_rest"]), moved
 
 
-def baseline(trivet, names, objects, boxes, seed, folder):
-    """Whether boxes and rejection found places, processor seconds of that, and the scene."""
+def poses(report):
+    """Angle about z and position of each object of a report, by name."""
+    with open(report) as file:
+        matrices = {o["name"]: o["world_from_file"] for o in json.load(file)["objects"]}
+    return {name: (math.atan2(m[4], m[0]), m[3:12:4]) for name, m in matrices.items()}
+
+
+def baseline(trivet, names, objects, relations, models, seed, folder):
+    """Whether boxes and rejection found places, processor seconds of that, and places by name."""
+    boxes = {n: models[n.split("_")[0]].box for n in names}
     begin = time.process_time()
-    places = by_rejection(boxes, seed)
+    found = by_rejection(boxes, relations, BOARD / 2, seed)
     seconds = time.process_time() - begin
-    if places is None:
-        return False, seconds, None
-    stands = [{"op": "stand", "object": n, "position": at, "rotation": turn}
-              for n, (at, turn) in zip(names, places)]
-    layout, scene = os.path.join(folder, "layout.json"), os.path.join(folder, "scene.glb")
+    if found is None:
+        return False, seconds, {}
+    stands = []
+    for name, (angle, at) in zip(names, found):
+        height = 0.5 + 1e-5 + HOVER - models[name.split("_")[0]].bottom
+        stands.append({"op": "stand", "object": name, "position": at + [height],
+                       "rotation": [math.cos(angle / 2), 0, 0, math.sin(angle / 2)]})
+    layout = os.path.join(folder, "layout.json")
     with open(layout, "w") as file:
         json.dump({"trivet": 1, "objects": objects, "operations": stands}, file)
-    subprocess.run([trivet, "run", layout, "-o", scene, "--quiet"], stdout=subprocess.DEVNULL, check=False)
-    return True, seconds, scene
+    subprocess.run([trivet, "run", layout, "-o", os.path.join(folder, "scene.glb"), "--quiet"],
+                   stdout=subprocess.DEVNULL, check=False)
+    return True, seconds, {n: (angle, at) for n, (angle, at) in zip(names, found)}
+
+
+def by_arrange(trivet, names, objects, relations, seed, folder):
+    problem = os.path.join(folder, "board.json")
+    with open(problem, "w") as file:
+        json.dump({"trivet": 1, "objects": objects, "arrange": {
+            "things": [{"object": n, "yaw": "any"} for n in names],
+            "relations": [{"is": "on", "a": "*", "b": "board"}] + relations}}, file)
+    done, seconds, _, _ = arrange(trivet, problem, seed, folder)
+    return done, seconds, poses(os.path.join(folder, "report.json")) if done else {}
+
+
+def num_kept(relations, models, places):
+    """Relations that hold of the outlines of the meshes where they stand, to a tenth of a millimetre over the tolerance."""
+    def seen(name):
+        angle, at = places[name]
+        return placed(models[name.split("_")[0]].outline, angle, at), angle
+    return sum(holds(r, seen(r["a"]), seen(r["b"]), 1.1e-3) for r in relations)
+
+
+def spread(solutions, names):
+    """Metres by which the things of two solutions are apart, in the mean over things and pairs of solutions."""
+    pairs = list(itertools.combinations(solutions, 2))
+    return sum(math.dist(p[n][1][:2], q[n][1][:2]) for p, q in pairs for n in names) / max(1, len(pairs) * len(names))
 
 
 def beside(trivet, counts, seeds):
-    row("things", "by", "all placed, of %d" % seeds, "processor time, s: median", "crossing pairs", "not at rest",
-        "moved by over 1 cm in MuJoCo", "most, m")
-    row(*["---"] * 8)
+    row("things; relations", "by", "all placed, of %d" % seeds, "processor time, s: median", "relations kept by meshes",
+        "crossing pairs", "not at rest", "moved by over 1 cm in MuJoCo; most, m", "apart in two seeds, mean, m")
+    row(*["---"] * 9)
     with tempfile.TemporaryDirectory() as folder:
         subprocess.run([trivet, "demo", "table-for-six", "--export", folder, "-o",
                         os.path.join(folder, "scene.glb"), "--quiet"], stdout=subprocess.DEVNULL, check=False)
-        sizes = {model: box_of(trivet, os.path.join(folder, model + ".glb")) for model in CROCKERY}
+        models = {model: Model(os.path.join(folder, model + ".glb")) for model in CROCKERY}
         for count in counts:
-            names, objects = board_layout(folder, count)
-            problem = os.path.join(folder, "board.json")
-            with open(problem, "w") as file:
-                json.dump({"trivet": 1, "objects": objects, "arrange": {
-                    "things": [{"object": n, "yaw": "any"} for n in names],
-                    "relations": [{"is": "on", "a": "*", "b": "board"}]}}, file)
-            boxes = [sizes[n.split("_")[0]] for n in names]
+            names, objects, relations = board_layout(folder, count)
             for by in ("boxes and rejection", "arrange"):
                 runs = []
                 for seed in range(1, seeds + 1):
                     if by == "arrange":
-                        done, seconds, _, _ = arrange(trivet, problem, seed, folder)
-                        scene = os.path.join(folder, "scene.glb")
+                        done, seconds, places = by_arrange(trivet, names, objects, relations, seed, folder)
                     else:
-                        done, seconds, scene = baseline(trivet, names, objects, boxes, seed, folder)
-                    runs.append((done, seconds) + (judged(trivet, scene, folder) if done else (0, 0, [])))
-                moved = [m for r in runs for m in r[4]]
-                row(count, by, sum(r[0] for r in runs), "%.3f" % statistics.median(r[1] for r in runs),
-                    sum(r[2] for r in runs), "%d of %d" % (sum(r[3] for r in runs), len(moved)),
-                    "%d of %d" % (sum(m > 0.01 for m in moved), len(moved)), "%.3f" % max(moved, default=0))
+                        done, seconds, places = baseline(trivet, names, objects, relations, models, seed, folder)
+                    found = judged(trivet, os.path.join(folder, "scene.glb"), folder) if done else (0, 0, [])
+                    runs.append((done, seconds, places) + found)
+                row("%d; %d" % (count, len(relations)), by, *told(runs, names, relations, models))
+
+
+def told(runs, names, relations, models):
+    """The row of these runs."""
+    solutions = [r[2] for r in runs if r[0]]
+    moved = [m for r in runs for m in r[5]]
+    return (len(solutions), "%.3f" % statistics.median(r[1] for r in runs),
+            "%d of %d" % (sum(num_kept(relations, models, p) for p in solutions), len(relations) * len(solutions)),
+            sum(r[3] for r in runs), "%d of %d" % (sum(r[4] for r in runs), len(moved)),
+            "%d of %d; %.3f" % (sum(m > 0.01 for m in moved), len(moved), max(moved, default=0)),
+            "%.3f" % spread(solutions, names) if len(solutions) > 1 else "-")
 
 
 def main():
@@ -225,7 +280,7 @@ def main():
     if arguments.what == "demos":
         demos(os.path.abspath(arguments.trivet), arguments.seeds or 20, arguments.only)
     elif arguments.what == "beside":
-        beside(os.path.abspath(arguments.trivet), arguments.things or [5, 10, 15, 20, 25], arguments.seeds or 10)
+        beside(os.path.abspath(arguments.trivet), arguments.things or [4, 6, 8, 10, 12], arguments.seeds or 10)
     else:
         growth(os.path.abspath(arguments.trivet), arguments.things or [20, 50, 100, 200], arguments.seeds or 3)
 
