@@ -1,5 +1,7 @@
 #include "apps/edit/document/engine.h"
 
+#include <QMetaObject>
+
 #include "apps/edit/document/results.h"
 #include "apps/edit/document/words.h"
 #include "core/base/error.h"

@@ -3,6 +3,7 @@
 #include <QFileDialog>
 #include <QHBoxLayout>
 #include <QLocale>
+#include <QSignalBlocker>
 
 #include "apps/edit/document/words.h"
 #include "core/base/error.h"

@@ -1,7 +1,17 @@
 // Widgets of the dock for arrangements.
+#include <QAbstractItemView>
+#include <QCheckBox>
+#include <QComboBox>
 #include <QCoreApplication>
+#include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSizePolicy>
+#include <QSpinBox>
+#include <QTreeWidget>
 #include <QVBoxLayout>
 
 #include "apps/edit/window/arrange_panel.h"

@@ -1,15 +1,20 @@
 #include "apps/edit/window/asset_browser.h"
 
+#include <QAbstractItemView>
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QMimeData>
+#include <QPixmap>
 #include <QScrollBar>
 #include <QSettings>
+#include <QShowEvent>
 #include <QSignalBlocker>
+#include <QStringList>
 #include <QUrl>
 #include <QVBoxLayout>
+#include <QVariant>
 
 #include "apps/edit/window/icons.h"
 #include "apps/edit/window/units.h"

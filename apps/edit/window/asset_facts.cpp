@@ -6,7 +6,9 @@
 #include <QLocale>
 #include <QSettings>
 #include <QStandardPaths>
+#include <QStringList>
 #include <QUrl>
+#include <QVariant>
 
 #include "apps/edit/document/words.h"
 

@@ -2,10 +2,13 @@
 
 #include <sys/resource.h>
 
+#include <QByteArray>
 #include <QCryptographicHash>
 #include <QDir>
 #include <QDirIterator>
+#include <QFile>
 #include <QFileInfo>
+#include <QMetaObject>
 #include <QSaveFile>
 #include <algorithm>
 #include <functional>

@@ -1,6 +1,9 @@
 // The asset browser in the main window: what is taken from it.
 #include <QApplication>
+#include <QDockWidget>
+#include <QEvent>
 #include <QMouseEvent>
+#include <QUrl>
 
 #include "apps/edit/window/asset_facts.h"
 #include "apps/edit/window/main_window.h"

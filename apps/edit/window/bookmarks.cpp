@@ -3,6 +3,7 @@
 #include <QFileInfo>
 #include <QSettings>
 #include <QUrl>
+#include <QVariant>
 #include <cmath>
 
 namespace trivet::edit {

@@ -1,7 +1,9 @@
 #include "apps/edit/window/control_window.h"
 
 #include <QFileInfo>
+#include <QPixmap>
 #include <QSignalBlocker>
+#include <QStringList>
 #include <QVBoxLayout>
 
 #include "apps/demo/demo.h"

@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <QObject>
 #include <QSettings>
+#include <QStringList>
 
 #include "core/base/error.h"
 #include "gpu/egl/graphics_hardware.h"

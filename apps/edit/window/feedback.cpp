@@ -1,7 +1,13 @@
 // Title, status bar and enabled actions of the main window, as the document is.
+#include <QColor>
 #include <QCoreApplication>
+#include <QLabel>
 #include <QMenu>
+#include <QProgressBar>
+#include <QSizePolicy>
 #include <QStatusBar>
+#include <QTimer>
+#include <QToolButton>
 
 #include "apps/edit/window/main_window.h"
 

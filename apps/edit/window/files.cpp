@@ -1,4 +1,5 @@
 // File actions of the main window: open, save, import, export.
+#include <QDialog>
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -7,6 +8,7 @@
 #include <QRegularExpression>
 #include <QSettings>
 #include <QStandardPaths>
+#include <QStringList>
 
 #include "apps/edit/window/asset_facts.h"
 #include "apps/edit/window/import_dialog.h"

@@ -2,7 +2,9 @@
 
 #include <QDialogButtonBox>
 #include <QLabel>
+#include <QLayout>
 #include <QPushButton>
+#include <QStringList>
 
 namespace trivet::edit {
 

@@ -1,6 +1,7 @@
 #include "apps/edit/window/help.h"
 
 #include <QDialog>
+#include <QFrame>
 #include <QTextBrowser>
 #include <QVBoxLayout>
 #include <vector>

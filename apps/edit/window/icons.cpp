@@ -2,6 +2,8 @@
 
 #include <QPainter>
 #include <QPainterPath>
+#include <QPen>
+#include <QPixmap>
 #include <cmath>
 #include <vector>
 

@@ -1,8 +1,11 @@
 #include "apps/edit/window/import_dialog.h"
 
+#include <QAbstractItemView>
 #include <QDialogButtonBox>
 #include <QFileInfo>
+#include <QHBoxLayout>
 #include <QHeaderView>
+#include <QPixmap>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 #include <map>

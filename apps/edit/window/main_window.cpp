@@ -1,6 +1,7 @@
 #include "apps/edit/window/main_window.h"
 
 #include <QStatusBar>
+#include <QVBoxLayout>
 
 #include "apps/edit/tools/constraint_camera.h"
 #include "apps/edit/window/preferences_dialog.h"

@@ -1,5 +1,10 @@
 #include "apps/edit/window/many_dialogs.h"
 
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QStringList>
+
 #include <cmath>
 
 #include "apps/edit/window/form_dialog.h"

@@ -1,5 +1,7 @@
 // Menu actions on many objects at once, and on how objects are shown.
+#include <QColor>
 #include <QMenu>
+#include <QPixmap>
 
 #include "apps/edit/window/main_window.h"
 #include "apps/edit/window/many_dialogs.h"

@@ -1,6 +1,9 @@
 // Actions of the main window: each is in a menu, with its keys.
+#include <QAction>
 #include <QActionGroup>
 #include <QApplication>
+#include <QKeySequence>
+#include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QToolBar>

@@ -1,5 +1,7 @@
 #include "apps/edit/window/message_bar.h"
 
+#include <QColor>
+#include <QFont>
 #include <QHBoxLayout>
 
 namespace trivet::edit {

@@ -1,4 +1,7 @@
 // The forms of the operation panel, one per tool.
+#include <QCheckBox>
+#include <QComboBox>
+#include <QFormLayout>
 #include <QLabel>
 #include <QSpinBox>
 #include <cmath>

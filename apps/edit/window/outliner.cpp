@@ -1,7 +1,14 @@
 #include "apps/edit/window/outliner.h"
 
+#include <QAbstractItemView>
+#include <QColor>
+#include <QFont>
 #include <QHeaderView>
+#include <QIcon>
+#include <QMetaObject>
 #include <QSignalBlocker>
+#include <QStringList>
+#include <QTreeWidgetItemIterator>
 #include <algorithm>
 #include <map>
 

@@ -1,8 +1,13 @@
 // Collections in the outliner.
 #include <QContextMenuEvent>
+#include <QDragEnterEvent>
+#include <QDragMoveEvent>
 #include <QDropEvent>
 #include <QMenu>
+#include <QMetaObject>
 #include <QMimeData>
+#include <QStringList>
+#include <QTreeWidgetItemIterator>
 
 #include "apps/edit/window/outliner.h"
 #include "apps/edit/window/outliner_items.h"

@@ -1,6 +1,7 @@
 #include "apps/edit/window/painter.h"
 
 #include <QElapsedTimer>
+#include <QMetaObject>
 
 #include "core/base/error.h"
 #include "gpu/live/live_view.h"

@@ -1,6 +1,7 @@
 #include "apps/edit/window/playback.h"
 
 #include <QApplication>
+#include <QEvent>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <algorithm>

@@ -1,7 +1,9 @@
 #include "apps/edit/window/properties.h"
 
+#include <QFont>
 #include <QLocale>
 #include <QSignalBlocker>
+#include <QStringList>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,7 @@
 // Marks of a view over the objects: contacts, gravity line, projection volume, faces that
 // interfere, arrows, the tool's handles.
+#include <QColor>
+
 #include <algorithm>
 #include <cmath>
 

@@ -1,7 +1,12 @@
 #include "apps/edit/window/scene_view.h"
 
+#include <QColor>
+#include <QEvent>
+#include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QPen>
+#include <QResizeEvent>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,10 @@
 // Snapping in the main window: the magnet of the tool bar, what it takes, its steps.
+#include <QAction>
+#include <QKeySequence>
+#include <QMenu>
 #include <QSettings>
 #include <QToolBar>
+#include <QToolButton>
 
 #include "apps/edit/window/main_window.h"
 #include "apps/edit/window/preferences_dialog.h"

@@ -2,10 +2,17 @@
 
 #include <QCommandLinkButton>
 #include <QFileInfo>
+#include <QFont>
+#include <QFrame>
 #include <QGridLayout>
+#include <QHBoxLayout>
+#include <QIcon>
 #include <QLabel>
+#include <QPalette>
+#include <QPixmap>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QStringList>
 
 #include "apps/demo/demo.h"
 #include "apps/edit/window/icons.h"

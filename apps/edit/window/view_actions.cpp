@@ -1,5 +1,8 @@
 // Actions of the views: directions, layout, drawing.
+#include <QAction>
 #include <QActionGroup>
+#include <QKeySequence>
+#include <QToolButton>
 
 #include "apps/edit/window/main_window.h"
 

@@ -1,4 +1,6 @@
 // Mouse and keyboard of a view: its camera, its section, and events for the tools.
+#include <QEvent>
+#include <QKeyEvent>
 #include <QMouseEvent>
 #include <QWheelEvent>
 #include <algorithm>

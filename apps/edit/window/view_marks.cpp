@@ -1,5 +1,7 @@
 // Marks of a view over its picture: axes, scale, rubber band, the reason of a refusal.
+#include <QColor>
 #include <QPainter>
+#include <QPen>
 #include <algorithm>
 #include <cmath>
 

@@ -1,5 +1,9 @@
 // Views of the main window: sections, bookmarks, cameras of an empty scene.
+#include <QAction>
+#include <QKeySequence>
+#include <QMenu>
 #include <QStatusBar>
+#include <QToolButton>
 
 #include "apps/edit/window/main_window.h"
 

@@ -1,7 +1,12 @@
 // Events of the main window: Escape, size, end, files that are dropped.
 #include <QCloseEvent>
+#include <QDragEnterEvent>
+#include <QDropEvent>
 #include <QKeyEvent>
 #include <QMimeData>
+#include <QResizeEvent>
+#include <QStringList>
+#include <QUrl>
 
 #include "apps/edit/window/main_window.h"
 

@@ -1,5 +1,8 @@
 #include "apps/edit/window/wish_marks.h"
 
+#include <QColor>
+#include <QFontMetrics>
+
 #include <algorithm>
 
 #include "apps/edit/window/live_objects.h"

@@ -1,9 +1,17 @@
 #include "apps/edit/window/zlist_panel.h"
 
+#include <QAbstractItemView>
+#include <QColor>
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <QIcon>
+#include <QImage>
 #include <QLocale>
 #include <QPainter>
+#include <QPalette>
+#include <QPen>
+#include <QPixmap>
+#include <QSizePolicy>
 #include <QVBoxLayout>
 #include <algorithm>
 
