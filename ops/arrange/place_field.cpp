@@ -9,11 +9,21 @@ namespace {
 
 constexpr double kPixelsAcross = 24;      // of the object
 constexpr double kMostPixelsAcross = 96;  // of an object in a small window
+constexpr double kSlipsThrough = 0.7;  // of its thinner side: a pixel in which it might be unseen
+constexpr double kLeastPixelsAcross = 4;  // of a thin one in a large window
 constexpr double kCellsAcross = 80;       // of the window
+constexpr double kMostCellsAcross = 512;  // of one that is very large for the object
 constexpr double kFewPlacesAcross = 10;   // of a window that is small for the object
 constexpr double kAside = 0.75;           // pixels that a place may be outside the region
 constexpr double kGrown = 1.002;
-constexpr int kSingleShare = 4;  // falls are found one by one for a part of the places: 1 in 4
+constexpr double kMostGrown = 256;  // pixels; of larger distances boxes decide, and maps stay small
+constexpr int kSingleShare = 4;     // falls are found one by one for a part of the places: 1 in 4
+
+// Of two boxes, seen from above.
+double seen_distance(const Aabb& a, const Aabb& b) {
+  const Vec3 apart = (a.lower - b.upper).cwiseMax(b.lower - a.upper).cwiseMax(Vec3::Zero());
+  return apart.head<2>().norm();
+}
 
 double largest_stop(double clearance) { return Clearance{clearance}.largest_stop(); }
 
@@ -50,12 +60,20 @@ PlaceField::PlaceField(const Scene& scene, ObjectId object, const Rotation& rota
   set_window();
 }
 
+double PlaceField::largest_window(const Aabb& box) {
+  return kMostCellsAcross / kLeastPixelsAcross * 2 * box.half_extent().head<2>().minCoeff();
+}
+
 void PlaceField::set_grid(const ConvexRegion& region) {
   const Vec2 size = region.upper() - region.lower();
   const double width = 2 * m_body.world_box.half_extent().head<2>().maxCoeff();
-  m_grid.pixel =
-      std::max({std::min(width / kPixelsAcross, size.maxCoeff() / kFewPlacesAcross),
-                size.maxCoeff() / kCellsAcross, width / kMostPixelsAcross, 16 * m_clearance});
+  // Pixels that the object would slip through say nothing about it.
+  const double thin = 2 * m_body.world_box.half_extent().head<2>().minCoeff();
+  double least = size.maxCoeff() / kCellsAcross;
+  if (least > kSlipsThrough * thin)
+    least = std::max(thin / kLeastPixelsAcross, size.maxCoeff() / kMostCellsAcross);
+  m_grid.pixel = std::max({std::min(width / kPixelsAcross, size.maxCoeff() / kFewPlacesAcross),
+                           least, width / kMostPixelsAcross, 16 * m_clearance});
   m_grid.columns = static_cast<int>(std::ceil(size.x() / m_grid.pixel)) + 1;
   m_grid.rows = static_cast<int>(std::ceil(size.y() / m_grid.pixel)) + 1;
   const Vec2 span = m_grid.pixel * Vec2(m_grid.columns - 1, m_grid.rows - 1);
@@ -176,6 +194,14 @@ bool PlaceField::is_over_support(size_t place) const {
 
 bool PlaceField::Obstruction::is_clear(size_t place) {
   if (m_floor) return m_field.support_at(place).upper < *m_floor;
+  if (!m_boxes.empty()) {
+    Aabb box = m_field.m_body.world_box;
+    const Vec3 at(m_field.at(place).x(), m_field.at(place).y(), 0);
+    box.lower += at, box.upper += at;
+    return std::none_of(m_boxes.begin(), m_boxes.end(), [&](const Aabb& other) {
+      return seen_distance(box, other) < kGrown * m_keep;
+    });
+  }
   return !m_falls || m_field.support_at(place).upper < m_field.fall_at(*m_falls, place).lower;
 }
 
@@ -195,8 +221,13 @@ std::unique_ptr<PlaceField::Obstruction> PlaceField::obstruction(std::span<const
   const double margin = 2 * m_grid.pixel + keep + largest_stop(m_clearance);
   for (const ObjectId id : others)
     if (overlaps(m_scene.world_box(id), m_reach, margin)) bodies.push_back(body_of(m_scene.at(id)));
-  if (bodies.empty()) return std::unique_ptr<Obstruction>(new Obstruction(*this));
-  return obstruction(underside(growth(keep)), m_reach.upper.z(), bodies);
+  if (!bodies.empty() && keep <= kMostGrown * m_grid.pixel)
+    return obstruction(underside(growth(keep)), m_reach.upper.z(), bodies);
+  std::unique_ptr<Obstruction> out(new Obstruction(*this));
+  out->m_keep = keep;
+  out->m_boxes.reserve(bodies.size());
+  for (const Body& body : bodies) out->m_boxes.push_back(body.world_box);
+  return out;
 }
 
 std::unique_ptr<PlaceField::Obstruction> PlaceField::obstruction(

@@ -51,6 +51,8 @@ class PlaceField {
   PlaceField(const PlaceField&) = delete;
   PlaceField& operator=(const PlaceField&) = delete;
 
+  /// Metres; in a larger region places of an object with this world box may be missed.
+  static double largest_window(const Aabb& box);
   /// Leaves these places alone, in their order; before any query of heights.
   /// @param places  indices, ascending, not empty.
   void leave(const std::vector<size_t>& places);
@@ -77,7 +79,9 @@ class PlaceField {
     explicit Obstruction(const PlaceField& field) : m_field(field) {}
     const PlaceField& m_field;
     std::optional<LazyFalls> m_falls;
-    std::optional<float> m_floor;  // the fall onto it, the same everywhere; neither: always clear
+    std::optional<float> m_floor;  // the fall onto it, the same everywhere
+    std::vector<Aabb> m_boxes;     // whose distance decides, where it is far more than a pixel
+    double m_keep = 0;             // of these; none of all: always clear
   };
   /// The field outlives it. @param keep  metres to stay away from them, sideways.
   std::unique_ptr<Obstruction> obstruction(std::span<const ObjectId> others, double keep) const;

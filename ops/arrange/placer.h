@@ -83,6 +83,7 @@ class Placer {
   bool turns_are_free() const;
   std::vector<Rotation> turns(const Rotation& rest) const;
   void clip(Combination& combination) const;
+  void narrow(Combination& combination) const;
   ConvexRegion window(const Landing& landing, const Outline& outline) const;
   const Outline* partner(const Relation& relation) const;
   double cost(const Relation& relation, const Outline& outline) const;

@@ -54,6 +54,7 @@ ConvexRegion Placer::window(const Landing& landing, const Outline& outline) cons
       for (const Vec2& p : r->region) box.extend(Vec3(p.x(), p.y(), 0));
       if (r->upper < kInfinity) more = std::max(more, r->upper);
     }
+    for (const KeepApart& keep : m_world.arrangement().keeps) more = std::max(more, keep.distance);
     const double size = outline.width(Vec2::UnitX()) + outline.width(Vec2::UnitY());
     lower = box.lower.head<2>() - Vec2::Constant(more + size);
     upper = box.upper.head<2>() + Vec2::Constant(more + size);
@@ -67,6 +68,25 @@ void Placer::clip(Combination& combination) const {
     for (const HalfPlane& h : half_planes(*r, combination.outline, partner(*r), r->a == name()))
       combination.region.clip(h);
   }
+}
+
+// Of a region that is far larger than the thing, a part by the seed.
+void Placer::narrow(Combination& combination) const {
+  const Object& object = m_world.object(model());
+  const Body body = body_of(object, {combination.rotation, Vec3::Zero()});
+  const double most = PlaceField::largest_window(body.world_box);
+  ConvexRegion& region = combination.region;
+  if (region.empty() || (region.upper() - region.lower()).maxCoeff() <= most) return;
+  Vec2 middle = Vec2::Zero();
+  double sum = 0;
+  for (size_t i = 0; i < region.corners().size(); ++i) {
+    const auto bits = scrambled(m_seed ^ scrambled(~(combination.turn << 8 | i)));
+    const double weight = (double(bits >> 12) + 1) * 0x1p-52;
+    middle += weight * region.corners()[i], sum += weight;
+  }
+  middle /= sum;
+  for (const Vec2& d : {Vec2(1, 0), Vec2(0, 1), Vec2(-1, 0), Vec2(0, -1)})
+    region.clip({d, d.dot(middle) + 0.5 * most});
 }
 
 // True if no relation asks for a turn, and the thing for none.
@@ -97,6 +117,7 @@ void Placer::combine() {
         combination.landing = landing;
         combination.region = window(landing, combination.outline);
         clip(combination);
+        narrow(combination);
         if (!combination.region.empty()) m_combinations.push_back(combination);
       }
     }

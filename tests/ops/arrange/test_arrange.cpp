@@ -245,6 +245,29 @@ TEST(Arrange, RefusesWhatCannotBeMeant) {
       "has no stable pose 6: there are 6");
 }
 
+// Far more than maps of heights could show by pixels of a cube.
+TEST(Arrange, KeepsDistancesOfManyTimesTheirSize) {
+  Stage stage;
+  for (const char* name : {"a", "b", "c"}) stage.add_cube(name);
+  stage.arrangement.keeps.push_back({{"a", "b", "c"}, 5, {{"a", "b"}}});
+  Relation& near = stage.relate("b", RelationKind::Near, "a");
+  near.upper = 0.2;
+  expect_true(stage, stage.run());
+  for (const char* other : {"a", "b"})
+    EXPECT_GE((stage.box("c").centre() - stage.box(other).centre()).norm(), 5.1) << other;
+}
+
+// A cup in a hall, a bolt in a field: pixels of a grid over all of it would be larger than they.
+TEST(Arrange, FindsPlacesForSmallThingsInLargeScenes) {
+  for (const double size : {8.0, 30.0, 200.0}) {
+    Stage stage;
+    stage.fix("wall", test::box_between(Vec3(-0.1, -0.1, 0), Vec3(0.1, 0.1, 1)),
+              Vec3(size, size, 1e-3));
+    stage.add_cube("cup");
+    expect_true(stage, stage.run());
+  }
+}
+
 TEST(Arrange, StopsWhenItIsCancelled) {
   Stage stage;
   stage.add_cube("a");
