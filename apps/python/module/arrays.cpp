@@ -1,5 +1,6 @@
 #include "apps/python/module/arrays.h"
 
+#include <Eigen/LU>
 #include <cmath>
 #include <cstring>
 
