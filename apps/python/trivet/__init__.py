@@ -21,6 +21,7 @@ from ._labels import FLOOR, Labels
 from ._object import Object
 from ._results import (CAUSES, Check, Contacts, Crossing, Export, FirstContact, GaveWay, Overlap, Result, SupportGraph)
 from ._scene import Scene, materials
+from ._settle import Settle
 from ._shape import Shape
 from ._snapshot import Snapshot, TrivetWarning
 from ._trivet import __version__
@@ -30,7 +31,7 @@ from ._zlists import ZList, ZLists
 __all__ = [
     "BadInputError", "CAUSES", "Camera", "Cancelled", "Check", "Contacts", "Crossing", "Drag", "EnvironmentFailure",
     "Export", "FLOOR", "Film", "FirstContact", "GaveWay", "Interpenetration", "Labels", "NoSuchObject", "NotDone", "Object",
-    "OutOfTime", "Overlap", "Refused", "Result", "Scene", "SceneBusy", "Shape", "Snapshot", "SupportGraph",
+    "OutOfTime", "Overlap", "Refused", "Result", "Scene", "SceneBusy", "Settle", "Shape", "Snapshot", "SupportGraph",
     "TrivetError", "TrivetWarning", "View", "ZList", "ZLists",
     "__version__", "encode_png", "first_contact", "interpenetrations", "materials", "random_rotation",
 ]

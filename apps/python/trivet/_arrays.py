@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import operator
-from typing import Any, Sequence
+import os
+from typing import Any, Callable, Mapping, Optional, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,7 +14,7 @@ from ._errors import BadInputError
 _NUMBERS = "iuf"
 
 
-def _text(value: Any) -> str:
+def short(value: Any) -> str:
     text = " ".join(repr(value).split())
     return text if len(text) <= 60 else text[:57] + "..."
 
@@ -26,9 +27,9 @@ def _array(what: str, value: Any, accepted: str) -> NDArray[Any]:
     try:
         array = np.asarray(value)
     except (ValueError, TypeError) as error:
-        raise refuse(what, _text(value), accepted) from error
+        raise refuse(what, short(value), accepted) from error
     if array.dtype.kind not in _NUMBERS and array.size > 0:
-        raise refuse(what, f"{_text(value)} of type {array.dtype}", accepted)
+        raise refuse(what, f"{short(value)} of type {array.dtype}", accepted)
     return array
 
 
@@ -37,18 +38,28 @@ def vector(what: str, value: Any, size: int) -> list[float]:
     accepted = f"{size} finite numbers"
     array = _array(what, value, accepted)
     if array.shape != (size,):
-        raise refuse(what, f"{_text(value)} of shape {array.shape}", accepted)
+        raise refuse(what, f"{short(value)} of shape {array.shape}", accepted)
     if not np.isfinite(array).all():
-        raise refuse(what, _text(array.tolist()), accepted)
+        raise refuse(what, short(array.tolist()), accepted)
     return [float(x) for x in array]
 
 
-def number(what: str, value: Any) -> float:
-    """One number; the operation says which."""
+def number(what: str, value: Any, accepted: str = "a number", lowest: float = -np.inf, highest: float = np.inf) -> float:
+    """One number of this range; no text, no truth value, no NaN."""
+    if isinstance(value, (str, bytes, bool, np.bool_)):
+        raise refuse(what, short(value), accepted)
     try:
-        return float(value)
-    except (TypeError, ValueError) as error:
-        raise refuse(what, _text(value), "a number") from error
+        out = float(value)
+    except (TypeError, ValueError, OverflowError) as error:
+        raise refuse(what, short(value), accepted) from error
+    if not lowest <= out <= highest:
+        raise refuse(what, short(value), accepted)
+    return out
+
+
+def seconds(what: str, value: Optional[float]) -> float:
+    """A budget; nothing: unlimited, as 0."""
+    return 0.0 if value is None else number(what, value, "seconds, at least 0", 0.0, float(np.finfo(float).max))
 
 
 def whole(what: str, value: Any, lowest: int, highest: int) -> int:
@@ -57,9 +68,9 @@ def whole(what: str, value: Any, lowest: int, highest: int) -> int:
     try:
         number = operator.index(value)
     except TypeError:
-        raise refuse(what, _text(value), accepted) from None
+        raise refuse(what, short(value), accepted) from None
     if not lowest <= number <= highest:
-        raise refuse(what, _text(value), accepted)
+        raise refuse(what, short(value), accepted)
     return number
 
 
@@ -81,7 +92,7 @@ def vertices(what: str, value: Any) -> NDArray[np.float64]:
     finite = np.isfinite(array)
     if not finite.all():
         row = int(np.argmin(finite.all(axis=1)))
-        raise refuse(f"{what}: row {row}", _text(array[row].tolist()), accepted)
+        raise refuse(f"{what}: row {row}", short(array[row].tolist()), accepted)
     return np.ascontiguousarray(array, dtype=np.float64)
 
 
@@ -100,16 +111,73 @@ def faces(what: str, value: Any, num_vertices: int) -> NDArray[np.int32]:
     return np.ascontiguousarray(array, dtype=np.int32)
 
 
-def names(what: str, value: Any) -> list[str]:
-    """Names of objects, given as objects or names."""
-    if isinstance(value, str) or not isinstance(value, Sequence):
-        raise refuse(what, _text(value), "a sequence of objects or their names")
-    return [name_of(what, one) for one in value]
+def flag(what: str, value: Any) -> bool:
+    """True or False, and not what Python takes for one of them."""
+    if not isinstance(value, (bool, np.bool_)):
+        raise refuse(what, short(value), "True or False")
+    return bool(value)
 
 
-def name_of(what: str, value: Any) -> str:
-    """Name of an object, given as the object or its name."""
-    name = getattr(value, "name", value)
-    if not isinstance(name, str):
-        raise refuse(what, _text(value), "an object or its name")
-    return name
+def text(what: str, value: Any) -> str:
+    """A str that UTF-8 has: no half of a surrogate pair."""
+    if not isinstance(value, str):
+        raise refuse(what, short(value), "a str")
+    try:
+        value.encode()
+    except UnicodeEncodeError:
+        raise refuse(what, short(value), "a str that UTF-8 has") from None
+    return value
+
+
+def path(what: str, value: Any) -> str:
+    """A path as a str."""
+    accepted = "a path: a str or os.PathLike, not empty, without NUL"
+    try:
+        name = os.fspath(value)
+    except TypeError:
+        raise refuse(what, short(value), accepted) from None
+    name = os.fsdecode(name)
+    if not name or "\0" in name:
+        raise refuse(what, short(value), accepted)
+    return text(what, name)
+
+
+def listed(what: str, value: Any, accepted: str) -> list[Any]:
+    """What may be iterated over, but for texts."""
+    if isinstance(value, (str, bytes)):
+        raise refuse(what, short(value), accepted)
+    try:
+        items = iter(value)
+    except TypeError:
+        raise refuse(what, short(value), accepted) from None
+    return list(items)
+
+
+def mapping(what: str, value: Any, accepted: str) -> Mapping[Any, Any]:
+    if not isinstance(value, Mapping):
+        raise refuse(what, short(value), accepted)
+    return value
+
+
+def callback(what: str, value: Any) -> Optional[Callable[..., Any]]:
+    if value is not None and not callable(value):
+        raise refuse(what, short(value), "a function, or None")
+    return value  # type: ignore[no-any-return]
+
+
+def plain(what: str, value: Any, depth: int = 32) -> Any:
+    """A part of an operation as the compiled module takes it: numbers, texts, lists and dicts; of NumPy, too."""
+    if value is None or isinstance(value, (bool, int, float)):
+        return value
+    if isinstance(value, str):
+        return text(what, value)
+    if isinstance(value, np.floating):  # not by tolist(), which leaves a long double as it is
+        return float(value)
+    if depth > 0:
+        if isinstance(value, (np.generic, np.ndarray)):
+            return plain(what, value.tolist(), depth - 1)
+        if isinstance(value, Mapping):
+            return {text(what, key): plain(f"{what}: /{key}", one, depth - 1) for key, one in value.items()}
+        if isinstance(value, Sequence) and not isinstance(value, (bytes, bytearray)):
+            return [plain(what, one, depth - 1) for one in value]
+    raise refuse(what, short(value), "numbers, texts, and lists and dicts of them, up to 32 within each other")

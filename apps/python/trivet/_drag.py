@@ -38,10 +38,10 @@ class Drag:
     """
 
     def __init__(self, scene: Scene, name: str, op: str, options: dict[str, Any]) -> None:
-        if op not in _EXTENT:
-            raise _arrays.refuse("op", repr(op), ", ".join(_EXTENT))
+        if not isinstance(op, str) or op not in _EXTENT:
+            raise _arrays.refuse("op", _arrays.short(op), ", ".join(_EXTENT))
         self._scene = scene
-        self._operation = {"op": op, "object": name, **_EXTENT[op], **_options(options)}
+        self._operation = {"op": op, "object": name, **_EXTENT[op], **_options(options, scene)}
         self._drag: Optional[_trivet.Drag] = None
         self.result: Optional[Result] = None
 

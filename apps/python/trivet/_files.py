@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-import os
 import warnings
-from typing import TYPE_CHECKING, Any, Callable, Iterable, Mapping, Optional
+from typing import TYPE_CHECKING, Any, Callable, Iterable, Mapping, Optional, cast
 
 from numpy.typing import ArrayLike
 
 from . import _arrays, _foreign, _trivet
-from ._properties import Material
+from ._properties import Material, material_of
 from ._results import Export, Overlap
+from ._settle import settings
 from ._shape import PathLike, find_importer
-from ._snapshot import Snapshot, TrivetWarning, material_of, settings
+from ._snapshot import Snapshot, TrivetWarning
 
 if TYPE_CHECKING:
     from ._scene import Scene
@@ -42,10 +42,12 @@ class Files:
             One of each for every object: a name; a Shape or a mesh; (4, 4), a rotation times one positive scale and a
             translation.
         fixed : names
-        materials : dict of names
+            Of those that never move.
+        materials : dict
+            As `Object.material`, by names; of others the default.
         """
-        entries = _foreign.entries(names, shapes, poses, fixed, materials or {})
-        return cls._of(_trivet.Scene.standing(entries, bool(floor), material_of(floor_material),
+        entries = _foreign.entries(names, shapes, poses, fixed, {} if materials is None else materials)
+        return cls._of(_trivet.Scene.standing(entries, _arrays.flag("floor", floor), material_of(floor_material),
                                               settings(clearance, options)))
 
     @classmethod
@@ -72,8 +74,9 @@ class Files:
         TrivetWarning
             For each of `notes`: operations of a layout that were refused, and what a file lost.
         """
-        scene = cls._of(_trivet.Scene.open(os.fspath(path), find_importer(), settings(clearance, options),
-                                             options.get("perfect_friction"), options.get("whole_at_rest"), progress))
+        scene = cls._of(_trivet.Scene.open(_arrays.path("path", path), find_importer(), settings(clearance, options),
+                                           options.get("perfect_friction"), options.get("whole_at_rest"),
+                                           _arrays.callback("progress", progress)))
         for note in scene.notes:
             warnings.warn(note, TrivetWarning, stacklevel=2)
         return scene
@@ -83,13 +86,23 @@ class Files:
         """A scene from what `to_glb` gave; options as those of `Scene`, what is left out as the file says."""
         return Snapshot.from_bytes(data).scene(clearance=clearance, **options)
 
+    def to_trimesh(self) -> Any:
+        """A trimesh.Scene: metres, z up, a node for each object that is in the scene, by its name. Needs trimesh.
+
+        Each shape is one geometry, in its own units, with the colours of its faces; `from_trimesh` reads it back.
+        """
+        return _foreign.trimesh_of(cast("Scene", self))
+
     def to_glb(self) -> bytes:
         """A binary glTF file that every program shows and Trivet reads back whole."""
         return Snapshot(self._scene.snapshot()).to_bytes()
 
     def save(self, path: PathLike) -> None:
-        """By extension: .glb, which Trivet reads back whole; .gltf, .obj, .ply, .stl. Replaced atomically."""
-        self._scene.save(os.fspath(path))
+        """By extension: .glb, which Trivet reads back whole; .gltf, .obj, .ply, .stl.
+
+        A file that is there is replaced atomically; folders that are not there are made.
+        """
+        self._scene.save(_arrays.path("path", path))
 
     def export(self, path: PathLike, *, collision: str = "fitted", friction: Optional[float] = None,
                density: Optional[float] = None, max_overlap: float = 0.0) -> Export:
@@ -99,16 +112,20 @@ class Files:
         ----------
         collision : "fitted", "hull", "components", "decomposition" or "mesh"
         friction, density : float, optional
-            Of everything, kg/m3; nothing: of the materials.
+            Of everything, 0 to 1e3, and 1e-6 to 1e6 kg/m3; nothing: of the materials.
         max_overlap : float
-            Metres by which parts of two objects may overlap; 0: 1e-4 of the smaller one.
+            Metres by which parts of two objects may overlap, up to 1e3; 0: 1e-4 of the smaller one.
 
         Raises
         ------
         BadInputError
             Parts overlap by more: a simulator would push them apart.
         """
-        values = self._scene.export(os.fspath(path), collision, friction, density,
-                                    _arrays.number("max_overlap", max_overlap))
+        if friction is not None:
+            friction = _arrays.number("friction", friction, "a number from 0 to 1e3", 0.0, 1e3)
+        if density is not None:
+            density = _arrays.number("density", density, "kilograms per cubic metre, 1e-6 to 1e6", 1e-6, 1e6)
+        values = self._scene.export(_arrays.path("path", path), _arrays.text("collision", collision), friction, density,
+                                    _arrays.number("max_overlap", max_overlap, "metres, 0 to 1e3", 0.0, 1e3))
         return Export(tuple(values["files"]), tuple(values["notes"]),
                       tuple(Overlap(*one) for one in values["overlaps"]), values["masses"])

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import os
 from types import TracebackType
 from typing import TYPE_CHECKING, Optional
 
 from . import _trivet
 from ._errors import SceneBusy
-from ._shape import PathLike
+from ._shape import PathLike, write_file
 
 if TYPE_CHECKING:
     from ._scene import Scene
@@ -56,5 +55,4 @@ class Film:
 
     def save(self, path: PathLike) -> None:
         """Write the same to a file, .glb."""
-        with open(os.fspath(path), "wb") as file:
-            file.write(self.to_glb())
+        write_file(path, self.to_glb())

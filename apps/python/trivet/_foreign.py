@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
-from typing import Any, Iterable, Mapping
+from importlib import import_module
+from typing import TYPE_CHECKING, Any, Iterable, Mapping
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _arrays, _trivet
-from ._errors import BadInputError
-from ._properties import Material
+from ._errors import BadInputError, EnvironmentFailure
+from ._named import names as names_of
+from ._properties import Material, material_of
 from ._shape import Shape
-from ._snapshot import material_of
+
+if TYPE_CHECKING:
+    from ._scene import Scene
 
 Entry = tuple[str, _trivet.Shape, NDArray[np.float64], bool, Any]
 
@@ -20,22 +24,26 @@ def entries(names: Iterable[str], shapes: Iterable[Any], poses: Iterable[ArrayLi
             materials: Mapping[str, Material]) -> list[Entry]:
     """Name, shape, pose, fixed and material of each object; a mesh that comes twice is one shape."""
     out: list[Entry] = []
-    fixed_names = set(fixed)
+    fixed_names = set(names_of("fixed", fixed))
+    material = {name: material_of(one) for name, one in _arrays.mapping("materials", materials, "a dict by names").items()}
     of_mesh: dict[int, Shape] = {}
     for name, mesh, pose in _zipped(names, shapes, poses):
         if not isinstance(mesh, Shape) and id(mesh) not in of_mesh:
             of_mesh[id(mesh)] = Shape(mesh)
         shape = mesh if isinstance(mesh, Shape) else of_mesh[id(mesh)]
         out.append((name, shape._shape, _arrays.matrix(f'pose of "{name}"', pose), name in fixed_names,
-                    material_of(materials.get(name))))
-    unknown = fixed_names - {one[0] for one in out}
-    if unknown:
-        raise _arrays.refuse("fixed", repr(sorted(unknown)), "names of the objects")
+                    material.get(name)))
+    known = {one[0] for one in out}
+    for what, given in (("fixed", fixed_names), ("materials", set(material))):
+        if not given <= known:
+            raise _arrays.refuse(what, repr(sorted(given - known, key=str)), "names of the objects")
     return out
 
 
 def parts_of_trimesh(scene: Any) -> tuple[list[str], list[Shape], list[Any]]:
     """Names, shapes and poses of the nodes of a trimesh.Scene that have geometry."""
+    if not hasattr(getattr(scene, "graph", None), "nodes_geometry") or not hasattr(scene, "geometry"):
+        raise _arrays.refuse("scene", f"a value of type {type(scene).__name__}", "a trimesh.Scene")
     names, shapes, poses = [], [], []
     shape_of: dict[str, Shape] = {}
     for node in scene.graph.nodes_geometry:
@@ -48,12 +56,32 @@ def parts_of_trimesh(scene: Any) -> tuple[list[str], list[Shape], list[Any]]:
     return names, shapes, poses
 
 
+def trimesh_of(scene: Scene) -> Any:
+    """A trimesh.Scene of what is in the scene; a shape of several objects is one geometry."""
+    try:
+        trimesh: Any = import_module("trimesh")
+    except ImportError as error:
+        raise EnvironmentFailure("to_trimesh: the package trimesh is missing; accepted: Python with trimesh") from error
+    out = trimesh.Scene()
+    geometry: dict[Shape, str] = {}
+    for one in scene:
+        if not one.placed:
+            continue
+        shape = one.shape
+        if shape not in geometry:
+            geometry[shape] = f"shape_{len(geometry)}"
+            out.geometry[geometry[shape]] = trimesh.Trimesh(shape.vertices.copy(), shape.faces.copy(),
+                                                            face_colors=shape.face_colors(), process=False)
+        out.graph.update(frame_to=one.name, matrix=one.matrix, geometry=geometry[shape])
+    return out
+
+
 def _zipped(names: Iterable[str], shapes: Iterable[Any], poses: Iterable[ArrayLike]) -> list[tuple[str, Any, Any]]:
-    n, s, p = list(names), list(shapes), list(poses)
+    n, s, p = (_arrays.listed(what, value, "one of each for every object")
+               for what, value in (("names", names), ("shapes", shapes), ("poses", poses)))
     if not len(n) == len(s) == len(p):
         raise BadInputError(f"{len(n)} names, {len(s)} shapes and {len(p)} poses are not accepted; accepted: one of each "
                             "for every object")
     for name in n:
-        if not isinstance(name, str):
-            raise _arrays.refuse("names", repr(name), "a str")
+        _arrays.text("names", name)
     return list(zip(n, s, p))

@@ -48,14 +48,10 @@ def first_contact(moving: Any, moving_pose: ArrayLike, fixed: Any, fixed_pose: A
             raise _arrays.refuse("about", repr(about), "an axis and a point on it")
         axis = _arrays.vector("axis", about[0], 3)
         centre = np.array(_arrays.vector("centre", about[1], 3))
-        amount = _arrays.number("degrees", degrees)
-        if not -3600 <= amount <= 3600:
-            raise _arrays.refuse("degrees", repr(degrees), "-3600 to 3600")
+        amount = _arrays.number("degrees", degrees, "-3600 to 3600", -3600.0, 3600.0)
     else:
         axis = _arrays.vector("along", along, 3)
-        amount = _arrays.number("distance", distance)
-        if not 0 <= amount <= 1e15:
-            raise _arrays.refuse("distance", repr(distance), "0 to 1e15 metres")
+        amount = _arrays.number("distance", distance, "0 to 1e15 metres", 0.0, 1e15)
     found = _trivet.first_contact(_shape(moving)._shape, _arrays.matrix("moving_pose", moving_pose),
                                   _shape(fixed)._shape, _arrays.matrix("fixed_pose", fixed_pose), np.array(axis), centre,
                                   amount, _arrays.number("clearance", clearance))
@@ -87,8 +83,11 @@ def interpenetrations(shapes: Iterable[Any], poses: Iterable[ArrayLike], *,
         World positions of the rows of `Shape.vertices` instead: the very numbers that another program has; their pose is
         then about where they are.
     """
-    given, matrices = [_shape(one) for one in shapes], list(poses)
-    where: list[Optional[ArrayLike]] = list(positions or [None] * len(given))
+    given = [_shape(one) for one in _arrays.listed("shapes", shapes, "a sequence of shapes")]
+    matrices = _arrays.listed("poses", poses, "a sequence of (4, 4) arrays")
+    where: list[Optional[ArrayLike]] = [None] * len(given)
+    if positions is not None:
+        where = _arrays.listed("positions", positions, "a sequence of (n, 3) arrays or None")
     if not len(given) == len(matrices) == len(where):
         raise BadInputError(f"{len(given)} shapes, {len(matrices)} poses and {len(where)} positions are not accepted; "
                             "accepted: one of each")
@@ -104,6 +103,8 @@ def random_rotation(rng: np.random.Generator) -> list[float]:
 
     Without sine and cosine: the same bits wherever `rng` gives the same.
     """
+    if not isinstance(rng, (np.random.Generator, np.random.RandomState)):
+        raise _arrays.refuse("rng", _arrays.short(rng), "a numpy.random.Generator, as by numpy.random.default_rng(7)")
     while True:
         q = rng.uniform(-1.0, 1.0, 4)
         squared = float(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3])

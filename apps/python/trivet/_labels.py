@@ -8,9 +8,9 @@ from typing import Any, Optional
 import numpy as np
 from numpy.typing import NDArray
 
-from . import _arrays
 from ._camera import Camera
 from ._errors import NoSuchObject
+from ._named import name_of
 
 Floats = NDArray[np.float64]
 
@@ -79,7 +79,7 @@ class Labels:
 
     def mask(self, what: Any) -> NDArray[np.bool_]:
         """(height, width): where this object (or its name, or "floor") is seen."""
-        name = _arrays.name_of("what", what)
+        name = name_of("what", what)
         if name != "floor" and name not in self.names:
             raise NoSuchObject(f'there is no object "{name}" in the picture\'s scene')
         number = FLOOR if name == "floor" else 1 + self.names.index(name)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import html
-import os
 from typing import TYPE_CHECKING, Any, Callable, Iterable, Mapping, Optional, Sequence, Union, cast
 
 import numpy as np
@@ -13,6 +12,7 @@ from . import _arrays, _trivet
 from ._camera import MAX_SIDE, Camera, size_of
 from ._film import Film
 from ._labels import Labels
+from ._named import highlighted, name_of
 from ._shape import PathLike
 from ._view import View, encode_png, num_faces, view_of
 
@@ -84,8 +84,8 @@ class Pictures:
             Reflections of a path, 0 to 64; 0: shadows and sky only.
         transparent : bool
             Nothing behind the scene: a fourth channel is opacity.
-        highlight : names or objects, or a dict of them
-            Drawn in orange, or in a colour: linear RGB and its strength, 0 to 1.
+        highlight : names, objects or pairs of them, or a dict of them
+            Drawn in orange, or in a colour: linear RGB and its strength, 0 to 1. Pairs as in `Check.crossings`.
         progress : callable, optional
             ``progress(fraction)``, from threads of Trivet's too, one at a time; what it raises stops the work and is raised
             here.
@@ -103,8 +103,9 @@ class Pictures:
             A size beyond 16384 pixels a side or 2^26 together, samples or bounces out of range.
         """
         image = self._scene.render(self._camera_of(camera, size)._camera, _arrays.whole("samples", samples, 1, 4096),
-                                   _arrays.whole("bounces", bounces, 0, 64), bool(transparent), _colours(highlight),
-                                   progress, _arrays.whole("num_threads", num_threads, 0, 1024))
+                                   _arrays.whole("bounces", bounces, 0, 64), _arrays.flag("transparent", transparent),
+                                   _colours(highlight, cast("Scene", self)), _arrays.callback("progress", progress),
+                                   _arrays.whole("num_threads", num_threads, 0, 1024))
         return image if transparent else np.ascontiguousarray(image[:, :, :3])
 
     def labels(self, camera: Optional[Camera] = None, *, size: Optional[Sequence[int]] = None,
@@ -127,7 +128,8 @@ class Pictures:
             0: all cores; the labels do not depend on it.
         """
         view = self._camera_of(camera, size)
-        values = self._scene.labels(view._camera, _class_names(classes), bool(normals), bool(visibility),
+        values = self._scene.labels(view._camera, _class_names(classes, cast("Scene", self)),
+                                    _arrays.flag("normals", normals), _arrays.flag("visibility", visibility),
                                     _arrays.whole("num_threads", num_threads, 0, 1024))
         return Labels(camera=view, **values)
 
@@ -160,15 +162,16 @@ class Pictures:
         EnvironmentFailure
             A file cannot be written.
         """
-        views = [self._camera_of(_is_camera(one), None)._camera for one in cameras]
+        views = [self._camera_of(_is_camera(one), None)._camera
+                 for one in _arrays.listed("cameras", cameras, "cameras, as by dome(100)")]
         if not views:
             raise _arrays.refuse("cameras", "[]", "one camera at least")
-        unit = _arrays.number("depth_unit", depth_unit)
-        if not 1e-9 <= unit <= 1e9:
-            raise _arrays.refuse("depth_unit", repr(depth_unit), "1e-9 to 1e9")
-        self._scene.write_data_set(os.fspath(folder), str(form), views, _class_names(classes),
+        unit = _arrays.number("depth_unit", depth_unit, "1e-9 to 1e9", 1e-9, 1e9)
+        self._scene.write_data_set(_arrays.path("folder", folder), _arrays.text("form", form), views,
+                                   _class_names(classes, cast("Scene", self)),
                                    _arrays.whole("samples", samples, 1, 4096), _arrays.whole("bounces", bounces, 0, 64),
-                                   unit, progress, _arrays.whole("num_threads", num_threads, 0, 1024))
+                                   unit, _arrays.callback("progress", progress),
+                                   _arrays.whole("num_threads", num_threads, 0, 1024))
 
     def view(self, *, show: Iterable[str] = (), highlight: Iterable[Any] = (), height: int = 480,
              max_faces: int = _MOST_SHOWN) -> View:
@@ -179,8 +182,8 @@ class Pictures:
         show : names
             Of "hulls" (convex hulls), "contacts" (points and normals) and "supports" (what rests on what); each can be
             switched in the page, too.
-        highlight : names or objects
-            Drawn in orange.
+        highlight : names, objects or pairs of them
+            Drawn in orange. Pairs as in `Check.crossings`.
         height : int
             Pixels in a notebook.
         max_faces : int
@@ -224,24 +227,24 @@ def _is_camera(value: Any) -> Any:
     return value
 
 
-def _class_names(classes: Optional[Mapping[str, str]]) -> dict[str, str]:
-    return {_arrays.name_of("classes", name): _class_name(value) for name, value in (classes or {}).items()}
+def _class_names(classes: Optional[Mapping[str, str]], scene: Scene) -> dict[str, str]:
+    given = _arrays.mapping("classes", {} if classes is None else classes, "a dict of classes by names")
+    return {name_of("classes", name, scene): _class_name(value) for name, value in given.items()}
 
 
 def _class_name(value: Any) -> str:
-    if not isinstance(value, str) or not value:
+    if not _arrays.text("classes", value):
         raise _arrays.refuse("classes", repr(value), "names of classes, not empty")
-    return value
+    return str(value)
 
 
-def _colours(highlight: Highlight) -> dict[str, list[float]]:
-    if isinstance(highlight, str):
-        raise _arrays.refuse("highlight", repr(highlight), "a list of objects or names, or a dict")
-    items = highlight.items() if isinstance(highlight, Mapping) else ((one, _HIGHLIGHT) for one in highlight)
+def _colours(highlight: Highlight, scene: Scene) -> dict[str, list[float]]:
+    if not isinstance(highlight, Mapping):
+        return {name: list(_HIGHLIGHT) for name in highlighted(highlight, scene)}
     out = {}
-    for what, colour in items:
+    for what, colour in highlight.items():
         values = _arrays.vector("highlight", colour, 4)
         if not all(0 <= x <= 1 for x in values):
             raise _arrays.refuse("highlight", repr(colour), "4 numbers from 0 to 1")
-        out[_arrays.name_of("highlight", what)] = values
+        out.update({name: values for name in highlighted([what], scene)})
     return out

@@ -95,7 +95,7 @@ class Properties:
 
     @fixed.setter
     def fixed(self, value: bool) -> None:
-        self._do(op="fix" if value else "unfix")
+        self._do(op="fix" if _arrays.flag("fixed", value) else "unfix")
 
     @property
     def locked(self) -> bool:
@@ -104,7 +104,7 @@ class Properties:
 
     @locked.setter
     def locked(self, value: bool) -> None:
-        self._do(op="lock" if value else "unlock")
+        self._do(op="lock" if _arrays.flag("locked", value) else "unlock")
 
     @property
     def group(self) -> str:
@@ -113,7 +113,7 @@ class Properties:
 
     @group.setter
     def group(self, value: str) -> None:
-        if value:
+        if _arrays.text("group", value):
             self._do(op="group", group=value)
         else:
             self._do(op="ungroup")
@@ -125,7 +125,7 @@ class Properties:
 
     @material.setter
     def material(self, value: Material) -> None:
-        self._do(op="material", material=value if isinstance(value, str) else dict(value))
+        self._do(op="material", material=material_of(value))
 
     @property
     def scale(self) -> float:
@@ -155,7 +155,7 @@ class Properties:
     def _try(self, budget: Optional[float] = None, **operation: Any) -> Result:
         operation["object"] = self._name
         given = {key: value for key, value in operation.items() if value is not None}
-        return result_of(self._scene._scene.perform(given, self._key, _budget(budget)))
+        return result_of(self._scene._scene.perform(given, self._key, _arrays.seconds("budget", budget)))
 
     def _do(self, **operation: Any) -> Result:
         operation["object"] = self._name
@@ -173,8 +173,9 @@ class Properties:
         return f"<trivet.Object {self._name!r}, {self.state if number == self._key else 'deleted'}>"
 
 
-def _budget(budget: Optional[float]) -> float:
-    seconds = 0.0 if budget is None else _arrays.number("budget", budget)
-    if not 0 <= seconds < float("inf"):
-        raise _arrays.refuse("budget", repr(budget), "seconds, at least 0")
-    return seconds
+def material_of(value: Optional[Material]) -> Any:
+    """A material as operations have it."""
+    if value is None or isinstance(value, str):
+        return value
+    accepted = "a name of trivet.materials(), or a dict of friction, density and restitution"
+    return _arrays.plain("material", _arrays.mapping("material", value, accepted))

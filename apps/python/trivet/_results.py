@@ -86,7 +86,7 @@ def result_of(values: dict[str, Any]) -> Result:
 
 
 def raise_for(result: Result) -> NoReturn:
-    if result.code == "invalid_argument":
+    if result.code in ("invalid_argument", "invalid_name"):
         raise BadInputError(result.reason)
     kinds: dict[str, type[NotDone]] = {"cancelled": Cancelled, "out of time": OutOfTime}
     raise kinds.get(result.status, Refused)(result)

@@ -12,12 +12,14 @@ from . import _arrays, _trivet
 from ._drag import Drag
 from ._errors import NoSuchObject
 from ._files import Files
+from ._named import name_of
 from ._object import Object
 from ._pictures import Pictures
-from ._properties import Material
+from ._properties import Material, material_of
 from ._results import Check, Contacts, Result, SupportGraph, check_of, done
+from ._settle import Settle, settings
 from ._shape import Shape
-from ._snapshot import Snapshot, material_of, settings
+from ._snapshot import Snapshot
 from ._zlists import ZLists
 
 _TYPES = np.array(["point", "line", "area"])
@@ -47,7 +49,7 @@ class Scene(Files, Pictures):
 
     def __init__(self, floor: bool = True, *, floor_material: Optional[Material] = None, clearance: float = 0.0,
                  **options: Any) -> None:
-        self._scene = _trivet.Scene(bool(floor), material_of(floor_material), settings(clearance, options))
+        self._scene = _trivet.Scene(_arrays.flag("floor", floor), material_of(floor_material), settings(clearance, options))
 
     @classmethod
     def _of(cls, scene: _trivet.Scene) -> Scene:
@@ -80,28 +82,35 @@ class Scene(Files, Pictures):
         Raises
         ------
         Refused
-            "name_taken", "invalid_name", "crossing", "inside", "below_floor", ...
+            "name_taken", "crossing", "inside", "below_floor", ...
         BadInputError
-            A pose that is sheared, mirrored or unequally scaled; a scale out of range.
+            A name that none can have; a pose that is sheared, mirrored or unequally scaled; a scale out of range.
         """
-        if not isinstance(name, str):
-            raise _arrays.refuse("name", repr(name), "a str")
+        _arrays.text("name", name)
+        if up not in (None, "y", "z"):
+            raise _arrays.refuse("up", _arrays.short(up), '"y" or "z"')
         given = shape if isinstance(shape, Shape) else Shape(shape)
         matrix = None if pose is None else _arrays.matrix(f'pose of "{name}"', pose)
-        done(self._scene.add(name, given._shape, matrix, _arrays.number("scale", scale), bool(fixed), up,
-                             material_of(material)))
+        metres = _arrays.number("scale", scale, "a number from 1e-15 to 1e15", 1e-15, 1e15)
+        done(self._scene.add(name, given._shape, matrix, metres, _arrays.flag("fixed", fixed), up, material_of(material)))
         return self[name]
 
     def __getitem__(self, name: str) -> Object:
-        key = self._scene.find(name) if isinstance(name, str) else None
+        key = self._find(name)
         if key is None:
-            raise NoSuchObject(f'there is no object "{name}"')
+            raise NoSuchObject(f"there is no object {_quoted(name)}")
         return Object(self, key, name)
 
     def __contains__(self, item: object) -> bool:
         if isinstance(item, Object):
             return item.scene is self and self._scene.find(item.name) == item._key
-        return isinstance(item, str) and self._scene.find(item) is not None
+        return self._find(item) is not None
+
+    def _find(self, name: object) -> Optional[int]:
+        """The key of what has this name; no object has one that UTF-8 has not."""
+        if not isinstance(name, str) or name != name.encode(errors="replace").decode():
+            return None
+        return self._scene.find(name)
 
     def __iter__(self) -> Iterator[Object]:
         return iter([Object(self, key, name) for key, name in self._scene.entries()])
@@ -119,9 +128,9 @@ class Scene(Files, Pictures):
         return self._scene.floor
 
     @property
-    def settle(self) -> _trivet.SettleOptions:
+    def settle(self) -> Settle:
         """How operations settle: `clearance`, `perfect_friction`, `whole_at_rest`, `accept_wedged`, `max_motions`."""
-        return self._scene.settle
+        return Settle(self._scene.settle)
 
     @property
     def time_budget(self) -> float:
@@ -130,7 +139,7 @@ class Scene(Files, Pictures):
 
     @time_budget.setter
     def time_budget(self, seconds: float) -> None:
-        self._scene.time_budget = _arrays.number("time_budget", seconds)
+        self._scene.time_budget = _arrays.seconds("time_budget", seconds)
 
     @property
     def notes(self) -> list[str]:
@@ -144,7 +153,12 @@ class Scene(Files, Pictures):
 
         Returns the result of the last one. Raises `Refused` for the first that is refused.
         """
-        return done(self._scene.perform_all([dict(one) for one in operations], budget))
+        accepted = 'a list of dicts, such as {"op": "put", "object": "cup", "on": "table"}'
+        given = []
+        for number, one in enumerate(_arrays.listed("operations", operations, accepted)):
+            what = f"operations: {number}"
+            given.append(_arrays.plain(what, _arrays.mapping(what, one, accepted)))
+        return done(self._scene.perform_all(given, _arrays.seconds("budget", budget)))
 
     def arrange(self, problem: Mapping[str, Any], *, budget: float = 0.0) -> Result:
         """Places for several objects at once, by relations between them; one step of history.
@@ -167,7 +181,8 @@ class Scene(Files, Pictures):
         Refused
             Not all can be met: ``"no_arrangement"``, with the objects of the conflict and the metres that are ``"missing"``.
         """
-        return self.perform([{"op": "arrange", **problem}], budget=budget)
+        given = _arrays.mapping("problem", problem, "a dict, as trivet schema arrange has it")
+        return self.perform([{"op": "arrange", **given}], budget=budget)
 
     def cancel(self) -> None:
         """Stop the operation that another thread has under way; it raises `Cancelled` there."""
@@ -190,7 +205,7 @@ class Scene(Files, Pictures):
 
     def drag(self, what: Union[Object, str], op: str = "push", **options: Any) -> Drag:
         """Follow a hand; see `Drag`. `op`: "push", "turn", "pick_up", "translate" or "rotate", with its options."""
-        return Drag(self, _arrays.name_of("what", what), op, options)
+        return Drag(self, name_of("what", what, self), op, options)
 
     # History.
 
@@ -254,7 +269,7 @@ class Scene(Files, Pictures):
             0: all cores; the result does not depend on it.
         """
         given = None if friction is None else _arrays.number("friction", friction)
-        return check_of(self._scene.check(given, int(num_threads)))
+        return check_of(self._scene.check(given, _arrays.whole("num_threads", num_threads, 0, 1024)))
 
     def zlists(self, direction: ArrayLike = (0.0, 0.0, -1.0), *, resolution: int = 256,
                region: Optional[ArrayLike] = None, max_bytes: float = 1e9, num_threads: int = 0) -> ZLists:
@@ -272,11 +287,10 @@ class Scene(Files, Pictures):
             BadInputError beyond.
         """
         rectangle = None if region is None else _arrays.vector("region", region, 4)
-        bytes_accepted = _arrays.number("max_bytes", max_bytes)
-        if not 0 <= bytes_accepted <= 1e15:
-            raise _arrays.refuse("max_bytes", repr(max_bytes), "0 to 1e15")
-        return ZLists(**self._scene.zlists(np.array(_arrays.vector("direction", direction, 3)), int(resolution), rectangle,
-                                           bytes_accepted, int(num_threads)))
+        return ZLists(**self._scene.zlists(np.array(_arrays.vector("direction", direction, 3)),
+                                           _arrays.whole("resolution", resolution, 1, 8192), rectangle,
+                                           _arrays.number("max_bytes", max_bytes, "0 to 1e15", 0.0, 1e15),
+                                           _arrays.whole("num_threads", num_threads, 0, 1024)))
 
     def __reduce__(self) -> Any:
         settle = self._scene.settle
@@ -285,6 +299,10 @@ class Scene(Files, Pictures):
 
     def __repr__(self) -> str:
         return f"<trivet.Scene of {len(self)} objects>"
+
+
+def _quoted(name: object) -> str:
+    return f'"{name}"' if isinstance(name, str) and name.isprintable() else _arrays.short(name)
 
 
 def _unpickled(snapshot: Snapshot, options: dict[str, Any]) -> Scene:

@@ -24,6 +24,15 @@ def find_importer() -> str:
     return str(found.resolve())
 
 
+def write_file(path: PathLike, data: bytes) -> None:
+    """Bytes as a file, or an EnvironmentFailure that names it."""
+    name = _arrays.path("path", path)
+    try:
+        Path(name).write_bytes(data)
+    except OSError as error:
+        raise EnvironmentFailure(f"{name}: cannot be written: {error.strerror}") from error
+
+
 class Shape:
     """Triangles in a frame of their own: open or closed, concave, self-crossing, as they are.
 
@@ -92,16 +101,18 @@ class Shape:
         EnvironmentFailure
             The program trivet-import is missing.
         """
-        importer = find_importer() if isolated else ""
-        return cls._of(_trivet.Shape.load(os.fspath(path), importer, int(max_triangles),
-                                          _arrays.number("max_seconds", max_seconds), _arrays.number("chord", chord)))
+        name = _arrays.path("path", path)
+        importer = find_importer() if _arrays.flag("isolated", isolated) else ""
+        return cls._of(_trivet.Shape.load(name, importer, _arrays.whole("max_triangles", max_triangles, 1, 2 ** 31 - 1),
+                                          _arrays.number("max_seconds", max_seconds, "seconds, 0 to 1e9", 0.0, 1e9),
+                                          _arrays.number("chord", chord)))
 
     def colored(self, rgba: ArrayLike) -> Shape:
         """The same geometry in one colour: 3 or 4 numbers from 0 to 1, linear RGB and opacity."""
-        given = np.asarray(rgba, dtype=np.float64)
-        if given.shape not in ((3,), (4,)) or not ((given >= 0) & (given <= 1)).all():
-            raise _arrays.refuse("rgba", repr(rgba), "3 or 4 numbers from 0 to 1")
-        return Shape._of(self._shape.coloured([*given.tolist(), 1.0][:4]))
+        given = _arrays.vector("rgba", rgba, 4 if np.shape(rgba) == (4,) else 3)
+        if not all(0 <= x <= 1 for x in given):
+            raise _arrays.refuse("rgba", _arrays.short(rgba), "3 or 4 numbers from 0 to 1")
+        return Shape._of(self._shape.coloured([*given, 1.0][:4]))
 
     @property
     def vertices(self) -> NDArray[np.float64]:

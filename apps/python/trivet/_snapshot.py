@@ -1,12 +1,12 @@
-"""Snapshots of scenes, and settings of settling."""
+"""Snapshots of scenes."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Mapping, Optional
+from typing import TYPE_CHECKING, Any, Optional
 
 from . import _arrays, _trivet
-from ._errors import BadInputError
 from ._properties import Material
+from ._settle import settings
 from ._shape import find_importer
 
 if TYPE_CHECKING:
@@ -15,30 +15,6 @@ if TYPE_CHECKING:
 
 class TrivetWarning(UserWarning):
     """What a file of a scene lost, or an operation of a layout that was refused."""
-
-
-def material_of(value: Optional[Material]) -> Any:
-    return value if value is None or isinstance(value, str) else dict(value)
-
-
-def settings(clearance: Optional[float], options: Mapping[str, Any],
-             settle: Optional[_trivet.SettleOptions] = None) -> _trivet.SettleOptions:
-    """`settle`, or the defaults, with these changes."""
-    settle = settle or _trivet.SettleOptions()
-    if clearance is not None:
-        settle.clearance = _arrays.number("clearance", clearance)
-    if not 0 <= settle.clearance < float("inf"):
-        raise _arrays.refuse("clearance", repr(clearance), "metres, at least 0; 0 for 2^-20 of the scene's size")
-    accepted = [key for key in dir(settle) if not key.startswith("_") and key != "clearance"]
-    for key, value in options.items():
-        if key not in accepted:
-            raise BadInputError(f"{key}: there is no such option; accepted: {', '.join(accepted)}")
-        try:
-            setattr(settle, key, value)
-        except TypeError:
-            kind = type(getattr(settle, key)).__name__
-            raise _arrays.refuse(key, repr(value), f"a value of type {kind}") from None
-    return settle
 
 
 class Snapshot:
@@ -59,6 +35,8 @@ class Snapshot:
     @classmethod
     def from_bytes(cls, data: bytes) -> Snapshot:
         """What `to_bytes` gave, or the bytes of a .glb that Trivet wrote. Raises BadInputError for others."""
+        if not isinstance(data, (bytes, bytearray, memoryview)):
+            raise _arrays.refuse("data", _arrays.short(data), "bytes, as to_bytes gave them")
         return cls(_trivet.Snapshot.from_bytes(bytes(data), find_importer()))
 
     def scene(self, *, clearance: Optional[float] = None, **options: Any) -> Scene:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import base64
 import html
 import json
-import os
 from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Iterable
@@ -14,7 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _arrays, _trivet
-from ._shape import PathLike, Shape
+from ._named import highlighted
+from ._shape import PathLike, Shape, write_file
 
 if TYPE_CHECKING:
     from ._scene import Scene
@@ -44,8 +44,7 @@ class View:
 
     def save(self, path: PathLike) -> None:
         """Write the page, for a browser."""
-        with open(os.fspath(path), "w", encoding="utf-8") as file:
-            file.write(self.html)
+        write_file(path, self.html.encode())
 
     def _repr_html_(self) -> str:
         return (f'<iframe srcdoc="{html.escape(self.html)}" sandbox="allow-scripts" '
@@ -78,11 +77,12 @@ def num_faces(scene: Scene) -> int:
 
 
 def view_of(scene: Scene, show: Iterable[str], highlight: Iterable[Any], height: int, max_faces: int) -> View:
-    wanted = sorted(_arrays.names("show", list(show)))
+    accepted = "a sequence of " + ", ".join(_PARTS)
+    wanted = sorted(_arrays.text("show", part) for part in _arrays.listed("show", show, accepted))
     for part in wanted:
         if part not in _PARTS:
             raise _arrays.refuse("show", repr(part), ", ".join(_PARTS))
-    marked = {_arrays.name_of("highlight", one) for one in highlight}
+    marked = set(highlighted(highlight, scene))
     for name in marked:
         scene[name]  # raises for what is not there
     faces = num_faces(scene)

@@ -67,6 +67,23 @@ class TrimeshSceneStandIn:
         return self._at[node]
 
 
+class TrimeshStandInPackage:
+    """Stands in for the package: a Scene that is filled by geometry[name] and graph.update()."""
+
+    @staticmethod
+    def Trimesh(vertices, faces, face_colors, process):
+        assert process is False and face_colors.shape == (len(faces), 4)
+        return TrimeshStandIn(vertices, faces)
+
+    class Scene(TrimeshSceneStandIn):
+        def __init__(self):
+            super().__init__([])
+
+        def update(self, frame_to, matrix, geometry):
+            self.nodes_geometry.append(frame_to)
+            self._at[frame_to] = (matrix, geometry)
+
+
 def table_with_cup():
     """A fixed table of 1 m, its top at z = 0.1, and a cup (a torus) at rest on it."""
     scene = trivet.Scene()

@@ -63,6 +63,48 @@ def test_a_layout_gives_the_bits_of_the_program(tmp_path):
             assert o.state == report[o.name]["state"]
 
 
+def export_by_program(scene, output, *options):
+    """The program's report on what it exports of a saved scene, and its status."""
+    scene.save(output.parent / "scene.glb")
+    done = subprocess.run([PROGRAM, "export", "scene.glb", "-o", output.name, "--json", *map(str, options)],
+                          cwd=output.parent, capture_output=True, text=True, timeout=120)
+    return (json.loads(done.stdout) if done.stdout else done.stderr), done.returncode
+
+
+def exported_files(folder, files):
+    names = [os.path.relpath(folder / one, folder) for one in files]
+    return {name: (folder / name).read_bytes() for name in names}
+
+
+@pytest.mark.skipif(not PROGRAM, reason="TRIVET_PROGRAM is not set")
+@pytest.mark.parametrize("name", ["scene.xml", "scene.mjcf", "scene.urdf", "scene.sdf", "scene.usda"])
+@pytest.mark.parametrize("options", [{}, {"collision": "components", "friction": 0.6, "density": 800}])
+def test_exports_are_those_of_the_program(name, options, tmp_path):
+    scene = table_with_cup()
+    scene.add("a stick", box(0.02, 0.03, 0.1), material="wood").put([-0.3, -0.2, 1])
+    report, status = export_by_program(scene, tmp_path / name, *(x for k, v in options.items() for x in ("--" + k, v)))
+    assert status == 0, report
+    done = scene.export(tmp_path / "here" / name, **options)
+    here, there = exported_files(tmp_path / "here", done.files), exported_files(tmp_path, report["files"])
+    assert sorted(here) == sorted(there) and name in here and len(here) > 1
+    assert [one for one in here if here[one] != there[one]] == []
+    assert done.masses == {one["name"]: one["mass"] for one in report["objects"]}
+    assert list(done.notes) == report["notes"]
+
+
+@pytest.mark.skipif(not PROGRAM, reason="TRIVET_PROGRAM is not set")
+def test_mujoco_moves_what_is_not_at_rest_only(tmp_path):
+    scene = trivet.Scene.from_poses(["lies", "hangs"], [box()] * 2, [at(0, 0, 0.05 + 1e-6), at(1, 0, 0.5)])
+    for one, falls in ((table_with_cup(), []), (scene, ["hangs"])):
+        report, status = export_by_program(one, tmp_path / "scene.xml", "--simulate", 1, "--collision", "components")
+        if "MuJoCo" in report or "libmujoco" in report:
+            pytest.skip(f"trivet export --simulate: {report.strip()}")
+        done = one.export(tmp_path / "here" / "scene.xml", collision="components")
+        assert exported_files(tmp_path / "here", done.files) == exported_files(tmp_path, report["files"])  # it ran these
+        moved = [o["name"] for o in report["simulated"]["objects"] if o["moved"] > 1e-3]
+        assert moved == falls and status == len(falls) and report["simulated"]["warnings"] == 0
+
+
 def test_a_layout_of_pieces_is_one_step():
     scene = trivet.Scene()
     scene.add("a", box())

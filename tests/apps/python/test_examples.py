@@ -1,12 +1,13 @@
 """The examples of the documentation, at length; test_docs.py runs them as they stand there. Pictures and pages have tests of their
 own. Left out: the sharing of shapes by id between processes."""
 import multiprocessing
+import sys
 
 import numpy as np
 import pytest
 
 import trivet
-from shapes import TrimeshSceneStandIn, TrimeshStandIn, at, box, box_arrays, table_with_cup, torus, torus_arrays
+from shapes import TrimeshSceneStandIn, TrimeshStandIn, TrimeshStandInPackage, at, box, box_arrays, table_with_cup, torus, torus_arrays
 
 
 def test_meshes_from_arrays_are_put(tmp_path):
@@ -162,6 +163,23 @@ def test_foreign_scenes_are_judged():
     assert [(one.a, one.b) for one in found] == [(0, 1)] and found[0].crossings > 0
 
 
+def test_scenes_go_to_trimesh_and_back(monkeypatch):
+    scene = table_with_cup()
+    scene.add("half a cup", scene["cup"].shape, scale=0.5).put([-0.2, -0.2, 1], [1, 1, 0, 0])
+    scene.add("out of the scene", box())
+    monkeypatch.setitem(sys.modules, "trimesh", TrimeshStandInPackage)
+    there = scene.to_trimesh()
+    assert there.nodes_geometry == ["table", "cup", "half a cup"] and len(there.geometry) == 2
+    back = trivet.Scene.from_trimesh(there, fixed=["table"])
+    for one in back:
+        assert one.matrix == pytest.approx(scene[one.name].matrix, abs=1e-12)
+        assert (one.shape.faces == scene[one.name].shape.faces).all()
+    assert back["cup"].shape == back["half a cup"].shape and back.check().ok
+    monkeypatch.setitem(sys.modules, "trimesh", None)
+    with pytest.raises(trivet.EnvironmentFailure, match="trimesh is missing"):
+        scene.to_trimesh()
+
+
 def test_positions_of_another_program_are_judged():
     cube = box()
     apart = at(0.2, 0, 0)
@@ -218,13 +236,6 @@ def test_zlists_are_arrays():
             scene.zlists(**wrong)
     with pytest.raises(trivet.BadInputError, match="pixel"):
         lists.at(16, 0)
-
-
-def test_scenes_go_to_simulators(tmp_path):
-    scene = table_with_cup()
-    done = scene.export(tmp_path / "scene.xml", collision="components", friction=0.6)
-    assert done.files[0] == str(tmp_path / "scene.xml") and (tmp_path / "scene.xml").stat().st_size > 0
-    assert done.masses["cup"] > 0
 
 
 def test_all_or_nothing_and_snapshots():

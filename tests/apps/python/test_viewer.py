@@ -67,6 +67,22 @@ def test_a_page_has_the_scene():
     assert len(cube) == 2 * 12  # edges of a box; its diagonals are none
 
 
+def test_crossings_are_highlighted():
+    poses = [at(0, 0, 0.06), at(0.03, 0, 0.06), at(1, 0, 0.06), at(2, 0, 0)]
+    scene = trivet.Scene.from_poses(["a", "b", "apart", "in the floor"], [box()] * 4, poses)
+    found = scene.check().crossings
+    assert {(one.a, one.b) for one in found} == {("a", "b"), ("in the floor", "floor")}
+    wanted = ["a", "b", "in the floor"]
+    data = data_of(scene.view(highlight=found).html)
+    assert [o["name"] for o in data["objects"] if o["highlight"]] == wanted
+    size = dict(size=(96, 54), samples=1)
+    drawn = scene.render(highlight=found, **size)
+    assert (drawn == scene.render(highlight=wanted, **size)).all()
+    assert (drawn != scene.render(**size)).any()
+    red = [1, 0, 0, 1]
+    assert (scene.render(highlight={("a", "b"): red}, **size) == scene.render(highlight={"a": red, "b": red}, **size)).all()
+
+
 def test_colors_and_hulls_of_shapes():
     red = box().colored([1, 0, 0, 0.5])
     assert (red.face_colors() == [255, 0, 0, 128]).all() and red.face_colors().shape == (12, 4)
