@@ -24,6 +24,8 @@ def refuse(what: str, given: str, accepted: str) -> BadInputError:
 
 
 def _array(what: str, value: Any, accepted: str) -> NDArray[Any]:
+    if np.ma.is_masked(value):
+        raise refuse(what, "a masked array", accepted)
     try:
         array = np.asarray(value)
     except (ValueError, TypeError) as error:
@@ -33,11 +35,11 @@ def _array(what: str, value: Any, accepted: str) -> NDArray[Any]:
     return array
 
 
-def vector(what: str, value: Any, size: int) -> list[float]:
-    """`size` finite numbers as a list."""
-    accepted = f"{size} finite numbers"
+def vector(what: str, value: Any, *sizes: int) -> list[float]:
+    """So many finite numbers, by one of `sizes`, as a list."""
+    accepted = f"{' or '.join(map(str, sizes))} finite numbers"
     array = _array(what, value, accepted)
-    if array.shape != (size,):
+    if array.ndim != 1 or len(array) not in sizes:
         raise refuse(what, f"{short(value)} of shape {array.shape}", accepted)
     if not np.isfinite(array).all():
         raise refuse(what, short(array.tolist()), accepted)

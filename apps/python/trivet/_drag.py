@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _arrays, _trivet
-from ._errors import BadInputError, SceneBusy
+from ._errors import SceneBusy
 from ._object import _options
 from ._results import Result, done, result_of
 
@@ -81,12 +81,9 @@ class Drag:
         """
         op = self._operation["op"]
         if op in ("push", "translate"):
-            size = 2 if op == "push" and np.shape(goal) == (2,) else 3
-            point = _arrays.vector("goal", goal, size)
+            point = _arrays.vector("goal", goal, 2, 3) if op == "push" else _arrays.vector("goal", goal, 3)
             return result_of(self._live().follow_point(np.array([*point, 0.0][:3])))
-        if np.ndim(goal) != 0:
-            raise BadInputError(f"goal: {goal!r} is not accepted; accepted: a number for {op!r}")
-        return result_of(self._live().follow_amount(_arrays.number("goal", goal)))
+        return result_of(self._live().follow_amount(_arrays.number("goal", goal, f"a number for {op!r}")))
 
     def poses(self) -> dict[str, NDArray[np.float64]]:
         """(4, 4) poses of the object and its loads where the hand has them."""

@@ -109,7 +109,7 @@ class Shape:
 
     def colored(self, rgba: ArrayLike) -> Shape:
         """The same geometry in one colour: 3 or 4 numbers from 0 to 1, linear RGB and opacity."""
-        given = _arrays.vector("rgba", rgba, 4 if np.shape(rgba) == (4,) else 3)
+        given = _arrays.vector("rgba", rgba, 3, 4)
         if not all(0 <= x <= 1 for x in given):
             raise _arrays.refuse("rgba", _arrays.short(rgba), "3 or 4 numbers from 0 to 1")
         return Shape._of(self._shape.coloured([*given, 1.0][:4]))

@@ -128,6 +128,12 @@ BAD_CALLS = [
     (lambda s: trivet.interpenetrations([box()], [np.eye(4)], positions=[np.full((8, 3), np.nan)]), ["row 0", "nan"]),
 ]
 
+
+def follow(scene, op, goal):
+    with scene.drag("cup", op) as hand:
+        hand.follow(goal)
+
+
 NAN = float("nan")
 FOLDED = []
 FOLDED.append(FOLDED)
@@ -165,6 +171,7 @@ UNSEEN = [
     (lambda s: s.export("x.xml", density=NAN), ["density", "nan", "kilograms"]),
     (lambda s: s.export("x.xml", friction=-1), ["friction", "-1", "0 to"]),
     (lambda s: s.render(size=(8, 8), samples=1, transparent="no"), ["transparent", "no"]),
+    (lambda s: trivet.Shape(np.ma.masked_greater(VERTICES, 0), FACES), ["vertices", "masked"]),
     (lambda s: s.save("a\0b.glb"), ["path", "a\\x00b.glb", "NUL"]),
 ]
 
@@ -204,6 +211,10 @@ NO_PYTHON_ERRORS = [
     (lambda s: s.export("x.xml", collision=3), ["collision", "3"]),
     (lambda s: box().colored("red"), ["rgba", "red"]),
     (lambda s: box().colored([1, 1, NAN]), ["rgba", "nan"]),
+    (lambda s: box().colored([[1], [1, 2]]), ["rgba", "3 or 4"]),
+    (lambda s: follow(s, "push", [[1], [1, 2]]), ["goal", "2 or 3"]),
+    (lambda s: follow(s, "translate", [1, 2]), ["goal", "3 finite"]),
+    (lambda s: follow(s, "turn", [1, 2]), ["goal", "a number for 'turn'"]),
     (lambda s: trivet.random_rotation(3), ["rng", "3", "Generator"]),
     (lambda s: trivet.interpenetrations(3, 3), ["shapes", "3"]),
     (lambda s: trivet.Shape.load(None), ["path", "None"]),
