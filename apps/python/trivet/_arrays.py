@@ -24,7 +24,7 @@ def refuse(what: str, given: str, accepted: str) -> BadInputError:
 
 
 def _array(what: str, value: Any, accepted: str) -> NDArray[Any]:
-    if np.ma.is_masked(value):
+    if isinstance(value, np.ma.MaskedArray) and np.any(value.mask):
         raise refuse(what, "a masked array", accepted)
     try:
         array = np.asarray(value)
