@@ -3,6 +3,7 @@
 
 #include "apps/python/module/arrays.h"
 #include "apps/python/module/bindings.h"
+#include "apps/python/module/made_by_functions.h"
 #include "core/base/bad_input.h"
 #include "core/picture/image.h"
 #include "core/picture/pinhole_camera.h"
@@ -102,7 +103,7 @@ py::bytes png_bytes(const py::array_t<std::uint8_t, py::array::c_style>& rgba) {
 }  // namespace
 
 void bind_camera(py::module_& m) {
-  py::class_<PinholeCamera>(m, "Camera")
+  py::class_<PinholeCamera>(m, "Camera", made_by_functions())
       .def_static("look_at", &look_at, "eye"_a, "target"_a, "up"_a, "fov"_a, "width"_a, "height"_a)
       .def_static("from_matrix", &from_matrix, "camera_from_world"_a, "intrinsics"_a, "width"_a,
                   "height"_a)
@@ -111,7 +112,8 @@ void bind_camera(py::module_& m) {
       .def_property_readonly("intrinsics", &intrinsics_of)
       .def_property_readonly("camera_from_world", &matrix_of_camera)
       .def_property_readonly("eye", [](const PinholeCamera& c) { return array_of(c.eye); })
-      .def(py::pickle(&camera_state, &camera_of_state));
+      .def("state", &camera_state)
+      .def_static("of_state", &camera_of_state, "state"_a);
   m.def("encode_png", &png_bytes, "rgba"_a);
 }
 

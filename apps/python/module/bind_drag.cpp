@@ -4,6 +4,7 @@
 #include "apps/python/module/arrays.h"
 #include "apps/python/module/bindings.h"
 #include "apps/python/module/errors.h"
+#include "apps/python/module/made_by_functions.h"
 #include "apps/python/module/operation_values.h"
 #include "core/base/bad_input.h"
 #include "ops/operations/live_move.h"
@@ -23,7 +24,7 @@ class Drag {
     m_live.emplace(m_scene->session().begin_live(operation, m_scene->settle, m_scene->context(0)));
     m_scene->is_dragged = true;
   }
-  ~Drag() { end(); }
+  ~Drag() { release(); }
   Drag(const Drag&) = delete;
   Drag& operator=(const Drag&) = delete;
 
@@ -38,16 +39,16 @@ class Drag {
     return follow(amount);
   }
   py::dict finish() {
-    check_alive();
+    const Call call(*this);
+    const Release release_at_end{*this};
     m_scene->is_dragged = false;
     const OperationResult result = stoppable([&] { return m_scene->session().finish(*m_live); });
     if (result.ok()) m_scene->end_group();
-    end();
     return dict_of(result);
   }
   // The names and poses of what moves, the object first.
   py::list placements() {
-    check_alive();
+    const Call call(*this);
     py::list out;
     for (const Placement& one : m_live->placements())
       out.append(py::make_tuple(m_scene->scene().at(one.id).name,
@@ -56,16 +57,37 @@ class Drag {
   }
   void end() {
     if (!m_guard) return;
-    m_live.reset();
-    m_scene->is_dragged = false;
-    m_guard.reset();
+    const Call call(*this);
+    release();
   }
 
  private:
   static constexpr double kMaxAmount = 1e15;
 
-  void check_alive() const {
-    if (!m_guard) raise("SceneBusy", "the drag has ended");
+  // One call at a time, in the thread that began the drag; handlers of signals may come between.
+  struct Call {
+    explicit Call(Drag& of) : drag(of) {
+      if (!drag.m_guard) raise("SceneBusy", "the drag has ended");
+      drag.m_guard->check_own("the drag");
+      if (drag.m_is_called) raise("SceneBusy", "another call of the drag is at work");
+      drag.m_is_called = true;
+    }
+    ~Call() { drag.m_is_called = false; }
+    Call(const Call&) = delete;
+    Call& operator=(const Call&) = delete;
+    Drag& drag;
+  };
+  struct Release {
+    ~Release() { drag.release(); }
+    Drag& drag;
+  };
+
+  // In any thread: when nothing refers to it, no call of it runs.
+  void release() {
+    if (!m_guard) return;
+    m_live.reset();
+    m_scene->is_dragged = false;
+    m_guard.reset();
   }
   template <class F>
   OperationResult stoppable(F&& f) {
@@ -80,7 +102,7 @@ class Drag {
   }
   template <class Goal>
   py::dict follow(const Goal& goal) {
-    check_alive();
+    const Call call(*this);
     return dict_of(stoppable([&] {
       m_live->follow(goal);
       return m_live->result();
@@ -90,18 +112,24 @@ class Drag {
   std::shared_ptr<SharedScene> m_scene;
   std::unique_ptr<SceneGuard> m_guard;
   std::optional<LiveMove> m_live;
+  bool m_is_called = false;
 };
 
 }  // namespace
 
-void bind_drag(py::module_& m) {
-  py::class_<Drag>(m, "Drag")
-      .def(py::init<std::shared_ptr<SharedScene>, const py::dict&>(), "scene"_a, "operation"_a)
+void bind_drag(py::module_& m, SceneClass& scene) {
+  py::class_<Drag>(m, "Drag", made_by_functions())
       .def("follow_point", &Drag::follow_point, "goal"_a)
       .def("follow_amount", &Drag::follow_amount, "amount"_a)
       .def("finish", &Drag::finish)
       .def("placements", &Drag::placements)
       .def("end", &Drag::end);
+  scene.def(
+      "drag",
+      [](std::shared_ptr<SharedScene> self, const py::dict& operation) {
+        return std::make_unique<Drag>(std::move(self), operation);
+      },
+      "operation"_a);
 }
 
 }  // namespace trivet::python

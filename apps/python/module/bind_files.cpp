@@ -6,6 +6,7 @@
 #include "apps/python/module/bindings.h"
 #include "apps/python/module/callback.h"
 #include "apps/python/module/errors.h"
+#include "apps/python/module/made_by_functions.h"
 #include "core/io/overwrites.h"
 #include "core/scene/fingerprint.h"
 #include "ops/check/check.h"
@@ -124,7 +125,7 @@ OpenedSession opened_of(const Snapshot& snapshot, const SettleOptions& settle) {
 
 void restore(SharedScene& scene, const Snapshot& snapshot) {
   const SceneGuard guard(scene, SceneGuard::Use::Change);
-  if (scene.num_transactions > 0)
+  if (!scene.transactions.empty())
     raise("SceneBusy", "restore in an open transaction; accepted: after it");
   scene.replace(opened_of(snapshot, scene.settle));
 }
@@ -164,7 +165,7 @@ py::dict export_to(SharedScene& scene, const std::string& path, const std::strin
 }  // namespace
 
 void bind_files(py::module_& m, SceneClass& scene) {
-  py::class_<Snapshot>(m, "Snapshot")
+  py::class_<Snapshot>(m, "Snapshot", made_by_functions())
       .def("to_bytes", &bytes_of)
       .def_static("from_bytes", &snapshot_of, "data"_a, "importer"_a)
       .def("fingerprint", [](const Snapshot& s) { return fingerprint(s.scene); })

@@ -1,6 +1,7 @@
 // Films: what moves while operations are done.
 #include "apps/python/module/bindings.h"
 #include "apps/python/module/errors.h"
+#include "apps/python/module/made_by_functions.h"
 
 namespace trivet::python {
 namespace {
@@ -27,7 +28,7 @@ py::bytes film_bytes(const MotionFilm& film) {
 }  // namespace
 
 void bind_film(py::module_& m, SceneClass& scene) {
-  py::class_<MotionFilm>(m, "Film")
+  py::class_<MotionFilm>(m, "Film", made_by_functions())
       .def("to_glb", &film_bytes)
       .def_property_readonly("seconds", &MotionFilm::seconds);
   scene.def("begin_film", &begin_film).def("end_film", &end_film);

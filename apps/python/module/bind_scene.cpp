@@ -4,7 +4,9 @@
 #include "apps/python/module/arrays.h"
 #include "apps/python/module/bindings.h"
 #include "apps/python/module/errors.h"
+#include "apps/python/module/made_by_functions.h"
 #include "apps/python/module/operation_values.h"
+#include "apps/python/module/python_json.h"
 #include "apps/python/module/python_shape.h"
 #include "core/base/bad_input.h"
 #include "core/scene/fingerprint.h"
@@ -49,7 +51,7 @@ ScenePointer standing(const py::list& entries, bool floor, const py::object& flo
   for (const py::handle& entry : entries) {
     const auto values = entry.cast<py::tuple>();
     Object object;
-    object.name = values[0].cast<std::string>();
+    object.name = text_of(values[0], "name");
     if (!is_object_name(object.name))
       bad_input("name: \"" + object.name + "\" is not accepted; accepted: any but \"floor\"");
     const auto shape = values[1].cast<std::shared_ptr<PythonShape>>();
@@ -84,44 +86,21 @@ std::vector<py::tuple> entries(SharedScene& scene) {
   return out;
 }
 
-py::object find(SharedScene& scene, const std::string& name) {
+// No object has a name that is not UTF-8.
+py::object find(SharedScene& scene, const py::str& name) {
+  const std::optional<std::string> text = utf8_of(name);
+  if (!text) return py::none();
   const SceneGuard guard(scene);
-  const auto id = scene.scene().find(name);
+  const auto id = scene.scene().find(*text);
   if (!id) return py::none();
   return py::int_(key_of(*id));
 }
 
 // A transaction is open in this thread: history is not to be touched.
 void refuse_in_transaction(const SharedScene& scene, const char* what) {
-  if (scene.num_transactions > 0)
+  if (!scene.transactions.empty())
     raise("SceneBusy", std::string(what) + " in an open transaction; accepted: after it");
 }
-
-// Holds the scene from enter() to leave().
-class Transaction {
- public:
-  explicit Transaction(ScenePointer scene) : m_scene(std::move(scene)) {}
-
-  void enter() {
-    if (m_guard) raise("SceneBusy", "the transaction is open already");
-    m_guard = std::make_unique<SceneGuard>(*m_scene, SceneGuard::Use::Change);
-    m_begin = m_scene->session().num_done();
-    ++m_scene->num_transactions;
-  }
-  void leave(bool keep) {
-    if (!m_guard) raise("SceneBusy", "the transaction is not open");
-    if (m_scene->is_dragged) raise("SceneBusy", "an object is being dragged");
-    --m_scene->num_transactions;
-    if (!keep) m_scene->roll_back(m_begin);
-    if (m_scene->session().num_done() > m_begin) m_scene->end_group();
-    m_guard.reset();
-  }
-
- private:
-  ScenePointer m_scene;
-  std::unique_ptr<SceneGuard> m_guard;
-  size_t m_begin = 0;
-};
 
 bool step(SharedScene& scene, bool back) {
   const SceneGuard guard(scene, SceneGuard::Use::Change);
@@ -145,21 +124,21 @@ py::dict materials() {
 }
 
 void bind_settle_options(py::module_& m) {
-  py::class_<SettleOptions>(m, "SettleOptions")
-      .def(py::init<>())
+  py::class_<SettleOptions>(m, "SettleOptions", made_by_functions())
       .def_readwrite("clearance", &SettleOptions::clearance)
       .def_readwrite("perfect_friction", &SettleOptions::perfect_friction)
       .def_readwrite("whole_at_rest", &SettleOptions::whole_at_rest)
       .def_readwrite("accept_wedged", &SettleOptions::accept_wedged)
       .def_readwrite("max_motions", &SettleOptions::max_motions);
+  m.def("settle_options", [] { return SettleOptions(); });
 }
 
 }  // namespace
 
 void bind_scene(py::module_& m) {
   bind_settle_options(m);
-  SceneClass scene(m, "Scene");
-  scene.def(py::init(&make), "floor"_a, "floor_material"_a, "settle"_a)
+  SceneClass scene(m, "Scene", made_by_functions());
+  scene.def_static("empty", &make, "floor"_a, "floor_material"_a, "settle"_a)
       .def_static("standing", &standing, "objects"_a, "floor"_a, "floor_material"_a, "settle"_a)
       .def_readwrite("settle", &SharedScene::settle)
       .def_readwrite("time_budget", &SharedScene::time_budget_s)
@@ -189,10 +168,8 @@ void bind_scene(py::module_& m) {
       .def_property_readonly("can_redo", &SharedScene::can_redo)
       .def("steps", &steps)
       .def("cancel", [](SharedScene& s) { s.cancel() = true; });
-  py::class_<Transaction>(m, "Transaction")
-      .def(py::init<ScenePointer>(), "scene"_a)
-      .def("enter", &Transaction::enter)
-      .def("leave", &Transaction::leave, "keep"_a);
+  bind_transaction(m, scene);
+  bind_drag(m, scene);
   bind_objects(scene);
   bind_operations(scene);
   bind_queries(scene);

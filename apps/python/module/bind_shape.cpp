@@ -1,10 +1,13 @@
 // Shape: from arrays and from files, its geometry as views, pickled.
 #include <pybind11/stl.h>
 
+#include <cmath>
 #include <cstring>
+#include <span>
 
 #include "apps/python/module/arrays.h"
 #include "apps/python/module/bindings.h"
+#include "apps/python/module/made_by_functions.h"
 #include "apps/python/module/python_shape.h"
 #include "apps/python/module/running.h"
 #include "core/base/bad_input.h"
@@ -20,6 +23,17 @@ namespace {
 
 using ShapePointer = std::shared_ptr<PythonShape>;
 
+constexpr double kMaxCoordinate = 1e30;  // as of model files: squares and volumes stay finite
+
+void check_size(std::span<const Vec3> vertices) {
+  for (size_t row = 0; row < vertices.size(); ++row)
+    for (const double x : vertices[row])
+      if (std::abs(x) > kMaxCoordinate)
+        bad_input("vertices: row " + std::to_string(row) + ": " +
+                  py::str(py::float_(x)).cast<std::string>() +
+                  " is not accepted; accepted: coordinates from -1e30 to 1e30");
+}
+
 ShapePointer shape_of_arrays(const Doubles& vertices, const Indices& faces) {
   if (vertices.ndim() != 2 || vertices.shape(1) != 3) bad_input("vertices: not of shape (n, 3)");
   if (faces.ndim() != 2 || faces.shape(1) != 3) bad_input("faces: not of shape (m, 3)");
@@ -28,6 +42,7 @@ ShapePointer shape_of_arrays(const Doubles& vertices, const Indices& faces) {
                         static_cast<size_t>(vertices.shape(0)));
   const std::span triangles(reinterpret_cast<const Index3*>(faces.data()),
                             static_cast<size_t>(faces.shape(0)));
+  check_size(given);
   return without_gil([&] {
     const auto out = std::make_shared<PythonShape>();
     WeldedMesh welded = weld(given, triangles);
@@ -131,8 +146,8 @@ ShapePointer shape_of_state(const py::tuple& state) {
 
 void bind_shape(py::module_& m) {
   using namespace py::literals;
-  py::class_<PythonShape, ShapePointer>(m, "Shape")
-      .def(py::init(&shape_of_arrays), "vertices"_a, "faces"_a)
+  py::class_<PythonShape, ShapePointer>(m, "Shape", made_by_functions())
+      .def_static("of", &shape_of_arrays, "vertices"_a, "faces"_a)
       .def_static("load", &load, "path"_a, "importer"_a, "max_triangles"_a, "max_seconds"_a,
                   "chord"_a)
       .def("coloured", &coloured, "rgba"_a)
@@ -161,7 +176,8 @@ void bind_shape(py::module_& m) {
                              [](const PythonShape& s) {
                                return s.model ? s.model->notes : std::vector<std::string>();
                              })
-      .def(py::pickle(&state_of, &shape_of_state));
+      .def("state", &state_of)
+      .def_static("of_state", &shape_of_state, "state"_a);
 }
 
 }  // namespace trivet::python

@@ -12,6 +12,5 @@ PYBIND11_MODULE(_trivet, m) {
   trivet::python::bind_shape(m);
   trivet::python::bind_camera(m);
   trivet::python::bind_scene(m);
-  trivet::python::bind_drag(m);
   trivet::python::bind_geometry(m);
 }

@@ -2,10 +2,8 @@
 
 #include <pybind11/stl.h>
 
-#include <cmath>
-
 #include "apps/python/module/arrays.h"
-#include "core/base/bad_input.h"
+#include "apps/python/module/python_json.h"
 #include "ops/files/json/material_json.h"
 #include "ops/files/json/operation_json.h"
 #include "ops/files/report/json_parts.h"
@@ -14,23 +12,6 @@ namespace trivet::python {
 namespace {
 
 using namespace py::literals;
-
-nlohmann::json json_of_float(double value, const std::string& what) {
-  if (!std::isfinite(value))
-    bad_input(what + ": " + py::str(py::float_(value)).cast<std::string>() +
-              " is not accepted; accepted: finite numbers");
-  return value;
-}
-
-nlohmann::json json_of_int(const py::handle& value, const std::string& what) {
-  int overflow = 0;
-  const long long number = PyLong_AsLongLongAndOverflow(value.ptr(), &overflow);
-  if (overflow != 0)
-    bad_input(what + ": " + py::str(value).cast<std::string>() +
-              " is not accepted; accepted: whole numbers below 2^63");
-  if (number >= 0) return static_cast<std::uint64_t>(number);
-  return number;
-}
 
 // Poses after each motion, (n, 4, 4).
 py::array_t<double> path_of(const std::vector<SettleStep>& steps) {
@@ -68,37 +49,20 @@ py::tuple tuple_of(const std::vector<T>& values) {
   return py::tuple(py::cast(values));
 }
 
-}  // namespace
-
-nlohmann::json json_of(const py::handle& value, const std::string& what) {
-  if (value.is_none()) return nullptr;
-  if (PyBool_Check(value.ptr())) return value.cast<bool>();
-  if (PyLong_Check(value.ptr())) return json_of_int(value, what);
-  if (PyFloat_Check(value.ptr())) return json_of_float(value.cast<double>(), what);
-  if (PyUnicode_Check(value.ptr())) return value.cast<std::string>();
-  if (PyDict_Check(value.ptr())) {
-    nlohmann::json out = nlohmann::json::object();
-    for (const auto& [key, item] : py::reinterpret_borrow<py::dict>(value)) {
-      const auto name = key.cast<std::string>();
-      out[name] = json_of(item, what + ": /" + name);
-    }
-    return out;
-  }
-  if (PyList_Check(value.ptr()) || PyTuple_Check(value.ptr())) {
-    nlohmann::json out = nlohmann::json::array();
-    for (const auto& item : py::reinterpret_borrow<py::sequence>(value))
-      out.push_back(json_of(item, what));
-    return out;
-  }
-  throw py::type_error(what + ": a value of type " +
-                       py::str(py::type::of(value).attr("__name__")).cast<std::string>() +
-                       " is not accepted; accepted: numbers, texts, and lists of them");
+// put "cup", for messages.
+std::string title_of(const py::dict& values) {
+  const std::string unknown = "operation";
+  if (!values.contains("op") || !values.contains("object")) return unknown;
+  const py::object op = values["op"], object = values["object"];
+  if (!py::isinstance<py::str>(op)) return unknown;
+  if (!py::isinstance<py::str>(object)) return unknown;
+  return text_of(op, "op") + " \"" + text_of(object, "object") + '"';
 }
 
+}  // namespace
+
 Operation operation_of(const py::dict& values) {
-  std::string what = "operation";
-  if (values.contains("op") && values.contains("object"))
-    what = py::str("{} \"{}\"").format(values["op"], values["object"]).cast<std::string>();
+  const std::string what = title_of(values);
   const nlohmann::json document = json_of(values, what);
   return read_operation(JsonPlace(document, what));
 }

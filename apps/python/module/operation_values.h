@@ -3,7 +3,7 @@
 
 #include <pybind11/pybind11.h>
 
-#include <nlohmann/json.hpp>
+#include <optional>
 
 #include "ops/base/outcome.h"
 #include "ops/operations/operations.h"
@@ -11,10 +11,6 @@
 namespace trivet::python {
 
 namespace py = pybind11;
-
-/// None, bool, int, float, str, and lists, tuples and dicts of them.
-/// @throws Error (BadInput) naming `what`: numbers that are not finite; TypeError (Python).
-nlohmann::json json_of(const py::handle& value, const std::string& what);
 
 /// As a layout has it: {"op": "put", "object": "cup", "position": [0, 0, 1]}.
 /// @throws Error (BadInput) naming the operation, the key, the value and what is accepted.

@@ -55,11 +55,24 @@ void SharedScene::record(const std::vector<Operation>& operations, const Operati
 
 void SharedScene::end_group() {
   m_group_ends.resize(m_position);
-  if (num_transactions > 0) return;
+  if (!transactions.empty()) return;
   const size_t begin = m_position > 0 ? m_group_ends.back() : 0;
   if (session().num_done() == begin) return;
   m_group_ends.push_back(session().num_done());
   ++m_position;
+}
+
+void SharedScene::end_transaction(bool keep) {
+  const std::shared_ptr<OpenTransaction> ended = std::move(transactions.back());
+  transactions.pop_back();
+  if (!keep) roll_back(ended->begin);
+  if (session().num_done() > ended->begin) end_group();
+  ended->guard.reset();
+}
+
+void SharedScene::take_back_abandoned() {
+  while (!m_is_running && !is_dragged && !transactions.empty() && transactions.back()->is_abandoned)
+    end_transaction(false);
 }
 
 void SharedScene::roll_back(size_t num_done) {
@@ -106,6 +119,16 @@ SceneGuard::SceneGuard(SharedScene& scene, Use use) : m_scene(scene) {
   ++scene.m_depth;
 }
 
-SceneGuard::~SceneGuard() { --m_scene.m_depth; }
+SceneGuard::~SceneGuard() {
+  --m_scene.m_depth;
+  m_scene.take_back_abandoned();
+}
+
+void SceneGuard::check_own(const std::string& what) const {
+  if (m_scene.m_owner != std::this_thread::get_id())
+    raise("SceneBusy",
+          what + " belongs to another thread; accepted: calls in the one that began it");
+  if (m_scene.m_is_running) raise("SceneBusy", what + " is at work: a callback may not use it");
+}
 
 }  // namespace trivet::python

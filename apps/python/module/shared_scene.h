@@ -4,6 +4,7 @@
 #include <pybind11/pybind11.h>
 
 #include <atomic>
+#include <memory>
 #include <optional>
 #include <string>
 #include <thread>
@@ -20,6 +21,8 @@ using ObjectKey = std::uint64_t;
 inline ObjectKey key_of(ObjectId id) {
   return (static_cast<ObjectKey>(id.generation) << 32) | id.index;
 }
+
+struct OpenTransaction;
 
 class SharedScene {
  public:
@@ -44,6 +47,10 @@ class SharedScene {
 
   /// A step has been done (or several): they are undone as one.
   void end_group();
+  /// Ends the innermost transaction; with the GIL, while nothing runs.
+  void end_transaction(bool keep);
+  /// Takes back transactions that nobody can end any more, as far as the scene is free for it.
+  void take_back_abandoned();
   /// Takes back all steps after this many.
   void roll_back(size_t num_done);
   bool undo();
@@ -56,8 +63,8 @@ class SharedScene {
   /// Record of what moves; none unless it was asked for.
   std::optional<MotionFilm> film;
 
-  /// Transactions that are open, all of the thread that holds the scene.
-  int num_transactions = 0;
+  /// Transactions that are open, the innermost last; all of the thread that holds the scene.
+  std::vector<std::shared_ptr<OpenTransaction>> transactions;
   /// A hand holds an object: nothing else may change.
   bool is_dragged = false;
 
@@ -87,6 +94,9 @@ class SceneGuard {
   ///   hand drags; in a process that was forked while another thread held the scene.
   explicit SceneGuard(SharedScene& scene, Use use = Use::Read);
   ~SceneGuard();
+  /// @throws SceneBusy (Python): in another thread than the one that holds the scene; while an
+  ///   operation runs. @param what  holds this: "the drag".
+  void check_own(const std::string& what) const;
   SceneGuard(const SceneGuard&) = delete;
   SceneGuard& operator=(const SceneGuard&) = delete;
 
@@ -106,6 +116,13 @@ class SceneGuard {
     bool& is_running;
   };
   SharedScene& m_scene;
+};
+
+/// Steps that are done together or not at all; holds the scene meanwhile.
+struct OpenTransaction {
+  std::unique_ptr<SceneGuard> guard;
+  size_t begin = 0;           // steps that were done before it
+  bool is_abandoned = false;  // to be taken back, as it was never ended
 };
 
 }  // namespace trivet::python

@@ -15,7 +15,10 @@ _NUMBERS = "iuf"
 
 
 def short(value: Any) -> str:
-    text = " ".join(repr(value).split())
+    try:
+        text = " ".join(repr(value).split())
+    except RecursionError:
+        return f"a {type(value).__name__} of too many levels"
     return text if len(text) <= 60 else text[:57] + "..."
 
 
@@ -167,8 +170,12 @@ def callback(what: str, value: Any) -> Optional[Callable[..., Any]]:
     return value  # type: ignore[no-any-return]
 
 
-def plain(what: str, value: Any, depth: int = 32) -> Any:
-    """A part of an operation as the compiled module takes it: numbers, texts, lists and dicts; of NumPy, too."""
+def plain(what: str, value: Any, named: Callable[[str, Any], Any] = lambda _, value: value, depth: int = 64) -> Any:
+    """A part of an operation as the compiled module takes it: numbers, texts, lists and dicts; of NumPy, too.
+
+    `named` gives the names of objects, and other values as they are.
+    """
+    value = named(what, value)
     if value is None or isinstance(value, (bool, int, float)):
         return value
     if isinstance(value, str):
@@ -177,9 +184,9 @@ def plain(what: str, value: Any, depth: int = 32) -> Any:
         return float(value)
     if depth > 0:
         if isinstance(value, (np.generic, np.ndarray)):
-            return plain(what, value.tolist(), depth - 1)
+            return plain(what, value.tolist(), named, depth - 1)
         if isinstance(value, Mapping):
-            return {text(what, key): plain(f"{what}: /{key}", one, depth - 1) for key, one in value.items()}
+            return {text(what, key): plain(f"{what}: /{key}", one, named, depth - 1) for key, one in value.items()}
         if isinstance(value, Sequence) and not isinstance(value, (bytes, bytearray)):
-            return [plain(what, one, depth - 1) for one in value]
-    raise refuse(what, short(value), "numbers, texts, and lists and dicts of them, up to 32 within each other")
+            return [plain(what, one, named, depth - 1) for one in value]
+    raise refuse(what, short(value), "numbers, texts, and lists and dicts of them, up to 64 within each other")

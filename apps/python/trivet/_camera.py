@@ -51,6 +51,10 @@ class Camera:
         return out
 
     @classmethod
+    def _of_state(cls, state: tuple[Any, ...]) -> Camera:
+        return cls._of(_trivet.Camera.of_state(state))
+
+    @classmethod
     def look_at(cls, eye: ArrayLike, target: ArrayLike = (0.0, 0.0, 0.0), *, up: ArrayLike = (0.0, 0.0, 1.0),
                 fov: float = 30.0, size: Sequence[int] = (640, 360)) -> Camera:
         """From a point towards another; the same as ``--camera`` of ``trivet render``.
@@ -160,7 +164,7 @@ class Camera:
         return (self.size, *(value for array in arrays for value in array.ravel().tolist()))
 
     def __reduce__(self) -> Any:
-        return Camera._of, (self._camera,)
+        return Camera._of_state, (self._camera.state(),)
 
     def __repr__(self) -> str:
         eye = ", ".join(f"{x:.4g}" for x in self.eye)

@@ -30,7 +30,8 @@ class Drag:
     """An operation that follows a hand, and is done once, when the block ends.
 
     Nothing changes in the scene meanwhile, and nothing else may change it; other threads wait. When the block raises, or
-    after `cancel`, nothing was done. Afterwards `result` has what the operation gave; a refusal is raised.
+    after `cancel`, nothing was done. Afterwards `result` has what the operation gave; a refusal is raised. It belongs to the
+    thread that began it: calls in others, and while another of its calls is at work, raise `SceneBusy`, and it goes on.
 
     >>> with scene.drag("plate", "push") as hand:     # doctest: +SKIP
     ...     for x, y in mouse:
@@ -46,19 +47,20 @@ class Drag:
         self.result: Optional[Result] = None
 
     def __enter__(self) -> Drag:
-        self._drag = _trivet.Drag(self._scene._scene, self._operation)
+        self._drag = self._scene._scene.drag(self._operation)
         return self
 
     def __exit__(self, kind: Optional[type[BaseException]], error: Optional[BaseException],
                  trace: Optional[TracebackType]) -> None:
-        drag, self._drag = self._drag, None
+        drag = self._drag
         if drag is None:
             return
         try:
             if kind is None:
                 self.result = done(drag.finish())
         finally:
-            drag.end()
+            drag.end()  # in another thread it raises, and the drag goes on
+            self._drag = None
 
     def _live(self) -> _trivet.Drag:
         if self._drag is None:
@@ -91,5 +93,5 @@ class Drag:
 
     def cancel(self) -> None:
         """End it; nothing was done."""
-        drag, self._drag = self._live(), None
-        drag.end()
+        self._live().end()
+        self._drag = None

@@ -28,7 +28,8 @@ class NoSuchObject(TrivetError, KeyError):
 
 
 class SceneBusy(TrivetError, RuntimeError):
-    """The scene cannot be used here: from a callback of its own work, or while an object is dragged."""
+    """The scene cannot be used here: from a callback of its own work, while an object is dragged, or in another
+    thread than the one to which a drag or a transaction belongs."""
 
 
 class NotDone(TrivetError):

@@ -22,7 +22,8 @@ class Object(Properties):
     """An object of a scene: the scene and a name for ever, never a pointer.
 
     Every property is looked up when it is asked for; once the object is deleted, `NoSuchObject` is raised (undo brings it
-    back). Lengths in metres, world: z up. Operations raise `Refused`; ``try_put`` and so on return the `Result` instead.
+    back). Pickles and copies with its scene. Lengths in metres, world: z up. Operations raise `Refused`; ``try_put`` and so
+    on return the `Result` instead.
     """
 
     __slots__ = ()

@@ -161,6 +161,10 @@ class Properties:
         operation["object"] = self._name
         return done(self._scene._scene.perform(operation, self._key, 0.0))
 
+    def __reduce__(self) -> Any:
+        lives = self._scene._scene.find(self._name) == self._key
+        return _unpickled, (type(self), self._scene, self._name, lives)
+
     def __eq__(self, other: object) -> bool:
         return (isinstance(other, Properties) and self._scene is other._scene and self._key == other._key
                 and self._name == other._name)
@@ -171,6 +175,15 @@ class Properties:
     def __repr__(self) -> str:
         number = self._scene._scene.find(self._name)
         return f"<trivet.Object {self._name!r}, {self.state if number == self._key else 'deleted'}>"
+
+
+_GONE = (1 << 64) - 1  # a key that no object has
+
+
+def _unpickled(kind: type[Properties], scene: Scene, name: str, lives: bool) -> Properties:
+    """By name: keys are others in a scene that was pickled, too."""
+    key = scene._scene.find(name) if lives else None
+    return kind(scene, _GONE if key is None else key, name)
 
 
 def material_of(value: Optional[Material]) -> Any:

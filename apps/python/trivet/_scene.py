@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from contextlib import contextmanager
 from typing import Any, Iterable, Iterator, Mapping, Optional, Union
 
 import numpy as np
@@ -20,6 +19,7 @@ from ._results import Check, Contacts, Result, SupportGraph, check_of, done
 from ._settle import Settle, settings
 from ._shape import Shape
 from ._snapshot import Snapshot
+from ._transaction import Transaction
 from ._zlists import ZLists
 
 _TYPES = np.array(["point", "line", "area"])
@@ -49,7 +49,8 @@ class Scene(Files, Pictures):
 
     def __init__(self, floor: bool = True, *, floor_material: Optional[Material] = None, clearance: float = 0.0,
                  **options: Any) -> None:
-        self._scene = _trivet.Scene(_arrays.flag("floor", floor), material_of(floor_material), settings(clearance, options))
+        self._scene = _trivet.Scene.empty(_arrays.flag("floor", floor), material_of(floor_material),
+                                          settings(clearance, options))
 
     @classmethod
     def _of(cls, scene: _trivet.Scene) -> Scene:
@@ -151,14 +152,18 @@ class Scene(Files, Pictures):
     def perform(self, operations: Iterable[Mapping[str, Any]], *, budget: float = 0.0) -> Result:
         """Operations as a layout has them, ``{"op": "put", "object": "cup", "on": "table"}``, as one step: all or none.
 
-        Returns the result of the last one. Raises `Refused` for the first that is refused.
+        Values may be NumPy's numbers and arrays, and objects stand for their names. Returns the result of the last one. Raises
+        `Refused` for the first that is refused.
         """
         accepted = 'a list of dicts, such as {"op": "put", "object": "cup", "on": "table"}'
         given = []
         for number, one in enumerate(_arrays.listed("operations", operations, accepted)):
             what = f"operations: {number}"
-            given.append(_arrays.plain(what, _arrays.mapping(what, one, accepted)))
+            given.append(_arrays.plain(what, _arrays.mapping(what, one, accepted), self._name_of))
         return done(self._scene.perform_all(given, _arrays.seconds("budget", budget)))
+
+    def _name_of(self, what: str, value: Any) -> Any:
+        return name_of(what, value, self) if isinstance(value, Object) else value
 
     def arrange(self, problem: Mapping[str, Any], *, budget: float = 0.0) -> Result:
         """Places for several objects at once, by relations between them; one step of history.
@@ -188,20 +193,13 @@ class Scene(Files, Pictures):
         """Stop the operation that another thread has under way; it raises `Cancelled` there."""
         self._scene.cancel()
 
-    @contextmanager
-    def transaction(self) -> Iterator[Scene]:
-        """All operations in the block, or none of them when it raises; one step of history.
+    def transaction(self) -> Transaction:
+        """All operations in the block, or none of them when it raises; one step of history. Gives the scene.
 
-        The scene belongs to this thread until the block ends.
+        The scene belongs to this thread until the block ends. Another thread that ends it, or a block that ends before one
+        within it, gets `SceneBusy`, and the transaction goes on.
         """
-        transaction = _trivet.Transaction(self._scene)
-        transaction.enter()
-        keep = False
-        try:
-            yield self
-            keep = True
-        finally:
-            transaction.leave(keep)
+        return Transaction(self)
 
     def drag(self, what: Union[Object, str], op: str = "push", **options: Any) -> Drag:
         """Follow a hand; see `Drag`. `op`: "push", "turn", "pick_up", "translate" or "rotate", with its options."""

@@ -65,7 +65,7 @@ class Settle:
 def settings(clearance: Optional[float], options: Mapping[str, Any],
              settle: Optional[_trivet.SettleOptions] = None) -> _trivet.SettleOptions:
     """`settle`, or the defaults, with these changes; what is None is left as it is."""
-    settle = settle or _trivet.SettleOptions()
+    settle = settle or _trivet.settle_options()
     for name, value in {"clearance": clearance, **options}.items():
         if value is not None or name not in _NAMES:
             setattr(settle, name, _checked(name, value))

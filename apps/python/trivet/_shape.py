@@ -41,7 +41,7 @@ class Shape:
     Parameters
     ----------
     vertices : (n, 3) array, or a mesh
-        Any unit (`Scene.add` has a scale). Or anything with `.vertices` and `.faces` (or `.triangles`), such as a
+        Any unit (`Scene.add` has a scale), up to 1e30. Or anything with `.vertices` and `.faces` (or `.triangles`), such as a
         trimesh.Trimesh; then without `faces`.
     faces : (m, 3) array of whole numbers
         Counter-clockwise seen from outside.
@@ -49,7 +49,7 @@ class Shape:
     Raises
     ------
     BadInputError
-        Another shape or type of array, a coordinate that is not finite, a vertex that there is not, no face.
+        Another shape or type of array, a coordinate that is not finite or beyond 1e30, a vertex that there is not, no face.
 
     Notes
     -----
@@ -70,13 +70,17 @@ class Shape:
                 raise BadInputError(f"a mesh of type {type(mesh).__name__} is not accepted; accepted: arrays of vertices "
                                     "and faces, or something with .vertices and .faces")
         points = _arrays.vertices("vertices", vertices)
-        self._shape = _trivet.Shape(points, _arrays.faces("faces", faces, len(points)))
+        self._shape = _trivet.Shape.of(points, _arrays.faces("faces", faces, len(points)))
 
     @classmethod
     def _of(cls, shape: _trivet.Shape) -> Shape:
         out = cls.__new__(cls)
         out._shape = shape
         return out
+
+    @classmethod
+    def _of_state(cls, state: tuple[Any, ...]) -> Shape:
+        return cls._of(_trivet.Shape.of_state(state))
 
     @classmethod
     def load(cls, path: PathLike, *, chord: float = 0.0, max_triangles: int = 50_000_000, max_seconds: float = 0.0,
@@ -184,7 +188,10 @@ class Shape:
         return hash(self._shape.id)
 
     def __reduce__(self) -> Any:
-        return Shape._of, (self._shape,)
+        return Shape._of_state, (self._shape.state(),)
+
+    def __copy__(self) -> Shape:
+        return self
 
     def __repr__(self) -> str:
         name = f"{self.name!r}, " if self.name else ""
