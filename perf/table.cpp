@@ -102,7 +102,7 @@ std::string heading(double load_before, double minutes, const Report& report) {
          "All on one core, in one thread, unless a row says all cores; models, BVHs "
          "and\nsimulators' tasks are prepared beforehand and not timed. FCL " +
          fcl_version() + ". Bullet " + bullet_version() + ". MuJoCo " + mujoco_version() +
-         ".\nFor comparison: one movement took [Shinya and Forgue 1995] 410 ms in SPOON-SAUCER "
+         ".\nFor comparison: one movement took [Shinya 1995] 410 ms in SPOON-SAUCER "
          "(0.9K triangles)\nand 2,000 ms in BREAKFAST (15K), on an IRIS 4D/310 VGX.\n" +
          (report.hash() ? text("Hash of all of Trivet's results in this run: %016llx.\n\n",
                                static_cast<unsigned long long>(*report.hash()))

@@ -34,7 +34,7 @@ struct DemoLayout {
   const Model& model(const std::string& file) const;
 };
 
-/// "spoon-saucer", "breakfast", "office1" and "office2": the layouts of [Shinya and Forgue 1995].
+/// "spoon-saucer", "breakfast", "office1" and "office2": the layouts of [Shinya 1995].
 std::vector<std::string> demo_names();
 
 /// @throws Error (BadInput) naming the demos there are.

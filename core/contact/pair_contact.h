@@ -7,10 +7,10 @@
 // it is not the target yet, the next plane is taken. A vertex-face contact needs one plane (its
 // root is the classical one), an edge-edge contact a few, because their common normal turns.
 //
-// Departs from roots of coplanarity per vertex-face and edge-edge pair [Provot 1997, Redon 2002;
-// here SETTLING section 1] because a root may be spurious, must be told from grazing, and fails for
-// parallel edges and slivers; a plane between two convex sets proves, at every step, that nothing
-// was passed. There are no degenerate cases left: distance is defined for every triangle.
+// Departs from roots of coplanarity per vertex-face and edge-edge pair [Provot 1997, Redon 2002]
+// because a root may be spurious, must be told from grazing, and fails for parallel edges and
+// slivers; a plane between two convex sets proves, at every step, that nothing was passed. There
+// are no degenerate cases left: distance is defined for every triangle.
 #pragma once
 
 #include "core/motion/motion.h"

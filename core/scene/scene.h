@@ -31,6 +31,8 @@ class Scene {
   const Object& at(ObjectId id) const;  // asserts that the id is alive
   size_t num_objects() const { return m_num_objects; }
   std::vector<ObjectId> ids() const;  // in the order of their addition: the scene's order
+  /// Into the scene's order.
+  void sort(std::vector<ObjectId>& ids) const;
   /// Cost O(1).
   std::optional<ObjectId> find(const std::string& name) const;
 
@@ -87,7 +89,6 @@ class Scene {
   ObjectId id_of(Index slot) const {
     return {static_cast<std::uint32_t>(slot), m_slots[slot].generation};
   }
-  void sort(std::vector<ObjectId>& ids) const;
   /// Keeps the slot as it is, for the open transaction. Strong guarantee.
   void keep(size_t index);
   /// To be called when a slot has changed.

@@ -100,7 +100,7 @@ std::optional<std::vector<ZListAnswer>> GpuZListStage::try_asking(std::span<cons
       ++m_num_errors;
     }
   }
-  tell(m_told_gone, m_last_error + "; box trees answer instead of the GPU");
+  tell(m_told_gone, m_last_error + "; BVHs answer instead of the GPU");
   return std::nullopt;
 }
 

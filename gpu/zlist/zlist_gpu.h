@@ -47,7 +47,7 @@ struct GpuZListOptions {
   std::shared_ptr<DoubtfulLists> software_lists =
       {};  // such as SoftwareDoubtfulLists; null: the GPU's
   /// Told once when the hardware was lost and a new context goes on, once when there is none and
-  /// box trees answer. May be empty.
+  /// BVHs answer. May be empty.
   std::function<void(const std::string&)> note = {};
   GpuFaults faults = {};
 };

@@ -66,7 +66,7 @@ class PoseSearch {
     });
   }
 
-  // [Van Oosterom 1983]: tan(angle / 2), of corners seen from the centre.
+  // [van Oosterom 1983]: tan(angle / 2), of corners seen from the centre.
   double solid_angle_deg(const HullFace& face) const {
     const Vec3 a = corner(face, 0) - m_centre, b = corner(face, 1) - m_centre,
                c = corner(face, 2) - m_centre;

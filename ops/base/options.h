@@ -48,7 +48,7 @@ inline bool has_finite_friction(const SettleOptions& options) {
   return !options.perfect_friction && !options.literal_paper_rules;
 }
 
-/// What perfect friction holds is not at rest as a whole: there each object counts alone.
+/// True if operations keep the whole at rest; with perfect friction each object is judged alone.
 inline bool keeps_whole_at_rest(const SettleOptions& options) {
   return options.whole_at_rest && has_finite_friction(options);
 }

@@ -45,9 +45,9 @@ class Whole {
       if (m_scene.at(id).placed) return;  // no other verdict counts until that is resolved
     PartVerdict verdict = judge();
     for (int round = 0; !verdict.stands && round < kMaxRounds && m_queries_left > 0; ++round) {
-      [[maybe_unused]] const double before = energy();
+      [[maybe_unused]] const double before = energy_gained().sum;
       if (stopped() || !give_way(verdict)) break;
-      assert(energy() <= before + 1e-12 * std::abs(before));
+      assert(energy_gained().sum <= before + energy_gained().rounding);
       verdict = judge();
     }
     if (stopped()) return;
@@ -82,12 +82,24 @@ class Whole {
     return out;
   }
 
-  // Weights times heights of all that may move. Never rises, whoever gives way.
-  double energy() const {
-    double sum = 0;
-    for (const ObjectId id : m_scene.ids())
-      if (may_move(id)) sum += weight_of(m_scene.at(id)) * height(id);
-    return sum;
+  struct Energy {
+    double sum = 0, rounding = 0;
+  };
+
+  // Weights times rises of all that gave way so far. Never grows, whoever gives way.
+  Energy energy_gained() const {
+    Energy out;
+    for (const auto& [slot, before] : m_before) {
+      const double weight = weight_of(m_scene.at(before.id)), now = height(before.id);
+      out.sum += weight * (now - centre_before(before).z());
+      out.rounding += 1e-12 * weight * std::abs(now);
+    }
+    return out;
+  }
+
+  Vec3 centre_before(const Placement& before) const {
+    const Object& object = m_scene.at(before.id);
+    return body_of(object, before.pose).world_from_object.apply(object.shape->mass.centre);
   }
 
   bool give_way(const PartVerdict& verdict) {
@@ -195,14 +207,15 @@ class Whole {
   }
 
   void note_who_gave_way() {
-    for (const ObjectId id : m_scene.ids()) {
-      const auto before = m_before.find(id.index);
-      if (before == m_before.end()) continue;
+    std::vector<ObjectId> ids;
+    ids.reserve(m_before.size());
+    for (const auto& [slot, before] : m_before) ids.push_back(before.id);
+    m_scene.sort(ids);
+    for (const ObjectId id : ids) {
+      const Placement& before = m_before.at(id.index);
       const Object& object = m_scene.at(id);
-      const Rotation &p = before->second.pose.rotation, &q = object.pose.rotation;
-      const Vec3 from =
-          body_of(object, before->second.pose).world_from_object.apply(object.shape->mass.centre);
-      const double moved = (object.centre_of_mass() - from).norm();
+      const Rotation &p = before.pose.rotation, &q = object.pose.rotation;
+      const double moved = (object.centre_of_mass() - centre_before(before)).norm();
       const Rotation turn = (q * Rotation{p.w, -p.x, -p.y, -p.z}).normalized();
       const double turned = angle_deg(turn);
       if (object.name != m_object.name && (moved > 0 || turned > 0))

@@ -47,7 +47,7 @@ FreeBodies free_bodies(const Scene& scene, std::optional<double> friction = {});
 FreeBodies linked_bodies(const Scene& scene, std::span<const ObjectId> ids,
                          std::optional<double> friction);
 
-/// What carries without being carried, beside the floor.
+/// True for bodies that carry without being carried: ground, as the floor is.
 using IsGround = std::function<bool(ObjectId, const Object&)>;
 bool is_fixed(ObjectId id, const Object& object);
 bool is_fixed_or_held(ObjectId id, const Object& object);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
+#include <utility>
 
 #include "core/base/tunables.h"
 #include "ops/placement/clearance.h"
@@ -12,13 +14,44 @@
 namespace trivet {
 namespace {
 
+double clearance_of(const Scene& scene, const StabilityOptions& options) {
+  return options.clearance > 0 ? options.clearance : default_clearance(scene);
+}
+
+// Free objects that contacts connect with these, in the scene's order.
+std::vector<ObjectId> linked_with(const Scene& scene, std::vector<ObjectId> ids) {
+  std::set<std::uint32_t> seen;
+  for (const ObjectId id : ids) seen.insert(id.index);
+  for (size_t i = 0; i < ids.size(); ++i)
+    for (const ObjectContact& entry : scene.at(ids[i]).contacts) {
+      if (entry.with.is_floor() || scene.at(entry.with.object()).fixed) continue;
+      if (seen.insert(entry.with.object().index).second) ids.push_back(entry.with.object());
+    }
+  scene.sort(ids);
+  return ids;
+}
+
+// The same, by the contacts of the linear program, too, which are some clearances wide.
+std::vector<ObjectId> judged_with(const Scene& scene, ObjectId object,
+                                  const StabilityOptions& options) {
+  std::vector<ObjectId> ids = linked_with(scene, {object});
+  while (true) {
+    const FreeBodies near =
+        near_part(scene, ids, clearance_of(scene, options), is_fixed, options.friction);
+    if (near.bodies.size() == ids.size()) return ids;
+    ids.clear();
+    for (const FreeBody& body : near.bodies) ids.push_back(body.id);
+    ids = linked_with(scene, std::move(ids));
+  }
+}
+
 class StabilityCheck {
  public:
-  StabilityCheck(const Scene& scene, const StabilityOptions& options)
+  StabilityCheck(const Scene& scene, const StabilityOptions& options, FreeBodies bodies)
       : m_scene(scene),
         m_options(options),
-        m_clearance(options.clearance > 0 ? options.clearance : default_clearance(scene)),
-        m_all(free_bodies(scene, options.friction)) {}
+        m_clearance(clearance_of(scene, options)),
+        m_all(std::move(bodies)) {}
 
   Stability run() {
     m_out.friction = m_options.friction;
@@ -192,7 +225,14 @@ const char* to_string(Stability::Method method) {
 }
 
 Stability stability(const Scene& scene, const StabilityOptions& options) {
-  return StabilityCheck(scene, options).run();
+  return StabilityCheck(scene, options, free_bodies(scene, options.friction)).run();
+}
+
+Stability stability_of_part(const Scene& scene, ObjectId object, const StabilityOptions& options) {
+  const Object& of = scene.at(object);
+  std::vector<ObjectId> ids;
+  if (of.placed && !of.fixed) ids = judged_with(scene, object, options);
+  return StabilityCheck(scene, options, linked_bodies(scene, ids, options.friction)).run();
 }
 
 double weight_of(const Object& object, double density) {

@@ -80,6 +80,12 @@ const char* to_string(Stability::Method method);  // "certificate", "linear prog
 /// are looked for again, within kBalanceTolerance clearances, as settling does.
 Stability stability(const Scene& scene, const StabilityOptions& options = {});
 
+/// The same of the part that contacts connect with an object alone: its objects and forces are
+/// those of the whole scene's verdict. None if it is fixed or not placed. Cost of the part,
+/// whatever else there is.
+Stability stability_of_part(const Scene& scene, ObjectId object,
+                            const StabilityOptions& options = {});
+
 inline constexpr double kMarginalFriction = 0.99, kMarginalShift = 1e-3;
 inline constexpr double kGravity = 9.80665;  // m/s^2
 /// Newtons. By volume, or by area and kWallThickness where there is none.

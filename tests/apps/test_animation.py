@@ -141,7 +141,7 @@ class Animation(Case):
             x, y, _ = film.position("a", end - 0.02 * k)
             self.assertAlmostEqual(math.hypot(x, y), 0.2, 3)
 
-    def test_what_leaves_is_hidden(self):
+    def test_hides_removed_objects(self):
         film, _ = self.run_layout([SLAB, {"name": "a", "model": "cube.obj"}, {"name": "b", "model": "cube.obj"}],
                                   [put("a", 0, 0, 1), put("b", 0.3, 0, 1), {"op": "delete", "object": "a"},
                                    {"op": "unplace", "object": "b"}])

@@ -40,7 +40,7 @@ struct CurveSample {
   double operator[](int i) const { return value[i]; }
 };
 
-/// Centripetal Catmull-Rom spline through the control points [Catmull and Rom 1974; Yuksel et al.
+/// Centripetal Catmull-Rom spline through the control points [Catmull 1974; Yuksel
 /// 2011], thinned to the fewest samples whose chords stay within `tolerance` (Douglas-Peucker).
 /// Corners and changes of material are always samples. Only + - x / and sqrt are used, so that the
 /// choice of samples is the same on every machine.

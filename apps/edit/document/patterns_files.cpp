@@ -84,7 +84,7 @@ constexpr const char* kFiles[] = {
     QT_TRANSLATE_NOOP("refusal", "%1, the version of the journal"),
     QT_TRANSLATE_NOOP("refusal", "an operation or several"),
     QT_TRANSLATE_NOOP("refusal", "cannot be opened"),
-    QT_TRANSLATE_NOOP("refusal", "%1; box trees are used instead"),
+    QT_TRANSLATE_NOOP("refusal", "%1; BVHs are used instead"),
     QT_TRANSLATE_NOOP("refusal", "a scene (.glb) written by Trivet, or a layout (.json)"),
     QT_TRANSLATE_NOOP("refusal", "cannot be saved"),
     QT_TRANSLATE_NOOP("refusal", "a file name ending in .glb or .json"),

@@ -64,7 +64,7 @@ void ThreadDetector::renew() {
   try {
     m_detector = make_detector(options);
   } catch (const std::exception& error) {
-    if (options.note) options.note(std::string(error.what()) + "; box trees are used instead");
+    if (options.note) options.note(std::string(error.what()) + "; BVHs are used instead");
     m_detector = std::make_unique<Detector>();
   }
   if (m_detector->name() != "gpu") m_gpu.reset();

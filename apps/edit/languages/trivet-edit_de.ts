@@ -4,7 +4,7 @@
 <context>
     <name>QObject</name>
     <message>
-        <source>box trees</source>
+        <source>BVHs</source>
         <translation>Boxbäume</translation>
     </message>
     <message>
@@ -1207,7 +1207,7 @@
         <translation>lässt sich nicht öffnen</translation>
     </message>
     <message>
-        <source>%1; box trees are used instead</source>
+        <source>%1; BVHs are used instead</source>
         <translation>%1; stattdessen antworten Boxbäume</translation>
     </message>
     <message>
@@ -4545,7 +4545,7 @@
         <translation>Automatisch: das Schnellste hier</translation>
     </message>
     <message>
-        <source>Box trees</source>
+        <source>BVHs</source>
         <translation>Boxbäume</translation>
     </message>
     <message>

@@ -21,7 +21,7 @@ BackendOptions backend_options(const DetectionChoice& choice);
 DetectionChoice saved_detection();
 void save_detection(const DetectionChoice& choice);
 
-/// Such as "box trees", "z-lists: framebuffer, llvmpipe (LLVM 15.0.6, 256 bits)", "automatic: bvh,
+/// Such as "BVHs", "z-lists: framebuffer, llvmpipe (LLVM 15.0.6, 256 bits)", "automatic: bvh,
 /// gpu compute, NVIDIA RTX A4000".
 QString in_words(const Answering& answering);
 

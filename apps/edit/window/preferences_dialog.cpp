@@ -13,7 +13,7 @@ PreferencesDialog::PreferencesDialog(Document& document, const DetectionChoice& 
   setWindowTitle(tr("Preferences"));
   m_backend = make_box("backend",
                        {{"auto", tr("Automatic: the fastest here")},
-                        {"bvh", tr("Box trees")},
+                        {"bvh", tr("BVHs")},
                         {"software", tr("z-lists in software")},
                         {"gpu", tr("z-lists on the graphics card")}},
                        choice.backend);

@@ -65,33 +65,33 @@ void append_readable(const nlohmann::ordered_json& value, const std::string& ind
   out += value.is_object() ? '}' : ']';
 }
 
-// Follows the parser, because a finished document no longer shows that a key came twice, and
-// because the library prints and copies documents recursively.
-class ParserWatch {
+// Reads ahead of the parser, because a finished document no longer shows that a key came twice, and
+// because the library prints and copies documents recursively. (Callbacks of the parser itself
+// take time in the square of an array's length.) Ends at errors, which the parser then tells.
+class ReadAhead final : public nlohmann::json_sax<nlohmann::json> {
  public:
-  explicit ParserWatch(const std::string& file) : m_file(file) {}
+  explicit ReadAhead(const std::string& file) : m_file(file) {}
 
-  bool operator()(nlohmann::json::parse_event_t event, const nlohmann::json& parsed) {
-    switch (event) {
-      case nlohmann::json::parse_event_t::object_start:
-      case nlohmann::json::parse_event_t::array_start:
-        count_item();
-        if (m_levels.size() >= kMaxDepth)
-          bad_input(m_file + ": " + pointer() + ": nested too deep; accepted: up to " +
-                    std::to_string(kMaxDepth) + " levels");
-        m_levels.push_back({event == nlohmann::json::parse_event_t::array_start, -1, {}, {}});
-        break;
-      case nlohmann::json::parse_event_t::object_end:
-      case nlohmann::json::parse_event_t::array_end:
-        m_levels.pop_back();
-        break;
-      case nlohmann::json::parse_event_t::key:
-        enter_key(parsed.get<std::string>());
-        break;
-      case nlohmann::json::parse_event_t::value:
-        count_item();
-        break;
-    }
+  bool null() override { return count_item(); }
+  bool boolean(bool) override { return count_item(); }
+  bool number_integer(number_integer_t) override { return count_item(); }
+  bool number_unsigned(number_unsigned_t) override { return count_item(); }
+  bool number_float(number_float_t, const string_t&) override { return count_item(); }
+  bool string(string_t&) override { return count_item(); }
+  bool binary(binary_t&) override { return count_item(); }
+  bool start_object(std::size_t) override { return enter(false); }
+  bool start_array(std::size_t) override { return enter(true); }
+  bool end_object() override { return leave(); }
+  bool end_array() override { return leave(); }
+  bool parse_error(std::size_t, const std::string&, const nlohmann::json::exception&) override {
+    return false;
+  }
+
+  bool key(string_t& key) override {
+    Level& level = m_levels.back();
+    level.key = key;
+    if (!level.keys.insert(key).second)
+      bad_input(m_file + ": " + pointer() + ": this key comes twice; accepted: each key once");
     return true;
   }
 
@@ -114,15 +114,23 @@ class ParserWatch {
     return out;
   }
 
-  void count_item() {
+  bool count_item() {
     if (!m_levels.empty() && m_levels.back().array) ++m_levels.back().index;
+    return true;
   }
 
-  void enter_key(const std::string& key) {
-    Level& level = m_levels.back();
-    level.key = key;
-    if (level.keys.insert(key).second) return;
-    bad_input(m_file + ": " + pointer() + ": this key comes twice; accepted: each key once");
+  bool enter(bool array) {
+    count_item();
+    if (m_levels.size() >= kMaxDepth)
+      bad_input(m_file + ": " + pointer() + ": nested too deep; accepted: up to " +
+                std::to_string(kMaxDepth) + " levels");
+    m_levels.push_back({array, -1, {}, {}});
+    return true;
+  }
+
+  bool leave() {
+    m_levels.pop_back();
+    return true;
   }
 
   const std::string& m_file;
@@ -163,12 +171,10 @@ nlohmann::json parse_json(const std::string& text, const std::string& file) {
     bad_input(file + ": is empty; accepted: a JSON object");
   if (text.rfind("glTF", 0) == 0)
     bad_input(file + ": is a scene or a model in binary glTF; accepted: JSON, as of a layout");
-  ParserWatch watch(file);
   try {
-    return nlohmann::json::parse(
-        text, [&](int, nlohmann::json::parse_event_t event, nlohmann::json& parsed) {
-          return watch(event, parsed);
-        });
+    ReadAhead ahead(file);
+    nlohmann::json::sax_parse(text, static_cast<nlohmann::json_sax<nlohmann::json>*>(&ahead));
+    return nlohmann::json::parse(text);
   } catch (const nlohmann::json::out_of_range& e) {
     bad_input(file + ": " + overflow_message(text, e.what()));
   } catch (const nlohmann::json::exception& e) {

@@ -45,18 +45,19 @@ std::string names_of(const Scene& scene, const std::vector<TouchedBy>& touched) 
   return out.empty() ? "nothing" : out;
 }
 
-const ObjectStability* find(const Stability& all, ObjectId object) {
-  for (const ObjectStability& o : all.objects)
+const ObjectStability* find(const Stability& part, ObjectId object) {
+  for (const ObjectStability& o : part.objects)
     if (o.object == object) return &o;
   return nullptr;
 }
 
-OrderedJson with_all_free_json(const Scene& scene, const Stability& all, const ObjectStability& o) {
+OrderedJson with_all_free_json(const Scene& scene, const Stability& part,
+                               const ObjectStability& o) {
   OrderedJson json = object_stability_json(scene, o);
   json.erase("name");
-  json["stable"] = all.stable();
+  json["stable"] = part.stable();
   json["forces"] = OrderedJson::array();
-  for (const ContactForce& f : all.forces)
+  for (const ContactForce& f : part.forces)
     if (f.on == o.object)
       json["forces"].push_back({{"from", named(scene, f.from).name},
                                 {"point", to_json(f.point)},
@@ -65,9 +66,9 @@ OrderedJson with_all_free_json(const Scene& scene, const Stability& all, const O
 }
 
 // Forces of the neighbours, in the order in which they are met.
-std::string forces_text(const Scene& scene, const Stability& all, ObjectId object) {
+std::string forces_text(const Scene& scene, const Stability& part, ObjectId object) {
   std::vector<std::pair<Support, Vec3>> sums;
-  for (const ContactForce& f : all.forces) {
+  for (const ContactForce& f : part.forces) {
     if (f.on != object) continue;
     const auto it = std::find_if(sums.begin(), sums.end(),
                                  [&](const auto& sum) { return sum.first == f.from; });
@@ -115,9 +116,9 @@ std::string object_query_json(const Scene& scene, ObjectId id, const StabilityOp
   json["at_rest"] = rest.at_rest;
   json["stability_margin"] = rest.margin;
   json["least_friction"] = rest.least_friction;
-  const Stability all = stability(scene, options);
-  if (const ObjectStability* o = find(all, id))
-    json["with_all_free"] = with_all_free_json(scene, all, *o);
+  const Stability part = stability_of_part(scene, id, options);
+  if (const ObjectStability* o = find(part, id))
+    json["with_all_free"] = with_all_free_json(scene, part, *o);
   return json.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
 }
 
@@ -133,15 +134,15 @@ std::string object_query_text(const Scene& scene, ObjectId id, const StabilityOp
   out << "  margin to tipping: " << object.stability_margin
       << " m; least friction: " << object.least_friction << ", its contacts have "
       << least_pair_friction(scene, id) << "\n";
-  const Stability all = stability(scene, options);
-  if (const ObjectStability* o = find(all, id)) {
+  const Stability part = stability_of_part(scene, id, options);
+  if (const ObjectStability* o = find(part, id)) {
     out << "  with everything let go: ";
     if (o->topples)
       out << "topples: " << way_text(object, o->motion) << "\n";
     else
-      out << to_string(all.status) << ", margin " << o->margin << " m\n"
+      out << to_string(part.status) << ", margin " << o->margin << " m\n"
           << "    weight " << o->weight << " N\n"
-          << forces_text(scene, all, id);
+          << forces_text(scene, part, id);
   }
   return out.str();
 }

@@ -32,7 +32,7 @@ RestOfObject rest_of(const Scene& scene, ObjectId object);
 /// [the same], "carries": [names], "at_rest", "stability_margin", "least_friction",
 /// "with_all_free": {"weight", "margin", "marginal", "topples", "least_friction", "friction",
 /// "stable", "forces": [{"from", "point", "force"}], and of what topples "way", "velocity",
-/// "spin"}}
+/// "spin"}}, as stability_of_part() finds it: "stable" is of the objects that contacts connect.
 std::string object_query_json(const Scene& scene, ObjectId object, const StabilityOptions& options);
 /// For people.
 std::string object_query_text(const Scene& scene, ObjectId object, const StabilityOptions& options);

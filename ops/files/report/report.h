@@ -22,9 +22,9 @@ struct ReportOptions {
   std::string arrangement = {};  // JSON text of "arrange"; empty: there was none
 };
 
-/// The report as JSON text, as DESIGN.md has it. Two runs of one input differ in nothing but
-/// "milliseconds"; two backends also in "backend", "device" and "work", two
-/// kinds of confirmation in "confirmation" and "work". Beside the contract's keys, "check" names
+/// The report as JSON text (apps/python/docs/report.rst has its fields). Two runs of one input
+/// differ in nothing but "milliseconds"; two backends also in "backend", "device" and "work", two
+/// kinds of confirmation in "confirmation" and "work". "check" names
 /// what it found: "pairs" of objects that interpenetrate (in double, in float32, or one inside the
 /// other) and objects "not_at_rest". "settle" has the rules of layouts. "stability" is of the scene
 /// as a whole, as struct Stability has it; newtons, metres. Null: a number that is infinite; pose,

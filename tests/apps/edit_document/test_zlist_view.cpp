@@ -19,7 +19,7 @@ class ZListViews : public testing::Test {
     hand.look_at(document->snapshot()->box());
     document->watch_zlists(true);
   }
-  /// The same query by box trees alone.
+  /// The same query by BVHs alone.
   FirstContact answer(const ZListView& view, const std::vector<ObjectId>& moving) const {
     std::vector<Body> a, b;
     for (const ObjectSnapshot& object : document->snapshot()->objects) {

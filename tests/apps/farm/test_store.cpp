@@ -126,7 +126,7 @@ TEST(SceneReader, ReadsAUnitOnce) {
 }
 
 // One bit of every 41st byte of every file; of every byte with TRIVET_TEST_EFFORT=41.
-TEST(Unit, NoFlippedBitStaysUnseen) {
+TEST(Unit, DetectsEveryFlippedBit) {
   for (const UnitFormat format : kFormats) {
     const TemporaryFolder out;
     ASSERT_TRUE(write_unit(out.path(), format, true));

@@ -77,7 +77,7 @@ TEST_P(ZListFaults, LeaveAnswersToTreesWithoutDevice) {
   EXPECT_LT(course.num_usable, 36);
   EXPECT_GT(course.num_contacts, 8);
   ASSERT_EQ(course.notes.size(), 1u);
-  EXPECT_NE(course.notes[0].find("the device is gone; box trees answer"), std::string::npos)
+  EXPECT_NE(course.notes[0].find("the device is gone; BVHs answer"), std::string::npos)
       << course.notes[0];
 }
 

@@ -120,7 +120,7 @@ TEST(Puzzle, ContradictionOfTwoAmongFiftyIsFound) {
   EXPECT_EQ(state_of(stage.scene), before);
 }
 
-TEST(Puzzle, BetweenTwoThatLeaveTooLittleTheLengthIsSaid) {
+TEST(Puzzle, ReportsTheLengthMissingBetweenTwo) {
   Stage stage;
   stage.fix("bowl_1", test::box_between(Vec3(-0.1, -0.1, 0), Vec3(0.1, 0.1, 0.1)),
             Vec3(-0.2, 0, 1e-5));

@@ -161,7 +161,7 @@ TEST(Sights, StopWhileTheirConflictIsNamed) {
   EXPECT_THROW(Placer(world, cup, 1).candidates(Obstacles::All, {}, 1), ArrangeStopped);
 }
 
-TEST(Sights, ShareThatIsSeenIsThatOfTheTruth) {
+TEST(Sights, MatchTrueVisibleShare) {
   Random random(5);
   int num_partly = 0;
   for (int round = 0; round < 60; ++round) {
@@ -202,7 +202,7 @@ TEST(Sights, MeetAWallWithACornerAbeam) {
   }
 }
 
-TEST(Reach, WhatIsCutOffCostsABoundedAmount) {
+TEST(Reach, BoundsCostOfBlockedPoints) {
   Stage stage;
   stage.fix("phone", box_between(Vec3(-0.1, 2, 0), Vec3(0.1, 2.1, 0.1)), Vec3(0, 0, 1e-5));
   stage.fix("pane", box_between(Vec3(-9, 1, -1), Vec3(9, 1.01, 9)), Vec3::Zero());

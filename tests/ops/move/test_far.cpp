@@ -99,7 +99,7 @@ struct SetTable : Stage {
 };
 
 // One kilometre away; the clearance followed coordinates, and objects hovered by up to 1 mm.
-TEST(Far, HoversNoMoreOneKilometreAway) {
+TEST(Far, RestsWithinClearanceOneKilometreAway) {
   const SetTable near(Vec3::Zero());
   for (const Vec3& where : {Vec3(1000, 0, 0), Vec3(-600, 800, 0), Vec3(123456.7, 1, 0)}) {
     const SetTable far(where);
@@ -113,7 +113,7 @@ TEST(Far, HoversNoMoreOneKilometreAway) {
 }
 
 // With z far out, too: there is no floor.
-TEST(Far, HoversNoMoreAboveWithoutFloor) {
+TEST(Far, RestsWithinClearanceWithoutFloor) {
   Stage s;
   s.scene.floor = false;
   s.fix("table", box_triangles(Vec3(0.5, 0.5, 0.05)), Vec3(0, 700, 3000));

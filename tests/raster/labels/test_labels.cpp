@@ -364,7 +364,7 @@ TEST(Labels, AreTheSameFarFromTheOrigin) {
   TestScene test = random_scene(7);
   const Labels near = render_labels(test.scene, test.camera);
   const Vec3 far(68719476736, -68719476736, 0);
-  // What the poses lose there, lost here as well.
+  // Rounds the near poses as the far ones are.
   for (PictureObject& object : test.scene.objects)
     object.world_from_object.translation = (object.world_from_object.translation + far) - far;
   test.camera.eye = (test.camera.eye + far) - far;
