@@ -152,7 +152,7 @@ Stock real_stock() {
 
 SettleProblem RestCase::problem(const Neighbourhood& others) const {
   SettleProblem out;
-  out.options = perfect_friction();
+  out.options = options;
   out.shape = shape.get();
   out.up = up;
   out.scale = scale;
@@ -186,7 +186,7 @@ RestCase RestCase::with(const FixedBody& neighbour) const {
   return out;
 }
 
-std::optional<RestCase> rest_case(const Stock& stock, int index) {
+std::optional<RestCase> rest_case(const Stock& stock, int index, const SettleOptions& options) {
   Random random(7000 + static_cast<unsigned>(index));
   const Stock::Item& item = any(stock.objects, random);
   RestCase out;
@@ -195,6 +195,7 @@ std::optional<RestCase> rest_case(const Stock& stock, int index) {
   out.up = item.up;
   out.scale = scale_to(*item.shape, kObjectSize);
   out.clearance = kRelativeClearance;
+  out.options = options;
   add_supports(out, stock, random);
   const double top = std::max(0.0, out.scene->box().upper.z());
   out.pose = {random.rotation(), random.beside(0.12, 0)};

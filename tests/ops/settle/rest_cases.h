@@ -46,12 +46,13 @@ struct RestCase {
   double scale = 1;
   Pose pose;
   double clearance = 0;
+  SettleOptions options;
   std::shared_ptr<Scene> scene = std::make_shared<Scene>();  // of the fixed bodies
 
   Body body() const { return {*shape, world_from_object(pose, up, scale)}; }
   double size() const { return scale * shape->box.diagonal(); }
   Neighbourhood others() const { return {*scene, std::span<const ObjectId>()}; }
-  /// With perfect friction. @param others  this case's, alive as long as the problem.
+  /// @param others  this case's, alive as long as the problem.
   SettleProblem problem(const Neighbourhood& others) const;
   void add(const FixedBody& body);
   std::vector<ContactPoint> contacts() const;
@@ -60,7 +61,7 @@ struct RestCase {
 };
 
 /// Number `index` of a stock: supports, object and start at random; empty when it is not at rest.
-std::optional<RestCase> rest_case(const Stock& stock, int index);
+std::optional<RestCase> rest_case(const Stock& stock, int index, const SettleOptions& options);
 
 enum class Side { Above, Beside, Below };
 const char* to_string(Side side);

@@ -61,11 +61,12 @@ void compare(const RestCase& rest, const Rating& before, const RestCase& more, C
 }
 
 // Resting objects stay where they are, alone and with each of six neighbours.
-Count expect_more_contacts_hold(const test::Stock& stock, int num) {
+Count expect_more_contacts_hold(const test::Stock& stock, int num,
+                                const SettleOptions& options = test::perfect_friction()) {
   Count count;
   for (int i = 0; i < num; ++i) {
     SCOPED_TRACE("case " + std::to_string(i));
-    const auto rest = test::rest_case(stock, i);
+    const auto rest = test::rest_case(stock, i, options);
     if (!rest) continue;
     const Rating before = rating_of(*rest);
     ++count.cases;
@@ -99,6 +100,21 @@ TEST(OneMoreContact, LeavesRealModelsAtRest) {
   TRIVET_NEEDS_DATA("models/contactdb_bowl.stl");
   const int num = test::with_effort(100);
   const Count count = expect_more_contacts_hold(test::real_stock(), num);
+  EXPECT_GT(count.cases, num / 3);
+}
+
+// The default rules but for the whole, which an object beside fixed bodies is by itself.
+TEST(OneMoreContact, LeavesSolidsAtRestWithFriction) {
+  const int num = test::with_effort(200);
+  const Count count = expect_more_contacts_hold(test::made_stock(), num, test::objects_alone());
+  EXPECT_GT(count.cases, num / 3);
+  EXPECT_GT(count.neighbours, 4 * count.cases);
+}
+
+TEST(OneMoreContact, LeavesRealModelsAtRestWithFriction) {
+  TRIVET_NEEDS_DATA("models/contactdb_bowl.stl");
+  const int num = test::with_effort(100);
+  const Count count = expect_more_contacts_hold(test::real_stock(), num, test::objects_alone());
   EXPECT_GT(count.cases, num / 3);
 }
 
