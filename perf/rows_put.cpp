@@ -80,8 +80,7 @@ void measure_demo(DemoScene demo, const DemoMeasure& what, Report& report) {
   }
   report.add(any.row(text("all %zu PUTs, random starts", demo.operations.size()), what.goal_ms));
   report.add(own.row("the same from the layout's own starts", what.goal_ms));
-  if (what.paper)
-    report.remark("one movement in [Shinya 1995], IRIS 4D/310 VGX", what.paper);
+  if (what.paper) report.remark("one movement in [Shinya 1995], IRIS 4D/310 VGX", what.paper);
   report.add_hash(hash.value());
 }
 

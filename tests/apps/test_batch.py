@@ -44,6 +44,12 @@ class BatchCase(Case):
         recipe = {"trivet_recipe": 1, "objects": [SLAB], "groups": [HEAP], **more}
         return self.write(name, json.dumps(recipe))
 
+    def write_large_recipe(self, **more):
+        """Scenes of 2 MB and more each, as .glb."""
+        self.write("sheet.obj", grid_obj(200))
+        sheet = {"name": "sheet", "model": "sheet.obj", "fixed": True, "position": [5, 5, 5]}
+        return self.write_recipe(objects=[SLAB, sheet], **more)
+
     def batch(self, out, *more, count=40, recipe="recipe.json", status=0, env=None):
         return self.trivet("batch", recipe, "--count", count, "--per-tar", 5, "--out", out, "--quiet",
                            *more, status=status, env=env)
@@ -251,15 +257,14 @@ class Faults(BatchCase):
         return [json.loads(line) for line in self.read(out + ".jsonl").splitlines()]
 
     def test_a_scene_beyond_its_memory_is_listed(self):
-        self.batch("out", "--scene-memory-mb", 1, count=6, status=1)
+        self.write_large_recipe()
+        self.batch("out", "--scene-memory-mb", 1, "--with", "scene", count=6, status=1)
         rows = self.merged("out")
         self.assertEqual([row["status"] for row in rows], ["failed"] * 6)
 
     def test_scenes_behind_a_slow_one_fill_no_memory(self):
         """A worker is held, the other one goes on until what waits for its place in the unit is enough."""
-        self.write("sheet.obj", grid_obj(200))
-        sheet = {"name": "sheet", "model": "sheet.obj", "fixed": True, "position": [5, 5, 5]}  # 2 MB of each .glb
-        self.write_recipe(objects=[SLAB, sheet])
+        self.write_large_recipe()
         process = self.start("out", "--jobs", "2", "--with", "scene", "--scene-seconds", "1000", count=150, per_tar=150)
         while not os.path.exists(self.path("out/run.json")):
             self.assertIsNone(process.poll())

@@ -119,7 +119,8 @@ class Pictures(BatchCase):
         self.trivet("batch", "verify", "p", "--scenes", "scenes", "--sample", 0, status=1)
 
     def test_failed_scenes_have_none_and_are_no_failure_here(self):
-        self.batch("bad", "--scene-memory-mb", 1, count=6, status=1)
+        self.write_large_recipe(views=VIEWS)
+        self.batch("bad", "--scene-memory-mb", 1, "--with", "scene", count=6, status=1)
         for _ in range(2):  # made, and there before
             self.assertIn("0 failed, 6 without", self.pictures("p", scenes="bad")[0])
         self.assertIn("failed: ", self.trivet("batch", "status", "p")[0])

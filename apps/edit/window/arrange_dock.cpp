@@ -1,8 +1,8 @@
 // The dock of arrangements.
-#include "apps/edit/window/arrange_panel.h"
-
 #include <QAction>
 #include <QDockWidget>
+
+#include "apps/edit/window/arrange_panel.h"
 #include "apps/edit/window/main_window.h"
 
 namespace trivet::edit {

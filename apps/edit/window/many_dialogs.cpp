@@ -4,7 +4,6 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QStringList>
-
 #include <cmath>
 
 #include "apps/edit/window/form_dialog.h"

@@ -2,7 +2,6 @@
 
 #include <QColor>
 #include <QFontMetrics>
-
 #include <algorithm>
 
 #include "apps/edit/window/live_objects.h"
