@@ -2,6 +2,7 @@
 // memory. TRIVET_TEST_EFFORT=33 runs 10,000.
 #include <malloc.h>
 
+#include <algorithm>
 #include <cstdio>
 
 #include "apps/edit_document/hand.h"
@@ -134,7 +135,8 @@ TEST(Monkey, CommitsOnlySoundScenesAndLeaksNoMemory) {
   SCOPED_TRACE(seed);
   TemporaryFolder folder;
   Recorder document(folder.file("recovery"));
-  const int num_actions = trivet::test::with_effort(300);
+  // Fewer do not use each feature in the first round, and what is allocated once shows as a leak.
+  const int num_actions = std::max(240, trivet::test::with_effort(300));
   double first = 0, last = 0;
   for (int round = 0; round < kRounds; ++round) {
     ASSERT_NO_FATAL_FAILURE(play(document, seed + unsigned(round), num_actions / kRounds));
