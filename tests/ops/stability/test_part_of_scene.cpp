@@ -37,7 +37,7 @@ Scene random_towers(std::mt19937& random) {
     const int height = 1 + static_cast<int>(random() % 4);
     for (int k = 0; k < height; ++k) {
       place(scene, Vec3(0.5, 0.5, 0.1), Vec3(at, 0, z), k == 0 && random() % 4 == 0);
-      at += uniform(random, -0.45, 0.45);
+      at += uniform(random, -0.55, 0.55);
       z += 0.2 + kTowerGap;
     }
     x += random() % 2 == 0 ? 3 : 1 + kTowerGap * uniform(random, 0.5, 1.2 * kBalanceTolerance);
