@@ -40,12 +40,13 @@ nlohmann::json read(const py::handle& value, const std::string& what, int depth)
 
 nlohmann::json read_dict(const py::dict& values, const std::string& what, int depth) {
   nlohmann::json out = nlohmann::json::object();
+  const std::string inside = what + ": /", of_keys = what + ": key";
   for (const auto& item : values) {
     // Held, as another thread may change the dict.
     const auto key = py::reinterpret_borrow<py::object>(item.first);
     const auto value = py::reinterpret_borrow<py::object>(item.second);
-    const std::string name = text_of(key, what + ": key");
-    out[name] = read(value, what + ": /" + name, depth + 1);
+    const std::string name = text_of(key, of_keys);
+    out[name] = read(value, inside + name, depth + 1);
   }
   return out;
 }
