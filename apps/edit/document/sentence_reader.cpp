@@ -45,7 +45,7 @@ const std::vector<Pattern>& all_patterns() {
   return all;
 }
 
-/// Where the part before `next` ends; npos: the pattern does not fit.
+/// End of the part before `next`; npos: the pattern does not fit.
 size_t end_of_part(const std::string& text, size_t begin, const std::string& next, bool is_last) {
   if (!is_last) return text.find(next, begin);
   const bool fits = text.size() >= begin + next.size() && text.ends_with(next);

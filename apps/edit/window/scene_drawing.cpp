@@ -141,7 +141,7 @@ LiveScene SceneDrawing::scene(const View& view) const {
   return out;
 }
 
-// What stops the drag is drawn once more, as if it moved: what stands still need not be drawn again
+// The blocker is drawn once more, as if it moved: what stands still need not be drawn again
 // whenever it is touched. A table may fill the picture: of what is fixed, faces and points are lit
 // alone.
 void SceneDrawing::add_in_the_way(const ObjectSnapshot& object, LiveScene& scene) const {

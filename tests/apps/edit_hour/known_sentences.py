@@ -7,7 +7,7 @@ import pathlib
 import re
 import sys
 
-# Where sentences are made that the editor can show.
+# Sources of sentences that the editor can show.
 kSources = ["core/io", "core/base/bad_input.h", "ops/files/arrange", "ops/files/json", "ops/files/layout", "ops/files/report",
             "ops/session/journal.cpp", "ops/session/journal_text.cpp", "ops/session/restore.cpp", "ops/arrange",
             "ops/simulation/scene_formats.cpp", "ops/simulation/simulate_mujoco.cpp", "apps/edit/document"]

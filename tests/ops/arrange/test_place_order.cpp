@@ -18,7 +18,7 @@ constexpr double kTemperature = 0.2;
 constexpr double kNogoodRadius = 6e-3;
 constexpr size_t kFreeTurns = 8, kFewTurns = 3, kSoftSights = 256, kMaxSights = 2048;
 
-/// What PlaceOrder promises, by judging every place and sorting.
+/// The order that PlaceOrder promises, by judging every place and sorting.
 class SortedPlaces {
  public:
   SortedPlaces(World& world, std::uint64_t seed, Noise noise, Obstacles which,
