@@ -23,8 +23,8 @@ struct Certificate {
 /// @param factor  of all coefficients of friction.
 Certificate vertical_certificate(const FreeBodies& all, double factor = 1);
 
-/// Adds to the bodies of `rest` what certified bodies press on them. @param all  of the
-/// certificate.
+/// Adds to the bodies of `rest` what certified bodies press on them.
+/// @param all  of the certificate.
 /// @param rest  bodies of `all`, none of them certified.
 void add_certified_loads(const FreeBodies& all, const Certificate& certificate, FreeBodies& rest);
 

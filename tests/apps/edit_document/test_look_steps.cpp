@@ -206,7 +206,7 @@ TEST_F(UndoingLooks, KeepsTheOrderWhileTheDocumentIsBusy) {
   EXPECT_NEAR(document.object("b").pose.translation.x(), 0.4, 1e-6);
 }
 
-// Whatever is changed while an undo waits: the undone change is not shown, nor brought back.
+// Changes made while an undo waits: the undone change is not shown, nor brought back.
 TEST_F(UndoingLooks, TakesBackWhatWasUndoneWhileOthersAreMade) {
   change("a", red, "colour");
   const size_t before = document->history().num_done;
