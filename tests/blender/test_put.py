@@ -21,6 +21,18 @@ def owner(one):
     return bpy.data.objects.get(CHILDREN.get(one.name, one.name), one)
 
 
+def expect_exact_undo(case, before):
+    """Undo and redo of the last operator, from what it left: every matrix, to the bit."""
+    after = support.matrices()
+    case.assertNotEqual(before, after)
+    bpy.ops.ed.undo()
+    case.assertEqual(support.matrices(), before)
+    bpy.ops.ed.redo()
+    case.assertEqual(support.matrices(), after)
+    bpy.ops.ed.undo()
+    case.assertEqual(support.matrices(), before)
+
+
 class AwkwardTen(unittest.TestCase):
     def test_are_put_or_refused_with_a_reason_and_nothing_crosses(self):
         ten = scenes.awkward_ten()
@@ -46,14 +58,7 @@ class AwkwardTen(unittest.TestCase):
         bpy.ops.ed.undo_push(message="built")
         before = support.matrices()
         support.put()
-        after = support.matrices()
-        self.assertNotEqual(before, after)
-        bpy.ops.ed.undo()
-        self.assertEqual(support.matrices(), before)
-        bpy.ops.ed.redo()
-        self.assertEqual(support.matrices(), after)
-        bpy.ops.ed.undo()
-        self.assertEqual(support.matrices(), before)
+        expect_exact_undo(self, before)
 
 
 class Checks(unittest.TestCase):
@@ -110,13 +115,15 @@ class Overlay(unittest.TestCase):
 
 
 class Heaps(unittest.TestCase):
-    def test_of_twenty_scenes_are_put_or_refused_and_nothing_crosses(self):
+    def test_of_twenty_scenes_are_put_or_refused_nothing_crosses_and_undo_is_exact(self):
         put = refused = pairs_judged = 0
         for seed in range(20):
             with self.subTest(seed=seed):
-                objects = scenes.heap(seed)
+                num_objects = len(scenes.heap(seed))
+                bpy.ops.ed.undo_push(message="built")
+                before = support.matrices()
                 support.put()
-                self.assertEqual(len(memory.last.done) + len(memory.last.refused), len(objects))
+                self.assertEqual(len(memory.last.done) + len(memory.last.refused), num_objects)
                 self.assertTrue(all(memory.last.refused.values()))
                 bodies = support.shown_bodies()
                 pairs, crossing = support.pairs_that_cross(trivet, bodies)
@@ -130,6 +137,7 @@ class Heaps(unittest.TestCase):
                 refused += len(memory.last.refused)
                 pairs_judged += pairs
                 print(seed, len(memory.last.done), verdict.stability, list(memory.last.refused.values()), flush=True)
+                expect_exact_undo(self, before)
         print(f"{put} of {put + refused} put, {pairs_judged} pairs judged where Blender shows them")
         self.assertGreater(put, 0.9 * (put + refused))
 
