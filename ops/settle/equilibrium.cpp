@@ -190,6 +190,7 @@ std::vector<Point> hull_points(const std::vector<Point>& points) {
     return Vec2(u.dot(p.point), v.dot(p.point));
   };
   std::vector<Vec2> all;
+  all.reserve(points.size());
   for (const Point& p : points) all.push_back(flat(p));
   std::vector<Vec2> hull = convex_hull(all);
   std::vector<Point> out;

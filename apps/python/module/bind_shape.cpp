@@ -44,7 +44,7 @@ ShapePointer shape_of_arrays(const Doubles& vertices, const Indices& faces) {
                             static_cast<size_t>(faces.shape(0)));
   check_size(given);
   return without_gil([&] {
-    const auto out = std::make_shared<PythonShape>();
+    auto out = std::make_shared<PythonShape>();
     WeldedMesh welded = weld(given, triangles);
     out->shape = make_shape(std::move(welded.mesh));
     out->vertex_map = std::move(welded.new_id);
@@ -54,7 +54,7 @@ ShapePointer shape_of_arrays(const Doubles& vertices, const Indices& faces) {
 
 // Without its path: scenes keep the geometry themselves, and need no file.
 ShapePointer shape_of_model(Model model, const std::string& name) {
-  const auto out = std::make_shared<PythonShape>();
+  auto out = std::make_shared<PythonShape>();
   model.path.clear();
   out->shape = make_shape(model.mesh);
   out->model = std::make_shared<const Model>(std::move(model));
@@ -76,7 +76,7 @@ ShapePointer load(const std::string& path, const std::string& importer, std::int
 
 // The same geometry with another colour.
 ShapePointer coloured(const PythonShape& shape, const std::array<float, 4>& colour) {
-  const auto out = std::make_shared<PythonShape>(shape);
+  auto out = std::make_shared<PythonShape>(shape);
   Model model = shape.model ? *shape.model : model_of_mesh(shape.shape->mesh);
   model.appearance = nullptr;
   model.materials.assign(1, Material{"", colour});
@@ -135,7 +135,7 @@ ShapePointer shape_of_state(const py::tuple& state) {
     return without_gil(
         [&] { return shape_of_model(model_from_bytes(bytes, name, ImportLimits{}), name); });
   }
-  const ShapePointer out = shape_of_arrays(state[0].cast<Doubles>(), state[1].cast<Indices>());
+  ShapePointer out = shape_of_arrays(state[0].cast<Doubles>(), state[1].cast<Indices>());
   const auto map = state[2].cast<Indices>();
   out->vertex_map.assign(map.data(), map.data() + map.size());
   out->name = name;

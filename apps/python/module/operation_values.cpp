@@ -51,7 +51,7 @@ py::tuple tuple_of(const std::vector<T>& values) {
 
 // put "cup", for messages.
 std::string title_of(const py::dict& values) {
-  const std::string unknown = "operation";
+  std::string unknown = "operation";
   if (!values.contains("op") || !values.contains("object")) return unknown;
   const py::object op = values["op"], object = values["object"];
   if (!py::isinstance<py::str>(op)) return unknown;

@@ -94,7 +94,7 @@ class SortedPlaces {
     const std::vector<char> clear = field.clear_of(others, m_world.keep(name(), "desk"));
     const auto floor = field.obstruction_of_floor();
     for (size_t place = 0; place < field.size(); ++place) {
-      const Vec2 at = field.at(place);
+      const Vec2& at = field.at(place);
       const bool is_nogood = std::any_of(m_nogoods.begin(), m_nogoods.end(), [&](const Vec2& p) {
         return (p - at).norm() < kNogoodRadius;
       });
