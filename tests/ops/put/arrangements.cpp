@@ -222,4 +222,42 @@ OperationResult put_twice(Arrangement& a, const SettleOptions& options) {
   return result;
 }
 
+Rotation about(const Vec3& axis, double angle) {
+  return Rotation::about_axis(axis, std::tan(0.5 * angle));
+}
+
+ObjectId add_box(Scene& scene, const std::string& name, const Vec3& half) {
+  return scene.add(object_of(name, box_triangles(half)));
+}
+
+Scene heap(int num, bool boxes) {
+  Scene scene;
+  Random random(8);
+  for (int i = 0; i < num; ++i) {
+    const ObjectId id = boxes ? add_box(scene, std::to_string(i), Vec3(0.06, 0.045, 0.03))
+                              : scene.add(object_of(std::to_string(i), some_shape(i, 0.15)));
+    const Vec3 at = random.beside(0.1, 1.5);
+    const OperationResult result = checked_put(scene, id, {random.rotation(), at});
+    EXPECT_TRUE(result.ok()) << i << ": " << result.reason();
+  }
+  return scene;
+}
+
+Room::Room() {
+  table = add_fixed(scene, "table", box_triangles(Vec3(1, 1, 0.5)), Vec3(0, 0, 0.5 + 1e-5));
+  box = add_box(scene, "box", Vec3(0.25, 0.25, 0.25));
+  EXPECT_TRUE(put(scene, box, {{}, Vec3(0, 0, 2)}).ok());
+  object = add_box(scene, "object", Vec3(0.125, 0.125, 0.125));
+}
+
+void Room::expect_refused(ObjectId id, const Pose& start, const std::vector<std::string>& words,
+                          const SettleOptions& options) {
+  const Scene before = scene;
+  const OperationResult result = put(scene, id, start, options);
+  EXPECT_EQ(result.status, OperationResult::Status::Refused);
+  for (const std::string& word : words)
+    EXPECT_NE(result.reason().find(word), std::string::npos) << result.reason();
+  EXPECT_EQ(difference(before, scene), "");
+}
+
 }  // namespace trivet::test

@@ -50,4 +50,24 @@ OperationResult checked_put(Scene& scene, ObjectId object, const Pose& start,
 /// Runs checked_put() twice from the same scene: equal poses to the last bit.
 OperationResult put_twice(Arrangement& a, const SettleOptions& options = perfect_friction());
 
+/// Turned about an axis of unit length. @param angle  radians
+Rotation about(const Vec3& axis, double angle);
+
+/// Adds an unplaced box. @param half  half its edges, metres
+ObjectId add_box(Scene& scene, const std::string& name, const Vec3& half);
+
+/// So many boxes, or objects of several shapes, put one after the other at about the same place.
+Scene heap(int num, bool boxes);
+
+/// A table with a box on it, and an object that is not placed.
+struct Room {
+  Scene scene;
+  ObjectId table, box, object;
+
+  Room();
+  /// Expects a refusal with `words`, and no change.
+  void expect_refused(ObjectId id, const Pose& start, const std::vector<std::string>& words,
+                      const SettleOptions& options = {});
+};
+
 }  // namespace trivet::test

@@ -1,4 +1,4 @@
-// PUTs with a known answer: boxes, stacks, heaps, exact ties; and all refusals.
+// PUTs with a known answer: boxes, stacks, heaps, exact ties.
 
 #include <gtest/gtest.h>
 
@@ -14,17 +14,9 @@
 namespace trivet {
 namespace {
 
-using test::add_fixed;
+using test::about, test::add_box, test::add_fixed, test::heap;
 using test::box_triangles;
 using test::object_of;
-
-Rotation about(const Vec3& axis, double angle) {
-  return Rotation::about_axis(axis, std::tan(0.5 * angle));
-}
-
-ObjectId add_box(Scene& scene, const std::string& name, const Vec3& half) {
-  return scene.add(object_of(name, box_triangles(half)));
-}
 
 TEST(PutBox, FallsFlatByExactHeight) {
   Scene scene;
@@ -174,19 +166,6 @@ TEST(PutStack, StacksTwelveBoxes) {
   }
 }
 
-Scene heap(int num, bool boxes) {
-  Scene scene;
-  test::Random random(8);
-  for (int i = 0; i < num; ++i) {
-    const ObjectId id = boxes ? add_box(scene, std::to_string(i), Vec3(0.06, 0.045, 0.03))
-                              : scene.add(object_of(std::to_string(i), test::some_shape(i, 0.15)));
-    const Vec3 at = random.beside(0.1, 1.5);
-    const OperationResult result = test::checked_put(scene, id, {random.rotation(), at});
-    EXPECT_TRUE(result.ok()) << i << ": " << result.reason();
-  }
-  return scene;
-}
-
 void expect_no_interpenetration(const Scene& scene) {
   const SceneCheck check = check_scene(scene);
   EXPECT_TRUE(check.crossings.empty());
@@ -282,193 +261,6 @@ TEST(PutTie, TiltsBoxOnTipOfAnother) {
   // It tilts until it lies flat on one of the faces below the tip, held by friction.
   EXPECT_NEAR(scene.at(id).centre_of_mass().z(), 2 * tip + 0.125 / std::sqrt(3.0), 1e-3);
   EXPECT_NEAR(scene.at(id).least_friction, std::sqrt(2.0), 0.15);
-}
-
-// --- refusals --------------------------------------------------------------------------------
-
-/// A table with a box on it, and an object that is not placed.
-struct Room {
-  Scene scene;
-  ObjectId table, box, object;
-
-  Room() {
-    table = add_fixed(scene, "table", box_triangles(Vec3(1, 1, 0.5)), Vec3(0, 0, 0.5 + 1e-5));
-    box = add_box(scene, "box", Vec3(0.25, 0.25, 0.25));
-    EXPECT_TRUE(put(scene, box, {{}, Vec3(0, 0, 2)}).ok());
-    object = add_box(scene, "object", Vec3(0.125, 0.125, 0.125));
-  }
-
-  /// Expects a refusal with `words`, and no change.
-  void expect_refused(ObjectId id, const Pose& start, const std::vector<std::string>& words,
-                      const SettleOptions& options = {}) {
-    const Scene before = scene;
-    const OperationResult result = put(scene, id, start, options);
-    EXPECT_EQ(result.status, OperationResult::Status::Refused);
-    for (const std::string& word : words)
-      EXPECT_NE(result.reason().find(word), std::string::npos) << result.reason();
-    EXPECT_EQ(test::difference(before, scene), "");
-  }
-};
-
-TEST(PutRefuses, CrossingStart) {
-  Room room;
-  room.expect_refused(room.object, {{}, Vec3(0.3, 0, 1.3)}, {"\"object\"", "\"box\"", "start"});
-  room.expect_refused(room.object, {{}, Vec3(0, 0, 1)}, {"\"object\"", "\"table\""});
-}
-
-TEST(PutRefuses, ExactlyTouchingStart) {
-  Scene scene;
-  scene.floor = false;
-  add_fixed(scene, "table", box_triangles(Vec3(1, 1, 0.5)), Vec3(0, 0, -0.5));
-  const ObjectId id = add_box(scene, "object", Vec3(0.25, 0.25, 0.25));
-  EXPECT_FALSE(test::checked_put(scene, id, {{}, Vec3(0, 0, 0.25)}).ok());
-}
-
-TEST(PutRefuses, StartInsideClosedBox) {
-  Room room;
-  room.expect_refused(room.object, {{}, room.scene.at(room.box).pose.translation},
-                      {"\"object\" is inside \"box\""});
-}
-
-TEST(PutRefuses, StartAroundAnotherObject) {
-  Room room;
-  room.scene.floor = false;
-  const ObjectId large = add_box(room.scene, "large", Vec3(3, 3, 3));
-  room.expect_refused(large, {{}, Vec3(0, 0, 0.5)}, {"\"table\" is inside \"large\""});
-}
-
-TEST(PutRefuses, StartBelowFloor) {
-  Room room;
-  room.expect_refused(room.object, {{}, Vec3(5, 0, 0.1)}, {"\"object\"", "floor"});
-  room.expect_refused(room.object, {{}, Vec3(5, 0, -3)}, {"\"object\"", "floor"});
-}
-
-TEST(PutRefuses, EndlessFall) {
-  Room room;
-  room.scene.floor = false;
-  room.expect_refused(room.object, {{}, Vec3(5, 0, 3)}, {"nothing is below \"object\""});
-  // Falls onto the table's edge first, then off it.
-  room.expect_refused(room.object, {{}, Vec3(1.1, 0, 3)}, {"nothing is below \"object\""});
-}
-
-TEST(Put, StandsFixedObjectOnce) {
-  Room room;
-  const ObjectId id =
-      room.scene.add(test::object_of("shelf", test::box_triangles(Vec3(0.1, 0.1, 0.1)), true));
-  const OperationResult result = put(room.scene, id, {{}, Vec3(5, 0, 3)});
-  ASSERT_TRUE(result.ok()) << result.reason();
-  EXPECT_TRUE(room.scene.at(id).placed);
-  EXPECT_EQ(room.scene.at(id).state, ObjectState::Fixed);
-  EXPECT_NEAR(room.scene.at(id).pose.translation.z(), 0.1, 1e-4);
-  room.expect_refused(id, {{}, Vec3(0, 0, 5)}, {"\"shelf\" is fixed"});
-}
-
-TEST(PutRefuses, FixedObject) {
-  Room room;
-  room.expect_refused(room.table, {{}, Vec3(0, 0, 5)}, {"\"table\" is fixed"});
-}
-
-TEST(PutRefuses, ObjectWithImmovableLoad) {
-  Room room;
-  ASSERT_TRUE(put(room.scene, room.object, {{}, Vec3(0, 0, 3)}).ok());  // onto the box
-  edit_object(room.scene, room.object, [](Object& o) { o.locked = true; });
-  room.expect_refused(room.box, {{}, Vec3(5, 0, 3)},
-                      {"\"object\" is locked and would have to move along"});
-}
-
-TEST(PutRefuses, InvalidClearance) {
-  Room room;
-  for (const double clearance : {1e-13, 0.1}) {
-    SettleOptions options;
-    options.clearance = clearance;
-    room.expect_refused(room.object, {{}, Vec3(0, 0, 3)}, {"clearance"}, options);
-  }
-}
-
-TEST(PutRefuses, MoreMotionsThanAllowed) {
-  Room room;
-  SettleOptions few;
-  few.max_motions = 1;
-  room.expect_refused(room.object, {about(Vec3(1, 2, 3).normalized(), 1), Vec3(5, 0, 3)},
-                      {"\"object\"", "1 motions"}, few);
-}
-
-TEST(PutRefuses, KeepsPoseOfPlacedObject) {
-  Room room;
-  room.expect_refused(room.box, {{}, Vec3(0, 0, 0.5)}, {"\"box\"", "\"table\""});
-  EXPECT_TRUE(room.scene.at(room.box).placed);
-}
-
-TEST(Stand, ChecksWithoutSettling) {
-  Room room;
-  OperationResult result = stand(room.scene, room.object, {{}, Vec3(3, 0, 0.125 + 1e-6)});
-  ASSERT_TRUE(result.ok()) << result.reason();
-  EXPECT_EQ(room.scene.at(room.object).state, ObjectState::Stable);
-  EXPECT_EQ(result.num_motions, 0);
-  result = stand(room.scene, room.object, {{}, Vec3(3, 0, 7)});  // in the air
-  ASSERT_TRUE(result.ok());
-  EXPECT_EQ(room.scene.at(room.object).state, ObjectState::Wedged);
-  EXPECT_EQ(room.scene.at(room.object).least_friction, kInfinity);
-  EXPECT_TRUE(room.scene.at(room.object).contacts.empty());
-  const Scene before = room.scene;
-  EXPECT_FALSE(stand(room.scene, room.object, {{}, Vec3(0, 0, 1)}).ok());
-  EXPECT_EQ(test::difference(before, room.scene), "");
-}
-
-TEST(CheckScene, FindsViolations) {
-  Room room;
-  EXPECT_TRUE(check_scene(room.scene).ok());
-  ASSERT_TRUE(put(room.scene, room.object, {{}, Vec3(0, 0, 3)}).ok());
-  EXPECT_TRUE(check_scene(room.scene).ok());
-  const Vec3 good = room.scene.at(room.object).pose.translation;
-  const auto move_to = [&](const Vec3& at) {
-    edit_object(room.scene, room.object, [&](Object& o) { o.pose.translation = at; });
-  };
-  move_to(good + Vec3(0, 0, 0.5));  // hovers
-  EXPECT_EQ(check_scene(room.scene).not_at_rest, std::vector<std::string>{"object"});
-  move_to(room.scene.at(room.box).pose.translation);
-  ASSERT_EQ(check_scene(room.scene).contained.size(), 1u);
-  EXPECT_EQ(check_scene(room.scene).contained[0].a, "object");
-  EXPECT_EQ(check_scene(room.scene).contained[0].b, "box");
-  move_to(Vec3(5, 0, 0.1));  // in the floor
-  ASSERT_EQ(check_scene(room.scene).crossings.size(), 1u);
-  EXPECT_EQ(check_scene(room.scene).crossings[0].b, "floor");
-  EXPECT_EQ(check_scene(room.scene).crossings[0].count, 4);
-  move_to(good - Vec3(0, 0, 3e-3));
-  EXPECT_GT(check_scene(room.scene).interpenetrating_pairs(), 0);
-  EXPECT_FALSE(check_scene(room.scene).ok());
-}
-
-TEST(CheckScene, IsTheSameWithAnyNumberOfThreads) {
-  Scene scene = heap(16, false);
-  const auto lift = [&](size_t i, double by) {
-    edit_object(scene, scene.ids()[i], [&](Object& o) { o.pose.translation.z() += by; });
-  };
-  lift(3, 0.02);  // into something, perhaps
-  lift(9, -0.02);
-  const SceneCheck one = check_scene(scene, 1, 0, test::perfect_friction());
-  EXPECT_FALSE(one.ok());
-  for (const int threads : {0, 2, 8}) {
-    const SceneCheck many = check_scene(scene, threads, 0, test::perfect_friction());
-    EXPECT_EQ(many.not_at_rest, one.not_at_rest);
-    EXPECT_EQ(many.smallest_gap, one.smallest_gap);
-    ASSERT_EQ(many.crossings.size(), one.crossings.size());
-    for (size_t i = 0; i < one.crossings.size(); ++i) {
-      EXPECT_EQ(many.crossings[i].a, one.crossings[i].a);
-      EXPECT_EQ(many.crossings[i].b, one.crossings[i].b);
-      EXPECT_EQ(many.crossings[i].count, one.crossings[i].count);
-    }
-  }
-}
-
-TEST(CheckScene, UpdateContactsAgreesWithPut) {
-  Scene scene = heap(8, false);
-  const Scene before = scene;
-  update_contacts(scene, 0, test::perfect_friction());
-  for (const ObjectId id : scene.ids()) {
-    EXPECT_EQ(scene.at(id).state, before.at(id).state);
-    EXPECT_EQ(scene.at(id).contacts.size(), before.at(id).contacts.size());
-  }
 }
 
 }  // namespace
