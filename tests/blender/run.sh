@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Tests of the add-on for Blender.
-#   tests/blender/run.sh logic|reading|put|operators|window PYTHON MODULE_FOLDER TRIVET WORK_FOLDER
+#   tests/blender/run.sh logic|reading|cases|rounds|put|operators|window PYTHON MODULE_FOLDER TRIVET WORK_FOLDER
 # logic runs without Blender. Status 77: a prerequisite is missing.
 set -euo pipefail
 here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"

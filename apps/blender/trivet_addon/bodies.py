@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Optional
 
 import numpy as np
@@ -70,12 +70,23 @@ def part_of(coordinates: np.ndarray, faces: np.ndarray, matrix: np.ndarray) -> P
     return Part(coordinates.astype(np.float64) @ linear.T, turned, matrix[:3, 3].copy())
 
 
+def scaled(body: Body, factor: float) -> Body:
+    """The same in another unit."""
+    matrix = body.matrix.copy()
+    matrix[:3, 3] *= factor
+    parts = [Part(part.vertices * factor, part.faces, part.offset * factor) for part in body.parts]
+    return replace(body, parts=parts, matrix=matrix)
+
+
+NOT_FINITE = "has coordinates that are not finite"
+
+
 def fault_of(body: Body) -> Optional[str]:
     """Why Trivet cannot take it; None if it can."""
     if not body.parts or body.num_faces == 0:
         return "has no surface"
     if not all(np.isfinite(part.vertices).all() and np.isfinite(part.offset).all() for part in body.parts):
-        return "has coordinates that are not finite"
+        return NOT_FINITE
     if not np.ptp(body.bounds(), axis=0).any():
         return "is a single point"
     return None
@@ -103,6 +114,23 @@ def usual_clearance(bodies) -> float:
     boxes = np.array([body.bounds() for body in bodies])
     extent = float(np.linalg.norm(boxes[:, 1].max(axis=0) - boxes[:, 0].min(axis=0)))
     return CLEARANCE * max(extent, float(np.abs(boxes).max()))
+
+
+def reach_of(body: Body) -> np.ndarray:
+    """(2, 3) box in which it is looked at what a body meets that is let go: its size around it, and all below."""
+    low, high = body.bounds()
+    size = float(np.linalg.norm(high - low))
+    return np.array([[low[0] - size, low[1] - size, -np.inf], high + size])
+
+
+def meets(boxes: np.ndarray, low: np.ndarray, high: np.ndarray) -> bool:
+    """Whether a box overlaps one of these. boxes : (k, 2, 3)"""
+    return bool(((boxes[:, 0] <= high) & (low <= boxes[:, 1])).all(axis=1).any())
+
+
+def holds(boxes: np.ndarray, low: np.ndarray, high: np.ndarray) -> bool:
+    """Whether a box is inside one of these."""
+    return bool(((boxes[:, 0] <= low) & (high <= boxes[:, 1])).all(axis=1).any())
 
 
 def deviation(expected: Body, motion: np.ndarray, shown: Body) -> float:

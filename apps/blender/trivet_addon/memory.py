@@ -17,6 +17,7 @@ class Last:
     in_the_way: list = field(default_factory=list)
     verdict: Verdict = field(default_factory=Verdict)
     failure: str = ""
+    notes: list = field(default_factory=list)
 
     @property
     def lines(self) -> list:
@@ -59,7 +60,7 @@ def remember(title: str, stage, report) -> None:
     names = {stage.object_name(name) for outcome in refused.values() for name in outcome.objects}
     last = Last(title, [stage.object_name(name) for name in report.done],
                 {name: outcome.reason for name, outcome in refused.items()}, sorted(names - set(refused) - {"floor"}),
-                _renamed(stage, report.verdict))
+                _renamed(stage, report.verdict), notes=stage.notes)
     for name, status in report.statuses.items():
         if name in stage.reading.owners:
             owner = stage.reading.owners[name]

@@ -39,6 +39,13 @@ class ShapeCache:
 _cache = ShapeCache()
 
 
+def _shape_of(trivet: Any, body: Body) -> Any:
+    try:
+        return _cache.shape(trivet, *body.arrays())
+    except trivet.BadInputError as error:
+        raise LayoutError(f'"{body.name}": {error}') from error
+
+
 def outcome_of(result: Any) -> Outcome:
     return Outcome(bool(result), result.code or ("" if result else result.status), result.reason, tuple(result.objects),
                    result.end, result.blocked_by, tuple(one.name for one in result.gave_way), tuple(result.carried))
@@ -61,7 +68,7 @@ class ModuleLayout:
 
     def _start(self, bodies: Sequence[Body], out: Sequence[str], settings: Settings) -> None:
         trivet = self._trivet
-        shapes = {body.name: _cache.shape(trivet, *body.arrays()) for body in bodies}
+        shapes = {body.name: _shape_of(trivet, body) for body in bodies}
         material = {body.name: {"friction": body.friction, "density": body.density} for body in bodies}
         here = [body for body in bodies if body.name not in out]
         self._scene = trivet.Scene.from_poses(
@@ -118,9 +125,12 @@ def judge(trivet: Any, bodies: Sequence[Body], settings: Settings):
 def crossings(trivet: Any, bodies: Sequence[Body], about: Sequence[str]) -> list:
     """See `backends.Backend.crossings`; by the very numbers that Blender has."""
     chosen = near(bodies, set(about))
-    shapes = [_cache.shape(trivet, *body.arrays()) for body in chosen]
-    found = trivet.interpenetrations(shapes, [translation(body.origin) for body in chosen],
-                                     positions=[_shown(shape, body) for shape, body in zip(shapes, chosen)])
+    try:
+        shapes = [_shape_of(trivet, body) for body in chosen]
+        found = trivet.interpenetrations(shapes, [translation(body.origin) for body in chosen],
+                                         positions=[_shown(shape, body) for shape, body in zip(shapes, chosen)])
+    except trivet.TrivetError as error:
+        raise LayoutError(str(error)) from error
     pairs = [(chosen[one.a].name, chosen[one.b].name) for one in found]
     return [pair for pair in pairs if set(pair) & set(about)]
 

@@ -6,6 +6,7 @@ import bpy
 import numpy as np
 
 from . import memory, overlay
+from .op_put import in_object_mode
 from .running import Working
 from .stage import Stage
 from .work import Check, Report
@@ -40,7 +41,7 @@ class TRIVET_OT_check(Working, bpy.types.Operator):
 
     @classmethod
     def poll(cls, context) -> bool:
-        return context.mode == "OBJECT"
+        return in_object_mode(cls, context)
 
     def work(self, stage: Stage) -> Check:
         return Check(lambda: stage.choices.backend.judge(stage.bodies, stage.settings))
@@ -52,7 +53,8 @@ class TRIVET_OT_check(Working, bpy.types.Operator):
         if self.select and wrong:
             select(stage.context, wrong)
         if not wrong:
-            return f"Nothing interpenetrates, all is at rest; as a whole {verdict.stability}"
+            what = "Of the others none" if stage.reading.left_out else "Nothing"
+            return f"{what} interpenetrates, all is at rest; as a whole {verdict.stability}"
         return (f"{len(memory.last.crossings)} pairs interpenetrate, {len(verdict.not_at_rest)} not at rest, "
                 f"{len(verdict.topples)} topple")
 

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import bpy
 from bpy_extras.io_utils import ExportHelper
 
 from . import backends, preferences
+from .bodies import scaled
 from .layouts import LayoutError
-from .reading import TooLarge
+from .reading import TooLarge, metres_of_unit
 from .stage import Stage
 
 
@@ -31,7 +34,9 @@ class TRIVET_OT_export(bpy.types.Operator, ExportHelper):
     def execute(self, context):
         try:
             stage = Stage(context, context.selected_objects, preferences.choices(context), moves=False)
-            layout = stage.make(stage.bodies, [])
+            metres = metres_of_unit(context)
+            settings = replace(stage.settings, clearance=metres * stage.clearance)
+            layout = stage.choices.backend.layout([scaled(body, metres) for body in stage.bodies], [], settings)
             try:
                 told = layout.export(bpy.path.abspath(self.filepath), self.collision)
             finally:
@@ -39,7 +44,9 @@ class TRIVET_OT_export(bpy.types.Operator, ExportHelper):
         except (backends.NoBackend, LayoutError, TooLarge) as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
-        self.report({"INFO"}, f"{len(stage.bodies)} objects: {told[0]}")
+        for line in stage.notes:
+            self.report({"WARNING"}, line)
+        self.report({"INFO"}, f"{len(stage.bodies)} {'object' if len(stage.bodies) == 1 else 'objects'}: {told[0]}")
         return {"FINISHED"}
 
 

@@ -20,7 +20,7 @@ class Moving(Pointing):
 
     @classmethod
     def poll(cls, context) -> bool:
-        return selected_in_object_mode(context)
+        return selected_in_object_mode(cls, context)
 
     def names(self, stage: Stage) -> list:
         """The active object's body first."""

@@ -15,11 +15,21 @@ from .running import Working
 from .stage import Stage
 from .work import Put, Report
 
+OBJECT_MODE = "Works in Object Mode"
 _GAP = 8.0  # clearances above the point to which the mouse points
 
 
-def selected_in_object_mode(context) -> bool:
-    return context.mode == "OBJECT" and bool(context.selected_objects)
+def selected_in_object_mode(operator, context) -> bool:
+    """Whether it can run; tells why not by the operator's button."""
+    if in_object_mode(operator, context) and context.selected_objects:
+        return True
+    operator.poll_message_set("Select objects first" if context.mode == "OBJECT" else OBJECT_MODE)
+    return False
+
+
+def in_object_mode(operator, context) -> bool:
+    operator.poll_message_set(OBJECT_MODE)
+    return context.mode == "OBJECT"
 
 
 class TRIVET_OT_put(Working, bpy.types.Operator):
@@ -28,10 +38,11 @@ class TRIVET_OT_put(Working, bpy.types.Operator):
     bl_idname = "trivet.put"
     bl_label = "Put"
     bl_options = {"REGISTER", "UNDO"}
+    falls = True
 
     @classmethod
     def poll(cls, context) -> bool:
-        return selected_in_object_mode(context)
+        return selected_in_object_mode(cls, context)
 
     def work(self, stage: Stage) -> Put:
         return Put(stage.make, stage.bodies, stage.movers,
@@ -51,7 +62,11 @@ class TRIVET_OT_put_here(Pointing, bpy.types.Operator):
 
     @classmethod
     def poll(cls, context) -> bool:
-        return context.mode == "OBJECT" and context.active_object is not None and context.active_object.select_get()
+        if selected_in_object_mode(cls, context) and context.active_object is not None and context.active_object.select_get():
+            return True
+        if context.mode == "OBJECT":
+            cls.poll_message_set("Select the active object first")
+        return False
 
     def objects(self, context):
         return [context.active_object]
@@ -103,10 +118,11 @@ class TRIVET_OT_separate(Working, bpy.types.Operator):
     bl_idname = "trivet.separate"
     bl_label = "Separate"
     bl_options = {"REGISTER", "UNDO"}
+    falls = True
 
     @classmethod
     def poll(cls, context) -> bool:
-        return selected_in_object_mode(context)
+        return selected_in_object_mode(cls, context)
 
     def work(self, stage: Stage) -> Separate:
         return Separate(stage.make, lambda: stage.choices.backend.crossings(stage.bodies, stage.movers), stage.bodies,

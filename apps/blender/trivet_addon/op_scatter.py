@@ -52,7 +52,10 @@ class TRIVET_OT_scatter(Working, bpy.types.Operator):
 
     @classmethod
     def poll(cls, context) -> bool:
-        return selected_in_object_mode(context) and context.active_object is not None
+        if not selected_in_object_mode(cls, context):
+            return False
+        cls.poll_message_set("Make an object active first: copies are put on it")
+        return context.active_object is not None
 
     def draw(self, context) -> None:
         layout = self.layout
@@ -89,15 +92,11 @@ class TRIVET_OT_scatter(Working, bpy.types.Operator):
         self._scatter = Scatter(stage.make, bodies, sources if target else [], target, recipe)
         return self._scatter
 
-    def _end(self, context, stage: Stage, report: Report):
+    def ran(self, stage: Stage, report: Report) -> None:
         self._add_copies(stage, report)
-        return super()._end(context, stage, report)
 
-    def again(self, stage: Stage) -> Report:
-        self._remove_copies(stage, list(self._copies))
-        report = super().again(stage)
-        self._add_copies(stage, report)
-        return report
+    def undone(self, stage: Stage) -> None:
+        self._remove_copies(stage, list(getattr(self, "_copies", ())))
 
     def written(self, context, stage: Stage, report: Report) -> None:
         self._remove_copies(stage, [name for name in self._copies if name not in report.done])

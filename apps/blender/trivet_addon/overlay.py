@@ -37,7 +37,12 @@ def crossing_faces(a: Body, b: Body):
 
 def show(corners: np.ndarray, owners: Iterable) -> None:
     """Draws these until one of the owners is elsewhere."""
-    _shown["corners"], _shown["places"] = corners, {owner.name_full: where_is(owner) for owner in owners}
+    _shown["corners"], _shown["places"] = corners, {_key(owner): where_is(owner) for owner in owners}
+
+
+def _key(owner):
+    """As bpy.data.objects has it: with the library of what is linked."""
+    return owner.name, owner.library.filepath if owner.library else None
 
 
 def clear() -> None:
@@ -46,8 +51,8 @@ def clear() -> None:
 
 def is_shown() -> bool:
     places = _shown["places"]
-    return len(_shown["corners"]) > 0 and all(
-        name in bpy.data.objects and where_is(bpy.data.objects[name]) == place for name, place in places.items())
+    there = {key: bpy.data.objects.get(key) for key in places}
+    return len(_shown["corners"]) > 0 and all(there[key] and where_is(there[key]) == place for key, place in places.items())
 
 
 def _draw() -> None:

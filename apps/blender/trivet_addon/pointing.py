@@ -41,7 +41,7 @@ class Pointing(Working):
         try:
             self._stage = self.stage(context)
             if not self._stage.movers:
-                return self._end(context, self._stage, self.work(self._stage).run())
+                return self.execute(context)
             settings = replace(self._stage.settings, seconds=_PREVIEW_SECONDS)
             self._layout = self._stage.choices.backend.layout(self._stage.bodies, self.out(self._stage), settings)
         except (backends.NoBackend, LayoutError, TooLarge) as error:
@@ -49,6 +49,7 @@ class Pointing(Working):
         self._mouse = self._view.mouse(event)
         self._ghost, self._stale, self._text = Ghost(self._stage.bodies), True, ""
         self.begin(context, event)
+        self._points = True
         manager = context.window_manager
         self._timer = manager.event_timer_add(0.03, window=context.window)
         manager.modal_handler_add(self)
@@ -59,6 +60,8 @@ class Pointing(Working):
         """Before the first `follow`."""
 
     def modal(self, context, event):
+        if not self._points:
+            return super().modal(context, event)
         if event.type == "MOUSEMOVE":
             self._mouse = self._view.mouse(event)
             self.follow(context, event)
@@ -79,7 +82,10 @@ class Pointing(Working):
         return {"RUNNING_MODAL"}
 
     def cancel(self, context) -> None:
-        self._leave(context)
+        if self._points:
+            self._leave(context)
+        else:
+            super().cancel(context)
 
     def _show(self, context) -> None:
         try:
@@ -111,12 +117,10 @@ class Pointing(Working):
 
     def _confirm(self, context):
         self._leave(context)
-        try:
-            return self._end(context, self._stage, self.work(self._stage).run())
-        except LayoutError as error:
-            return self._failed(error)
+        return self._go(context)
 
     def _leave(self, context) -> None:
+        self._points = False
         self._ghost.end()
         self._layout.close()
         context.window_manager.event_timer_remove(self._timer)

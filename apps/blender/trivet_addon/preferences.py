@@ -64,7 +64,7 @@ def choices(context) -> Choices:
     """Raises backends.NoBackend."""
     chosen = of(context)
     settings = Settings(context.scene.trivet.floor, chosen.clearance, chosen.seconds)
-    return Choices(find_backend(chosen), settings, chosen.obstacles, int(chosen.most_millions * 1e6))
+    return Choices(find_backend(chosen), settings, chosen.obstacles, round(chosen.most_millions * 1e6))
 
 
 def register() -> None:

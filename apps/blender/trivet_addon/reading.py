@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Iterable, Optional
 
 import bpy
 import numpy as np
 
-from .bodies import Body, fault_of, part_of
+from .bodies import NOT_FINITE, Body, fault_of, meets, part_of
 from .layouts import safe_names
 from .properties import settings_of
 
@@ -27,6 +27,8 @@ class Reading:
     bodies: list
     owners: dict  # name of the body -> object
     faults: dict  # object -> why
+    left_out: list = field(default_factory=list)  # names of objects in the way that cannot be taken
+    rendered_otherwise: list = field(default_factory=list)  # names
 
     def __post_init__(self) -> None:
         self._by_name = {body.name: body for body in self.bodies}
@@ -59,6 +61,12 @@ def mesh_arrays(mesh: bpy.types.Mesh):
     triangles = np.empty(3 * len(mesh.loop_triangles), np.int32)
     mesh.loop_triangles.foreach_get("vertices", triangles)
     return coordinates.reshape(-1, 3), triangles.reshape(-1, 3)
+
+
+def metres_of_unit(context) -> float:
+    """Metres of Blender's unit, as the scene has it."""
+    units = context.scene.unit_settings
+    return 1.0 if units.system == "NONE" else units.scale_length
 
 
 def matrix_of(matrix) -> np.ndarray:
@@ -130,19 +138,43 @@ class _Meshes:
         return self._read[key]
 
 
+def renders_otherwise(owner: bpy.types.Object) -> bool:
+    """Whether its surface is another one in renders than in the view."""
+    for one in owner.modifiers:
+        levels = getattr(one, "levels", 0) if one.type in {"SUBSURF", "MULTIRES"} else 0
+        if one.show_viewport != one.show_render or (one.show_render and levels != getattr(one, "render_levels", levels)):
+            return True
+    data = owner.data
+    if isinstance(data, bpy.types.MetaBall):
+        return data.render_resolution != data.resolution
+    return isinstance(data, bpy.types.Curve) and (data.render_resolution_u not in {0, data.resolution_u}
+                                                  or data.render_resolution_v not in {0, data.resolution_v})
+
+
+def _is_beyond(instance, owner: bpy.types.Object, movers: set, reach: Optional[np.ndarray]) -> bool:
+    """Whether an instance that stays is too far away to matter."""
+    if reach is None or not instance.is_instance or owner in movers or settings_of(owner).role == "FREE":
+        return False
+    corners = np.array(instance.object.bound_box, np.float64) @ matrix_of(instance.matrix_world)[:3, :3].T
+    corners += matrix_of(instance.matrix_world)[:3, 3]
+    return not meets(reach, corners.min(axis=0), corners.max(axis=0))
+
+
 def read(context, movers: Iterable, *, only: Optional[Iterable] = None, obstacles: str = "VISIBLE",
-         most_faces: int = 0) -> Reading:
+         most_faces: int = 0, reach: Optional[np.ndarray] = None) -> Reading:
     """What is there.
 
     movers : objects that move as one with what is below them
     only : of these owners alone, where given
     most_faces : TooLarge is raised beyond; 0: any number
+    reach : (k, 2, 3) boxes, world; instances that stay are read where they meet one; None: all
     """
     movers = set(movers)
     wanted = None if only is None else set(only)
     view = context.space_data if context.space_data and context.space_data.type == "VIEW_3D" else None
     in_the_way = _obstacle_filter(context, obstacles)
     parts: dict = {}
+    otherwise: dict = {}  # name -> bool
     meshes, count = _Meshes(), 0
     for instance in context.evaluated_depsgraph_get().object_instances:
         shown = (instance.parent if instance.is_instance else instance.object).original
@@ -150,6 +182,8 @@ def read(context, movers: Iterable, *, only: Optional[Iterable] = None, obstacle
             continue
         owner = _owner_of(shown, movers)
         if (wanted is not None and owner not in wanted) or not (owner in movers or in_the_way(shown)):
+            continue
+        if _is_beyond(instance, owner, movers, reach):
             continue
         arrays = meshes.arrays(instance)
         if arrays is None:
@@ -159,13 +193,18 @@ def read(context, movers: Iterable, *, only: Optional[Iterable] = None, obstacle
             raise TooLarge(f"more than {most_faces / 1e6:g} million triangles; accepted: fewer, or a larger number in the "
                            "preferences, or fewer obstacles")
         parts.setdefault(owner, []).append(part_of(*arrays, matrix_of(instance.matrix_world)))
-    return _reading(parts, movers, movers if wanted is None else wanted & movers)
+        for one in (shown, instance.object.original):
+            if one.name_full not in otherwise:
+                otherwise[one.name_full] = renders_otherwise(one)
+    out = _reading(parts, movers, movers if wanted is None else wanted & movers)
+    out.rendered_otherwise = sorted(name for name, differs in otherwise.items() if differs)
+    return out
 
 
 def _reading(parts: dict, movers: set, expected: set) -> Reading:
     owners = sorted({*parts, *expected}, key=lambda one: one.name_full)
     names = safe_names([one.name_full for one in owners])
-    bodies, by_name, faults = [], {}, {}
+    bodies, by_name, faults, left_out = [], {}, {}, []
     for owner in owners:
         chosen = settings_of(owner)
         body = Body(names[owner.name_full], parts.get(owner, []), matrix_of(owner.matrix_world),
@@ -176,4 +215,6 @@ def _reading(parts: dict, movers: set, expected: set) -> Reading:
             by_name[body.name] = owner
         elif owner in movers:
             faults[owner] = fault
-    return Reading(movers, bodies, by_name, faults)
+        elif fault == NOT_FINITE:
+            left_out.append(owner.name_full)
+    return Reading(movers, bodies, by_name, faults, left_out)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import threading
+import time
 from typing import Any, Optional
 
 import bpy
@@ -10,12 +11,13 @@ import bpy
 from . import backends, memory, preferences
 from .layouts import LayoutError
 from .reading import TooLarge
-from .stage import Stage, finish
+from .stage import MOST_ROUNDS, Stage, finish, is_shown
 from .work import Report, Stopped
 
 _AT_ONCE = 0.25  # seconds that work may take before the window shows it
 _VIEW = {"MIDDLEMOUSE", "WHEELUPMOUSE", "WHEELDOWNMOUSE", "MOUSEMOVE", "INBETWEEN_MOUSEMOVE", "TIMER_REPORT"}
 _MOST_LINES = 5
+_EXPECTED = (backends.NoBackend, LayoutError, TooLarge)
 
 
 class _Thread(threading.Thread):
@@ -42,18 +44,25 @@ class Working:
 
     done_word = "at rest"
     moves = True  # Blender's objects
+    falls = False  # what moves stays near
 
     def objects(self, context):
         return context.selected_objects
 
     def stage(self, context) -> Stage:
-        return Stage(context, self.objects(context), preferences.choices(context), moves=self.moves)
+        return Stage(context, self.objects(context), preferences.choices(context), moves=self.moves, falls=self.falls)
 
     def execute(self, context):
         try:
             stage = self.stage(context)
-            return self._end(context, stage, self.work(stage).run())
-        except (backends.NoBackend, LayoutError, TooLarge) as error:
+        except _EXPECTED as error:
+            return self._failed(error)
+        try:
+            report = self.work(stage).run()
+            self.ran(stage, report)
+            return self._end(context, stage, finish(stage, report, lambda: self._again(stage)))
+        except _EXPECTED as error:
+            self.undone(stage)
             return self._failed(error)
 
     def invoke(self, context, event):
@@ -61,20 +70,30 @@ class Working:
             return self.execute(context)
         try:
             self._stage = self.stage(context)
-            self._work = self.work(self._stage)
-        except (backends.NoBackend, LayoutError, TooLarge) as error:
+        except _EXPECTED as error:
             return self._failed(error)
-        self._thread = _Thread(self._work)
-        self._thread.start()
-        self._thread.join(_AT_ONCE)
-        if not self._thread.is_alive():
-            return self._collect(context)
+        result = self._go(context)
+        if "RUNNING_MODAL" in result:
+            context.window_manager.modal_handler_add(self)
+        return result
+
+    def _go(self, context):
+        """Works on the stage, in a thread; shows how far it is if that takes longer."""
+        self._rounds = 0
+        self._launch()
+        result = self._wait(context, _AT_ONCE)
+        if result is not None:
+            return result
         manager = context.window_manager
         manager.progress_begin(0, 1)
         self._timer = manager.event_timer_add(0.05, window=context.window)
-        manager.modal_handler_add(self)
         memory.running = self.bl_idname
         return {"RUNNING_MODAL"}
+
+    def _launch(self) -> None:
+        self._work = self.work(self._stage)
+        self._thread = _Thread(self._work)
+        self._thread.start()
 
     def modal(self, context, event):
         if event.type in _VIEW:
@@ -83,14 +102,30 @@ class Working:
         if event.type == "ESC":
             progress.stop()
         if event.type == "TIMER":
-            if not self._thread.is_alive():
+            try:
+                result = self._wait(context, 0.0)
+            except BaseException:
                 self._hide(context)
-                return self._collect(context)
+                raise
+            if result is not None:
+                self._hide(context)
+                return result
             context.window_manager.progress_update(progress.done / max(progress.total, 1))
             context.workspace.status_text_set(
                 f"Trivet: {progress.done} of {progress.total}, {progress.what}   "
                 + ("stopping" if progress.stopped else "Esc: stop, and leave all as it was"))
         return {"RUNNING_MODAL"}
+
+    def _wait(self, context, seconds: float):
+        """What the operator returns, once it is done; None if it is not within these seconds."""
+        end = time.monotonic() + seconds
+        while True:
+            self._thread.join(max(0.0, end - time.monotonic()))
+            if self._thread.is_alive():
+                return None
+            result = self._collect(context)
+            if result is not None:
+                return result
 
     def cancel(self, context) -> None:
         """Blender ends: so does the thread."""
@@ -104,15 +139,34 @@ class Working:
         context.workspace.status_text_set(None)
 
     def _collect(self, context):
+        """What the operator returns; None if the work has begun again, see `finish`."""
         error = self._thread.error
-        if isinstance(error, Stopped):
+        if isinstance(error, Stopped) or self._work.progress.stopped:
             self.report({"INFO"}, "Stopped; all is as it was")
             return {"CANCELLED"}
-        if isinstance(error, (backends.NoBackend, LayoutError)):
+        if isinstance(error, _EXPECTED):
             return self._failed(error)
         if error is not None:
             raise error
-        return self._end(context, self._stage, self._thread.report)
+        try:
+            return self._shown(context, self._thread.report)
+        except _EXPECTED as failure:
+            return self._failed(failure)
+
+    def _shown(self, context, report: Report):
+        self.ran(self._stage, report)
+        self._rounds += 1
+        try:
+            if is_shown(self._stage, report):
+                return self._end(context, self._stage, report)
+        except BaseException:
+            self.undone(self._stage)
+            raise
+        if self._rounds >= MOST_ROUNDS:
+            return self._end(context, self._stage, Report(refused=report.refused))
+        self.undone(self._stage)
+        self._launch()
+        return None
 
     def _failed(self, error: Exception):
         memory.remember_failure(str(error))
@@ -120,10 +174,9 @@ class Working:
         return {"CANCELLED"}
 
     def _end(self, context, stage: Stage, report: Report):
-        report = finish(stage, report, lambda: self.again(stage))
         self.written(context, stage, report)
         memory.remember(self.bl_label, stage, report)
-        for line in memory.last.lines[:_MOST_LINES]:
+        for line in [*memory.last.lines[:_MOST_LINES], *memory.last.notes]:
             self.report({"WARNING"}, line)
         self.report({"INFO"}, self.summary(stage, report))
         return self.result(report)
@@ -131,9 +184,18 @@ class Working:
     def result(self, report: Report):
         return {"FINISHED"} if report.motions else {"CANCELLED"}
 
-    def again(self, stage: Stage) -> Report:
+    def _again(self, stage: Stage) -> Report:
         """The same work, after something was held or the clearance grew."""
-        return self.work(stage).run()
+        self.undone(stage)
+        report = self.work(stage).run()
+        self.ran(stage, report)
+        return report
+
+    def ran(self, stage: Stage, report: Report) -> None:
+        """After work, before its result is written."""
+
+    def undone(self, stage: Stage) -> None:
+        """After a result was taken back."""
 
     def written(self, context, stage: Stage, report: Report) -> None:
         """After the result was written."""

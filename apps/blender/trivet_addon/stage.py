@@ -3,21 +3,23 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Callable, Iterable, Mapping, Sequence
+from typing import Callable, Iterable, Mapping, Optional, Sequence
 
 import numpy as np
 
-from .bodies import Body, usual_clearance
+from .bodies import Body, holds, moved, reach_of, usual_clearance
 from .layouts import Layout, Outcome, Settings
-from .reading import read, root_among
+from .reading import Reading, TooLarge, read, root_among
 from .work import Report
 from .writing import Writer, misplaced, probe, why_it_stays
 
-_MOST_ROUNDS = 20
+MOST_ROUNDS = 20
 _PRECISIONS = 4.0  # what Blender's matrices are off, in a clearance
 _COARSEST = 1.0 / 64  # clearance of a body's size, as Trivet has it
 _WIDER = 4.0
 _WIDEST = 2.0 ** -12  # of the smallest body that moves
+_CHANGED = 1e-3  # of a body's size: no rounding
+_MOST_NAMES = 5
 
 
 @dataclass(frozen=True)
@@ -34,19 +36,57 @@ class Stage:
     """Objects that an operator moves, and what is around them.
 
     `refused` has an Outcome for each of them that cannot be moved, by the object's name.
+    falls : what moves stays near; then instances further away are left out if there are too many
     """
 
-    def __init__(self, context, objects: Iterable, choices: Choices, *, moves: bool = True) -> None:
+    def __init__(self, context, objects: Iterable, choices: Choices, *, moves: bool = True, falls: bool = False) -> None:
         self.context, self.choices = context, choices
         objects = set(objects)
         movers = {root_among(one, objects) for one in objects}
-        self.reading = read(context, movers, obstacles=choices.obstacles, most_faces=choices.most_faces)
+        self.reach: Optional[np.ndarray] = None  # (k, 2, 3) boxes; beyond, instances were not read
+        self.reading = self._read(movers, falls)
         self.refused: dict = {one.name_full: _because(one.name_full, why) for one, why in self.reading.faults.items()}
         self._held: set = set()
         precision = self._hold_what_stays(movers) if moves else 0.0
         self.clearance = choices.settings.clearance or max(
             usual_clearance([self.reading.body(name) for name in self.movers]), _PRECISIONS * precision,
             context.scene.trivet.clearance)
+
+    def _read(self, movers: set, falls: bool) -> Reading:
+        asked = {"obstacles": self.choices.obstacles, "most_faces": self.choices.most_faces}
+        try:
+            return read(self.context, movers, **asked)
+        except TooLarge:
+            if not falls:
+                raise
+        bodies = read(self.context, movers, only=movers, **asked).bodies
+        self.reach = np.array([reach_of(body) for body in bodies]).reshape(-1, 2, 3)
+        return read(self.context, movers, reach=self.reach, **asked)
+
+    def hold_what_left(self, report: Report) -> bool:
+        """Whether something came to rest where instances were left out; it stays from now on."""
+        if self.reach is None:
+            return False
+        gone = []
+        for name, motion in report.motions.items():
+            points = moved(self.reading.body(name).world(), motion)
+            if not holds(self.reach, points.min(axis=0), points.max(axis=0)):
+                gone.append(name)
+        for name in gone:
+            self.hold(name, "would come to rest beyond what was read of so many instances; accepted: more triangles in the "
+                      "preferences, or fewer obstacles")
+        return bool(gone)
+
+    @property
+    def notes(self) -> list:
+        """What the user should know of what was read."""
+        out = []
+        if self.reading.left_out:
+            out.append(f"Left out, with coordinates that are not finite: {_few(self.reading.left_out)}")
+        if self.reading.rendered_otherwise:
+            out.append("Judged as the view shows it; renders have other levels or modifiers of: "
+                       + _few(self.reading.rendered_otherwise))
+        return out
 
     def _hold_what_stays(self, movers: set) -> float:
         """Returns metres by which Blender is off in what it can move."""
@@ -101,27 +141,46 @@ class Stage:
 
 
 def finish(stage: Stage, report: Report, again: Callable[[], Report]) -> Report:
-    """Writes the result and judges what Blender shows, by its own float32 matrices.
+    """Shows the result, after as many rounds as that takes; see `is_shown`.
 
-    What Blender shows elsewhere stays from then on, and the work is done `again`; where anything interpenetrates, with a
-    larger clearance. The report is empty, with reasons, if nothing could be done; Blender is then as it was.
+    The report is empty, with reasons, if nothing could be done; Blender is then as it was.
     """
-    for _ in range(_MOST_ROUNDS):
-        if not report.motions:
+    for _ in range(MOST_ROUNDS):
+        if is_shown(stage, report):
             return report
-        writer = Writer(stage.context, stage.reading)
+        report = again()
+    return Report(refused=report.refused)
+
+
+def is_shown(stage: Stage, report: Report) -> bool:
+    """Writes the result and judges what Blender shows, by its own float32 matrices; true if it may stay.
+
+    Else Blender is as it was, and the work is to be done again: what Blender shows elsewhere stays from then on; where
+    anything interpenetrates, the clearance is larger.
+    """
+    if not report.motions:
+        return True
+    if stage.hold_what_left(report):
+        return False
+    writer = Writer(stage.context, stage.reading)
+    try:
         written = writer.write(report.motions)
         wrong, shown = misplaced(stage.context, stage.reading, written, 0.5 * stage.clearance)
         pairs = [] if wrong else _crossings(stage, written, shown)
-        if not wrong and not pairs:
-            _remember(stage, report)
-            return report
+    except BaseException:
         writer.put_back()
-        if not stage.widen():
-            for name in {*wrong, *(name for pair in pairs for name in pair)} & set(stage.movers):
-                stage.hold(name, "is not where it should be once it is moved: Blender's numbers are too coarse here")
-        report = again()
-    return Report(refused=report.refused)
+        raise
+    if not wrong and not pairs:
+        _remember(stage, report)
+        return True
+    writer.put_back()
+    changed = [name for name, metres in wrong.items() if metres > _CHANGED * _size(stage.reading.body(name))]
+    for name in changed:
+        stage.hold(name, "changes its shape as it moves, by a modifier or what it hangs on")
+    if not changed and not stage.widen():
+        for name in {*wrong, *(name for pair in pairs for name in pair)} & set(stage.movers):
+            stage.hold(name, "is not where it should be once it is moved: Blender's numbers are too coarse here")
+    return False
 
 
 def _crossings(stage: Stage, written: Mapping, shown) -> list:
@@ -137,12 +196,22 @@ def _remember(stage: Stage, report: Report) -> None:
     auto_key = stage.context.scene.tool_settings.use_keyframe_insert_auto
     for name in report.motions:
         owner = stage.reading.owners[name]
-        if owner.trivet.role == "AUTO":
+        if owner.trivet.role == "AUTO" and not _is_passive(owner):
             owner.trivet.role = "FREE"
         if auto_key:
             owner.keyframe_insert("location")
             owner.keyframe_insert({"QUATERNION": "rotation_quaternion", "AXIS_ANGLE": "rotation_axis_angle"}.get(
                 owner.rotation_mode, "rotation_euler"))
+
+
+def _is_passive(owner) -> bool:
+    """Whether it stands still in Blender's own simulation."""
+    return owner.rigid_body is not None and owner.rigid_body.type == "PASSIVE"
+
+
+def _few(names: Sequence[str]) -> str:
+    more = len(names) - _MOST_NAMES
+    return ", ".join(names[:_MOST_NAMES]) + (f" and {more} more" if more > 0 else "")
 
 
 def _size(body: Body) -> float:

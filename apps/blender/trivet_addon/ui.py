@@ -8,6 +8,7 @@ import textwrap
 import bpy
 
 from . import backends, memory, preferences
+from .reading import metres_of_unit
 
 _KEYS: list = []
 ICONS = {"put": "TRIA_DOWN_BAR", "put_here": "PIVOT_CURSOR", "scatter": "STICKY_UVS_DISABLE", "push": "FORWARD",
@@ -20,6 +21,12 @@ def _lines(context, layout, text: str, icon: str = "NONE") -> None:
     width = context.region.width / (_CHARACTER * context.preferences.system.ui_scale) - 5
     for number, line in enumerate(textwrap.wrap(text, max(12, int(width)))):
         layout.label(text=line, icon=icon if number == 0 else "BLANK1")
+
+
+def _length(context, value: float) -> str:
+    """A length of the scene in the units that the user reads."""
+    system = context.scene.unit_settings.system
+    return bpy.utils.units.to_string(system, "LENGTH", value * metres_of_unit(context), precision=3)
 
 
 class _Panel:
@@ -81,7 +88,7 @@ class TRIVET_PT_object(_Panel, bpy.types.Panel):
         if status.loads:
             _lines(context, box, "Carries " + ", ".join(status.loads))
         if math.isfinite(status.margin) and status.state != "fixed":
-            box.label(text=f"Margin {status.margin * 1000:.3g} mm")
+            box.label(text=f"Margin {_length(context, status.margin)}")
             box.label(text=f"Least friction {status.least_friction:.2g}")
         row = box.row(align=True)
         row.operator("trivet.select", text="Supports").what = "SUPPORTS"
@@ -104,6 +111,8 @@ class TRIVET_PT_last(_Panel, bpy.types.Panel):
             _lines(context, layout, last.failure, "ERROR")
             return
         verdict = last.verdict
+        for line in last.notes:
+            _lines(context, layout, line, "INFO")
         if last.done:
             layout.label(text=f"{last.title}: {len(last.done)} done", icon="CHECKMARK")
         for reason in list(last.refused.values())[:5]:

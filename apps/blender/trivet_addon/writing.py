@@ -35,10 +35,13 @@ def why_it_stays(owner: bpy.types.Object, auto_key: bool) -> Optional[str]:
 
 
 def _curves(animation) -> list:
-    """Curves of an object's action; from Blender 4.4 on they are in layers."""
-    action = animation.action
-    if action is None:
-        return []
+    """Curves of an object's action, and of the strips that play in its stead."""
+    strips = [strip.action for track in animation.nla_tracks if not track.mute for strip in track.strips if not strip.mute]
+    return [curve for action in (animation.action, *strips) if action is not None for curve in _curves_of(action)]
+
+
+def _curves_of(action) -> list:
+    """From Blender 4.4 on they are in layers."""
     if not getattr(action, "is_action_layered", False):
         return list(action.fcurves)
     return [curve for layer in action.layers for strip in layer.strips for bag in strip.channelbags for curve in bag.fcurves]
@@ -126,6 +129,8 @@ def _reason(owner: bpy.types.Object, wanted: np.ndarray) -> str:
         above = matrix_of(parent.matrix_world) @ matrix_of(owner.matrix_parent_inverse)
         if abs(np.linalg.det(above)) > 0 and is_sheared(np.linalg.inv(above) @ wanted):
             return f'lies below "{parent.name}", which is scaled unequally; accepted: its scale applied'
+    if owner.rigid_body is not None and owner.rigid_body.type == "ACTIVE":
+        return "is moved by its rigid body; accepted: on the simulation's first frame"
     return "does not go where it is told"
 
 
