@@ -70,6 +70,10 @@ class Camera:
         size : (int, int)
             Width and height, pixels, 1 to 16384 each.
 
+        Returns
+        -------
+        Camera
+
         Raises
         ------
         BadInputError
@@ -92,6 +96,10 @@ class Camera:
             ``[[fx, 0, cx], [0, fy, cy], [0, 0, 1]]``, pixels.
         size : (int, int)
             Width and height, pixels, 1 to 16384 each.
+
+        Returns
+        -------
+        Camera
 
         Raises
         ------

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _arrays, _trivet
 from ._errors import SceneBusy
-from ._object import _options
+from ._options import checked_options
 from ._results import Result, done, result_of
 
 if TYPE_CHECKING:
@@ -42,7 +42,7 @@ class Drag:
         if not isinstance(op, str) or op not in _EXTENT:
             raise _arrays.refuse("op", _arrays.short(op), ", ".join(_EXTENT))
         self._scene = scene
-        self._operation = {"op": op, "object": name, **_EXTENT[op], **_options(options, scene)}
+        self._operation = {"op": op, "object": name, **_EXTENT[op], **checked_options(options, scene)}
         self._drag: Optional[_trivet.Drag] = None
         self.result: Optional[Result] = None
 

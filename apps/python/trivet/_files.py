@@ -45,6 +45,17 @@ class Files:
             Of those that never move.
         materials : dict
             As `Object.material`, by names; of others the default.
+        floor, floor_material, clearance, **options
+            As for `Scene`.
+
+        Returns
+        -------
+        Scene
+
+        Raises
+        ------
+        BadInputError
+            Not one of each, names twice, a pose that is sheared, mirrored or unequally scaled.
         """
         entries = _foreign.entries(names, shapes, poses, fixed, {} if materials is None else materials)
         return cls._of(_trivet.Scene.standing(entries, _arrays.flag("floor", floor), material_of(floor_material),
@@ -52,7 +63,18 @@ class Files:
 
     @classmethod
     def from_trimesh(cls, scene: Any, **options: Any) -> Scene:
-        """The same of a trimesh.Scene: z up, metres; one object for each node that has geometry."""
+        """The same of a trimesh.Scene: z up, metres; one object for each node that has geometry.
+
+        Parameters
+        ----------
+        scene : trimesh.Scene
+        **options
+            As for `from_poses`.
+
+        Returns
+        -------
+        Scene
+        """
         names, shapes, poses = _foreign.parts_of_trimesh(scene)
         return cls.from_poses(names, shapes, poses, **options)
 
@@ -69,6 +91,17 @@ class Files:
         clearance, **options
             As for `Scene`; of rules that are left out, those of the file hold.
 
+        Returns
+        -------
+        Scene
+
+        Raises
+        ------
+        BadInputError
+            Missing, or not a scene or layout.
+        EnvironmentFailure
+            The program trivet-import is missing.
+
         Warns
         -----
         TrivetWarning
@@ -83,7 +116,23 @@ class Files:
 
     @classmethod
     def from_bytes(cls, data: bytes, *, clearance: Optional[float] = None, **options: Any) -> Scene:
-        """A scene from what `to_glb` gave; options as those of `Scene`, what is left out as the file says."""
+        """A scene from what `to_glb` gave.
+
+        Parameters
+        ----------
+        data : bytes
+        clearance, **options
+            As for `Scene`; what is left out is as the file says.
+
+        Returns
+        -------
+        Scene
+
+        Raises
+        ------
+        BadInputError
+            Other bytes.
+        """
         return Snapshot.from_bytes(data).scene(clearance=clearance, **options)
 
     def to_trimesh(self) -> Any:
@@ -101,6 +150,17 @@ class Files:
         """By extension: .glb, which Trivet reads back whole; .gltf, .obj, .ply, .stl.
 
         A file that is there is replaced atomically; folders that are not there are made.
+
+        Parameters
+        ----------
+        path : path
+
+        Raises
+        ------
+        BadInputError
+            Another extension.
+        EnvironmentFailure
+            It cannot be written.
         """
         self._scene.save(_arrays.path("path", path))
 
@@ -110,11 +170,16 @@ class Files:
 
         Parameters
         ----------
+        path : path
         collision : "fitted", "hull", "components", "decomposition" or "mesh"
         friction, density : float, optional
             Of everything, 0 to 1e3, and 1e-6 to 1e6 kg/m3; nothing: of the materials.
         max_overlap : float
             Metres by which parts of two objects may overlap, up to 1e3; 0: 1e-4 of the smaller one.
+
+        Returns
+        -------
+        Export
 
         Raises
         ------

@@ -46,7 +46,7 @@ class Film:
 
     @property
     def seconds(self) -> float:
-        """How long it is."""
+        """How long it is, seconds."""
         return self._made().seconds
 
     def to_glb(self) -> bytes:
@@ -54,5 +54,16 @@ class Film:
         return self._made().to_glb()
 
     def save(self, path: PathLike) -> None:
-        """Write the same to a file, .glb."""
+        """Write the same to a file.
+
+        Parameters
+        ----------
+        path : path
+            .glb, in a folder that is there.
+
+        Raises
+        ------
+        EnvironmentFailure
+            It cannot be written.
+        """
         write_file(path, self.to_glb())

@@ -39,6 +39,11 @@ def first_contact(moving: Any, moving_pose: ArrayLike, fixed: Any, fixed_pose: A
     -------
     FirstContact or None
         None: the whole motion is free.
+
+    Raises
+    ------
+    BadInputError
+        Both or neither of `along` and `about`, or an argument that is not accepted.
     """
     if (along is None) == (about is None):
         raise BadInputError("along and about: both or none are given; accepted: one of them")
@@ -82,6 +87,16 @@ def interpenetrations(shapes: Iterable[Any], poses: Iterable[ArrayLike], *,
     positions : (n, 3) arrays or None, optional
         World positions of the rows of `Shape.vertices` instead: the very numbers that another program has; their pose is
         then about where they are.
+
+    Returns
+    -------
+    list of Interpenetration
+        By numbers among the shapes.
+
+    Raises
+    ------
+    BadInputError
+        Not one of each, or an argument that is not accepted.
     """
     given = [_shape(one) for one in _arrays.listed("shapes", shapes, "a sequence of shapes")]
     matrices = _arrays.listed("poses", poses, "a sequence of (4, 4) arrays")
@@ -102,6 +117,15 @@ def random_rotation(rng: np.random.Generator) -> list[float]:
     """A rotation w x y z, uniform among all: a point of the unit ball in four dimensions, made a unit.
 
     Without sine and cosine: the same bits wherever `rng` gives the same.
+
+    Parameters
+    ----------
+    rng : numpy.random.Generator
+
+    Returns
+    -------
+    list of 4 float
+        w, x, y, z; of length 1.
     """
     if not isinstance(rng, (np.random.Generator, np.random.RandomState)):
         raise _arrays.refuse("rng", _arrays.short(rng), "a numpy.random.Generator, as by numpy.random.default_rng(7)")

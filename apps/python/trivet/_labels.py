@@ -78,7 +78,22 @@ class Labels:
         return self.camera.camera_from_world
 
     def mask(self, what: Any) -> NDArray[np.bool_]:
-        """(height, width): where this object (or its name, or "floor") is seen."""
+        """Where an object is seen.
+
+        Parameters
+        ----------
+        what : Object, or str
+            Its name, or "floor".
+
+        Returns
+        -------
+        (height, width) bool array
+
+        Raises
+        ------
+        NoSuchObject
+            It was not in the scene.
+        """
         name = name_of("what", what)
         if name != "floor" and name not in self.names:
             raise NoSuchObject(f'there is no object "{name}" in the picture\'s scene')

@@ -37,6 +37,10 @@ class Pictures:
         ----------
         size : (int, int)
             Width and height, pixels.
+
+        Returns
+        -------
+        Camera
         """
         return Camera._of(self._scene.automatic_camera(*size_of(size)))
 
@@ -58,6 +62,10 @@ class Pictures:
             Degrees from the lower to the upper edge, 1 to 170.
         size : (int, int)
             Width and height, pixels.
+
+        Returns
+        -------
+        list of Camera
         """
         lowest, highest = _arrays.vector("elevation", elevation, 2)
         found = self._scene.dome(_arrays.whole("count", count, 1, 1_000_000), *size_of(size),
@@ -126,6 +134,10 @@ class Pictures:
             Whether `Labels.normals` (else None) and `Labels.pixels_alone` and `visible_share` (else 0) are wanted.
         num_threads : int
             0: all cores; the labels do not depend on it.
+
+        Returns
+        -------
+        Labels
         """
         view = self._camera_of(camera, size)
         values = self._scene.labels(view._camera, _class_names(classes, cast("Scene", self)),
@@ -188,6 +200,10 @@ class Pictures:
             Pixels in a notebook.
         max_faces : int
             Of all shapes, each once; a page has about 25 bytes for each.
+
+        Returns
+        -------
+        View
 
         Raises
         ------

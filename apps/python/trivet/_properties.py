@@ -31,10 +31,12 @@ class Properties:
 
     @property
     def name(self) -> str:
+        """Its name in the scene."""
         return self._name
 
     @property
     def scene(self) -> Scene:
+        """Where it is."""
         return self._scene
 
     def _ask(self, query: Callable[[int, str], T]) -> T:
@@ -72,6 +74,7 @@ class Properties:
 
     @property
     def shape(self) -> Shape:
+        """Its triangles; objects share them."""
         return Shape._of(self._ask(self._scene._scene.shape))
 
     @property
@@ -86,6 +89,7 @@ class Properties:
 
     @property
     def at_rest(self) -> bool:
+        """Whether its `state` is "stable" or "fixed"."""
         return self.state in ("stable", "fixed")
 
     @property

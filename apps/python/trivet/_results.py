@@ -77,6 +77,7 @@ class Result:
 
     @property
     def ok(self) -> bool:
+        """Whether it was done."""
         return self.status == "ok"
 
 
@@ -92,12 +93,15 @@ def raise_for(result: Result) -> NoReturn:
     raise kinds.get(result.status, Refused)(result)
 
 
-def done(values: dict[str, Any]) -> Result:
-    """The result, or what says that the operation was not done."""
-    result = result_of(values)
+def checked(result: Result) -> Result:
     if not result:
         raise_for(result)
     return result
+
+
+def done(values: dict[str, Any]) -> Result:
+    """The result, or what says that the operation was not done."""
+    return checked(result_of(values))
 
 
 def _named(names: tuple[str, ...], numbers: Ints) -> NDArray[np.str_]:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import Any, Iterable, Iterator, Mapping, Optional, Union
 
-import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _arrays, _trivet
@@ -15,18 +14,15 @@ from ._named import name_of
 from ._object import Object
 from ._pictures import Pictures
 from ._properties import Material, material_of
-from ._results import Check, Contacts, Result, SupportGraph, check_of, done
+from ._questions import Questions
+from ._results import Result, done
 from ._settle import Settle, settings
 from ._shape import Shape
 from ._snapshot import Snapshot
 from ._transaction import Transaction
-from ._zlists import ZLists
-
-_TYPES = np.array(["point", "line", "area"])
-_KINDS = np.array(["vertex-face", "face-vertex", "edge-edge", "closest"])
 
 
-class Scene(Files, Pictures):
+class Scene(Files, Pictures, Questions):
     """Objects that never interpenetrate and lie at rest; gravity along -z.
 
     A mapping of names to objects, in the order of their addition. Any number of threads may use one scene: one at a time
@@ -80,6 +76,10 @@ class Scene(Files, Pictures):
         material : str or dict, optional
             As `Object.material`.
 
+        Returns
+        -------
+        Object
+
         Raises
         ------
         Refused
@@ -126,6 +126,7 @@ class Scene(Files, Pictures):
 
     @property
     def floor(self) -> bool:
+        """Whether there is one."""
         return self._scene.floor
 
     @property
@@ -150,10 +151,25 @@ class Scene(Files, Pictures):
     # Operations.
 
     def perform(self, operations: Iterable[Mapping[str, Any]], *, budget: float = 0.0) -> Result:
-        """Operations as a layout has them, ``{"op": "put", "object": "cup", "on": "table"}``, as one step: all or none.
+        """Operations as a layout has them, as one step: all or none.
 
-        Values may be NumPy's numbers and arrays, and objects stand for their names. Returns the result of the last one. Raises
-        `Refused` for the first that is refused.
+        Parameters
+        ----------
+        operations : list of dict
+            ``[{"op": "put", "object": "cup", "on": "table"}]``. Values may be NumPy's numbers and arrays, and objects stand
+            for their names.
+        budget : float
+            Seconds of each; 0: those of `time_budget`.
+
+        Returns
+        -------
+        Result
+            Of the last one.
+
+        Raises
+        ------
+        Refused
+            For the first that is refused; none is done.
         """
         accepted = 'a list of dicts, such as {"op": "put", "object": "cup", "on": "table"}'
         given = []
@@ -202,7 +218,20 @@ class Scene(Files, Pictures):
         return Transaction(self)
 
     def drag(self, what: Union[Object, str], op: str = "push", **options: Any) -> Drag:
-        """Follow a hand; see `Drag`. `op`: "push", "turn", "pick_up", "translate" or "rotate", with its options."""
+        """Follow a hand; see `Drag`.
+
+        Parameters
+        ----------
+        what : Object or str
+        op : "push", "turn", "pick_up", "translate" or "rotate"
+        **options
+            Of the operation, as `Object` has them.
+
+        Returns
+        -------
+        Drag
+            For a ``with`` block.
+        """
         return Drag(self, name_of("what", what, self), op, options)
 
     # History.
@@ -217,10 +246,12 @@ class Scene(Files, Pictures):
 
     @property
     def can_undo(self) -> bool:
+        """Whether there is a step to take back."""
         return self._scene.can_undo
 
     @property
     def can_redo(self) -> bool:
+        """Whether there is a step to do again."""
         return self._scene.can_redo
 
     @property
@@ -233,7 +264,13 @@ class Scene(Files, Pictures):
         return Snapshot(self._scene.snapshot())
 
     def restore(self, snapshot: Snapshot) -> None:
-        """As it was then, to the bit; its history begins anew."""
+        """As it was then, to the bit; its history begins anew.
+
+        Parameters
+        ----------
+        snapshot : Snapshot
+            Of this scene or of another one.
+        """
         if not isinstance(snapshot, Snapshot):
             raise _arrays.refuse("snapshot", repr(snapshot), "a trivet.Snapshot")
         self._scene.restore(snapshot._snapshot)
@@ -242,53 +279,6 @@ class Scene(Files, Pictures):
     def fingerprint(self) -> int:
         """64 bits: the same for scenes of the same bits, their shapes apart."""
         return self._scene.fingerprint()
-
-    # Questions.
-
-    def contacts(self) -> Contacts:
-        """All contact points, as columns of arrays; copies."""
-        values = self._scene.contacts()
-        values["type"] = _TYPES[values["type"]]
-        values["kind"] = _KINDS[values["kind"]]
-        return Contacts(**values)
-
-    def support_graph(self) -> SupportGraph:
-        """What rests on what."""
-        return SupportGraph(**self._scene.support_graph())
-
-    def check(self, friction: Optional[float] = None, *, num_threads: int = 0) -> Check:
-        """Judge the scene from its poses alone, exactly; nothing changes.
-
-        Parameters
-        ----------
-        friction : float, optional
-            Coulomb's coefficient at all contacts for the verdict on the whole scene; nothing: by the materials.
-        num_threads : int
-            0: all cores; the result does not depend on it.
-        """
-        given = None if friction is None else _arrays.number("friction", friction)
-        return check_of(self._scene.check(given, _arrays.whole("num_threads", num_threads, 0, 1024)))
-
-    def zlists(self, direction: ArrayLike = (0.0, 0.0, -1.0), *, resolution: int = 256,
-               region: Optional[ArrayLike] = None, max_bytes: float = 1e9, num_threads: int = 0) -> ZLists:
-        """All faces on the lines of sight of an image, sorted by depth; see `ZLists`.
-
-        Parameters
-        ----------
-        direction : (3,) array
-            Away from the eye, of any length but 0.
-        resolution : int
-            Pixels along the longer side, 1 to 8192.
-        region : (4,) array, optional
-            Left, bottom, right and top of the image, metres along `ZLists.right` and `up`; nothing: all that there is.
-        max_bytes : float
-            BadInputError beyond.
-        """
-        rectangle = None if region is None else _arrays.vector("region", region, 4)
-        return ZLists(**self._scene.zlists(np.array(_arrays.vector("direction", direction, 3)),
-                                           _arrays.whole("resolution", resolution, 1, 8192), rectangle,
-                                           _arrays.number("max_bytes", max_bytes, "0 to 1e15", 0.0, 1e15),
-                                           _arrays.whole("num_threads", num_threads, 0, 1024)))
 
     def __reduce__(self) -> Any:
         settle = self._scene.settle

@@ -98,6 +98,10 @@ class Shape:
         isolated : bool
             Read in a process of its own, so that a file on which the reader crashes gives an error.
 
+        Returns
+        -------
+        Shape
+
         Raises
         ------
         BadInputError
@@ -112,7 +116,17 @@ class Shape:
                                           _arrays.number("chord", chord)))
 
     def colored(self, rgba: ArrayLike) -> Shape:
-        """The same geometry in one colour: 3 or 4 numbers from 0 to 1, linear RGB and opacity."""
+        """The same geometry in one colour.
+
+        Parameters
+        ----------
+        rgba : (3,) or (4,) array
+            0 to 1: linear RGB, and opacity.
+
+        Returns
+        -------
+        Shape
+        """
         given = _arrays.vector("rgba", rgba, 3, 4)
         if not all(0 <= x <= 1 for x in given):
             raise _arrays.refuse("rgba", _arrays.short(rgba), "3 or 4 numbers from 0 to 1")

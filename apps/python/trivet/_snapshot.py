@@ -34,13 +34,37 @@ class Snapshot:
 
     @classmethod
     def from_bytes(cls, data: bytes) -> Snapshot:
-        """What `to_bytes` gave, or the bytes of a .glb that Trivet wrote. Raises BadInputError for others."""
+        """What `to_bytes` gave, or the bytes of a .glb that Trivet wrote.
+
+        Parameters
+        ----------
+        data : bytes
+
+        Returns
+        -------
+        Snapshot
+
+        Raises
+        ------
+        BadInputError
+            Other bytes.
+        """
         if not isinstance(data, (bytes, bytearray, memoryview)):
             raise _arrays.refuse("data", _arrays.short(data), "bytes, as to_bytes gave them")
         return cls(_trivet.Snapshot.from_bytes(bytes(data), find_importer()))
 
     def scene(self, *, clearance: Optional[float] = None, **options: Any) -> Scene:
-        """A new scene that begins like this; options as those of `Scene`, what is left out as it was."""
+        """A new scene that begins like this.
+
+        Parameters
+        ----------
+        clearance, **options
+            As for `Scene`; what is left out is as it was.
+
+        Returns
+        -------
+        Scene
+        """
         from ._scene import Scene
 
         return Scene._of(self._snapshot.scene(settings(clearance, options, self._snapshot.settle)))

@@ -43,7 +43,18 @@ class View:
         self._height = height
 
     def save(self, path: PathLike) -> None:
-        """Write the page, for a browser."""
+        """Write the page, for a browser.
+
+        Parameters
+        ----------
+        path : path
+            In a folder that is there.
+
+        Raises
+        ------
+        EnvironmentFailure
+            It cannot be written.
+        """
         write_file(path, self.html.encode())
 
     def _repr_html_(self) -> str:
@@ -61,6 +72,10 @@ def encode_png(image: Any) -> bytes:
     ----------
     image : (height, width, 3) or (height, width, 4) uint8 array
         sRGB and opacity, row 0 above; as `Scene.render` gives it.
+
+    Returns
+    -------
+    bytes
     """
     array = np.asarray(image)
     accepted = "a (height, width, 3 or 4) array of uint8, not empty"

@@ -64,7 +64,22 @@ class ZLists:
     farthest: Floats = field(repr=False)
 
     def at(self, column: int, row: int) -> ZList:
-        """The list of a pixel."""
+        """The list of a pixel.
+
+        Parameters
+        ----------
+        column, row : int
+            Row 0 at the bottom.
+
+        Returns
+        -------
+        ZList
+
+        Raises
+        ------
+        BadInputError
+            There is no such pixel.
+        """
         if not (0 <= column < self.width and 0 <= row < self.height):
             raise BadInputError(f"pixel: ({column}, {row}) is not accepted; accepted: columns below {self.width}, rows below "
                                 f"{self.height}")

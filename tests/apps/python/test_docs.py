@@ -1,6 +1,7 @@
 """The pages of the documentation: every block of code runs, on the command line and in Python; notebooks too, without Jupyter."""
 import ast
 import doctest
+import inspect
 import json
 import os
 import re
@@ -87,6 +88,47 @@ def test_notebooks_run(path, folder):
     shown = [run_cell("".join(cell["source"]), names) for cell in notebook["cells"] if cell["cell_type"] == "code"]
     assert all(cell["outputs"] == [] for cell in notebook["cells"] if cell["cell_type"] == "code")
     assert len(shown) >= 3 and any("iframe" in (one or "") for one in shown)
+
+
+def public_callables():
+    """(name, function) of all that users call, but for what tuples have."""
+    for name in trivet.__all__:
+        one = getattr(trivet, name)
+        if not isinstance(one, type):
+            if callable(one):
+                yield name, one
+            continue
+        for key, value in inspect.getmembers(one):
+            home = getattr(value, "__module__", None) or ""
+            if not key.startswith("_") and inspect.isroutine(value) and home.startswith("trivet."):
+                yield f"{name}.{key}", value
+
+
+def test_every_parameter_and_every_result_is_documented():
+    """In numpydoc's sections; ``try_put`` and the like refer to the function that they are like."""
+    docscrape = pytest.importorskip("numpydoc.docscrape", reason="numpydoc is missing (Debian: python3-numpydoc)")
+    missing, count = [], 0
+    for name, function in public_callables():
+        count += 1
+        signature = inspect.signature(function)
+        given = [key for key in signature.parameters if key != "self"]
+        text = inspect.getdoc(function)
+        if re.match(r"As `\w+`, with its parameters", text) or not given:
+            continue
+        doc = docscrape.FunctionDoc(function)
+        known = {part.strip().lstrip("*") for one in doc["Parameters"] for part in one.name.split(",")}
+        missing += [f"{name}: {key}" for key in given if key not in known]
+        missing += [f"{name}: there is no {key}" for key in known - set(given)]
+        if signature.return_annotation not in ("None", None) and not doc["Returns"]:
+            missing.append(f"{name}: Returns")
+    assert count > 60 and missing == []
+
+
+def test_every_property_is_documented():
+    properties = [(f"{name}.{key}", value) for name in trivet.__all__ if isinstance(getattr(trivet, name), type)
+                  for key, value in inspect.getmembers(getattr(trivet, name)) if isinstance(value, property)]
+    assert len(properties) > 50
+    assert [name for name, value in properties if not value.__doc__] == []
 
 
 def test_all_that_is_public_has_a_place():
