@@ -15,6 +15,8 @@ GLIBC = r"(ld-linux.*|lib(c|m|dl|pthread|rt|resolv|util|anl|mvec|nsl))\.so\."
 # The machine's graphics driver and what loads it, which libepoxy opens when pictures want OpenGL.
 DRIVER = r"lib(EGL|GL|GLX|GLdispatch|OpenGL|GLES.*|gbm|drm.*|glapi|LLVM.*)\.so"
 COMPILER = r"lib(stdc\+\+|gcc_s)\.so\."
+# A header of each library that is compiled in; not every program has all of them.
+COMPILED_IN = ("eigen3/Eigen/Core", "nlohmann/json.hpp", "CLI/CLI.hpp", "pybind11/pybind11.h", "boost/version.hpp")
 
 
 def run(*command: object) -> str:
@@ -99,9 +101,10 @@ def packages_of(files: list[Path]) -> set[str]:
 
 
 def copy_licences(libraries: list[Path], folder: Path) -> None:
-    """The copyright files of the packages that the libraries come from."""
+    """The copyright files of the packages that the libraries come from, and those that are compiled in."""
     folder.mkdir(parents=True, exist_ok=True)
-    for package in sorted(packages_of(libraries)):
+    headers = [file for file in (Path("/usr/include") / name for name in COMPILED_IN) if file.is_file()]
+    for package in sorted(packages_of([*libraries, *headers])):
         source = Path("/usr/share/doc") / package / "copyright"
         if not source.is_file():
             sys.exit(f"{source}: the licence of a bundled library is missing; reinstall {package}")

@@ -147,6 +147,18 @@ class Backends(unittest.TestCase):
         with self.assertRaisesRegex(backends.NoBackend, "does not load"):
             backends.find("MODULE", folder="/nonexistent", program=TRIVET)
 
+    def test_programs_that_are_others_are_refused_by_name(self):
+        with tempfile.TemporaryDirectory() as folder:
+            other, broken = os.path.join(folder, "other"), os.path.join(folder, "broken")
+            for path, text in ((other, "#!/bin/sh\necho 'other thing 1.0'\n"), (broken, "no program")):
+                with open(path, "w", encoding="utf-8") as file:
+                    file.write(text)
+                os.chmod(path, 0o755)
+            with self.assertRaisesRegex(backends.NoBackend, "other is not the program trivet"):
+                backends.find("PROGRAM", program=other)
+            with self.assertRaisesRegex(backends.NoBackend, "broken does not run"):
+                backends.find("PROGRAM", program=broken)
+
 
 class BothBackends:
     """What must hold whichever is used."""

@@ -216,12 +216,13 @@ def pushes_by_mouse():
 def shows_where_things_cross():
     monkey, bowl = bpy.data.objects["monkey (subdivided)"], bpy.data.objects["bowl"]
     monkey.location = bowl.location + Vector((0.15, -0.1, 0))
+    monkey.modifiers["smooth"].render_levels = 3  # a note in the panel
     bpy.context.view_layer.update()
     support.select([monkey])
     with override():
         bpy.ops.trivet.check("EXEC_DEFAULT", True)
     yield from frames(5)
-    assert memory.last.crossings, memory.last
+    assert memory.last.crossings and "renders have other levels" in " ".join(memory.last.notes), memory.last
     picture("check")
 
 

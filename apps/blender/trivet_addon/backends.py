@@ -92,4 +92,7 @@ def _program(program: str, why: str) -> Backend:
     if found is None:
         missing = f"the program {program or 'trivet'} is missing"
         raise NoBackend(f"{why}; {missing}" if why else missing)
-    return Backend("PROGRAM", found, piped.ProgramLayout.version(found), note=why)
+    try:
+        return Backend("PROGRAM", found, piped.ProgramLayout.version(found), note=why)
+    except piped.ProgramError as error:
+        raise NoBackend(f"{why}; {error}" if why else str(error)) from error

@@ -168,8 +168,15 @@ class ProgramLayout:
 
     @staticmethod
     def version(program: str) -> str:
-        told = subprocess.run([program, "--version"], capture_output=True, text=True, timeout=30, check=False)
-        return (told.stdout.split() or ["?"])[-1]
+        """Raises ProgramError for what is not the program `trivet`."""
+        try:
+            told = subprocess.run([program, "--version"], capture_output=True, text=True, timeout=30, check=False)
+        except (OSError, ValueError, subprocess.TimeoutExpired) as error:  # text that is none is a ValueError
+            raise ProgramError(f"{program} does not run: {error}") from error
+        words = told.stdout.split()
+        if told.returncode != 0 or len(words) != 2 or words[0] != "trivet":
+            raise ProgramError(f"{program} is not the program trivet")
+        return words[1]
 
     def _open(self, bodies: Sequence[Body], out: Sequence[str]) -> None:
         self.close_session()

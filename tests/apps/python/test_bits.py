@@ -151,6 +151,22 @@ def test_scenes_and_snapshots_pickle():
     assert pickle.loads(pickle.dumps(trivet.Scene())).names == []
 
 
+def test_poses_without_shapes_are_enough_where_the_shapes_are():
+    shapes = {f"ring {k}": trivet.Shape(*torus_arrays(20 + k, 10)) for k in range(6)}
+    scene, random = trivet.Scene(), np.random.default_rng(11)
+    for name, shape in shapes.items():
+        ring = scene.add(name, shape)
+        while not ring.try_put([*random.uniform(-.15, .15, 2), 1.0], wxyz=trivet.random_rotation(random)):
+            pass
+    sent = pickle.dumps([(one.name, one.position, one.wxyz) for one in scene])
+    assert len(sent) < 200 * len(shapes)
+    back = trivet.Scene()
+    for name, position, wxyz in pickle.loads(sent):
+        back.add(name, shapes[name]).stand(position, wxyz)
+    assert all((a.pose == b.pose).all() and a.state == b.state for a, b in zip(scene, back))
+    assert any(one.supports != ["floor"] for one in back)
+
+
 def test_results_and_refusals_pickle():
     scene = trivet.Scene(floor=False)
     result = scene.add("a", box()).try_put([0, 0, 1])
