@@ -233,6 +233,27 @@ class Buttons(unittest.TestCase):
             bpy.ops.object.mode_set(mode="OBJECT")
 
 
+class Again(unittest.TestCase):
+    def test_what_hangs_is_put_again_in_one_step(self):
+        support.clear()
+        cube("table", (0, 0, .5), (2, 2, 1))
+        well, hangs = cube("well", (.5, .5, 2), (.2, .2, .2)), cube("hangs", (0, 0, 3), (.3, .3, .3))
+        put(well, hangs)
+        hangs.location.z += .4
+        well_at = well.matrix_world.copy()
+        bpy.context.view_layer.update()
+        bpy.ops.ed.undo_push(message="lifted")
+        before = support.matrices()
+        bpy.ops.trivet.check(*RUN)
+        self.assertEqual(memory.last.verdict.not_at_rest, ("hangs",))
+        self.assertEqual(bpy.ops.trivet.put_again(), {"FINISHED"})
+        self.assertEqual((memory.last.done, well.matrix_world), (["hangs"], well_at))
+        self.assertAlmostEqual(hangs.matrix_world.translation.z, 1.15, 4)
+        bpy.ops.ed.undo()
+        self.assertEqual(support.matrices(), before)
+        self.assertEqual(bpy.ops.trivet.put_again(), {"CANCELLED"})
+
+
 class Linked(unittest.TestCase):
     def test_faces_that_cross_what_is_linked_are_drawn(self):
         support.clear()

@@ -106,4 +106,24 @@ class TRIVET_OT_select(bpy.types.Operator):
         return {"FINISHED"}
 
 
-CLASSES = (TRIVET_OT_check, TRIVET_OT_select)
+class TRIVET_OT_put_again(bpy.types.Operator):
+    """Selects what is not at rest or gives way, and puts it"""
+
+    bl_idname = "trivet.put_again"
+    bl_label = "Put Again"
+    bl_options = {"INTERNAL"}  # Put has the step of undo
+
+    @classmethod
+    def poll(cls, context) -> bool:
+        return in_object_mode(cls, context)
+
+    def execute(self, context):
+        verdict = memory.last.verdict
+        if not select(context, {*verdict.not_at_rest, *verdict.topples}):
+            self.report({"WARNING"}, "Nothing to put; accepted: after Check")
+            return {"CANCELLED"}
+        bpy.ops.trivet.put("INVOKE_DEFAULT", True)
+        return {"FINISHED"}
+
+
+CLASSES = (TRIVET_OT_check, TRIVET_OT_select, TRIVET_OT_put_again)

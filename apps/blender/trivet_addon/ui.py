@@ -111,8 +111,6 @@ class TRIVET_PT_last(_Panel, bpy.types.Panel):
             _lines(context, layout, last.failure, "ERROR")
             return
         verdict = last.verdict
-        for line in last.notes:
-            _lines(context, layout, line, "INFO")
         if last.done:
             layout.label(text=f"{last.title}: {len(last.done)} done", icon="CHECKMARK")
         for reason in list(last.refused.values())[:5]:
@@ -130,6 +128,10 @@ class TRIVET_PT_last(_Panel, bpy.types.Panel):
         if verdict.topples:
             _lines(context, layout, "Gives way: " + ", ".join(verdict.topples[:8]))
             layout.operator("trivet.select", text="Select what gives way").what = "TOPPLES"
+        if verdict.not_at_rest or verdict.topples:
+            layout.operator("trivet.put_again", icon=ICONS["put"])
+        for line in last.notes:
+            _lines(context, layout, line, "INFO")
 
 
 class TRIVET_MT_pie(bpy.types.Menu):
