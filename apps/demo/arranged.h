@@ -12,6 +12,7 @@ struct ArrangedDemo {
   std::string name;
   std::vector<DemoModel> models;
   std::string problem;  // a file for `trivet arrange`, the models beside it
+  std::string recipe;   // the same for `trivet batch`, each scene by a seed of its own
   DemoView view;
 };
 

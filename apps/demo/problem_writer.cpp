@@ -38,11 +38,18 @@ void ProblemWriter::relate(const char* is, const std::string& a, const std::stri
 }
 
 ArrangedDemo ProblemWriter::take() {
-  Json arrange = {{"seed", 1}, {"things", m_things}};
-  if (!m_zones.empty()) arrange["zones"] = m_zones;
-  arrange["relations"] = m_relations;
+  Json arrange = {{"seed", 1}}, operation = {{"op", "arrange"}};  // a batch draws its seeds
+  for (Json* const section : {&arrange, &operation}) {
+    (*section)["things"] = m_things;
+    if (!m_zones.empty()) (*section)["zones"] = m_zones;
+    (*section)["relations"] = m_relations;
+  }
   m_out.problem =
       readable_json({{"trivet", 1}, {"objects", m_objects}, {"arrange", arrange}}) + "\n";
+  m_out.recipe = readable_json({{"trivet_recipe", 1},
+                                {"objects", m_objects},
+                                {"operations", Json::array({operation})}}) +
+                 "\n";
   return std::move(m_out);
 }
 

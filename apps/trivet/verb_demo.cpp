@@ -59,12 +59,13 @@ void write_models(const std::vector<DemoModel>& models, const DemoFolder& folder
   }
 }
 
-// Files that --export leaves for trivet run and trivet arrange.
-std::vector<std::string> exported_files(const std::string& layout,
+// Files that --export leaves for trivet run, trivet arrange and trivet batch.
+std::vector<std::string> exported_files(const std::vector<std::string>& layouts,
                                         const std::vector<DemoModel>& models,
                                         const std::string& folder) {
   if (folder.empty()) return {};
-  std::vector<std::string> out{(fs::path(folder) / layout).string()};
+  std::vector<std::string> out;
+  for (const std::string& layout : layouts) out.push_back((fs::path(folder) / layout).string());
   for (const DemoModel& made : models) out.push_back((fs::path(folder) / made.file).string());
   return out;
 }
@@ -80,7 +81,7 @@ PictureRequest picture_from(const DemoView& view) {
 // Runs from files, like a user would: the same bits with and without --export.
 int run_demo(const DemoArguments& arguments, const CommonOptions& common) {
   const DemoLayout demo = make_demo(arguments.name);
-  Outputs outputs(arguments.outputs, exported_files("layout.json", demo.models, arguments.folder),
+  Outputs outputs(arguments.outputs, exported_files({"layout.json"}, demo.models, arguments.folder),
                   common, picture_from(demo.view));
   const DemoFolder folder(arguments.folder);
   write_models(demo.models, folder);
@@ -98,11 +99,13 @@ int run_demo(const DemoArguments& arguments, const CommonOptions& common) {
 
 int run_arranged_demo(const DemoArguments& arguments, const CommonOptions& common) {
   const ArrangedDemo demo = make_arranged_demo(arguments.name);
-  const auto exported = exported_files("problem.json", demo.models, arguments.folder);
+  const auto exported =
+      exported_files({"problem.json", "recipe.json"}, demo.models, arguments.folder);
   check_outputs(outputs_of_solution(arguments.outputs, arguments.arranging, 1), exported);
   const DemoFolder folder(arguments.folder);
   write_models(demo.models, folder);
   write_file_atomically(folder.file("problem.json"), demo.problem);
+  write_file_atomically(folder.file("recipe.json"), demo.recipe);
   const std::string& scene = arguments.outputs.scene;
   const std::string in_scene = arguments.folder.empty() ? "" : folder_from(scene, folder.path());
   return arrange_file({folder.file("problem.json"),
@@ -153,8 +156,8 @@ Verb add_demo(CLI::App& app, const CommonOptions& common) {
   verb->get_option("--output")->required();
   verb->add_option(
           "--export", arguments->folder,
-          "Write layout.json (or problem.json) and the models to this folder, for trivet run "
-          "(or trivet arrange)")
+          "Write layout.json (or problem.json and recipe.json) and the models to this folder, for "
+          "trivet run (or trivet arrange and trivet batch)")
       ->type_name("DIR");
   add_arranging_options(*verb, arguments->arranging);
   add_settle_options(*verb, arguments->settle);

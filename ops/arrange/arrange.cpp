@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ops/arrange/contradictions.h"
 #include "ops/arrange/noise.h"
 #include "ops/arrange/solver.h"
 #include "ops/base/stopwatch.h"
@@ -27,6 +28,36 @@ std::string ArrangeResult::reason() const {
   return "the arrangement did not end in time";
 }
 
+namespace {
+
+// Before anything is placed: what contradicts each other wherever things stand.
+bool contradicts(const World& world, ArrangeResult& out) {
+  try {
+    out.conflict = find_contradiction(world);
+  } catch (const ArrangeStopped&) {
+    return false;  // the solver says so
+  }
+  if (out.conflict) out.status = ArrangeResult::Status::Conflict;
+  return out.conflict.has_value();
+}
+
+// Other seeds would end the same way: it is certain, or the second time that a thing found no place
+// at all, or that the same two were in each other's way.
+bool is_hopeless(const Conflict& conflict, const std::optional<Conflict>& before,
+                 const Solver& solver) {
+  if (conflict.is_certain || !before) return conflict.is_certain;
+  const bool is_same =
+      before->thing == conflict.thing && before->constraints == conflict.constraints;
+  if (is_same && !solver.has_stood(conflict.thing)) return true;
+  const auto both = [](const Conflict& c) {
+    return c.objects.size() == 1 ? std::minmax(c.thing, c.objects.front())
+                                 : std::minmax(c.thing, c.thing);
+  };
+  return conflict.objects.size() == 1 && both(conflict) == both(*before);
+}
+
+}  // namespace
+
 ArrangeResult arrange(Transaction& transaction, const Arrangement& arrangement,
                       const SettleOptions& options, const RunContext& context,
                       const ArrangeProgress& progress) {
@@ -36,11 +67,16 @@ ArrangeResult arrange(Transaction& transaction, const Arrangement& arrangement,
   RunContext each = context;
   each.time_budget_s = 0;  // of the whole, not of each PUT
   ShapeFacts facts;
+  std::optional<Conflict> before;  // of the last attempt
   for (int attempt = 0; attempt < std::max(1, arrangement.max_attempts); ++attempt) {
     Transaction trial(transaction);
     World world(trial, arrangement, {options, each, &interrupt, &facts});
     out.conflict.reset();
     ++out.num_attempts;
+    if (attempt == 0 && contradicts(world, out)) {
+      out.milliseconds = stopwatch.milliseconds();
+      return out;
+    }
     const std::uint64_t seed = scrambled(arrangement.seed ^ scrambled(attempt));
     Solver solver(world, seed, interrupt, progress, out);
     if (solver.run()) {
@@ -56,6 +92,8 @@ ArrangeResult arrange(Transaction& transaction, const Arrangement& arrangement,
     }
     out.milliseconds = stopwatch.milliseconds();
     if (out.status != ArrangeResult::Status::Done) return out;
+    if (out.conflict && is_hopeless(*out.conflict, before, solver)) break;
+    before = out.conflict;
   }
   out.status = ArrangeResult::Status::Conflict;
   return out;

@@ -4,14 +4,16 @@
 
 #include "core/base/quoted.h"
 #include "ops/arrange/conflict_search.h"
+#include "ops/arrange/relation_parts.h"
 
 namespace trivet {
 namespace {
 
 constexpr int kBisections = 40;
-constexpr size_t kMaxTriples = 40;  // constraints of which all triples are tried
-constexpr size_t kMaxPairs = 200;   // and all pairs
-constexpr double kAnywhere = 1e6;   // metres
+constexpr size_t kMaxTriples = 40;       // constraints of which all triples are tried
+constexpr size_t kMaxPairs = 200;        // and all pairs
+constexpr double kAnywhere = 1e6;        // metres
+constexpr double kOpposite = -1 + 1e-9;  // cosine of directions that are, or are along an axis
 
 // Leaves out all of [first, last) if the rest leaves nothing without them, else what it can of each
 // half, the later first: as one by one from the end, as more constraints never leave more.
@@ -56,6 +58,7 @@ Conflict ConflictSearch::run(const std::string& refused) {
   if (m_poses.empty()) {
     m_out.constraints = {where()};
     note(support());
+    m_out.is_certain = !m_out.as_they_stand;
     m_out.text = trivet::quoted(m_out.thing) + " has no place " + where() + ": " + m_why_none;
     return std::move(m_out);
   }
@@ -163,7 +166,37 @@ bool ConflictSearch::find_set() {
     const double alone = least_slack(*set, [i](size_t other) { return other == i; });
     if (alone < least) least = alone, m_out.cheapest = index_of(*m_relations[i]);
   }
+  m_out.is_certain = !m_out.as_they_stand;
+  m_between = between(*set);
   return true;
+}
+
+// Of a thing that is to be beside one object and, on its other side, beside another: the lengths in
+// the pose in which it misses the least.
+std::string ConflictSearch::between(const Set& set) const {
+  const auto is_beside = [&](size_t i) {
+    return separates(*m_relations[i]) && m_relations[i]->a == m_out.thing;
+  };
+  if (set.size() != 2 || !is_beside(set[0]) || !is_beside(set[1])) return "";
+  const Relation &r = *m_relations[set[0]], &s = *m_relations[set[1]];
+  double least = kInfinity, left = 0, needed = 0;
+  Vec2 along = Vec2::Zero();
+  for (const Combination& c : m_poses) {
+    const Outline &first = *m_placer.partner(r), &second = *m_placer.partner(s);
+    const Vec2 d = direction_of(r, c.outline, first), e = direction_of(s, c.outline, second);
+    const double room = -extent(second.hull, e) - extent(first.hull, d);
+    const double need = c.outline.width(d) + r.lower + s.lower;
+    if (d.dot(e) > kOpposite || room < 0 || need - room >= least) continue;
+    least = need - room, left = room, needed = need, along = d;
+  }
+  if (!(least < kInfinity) || !(least > 0)) return "";
+  const char* const axis = std::abs(along.x()) > -kOpposite   ? " along x"
+                           : std::abs(along.y()) > -kOpposite ? " along y"
+                                                              : "";
+  char text[128];
+  std::snprintf(text, sizeof(text), ": they leave %.4g m%s, it needs %.4g m", left, axis, needed);
+  return " does not fit between " + trivet::quoted(r.b) + " and " + trivet::quoted(s.b) +
+         (m_out.as_they_stand ? ", as things stand" : "") + text;
 }
 
 void ConflictSearch::note(const std::string& object) {
@@ -186,7 +219,8 @@ void ConflictSearch::write() {
                (m_out.constraints.size() > 1 ? "these leave none together" : "this leaves none");
   if (m_out.as_they_stand) m_out.text += ", as things stand";
   m_out.text += ": " + list;
-  if (m_out.missing) {
+  if (!m_between.empty()) m_out.text = trivet::quoted(m_out.thing) + m_between;
+  if (m_out.missing && m_between.empty()) {
     char text[64];
     std::snprintf(text, sizeof(text), "; %.4g m are missing", *m_out.missing);
     m_out.text += text;

@@ -16,6 +16,7 @@ struct Conflict {
   std::vector<std::string> objects = {};  // that the constraints name, each once; not `thing`
   std::vector<size_t> relations = {};     // indices of those among the constraints
   bool as_they_stand = false;             // names things that could stand elsewhere
+  bool is_certain = false;                // wherever things stand: no search would find a place
   /// Metres by which relations miss each other, by outlines alone: if each gave way by half of it,
   /// or a single one by all, they would leave a place.
   std::optional<double> missing;

@@ -57,6 +57,7 @@ class ConflictSearch {
   double least_slack(const Set& set, const std::function<bool(size_t)>& gives) const;
   bool find_in_outlines();
   bool find_set();
+  std::string between(const Set& set) const;
 
   // By masks: conflict_masks.cpp.
   void fill_masks();
@@ -79,6 +80,7 @@ class ConflictSearch {
   std::vector<Constraint> m_constraints;
   std::vector<Judged> m_places;
   std::string m_why_none;
+  std::string m_between;    // and what they leave, of two relations to objects on opposite sides
   bool m_anywhere = false;  // relations alone, without what the support leaves
   Conflict m_out;
 };

@@ -1,6 +1,7 @@
 // Ways down for a thing: onto a level, into a container, from above onto all that is open.
 #include <algorithm>
 
+#include "core/base/count_of.h"
 #include "core/base/quoted.h"
 #include "ops/arrange/world.h"
 #include "ops/operations/moving_group.h"
@@ -14,10 +15,22 @@ constexpr double kAboveLevel = 1e-3;    // of what is not on the level below, me
 
 }  // namespace
 
+bool is_level(size_t count, int level) {
+  const int num = static_cast<int>(count);
+  return level < num && level >= -num;
+}
+
+std::string no_such_level(const std::string& support, size_t count, int level) {
+  const int num = static_cast<int>(count);
+  if (num == 0) return quoted(support) + " has no surface to set things down on";
+  return quoted(support) + " has " + count_of(count, "surface") + ", none of which is " +
+         std::to_string(level) + "; accepted: " + std::to_string(-num) + " to " +
+         std::to_string(num - 1);
+}
+
 const SupportSurface* surface_at(const std::vector<SupportSurface>& surfaces, int level) {
-  const int count = static_cast<int>(surfaces.size());
-  const int index = level < 0 ? count + level : level;
-  return index < 0 || index >= count ? nullptr : &surfaces[index];
+  if (!is_level(surfaces.size(), level)) return nullptr;
+  return &surfaces[level < 0 ? static_cast<int>(surfaces.size()) + level : level];
 }
 
 std::optional<Landing> landing_on(const Scene& scene, ObjectId support,
@@ -94,8 +107,7 @@ std::vector<Landing> World::landings(const ThingModel& thing, double height,
   if (support->level) {
     const SupportSurface* surface = surface_at(surfaces, *support->level);
     why_none = surface ? "the head room there is less than its height"
-                       : quoted(support->b) + " has " + std::to_string(surfaces.size()) +
-                             " surfaces, none of which is " + std::to_string(*support->level);
+                       : no_such_level(support->b, surfaces.size(), *support->level);
     if (surface) add(*surface);
     return out;
   }

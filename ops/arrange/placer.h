@@ -99,6 +99,7 @@ class Placer {
   bool has_zones() const { return !m_world.arrangement().zones.empty(); }
   Vec2 refined(const PlaceCandidate& candidate) const;
   Rotation turned_to_face(const PlaceCandidate& candidate, const Vec2& at) const;
+  std::optional<std::string> push_to_contact(OperationResult& result);
   std::optional<std::string> judge(const Combination& combination, const Rotation& rotation,
                                    const OperationResult& result) const;
   std::optional<std::string> judge_supports(const Combination& combination) const;

@@ -3,6 +3,7 @@
 
 #include "core/base/quoted.h"
 #include "ops/arrange/place_order.h"
+#include "ops/arrange/relation_parts.h"
 #include "ops/arrange/steadiness.h"
 #include "ops/arrange/zones.h"
 #include "ops/place/distance_query.h"
@@ -65,8 +66,34 @@ std::optional<std::string> Placer::put(const PlaceCandidate& candidate, Operatio
   World::Trial trial(m_world);
   result = m_world.perform(put);
   if (!result.ok()) return result.reason();
+  if (auto why = push_to_contact(result)) return why;
   if (auto why = judge(c, put.start.rotation, result)) return why;
   trial.commit();
+  return std::nullopt;
+}
+
+// Over what is left of each gap that is to be 0: walls that stop it sooner are judged by the cost.
+std::optional<std::string> Placer::push_to_contact(OperationResult& result) {
+  for (const Relation* r : m_relations) {
+    if (!closes_gap(*r) || r->a != name()) continue;
+    const Outline outline = m_world.outline(model(), m_world.object(model()).pose);
+    const Vec2 d = direction_of(*r, outline, *partner(*r));
+    const double gap = -extent(outline.hull, -d) - extent(partner(*r)->hull, d);
+    if (!(gap > m_clearance)) continue;
+    PushOperation push;
+    push.object = name();
+    push.direction = -d;
+    push.distance = gap;
+    push.step_up = push.step_down = 0;
+    push.slide = false;
+    const OperationResult pushed = m_world.perform(push);
+    result.milliseconds += pushed.milliseconds;
+    result.num_motions += pushed.num_motions;
+    result.num_queries += pushed.num_queries;
+    result.num_face_pairs += pushed.num_face_pairs;
+    if (!pushed.ok()) return pushed.reason();
+    if (!pushed.gave_way.empty()) return quoted(pushed.gave_way.front().name) + " gives way";
+  }
   return std::nullopt;
 }
 

@@ -20,8 +20,10 @@ std::vector<HalfPlane> beside_planes(const Relation& r, const Outline& moving, c
   const double sign = moves_a ? 1 : -1;  // a - b
   const Vec2 d = direction_of(r, a, b), across = quarter_turned(d);
   std::vector<HalfPlane> out;
-  add_interval(d, sign, -extent(a.hull, -d) - extent(b.hull, d), r.lower - slack, r.upper + slack,
-               out);
+  // What is pushed to contact begins before it.
+  const double sooner = closes_gap(r) ? 0.5 * r.tolerance : 0;
+  add_interval(d, sign, -extent(a.hull, -d) - extent(b.hull, d), r.lower - slack + sooner,
+               r.upper + slack + sooner, out);
   const double wanted = wanted_overlap(r, a, b, across) - slack;
   // Nowhere, where either is too narrow for that.
   const double room = std::min(a.width(across), b.width(across));
@@ -161,6 +163,8 @@ bool is_decided_by_planes(const Relation& r) {
       return false;
   }
 }
+
+bool closes_gap(const Relation& r) { return separates(r) && r.upper == 0; }
 
 bool separates(const Relation& r) {
   switch (r.kind) {

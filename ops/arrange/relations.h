@@ -33,6 +33,8 @@ bool is_decided_by_planes(const Relation& relation);
 
 /// True of a relation that keeps the outlines of its objects apart.
 bool separates(const Relation& relation);
+/// True of one of these whose gap is to be 0: a is pushed to b where it came to rest.
+bool closes_gap(const Relation& relation);
 
 /// Turns about z that bring the front of a, or of b, to where a relation of directions asks for it;
 /// none: the relation does not say. @param other  of the two, the one that stands.

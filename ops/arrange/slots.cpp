@@ -85,8 +85,7 @@ bool SlotSearch::choose_surface() {
   const int level = m_pattern.level.value_or(-1);
   const SupportSurface* surface = surface_at(surfaces, level);
   if (!surface) {
-    m_out.why_not = quoted(m_pattern.on) + " has " + std::to_string(surfaces.size()) +
-                    " surfaces, none of which is " + std::to_string(level);
+    m_out.why_not = no_such_level(m_pattern.on, surfaces.size(), level);
     return false;
   }
   m_surface = *surface;

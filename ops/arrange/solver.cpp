@@ -8,6 +8,11 @@
 #include "ops/arrange/place_order.h"
 
 namespace trivet {
+namespace {
+
+constexpr int kMostLooksInVain = 36;  // looks ahead to a thing that found no place for it
+
+}  // namespace
 
 Solver::Solver(World& world, std::uint64_t seed, Interrupt& interrupt,
                const ArrangeProgress& progress, ArrangeResult& out)
@@ -23,6 +28,8 @@ Solver::Solver(World& world, std::uint64_t seed, Interrupt& interrupt,
   m_results.resize(world.things().size());
   m_times_refused.assign(m_items.size(), 0);
   m_had_no_place.assign(world.things().size(), 0);
+  m_has_stood.assign(world.things().size(), 0);
+  m_in_vain.assign(world.things().size(), 0);
 }
 
 bool Solver::run() {
@@ -82,6 +89,14 @@ std::uint64_t Solver::seed_of(size_t thing) const {
 void Solver::note_placed(size_t thing, OperationResult result) {
   m_results[thing] = std::move(result);
   m_order.push_back(thing);
+  m_has_stood[thing] = 1, m_in_vain[thing] = 0;
+  if (standing() > m_most_standing)
+    m_most_standing = standing(), m_evictions_then = m_num_evictions;
+}
+
+bool Solver::has_stood(const std::string& name) const {
+  const int t = m_world.thing_of(name);
+  return t >= 0 && m_has_stood[t];
 }
 
 bool Solver::put(Placer& placer, const PlaceCandidate& candidate, size_t thing, LookAhead looks) {
@@ -125,8 +140,11 @@ std::optional<std::string> Solver::leaves_no_room(size_t thing) {
       const Relation& relation = m_world.arrangement().relations[r];
       return relation.a != name(t) || stands(relation.b);
     });
-    if (ready && Placer(m_world, t, seed_of(t)).candidates(Obstacles::All, m_nogoods[t], 1).empty())
+    if (!ready || m_in_vain[t] > kMostLooksInVain) continue;
+    ++m_in_vain[t];
+    if (Placer(m_world, t, seed_of(t)).candidates(Obstacles::All, m_nogoods[t], 1).empty())
       return "it would leave no room for " + quoted(name(t));
+    m_in_vain[t] = 0;
   }
   return std::nullopt;
 }

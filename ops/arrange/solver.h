@@ -28,6 +28,8 @@ class Solver {
   void improve();
   /// Results and costs of relations, after run().
   void finish();
+  /// True of a thing that had a place at some time, though it may have lost it.
+  bool has_stood(const std::string& name) const;
 
  private:
   const std::string& name(size_t thing) const { return m_world.things()[thing].thing->object; }
@@ -76,6 +78,10 @@ class Solver {
   std::vector<std::vector<Vec2>> m_nogoods;  // #things, positions
   std::vector<int> m_visits;                 // #things
   std::vector<char> m_had_no_place;          // #things: at some time, for others
+  std::vector<char> m_has_stood;             // #things: at some time
+  std::vector<int> m_in_vain;                // #things: looks ahead since it stood last
+  size_t m_most_standing = 0;                // things, at any time
+  int m_evictions_then = 0;                  // when so many stood first
   bool m_left_no_room = false;               // the last PUT was kept but for what follows
   std::string m_refused;                     // of the first PUT of this item
   std::vector<int> m_times_refused;          // #items: places, but no PUT was kept

@@ -257,6 +257,17 @@ const std::vector<SupportSurface>& World::surfaces(const std::string& name) cons
   return facts().surfaces(scene().at(*scene().find(name)));
 }
 
+std::optional<size_t> World::num_levels(const std::string& name) const {
+  const int t = thing_of(name);
+  if (t < 0) return surfaces(name).size();
+  const ThingModel& thing = m_things[t];
+  if (thing.rests.size() > 1 || thing.thing->pose.kind == PoseChoice::Kind::Free)
+    return std::nullopt;
+  Object lying = scene().at(thing.id);
+  lying.pose = {thing.rests.front(), Vec3::Zero()};
+  return facts().surfaces(lying).size();
+}
+
 double World::keep(const std::string& a, const std::string& b) const {
   double out = 0;
   const auto pair = std::minmax(a, b);

@@ -94,6 +94,9 @@ class World {
                                 std::string& why_none) const;
   /// Surfaces of an object in the scene.
   const std::vector<SupportSurface>& surfaces(const std::string& name) const;
+  /// Number of levels of an object that stands, or of a thing that has one pose alone; nullopt: it
+  /// is not known before the thing stands.
+  std::optional<size_t> num_levels(const std::string& name) const;
 
   /// The box of a zone of the arrangement, for poses of its object; in no scene.
   const Object& zone(size_t index) const { return m_zones[index]; }
@@ -128,6 +131,9 @@ class World {
 std::optional<Landing> landing_on(const Scene& scene, ObjectId support,
                                   const std::vector<SupportSurface>& surfaces,
                                   const SupportSurface& surface, double height, double clearance);
+/// Whether one of so many levels is this one, from below or, negative, from above; why not.
+bool is_level(size_t count, int level);
+std::string no_such_level(const std::string& support, size_t count, int level);
 /// The surface of this level, from below or, negative, from above; nullptr: there is none.
 const SupportSurface* surface_at(const std::vector<SupportSurface>& surfaces, int level);
 

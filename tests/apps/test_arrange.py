@@ -1,5 +1,6 @@
 """Computer-aided layout end to end: poses and surfaces of models, arrangements, conflicts."""
 import copy
+import glob
 import json
 import os
 import unittest
@@ -43,8 +44,22 @@ class Info(Case):
         upright = info["poses"][info["upright"]]
         self.assertEqual(upright["rotation"], [1, 0, 0, 0])
         self.assertAlmostEqual(upright["margin"], 0.015, places=9)
+        for pose in info["poses"]:
+            self.assertTrue(pose["settled"]["stays"])
+            self.assertLess(pose["settled"]["turned_deg"], 1e-3)
         self.assertNotIn("surfaces", info)
         self.assertIn("upright", self.text("book.obj", "--poses"))
+
+    def test_poses_are_snapped_where_they_rest(self):
+        """A foot of five corners, one of them a little higher, another lower: three carry it."""
+        corners = [(0.1, 0, 0), (0.03, 0.095, 2e-4), (-0.08, 0.06, 0), (-0.08, -0.06, 3e-4), (0.03, -0.095, 0)]
+        text = "".join("v %r %r %r\n" % c for c in corners) + "v 0 0 0.3\n"
+        text += "f 5 4 3 2 1\n" + "".join("f %d %d 6\n" % (i + 1, (i + 1) % 5 + 1) for i in range(5))
+        self.write("foot.obj", text)
+        pose = self.info("foot.obj", "--poses")["poses"][0]
+        self.assertTrue(pose["settled"]["stays"])
+        self.assertGreater(pose["settled"]["turned_deg"], 1e-3)
+        self.assertLess(pose["settled"]["turned_deg"], 0.5)
 
     def test_poses_without_an_upright_one(self):
         self.write("top.obj", "v 0 0 0\nv 1 0 2\nv -0.5 0.9 2\nv -0.5 -0.9 2\n"
@@ -176,6 +191,43 @@ class Arrange(Case):
         del document["arrange"]
         self.write("problem.json", json.dumps(document))
         self.refused("run", "problem.json", "-o", "x.glb", says="/objects/0/zones: there is no section")
+
+    def test_surfaces_have_names(self):
+        on = [{"is": "on", "a": "mug_1", "b": "shelf", "level": "middle"},
+              {"is": "row", "of": ["mug_2"], "on": "shelf", "level": "low"}]
+        self.problem(on, surfaces={"sh*": {"low": 0, "middle": 1}})
+        self.trivet("arrange", "problem.json", "-o", "a.glb", "--report", "a.json")
+        at = self.positions(self.read_json("a.json"))
+        self.assertAlmostEqual(at["mug_1"][2], 0.45, places=3)
+        self.assertAlmostEqual(at["mug_2"][2], 0.15, places=3)
+        # Beside the object: the same problem.
+        self.problem(on)
+        document = self.read_json("problem.json")
+        document["objects"][0]["surfaces"] = {"low": "bottom", "middle": -2}
+        self.write("problem.json", json.dumps(document))
+        self.trivet("arrange", "problem.json", "-o", "b.glb")
+        self.assertEqual(self.read("b.glb"), self.read("a.glb"))
+        document["arrange"]["surfaces"] = {"shelf": {"low": 0}}
+        self.write("problem.json", json.dumps(document))
+        self.refused("arrange", "problem.json", "-o", "x.glb", says="/objects/0/surfaces: /arrange/surfaces has some")
+        self.problem([{**on[0], "level": "midle"}], surfaces={"shelf": {"middle": 1}})
+        self.refused("arrange", "problem.json", "-o", "x.glb", says=["/arrange/relations/0/level", '"middle", "top"'])
+        self.problem(on[:1])
+        self.refused("arrange", "problem.json", "-o", "x.glb", says="/arrange/relations/0/level")
+        self.problem(on, surfaces={"shelf": {"low": "cellar"}})
+        self.refused("arrange", "problem.json", "-o", "x.glb", says="/arrange/surfaces/shelf/low")
+
+    def test_contradictions_are_told_at_once(self):
+        near = {"is": "near", "a": "mug_1", "b": "mug_2", "distance": 0.1}
+        self.problem([near, {"is": "keep", "a": "*", "distance": 1e9}])
+        out, _ = self.trivet("arrange", "problem.json", "-o", "a.glb", "--report", "a.json", status=1)
+        self.assertIn("0 PUTs", out)
+        self.assertIn("1e+09 m are asked for", out)
+        placed = [o["name"] for o in self.read_json("a.json")["objects"] if o["state"] != "unplaced"]
+        self.assertEqual(placed, ["shelf"])
+        self.problem([{"is": "on", "a": "mug_1", "b": "shelf", "level": 99}])
+        out, _ = self.trivet("arrange", "problem.json", "-o", "a.glb", status=1)
+        self.assertIn('"shelf" has 3 surfaces, none of which is 99; accepted: -3 to 2', out)
 
     def test_names_mean_what_the_operations_left(self):
         self.problem([{"is": "near", "a": "cup", "b": "twin", "distance": 0.5},
@@ -331,6 +383,16 @@ class Arrange(Case):
         self.assertEqual(self.positions(self.read_json("b.json")),
                          self.positions(self.read_json("c.json")))
         self.refused("demo", "breakfast", "-o", "x.glb", "--seed", 3, says="--seed")
+
+    def test_recipes_of_demos(self):
+        """Every arranged demo exports a recipe: scenes of a batch are arranged by seeds of their own."""
+        for name in ("bookcase", "office3"):
+            self.trivet("demo", name, "-o", "a.glb", "--export", name)
+            self.trivet("batch", name + "/recipe.json", "--count", 2, "--out", name + "_batch", "--format", "poses")
+            with open(glob.glob(self.path(name + "_batch/0000/*.jsonl"))[0]) as file:
+                scenes = [json.loads(line) for line in file][:2]
+            self.assertEqual([s["status"] for s in scenes], ["ok", "ok"])
+            self.assertNotEqual(scenes[0]["objects"], scenes[1]["objects"])
 
     def test_published_schema_is_the_files(self):
         with open(os.path.join(SOURCE_DIR, "ops/files/arrange/arrange.schema.json")) as file:

@@ -13,6 +13,23 @@ constexpr const char* kConflicts[] = {
     QT_TRANSLATE_NOOP("refusal", "%1 has no place: this leaves none: %2"),
     QT_TRANSLATE_NOOP("refusal", "%1 has no place: this leaves none, as things stand: %2"),
     QT_TRANSLATE_NOOP("refusal", "%1; %2 m are missing"),
+    QT_TRANSLATE_NOOP("refusal", "\"%1\" has 1 surface, none of which is %2; accepted: %3 to %4"),
+    QT_TRANSLATE_NOOP("refusal", "\"%1\" has no surface to set things down on"),
+    QT_TRANSLATE_NOOP("refusal", "\"%1\" has %2 surfaces, none of which is %3; accepted: %4 to %5"),
+    QT_TRANSLATE_NOOP("refusal", "%1; %2 and %3 are %4 m apart at most, %5 m are asked for"),
+    QT_TRANSLATE_NOOP("refusal", "\"%1\" %2 m from \"%3\""),
+    QT_TRANSLATE_NOOP("refusal",
+                      "%1 does not fit between %2 and %3: they leave %4 m along %5, it needs "
+                      "%6 m"),
+    QT_TRANSLATE_NOOP("refusal",
+                      "%1 does not fit between %2 and %3: they leave %4 m, it needs %5 "
+                      "m"),
+    QT_TRANSLATE_NOOP("refusal",
+                      "%1 does not fit between %2 and %3, as things stand: they leave %4 m "
+                      "along %5, it needs %6 m"),
+    QT_TRANSLATE_NOOP("refusal",
+                      "%1 does not fit between %2 and %3, as things stand: they leave %4 m, "
+                      "it needs %5 m"),
     QT_TRANSLATE_NOOP("refusal", "%1; the cheapest to drop: %2"),
     QT_TRANSLATE_NOOP("refusal", "%1 comes to rest nowhere as it is asked for"),
     QT_TRANSLATE_NOOP("refusal", "%1 comes to rest nowhere as it is asked for; first: %2"),
@@ -26,7 +43,6 @@ constexpr const char* kConflicts[] = {
     QT_TRANSLATE_NOOP("refusal", "zone \"%1\" of \"%2\""),
     QT_TRANSLATE_NOOP("refusal", "there is no floor"),
     QT_TRANSLATE_NOOP("refusal", "the head room there is less than its height"),
-    QT_TRANSLATE_NOOP("refusal", "\"%1\" has %2 surfaces, none of which is %3"),
     QT_TRANSLATE_NOOP("refusal", "%1 does not fit: %2"),
     QT_TRANSLATE_NOOP("refusal",
                       "there is room for %1 by %2 of %3 x %4 m with gaps of %5 m, "

@@ -143,7 +143,7 @@ Json thing_entry(const Json& known, const std::string& thing) {
 // Keys of a problem at which there are names, or objects by their names.
 constexpr std::string_view kNameKeys[] = {"a",      "b",      "on",     "of",     "about",
                                           "except", "things", "object", "objects"};
-constexpr std::string_view kKeyedByNames[] = {"fronts", "zones"};
+constexpr std::string_view kKeyedByNames[] = {"fronts", "zones", "surfaces"};
 
 bool is_in(std::span<const std::string_view> keys, const std::string& key) {
   return std::find(keys.begin(), keys.end(), key) != keys.end();

@@ -487,6 +487,38 @@
         <translation>%1 hat keinen Platz: dies lässt keinen, so wie alles steht: %2</translation>
     </message>
     <message>
+        <source>&quot;%1&quot; has 1 surface, none of which is %2; accepted: %3 to %4</source>
+        <translation>„%1“ hat 1 Fläche, die nicht %2 ist; erlaubt: %3 bis %4</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has no surface to set things down on</source>
+        <translation>„%1“ hat keine Fläche, auf die sich etwas stellen lässt</translation>
+    </message>
+    <message>
+        <source>%1; %2 and %3 are %4 m apart at most, %5 m are asked for</source>
+        <translation>%1; %2 und %3 sind höchstens %4 m auseinander, verlangt sind %5 m</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; %2 m from &quot;%3&quot;</source>
+        <translation>„%1“ %2 m von „%3“</translation>
+    </message>
+    <message>
+        <source>%1 does not fit between %2 and %3: they leave %4 m along %5, it needs %6 m</source>
+        <translation>%1 passt nicht zwischen %2 und %3: sie lassen %4 m entlang %5, es braucht %6 m</translation>
+    </message>
+    <message>
+        <source>%1 does not fit between %2 and %3: they leave %4 m, it needs %5 m</source>
+        <translation>%1 passt nicht zwischen %2 und %3: sie lassen %4 m, es braucht %5 m</translation>
+    </message>
+    <message>
+        <source>%1 does not fit between %2 and %3, as things stand: they leave %4 m along %5, it needs %6 m</source>
+        <translation>%1 passt nicht zwischen %2 und %3, so wie alles steht: sie lassen %4 m entlang %5, es braucht %6 m</translation>
+    </message>
+    <message>
+        <source>%1 does not fit between %2 and %3, as things stand: they leave %4 m, it needs %5 m</source>
+        <translation>%1 passt nicht zwischen %2 und %3, so wie alles steht: sie lassen %4 m, es braucht %5 m</translation>
+    </message>
+    <message>
         <source>%1; %2 m are missing</source>
         <translation>%1; es fehlen %2 m</translation>
     </message>
@@ -543,8 +575,8 @@
         <translation>die Höhe dort ist geringer als seine eigene</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; has %2 surfaces, none of which is %3</source>
-        <translation>„%1“ hat %2 Flächen, von denen keine %3 ist</translation>
+        <source>&quot;%1&quot; has %2 surfaces, none of which is %3; accepted: %4 to %5</source>
+        <translation>„%1“ hat %2 Flächen, von denen keine %3 ist; erlaubt: %4 bis %5</translation>
     </message>
     <message>
         <source>%1 does not fit: %2</source>
@@ -1613,6 +1645,22 @@
     <message>
         <source>an object of names and their fronts</source>
         <translation>ein Objekt aus Namen und ihren Vorderseiten</translation>
+    </message>
+    <message>
+        <source>an object of names and numbers of surfaces</source>
+        <translation>ein Objekt aus Namen und Nummern von Flächen</translation>
+    </message>
+    <message>
+        <source>an object of names and their surfaces</source>
+        <translation>ein Objekt aus Namen und ihren Flächen</translation>
+    </message>
+    <message>
+        <source>/arrange/surfaces has some for &quot;%1&quot;</source>
+        <translation>/arrange/surfaces hat welche für „%1“</translation>
+    </message>
+    <message>
+        <source>those of an object in one place</source>
+        <translation>die eines Objekts an einer Stelle</translation>
     </message>
     <message>
         <source>an object of names and lists of zones</source>

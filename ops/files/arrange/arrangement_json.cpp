@@ -37,6 +37,7 @@ class ArrangementReader {
     read_things(place, otherwise);
     if (const auto fronts = place.find("fronts")) read_fronts(*fronts);
     if (const auto zones = place.find("zones")) read_all_zones(*zones);
+    if (const auto surfaces = place.find("surfaces")) read_all_surfaces(*surfaces);
     size_t entry = 0;
     if (const auto relations = place.find("relations"))
       for (const JsonPlace& item : relations->items()) {
@@ -124,6 +125,17 @@ class ArrangementReader {
     }
   }
 
+  void read_all_surfaces(const JsonPlace& place) {
+    if (!place.value().is_object()) place.refuse("an object of names and their surfaces");
+    std::map<std::string, ProblemNames::Surfaces> out;
+    for (const auto& [pattern, value] : place.value().items()) {
+      const JsonPlace surfaces = place.at(pattern.c_str());
+      for (const std::string& name : m_names.matching(pattern, surfaces))
+        out[name] = read_surfaces(surfaces);
+    }
+    m_names.set_surfaces(std::move(out));
+  }
+
   ProblemNames m_names;
   Arrangement m_out;
 };
@@ -135,6 +147,14 @@ Vec3 read_front(const JsonPlace& place) {
                                          [&](const auto& f) { return place.value() == f.first; });
   if (known == std::end(kFronts)) place.refuse("\"x\", \"-x\", \"y\" or \"-y\"");
   return known->second();
+}
+
+std::map<std::string, int> read_surfaces(const JsonPlace& place) {
+  if (!place.value().is_object()) place.refuse("an object of names and numbers of surfaces");
+  std::map<std::string, int> out;
+  for (const auto& [name, value] : place.value().items())
+    out[name] = read_level_number(place.at(name.c_str()));
+  return out;
 }
 
 void read_zones(const JsonPlace& place, const std::string& object, std::vector<Zone>& out) {
@@ -153,11 +173,11 @@ void read_zones(const JsonPlace& place, const std::string& object, std::vector<Z
 Arrangement read_arrangement(const JsonPlace& place, ArrangementPlace kind, ProblemNames names,
                              const std::vector<std::string>& otherwise) {
   if (kind == ArrangementPlace::InOperation)
-    place.expect_object({"op"}, {"seed", "things", "relations", "fronts", "zones", "evictions",
-                                 "attempts", "improvements"});
+    place.expect_object({"op"}, {"seed", "things", "relations", "fronts", "zones", "surfaces",
+                                 "evictions", "attempts", "improvements"});
   else
-    place.expect_object({}, {"seed", "things", "relations", "fronts", "zones", "evictions",
-                             "attempts", "improvements"});
+    place.expect_object({}, {"seed", "things", "relations", "fronts", "zones", "surfaces",
+                             "evictions", "attempts", "improvements"});
   return ArrangementReader(std::move(names)).read(place, otherwise);
 }
 

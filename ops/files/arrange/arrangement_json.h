@@ -23,5 +23,7 @@ Arrangement read_arrangement(const JsonPlace& place, ArrangementPlace kind, Prob
 Vec3 read_front(const JsonPlace& place);
 /// [{"name", "box": [lower, upper]}] of an object.
 void read_zones(const JsonPlace& place, const std::string& object, std::vector<Zone>& out);
+/// Numbers of levels by names.
+std::map<std::string, int> read_surfaces(const JsonPlace& place);
 
 }  // namespace trivet

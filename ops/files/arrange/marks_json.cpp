@@ -26,10 +26,18 @@ void add_zones(const JsonPlace& zones, const std::string& name, nlohmann::json& 
   for (const nlohmann::json& zone : zones.value()) list.push_back(zone);
 }
 
+void add_surfaces(const JsonPlace& surfaces, const std::string& name, nlohmann::json& out) {
+  read_surfaces(surfaces);
+  if (out.contains(name))
+    surfaces.fail("/arrange/surfaces has some for \"" + name +
+                  "\"; accepted: those of an object in one place");
+  out[name] = surfaces.value();
+}
+
 }  // namespace
 
 void refuse_marks(const JsonPlace& object) {
-  for (const char* const key : {"front", "zones"})
+  for (const char* const key : {"front", "zones", "surfaces"})
     if (const auto mark = object.find(key))
       mark->fail("there is no section \"arrange\" for it; accepted: beside such a section");
 }
@@ -39,11 +47,13 @@ nlohmann::json section_with_marks(const JsonPlace& root) {
   if (!section.value().is_object()) section.refuse("an object, as trivet schema arrange has it");
   nlohmann::json out = section.value();
   for (const JsonPlace& object : root.at("objects").items()) {
-    const auto front = object.find("front"), zones = object.find("zones");
-    if (!front && !zones) continue;
+    const auto front = object.find("front"), zones = object.find("zones"),
+               surfaces = object.find("surfaces");
+    if (!front && !zones && !surfaces) continue;
     const std::string name = object.at("name").text();
     if (front) add_front(*front, name, list_of(section, "fronts", out));
     if (zones) add_zones(*zones, name, list_of(section, "zones", out));
+    if (surfaces) add_surfaces(*surfaces, name, list_of(section, "surfaces", out));
   }
   return out;
 }

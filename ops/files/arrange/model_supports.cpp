@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "core/contact/body.h"
-#include "ops/arrange/stable_poses.h"
+#include "ops/arrange/settled_poses.h"
 #include "ops/arrange/support_surfaces.h"
 #include "ops/files/json/json_text.h"
 #include "ops/files/report/json_parts.h"
@@ -19,6 +19,21 @@ constexpr size_t kShownPoses = 24;  // round things have hundreds
 
 Body standing(const Model& model, const Shape& shape) {
   return {shape, world_from_object({}, model.up, 1)};
+}
+
+// Of the likely ones; the shape outlives it.
+std::optional<SettledPose> settled(const Model& model, const Shape& shape,
+                                   const std::vector<StablePose>& poses, size_t i) {
+  if (i >= kShownPoses) return std::nullopt;
+  const std::shared_ptr<const Shape> shared(std::shared_ptr<const Shape>(), &shape);
+  return settled_pose(shared, model.up, 1, poses[i]);
+}
+
+OrderedJson settled_json(const SettledPose& at_rest) {
+  const Rotation& r = at_rest.rotation;
+  return {{"rotation", {r.w, r.x, r.y, r.z}},
+          {"turned_deg", at_rest.turned_deg},
+          {"stays", at_rest.stays()}};
 }
 
 std::string node_name(const Model& model) {
@@ -52,7 +67,11 @@ OrderedJson surface_json(const SupportSurface& surface) {
 void add_poses(const Model& model, const Shape& shape, OrderedJson& json) {
   const std::vector<StablePose> poses = stable_poses(shape, model.up);
   json["poses"] = OrderedJson::array();
-  for (const StablePose& pose : poses) json["poses"].push_back(pose_json(pose));
+  for (size_t i = 0; i < poses.size(); ++i) {
+    json["poses"].push_back(pose_json(poses[i]));
+    if (const auto at_rest = settled(model, shape, poses, i))
+      json["poses"].back()["settled"] = settled_json(*at_rest);
+  }
   json["upright"] = nullptr;
   const auto upright = upright_pose(poses);
   if (!upright) json["upright_reason"] = no_upright_pose(node_name(model), poses);
@@ -64,15 +83,17 @@ void write_poses(const Model& model, const Shape& shape, std::ostream& out) {
   const std::vector<StablePose> poses = stable_poses(shape, model.up);
   const auto upright = upright_pose(poses);
   out << "  poses       " << poses.size()
-      << " on a plane: probability, margin, tilt from the model's up, rotation w x y z\n";
+      << " on a plane: probability, margin, tilt from the model's up, degrees to where PUT lets it "
+         "rest, rotation w x y z\n";
   for (size_t i = 0; i < std::min(poses.size(), kShownPoses); ++i) {
     const StablePose& pose = poses[i];
     const Rotation& r = pose.rotation;
     out << std::fixed << "  " << std::setw(10) << i << "  " << std::setprecision(5)
         << pose.probability << "  " << std::defaultfloat << std::setprecision(4) << std::setw(9)
         << pose.margin << "  " << std::fixed << std::setprecision(2) << std::setw(6)
-        << pose.tilt_deg << "  " << std::setprecision(6) << r.w << " " << r.x << " " << r.y << " "
-        << r.z << (upright && upright->tilt_deg == pose.tilt_deg ? "  upright" : "") << "\n"
+        << pose.tilt_deg << "  " << settled(model, shape, poses, i)->turned_deg << "  "
+        << std::setprecision(6) << r.w << " " << r.x << " " << r.y << " " << r.z
+        << (upright && upright->tilt_deg == pose.tilt_deg ? "  upright" : "") << "\n"
         << std::defaultfloat;
   }
   if (poses.size() > kShownPoses)

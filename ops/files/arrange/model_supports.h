@@ -14,7 +14,8 @@ struct ModelSupports {
 };
 
 /// model_info_json() with "poses", "upright" (index of a pose, or null and "upright_reason") and
-/// "surfaces" in it; lengths in the file's units, as the model stands by its own up.
+/// "surfaces" in it, and in the 24 likeliest poses "settled": where PUT lets them rest; lengths in
+/// the file's units, as the model stands by its own up.
 std::string model_info_json(const Model& model, const Shape& shape, const ModelSupports& asked);
 /// For people: model_info_text() and tables.
 std::string model_info_text(const Model& model, const Shape& shape, const ModelSupports& asked);

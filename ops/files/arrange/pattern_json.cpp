@@ -24,7 +24,7 @@ void read_pattern_values(const JsonPlace& place, const ProblemNames& names, Patt
   const bool on_floor_too =
       pattern.kind == Pattern::Kind::Circle || pattern.kind == Pattern::Kind::Along;
   pattern.on = on_floor_too ? names.one_or_floor(place.at("on")) : names.one(place.at("on"));
-  if (const auto level = place.find("level")) pattern.level = read_level(*level);
+  if (const auto level = place.find("level")) pattern.level = read_level(*level, names, pattern.on);
   if (const auto gap = place.find("gap")) pattern.gap = gap->number(0, kMaxLength);
   if (const auto align = place.find("align"))
     pattern.align = read_align(*align, {"left", "centre", "right", "spread"});
@@ -116,7 +116,7 @@ void read_stack(const JsonPlace& place, const ProblemNames& names, Arrangement& 
     place.fail("accepted: either \"tolerance\" or \"jitter\", which are one");
   Relation on = with_defaults(RelationKind::On), centred = with_defaults(RelationKind::Centred);
   on.b = names.one_or_floor(place.at("on"));
-  if (const auto level = place.find("level")) on.level = read_level(*level);
+  if (const auto level = place.find("level")) on.level = read_level(*level, names, on.b);
   if (const auto t = place.find("tolerance"))
     centred.tolerance = t->number(kMinTolerance, kMaxLength);
   if (const auto j = place.find("jitter")) centred.tolerance = j->number(kMinTolerance, kMaxLength);

@@ -14,6 +14,13 @@ bool matches_name(const std::string& name, const std::string& pattern) {
   return name.size() >= head.size() + tail.size() && name.starts_with(head) && name.ends_with(tail);
 }
 
+const ProblemNames::Surfaces& ProblemNames::surfaces(const std::string& support) const {
+  static const Surfaces none;
+  for (const auto& [pattern, surfaces] : m_surfaces)
+    if (matches_name(support, pattern)) return surfaces;
+  return none;
+}
+
 bool ProblemNames::knows(const std::string& name) const {
   return !m_names || std::find(m_names->begin(), m_names->end(), name) != m_names->end();
 }

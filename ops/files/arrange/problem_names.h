@@ -1,6 +1,7 @@
 // Private. Names in arrangement files.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,6 +20,12 @@ class ProblemNames {
   /// From now on patterns of subjects() are about these, if they fit any.
   void set_things(std::vector<std::string> things) { m_things = std::move(things); }
 
+  /// Surfaces of objects, by names of their own.
+  using Surfaces = std::map<std::string, int>;
+  void set_surfaces(std::map<std::string, Surfaces> surfaces) { m_surfaces = std::move(surfaces); }
+  /// Of this support; empty: it has none with names.
+  const Surfaces& surfaces(const std::string& support) const;
+
   std::string one(const JsonPlace& place) const;
   std::string one_or_floor(const JsonPlace& place) const;
   /// By a pattern; refuses one that names nothing.
@@ -34,6 +41,7 @@ class ProblemNames {
 
   std::optional<std::vector<std::string>> m_names;
   std::vector<std::string> m_things;
+  std::map<std::string, Surfaces> m_surfaces;  // by names, or patterns of them
 };
 
 }  // namespace trivet

@@ -95,7 +95,7 @@ void read_gap(const JsonPlace& place, Relation& r) {
 void read_values(const JsonPlace& place, const ProblemNames& names, Relation& r) {
   if (const auto b = place.find("b"))
     r.b = r.kind == RelationKind::On ? names.one_or_floor(*b) : names.one(*b);
-  if (const auto level = place.find("level")) r.level = read_level(*level);
+  if (const auto level = place.find("level")) r.level = read_level(*level, names, r.b);
   if (const auto side = place.find("side")) r.side = read_side(*side);
   if (const auto gap = place.find("gap")) read_gap(*gap, r);
   if (const auto d = place.find("distance")) {
@@ -188,7 +188,19 @@ Vec2 read_point(const JsonPlace& place) {
   return {p[0], p[1]};
 }
 
-int read_level(const JsonPlace& place) {
+int read_level(const JsonPlace& place, const ProblemNames& names, const std::string& support) {
+  const ProblemNames::Surfaces& surfaces = names.surfaces(support);
+  if (place.value().is_string())
+    if (const auto known = surfaces.find(place.text()); known != surfaces.end())
+      return known->second;
+  if (surfaces.empty() || !place.value().is_string()) return read_level_number(place);
+  if (place.value() == "top" || place.value() == "bottom") return read_level_number(place);
+  std::string list;
+  for (const auto& [name, level] : surfaces) list += "\"" + name + "\", ";
+  place.refuse(list + "\"top\", \"bottom\", or a number as trivet info --surfaces has them");
+}
+
+int read_level_number(const JsonPlace& place) {
   if (place.value() == "top") return -1;
   if (place.value() == "bottom") return 0;
   if (place.value().is_number_integer() && std::abs(place.number()) <= kMaxLevel)

@@ -16,8 +16,11 @@ bool read_pattern(const JsonPlace& place, const std::string& is, const ProblemNa
 
 /// [x, y] in metres.
 Vec2 read_point(const JsonPlace& place);
+/// "top", "bottom", a number, or a name.
+/// @param support  whose surfaces may have names.
+int read_level(const JsonPlace& place, const ProblemNames& names, const std::string& support);
 /// "top", "bottom" or a number.
-int read_level(const JsonPlace& place);
+int read_level_number(const JsonPlace& place);
 Relation with_defaults(RelationKind kind);
 
 inline constexpr double kMinTolerance = 1e-5;

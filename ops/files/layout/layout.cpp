@@ -58,7 +58,7 @@ LayoutObject read_scene_object(const JsonPlace& place) {
 LayoutObject read_object(const JsonPlace& place) {
   place.expect_object({"name", "model"},
                       {"scale", "up", "fixed", "material", "chord", "facet_angle_deg", "position",
-                       "rotation", "class", "attributes", "front", "zones"});
+                       "rotation", "class", "attributes", "front", "zones", "surfaces"});
   LayoutObject object;
   read_labels(place, object);
   object.name = read_name(place.at("name"));

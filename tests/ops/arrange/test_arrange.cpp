@@ -124,6 +124,29 @@ TEST(Arrange, StandsThingsAgainstWalls) {
 }
 
 // A chair that looks at a desk, wherever it comes to stand.
+// Pushed from where PUT left it: nothing but a clearance is between them.
+TEST(Arrange, ClosesGapsOfZeroByContact) {
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    Stage stage;
+    stage.fix("wall", test::box_between(Vec3(-1, 0, 0), Vec3(1, 0.1, 1)), Vec3(0, 0, 1e-5));
+    stage.add("cabinet", test::box_between(Vec3(-0.2, -0.15, 0), Vec3(0.2, 0.15, 0.5)));
+    stage.add_cube("bin");
+    stage.relate("cabinet", RelationKind::Against, "wall").upper = 0;
+    stage.relate("bin", RelationKind::LeftOf, "cabinet").upper = 0;
+    const ArrangeResult result = stage.run(seed);
+    expect_true(stage, result);
+    const auto is_at = [&](const char* a, const char* b) {
+      const auto& contacts = stage.at(a).contacts;
+      return std::any_of(contacts.begin(), contacts.end(), [&](const ObjectContact& c) {
+        return c.with == Support(*stage.scene.find(b));
+      });
+    };
+    EXPECT_TRUE(is_at("cabinet", "wall")) << seed;
+    EXPECT_TRUE(is_at("bin", "cabinet")) << seed;
+    for (const ArrangeResult::Holds& r : result.relations) EXPECT_LT(r.cost, 0.1) << r.relation;
+  }
+}
+
 TEST(Arrange, TurnsThingsToFaceOthers) {
   Stage stage;
   stage.fix("desk", test::box_between(Vec3(-0.5, -0.3, 0), Vec3(0.5, 0.3, 0.7)), Vec3(0, 0, 1e-5));

@@ -51,6 +51,32 @@ TEST(Things, LieOnTheirSideAndTurnAtWill) {
   EXPECT_GT(yaws.back() - yaws.front(), 1);  // not of one grid of angles
 }
 
+// One object alone, where there is room: on several supports, at any angle, with conditions.
+TEST(Things, AreFoundAPlaceAmongWhatLiesInATray) {
+  Stage stage;
+  stage.fix("tray", test::tray(0.4, 0.3), Vec3(0, 0, 1e-5));
+  for (const char* name : {"brick_1", "brick_2"}) {
+    stage.add(name, test::box_between(Vec3(-0.08, -0.05, 0), Vec3(0.08, 0.05, 0.06)));
+    stage.relate(name, RelationKind::In, "tray");
+  }
+  expect_true(stage, stage.run());
+  const Vec3 before = stage.box("brick_1").centre();
+  stage.arrangement = {};
+  stage.add_cube("cup", 0.08);
+  stage.arrangement.things.front().any_yaw = true;
+  stage.relate("cup", RelationKind::In, "tray");
+  stage.arrangement.keeps.push_back({{"cup"}, 0.02, {{"cup", "tray"}}});
+  stage.arrangement.steadiness.push_back({{"cup"}, 0.02, 0.4});
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    expect_true(stage, stage.run(seed));
+    EXPECT_GT(stage.at("cup").stability_margin, 0.02);
+    EXPECT_LT(stage.at("cup").least_friction, 0.4);
+    EXPECT_LT(std::abs(stage.box("cup").centre().x()), 0.2);
+    EXPECT_LT(std::abs(stage.box("cup").centre().y()), 0.15);
+    EXPECT_EQ(stage.box("brick_1").centre(), before);
+  }
+}
+
 TEST(Relations, PerpendicularTurnsByAQuarter) {
   Stage stage;
   stage.fix("desk", box_between(Vec3(-0.5, -0.3, 0), Vec3(0.5, 0.3, 0.7)), Vec3(0, 0, 1e-5));

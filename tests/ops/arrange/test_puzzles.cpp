@@ -135,6 +135,12 @@ TEST(Puzzle, ReportsTheLengthMissingBetweenTwo) {
   EXPECT_NEAR(result.conflict->missing.value(), 0.054, 1e-6);  // they leave 0.2 m, it needs 0.254
   EXPECT_FALSE(result.conflict->as_they_stand);
   EXPECT_EQ(result.conflict->constraints.size(), 2u);
+  EXPECT_EQ(
+      result.reason().find("\"bowl_3\" does not fit between \"bowl_1\" and \"bowl_2\": they leave "
+                           "0.2 m along x, it needs 0.254 m; the cheapest to drop: "),
+      0u)
+      << result.reason();
+  EXPECT_EQ(result.num_attempts, 1) << "no other seed would find a place";
 }
 
 TEST(Conflict, NamesWhatIsInTheWay) {

@@ -1,0 +1,156 @@
+#include "ops/arrange/contradictions.h"
+
+#include <algorithm>
+
+#include "core/base/quoted.h"
+#include "ops/arrange/distance_bounds.h"
+
+namespace trivet {
+namespace {
+
+std::string metres(double value) {
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.4g", value);
+  return text;
+}
+
+}  // namespace
+
+class ContradictionSearch {
+ public:
+  explicit ContradictionSearch(const World& world) : m_world(world), m_bounds(world) {
+    for (const Relation& r : world.arrangement().relations)
+      if (r.is_hard() && (r.kind == RelationKind::Near || separates(r)) && r.lower > r.tolerance)
+        m_least_of[m_bounds.node_of(r.a)].push_back(&r);
+  }
+
+  std::optional<Conflict> run() {
+    auto conflict = missing_level();
+    return conflict ? conflict : too_near();
+  }
+
+ private:
+  using Bounds = DistanceBounds::Bounds;
+
+  std::optional<Conflict> missing_level() const;
+  std::optional<Conflict> missing_level(const std::string& thing, const std::string& on,
+                                        int level) const;
+  std::optional<Conflict> too_near() const;
+  std::optional<Conflict> judge(size_t a, const Bounds& bounds) const;
+  Conflict conflict_of(size_t a, size_t b, const Bounds& bounds, const std::string& asked,
+                       double wanted, double most, const Relation* relation) const;
+  const std::string& name(size_t node) const { return m_bounds.nodes()[node].name; }
+  size_t index_of(const Relation& r) const {
+    return static_cast<size_t>(&r - m_world.arrangement().relations.data());
+  }
+
+  const World& m_world;
+  DistanceBounds m_bounds;
+  std::map<size_t, std::vector<const Relation*>> m_least_of;  // with a least distance, by a's node
+};
+
+std::optional<Conflict> ContradictionSearch::too_near() const {
+  double keep = 0;
+  for (const KeepApart& k : m_world.arrangement().keeps) keep = std::max(keep, k.distance);
+  for (size_t i = 0; i < m_bounds.nodes().size(); ++i) {
+    m_world.check_interrupt();
+    const auto least = m_least_of.find(i);
+    double most = m_world.thing_of(name(i)) >= 0 ? keep : 0;
+    if (least != m_least_of.end())
+      for (const Relation* r : least->second) most = std::max(most, r->lower);
+    if (!(most > 0)) continue;
+    if (auto conflict = judge(i, m_bounds.from(i, most))) return conflict;
+  }
+  return std::nullopt;
+}
+
+std::optional<Conflict> ContradictionSearch::judge(size_t a, const Bounds& bounds) const {
+  if (const auto least = m_least_of.find(a); least != m_least_of.end())
+    for (const Relation* r : least->second) {
+      const size_t b = m_bounds.node_of(r->b);
+      const auto bound = bounds.find(b);
+      if (bound != bounds.end() && bound->second.distance < r->lower - r->tolerance)
+        return conflict_of(a, b, bounds, r->text(), r->lower, bound->second.distance, r);
+    }
+  const DistanceBounds::Node& node = m_bounds.nodes()[a];
+  for (const auto& [b, bound] : bounds) {
+    const DistanceBounds::Node& other = m_bounds.nodes()[b];
+    const bool may_move = m_world.thing_of(node.name) >= 0 || m_world.thing_of(other.name) >= 0;
+    if (b == a || !may_move || m_bounds.touch(node.name, other.name)) continue;
+    const double most = m_bounds.apart(node, other, bound.distance);
+    const double keep = m_world.keep(node.name, other.name);
+    if (most < keep)
+      return conflict_of(a, b, bounds,
+                         quoted(node.name) + " " + metres(keep) + " m from " + quoted(other.name),
+                         keep, most, nullptr);
+  }
+  return std::nullopt;
+}
+
+Conflict ContradictionSearch::conflict_of(size_t a, size_t b, const Bounds& bounds,
+                                          const std::string& asked, double wanted, double most,
+                                          const Relation* relation) const {
+  Conflict out;
+  std::vector<size_t> chain{b};
+  std::vector<const DistanceBounds::Link*> links;
+  for (size_t at = b; at != a; at = bounds.at(at).from) {
+    links.push_back(bounds.at(at).by);
+    chain.push_back(bounds.at(at).from);
+  }
+  std::reverse(links.begin(), links.end());
+  const auto thing = std::find_if(chain.rbegin(), chain.rend(),
+                                  [&](size_t n) { return m_world.thing_of(name(n)) >= 0; });
+  out.thing = name(thing == chain.rend() ? a : *thing);
+  out.constraints = {asked};
+  if (relation) out.relations = {index_of(*relation)};
+  for (const DistanceBounds::Link* link : links) {
+    if (!link->text.empty()) out.constraints.push_back(link->text);
+    if (link->relation) out.relations.push_back(index_of(*link->relation));
+  }
+  for (auto it = chain.rbegin(); it != chain.rend(); ++it)
+    if (name(*it) != out.thing) out.objects.push_back(name(*it));
+  out.missing = wanted - most;
+  out.is_certain = true;
+  if (!out.relations.empty()) out.cheapest = out.relations.front();
+  std::string list;
+  for (const std::string& c : out.constraints) list += (list.empty() ? "" : "; ") + c;
+  out.text = trivet::quoted(out.thing) + " has no place: these leave none together: " + list +
+             "; " + quoted(name(a)) + " and " + quoted(name(b)) + " are " + metres(most) +
+             " m apart at most, " + metres(wanted) + " m are asked for";
+  return out;
+}
+
+// Of supports that stand, and of those that have one pose alone.
+std::optional<Conflict> ContradictionSearch::missing_level() const {
+  for (const Relation& r : m_world.arrangement().relations) {
+    if (r.kind != RelationKind::On || !r.level || r.b == kFloorName) continue;
+    if (auto out = missing_level(r.a, r.b, *r.level)) {
+      out->relations = {index_of(r)};
+      return out;
+    }
+  }
+  for (const Pattern& p : m_world.arrangement().patterns)
+    if (p.level && p.on != kFloorName)
+      if (auto out = missing_level(p.things.front(), p.on, *p.level)) return out;
+  return std::nullopt;
+}
+
+std::optional<Conflict> ContradictionSearch::missing_level(const std::string& thing,
+                                                           const std::string& on, int level) const {
+  const auto count = m_world.num_levels(on);
+  if (!count || is_level(*count, level)) return std::nullopt;
+  Conflict out;
+  out.thing = thing;
+  out.constraints = {"on " + quoted(on) + ", level " + std::to_string(level)};
+  out.objects = {on};
+  out.is_certain = true;
+  out.text = quoted(thing) + " has no place " + out.constraints.front() + ": " +
+             no_such_level(on, *count, level);
+  return out;
+}
+
+std::optional<Conflict> find_contradiction(const World& world) {
+  return ContradictionSearch(world).run();
+}
+
+}  // namespace trivet

@@ -1,0 +1,219 @@
+#include "ops/arrange/distance_bounds.h"
+
+#include <algorithm>
+#include <cmath>
+#include <queue>
+
+#include "ops/arrange/relations.h"
+
+namespace trivet {
+namespace {
+
+constexpr double kRounding = 1e-3;       // metres
+constexpr double kTouchClearances = 16;  // between what touches, at most
+constexpr double kTiltedBy = 0.053;      // sine of kMostTiltDeg, rounded up
+constexpr size_t kMostStanding = 64;     // objects whose distances from each other are measured
+
+}  // namespace
+
+DistanceBounds::DistanceBounds(const World& world) : m_world(world), m_touching(kRounding) {
+  if (!world.things().empty())
+    m_touching += kTouchClearances * world.clearance(world.things().front());
+  add_nodes();
+  add_links();
+}
+
+const std::string* DistanceBounds::carrier(const std::string& thing) const {
+  if (const auto pattern = m_pattern_of.find(thing); pattern != m_pattern_of.end())
+    return &pattern->second;
+  const int t = m_world.thing_of(thing);
+  const Relation* support = t < 0 ? nullptr : m_world.support_of(m_world.things()[t]);
+  return support ? &support->b : nullptr;
+}
+
+void DistanceBounds::add_nodes() {
+  for (const Pattern& p : m_world.arrangement().patterns)
+    for (const std::string& name : p.things) m_pattern_of[name] = p.on;
+  for (const ThingModel& thing : m_world.things()) {
+    add_thing(thing);
+    m_total_height += m_nodes.back().height;
+  }
+  for (const Relation& r : m_world.arrangement().relations)
+    for (const std::string& name : {r.a, r.b}) add_standing(name);
+  for (const Pattern& p : m_world.arrangement().patterns) add_standing(p.on);
+  // What carries has its place before.
+  for (const ThingModel& thing : m_world.things()) {
+    std::vector<const ThingModel*> chain{&thing};
+    while (const std::string* below = carrier(chain.back()->thing->object)) {
+      const int t = m_world.thing_of(*below);
+      if (t < 0) break;
+      chain.push_back(&m_world.things()[t]);
+    }
+    for (auto it = chain.rbegin(); it != chain.rend(); ++it)
+      set_range(m_nodes[m_node_of.at((*it)->thing->object)], **it);
+  }
+}
+
+void DistanceBounds::add_standing(const std::string& name) {
+  if (name.empty() || name == kFloorName || m_node_of.count(name)) return;
+  const Outline outline = m_world.outline(name);
+  Node node{name};
+  node.size = node.loose = Vec2(outline.width(Vec2::UnitX()), outline.width(Vec2::UnitY())).norm();
+  node.lower = outline.bottom, node.upper = outline.top;
+  node.height = node.upper - node.lower;
+  m_node_of[name] = m_nodes.size();
+  m_nodes.push_back(std::move(node));
+}
+
+void DistanceBounds::add_thing(const ThingModel& thing) {
+  Node node{thing.thing->object};
+  double edge = 0;
+  for (const Rotation& rest : thing.rests) {
+    const Outline outline = m_world.outline(thing, {rest, Vec3::Zero()});
+    const Vec3 span(outline.width(Vec2::UnitX()), outline.width(Vec2::UnitY()),
+                    outline.top - outline.bottom);
+    node.size = std::max(node.size, span.norm());
+    node.height = std::max(node.height, span.z());
+    for (size_t i = 0; i < outline.hull.size(); ++i)
+      edge = std::max(edge, (outline.hull[(i + 1) % outline.hull.size()] - outline.hull[i]).norm());
+  }
+  const bool may_tip = thing.thing->pose.kind == PoseChoice::Kind::Free;
+  const double tilted = kTiltedBy * node.size;
+  node.loose = may_tip ? node.size : 0.5 * edge + 2 * tilted;
+  node.height = may_tip ? node.size : node.height + tilted;
+  m_node_of[node.name] = m_nodes.size();
+  m_nodes.push_back(std::move(node));
+}
+
+// On the floor from there, else at its carrier, or at what lies in that, too.
+void DistanceBounds::set_range(Node& node, const ThingModel& thing) {
+  const std::string* below = carrier(node.name);
+  node.lower = 0, node.upper = node.height;
+  if (!below || *below == kFloorName) return;
+  const Node& support = m_nodes[m_node_of.at(*below)];
+  node.lower = support.lower - node.height;
+  node.upper = support.upper + node.height;
+  const Relation* relation = m_world.support_of(thing);
+  if (!relation || relation->kind != RelationKind::In) return;
+  // On anything that comes to lie in there.
+  for (const ObjectId id : m_world.standing())
+    node.upper = std::max(node.upper, m_world.scene().world_box(id).upper.z());
+  node.upper += m_total_height;
+}
+
+void DistanceBounds::add_link(const std::string& a, const std::string& b, double length,
+                              const std::string& text, const Relation* relation) {
+  const size_t i = m_node_of.at(a), j = m_node_of.at(b);
+  m_links[i].push_back({j, length, text, relation});
+  m_links[j].push_back({i, length, text, relation});
+}
+
+// Metres between the outlines of a relation's objects at most.
+double DistanceBounds::reach_of(const Relation& r) const {
+  const Node &a = m_nodes[m_node_of.at(r.a)], &b = m_nodes[m_node_of.at(r.b)];
+  switch (r.kind) {
+    case RelationKind::On:
+    case RelationKind::In:
+      return m_touching;
+    case RelationKind::Under:
+      return r.overlap > 2 * r.tolerance ? m_touching : kInfinity;
+    case RelationKind::Near:
+      return r.upper + r.tolerance + m_touching;
+    case RelationKind::Against:
+    case RelationKind::LeftOf:
+    case RelationKind::RightOf:
+    case RelationKind::InFrontOf:
+    case RelationKind::Behind:
+      return r.upper + 2 * r.tolerance + a.size + b.size + m_touching;
+    case RelationKind::AtEdge:
+      return r.tolerance + m_touching;
+    case RelationKind::Reach:
+      return r.eye ? kInfinity : r.upper + r.tolerance + b.size + m_touching;
+    case RelationKind::Centred:
+      return r.along_x && r.along_y
+                 ? r.offset.norm() + 2 * r.tolerance + a.size + b.size + m_touching
+                 : kInfinity;
+    default:
+      return kInfinity;
+  }
+}
+
+void DistanceBounds::add_links() {
+  m_links.resize(m_nodes.size());
+  for (const Relation& r : m_world.arrangement().relations) {
+    if (!r.is_hard() || r.b.empty() || r.b == kFloorName) continue;
+    const double length = reach_of(r);
+    if (length < kInfinity) add_link(r.a, r.b, length, r.text(), &r);
+  }
+  for (const Pattern& p : m_world.arrangement().patterns)
+    for (const std::string& name : p.things)
+      if (p.on != kFloorName) add_link(name, p.on, m_touching, p.text());
+  link_standing();
+}
+
+void DistanceBounds::link_standing() {
+  std::vector<const Node*> standing;
+  for (const Node& node : m_nodes)
+    if (m_world.thing_of(node.name) < 0) standing.push_back(&node);
+  for (size_t i = 0; i < standing.size() && standing.size() <= kMostStanding; ++i)
+    for (size_t j = 0; j < i; ++j)
+      add_link(standing[i]->name, standing[j]->name,
+               distance(m_world.outline(standing[i]->name).hull,
+                        m_world.outline(standing[j]->name).hull) +
+                   m_touching,
+               "");
+}
+
+DistanceBounds::Bounds DistanceBounds::from(size_t start, double most) const {
+  Bounds out;
+  using Entry = std::pair<double, size_t>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
+  out[start] = {0, start, nullptr};
+  open.emplace(0, start);
+  while (!open.empty()) {
+    const auto [distance, at] = open.top();
+    open.pop();
+    if (distance > out.at(at).distance) continue;
+    const double across = at == start ? 0 : m_nodes[at].size;
+    for (const Link& link : m_links[at]) {
+      const double there = distance + across + link.length;
+      if (there > most) continue;
+      Bound& bound = out[link.to];
+      if (there >= bound.distance) continue;
+      bound = {there, at, &link};
+      open.emplace(there, link.to);
+    }
+  }
+  return out;
+}
+
+bool DistanceBounds::touch(const std::string& a, const std::string& b) const {
+  const std::string *under_a = carrier(a), *under_b = carrier(b);
+  if ((under_a && *under_a == b) || (under_b && *under_b == a)) return true;
+  const std::vector<std::string> in_a = containers(a), in_b = containers(b);
+  return std::any_of(in_a.begin(), in_a.end(),
+                     [&](const std::string& container) {
+                       return container == b || std::count(in_b.begin(), in_b.end(), container) > 0;
+                     }) ||
+         std::count(in_b.begin(), in_b.end(), a) > 0;
+}
+
+// All that it is to lie in, or that carries it there.
+std::vector<std::string> DistanceBounds::containers(const std::string& thing) const {
+  std::vector<std::string> out;
+  std::string at = thing;
+  while (const std::string* below = carrier(at)) {
+    const Relation* support = m_world.support_of(m_world.things()[m_world.thing_of(at)]);
+    if (support && support->kind == RelationKind::In) out.push_back(*below);
+    at = *below;
+  }
+  return out;
+}
+
+double DistanceBounds::apart(const Node& a, const Node& b, double distance) const {
+  const double aside = distance + a.loose + b.loose;
+  const double up = std::max({0.0, a.upper - b.lower, b.upper - a.lower});
+  return std::sqrt(aside * aside + up * up);
+}
+
+}  // namespace trivet
