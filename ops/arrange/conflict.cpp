@@ -58,7 +58,7 @@ Conflict ConflictSearch::run(const std::string& refused) {
   if (m_poses.empty()) {
     m_out.constraints = {where()};
     note(support());
-    m_out.is_certain = !m_out.as_they_stand;
+    m_out.is_certain = is_certain();
     m_out.text = trivet::quoted(m_out.thing) + " has no place " + where() + ": " + m_why_none;
     return std::move(m_out);
   }
@@ -77,6 +77,15 @@ std::string ConflictSearch::where() const {
   std::string out = std::string(to_string(support->kind)) + " " + quoted(support->b);
   if (support->level) out += ", level " + std::to_string(*support->level);
   return out;
+}
+
+// Not of things that may be turned otherwise than they were tried.
+bool ConflictSearch::is_certain() const {
+  const auto& relations = m_placer.m_relations;
+  return !m_out.as_they_stand && !m_thing.thing->any_yaw &&
+         std::none_of(relations.begin(), relations.end(), [](const Relation* r) {
+           return r->kind == RelationKind::Facing || r->kind == RelationKind::Away;
+         });
 }
 
 std::string ConflictSearch::support() const {
@@ -166,7 +175,7 @@ bool ConflictSearch::find_set() {
     const double alone = least_slack(*set, [i](size_t other) { return other == i; });
     if (alone < least) least = alone, m_out.cheapest = index_of(*m_relations[i]);
   }
-  m_out.is_certain = !m_out.as_they_stand;
+  m_out.is_certain = is_certain();
   m_between = between(*set);
   return true;
 }

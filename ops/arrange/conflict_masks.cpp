@@ -40,7 +40,10 @@ void ConflictSearch::fill_masks() {
   for (const ObjectId id : m_placer.obstacles(m_poses.front(), Obstacles::All)) {
     const std::string& name = m_world.scene().at(id).name;
     others.push_back(id);
-    m_constraints.push_back({"clear of " + quoted(name), name});
+    const double keep = m_world.keep(m_out.thing, name);
+    char by[32] = "";
+    if (keep > 0) std::snprintf(by, sizeof(by), " by %.4g m", keep);
+    m_constraints.push_back({"clear of " + quoted(name) + by, name});
   }
   std::vector<ObjectId> with_zones;
   for (const ObjectId id : m_placer.has_zones() ? m_world.standing() : std::vector<ObjectId>()) {

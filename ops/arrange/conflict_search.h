@@ -58,6 +58,7 @@ class ConflictSearch {
   bool find_in_outlines();
   bool find_set();
   std::string between(const Set& set) const;
+  bool is_certain() const;
 
   // By masks: conflict_masks.cpp.
   void fill_masks();

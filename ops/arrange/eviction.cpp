@@ -7,18 +7,19 @@
 namespace trivet {
 namespace {
 
-constexpr size_t kEvictionPlaces = 32;    // places that are looked at for what is in the way
-constexpr double kEvictedAgain = 1.5;     // factor of a thing's weight each time
-constexpr int kMostTimesRefused = 3;      // that a thing makes others go although it has places
-constexpr size_t kMaxNogoods = 64;        // of a thing
-constexpr int kMostEvictionsInVain = 24;  // with no more things standing after them
+constexpr size_t kEvictionPlaces = 32;  // places that are looked at for what is in the way
+constexpr double kEvictedAgain = 1.5;   // factor of a thing's weight each time
+constexpr int kMostTimesRefused = 3;    // that a thing makes others go although it has places
+constexpr size_t kMaxNogoods = 64;      // of a thing
+constexpr double kInVain = 0.4;         // of all evictions, with no more things standing after them
 
 }  // namespace
 
 bool Solver::back_off(size_t item) {
   if (m_items[item].pattern || m_no_more || m_num_evictions >= m_world.arrangement().max_evictions)
     return false;
-  if (m_num_evictions - m_evictions_then > kMostEvictionsInVain) return false;
+  const double in_vain = m_num_evictions - m_evictions_then;
+  if (in_vain > kInVain * m_world.arrangement().max_evictions) return false;
   // A thing that does not come to rest where there is room seldom does so elsewhere.
   if (!m_refused.empty() && ++m_times_refused[item] > kMostTimesRefused) return false;
   return evict_blockers(item) || evict_references(item);

@@ -38,6 +38,7 @@ constexpr const char* kConflicts[] = {
     QT_TRANSLATE_NOOP("refusal", "on \"%1\""),
     QT_TRANSLATE_NOOP("refusal", "in \"%1\""),
     QT_TRANSLATE_NOOP("refusal", "clear of \"%1\""),
+    QT_TRANSLATE_NOOP("refusal", "clear of \"%1\" by %2 m"),
     QT_TRANSLATE_NOOP("refusal", "out of the zone \"%1\" of \"%2\""),
     QT_TRANSLATE_NOOP("refusal", "zone \"%1\" of \"%2\" clear of \"%3\""),
     QT_TRANSLATE_NOOP("refusal", "zone \"%1\" of \"%2\""),

@@ -555,6 +555,10 @@
         <translation>frei von „%1“</translation>
     </message>
     <message>
+        <source>clear of &quot;%1&quot; by %2 m</source>
+        <translation>frei von „%1“ mit %2 m Abstand</translation>
+    </message>
+    <message>
         <source>out of the zone &quot;%1&quot; of &quot;%2&quot;</source>
         <translation>außerhalb der Zone „%1“ von „%2“</translation>
     </message>
