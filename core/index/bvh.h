@@ -1,5 +1,5 @@
 // Bounding volume hierarchy (BVH): a binary tree of boxes over the triangles of one mesh, built
-// once with Embree, in object space.
+// once, in object space.
 #pragma once
 
 #include <vector>
@@ -46,11 +46,11 @@ struct Bvh {
   }
 };
 
-/// Builds by the surface-area heuristic (rtcBuildBVH), with median splits where that would go
-/// deeper than kMaxBvhDepth. Faces in a leaf ascend. The shape of the tree may depend on Embree's
-/// version and number of threads; no answer of Trivet does.
-/// @throws Error (Environment) when Embree cannot start or memory ends. Cost O(n log n), on all
-/// cores.   Thread-safe.
+/// Builds by the surface-area heuristic, in bins [Wald 2007], with median splits where that would
+/// go deeper than kMaxBvhDepth. Faces in a leaf ascend. The tree is the same whatever the number of
+/// threads, and no answer of Trivet depends on it.
+/// @throws std::bad_alloc when memory ends. Cost O(n log n), of large meshes on several cores.
+/// Thread-safe.
 Bvh build_bvh(const Mesh& mesh);
 
 }  // namespace trivet

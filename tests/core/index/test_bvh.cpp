@@ -209,16 +209,17 @@ TEST(Bvh, HandlesFanOfLongTriangles) {
   check(triangles);
 }
 
-/// Points about the middle, each at half the distance of the last: a split by surface area removes
+/// Points along the axes, each at half the distance of the last: a split by surface area removes
 /// few of them, so the tree would become too deep.
 TEST(Bvh, LimitsDepthForNestedPoints) {
   Triangles triangles;
   double distance = 1;
   for (int i = 0; i < 120; ++i, distance *= 0.5)
-    for (const double side : {-distance, distance}) {
-      const Vec3 p = Vec3::Constant(side);
-      triangles.push_back({p, p, p});
-    }
+    for (int axis = 0; axis < 3; ++axis)
+      for (const double side : {-distance, distance}) {
+        const Vec3 p = side * Vec3::Unit(axis);
+        triangles.push_back({p, p, p});
+      }
   for (int copy = 0; copy < 5000; ++copy)
     triangles.push_back({Vec3::Zero(), Vec3::Zero(), Vec3::Zero()});
   EXPECT_LE(check(triangles), 14);  // by the median builder
