@@ -13,6 +13,7 @@
 #include "core/contact/dips.h"
 #include "core/contact/flush_faces.h"
 #include "core/contact/leaf_box.h"
+#include "core/contact/node_box.h"
 #include "core/contact/node_slab.h"
 #include "core/contact/pair_numbers.h"
 #include "core/contact/triangle_distance.h"
@@ -91,7 +92,8 @@ class ContactSearch {
 
   std::vector<ContactPoint> run() {
     if (!m_object.shape->has_faces() || !m_support.shape->has_faces()) return {};
-    const PlacedBvh::Box box_object = m_tree_object.box(0), box_support = m_tree_support.box(0);
+    const PlacedBvh::Box box_object = placed_box(m_tree_object, 0),
+                         box_support = placed_box(m_tree_support, 0);
     m_slab_reach = m_reach + 1e-14 * (farthest(box_object) + farthest(box_support));
     visit(0, 0, box_object, box_support, nullptr);
     std::vector<ContactPoint> points = first_of_each(m_found);
@@ -122,9 +124,8 @@ class ContactSearch {
   // `leaf` is the tight box of the node that is a leaf already.
   void visit(Index ia, Index ib, const PlacedBvh::Box& box_a, const PlacedBvh::Box& box_b,
              const LeafBox* leaf) {
-    if (apart(box_a, box_b) ||
-        slabs_apart({m_tree_object, ia, m_rotation}, {m_tree_support, ib, Mat3::Identity()}, box_a,
-                    box_b, m_slab_reach))
+    if (apart(box_a, box_b) || slabs_apart({m_tree_object, ia, m_rotation}, {m_tree_support, ib},
+                                           box_a, box_b, m_slab_reach))
       return;
     const BvhNode &a = m_tree_object.bvh.nodes[ia], &b = m_tree_support.bvh.nodes[ib];
     if (leaf && leaf->valid && leaf->gap(a.is_leaf() ? box_b : box_a) > m_reach) return;
@@ -135,11 +136,11 @@ class ContactSearch {
       leaf = &*own;
     }
     if (!a.is_leaf() && (b.is_leaf() || box_a.radius > box_b.radius)) {
-      visit(ia + 1, ib, m_tree_object.box(ia + 1), box_b, leaf);
-      visit(a.second_child, ib, m_tree_object.box(a.second_child), box_b, leaf);
+      visit(ia + 1, ib, placed_box(m_tree_object, ia + 1), box_b, leaf);
+      visit(a.second_child, ib, placed_box(m_tree_object, a.second_child), box_b, leaf);
     } else {
-      visit(ia, ib + 1, box_a, m_tree_support.box(ib + 1), leaf);
-      visit(ia, b.second_child, box_a, m_tree_support.box(b.second_child), leaf);
+      visit(ia, ib + 1, box_a, placed_box(m_tree_support, ib + 1), leaf);
+      visit(ia, b.second_child, box_a, placed_box(m_tree_support, b.second_child), leaf);
     }
   }
 
@@ -257,7 +258,7 @@ class ContactSearch {
 
 void collect_floor_vertices(const Body& object, const PlacedBvh& tree, Index node, double tolerance,
                             std::vector<Index>& vertices) {
-  const PlacedBvh::Box box = tree.box(node);
+  const PlacedBvh::Box box = placed_box(tree, node);
   if (box.centre.z() - box.half.z() > tolerance * 1.001 + 1e-14 * std::abs(box.centre.z())) return;
   const BvhNode& n = tree.bvh.nodes[node];
   if (!n.is_leaf()) {

@@ -25,6 +25,14 @@ struct NodeSlab {
     upper = tree.scale * s.upper;
   }
 
+  /// In the tree's own frame.
+  NodeSlab(const PlacedBvh& tree, Index node) {
+    const BvhSlab& s = tree.bvh.slabs[node];
+    normal = Vec3(s.normal[0], s.normal[1], s.normal[2]);
+    lower = tree.scale * s.lower;
+    upper = tree.scale * s.upper;
+  }
+
   /// Along the part of n in the slab's normal by the slab, along the rest by the node's box, of
   /// these half extents, or by its sphere.
   SlabRange along(const Vec3& n, const Vec3& half) const {

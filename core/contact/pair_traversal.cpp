@@ -3,6 +3,8 @@
 #include <cmath>
 #include <optional>
 
+#include "core/contact/node_box.h"
+
 namespace trivet {
 
 PairTraversal::PairTraversal(const FirstContactQuery& query, Index moving, Index fixed,
@@ -34,7 +36,7 @@ PairTraversal::PairTraversal(const FirstContactQuery& query, Index moving, Index
   m_world_margin = query.clearance.largest_stop() * 1.002 + 1e-14 * world_spread;
   m_slabs = {m_motion, m_margin};
   m_slabs.motion.centre = m_centre;
-  m_apart_until = bound(m_a.box(0), m_b.box(0));
+  m_apart_until = bound(placed_box(m_a, 0), placed_box(m_b, 0));
   if (m_apart_until <= query.motion.limit) m_waiting.push_back({m_apart_until, 0, 0, false});
 }
 
@@ -54,7 +56,8 @@ void PairTraversal::wait(const Waiting& pair) {
 void PairTraversal::resume(const Waiting& pair) {
   if (hopeless(pair.bound)) return wait(pair);
   if (pair.are_leaves) return try_leaves(pair.a, pair.b);
-  const Next n = next(pair.a, pair.b, m_a.box(pair.a), m_b.box(pair.b), true, nullptr);
+  const Next n =
+      next(pair.a, pair.b, placed_box(m_a, pair.a), placed_box(m_b, pair.b), true, nullptr);
   if (hopeless(n.bound)) return wait({n.apart_until, n.a, n.b, false});
   visit(n.a, n.b, n.box_a, n.box_b, nullptr);
 }
@@ -157,8 +160,7 @@ PairTraversal::Next PairTraversal::next(Index a, Index b, const PlacedBvh::Box& 
   double until = apart_until;
   if (!hopeless(until)) until = std::max(until, own_axes_bound(box_a, box_b));
   if (!hopeless(until))
-    until = m_slabs.clear_until({m_a, a, m_rotation}, {m_b, b, Mat3::Identity()}, box_a, box_b,
-                                until, horizon());
+    until = m_slabs.clear_until({m_a, a, m_rotation}, {m_b, b}, box_a, box_b, until, horizon());
   if (leaf && !hopeless(until) && leaf_clear(*leaf, !open_a, open_a ? box_a : box_b))
     until = kInfinity;
   const double gap = (box_a.centre - box_b.centre).norm() - box_a.radius - box_b.radius;
@@ -178,10 +180,10 @@ void PairTraversal::visit(Index ia, Index ib, const PlacedBvh::Box& box_a,
   const LeafBox* usable = leaf && leaf->valid ? leaf : nullptr;
   const bool open_a = !a.is_leaf() && (b.is_leaf() || box_a.radius > box_b.radius);
   const Index first = open_a ? ia + 1 : ib + 1, second = open_a ? a.second_child : b.second_child;
-  Next x = open_a ? next(first, ib, m_a.box(first), box_b, true, usable)
-                  : next(ia, first, box_a, m_b.box(first), false, usable);
-  Next y = open_a ? next(second, ib, m_a.box(second), box_b, true, usable)
-                  : next(ia, second, box_a, m_b.box(second), false, usable);
+  Next x = open_a ? next(first, ib, placed_box(m_a, first), box_b, true, usable)
+                  : next(ia, first, box_a, placed_box(m_b, first), false, usable);
+  Next y = open_a ? next(second, ib, placed_box(m_a, second), box_b, true, usable)
+                  : next(ia, second, box_a, placed_box(m_b, second), false, usable);
   if (y.before(x)) std::swap(x, y);
   for (const Next* n : {&x, &y})
     if (hopeless(n->bound))

@@ -101,17 +101,17 @@ class SmallestGaps {
     }
     for (int lane = 0; lane < count; ++lane)
       if (least[lane] < most[lane])
-        most[lane] = at_place(column + lane, row, lane, most[lane], bounds);
+        most[lane] = at_place(column + lane, row, lane, least[lane], most[lane], bounds);
     return most;
   }
 
  private:
-  // The most promising tile first, then all that can still go below `found`.
-  float at_place(int column, int row, int lane, float found,
+  // The most promising tile, the first of the least bound, then all that can still go below
+  // `found`.
+  float at_place(int column, int row, int lane, float least, float found,
                  const std::vector<Lanes>& bounds) const {
     size_t best = 0;
-    for (size_t k = 1; k < bounds.size(); ++k)
-      if (bounds[k][lane] < bounds[best][lane]) best = k;
+    while (bounds[best][lane] != least) ++best;
     found = std::min(found, in_tile(m_tiles[best], column, row));
     for (size_t k = 0; k < bounds.size(); ++k)
       if (k != best && bounds[k][lane] < found)
