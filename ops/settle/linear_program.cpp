@@ -5,25 +5,32 @@
 #include <CoinMessage.hpp>
 #include <Eigen/Geometry>
 #include <cmath>
+#include <limits>
 
 namespace trivet {
 namespace {
 
 constexpr double kNoise = 1e-12;  // forces and torques of size one: rounding below this
 
-/// A solver whose messages are copied: making them takes as long as solving a small program.
-class QuietSolver : public ClpSimplex {
+}  // namespace
+
+/// Its messages are copied: making them takes as long as solving a small program.
+class LinearProgram::Solver : public ClpSimplex {
  public:
-  QuietSolver() : ClpSimplex(true) {
+  Solver(const LinearProgram& program, bool scale) : ClpSimplex(true) {
     static const ClpMessage clp_messages;
     static const CoinMessage coin_messages;
     messages_ = clp_messages;
     coinMessages_ = coin_messages;
     setLogLevel(0);
+    if (!scale) scaling(0);
+    loadProblem(static_cast<int>(program.m_costs.size()),
+                static_cast<int>(program.m_row_lower.size()), program.m_starts.data(),
+                program.m_rows.data(), program.m_values.data(), nullptr,
+                program.m_column_upper.data(), program.m_costs.data(), program.m_row_lower.data(),
+                program.m_row_upper.data());
   }
 };
-
-}  // namespace
 
 std::array<Vec3, 2> tangents(const Vec3& n) {
   int k = 0;
@@ -59,22 +66,49 @@ int LinearProgram::add_column(std::span<const Entry> entries, double cost, doubl
   return static_cast<int>(m_costs.size()) - 1;
 }
 
-LinearProgram::Solution LinearProgram::solve(bool scale) const {
-  const int num_columns = static_cast<int>(m_costs.size());
-  const int num_rows = static_cast<int>(m_row_lower.size());
-  QuietSolver solver;
-  if (!scale) solver.scaling(0);
-  solver.loadProblem(num_columns, num_rows, m_starts.data(), m_rows.data(), m_values.data(),
-                     nullptr, m_column_upper.data(), m_costs.data(), m_row_lower.data(),
-                     m_row_upper.data());
-  solver.primal();
+LinearProgram::Solution LinearProgram::solve(bool scale) const { return solve(scale, false); }
+
+LinearProgram::Solution LinearProgram::solve_by_dual(bool scale) const {
+  return solve(scale, true);
+}
+
+LinearProgram::Solution LinearProgram::solve(bool scale, bool by_dual) const {
+  Solver solver(*this, scale);
+  by_dual ? solver.dual() : solver.primal();
   Solution solution;
   solution.optimal = solver.isProvenOptimal();
   if (!solution.optimal) return solution;
+  const double *x = solver.primalColumnSolution(), *prices = solver.dualRowSolution();
   solution.objective = solver.objectiveValue();
-  solution.x.assign(solver.primalColumnSolution(), solver.primalColumnSolution() + num_columns);
-  solution.prices.assign(solver.dualRowSolution(), solver.dualRowSolution() + num_rows);
+  solution.x.assign(x, x + m_costs.size());
+  solution.prices.assign(prices, prices + m_row_lower.size());
   return solution;
+}
+
+std::vector<double> LinearProgram::objectives_with(std::span<const Column> columns,
+                                                   bool scale) const {
+  LinearProgram all = *this;
+  for (const Column& column : columns) all.add_column(column.entries, 0, 0);
+  Solver solver(all, scale);
+  solver.dual();
+  std::vector<double> out(columns.size(), std::numeric_limits<double>::quiet_NaN());
+  if (!solver.isProvenOptimal()) return out;
+  const size_t num_states = all.m_costs.size() + m_row_lower.size();
+  const std::vector<unsigned char> start(solver.statusArray(), solver.statusArray() + num_states);
+  for (size_t k = 0; k < columns.size(); ++k) {
+    const int number = static_cast<int>(m_costs.size() + k);
+    const auto allow = [&](double cost, double upper) {
+      solver.setObjectiveCoefficient(number, cost);
+      solver.setColumnUpper(number, upper);
+      solver.copyinStatus(start.data());
+      solver.setColumnStatus(number, ClpSimplex::atLowerBound);
+    };
+    allow(columns[k].cost, columns[k].upper);
+    solver.primal();
+    if (solver.isProvenOptimal()) out[k] = solver.objectiveValue();
+    allow(0, 0);
+  }
+  return out;
 }
 
 }  // namespace trivet

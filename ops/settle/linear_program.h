@@ -36,8 +36,22 @@ class LinearProgram {
   };
   /// @param scale  rows and columns are not all of size one.
   Solution solve(bool scale) const;
+  /// The same by the dual simplex method, which starts at once where no cost is negative: another
+  /// of several solutions may be found.
+  Solution solve_by_dual(bool scale) const;
+
+  struct Column {
+    std::vector<Entry> entries;
+    double cost = 0, upper = kInfinity;
+  };
+  /// The objectives with each of these columns added alone, up to rounding: by the primal simplex
+  /// method from one solution without any. NaN: not solved.
+  std::vector<double> objectives_with(std::span<const Column> columns, bool scale) const;
 
  private:
+  class Solver;
+  Solution solve(bool scale, bool by_dual) const;
+
   std::vector<int> m_starts{0}, m_rows;
   std::vector<double> m_values, m_costs, m_column_upper, m_row_lower, m_row_upper;
 };

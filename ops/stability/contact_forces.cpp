@@ -15,6 +15,7 @@ constexpr double kPushLimit = 20;      // the same, of the parts along the norma
 constexpr double kJoinGain = 1e-6;     // of a force that joins; CLP knows 1e-7
 constexpr int kJoinAtOnce = 4;         // touches of a pair
 constexpr double kMissing = 1e-6;      // of a body's weight: rounding below this
+constexpr double kNearlyWorst = 1e-4;  // of a margin: other orders of pivots differ by less
 constexpr double kMoves = 1e-6;        // virtual velocities, at most 1: rounding below this
 
 using Entry = LinearProgram::Entry;
@@ -49,18 +50,27 @@ class ForceProgram {
     }
   }
 
-  // All weights shifted along `d` by a length that is worth -1 a metre.
-  void add_shift(const Vec3& d, double largest) {
-    std::vector<Entry> entries;
+  // All weights shifted along `d` by parts of `largest`, of which all are worth -1.
+  LinearProgram::Column shift(const Vec3& d, double largest) const {
+    LinearProgram::Column out{{}, -1, 1};
     for (size_t i = 0; i < m_part.bodies.size(); ++i) {
       const FreeBody& body = m_part.bodies[i];
       const Vec3 torque = d.cross(Vec3(0, 0, -body.weight)) / (m_carried[i] * body.size);
-      for (int k = 0; k < 3; ++k) entries.push_back({row_of(i) + 3 + k, largest * torque[k]});
+      for (int k = 0; k < 3; ++k) out.entries.push_back({row_of(i) + 3 + k, largest * torque[k]});
     }
-    add_column(entries, -1, 1);
+    return out;
+  }
+  std::vector<double> objectives_with(std::span<const LinearProgram::Column> columns) const {
+    return m_program.objectives_with(columns, true);
+  }
+  LinearProgram::Solution solve_with(const LinearProgram::Column& column) const {
+    LinearProgram program = m_program;
+    program.add_column(column.entries, column.cost, column.upper);
+    return program.solve(true);
   }
 
   LinearProgram::Solution solve() const { return m_program.solve(true); }
+  LinearProgram::Solution solve_by_dual() const { return m_program.solve_by_dual(true); }
 
   // Rate at which a force of this touch would lower the cost.
   double gain(const BodyContact& t, const LinearProgram::Solution& solution) const {
@@ -274,16 +284,30 @@ PartForces contact_forces(FreeBodies& part, double clearance, double factor) {
   }
 }
 
+bool quickly_balanced(const FreeBodies& part, double clearance, double factor) {
+  ForceProgram program(part, clearance, factor);
+  program.add_missing(1, kInfinity);
+  const LinearProgram::Solution solution = program.solve_by_dual();
+  return solution.optimal && program.forces_of(solution).balanced();
+}
+
 double shift_margin(const FreeBodies& part, double clearance) {
   const double d = 0.70710678118654752;
   double largest = 0, margin = kInfinity;
   for (const FreeBody& body : part.bodies) largest = std::max(largest, body.size);
+  ForceProgram program(part, clearance);
+  program.add_missing(0, kMissing);
+  std::vector<LinearProgram::Column> shifts;
   for (const Vec2& way : {Vec2(1, 0), Vec2(d, d), Vec2(0, 1), Vec2(-d, d), Vec2(-1, 0),
-                          Vec2(-d, -d), Vec2(0, -1), Vec2(d, -d)}) {
-    ForceProgram program(part, clearance);
-    program.add_missing(0, kMissing);
-    program.add_shift(Vec3(way.x(), way.y(), 0), largest);
-    const LinearProgram::Solution solution = program.solve();
+                          Vec2(-d, -d), Vec2(0, -1), Vec2(d, -d)})
+    shifts.push_back(program.shift(Vec3(way.x(), way.y(), 0), largest));
+  // Those that may be worst are solved anew, so that the bits do not depend on the others.
+  const std::vector<double> nearly = program.objectives_with(shifts);
+  double worst = -kInfinity;
+  for (const double objective : nearly) worst = std::max(worst, objective);
+  for (size_t k = 0; k < shifts.size(); ++k) {
+    if (nearly[k] < worst - kNearlyWorst * (1e-2 - worst)) continue;
+    const LinearProgram::Solution solution = program.solve_with(shifts[k]);
     if (!solution.optimal) return -kInfinity;
     margin = std::min(margin, -solution.objective * largest);
   }

@@ -30,6 +30,10 @@ struct PartForces {
 /// @param factor  of all coefficients of friction.
 PartForces contact_forces(FreeBodies& part, double clearance, double factor = 1);
 
+/// True if forces that leave nothing missing of any body are found by the dual simplex method, in a
+/// part of the time. False: contact_forces() knows.
+bool quickly_balanced(const FreeBodies& part, double clearance, double factor = 1);
+
 /// How far all weights may be shifted together, sideways, in the worst of 8 directions, while
 /// nothing is missing. @return metres, at most the largest body's size; negative: something is
 /// missing without any shift.

@@ -11,6 +11,21 @@
 namespace trivet {
 namespace {
 
+// False if a body has no contact that could push it up, but by what is tolerated.
+bool may_all_be_held_up(const FreeBodies& part) {
+  std::vector<char> held;
+  for (const FreeBody& body : part.bodies) held.push_back(body.load.z() > 0);
+  const auto note = [&](Index body, double normal_z, double friction) {
+    if (body != BodyContact::kGround && normal_z > -friction) held[body] = 1;
+  };
+  for (const auto* touches : {&part.touches, &part.more})
+    for (const BodyContact& t : *touches) {
+      note(t.on, t.contact.normal.z(), t.friction);
+      note(t.from, -t.contact.normal.z(), t.friction);
+    }
+  return std::all_of(held.begin(), held.end(), [](char is_held) { return is_held; });
+}
+
 class Judgement {
  public:
   Judgement(const Scene& scene, std::span<const ObjectId> ids, std::span<const ObjectId> changed,
@@ -48,8 +63,10 @@ class Judgement {
   void judge(const Members& part) {
     if (part.open.size() <= m_limit && part.open.size() < part.all.size()) {
       FreeBodies open = loaded_bodies(part.open, is_fixed_or_held);
-      const PartForces forces = contact_forces(open, m_clearance);
-      if (forces.solved && forces.balanced()) return;
+      if (part.all.size() > m_limit || may_all_be_held_up(open)) {
+        const PartForces forces = contact_forces(open, m_clearance);
+        if (forces.solved && forces.balanced()) return;
+      }
     }
     if (part.all.size() <= m_limit) {
       FreeBodies whole =

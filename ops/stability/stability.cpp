@@ -140,6 +140,7 @@ class StabilityCheck {
   // Of a part that holds: whether it does with a little less friction, too.
   void judge_reserve(FreeBodies part) {
     if (is_small(part)) {
+      if (quickly_balanced(part, m_clearance, kMarginalFriction)) return;
       const PartForces found = contact_forces(part, m_clearance, kMarginalFriction);
       if (found.solved && found.balanced()) return;
     }

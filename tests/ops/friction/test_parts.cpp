@@ -2,10 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cstdio>
 #include <random>
+#include <vector>
 
 #include "ops/check/check.h"
 #include "ops/friction/analytic.h"
+#include "ops/settle/linear_program.h"
 #include "ops/stability/contact_forces.h"
 #include "ops/stability/part.h"
 
@@ -58,14 +62,52 @@ TEST(Parts, LackNoMoreByFewTouchesThanByAll) {
     FreeBodies all = few;
     all.touches.insert(all.touches.end(), all.more.begin(), all.more.end());
     all.more.clear();
+    const bool quickly = quickly_balanced(all, kEps);
     const PartForces by_few = contact_forces(few, kEps), by_all = contact_forces(all, kEps);
     ASSERT_TRUE(by_few.solved && by_all.solved);
+    EXPECT_EQ(quickly, by_all.balanced()) << "trial " << trial;
     EXPECT_EQ(by_few.balanced(), by_all.balanced()) << "trial " << trial;
     EXPECT_NEAR(by_few.residual, by_all.residual, 1e-4) << "trial " << trial;
     num_balanced += by_all.balanced();
   }
   EXPECT_GT(num_balanced, kTrials / 10);
   EXPECT_LT(num_balanced, kTrials * 9 / 10);
+}
+
+// Forces on a body, and a further push that is worth something: from one start as each alone.
+TEST(Parts, GiveWayToPushesTriedInTurnAsToEachAlone) {
+  std::mt19937_64 random(8);
+  std::uniform_real_distribution<double> in(-1, 1);
+  int num_limited = 0, num_free = 0;
+  for (int trial = 0; trial < 40; ++trial) {
+    LinearProgram program;
+    using Entry = LinearProgram::Entry;
+    for (int row = 0; row < 6; ++row) program.add_row(row == 2, row == 2);
+    for (int k = 0; k < 30; ++k) {
+      std::array<Entry, 6> force;
+      for (int row = 0; row < 6; ++row) force[row] = {row, in(random) + 0.7 * (row == 2)};
+      program.add_column(force, 0, 2);
+    }
+    for (int row = 0; row < 6; ++row)
+      for (const double sign : {1.0, -1.0}) program.add_column(std::array{Entry{row, sign}}, 3);
+    std::vector<LinearProgram::Column> pushes(8);
+    for (LinearProgram::Column& push : pushes) {
+      for (int row = 0; row < 6; ++row) push.entries.push_back({row, 20 * in(random)});
+      push.cost = -1, push.upper = 1;
+    }
+    const std::vector<double> in_turn = program.objectives_with(pushes, true);
+    for (size_t k = 0; k < pushes.size(); ++k) {
+      LinearProgram alone = program;
+      alone.add_column(pushes[k].entries, pushes[k].cost, pushes[k].upper);
+      const LinearProgram::Solution solution = alone.solve(true);
+      ASSERT_TRUE(solution.optimal);
+      EXPECT_NEAR(in_turn[k], solution.objective, 1e-7) << "trial " << trial << ", push " << k;
+      EXPECT_NEAR(alone.solve_by_dual(true).objective, solution.objective, 1e-7) << trial;
+      ++(solution.objective > -0.99 ? num_limited : num_free);
+    }
+  }
+  std::printf("%d pushes limited, %d not\n", num_limited, num_free);
+  EXPECT_GT(num_limited, 100);
 }
 
 TEST(Parts, AreJudgedAsByTheProgramOfAll) {
