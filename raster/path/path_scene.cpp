@@ -31,7 +31,16 @@ Transparency transparency_of(const DrawnMesh& mesh, std::size_t material) {
   return mesh.has_details() ? mesh.surface->finishes[material].transparency : Transparency::None;
 }
 
-std::vector<PathMaterial> path_materials(const DrawnMesh& mesh) {
+// What the model says of it; lengths are shares of the mesh's diagonal.
+void take_glass(const Glass& given, double diagonal, PathMaterial& out) {
+  if (given.share <= 0) return;
+  out.index = given.index;
+  out.alpha = std::max(out.alpha, given.share);  // stained by its colour
+  if (given.absorbed_per_unit)
+    out.absorbed = Eigen::Map<const Vec3f>(given.absorbed_per_unit->data()) * float(diagonal);
+}
+
+std::vector<PathMaterial> path_materials(const DrawnMesh& mesh, double diagonal) {
   std::vector<PathMaterial> out;
   const Material plain;
   const std::span<const Material> materials =
@@ -53,12 +62,18 @@ std::vector<PathMaterial> path_materials(const DrawnMesh& mesh) {
   }
   for (std::size_t m = 0; m < out.size(); ++m)
     if (transparency_of(mesh, m) != Transparency::None) out[m].finish = Finish::Thin;
+  for (std::size_t m = 0; m < out.size() && mesh.has_details(); ++m)
+    if (out[m].finish == Finish::Glass)
+      take_glass(mesh.surface->finishes[m].glass, diagonal, out[m]);
   return out;
 }
 
 /// Colour of the light through a way of glass that is as long as it is meant to be seen.
 Vec3f glass_colour(const PathMaterial& m) {
-  return (Vec3f::Ones() * (1 - m.alpha) + m.base * m.alpha).cwiseMax(0.01f);
+  const Vec3f left = m.absorbed.isZero()
+                         ? Vec3f(Vec3f::Ones() * (1 - m.alpha) + m.base * m.alpha)
+                         : Vec3f((-float(kAbsorptionShare) * m.absorbed).array().exp().matrix());
+  return left.cwiseMax(0.01f);
 }
 
 /// Of light through one face, on a straight way.
@@ -92,7 +107,7 @@ void PathScene::add_mesh(const PictureMesh& given) {
     const Vec3 p = (v - out.centre) * out.scale;
     out.vertices.push_back(p.allFinite() ? Vec3f(p.cast<float>()) : Vec3f::Zero());
   }
-  out.materials = path_materials(mesh);
+  out.materials = path_materials(mesh, out.diagonal);
   const auto normals = picture_normals(mesh);
   std::vector<Vec3f> passed;
   for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
@@ -114,7 +129,7 @@ void PathScene::add_mesh(const PictureMesh& given) {
   if (!out.triangles.empty())
     out.id = m_rays.add_mesh(out.vertices, out.triangles, passed, passed_at(out));
   for (PathMaterial& m : out.materials)
-    if (m.finish == Finish::Glass)
+    if (m.finish == Finish::Glass && m.absorbed.isZero())
       m.absorbed = -glass_colour(m).array().log().matrix() / float(kAbsorptionShare);
 }
 

@@ -22,6 +22,7 @@ struct PathMaterial {
   Finish finish = Finish::Opaque;
   Vec3f absorbed = Vec3f::Zero();  // of glass: per length of the picture frame, by colour
   Vec3f emitted = Vec3f::Zero();   // radiance
+  float index = 1.5f;              // of refraction, of glass
 };
 
 /// What a ray meets, picture frame.

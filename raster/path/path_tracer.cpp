@@ -88,9 +88,12 @@ void PathTracer::start_path(Path& path, int x, int y, int sample) const {
 bool PathTracer::meets_floor(const Path& path, const HitPacket& hits, int lane,
                              float& distance) const {
   if (!m_has_floor || path.direction.z() > -1e-6f || path.from.z() < m_floor_z) return false;
+  const bool is_hidden =
+      hits.face[lane] != kNoFace &&
+      path.from.z() + hits.distance[lane] * path.direction.z() >= m_floor_z - kBelowTolerance;
+  if (is_hidden) return false;
   distance = (m_floor_z - path.from.z()) / path.direction.z();
-  if (hits.face[lane] == kNoFace) return true;
-  return path.from.z() + hits.distance[lane] * path.direction.z() < m_floor_z - kBelowTolerance;
+  return true;
 }
 
 SurfacePoint PathTracer::floor_point(const Path& path, float distance) const {

@@ -10,7 +10,6 @@ namespace {
 
 constexpr float kFloatPi = std::numbers::pi_v<float>;
 constexpr float kDielectric = 0.04f;  // reflected at right angles
-constexpr float kGlassIndex = 1.5f;   // of refraction
 constexpr float kLeastMirrored = 0.25f;
 constexpr float kLargestPeak = 50;     // of a highlight
 constexpr float kLeastSpread = 0.02f;  // squared roughness
@@ -19,7 +18,10 @@ constexpr float kLiftOff = 2e-5f;      // of new rays, beside what float32 loses
 float fifth_power(float x) { return x * x * x * x * x; }
 
 Vec3f mirrored_colour(const PathMaterial& m) {
-  if (m.finish == Finish::Glass) return Vec3f::Constant(kDielectric);
+  if (m.finish == Finish::Glass) {
+    const float ratio = (m.index - 1) / (m.index + 1);
+    return Vec3f::Constant(ratio * ratio);
+  }
   return Vec3f::Constant(kDielectric * (1 - m.metallic)) + m.base * m.metallic;
 }
 
@@ -91,7 +93,7 @@ float glass_reflects(float cosine, float ratio, float& refracted_cosine) {
 }
 
 NextRay glass_ray(const SurfacePoint& at, const Vec3f& to_eye, float choice) {
-  const float ratio = at.outside ? 1 / kGlassIndex : kGlassIndex;
+  const float ratio = at.outside ? 1 / at.material.index : at.material.index;
   const float cosine = std::clamp(to_eye.dot(at.normal), 1e-3f, 1.0f);
   float refracted_cosine = 0;
   const float reflects = glass_reflects(cosine, ratio, refracted_cosine);

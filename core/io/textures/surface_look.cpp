@@ -19,7 +19,7 @@ bool adds_something(const SurfaceLook& look) {
   return !look.colours.empty() ||
          std::any_of(look.finishes.begin(), look.finishes.end(), [](const SurfaceFinish& f) {
            return f.has_texture() || f.transparency == Transparency::Cut ||
-                  f.emitted != std::array<float, 3>{};
+                  f.emitted != std::array<float, 3>{} || f.glass.share > 0;
          });
 }
 

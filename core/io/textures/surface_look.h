@@ -30,6 +30,15 @@ enum class Transparency {
   Blend  // by alpha, which varies over the surface
 };
 
+/// Light that a material lets into the object (KHR_materials_transmission, _ior, _volume). Its
+/// alpha is then small, for renderers without rays.
+struct Glass {
+  float share = 0;                                        // of the light that is not mirrored
+  float index = 1.5f;                                     // of refraction
+  std::optional<std::array<float, 3>> absorbed_per_unit;  // of length of the model; none: by the
+                                                          // base colour
+};
+
 /// Textures and modes of a material beside the numbers of Material: colours of textures multiply
 /// those.
 struct SurfaceFinish {
@@ -41,6 +50,7 @@ struct SurfaceFinish {
   float normal_scale = 1;
   float cutoff = 0.5f;
   Transparency transparency = Transparency::None;
+  Glass glass;
 
   bool has_texture() const { return base_colour || metallic_roughness || normal || emission; }
 };

@@ -7,7 +7,10 @@ namespace trivet {
 namespace {
 
 constexpr int kClampToEdge = 33071, kMirroredRepeat = 33648,
-              kNearest = 9728;  // of the specification
+              kNearest = 9728;            // of the specification
+constexpr float kMostSeenThrough = 0.9f;  // of glass, where it is drawn without rays
+constexpr float kLeastIndex = 1.01f, kMostIndex = 3;
+constexpr float kLeastLeft = 1e-3f;  // of light after the distance of attenuation
 
 float share_or(const GltfJson& value, float otherwise) {
   return std::clamp(number_or(value, otherwise), 0.0f, 1.0f);
@@ -32,6 +35,24 @@ void read_transform(const GltfJson& given, TextureUse& use) {
   const float angle = number_or(member(given, "rotation"), 0);
   const float c = std::cos(angle), s = std::sin(angle);
   use.transform = {{{c * sx, s * sy, x}, {-s * sx, c * sy, y}}};
+}
+
+// Images of how much passes, and of how thick it is, are left out.
+Glass glass_from(const GltfJson& extensions, float metallic) {
+  Glass out;
+  const GltfJson& passes = member(extensions, "KHR_materials_transmission");
+  out.share = share_or(member(passes, "transmissionFactor"), 0) * (1 - metallic);
+  const float index = number_or(member(member(extensions, "KHR_materials_ior"), "ior"), 1.5f);
+  out.index = std::clamp(index, kLeastIndex, kMostIndex);
+  const GltfJson& volume = member(extensions, "KHR_materials_volume");
+  const float reach = number_or(member(volume, "attenuationDistance"), 0);
+  if (!(out.share > 0 && reach > 0)) return out;
+  out.absorbed_per_unit.emplace();
+  for (size_t i = 0; i < 3; ++i) {
+    const float left = share_or(item(member(volume, "attenuationColor"), i), 1);
+    (*out.absorbed_per_unit)[i] = -std::log(std::max(left, kLeastLeft)) / reach;
+  }
+  return out;
 }
 
 }  // namespace
@@ -91,6 +112,8 @@ void SurfaceMaterials::read(const GltfJson& json) {
   if (mode == "BLEND") finish.transparency = Transparency::Blend;
   if (finish.transparency == Transparency::None) material.base_colour[3] = 1;
   finish.cutoff = number_or(member(json, "alphaCutoff"), 0.5f);
+  finish.glass = glass_from(member(json, "extensions"), material.metallic);
+  material.base_colour[3] *= 1 - kMostSeenThrough * finish.glass.share;
   materials.push_back(std::move(material));
   finishes.push_back(finish);
 }

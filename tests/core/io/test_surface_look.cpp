@@ -107,6 +107,37 @@ TEST_F(SurfaceLookTest, ReadsSamplersTransformsAndFactors) {
     EXPECT_TRUE(t.isApprox(Eigen::Vector4f(1, 0, 0, 1), 1e-6f));
 }
 
+TEST_F(SurfaceLookTest, ReadsGlass) {
+  GltfJson json = square_json();
+  json.erase("textures");
+  json.erase("images");
+  json["materials"][0] = {
+      {"pbrMetallicRoughness", {{"baseColorFactor", {0.5, 1, 1, 1}}, {"metallicFactor", 0}}},
+      {"extensions",
+       {{"KHR_materials_transmission", {{"transmissionFactor", 0.75}}},
+        {"KHR_materials_ior", {{"ior", 1.25}}},
+        {"KHR_materials_volume",
+         {{"thicknessFactor", 1},
+          {"attenuationDistance", 0.5},
+          {"attenuationColor", {1, 0.25, 0}}}}}}};
+  json["extensionsUsed"] = {"KHR_materials_transmission", "KHR_materials_ior",
+                            "KHR_materials_volume"};
+  const auto look = surface_look(read_model(write_json(json)));
+  ASSERT_TRUE(look);
+  const Glass& glass = look->finishes[0].glass;
+  EXPECT_EQ(glass.share, 0.75f);
+  EXPECT_EQ(glass.index, 1.25f);
+  ASSERT_TRUE(glass.absorbed_per_unit);
+  EXPECT_EQ((*glass.absorbed_per_unit)[0], 0);
+  EXPECT_NEAR((*glass.absorbed_per_unit)[1], -std::log(0.25) / 0.5, 1e-6);
+  EXPECT_TRUE(std::isfinite((*glass.absorbed_per_unit)[2])) << "black";
+  EXPECT_LT(look->materials[0].base_colour[3], 0.5f) << "see-through without rays, too";
+  EXPECT_EQ(look->finishes[0].transparency, Transparency::None) << "not a sheet";
+  // Metal lets nothing in; without the extension a material is as before.
+  json["materials"][0]["pbrMetallicRoughness"]["metallicFactor"] = 1;
+  EXPECT_FALSE(surface_look(read_model(write_json(json))));
+}
+
 TEST_F(SurfaceLookTest, TellsWhatIsTransparent) {
   write("c.png", four_colours_png());
   const auto transparency = [&](const std::string& mode, double alpha, bool textured) {

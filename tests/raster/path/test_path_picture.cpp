@@ -196,6 +196,65 @@ TEST(PathPicture, GlassShadowIsLighter) {
   EXPECT_GT(brightness(), opaque + 5);
 }
 
+// Radiance of a wall behind a slab of glass, and what the slab mirrors.
+Vec3 seen_through(double thickness, const Glass& glass, float wall_albedo, bool floor) {
+  Boxes boxes;
+  boxes.add(Vec3(-2, -thickness, -1), Vec3(2, 0, 3), material(1, 1, 1));
+  const auto look = std::make_shared<SurfaceLook>();
+  look->materials = boxes.materials;
+  look->materials[0].base_colour[3] = 1 - 0.9f * glass.share;
+  look->finishes.resize(1);
+  look->finishes[0].glass = glass;
+  look->face_material = boxes.face_material;
+  Boxes wall;
+  wall.add(Vec3(-9, 0.5, -9), Vec3(9, 0.6, 9), material(wall_albedo, wall_albedo, wall_albedo));
+  wall.materials[0].roughness = 1;
+  PictureMesh slab = boxes.view();
+  slab.look = [look](std::size_t) { return look; };
+  const PictureMesh behind = wall.view();
+  const PictureScene scene{{{&slab, {}, {}}, {&behind, {}, {}}}, floor};
+  PictureOptions options = small(128, 16, 12);
+  options.shadows = options.ambient_occlusion = false;  // the wall's light passes once
+  const Image image = trace_picture(scene, looking(Vec3(0, -6, 1.2), Vec3(0, 0, 1), 10), options);
+  const Vec3 srgb = colour(image, 8, 6) / 255;
+  return srgb.unaryExpr([](double c) { return std::pow((c + 0.055) / 1.055, 2.4); });
+}
+
+// Share of the wall's light that comes through.
+Vec3 passed(double thickness, const Glass& glass, bool floor) {
+  Glass nearly_air;
+  nearly_air.share = 1, nearly_air.index = 1.01f;
+  nearly_air.absorbed_per_unit = {0, 0, 0};
+  const auto light = [floor](double d, const Glass& g) {
+    return Vec3(seen_through(d, g, 0.4f, floor) - seen_through(d, g, 0, floor));
+  };
+  return light(thickness, glass).cwiseQuotient(light(1e-3, nearly_air));
+}
+
+TEST(PathPicture, GlassAbsorbsByItsThickness) {
+  Glass glass;
+  glass.share = 1, glass.index = 1.01f;
+  glass.absorbed_per_unit = {0, 2, 4};
+  for (const double thickness : {0.1, 0.3})
+    for (const bool floor : {false, true}) {
+      const Vec3 left = passed(thickness, glass, floor);
+      for (int k = 0; k < 3; ++k)
+        EXPECT_NEAR(left[k], std::exp(-2 * k * thickness), 0.05)
+            << thickness << ", colour " << k << (floor ? ", with a floor" : "");
+    }
+}
+
+TEST(PathPicture, GlassMirrorsByItsIndex) {
+  for (const float index : {1.25f, 1.5f, 2.5f}) {
+    Glass glass;
+    glass.share = 1, glass.index = index;
+    glass.absorbed_per_unit = {0, 0, 0};
+    // At right angles, on both sides of the slab, to and fro.
+    const double mirrored = std::pow((index - 1) / (index + 1), 2);
+    EXPECT_NEAR(passed(0.1, glass, false).mean(), (1 - mirrored) / (1 + mirrored), 0.05) << index;
+  }
+}
+
 TEST(PathPicture, NoiseFallsWithSamplesAndByTheFilter) {
   const Boxes boxes = grey_room();
   const PictureMesh mesh = boxes.view();
