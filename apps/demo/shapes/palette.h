@@ -11,8 +11,12 @@ inline Material stoneware() { return make_material("stoneware", 0.16f, 0.36f, 0.
 inline Material stoneware_rim() {
   return make_material("stoneware rim", 0.62f, 0.55f, 0.38f, 0.3f);
 }
-inline Material silver() { return make_material("silver", 0.58f, 0.59f, 0.61f, 0.24f, 0.2f); }
-inline Material clear_glass() { return make_material("glass", 0.70f, 0.82f, 0.84f, 0.05f); }
+inline Material silver() { return make_material("silver", 0.82f, 0.82f, 0.80f, 0.2f, 1.0f); }
+inline Material clear_glass() {
+  Material glass = make_material("glass", 0.80f, 0.92f, 0.90f, 0.05f);
+  glass.base_colour[3] = 0.2f;
+  return glass;
+}
 inline Material orange_juice() { return make_material("orange juice", 0.95f, 0.42f, 0.03f, 0.2f); }
 inline Material tea() { return make_material("tea", 0.28f, 0.08f, 0.01f, 0.1f); }
 inline Material milk() { return make_material("milk", 0.90f, 0.87f, 0.78f, 0.2f); }

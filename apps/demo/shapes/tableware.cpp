@@ -63,7 +63,7 @@ Model make_egg_cup() {
 }
 
 Model make_glass() {
-  // The juice is part of the surface: the picture needs no transparency to show how full it is.
+  // The juice is part of the surface, and lets no light through.
   const auto profile = flatten(
       {corner({0, 0}), corner({0.0265, 0}), smooth({0.0290, 0.0030}),
        smooth({0.0297, 0.0120}, kDrink), smooth({0.0322, 0.0480}, kDrink), smooth({0.0352, 0.0840}),
