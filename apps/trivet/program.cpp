@@ -3,6 +3,7 @@
 #include <tbb/global_control.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstring>
 #include <iostream>
 #include <new>
@@ -64,6 +65,37 @@ std::string accepted_verbs(const CLI::App& app, const std::string& given = "") {
   return list + did_you_mean(given, names);
 }
 
+// The verb that was given, else the program.
+const CLI::App& parsed_part(const CLI::App& app) {
+  const auto verbs = app.get_subcommands();
+  return verbs.empty() ? app : *verbs.front();
+}
+
+// Names the first option that is none; empty: all are known.
+std::string unknown_option(const CLI::App& app, int argc, char** argv) {
+  const CLI::App& part = parsed_part(app);
+  std::vector<std::string> names;
+  for (const CLI::Option* option : part.get_options())
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  for (int i = 1; i < argc; ++i) {
+    const std::string given = std::string(argv[i]).substr(0, std::string(argv[i]).find('='));
+    if (given.size() < 3 || given.compare(0, 2, "--") != 0) continue;
+    if (std::find(names.begin(), names.end(), given) == names.end())
+      return part.get_name() + ": there is no option " + given + did_you_mean(given, names);
+  }
+  return "";
+}
+
+std::string message_of(const CLI::ParseError& error, const CLI::App& app, int argc, char** argv) {
+  if (dynamic_cast<const CLI::ExtrasError*>(&error))
+    if (const std::string unknown = unknown_option(app, argc, argv); !unknown.empty())
+      return unknown + accepted_verbs(app);
+  std::string out = error.what() + accepted_verbs(app, argc > 1 ? argv[1] : "");
+  if (parsed_part(app).get_name() == "put" && out.rfind("--position is required", 0) == 0)
+    out += "; accepted: X Y Z, from where it falls; in a layout also \"on\" with \"at\"";
+  return out;
+}
+
 int do_verb(const std::vector<Verb>& verbs, const CommonOptions& common) {
   const auto all = tbb::global_control::max_allowed_parallelism;
   const tbb::global_control threads(all, common.num_threads > 0
@@ -102,9 +134,7 @@ int run_program(int argc, char** argv) {
   } catch (const CLI::Success& e) {  // help and version
     return app.exit(e);
   } catch (const CLI::ParseError& e) {
-    return fail(json, "usage",
-                e.what() + accepted_verbs(app, argc > 1 ? argv[1] : "") + " (see trivet --help)",
-                kBadInput);
+    return fail(json, "usage", message_of(e, app, argc, argv) + " (see trivet --help)", kBadInput);
   } catch (const Error& e) {
     const bool bad_input = e.kind() == Error::Kind::BadInput;
     return fail(json, bad_input ? "bad input" : "environment", e.what(),

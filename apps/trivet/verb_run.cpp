@@ -1,3 +1,5 @@
+#include <filesystem>
+
 #include "apps/trivet/film_frames.h"
 #include "apps/trivet/outputs.h"
 #include "apps/trivet/verbs.h"
@@ -35,7 +37,14 @@ void check_animation(const RunArguments& arguments, const Layout& layout,
   check_files({arguments.animation, outputs.scene, outputs.report, outputs.picture}, inputs);
 }
 
+void check_is_layout(const std::string& file) {
+  if (lower_extension(file) == ".glb" && std::filesystem::exists(file))
+    throw Error(Error::Kind::BadInput,
+                file + ": is a scene or a model; run takes a layout (.json)");
+}
+
 int run(const RunArguments& arguments, const CommonOptions& common) {
+  check_is_layout(arguments.layout);
   const Layout layout = read_layout(arguments.layout, common.limits().max_file_bytes);
   const std::string folder = folder_of(arguments.layout);
   std::unique_ptr<GltfScene> scene;

@@ -132,7 +132,7 @@ class WrongKinds(Case):
     def test_scenes_and_layouts_are_told_apart(self):
         layout = self.two_cubes()
         self.trivet("run", layout, "-o", "s.glb")
-        self.refused("run", "s.glb", "-o", "t.glb", says=["s.glb: is a scene", "layout"])
+        self.refused("run", "s.glb", "-o", "t.glb", says=["s.glb: is a scene", "run takes a layout (.json)"])
         self.refused("push", layout, "a", "--to", 0, 0, "-o", "t.glb", says=[layout, "run makes of a layout"])
 
 
