@@ -37,6 +37,11 @@ QString facts_text(const QString& file, const AssetInfo& info) {
       .trimmed();
 }
 
+/// The same where the item is selected: its background stays as it is.
+QIcon steady_icon(Icon icon, const QColor& colour) {
+  return make_icon(icon, colour).pixmap(kIconPx);
+}
+
 }  // namespace
 
 QMimeData* AssetList::mimeData(const QList<QListWidgetItem*>& items) const {
@@ -210,11 +215,11 @@ void AssetBrowser::show_item(QListWidgetItem& item) {
   const AssetInfo* const info = m_thumbnails.find(file);
   const bool is_bad = info && !info->error.isEmpty();
   if (is_bad)
-    item.setIcon(make_icon(Icon::Invalid, m_theme.refused()));
+    item.setIcon(steady_icon(Icon::Invalid, m_theme.refused()));
   else if (info && !info->picture.isNull())
     item.setIcon(QPixmap::fromImage(info->picture));
   else
-    item.setIcon(make_icon(Icon::Import, m_theme.faint_text()));
+    item.setIcon(steady_icon(Icon::Import, m_theme.faint_text()));
   item.setData(Qt::ForegroundRole, is_bad ? QVariant(m_theme.refused()) : QVariant());
   item.setToolTip(is_bad ? notes_text(*info).join('\n') : info ? facts_text(file, *info) : file);
 }

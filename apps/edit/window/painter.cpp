@@ -1,5 +1,7 @@
 #include "apps/edit/window/painter.h"
 
+#include <sys/resource.h>
+
 #include <QElapsedTimer>
 #include <QMetaObject>
 
@@ -8,6 +10,9 @@
 
 namespace trivet::edit {
 namespace {
+
+// Of nice(): where graphics are drawn on the processor, poses come before pictures.
+constexpr int kLessUrgent = 5;
 
 /// Shares the pixels without copying.
 QImage qt_image(Image image) {
@@ -49,6 +54,7 @@ std::optional<PaintRequest> Painter::next() {
 }
 
 void Painter::run() {
+  setpriority(PRIO_PROCESS, 0, kLessUrgent);  // of this thread, and of those that the driver starts
   try {
     EglContext context;
     LiveView live(context);

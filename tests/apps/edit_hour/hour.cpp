@@ -2,6 +2,7 @@
 
 #include <QAbstractButton>
 #include <QAbstractSpinBox>
+#include <QFile>
 #include <QFileDialog>
 #include <QLineEdit>
 #include <QProcess>
@@ -9,6 +10,7 @@
 
 #include "apps/edit_document/boxes.h"
 #include "apps/edit_hour/hour_steps.h"
+#include "support/textured_square.h"
 
 namespace trivet::edit::test {
 namespace {
@@ -26,6 +28,20 @@ QString text_of(const QWidget& widget) {
     return label->wordWrap() || label->textFormat() == Qt::RichText ? QString() : label->text();
   const auto* const button = qobject_cast<const QAbstractButton*>(&widget);
   return button ? button->text() : QString();
+}
+
+// Red, green, blue and white, a quarter of the image each.
+std::string four_colours() {
+  constexpr int kSide = 64;
+  Image image{kSide, kSide, {}};
+  for (int y = 0; y < kSide; ++y)
+    for (int x = 0; x < kSide; ++x) {
+      const int quarter = 2 * (y / (kSide / 2)) + x / (kSide / 2);
+      for (int channel = 0; channel < 3; ++channel)
+        image.rgba.push_back(quarter == 3 || quarter == channel ? 230 : 10);
+      image.rgba.push_back(255);
+    }
+  return encode_png(image);
 }
 
 }  // namespace
@@ -97,6 +113,10 @@ void write_hour_models(const QString& folder) {
   write_boxes((library + "/shelf.obj").toStdString(), shelf);
   write_boxes((library + "/book.obj").toStdString(), {{{-20, -80, 0}, {20, 80, 220}}});
   write_boxes((kitchen + "/tray.obj").toStdString(), {{{-0.45, -0.35, 0}, {0.45, 0.35, 0.02}}});
+  QFile poster(kitchen + "/poster.gltf"), picture(kitchen + "/c.png");
+  QVERIFY(poster.open(QIODevice::WriteOnly) && picture.open(QIODevice::WriteOnly));
+  poster.write(trivet::testing::square_json().dump().c_str());
+  picture.write(QByteArray::fromStdString(four_colours()));
   const QString all = folder + "/breakfast";
   QProcess demo;
   demo.start(TRIVET_PROGRAM,
@@ -112,7 +132,9 @@ void work_an_hour(Document& document, MainWindow& window, User& user, const QStr
   for (const auto step :
        {&Hour::import_folders, &Hour::put_shelf, &Hour::put_book_into_shelf,
         &Hour::put_ten_in_a_row, &Hour::put_forty_apples, &Hour::push_and_turn, &Hour::type_numbers,
-        &Hour::rename, &Hour::collect, &Hour::save_and_reopen, &Hour::export_and_render}) {
+        &Hour::rename, &Hour::collect, &Hour::save_and_reopen, &Hour::export_and_render,
+        &Hour::put_textured, &Hour::lay_out_in_a_circle, &Hour::paint, &Hour::show_and_hide,
+        &Hour::look_around, &Hour::copy_one_by_one}) {
     (hour.*step)();
     if (QTest::currentTestFailed()) {
       user.look("failed");

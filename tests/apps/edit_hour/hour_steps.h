@@ -21,10 +21,18 @@ class Hour {
   void collect();
   void save_and_reopen();
   void export_and_render();
+  void put_textured();
+  void lay_out_in_a_circle();
+  void paint();
+  void show_and_hide();
+  void look_around();
+  void copy_one_by_one();
 
  private:
   void show_folder(const QString& name);
   void show_room();
+  size_t num_objects() const { return m_document.snapshot()->objects.size(); }
+  void undo();
   void wait_for(const std::string& object);
   void begin() { m_before = m_user.effort(); }
   /// Since begin(), and what was done in the asset browser.

@@ -1,7 +1,8 @@
 // An hour of work in a real window under a window system, step by step with screenshots; the asset
 // browser and collections.
 //   test_apps_edit_hour [--hour] [--size 1280x800] [--dark] [--german] [Qt Test's own arguments]
-// --hour: nothing but the hour. QT_SCALE_FACTOR scales.
+// --hour: nothing but the hour; so with --german, too, as the other tests read English.
+// QT_SCALE_FACTOR scales.
 #include <QApplication>
 #include <QComboBox>
 #include <QProcess>
@@ -25,6 +26,7 @@ Kind taken_from(QStringList& arguments) {
   out.only_hour = arguments.removeAll("--hour") > 0;
   out.dark = arguments.removeAll("--dark") > 0;
   out.german = arguments.removeAll("--german") > 0;
+  out.only_hour |= out.german;
   if (const qsizetype at = arguments.indexOf("--size"); at >= 0) {
     const QStringList size = arguments.takeAt(at + 1).split('x');
     arguments.removeAt(at);

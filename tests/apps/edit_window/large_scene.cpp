@@ -7,7 +7,9 @@
 #include <ctime>
 #include <fstream>
 
+#include "apps/edit_window/monkey.h"
 #include "ops/files/layout/layout.h"
+#include "support/effort.h"
 #include "support/textured_square.h"
 
 namespace trivet::edit::test {
@@ -172,6 +174,7 @@ void measure_large_scene(Document& document, MainWindow& window, User& user, con
   SceneView& view = window.view(WindowKind::Perspective);
   measure_orbit(view, user, textured ? "thousand_textured_objects" : "thousand_objects");
   measure_push(document, view, user);
+  measure_monkey(document, window, user, trivet::test::with_effort(50));
 }
 
 }  // namespace trivet::edit::test

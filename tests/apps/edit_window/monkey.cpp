@@ -5,6 +5,7 @@
 #include <QMenuBar>
 #include <QToolBar>
 #include <QWheelEvent>
+#include <algorithm>
 #include <cstdio>
 
 #include "apps/edit_document/scene_checks.h"
@@ -72,6 +73,15 @@ class Monkey {
     m_close.start();
   }
   ~Monkey() { close_what_is_open(); }
+
+  /// From mouse move to new pose, of the drags until now.
+  void print_response() {
+    std::sort(m_drags.begin(), m_drags.end());
+    if (!m_drags.empty())
+      std::printf(
+          "monkey: %zu moves of drags, mouse move to pose: median %.2f ms, largest %.2f ms\n",
+          m_drags.size(), m_drags[m_drags.size() / 2], m_drags.back());
+  }
 
   void act() {
     close_what_is_open();
@@ -186,6 +196,9 @@ class Monkey {
     const int num_steps = m_random.integer(1, 6);
     for (int i = 1; i <= num_steps; ++i) m_user.move_to(view, from + (to - from) * i / num_steps);
     if (m_random.integer(0, 5) == 0) press_key();  // in the middle of the drag
+    if (m_document.is_dragging()) m_document.wait_until_idle(kPatienceMs);
+    const std::vector<double>& took = m_document.drag_milliseconds();
+    if (m_document.is_dragging()) m_drags.insert(m_drags.end(), took.begin(), took.end());
     m_user.release(view, to, button);
   }
 
@@ -194,6 +207,7 @@ class Monkey {
   User& m_user;
   Random m_random;
   QTimer m_close;
+  std::vector<double> m_drags;
 };
 
 /// Checks that commits are sound, and that the first step of a scene equals its first state.
@@ -241,6 +255,7 @@ void play_monkey(Document& document, MainWindow& window, User& user) {
       monkey.act();
       referee.judge(i);
     }
+    monkey.print_response();
   }
   user.look("monkey");
   std::printf("monkey: %d commits, %zu steps at the end\n", referee.num_commits(),
@@ -252,6 +267,21 @@ void play_monkey(Document& document, MainWindow& window, User& user) {
   window.action("select")->trigger();
   QVERIFY(user.wait());
   QVERIFY(window.isVisible());
+}
+
+void measure_monkey(Document& document, MainWindow& window, User& user, int num_actions) {
+  {
+    Monkey monkey(document, window, user, 20261123);
+    for (int i = 1; i <= num_actions && !QTest::currentTestFailed(); ++i) {
+      monkey.act();
+      QVERIFY(document.wait_until_idle(kPatienceMs));
+    }
+    monkey.print_response();
+  }
+  document.go_to_step(0);
+  window.action("reset layout")->trigger();
+  window.action("select")->trigger();
+  QVERIFY(user.wait());
 }
 
 }  // namespace trivet::edit::test

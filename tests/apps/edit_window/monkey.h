@@ -10,4 +10,7 @@ namespace trivet::edit::test {
 /// step, without unsaved changes.
 void play_monkey(Document& document, MainWindow& window, User& user);
 
+/// On the scene that is there, and prints the response of its drags alone.
+void measure_monkey(Document& document, MainWindow& window, User& user, int num_actions);
+
 }  // namespace trivet::edit::test
