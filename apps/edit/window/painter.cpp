@@ -1,7 +1,5 @@
 #include "apps/edit/window/painter.h"
 
-#include <sys/resource.h>
-
 #include <QElapsedTimer>
 #include <QMetaObject>
 
@@ -10,9 +8,6 @@
 
 namespace trivet::edit {
 namespace {
-
-// Of nice(): where graphics are drawn on the processor, poses come before pictures.
-constexpr int kLessUrgent = 5;
 
 /// Shares the pixels without copying.
 QImage qt_image(Image image) {
@@ -54,7 +49,6 @@ std::optional<PaintRequest> Painter::next() {
 }
 
 void Painter::run() {
-  setpriority(PRIO_PROCESS, 0, kLessUrgent);  // of this thread, and of those that the driver starts
   try {
     EglContext context;
     LiveView live(context);

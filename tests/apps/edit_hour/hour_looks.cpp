@@ -104,10 +104,10 @@ void Hour::look_around() {
   m_user.move_to(view, view.rect().center());
   const Vec3 first = eye();
   m_user.press_key(Qt::Key_1, Qt::ControlModifier);
-  m_user.press_key(Qt::Key_1, Qt::KeypadModifier);
+  m_user.press_key(Qt::Key_Home);
   QVERIFY((eye() - first).norm() > 0.1);
   QVERIFY(m_user.wait());
-  m_user.look("from_the_front");
+  m_user.look("all");
   m_user.press_key(Qt::Key_1, Qt::AltModifier);
   QVERIFY((eye() - first).norm() < 1e-9);
   m_user.select("book 3");
