@@ -21,7 +21,6 @@ namespace trivet {
 RTCDevice embree_device();
 
 struct ReleaseEmbree {
-  void operator()(RTCBVH bvh) const { rtcReleaseBVH(bvh); }
   void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
   void operator()(RTCGeometry geometry) const { rtcReleaseGeometry(geometry); }
 };
