@@ -1,6 +1,7 @@
 // Textures, patterns, painting, what is shown, views; and copies one by one, as before there were
 // arrays.
 #include <QComboBox>
+#include <QCursor>
 
 #include "apps/edit_hour/dragging.h"
 #include "apps/edit_hour/hour_steps.h"
@@ -101,8 +102,8 @@ void Hour::show_and_hide() {
 void Hour::look_around() {
   SceneView& view = m_window.view(WindowKind::Perspective);
   const auto eye = [&] { return view.camera().camera().eye; };
-  // At scale 2 the virtual screen's own pointer is in another view, where these keys would act.
-  if (m_window.devicePixelRatio() != 1) return;
+  // These keys would act on the view under the virtual screen's own pointer.
+  if (m_window.geometry().contains(QCursor::pos())) return;
   m_user.move_to(view, view.rect().center());
   const Vec3 first = eye();
   m_user.press_key(Qt::Key_1, Qt::ControlModifier);
