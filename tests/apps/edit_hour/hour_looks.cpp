@@ -131,8 +131,8 @@ void Hour::copy_one_by_one() {
     for (int i = 0; i < count; ++i) {
       m_user.press_key(Qt::Key_D, Qt::ControlModifier);
       QVERIFY(m_user.wait());
-      m_user.click(WindowKind::ThreeView,
-                   from + step * Vec3(double(i % columns), double(i / columns), 0));
+      const int column = i % columns, row = i / columns;
+      m_user.click(WindowKind::ThreeView, from + step * Vec3(column, row, 0));
       QVERIFY(m_user.wait());
     }
     print_effort((std::string(name) + "s one by one").c_str());

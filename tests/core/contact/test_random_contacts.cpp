@@ -14,6 +14,8 @@
 namespace trivet {
 namespace {
 
+using test::box, test::Posed;
+
 double distance_of(const Body& a, const Body& b) {
   double out = kInfinity;
   for (Index i = 0; i < static_cast<Index>(a.shape->mesh.triangles.size()); ++i)
