@@ -41,7 +41,7 @@ void DistanceBounds::add_nodes() {
   for (const Relation& r : m_world.arrangement().relations)
     for (const std::string& name : {r.a, r.b}) add_standing(name);
   for (const Pattern& p : m_world.arrangement().patterns) add_standing(p.on);
-  // What carries has its place before.
+  // Carriers get their place before what they carry.
   for (const ThingModel& thing : m_world.things()) {
     std::vector<const ThingModel*> chain{&thing};
     while (const std::string* below = carrier(chain.back()->thing->object)) {

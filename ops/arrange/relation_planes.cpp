@@ -20,7 +20,7 @@ std::vector<HalfPlane> beside_planes(const Relation& r, const Outline& moving, c
   const double sign = moves_a ? 1 : -1;  // a - b
   const Vec2 d = direction_of(r, a, b), across = quarter_turned(d);
   std::vector<HalfPlane> out;
-  // What is pushed to contact begins before it.
+  // PUSH to contact begins before it.
   const double sooner = closes_gap(r) ? 0.5 * r.tolerance : 0;
   add_interval(d, sign, -extent(a.hull, -d) - extent(b.hull, d), r.lower - slack + sooner,
                r.upper + slack + sooner, out);

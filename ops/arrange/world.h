@@ -131,7 +131,8 @@ class World {
 std::optional<Landing> landing_on(const Scene& scene, ObjectId support,
                                   const std::vector<SupportSurface>& surfaces,
                                   const SupportSurface& surface, double height, double clearance);
-/// Whether one of so many levels is this one, from below or, negative, from above; why not.
+/// True if there is this level among so many, from below or, negative, from above; and the
+/// sentence when there is not.
 bool is_level(size_t count, int level);
 std::string no_such_level(const std::string& support, size_t count, int level);
 /// The surface of this level, from below or, negative, from above; nullptr: there is none.

@@ -31,7 +31,7 @@ Transparency transparency_of(const DrawnMesh& mesh, std::size_t material) {
   return mesh.has_details() ? mesh.surface->finishes[material].transparency : Transparency::None;
 }
 
-// What the model says of it; lengths are shares of the mesh's diagonal.
+// Transmission, index and absorption of the model; lengths are shares of the mesh's diagonal.
 void take_glass(const Glass& given, double diagonal, PathMaterial& out) {
   if (given.share <= 0) return;
   out.index = given.index;

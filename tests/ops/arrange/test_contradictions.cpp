@@ -1,4 +1,4 @@
-// What cannot be met wherever things stand is told before anything is placed.
+// Wishes that cannot be met wherever things stand are told before anything is placed.
 #include <gtest/gtest.h>
 
 #include <random>

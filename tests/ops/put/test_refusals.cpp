@@ -1,4 +1,4 @@
-// What PUT refuses, and that it changes nothing then.
+// Refusals of PUT, which change nothing.
 #include <gtest/gtest.h>
 
 #include "arrangements.h"
