@@ -94,13 +94,13 @@ std::string ConflictSearch::support() const {
 }
 
 void ConflictSearch::make_poses() {
-  for (const Rotation& rest : m_thing.rests) {
-    const Outline lying = m_world.outline(m_thing, {rest, Vec3::Zero()});
-    const auto landings = m_world.landings(m_thing, lying.top - lying.bottom, m_why_none);
+  for (const Rest& rest : m_thing.rests) {
+    const double height = rest.outline.top - rest.outline.bottom;
+    const auto landings = m_world.landings(m_thing, height, m_why_none);
     for (const Rotation& turn : m_placer.turns(rest)) {
       Combination c;
-      c.rotation = (turn * rest).normalized();
-      c.outline = m_world.outline(m_thing, {c.rotation, Vec3::Zero()});
+      c.rotation = (turn * rest.rotation).normalized();
+      c.outline = m_world.outline(m_thing, rest, turn);
       for (const Landing& landing : landings) {
         c.landing = landing;
         c.region = m_placer.window(landing, c.outline);

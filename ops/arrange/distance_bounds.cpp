@@ -68,8 +68,8 @@ void DistanceBounds::add_standing(const std::string& name) {
 void DistanceBounds::add_thing(const ThingModel& thing) {
   Node node{thing.thing->object};
   double edge = 0;
-  for (const Rotation& rest : thing.rests) {
-    const Outline outline = m_world.outline(thing, {rest, Vec3::Zero()});
+  for (const Rest& rest : thing.rests) {
+    const Outline& outline = rest.outline;
     const Vec3 span(outline.width(Vec2::UnitX()), outline.width(Vec2::UnitY()),
                     outline.top - outline.bottom);
     node.size = std::max(node.size, span.norm());

@@ -1,5 +1,8 @@
 #include "ops/arrange/outline.h"
 
+#include <algorithm>
+#include <tuple>
+
 #include "core/contact/contact_points.h"
 #include "core/mesh/mass.h"
 #include "ops/arrange/convex_region.h"
@@ -51,6 +54,24 @@ Outline outline_of(const std::vector<Vec3>& points, const Object& object, const 
   out.front = front_of(pose.rotation, front);
   for (const Vec2& axis : {out.front, out.right()})
     out.centre += 0.5 * (extent(out.hull, axis) - extent(out.hull, -axis)) * axis;
+  return out;
+}
+
+std::vector<Vec3> rim_of(const std::vector<Vec3>& points, const Object& object, const Pose& pose,
+                         const Outline& outline) {
+  const auto less = [](const Vec2& a, const Vec2& b) {
+    return std::make_tuple(a.x(), a.y()) < std::make_tuple(b.x(), b.y());
+  };
+  std::vector<Vec2> corners = outline.hull;
+  std::sort(corners.begin(), corners.end(), less);
+  const Affine world = world_from_object(pose, object.up, object.scale);
+  std::vector<Vec3> out;
+  for (const Vec3& p : points) {
+    const Vec3 q = world.apply(p);
+    if (q.z() == outline.bottom || q.z() == outline.top ||
+        std::binary_search(corners.begin(), corners.end(), Vec2(q.head<2>()), less))
+      out.push_back(p);
+  }
   return out;
 }
 

@@ -24,11 +24,16 @@ struct Outline {
 /// costs O(n log n), outlines what is on the hull.
 std::vector<Vec3> hull_points(const Shape& shape);
 
-/// @param points  hull_points() of the object's shape.
+/// @param points  hull_points() of the object's shape, or more of it.
 /// @param front  in the model's frame after its up axis. Of an object that lies on its front or
 ///   back, which has none, the turn of the smallest rotation into that pose counts.
 Outline outline_of(const std::vector<Vec3>& points, const Object& object, const Pose& pose,
                    const Vec3& front);
+
+/// Those of the points that are in the outline's hull, lowest or highest: outlines of the same pose
+/// turned about z need no others.
+std::vector<Vec3> rim_of(const std::vector<Vec3>& points, const Object& object, const Pose& pose,
+                         const Outline& outline);
 
 Outline moved(Outline outline, const Vec2& by);
 

@@ -81,7 +81,7 @@ class Placer {
   const std::string& name() const { return model().thing->object; }
   void combine();
   bool turns_are_free() const;
-  std::vector<Rotation> turns(const Rotation& rest) const;
+  std::vector<Rotation> turns(const Rest& rest) const;
   void clip(Combination& combination) const;
   void narrow(Combination& combination) const;
   ConvexRegion window(const Landing& landing, const Outline& outline) const;

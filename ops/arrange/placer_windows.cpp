@@ -15,11 +15,11 @@ constexpr int kAnyTurns = 16;  // of things that may be turned at will
 
 // Those that the thing asks for itself, else its hard relations, else all round; soft relations add
 // theirs.
-std::vector<Rotation> Placer::turns(const Rotation& rest) const {
+std::vector<Rotation> Placer::turns(const Rest& rest) const {
   std::vector<Rotation> out;
   for (const double yaw : model().thing->yaws_deg) out.push_back(turned_about_z(yaw));
   if (!out.empty()) return out;
-  const Outline outline = m_world.outline(model(), {rest, Vec3::Zero()});
+  const Outline& outline = rest.outline;
   std::vector<Rotation> soft;
   bool faces = false;
   for (const Relation* r : m_relations) {
@@ -92,7 +92,7 @@ void Placer::narrow(Combination& combination) const {
 // True if no relation asks for a turn, and the thing for none.
 bool Placer::turns_are_free() const {
   if (!model().thing->yaws_deg.empty()) return false;
-  const Outline outline = m_world.outline(model(), {model().rests.front(), Vec3::Zero()});
+  const Outline& outline = model().rests.front().outline;
   return std::all_of(m_relations.begin(), m_relations.end(), [&](const Relation* r) {
     return wanted_front(*r, outline, partner(*r)) == Vec2::Zero() &&
            (!partner(*r) || turns_asked_for(*r, outline, *partner(*r)).empty());
@@ -101,18 +101,18 @@ bool Placer::turns_are_free() const {
 
 void Placer::combine() {
   m_turns_are_free = m_temperature > 0 && turns_are_free();
-  for (const Rotation& rest : model().rests) {
-    const Outline lying = m_world.outline(model(), {rest, Vec3::Zero()});
+  for (const Rest& rest : model().rests) {
     std::string why_none;
-    const auto landings = m_world.landings(model(), lying.top - lying.bottom, why_none);
+    const double height = rest.outline.top - rest.outline.bottom;
+    const auto landings = m_world.landings(model(), height, why_none);
     const std::vector<Rotation> turns = this->turns(rest);
     m_num_turns = std::max(m_num_turns, turns.size());
     for (size_t t = 0; t < turns.size(); ++t) {
       const Rotation& turn = turns[t];
       Combination combination;
       combination.turn = t;
-      combination.rotation = (turn * rest).normalized();
-      combination.outline = m_world.outline(model(), {combination.rotation, Vec3::Zero()});
+      combination.rotation = (turn * rest.rotation).normalized();
+      combination.outline = m_world.outline(model(), rest, turn);
       for (const Landing& landing : landings) {
         combination.landing = landing;
         combination.region = window(landing, combination.outline);

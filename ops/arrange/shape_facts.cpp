@@ -15,8 +15,16 @@ const typename Map::mapped_type& known(Map& map, const typename Map::key_type& k
 
 }  // namespace
 
+bool ShapeFacts::stands_as_modelled(const Object& object) {
+  return known(m_stands, {object.shape, object.up, object.scale}, [&] {
+    return trivet::stands_as_modelled(*object.shape, object.up, object.scale);
+  });
+}
+
 const std::vector<Vec3>& ShapeFacts::hull(const Object& object) {
-  return known(m_hulls, object.shape, [&] { return hull_points(*object.shape); });
+  return known(m_hulls, object.shape, [&] {
+    return stands_as_modelled(object) ? object.shape->mesh.vertices : hull_points(*object.shape);
+  });
 }
 
 // Its hull is kept, too, but of points in one plane, of which it is all points.

@@ -17,7 +17,10 @@ namespace trivet {
 /// Not thread-safe.
 class ShapeFacts {
  public:
-  /// See hull_points().
+  /// See stands_as_modelled().
+  bool stands_as_modelled(const Object& object);
+  /// Points of which the hull is the object's: its corners, or all vertices of what stands as it is
+  /// modelled, as its outlines take less time than the hull then.
   const std::vector<Vec3>& hull(const Object& object);
   /// See stable_poses().
   const std::vector<StablePose>& poses(const Object& object);
@@ -26,8 +29,10 @@ class ShapeFacts {
 
  private:
   using Shared = std::shared_ptr<const Shape>;  // alive, so that no other gets its address
+  using Standing = std::tuple<Shared, UpAxis, double>;
+  std::map<Standing, bool> m_stands;
   std::map<Shared, std::vector<Vec3>> m_hulls;
-  std::map<std::tuple<Shared, UpAxis, double>, std::vector<StablePose>> m_poses;
+  std::map<Standing, std::vector<StablePose>> m_poses;
   std::map<std::pair<Shared, std::vector<double>>, std::vector<SupportSurface>> m_surfaces;
 };
 

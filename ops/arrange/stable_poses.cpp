@@ -15,6 +15,9 @@ namespace trivet {
 namespace {
 
 constexpr double kEqualProbability = 1e-9;
+// Of the centre's height, and of the size: a facet tilted by less than half a degree, and thus of
+// the same pose, is farther from the centre than the one below it, whatever is rounded.
+constexpr double kSafeMargin = 0.01, kSafeSize = 1e-6;
 
 // Hull triangles that count as one facet.
 struct Facet {
@@ -237,6 +240,27 @@ std::vector<StablePose> stable_poses(const Shape& shape, UpAxis up, double scale
   std::sort(out.begin(), out.end(),
             [&](const StablePose& a, const StablePose& b) { return key(a) < key(b); });
   return out;
+}
+
+bool stands_as_modelled(const Shape& shape, UpAxis up, double scale) {
+  const Affine standing = world_from_object({}, up, scale);
+  const Vec3 centre = standing.apply(shape.mass.centre);
+  std::vector<Vec3> points;  // from the centre of mass
+  points.reserve(shape.mesh.vertices.size());
+  double lowest = kInfinity;
+  for (const Vec3& v : shape.mesh.vertices) {
+    points.push_back(standing.apply(v) - centre);
+    lowest = std::min(lowest, points.back().z());
+  }
+  std::vector<Vec2> base, above;
+  for (const Vec3& p : points) {
+    if (p.z() == lowest) base.push_back(p.head<2>());
+    if (p.z() >= 0) above.push_back(p.head<2>());
+  }
+  const double size = scale * shape.box.diagonal();
+  // A centre between the base and what is above it is inside the hull.
+  return -lowest > kSafeSize * size && hull_margin(base, Vec2::Zero()) > kSafeMargin * -lowest &&
+         hull_margin(above, Vec2::Zero()) >= 0;
 }
 
 namespace {

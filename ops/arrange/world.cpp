@@ -133,7 +133,9 @@ std::vector<Rotation> World::rests_of(const Thing& thing) const {
   using Kind = PoseChoice::Kind;
   const Kind kind = thing.pose.kind;
   if (kind == Kind::AsModelled || kind == Kind::Free) return {Rotation{}};
-  const std::vector<StablePose>& poses = facts().poses(scene().at(*scene().find(thing.object)));
+  const Object& object = scene().at(*scene().find(thing.object));
+  if (kind == Kind::Upright && facts().stands_as_modelled(object)) return {Rotation{}};
+  const std::vector<StablePose>& poses = facts().poses(object);
   if (kind == Kind::Upright) {
     const auto upright = upright_pose(poses);
     if (!upright) refuse(no_upright_pose(thing.object, poses));
@@ -161,11 +163,17 @@ ThingModel World::model_of(const Thing& thing) const {
   ThingModel out;
   out.thing = &thing;
   out.id = *scene().find(thing.object);
-  out.rests = rests_of(thing);
-  out.points = facts().hull(scene().at(out.id));
+  const Object& object = scene().at(out.id);
+  out.points = facts().hull(object);
   const auto front = m_arrangement.fronts.find(thing.object);
   out.front = front == m_arrangement.fronts.end() ? Vec3(-Vec3::UnitY()) : front->second;
-  const Outline seen = outline(out, {out.rests.front(), Vec3::Zero()});
+  for (const Rotation& rotation : rests_of(thing)) {
+    const Pose pose{rotation, Vec3::Zero()};
+    Outline seen = outline(out, pose);
+    std::vector<Vec3> rim = rim_of(out.points, object, pose, seen);
+    out.rests.push_back({rotation, std::move(seen), std::move(rim)});
+  }
+  const Outline& seen = out.rests.front().outline;
   for (size_t i = 0; i < seen.hull.size(); ++i)
     out.area += 0.5 * cross(seen.hull[i], seen.hull[(i + 1) % seen.hull.size()]);
   return out;
@@ -228,6 +236,11 @@ Outline World::outline(const ThingModel& thing, const Pose& pose) const {
   return outline_of(thing.points, scene().at(thing.id), pose, thing.front);
 }
 
+Outline World::outline(const ThingModel& thing, const Rest& rest, const Rotation& turn) const {
+  return outline_of(rest.rim, scene().at(thing.id),
+                    {(turn * rest.rotation).normalized(), Vec3::Zero()}, thing.front);
+}
+
 Outline World::outline(const std::string& name) const {
   const Object& object = scene().at(*scene().find(name));
   if (const int t = thing_of(name); t >= 0) return outline(m_things[t], object.pose);
@@ -264,7 +277,7 @@ std::optional<size_t> World::num_levels(const std::string& name) const {
   if (thing.rests.size() > 1 || thing.thing->pose.kind == PoseChoice::Kind::Free)
     return std::nullopt;
   Object lying = scene().at(thing.id);
-  lying.pose = {thing.rests.front(), Vec3::Zero()};
+  lying.pose = {thing.rests.front().rotation, Vec3::Zero()};
   return facts().surfaces(lying).size();
 }
 

@@ -31,11 +31,18 @@ struct ArrangeSetting {
 /// Thrown by World::check_interrupt(), and caught where an arrangement is given up.
 struct ArrangeStopped {};
 
+/// A pose that a thing may have, before it is turned about z.
+struct Rest {
+  Rotation rotation;
+  Outline outline;        // at the origin
+  std::vector<Vec3> rim;  // rim_of() it
+};
+
 /// A thing with what does not depend on places.
 struct ThingModel {
   const Thing* thing = nullptr;
   ObjectId id;
-  std::vector<Rotation> rests;    // turns into the poses that it may have
+  std::vector<Rest> rests;
   std::vector<Vec3> points;       // hull_points()
   Vec3 front;                     // in the model's frame after its up axis
   std::vector<size_t> relations;  // that name it
@@ -84,6 +91,8 @@ class World {
   /// Of an object in the scene.
   Outline outline(const std::string& name) const;
   Outline outline(const ThingModel& thing, const Pose& pose) const;
+  /// Of a thing at the origin, turned about z.
+  Outline outline(const ThingModel& thing, const Rest& rest, const Rotation& turn) const;
   /// In the scene, in the scene's order.
   std::vector<ObjectId> standing() const;
 

@@ -7,6 +7,7 @@
 #include "ops/arrange/noise.h"
 #include "ops/arrange/relations.h"
 #include "support/random_shapes.h"
+#include "support/solids.h"
 
 namespace trivet {
 namespace {
@@ -127,6 +128,33 @@ Outline box_outline(const Vec2& at, const Vec2& half, const Vec2& front) {
   out.centre = out.mass_centre = at;
   out.front = front;
   return out;
+}
+
+TEST(Outline, OfTurnIsThatOfItsRim) {
+  test::Random random(5);
+  size_t num_points = 0, num_rim = 0;
+  for (int i = 0; i < 100; ++i) {
+    const Object object = test::object_of(
+        "thing", i % 2 ? test::cylinder(0.1, 0.3, 30) : test::ball(random.uniform(0.05, 0.2), 8, 12));
+    const std::vector<Vec3>& points = object.shape->mesh.vertices;
+    const Pose lying{random.rotation(), Vec3::Zero()};
+    const Vec3 front = -Vec3::UnitY();
+    const std::vector<Vec3> rim =
+        rim_of(points, object, lying, outline_of(points, object, lying, front));
+    num_points += points.size(), num_rim += rim.size();
+    const Rotation turn = turned_about_z(random.uniform(0, 360));
+    const Pose turned{(turn * lying.rotation).normalized(), Vec3::Zero()};
+    const Outline some = outline_of(rim, object, turned, front);
+    const Outline all = outline_of(points, object, turned, front);
+    EXPECT_NEAR(some.bottom, all.bottom, 1e-15);
+    EXPECT_NEAR(some.top, all.top, 1e-15);
+    for (int k = 0; k < 16; ++k) {
+      const Vec2 d = turned_about_z(22.5 * k).matrix().col(0).head<2>();
+      EXPECT_NEAR(some.width(d), all.width(d), 1e-15);
+    }
+    EXPECT_LT((some.centre - all.centre).norm(), 1e-15);
+  }
+  EXPECT_LT(num_rim, num_points / 2);
 }
 
 TEST(Relations, AreSeenFromInFront) {

@@ -143,6 +143,55 @@ TEST(StablePoses, FollowTheUpAxisOfTheFile) {
   EXPECT_GT(world.apply_direction(Vec3::UnitY()).z(), 1 - 1e-14);
 }
 
+// A random pyramid stump, leaning, on a base that is level or all but level.
+test::Triangles stump(test::Random& random) {
+  const int corners = 3 + int(random.uniform(0, 6));
+  const double radius = random.uniform(0.02, 0.2), height = random.uniform(0.01, 0.4);
+  const double tip = random.uniform(0, 1.5) * radius;
+  const double tilt = random.uniform(0, 1) < 0.5 ? 0 : random.uniform(-0.02, 0.02);
+  const Vec2 lean = random.uniform(0, 1.5) * radius * Vec2(random.uniform(-1, 1), 1);
+  std::vector<std::vector<Vec3>> rings(2);
+  for (int i = 0; i < corners; ++i) {
+    const Vec2 d = turned_about_z(360.0 * i / corners).matrix().col(0).head<2>();
+    rings[0].emplace_back(radius * d.x(), radius * d.y(), tilt * d.x());
+    rings[1].emplace_back(tip * d.x() + lean.x(), tip * d.y() + lean.y(), height);
+  }
+  return test::outward(test::skin(rings, false));
+}
+
+TEST(StandsAsModelled, IsUprightPoseOfHull) {
+  test::Random random(11);
+  int num_standing = 0, num_missed = 0, num_fallen = 0;
+  for (int i = 0; i < test::with_effort(400); ++i) {
+    const auto shape = test::shape_of(stump(random));
+    const auto upright = upright_pose(stable_poses(*shape, UpAxis::Z));
+    const bool stands = stands_as_modelled(*shape, UpAxis::Z);
+    if (stands) {
+      ASSERT_TRUE(upright);
+      EXPECT_LT(angle_between_deg(down_of(upright->rotation), Vec3(-Vec3::UnitZ())), 1e-9);
+    }
+    num_standing += stands;
+    num_missed += !stands && upright && upright->tilt_deg == 0;
+    num_fallen += !upright;
+  }
+  EXPECT_GE(num_standing, test::with_effort(400) / 8);
+  EXPECT_GE(num_fallen, test::with_effort(400) / 8);
+  EXPECT_LE(num_missed, num_standing / 10) << "only what is close to tipping";
+}
+
+TEST(StandsAsModelled, KnowsOpenVesselsAndUpAxis) {
+  EXPECT_TRUE(stands_as_modelled(*test::shape_of(test::cylinder(0.1, 0.2, 24)), UpAxis::Z));
+  EXPECT_TRUE(stands_as_modelled(*test::shape_of(test::cylinder(0.1, 0.2, 24)), UpAxis::Z, 1e-3));
+  const auto box = test::shape_of(test::box_triangles(Vec3(0.1, 0.25, 0.7)));
+  EXPECT_TRUE(stands_as_modelled(*box, UpAxis::Y));
+  std::vector<Vec2> cup = {{0, 0}, {0.05, 0}, {0.06, 0.2}, {0.055, 0.2}, {0.045, 0.01}, {0, 0.01}};
+  EXPECT_TRUE(stands_as_modelled(*test::shape_of(test::revolved(cup, 12)), UpAxis::Z));
+  EXPECT_FALSE(stands_as_modelled(*test::shape_of(test::ball(0.1, 8, 12)), UpAxis::Z));
+  EXPECT_FALSE(stands_as_modelled(*test::shape_of({{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)}}),
+                                  UpAxis::Z))
+      << "a sheet";
+}
+
 // The quasi-static fall by brute force: planes of the solid with all vertices on them, no
 // adjacency, no solid angles.
 class PlainFall {
