@@ -27,6 +27,13 @@ LiveScene live_scene(const Scene& scene) {
   return out;
 }
 
+GpuZListOptions options_of(GpuMethod method) {
+  GpuZListOptions options;
+  options.method = method;
+  options.software_lists = std::make_shared<SoftwareDoubtfulLists>();
+  return options;
+}
+
 }  // namespace
 
 std::vector<GpuSource> gpu_stages() {
@@ -34,13 +41,27 @@ std::vector<GpuSource> gpu_stages() {
   for (const GpuMethod method : {GpuMethod::Framebuffer, GpuMethod::Compute})
     out.push_back({method == GpuMethod::Compute ? "compute shaders" : "framebuffers",
                    [=](bool allow_software) {
-                     GpuZListOptions options;
+                     GpuZListOptions options = options_of(method);
                      options.allow_software = allow_software;
-                     options.method = method;
-                     options.software_lists =
-                         std::make_shared<SoftwareDoubtfulLists>(SoftwareZListOptions{});
                      return make_gpu_candidate_finder(options);
                    }});
+  return out;
+}
+
+std::vector<StagedFinder> staged_gpu_finders() {
+  std::vector<StagedFinder> out;
+  for (const GpuMethod method : {GpuMethod::Framebuffer, GpuMethod::Compute})
+    for (const GpuListing listing : {GpuListing::Gpu, GpuListing::Software}) {
+      GpuZListOptions options = options_of(method);
+      options.listing = listing;
+      StagedFinder finder;
+      finder.whole = make_gpu_candidate_finder(options);
+      finder.name = finder.whole->name() +
+                    (listing == GpuListing::Gpu ? ", lists by the GPU" : ", lists in software");
+      options.bounds_alone = true;
+      finder.depths = make_gpu_candidate_finder(options);
+      out.push_back(std::move(finder));
+    }
   return out;
 }
 
@@ -70,6 +91,7 @@ std::string frame_text(const Scene& scene, Report& report) try {
 }
 #else
 std::vector<GpuSource> gpu_stages() { return {}; }
+std::vector<StagedFinder> staged_gpu_finders() { return {}; }
 std::string frame_text(const Scene&, Report&) { return "-"; }
 #endif
 

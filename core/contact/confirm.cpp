@@ -1,6 +1,7 @@
 #include "core/contact/confirm.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "core/base/error.h"
 #include "core/contact/motion_boxes.h"
@@ -13,11 +14,10 @@ namespace {
 /// Embree may report this many times the pairs that were proposed; more are not worth sorting out.
 constexpr size_t kMostReported = 4;
 
-/// The distinct faces of one side.
+/// The distinct faces of one side. Its table grows with them: they are far fewer than long
+/// proposals have pairs, and stay in the caches.
 class Faces {
  public:
-  explicit Faces(size_t most) : m_numbers(most) {}
-
   Index number(Index body, Index face) {
     const auto next = static_cast<Index>(m_faces.size());
     const Index found = m_numbers.find_or_add(body, face, next);
@@ -32,6 +32,11 @@ class Faces {
  private:
   PairNumbers m_numbers;
   std::vector<Face> m_faces;
+};
+
+/// A pair of distinct faces, by their numbers.
+struct NumberedPair {
+  Index moving, fixed;
 };
 
 /// Boxes, and whose they are.
@@ -68,32 +73,62 @@ Boxes fixed_boxes(const MotionBoxes& along, std::span<const Body> bodies, const 
   return out;
 }
 
+/// Indices of pairs, grouped by their moving face.
+struct Groups {
+  std::vector<Index> begin, pairs;  // begin: one more than there are faces
+};
+
+Groups grouped(std::span<const NumberedPair> pairs, size_t num_moving) {
+  Groups out;
+  out.begin.resize(num_moving + 1);
+  out.pairs.resize(pairs.size());
+  for (const NumberedPair& p : pairs) ++out.begin[p.moving];
+  std::partial_sum(out.begin.begin(), out.begin.end(), out.begin.begin());
+  for (size_t i = pairs.size(); i-- > 0;)
+    out.pairs[--out.begin[pairs[i].moving]] = static_cast<Index>(i);
+  return out;
+}
+
+/// Whether each of `asked` is among `reported`.
+std::vector<char> found_among(std::span<const NumberedPair> asked,
+                              std::span<const NumberedPair> reported, size_t num_moving,
+                              size_t num_fixed) {
+  std::vector<char> out(asked.size());
+  const Groups questions = grouped(asked, num_moving), answers = grouped(reported, num_moving);
+  std::vector<Index> met_by(num_fixed, -1);  // the last moving face that meets the fixed one
+  for (Index m = 0; m < static_cast<Index>(num_moving); ++m) {
+    for (Index i = answers.begin[m]; i < answers.begin[m + 1]; ++i)
+      met_by[reported[answers.pairs[i]].fixed] = m;
+    for (Index i = questions.begin[m]; i < questions.begin[m + 1]; ++i)
+      out[questions.pairs[i]] = met_by[asked[questions.pairs[i]].fixed] == m;
+  }
+  return out;
+}
+
 }  // namespace
 
 bool confirm_pairs(const FirstContactQuery& query, double horizon, std::vector<FacePair>& pairs) {
-  Faces moving(pairs.size()), fixed(pairs.size());
-  PairNumbers numbers(pairs.size());
-  for (Index i = 0; i < static_cast<Index>(pairs.size()); ++i) {
-    const FacePair& p = pairs[i];
-    numbers.find_or_add(moving.number(p.moving, p.face_moving), fixed.number(p.fixed, p.face_fixed),
-                        i);
-  }
+  Faces moving, fixed;
+  std::vector<NumberedPair> asked;
+  asked.reserve(pairs.size());
+  for (const FacePair& p : pairs)
+    asked.push_back({moving.number(p.moving, p.face_moving), fixed.number(p.fixed, p.face_fixed)});
   const MotionBoxes along(query, horizon);
   const Boxes a = moving_boxes(along, query.moving, moving);
   Aabb extent;
   for (const Aabb& box : a.boxes) extent.extend(box);
   const Boxes b = fixed_boxes(along, query.fixed, fixed, extent);
-  std::optional<std::vector<BoxPair>> reported;
+  std::optional<std::vector<BoxPair>> overlapping;
   try {
-    reported = overlapping_boxes(a.boxes, b.boxes, kMostReported * pairs.size());
+    overlapping = overlapping_boxes(a.boxes, b.boxes, kMostReported * pairs.size());
   } catch (const Error&) {  // no memory for Embree: the closed form decides alone
   }
-  if (!reported) return false;
-  std::vector<char> confirmed(pairs.size());
-  for (const BoxPair& p : *reported) {
-    const Index pair = numbers.find(a.faces[p.a], b.faces[p.b]);
-    if (pair >= 0) confirmed[pair] = 1;
-  }
+  if (!overlapping) return false;
+  std::vector<NumberedPair> reported;
+  reported.reserve(overlapping->size());
+  for (const BoxPair& p : *overlapping) reported.push_back({a.faces[p.a], b.faces[p.b]});
+  const std::vector<char> confirmed =
+      found_among(asked, reported, moving.all().size(), fixed.all().size());
   size_t next = 0;
   std::erase_if(pairs, [&](const FacePair&) { return !confirmed[next++]; });
   return true;

@@ -3,7 +3,7 @@
 
     tests/referee/campaign.py --trivet build/release/apps/trivet --referee PATH/referee \\
         --shared ../shared [--set floor,pair,pile,bin] [--out DIR] [--same-as OTHER_TRIVET] [--threads 1,2]
-        [--backends software,gpu] [--match REGEX] [--friction MU [--whole]] [--every N] [--heaps 4x50] [--bins 50x10]
+        [--backends software,gpu/compute] [--match REGEX] [--friction MU [--whole]] [--every N] [--heaps 4x50] [--bins 50x10]
         [--tries 3] [--solids 20x8] [--simulate 5]
 
 floor: every model in 5 random orientations, put onto the floor.
@@ -21,6 +21,7 @@ many times in all; "placed" counts objects, "PUTs ok" PUTs.
 --same-as, --threads and --backends run each layout again, by another build, with other numbers of
 threads or other sources of candidates: reports (apart from milliseconds, and what a backend says of
 itself) and scenes must be the same bytes. Without --referee, no other check is made.
+A backend may be followed by the method of the GPU and by what Embree confirms: gpu/framebuffer/off.
 Prints a table; exit status 1 if a scene is not true, a result differs, a backend is not the one asked
 for, or under 98 % are placed.
 """
@@ -49,6 +50,14 @@ def comparable(report):
     report["operations"] = [{key: value for key, value in operation.items()
                              if key != "milliseconds"} for operation in report["operations"]]
     return json.dumps(report)
+
+
+def backend_options(backend):
+    name, *how = backend.split("/")
+    out = ["--backend", name]
+    for value in how:
+        out += ["--gpu-method" if value in ("framebuffer", "compute") else "--confirm", value]
+    return out
 
 
 def run_trivet(trivet, base, suffix, *options):
@@ -82,7 +91,7 @@ def differences(options, base, scene, report):
     """Other runs that did not give the same bytes."""
     others = [(options.trivet, f"-{n}-threads", ["--threads", n], "")
               for n in filter(None, options.threads.split(","))]
-    others += [(options.trivet, f"-{name}", ["--backend", name], name)
+    others += [(options.trivet, "-" + name.replace("/", "-"), backend_options(name), name)
                for name in filter(None, options.backends.split(","))]
     if options.same_as:
         others.append((options.same_as, "-other-build", [], ""))
@@ -94,7 +103,7 @@ def differences(options, base, scene, report):
             same = a.read() == b.read() and comparable(report) == comparable(other)
         if backend:
             options.work.add(backend, other)
-            same = same and other["backend"] == backend
+            same = same and other["backend"] == backend.split("/")[0]
         if not same:
             found.append(os.path.basename(base) + suffix)
         os.remove(other_scene)
@@ -217,7 +226,7 @@ def main():
     parser.add_argument("--tries", type=int, default=1, help="PUTs of an object that heaps and bins refuse")
     parser.add_argument("--same-as", help="another build of trivet to compare with")
     parser.add_argument("--threads", default="", help="numbers of threads to compare, comma-separated")
-    parser.add_argument("--backends", default="", help="bvh, software, gpu, with commas")
+    parser.add_argument("--backends", default="", help="bvh, software, gpu, with commas; also gpu/compute/off")
     options = parser.parse_args()
     options.work = BackendWork()
     options.rules = ["--perfect-friction"] if not options.friction else \
