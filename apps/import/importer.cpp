@@ -1,46 +1,76 @@
 #include "apps/import/importer.h"
 
+#include <fcntl.h>
 #include <signal.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include <cstdlib>
+#include <cmath>
+#include <string>
+#include <vector>
 
 #include "core/base/standard_streams.h"
+#include "core/io/importer_process.h"
 #include "core/io/sandboxed_import.h"
 
 namespace trivet::apps {
 namespace {
 
-constexpr int kOutput = 3;
+constexpr int kParent = 3;  // where answers go, or requests come from
 
 void limit(int resource, rlim_t value, rlim_t hard_extra = 0) {
   const rlimit both{value, value + hard_extra};
   setrlimit(resource, &both);
 }
 
+// Exits without destructors of libraries, which a bad file might crash.
+[[noreturn]] void read_and_exit(const ImportRequest& request, ModelReader reader, int output) {
+  limit(RLIMIT_CORE, 0);
+  limit(RLIMIT_FSIZE, 0);
+  limit(RLIMIT_CPU, static_cast<rlim_t>(std::ceil(request.limits.max_seconds) + 1), 5);
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+  limit(RLIMIT_AS, request.limits.max_memory_bytes);  // sanitizers reserve terabytes
+#endif
+  const auto read = [&] { return reader(request.path, request.limits, request.tessellation); };
+  _exit(serve_import(read, request.path, request.limits, output));
+}
+
+// A process for each request; the next is taken when it has ended.
+[[noreturn]] void serve_and_exit(ModelReader reader) {
+  fcntl(kParent, F_SETFD, FD_CLOEXEC);
+  signal(SIGCHLD, SIG_DFL);  // or children that nobody waits for, as the parent wished for its own
+  const pid_t self = getpid();
+  while (true) {
+    Descriptor output;
+    const auto request = next_request(kParent, output);
+    int ends[2];
+    if (!request || pipe2(ends, O_CLOEXEC) != 0) _exit(0);
+    const Descriptor alive(ends[0]);
+    Descriptor held(ends[1]);
+    const pid_t child = fork();
+    if (child < 0) _exit(1);
+    if (child == 0) {
+      prctl(PR_SET_PDEATHSIG, SIGKILL);
+      if (getppid() != self) _exit(1);
+      close(kParent);
+      read_and_exit(*request, reader, output.number());
+    }
+    output.reset();
+    held.reset();
+    if (!send_status(kParent, child, alive.number())) _exit(0);
+  }
+}
+
 }  // namespace
 
 void import_and_exit(int argc, char** argv, ModelReader reader) {
   open_standard_streams();
-  if (argc != 8) _exit(2);
   prctl(PR_SET_PDEATHSIG, SIGKILL);
-  ImportLimits limits;
-  limits.max_file_bytes = std::strtoull(argv[2], nullptr, 10);
-  limits.max_triangles = std::strtoll(argv[3], nullptr, 10);
-  limits.max_memory_bytes = std::strtoull(argv[4], nullptr, 10);
-  limit(RLIMIT_CORE, 0);
-  limit(RLIMIT_FSIZE, 0);
-  limit(RLIMIT_CPU, static_cast<rlim_t>(std::strtod(argv[5], nullptr)), 5);
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-  limit(RLIMIT_AS, limits.max_memory_bytes);  // not under sanitizers, which reserve terabytes
-#endif
-  const Tessellation tessellation{std::strtod(argv[6], nullptr), std::strtod(argv[7], nullptr)};
-  const std::string path = argv[1];
-  const auto read = [&] { return reader(path, limits, tessellation); };
-  const int status = serve_import(read, path, limits, kOutput);
-  _exit(status);  // skips destructors of libraries, which a bad file might crash
+  if (argc == 1) serve_and_exit(reader);
+  const auto request = ImportRequest::of({argv + 1, argv + argc});
+  if (!request) _exit(2);
+  read_and_exit(*request, reader, kParent);
 }
 
 }  // namespace trivet::apps

@@ -8,8 +8,9 @@ namespace trivet::apps {
 
 using ModelReader = Model (*)(const std::string& path, const ImportLimits&, const Tessellation&);
 
-/// PATH MAX_FILE_BYTES MAX_TRIANGLES MAX_MEMORY_BYTES CPU_SECONDS CHORD FACET_ANGLE_DEG: applies
-/// these limits to this process, reads the model, answers on descriptor 3 and exits.
+/// Arguments: ImportRequest::texts(). Reads the model within these limits, answers on descriptor 3
+/// and exits. Without arguments descriptor 3 is a socket, from which requests are taken
+/// (next_request()), each read by a process of its own, until nobody asks any more.
 [[noreturn]] void import_and_exit(int argc, char** argv, ModelReader reader);
 
 }  // namespace trivet::apps

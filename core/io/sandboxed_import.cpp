@@ -3,25 +3,21 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
-#include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
-#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
-#include <iterator>
 #include <new>
 
 #include "core/base/bad_input.h"
+#include "core/io/importer_process.h"
 #include "core/io/model_bytes.h"
 #include "core/io/preflight.h"
-
-extern char** environ;
 
 namespace trivet {
 namespace {
@@ -31,13 +27,8 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double kBaseSeconds = 60, kSecondsPerByte = 1e-6;
 constexpr std::uintmax_t kBaseMemory = std::uintmax_t{1} << 30, kMemoryPerByte = 64;
-constexpr int kOutput = 3;  // descriptor on which trivet-import answers
 constexpr int kPipeBytes = 1 << 20;
 constexpr double kCancelSeconds = 0.05;  // until it is noticed
-
-[[noreturn]] void fail_environment(const std::string& what, int error) {
-  throw Error(Error::Kind::Environment, what + ": " + std::strerror(error));
-}
 
 ImportLimits with_defaults(ImportLimits limits, const std::string& path) {
   std::error_code error;
@@ -47,11 +38,6 @@ ImportLimits with_defaults(ImportLimits limits, const std::string& path) {
     limits.max_seconds = kBaseSeconds + kSecondsPerByte * static_cast<double>(size);
   if (limits.max_memory_bytes == 0) limits.max_memory_bytes = kBaseMemory + kMemoryPerByte * size;
   return limits;
-}
-
-std::string all_digits(double value) {
-  char text[32];
-  return {text, std::to_chars(std::begin(text), std::end(text), value).ptr};
 }
 
 /// Importer program for this file. @throws Error (Environment) if its format has none.
@@ -66,90 +52,6 @@ std::string importer_of(const std::string& path, const ImportLimits& limits) {
           ", which is missing: this build of Trivet lacks Open CASCADE; accepted: a "
           "build with it (Debian: libocct-data-exchange-dev libocct-ocaf-dev; TRIVET_OCCT)");
 }
-
-/// A descriptor, closed on destruction.
-class Descriptor {
- public:
-  explicit Descriptor(int number) : m_number(number) {}
-  ~Descriptor() { reset(); }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  int number() const { return m_number; }
-  void reset() {
-    if (m_number >= 0) close(m_number);
-    m_number = -1;
-  }
-
- private:
-  int m_number;
-};
-
-/// Environment of the importer: glibc maps its memory in huge pages, as assimp clears 16 MiB for
-/// each .obj file, and most of the time of reading a small model were page faults.
-class ImporterEnvironment {
- public:
-  ImporterEnvironment() {
-    for (char** at = environ; *at; ++at) m_variables.push_back(*at);
-    if (!std::getenv("GLIBC_TUNABLES")) m_variables.push_back(m_tunables.data());
-    m_variables.push_back(nullptr);
-  }
-  char** variables() { return m_variables.data(); }
-
- private:
-  // Freed memory is kept for the next allocation, too.
-  std::string m_tunables =
-      "GLIBC_TUNABLES=glibc.malloc.hugetlb=1:glibc.malloc.mmap_threshold=33554432:"
-      "glibc.malloc.trim_threshold=1073741824";
-  std::vector<char*> m_variables;
-};
-
-/// A running trivet-import; killed and reaped on destruction at the latest.
-class Child {
- public:
-  Child(const std::string& importer, const std::string& path, const ImportLimits& limits,
-        const Tessellation& tessellation, int output) {
-    std::string texts[] = {importer,
-                           path,
-                           std::to_string(limits.max_file_bytes),
-                           std::to_string(limits.max_triangles),
-                           std::to_string(limits.max_memory_bytes),
-                           std::to_string(std::ceil(limits.max_seconds) + 1),
-                           all_digits(tessellation.chord),
-                           all_digits(tessellation.facet_angle_deg)};
-    std::vector<char*> arguments;
-    for (std::string& text : texts) arguments.push_back(text.data());
-    arguments.push_back(nullptr);
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_adddup2(&actions, output, kOutput);
-    posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
-    posix_spawn_file_actions_addopen(&actions, 1, "/dev/null", O_WRONLY, 0);
-    posix_spawn_file_actions_addopen(&actions, 2, "/dev/null", O_WRONLY, 0);
-    ImporterEnvironment environment;
-    const int error = posix_spawn(&m_id, importer.c_str(), &actions, nullptr, arguments.data(),
-                                  environment.variables());
-    posix_spawn_file_actions_destroy(&actions);
-    if (error != 0) fail_environment(importer + ": cannot be started", error);
-  }
-  ~Child() {
-    if (m_id <= 0) return;
-    kill(m_id, SIGKILL);
-    wait();
-  }
-  Child(const Child&) = delete;
-  Child& operator=(const Child&) = delete;
-
-  int wait() {
-    int status = 0;
-    while (waitpid(m_id, &status, 0) < 0 && errno == EINTR) {
-    }
-    m_id = -1;
-    return status;
-  }
-
- private:
-  pid_t m_id = -1;
-};
 
 /// Reads all output up to the deadline. @throws Error (BadInput) at the deadline, if the output
 /// exceeds the limit, and if cancelled.
@@ -204,22 +106,56 @@ bool write_all(int descriptor, std::string_view bytes) {
   return true;
 }
 
+// Of this thread; null: each file has an importer of its own.
+thread_local SharedImporters* t_shared = nullptr;
+
+/// The importer's answer, and in `status` how it ended.
+std::string answer_of(const std::string& importer, const ImportRequest& request,
+                      ImporterServer* server, const std::atomic<bool>* cancel, int& status) {
+  int ends[2];
+  if (pipe2(ends, O_CLOEXEC) != 0) fail_environment(request.path + ": cannot create a pipe", errno);
+  fcntl(ends[0], F_SETPIPE_SZ, kPipeBytes);  // or as it is
+  const Descriptor input(ends[0]);
+  Descriptor output(ends[1]);
+  std::optional<ImporterProcess> own;
+  if (server)
+    server->ask(request, output.number());
+  else
+    own.emplace(importer, request.texts(), output.number());
+  output.reset();
+  std::string bytes = received(input.number(), request.path, request.limits, cancel);
+  status = server ? server->status() : own->wait();
+  return bytes;
+}
+
 }  // namespace
+
+SharedImporters::SharedImporters() : m_outer(t_shared) { t_shared = this; }
+
+SharedImporters::~SharedImporters() { t_shared = m_outer; }
+
+std::unique_ptr<ImporterServer> SharedImporters::take(const std::string& importer) {
+  for (auto it = m_idle.begin(); it != m_idle.end(); ++it) {
+    if ((*it)->program() != importer) continue;
+    std::unique_ptr<ImporterServer> out = std::move(*it);
+    m_idle.erase(it);
+    return out;
+  }
+  return std::make_unique<ImporterServer>(importer);
+}
 
 Model read_model_sandboxed(const std::string& path, const ImportLimits& given,
                            const Tessellation& tessellation, const std::atomic<bool>* cancel) {
   check_file(path, given);  // checks that need no other process
   const std::string importer = importer_of(path, given);
   const ImportLimits limits = with_defaults(given, path);
-  int ends[2];
-  if (pipe2(ends, O_CLOEXEC) != 0) fail_environment(path + ": cannot create a pipe", errno);
-  fcntl(ends[0], F_SETPIPE_SZ, kPipeBytes);  // or as it is
-  const Descriptor input(ends[0]);
-  Descriptor output(ends[1]);
-  Child child(importer, path, limits, tessellation, output.number());
-  output.reset();
-  const std::string bytes = received(input.number(), path, limits, cancel);
-  check_end(child.wait(), importer, path, limits);
+  // Where anything fails, the importer ends with what it is doing.
+  std::unique_ptr<ImporterServer> shared = t_shared ? t_shared->take(importer) : nullptr;
+  int status = 0;
+  const std::string bytes =
+      answer_of(importer, {path, limits, tessellation}, shared.get(), cancel, status);
+  check_end(status, importer, path, limits);
+  if (shared) t_shared->m_idle.push_back(std::move(shared));
   try {
     Model model = model_from_bytes(bytes, path, limits);
     if (model.polygonised) model.tessellation = tessellation;

@@ -3,11 +3,35 @@
 
 #include <atomic>
 #include <functional>
+#include <memory>
 #include <string>
+#include <vector>
 
 #include "core/io/model.h"
 
 namespace trivet {
+
+class ImporterServer;
+
+/// While it lives, what this thread imports shares importers: each file is still read by a process
+/// of its own, within its limits, but forked from one that has been started, which takes a tenth of
+/// the time. Of several the innermost counts.
+class SharedImporters {
+ public:
+  SharedImporters();
+  ~SharedImporters();
+  SharedImporters(const SharedImporters&) = delete;
+  SharedImporters& operator=(const SharedImporters&) = delete;
+
+ private:
+  friend Model read_model_sandboxed(const std::string&, const ImportLimits&, const Tessellation&,
+                                    const std::atomic<bool>*);
+  // One that is idle, or a new one.
+  std::unique_ptr<ImporterServer> take(const std::string& importer);
+
+  SharedImporters* m_outer;
+  std::vector<std::unique_ptr<ImporterServer>> m_idle;
+};
 
 /// Like read_model(), but run by the program limits.importer: a file on which the import library
 /// crashes, hangs or exhausts memory gives an Error, and this process survives. The result is

@@ -16,9 +16,8 @@ const typename Map::mapped_type& known(Map& map, const typename Map::key_type& k
 }  // namespace
 
 bool ShapeFacts::stands_as_modelled(const Object& object) {
-  return known(m_stands, {object.shape, object.up, object.scale}, [&] {
-    return trivet::stands_as_modelled(*object.shape, object.up, object.scale);
-  });
+  return known(m_stands, {object.shape, object.up, object.scale},
+               [&] { return trivet::stands_as_modelled(*object.shape, object.up, object.scale); });
 }
 
 const std::vector<Vec3>& ShapeFacts::hull(const Object& object) {

@@ -79,13 +79,29 @@ class Importer(Case):
         self.assertEqual(isolated, in_process)
 
     def test_a_layout_names_the_model(self):
-        layout = self.layout([SLAB, {"name": "bad", "model": "cube.obj"}], [put("bad", 0, 0, 1)])
-        script = 'case "$1" in *cube*) kill -SEGV $$;; esac; exec "$REAL" "$@"'
-        env = {**self.importer(script),
-               "REAL": os.path.join(os.path.dirname(PROGRAM), "trivet-import")}
-        out, err = self.trivet("run", layout, "-o", "s.glb", status=2, env=env)
-        self.assertIn("/objects/1/model: cube.obj: ", err)
+        layout = self.layout([{"name": "bad", "model": "cube.obj"}])
+        out, err = self.trivet("run", layout, "-o", "s.glb", status=2,
+                               env=self.importer("kill -SEGV $$"))
+        self.assertIn("/objects/0/model: cube.obj: ", err)
         self.assertNotIn("s.glb", self.files())
+
+    def test_several_models_share_an_importer(self):
+        self.write("big.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n" + "f 1 2 3\n" * 1000000)
+        good = self.layout([SLAB, {"name": "a", "model": "cube.obj"}], [put("a", 0, 0, 1)])
+        bad = self.layout([SLAB, {"name": "a", "model": "cube.obj"}, {"name": "big", "model": "big.obj"}],
+                          name="bad.json")
+        env = {**self.importer('echo start >> "$STARTS"; exec "$REAL" "$@"'),
+               "STARTS": self.path("starts"),
+               "REAL": os.path.join(os.path.dirname(PROGRAM), "trivet-import")}
+        self.trivet("run", good, "-o", "shared.glb", "--threads", "1", env=env)
+        with open(self.path("starts")) as starts:
+            self.assertEqual(starts.read(), "start\n")
+        self.trivet("run", good, "-o", "here.glb", "--threads", "1", "--import-in-process")
+        with open(self.path("shared.glb"), "rb") as shared, open(self.path("here.glb"), "rb") as here:
+            self.assertEqual(shared.read(), here.read())
+        out, err = self.trivet("run", bad, "-o", "s.glb", "--import-memory-mb", "150", status=2, env=env)
+        self.assertIn("/objects/2/model: big.obj: ", err)
+        self.assertIn("memory", err)
 
     def test_memory(self):
         self.write("big.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n" + "f 1 2 3\n" * 1000000)

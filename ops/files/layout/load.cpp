@@ -5,6 +5,7 @@
 #include <exception>
 #include <filesystem>
 #include <mutex>
+#include <optional>
 #include <thread>
 
 #include "core/base/arena.h"
@@ -39,6 +40,8 @@ std::vector<LoadedModel> load_models(const std::vector<ModelRequest>& requests,
   std::mutex mutex;
   size_t num_done = 0;
   const auto work = [&] {
+    std::optional<SharedImporters> importers;
+    if (requests.size() > 1) importers.emplace();
     // Requests are taken in order, and what is begun is finished: the first error is always found.
     for (size_t i; !failed && (i = next++) < requests.size();) {
       try {

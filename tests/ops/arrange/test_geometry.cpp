@@ -134,8 +134,9 @@ TEST(Outline, OfTurnIsThatOfItsRim) {
   test::Random random(5);
   size_t num_points = 0, num_rim = 0;
   for (int i = 0; i < 100; ++i) {
-    const Object object = test::object_of(
-        "thing", i % 2 ? test::cylinder(0.1, 0.3, 30) : test::ball(random.uniform(0.05, 0.2), 8, 12));
+    const Object object =
+        test::object_of("thing", i % 2 ? test::cylinder(0.1, 0.3, 30)
+                                       : test::ball(random.uniform(0.05, 0.2), 8, 12));
     const std::vector<Vec3>& points = object.shape->mesh.vertices;
     const Pose lying{random.rotation(), Vec3::Zero()};
     const Vec3 front = -Vec3::UnitY();
