@@ -42,10 +42,9 @@ void limit(int resource, rlim_t value, rlim_t hard_extra = 0) {
   signal(SIGCHLD, SIG_DFL);  // or children that nobody waits for, as the parent wished for its own
   const pid_t self = getpid();
   while (true) {
-    Descriptor output;
-    const auto request = next_request(kParent, output);
+    auto next = next_request(kParent);
     int ends[2];
-    if (!request || pipe2(ends, O_CLOEXEC) != 0) _exit(0);
+    if (!next || pipe2(ends, O_CLOEXEC) != 0) _exit(0);
     const Descriptor alive(ends[0]);
     Descriptor held(ends[1]);
     const pid_t child = fork();
@@ -54,9 +53,9 @@ void limit(int resource, rlim_t value, rlim_t hard_extra = 0) {
       prctl(PR_SET_PDEATHSIG, SIGKILL);
       if (getppid() != self) _exit(1);
       close(kParent);
-      read_and_exit(*request, reader, output.number());
+      read_and_exit(next->first, reader, next->second.number());
     }
-    output.reset();
+    next.reset();
     held.reset();
     if (!send_status(kParent, child, alive.number())) _exit(0);
   }

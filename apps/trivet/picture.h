@@ -18,6 +18,8 @@ class GlPictures {
   virtual ~GlPictures() = default;
   virtual Image render(const PictureScene& scene, const std::optional<Camera>& camera,
                        const PictureOptions& options) = 0;
+  virtual Image render(const PictureScene& scene, const PinholeCamera& camera,
+                       const PictureOptions& options) = 0;
   virtual std::string device() const = 0;
 };
 /// @throws Error (Environment) without EGL, and in a build without it.

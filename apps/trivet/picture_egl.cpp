@@ -11,6 +11,10 @@ class EglPictures : public GlPictures {
                const PictureOptions& options) override {
     return render_picture(m_context, scene, camera, options);
   }
+  Image render(const PictureScene& scene, const PinholeCamera& camera,
+               const PictureOptions& options) override {
+    return render_picture(m_context, scene, camera, options);
+  }
   std::string device() const override { return m_context.description(); }
 
  private:

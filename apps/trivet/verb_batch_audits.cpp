@@ -85,6 +85,8 @@ int verify(const AuditArguments& arguments, const CommonOptions& common) {
   VerifyOptions options = arguments.verify;
   options.jobs = num_jobs(options.jobs, common);
   options.import = common.limits();
+  options.make_opengl = opengl_pictures;
+  if (read_run(arguments.folder).with_opengl) tried_opengl();
   const Verification result = verify_batch(arguments.folder, options);
   if (common.json) {
     std::cout << json_line({{"units", result.units},

@@ -16,6 +16,12 @@ int num_jobs(int asked, const CommonOptions& common);
 int print_totals(const farm::BatchTotals& totals, const farm::BatchOptions& options,
                  const CommonOptions& common);
 
+/// Pictures by OpenGL in the process that calls it.
+farm::DrawPicture opengl_pictures();
+/// Tries OpenGL in a process of its own, as what it opens must not be inherited by others.
+/// @return the device.   @throws Error (Environment)
+std::string tried_opengl();
+
 Verb add_batch_pictures(CLI::App& batch, const CommonOptions& common);
 
 /// status, verify, merge and materialise.

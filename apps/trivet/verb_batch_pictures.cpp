@@ -1,9 +1,15 @@
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <iostream>
 
 #include "apps/farm/batch/pictures.h"
 #include "apps/farm/batch/stop_signals.h"
+#include "apps/trivet/picture.h"
 #include "apps/trivet/verb_batch_parts.h"
 #include "core/base/bad_input.h"
+#include "core/base/local_sockets.h"
 #include "ops/files/json/input_text.h"
 
 namespace trivet::apps {
@@ -12,7 +18,7 @@ namespace {
 using namespace trivet::farm;
 
 struct PictureArguments {
-  std::string scenes, views, shard, format = "tar";
+  std::string scenes, views, shard, format = "tar", renderer = "path";
   std::uint64_t per_unit = 0;
   BatchOptions options;
 };
@@ -28,16 +34,19 @@ int make(const PictureArguments& arguments, const CommonOptions& common) {
   run.version = TRIVET_VERSION;
   run.format = arguments.format == "dir" ? UnitFormat::Dir : UnitFormat::Tar;
   if (arguments.per_unit > 0) run.per_unit = arguments.per_unit;
+  run.with_opengl = arguments.renderer == "opengl";
+  const std::string device = run.with_opengl ? tried_opengl() : "";  // before anything is written
   BatchOptions options = arguments.options;
   const StopSignals from_here;  // as of scenes
   check_run(options.out, run);
-  const Work work = picture_work(run, arguments.scenes, common.limits());
+  const Work work = picture_work(run, arguments.scenes, common.limits(), opengl_pictures);
   options.shard = arguments.shard.empty() ? shard_from_environment(process_environment())
                                           : shard_from_text(arguments.shard);
   options.jobs = num_jobs(options.jobs, common);
   options.log = [&common](const std::string& line) {
     if (!common.quiet) std::cerr << line << "\n";
   };
+  if (run.with_opengl) options.log("pictures by " + device);
   options.on_models_read = [&] { claim_run(options.out, run); };
   options.is_ready = [&](std::uint64_t unit) {
     return scenes_are_there(run, *work.pictures, unit);
@@ -46,6 +55,37 @@ int make(const PictureArguments& arguments, const CommonOptions& common) {
 }
 
 }  // namespace
+
+DrawPicture opengl_pictures() {
+  return [pictures = std::shared_ptr(make_gl_pictures())](
+             const PictureScene& scene, const PinholeCamera& camera, int samples) {
+    PictureOptions options;
+    options.samples = samples;
+    return encode_png(pictures->render(scene, camera, options));
+  };
+}
+
+std::string tried_opengl() {
+  SocketPair ends = socket_pair(SOCK_SEQPACKET);
+  const pid_t child = fork();
+  if (child < 0) throw Error(Error::Kind::Environment, "no process to try OpenGL in");
+  if (child == 0) {
+    std::string text;
+    try {
+      text = "+" + make_gl_pictures()->device();
+    } catch (const Error& error) {
+      text = std::string("-") + error.what();
+    }
+    send_message(ends.b.number(), text);
+    _exit(0);
+  }
+  ends.b = Descriptor();
+  const auto answer = receive_message(ends.a.number());
+  waitpid(child, nullptr, 0);
+  if (!answer) throw Error(Error::Kind::Environment, "OpenGL's driver ended its process");
+  if (answer->bytes[0] != '+') throw Error(Error::Kind::Environment, answer->bytes.substr(1));
+  return answer->bytes.substr(1);
+}
 
 Verb add_batch_pictures(CLI::App& batch, const CommonOptions& common) {
   CLI::App* const verb =
@@ -63,6 +103,10 @@ Verb add_batch_pictures(CLI::App& batch, const CommonOptions& common) {
       ->type_name("FILE.json");
   verb->add_option("--shard", a->shard, "I/N; default: as trivet batch")->type_name("I/N");
   verb->add_option("--format", a->format, "Of units: tar or dir")->check(one_of({"tar", "dir"}));
+  verb->add_option("--renderer", a->renderer,
+                   "Of the pictures: path, rays on the processor, or opengl, on the device of this "
+                   "number in TRIVET_EGL_DEVICE; labels are always by rays")
+      ->check(one_of({"path", "opengl"}));
   verb->add_option("--per-tar", a->per_unit, "Scenes per unit; default: as the scenes")
       ->check(integer_from(1, 1'000'000));
   a->options.limits.scene_seconds = 600;

@@ -9,7 +9,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <charconv>
 #include <cstdlib>
@@ -25,7 +24,6 @@ namespace trivet {
 namespace {
 
 constexpr int kAnswers = 3;  // descriptor of trivet-import
-constexpr size_t kMaxRequest = 16384;
 
 std::string all_digits(double value) {
   char text[32];
@@ -58,33 +56,10 @@ int status_of(pid_t id) {
   return status;
 }
 
-/// Room for one descriptor beside a message [cmsg(3)].
-struct Passed {
-  alignas(cmsghdr) std::array<char, CMSG_SPACE(sizeof(int))> bytes{};
-};
-
-msghdr message_of(iovec& text, Passed& passed) {
-  msghdr out{};
-  out.msg_iov = &text, out.msg_iovlen = 1;
-  out.msg_control = passed.bytes.data(), out.msg_controllen = passed.bytes.size();
-  return out;
-}
-
 }  // namespace
 
 void fail_environment(const std::string& what, int error) {
   throw Error(Error::Kind::Environment, what + ": " + std::strerror(error));
-}
-
-void Descriptor::reset(int number) {
-  if (m_number >= 0) close(m_number);
-  m_number = number;
-}
-
-int Descriptor::release() {
-  const int number = m_number;
-  m_number = -1;
-  return number;
 }
 
 std::vector<std::string> ImportRequest::texts() const {
@@ -144,57 +119,38 @@ int ImporterProcess::wait() {
 }
 
 ImporterServer::ImporterServer(const std::string& program) : m_program(program) {
-  int ends[2];
-  if (socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends) != 0)
-    fail_environment(program + ": cannot be asked", errno);
-  m_socket.reset(ends[0]);
-  const Descriptor theirs(ends[1]);
-  m_process.emplace(program, std::vector<std::string>{}, theirs.number());
+  SocketPair ends = socket_pair(SOCK_SEQPACKET);
+  m_socket = std::move(ends.a);
+  m_process.emplace(program, std::vector<std::string>{}, ends.b.number());
 }
 
 // One that is gone is noticed when its answer ends at once.
 void ImporterServer::ask(const ImportRequest& request, int output) {
   std::string text;
   for (const std::string& part : request.texts()) text += part + '\0';
-  iovec parts{text.data(), text.size()};
-  Passed passed;
-  msghdr message = message_of(parts, passed);
-  cmsghdr* control = CMSG_FIRSTHDR(&message);
-  control->cmsg_level = SOL_SOCKET, control->cmsg_type = SCM_RIGHTS;
-  control->cmsg_len = CMSG_LEN(sizeof(int));
-  std::memcpy(CMSG_DATA(control), &output, sizeof(int));
-  while (sendmsg(m_socket.number(), &message, MSG_NOSIGNAL) < 0 && errno == EINTR) {
-  }
+  send_message(m_socket.number(), text, output);
 }
 
 int ImporterServer::status() {
+  const auto answer = receive_message(m_socket.number());
   int out = 0;
-  ssize_t count = 0;
-  do count = recv(m_socket.number(), &out, sizeof out, 0);
-  while (count < 0 && errno == EINTR);
-  return count == sizeof out ? out : m_process->wait();
+  if (!answer || answer->bytes.size() != sizeof out) return m_process->wait();
+  std::memcpy(&out, answer->bytes.data(), sizeof out);
+  return out;
 }
 
-std::optional<ImportRequest> next_request(int socket, Descriptor& output) {
-  std::vector<char> bytes(kMaxRequest);
-  iovec parts{bytes.data(), bytes.size()};
-  Passed passed;
-  msghdr message = message_of(parts, passed);
-  ssize_t count = 0;
-  do count = recvmsg(socket, &message, MSG_CMSG_CLOEXEC);
-  while (count < 0 && errno == EINTR);
-  const cmsghdr* control = count > 0 ? CMSG_FIRSTHDR(&message) : nullptr;
-  if (!control || control->cmsg_type != SCM_RIGHTS) return std::nullopt;
-  int number = -1;
-  std::memcpy(&number, CMSG_DATA(control), sizeof number);
-  output.reset(number);
+std::optional<std::pair<ImportRequest, Descriptor>> next_request(int socket) {
+  auto message = receive_message(socket);
+  if (!message) return std::nullopt;
   std::vector<std::string> texts;
-  for (std::string_view rest(bytes.data(), size_t(count)); !rest.empty();) {
+  for (std::string_view rest = message->bytes; !rest.empty();) {
     const size_t end = std::min(rest.find('\0'), rest.size() - 1);
     texts.emplace_back(rest.substr(0, end));
     rest.remove_prefix(end + 1);
   }
-  return ImportRequest::of(texts);
+  auto request = ImportRequest::of(texts);
+  if (!request) return std::nullopt;
+  return std::pair(*std::move(request), std::move(message->descriptor));
 }
 
 bool send_status(int socket, pid_t reader, int alive) {

@@ -5,29 +5,16 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "core/base/local_sockets.h"
 #include "core/io/model.h"
 
 namespace trivet {
 
 /// @param error  as errno.   @throws Error (Environment)
 [[noreturn]] void fail_environment(const std::string& what, int error);
-
-/// A descriptor, closed on destruction.
-class Descriptor {
- public:
-  explicit Descriptor(int number = -1) : m_number(number) {}
-  ~Descriptor() { reset(); }
-  Descriptor(Descriptor&& other) noexcept : m_number(other.release()) {}
-  Descriptor& operator=(Descriptor&&) = delete;
-  int number() const { return m_number; }
-  void reset(int number = -1);
-  int release();
-
- private:
-  int m_number;
-};
 
 /// What to read, within which limits; as texts, the program's arguments.
 struct ImportRequest {
@@ -76,10 +63,9 @@ class ImporterServer {
   std::optional<ImporterProcess> m_process;
 };
 
-/// The importer's side of ImporterServer::ask().
-/// @param output  becomes the descriptor for the answer.
+/// The importer's side of ImporterServer::ask(): what to read, and the descriptor for the answer.
 /// @return nullopt: no more requests.
-std::optional<ImportRequest> next_request(int socket, Descriptor& output);
+std::optional<std::pair<ImportRequest, Descriptor>> next_request(int socket);
 /// Waits until the process `reader` ends, which holds the other end of the pipe `alive` and nobody
 /// else does, and says how; kills it if the one who asked is gone.
 /// @return whether the answer could be sent.

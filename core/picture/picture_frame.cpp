@@ -140,4 +140,15 @@ FrameCamera make_frame_camera(const Camera& camera, double aspect, const Picture
   return out;
 }
 
+// The centres of pixels have whole coordinates, from above.
+FrameCamera make_frame_camera(const PinholeCamera& camera, const PictureFrame& frame) {
+  FrameCamera out;
+  out.eye = frame.apply(camera.eye);
+  out.right = camera.camera_from_world.row(0) * (0.5 * camera.width / camera.fx);
+  out.up = -camera.camera_from_world.row(1) * (0.5 * camera.height / camera.fy);
+  out.forward = camera.camera_from_world.row(2);
+  out.middle = {(2 * camera.cx + 1) / camera.width - 1, 1 - (2 * camera.cy + 1) / camera.height};
+  return out;
+}
+
 }  // namespace trivet

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "core/picture/picture_scene.h"
+#include "core/picture/pinhole_camera.h"
 
 namespace trivet {
 
@@ -37,14 +38,16 @@ CameraAxes camera_axes(const Camera& camera);
 /// @param deg  0 to 170.
 double tan_of_half_deg(double deg);
 
-/// A camera in the picture frame. A point p is at ndc (x, y) where
+/// A camera in the picture frame. A point p is at ndc (x, y) + middle where
 /// p - eye is a multiple of forward + x * right + y * up.
 struct FrameCamera {
-  Vec3 eye, forward;  // forward is a unit vector
-  Vec3 right, up;     // scaled by the tangents of half the field of view
+  Vec3 eye, forward;           // forward is a unit vector
+  Vec3 right, up;              // scaled by the tangents of half the field of view
+  Vec2 middle = Vec2::Zero();  // where forward is seen
 };
 
 /// @throws Error (BadInput) as camera_axes().
 FrameCamera make_frame_camera(const Camera& camera, double aspect, const PictureFrame& frame);
+FrameCamera make_frame_camera(const PinholeCamera& camera, const PictureFrame& frame);
 
 }  // namespace trivet

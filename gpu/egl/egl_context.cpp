@@ -3,6 +3,9 @@
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
 
+#include <charconv>
+#include <cstdlib>
+#include <cstring>
 #include <optional>
 
 #include "gpu/egl/egl_display.h"
@@ -86,9 +89,21 @@ void EglContext::State::create(int most_version) {
     throw environment_error("no context of OpenGL 3.3 core or later, " + last_egl_error());
 }
 
+int egl_device_from_environment() {
+  const char* const text = std::getenv("TRIVET_EGL_DEVICE");
+  if (!text || !*text) return 0;
+  int out = 0;
+  const char* const end = text + std::strlen(text);
+  const auto [rest, error] = std::from_chars(text, end, out);
+  if (error == std::errc() && rest == end && out > 0) return out;
+  throw environment_error("TRIVET_EGL_DEVICE is \"" + std::string(text) +
+                          "\"; accepted: the number of an EGL device, from 1");
+}
+
 EglContext::EglContext(const EglOptions& options) {
   std::vector<std::string> failures;
   for (const EglCandidate& candidate : list_egl_candidates(failures)) {
+    if (options.device > 0 && candidate.device != options.device) continue;
     try {
       if (candidate.software && !options.allow_software)
         throw environment_error("software renderers are disabled");
@@ -111,7 +126,9 @@ EglContext::EglContext(const EglOptions& options) {
       m_state.reset();
     }
   }
-  std::string message = "no OpenGL 3.3 context through EGL; tried:";
+  std::string message = "no OpenGL 3.3 context through EGL";
+  if (options.device > 0) message += " device " + std::to_string(options.device);
+  message += failures.empty() ? ": there is none of this number" : "; tried:";
   for (const std::string& failure : failures) message += "\n  " + failure;
   throw environment_error(message);
 }

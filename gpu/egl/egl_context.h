@@ -7,14 +7,20 @@
 
 namespace trivet {
 
+/// Number in the environment variable TRIVET_EGL_DEVICE, from 1, as in "EGL device 1 of 2"; 0: it
+/// is not set.   @throws Error (Environment) when it is no such number.
+int egl_device_from_environment();
+
 struct EglOptions {
-  bool allow_software = true;  // false: refuse renderers that run on the CPU
-  int most_version = 46;       // asks for no later OpenGL; drivers may give one
+  bool allow_software = true;                  // false: refuse renderers that run on the CPU
+  int most_version = 46;                       // asks for no later OpenGL; drivers may give one
+  int device = egl_device_from_environment();  // this EGL device alone; 0: the first that works
 };
 
 /// OpenGL core profile, 4.6 if available, else down to 3.3, without window or surface: draw into
 /// framebuffer objects only. EGL devices are tried first, hardware before software, then Mesa's
-/// surfaceless platform. Drivers' own messages are not suppressed.
+/// surfaceless platform; or one device alone, for machines with several. Drivers' own messages are
+/// not suppressed.
 ///
 /// Not current after construction; make it current for a scope with `EglContext::Current`. At most
 /// one thread may have it current at a time. Destroy GL objects while it is current.

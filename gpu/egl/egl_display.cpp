@@ -93,8 +93,9 @@ std::vector<EglCandidate> list_egl_candidates(std::vector<std::string>& failures
   const std::vector<EGLDeviceEXT> devices = list_devices(failures);
   for (std::size_t i = 0; i < devices.size(); ++i) {
     EglCandidate candidate;
+    candidate.device = static_cast<int>(i) + 1;
     candidate.name =
-        "EGL device " + std::to_string(i + 1) + " of " + std::to_string(devices.size());
+        "EGL device " + std::to_string(candidate.device) + " of " + std::to_string(devices.size());
     candidate.software = is_software_device(devices[i]);
     candidate.display = platform_display(EGL_PLATFORM_DEVICE_EXT, devices[i]);
     if (candidate.display == EGL_NO_DISPLAY)
@@ -109,7 +110,7 @@ std::vector<EglCandidate> list_egl_candidates(std::vector<std::string>& failures
   if (surfaceless == EGL_NO_DISPLAY)
     failures.push_back("EGL surfaceless platform: no display, " + last_egl_error());
   else
-    candidates.push_back({"EGL surfaceless platform", surfaceless, false});
+    candidates.push_back({"EGL surfaceless platform", 0, surfaceless, false});
   return candidates;
 }
 

@@ -11,6 +11,7 @@ namespace trivet {
 /// A possible renderer, not yet initialised.
 struct EglCandidate {
   std::string name;  // "EGL device 1 of 2"
+  int device = 0;    // the first of these numbers; 0: none
   EGLDisplay display = EGL_NO_DISPLAY;
   bool software = false;  // as reported by the driver (EGL_MESA_device_software)
 };

@@ -4,6 +4,7 @@
 
 #include "core/picture/image.h"
 #include "core/picture/picture_scene.h"
+#include "core/picture/pinhole_camera.h"
 #include "gpu/egl/egl_context.h"
 
 namespace trivet {
@@ -17,6 +18,10 @@ namespace trivet {
 ///   view) of all triangles. Calls for the same context must not overlap.
 Image render_picture(EglContext& context, const PictureScene& scene,
                      const std::optional<Camera>& camera = std::nullopt,
+                     const PictureOptions& options = {});
+
+/// The same, seen by a camera with its own size in pixels, focal lengths and principal point.
+Image render_picture(EglContext& context, const PictureScene& scene, const PinholeCamera& camera,
                      const PictureOptions& options = {});
 
 }  // namespace trivet

@@ -114,7 +114,8 @@ void PictureRenderer::set_view_uniforms(int view, const PictureTile& tile) {
   glUniform1i(program.uniform("floor_light"), 2);
   glUniform1i(program.uniform("emission"), 3);
   glUniform4f(program.uniform("ndc_from_pixel"), float(2 / w), float(2 / h),
-              float(2 * (tile.x + jitter.x()) / w - 1), float(2 * (tile.y + jitter.y()) / h - 1));
+              float(2 * (tile.x + jitter.x()) / w - 1 - m_camera.middle.x()),
+              float(2 * (tile.y + jitter.y()) / h - 1 - m_camera.middle.y()));
   set_uniform(program, "eye", m_camera.eye);
   set_uniform(program, "forward", m_camera.forward);
   set_uniform(program, "right", m_camera.right);
@@ -164,7 +165,8 @@ Eigen::Matrix4f PictureRenderer::clip_from_frame(const PictureTile& tile,
   const Vec2 picture(m_options.width, m_options.height), size(tile.width, tile.height);
   const Vec2 scale = picture.cwiseQuotient(size);
   const Vec2 origin = Vec2(tile.x, tile.y) + jitter;
-  const Vec2 offset = (picture - 2 * origin).cwiseQuotient(size) - Vec2::Ones();
+  const Vec2 offset = (picture - 2 * origin).cwiseQuotient(size) - Vec2::Ones() +
+                      scale.cwiseProduct(m_camera.middle);
   Eigen::Matrix4d clip = Eigen::Matrix4d::Zero();
   const Vec3 x = m_camera.right / m_camera.right.squaredNorm();
   const Vec3 y = m_camera.up / m_camera.up.squaredNorm();

@@ -64,12 +64,12 @@ PictureTargets::PictureTargets(int width, int height, int map_size, bool emits)
   for (int i = 0; i < kLightsPerView; ++i) draw_maps[i] = make_depth_framebuffer(maps.id(), i);
 }
 
-PictureRenderer::PictureRenderer(const PictureScene& scene, const Camera& camera,
+PictureRenderer::PictureRenderer(const PictureScene& scene, const FrameCamera& camera,
                                  const PictureOptions& options)
     : m_options(options),
       m_has_floor(scene.floor),
       m_frame(make_picture_frame(scene)),
-      m_camera(make_frame_camera(camera, double(options.width) / options.height, m_frame)),
+      m_camera(camera),
       m_lights(options.samples, m_camera),
       m_geometry(scene, m_frame),
       m_programs(m_geometry.emits()),

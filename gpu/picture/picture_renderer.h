@@ -54,7 +54,8 @@ struct PictureTile {
 class PictureRenderer {
  public:
   /// `options` must outlive it. Needs a current context throughout its lifetime.
-  PictureRenderer(const PictureScene& scene, const Camera& camera, const PictureOptions& options);
+  PictureRenderer(const PictureScene& scene, const FrameCamera& camera,
+                  const PictureOptions& options);
 
   Image render();
 

@@ -246,7 +246,8 @@ class Faults(BatchCase):
         failed = [row for row in bound if row["status"] == "failed"]
         self.assertTrue(0 < len(failed) < 20, len(failed))
         for row in failed:
-            self.assertEqual(row["reason"], "needs more than %s s of CPU time" % seconds)
+            # On a busy machine ten times that by the clock may end it first.
+            self.assertRegex(row["reason"], "^(needs more than %s s of CPU time|took more than .* s)$" % seconds)
         for a, b in zip(free, bound):
             if b["status"] != "failed":
                 self.assertEqual(a, b)

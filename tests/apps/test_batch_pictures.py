@@ -49,6 +49,41 @@ class Pictures(BatchCase):
         self.assertTrue(status.startswith("units: 3 of 3; scenes: %d of %d" % (self.COUNT, self.COUNT)), status)
         self.assertEqual(self.trivet("batch", "merge", "p", "-o", "all.jsonl")[0], "%d scenes\n" % self.COUNT)
 
+    def opengl(self, out, *more, status=0, **env):
+        return self.trivet("batch", "pictures", "scenes", "--out", out, "--renderer", "opengl", *more,
+                           status=status, env=env)
+
+    def test_opengl_draws_what_rays_draw(self):
+        err = self.opengl("gl")[1]
+        if "EGL device" not in err and "surfaceless" not in err:
+            self.skipTest("no OpenGL: " + err)
+        self.pictures("p")
+        rays, opengl = self.members("p"), self.members("gl")
+        self.assertEqual(sorted(rays), sorted(opengl))
+        num_pictures = 0
+        for name in rays:
+            if not name.endswith(".png") or name.count(".") != 2:
+                if name != "manifest.jsonl":
+                    self.assertEqual(rays[name], opengl[name], name)
+                continue
+            a, b = read_png(rays[name]), read_png(opengl[name])
+            self.assertEqual(a[:3], b[:3])
+            self.assertEqual(len(a[3]), len(b[3]))
+            self.assertLess(sum(abs(x - y) for x, y in zip(a[3], b[3])) / len(a[3]), 25, name)
+            num_pictures += 1
+        self.assertGreater(num_pictures, 4)
+        self.assertIn("0 findings", self.trivet("batch", "verify", "gl", "--scenes", "scenes")[0])
+        err = self.pictures("gl", status=2)[1]
+        self.assertIn("with_opengl is true, here false", err)
+
+    def test_opengl_on_a_device_that_is_not_there(self):
+        for device, says in (("99", "device 99"), ("two", 'TRIVET_EGL_DEVICE is "two"; accepted:')):
+            err = self.opengl("gl", status=3, TRIVET_EGL_DEVICE=device)[1]
+            if "has no OpenGL" in err or "no EGL:" in err:
+                self.skipTest(err)
+            self.assertIn(says, err)
+            self.assertFalse(os.path.exists(self.path("gl")))
+
     def test_images_are_those_of_render(self):
         """Of a materialised scene, by the cameras that the labels tell."""
         self.pictures("p")

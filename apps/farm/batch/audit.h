@@ -1,6 +1,7 @@
 // A batch that is there, whole or in part: how far it is, whether it is true, its scenes as files.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <optional>
 
@@ -26,6 +27,7 @@ struct VerifyOptions {
   int jobs = 1;
   WorkLimits limits;
   ImportLimits import;
+  std::function<DrawPicture()> make_opengl;  // for pictures by OpenGL; see PictureWork
 };
 struct Verification {
   std::uint64_t units = 0, scenes = 0, made_again = 0;

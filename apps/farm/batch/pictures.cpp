@@ -24,14 +24,16 @@ BatchRun pictures_of(const std::string& scenes, const std::string& views) {
   return run;
 }
 
-Work picture_work(const BatchRun& run, const std::string& scenes, const ImportLimits& import) {
+Work picture_work(const BatchRun& run, const std::string& scenes, const ImportLimits& import,
+                  const std::function<DrawPicture()>& make_opengl) {
   const BatchRun there = scenes_in(scenes);
   if (sha256_hex(run_json(there)) != run.scenes_sha256)
     bad_input(scenes + ": is not the batch that these pictures are of");
   Work work = work_of(prepared_recipe(there, scenes), there, import, scenes, true);
   const nlohmann::json views = nlohmann::json::parse(run.views);
   work.pictures = std::make_shared<const PictureWork>(
-      PictureWork{scenes, there, read_view_wishes(JsonPlace(views, "views"))});
+      PictureWork{scenes, there, read_view_wishes(JsonPlace(views, "views")),
+                  run.with_opengl ? make_opengl : nullptr});
   return work;
 }
 

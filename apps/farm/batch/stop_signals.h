@@ -5,7 +5,7 @@
 
 #include <chrono>
 
-#include "apps/farm/workers/frames.h"
+#include "core/base/local_sockets.h"
 
 namespace trivet::farm {
 

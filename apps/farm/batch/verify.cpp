@@ -61,7 +61,7 @@ Work work_again(const BatchRun& run, const std::string& out, const VerifyOptions
     if (options.scenes.empty())
       bad_input(out +
                 ": is a batch of pictures; accepted: with --scenes, the folder of its scenes");
-    return picture_work(run, options.scenes, options.import);
+    return picture_work(run, options.scenes, options.import, options.make_opengl);
   }
   return work_of(prepared_recipe(run, out), run, options.import, out, true);
 }

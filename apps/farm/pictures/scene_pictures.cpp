@@ -15,13 +15,15 @@ namespace {
 // Members of one view after another.
 class ViewWriter {
  public:
-  ViewWriter(const LabelledScene& scene, const Views& views, std::uint64_t k, SceneMembers& out)
-      : m_scene(scene), m_views(views), m_k(k), m_out(out) {}
+  ViewWriter(const LabelledScene& scene, const Views& views, std::uint64_t k,
+             const DrawPicture& opengl, SceneMembers& out)
+      : m_scene(scene), m_views(views), m_k(k), m_opengl(opengl), m_out(out) {}
 
   void add(const LabelView& view) {
     m_view = &view;
     if (m_views.any_labels()) add_labels();
     if (!m_views.picture) return;
+    if (m_opengl) return add(".png", m_opengl(m_scene.picture, view.camera, m_views.samples));
     PathOptions path;
     path.bounces = m_views.bounces;
     add(".png", traced_png(m_scene.picture, view.camera, m_views.samples, path));
@@ -40,6 +42,7 @@ class ViewWriter {
   const LabelledScene& m_scene;
   const Views& m_views;
   std::uint64_t m_k;
+  const DrawPicture& m_opengl;
   SceneMembers& m_out;
   const LabelView* m_view = nullptr;
 };
@@ -71,7 +74,8 @@ Scene standing(const Layout& layout, const LoadedModels& models, const std::stri
 }  // namespace
 
 SceneMembers make_pictures(const PictureWork& work, SceneReader& scenes, const Recipe& recipe,
-                           const LoadedModels& models, const PhiloxKey& key, std::uint64_t k) {
+                           const LoadedModels& models, const PhiloxKey& key, std::uint64_t k,
+                           const DrawPicture& opengl) {
   SceneMembers out{scenes.read(k / work.scenes.per_unit, k), {}};
   Json& views = out.scene["views"] = Json::array();
   if (out.scene.at("status") != "ok") return out;
@@ -80,7 +84,7 @@ SceneMembers make_pictures(const PictureWork& work, SceneReader& scenes, const R
   const Scene stands = standing(layout, models, where);
   const LabelledScene scene = labelled_scene(stands, layout);
   const auto draw = [&] {
-    ViewWriter writer(scene, work.views, k, out);
+    ViewWriter writer(scene, work.views, k, opengl, out);
     for (const LabelView& view : cameras_of(work.views, scene.picture, key, k)) {
       views.push_back({{"name", view.name}, {"camera", camera_json(view.camera)}});
       writer.add(view);

@@ -1,17 +1,25 @@
 // Pictures and labels of a scene that has been made: from its poses, without laying it out again.
 #pragma once
 
+#include <functional>
+
 #include "apps/farm/recipe/views.h"
 #include "apps/farm/store/run_file.h"
 #include "ops/files/layout/scene_of_layout.h"
 
 namespace trivet::farm {
 
+/// The bytes of a PNG file of a scene, with so many samples a pixel.
+using DrawPicture =
+    std::function<std::string(const PictureScene& scene, const PinholeCamera& camera, int samples)>;
+
 /// Input of pictures.
 struct PictureWork {
   std::string folder;  // the batch of the scenes
   BatchRun scenes;
   Views views;
+  // Called once in every process that draws pictures by OpenGL. Null: they are drawn by rays.
+  std::function<DrawPicture()> make_opengl;
 };
 
 /// Of scene k: its JSON with "views", [{"name", "camera"}], and for each view members
@@ -20,8 +28,11 @@ struct PictureWork {
 /// no views. By rays in the calling thread; labels are the same bits on any machine, pictures where
 /// the mathematical library is the same.
 /// @param scenes  of the folder of the work.
+/// @param opengl  draws the pictures instead, of which the bytes depend on the driver, too; or
+/// null.
 /// @throws Error (BadInput) when the batch has no scene k, or poses that do not fit.
 SceneMembers make_pictures(const PictureWork& work, SceneReader& scenes, const Recipe& recipe,
-                           const LoadedModels& models, const PhiloxKey& key, std::uint64_t k);
+                           const LoadedModels& models, const PhiloxKey& key, std::uint64_t k,
+                           const DrawPicture& opengl = nullptr);
 
 }  // namespace trivet::farm

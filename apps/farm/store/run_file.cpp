@@ -31,6 +31,7 @@ Json json_of(const BatchRun& run) {
   if (run.views.empty()) return json;
   json["views"] = Json::parse(run.views);
   json["scenes_sha256"] = run.scenes_sha256;
+  if (run.with_opengl) json["with_opengl"] = true;
   return json;
 }
 
@@ -60,7 +61,7 @@ BatchRun read_run(const std::string& out) {
   const JsonPlace root(document, file);
   root.expect_object({"trivet_batch", "version", "seed", "count", "per_unit", "format",
                       "with_scene", "with_report", "recipe_sha256", "recipe"},
-                     {"with_contacts", "views", "scenes_sha256"});
+                     {"with_contacts", "views", "scenes_sha256", "with_opengl"});
   BatchRun run;
   run.version = root.at("version").text();
   run.seed = read_count(root.at("seed"));
@@ -77,6 +78,7 @@ BatchRun read_run(const std::string& out) {
   if (const auto views = root.find("views")) {
     run.views = views->value().dump();
     run.scenes_sha256 = root.at("scenes_sha256").text();
+    if (const auto opengl = root.find("with_opengl")) run.with_opengl = opengl->boolean();
   }
   return run;
 }
@@ -93,6 +95,7 @@ void check_run(const std::string& out, const BatchRun& run) {
               " in this folder; accepted: another --out");
   Json ours = json_of(run), theirs = json_of(there);
   ours["with_contacts"] = run.with_contacts, theirs["with_contacts"] = there.with_contacts;
+  ours["with_opengl"] = run.with_opengl, theirs["with_opengl"] = there.with_opengl;
   for (const auto& [key, value] : ours.items())
     if (theirs.at(key) != value)
       bad_input(path_in(out) + ": another batch is in this folder: " + key + " is " +

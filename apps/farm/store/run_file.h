@@ -18,6 +18,7 @@ struct BatchRun {
   std::string version;  // of the program
   // Of a batch of pictures of another batch's scenes; else empty.
   std::string views, scenes_sha256;  // JSON, see farm/recipe/views.h; of that batch's run.json
+  bool with_opengl = false;          // pictures by OpenGL, not by rays
 
   std::uint64_t num_units() const { return (count + per_unit - 1) / per_unit; }
   std::uint64_t first_scene(std::uint64_t unit) const { return unit * per_unit; }

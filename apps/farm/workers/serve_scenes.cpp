@@ -38,13 +38,16 @@ class Maker {
 
   SceneMembers make(std::uint64_t k) {
     if (!m_scenes) return make_members(m_work, m_models, k);
-    return make_pictures(*m_work.pictures, *m_scenes, m_work.recipe, m_models, m_work.key, k);
+    const PictureWork& pictures = *m_work.pictures;
+    if (pictures.make_opengl && !m_opengl) m_opengl = pictures.make_opengl();
+    return make_pictures(pictures, *m_scenes, m_work.recipe, m_models, m_work.key, k, m_opengl);
   }
 
  private:
   const Work& m_work;
   const LoadedModels& m_models;
   std::optional<SceneReader> m_scenes;
+  DrawPicture m_opengl;
 };
 
 std::string reply_for(Maker& maker, const WorkLimits& limits, std::uint64_t k) {

@@ -10,7 +10,7 @@
 
 #include <sys/types.h>
 
-#include "apps/farm/workers/frames.h"
+#include "core/base/local_sockets.h"
 #include "apps/farm/workers/work.h"
 
 namespace trivet::farm {

@@ -60,6 +60,36 @@ TEST(EglContextAbsent, ReportsTriedPlatforms) {
   EXPECT_EQ(status, 0);
 }
 
+TEST(EglContext, TakesDeviceOfNumber) {
+  const std::optional<EglContext> any = make_context();
+  TRIVET_SKIP_WITHOUT_EGL(any);
+  EglOptions options;
+  if (any->device().rfind("EGL device ", 0) == 0) {
+    options.device = std::stoi(any->device().substr(11));
+    EXPECT_EQ(EglContext(options).device(), any->device());
+  }
+  options.device = 99;
+  try {
+    const EglContext context(options);
+    ADD_FAILURE() << "there is a device 99";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), Error::Kind::Environment);
+    EXPECT_NE(std::string(error.what()).find("EGL device 99"), std::string::npos) << error.what();
+  }
+}
+
+TEST(EglContext, ReadsDeviceFromEnvironment) {
+  unsetenv("TRIVET_EGL_DEVICE");
+  EXPECT_EQ(EglOptions().device, 0);
+  setenv("TRIVET_EGL_DEVICE", "3", 1);
+  EXPECT_EQ(EglOptions().device, 3);
+  for (const char* const bad : {"0", "-1", "two", "1x", "99999999999"}) {
+    setenv("TRIVET_EGL_DEVICE", bad, 1);
+    EXPECT_THROW(egl_device_from_environment(), Error) << bad;
+  }
+  unsetenv("TRIVET_EGL_DEVICE");
+}
+
 TEST(EglContext, DescribesItself) {
   const std::optional<EglContext> context = make_context();
   TRIVET_SKIP_WITHOUT_EGL(context);

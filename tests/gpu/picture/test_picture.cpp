@@ -247,6 +247,40 @@ TEST_F(Picture, IsDeterministic) {
   EXPECT_EQ(a.rgba, b.rgba);
 }
 
+int largest_difference(const Image& a, const Image& b, int shift_x, int shift_y) {
+  int out = 0;
+  for (int y = 0; y < a.height; ++y)
+    for (int x = 0; x < a.width; ++x) {
+      if (x + shift_x >= b.width || y + shift_y >= b.height) continue;
+      for (int c = 0; c < 4; ++c)
+        out = std::max(out, std::abs(a.pixel(x, y)[c] - b.pixel(x + shift_x, y + shift_y)[c]));
+    }
+  return out;
+}
+
+// The same view by focal lengths, and a part of it by another principal point.
+TEST_F(Picture, TakesPinholeCameras) {
+  const Boxes boxes = cube();
+  const PictureMesh mesh = boxes.view();
+  const PictureScene scene = scene_of(mesh);
+  PictureOptions options;
+  options.width = 96, options.height = 64, options.samples = 4;
+  Camera camera;
+  camera.eye = Vec3(5, -7, 4), camera.target = Vec3(0.3, 0.2, 0.9);
+  const Image expected = render(scene, camera, options);
+  PinholeCamera pinhole = pinhole_camera(camera, options.width, options.height);
+  EXPECT_LE(largest_difference(expected, render_picture(*m_context, scene, pinhole, options), 0, 0),
+            2);
+  pinhole.cx -= 20, pinhole.cy -= 12;
+  pinhole.width = 60, pinhole.height = 48;
+  const Image part = render_picture(*m_context, scene, pinhole, options);
+  ASSERT_EQ(part.width, 60);
+  EXPECT_LE(largest_difference(part, expected, 20, 12), 2);
+  EXPECT_GE(largest_difference(part, expected, 0, 0), 50) << "it is another part";
+  pinhole.fx = 0;
+  EXPECT_THROW(render_picture(*m_context, scene, pinhole, options), Error);
+}
+
 TEST_F(Picture, HasNoShadowAcne) {
   Boxes boxes = cube();
   const PictureMesh mesh = boxes.view();

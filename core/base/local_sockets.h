@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace trivet::farm {
+namespace trivet {
 
 /// A descriptor, closed on destruction.
 class Descriptor {
@@ -32,7 +32,7 @@ bool send_frame(int socket, std::string_view bytes);
 std::optional<std::string> receive_frame(int socket);
 
 /// A short message (up to kMaxMessage bytes), with a descriptor or without (-1), over a SEQPACKET.
-inline constexpr size_t kMaxMessage = 4096;
+inline constexpr size_t kMaxMessage = 8192;
 bool send_message(int socket, std::string_view bytes, int descriptor = -1);
 struct Message {
   std::string bytes;
@@ -40,4 +40,4 @@ struct Message {
 };
 std::optional<Message> receive_message(int socket);
 
-}  // namespace trivet::farm
+}  // namespace trivet

@@ -1,4 +1,4 @@
-#include "apps/farm/workers/frames.h"
+#include "core/base/local_sockets.h"
 
 #include <sys/socket.h>
 #include <unistd.h>
@@ -9,7 +9,7 @@
 
 #include "core/base/error.h"
 
-namespace trivet::farm {
+namespace trivet {
 namespace {
 
 bool send_all(int socket, const char* data, size_t size) {
@@ -122,4 +122,4 @@ std::optional<Message> receive_message(int socket) {
   return out;
 }
 
-}  // namespace trivet::farm
+}  // namespace trivet
