@@ -16,7 +16,7 @@ namespace trivet {
 /// @param error  as errno.   @throws Error (Environment)
 [[noreturn]] void fail_environment(const std::string& what, int error);
 
-/// What to read, within which limits; as texts, the program's arguments.
+/// A file to read and its limits; as texts, the program's arguments.
 struct ImportRequest {
   std::string path;
   ImportLimits limits;  // without the importer

@@ -149,7 +149,7 @@ Model read_model_sandboxed(const std::string& path, const ImportLimits& given,
   check_file(path, given);  // checks that need no other process
   const std::string importer = importer_of(path, given);
   const ImportLimits limits = with_defaults(given, path);
-  // Where anything fails, the importer ends with what it is doing.
+  // An exception ends the importer, with what it is doing.
   std::unique_ptr<ImporterServer> shared = t_shared ? t_shared->take(importer) : nullptr;
   int status = 0;
   const std::string bytes =

@@ -14,8 +14,8 @@ namespace trivet {
 class ImporterServer;
 
 /// While it lives, what this thread imports shares importers: each file is still read by a process
-/// of its own, within its limits, but forked from one that has been started, which takes a tenth of
-/// the time. Of several the innermost counts.
+/// of its own, within its limits, but forked from one that has been started, as starting it takes
+/// longer than reading a small model. Of several the innermost counts.
 class SharedImporters {
  public:
   SharedImporters();

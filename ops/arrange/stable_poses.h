@@ -34,7 +34,7 @@ struct StablePose {
 std::vector<StablePose> stable_poses(const Shape& shape, UpAxis up, double scale = 1,
                                      std::vector<Index>* hull_vertices = nullptr);
 
-/// Whether upright_pose() of these poses is the model's own, told without a convex hull: the lowest
+/// True if upright_pose() of these poses is the model's own, told without a convex hull: the lowest
 /// vertices are at one height exactly and carry the centre of mass well inside. False where that
 /// does not tell.   Cost O(n).   Thread-safe.
 bool stands_as_modelled(const Shape& shape, UpAxis up, double scale = 1);
