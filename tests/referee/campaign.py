@@ -4,7 +4,7 @@
     tests/referee/campaign.py --trivet build/release/apps/trivet --referee PATH/referee \\
         --shared ../shared [--set floor,pair,pile,bin] [--out DIR] [--same-as OTHER_TRIVET] [--threads 1,2]
         [--backends software,gpu/compute] [--match REGEX] [--friction MU [--whole]] [--every N] [--heaps 4x50] [--bins 50x10]
-        [--tries 3] [--solids 20x8] [--simulate 5]
+        [--tries 3] [--solids 20x8] [--simulate 5 [--rest 95,99]] [--placed 98]
 
 floor: every model in 5 random orientations, put onto the floor.
 pair:  every model in 5 random orientations, put onto one of 10 other models that stand there fixed.
@@ -13,7 +13,8 @@ bin:   bins, open boxes of 60 x 40 x 25 cm that stand fixed, each with 10 object
 solid: heaps of convex solids, 20 of 8: bricks, slabs, bars, wedges and prisms, which are their own
        collision shapes. No real models are needed.
 --simulate: every scene is exported, and MuJoCo runs on it for so many seconds; how many objects moved
-by more than a millimetre and a centimetre is printed. It does not count for the exit status.
+by more than a millimetre and a centimetre is printed. --rest: of each 100 objects so many must move
+by less than a millimetre, and so many by less than a centimetre, else the exit status is 1.
 --friction: settled with this coefficient, by the referee judged at it. --whole: every operation leaves
 the whole scene at rest, or is refused; the referee judges the whole scene, too.
 --tries: what a heap or a bin refuses is put again in the end, from another place above all, up to so
@@ -23,7 +24,7 @@ threads or other sources of candidates: reports (apart from milliseconds, and wh
 itself) and scenes must be the same bytes. Without --referee, no other check is made.
 A backend may be followed by the method of the GPU and by what Embree confirms: gpu/framebuffer/off.
 Prints a table; exit status 1 if a scene is not true, a result differs, a backend is not the one asked
-for, or under 98 % are placed.
+for, or fewer are placed than --placed says, 98 % by default.
 """
 import argparse
 import concurrent.futures
@@ -202,7 +203,10 @@ def run_set(options, title, layouts):
             print(f"  not true: {name} {totals}", file=sys.stderr)
     for name in different:
         print(f"  differs: {name}", file=sys.stderr)
-    return true == len(results) and not different and placed >= 0.98 * objects
+    rest = all(100 * sum(way < limit for way in moved) >= percent * len(moved)
+               for percent, limit in zip(map(float, options.rest.split(",")), (1e-3, 1e-2)))
+    return (true == len(results) and not different and rest and
+            100 * placed >= options.placed * objects)
 
 
 def main():
@@ -223,6 +227,9 @@ def main():
     parser.add_argument("--bins", default="50x10", help="number of bins and of objects in each")
     parser.add_argument("--solids", default="20x8", help="number of heaps of solids and of objects in each")
     parser.add_argument("--simulate", type=float, default=0, help="seconds of MuJoCo")
+    parser.add_argument("--rest", default="0,0", help="percent that must rest in MuJoCo, within a "
+                        "millimetre and a centimetre")
+    parser.add_argument("--placed", type=float, default=98, help="percent that must be placed")
     parser.add_argument("--tries", type=int, default=1, help="PUTs of an object that heaps and bins refuse")
     parser.add_argument("--same-as", help="another build of trivet to compare with")
     parser.add_argument("--threads", default="", help="numbers of threads to compare, comma-separated")

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "core/io/simulators/floor_corners.h"
 #include "core/io/simulators/simulation_files.h"
 
 namespace trivet {
@@ -9,7 +10,9 @@ namespace {
 
 using Element = tinyxml2::XMLElement;
 
+constexpr double kCornerRadius = 1e-5;  // metres
 constexpr size_t kContactsOfPair = 4, kRowsOfContact = 4, kMinContacts = 100, kMaxContacts = 1000;
+constexpr const char *kSolref = "0.004 1", *kSolimp = "0.95 0.99 0.0001";
 
 std::string quaternion_text(const Rotation& r) { return numbers_text({r.w, r.x, r.y, r.z}); }
 
@@ -21,7 +24,12 @@ class MjcfWriter {
   MjcfWriter(const SimulationScene& scene, const MeshFiles& meshes, const std::string& folder)
       : m_scene(scene), m_meshes(meshes), m_folder(folder) {
     m_frictions.insert(scene.floor_friction);
-    for (const SimulationBody& body : scene.bodies) m_frictions.insert(body.friction);
+    for (const SimulationBody& body : scene.bodies) {
+      m_frictions.insert(body.friction);
+      m_corners.push_back(scene.floor && !body.fixed
+                              ? floor_corners(scene.models[body.model], body.world_from_link)
+                              : std::vector<Vec3>());
+    }
   }
 
   std::string text() {
@@ -33,7 +41,7 @@ class MjcfWriter {
     // With a single contact point per pair of meshes, the default in MuJoCo 2, boxes rock and
     // drift. Elliptic cones with stiff friction keep objects from creeping down slopes.
     Element* const option = add_child(root, "option",
-                                      {{"timestep", "0.002"},
+                                      {{"timestep", "0.001"},
                                        {"gravity", "0 0 " + number_text(-m_scene.gravity)},
                                        {"cone", "elliptic"},
                                        {"impratio", "10"},
@@ -50,9 +58,11 @@ class MjcfWriter {
                  {"type", "plane"},
                  {"group", "2"},
                  {"size", "0 0 1"},
+                 {"conaffinity", "3"},
                  {"priority", priority_text(m_scene.floor_friction)},
                  {"friction", friction_text(m_scene.floor_friction)}});
-    for (const SimulationBody& body : m_scene.bodies) add_body(world, body);
+    for (size_t i = 0; i < m_scene.bodies.size(); ++i)
+      add_corners(add_body(world, m_scene.bodies[i]), i);
     return xml_text(m_document);
   }
 
@@ -64,8 +74,17 @@ class MjcfWriter {
               {{"type", "mesh"},
                {"group", "3"},
                {"condim", "4"},
-               {"solref", "0.004 1"},
-               {"solimp", "0.95 0.99 0.0001"}});
+               {"solref", kSolref},
+               {"solimp", kSolimp}});
+    add_child(add_child(all, "default", {{"class", "corner"}}), "geom",
+              {{"type", "sphere"},
+               {"size", number_text(kCornerRadius)},
+               {"group", "3"},
+               {"contype", "2"},
+               {"conaffinity", "0"},
+               {"condim", "4"},
+               {"solref", kSolref},
+               {"solimp", kSolimp}});
     add_child(add_child(all, "default", {{"class", "visual"}}), "geom",
               {{"type", "mesh"}, {"group", "2"}, {"contype", "0"}, {"conaffinity", "0"}});
   }
@@ -96,8 +115,9 @@ class MjcfWriter {
   // MuJoCo 2 drops contacts beyond its buffer, whose default does not know the parts. Its memory
   // grows with the square.
   void add_size(Element* root) const {
-    const size_t contacts =
-        std::clamp(kContactsOfPair * m_scene.num_near_parts, kMinContacts, kMaxContacts);
+    size_t contacts = kContactsOfPair * m_scene.num_near_parts;
+    for (const std::vector<Vec3>& corners : m_corners) contacts += corners.size();
+    contacts = std::clamp(contacts, kMinContacts, kMaxContacts);
     add_child(root, "size",
               {{"njmax", std::to_string(kRowsOfContact * contacts)},
                {"nconmax", std::to_string(contacts)}});
@@ -113,7 +133,7 @@ class MjcfWriter {
            " 0.005 0.0001";  // metres: MuJoCo's default torsional and rolling friction
   }
 
-  void add_body(Element* world, const SimulationBody& body) {
+  Element* add_body(Element* world, const SimulationBody& body) {
     const Pose& pose = body.world_from_link;
     Element* const element = add_child(world, "body",
                                        {{"name", body.file_name},
@@ -137,12 +157,29 @@ class MjcfWriter {
                  {"mesh", stem(part)},
                  {"priority", priority_text(body.friction)},
                  {"friction", friction_text(body.friction)}});
+    return element;
+  }
+
+  // Of a mesh on a plane MuJoCo finds three contacts, not always the same: what lies flat would
+  // rattle and creep. Spheres that only the floor sees hold it at all corners.
+  void add_corners(Element* element, size_t index) const {
+    const SimulationBody& body = m_scene.bodies[index];
+    const Pose& pose = body.world_from_link;
+    for (const Vec3& corner : m_corners[index]) {
+      const Vec3 centre = corner + Vec3(0, 0, kCornerRadius) - pose.translation;
+      add_child(element, "geom",
+                {{"class", "corner"},
+                 {"pos", vector_text(pose.rotation.matrix().transpose() * centre)},
+                 {"priority", priority_text(body.friction)},
+                 {"friction", friction_text(body.friction)}});
+    }
   }
 
   const SimulationScene& m_scene;
   const MeshFiles& m_meshes;
   const std::string m_folder;
   std::set<double> m_frictions;
+  std::vector<std::vector<Vec3>> m_corners;  // of the bodies, see floor_corners()
   tinyxml2::XMLDocument m_document;
 };
 

@@ -166,7 +166,8 @@ TEST(MuJoCo, AgreesOnMassesAndInertias) {
     EXPECT_NEAR(i[0] + i[1] + i[2], body.inertia.trace(), 1e-9 * body.inertia.trace());
     // MuJoCo's own values, from the volume of the part's mesh at density 1: each body has one part
     // here.
-    const int geom = m.body_geomadr[id] + m.body_geomnum[id] - 1;
+    int geom = m.body_geomadr[id] + m.body_geomnum[id] - 1;
+    while (m.geom_type[geom] == mjGEOM_SPHERE) --geom;  // corners on the floor
     ASSERT_EQ(m.geom_type[geom], mjGEOM_MESH);
     const double volume = volume_of(done.scene.models[body.model].parts.at(0));
     EXPECT_NEAR(body.mass, *options.density * volume, 1e-4 * body.mass) << body.name;
@@ -217,8 +218,8 @@ TEST(MuJoCo, SimulatesWhatWasExported) {
       simulate(export_simulation(laid_out.scene, folder.file("up.xml"), options), 1);
   EXPECT_FALSE(stays(falls));
   for (const SimulatedObject& o : falls.objects)
-    if (o.name == "on floor") {
-      EXPECT_GT(o.moved, 0.4);
+    if (o.name == "on floor") {  // half a metre, less 0.2 where it falls onto "on floor, too"
+      EXPECT_GT(o.moved, 0.25);
     }
 }
 
@@ -242,13 +243,10 @@ TEST(MuJoCo, LeavesObjectsInBin) {
   const SimulatedScene simulated = simulate(done, seconds);
   ASSERT_EQ(simulated.objects.size(), 10u);
   EXPECT_EQ(simulated.num_warnings, 0);
-  int num_moved = 0;
   for (const SimulatedObject& o : simulated.objects) {
     std::printf("%-20s moved %.3g mm\n", o.name.c_str(), 1000 * o.moved);
-    num_moved += o.moved > 1e-3;
-    EXPECT_LT(o.moved, 2e-3) << o.name;
+    EXPECT_LT(o.moved, 1e-3) << o.name;
   }
-  EXPECT_LE(num_moved, 2);
   options.collision = CollisionRule::Components;
   EXPECT_THROW(export_simulation(run.scene, folder.file("hulls.xml"), options), Error);
 }
