@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/motion/motion.h"
+#include "core/motion/height.h"
 
 namespace trivet {
 

@@ -46,12 +46,24 @@ struct PlacedBvh {
   };
   /// Unit, in this frame.
   Vec3 own_axis(int k) const { return linear.col(k) / scale; }
+  /// Number by number, as the innermost loops inline it: of an inline function that several
+  /// libraries call, the linker keeps one copy, and where Eigen's vectors are not inlined, boxes
+  /// take three times as long.
   Box box(Index node) const {
-    const Aabb b = bvh.nodes[node].box();
-    const Vec3 half = b.half_extent();
-    if (own_frame) return {scale * b.centre(), scale * half, scale * half.norm(), scale * half};
-    return {linear * b.centre() + translation, abs_linear * half, scale * half.norm(),
-            scale * half};
+    const BvhNode& n = bvh.nodes[node];
+    Vec3 centre, half, own_half;
+    for (int k = 0; k < 3; ++k) {
+      const double lower = n.lower[k], upper = n.upper[k];
+      centre[k] = 0.5 * (lower + upper);
+      half[k] = 0.5 * (upper - lower);
+      own_half[k] = scale * half[k];
+    }
+    const double radius = scale * half.norm();
+    if (own_frame) {
+      for (int k = 0; k < 3; ++k) centre[k] *= scale;
+      return {centre, own_half, radius, own_half};
+    }
+    return {linear * centre + translation, abs_linear * half, radius, own_half};
   }
 };
 

@@ -13,7 +13,6 @@
 #include "core/contact/dips.h"
 #include "core/contact/flush_faces.h"
 #include "core/contact/leaf_box.h"
-#include "core/contact/node_box.h"
 #include "core/contact/node_slab.h"
 #include "core/contact/pair_numbers.h"
 #include "core/contact/triangle_distance.h"
@@ -22,6 +21,7 @@ namespace trivet {
 namespace {
 
 constexpr double kParallelSine = 1e-6;  // edges closer to parallel than this do not cross
+constexpr double kFar = 1.01;  // tolerances: a foot may be beside a face by kFootSlope of its height
 
 auto features_of(const ContactPoint& c) {
   return std::tie(c.features, c.feature_object, c.feature_support);
@@ -92,8 +92,8 @@ class ContactSearch {
 
   std::vector<ContactPoint> run() {
     if (!m_object.shape->has_faces() || !m_support.shape->has_faces()) return {};
-    const PlacedBvh::Box box_object = placed_box(m_tree_object, 0),
-                         box_support = placed_box(m_tree_support, 0);
+    const PlacedBvh::Box box_object = m_tree_object.box(0),
+                         box_support = m_tree_support.box(0);
     m_slab_reach = m_reach + 1e-14 * (farthest(box_object) + farthest(box_support));
     visit(0, 0, box_object, box_support, nullptr);
     std::vector<ContactPoint> points = first_of_each(m_found);
@@ -136,28 +136,42 @@ class ContactSearch {
       leaf = &*own;
     }
     if (!a.is_leaf() && (b.is_leaf() || box_a.radius > box_b.radius)) {
-      visit(ia + 1, ib, placed_box(m_tree_object, ia + 1), box_b, leaf);
-      visit(a.second_child, ib, placed_box(m_tree_object, a.second_child), box_b, leaf);
+      visit(ia + 1, ib, m_tree_object.box(ia + 1), box_b, leaf);
+      visit(a.second_child, ib, m_tree_object.box(a.second_child), box_b, leaf);
     } else {
-      visit(ia, ib + 1, box_a, placed_box(m_tree_support, ib + 1), leaf);
-      visit(ia, b.second_child, box_a, placed_box(m_tree_support, b.second_child), leaf);
+      visit(ia, ib + 1, box_a, m_tree_support.box(ib + 1), leaf);
+      visit(ia, b.second_child, box_a, m_tree_support.box(b.second_child), leaf);
     }
   }
 
-  void try_leaves(const BvhNode& a, const BvhNode& b) {
-    for (Index i = 0; i < a.num_faces; ++i) {
-      const Index face_a = m_tree_object.bvh.faces[a.second_child + i];
-      const Triangle ta = m_object.triangle(face_a);
-      const Aabb box_a = box_of(ta);
-      for (Index j = 0; j < b.num_faces; ++j) {
-        const Index face_b = m_tree_support.bvh.faces[b.second_child + j];
-        const Triangle tb = m_support.triangle(face_b);
-        if (!overlaps(box_a, box_of(tb), m_reach)) continue;
-        const PlainFace fa(ta), fb(tb);
-        if (!fb.clearly_separates(ta, m_tolerance) && !fa.clearly_separates(tb, m_tolerance))
-          try_faces(ContactFace(fa), face_a, ContactFace(fb), face_b);
+  void try_leaves(const BvhNode& node_a, const BvhNode& node_b) {
+    const LeafFaces a(m_object, node_a), b(m_support, node_b);
+    if (m_plane != Vec3::Zero() && plane_separates(a, b)) return;
+    for (size_t i = 0; i < a.num; ++i) {
+      const Aabb box_a = box_of(a.corners[i]);
+      for (size_t j = 0; j < b.num; ++j) {
+        if (!overlaps(box_a, box_of(b.corners[j]), m_reach)) continue;
+        const PlainFace fa(a.corners[i]), fb(b.corners[j]);
+        if (is_separated_by(fb, a.corners[i]) || is_separated_by(fa, b.corners[j])) continue;
+        try_faces(ContactFace(fa), a.face[i], ContactFace(fb), b.face[j]);
       }
     }
+  }
+
+  // The plane of a face separates faces beside it, too.
+  bool is_separated_by(const PlainFace& face, const Triangle& t) {
+    if (!face.clearly_separates(t, m_tolerance)) return false;
+    m_plane = face.area_normal;
+    return true;
+  }
+
+  // All faces of the leaves are too far from each other along the last plane's normal.
+  bool plane_separates(const LeafFaces& a, const LeafFaces& b) const {
+    const Vec3& origin = b.corners[0][0];
+    const auto [low_a, high_a] = a.along(m_plane, origin);
+    const auto [low_b, high_b] = b.along(m_plane, origin);
+    const double gap = std::max(low_a - high_b, low_b - high_a), far = kFar * m_tolerance;
+    return gap > 0 && gap * gap > far * far * m_plane.squaredNorm();
   }
 
   void try_faces(const ContactFace& a, Index face_a, const ContactFace& b, Index face_b) {
@@ -253,12 +267,13 @@ class ContactSearch {
   ContactEnds m_ends;
   std::vector<ContactPoint> m_found;
   bool m_closest_only = false;
+  Vec3 m_plane = Vec3::Zero();  // normal of one that separated faces, of any length
   PairNumbers m_tried_vertices, m_tried_faces;  // of the object and the support, one of them a face
 };
 
 void collect_floor_vertices(const Body& object, const PlacedBvh& tree, Index node, double tolerance,
                             std::vector<Index>& vertices) {
-  const PlacedBvh::Box box = placed_box(tree, node);
+  const PlacedBvh::Box box = tree.box(node);
   if (box.centre.z() - box.half.z() > tolerance * 1.001 + 1e-14 * std::abs(box.centre.z())) return;
   const BvhNode& n = tree.bvh.nodes[node];
   if (!n.is_leaf()) {

@@ -21,11 +21,13 @@ void keep_earlier(const FirstContact& found, FirstContact& best) {
 
 }  // namespace
 
-double decide_faces(const FirstContactQuery& query, Index moving, Index fixed, Index face_moving,
-                    Index face_fixed, const Triangle& a, const Triangle& b, FirstContact& best) {
+DecidedPair decide_faces(const FirstContactQuery& query, Index moving, Index fixed,
+                         Index face_moving, Index face_fixed, const Triangle& a, const Triangle& b,
+                         FirstContact& best) {
   ++best.work.face_pairs;
-  const auto [pair, apart_until] = decide_pair(a, b, query.motion, query.clearance, best.time);
-  if (pair.status == PairContact::Status::Free) return apart_until;
+  const DecidedPair decided = decide_pair(a, b, query.motion, query.clearance, best.time);
+  const PairContact& pair = decided.contact;
+  if (pair.status == PairContact::Status::Free) return decided;
   FirstContact found;
   found.status = pair.status == PairContact::Status::Crossing ? FirstContact::Status::Crossing
                                                               : FirstContact::Status::Contact;
@@ -40,7 +42,7 @@ double decide_faces(const FirstContactQuery& query, Index moving, Index fixed, I
   found.normal = pair.normal;
   found.gap = pair.gap;
   keep_earlier(found, best);
-  return apart_until;
+  return decided;
 }
 
 void decide_floor_vertex(const FirstContactQuery& query, Index moving, Index vertex,

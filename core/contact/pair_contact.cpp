@@ -8,6 +8,7 @@
 #include "core/contact/decide.h"
 #include "core/contact/rounding.h"
 #include "core/contact/triangle_distance.h"
+#include "core/motion/height.h"
 
 // a, b: corners of the moving and of the fixed triangle, relative to a point on the axis.
 // n: normal of a plane, from the fixed to the moving side. u, v: edges.
@@ -203,20 +204,18 @@ bool clear_of_moving_plane(const State& s, const Vec3& n, double target, double 
 
 // Proves cheaply, by the planes of the two faces, that the pair is free up to `horizon`.
 // @return until when the plane found proves it; 0: neither does.
-double free_by_faces(const State& s, double largest_stop, double horizon) {
+DecidedPair free_by_faces(const State& s, double largest_stop, double horizon) {
   const Vec3 towards_a = (s.a[0] - s.b[0]) + (s.a[1] - s.b[1]) + (s.a[2] - s.b[2]);
   const Vec3 nb = face_normal(s.b, towards_a);
   if (nb != Vec3::Zero() && clear_of_static_plane(s, nb, largest_stop, horizon))
-    return std::max(horizon, until_static_plane(s, nb, largest_stop));
+    return {{}, std::max(horizon, until_static_plane(s, nb, largest_stop)), nb};
   const Vec3 na = face_normal(s.a, towards_a);
-  if (na == Vec3::Zero()) return 0;
-  if (!s.turning())
-    return clear_of_static_plane(s, na, largest_stop, horizon)
-               ? std::max(horizon, until_static_plane(s, na, largest_stop))
-               : 0;
-  return clear_of_moving_plane(s, na, largest_stop, horizon)
-             ? std::max(horizon, until_moving_plane(s, na, largest_stop))
-             : 0;
+  if (na == Vec3::Zero()) return {{}, 0};
+  if (!s.turning() && clear_of_static_plane(s, na, largest_stop, horizon))
+    return {{}, std::max(horizon, until_static_plane(s, na, largest_stop)), na};
+  if (s.turning() && clear_of_moving_plane(s, na, largest_stop, horizon))
+    return {{}, std::max(horizon, until_moving_plane(s, na, largest_stop)), na};
+  return {{}, 0};
 }
 
 double later(const State& s, double time, double step) {
@@ -236,8 +235,8 @@ Triangle at_time(const Triangle& t, const Motion& motion, double time) {
 }
 
 DecidedPair at_contact(PairContact::Status status, double time, const ClosestPoints& closest,
-                       const Vec3& centre) {
-  DecidedPair decided{{}, time};
+                       const Vec3& centre, const Vec3& normal) {
+  DecidedPair decided{{}, time, normal};
   PairContact& out = decided.contact;
   out.status = status;
   out.time = time;
@@ -272,27 +271,49 @@ DecidedPair decide_pair(const Triangle& moving, const Triangle& fixed, const Mot
   for (int k = 0; k < 3; ++k) start[k] = moving[k] - centre, s.b[k] = fixed[k] - centre;
   s.a = start;
   const double horizon = std::min(best, motion.limit);
-  const double clear = free_by_faces(s, clearance.largest_stop(), horizon);
-  if (clear > 0) return {{}, clear};
+  const DecidedPair clear = free_by_faces(s, clearance.largest_stop(), horizon);
+  if (clear.apart_until > 0) return clear;
 
   double time = 0, target = 0;
+  Vec3 normal = Vec3::Zero();  // at the start
   for (int planes = 0; planes < kMaxSeparatingPlanes; ++planes) {
     const ClosestPoints closest = closest_points(s.a, s.b);
     if (planes == 0) {
       if (closest.distance <= kRounding * extent(s))
-        return at_contact(PairContact::Status::Crossing, 0, closest, centre);
+        return at_contact(PairContact::Status::Crossing, 0, closest, centre, normal);
       target = clearance.target(closest.distance);
+      normal = plane_direction(s, closest);
     }
     if (closest.distance <= (1 + kTargetSlack) * target)
-      return at_contact(PairContact::Status::Contact, time, closest, centre);
+      return at_contact(PairContact::Status::Contact, time, closest, centre, normal);
     double next = later(s, time, until_best_plane(s, closest, target));
     if (next <= time) next = later(s, time, until_any_plane(s, closest, target));
-    if (next > horizon) return {{}, next};
-    if (next <= time) return at_contact(PairContact::Status::Stalled, time, closest, centre);
+    if (next > horizon) return {{}, next, normal};
+    if (next <= time)
+      return at_contact(PairContact::Status::Stalled, time, closest, centre, normal);
     time = next;
     s.a = at_time(start, local, time);
   }
-  return at_contact(PairContact::Status::Stalled, time, closest_points(s.a, s.b), centre);
+  return at_contact(PairContact::Status::Stalled, time, closest_points(s.a, s.b), centre, normal);
+}
+
+double apart_by_plane(std::span<const Triangle> moving, std::span<const Triangle> fixed,
+                      const Vec3& n, const Motion& motion, double largest_stop, double horizon) {
+  // Relative to the axis, or to the fixed faces, as in decide_pair().
+  const bool turning = motion.kind == Motion::Kind::Rotation;
+  const Vec3 centre = turning ? motion.centre : fixed[0][0];
+  double level = -kInfinity, until = kInfinity;
+  for (const Triangle& t : fixed)
+    for (const Vec3& q : t) level = std::max(level, n.dot(q - centre));
+  level += largest_stop;
+  for (const Triangle& t : moving)
+    for (const Vec3& p : t) {
+      const Vec3 x = p - centre;
+      const HeightFunction f = height_of_moving_point(n.dot(x) - level, n, x, motion);
+      if (!positive_until(f, motion.kind, horizon)) return 0;
+      until = std::min(until, first_zero(f, motion.kind));
+    }
+  return std::max(horizon, until);
 }
 
 double first_floor_contact(const Vec3& p, const Motion& motion, const Clearance& clearance) {

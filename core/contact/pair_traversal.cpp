@@ -3,8 +3,6 @@
 #include <cmath>
 #include <optional>
 
-#include "core/contact/node_box.h"
-
 namespace trivet {
 
 PairTraversal::PairTraversal(const FirstContactQuery& query, Index moving, Index fixed,
@@ -36,7 +34,7 @@ PairTraversal::PairTraversal(const FirstContactQuery& query, Index moving, Index
   m_world_margin = query.clearance.largest_stop() * 1.002 + 1e-14 * world_spread;
   m_slabs = {m_motion, m_margin};
   m_slabs.motion.centre = m_centre;
-  m_apart_until = bound(placed_box(m_a, 0), placed_box(m_b, 0));
+  m_apart_until = bound(m_a.box(0), m_b.box(0));
   if (m_apart_until <= query.motion.limit) m_waiting.push_back({m_apart_until, 0, 0, false});
 }
 
@@ -56,8 +54,7 @@ void PairTraversal::wait(const Waiting& pair) {
 void PairTraversal::resume(const Waiting& pair) {
   if (hopeless(pair.bound)) return wait(pair);
   if (pair.are_leaves) return try_leaves(pair.a, pair.b);
-  const Next n =
-      next(pair.a, pair.b, placed_box(m_a, pair.a), placed_box(m_b, pair.b), true, nullptr);
+  const Next n = next(pair.a, pair.b, m_a.box(pair.a), m_b.box(pair.b), true, nullptr);
   if (hopeless(n.bound)) return wait({n.apart_until, n.a, n.b, false});
   visit(n.a, n.b, n.box_a, n.box_b, nullptr);
 }
@@ -180,10 +177,10 @@ void PairTraversal::visit(Index ia, Index ib, const PlacedBvh::Box& box_a,
   const LeafBox* usable = leaf && leaf->valid ? leaf : nullptr;
   const bool open_a = !a.is_leaf() && (b.is_leaf() || box_a.radius > box_b.radius);
   const Index first = open_a ? ia + 1 : ib + 1, second = open_a ? a.second_child : b.second_child;
-  Next x = open_a ? next(first, ib, placed_box(m_a, first), box_b, true, usable)
-                  : next(ia, first, box_a, placed_box(m_b, first), false, usable);
-  Next y = open_a ? next(second, ib, placed_box(m_a, second), box_b, true, usable)
-                  : next(ia, second, box_a, placed_box(m_b, second), false, usable);
+  Next x = open_a ? next(first, ib, m_a.box(first), box_b, true, usable)
+                  : next(ia, first, box_a, m_b.box(first), false, usable);
+  Next y = open_a ? next(second, ib, m_a.box(second), box_b, true, usable)
+                  : next(ia, second, box_a, m_b.box(second), false, usable);
   if (y.before(x)) std::swap(x, y);
   for (const Next* n : {&x, &y})
     if (hopeless(n->bound))
@@ -210,28 +207,32 @@ double PairTraversal::faces_apart_until(const Aabb& moving, const Aabb& fixed, d
 }
 
 void PairTraversal::try_leaves(Index ia, Index ib) {
-  const BvhNode &a = m_a.bvh.nodes[ia], &b = m_b.bvh.nodes[ib];
+  const LeafFaces a(m_query.moving[m_moving], m_a.bvh.nodes[ia]);
+  const LeafFaces b(m_query.fixed[m_fixed], m_b.bvh.nodes[ib]);
+  if (m_plane != Vec3::Zero())
+    if (const double until = apart_by_plane(a.all(), b.all(), m_plane, m_query.motion,
+                                            m_query.clearance.largest_stop(), horizon());
+        until > 0)
+      return wait({until, ia, ib, true});
   double apart_until = kInfinity;
-  std::array<Triangle, kMaxLeafFaces> fixed;
-  std::array<Aabb, kMaxLeafFaces> box;
-  for (Index j = 0; j < b.num_faces; ++j) {
-    fixed[j] = m_query.fixed[m_fixed].triangle(m_b.bvh.faces[b.second_child + j]);
-    box[j] = box_of(fixed[j]);
-  }
-  for (Index i = 0; i < a.num_faces; ++i) {
-    const Index face_a = m_a.bvh.faces[a.second_child + i];
-    const Triangle ta = m_query.moving[m_moving].triangle(face_a);
-    const Aabb box_a = box_of(ta);
-    const double speed = speed_of(ta);
-    for (Index j = 0; j < b.num_faces; ++j) {
-      double until = faces_apart_until(box_a, box[j], speed);
-      if (!hopeless(until))
-        until = decide_faces(m_part, m_moving, m_fixed, face_a, m_b.bvh.faces[b.second_child + j],
-                             ta, fixed[j], m_best);
+  for (size_t i = 0; i < a.num; ++i) {
+    const Aabb box_a = box_of(a.corners[i]);
+    const double speed = speed_of(a.corners[i]);
+    for (size_t j = 0; j < b.num; ++j) {
+      double until = faces_apart_until(box_a, box_of(b.corners[j]), speed);
+      if (!hopeless(until)) until = decide(a, i, b, j);
       apart_until = std::min(apart_until, until);
     }
   }
   wait({apart_until, ia, ib, true});
+}
+
+// @return time until which they are apart. What separates them may separate others, too.
+double PairTraversal::decide(const LeafFaces& a, size_t i, const LeafFaces& b, size_t j) {
+  const DecidedPair found = decide_faces(m_part, m_moving, m_fixed, a.face[i], b.face[j],
+                                         a.corners[i], b.corners[j], m_best);
+  if (found.normal != Vec3::Zero()) m_plane = found.normal;
+  return found.apart_until;
 }
 
 }  // namespace trivet

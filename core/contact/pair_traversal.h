@@ -66,6 +66,7 @@ class PairTraversal {
   void visit(Index ia, Index ib, const PlacedBvh::Box& box_a, const PlacedBvh::Box& box_b,
              const LeafBox* leaf);
   void try_leaves(Index ia, Index ib);
+  double decide(const LeafFaces& a, size_t i, const LeafFaces& b, size_t j);
   double speed_of(const Triangle& moving) const;
   double faces_apart_until(const Aabb& moving, const Aabb& fixed, double speed) const;
 
@@ -83,6 +84,7 @@ class PairTraversal {
   double m_margin, m_world_margin;
   SlabMotion m_slabs;
   double m_apart_until;  // both bodies
+  Vec3 m_plane = Vec3::Zero();  // normal of one that separated faces: neighbours often, too
   std::vector<Waiting> m_waiting, m_woken;
 };
 

@@ -49,41 +49,4 @@ double turned_deg(double time) {
   return angle;
 }
 
-HeightFunction turning_product(double f0, const Vec3& axis, const Vec3& p, const Vec3& q) {
-  return {f0, p.dot(q) - axis.dot(p) * axis.dot(q), p.dot(axis.cross(q))};
-}
-
-HeightFunction height_of_moving_point(double f0, const Vec3& n, const Vec3& x,
-                                      const Motion& motion) {
-  if (motion.kind == Motion::Kind::Translation) return {f0, 0, n.dot(motion.axis)};
-  return turning_product(f0, motion.axis, n, x);
-}
-
-HeightFunction height_over_moving_plane(double f0, const Vec3& n, const Vec3& x,
-                                        const Motion& motion) {
-  if (motion.kind == Motion::Kind::Translation) return {f0, 0, -n.dot(motion.axis)};
-  return turning_product(f0, motion.axis, x, n);
-}
-
-double first_zero(const HeightFunction& f, Motion::Kind kind) {
-  if (f.f0 <= 0) return 0;
-  if (kind == Motion::Kind::Translation) return f.B < 0 ? f.f0 / -f.B : kInfinity;
-  // (f0 - 2A) s^2 + 2B s + f0 = 0, the stable form of its smallest positive root.
-  const double leading = f.f0 - 2 * f.A;
-  const double discriminant = f.B * f.B - f.f0 * leading;
-  if (discriminant < 0) return kInfinity;
-  const double root = std::sqrt(discriminant);
-  if (f.B < 0) return f.f0 / (root - f.B);
-  return leading < 0 ? (root + f.B) / -leading : kInfinity;
-}
-
-bool positive_until(const HeightFunction& f, Motion::Kind kind, double horizon) {
-  if (f.f0 <= 0) return false;
-  if (kind == Motion::Kind::Translation) return f.B >= 0 || f.f0 > -f.B * horizon;
-  const double h = std::min(horizon, 1.0), leading = f.f0 - 2 * f.A;
-  if ((leading * h + 2 * f.B) * h + f.f0 <= 0) return false;
-  // Positive at both ends: a root in between requires the parabola's minimum in between.
-  return leading <= 0 || f.B >= 0 || -f.B >= leading * h || f.B * f.B < f.f0 * leading;
-}
-
 }  // namespace trivet

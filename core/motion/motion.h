@@ -38,28 +38,4 @@ double compose_turns(double s_first, double s_second);
 double turn_time(double angle_deg);
 double turned_deg(double time);
 
-/// Height of a point over a plane during a motion, when the plane is fixed or moves along: f0 + A
-/// (cos - 1) + B sin for a rotation, f0 + B t for a translation.
-struct HeightFunction {
-  double f0, A, B;
-};
-
-/// Height n . x of a moving point x over a fixed plane with normal n; f0 is its value at the start.
-/// x is relative to a point on the axis.
-HeightFunction height_of_moving_point(double f0, const Vec3& n, const Vec3& x,
-                                      const Motion& motion);
-/// Height of a fixed point x over a moving plane.
-HeightFunction height_over_moving_plane(double f0, const Vec3& n, const Vec3& x,
-                                        const Motion& motion);
-/// Product f0 + p . R q - p . q, R turning about the unit axis.
-HeightFunction turning_product(double f0, const Vec3& axis, const Vec3& p, const Vec3& q);
-
-/// First time > 0 at which a height that starts at f0 > 0 is 0; 0 if f0 <= 0; infinity if there is
-/// none.
-double first_zero(const HeightFunction& f, Motion::Kind kind);
-
-/// True if first_zero(f, kind) > horizon, to rounding, without a root. A rotation's horizon may be
-/// larger than 1 and counts as 1.
-bool positive_until(const HeightFunction& f, Motion::Kind kind, double horizon);
-
 }  // namespace trivet

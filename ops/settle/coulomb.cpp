@@ -139,7 +139,11 @@ class CoulombSolver {
       for (size_t k = 0; k < m_rows.size(); ++k) {
         if (touching_only && m_contacts[k].room > 0) continue;
         Row& row = m_rows[k];
-        const Vec3 force = local_force(row, m_contacts[k], velocity(m_contacts[k]));
+        const Vec3 speed_here = velocity(m_contacts[k]);
+        // It stays without force.
+        if (row.force == Vec3::Zero() && speed_here.dot(m_contacts[k].normal) >= row.least)
+          continue;
+        const Vec3 force = local_force(row, m_contacts[k], speed_here);
         const Vec3 more = force - row.force;
         row.force = force;
         push(m_contacts[k], more);

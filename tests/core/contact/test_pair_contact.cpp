@@ -219,6 +219,34 @@ TEST(PairContact, HardlyEverRunsOutOfPlanes) {
   EXPECT_LE(small, 1e-3 * 6 * num_cases);
 }
 
+// A plane that keeps triangles apart says so of no pair that meets before.
+TEST(PairContact, IsNotBeforeAPlaneKeepsThemApart) {
+  int num_apart = 0, num_met = 0;
+  visit_motions(28, -7, -1, test::with_effort(20000), [&](const PairCase& c, const PairContact&) {
+    FirstContactQuery query;
+    query.motion = c.motion;
+    query.clearance = c.clearance;
+    FirstContact first;
+    const DecidedPair decided = decide_faces(query, 0, 0, 0, 0, c.moving, c.fixed, first);
+    if (decided.normal == Vec3::Zero()) return;
+    EXPECT_NEAR(decided.normal.norm(), 1, 1e-12);
+    for (const double part : {1e-3, 0.1, 1.0}) {
+      const double horizon = part * c.motion.limit;
+      const double until =
+          apart_by_plane({&c.moving, 1}, {&c.fixed, 1}, decided.normal, c.motion,
+                         c.clearance.largest_stop(), horizon);
+      if (until == 0) continue;
+      ++num_apart;
+      EXPECT_GE(until, horizon);
+      EXPECT_GE(first.time, std::min(until, c.motion.limit));
+      num_met += first.status != FirstContact::Status::Free;
+    }
+  });
+  std::printf("%d times apart, %d of them before a contact\n", num_apart, num_met);
+  EXPECT_GT(num_apart, 10000);
+  EXPECT_GT(num_met, 1000);
+}
+
 // Far below the clearances in use some pairs do run out of planes: reported and counted.
 TEST(PairContact, CountsPairsThatRunOutOfPlanes) {
   int num_first = 0;

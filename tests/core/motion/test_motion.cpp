@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "core/motion/motion.h"
+#include "core/motion/height.h"
 #include "support/effort.h"
 #include "support/random_shapes.h"
 
