@@ -10,6 +10,7 @@
 #include "core/base/tunables.h"
 #include "core/contact/contact_ends.h"
 #include "core/contact/contact_face.h"
+#include "core/contact/contact_memory.h"
 #include "core/contact/dips.h"
 #include "core/contact/flush_faces.h"
 #include "core/contact/leaf_box.h"
@@ -21,7 +22,8 @@ namespace trivet {
 namespace {
 
 constexpr double kParallelSine = 1e-6;  // edges closer to parallel than this do not cross
-constexpr double kFar = 1.01;  // tolerances: a foot may be beside a face by kFootSlope of its height
+// Tolerances: a foot may be beside a face, by kFootSlope of its height.
+constexpr double kFar = 1.01;
 
 auto features_of(const ContactPoint& c) {
   return std::tie(c.features, c.feature_object, c.feature_support);
@@ -92,8 +94,7 @@ class ContactSearch {
 
   std::vector<ContactPoint> run() {
     if (!m_object.shape->has_faces() || !m_support.shape->has_faces()) return {};
-    const PlacedBvh::Box box_object = m_tree_object.box(0),
-                         box_support = m_tree_support.box(0);
+    const PlacedBvh::Box box_object = m_tree_object.box(0), box_support = m_tree_support.box(0);
     m_slab_reach = m_reach + 1e-14 * (farthest(box_object) + farthest(box_support));
     visit(0, 0, box_object, box_support, nullptr);
     std::vector<ContactPoint> points = first_of_each(m_found);
@@ -267,7 +268,7 @@ class ContactSearch {
   ContactEnds m_ends;
   std::vector<ContactPoint> m_found;
   bool m_closest_only = false;
-  Vec3 m_plane = Vec3::Zero();  // normal of one that separated faces, of any length
+  Vec3 m_plane = Vec3::Zero();                  // normal of one that separated faces, of any length
   PairNumbers m_tried_vertices, m_tried_faces;  // of the object and the support, one of them a face
 };
 
@@ -291,9 +292,14 @@ void collect_floor_vertices(const Body& object, const PlacedBvh& tree, Index nod
 std::vector<ContactPoint> contact_points(const Body& object, const Body& support, double tolerance,
                                          double slack) {
   if (!overlaps(object.world_box, support.world_box, tolerance * 1.001)) return {};
-  if (!comes_first(support, object)) return ContactSearch(object, support, tolerance, slack).run();
-  std::vector<ContactPoint> points = ContactSearch(support, object, tolerance, slack).run();
-  for (ContactPoint& p : points) p = seen_from_support(p);
+  const bool from_support = comes_first(support, object);
+  const Body &first = from_support ? support : object, &second = from_support ? object : support;
+  const auto find = [&] { return ContactSearch(first, second, tolerance, slack).run(); };
+  ContactMemory* const memory = ContactMemory::current();
+  std::vector<ContactPoint> points =
+      memory ? memory->points(first, second, tolerance, slack, find) : find();
+  if (from_support)
+    for (ContactPoint& p : points) p = seen_from_support(p);
   return points;
 }
 

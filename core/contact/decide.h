@@ -10,8 +10,8 @@ namespace trivet {
 /// first_contact() of two triangles.
 struct DecidedPair {
   PairContact contact;
-  double apart_until;           // proved; of a Free pair whatever the motion's limit
-  Vec3 normal = Vec3::Zero();   // unit, of a plane between them at the start; zero: not known
+  double apart_until;          // proved; of a Free pair whatever the motion's limit
+  Vec3 normal = Vec3::Zero();  // unit, of a plane between them at the start; zero: not known
 };
 DecidedPair decide_pair(const Triangle& moving, const Triangle& fixed, const Motion& motion,
                         const Clearance& clearance, double best);

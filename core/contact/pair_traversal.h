@@ -83,7 +83,7 @@ class PairTraversal {
   std::array<double, 3> m_own_axis_speed;          // of a translation, along them
   double m_margin, m_world_margin;
   SlabMotion m_slabs;
-  double m_apart_until;  // both bodies
+  double m_apart_until;         // both bodies
   Vec3 m_plane = Vec3::Zero();  // normal of one that separated faces: neighbours often, too
   std::vector<Waiting> m_waiting, m_woken;
 };

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "core/base/tunables.h"
+#include "core/contact/contact_memory.h"
 #include "core/scene/friction.h"
 #include "ops/operations/commit.h"
 #include "ops/operations/joint_motion.h"
@@ -267,6 +268,7 @@ class Whole {
   OperationRun& m_run;
   OperationResult& m_result;
   const RestRules m_rules;
+  const ContactMemory m_memory;  // what stays where it is, is judged again and again
   std::int64_t m_queries_left;
   std::map<std::uint32_t, Placement> m_before;  // by slot
 };

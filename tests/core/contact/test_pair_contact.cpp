@@ -232,9 +232,8 @@ TEST(PairContact, IsNotBeforeAPlaneKeepsThemApart) {
     EXPECT_NEAR(decided.normal.norm(), 1, 1e-12);
     for (const double part : {1e-3, 0.1, 1.0}) {
       const double horizon = part * c.motion.limit;
-      const double until =
-          apart_by_plane({&c.moving, 1}, {&c.fixed, 1}, decided.normal, c.motion,
-                         c.clearance.largest_stop(), horizon);
+      const double until = apart_by_plane({&c.moving, 1}, {&c.fixed, 1}, decided.normal, c.motion,
+                                          c.clearance.largest_stop(), horizon);
       if (until == 0) continue;
       ++num_apart;
       EXPECT_GE(until, horizon);

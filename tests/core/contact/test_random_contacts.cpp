@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <future>
+#include <utility>
 
 #include "contact_testing.h"
+#include "core/contact/contact_memory.h"
 #include "core/contact/triangle_distance.h"
 #include "core/index/shape_index.h"
 #include "support/effort.h"
@@ -171,6 +174,49 @@ TEST(ContactPoints, WithFloorAreAllLowVertices) {
     num_points += static_cast<int>(found.size());
   }
   EXPECT_GT(num_points, 2000);
+}
+
+bool same_points(const std::vector<ContactPoint>& a, const std::vector<ContactPoint>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const ContactPoint& x, const ContactPoint& y) {
+                      return x.point == y.point && x.normal == y.normal && x.gap == y.gap &&
+                             x.features == y.features && x.feature_object == y.feature_object &&
+                             x.feature_support == y.feature_support;
+                    });
+}
+
+// From either side, at each tolerance, and at another pose.
+TEST(ContactMemory, GivesThePointsThatAreFoundWithout) {
+  constexpr unsigned kSeed = 43;
+  const test::MeshPool pool(kSeed, 16);
+  EXPECT_EQ(ContactMemory::current(), nullptr);
+  ContactMemory memory;
+  size_t num_points = 0, num_asked = 0;
+  for (int i = 0; i < 600; i += 3) {
+    test::RandomQuery q = test::random_query(pool, kSeed, i);
+    for (const double shift : {0.0, 1e-9}) {
+      q.moving[0].pose.translation.x() += shift;
+      const Body a = q.moving[0].body(), b = q.fixed[0].body();
+      const double eps = q.clearance.distance, slack = kFootSlack * eps;
+      for (const double tolerance : {kContactTolerance * eps, kBalanceTolerance * eps}) {
+        const auto ask = [&](const Body& x, const Body& y) {
+          return contact_points(x, y, tolerance, slack);
+        };
+        const auto first = ask(a, b), other = ask(b, a), again = ask(a, b);
+        EXPECT_TRUE(same_points(again, first)) << i;
+        EXPECT_EQ(other.size(), first.size()) << i;
+        // Another thread remembers nothing.
+        const auto [alone, alone_other] =
+            std::async(std::launch::async, [&] { return std::pair(ask(a, b), ask(b, a)); }).get();
+        EXPECT_TRUE(same_points(alone, first) && same_points(alone_other, other)) << i;
+        num_points += first.size();
+        ++num_asked;
+      }
+    }
+  }
+  EXPECT_GT(num_points, 1000u);
+  EXPECT_GT(memory.num_remembered(), num_asked / 4);
+  EXPECT_LE(memory.num_remembered(), num_asked);
 }
 
 }  // namespace

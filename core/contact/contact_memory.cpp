@@ -1,0 +1,51 @@
+#include "core/contact/contact_memory.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace trivet {
+namespace {
+
+constexpr size_t kMost = 20'000;  // pairs: some 20 MB
+
+thread_local ContactMemory* innermost = nullptr;
+
+double* append(const Affine& m, double* to) {
+  to = std::copy_n(m.linear.data(), 9, to);
+  return std::copy_n(m.translation.data(), 3, to);
+}
+
+}  // namespace
+
+ContactMemory::ContactMemory() : m_outer(innermost) { innermost = this; }
+
+ContactMemory::~ContactMemory() { innermost = m_outer; }
+
+ContactMemory* ContactMemory::current() { return innermost; }
+
+size_t ContactMemory::Hash::operator()(const Question& question) const {
+  std::uint64_t sum = 0;
+  for (const double x : question.numbers) {
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, &x, sizeof bits);
+    sum = (sum ^ bits) * 0x9e3779b97f4a7c15u;
+    sum ^= sum >> 32;
+  }
+  return static_cast<size_t>(sum);
+}
+
+const std::vector<ContactPoint>& ContactMemory::points(const Body& a, const Body& b,
+                                                       double tolerance, double slack,
+                                                       const Find& find) {
+  Question question{a.shape, b.shape, {}};
+  double* const end =
+      append(b.world_from_object, append(a.world_from_object, question.numbers.data()));
+  end[0] = tolerance;
+  end[1] = slack;
+  const auto known = m_known.find(question);
+  if (known != m_known.end()) return known->second;
+  if (m_known.size() >= kMost) m_known.clear();
+  return m_known[question] = find();
+}
+
+}  // namespace trivet
