@@ -192,7 +192,7 @@ TEST(ContactMemory, GivesThePointsThatAreFoundWithout) {
   EXPECT_EQ(ContactMemory::current(), nullptr);
   ContactMemory memory;
   size_t num_points = 0, num_asked = 0;
-  for (int i = 0; i < 600; i += 3) {
+  for (int i = 0; i < 3000; i += 3) {
     test::RandomQuery q = test::random_query(pool, kSeed, i);
     for (const double shift : {0.0, 1e-9}) {
       q.moving[0].pose.translation.x() += shift;
