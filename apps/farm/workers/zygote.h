@@ -10,8 +10,8 @@
 
 #include <sys/types.h>
 
-#include "core/base/local_sockets.h"
 #include "apps/farm/workers/work.h"
+#include "core/base/local_sockets.h"
 
 namespace trivet::farm {
 
