@@ -15,7 +15,8 @@
 namespace trivet::perf {
 namespace {
 
-constexpr double kCellBudget_ms = 5000;  // of a cell; the first cases are the same in all of them
+constexpr double kCellBudget_ms = 5000;  // CPU, of a cell; the first cases are the same in all
+constexpr int kTries = 5;                // of a case, of which the fastest counts: others may run
 constexpr double kTable1Jitter = 0.02;   // metres, of random starts
 constexpr int kRounds = 10;              // of PUTs of all objects
 
@@ -70,7 +71,9 @@ TestScene make_test_scene(const char* name, const char* demo_name, const char* c
 /// A cell of the table.
 struct Cell {
   Samples samples;  // of operations
-  std::vector<double> movement_ms, detection_ms;
+  // Of a movement. CPU: of all threads; detection has its share of the wall clock, both of their
+  // fastest runs.
+  std::vector<double> movement_ms, detection_ms, cpu_ms, detection_cpu_ms;
   int refused = 0, wrong = 0;
 };
 
@@ -81,25 +84,41 @@ std::uint64_t hash_of(const OperationResult& result, const Object& object) {
   return hash.value();
 }
 
+/// A run of a case.
+struct Outcome {
+  OperationResult result;
+  Took took;
+  double detection_ms = 0;
+  std::uint64_t hash = 0;
+
+  double rest_ms() const { return took.wall_ms - detection_ms; }
+};
+
+Outcome run(const Case& c, Detector& detector) {
+  Outcome out;
+  Scene after = *c.before;
+  const double before_s = detector.work().seconds;
+  RunContext context;
+  context.detector = &detector;
+  out.took =
+      timed([&] { out.result = perform(after, c.operation, test::perfect_friction(), context); },
+            CLOCK_PROCESS_CPUTIME_ID);
+  out.detection_ms = 1000 * (detector.work().seconds - before_s);
+  out.hash = hash_of(out.result, after.at(c.object));
+  return out;
+}
+
 /// @param per_motion  whether a motion is a movement, not the whole operation.
 void measure_case(Case& c, bool per_motion, Detector& detector, Cell& cell) {
-  OperationResult result;
-  Scene after;
-  double detection_s = 0;
-  const auto run = [&] {
-    after = *c.before;
-    const double before_s = detector.work().seconds;
-    RunContext context;
-    context.detector = &detector;
-    const Took took =
-        timed([&] { result = perform(after, c.operation, test::perfect_friction(), context); },
-              CLOCK_PROCESS_CPUTIME_ID);
-    detection_s = detector.work().seconds - before_s;
-    return took;
-  };
-  Took took = run();
-  if (took.wall_ms < kLong_ms) took = run();  // with warm caches
-  const std::uint64_t hash = hash_of(result, after.at(c.object));
+  Outcome best = run(c, detector);
+  double detection_ms = best.detection_ms, rest_ms = best.rest_ms();
+  for (int i = 1; i < kTries && best.took.wall_ms < kLong_ms; ++i) {
+    Outcome again = run(c, detector);
+    detection_ms = std::min(detection_ms, again.detection_ms);
+    rest_ms = std::min(rest_ms, again.rest_ms());
+    if (again.took.wall_ms < best.took.wall_ms) best = std::move(again);
+  }
+  const auto& [result, took, detection_then_ms, hash] = best;
   if (!c.truth) c.truth = hash;
   cell.wrong += hash != *c.truth;
   if (!result.ok()) {
@@ -110,14 +129,17 @@ void measure_case(Case& c, bool per_motion, Detector& detector, Cell& cell) {
   if (movements == 0) return;
   cell.samples.add(took);
   cell.movement_ms.push_back(took.wall_ms / movements);
-  cell.detection_ms.push_back(1000 * detection_s / movements);
+  cell.detection_ms.push_back(detection_then_ms / movements);
+  cell.cpu_ms.push_back(took.cpu_ms / movements);
+  cell.detection_cpu_ms.push_back(took.cpu_ms * detection_ms / (detection_ms + rest_ms) /
+                                  movements);
 }
 
 Cell measure(std::vector<Case>& cases, bool per_motion, Detector& detector) {
   Cell cell;
-  const Stopwatch stopwatch;
+  const Stopwatch stopwatch(CLOCK_PROCESS_CPUTIME_ID);
   for (Case& c : cases) {
-    if (stopwatch.elapsed().wall_ms > kCellBudget_ms) break;
+    if (stopwatch.elapsed().cpu_ms > kCellBudget_ms) break;
     measure_case(c, per_motion, detector, cell);
   }
   return cell;
@@ -127,9 +149,9 @@ std::string short_ms(double ms) {
   return text(ms >= 100 ? "%.0f" : ms >= 10 ? "%.1f" : "%.2g", ms);
 }
 
-std::string cell_text(const Cell& cell) {
-  if (cell.movement_ms.empty()) return "none in time";
-  return short_ms(median(cell.movement_ms)) + " (" + short_ms(median(cell.detection_ms)) + ")";
+std::string cell_text(const std::vector<double>& all_ms, const std::vector<double>& detection_ms) {
+  if (all_ms.empty()) return "none in time";
+  return short_ms(median(all_ms)) + " (" + short_ms(median(detection_ms)) + ")";
 }
 
 void add_row(const std::string& what, const Cell& cell, Report& report) {
@@ -172,7 +194,8 @@ std::string scene_lines(TestScene& scene, const std::vector<std::string>& paper,
   const std::string frame = frame_text(scene.stages.back(), report);
   std::string out;
   if (!paper.empty())
-    out += line({scene.name, scene.complexity, "the paper, 1995", paper[0], paper[1], paper[2]});
+    out += line(
+        {scene.name, scene.complexity, "the paper, 1995", paper[0], paper[1], paper[2], "", ""});
   for (const Finder& finder : finders()) try {
       const std::unique_ptr<Detector> detector = finder.make();
       const bool on_gpu = detector->device() != "cpu";  // whose text says how, too
@@ -181,7 +204,10 @@ std::string scene_lines(TestScene& scene, const std::vector<std::string>& paper,
       add_row("PUT, any orientation, " + name, put, report);
       const Cell push = measure(scene.pushes, false, *detector);
       add_row("PUSH by 5 mm, " + name, push, report);
-      out += line({scene.name, ours, name, cell_text(put), cell_text(push), frame});
+      out += line({scene.name, ours, name, cell_text(put.movement_ms, put.detection_ms),
+                   cell_text(push.movement_ms, push.detection_ms), frame,
+                   cell_text(put.cpu_ms, put.detection_cpu_ms),
+                   cell_text(push.cpu_ms, push.detection_cpu_ms)});
     } catch (const Error& error) {
       report.remark(finder.name, error.what());
     }
@@ -201,11 +227,13 @@ void table1_rows(Report& report) {
   lines += scene_lines(fine, {}, report);
   report.append(
       "\n## Table 1 of the paper\n\nMilliseconds per movement, in brackets those of detection: "
-      "medians, wall clock. A movement of PUT is a motion\nup to the next contact, with its "
-      "share of everything until the pose is committed; of PUSH a step of 5 mm along the\n"
-      "surface. Display: a frame of 1280 x 720 after an object has moved.\n\n" +
-      line({"scene", "complexity", "detection by", "PUT", "PUSH/PULL", "display"}) +
-      "|---|---|---|--:|--:|--:|\n" + lines);
+      "medians, wall clock, of the fastest of five runs. A movement of PUT is a motion\nup to "
+      "the next contact, with its share of everything until the pose is committed; of PUSH a step "
+      "of 5 mm along the\nsurface. Display: a frame of 1280 x 720 after an object has moved. CPU: "
+      "of all threads.\n\n" +
+      line({"scene", "complexity", "detection by", "PUT", "PUSH/PULL", "display", "PUT, CPU",
+            "PUSH/PULL, CPU"}) +
+      "|---|---|---|--:|--:|--:|--:|--:|\n" + lines);
 }
 
 }  // namespace trivet::perf

@@ -124,21 +124,22 @@ std::vector<ContactPoint> merged(const std::vector<ContactPoint>& points, double
   for (const ContactPoint& p : points) box.extend(p.point);
   int along = 0;
   if (!points.empty()) box.half_extent().maxCoeff(&along);
-  std::vector<Index> order(points.size());
-  for (size_t i = 0; i < order.size(); ++i) order[i] = static_cast<Index>(i);
-  std::sort(order.begin(), order.end(), [&](Index a, Index b) {
-    return std::make_tuple(points[a].point[along], a) < std::make_tuple(points[b].point[along], b);
-  });
+  std::vector<std::pair<double, Index>> order;  // side by side: points lie far apart in memory
+  order.reserve(points.size());
+  for (const ContactPoint& p : points)
+    order.emplace_back(p.point[along], static_cast<Index>(order.size()));
+  std::sort(order.begin(), order.end());
   std::vector<char> dropped(points.size(), 0);
   const auto better = [&](Index a, Index b) {
     return std::make_tuple(points[a].gap, a) < std::make_tuple(points[b].gap, b);
   };
   for (size_t i = 0; i < order.size(); ++i)
-    for (size_t j = i + 1; j < order.size() && !dropped[order[i]]; ++j) {
-      const ContactPoint &p = points[order[i]], &q = points[order[j]];
-      if (q.point[along] - p.point[along] > distance) break;
-      if (dropped[order[j]] || !same_place(p, q, distance)) continue;
-      dropped[better(order[i], order[j]) ? order[j] : order[i]] = 1;
+    for (size_t j = i + 1; j < order.size(); ++j) {
+      const auto [at, a] = order[i];
+      const auto [other_at, b] = order[j];
+      if (dropped[a] || other_at - at > distance) break;
+      if (dropped[b] || !same_place(points[a], points[b], distance)) continue;
+      dropped[better(a, b) ? b : a] = 1;
     }
   std::vector<ContactPoint> out;
   for (size_t i = 0; i < points.size(); ++i)

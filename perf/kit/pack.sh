@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Packs what measures Trivet on a machine with a GPU: program, tests of the GPU, benchmarks, and their libraries.
-#   perf/kit/pack.sh BUILD OUT.tar.gz      (or .tar.xz, smaller and slower, or .tar.zst)
+#   perf/kit/pack.sh BUILD OUT.tar.xz      (or .tar.gz or .tar.zst, sooner packed and larger)
 # BUILD: configured with -DTRIVET_PERF=ON; trivet, trivet-import, trivet_perf and test_gpu_* are built.
 # Left out: glibc with its loader, and the drivers of EGL and OpenGL; both must be those of the machine. In lib/machine are
 # libraries that its drivers may use, too, and GLVND's loaders: they are taken only where the machine has none (or an older libstdc++).
@@ -52,4 +52,4 @@ install -m 755 "$here/run.sh" "$root/run.sh"
 tar --sort=name --owner=0 --group=0 --numeric-owner --mtime=@0 -C "$work" -cf - trivet-kit | $packer >"$out"
 bytes="$(stat -c %s "$out")"
 echo "$out: $((bytes >> 10)) KiB packed, $(du -sk "$root" | cut -f1) KiB unpacked; needs $(tr '\n' ' ' <"$root/NEEDS")"
-[ "$bytes" -lt $most_bytes ] || { echo "larger than 64 MiB" >&2; exit 1; }
+[ "$bytes" -lt $most_bytes ] || { echo "larger than 64 MiB; .tar.xz takes least" >&2; exit 1; }

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Measures Trivet on this machine's GPU, without installing anything, within 10 minutes:
-#   mkdir kit && tar -xf trivet-kit.tar.gz -C kit && kit/trivet-kit/run.sh OUT [--allow-software] [--parts table1,zlists]
+#   mkdir kit && tar -xf trivet-kit.tar.xz -C kit && kit/trivet-kit/run.sh OUT [--allow-software] [--parts table1,zlists]
 # Leaves in the folder OUT: summary.txt, backends.txt and backends.json (devices, self-tests, what `auto` takes), tests.txt,
 # table1.md, zlists.md, zlists.csv. Status 0: done; 1: a test or a measurement failed; 3: no hardware renderer answers, unless
 # --allow-software is given, for trying the kit where there is none.

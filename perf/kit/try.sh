@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Tries the kit in a bare system without GLVND, where Mesa's llvmpipe is the only driver; as root, on Debian.
-#   perf/kit/try.sh trivet-kit.tar.gz OUT [PARTS]
+#   perf/kit/try.sh trivet-kit.tar.xz OUT [PARTS]
 # GTEST_FILTER, if set, is passed on. The kit must fail where no hardware answers, and run through where llvmpipe is allowed.
 set -euo pipefail
 kit="$(realpath "$1")" out="$(realpath -m "$2")" parts="${3:-table1}"
