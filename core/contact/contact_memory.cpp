@@ -8,7 +8,7 @@ namespace {
 
 constexpr size_t kMost = 20'000;  // pairs: some 20 MB
 
-thread_local ContactMemory* innermost = nullptr;
+thread_local ContactMemory* first_living = nullptr;
 
 double* append(const Affine& m, double* to) {
   to = std::copy_n(m.linear.data(), 9, to);
@@ -17,11 +17,15 @@ double* append(const Affine& m, double* to) {
 
 }  // namespace
 
-ContactMemory::ContactMemory() : m_outer(innermost) { innermost = this; }
+ContactMemory::ContactMemory() {
+  if (!first_living) first_living = this;
+}
 
-ContactMemory::~ContactMemory() { innermost = m_outer; }
+ContactMemory::~ContactMemory() {
+  if (first_living == this) first_living = nullptr;
+}
 
-ContactMemory* ContactMemory::current() { return innermost; }
+ContactMemory* ContactMemory::current() { return first_living; }
 
 size_t ContactMemory::Hash::operator()(const Question& question) const {
   std::uint64_t sum = 0;

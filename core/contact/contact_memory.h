@@ -1,6 +1,7 @@
 // Contact points of pairs that were asked for before, at the same poses.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <unordered_map>
 #include <vector>
@@ -12,7 +13,8 @@ namespace trivet {
 
 /// While one lives, contact_points() remembers its answers on this thread: whoever lets a heap come
 /// to rest asks for the same pairs again and again. They are functions of shapes and poses, so that
-/// nothing but time depends on it. The shapes have to live as long.
+/// nothing but time depends on it. The shapes have to live as long. Of several the first one that
+/// lives remembers, for all.
 class ContactMemory {
  public:
   ContactMemory();
@@ -20,7 +22,7 @@ class ContactMemory {
   ContactMemory(const ContactMemory&) = delete;
   ContactMemory& operator=(const ContactMemory&) = delete;
 
-  /// The innermost one that lives on this thread, or null.
+  /// The first one that lives on this thread, or null.
   static ContactMemory* current();
 
   using Find = std::function<std::vector<ContactPoint>()>;
@@ -42,7 +44,6 @@ class ContactMemory {
   };
 
   std::unordered_map<Question, std::vector<ContactPoint>, Hash> m_known;
-  ContactMemory* m_outer;
 };
 
 }  // namespace trivet

@@ -1,5 +1,6 @@
 #include "ops/operations/perform.h"
 
+#include "core/contact/contact_memory.h"
 #include "ops/operations/arrange_problem.h"
 #include "ops/operations/commit.h"
 #include "ops/operations/edit.h"
@@ -45,6 +46,7 @@ OperationResult perform_one(Transaction& transaction, ObjectId id, const Any& o,
   if constexpr (std::is_same_v<Any, ArrangeOperation>) {
     return o.problem->solve(transaction, run.options, context);
   } else if constexpr (Plannable<Any>) {
+    const ContactMemory memory;  // what was tried is committed; what stays is judged again
     if constexpr (std::is_same_v<Any, PutOperation>) {
       const bool is_judged = o.place && asks_to_stand_well(*o.place);
       if (is_judged || keeps_whole_at_rest(run.options))

@@ -191,6 +191,10 @@ TEST(ContactMemory, GivesThePointsThatAreFoundWithout) {
   const test::MeshPool pool(kSeed, 16);
   EXPECT_EQ(ContactMemory::current(), nullptr);
   ContactMemory memory;
+  {
+    const ContactMemory inner;
+    EXPECT_EQ(ContactMemory::current(), &memory);
+  }
   size_t num_points = 0, num_asked = 0;
   for (int i = 0; i < 3000; i += 3) {
     test::RandomQuery q = test::random_query(pool, kSeed, i);
