@@ -87,6 +87,13 @@ void run_operations(const Layout& layout, const RunOptions& options, LayoutRun& 
 
 namespace {
 
+// Of an operation that follows.
+double clearance_of_next(const Scene& scene, const Operation& operation) {
+  const auto* const put = std::get_if<PutOperation>(&operation);
+  const auto id = put ? scene.find(put->object) : std::nullopt;
+  return default_clearance(scene, id ? expected_box(scene, scene.at(*id), put->start) : Aabb{});
+}
+
 void run_operations(const Layout& layout, const RunOptions& options, const RunWatch& watch,
                     LayoutRun& run) {
   const OperationRecord* stopped_at = nullptr;
@@ -101,6 +108,8 @@ void run_operations(const Layout& layout, const RunOptions& options, const RunWa
     const Operation& operation = layout.operations[i];
     const std::string op = op_name(operation), &object = object_name(operation);
     report_progress(options, op, object, i, layout.operations.size());
+    run.largest_clearance =
+        std::max(run.largest_clearance, clearance_of_next(run.scene, operation));
     OperationResult result = stopped_at
                                  ? not_tried(*stopped_at)
                                  : perform(run.scene, operation, options.settle, options.context);
@@ -112,14 +121,32 @@ void run_operations(const Layout& layout, const RunOptions& options, const RunWa
 
 }  // namespace
 
-void finish_run(const RunOptions& options, LayoutRun& run) {
+namespace {
+
+bool all_rests(const LayoutRun& run) {
+  return run.check.not_at_rest.empty() && run.stability.status != Stability::Status::Unstable;
+}
+
+void judge(const RunOptions& options, double clearance, LayoutRun& run) {
   run.settle = options.settle;
-  report_progress(options, "check", "", 0, 1);
-  update_contacts(run.scene, options.settle.clearance, options.settle);
-  run.check = check_scene(run.scene, options.num_threads, options.settle.clearance, options.settle);
+  run.settle.clearance = clearance;
+  update_contacts(run.scene, clearance, run.settle);
+  run.check = check_scene(run.scene, options.num_threads, clearance, run.settle);
   StabilityOptions stability_options = options.stability;
-  stability_options.clearance = options.settle.clearance;
+  stability_options.clearance = clearance;
   run.stability = stability(run.scene, stability_options);
+}
+
+}  // namespace
+
+void finish_run(const RunOptions& options, LayoutRun& run) {
+  report_progress(options, "check", "", 0, 1);
+  const double given = options.settle.clearance;
+  judge(options, given, run);
+  if (given == 0 && !all_rests(run) && run.largest_clearance > default_clearance(run.scene)) {
+    judge(options, run.largest_clearance, run);
+    if (!all_rests(run)) judge(options, given, run);
+  }
   report_progress(options, "check", "", 1, 1);
 }
 

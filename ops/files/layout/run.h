@@ -34,7 +34,8 @@ struct OperationRecord {
 
 struct LayoutRun {
   Scene scene;
-  SettleOptions settle;  // of the operations
+  SettleOptions settle;          // of the operations; its clearance: of the judgement, too
+  double largest_clearance = 0;  // metres, that operations may have used; 0: not known
   std::vector<OperationRecord> operations;
   SceneCheck check;
   Stability stability;
@@ -54,6 +55,9 @@ SettleOptions settle_options(const RunOptions& options, const SettleRules& of_fi
 void run_operations(const Layout& layout, const RunOptions& options, LayoutRun& run);
 
 /// Brings contacts and states up to date with the poses, checks the scene and judges its stability.
+/// An operation counts the box of what it moves, so that its clearance may have been larger than
+/// the scene's at the end: where that leaves something without its rest, the largest is tried, and
+/// kept as the settling's if all rests with it.
 void finish_run(const RunOptions& options, LayoutRun& run);
 
 /// Stands objects in the order of the layout, then does the operations, by the rules that hold,

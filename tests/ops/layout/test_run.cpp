@@ -5,8 +5,10 @@
 #include <set>
 
 #include "core/base/error.h"
+#include "core/scene/transaction.h"
 #include "ops/files/layout/run.h"
 #include "ops/layout/boxes.h"
+#include "ops/placement/clearance.h"
 
 namespace trivet {
 namespace {
@@ -221,6 +223,43 @@ TEST(RunLayout, TakesUpAxisFromModelUnlessGiven) {
   EXPECT_EQ(scene.at(*scene.find("a")).up, UpAxis::Y);
   EXPECT_EQ(scene.at(*scene.find("b")).up, UpAxis::Z);
   EXPECT_EQ(scene.at(*scene.find("c")).up, UpAxis::Z);
+}
+
+// A cube that hovers 30 clearances above the slab, as if it had been settled with a larger one: up
+// to 20 of them forces are counted on.
+LayoutRun hovering(double largest_in_clearances) {
+  BoxSource boxes;
+  LayoutRun run;
+  run.scene = make_scene(parsed(kSlab + "," + object("a", "cube.obj")), boxes.source(), {});
+  Transaction transaction(run.scene);
+  for (const auto& [name, z] : {std::pair("slab", 0.05), {"a", 0.15}})
+    transaction.edit(*run.scene.find(name), [z = z](Object& o) {
+      o.pose.translation.z() = z;
+      o.placed = true;
+    });
+  const double usual = default_clearance(run.scene);
+  transaction.edit(*run.scene.find("slab"), [&](Object& o) { o.pose.translation.z() += usual; });
+  transaction.edit(*run.scene.find("a"), [&](Object& o) { o.pose.translation.z() += 13 * usual; });
+  transaction.commit();
+  run.largest_clearance = largest_in_clearances * usual;
+  finish_run({}, run);
+  return run;
+}
+
+TEST(RunLayout, JudgesByClearanceOfOperationsWhereItDecides) {
+  EXPECT_EQ(hovering(0).check.not_at_rest, std::vector<std::string>{"a"});
+  const LayoutRun held = hovering(2);
+  EXPECT_TRUE(held.check.ok());
+  EXPECT_EQ(held.stability.status, Stability::Status::Stable);
+  EXPECT_EQ(held.settle.clearance, held.largest_clearance);
+  const LayoutRun hangs = hovering(1.2);
+  EXPECT_EQ(hangs.check.not_at_rest, std::vector<std::string>{"a"});
+  EXPECT_EQ(hangs.settle.clearance, 0) << "the usual one, where the larger does not help";
+  BoxSource boxes;
+  const Layout layout = parsed(kSlab + "," + object("a", "cube.obj"), put_at("a", "[0, 0, 1]"));
+  const LayoutRun put = run_layout(layout, boxes.source(), {});
+  EXPECT_GT(put.largest_clearance, 0);
+  EXPECT_EQ(put.settle.clearance, 0);
 }
 
 }  // namespace
