@@ -89,7 +89,7 @@ Groups grouped(std::span<const NumberedPair> pairs, size_t num_moving) {
   return out;
 }
 
-/// Whether each of `asked` is among `reported`.
+/// True if each of `asked` is among `reported`.
 std::vector<char> found_among(std::span<const NumberedPair> asked,
                               std::span<const NumberedPair> reported, size_t num_moving,
                               size_t num_fixed) {

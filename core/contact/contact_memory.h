@@ -26,7 +26,7 @@ class ContactMemory {
   static ContactMemory* current();
 
   using Find = std::function<std::vector<ContactPoint>()>;
-  /// What `find` gave for these bodies before, or gives now.
+  /// The result of `find` for these bodies, of before or of now.
   const std::vector<ContactPoint>& points(const Body& a, const Body& b, double tolerance,
                                           double slack, const Find& find);
   size_t num_remembered() const { return m_known.size(); }

@@ -227,7 +227,7 @@ void PairTraversal::try_leaves(Index ia, Index ib) {
   wait({apart_until, ia, ib, true});
 }
 
-// @return time until which they are apart. What separates them may separate others, too.
+// @return time until which they are apart. The plane between them may separate others, too.
 double PairTraversal::decide(const LeafFaces& a, size_t i, const LeafFaces& b, size_t j) {
   const DecidedPair found = decide_faces(m_part, m_moving, m_fixed, a.face[i], b.face[j],
                                          a.corners[i], b.corners[j], m_best);

@@ -1,4 +1,4 @@
-// What lies on the floor stands on all its corners, and stays there in MuJoCo.
+// Objects on the floor stand on all their corners, and stay there in MuJoCo.
 #include <gtest/gtest.h>
 
 #include <cstdio>
