@@ -235,8 +235,7 @@ int Outputs::write(const LayoutRun& run, const Layout& layout, const RunOptions&
     in_place->write(m_paths.scene);
   else if (!m_paths.scene.empty())
     write_in_any_format(run.scene, with_rules_of(run, layout),
-                        {TRIVET_VERSION, folders.in_scene, run.settle.clearance},
-                        m_paths.scene);
+                        {TRIVET_VERSION, folders.in_scene, run.settle.clearance}, m_paths.scene);
   beside.commit();
   if (m_common.json)
     std::cout << report;

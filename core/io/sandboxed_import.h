@@ -24,8 +24,9 @@ class SharedImporters {
   SharedImporters& operator=(const SharedImporters&) = delete;
 
  private:
-  friend Model read_model_sandboxed(const std::string&, const ImportLimits&, const Tessellation&,
-                                    const std::atomic<bool>*);
+  friend Model read_model_sandboxed(const std::string& path, const ImportLimits& limits,
+                                    const Tessellation& tessellation,
+                                    const std::atomic<bool>* cancel);
   // One that is idle, or a new one.
   std::unique_ptr<ImporterServer> take(const std::string& importer);
 
