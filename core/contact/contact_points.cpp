@@ -38,6 +38,7 @@ auto order_of(const ContactPoint& c) {
 // Sorted, every pair of features once.
 std::vector<ContactPoint> first_of_each(const std::vector<ContactPoint>& points) {
   std::vector<const ContactPoint*> order;
+  order.reserve(points.size());
   for (const ContactPoint& p : points) order.push_back(&p);
   std::sort(order.begin(), order.end(), [](const ContactPoint* a, const ContactPoint* b) {
     if (features_of(*a) != features_of(*b)) return features_of(*a) < features_of(*b);
