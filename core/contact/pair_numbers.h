@@ -11,13 +11,6 @@ namespace trivet {
 /// By open addressing: half the time of std::unordered_map, a ninth of sorting, at 3,500 pairs.
 class PairNumbers {
  public:
-  /// @param most  pairs without growing.
-  explicit PairNumbers(size_t most = 0) {
-    size_t size = kFirstSize;
-    while (size < 2 * most) size *= 2;
-    if (most > 0) m_slots.resize(size);
-  }
-
   /// The number of the pair; `next` if it is new.
   Index find_or_add(Index a, Index b, Index next) {
     if (2 * (m_count + 1) > m_slots.size()) grow();
@@ -32,10 +25,6 @@ class PairNumbers {
     const size_t before = m_count;
     find_or_add(a, b, 0);
     return m_count > before;
-  }
-  /// -1: none.
-  Index find(Index a, Index b) const {
-    return m_slots.empty() ? -1 : m_slots[index_of(key_of(a, b))].number;
   }
 
  private:

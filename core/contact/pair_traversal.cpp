@@ -1,5 +1,6 @@
 #include "core/contact/pair_traversal.h"
 
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -214,12 +215,14 @@ void PairTraversal::try_leaves(Index ia, Index ib) {
                                             m_query.clearance.largest_stop(), horizon());
         until > 0)
       return wait({until, ia, ib, true});
+  std::array<Aabb, kMaxLeafFaces> boxes_b;
+  for (size_t j = 0; j < b.num; ++j) boxes_b[j] = box_of(b.corners[j]);
   double apart_until = kInfinity;
   for (size_t i = 0; i < a.num; ++i) {
     const Aabb box_a = box_of(a.corners[i]);
     const double speed = speed_of(a.corners[i]);
     for (size_t j = 0; j < b.num; ++j) {
-      double until = faces_apart_until(box_a, box_of(b.corners[j]), speed);
+      double until = faces_apart_until(box_a, boxes_b[j], speed);
       if (!hopeless(until)) until = decide(a, i, b, j);
       apart_until = std::min(apart_until, until);
     }
