@@ -4,8 +4,10 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "core/base/error.h"
+#include "core/contact/contact_memory.h"
 #include "core/scene/transaction.h"
 #include "ops/files/json/json_text.h"
 #include "ops/files/layout/scene_of_layout.h"
@@ -123,30 +125,48 @@ void run_operations(const Layout& layout, const RunOptions& options, const RunWa
 
 namespace {
 
-bool all_rests(const LayoutRun& run) {
-  return run.check.not_at_rest.empty() && run.stability.status != Stability::Status::Unstable;
-}
+struct Verdict {
+  SceneCheck check;
+  Stability stability;
 
-void judge(const RunOptions& options, double clearance, LayoutRun& run) {
+  // Scenes of which only single objects are kept at rest need not stand as a whole.
+  bool holds(const SettleOptions& settled_by) const {
+    return check.not_at_rest.empty() && (!keeps_whole_at_rest(settled_by) ||
+                                         stability.status != Stability::Status::Unstable);
+  }
+};
+
+void update(const RunOptions& options, double clearance, LayoutRun& run) {
   run.settle = options.settle;
   run.settle.clearance = clearance;
   update_contacts(run.scene, clearance, run.settle);
-  run.check = check_scene(run.scene, options.num_threads, clearance, run.settle);
+}
+
+Verdict judge(const RunOptions& options, const LayoutRun& run) {
   StabilityOptions stability_options = options.stability;
-  stability_options.clearance = clearance;
-  run.stability = stability(run.scene, stability_options);
+  stability_options.clearance = run.settle.clearance;
+  return {check_scene(run.scene, options.num_threads, run.settle.clearance, run.settle),
+          stability(run.scene, stability_options)};
 }
 
 }  // namespace
 
 void finish_run(const RunOptions& options, LayoutRun& run) {
   report_progress(options, "check", "", 0, 1);
+  const ContactMemory memory;  // contacts, rest and forces ask for the same pairs
   const double given = options.settle.clearance;
-  judge(options, given, run);
-  if (given == 0 && !all_rests(run) && run.largest_clearance > default_clearance(run.scene)) {
-    judge(options, run.largest_clearance, run);
-    if (!all_rests(run)) judge(options, given, run);
+  update(options, given, run);
+  Verdict verdict = judge(options, run);
+  if (given == 0 && !verdict.holds(run.settle) &&
+      run.largest_clearance > default_clearance(run.scene)) {
+    update(options, run.largest_clearance, run);
+    if (Verdict wider = judge(options, run); wider.holds(run.settle))
+      verdict = std::move(wider);
+    else
+      update(options, given, run);
   }
+  run.check = std::move(verdict.check);
+  run.stability = std::move(verdict.stability);
   report_progress(options, "check", "", 1, 1);
 }
 
