@@ -1,41 +1,70 @@
 #include "core/contact/pair_traversal.h"
 
-#include <array>
+#include <Eigen/Geometry>
 #include <cmath>
-#include <optional>
+#include <utility>
 
 namespace trivet {
+namespace {
+
+// No point of the face goes farther until the time t than t times this: of a turn the chord.
+double speed_of(const Triangle& moving, const Motion& motion) {
+  if (motion.kind == Motion::Kind::Translation) return 1;
+  double squared = 0;
+  for (const Vec3& p : moving)
+    squared = std::max(squared, motion.axis.cross(p - motion.centre).squaredNorm());
+  return 2 * std::sqrt(squared);
+}
+
+// Nothing that is farther apart stops, for all rounding of coordinates up to `spread`.
+double margin(const FirstContactQuery& query, double spread) {
+  return query.clearance.largest_stop() * 1.002 + 1e-14 * spread;
+}
+
+}  // namespace
+
+LeafInMotion::LeafInMotion(const Body& body, const BvhNode& leaf, const Motion& motion)
+    : LeafFaces(body, leaf) {
+  for (size_t i = 0; i < num; ++i) {
+    boxes[i] = box_of(corners[i]);
+    speeds[i] = speed_of(corners[i], motion);
+  }
+}
+
+PairFrames::PairFrames(const Body& moving, const Body& fixed_body, const Motion& motion)
+    : fixed(fixed_body),
+      fixed_from_moving(fixed.unit_from_world * moving.world_from_object.linear / moving.scale()),
+      origin_of_moving(fixed.point(moving.world_from_object.translation)),
+      of_moving(motion),
+      of_fixed(motion) {
+  const Mat3 moving_from_fixed = fixed_from_moving.transpose();
+  of_moving.axis = fixed.direction(motion.axis);
+  of_moving.centre = fixed.point(motion.centre);
+  of_fixed.axis = -(moving_from_fixed * of_moving.axis);
+  of_fixed.centre = moving_from_fixed * of_moving.centre;
+}
 
 PairTraversal::PairTraversal(const FirstContactQuery& query, Index moving, Index fixed,
-                             FirstContact& best)
+                             Index number, TraversalMemory& memory, FirstContact& best)
     : m_query(query),
       m_part(query),
       m_moving(moving),
       m_fixed(fixed),
+      m_number(number),
+      m_memory(memory),
       m_best(best),
-      m_frame(query.fixed[fixed]),
-      m_a(m_frame.tree(query.moving[moving])),
-      m_b(m_frame.own_tree(query.fixed[fixed])),
-      m_motion(query.motion),
-      m_axis(m_frame.direction(query.motion.axis)),
-      m_centre(m_frame.point(query.motion.centre)),
-      m_own_axis{m_a.own_axis(0), m_a.own_axis(1), m_a.own_axis(2)} {
-  for (int k = 0; k < 3; ++k) {
-    m_own_axis_abs[k] = m_own_axis[k].cwiseAbs();
-    m_own_axis_speed[k] = m_own_axis[k].dot(m_axis);
-  }
-  m_motion.axis = m_axis;
-  m_motion.centre = Vec3::Zero();
-  m_rotation = m_a.linear / m_a.scale;
-  const double spread = m_a.translation.cwiseAbs().maxCoeff() + m_centre.cwiseAbs().maxCoeff();
-  m_margin = query.clearance.largest_stop() * 1.002 + 1e-14 * spread;
-  const double world_spread = std::max(query.moving[moving].world_box.max_abs_coordinate(),
-                                       query.fixed[fixed].world_box.max_abs_coordinate()) +
-                              query.motion.centre.cwiseAbs().maxCoeff();
-  m_world_margin = query.clearance.largest_stop() * 1.002 + 1e-14 * world_spread;
-  m_slabs = {m_motion, m_margin};
-  m_slabs.motion.centre = m_centre;
-  m_apart_until = bound(m_a.box(0), m_b.box(0));
+      m_frames(query.moving[moving], query.fixed[fixed], query.motion),
+      m_margin(margin(query, m_frames.origin_of_moving.cwiseAbs().maxCoeff() +
+                                 m_frames.of_moving.centre.cwiseAbs().maxCoeff())),
+      m_world_margin(margin(query, std::max(query.moving[moving].world_box.max_abs_coordinate(),
+                                            query.fixed[fixed].world_box.max_abs_coordinate()) +
+                                       query.motion.centre.cwiseAbs().maxCoeff())),
+      m_a(query.moving[moving], m_frames.fixed_from_moving,
+          m_frames.fixed_from_moving.transpose() * m_frames.origin_of_moving, m_frames.of_moving),
+      m_b(query.fixed[fixed], m_frames.fixed_from_moving.transpose(), Vec3::Zero(),
+          m_frames.of_fixed),
+      m_nodes(m_frames.of_moving, m_frames.of_fixed, m_margin),
+      m_apart_until(m_nodes.apart_until({m_a, 0}, {m_b, 0}, query.motion.limit)) {
   if (m_apart_until <= query.motion.limit) m_waiting.push_back({m_apart_until, 0, 0, false});
 }
 
@@ -55,148 +84,63 @@ void PairTraversal::wait(const Waiting& pair) {
 void PairTraversal::resume(const Waiting& pair) {
   if (hopeless(pair.bound)) return wait(pair);
   if (pair.are_leaves) return try_leaves(pair.a, pair.b);
-  const Next n = next(pair.a, pair.b, m_a.box(pair.a), m_b.box(pair.b), true, nullptr);
-  if (hopeless(n.bound)) return wait({n.apart_until, n.a, n.b, false});
-  visit(n.a, n.b, n.box_a, n.box_b, nullptr);
+  const Next n = next(pair.a, pair.b);
+  if (hopeless(n.bound)) return wait({n.bound, n.a, n.b, false});
+  visit(n.a, n.b);
 }
 
-// Before this time the two boxes are farther apart than any pair stops; infinity: always.
-double PairTraversal::bound(const PlacedBvh::Box& a, const PlacedBvh::Box& b) const {
-  return m_query.motion.kind == Motion::Kind::Translation ? translation_bound(a, b)
-                                                          : rotation_bound(a, b);
-}
-
-double PairTraversal::translation_bound(const PlacedBvh::Box& a, const PlacedBvh::Box& b) const {
-  double enter = 0, leave = kInfinity;
+// The leaf of one body and a node of the other are apart, by the leaf's tight box.
+bool PairTraversal::leaf_clear(const LeafBox& leaf, bool leaf_moves, const PlacedNode& node) const {
+  if (!leaf.valid) return false;
+  const Vec3& centre = leaf_moves ? node.own.centre : node.other.centre;
+  const Vec3 x = centre - m_frames.of_moving.centre;
   for (int k = 0; k < 3; ++k) {
-    const double reach = a.half[k] + b.half[k] + m_margin;
-    const double offset = a.centre[k] - b.centre[k], speed = m_axis[k];
-    if (speed == 0) {
-      if (std::abs(offset) > reach) return kInfinity;
-      continue;
-    }
-    const double t0 = (-reach - offset) / speed, t1 = (reach - offset) / speed;
-    enter = std::max(enter, std::min(t0, t1));
-    leave = std::min(leave, std::max(t0, t1));
-  }
-  return enter <= leave ? enter : kInfinity;
-}
-
-double PairTraversal::rotation_bound(const PlacedBvh::Box& a, const PlacedBvh::Box& b) const {
-  const Vec3 r = a.centre - m_centre;
-  const double height = m_axis.dot(r);
-  const Vec3 radial = r - height * m_axis, tangent = m_axis.cross(r);
-  if (misses_ring(a, b, height, radial)) return kInfinity;
-  double until = 0;
-  for (int k = 0; k < 3; ++k) {
-    const double offset = a.centre[k] - b.centre[k], sign = offset < 0 ? -1 : 1;
-    const Approach approach{std::abs(offset) - a.half[k] - b.half[k] - m_margin,
-                            a.half[k],
-                            a.radius,
-                            {0, sign * radial[k], sign * tangent[k]}};
-    until = std::max(until, box_until(approach, Motion::Kind::Rotation));
-    if (hopeless(until)) break;
-  }
-  return until;
-}
-
-// The same along the moving body's own axes, which turn with it: its boxes are tight there. Of a
-// rotation only whether they keep the boxes apart for as long as it matters: no roots needed.
-double PairTraversal::own_axes_bound(const PlacedBvh::Box& a, const PlacedBvh::Box& b) const {
-  const bool turning = m_motion.kind == Motion::Kind::Rotation;
-  const Vec3 q = b.centre - m_centre, d = b.centre - a.centre;
-  double until = 0;
-  for (int k = 0; k < 3; ++k) {
-    const double offset = m_own_axis[k].dot(d), sign = offset < 0 ? -1 : 1;
-    const double extent = m_own_axis_abs[k].dot(b.half);
-    const double gap = std::abs(offset) - a.own_half[k] - extent - m_margin;
+    const double along = leaf.axis[k].dot(centre), above = along - leaf.upper[k];
+    const double below = leaf.lower[k] - along;
+    const double gap = std::max(above, below) - node.radius - m_margin;
     if (gap <= 0) continue;
-    if (!turning) {
-      until = std::max(until, first_zero({gap, 0, -sign * m_own_axis_speed[k]}, m_motion.kind));
-      continue;
-    }
-    const HeightFunction centre = height_over_moving_plane(0, sign * m_own_axis[k], q, m_motion);
-    if (turning_box_is_clear({gap, extent, b.radius, centre})) return kInfinity;
-  }
-  return until;
-}
-
-bool PairTraversal::turning_box_is_clear(const Approach& x) const {
-  constexpr auto kTurn = Motion::Kind::Rotation;
-  return positive_until(grown_box(x), kTurn, horizon()) ||
-         positive_until(sphere_of_box(x), kTurn, horizon());
-}
-
-// The ring that the moving box's sphere sweeps about the axis: heights and radii are kept.
-bool PairTraversal::misses_ring(const PlacedBvh::Box& a, const PlacedBvh::Box& b, double height,
-                                const Vec3& radial) const {
-  const Vec3 q = b.centre - m_centre;
-  const double height_b = m_axis.dot(q), reach = a.radius + b.radius + m_margin;
-  if (std::abs(height - height_b) > reach) return true;
-  return std::abs(radial.norm() - (q - height_b * m_axis).norm()) > reach;
-}
-
-// The same for the leaf of one body and a box of the other, from the leaf's tight box.
-bool PairTraversal::leaf_clear(const LeafBox& leaf, bool leaf_moves,
-                               const PlacedBvh::Box& box) const {
-  for (int k = 0; k < 3; ++k) {
-    const auto [gap, side] = leaf.outside(k, box);
-    const Vec3 n = side * leaf.axis[k], x = box.centre - m_centre;
-    const HeightFunction f = leaf_moves ? height_over_moving_plane(gap - m_margin, n, x, m_motion)
-                                        : height_of_moving_point(gap - m_margin, n, x, m_motion);
-    if (positive_until(f, m_motion.kind, horizon())) return true;
+    const Vec3 n = above > below ? leaf.axis[k] : Vec3(-leaf.axis[k]);
+    const HeightFunction f = leaf_moves ? height_over_moving_plane(gap, n, x, m_frames.of_moving)
+                                        : height_of_moving_point(gap, n, x, m_frames.of_moving);
+    if (positive_until(f, m_frames.of_moving.kind, horizon())) return true;
   }
   return false;
 }
 
-// The bound of a pair of nodes; `leaf` is the tight box of the one that is a leaf already.
-PairTraversal::Next PairTraversal::next(Index a, Index b, const PlacedBvh::Box& box_a,
-                                        const PlacedBvh::Box& box_b, bool open_a,
-                                        const LeafBox* leaf) const {
+bool PairTraversal::leaves_clear(Index a, Index b, const PlacedNode& in_a, const PlacedNode& in_b) {
+  const BvhNode &node_of_a = m_a.bvh().nodes[a], &node_of_b = m_b.bvh().nodes[b];
+  if (node_of_a.is_leaf() &&
+      leaf_clear(m_memory.moving.boxes.get(m_number, a, m_query.moving[m_moving], node_of_a, m_frames.fixed),
+                 true, in_b))
+    return true;
+  return node_of_b.is_leaf() &&
+         leaf_clear(m_memory.fixed.boxes.get(m_number, b, m_query.fixed[m_fixed], node_of_b, m_frames.fixed),
+                    false, in_a);
+}
+
+// The bound of a pair of nodes.
+PairTraversal::Next PairTraversal::next(Index a, Index b) {
   ++m_best.work.node_pairs;
-  const double apart_until = bound(box_a, box_b);
-  double until = apart_until;
-  if (!hopeless(until)) until = std::max(until, own_axes_bound(box_a, box_b));
-  if (!hopeless(until))
-    until = m_slabs.clear_until({m_a, a, m_rotation}, {m_b, b}, box_a, box_b, until, horizon());
-  if (leaf && !hopeless(until) && leaf_clear(*leaf, !open_a, open_a ? box_a : box_b))
-    until = kInfinity;
-  const double gap = (box_a.centre - box_b.centre).norm() - box_a.radius - box_b.radius;
-  return {until, apart_until, gap, a, b, box_a, box_b};
+  const PlacedNode &in_a = node_a(a), &in_b = node_b(b);
+  double until = m_nodes.apart_until(in_a, in_b, horizon());
+  if (!hopeless(until) && leaves_clear(a, b, in_a, in_b))
+    until = std::nextafter(horizon(), kInfinity);
+  const double gap = (in_a.other.centre - in_b.own.centre).norm() - in_a.radius - in_b.radius;
+  return {until, gap, a, b};
 }
 
-void PairTraversal::visit(Index ia, Index ib, const PlacedBvh::Box& box_a,
-                          const PlacedBvh::Box& box_b, const LeafBox* leaf) {
-  const BvhNode &a = m_a.bvh.nodes[ia], &b = m_b.bvh.nodes[ib];
+void PairTraversal::visit(Index ia, Index ib) {
+  const BvhNode &a = m_a.bvh().nodes[ia], &b = m_b.bvh().nodes[ib];
   if (a.is_leaf() && b.is_leaf()) return try_leaves(ia, ib);
-  std::optional<LeafBox> own;
-  if (!leaf && (a.is_leaf() || b.is_leaf())) {
-    own.emplace(a.is_leaf() ? LeafBox(m_query.moving[m_moving], a, m_frame)
-                            : LeafBox(m_query.fixed[m_fixed], b, m_frame));
-    leaf = &*own;
-  }
-  const LeafBox* usable = leaf && leaf->valid ? leaf : nullptr;
-  const bool open_a = !a.is_leaf() && (b.is_leaf() || box_a.radius > box_b.radius);
-  const Index first = open_a ? ia + 1 : ib + 1, second = open_a ? a.second_child : b.second_child;
-  Next x = open_a ? next(first, ib, m_a.box(first), box_b, true, usable)
-                  : next(ia, first, box_a, m_b.box(first), false, usable);
-  Next y = open_a ? next(second, ib, m_a.box(second), box_b, true, usable)
-                  : next(ia, second, box_a, m_b.box(second), false, usable);
-  if (y.before(x)) std::swap(x, y);
-  for (const Next* n : {&x, &y})
-    if (hopeless(n->bound))
-      wait({n->apart_until, n->a, n->b, false});
+  const bool open_a = !a.is_leaf() && (b.is_leaf() || node_a(ia).radius > node_b(ib).radius);
+  Next x = open_a ? next(ia + 1, ib) : next(ia, ib + 1);
+  Next y = open_a ? next(a.second_child, ib) : next(ia, b.second_child);
+  if (y.bound < x.bound || (y.bound == x.bound && y.gap < x.gap)) std::swap(x, y);
+  for (const Next& n : {x, y})
+    if (hopeless(n.bound))
+      wait({n.bound, n.a, n.b, false});
     else
-      visit(n->a, n->b, n->box_a, n->box_b, leaf);
-}
-
-// No point of the face goes farther until the time t than t times this: of a turn the chord.
-double PairTraversal::speed_of(const Triangle& moving) const {
-  if (m_motion.kind == Motion::Kind::Translation) return 1;
-  double squared = 0;
-  for (const Vec3& p : moving)
-    squared = std::max(squared, m_query.motion.axis.cross(p - m_query.motion.centre).squaredNorm());
-  return 2 * std::sqrt(squared);
+      visit(n.a, n.b);
 }
 
 // The cheapest proof: most faces of two leaves are farther apart than they come nearer.
@@ -208,25 +152,22 @@ double PairTraversal::faces_apart_until(const Aabb& moving, const Aabb& fixed, d
 }
 
 void PairTraversal::try_leaves(Index ia, Index ib) {
-  const LeafFaces a(m_query.moving[m_moving], m_a.bvh.nodes[ia]);
-  const LeafFaces b(m_query.fixed[m_fixed], m_b.bvh.nodes[ib]);
+  const LeafInMotion& a = m_memory.moving.faces.get(m_number, ia, m_query.moving[m_moving],
+                                                    m_a.bvh().nodes[ia], m_query.motion);
+  const LeafInMotion& b = m_memory.fixed.faces.get(m_number, ib, m_query.fixed[m_fixed],
+                                                   m_b.bvh().nodes[ib], m_query.motion);
   if (m_plane != Vec3::Zero())
     if (const double until = apart_by_plane(a.all(), b.all(), m_plane, m_query.motion,
                                             m_query.clearance.largest_stop(), horizon());
         until > 0)
       return wait({until, ia, ib, true});
-  std::array<Aabb, kMaxLeafFaces> boxes_b;
-  for (size_t j = 0; j < b.num; ++j) boxes_b[j] = box_of(b.corners[j]);
   double apart_until = kInfinity;
-  for (size_t i = 0; i < a.num; ++i) {
-    const Aabb box_a = box_of(a.corners[i]);
-    const double speed = speed_of(a.corners[i]);
+  for (size_t i = 0; i < a.num; ++i)
     for (size_t j = 0; j < b.num; ++j) {
-      double until = faces_apart_until(box_a, boxes_b[j], speed);
+      double until = faces_apart_until(a.boxes[i], b.boxes[j], a.speeds[i]);
       if (!hopeless(until)) until = decide(a, i, b, j);
       apart_until = std::min(apart_until, until);
     }
-  }
   wait({apart_until, ia, ib, true});
 }
 

@@ -1,25 +1,53 @@
 // First contact of one body with another, from their trees, in parts of the motion. Private.
 #pragma once
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
-#include <tuple>
-#include <utility>
 #include <vector>
 
-#include "core/contact/approach.h"
 #include "core/contact/decide.h"
 #include "core/contact/leaf_box.h"
-#include "core/contact/slab_motion.h"
+#include "core/contact/node_motion.h"
+#include "core/contact/recent_nodes.h"
 
 namespace trivet {
+
+/// Faces of a leaf with what is asked about them in most pairs.
+struct LeafInMotion : LeafFaces {
+  std::array<Aabb, kMaxLeafFaces> boxes;
+  std::array<double, kMaxLeafFaces> speeds;  // no point goes farther until the time t than t times
+
+  LeafInMotion(const Body& body, const BvhNode& leaf, const Motion& motion);
+};
+
+/// What traversals of one query share: nodes and leaves that were met last.
+struct TraversalMemory {
+  struct OfBody {
+    RecentNodes<PlacedNode, 128> nodes;
+    RecentNodes<LeafInMotion, 32> faces;
+    RecentNodes<LeafBox, 32> boxes;
+  };
+  OfBody moving, fixed;
+};
+
+/// A moving and a fixed body at time 0: frames of unit scale along the axes of each, both about the
+/// origin of the fixed one.
+struct PairFrames {
+  UnitFrame fixed;
+  Mat3 fixed_from_moving;
+  Vec3 origin_of_moving;         // in the fixed body's frame
+  Motion of_moving, of_fixed;  // of either relative to the other one, in the frame of that one
+
+  PairFrames(const Body& moving, const Body& fixed, const Motion& motion);
+};
 
 /// One moving against one fixed body, in the frame of the fixed body (unit scale, its boxes are
 /// axis-aligned there). Refers to its query and to the best contact known.
 class PairTraversal {
  public:
-  PairTraversal(const FirstContactQuery& query, Index moving, Index fixed, FirstContact& best);
+  /// @param number  of the pair in its query.
+  PairTraversal(const FirstContactQuery& query, Index moving, Index fixed, Index number,
+                TraversalMemory& memory, FirstContact& best);
 
   double apart_until() const { return m_apart_until; }
 
@@ -36,53 +64,36 @@ class PairTraversal {
 
   void wait(const Waiting& pair);
   void resume(const Waiting& pair);
-  double bound(const PlacedBvh::Box& a, const PlacedBvh::Box& b) const;
-  double translation_bound(const PlacedBvh::Box& a, const PlacedBvh::Box& b) const;
-  double rotation_bound(const PlacedBvh::Box& a, const PlacedBvh::Box& b) const;
-  double own_axes_bound(const PlacedBvh::Box& a, const PlacedBvh::Box& b) const;
-  bool turning_box_is_clear(const Approach& x) const;
-  bool misses_ring(const PlacedBvh::Box& a, const PlacedBvh::Box& b, double height,
-                   const Vec3& radial) const;
-  bool leaf_clear(const LeafBox& leaf, bool leaf_moves, const PlacedBvh::Box& box) const;
+  bool leaf_clear(const LeafBox& leaf, bool leaf_moves, const PlacedNode& node) const;
 
   // Later contacts do not matter.
   double horizon() const { return std::min(m_best.time, m_part.motion.limit); }
   bool hopeless(double bound) const { return bound > horizon(); }
 
   struct Next {
-    double bound;        // beyond the horizon: they are apart until there at least
-    double apart_until;  // whatever the horizon
-    double gap;          // of the boxes' spheres, at time 0
+    double bound;  // beyond the horizon: they are apart until there at least
+    double gap;    // of the boxes' spheres, at time 0
     Index a, b;
-    PlacedBvh::Box box_a, box_b;
-
-    bool before(const Next& other) const {
-      return std::tie(bound, gap) < std::tie(other.bound, other.gap);
-    }
   };
 
-  Next next(Index a, Index b, const PlacedBvh::Box& box_a, const PlacedBvh::Box& box_b, bool open_a,
-            const LeafBox* leaf) const;
-  void visit(Index ia, Index ib, const PlacedBvh::Box& box_a, const PlacedBvh::Box& box_b,
-             const LeafBox* leaf);
+  const PlacedNode& node_a(Index a) { return m_memory.moving.nodes.get(m_number, a, m_a, a); }
+  const PlacedNode& node_b(Index b) { return m_memory.fixed.nodes.get(m_number, b, m_b, b); }
+  Next next(Index a, Index b);
+  bool leaves_clear(Index a, Index b, const PlacedNode& node_a, const PlacedNode& node_b);
+  void visit(Index ia, Index ib);
   void try_leaves(Index ia, Index ib);
   double decide(const LeafFaces& a, size_t i, const LeafFaces& b, size_t j);
-  double speed_of(const Triangle& moving) const;
   double faces_apart_until(const Aabb& moving, const Aabb& fixed, double speed) const;
 
   const FirstContactQuery& m_query;
   FirstContactQuery m_part;  // the same up to the end of this part
-  Index m_moving, m_fixed;
+  Index m_moving, m_fixed, m_number;
+  TraversalMemory& m_memory;
   FirstContact& m_best;
-  UnitFrame m_frame;
-  PlacedBvh m_a, m_b;
-  Motion m_motion;  // in this frame, about the origin
-  Vec3 m_axis, m_centre;
-  Mat3 m_rotation;                                 // of the moving body
-  std::array<Vec3, 3> m_own_axis, m_own_axis_abs;  // of the moving body
-  std::array<double, 3> m_own_axis_speed;          // of a translation, along them
+  PairFrames m_frames;
   double m_margin, m_world_margin;
-  SlabMotion m_slabs;
+  NodePlacer m_a, m_b;
+  NodeMotion m_nodes;
   double m_apart_until;         // both bodies
   Vec3 m_plane = Vec3::Zero();  // normal of one that separated faces: neighbours often, too
   std::vector<Waiting> m_waiting, m_woken;
