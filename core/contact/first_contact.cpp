@@ -48,7 +48,8 @@ class Search {
 
  private:
   void add_pair(Index moving, Index fixed) {
-    PairTraversal pair(m_query, moving, fixed, static_cast<Index>(m_pairs.size()), m_memory, m_best);
+    PairTraversal pair(m_query, moving, fixed, static_cast<Index>(m_pairs.size()), m_memory,
+                       m_best);
     if (pair.apart_until() > m_query.motion.limit) return;
     m_order.push_back(static_cast<Index>(m_pairs.size()));
     m_pairs.push_back(std::move(pair));

@@ -27,7 +27,7 @@ double turn_until(const Approach& x, double horizon) {
   if (!positive_until(grown_box(x), kRotation, horizon) &&
       !positive_until(sphere_of_box(x), kRotation, horizon))
     return 0;
-  return std::max(horizon, box_until(x, kRotation));
+  return std::max(std::nextafter(horizon, kInfinity), box_until(x, kRotation));
 }
 
 }  // namespace
@@ -36,7 +36,7 @@ NodeMotion::NodeMotion(const Motion& of_moving, const Motion& of_fixed, double m
     : m_kind(of_moving.kind), m_margin(margin) {
   const auto side = [](const Motion& motion) {
     const Vec3& v = motion.axis;
-    return Side{v, v.cwiseAbs(), v.cwiseAbs().cwiseMax(1e-300).cwiseInverse()};
+    return Side{v, v.cwiseAbs().cwiseMax(1e-300).cwiseInverse()};
   };
   m_of_moving = side(of_moving);
   m_of_fixed = side(of_fixed);
@@ -45,7 +45,7 @@ NodeMotion::NodeMotion(const Motion& of_moving, const Motion& of_fixed, double m
 double NodeMotion::apart_until(const PlacedNode& moving, const PlacedNode& fixed,
                                double horizon) const {
   return m_kind == kRotation ? turning_until(moving, fixed, horizon)
-                         : sliding_until(moving, fixed, horizon);
+                             : sliding_until(moving, fixed, horizon);
 }
 
 double NodeMotion::sliding_until(const PlacedNode& moving, const PlacedNode& fixed,

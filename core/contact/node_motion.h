@@ -9,7 +9,8 @@ namespace trivet {
 /// Bounds of a pair of nodes, from boxes along the axes of both bodies and from slabs.
 class NodeMotion {
  public:
-  /// @param of_moving, of_fixed  motions of each body relative to the other one, in the frame of the
+  /// @param of_moving, of_fixed  motions of each body relative to the other one, in the frame of
+  /// the
   ///   other one: NodePlacer's. @param margin  farther apart than this nothing stops.
   NodeMotion(const Motion& of_moving, const Motion& of_fixed, double margin);
 
@@ -20,7 +21,7 @@ class NodeMotion {
  private:
   struct Side {  // one body stands still, the other one moves
     Vec3 direction;
-    Vec3 speed, inverse_speed;
+    Vec3 inverse_speed;  // along each axis, of either sign
   };
   double sliding_until(const PlacedNode& moving, const PlacedNode& fixed, double horizon) const;
   double turning_until(const PlacedNode& moving, const PlacedNode& fixed, double horizon) const;

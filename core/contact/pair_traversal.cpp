@@ -110,11 +110,13 @@ bool PairTraversal::leaf_clear(const LeafBox& leaf, bool leaf_moves, const Place
 bool PairTraversal::leaves_clear(Index a, Index b, const PlacedNode& in_a, const PlacedNode& in_b) {
   const BvhNode &node_of_a = m_a.bvh().nodes[a], &node_of_b = m_b.bvh().nodes[b];
   if (node_of_a.is_leaf() &&
-      leaf_clear(m_memory.moving.boxes.get(m_number, a, m_query.moving[m_moving], node_of_a, m_frames.fixed),
+      leaf_clear(m_memory.moving.boxes.get(m_number, a, m_query.moving[m_moving], node_of_a,
+                                           m_frames.fixed),
                  true, in_b))
     return true;
   return node_of_b.is_leaf() &&
-         leaf_clear(m_memory.fixed.boxes.get(m_number, b, m_query.fixed[m_fixed], node_of_b, m_frames.fixed),
+         leaf_clear(m_memory.fixed.boxes.get(m_number, b, m_query.fixed[m_fixed], node_of_b,
+                                             m_frames.fixed),
                     false, in_a);
 }
 

@@ -35,7 +35,7 @@ struct TraversalMemory {
 struct PairFrames {
   UnitFrame fixed;
   Mat3 fixed_from_moving;
-  Vec3 origin_of_moving;         // in the fixed body's frame
+  Vec3 origin_of_moving;       // in the fixed body's frame
   Motion of_moving, of_fixed;  // of either relative to the other one, in the frame of that one
 
   PairFrames(const Body& moving, const Body& fixed, const Motion& motion);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+
 #include "core/contact/body.h"
 #include "core/motion/motion.h"
 

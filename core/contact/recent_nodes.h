@@ -13,7 +13,8 @@ template <class Value, size_t kNumSlots>
 class RecentNodes {
  public:
   /// The value of a node, constructed from `args` unless it is still there.
-  /// @param pair  number of the pair of bodies, not negative.   Valid until the next call.
+  /// @param pair  number of the pair of bodies, not negative.
+  /// @return valid until the next call.
   template <class... Args>
   const Value& get(Index pair, Index node, const Args&... args) {
     Slot& slot = m_slots[static_cast<size_t>(node) % kNumSlots];
