@@ -23,9 +23,9 @@ struct LeafInMotion : LeafFaces {
 /// What traversals of one query share: nodes and leaves that were met last.
 struct TraversalMemory {
   struct OfBody {
-    RecentNodes<PlacedNode, 128> nodes;
-    RecentNodes<LeafInMotion, 32> faces;
-    RecentNodes<LeafBox, 32> boxes;
+    RecentNodes<PlacedNode, 256> nodes;
+    RecentNodes<LeafInMotion, 64> faces;
+    RecentNodes<LeafBox, 128> boxes;
   };
   OfBody moving, fixed;
 };

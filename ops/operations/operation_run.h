@@ -21,7 +21,10 @@ struct OperationRun {
   /// Refusal of a plan, were it committed; checked at each place that a PUT tries. Empty: no
   /// checks.
   std::function<std::optional<Refusal>(const MovePlan&)> refuse_commit;
-  /// First contacts by which the whole may settle at the places that a PUT tries, all together.
+  /// First contacts by which the whole may come to rest: a bound of time that is the same on every
+  /// machine.
+  std::int64_t whole_queries = 300;
+  /// The same at the places that a PUT tries, all together.
   std::int64_t trial_queries = 2400;
   bool is_trial = false;
 

@@ -25,6 +25,11 @@ bool unbalances(const Any&) {
 }
 bool unbalances(const FixOperation& o) { return !o.fixed; }
 
+/// First contacts by which the whole may come to rest: fewer than for what is there already, as it
+/// costs less to put something elsewhere. With 300, bins of ten hold 1 % and heaps of 30 3 % more,
+/// and take 22 % and 11 % longer.
+constexpr std::int64_t kWholeQueriesOfPut = 120;
+
 std::optional<Refusal> refuse_to_stand(const Scene& scene, ObjectId id, const PlaceOptions& place) {
   const Object& object = scene.at(id);
   const Named name = named(scene, Support(id));
@@ -48,6 +53,7 @@ OperationResult perform_one(Transaction& transaction, ObjectId id, const Any& o,
   } else if constexpr (Plannable<Any>) {
     const ContactMemory memory;  // what was tried is committed; what stays is judged again
     if constexpr (std::is_same_v<Any, PutOperation>) {
+      run.whole_queries = kWholeQueriesOfPut;
       const bool is_judged = o.place && asks_to_stand_well(*o.place);
       if (is_judged || keeps_whole_at_rest(run.options))
         run.refuse_commit = [&, is_judged](const MovePlan& plan) {

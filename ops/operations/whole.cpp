@@ -22,10 +22,6 @@ constexpr int kMaxMotionsOfAll = 120;  // of single objects with their loads, in
 constexpr int kMaxMotionsOfOne = 30;   // of these, of one object
 constexpr double kLongestTurn = 0.1;   // of an object with loads, tan(angle / 2): loads slide then
 constexpr int kMaxProgramObjects = 200;
-/// First contacts in all: a bound of time that is the same on every machine. With 300, bins of ten
-/// hold 1 % and heaps of 30 3 % more, and take 22 % and 11 % longer; what is refused can be tried
-/// elsewhere for less.
-constexpr std::int64_t kMaxQueries = 120;
 
 class Whole {
  public:
@@ -38,8 +34,8 @@ class Whole {
         m_run(run),
         m_result(result),
         m_rules(rest_rules(run.options, clearance)),
-        m_queries_left(run.is_trial ? std::min(kMaxQueries, run.trial_queries) : kMaxQueries) {
-  }
+        m_queries_left(run.is_trial ? std::min(run.whole_queries, run.trial_queries)
+                                    : run.whole_queries) {}
 
   void settle() {
     for (const ObjectId id : m_scene.invalid_objects())

@@ -14,9 +14,7 @@ constexpr int kSweeps = 400;
 constexpr int kFewestSweeps = 6;
 constexpr double kRoughChange = 1e-3;  // of the speed, in a sweep: good enough to learn the speed
 constexpr double kChange = 1e-5;
-/// Of the fixed point of one contact. Each sweep goes on from the last one: 12 steps take as many
-/// sweeps as 3, each three times as long.
-constexpr int kSlidingSteps = 3;
+constexpr int kSlidingSteps = 12;  // of the fixed point of one contact
 constexpr int kConeSweeps = 300;
 constexpr double kNothingLeft = 1e-3;
 
