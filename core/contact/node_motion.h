@@ -10,8 +10,7 @@ namespace trivet {
 class NodeMotion {
  public:
   /// @param of_moving, of_fixed  motions of each body relative to the other one, in the frame of
-  /// the
-  ///   other one: NodePlacer's. @param margin  farther apart than this nothing stops.
+  ///   the other one: NodePlacer's. @param margin  farther apart than this nothing stops.
   NodeMotion(const Motion& of_moving, const Motion& of_fixed, double margin);
 
   /// @return a time until which they are apart: infinity, always. Of a turn, 0 or a time after the

@@ -131,8 +131,8 @@ struct Verdict {
 
   // Scenes of which only single objects are kept at rest need not stand as a whole.
   bool holds(const SettleOptions& settled_by) const {
-    return check.not_at_rest.empty() && (!keeps_whole_at_rest(settled_by) ||
-                                         stability.status != Stability::Status::Unstable);
+    return check.not_at_rest.empty() &&
+           (!keeps_whole_at_rest(settled_by) || stability.status != Stability::Status::Unstable);
   }
 };
 
