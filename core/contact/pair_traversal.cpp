@@ -16,7 +16,7 @@ double speed_of(const Triangle& moving, const Motion& motion) {
   return 2 * std::sqrt(squared);
 }
 
-// Nothing that is farther apart stops, for all rounding of coordinates up to `spread`.
+// Largest distance at which anything stops, for all rounding of coordinates up to `spread`.
 double margin(const FirstContactQuery& query, double spread) {
   return query.clearance.largest_stop() * 1.002 + 1e-14 * spread;
 }

@@ -20,7 +20,7 @@ struct LeafInMotion : LeafFaces {
   LeafInMotion(const Body& body, const BvhNode& leaf, const Motion& motion);
 };
 
-/// What traversals of one query share: nodes and leaves that were met last.
+/// Shared by the traversals of one query: nodes and leaves that were met last.
 struct TraversalMemory {
   struct OfBody {
     RecentNodes<PlacedNode, 256> nodes;

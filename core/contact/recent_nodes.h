@@ -1,4 +1,4 @@
-// What was computed of nodes last. Private.
+// Values of the nodes that were met last. Private.
 #pragma once
 
 #include <array>

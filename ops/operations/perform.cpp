@@ -26,8 +26,8 @@ bool unbalances(const Any&) {
 bool unbalances(const FixOperation& o) { return !o.fixed; }
 
 /// First contacts by which the whole may come to rest: fewer than for what is there already, as it
-/// costs less to put something elsewhere. With 300, bins of ten hold 1 % and heaps of 30 3 % more,
-/// and take 22 % and 11 % longer.
+/// costs less to put something elsewhere. With 300, bins of ten hold 1 to 2 %, heaps of 30 3 %
+/// more.
 constexpr std::int64_t kWholeQueriesOfPut = 120;
 
 std::optional<Refusal> refuse_to_stand(const Scene& scene, ObjectId id, const PlaceOptions& place) {
