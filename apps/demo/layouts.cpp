@@ -54,7 +54,7 @@ DemoLayout make_breakfast() {
   put_drinks(&w, "front", 1);
   put_drinks(&w, "back", -1);
   w.put("toast", "toast", -0.135, -0.200, 12);
-  w.put("knife", "knife", -0.040, -0.170, 262);
+  w.put("knife", "knife", -0.035, -0.170, 262);
   w.put("egg_cup", "egg_cup", 0.145, 0.200);
   w.put("egg", "egg", 0.145, 0.200);
   w.put("glass_front", "glass", 0.025, -0.090);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ops/settle/contact_force.h"
 #include "ops/settle/half_spaces.h"
 
 namespace trivet {
@@ -14,7 +15,6 @@ constexpr int kSweeps = 400;
 constexpr int kFewestSweeps = 6;
 constexpr double kRoughChange = 1e-3;  // of the speed, in a sweep: good enough to learn the speed
 constexpr double kChange = 1e-5;
-constexpr int kSlidingSteps = 12;  // of the fixed point of one contact
 constexpr int kConeSweeps = 300;
 constexpr double kNothingLeft = 1e-3;
 
@@ -22,25 +22,6 @@ Mat3 cross_matrix(const Vec3& r) {
   Mat3 m;
   m << 0, -r.z(), r.y(), r.z(), 0, -r.x(), -r.y(), r.x(), 0;
   return m;
-}
-
-// A product that gcc inlines, too, where a unit has many sources: these take most of the time here.
-Vec3 times(double s, const Vec3& v) { return {s * v.x(), s * v.y(), s * v.z()}; }
-
-bool in_cone(const Vec3& f, const Vec3& n, double friction) {
-  const double along = f.dot(n);
-  return (f - times(along, n)).norm() <= friction * along;
-}
-
-// The nearest point of the cone.
-Vec3 projected(const Vec3& f, const Vec3& n, double friction) {
-  const double along = f.dot(n);
-  const Vec3 across = f - times(along, n);
-  const double length = across.norm();
-  if (length <= friction * along) return f;
-  if (friction * length <= -along) return Vec3::Zero();
-  const double normal_part = (along + friction * length) / (1 + friction * friction);
-  return times(normal_part, n) + times(friction * normal_part / length, across);
 }
 
 class CoulombSolver {
@@ -68,17 +49,23 @@ class CoulombSolver {
       const CoulombContact& c = m_contacts[k];
       double faster = speed(c.on);
       if (c.from != CoulombContact::kGround) faster = std::max(faster, speed(c.from));
-      m_rows[k].least = options.parting * faster - c.room / duration;
+      m_rows[k].contact.least_speed = options.parting * faster - c.room / duration;
     }
     relax(fastest, kChange, false);
     return m_twists;
   }
 
  private:
+  // What one body of a contact has to do with it, in the contact's frame.
+  struct Side {
+    Index body = CoulombContact::kGround;
+    Mat3 velocity_by_force, velocity_by_turning, turning_by_force;
+  };
+
   struct Row {
-    Mat3 response, inverse;  // velocity by force
-    double step = 0;
-    double least = 0;  // normal speed
+    LocalContact contact;
+    Mat3 inverse;  // force by velocity
+    Side on, from;
     Vec3 force = Vec3::Zero();
   };
 
@@ -86,50 +73,42 @@ class CoulombSolver {
     return m_twists[i].velocity.norm() + 0.5 * m_bodies[i].size * m_twists[i].turning.norm();
   }
 
-  void prepare(Row& row, const CoulombContact& c) const {
-    row.response = Mat3::Zero();
-    for (const Index i : {c.on, c.from}) {
-      if (i == CoulombContact::kGround) continue;
-      const Mat3 arm = cross_matrix(c.point - m_bodies[i].centre);
-      row.response += Mat3::Identity() - arm * m_bodies[i].inverse_inertia_per_mass * arm;
-    }
-    row.inverse = row.response.inverse();
-    row.step = 1 / row.response.trace();
+  Side side(Index i, const CoulombContact& c, const Mat3& frame, double sign) const {
+    if (i == CoulombContact::kGround) return {};
+    const Mat3 by_turning = -sign * frame * cross_matrix(c.point - m_bodies[i].centre);
+    return {i, sign * frame.transpose(), by_turning,
+            m_bodies[i].inverse_inertia_per_mass * by_turning.transpose()};
   }
 
-  Vec3 velocity(const CoulombContact& c) const {
-    Vec3 u = m_twists[c.on].at(c.point - m_bodies[c.on].centre);
-    if (c.from != CoulombContact::kGround)
-      u -= m_twists[c.from].at(c.point - m_bodies[c.from].centre);
+  void prepare(Row& row, const CoulombContact& c) const {
+    Mat3 frame;
+    const Vec3 tangent = c.normal.unitOrthogonal();
+    frame << c.normal.transpose(), tangent.transpose(), c.normal.cross(tangent).transpose();
+    row.on = side(c.on, c, frame, 1);
+    row.from = side(c.from, c, frame, -1);
+    Mat3 response = Mat3::Zero();
+    for (const Side* s : {&row.on, &row.from})
+      if (s->body != CoulombContact::kGround)
+        response += Mat3::Identity() + s->velocity_by_turning * s->turning_by_force;
+    row.contact = {response, c.friction, 0};
+    row.inverse = response.inverse();
+  }
+
+  Vec3 velocity(const Side& s) const {
+    const Twist& t = m_twists[s.body];
+    return s.velocity_by_force.transpose() * t.velocity + s.velocity_by_turning * t.turning;
+  }
+
+  Vec3 velocity(const Row& row) const {
+    Vec3 u = velocity(row.on);
+    if (row.from.body != CoulombContact::kGround) u += velocity(row.from);
     return u;
   }
 
-  void push(const CoulombContact& c, const Vec3& force) {
-    const auto add = [&](Index i, const Vec3& f) {
-      m_twists[i].velocity += f;
-      m_twists[i].turning +=
-          m_bodies[i].inverse_inertia_per_mass * (c.point - m_bodies[i].centre).cross(f);
-    };
-    add(c.on, force);
-    if (c.from != CoulombContact::kGround) add(c.from, -force);
-  }
-
-  // The force with which this contact alone would obey Coulomb's law.
-  static Vec3 local_force(const Row& row, const CoulombContact& c, const Vec3& u) {
-    const Vec3& n = c.normal;
-    const Vec3 free = u - row.response * row.force;
-    if (free.dot(n) >= row.least) return Vec3::Zero();
-    const Vec3 sticking = row.force - row.inverse * (u - times(row.least, n));
-    if (in_cone(sticking, n, c.friction)) return sticking;
-    Vec3 force = row.force;
-    for (int i = 0; i < kSlidingSteps; ++i) {
-      const Vec3 now = free + row.response * force;
-      const double along = now.dot(n);
-      const double rubbing = c.friction * (now - times(along, n)).norm();
-      const Vec3 corrected = now + times(rubbing - row.least, n);
-      force = projected(force - times(row.step, corrected), n, c.friction);
-    }
-    return force;
+  void push(const Side& s, const Vec3& force) {
+    if (s.body == CoulombContact::kGround) return;
+    m_twists[s.body].velocity += s.velocity_by_force * force;
+    m_twists[s.body].turning += s.turning_by_force * force;
   }
 
   // Sweeps until the velocities change by no more than `enough` of `scale`.
@@ -139,15 +118,16 @@ class CoulombSolver {
       for (size_t k = 0; k < m_rows.size(); ++k) {
         if (touching_only && m_contacts[k].room > 0) continue;
         Row& row = m_rows[k];
-        const Vec3 speed_here = velocity(m_contacts[k]);
+        const Vec3 u = velocity(row);
         // It stays without force.
-        if (row.force == Vec3::Zero() && speed_here.dot(m_contacts[k].normal) >= row.least)
-          continue;
-        const Vec3 force = local_force(row, m_contacts[k], speed_here);
+        if (row.force == Vec3::Zero() && u.x() >= row.contact.least_speed) continue;
+        const Vec3 free = u - row.contact.response * row.force;
+        const Vec3 force = contact_force(row.contact, row.inverse, free, row.force);
         const Vec3 more = force - row.force;
         row.force = force;
-        push(m_contacts[k], more);
-        change = std::max(change, (row.response * more).norm());
+        push(row.on, more);
+        push(row.from, more);
+        change = std::max(change, (row.contact.response * more).norm());
       }
       if (change <= enough * scale && sweep >= kFewestSweeps) return;
     }

@@ -39,10 +39,12 @@ struct CoulombOptions {
 
 /// Velocities from rest after a short time of gravity (along -z) and contact forces: Gauss' least
 /// constraint over the cones of Coulomb friction, by Gauss-Seidel sweeps over the contacts [Jourdan
-/// 1998; Acary 2011] with De Saxce's correction, which keeps sliding from lifting off. All bodies
+/// 1998; Acary 2011], each of which finds its contact's force exactly (contact_force.h). All bodies
 /// have one mass; weights are true. That is as good where only directions count, and needs far
 /// fewer sweeps where masses differ.
-/// @return of each body; an accuracy of about 1e-3. Cost O(sweeps x contacts).
+/// @return of each body. Sweeps are limited: of 1,059 motions of one body in heaps 1.2 % were off
+/// by
+///   more than 1 %, of 50 of several bodies 44 %. Cost O(sweeps x contacts).
 std::vector<Twist> first_motion(const std::vector<CoulombBody>& bodies,
                                 const std::vector<CoulombContact>& contacts,
                                 const CoulombOptions& options = {});
