@@ -90,7 +90,7 @@ Vec3 contact_force(const LocalContact& c, const Mat3& inverse_response, const Ve
                    const Vec3& last) {
   if (free.x() >= c.least_speed) return Vec3::Zero();
   if (c.friction == 0) return {(c.least_speed - free.x()) / c.response(0, 0), 0, 0};
-  const Vec3 sticking = inverse_response * (Vec3(c.least_speed, 0, 0) - free);
+  Vec3 sticking = inverse_response * (Vec3(c.least_speed, 0, 0) - free);
   if (in_cone(sticking, c.friction)) return sticking;
   Vec2 guess = last.tail<2>();
   if (guess == Vec2::Zero()) guess = sticking.tail<2>();

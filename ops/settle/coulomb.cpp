@@ -149,6 +149,7 @@ std::vector<Twist> first_motion(const std::vector<CoulombBody>& bodies,
 
 Vec3 parting_direction(const std::vector<Vec3>& normals, const Vec3& wanted, double parting) {
   std::vector<HalfSpace<3>> parted;
+  parted.reserve(normals.size());
   for (const Vec3& n : normals) parted.push_back({n, parting});
   const Vec3 x = nearest_inside<3>(parted, wanted, kConeSweeps);
   const double length = x.norm();
