@@ -9,7 +9,6 @@
 #include "core/base/cross.h"
 #include "core/base/tunables.h"
 #include "core/contact/contact_points.h"
-#include "ops/settle/linear_program.h"
 
 namespace trivet {
 namespace {
@@ -75,6 +74,25 @@ struct Weight {
       best = std::max(best, sum);
     });
     return best;
+  }
+
+  // How fast the cost falls, to first order, as the friction of all contacts grows: each pushes as
+  // hard as before, and rubs in the direction that pays best at these prices.
+  double gain_of_friction(const std::vector<FrictionContact>& contacts,
+                          const LinearProgram::Solution& solution) const {
+    double sum = 0;
+    size_t column = 0;
+    for (const FrictionContact& c : contacts) {
+      double push = 0;
+      for (const size_t end = column + (c.friction > 0 ? 9 : 1); column < end; ++column)
+        push += solution.x[column];
+      if (!(push > 0)) continue;
+      const Vec3 force(solution.prices[0], solution.prices[1], solution.prices[2]);
+      const Vec3 torque(solution.prices[3], solution.prices[4], solution.prices[5]);
+      const Vec3 worth = force + torque.cross(c.point - centre) / size;
+      sum += push * (worth - worth.dot(c.normal) * c.normal).norm();
+    }
+    return sum;
   }
 
   // The contacts that would lower the cost fastest: at most kMoreContacts.
@@ -227,14 +245,6 @@ std::vector<Point> reduced_points(const std::vector<Point>& contacts, size_t lim
   return out.size() <= limit ? out : farthest(out, limit);
 }
 
-std::vector<FrictionContact> with_friction(const std::vector<ContactPoint>& contacts,
-                                           double friction) {
-  std::vector<FrictionContact> out;
-  out.reserve(contacts.size());
-  for (const ContactPoint& c : contacts) out.push_back({c, friction});
-  return out;
-}
-
 }  // namespace
 
 double hull_margin(const std::vector<Vec2>& points, const Vec2& centre) {
@@ -266,27 +276,40 @@ double friction_margin(const std::vector<FrictionContact>& contacts, const Vec3&
   return hull_margin(points, centre.head<2>());
 }
 
+std::vector<FrictionContact> with_friction(const std::vector<ContactPoint>& contacts,
+                                           double friction) {
+  std::vector<FrictionContact> out;
+  out.reserve(contacts.size());
+  for (const ContactPoint& c : contacts) out.push_back({c, friction});
+  return out;
+}
+
 double equilibrium_residual(const std::vector<ContactPoint>& contacts, const Vec3& centre,
                             double size, double friction, double enough) {
   return friction_residual(with_friction(contacts, friction), centre, size, enough);
 }
 
-double friction_residual(const std::vector<FrictionContact>& contacts, const Vec3& centre,
-                         double size, double enough) {
-  if (contacts.empty()) return kInfinity;
+Shortfall friction_shortfall(const std::vector<FrictionContact>& contacts, const Vec3& centre,
+                             double size, double enough, LinearProgram::Basis* basis) {
+  Shortfall out;
+  if (contacts.empty()) return out;
   const Weight weight{centre, size};
   std::vector<FrictionContact> chosen = reduced(contacts, kProgramContacts);
-  double least = kInfinity;
   while (true) {
     const LinearProgram::Solution solution =
-        weight.program(chosen).solve(false);  // all is of size one already
-    if (!solution.optimal) return least;
-    least = solution.objective;
-    if (least <= enough || chosen.size() >= contacts.size()) return least;
+        weight.program(chosen).solve(false, basis);  // all is of size one already
+    if (!solution.optimal) return out;
+    out = {solution.objective, weight.gain_of_friction(chosen, solution)};
+    if (out.missing <= enough || chosen.size() >= contacts.size()) return out;
     const std::vector<FrictionContact> more = weight.best(contacts, solution.prices);
-    if (more.empty()) return least;
+    if (more.empty()) return out;
     chosen.insert(chosen.end(), more.begin(), more.end());
   }
+}
+
+double friction_residual(const std::vector<FrictionContact>& contacts, const Vec3& centre,
+                         double size, double enough) {
+  return friction_shortfall(contacts, centre, size, enough).missing;
 }
 
 double least_missing(const std::vector<FrictionContact>& contacts, const Vec3& centre, double size,
@@ -300,21 +323,6 @@ bool forces_balance(const std::vector<FrictionContact>& contacts, const Vec3& ce
   if (contacts.size() <= kFewContacts && least_missing(contacts, centre, size, clearly) > clearly)
     return false;
   return friction_residual(contacts, centre, size, enough) <= enough;
-}
-
-double least_friction(const std::vector<ContactPoint>& contacts, const Vec3& centre, double size,
-                      double tolerance) {
-  const auto holds = [&](double friction) {
-    return forces_balance(with_friction(contacts, friction), centre, size, tolerance);
-  };
-  if (carrying_margin(contacts, centre, 1 - 1e-9) >= 0 || holds(0)) return 0;
-  if (!holds(kLargestFriction)) return kInfinity;
-  double low = 0, high = kLargestFriction;
-  while (high - low > 0.01 * high && high > 1e-3) {
-    const double middle = 0.5 * (low + high);
-    (holds(middle) ? high : low) = middle;
-  }
-  return high;
 }
 
 std::vector<ContactPoint> reduced(const std::vector<ContactPoint>& contacts, size_t limit) {

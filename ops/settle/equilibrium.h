@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/contact/contact.h"
+#include "ops/settle/linear_program.h"
 
 namespace trivet {
 
@@ -43,6 +44,19 @@ double equilibrium_residual(const std::vector<ContactPoint>& contacts, const Vec
 double friction_residual(const std::vector<FrictionContact>& contacts, const Vec3& centre,
                          double size, double enough = 0);
 
+/// friction_residual(), and how fast it falls, to first order, with the coefficient of all
+/// contacts.
+struct Shortfall {
+  double missing = kInfinity, gain = 0;
+};
+/// @param basis  of the last program of the same contacts at another friction; see LinearProgram.
+Shortfall friction_shortfall(const std::vector<FrictionContact>& contacts, const Vec3& centre,
+                             double size, double enough, LinearProgram::Basis* basis = nullptr);
+
+/// These contacts, all with the same friction.
+std::vector<FrictionContact> with_friction(const std::vector<ContactPoint>& contacts,
+                                           double friction);
+
 /// True if friction_residual() is at most `enough`. What a few contacts clearly cannot hold is told
 /// without a program.
 bool forces_balance(const std::vector<FrictionContact>& contacts, const Vec3& centre, double size,
@@ -54,11 +68,6 @@ bool forces_balance(const std::vector<FrictionContact>& contacts, const Vec3& ce
 /// @param enough  any bound above this will do.
 double least_missing(const std::vector<FrictionContact>& contacts, const Vec3& centre, double size,
                      double enough = kInfinity);
-
-/// Smallest friction coefficient with a residual of at most `tolerance`, to 1 %; infinity when even
-/// kLargestFriction does not do.
-double least_friction(const std::vector<ContactPoint>& contacts, const Vec3& centre, double size,
-                      double tolerance);
 
 /// The residual of equilibrium_residual() that contacts known to a few clearances leave open.
 double residual_tolerance(double size, double clearance);

@@ -66,18 +66,23 @@ int LinearProgram::add_column(std::span<const Entry> entries, double cost, doubl
   return static_cast<int>(m_costs.size()) - 1;
 }
 
-LinearProgram::Solution LinearProgram::solve(bool scale) const { return solve(scale, false); }
-
-LinearProgram::Solution LinearProgram::solve_by_dual(bool scale) const {
-  return solve(scale, true);
+LinearProgram::Solution LinearProgram::solve(bool scale, Basis* basis) const {
+  return solve(scale, Method::Primal, basis);
 }
 
-LinearProgram::Solution LinearProgram::solve(bool scale, bool by_dual) const {
+LinearProgram::Solution LinearProgram::solve_by_dual(bool scale) const {
+  return solve(scale, Method::Dual, nullptr);
+}
+
+LinearProgram::Solution LinearProgram::solve(bool scale, Method method, Basis* basis) const {
+  const size_t num_states = m_costs.size() + m_row_lower.size();
   Solver solver(*this, scale);
-  by_dual ? solver.dual() : solver.primal();
+  if (basis && basis->size() == num_states) solver.copyinStatus(basis->data());
+  method == Method::Dual ? solver.dual() : solver.primal();
   Solution solution;
   solution.optimal = solver.isProvenOptimal();
   if (!solution.optimal) return solution;
+  if (basis) basis->assign(solver.statusArray(), solver.statusArray() + num_states);
   const double *x = solver.primalColumnSolution(), *prices = solver.dualRowSolution();
   solution.objective = solver.objectiveValue();
   solution.x.assign(x, x + m_costs.size());
@@ -94,7 +99,7 @@ std::vector<double> LinearProgram::objectives_with(std::span<const Column> colum
   std::vector<double> out(columns.size(), std::numeric_limits<double>::quiet_NaN());
   if (!solver.isProvenOptimal()) return out;
   const size_t num_states = all.m_costs.size() + m_row_lower.size();
-  const std::vector<unsigned char> start(solver.statusArray(), solver.statusArray() + num_states);
+  const Basis start(solver.statusArray(), solver.statusArray() + num_states);
   for (size_t k = 0; k < columns.size(); ++k) {
     const int number = static_cast<int>(m_costs.size() + k);
     const auto allow = [&](double cost, double upper) {

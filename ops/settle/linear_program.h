@@ -28,6 +28,8 @@ class LinearProgram {
   /// Entries of the size of rounding (1e-12) are left out. @return the number of the column.
   int add_column(std::span<const Entry> entries, double cost, double upper = kInfinity);
 
+  /// Status of every column and row in CLP's terms.
+  using Basis = std::vector<unsigned char>;
   struct Solution {
     bool optimal = false;  // else the rest means nothing
     double objective = 0;
@@ -35,7 +37,9 @@ class LinearProgram {
     std::vector<double> prices;  // of the rows: how fast the objective grows with their limits
   };
   /// @param scale  rows and columns are not all of size one.
-  Solution solve(bool scale) const;
+  /// @param basis  if not null: where to start, of a program with as many rows and columns whose
+  ///   numbers differ little, unless empty; the final one comes back.
+  Solution solve(bool scale, Basis* basis = nullptr) const;
   /// The same by the dual simplex method, which starts at once where no cost is negative: another
   /// of several solutions may be found.
   Solution solve_by_dual(bool scale) const;
@@ -50,7 +54,8 @@ class LinearProgram {
 
  private:
   class Solver;
-  Solution solve(bool scale, bool by_dual) const;
+  enum class Method { Primal, Dual };
+  Solution solve(bool scale, Method method, Basis* basis) const;
 
   std::vector<int> m_starts{0}, m_rows;
   std::vector<double> m_values, m_costs, m_column_upper, m_row_lower, m_row_upper;

@@ -7,6 +7,7 @@
 #include "core/scene/friction.h"
 #include "ops/placement/verify.h"
 #include "ops/settle/equilibrium.h"
+#include "ops/settle/least_friction.h"
 #include "ops/settle/settle.h"
 
 namespace trivet {

@@ -6,7 +6,9 @@
 
 #include "contact_at.h"
 #include "ops/settle/equilibrium.h"
+#include "ops/settle/least_friction.h"
 #include "ops/settle/settle.h"
+#include "support/effort.h"
 #include "support/random_shapes.h"
 
 namespace trivet {
@@ -150,6 +152,40 @@ TEST(LeastFriction, RejectsNearlyCollinearContacts) {
   const std::vector<ContactPoint> edge{contact({1e-6, -1, 0}), contact({-1e-6, 1, 0}, {1e-3, 0, 1}),
                                        contact({0, 0, 0}, {-1e-3, 0, 1})};
   EXPECT_EQ(least(edge, {0.3, 0, 1}), kInfinity);
+}
+
+// All coefficients of the grid on the way, each by a program of its own.
+double by_bisection(const std::vector<ContactPoint>& contacts, const Vec3& centre,
+                    double tolerance) {
+  const auto holds = [&](double friction) {
+    return equilibrium_residual(contacts, centre, 2, friction) <= tolerance;
+  };
+  if (holds(0)) return 0;
+  if (!holds(kLargestFriction)) return kInfinity;
+  double fails = 0, high = kLargestFriction;
+  while (high - fails > 0.01 * high && high > 1e-3) {
+    const double middle = 0.5 * (fails + high);
+    (holds(middle) ? high : fails) = middle;
+  }
+  return high;
+}
+
+TEST(LeastFriction, EqualsBisectionForRandomContacts) {
+  test::Random random(3);
+  int num_finite = 0;
+  for (const int num_contacts : {2, 3, 3, 3, 4, 6, 12, 60})
+    for (int i = 0; i < test::with_effort(100); ++i) {
+      std::vector<ContactPoint> contacts;
+      for (int k = 0; k < num_contacts; ++k)
+        contacts.push_back(contact(random.in_cube(1), random.direction() + Vec3(0, 0, 1.2)));
+      const Vec3 centre = random.in_cube(0.4);
+      const double tolerance = i % 2 ? 1e-7 : 2e-4;
+      const double expected = by_bisection(contacts, centre, tolerance);
+      EXPECT_EQ(least_friction(contacts, centre, 2, tolerance), expected)
+          << num_contacts << " contacts, number " << i;
+      num_finite += expected > 0 && expected < kInfinity;
+    }
+  EXPECT_GT(num_finite, test::with_effort(100));
 }
 
 TEST(Equilibrium, DoesNotDependOnScaleOrPlace) {

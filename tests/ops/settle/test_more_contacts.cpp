@@ -7,6 +7,7 @@
 
 #include "core/base/tunables.h"
 #include "ops/settle/equilibrium.h"
+#include "ops/settle/least_friction.h"
 #include "ops/settle/subsets.h"
 #include "rest_cases.h"
 #include "support/effort.h"
