@@ -175,7 +175,8 @@ int print_totals(const BatchTotals& totals, const BatchOptions& options,
                             {"shards", options.shard.count},
                             {"units", totals.units},
                             {"units_there_before", totals.there_before},
-                            {"units_by_others", totals.dropped},
+                            {"units_by_others", totals.by_others},
+                            {"units_dropped", totals.dropped},
                             {"ok", totals.ok},
                             {"refused", totals.refused},
                             {"failed", totals.failed},
@@ -190,6 +191,9 @@ int print_totals(const BatchTotals& totals, const BatchOptions& options,
               << (totals.failed_before > 0
                       ? ", " + std::to_string(totals.failed_before) + " without, as they had failed"
                       : "")
+              << (totals.dropped > 0 ? "; units made twice and dropped: " +
+                                           std::to_string(totals.dropped)
+                                     : "")
               << (totals.waiting > 0
                       ? "; units whose scenes are not there yet: " + std::to_string(totals.waiting)
                       : "")

@@ -18,6 +18,16 @@ struct AuditArguments {
   VerifyOptions verify;
 };
 
+std::string missing_text(const BatchStatus& status) {
+  constexpr size_t kMostShown = 10;
+  std::string out;
+  const size_t shown = std::min(status.first_missing.size(), kMostShown);
+  for (size_t i = 0; i < shown; ++i)
+    out += (i > 0 ? ", " : "") + std::to_string(status.first_missing[i]);
+  const std::uint64_t others = status.run.num_units() - status.units_there - shown;
+  return others == 0 ? out : out + " and " + count_of(others, "other");
+}
+
 Json reasons_json(const BatchStatus& status) {
   Json out = Json::object();
   for (const auto& [reason, count] : status.reasons) out[reason] = count;
@@ -38,6 +48,7 @@ void print_status(const BatchStatus& status, std::optional<double> seconds_left)
   std::cout << "units: " << status.units_there << " of " << status.run.num_units()
             << "; scenes: " << made << " of " << status.run.count << ": " << status.ok << " ok, "
             << status.refused << " refused, " << status.failed << " failed\n";
+  if (!status.complete()) std::cout << "missing units: " << missing_text(status) << "\n";
   if (status.scenes_per_second) {
     std::cout << "rate: " << *status.scenes_per_second << " scenes/s";
     if (seconds_left && !status.complete())
@@ -68,6 +79,7 @@ int show_status(const AuditArguments& arguments, const CommonOptions& common) {
     std::cout << json_line(
         {{"units", status.run.num_units()},
          {"units_there", status.units_there},
+         {"first_missing", status.first_missing},
          {"scenes", status.run.count},
          {"ok", status.ok},
          {"refused", status.refused},
@@ -86,7 +98,7 @@ int verify(const AuditArguments& arguments, const CommonOptions& common) {
   options.jobs = num_jobs(options.jobs, common);
   options.import = common.limits();
   options.make_opengl = opengl_pictures;
-  if (read_run(arguments.folder).with_opengl) tried_opengl();
+  options.before_opengl = tried_opengl;
   const Verification result = verify_batch(arguments.folder, options);
   if (common.json) {
     std::cout << json_line({{"units", result.units},

@@ -36,6 +36,24 @@ void visit_temporaries(const std::string& out, const Visitor& visit) {
     if (entry.is_directory(ignored)) look_in(entry.path());
 }
 
+// Temporary files that no process writes and that are a day old, as others may be of processes on
+// machines whose locks are not seen here.
+void delete_what_was_left(const std::string& out) {
+  std::vector<fs::path> left;
+  visit_temporaries(out, [&](const fs::path& path) { left.push_back(path); });
+  if (left.empty()) return;
+  std::error_code ignored;
+  try {
+    const FileTime now = time_in(out);
+    for (const fs::path& path : left)
+      if (now - fs::last_write_time(path, ignored) > std::chrono::hours(24) &&
+          !is_being_written(path.string()))
+        fs::remove_all(path, ignored);
+  } catch (const Error&) {
+    return;  // who may not write here may not delete either
+  }
+}
+
 // Scenes of all units but the one that was written first, over the time since.
 std::optional<double> rate_of(const std::vector<std::pair<FileTime, std::uint64_t>>& units) {
   if (units.size() < 2) return std::nullopt;
@@ -77,10 +95,16 @@ std::string csv_head() {
 BatchStatus batch_status(const std::string& out) {
   BatchStatus status;
   status.run = read_run(out);
+  const std::string batch = status.run.id();
   std::vector<std::pair<FileTime, std::uint64_t>> times;
-  for (const std::uint64_t unit : units_there(out, status.run)) {
+  for (std::uint64_t unit = 0; unit < status.run.num_units(); ++unit) {
+    if (!unit_exists(out, unit, status.run.format)) {
+      if (status.first_missing.size() < BatchStatus::kMostMissing)
+        status.first_missing.push_back(unit);
+      continue;
+    }
     ++status.units_there;
-    visit_rows(out, unit, status.run.format, [&](const Json& row) {
+    visit_rows(out, unit, status.run.format, batch, [&](const Json& row) {
       const std::string is = row.at("status");
       ++(is == "ok" ? status.ok : is == "refused" ? status.refused : status.failed);
       if (is != "ok") ++status.reasons[is + ": " + row.value("reason", "")];
@@ -98,20 +122,17 @@ std::uint64_t merge_manifests(const std::string& out, const std::string& file) {
   if (extension != ".jsonl" && extension != ".csv")
     bad_file(file, "is no kind of manifest; accepted: .jsonl, .csv");
   const BatchRun run = read_run(out);
+  const std::string batch = run.id();
   std::uint64_t num_scenes = 0;
   write_file_atomically(file, [&](const ByteSink& write) {
     if (extension == ".csv") write(csv_head());
     for (const std::uint64_t unit : units_there(out, run))
-      visit_rows(out, unit, run.format, [&](const Json& row) {
+      visit_rows(out, unit, run.format, batch, [&](const Json& row) {
         ++num_scenes;
         write(extension == ".csv" ? csv_line(row) : json_line(row));
       });
   });
-  visit_temporaries(out, [](const fs::path& path) {
-    std::error_code ignored;
-    if (FileTime::clock::now() - fs::last_write_time(path, ignored) > std::chrono::hours(24))
-      fs::remove_all(path, ignored);
-  });
+  delete_what_was_left(out);
   return num_scenes;
 }
 

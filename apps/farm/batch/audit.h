@@ -12,6 +12,8 @@ namespace trivet::farm {
 struct BatchStatus {
   BatchRun run;
   std::uint64_t units_there = 0, ok = 0, refused = 0, failed = 0;
+  static constexpr size_t kMostMissing = 100;
+  std::vector<std::uint64_t> first_missing;  // units, of all that are missing
   std::map<std::string, std::uint64_t> reasons;  // of scenes that are not ok
   std::optional<double> scenes_per_second;       // of all processes, by the times of the units
   size_t num_temporaries = 0;                    // being written, or left by a killed process
@@ -28,13 +30,14 @@ struct VerifyOptions {
   WorkLimits limits;
   ImportLimits import;
   std::function<DrawPicture()> make_opengl;  // for pictures by OpenGL; see PictureWork
+  std::function<void()> before_opengl;       // called once before; may throw
 };
 struct Verification {
   std::uint64_t units = 0, scenes = 0, made_again = 0;
   std::vector<std::string> findings;  // a line each
   bool stopped = false;
 };
-/// Checks every byte of units and models, and makes a sample of scenes again.
+/// Checks every byte of run.json, units and models, and makes a sample of scenes again.
 /// @throws Error (BadInput) when the folder is no batch.
 Verification verify_batch(const std::string& out, const VerifyOptions& options);
 

@@ -17,11 +17,12 @@ using Clock = std::chrono::steady_clock;
 /// A unit in progress: scenes come in any order, and are written in that of k.
 class OpenUnit {
  public:
-  OpenUnit(const BatchRun& run, const std::string& out, std::uint64_t unit)
+  OpenUnit(const BatchRun& run, const std::string& batch, const std::string& out,
+           std::uint64_t unit)
       : m_number(unit),
         m_next(run.first_scene(unit)),
         m_end(run.end_scene(unit)),
-        m_writer(out, unit, run.format) {}
+        m_writer(out, unit, run.format, batch) {}
 
   std::uint64_t number() const { return m_number; }
   bool complete() const { return m_next == m_end; }
@@ -58,7 +59,7 @@ void count_status(const Json& scene, BatchTotals& totals) {
 class BatchLoop {
  public:
   BatchLoop(const BatchRun& run, const Work& work, const BatchOptions& options)
-      : m_run(run), m_work(work), m_options(options) {}
+      : m_run(run), m_batch(run.id()), m_work(work), m_options(options) {}
 
   BatchTotals run_all();
 
@@ -76,6 +77,7 @@ class BatchLoop {
   }
 
   const BatchRun& m_run;
+  const std::string m_batch;  // which its units name
   const Work& m_work;
   const BatchOptions& m_options;
   std::deque<std::uint64_t> m_missing;
@@ -97,7 +99,7 @@ void BatchLoop::list_units() {
       continue;
     }
     ++m_totals.there_before;
-    visit_rows(m_options.out, t, m_run.format,
+    visit_rows(m_options.out, t, m_run.format, m_batch,
                [&](const Json& row) { count_status(row, m_totals); });
   }
 }
@@ -107,10 +109,10 @@ bool BatchLoop::open_next_unit() {
     const std::uint64_t unit = m_missing.front();
     m_missing.pop_front();
     if (unit_exists(m_options.out, unit, m_run.format)) {  // by another copy of this shard
-      ++m_totals.dropped;
+      ++m_totals.by_others;
       continue;
     }
-    m_open.emplace_back(m_run, m_options.out, unit);
+    m_open.emplace_back(m_run, m_batch, m_options.out, unit);
     m_next_scene = m_run.first_scene(unit);
     m_end_scene = m_run.end_scene(unit);
     return true;
@@ -157,7 +159,7 @@ void BatchLoop::publish_complete() {
       continue;
     }
     const bool first = it->publish();
-    if (!first) ++m_totals.dropped;
+    if (!first) ++m_totals.by_others, ++m_totals.dropped;
     log_progress(it->number(), first ? "written" : "was made by another process: dropped");
     it = m_open.erase(it);
   }

@@ -45,7 +45,8 @@ struct BatchOptions {
 };
 
 struct BatchTotals {
-  std::uint64_t units = 0, there_before = 0, dropped = 0;  // of the shard; made by others meanwhile
+  std::uint64_t units = 0, there_before = 0;  // of the shard
+  std::uint64_t by_others = 0, dropped = 0;   // made by others meanwhile; of these here, too
   std::uint64_t ok = 0, refused = 0, failed = 0;           // scenes of the shard's units
   std::uint64_t failed_before = 0;  // scenes without pictures, as they had failed themselves
   std::uint64_t waiting = 0;        // units that were not ready

@@ -25,12 +25,13 @@ Sampled sampled(const Json& scene, const std::vector<Member>& members) {
 
 void check_bytes(const std::string& out, const BatchRun& run, double share, Sample& sample,
                  Verification& result) {
+  const std::string batch = run.id();
   for (std::uint64_t unit = 0; unit < run.num_units(); ++unit) {
     if (!unit_exists(out, unit, run.format)) continue;
     ++result.units;
     std::uint64_t expected = run.first_scene(unit);
     const std::string finding = check_unit(
-        out, unit, run.format, [&](const Json& scene, const std::vector<Member>& members) {
+        out, unit, run.format, batch, [&](const Json& scene, const std::vector<Member>& members) {
           ++result.scenes;
           if (scene.at("k") != expected++)
             result.findings.push_back("unit " + std::to_string(unit) + " lacks a scene");
@@ -61,6 +62,7 @@ Work work_again(const BatchRun& run, const std::string& out, const VerifyOptions
     if (options.scenes.empty())
       bad_input(out +
                 ": is a batch of pictures; accepted: with --scenes, the folder of its scenes");
+    if (run.with_opengl && options.before_opengl) options.before_opengl();
     return picture_work(run, options.scenes, options.import, options.make_opengl);
   }
   return work_of(prepared_recipe(run, out), run, options.import, out, true);
@@ -76,8 +78,15 @@ void check_models(const std::string& folder, const Work& work, Verification& res
 }  // namespace
 
 Verification verify_batch(const std::string& out, const VerifyOptions& options) {
-  const BatchRun run = read_run(out);
   Verification result;
+  BatchRun run;
+  try {
+    run = read_run(out);
+  } catch (const Error& e) {
+    if (!has_run(out)) throw;
+    result.findings.emplace_back(e.what());  // what it says of units is not to be trusted
+    return result;
+  }
   Sample sample;
   const Work work = work_again(run, out, options);
   check_bytes(out, run, options.sample, sample, result);

@@ -89,7 +89,7 @@ NodeCheck check_clock() {
   const auto installed = fs::last_write_time("/proc/self/exe", failed);
   if (!failed && fs::file_time_type::clock::now() < installed)
     return {"clock", Verdict::Note,
-            "it is behind the program's own file: ages of temporary files will be wrong"};
+            "it is behind the program's own file: what is written now will look old"};
   return {"clock", Verdict::Ok, "not behind the program's own file"};
 }
 
@@ -110,7 +110,8 @@ NodeCheck check_writing(const std::string& out) {
   fs::remove(probe, ignored);
   if (failed)
     return {"writing", Verdict::Note,
-            out + " has no hard links: of two copies of a shard that end at once the later counts"};
+            out + " has no hard links: units are published by renaming, the first of two counts "
+                  "where the file system can rename without replacing"};
   return {"writing", Verdict::Ok, out + ": files are whole or not there, the first of two counts"};
 }
 

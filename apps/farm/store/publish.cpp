@@ -1,6 +1,7 @@
 #include "apps/farm/store/publish.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/random.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -42,7 +43,7 @@ void sync_folder(const std::string& folder) {
 
 // @param shown  its name in messages.
 int created(const std::string& path, const std::string& shown) {
-  const int descriptor = open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644);
+  const int descriptor = open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0644);
   if (descriptor < 0) fail(shown, errno);
   return descriptor;
 }
@@ -64,8 +65,28 @@ void sync_and_close(int descriptor, const std::string& path) {
   if (closed != 0) fail(path, errno);
 }
 
+// Shared, which NFS grants for what is open for reading. Where there are no locks age alone tells
+// what was left behind.
+void lock_temporary(int descriptor) { flock(descriptor, LOCK_SH | LOCK_NB); }
+
+// EXDEV: some file systems give it for names of one folder, too, such as those with quotas of
+// projects.
 bool has_no_links(int error) {
-  return error == EPERM || error == EOPNOTSUPP || error == ENOSYS || error == EMLINK;
+  return error == EPERM || error == EOPNOTSUPP || error == ENOSYS || error == EMLINK ||
+         error == EXDEV;
+}
+
+/// rename(2) that replaces nothing. @return false where the name is taken.
+bool renamed(const std::string& from, const std::string& to) {
+  if (renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return true;
+  if (errno == EEXIST) return false;
+  if (errno != EINVAL && errno != ENOSYS && errno != EOPNOTSUPP) fail(to, errno);
+  // The last resort, where the kernel or the file system has neither: of two that come between
+  // these two lines the later one stays. Units of a batch are the same bytes; two batches that
+  // begin in one folder at the same moment would not be told apart.
+  if (access(to.c_str(), F_OK) == 0) return false;
+  if (rename(from.c_str(), to.c_str()) != 0) fail(to, errno);
+  return true;
 }
 
 // NFS may lose the answer of a link that was made: the number of names tells.
@@ -100,34 +121,51 @@ void make_folders(const std::string& path) {
   if (error) fail(path, error.value());
 }
 
+bool is_being_written(const std::string& temporary) {
+  // NFS asks for a file that is open for writing; folders cannot be.
+  Descriptor file(open(temporary.c_str(), O_RDWR | O_CLOEXEC));
+  if (file.number() < 0) file = Descriptor(open(temporary.c_str(), O_RDONLY | O_CLOEXEC));
+  return file.number() >= 0 && flock(file.number(), LOCK_EX | LOCK_NB) != 0 &&
+         errno == EWOULDBLOCK;
+}
+
+fs::file_time_type time_in(const std::string& folder) {
+  const std::string path = temporary_name((fs::path(folder) / "time").string());
+  const Descriptor file(created(path, folder));
+  std::error_code error;
+  const fs::file_time_type now = fs::last_write_time(path, error);
+  unlink(path.c_str());
+  if (error) fail(folder, error.value());
+  return now;
+}
+
 PublishedFile::PublishedFile(const std::string& path)
     : m_path(path), m_temporary(temporary_name(path)) {
   make_folders(folder_of_file(path));
-  m_descriptor = created(m_temporary, m_path);
+  m_descriptor = Descriptor(created(m_temporary, m_path));
+  lock_temporary(m_descriptor.number());
 }
 
 PublishedFile::~PublishedFile() {
-  if (m_descriptor >= 0) close(m_descriptor);
+  m_descriptor.reset();
   unlink(m_temporary.c_str());
 }
 
-void PublishedFile::write(std::string_view bytes) { write_all(m_descriptor, bytes, m_path); }
+void PublishedFile::write(std::string_view bytes) {
+  write_all(m_descriptor.number(), bytes, m_path);
+}
 
 bool PublishedFile::publish() {
-  const int descriptor = m_descriptor;
-  m_descriptor = -1;
-  sync_and_close(descriptor, m_path);
+  if (fsync(m_descriptor.number()) != 0) fail(m_path, errno);
   bool first = link(m_temporary.c_str(), m_path.c_str()) == 0;
   if (!first) {
     const int error = errno;
-    if (has_two_names(m_temporary)) {
+    if (has_two_names(m_temporary))
       first = true;
-    } else if (has_no_links(error)) {
-      first = access(m_path.c_str(), F_OK) != 0;
-      if (first && rename(m_temporary.c_str(), m_path.c_str()) != 0) fail(m_path, errno);
-    } else if (error != EEXIST) {
+    else if (has_no_links(error))
+      first = renamed(m_temporary, m_path);
+    else if (error != EEXIST)
       fail(m_path, error);
-    }
   }
   if (first) sync_folder(folder_of_file(m_path));
   return first;
@@ -136,6 +174,9 @@ bool PublishedFile::publish() {
 PublishedFolder::PublishedFolder(const std::string& path)
     : m_path(path), m_temporary(temporary_name(path)) {
   make_folders(m_temporary);
+  m_descriptor = Descriptor(open(m_temporary.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (m_descriptor.number() < 0) fail(m_temporary, errno);
+  lock_temporary(m_descriptor.number());
 }
 
 PublishedFolder::~PublishedFolder() {

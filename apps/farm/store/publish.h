@@ -1,13 +1,17 @@
 // Files and folders that appear whole or not at all, and never replace one that is there.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <string_view>
+
+#include "core/base/local_sockets.h"
 
 namespace trivet::farm {
 
 /// A file of another name in the same folder, of temporary_name(), until it is published. Deleted
-/// by the destructor unless it was published; kill -9 leaves it behind, see is_temporary().
+/// by the destructor unless it was published; kill -9 leaves it behind, see is_temporary(). It is
+/// locked (flock) meanwhile, see is_being_written().
 class PublishedFile {
  public:
   /// @throws Error (Environment) when it cannot be made. Makes the folder.
@@ -19,13 +23,13 @@ class PublishedFile {
   /// @throws Error (Environment), such as on a full disk.
   void write(std::string_view bytes);
   /// fsync, then link(2), which fails where the name is taken: the first one wins. Where the file
-  /// system has no hard links: rename(2).
+  /// system has no hard links: renameat2(2), which does, too.
   /// @return false if another one was there: this one is dropped.
   bool publish();
 
  private:
   std::string m_path, m_temporary;
-  int m_descriptor = -1;
+  Descriptor m_descriptor;
 };
 
 /// The same of a folder with files.
@@ -45,12 +49,20 @@ class PublishedFolder {
   std::string prepared(const std::string& name);
 
   std::string m_path, m_temporary;
+  Descriptor m_descriptor;  // of the folder, for the lock
 };
 
 /// ".NAME.trivet-tmp.HOST.PID.RANDOM" in the same folder: being written, or left by a process that
 /// was killed.
 std::string temporary_name(const std::string& path);
 bool is_temporary(const std::string& file_name);
+/// True while a process on this machine holds its lock; on NFS one on any machine, but for
+/// folders, which cannot be locked there.
+bool is_being_written(const std::string& temporary);
+/// What time it is for the file system: that of a file made there just now. Times of files are to
+/// be compared with this, as clocks of machines differ and jump.
+/// @throws Error (Environment) where no file can be made.
+std::filesystem::file_time_type time_in(const std::string& folder);
 
 /// @throws Error (Environment) naming it.
 void make_folders(const std::string& path);

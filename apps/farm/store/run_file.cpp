@@ -11,13 +11,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kRunVersion = 1;
 constexpr std::uintmax_t kMaxBytes = std::uintmax_t{1} << 30;
 
 std::string path_in(const std::string& out) { return (fs::path(out) / "run.json").string(); }
 
 Json json_of(const BatchRun& run) {
-  Json json = {{"trivet_batch", kRunVersion},
+  Json json = {{"trivet_batch", run.file_version},
                {"version", run.version},
                {"seed", run.seed},
                {"count", run.count},
@@ -28,10 +27,12 @@ Json json_of(const BatchRun& run) {
                {"recipe_sha256", sha256_hex(run.recipe)},
                {"recipe", Json::parse(run.recipe)}};
   if (run.with_contacts) json["with_contacts"] = true;
-  if (run.views.empty()) return json;
-  json["views"] = Json::parse(run.views);
-  json["scenes_sha256"] = run.scenes_sha256;
-  if (run.with_opengl) json["with_opengl"] = true;
+  if (!run.views.empty()) {
+    json["views"] = Json::parse(run.views);
+    json["scenes_sha256"] = run.scenes_sha256;
+    if (run.with_opengl) json["with_opengl"] = true;
+  }
+  if (run.file_version >= 2) json["sha256"] = sha256_hex(json.dump());
   return json;
 }
 
@@ -39,6 +40,12 @@ UnitFormat read_format(const JsonPlace& place) {
   for (const UnitFormat format : {UnitFormat::Tar, UnitFormat::Dir, UnitFormat::Poses})
     if (place.value() == to_string(format)) return format;
   place.refuse("\"tar\", \"dir\" or \"poses\"");
+}
+
+int read_file_version(const JsonPlace& place) {
+  for (int version = 1; version <= kRunVersion; ++version)
+    if (place.value() == version) return version;
+  place.refuse("1 to " + std::to_string(kRunVersion) + ", of this version of the program");
 }
 
 std::uint64_t read_count(const JsonPlace& place) {
@@ -53,16 +60,31 @@ std::string shown(const Json& value) {
 
 }  // namespace
 
+std::string BatchRun::id() const {
+  if (file_version < 2) return "";
+  Json json = json_of(*this);
+  for (const char* const key : {"trivet_batch", "count", "per_unit", "format", "recipe", "sha256"})
+    json.erase(key);
+  return sha256_hex(json.dump());
+}
+
 std::string run_json(const BatchRun& run) { return readable_json(json_of(run)); }
+
+bool has_run(const std::string& out) {
+  std::error_code ignored;
+  return fs::exists(path_in(out), ignored);
+}
 
 BatchRun read_run(const std::string& out) {
   const std::string file = path_in(out);
-  const nlohmann::json document = parse_json(read_text_file(file, kMaxBytes), file);
+  const std::string text = read_text_file(file, kMaxBytes);
+  const nlohmann::json document = parse_json(text, file);
   const JsonPlace root(document, file);
   root.expect_object({"trivet_batch", "version", "seed", "count", "per_unit", "format",
                       "with_scene", "with_report", "recipe_sha256", "recipe"},
-                     {"with_contacts", "views", "scenes_sha256", "with_opengl"});
+                     {"with_contacts", "views", "scenes_sha256", "with_opengl", "sha256"});
   BatchRun run;
+  run.file_version = read_file_version(root.at("trivet_batch"));
   run.version = root.at("version").text();
   run.seed = read_count(root.at("seed"));
   run.count = read_count(root.at("count"));
@@ -73,19 +95,18 @@ BatchRun read_run(const std::string& out) {
   run.with_report = root.at("with_report").boolean();
   if (const auto contacts = root.find("with_contacts")) run.with_contacts = contacts->boolean();
   run.recipe = root.at("recipe").value().dump();
-  if (root.at("recipe_sha256").value() != sha256_hex(run.recipe))
-    root.at("recipe_sha256").fail("is not that of the recipe; the file was changed");
   if (const auto views = root.find("views")) {
     run.views = views->value().dump();
     run.scenes_sha256 = root.at("scenes_sha256").text();
     if (const auto opengl = root.find("with_opengl")) run.with_opengl = opengl->boolean();
   }
+  if (text != run_json(run))
+    bad_file(file, "was changed after it was written: its SHA-256 are not those of its contents");
   return run;
 }
 
 void check_run(const std::string& out, const BatchRun& run) {
-  std::error_code ignored;
-  if (!fs::exists(path_in(out), ignored)) {
+  if (!has_run(out)) {
     const PublishedFile trial(path_in(out));
     return;
   }
@@ -94,6 +115,7 @@ void check_run(const std::string& out, const BatchRun& run) {
     bad_input(path_in(out) + ": there are " + (there.views.empty() ? "scenes" : "pictures") +
               " in this folder; accepted: another --out");
   Json ours = json_of(run), theirs = json_of(there);
+  for (Json* const json : {&ours, &theirs}) json->erase("sha256");
   ours["with_contacts"] = run.with_contacts, theirs["with_contacts"] = there.with_contacts;
   ours["with_opengl"] = run.with_opengl, theirs["with_opengl"] = there.with_opengl;
   for (const auto& [key, value] : ours.items())

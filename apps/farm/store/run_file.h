@@ -9,8 +9,13 @@
 
 namespace trivet::farm {
 
+/// Of run.json and of what units say of it: 1 had no hash of itself, and units named no batch. Such
+/// folders are read, not continued.
+inline constexpr int kRunVersion = 2;
+
 /// All that the bytes of a batch depend on.
 struct BatchRun {
+  int file_version = kRunVersion;
   std::string recipe;  // canonical, with the stored paths of its models
   std::uint64_t seed = 0, count = 0, per_unit = 1000;
   UnitFormat format = UnitFormat::Tar;
@@ -20,6 +25,10 @@ struct BatchRun {
   std::string views, scenes_sha256;  // JSON, see farm/recipe/views.h; of that batch's run.json
   bool with_opengl = false;          // pictures by OpenGL, not by rays
 
+  /// What its units name: SHA-256 of all that a scene depends on, hence not of count, per_unit and
+  /// format. Empty for file_version 1.
+  std::string id() const;
+
   std::uint64_t num_units() const { return (count + per_unit - 1) / per_unit; }
   std::uint64_t first_scene(std::uint64_t unit) const { return unit * per_unit; }
   std::uint64_t end_scene(std::uint64_t unit) const {
@@ -27,8 +36,10 @@ struct BatchRun {
   }
 };
 
-/// Text of run.json.
+/// Text of run.json, with the SHA-256 of its contents.
 std::string run_json(const BatchRun& run);
+
+bool has_run(const std::string& out);
 
 /// @throws Error (BadInput) when the folder has none, or it is not as run_json() writes it.
 BatchRun read_run(const std::string& out);

@@ -47,11 +47,15 @@ void Manifest::add(const Json& scene, const std::vector<Member>& members) {
   ++m_num_scenes;
 }
 
-std::string Manifest::finished(std::uint64_t unit) const {
-  return m_lines + json_line({{"end", true},
-                              {"unit", unit},
-                              {"scenes", m_num_scenes},
-                              {"sha256", sha256_hex(m_lines)}});
+std::string manifest_end(std::uint64_t unit, const std::string& batch, std::uint64_t num_scenes,
+                         const std::string& sha256) {
+  Json end = {{"end", true}, {"unit", unit}, {"scenes", num_scenes}, {"sha256", sha256}};
+  if (!batch.empty()) end["batch"] = batch;
+  return json_line(end);
+}
+
+std::string Manifest::finished(std::uint64_t unit, const std::string& batch) const {
+  return m_lines + manifest_end(unit, batch, m_num_scenes, sha256_hex(m_lines));
 }
 
 struct UnitWriter::Output {
@@ -62,8 +66,9 @@ struct UnitWriter::Output {
   std::uint64_t num_scenes = 0;
 };
 
-UnitWriter::UnitWriter(const std::string& out, std::uint64_t unit, UnitFormat format)
-    : m_unit(unit), m_format(format), m_output(std::make_unique<Output>()) {
+UnitWriter::UnitWriter(const std::string& out, std::uint64_t unit, UnitFormat format,
+                       const std::string& batch)
+    : m_unit(unit), m_format(format), m_batch(batch), m_output(std::make_unique<Output>()) {
   const std::string path = (fs::path(out) / unit_name(unit, format)).string();
   if (format == UnitFormat::Dir) {
     make_folders(fs::path(path).parent_path().string());
@@ -96,13 +101,11 @@ void UnitWriter::add(const SceneMembers& scene) {
 
 bool UnitWriter::publish() {
   if (m_format == UnitFormat::Poses) {
-    m_output->file->write(json_line({{"end", true},
-                                     {"unit", m_unit},
-                                     {"scenes", m_output->num_scenes},
-                                     {"sha256", hex(m_output->lines.digest())}}));
+    m_output->file->write(
+        manifest_end(m_unit, m_batch, m_output->num_scenes, hex(m_output->lines.digest())));
     return m_output->file->publish();
   }
-  const std::string manifest = m_manifest.finished(m_unit);
+  const std::string manifest = m_manifest.finished(m_unit, m_batch);
   if (m_output->folder) {
     m_output->folder->add("manifest.jsonl", manifest);
     return m_output->folder->publish();

@@ -37,13 +37,18 @@ std::string member_name(std::uint64_t k, const std::string& extension);
 /// 0012/scenes-012345.tar: a thousand units to a folder.
 std::string unit_name(std::uint64_t unit, UnitFormat format);
 
-/// Lines of a manifest: a row per scene, with the SHA-256 of its members, and an end with the
-/// number of scenes and the SHA-256 of all lines before it.
+/// Last line of a manifest, or of a unit of poses.
+/// @param batch  BatchRun::id(); empty: it names none.
+/// @param sha256  of all lines before it.
+std::string manifest_end(std::uint64_t unit, const std::string& batch, std::uint64_t num_scenes,
+                         const std::string& sha256);
+
+/// Lines of a manifest: a row per scene, with the SHA-256 of its members, and an end.
 class Manifest {
  public:
   void add(const Json& scene, const std::vector<Member>& members);
-  /// @param unit  its number.
-  std::string finished(std::uint64_t unit) const;
+  /// With its end, see manifest_end().
+  std::string finished(std::uint64_t unit, const std::string& batch) const;
 
  private:
   std::string m_lines;
@@ -53,8 +58,10 @@ class Manifest {
 /// Writes a unit, scene after scene. Nothing is left of one that is not published, see publish.h.
 class UnitWriter {
  public:
+  /// @param batch  see manifest_end().
   /// @throws Error (Environment), as all functions here.
-  UnitWriter(const std::string& out, std::uint64_t unit, UnitFormat format);
+  UnitWriter(const std::string& out, std::uint64_t unit, UnitFormat format,
+             const std::string& batch);
   ~UnitWriter();
   UnitWriter(const UnitWriter&) = delete;
   UnitWriter& operator=(const UnitWriter&) = delete;
@@ -67,6 +74,7 @@ class UnitWriter {
   struct Output;
   std::uint64_t m_unit;
   UnitFormat m_format;
+  std::string m_batch;
   Manifest m_manifest;
   std::unique_ptr<Output> m_output;
 };
@@ -74,16 +82,16 @@ class UnitWriter {
 bool unit_exists(const std::string& out, std::uint64_t unit, UnitFormat format);
 
 /// Calls visit(row) for the scenes of a unit that is there: rows as of manifest_row().
-/// @throws Error (BadInput) when there is no whole manifest.
-void visit_rows(const std::string& out, std::uint64_t unit, UnitFormat format,
-                const std::function<void(const Json& row)>& visit);
+/// @throws Error (BadInput) when there is no whole manifest, or it is that of another unit or batch.
+void visit_rows(const std::string& out, std::uint64_t number, UnitFormat format,
+                const std::string& batch, const std::function<void(const Json& row)>& visit);
 
-/// "" if all bytes of the unit are those that its scenes' JSON gives again: manifest, container and
-/// the SHA-256 of every member; else what differs.
+/// "" if all bytes of the unit are those that its scenes' JSON gives again in this batch: manifest,
+/// container and the SHA-256 of every member; else what differs.
 /// @param visit  called with each scene and all its members, its JSON first; may be empty.
 using SceneVisitor = std::function<void(const Json& scene, const std::vector<Member>& members)>;
-std::string check_unit(const std::string& out, std::uint64_t unit, UnitFormat format,
-                       const SceneVisitor& visit);
+std::string check_unit(const std::string& out, std::uint64_t number, UnitFormat format,
+                       const std::string& batch, const SceneVisitor& visit);
 
 /// Reads scenes one by one; a unit is gone through once while they ascend.
 class SceneReader {

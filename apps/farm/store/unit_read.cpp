@@ -58,13 +58,34 @@ std::vector<std::string> lines_of(const std::string& text, const std::string& wh
   return out;
 }
 
+/// The unit that a file is expected to be.
+struct UnitName {
+  fs::path path;
+  std::uint64_t number;
+  const std::string& batch;
+};
+
+void check_end(const Json& end, size_t num_rows, const UnitName& unit) {
+  const std::string where = unit.path.string();
+  if (end.value("scenes", size_t{0}) != num_rows || !end.contains("end"))
+    bad_file(where, "is damaged: the end of its manifest is missing");
+  if (end.value("batch", "") != unit.batch)
+    bad_file(where, "is a unit of another batch than run.json says");
+  if (end.value("unit", ~std::uint64_t{0}) != unit.number)
+    bad_file(where, "is another unit of the batch");
+}
+
 /// Lines without the end, which has to fit.
-std::vector<Json> rows_of(const std::string& text, const std::string& where) {
+std::vector<Json> rows_of(const std::string& text, const UnitName& unit) {
+  const std::string where = unit.path.string();
   std::vector<std::string> lines = lines_of(text, where);
   const Json end = parsed(lines.back(), where);
   lines.pop_back();
-  if (end.value("scenes", size_t{0}) != lines.size() || !end.contains("end"))
-    bad_file(where, "is damaged: the end of its manifest is missing");
+  try {
+    check_end(end, lines.size(), unit);
+  } catch (const nlohmann::json::exception&) {
+    bad_file(where, "is damaged: the end of its manifest is no such line");
+  }
   std::vector<Json> out;
   out.reserve(lines.size());
   for (const std::string& line : lines) out.push_back(parsed(line, where));
@@ -92,14 +113,17 @@ class Checker {
     m_members.push_back({name, std::move(bytes)});
   }
 
-  std::string finding(const fs::path& path, std::uint64_t unit) {
-    if (m_manifest != m_expected.finished(unit))
-      return path.string() + ": the manifest is not that of the scenes";
+  std::string finding(const UnitName& unit) {
+    const std::string path = unit.path.string();
+    if (m_manifest != m_expected.finished(unit.number, unit.batch)) {
+      rows_of(m_manifest, unit);  // throws where it is of another unit or batch
+      return path + ": the manifest is not that of the scenes";
+    }
     if (m_format != UnitFormat::Tar) return "";
     m_tar.finish();
-    return hex(m_again.digest()) == sha256_hex(file_bytes(path))
+    return hex(m_again.digest()) == sha256_hex(file_bytes(unit.path))
                ? ""
-               : path.string() + ": the tar has other bytes than its members give";
+               : path + ": the tar has other bytes than its members give";
   }
 
  private:
@@ -119,16 +143,13 @@ class Checker {
   std::string m_manifest;
 };
 
-std::string check_poses(const fs::path& path, std::uint64_t unit, const SceneVisitor& visit) {
-  const std::string text = file_bytes(path);
-  const std::vector<Json> scenes = rows_of(text, path.string());
-  const std::string end = lines_of(text, path.string()).back();
-  const Json expected = {
-      {"end", true},
-      {"unit", unit},
-      {"scenes", scenes.size()},
-      {"sha256", sha256_hex(std::string_view(text).substr(0, text.size() - end.size()))}};
-  if (end != json_line(expected)) return path.string() + ": has other bytes than its end says";
+std::string check_poses(const UnitName& unit, const SceneVisitor& visit) {
+  const std::string text = file_bytes(unit.path);
+  const std::vector<Json> scenes = rows_of(text, unit);
+  const std::string end = lines_of(text, unit.path.string()).back();
+  const std::string_view rows = std::string_view(text).substr(0, text.size() - end.size());
+  if (end != manifest_end(unit.number, unit.batch, scenes.size(), sha256_hex(rows)))
+    return unit.path.string() + ": has other bytes than its end says";
   if (visit)
     for (const Json& scene : scenes) visit(scene, {{"", json_line(scene)}});
   return "";
@@ -136,35 +157,35 @@ std::string check_poses(const fs::path& path, std::uint64_t unit, const SceneVis
 
 }  // namespace
 
-void visit_rows(const std::string& out, std::uint64_t unit, UnitFormat format,
-                const std::function<void(const Json& row)>& visit) {
-  const fs::path path = fs::path(out) / unit_name(unit, format);
+void visit_rows(const std::string& out, std::uint64_t number, UnitFormat format,
+                const std::string& batch, const std::function<void(const Json& row)>& visit) {
+  const UnitName unit{fs::path(out) / unit_name(number, format), number, batch};
   if (format == UnitFormat::Poses) {
-    for (const Json& scene : rows_of(file_bytes(path), path.string())) visit(manifest_row(scene));
+    for (const Json& scene : rows_of(file_bytes(unit.path), unit)) visit(manifest_row(scene));
     return;
   }
   std::string manifest;
   if (format == UnitFormat::Dir)
-    manifest = file_bytes(path / kManifest);
+    manifest = file_bytes(unit.path / kManifest);
   else
-    visit_tar(path.string(), [&](const std::string& name, const auto& read) {
+    visit_tar(unit.path.string(), [&](const std::string& name, const auto& read) {
       if (name == kManifest) manifest = read();
     });
-  for (const Json& row : rows_of(manifest, path.string())) visit(row);
+  for (const Json& row : rows_of(manifest, unit)) visit(row);
 }
 
-std::string check_unit(const std::string& out, std::uint64_t unit, UnitFormat format,
-                       const SceneVisitor& visit) {
-  const fs::path path = fs::path(out) / unit_name(unit, format);
+std::string check_unit(const std::string& out, std::uint64_t number, UnitFormat format,
+                       const std::string& batch, const SceneVisitor& visit) {
+  const UnitName unit{fs::path(out) / unit_name(number, format), number, batch};
   try {
-    if (format == UnitFormat::Poses) return check_poses(path, unit, visit);
+    if (format == UnitFormat::Poses) return check_poses(unit, visit);
     Checker checker(format);
-    visit_members(path, format, [&](const std::string& name, const auto& read) {
+    visit_members(unit.path, format, [&](const std::string& name, const auto& read) {
       checker.add(name, read(), visit);
     });
-    return checker.finding(path, unit);
+    return checker.finding(unit);
   } catch (const nlohmann::json::exception&) {
-    return path.string() + ": a scene is damaged";
+    return unit.path.string() + ": a scene is damaged";
   } catch (const Error& e) {
     return e.what();
   }

@@ -18,6 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+const std::string kBatch(64, 'a');
 constexpr UnitFormat kFormats[] = {UnitFormat::Tar, UnitFormat::Dir, UnitFormat::Poses};
 
 struct TemporaryFolder : test::TemporaryFolder {
@@ -44,7 +45,7 @@ Json scene(std::uint64_t k) {
 }
 
 bool write_unit(const std::string& out, UnitFormat format, bool more) {
-  UnitWriter writer(out, 1, format);
+  UnitWriter writer(out, 1, format, kBatch);
   for (std::uint64_t k = 4; k < 8; ++k) {
     SceneMembers members{scene(k), {}};
     if (more && format != UnitFormat::Poses)
@@ -73,7 +74,7 @@ TEST(Unit, IsTheSameBytesAndTheFirstWins) {
     for (size_t i = 0; i < of_a.size(); ++i) EXPECT_EQ(bytes_of(of_a[i]), bytes_of(of_b[i]));
     EXPECT_FALSE(write_unit(a.path(), format, false)) << "the second is dropped";
     EXPECT_EQ(files_of(a.path()), of_a) << "and leaves nothing";
-    EXPECT_EQ(check_unit(a.path(), 1, format, {}), "");
+    EXPECT_EQ(check_unit(a.path(), 1, format, kBatch, {}), "");
   }
 }
 
@@ -82,7 +83,7 @@ TEST(Unit, IsReadBack) {
     const TemporaryFolder out;
     ASSERT_TRUE(write_unit(out.path(), format, true));
     std::vector<Json> rows;
-    visit_rows(out.path(), 1, format, [&](const Json& row) { rows.push_back(row); });
+    visit_rows(out.path(), 1, format, kBatch, [&](const Json& row) { rows.push_back(row); });
     ASSERT_EQ(rows.size(), 4u);
     EXPECT_EQ(rows[2].at("k"), 6);
     EXPECT_EQ(rows[2].at("objects"), 1);
@@ -93,6 +94,31 @@ TEST(Unit, IsReadBack) {
     EXPECT_THROW(reader.read(1, 3), Error);
     EXPECT_EQ(json_line(reader.read(1, 6)), json_line(scene(6))) << "after an error";
     EXPECT_THROW(reader.read(2, 8), Error) << "no such unit";
+  }
+}
+
+TEST(Unit, OfAnotherBatchOrNumberIsFound) {
+  for (const UnitFormat format : kFormats) {
+    const TemporaryFolder out;
+    ASSERT_TRUE(write_unit(out.path(), format, true));
+    const auto read = [&](std::uint64_t unit, const std::string& batch) -> std::string {
+      const std::string finding = check_unit(out.path(), unit, format, batch, {});
+      try {
+        visit_rows(out.path(), unit, format, batch, [](const Json&) {});
+      } catch (const Error& e) {
+        EXPECT_EQ(finding, e.what());
+        return finding;
+      }
+      EXPECT_EQ(finding, "");
+      return "";
+    };
+    EXPECT_EQ(read(1, kBatch), "");
+    const std::string of_another = "is a unit of another batch than run.json says";
+    EXPECT_NE(read(1, std::string(64, 'b')).find(of_another), std::string::npos);
+    EXPECT_NE(read(1, "").find(of_another), std::string::npos);
+    const fs::path folder(out.path());
+    fs::rename(folder / unit_name(1, format), folder / unit_name(2, format));
+    EXPECT_NE(read(2, kBatch).find("is another unit of the batch"), std::string::npos);
   }
 }
 
@@ -110,7 +136,7 @@ TEST(SceneReader, ReadsAUnitOnce) {
   for (const UnitFormat format : kFormats) {
     const TemporaryFolder out;
     {
-      UnitWriter writer(out.path(), 0, format);
+      UnitWriter writer(out.path(), 0, format, kBatch);
       for (std::uint64_t k = 0; k < kCount; ++k) {
         Json large = scene(k);
         large["reason"] = std::string(10'000, 'x');
@@ -138,15 +164,15 @@ TEST(Unit, DetectsEveryFlippedBit) {
         std::string bad = good;
         bad[i] = static_cast<char>(bad[i] ^ (1 << (bit++ * 5 % 8)));
         write(file, bad);
-        ASSERT_NE(check_unit(out.path(), 1, format, {}), "") << file << " byte " << i;
+        ASSERT_NE(check_unit(out.path(), 1, format, kBatch, {}), "") << file << " byte " << i;
       }
       write(file, good.substr(0, good.size() / 2));
-      EXPECT_NE(check_unit(out.path(), 1, format, {}), "") << "truncated";
+      EXPECT_NE(check_unit(out.path(), 1, format, kBatch, {}), "") << "truncated";
       write(file, good + '\0');
-      EXPECT_NE(check_unit(out.path(), 1, format, {}), "") << "longer";
+      EXPECT_NE(check_unit(out.path(), 1, format, kBatch, {}), "") << "longer";
       write(file, good);
     }
-    EXPECT_EQ(check_unit(out.path(), 1, format, {}), "");
+    EXPECT_EQ(check_unit(out.path(), 1, format, kBatch, {}), "");
   }
 }
 
@@ -160,6 +186,36 @@ TEST(PublishedFile, VanishesUnlessPublished) {
     EXPECT_FALSE(fs::exists(path));
   }
   EXPECT_TRUE(files_of(out.path()).empty());
+}
+
+TEST(PublishedFile, IsKnownWhileItIsWritten) {
+  const TemporaryFolder out;
+  std::string left;
+  const auto temporary = [&] {
+    for (const auto& entry : fs::directory_iterator(out.path()))
+      if (is_temporary(entry.path().filename().string())) return entry.path().string();
+    return std::string();
+  };
+  {
+    const PublishedFile file(out.file("file"));
+    left = temporary();
+    EXPECT_TRUE(is_being_written(left));
+  }
+  EXPECT_FALSE(is_being_written(left)) << "gone";
+  write(left, "half");
+  EXPECT_FALSE(is_being_written(left)) << "left by a process that was killed";
+  fs::remove(left);
+  const PublishedFolder folder(out.file("folder"));
+  EXPECT_TRUE(is_being_written(temporary()));
+}
+
+TEST(TimeIn, IsThatOfTheFileSystem) {
+  const TemporaryFolder out;
+  const auto before = time_in(out.path());
+  write(out.file("a"), "a");
+  EXPECT_LE(before, fs::last_write_time(out.file("a")));
+  EXPECT_LE(fs::last_write_time(out.file("a")), time_in(out.path()));
+  EXPECT_EQ(files_of(out.path()).size(), 1u);
 }
 
 TEST(ModelStore, KeepsWhatAModelRefersTo) {
@@ -186,12 +242,17 @@ TEST(ModelStore, KeepsWhatAModelRefersTo) {
   EXPECT_THROW(batch_model((folder / "none.obj").string()), Error);
 }
 
-TEST(RunFile, RefusesAnotherRun) {
-  const TemporaryFolder out;
+BatchRun small_run() {
   BatchRun run;
-  run.recipe = R"({"objects":[],"trivet_recipe":1})";
+  run.recipe = R"({"mass":1e-05,"objects":[],"trivet_recipe":1})";
   run.count = 10;
   run.version = "1";
+  return run;
+}
+
+TEST(RunFile, RefusesAnotherRun) {
+  const TemporaryFolder out;
+  const BatchRun run = small_run();
   claim_run(out.path(), run);
   claim_run(out.path(), run);
   EXPECT_EQ(run_json(read_run(out.path())), run_json(run));
@@ -212,8 +273,52 @@ TEST(RunFile, RefusesAnotherRun) {
   EXPECT_TRUE(refused([](BatchRun& r) { r.recipe = R"({"trivet_recipe":1})"; }, "recipe"));
   EXPECT_TRUE(refused([](BatchRun& r) { r.format = UnitFormat::Dir; }, "format"));
   EXPECT_FALSE(refused([](BatchRun&) {}, ""));
-  write(fs::path(out.path()) / "run.json", run_json(run).replace(20, 1, "x"));
-  EXPECT_THROW(read_run(out.path()), Error);
+}
+
+TEST(RunFile, DetectsEveryFlippedBit) {
+  const TemporaryFolder out;
+  const BatchRun run = small_run();
+  const std::string good = run_json(run);
+  for (size_t i = 0; i < 8 * good.size(); ++i) {
+    std::string bad = good;
+    bad[i / 8] = static_cast<char>(bad[i / 8] ^ (1 << i % 8));
+    write(out.file("run.json"), bad);
+    ASSERT_THROW(read_run(out.path()), Error) << bad;
+    ASSERT_THROW(check_run(out.path(), run), Error) << bad;
+  }
+  write(out.file("run.json"), good);
+  EXPECT_NO_THROW(check_run(out.path(), run));
+}
+
+TEST(RunFile, NamesWhatScenesDependOn) {
+  const BatchRun run = small_run();
+  BatchRun other = run;
+  other.count = 20, other.per_unit = 5, other.format = UnitFormat::Dir;
+  EXPECT_EQ(other.id(), run.id());
+  other.seed = 1;
+  EXPECT_NE(other.id(), run.id());
+  other = run, other.version = "2";
+  EXPECT_NE(other.id(), run.id());
+  other = run, other.recipe = R"({"trivet_recipe":1})";
+  EXPECT_NE(other.id(), run.id());
+  other = run, other.views = "{}", other.scenes_sha256 = "a";
+  EXPECT_NE(other.id(), run.id());
+}
+
+TEST(RunFile, OfVersion1IsReadNotContinued) {
+  const TemporaryFolder out;
+  BatchRun old = small_run();
+  old.file_version = 1;
+  EXPECT_EQ(run_json(old).find("\"sha256\""), std::string::npos);
+  write(out.file("run.json"), run_json(old));
+  EXPECT_EQ(read_run(out.path()).id(), "");
+  EXPECT_EQ(run_json(read_run(out.path())), run_json(old));
+  try {
+    check_run(out.path(), small_run());
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_NE(std::string(e.what()).find("trivet_batch is 1, here 2"), std::string::npos);
+  }
 }
 
 }  // namespace
