@@ -25,6 +25,7 @@ struct BatchArguments {
   BatchRun run;
   BatchOptions options;
   bool dry_run = false;
+  const CLI::App* verb = nullptr;
 };
 
 UnitFormat format_from_name(const std::string& name) {
@@ -97,7 +98,7 @@ int print_only(const BatchArguments& arguments, const Work& work) {
 int make_batch(const BatchArguments& arguments, BatchRun run, const PreparedRecipe& prepared,
                const CommonOptions& common) {
   BatchOptions options = arguments.options;
-  const StopSignals from_here;  // a process that is stopped before its first scene comes again, too
+  const StopSignals from_here;  // also before the first scene
   check_run(options.out, run);
   options.log = [&common](const std::string& line) {
     if (!common.quiet) std::cerr << line << "\n";
@@ -110,14 +111,34 @@ int make_batch(const BatchArguments& arguments, BatchRun run, const PreparedReci
   return print_totals(run_batch(run, work, options), options, common);
 }
 
+BatchJob job_of(const BatchArguments& a) {
+  const std::set<std::string> elsewhere = {"--count", "--seed",  "--per-tar", "--out",
+                                           "--jobs",  "--shard", "--template"};
+  BatchJob job;
+  job.recipe = a.recipe;
+  job.count = a.run.count, job.seed = a.run.seed, job.per_unit = a.run.per_unit;
+  if (!a.options.out.empty()) job.out = a.options.out;
+  job.jobs = std::max(1, a.options.jobs);
+  if (const auto shards = shards_from_environment(process_environment())) job.shards = *shards;
+  for (const CLI::Option* const option : a.verb->get_options()) {
+    const std::string name = option->get_name();
+    if (option->count() == 0 || option->get_lnames().empty() || elsewhere.count(name) != 0)
+      continue;
+    job.more.push_back(name);
+    if (option->get_items_expected_max() > 0)
+      job.more.push_back(CLI::detail::join(option->results(), ","));
+  }
+  return job;
+}
+
 int batch(const BatchArguments& given, const CommonOptions& common) {
   BatchArguments arguments = given;
   check_arguments(arguments);
   if (!arguments.engine.empty()) {
-    std::cout << engine_template(arguments.engine, arguments.recipe, arguments.run.count,
-                                 arguments.run.seed, arguments.run.per_unit);
+    std::cout << engine_template(arguments.engine, job_of(arguments));
     return 0;
   }
+  come_again_when_stopped();
   arguments.options.shard = arguments.shard.empty() ? shard_from_environment(process_environment())
                                                     : shard_from_text(arguments.shard);
   arguments.options.jobs = num_jobs(arguments.options.jobs, common);
@@ -162,7 +183,10 @@ void add_batch_options(CLI::App& verb, BatchArguments& a) {
       ->delimiter(',');
   add_worker_options(verb, a.options.jobs, a.options.limits);
   verb.add_flag("--dry-run", a.dry_run, "Print what there is to do");
-  verb.add_option("--template", a.engine, "Print a job file for an engine")
+  verb.add_option(
+          "--template", a.engine,
+          "Print a job file for an engine, with the other options; TRIVET_SHARDS says how many "
+          "shards")
       ->check(one_of({"slurm", "kubernetes", "aws-batch", "parallel"}));
 }
 
@@ -191,9 +215,9 @@ int print_totals(const BatchTotals& totals, const BatchOptions& options,
               << (totals.failed_before > 0
                       ? ", " + std::to_string(totals.failed_before) + " without, as they had failed"
                       : "")
-              << (totals.dropped > 0 ? "; units made twice and dropped: " +
-                                           std::to_string(totals.dropped)
-                                     : "")
+              << (totals.dropped > 0
+                      ? "; units made twice and dropped: " + std::to_string(totals.dropped)
+                      : "")
               << (totals.waiting > 0
                       ? "; units whose scenes are not there yet: " + std::to_string(totals.waiting)
                       : "")
@@ -228,6 +252,7 @@ Verb add_batch(CLI::App& app, const CommonOptions& common) {
   CLI::App* const verb =
       app.add_subcommand("batch", "Make random scenes by a recipe, one machine or many");
   const auto arguments = std::make_shared<BatchArguments>();
+  arguments->verb = verb;
   add_batch_options(*verb, *arguments);
   std::vector<Verb> audits = add_batch_audits(*verb, common);
   audits.push_back(add_batch_pictures(*verb, common));

@@ -24,6 +24,7 @@ struct PictureArguments {
 };
 
 int make(const PictureArguments& arguments, const CommonOptions& common) {
+  come_again_when_stopped();
   const std::string views =
       arguments.views.empty()
           ? ""

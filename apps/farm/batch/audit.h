@@ -13,7 +13,7 @@ struct BatchStatus {
   BatchRun run;
   std::uint64_t units_there = 0, ok = 0, refused = 0, failed = 0;
   static constexpr size_t kMostMissing = 100;
-  std::vector<std::uint64_t> first_missing;  // units, of all that are missing
+  std::vector<std::uint64_t> first_missing;      // units, of all that are missing
   std::map<std::string, std::uint64_t> reasons;  // of scenes that are not ok
   std::optional<double> scenes_per_second;       // of all processes, by the times of the units
   size_t num_temporaries = 0;                    // being written, or left by a killed process

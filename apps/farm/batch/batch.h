@@ -12,9 +12,6 @@
 
 namespace trivet::farm {
 
-/// Exit status of a process that was told to stop: run it again (sysexits.h).
-inline constexpr int kComeAgain = 75;
-
 /// A recipe with its models, as a batch uses it.
 struct PreparedRecipe {
   Recipe recipe;          // models by their stored paths
@@ -45,9 +42,9 @@ struct BatchOptions {
 };
 
 struct BatchTotals {
-  std::uint64_t units = 0, there_before = 0;  // of the shard
-  std::uint64_t by_others = 0, dropped = 0;   // made by others meanwhile; of these here, too
-  std::uint64_t ok = 0, refused = 0, failed = 0;           // scenes of the shard's units
+  std::uint64_t units = 0, there_before = 0;      // of the shard
+  std::uint64_t by_others = 0, dropped = 0;       // made by others meanwhile; of these here, too
+  std::uint64_t ok = 0, refused = 0, failed = 0;  // scenes of the shard's units
   std::uint64_t failed_before = 0;  // scenes without pictures, as they had failed themselves
   std::uint64_t waiting = 0;        // units that were not ready
   bool stopped = false;             // by a signal

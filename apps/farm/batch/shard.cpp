@@ -43,8 +43,7 @@ std::uint64_t number_of_variable(const char* name, const std::string& text) {
 }
 
 std::uint64_t count_of(const Engine& engine, const Environment& environment) {
-  if (const auto shards = environment("TRIVET_SHARDS"))
-    return number_of_variable("TRIVET_SHARDS", *shards);
+  if (const auto shards = shards_from_environment(environment)) return *shards;
   if (engine.count)
     if (const auto count = environment(engine.count))
       if (*count != "undefined") return number_of_variable(engine.count, *count);
@@ -80,6 +79,12 @@ Environment process_environment() {
     const char* const value = std::getenv(name);
     return value ? std::optional<std::string>(value) : std::nullopt;
   };
+}
+
+std::optional<std::uint64_t> shards_from_environment(const Environment& environment) {
+  const auto shards = environment("TRIVET_SHARDS");
+  if (!shards) return std::nullopt;
+  return number_of_variable("TRIVET_SHARDS", *shards);
 }
 
 Shard shard_from_environment(const Environment& environment) {

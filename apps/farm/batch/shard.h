@@ -20,6 +20,9 @@ Shard shard_from_text(const std::string& text);
 using Environment = std::function<std::optional<std::string>(const char* name)>;
 Environment process_environment();
 
+/// TRIVET_SHARDS. @throws Error (BadInput) when it is no number.
+std::optional<std::uint64_t> shards_from_environment(const Environment& environment);
+
 /// From the variables of Slurm, Kubernetes, AWS Batch, Google Batch and Cloud Run, GNU parallel,
 /// Grid Engine, LSF, PBS and Open MPI; all of it where there are none. TRIVET_SHARDS says how many
 /// where the engine does not, and before it where it does.

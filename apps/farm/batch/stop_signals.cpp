@@ -5,6 +5,13 @@
 
 namespace trivet::farm {
 
+void come_again_when_stopped() {
+  struct sigaction action {};
+  action.sa_handler = [](int) { _exit(kComeAgain); };
+  sigaction(SIGTERM, &action, nullptr);
+  sigaction(SIGINT, &action, nullptr);
+}
+
 StopSignals::StopSignals() {
   sigset_t set;
   sigemptyset(&set);

@@ -9,6 +9,13 @@
 
 namespace trivet::farm {
 
+/// Exit status of a process that was told to stop: run it again (sysexits.h).
+inline constexpr int kComeAgain = 75;
+
+/// From here on SIGTERM and SIGINT end the process with kComeAgain, but where StopSignals takes
+/// them: for what comes before a batch, such as reading the bytes of its models.
+void come_again_when_stopped();
+
 /// Blocks SIGTERM and SIGINT, and takes them here; as before when it is destroyed. What began
 /// before the first goes on for kSecondsToFinish, after the second for none. They may be nested:
 /// one that nobody has read yet comes to the inner one.

@@ -110,8 +110,9 @@ NodeCheck check_writing(const std::string& out) {
   fs::remove(probe, ignored);
   if (failed)
     return {"writing", Verdict::Note,
-            out + " has no hard links: units are published by renaming, the first of two counts "
-                  "where the file system can rename without replacing"};
+            out +
+                " has no hard links: units are published by renaming, the first of two counts "
+                "where the file system can rename without replacing"};
   return {"writing", Verdict::Ok, out + ": files are whole or not there, the first of two counts"};
 }
 

@@ -125,8 +125,7 @@ bool is_being_written(const std::string& temporary) {
   // NFS asks for a file that is open for writing; folders cannot be.
   Descriptor file(open(temporary.c_str(), O_RDWR | O_CLOEXEC));
   if (file.number() < 0) file = Descriptor(open(temporary.c_str(), O_RDONLY | O_CLOEXEC));
-  return file.number() >= 0 && flock(file.number(), LOCK_EX | LOCK_NB) != 0 &&
-         errno == EWOULDBLOCK;
+  return file.number() >= 0 && flock(file.number(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
 }
 
 fs::file_time_type time_in(const std::string& folder) {

@@ -82,7 +82,8 @@ class UnitWriter {
 bool unit_exists(const std::string& out, std::uint64_t unit, UnitFormat format);
 
 /// Calls visit(row) for the scenes of a unit that is there: rows as of manifest_row().
-/// @throws Error (BadInput) when there is no whole manifest, or it is that of another unit or batch.
+/// @throws Error (BadInput) when there is no whole manifest, or it is that of another unit or
+/// batch.
 void visit_rows(const std::string& out, std::uint64_t number, UnitFormat format,
                 const std::string& batch, const std::function<void(const Json& row)>& visit);
 
