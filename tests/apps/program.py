@@ -88,6 +88,12 @@ class Case(unittest.TestCase):
         self.assertEqual({name: self.read(name) for name in self.files()}, before)
         return err
 
+    def importer(self, script):
+        """Variables by which a script of the shell takes the importer's place."""
+        self.write("importer", "#!/bin/sh\n" + script + "\n")
+        os.chmod(self.path("importer"), 0o755)
+        return {"TRIVET_IMPORTER": self.path("importer")}
+
     def layout(self, objects, operations=(), name="layout.json", **more):
         """Writes a layout and returns its name."""
         return self.write(name, json.dumps({"trivet": 1, **more, "objects": objects,

@@ -5,7 +5,7 @@ import json
 import os
 import random
 import resource
-import shutil
+import shlex
 import signal
 import subprocess
 import tarfile
@@ -54,9 +54,10 @@ class BatchCase(Case):
         return self.trivet("batch", recipe, "--count", count, "--per-tar", 5, "--out", out, "--quiet",
                            *more, status=status, env=env)
 
-    def start(self, out, *more, count=40, per_tar=5):
+    def start(self, out, *more, count=40, per_tar=5, env=None, stdout=subprocess.DEVNULL):
         return subprocess.Popen([PROGRAM, "batch", "recipe.json", "--count", str(count), "--per-tar", str(per_tar),
-                                 "--out", out, "--quiet", *more], cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+                                 "--out", out, "--quiet", *more], cwd=self.folder, stdout=stdout, stderr=subprocess.DEVNULL,
+                                env={**os.environ, **(env or {})})
 
     def workers_of(self, batch):
         """Ids of the processes that make its scenes."""
@@ -77,6 +78,23 @@ class BatchCase(Case):
 
     def temporaries(self, out):
         return [name for name in self.files() if name.startswith(out + os.sep) and "/." in name]
+
+    def units(self, out):
+        return glob.glob(self.path(out + "/0000/scenes-*.tar"))
+
+    def merged(self, out):
+        """Rows of its manifest."""
+        self.trivet("batch", "merge", out, "-o", out + ".jsonl")
+        return [json.loads(line) for line in self.read(out + ".jsonl").splitlines()]
+
+    def wait_until(self, condition, *processes, seconds=60):
+        """That these processes do not outlive it."""
+        deadline = time.monotonic() + seconds
+        while not condition():
+            for process in processes:
+                self.assertIsNone(process.poll(), "it ended too soon")
+            self.assertLess(time.monotonic(), deadline)
+            time.sleep(0.002)
 
     def assert_no_process_left(self):
         """Of any process that works in this folder."""
@@ -116,36 +134,37 @@ class Bytes(BatchCase):
         self.assertEqual(self.trivet("batch", "status", "moved")[0].split("\n")[0],
                          "units: 8 of 8; scenes: 40 of 40: 40 ok, 0 refused, 0 failed")
 
-    def units(self, out):
-        return glob.glob(self.path(out + "/0000/scenes-*.tar"))
-
-    def kill_after(self, process, new_units, delay):
-        """Kills a batch that goes on in "killed", when it has so many more units and a moment more has passed."""
-        wanted = len(self.units("killed")) + new_units
-        while len(self.units("killed")) < wanted:
-            self.assertIsNone(process.poll())
-            time.sleep(0.002)
-        time.sleep(delay)
-        process.kill()
-        self.assertEqual(process.wait(), -signal.SIGKILL)
-        self.assert_no_process_left()
-
     def test_kill_at_random_moments_changes_nothing(self):
-        count = 600  # of which four kills leave most to do
+        """Three shards at once, in a folder that is never emptied: 50 kills with TRIVET_TEST_EFFORT=1."""
+        kills = max(3, round(50 * EFFORT))
+        count = 60 * kills  # of which the kills leave a part to do
         self.batch("one", count=count)
         generator = random.Random(1)
-        for kill in range(int(8 * EFFORT) or 1):
-            if kill % 4 == 0:
-                shutil.rmtree(self.path("killed"), ignore_errors=True)
-            process = self.start("killed", "--jobs", "2", count=count)
-            self.kill_after(process, generator.randrange(6), generator.uniform(0, 0.02))
-        self.batch("killed", count=count)
+        num_killed = num_units = 0
+        while num_killed < kills:
+            shards = [self.start("killed", "--shard", "%d/3" % i, "--jobs", "1", count=count) for i in range(3)]
+            wanted = len(self.units("killed")) + generator.randrange(6)
+            self.wait_until(lambda: len(self.units("killed")) >= wanted, *shards)
+            generator.shuffle(shards)
+            for process in shards:
+                time.sleep(generator.uniform(0, 0.02))
+                process.kill()
+                num_killed += process.wait() == -signal.SIGKILL
+            self.assert_no_process_left()
+            num_units = len(self.units("killed"))
+        self.assertLess(num_units, count // 5, "all was done before the last kill")
+        for i in range(3):
+            self.batch("killed", "--shard", "%d/3" % i, count=count)
         self.assertEqual(self.hashes("killed"), self.hashes("one"))
-        # Merge deletes what they left when it is old.
-        old = self.write("killed/0000/.scenes-000000.tar.trivet-tmp.host.1", "half")
-        os.utime(self.path(old), (1, 1))
+        left = len(self.temporaries("killed"))
+        print("%d kills, %d of %d units were there after the last one, %d temporary files left" %
+              (num_killed, num_units, count // 5, left))
+        self.assertEqual(json.loads(self.trivet("batch", "status", "killed", "--json")[0])["temporaries"], left)
+        # Merge deletes them when they are old.
+        for name in self.temporaries("killed"):
+            os.utime(self.path(name), (1, 1))
         self.trivet("batch", "merge", "killed", "-o", "all.jsonl")
-        self.assertFalse(os.path.exists(self.path(old)))
+        self.assertEqual(self.temporaries("killed"), [])
 
     def test_two_copies_of_a_shard_at_once(self):
         self.batch("one")
@@ -154,12 +173,30 @@ class Bytes(BatchCase):
         self.assertEqual(self.hashes("both"), self.hashes("one"))
         self.assertEqual(self.temporaries("both"), [])
 
+    def test_what_two_copies_of_a_shard_make_twice_is_dropped(self):
+        """One is held in the middle of a unit until the other has made them all."""
+        self.batch("one", count=400)
+        held = self.start("both", "--json", count=400, stdout=subprocess.PIPE)
+        self.wait_until(lambda: any("scenes-" in name for name in self.temporaries("both")), held)
+        held.send_signal(signal.SIGSTOP)
+        begun = len(self.temporaries("both"))
+        self.assertGreater(begun, 0)
+        other = json.loads(self.batch("both", "--json", count=400)[0])
+        self.assertEqual((other["units"], other["units_dropped"]), (80, 0))
+        held.send_signal(signal.SIGCONT)
+        totals = json.loads(held.communicate()[0])
+        self.assertEqual(held.returncode, 0)
+        self.assertTrue(0 < totals["units_dropped"] <= begun, totals)
+        self.assertGreater(totals["units_by_others"], totals["units_dropped"])
+        self.assertEqual(self.hashes("both"), self.hashes("one"))
+        self.assertEqual(self.temporaries("both"), [])
+
     def test_killed_workers_change_nothing(self):
         self.batch("one", count=240)
         process = self.start("shot", "--jobs", "2", "--retries", "100", count=240)
         generator = random.Random(2)
-        while process.poll() is None and not os.path.exists(self.path("shot/run.json")):
-            time.sleep(0.005)  # models are read: an importer, before its exec, is called "trivet", too
+        # Models are read: an importer, before its exec, is called "trivet", too.
+        self.wait_until(lambda: os.path.exists(self.path("shot/run.json")), process)
         shots = 0
         while shots < 10 and process.poll() is None:
             before, deadline = len(self.units("shot")), time.monotonic() + 0.3
@@ -253,10 +290,6 @@ class Faults(BatchCase):
                 self.assertEqual(a, b)
         self.assertEqual(self.batch("bound", "--scene-seconds", seconds, count=20, status=1)[0].count("failed"), 1)
 
-    def merged(self, out):
-        self.trivet("batch", "merge", out, "-o", out + ".jsonl")
-        return [json.loads(line) for line in self.read(out + ".jsonl").splitlines()]
-
     def test_a_scene_beyond_its_memory_is_listed(self):
         self.write_large_recipe()
         self.batch("out", "--scene-memory-mb", 1, "--with", "scene", count=6, status=1)
@@ -267,9 +300,7 @@ class Faults(BatchCase):
         """A worker is held, the other one goes on until what waits for its place in the unit is enough."""
         self.write_large_recipe()
         process = self.start("out", "--jobs", "2", "--with", "scene", "--scene-seconds", "1000", count=150, per_tar=150)
-        while not os.path.exists(self.path("out/run.json")):
-            self.assertIsNone(process.poll())
-            time.sleep(0.005)
+        self.wait_until(lambda: os.path.exists(self.path("out/run.json")), process)
         before = self.kilobytes(process.pid)
         workers = []
         while len(workers) < 2:
@@ -298,9 +329,7 @@ class Faults(BatchCase):
     def test_sigterm_stops_within_seconds_and_leaves_whole_units(self):
         self.write_recipe(groups=[{**HEAP, "count": 12}])
         process = self.start("out", "--jobs", "2", count=4000)
-        while not glob.glob(self.path("out/0000/scenes-*.tar")):
-            self.assertIsNone(process.poll())
-            time.sleep(0.02)
+        self.wait_until(lambda: self.units("out"), process)
         process.send_signal(signal.SIGTERM)
         start = time.monotonic()
         self.assertEqual(process.wait(), 75)
@@ -359,15 +388,54 @@ class Audit(BatchCase):
         self.batch("out", count=20)
         good = self.trivet("batch", "verify", "out", "--sample", 0.3)[0]
         self.assertIn("0 findings", good)
-        names = [n for n in self.files() if n.startswith("out/") and n.endswith((".tar", ".obj"))]
+        kinds = [[n for n in self.files() if n.startswith("out/") and n.endswith(end)]
+                 for end in (".tar", ".obj", "run.json")]
+        self.assertEqual([len(names) for names in kinds], [4, 2, 1])
         generator = random.Random(3)
-        for i in range(int(6 * EFFORT) or 1):
-            name = generator.choice(names)
+        for i in range(int(60 * EFFORT) or 3):
+            name = generator.choice(kinds[i % 3])
             content = self.read(name)
             at = generator.randrange(len(content))
             self.write(name, content[:at] + bytes([content[at] ^ 1 << generator.randrange(8)]) + content[at + 1:])
             self.assertRegex(self.trivet("batch", "verify", "out", "--sample", 0, status=1)[0], r"\b1 finding\b", (name, at))
             self.write(name, content)
+        self.assertEqual(self.trivet("batch", "verify", "out", "--sample", 0.3)[0], good)
+
+    def test_a_changed_run_is_not_continued(self):
+        self.batch("out", "--shard", "0/2", count=10)
+        good = self.read("out/run.json").decode()
+        for was, becomes in (('"count": 10', '"count": 11'), ('"version": "0', '"version": "1'),
+                             ('"seed": 0', '"seed": 1'), ('"per_unit": 5', '"per_unit": 4')):
+            self.assertIn(was, good)
+            self.write("out/run.json", good.replace(was, becomes))
+            out = self.trivet("batch", "verify", "out", status=1)[0]
+            self.assertIn("run.json: was changed after it was written", out)
+            for arguments in (("status", "out"), ("merge", "out", "-o", "all.csv")):
+                self.refused("batch", *arguments, says="was changed after it was written")
+            self.assertIn("was changed", self.batch("out", count=10, status=2)[1])
+        self.write("out/run.json", good)
+        self.batch("out", count=10)
+
+    def test_units_of_other_batches_and_places_are_found(self):
+        """They are whole, and true to themselves."""
+        for out_format in ("tar", "poses", "dir"):
+            one, two = "one_" + out_format, "two_" + out_format
+            self.batch(one, "--format", out_format, count=20)
+            self.batch(two, "--format", out_format, "--seed", 1, count=20)
+            units = sorted(glob.glob(self.path(one + "/0000/scenes-*")))
+            kept = self.path("kept_" + out_format)
+            os.rename(units[1], kept)
+            os.rename(units[1].replace(one, two), units[1])
+            self.assert_found(one, "is a unit of another batch than run.json says", "--format", out_format)
+            os.rename(units[1], kept + ".other")
+            os.rename(units[2], units[1])
+            os.rename(kept, units[2])
+            self.assert_found(one, "is another unit of the batch", "--format", out_format)
+
+    def assert_found(self, out, says, *more):
+        self.assertIn(says, self.trivet("batch", "verify", out, "--sample", 0, status=1)[0])
+        self.assertIn(says, self.trivet("batch", "status", out, status=2)[1])
+        self.assertIn(says, self.batch(out, *more, count=20, status=2)[1])
 
     def test_verify_finds_what_is_true_to_itself_but_made_otherwise(self):
         self.batch("out", "--format", "poses", count=5)
@@ -401,11 +469,17 @@ class Audit(BatchCase):
         self.batch("out", "--shard", "0/2")
         out = self.trivet("batch", "status", "out", status=1)[0]
         self.assertIn("units: 4 of 8; scenes: 20 of 40", out)
+        self.assertIn("\nmissing units: 1, 3, 5, 7\n", out)
         self.assertIn("refused: 1 objects; accepted: at least 2", out)
         status = json.loads(self.trivet("batch", "status", "out", "--json", status=1)[0])
         self.assertEqual(status["ok"] + status["refused"], 20)
         self.assertGreater(status["refused"], 0)
+        self.assertEqual(status["first_missing"], [1, 3, 5, 7])
+        self.batch("many", "--shard", "5/30", count=150)
+        self.assertIn("\nmissing units: 0, 1, 2, 3, 4, 6, 7, 8, 9, 10 and 19 others\n",
+                      self.trivet("batch", "status", "many", status=1)[0])
         self.batch("out")
+        self.assertNotIn("missing", self.trivet("batch", "status", "out")[0])
         self.trivet("batch", "merge", "out", "-o", "all.jsonl")
         self.trivet("batch", "merge", "out", "-o", "all.csv")
         rows = [json.loads(line) for line in self.read("all.jsonl").splitlines()]
@@ -448,14 +522,31 @@ class Usage(BatchCase):
         self.assertEqual((out["units"], out["scenes"], out["models"]), (3, 25, 2))
         args = ("batch", "recipe.json", "--count", 100000, "--seed", 7, "--template")
         for engine in ("slurm", "parallel"):
-            self.write("job.sh", self.trivet(*args, engine)[0])
-            subprocess.run(["bash", "-n", self.path("job.sh")], check=True)
-            self.assertIn(b"--count 100000 --seed 7 --per-tar 1000", self.read("job.sh"))
-            os.unlink(self.path("job.sh"))
+            self.assertIn("--count 100000 --seed 7 --per-tar 1000", self.trivet(*args, engine)[0])
         job = json.loads(self.trivet(*args, "aws-batch")[0])
         self.assertEqual(job["arrayProperties"]["size"], 100)
         self.assertIn("completions: 100\n", self.trivet(*args, "kubernetes")[0])
         self.assertEqual(self.files(), before)
+
+    def test_templates_keep_all_options(self):
+        recipe, out = "my folder/it's.json", "out of\ttwo words"
+        begin = ["--count", "100", "--seed", "0", "--per-tar", "10", "--jobs", "2", "--out"]
+        more = ["--format", "dir", "--with", "scene,report", "--scene-seconds", "5", "--import-in-process"]
+        here = ["batch", recipe, *begin, out, *more]
+        in_container = ["batch", "/in/it's.json", *begin, "/out", *more]
+        text = {engine: self.trivet(*here, "--template", engine, env={"TRIVET_SHARDS": "4"})[0]
+                for engine in ("slurm", "parallel", "kubernetes", "aws-batch")}
+        for engine in ("slurm", "parallel"):
+            subprocess.run(["bash", "-n"], input=text[engine].encode(), check=True)
+            words = shlex.split(text[engine].replace("\\\n", " "), comments=True)
+            at = words.index("trivet") + 1
+            self.assertEqual(words[at:at + len(here)], here)
+        self.assertIn("--array=0-3%", text["slurm"])
+        self.assertIn("--cpus-per-task=2 ", text["slurm"])
+        self.assertIn(" --shard {}/4 ::: {0..3}\n", text["parallel"])
+        self.assertEqual(json.loads(text["aws-batch"])["containerOverrides"]["command"], in_container)
+        line = [line for line in text["kubernetes"].splitlines() if " args: " in line][0]
+        self.assertEqual(json.loads(line.split(" args: ")[1]), in_container)
 
 
 class Referee(BatchCase):

@@ -21,11 +21,6 @@ MEMORY_MB = 2000
 class Importer(Case):
     """Misbehaviour of the importer process, simulated by a script in its place."""
 
-    def importer(self, script):
-        self.write("importer", "#!/bin/sh\n" + script + "\n")
-        os.chmod(self.path("importer"), 0o755)
-        return {"TRIVET_IMPORTER": self.path("importer")}
-
     def info_fails(self, script, *says, status=2):
         env = self.importer(script)
         out, err = self.trivet("info", "cube.obj", "--import-seconds", "1", status=status, env=env)
