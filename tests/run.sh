@@ -3,8 +3,8 @@
 #   tests/run.sh [--long|--nightly|--asan|--tsan|--release] [options of ctest]
 # Without an option, tests the preset dev (optimised, with assertions) but for tests labelled `long`,
 # and random tests with TRIVET_TEST_EFFORT 0.2. --long runs those, too, with effort 0.4, as CI does;
-# --nightly everything with effort 1, and makes packages and uses them in bare systems. For a single
-# test see README.md.
+# --nightly everything with effort 1, makes packages and uses them in bare systems, and installs
+# Slurm for batches on a cluster. For a single test see README.md.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 preset=dev
@@ -23,7 +23,7 @@ case "${1:-}" in
   --nightly)
     tests=nightly
     effort=1
-    .ci/install-packages.sh packages
+    .ci/install-packages.sh packages farm
     shift
     ;;
   --help | -h)

@@ -3,6 +3,7 @@
 #include <iostream>
 
 #include "apps/farm/batch/audit.h"
+#include "apps/farm/batch/stop_signals.h"
 #include "apps/trivet/outputs.h"
 #include "apps/trivet/verb_batch_parts.h"
 #include "core/base/count_of.h"

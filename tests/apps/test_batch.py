@@ -188,6 +188,7 @@ class Bytes(BatchCase):
         self.assertEqual(held.returncode, 0)
         self.assertTrue(0 < totals["units_dropped"] <= begun, totals)
         self.assertGreater(totals["units_by_others"], totals["units_dropped"])
+        self.assertEqual(totals["ok"] + totals["refused"], 400, "scenes of others count, too")
         self.assertEqual(self.hashes("both"), self.hashes("one"))
         self.assertEqual(self.temporaries("both"), [])
 

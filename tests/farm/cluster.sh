@@ -2,9 +2,10 @@
 # A Slurm cluster on one machine, for tests: munged, slurmctld and several slurmd from Debian's packages, no systemd, no
 # accounting, no cgroups, nothing outside FARM_DIR, everything ended by its process id.
 #
-#   FARM_DIR=DIR cluster.sh up NODES CPUS | kill-node N | start-node N | down
+#   FARM_DIR=DIR cluster.sh up NODES CPUS | kill-node N | cut-off N | job-processes N | start-node N | down
 #
-# kill-node: as if it lost its power, slurmd, its steps and its jobs get SIGKILL.
+# kill-node: as if it lost its power, slurmd, its steps and its jobs get SIGKILL. cut-off: as if it lost its network, only
+# slurmd does, and its jobs go on. job-processes: ids of what its jobs have started.
 set -euo pipefail
 FARM_DIR="${FARM_DIR:?}"
 export SLURM_CONF="$FARM_DIR/slurm.conf"
@@ -53,7 +54,7 @@ TaskPlugin=task/none
 JobAcctGatherType=jobacct_gather/none
 AccountingStorageType=accounting_storage/none
 MpiDefault=none
-# nodes may claim more CPUs than the machine has
+# nodes may claim more CPUs and memory than the machine has
 SlurmdParameters=config_overrides
 SelectType=select/cons_tres
 SelectTypeParameters=CR_CPU
@@ -72,7 +73,7 @@ ReturnToService=2
 MinJobAge=300
 END
   for n in $(seq "$1"); do
-    echo "NodeName=n$n NodeHostname=$host NodeAddr=127.0.0.1 Port=$((port + n)) CPUs=$2 State=UNKNOWN"
+    echo "NodeName=n$n NodeHostname=$host NodeAddr=127.0.0.1 Port=$((port + n)) CPUs=$2 RealMemory=16384 State=UNKNOWN"
   done >>"$SLURM_CONF"
   echo "PartitionName=farm Nodes=ALL Default=YES MaxTime=INFINITE State=UP GraceTime=5" >>"$SLURM_CONF"
 }
@@ -96,14 +97,22 @@ up() { # NODES CPUS
 
 pid_of() { cat "$FARM_DIR/$1.pid" 2>/dev/null || true; }
 
-# Every process of node N, daemons first. Jobs have SLURMD_NODENAME in their environment; a slurmstepd overwrites its own with
-# its title, so it is found as the parent of those. Two calls of grep for all: jobs go on meanwhile.
-node_processes() {
-  local file parent jobs="" steps=""
+# What jobs of node N started has SLURMD_NODENAME in its environment. Two calls of grep for all: jobs go on meanwhile.
+job_processes() {
+  local file
   for file in $(grep -lzxF "SLURMD_NODENAME=n$1" /proc/[0-9]*/environ 2>/dev/null |
     xargs -r grep -lzxF "SLURM_CONF=$SLURM_CONF" 2>/dev/null); do
-    jobs="$jobs $(basename "${file%/environ}")"
-    parent="$(sed -n 's/^PPid:[[:space:]]*//p' "${file%/environ}/status" 2>/dev/null)"
+    basename "${file%/environ}"
+  done
+}
+
+# Every process of node N, daemons first. A slurmstepd overwrites its environment with its title, so it is found as the
+# parent of those.
+node_processes() {
+  local job parent steps="" jobs
+  jobs="$(job_processes "$1")"
+  for job in $jobs; do
+    parent="$(sed -n 's/^PPid:[[:space:]]*//p' "/proc/$job/status" 2>/dev/null)"
     [ "$(cat "/proc/$parent/comm" 2>/dev/null)" = slurmstepd ] && steps="$steps $parent"
   done
   echo "$(pid_of "slurmd.n$1") $steps $jobs"
@@ -116,11 +125,15 @@ kill_node() { # step daemons die before their jobs, or they report a failure, wh
   kill -9 $pids 2>/dev/null || true
 }
 
+cut_off() { kill -9 "$(pid_of "slurmd.n$1")"; }
+
 down() {
   [ -e "$SLURM_CONF" ] || return 0
   scancel --user="$(id -un)" 2>/dev/null || true
   for _ in $(seq 50); do [ -z "$(squeue -h -t R,CG 2>/dev/null)" ] && break; sleep 0.1; done
-  local p pids=""
+  local n p pids=""
+  # What a node that was cut off left, stopped perhaps.
+  for n in $(seq "$(grep -c ^NodeName= "$SLURM_CONF")"); do kill_node "$n"; done
   for p in "$FARM_DIR"/slurmd.*.pid "$FARM_DIR"/slurmctld.pid "$FARM_DIR"/munged.pid; do
     [ -s "$p" ] && pids="$pids $(cat "$p")"
   done
@@ -136,6 +149,8 @@ down() {
 case "$1" in
   up) up "$2" "$3" ;;
   kill-node) kill_node "$2" ;;
+  cut-off) cut_off "$2" ;;
+  job-processes) job_processes "$2" ;;
   start-node) start_node "$2" ;;
   down) down ;;
 esac

@@ -65,6 +65,7 @@ class BatchLoop {
 
  private:
   void list_units();
+  void count_unit(std::uint64_t unit);
   void make_missing();
   void hand_out(Pool& pool);
   bool open_next_unit();
@@ -99,9 +100,14 @@ void BatchLoop::list_units() {
       continue;
     }
     ++m_totals.there_before;
-    visit_rows(m_options.out, t, m_run.format, m_batch,
-               [&](const Json& row) { count_status(row, m_totals); });
+    count_unit(t);
   }
+}
+
+// One that is there.
+void BatchLoop::count_unit(std::uint64_t unit) {
+  visit_rows(m_options.out, unit, m_run.format, m_batch,
+             [&](const Json& row) { count_status(row, m_totals); });
 }
 
 bool BatchLoop::open_next_unit() {
@@ -110,6 +116,7 @@ bool BatchLoop::open_next_unit() {
     m_missing.pop_front();
     if (unit_exists(m_options.out, unit, m_run.format)) {  // by another copy of this shard
       ++m_totals.by_others;
+      count_unit(unit);
       continue;
     }
     m_open.emplace_back(m_run, m_batch, m_options.out, unit);

@@ -184,7 +184,7 @@ PublishedFolder::~PublishedFolder() {
 }
 
 std::string PublishedFolder::prepared(const std::string& name) {
-  const std::string path = (fs::path(m_temporary) / name).string();
+  std::string path = (fs::path(m_temporary) / name).string();
   make_folders(folder_of_file(path));
   return path;
 }

@@ -63,8 +63,10 @@ std::string shown(const Json& value) {
 std::string BatchRun::id() const {
   if (file_version < 2) return "";
   Json json = json_of(*this);
-  for (const char* const key : {"trivet_batch", "count", "per_unit", "format", "recipe", "sha256"})
+  for (const char* const key :
+       {"trivet_batch", "count", "per_unit", "format", "recipe_sha256", "sha256"})
     json.erase(key);
+  json["recipe"].erase("views");  // no scene depends on them
   return sha256_hex(json.dump());
 }
 

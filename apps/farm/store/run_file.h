@@ -25,8 +25,8 @@ struct BatchRun {
   std::string views, scenes_sha256;  // JSON, see farm/recipe/views.h; of that batch's run.json
   bool with_opengl = false;          // pictures by OpenGL, not by rays
 
-  /// What its units name: SHA-256 of all that a scene depends on, hence not of count, per_unit and
-  /// format. Empty for file_version 1.
+  /// What its units name: SHA-256 of all that a scene depends on, hence not of count, per_unit,
+  /// format, and views of the recipe. Empty for file_version 1.
   std::string id() const;
 
   std::uint64_t num_units() const { return (count + per_unit - 1) / per_unit; }

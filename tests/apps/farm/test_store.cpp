@@ -102,7 +102,7 @@ TEST(Unit, OfAnotherBatchOrNumberIsFound) {
     const TemporaryFolder out;
     ASSERT_TRUE(write_unit(out.path(), format, true));
     const auto read = [&](std::uint64_t unit, const std::string& batch) -> std::string {
-      const std::string finding = check_unit(out.path(), unit, format, batch, {});
+      std::string finding = check_unit(out.path(), unit, format, batch, {});
       try {
         visit_rows(out.path(), unit, format, batch, [](const Json&) {});
       } catch (const Error& e) {
@@ -294,6 +294,7 @@ TEST(RunFile, NamesWhatScenesDependOn) {
   const BatchRun run = small_run();
   BatchRun other = run;
   other.count = 20, other.per_unit = 5, other.format = UnitFormat::Dir;
+  other.recipe.insert(1, R"("views":{},)");
   EXPECT_EQ(other.id(), run.id());
   other.seed = 1;
   EXPECT_NE(other.id(), run.id());
