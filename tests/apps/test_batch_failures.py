@@ -9,8 +9,8 @@ import tempfile
 import time
 import unittest
 
+from batches import HEAP, BatchCase, as_root_in_mounts
 from program import PROGRAM, grid_obj, main
-from test_batch import HEAP, BatchCase, as_root_in_mounts
 
 NOBODY = 65534
 DAY = 86400

@@ -7,9 +7,9 @@ import subprocess
 import tarfile
 import time
 
+from batches import BatchCase
 from label_files import read_png
 from program import PROGRAM, main
-from test_batch import BatchCase
 
 VIEWS = {"width": 48, "height": 32, "samples": 1, "dome": {"count": 2},
          "images": ["picture", "depth", "instances", "classes", "normals"]}
