@@ -43,7 +43,7 @@ void sync_folder(const std::string& folder) {
 
 // @param shown  its name in messages.
 int created(const std::string& path, const std::string& shown) {
-  const int descriptor = open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0644);
+  const int descriptor = open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644);
   if (descriptor < 0) fail(shown, errno);
   return descriptor;
 }
@@ -65,9 +65,9 @@ void sync_and_close(int descriptor, const std::string& path) {
   if (closed != 0) fail(path, errno);
 }
 
-// Shared, which NFS grants for what is open for reading. Where there are no locks age alone tells
-// what was left behind.
-void lock_temporary(int descriptor) { flock(descriptor, LOCK_SH | LOCK_NB); }
+// Where there are no locks age alone tells what was left behind.
+// @param kind  NFS grants LOCK_EX for what is open for writing, LOCK_SH for the rest.
+void lock_temporary(int descriptor, int kind) { flock(descriptor, kind | LOCK_NB); }
 
 // EXDEV: some file systems give it for names of one folder, too, such as those with quotas of
 // projects.
@@ -122,8 +122,7 @@ void make_folders(const std::string& path) {
 }
 
 bool is_being_written(const std::string& temporary) {
-  // NFS asks for a file that is open for writing; folders cannot be.
-  Descriptor file(open(temporary.c_str(), O_RDWR | O_CLOEXEC));
+  Descriptor file(open(temporary.c_str(), O_WRONLY | O_CLOEXEC));  // a folder cannot be
   if (file.number() < 0) file = Descriptor(open(temporary.c_str(), O_RDONLY | O_CLOEXEC));
   return file.number() >= 0 && flock(file.number(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
 }
@@ -142,7 +141,7 @@ PublishedFile::PublishedFile(const std::string& path)
     : m_path(path), m_temporary(temporary_name(path)) {
   make_folders(folder_of_file(path));
   m_descriptor = Descriptor(created(m_temporary, m_path));
-  lock_temporary(m_descriptor.number());
+  lock_temporary(m_descriptor.number(), LOCK_EX);
 }
 
 PublishedFile::~PublishedFile() {
@@ -175,7 +174,7 @@ PublishedFolder::PublishedFolder(const std::string& path)
   make_folders(m_temporary);
   m_descriptor = Descriptor(open(m_temporary.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (m_descriptor.number() < 0) fail(m_temporary, errno);
-  lock_temporary(m_descriptor.number());
+  lock_temporary(m_descriptor.number(), LOCK_SH);
 }
 
 PublishedFolder::~PublishedFolder() {

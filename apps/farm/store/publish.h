@@ -56,8 +56,8 @@ class PublishedFolder {
 /// was killed.
 std::string temporary_name(const std::string& path);
 bool is_temporary(const std::string& file_name);
-/// True while a process on this machine holds its lock; on NFS one on any machine, but for
-/// folders, which cannot be locked there.
+/// True while a process on this machine holds its lock; on NFS one on any machine, where locks of
+/// files are the server's, but not those of folders.
 bool is_being_written(const std::string& temporary);
 /// What time it is for the file system: that of a file made there just now. Times of files are to
 /// be compared with this, as clocks of machines differ and jump.
