@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -16,6 +15,7 @@
 #include "core/contact/leaf_box.h"
 #include "core/contact/node_slab.h"
 #include "core/contact/pair_numbers.h"
+#include "core/contact/recent_nodes.h"
 #include "core/contact/triangle_distance.h"
 
 namespace trivet {
@@ -77,6 +77,35 @@ void append_elsewhere(const std::vector<ContactPoint>& more, double distance,
             [](const ContactPoint& a, const ContactPoint& b) { return order_of(a) < order_of(b); });
 }
 
+/// A node's box and slab in the support's frame.
+struct ContactNode {
+  PlacedBvh::Box box;
+  NodeSlab slab;
+
+  ContactNode(const PlacedBvh& tree, Index node, const Mat3& rotation)
+      : box(tree.box(node)), slab(tree, node, rotation) {}
+  ContactNode(const PlacedBvh& tree, Index node) : box(tree.box(node)), slab(tree, node) {}
+};
+
+/// Faces of a leaf with their boxes, world.
+struct BoxedFaces : LeafFaces {
+  std::array<Aabb, kMaxLeafFaces> boxes;
+
+  BoxedFaces(const Body& body, const BvhNode& leaf) : LeafFaces(body, leaf) {
+    for (size_t i = 0; i < num; ++i) boxes[i] = box_of(corners[i]);
+  }
+};
+
+/// Nodes and leaves that were met last.
+struct SearchMemory {
+  struct OfBody {
+    RecentNodes<ContactNode, 256> nodes;
+    RecentNodes<LeafBox, 128> boxes;
+    RecentNodes<BoxedFaces, 64> faces;
+  };
+  OfBody object, support;
+};
+
 class ContactSearch {
  public:
   ContactSearch(const Body& object, const Body& support, double tolerance, double slack)
@@ -95,16 +124,16 @@ class ContactSearch {
 
   std::vector<ContactPoint> run() {
     if (!m_object.shape->has_faces() || !m_support.shape->has_faces()) return {};
-    const PlacedBvh::Box box_object = m_tree_object.box(0), box_support = m_tree_support.box(0);
-    m_slab_reach = m_reach + 1e-14 * (farthest(box_object) + farthest(box_support));
-    visit(0, 0, box_object, box_support, nullptr);
+    m_slab_reach =
+        m_reach + 1e-14 * (farthest(m_tree_object.box(0)) + farthest(m_tree_support.box(0)));
+    visit(0, 0);
     std::vector<ContactPoint> points = first_of_each(m_found);
     std::vector<ContactPoint> more = m_ends.points();
     for (const ContactPoint& p : m_flush.corners()) more.push_back(p);
     append_elsewhere(more, m_tolerance, points);
     if (!points.empty()) return points;
     m_closest_only = true;
-    visit(0, 0, box_object, box_support, nullptr);
+    visit(0, 0);
     return first_of_each(m_found);
   }
 
@@ -123,41 +152,51 @@ class ContactSearch {
     return false;
   }
 
-  // `leaf` is the tight box of the node that is a leaf already.
-  void visit(Index ia, Index ib, const PlacedBvh::Box& box_a, const PlacedBvh::Box& box_b,
-             const LeafBox* leaf) {
-    if (apart(box_a, box_b) || slabs_apart({m_tree_object, ia, m_rotation}, {m_tree_support, ib},
-                                           box_a, box_b, m_slab_reach))
+  const ContactNode& node_a(Index a) {
+    return m_memory.object.nodes.get(m_search, a, m_tree_object, a, m_rotation);
+  }
+  const ContactNode& node_b(Index b) {
+    return m_memory.support.nodes.get(m_search, b, m_tree_support, b);
+  }
+
+  // The leaf of one body and a node of the other are apart, by the leaf's tight box.
+  bool leaf_clear(SearchMemory::OfBody& of_leaf, const Body& body, Index leaf, const BvhNode& node,
+                  const PlacedBvh::Box& other) {
+    const LeafBox& box = of_leaf.boxes.get(m_search, leaf, body, node, m_frame);
+    return box.valid && box.gap(other) > m_reach;
+  }
+
+  void visit(Index ia, Index ib) {
+    const ContactNode &in_a = node_a(ia), &in_b = node_b(ib);
+    if (apart(in_a.box, in_b.box) ||
+        slabs_apart(in_a.slab, in_b.slab, in_a.box, in_b.box, m_slab_reach))
       return;
     const BvhNode &a = m_tree_object.bvh.nodes[ia], &b = m_tree_support.bvh.nodes[ib];
-    if (leaf && leaf->valid && leaf->gap(a.is_leaf() ? box_b : box_a) > m_reach) return;
-    if (a.is_leaf() && b.is_leaf()) return try_leaves(a, b);
-    std::optional<LeafBox> own;
-    if (!leaf && (a.is_leaf() || b.is_leaf())) {
-      own.emplace(a.is_leaf() ? LeafBox(m_object, a, m_frame) : LeafBox(m_support, b, m_frame));
-      leaf = &*own;
-    }
-    if (!a.is_leaf() && (b.is_leaf() || box_a.radius > box_b.radius)) {
-      visit(ia + 1, ib, m_tree_object.box(ia + 1), box_b, leaf);
-      visit(a.second_child, ib, m_tree_object.box(a.second_child), box_b, leaf);
+    if (a.is_leaf() && leaf_clear(m_memory.object, m_object, ia, a, in_b.box)) return;
+    if (b.is_leaf() && leaf_clear(m_memory.support, m_support, ib, b, in_a.box)) return;
+    if (a.is_leaf() && b.is_leaf()) return try_leaves(ia, ib);
+    if (!a.is_leaf() && (b.is_leaf() || in_a.box.radius > in_b.box.radius)) {
+      visit(ia + 1, ib);
+      visit(a.second_child, ib);
     } else {
-      visit(ia, ib + 1, box_a, m_tree_support.box(ib + 1), leaf);
-      visit(ia, b.second_child, box_a, m_tree_support.box(b.second_child), leaf);
+      visit(ia, ib + 1);
+      visit(ia, b.second_child);
     }
   }
 
-  void try_leaves(const BvhNode& node_a, const BvhNode& node_b) {
-    const LeafFaces a(m_object, node_a), b(m_support, node_b);
+  void try_leaves(Index ia, Index ib) {
+    const BoxedFaces& a =
+        m_memory.object.faces.get(m_search, ia, m_object, m_tree_object.bvh.nodes[ia]);
+    const BoxedFaces& b =
+        m_memory.support.faces.get(m_search, ib, m_support, m_tree_support.bvh.nodes[ib]);
     if (m_plane != Vec3::Zero() && plane_separates(a, b)) return;
-    for (size_t i = 0; i < a.num; ++i) {
-      const Aabb box_a = box_of(a.corners[i]);
+    for (size_t i = 0; i < a.num; ++i)
       for (size_t j = 0; j < b.num; ++j) {
-        if (!overlaps(box_a, box_of(b.corners[j]), m_reach)) continue;
+        if (!overlaps(a.boxes[i], b.boxes[j], m_reach)) continue;
         const PlainFace fa(a.corners[i]), fb(b.corners[j]);
         if (is_separated_by(fb, a.corners[i]) || is_separated_by(fa, b.corners[j])) continue;
         try_faces(ContactFace(fa), a.face[i], ContactFace(fb), b.face[j]);
       }
-    }
   }
 
   // The plane of a face separates faces beside it, too.
@@ -267,6 +306,8 @@ class ContactSearch {
   Mat3 m_rotation;                 // likewise
   double m_reach;
   ContactEnds m_ends;
+  SearchMemory& m_memory = memory_of_thread<SearchMemory>();
+  const std::uint64_t m_search = new_search();
   std::vector<ContactPoint> m_found;
   bool m_closest_only = false;
   Vec3 m_plane = Vec3::Zero();                  // normal of one that separated faces, of any length

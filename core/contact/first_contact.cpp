@@ -48,8 +48,7 @@ class Search {
 
  private:
   void add_pair(Index moving, Index fixed) {
-    PairTraversal pair(m_query, moving, fixed, static_cast<Index>(m_pairs.size()), m_memory,
-                       m_best);
+    PairTraversal pair(m_query, moving, fixed, m_memory, m_best);
     if (pair.apart_until() > m_query.motion.limit) return;
     m_order.push_back(static_cast<Index>(m_pairs.size()));
     m_pairs.push_back(std::move(pair));
@@ -78,7 +77,7 @@ class Search {
   const FirstContactQuery& m_query;
   FirstContact m_best;
   std::vector<FloorTraversal> m_floors;
-  TraversalMemory m_memory;
+  TraversalMemory& m_memory = memory_of_thread<TraversalMemory>();
   std::vector<PairTraversal> m_pairs;
   std::vector<Index> m_order;  // nearest first
 };

@@ -45,12 +45,11 @@ PairFrames::PairFrames(const Body& moving, const Body& fixed_body, const Motion&
 }
 
 PairTraversal::PairTraversal(const FirstContactQuery& query, Index moving, Index fixed,
-                             Index number, TraversalMemory& memory, FirstContact& best)
+                             TraversalMemory& memory, FirstContact& best)
     : m_query(query),
       m_part(query),
       m_moving(moving),
       m_fixed(fixed),
-      m_number(number),
       m_memory(memory),
       m_best(best),
       m_frames(query.moving[moving], query.fixed[fixed], query.motion),
@@ -110,12 +109,12 @@ bool PairTraversal::leaf_clear(const LeafBox& leaf, bool leaf_moves, const Place
 bool PairTraversal::leaves_clear(Index a, Index b, const PlacedNode& in_a, const PlacedNode& in_b) {
   const BvhNode &node_of_a = m_a.bvh().nodes[a], &node_of_b = m_b.bvh().nodes[b];
   if (node_of_a.is_leaf() &&
-      leaf_clear(m_memory.moving.boxes.get(m_number, a, m_query.moving[m_moving], node_of_a,
+      leaf_clear(m_memory.moving.boxes.get(m_search, a, m_query.moving[m_moving], node_of_a,
                                            m_frames.fixed),
                  true, in_b))
     return true;
   return node_of_b.is_leaf() &&
-         leaf_clear(m_memory.fixed.boxes.get(m_number, b, m_query.fixed[m_fixed], node_of_b,
+         leaf_clear(m_memory.fixed.boxes.get(m_search, b, m_query.fixed[m_fixed], node_of_b,
                                              m_frames.fixed),
                     false, in_a);
 }
@@ -154,9 +153,9 @@ double PairTraversal::faces_apart_until(const Aabb& moving, const Aabb& fixed, d
 }
 
 void PairTraversal::try_leaves(Index ia, Index ib) {
-  const LeafInMotion& a = m_memory.moving.faces.get(m_number, ia, m_query.moving[m_moving],
+  const LeafInMotion& a = m_memory.moving.faces.get(m_search, ia, m_query.moving[m_moving],
                                                     m_a.bvh().nodes[ia], m_query.motion);
-  const LeafInMotion& b = m_memory.fixed.faces.get(m_number, ib, m_query.fixed[m_fixed],
+  const LeafInMotion& b = m_memory.fixed.faces.get(m_search, ib, m_query.fixed[m_fixed],
                                                    m_b.bvh().nodes[ib], m_query.motion);
   if (m_plane != Vec3::Zero())
     if (const double until = apart_by_plane(a.all(), b.all(), m_plane, m_query.motion,

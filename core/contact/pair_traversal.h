@@ -20,7 +20,7 @@ struct LeafInMotion : LeafFaces {
   LeafInMotion(const Body& body, const BvhNode& leaf, const Motion& motion);
 };
 
-/// Shared by the traversals of one query: nodes and leaves that were met last.
+/// Shared by the traversals of one thread: nodes and leaves that were met last.
 struct TraversalMemory {
   struct OfBody {
     RecentNodes<PlacedNode, 256> nodes;
@@ -45,9 +45,8 @@ struct PairFrames {
 /// axis-aligned there). Refers to its query and to the best contact known.
 class PairTraversal {
  public:
-  /// @param number  of the pair in its query.
-  PairTraversal(const FirstContactQuery& query, Index moving, Index fixed, Index number,
-                TraversalMemory& memory, FirstContact& best);
+  PairTraversal(const FirstContactQuery& query, Index moving, Index fixed, TraversalMemory& memory,
+                FirstContact& best);
 
   double apart_until() const { return m_apart_until; }
 
@@ -76,8 +75,8 @@ class PairTraversal {
     Index a, b;
   };
 
-  const PlacedNode& node_a(Index a) { return m_memory.moving.nodes.get(m_number, a, m_a, a); }
-  const PlacedNode& node_b(Index b) { return m_memory.fixed.nodes.get(m_number, b, m_b, b); }
+  const PlacedNode& node_a(Index a) { return m_memory.moving.nodes.get(m_search, a, m_a, a); }
+  const PlacedNode& node_b(Index b) { return m_memory.fixed.nodes.get(m_search, b, m_b, b); }
   Next next(Index a, Index b);
   bool leaves_clear(Index a, Index b, const PlacedNode& node_a, const PlacedNode& node_b);
   void visit(Index ia, Index ib);
@@ -87,7 +86,8 @@ class PairTraversal {
 
   const FirstContactQuery& m_query;
   FirstContactQuery m_part;  // the same up to the end of this part
-  Index m_moving, m_fixed, m_number;
+  Index m_moving, m_fixed;
+  std::uint64_t m_search = new_search();
   TraversalMemory& m_memory;
   FirstContact& m_best;
   PairFrames m_frames;

@@ -2,33 +2,48 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <memory>
 #include <optional>
 
 #include "core/base/types.h"
 
 namespace trivet {
 
-/// Values of nodes of one body in several pairs of bodies: a traversal meets most nodes many times.
+/// Number of a search of two trees: no other search of this thread has it.
+inline std::uint64_t new_search() {
+  thread_local std::uint64_t last = 0;
+  return ++last;
+}
+
+/// A Memory of RecentNodes, made once per thread: clearing one takes as long as a small query.
+template <class Memory>
+Memory& memory_of_thread() {
+  thread_local const std::unique_ptr<Memory> memory = std::make_unique<Memory>();
+  return *memory;
+}
+
+/// Values of nodes of one body in several searches: a search meets most nodes many times.
 template <class Value, size_t kNumSlots>
 class RecentNodes {
  public:
   /// The value of a node, constructed from `args` unless it is still there.
-  /// @param pair  number of the pair of bodies, not negative.
-  /// @return valid until the next call.
+  /// @param search  see new_search(). @return valid until the next call.
   template <class... Args>
-  const Value& get(Index pair, Index node, const Args&... args) {
+  const Value& get(std::uint64_t search, Index node, const Args&... args) {
     Slot& slot = m_slots[static_cast<size_t>(node) % kNumSlots];
-    if (slot.node != node || slot.pair != pair) {
+    if (slot.node != node || slot.search != search) {
       slot.value.emplace(args...);
       slot.node = node;
-      slot.pair = pair;
+      slot.search = search;
     }
     return *slot.value;
   }
 
  private:
   struct Slot {
-    Index pair = -1, node = -1;
+    std::uint64_t search = 0;
+    Index node = -1;
     std::optional<Value> value;
   };
   std::array<Slot, kNumSlots> m_slots;
