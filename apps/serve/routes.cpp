@@ -33,6 +33,12 @@ HttpResponse wrong_method(const HttpRequest& request, const std::string& accepte
   return error(405, request.method + " is not accepted here; accepted: " + accepted);
 }
 
+// Of a request for a scene of the recipe.
+std::string scene_route(const std::string& path) {
+  if (path == kSessions) return path;
+  return path.ends_with("/scene.glb") ? "/scenes/K/scene.glb" : "/scenes/K";
+}
+
 bool is_session(const HttpRequest& request) { return request.path.starts_with(kPrefix); }
 
 std::vector<std::string> start_names(const std::vector<OpenedSession>& starts) {
@@ -68,6 +74,10 @@ HttpResponse Routes::answer(const HttpRequest& request) {
   } catch (const Error& e) {
     const int status = e.kind() == Error::Kind::BadInput ? 400 : 500;
     out = {error(status, e.what()), "error", std::to_string(status)};
+  } catch (const NoScene& e) {
+    const std::string status = e.cancelled ? "cancelled" : "out of time";  // as sessions say it
+    out = {json_response(e.cancelled ? 503 : 504, {{"status", status}, {"reason", e.what()}}),
+           scene_route(request.path), status};
   } catch (const std::bad_alloc&) {
     out = {error(503, "not enough memory"), "error", "503"};
   } catch (const std::exception& e) {
@@ -146,7 +156,7 @@ Routes::Reply Routes::scene(const HttpRequest& request) const {
   std::string_view rest = std::string_view(request.path).substr(std::string_view(kScenes).size());
   const bool glb = rest.ends_with("/scene.glb");
   if (glb) rest.remove_suffix(std::string_view("/scene.glb").size());
-  const std::string route = glb ? "/scenes/K/scene.glb" : "/scenes/K";
+  const std::string route = scene_route(request.path);
   if (!m_things.scenes) return {error(404, "this server has no recipe"), route, "404"};
   if (request.method != "GET") return {wrong_method(request, "GET"), route, "405"};
   const auto k = number_of(rest);

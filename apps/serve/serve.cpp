@@ -20,7 +20,7 @@ std::vector<OpenedSession> open_all(const ServeOptions& options) {
 std::unique_ptr<RecipeScenes> scenes_of(const ServeOptions& options) {
   if (options.recipe.empty()) return nullptr;
   return std::make_unique<RecipeScenes>(options.recipe, options.seed, options.import,
-                                        options.version);
+                                        options.version, options.scene_seconds);
 }
 
 DialogueOptions dialogue_options(const ServeOptions& options) {
@@ -50,9 +50,13 @@ void serve(const ServeOptions& options) {
   ServedSessions sessions(dialogue_options(options), {options.max_sessions, options.idle_seconds});
   const HttpServer* carrier = nullptr;
   Routes routes(things, sessions, [&] { return carrier->load(); });
-  HttpServer server({[&](const HttpRequest& request) { return routes.answer(request); },
-                     Routes::is_quick, [&] { sessions.end_all(); }},
-                    http_limits(options));
+  HttpServer server(
+      {[&](const HttpRequest& request) { return routes.answer(request); }, Routes::is_quick,
+       [&] {
+         sessions.end_all();
+         if (things.scenes) things.scenes->end();
+       }},
+      http_limits(options));
   carrier = &server;
   if (!options.socket.empty()) {
     server.listen_unix(options.socket);

@@ -26,6 +26,7 @@ struct ServeOptions {
   double idle_seconds = 600;      // see SessionLimits
   double request_seconds = 30;    // see HttpLimits
   double operation_seconds = 60;  // that an operation may take; 0: unlimited
+  double scene_seconds = 60;      // that a scene of the recipe may take; 0: unlimited
   double max_request_kb = 1024;
   std::string version;                               // of the program
   std::function<void(const std::string&)> on_ready;  // told the address, once requests are accepted

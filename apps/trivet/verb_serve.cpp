@@ -54,6 +54,10 @@ void add_limits(CLI::App& verb, serve::ServeOptions& options) {
   verb.add_option("--max-connections", options.max_connections, "Connections at a time")
       ->check(integer_from(1, 100'000))
       ->capture_default_str();
+  verb.add_option("--scene-seconds", options.scene_seconds,
+                  "Answer with 504 when a scene of the recipe takes longer; 0: never")
+      ->check(number_from(0, 1e9))
+      ->capture_default_str();
   verb.add_option("--request-seconds", options.request_seconds,
                   "Close a connection that takes longer to send a request or to read its answer")
       ->check(number_from(0.01, 1e6))

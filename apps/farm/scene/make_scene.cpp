@@ -3,17 +3,54 @@
 #include <algorithm>
 
 #include "apps/farm/scene/placing.h"
+#include "ops/base/interrupt.h"
+#include "ops/base/stopwatch.h"
 #include "ops/files/json/operation_json.h"
 #include "ops/operations/perform.h"
 
 namespace trivet::farm {
 namespace {
 
+/// Thrown out of an attempt.
+struct SceneStopped {
+  OperationResult::Status end;
+};
+
+/// The time that a scene has, all its attempts together.
+class SceneClock {
+ public:
+  explicit SceneClock(const RunContext& context) : m_context(context), m_interrupt(context) {}
+
+  /// With the time that is left, so that an operation ends no sooner than the scene.
+  RunContext context() const {
+    RunContext out = m_context;
+    if (out.time_budget_s > 0)
+      out.time_budget_s = std::max(0.0, out.time_budget_s - m_watch.milliseconds() / 1000) + kSlack;
+    return out;
+  }
+
+  /// To be called after every operation: one that had no time left may have done less, and says so
+  /// or not.
+  void end_if_over() {
+    const auto reason = m_interrupt.reason();
+    if (!reason) return;
+    throw SceneStopped{*reason == Interrupt::Reason::Cancelled
+                           ? OperationResult::Status::Cancelled
+                           : OperationResult::Status::OutOfTime};
+  }
+
+ private:
+  static constexpr double kSlack = 1e-6;  // seconds
+  RunContext m_context;
+  Interrupt m_interrupt;
+  Stopwatch m_watch;
+};
+
 /// One attempt at one scene.
 class Attempt {
  public:
-  Attempt(const SceneSource& source, std::uint64_t k, int attempt)
-      : m_source(source), m_recipe(source.recipe), m_k(k) {
+  Attempt(const SceneSource& source, SceneClock& clock, std::uint64_t k, int attempt)
+      : m_source(source), m_recipe(source.recipe), m_clock(clock), m_k(k) {
     m_out.attempt = attempt;
     if (attempt > 0) m_prefix = "attempt " + std::to_string(attempt) + "/";
     m_options.settle.max_motions = m_recipe.max_motions;
@@ -36,11 +73,13 @@ class Attempt {
   void move(const RecipeMove& move, size_t number);
   std::vector<std::string> movable(const std::string& group) const;
   Operation drawn_move(const RecipeMove& move, const std::string& object, Decision& decision) const;
+  OperationResult perform(const Operation& operation);
   void record(const Operation& operation, OperationResult result);
   std::string why_refused() const;
 
   const SceneSource& m_source;
   const Recipe& m_recipe;
+  SceneClock& m_clock;
   std::uint64_t m_k;
   std::string m_prefix;
   RunOptions m_options;
@@ -87,17 +126,22 @@ Operation Attempt::with_seed(const Operation& operation, size_t number) const {
 
 void Attempt::do_base() {
   m_out.run.scene = trivet::make_scene(m_out.layout, m_source.models, m_options.layout_file);
+  m_options.context = m_clock.context();
   stand_objects(m_out.layout, m_options, m_out.run);
+  m_clock.end_if_over();
   for (size_t i = 0; i < m_recipe.base.operations.size(); ++i) {
     Operation operation = with_seed(m_recipe.base.operations[i], i);
     if (auto* append = std::get_if<AppendOperation>(&operation)) load(*append);
-    OperationResult result =
-        perform(m_out.run.scene, operation, m_options.settle, m_options.context);
-    record(operation, std::move(result));
+    record(operation, perform(operation));
   }
 }
 
+OperationResult Attempt::perform(const Operation& operation) {
+  return trivet::perform(m_out.run.scene, operation, m_options.settle, m_clock.context());
+}
+
 void Attempt::record(const Operation& operation, OperationResult result) {
+  m_clock.end_if_over();
   if (result.ok()) m_out.layout.operations.push_back(operation);
   m_out.run.operations.push_back({op_name(operation), object_name(operation), std::move(result)});
 }
@@ -116,7 +160,7 @@ PutResult Attempt::try_to_put(const RecipeGroup& group, const std::string& name,
     m_out.run.operations.push_back({"put", name, result});
     return {result, result.reason()};
   }
-  PutResult put = put_by(m_out.run.scene, *placing, m_options.settle, m_options.context);
+  PutResult put = put_by(m_out.run.scene, *placing, m_options.settle, m_clock.context());
   record(placing->put, put.result);
   return put;
 }
@@ -186,9 +230,7 @@ void Attempt::move(const RecipeMove& move, size_t number) {
     Decision decision = decide(name + "/" + std::to_string(i));
     const std::string& object = objects[decision.index(objects.size())];
     const Operation operation = drawn_move(move, object, decision);
-    OperationResult result =
-        perform(m_out.run.scene, operation, m_options.settle, m_options.context);
-    record(operation, std::move(result));
+    record(operation, perform(operation));
   }
 }
 
@@ -239,8 +281,14 @@ MadeScene Attempt::make() {
 
 MadeScene make_scene(const SceneSource& source, std::uint64_t k) {
   MadeScene out;
+  SceneClock clock(source.context);
   for (int attempt = 0; attempt < source.recipe.accept.attempts; ++attempt) {
-    out = Attempt(source, k, attempt).make();
+    try {
+      out = Attempt(source, clock, k, attempt).make();
+    } catch (const SceneStopped& stopped) {
+      out.end = stopped.end;
+      break;
+    }
     if (out.accepted) break;
   }
   return out;

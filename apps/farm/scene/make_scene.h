@@ -10,6 +10,8 @@
 namespace trivet::farm {
 
 struct MadeScene {
+  /// Cancelled or OutOfTime: stopped by SceneSource::context; nothing else means anything then.
+  OperationResult::Status end = OperationResult::Status::Ok;
   bool accepted = false;
   std::string reason;                           // why it was not; empty if it was
   int attempt = 0;                              // that this is, of Acceptance::attempts
@@ -23,6 +25,8 @@ struct SceneSource {
   const Recipe& recipe;
   const LoadedModels& models;  // all that models_of(recipe) and their tessellations ask for
   PhiloxKey key;
+  /// Its time is that of a whole scene, all attempts together; checked between motions.
+  RunContext context = {};
 };
 
 /// Draws scenes for k until one is accepted or there were Acceptance::attempts: the last one.

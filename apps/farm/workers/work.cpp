@@ -49,7 +49,10 @@ LoadedModels load_models(const Work& work) {
 }
 
 SceneMembers make_members(const Work& work, const LoadedModels& models, std::uint64_t k) {
-  const MadeScene made = make_scene({work.recipe, models, work.key}, k);
+  return members_of(work, k, make_scene({work.recipe, models, work.key}, k));
+}
+
+SceneMembers members_of(const Work& work, std::uint64_t k, const MadeScene& made) {
   SceneMembers out{scene_json(k, made), {}};
   // In the order of their names, as folders have them.
   if (work.with_contacts)

@@ -37,5 +37,7 @@ LoadedModels load_models(const Work& work);
 
 /// Scene k, with what the work asks for beside its JSON.
 SceneMembers make_members(const Work& work, const LoadedModels& models, std::uint64_t k);
+/// The same of a scene that is there.
+SceneMembers members_of(const Work& work, std::uint64_t k, const MadeScene& made);
 
 }  // namespace trivet::farm
