@@ -72,6 +72,7 @@ const char* to_string(Refusal::Cause cause) {
       {Cause::KeepTooLarge, "keep_too_large"},
       {Cause::RestsOnOther, "rests_on_other"},
       {Cause::RestsTooClose, "rests_too_close"},
+      {Cause::LeavesRegion, "leaves_region"},
       {Cause::StandsBadly, "stands_badly"},
       {Cause::NoArrangement, "no_arrangement"},
       {Cause::Cancelled, "cancelled"},

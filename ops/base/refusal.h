@@ -60,11 +60,12 @@ struct Refusal {
     NoContact,         // objects: it [, the one it does not touch]. detail: what for
     PointContact,      // objects: it, the other
     // PUT where there is room.
-    NoFreePlace,    // objects: it, the support. numbers: judged, spacing, beside, blocked, tried.
-                    // first: of the first place that was tried
+    NoFreePlace,    // objects: it, the support. numbers: judged, spacing, beside, blocked, tried
+                    // [, outside: its region]. first: of the first place that was tried
     KeepTooLarge,   // objects: it. numbers: keep, diagonal, largest_keep
     RestsOnOther,   // objects: it, the other
     RestsTooClose,  // objects: it, the other
+    LeavesRegion,   // objects: it [, the support on which it fits nowhere into its region]
     StandsBadly,    // objects: it. numbers: margin, least_margin, or friction, most_friction
     // Arranging.
     NoArrangement,  // objects: the thing without a place, then all that the conflict names.

@@ -256,6 +256,12 @@ class Writer {
       case Cause::RestsTooClose:
         return say(TRIVET_SENTENCE("refusal", "%1 would come to rest too near to %2"),
                    {name(0), name(1)});
+      case Cause::LeavesRegion:
+        if (has(1))
+          return say(TRIVET_SENTENCE("refusal", "%1 fits nowhere on %2 in its region"),
+                     {name(0), name(1)});
+        return say(TRIVET_SENTENCE("refusal", "%1 would come to rest partly outside its region"),
+                   {name(0)});
       case Cause::StandsBadly:
         if (m_r.number("least_margin") > 0)
           return say(TRIVET_SENTENCE("refusal",
@@ -277,6 +283,9 @@ class Writer {
                         "no free place for %1 on %2: of %3 places, every %4 m, %5 are over no "
                         "part of it and %6 are blocked by other things"),
         {name(0), name(1), whole("judged"), number("spacing"), whole("beside"), whole("blocked")});
+    if (m_r.number("outside") > 0)
+      out = say(TRIVET_SENTENCE("refusal", "%1; at %2 more it would leave its region"),
+                {out, whole("outside")});
     if (!m_r.first) return out;
     return say(TRIVET_SENTENCE("refusal", "%1; it was tried at %2 others: first %3"),
                {out, whole("tried"), sentence_of(*m_r.first)});

@@ -34,12 +34,14 @@ struct JointMoveOptions : MoveOptions {
 
 /// A free place on a support; see places.h.
 struct PlaceOptions {
-  std::string on;              // the object it is to rest on, or "floor"
-  std::optional<Vec2> near;    // take the free place nearest to it, metres; nullopt: any place
-  std::uint64_t seed = 0;      // selects the place when `near` is empty
-  double keep = 0;             // distance to all but the support, metres
-  std::optional<double> from;  // height z of the start; nullopt: just above the support
-  double least_margin = 0;     // metres of its centre of mass from where it tips, at rest
+  std::string on;                 // the object it is to rest on, or "floor"
+  std::optional<Vec2> near;       // take the free place nearest to it, metres; nullopt: any place
+  std::uint64_t seed = 0;         // selects the place when `near` is empty
+  double keep = 0;                // distance to all but the support, metres
+  std::optional<double> from;     // height z of the start; nullopt: just above the support
+  std::vector<Vec2> region = {};  // that it comes to rest in, seen from above: corners of a convex
+                                  // polygon, counter-clockwise; none: anywhere
+  double least_margin = 0;        // metres of its centre of mass from where it tips, at rest
   double most_friction = kInfinity;  // that it may need to stay there
 };
 

@@ -7,6 +7,7 @@
 #include "ops/operations/put.h"
 #include "ops/operations/validate.h"
 #include "ops/operations/whole.h"
+#include "ops/place/place_region.h"
 #include "ops/placement/clearance.h"
 
 namespace trivet {
@@ -30,9 +31,12 @@ bool unbalances(const FixOperation& o) { return !o.fixed; }
 /// more.
 constexpr std::int64_t kWholeQueriesOfPut = 120;
 
+// Of what is_judged_at_rest().
 std::optional<Refusal> refuse_to_stand(const Scene& scene, ObjectId id, const PlaceOptions& place) {
   const Object& object = scene.at(id);
   const Named name = named(scene, Support(id));
+  if (!PlaceRegion(place.region).holds(body_of(object)))
+    return Refusal{Refusal::Cause::LeavesRegion, {name}};
   if (object.stability_margin < place.least_margin)
     return Refusal{Refusal::Cause::StandsBadly,
                    {name},
@@ -54,7 +58,7 @@ OperationResult perform_one(Transaction& transaction, ObjectId id, const Any& o,
     const ContactMemory memory;  // what was tried is committed; what stays is judged again
     if constexpr (std::is_same_v<Any, PutOperation>) {
       run.whole_queries = kWholeQueriesOfPut;
-      const bool is_judged = o.place && asks_to_stand_well(*o.place);
+      const bool is_judged = o.place && is_judged_at_rest(*o.place);
       if (is_judged || keeps_whole_at_rest(run.options))
         run.refuse_commit = [&, is_judged](const MovePlan& plan) {
           Transaction trial(transaction);  // taken back

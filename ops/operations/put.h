@@ -16,8 +16,8 @@ using EndCondition = std::function<std::optional<Refusal>(const MovingGroup&)>;
 MovePlan plan_put_from_start(const Scene& scene, ObjectId id, const PutOperation& o,
                              OperationRun& run, const EndCondition& refuse_end);
 
-/// Does it ask for more than rest: for a margin, or for little friction?
-bool asks_to_stand_well(const PlaceOptions& place);
+/// Does it ask for more than rest: for a region, a margin, or little friction?
+bool is_judged_at_rest(const PlaceOptions& place);
 
 /// A PUT that searches for its start: o.place is set.
 MovePlan plan_put_where_free(const Scene& scene, ObjectId id, const PutOperation& o,

@@ -47,8 +47,9 @@ class FreePlaceSearch {
       if (done) return std::move(*done);
     }
     // On the unbounded floor there is room farther out, unless the scene would get too large.
-    m_num_trials = 0;
     const Places beyond = places_beyond(m_scene, m_id, m_carried, request, clearance());
+    if (beyond.starts.empty()) return refused(refuse_everywhere(places));
+    m_num_trials = 0;
     auto done = request.near ? try_nearest(beyond, exact, *request.near, kInfinity)
                              : try_all(beyond, exact);
     if (done) return std::move(*done);
@@ -113,6 +114,7 @@ class FreePlaceSearch {
     out.seed = place.seed;
     out.keep = others().box.empty() ? 0 : place.keep;
     out.from = place.from;
+    out.region = place.region;
     return out;
   }
 
@@ -124,10 +126,10 @@ class FreePlaceSearch {
     return default_clearance(m_scene, body_of(object, m_operation.start).world_box);
   }
 
-  // Margins change slowly from place to place: where they are asked for, every six failures double
-  // the way to the next place, up to 32 times.
+  // What is judged at rest changes slowly from place to place: where it is asked for, every six
+  // failures double the way to the next place, up to 32 times.
   bool near_a_failure(const Pose& start, double spacing) const {
-    const bool is_slow = asks_to_stand_well(*m_operation.place);
+    const bool is_slow = is_judged_at_rest(*m_operation.place);
     const int doublings = is_slow ? std::min(m_num_trials / 6, 5) : 0;
     const double distance = std::ldexp(2 * spacing, doublings);
     for (const Vec2& at : m_failures)
@@ -218,12 +220,16 @@ class FreePlaceSearch {
   }
 
   Refusal refuse_everywhere(const Places& places) const {
+    const bool has_region = !m_operation.place->region.empty();
+    if (has_region && places.num_judged == places.num_outside)
+      return Refusal{Cause::LeavesRegion, {m_name, m_on}};
     Refusal why{Cause::NoFreePlace, {m_name, m_on}};
     why.numbers = {{"judged", double(places.num_judged)},
                    {"spacing", places.spacing},
                    {"beside", double(places.num_beside)},
                    {"blocked", double(places.num_blocked)},
                    {"tried", double(m_num_trials)}};
+    if (has_region) why.numbers.push_back({"outside", double(places.num_outside)});
     why.first = m_first;
     return why;
   }
@@ -241,8 +247,8 @@ class FreePlaceSearch {
 
 }  // namespace
 
-bool asks_to_stand_well(const PlaceOptions& place) {
-  return place.least_margin > 0 || place.most_friction < kInfinity;
+bool is_judged_at_rest(const PlaceOptions& place) {
+  return !place.region.empty() || place.least_margin > 0 || place.most_friction < kInfinity;
 }
 
 MovePlan plan_put_where_free(const Scene& scene, ObjectId id, const PutOperation& o,

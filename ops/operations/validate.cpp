@@ -5,6 +5,7 @@
 
 #include "core/base/limits.h"
 #include "core/scene/materials.h"
+#include "ops/place/place_region.h"
 
 namespace trivet {
 namespace {
@@ -51,6 +52,12 @@ class Checker {
     }
   }
 
+  void region(const char* key, const std::vector<Vec2>& corners) {
+    for (const Vec2& corner : corners) vector(key, corner);
+    if (!is_convex_region(corners))
+      complain(key, std::to_string(corners.size()) + " corners", kConvexRegion);
+  }
+
   void rotation(const char* key, const Rotation& q) {
     const double squared = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
     if (std::abs(squared - 1) <= kUnitTolerance) return;
@@ -89,6 +96,7 @@ void check(const PutOperation& o, Checker& checker) {
   checker.range("least_margin", o.place->least_margin, 0, kMaxLength);
   if (o.place->most_friction < kInfinity)
     checker.range("most_friction", o.place->most_friction, kMinFriction, kMaxFriction);
+  if (!o.place->region.empty()) checker.region("region", o.place->region);
   if (o.place->from) checker.range("from", *o.place->from, -kMaxLength, kMaxLength);
 }
 

@@ -52,7 +52,7 @@ bool ExactPlaces::over_support(const Vec2& at) const {
 }
 
 bool ExactPlaces::fits(const Vec2& at) const {
-  if (!over_support(at)) return false;
+  if (!m_setting.region.holds(at) || !over_support(at)) return false;
   Affine world = m_setting.body.world_from_object;
   world.translation += start(at).translation;
   const Body body(*m_setting.body.shape, world);

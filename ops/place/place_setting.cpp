@@ -15,6 +15,7 @@ PlaceSetting::PlaceSetting(const Scene& scene, ObjectId id, std::span<const Obje
                            const PlaceRequest& request, double motion_clearance)
     : body(body_of(scene.at(id), {request.rotation, Vec3::Zero()})),
       centre(body.world_from_object.apply(scene.at(id).shape->mass.centre)),
+      region(PlaceRegion(request.region).of_point(centre.head<2>(), body)),
       others(scene, without(carried, request.on)),
       clearance(motion_clearance) {
   if (request.on.is_object()) support = body_of(scene.at(request.on.object()));

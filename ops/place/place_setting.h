@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "ops/place/place_region.h"
 #include "ops/place/places.h"
 #include "ops/placement/neighbourhood.h"
 
@@ -20,6 +21,7 @@ inline constexpr double kPlaceToleranceClearances = 32;
 struct PlaceSetting {
   Body body;                    // the object as it is released, with its origin at the world's
   Vec3 centre;                  // of its mass
+  PlaceRegion region;           // of that, seen from above
   std::optional<Body> support;  // nullopt: the floor
   Neighbourhood others;         // all but the object, its loads and its support
   double start_z;               // of the underside at the start

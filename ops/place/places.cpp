@@ -23,6 +23,8 @@ double pixel_of(const PlaceSetting& setting, const Vec2& window_size) {
 // Region that the centre of mass must be over, seen from above; `more` metres beyond all things on
 // the floor.
 PlaceWindow area_of(const PlaceSetting& setting, const PlaceRequest& request, double more) {
+  const PlaceRegion& region = setting.region;
+  if (setting.on_floor() && !region.is_all()) return {region.lower(), region.upper()};
   Aabb box = setting.on_floor() ? setting.others.box() : setting.support->world_box;
   if (setting.on_floor()) {
     if (request.near) box.extend(Vec3(request.near->x(), request.near->y(), 0));
@@ -34,7 +36,8 @@ PlaceWindow area_of(const PlaceSetting& setting, const PlaceRequest& request, do
     box.lower.head<2>() -= about;
     box.upper.head<2>() += about;
   }
-  return {box.lower.head<2>(), box.upper.head<2>()};
+  return {box.lower.head<2>().cwiseMax(region.lower()),
+          box.upper.head<2>().cwiseMin(region.upper())};
 }
 
 // Seen from above.
@@ -195,7 +198,9 @@ class PlaceSearch {
     std::vector<int> fitting;
     m_out.num_judged = static_cast<std::int64_t>(on.size());
     for (int i = 0; i < static_cast<int>(on.size()); ++i) {
-      if (!is_over(support, on, i))
+      if (!m_setting.region.holds(centre_at(i)))
+        ++m_out.num_outside;
+      else if (!is_over(support, on, i))
         ++m_out.num_beside;
       else if (!(on[i].upper < others[i].lower) || on[i].lower < 0)
         ++m_out.num_blocked;
@@ -208,7 +213,8 @@ class PlaceSearch {
   void find_doubtful(const HeightMap& support, const Brackets& on, const Brackets& others) {
     std::vector<int> doubtful;
     for (int i = 0; i < static_cast<int>(on.size()); ++i)
-      if (is_over(support, on, i) && on[i].lower >= 0 && on[i].upper < others[i].lower)
+      if (m_setting.region.holds(centre_at(i)) && is_over(support, on, i) && on[i].lower >= 0 &&
+          on[i].upper < others[i].lower)
         doubtful.push_back(i);
     m_out.doubtful = ranked(doubtful);
   }
@@ -247,6 +253,7 @@ std::vector<PlaceWindow> place_windows(const Scene& scene, ObjectId object,
   const PlaceSetting setting(scene, object, carried, request, clearance);
   const PlaceWindow all = area_of(setting, request, request.keep);
   std::vector<PlaceWindow> out;
+  if ((all.lower.array() > all.upper.array()).any()) return out;
   if (request.near) {
     const Vec2 nearest = request.near->cwiseMax(all.lower).cwiseMin(all.upper);
     const double fine = std::max(setting.width() / kPlacePixelsAcross, 16 * clearance);
@@ -258,7 +265,7 @@ std::vector<PlaceWindow> place_windows(const Scene& scene, ObjectId object,
       out.push_back({(*request.near - extent).cwiseMax(all.lower),
                      (*request.near + extent).cwiseMin(all.upper), half});
     }
-  } else if (setting.on_floor() && request.keep > 0) {
+  } else if (setting.on_floor() && request.keep > 0 && setting.region.is_all()) {
     out.push_back(area_of(setting, request, 0));
   }
   out.push_back(all);
@@ -270,7 +277,7 @@ Places places_beyond(const Scene& scene, ObjectId object, std::span<const Object
   const PlaceSetting setting(scene, object, carried, request, clearance);
   Places out;
   const Aabb box = setting.others.box();
-  if (!setting.on_floor() || box.empty()) return out;
+  if (!setting.on_floor() || box.empty() || !setting.region.is_all()) return out;
   // Half a width more than is asked for: far out, clearances are larger.
   const double beyond = box.half_extent().head<2>().norm() + 2 * setting.width() + request.keep;
   out.spacing = beyond * kBeyondStep;

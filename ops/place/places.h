@@ -34,6 +34,8 @@ struct PlaceRequest {
   double keep = 0;             // metres to stay away from everything but the support, sideways
   std::optional<double> from;  // height z of the underside at the start; what is above the object
                                // there does not matter; nullopt: just above the support's top
+  std::vector<Vec2> region = {};  // that the object, as it is released, is in, seen from above: see
+                                  // PlaceRegion; none: anywhere
   std::optional<PlaceWindow> within = {};  // nullopt: the last of place_windows()
 };
 
@@ -44,19 +46,21 @@ struct Places {
   std::int64_t num_beside = 0;   // the centre of mass is over no part of the support
   std::int64_t num_blocked = 0;  // something else is or may be met first, or at the start, or is
                                  // too near; doubtful places among them
+  std::int64_t num_outside = 0;  // the object would leave its region
   double spacing = 0;            // metres between neighbouring places
   double doubt = 0;              // metres by which more than `keep` may have been kept
 };
 
 /// The windows to search one after another: from small ones about the point to the whole support;
-/// on the floor the last reaches so far beyond everything that there is room.
+/// on the floor the last reaches so far beyond everything that there is room. All in the region;
+/// none: the object does not fit into it there.
 /// @param carried  the object and its loads.
 std::vector<PlaceWindow> place_windows(const Scene& scene, ObjectId object,
                                        std::span<const ObjectId> carried,
                                        const PlaceRequest& request, double clearance);
 
 /// Places on the unbounded floor so far out that the distance is kept from everything, all round;
-/// those nearest to request.near first. None on a support, nor in an empty scene.
+/// those nearest to request.near first. None on a support, in an empty scene, or with a region.
 Places places_beyond(const Scene& scene, ObjectId object, std::span<const ObjectId> carried,
                      const PlaceRequest& request, double clearance);
 

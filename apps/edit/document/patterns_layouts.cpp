@@ -101,8 +101,8 @@ constexpr const char* kLayouts[] = {
     QT_TRANSLATE_NOOP("refusal", "scenes of other programs cannot be arranged"),
     QT_TRANSLATE_NOOP("refusal", "objects with models"),
     QT_TRANSLATE_NOOP("refusal",
-                      "at least 3 corners [x, y] of a convex polygon, "
-                      "counter-clockwise"),
+                      "2 opposite corners [x, y] of a rectangle, or at least 3 "
+                      "of a convex polygon, counter-clockwise"),
     QT_TRANSLATE_NOOP("refusal", "a direction [x, y] whose length is not zero"),
     QT_TRANSLATE_NOOP("refusal", "[least, most] with the least first"),
     QT_TRANSLATE_NOOP("refusal", "a number, or [least, most]"),

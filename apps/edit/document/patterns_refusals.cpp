@@ -69,6 +69,8 @@ constexpr const char* kRefusals[] = {
                       "which is %3 m; accepted: a distance to keep of up to %4 m"),
     QT_TRANSLATE_NOOP("refusal", "%1 would come to rest against %2"),
     QT_TRANSLATE_NOOP("refusal", "%1 would come to rest too near to %2"),
+    QT_TRANSLATE_NOOP("refusal", "%1 fits nowhere on %2 in its region"),
+    QT_TRANSLATE_NOOP("refusal", "%1 would come to rest partly outside its region"),
     QT_TRANSLATE_NOOP("refusal",
                       "%1 would not stand well: it tips over an edge %2 m away; "
                       "accepted: %3 m or more"),
@@ -78,6 +80,7 @@ constexpr const char* kRefusals[] = {
     QT_TRANSLATE_NOOP("refusal",
                       "no free place for %1 on %2: of %3 places, every %4 m, %5 "
                       "are over no part of it and %6 are blocked by other things"),
+    QT_TRANSLATE_NOOP("refusal", "%1; at %2 more it would leave its region"),
     QT_TRANSLATE_NOOP("refusal", "%1; it was tried at %2 others: first %3"),
     QT_TRANSLATE_NOOP("refusal", "not tried, because %1 of %2 was refused before"),
     QT_TRANSLATE_NOOP("refusal", "%1 of %2 was cancelled"),

@@ -439,6 +439,14 @@
         <translation>%1 käme zu nahe zur Ruhe; im Weg: %2</translation>
     </message>
     <message>
+        <source>%1 fits nowhere on %2 in its region</source>
+        <translation>%1 passt nirgends in seinen Bereich (auf: %2)</translation>
+    </message>
+    <message>
+        <source>%1 would come to rest partly outside its region</source>
+        <translation>%1 käme teils außerhalb seines Bereichs zur Ruhe</translation>
+    </message>
+    <message>
         <source>%1 would not stand well: it tips over an edge %2 m away; accepted: %3 m or more</source>
         <translation>%1 stünde nicht gut: es kippt über eine Kante, die %2 m entfernt ist; erlaubt: %3 m oder mehr</translation>
     </message>
@@ -449,6 +457,10 @@
     <message>
         <source>no free place for %1 on %2: of %3 places, every %4 m, %5 are over no part of it and %6 are blocked by other things</source>
         <translation>kein freier Platz für %1 (auf: %2): von %3 Plätzen, alle %4 m, liegen %5 daneben, %6 sind von anderem besetzt</translation>
+    </message>
+    <message>
+        <source>%1; at %2 more it would leave its region</source>
+        <translation>%1; an %2 weiteren läge es teils außerhalb seines Bereichs</translation>
     </message>
     <message>
         <source>%1; it was tried at %2 others: first %3</source>
@@ -1739,8 +1751,8 @@
         <translation>Objekte mit Modellen</translation>
     </message>
     <message>
-        <source>at least 3 corners [x, y] of a convex polygon, counter-clockwise</source>
-        <translation>mindestens 3 Ecken [x, y] eines konvexen Vielecks, gegen den Uhrzeigersinn</translation>
+        <source>2 opposite corners [x, y] of a rectangle, or at least 3 of a convex polygon, counter-clockwise</source>
+        <translation>2 gegenüberliegende Ecken [x, y] eines Rechtecks oder mindestens 3 eines konvexen Vielecks, gegen den Uhrzeigersinn</translation>
     </message>
     <message>
         <source>a direction [x, y] whose length is not zero</source>

@@ -22,8 +22,10 @@ enum class RotationRule { Yaw, Any, Given };
 
 /// Put where there is room on an object, or on one of a group that is there.
 struct PutOn {
-  std::vector<std::string> on;  // objects, groups or "floor": one of them
-  double keep = 0;              // distance to all but the support, metres
+  std::vector<std::string> on;     // objects, groups or "floor": one of them
+  double keep = 0;                 // distance to all but the support, metres
+  std::vector<Vec2> region;        // see PlaceOptions; none: anywhere
+  bool region_of_support = false;  // in the frame of the support's pose; else in the world's
 };
 /// Let fall into an object, above a random point of its box; it counts if it stays in the box.
 struct PutIn {

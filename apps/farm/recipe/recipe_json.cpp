@@ -48,8 +48,15 @@ std::vector<std::string> read_names(const JsonPlace& place) {
 }
 
 PutOn read_on(const JsonPlace& place) {
-  PutOn out{read_names(place.at("on")), 0};
+  PutOn out;
+  out.on = read_names(place.at("on"));
   if (const auto keep = place.find("keep")) out.keep = keep->number(0, kMaxLength);
+  if (const auto region = place.find("region")) out.region = read_region(*region);
+  if (const auto frame = place.find("region_of")) {
+    out.region_of_support = frame->value() == "support";
+    if (!out.region_of_support && frame->value() != "world")
+      frame->refuse("\"world\" or \"support\"");
+  }
   return out;
 }
 
@@ -85,6 +92,8 @@ PlaceRule read_place_rule(const JsonPlace& place) {
       place.at(key).fail("there is no \"" + std::string(other) + "\" for it");
   };
   only_with("keep", "on");
+  only_with("region", "on");
+  only_with("region_of", "region");
   only_with("above", "in");
   if (place.find("on")) return read_on(place);
   if (place.find("in")) return read_in(place);
@@ -136,8 +145,8 @@ Counts read_counts(const JsonPlace& place, int lower, int upper) {
 }
 
 RecipeGroup read_group(const JsonPlace& place) {
-  place.expect_object({"name", "models"},
-                      {"count", "scale_range", "rotation", "on", "keep", "in", "above", "heap"});
+  place.expect_object({"name", "models"}, {"count", "scale_range", "rotation", "on", "keep",
+                                           "region", "region_of", "in", "above", "heap"});
   RecipeGroup group;
   group.name = read_plain_name(place.at("name"));
   for (const JsonPlace& item : place.at("models").items())

@@ -1,5 +1,7 @@
 #include "apps/farm/scene/placing.h"
 
+#include <algorithm>
+
 #include "core/base/limits.h"
 #include "core/base/quoted.h"
 #include "core/scene/transaction.h"
@@ -41,13 +43,26 @@ Pose pose_over(const Object& object, const Rotation& rotation, const Vec2& at, d
   return {rotation, Vec3(at.x() - x, at.y() - y, z - box.lower.z())};
 }
 
-PutOperation drawn_put_on(const PutOn& rule, const std::string& on, const Rotation& rotation,
-                          Decision& decision) {
+// The region in the world. A support that lies on its head turns its corners round.
+std::vector<Vec2> region_in_world(const Scene& scene, const PutOn& rule, const std::string& on) {
+  const auto support = scene.find(on);
+  std::vector<Vec2> out = rule.region;
+  if (!rule.region_of_support || !support) return out;
+  const Pose& pose = scene.at(*support).pose;
+  const Mat3 turn = pose.rotation.matrix();
+  for (Vec2& p : out) p = (turn * Vec3(p.x(), p.y(), 0) + pose.translation).head<2>();
+  if (turn(2, 2) < 0) std::reverse(out.begin(), out.end());
+  return out;
+}
+
+PutOperation drawn_put_on(const Scene& scene, const PutOn& rule, const std::string& on,
+                          const Rotation& rotation, Decision& decision) {
   PutOperation put;
   put.start.rotation = rotation;
   put.place = PlaceOptions{};
   put.place->on = on;
   put.place->keep = rule.keep;
+  put.place->region = region_in_world(scene, rule, on);
   put.place->seed = decision.bits() % kMaxSeed;
   return put;
 }
@@ -92,7 +107,7 @@ std::optional<Placing> draw_placing(const Scene& scene, const RecipeGroup& group
     if (there.empty()) return std::nullopt;
     const std::string& chosen = there[decision.index(there.size())];
     if (on) {
-      out.put = drawn_put_on(*on, chosen, rotation, decision);
+      out.put = drawn_put_on(scene, *on, chosen, rotation, decision);
     } else {
       out.container = *scene.find(chosen);
       out.put.start = drawn_pose_in(scene, *out.container, in->above, object, rotation, decision);

@@ -1,6 +1,5 @@
 #include "ops/files/arrange/relation_json.h"
 
-#include <algorithm>
 #include <initializer_list>
 
 #include "core/base/limits.h"
@@ -20,20 +19,6 @@ Side read_side(const JsonPlace& place) {
   for (const Side side : {Side::Front, Side::Back, Side::Left, Side::Right})
     if (place.value() == to_string(side)) return side;
   place.refuse("\"front\", \"back\", \"left\" or \"right\"");
-}
-
-std::vector<Vec2> read_region(const JsonPlace& place) {
-  std::vector<Vec2> out;
-  for (const JsonPlace& corner : place.items()) out.push_back(read_point(corner));
-  bool convex = out.size() >= 3;
-  for (size_t i = 0; convex && i < out.size(); ++i) {
-    const Vec2 along = out[(i + 1) % out.size()] - out[i];
-    convex = along != Vec2::Zero() && std::all_of(out.begin(), out.end(), [&](const Vec2& p) {
-               return cross(along, Vec2(p - out[i])) >= 0;
-             });
-  }
-  if (!convex) place.refuse("at least 3 corners [x, y] of a convex polygon, counter-clockwise");
-  return out;
 }
 
 Vec2 read_axis(const JsonPlace& place) {

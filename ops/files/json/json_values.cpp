@@ -2,12 +2,30 @@
 
 #include "core/base/limits.h"
 #include "ops/files/layout/layout.h"
+#include "ops/place/place_region.h"
 
 namespace trivet {
 
 Vec2 read_vec2(const JsonPlace& place) {
   const std::vector<double> p = place.numbers(2);
   return {p[0], p[1]};
+}
+
+std::vector<Vec2> read_region(const JsonPlace& place) {
+  std::vector<Vec2> out;
+  for (const JsonPlace& corner : place.items()) {
+    const std::vector<double> p = corner.numbers(2, -kMaxLength, kMaxLength);
+    out.push_back({p[0], p[1]});
+  }
+  if (out.size() == 2) {
+    const Vec2 lower = out[0].cwiseMin(out[1]), upper = out[0].cwiseMax(out[1]);
+    out = {lower, {upper.x(), lower.y()}, upper, {lower.x(), upper.y()}};
+  }
+  if (!is_convex_region(out))
+    place.refuse(
+        "2 opposite corners [x, y] of a rectangle, or at least 3 of a convex polygon, "
+        "counter-clockwise");
+  return out;
 }
 
 Vec3 read_vec3(const JsonPlace& place) {

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/io/tessellation.h"
 #include "core/motion/pose.h"
@@ -13,6 +14,8 @@ namespace trivet {
 
 Vec2 read_vec2(const JsonPlace& place);
 Vec3 read_vec3(const JsonPlace& place);
+/// Corners of a convex polygon, counter-clockwise, within kMaxLength; of a rectangle from two.
+std::vector<Vec2> read_region(const JsonPlace& place);
 /// Within kMaxLength.
 Vec3 read_position(const JsonPlace& place);
 /// By the type of the second.

@@ -36,8 +36,9 @@ void read_common(const JsonPlace& place, JointMoveOptions& move) {
 }
 
 PlaceOptions read_place(const JsonPlace& place) {
-  place.expect_object({"op", "object", "on"}, {"at", "seed", "keep", "from", "least_margin",
-                                               "most_friction", "rotation", "settle_left"});
+  place.expect_object({"op", "object", "on"},
+                      {"at", "seed", "keep", "from", "region", "least_margin", "most_friction",
+                       "rotation", "settle_left"});
   PlaceOptions out;
   out.on = place.at("on").text();
   if (const auto at = place.find("at")) {
@@ -54,6 +55,7 @@ PlaceOptions read_place(const JsonPlace& place) {
   read_to(place, "least_margin", out.least_margin);
   read_to(place, "most_friction", out.most_friction);
   if (const auto from = place.find("from")) out.from = from->number();
+  if (const auto region = place.find("region")) out.region = read_region(*region);
   return out;
 }
 

@@ -54,6 +54,7 @@ void write(const PutOperation& put, Json& json) {
   if (place.seed != 0) json["seed"] = place.seed;
   if (place.keep != 0) json["keep"] = place.keep;
   if (place.from) json["from"] = *place.from;
+  for (const Vec2& corner : place.region) json["region"].push_back(array(corner));
   if (place.least_margin != 0) json["least_margin"] = place.least_margin;
   if (place.most_friction < kInfinity) json["most_friction"] = place.most_friction;
   const Rotation& q = put.start.rotation;

@@ -105,6 +105,39 @@ TEST(RecipeScene, ObjectsStayInTheirContainer) {
   EXPECT_GT(num_out, 0) << "the test is vacuous";
 }
 
+// Rods that fall over would leave it; the frame of a tray is where it came to lie.
+TEST(RecipeScene, ObjectsLieInTheirRegion) {
+  const Recipe recipe = recipe_of(R"("groups": [
+    {"name": "rod", "models": [{"model": "rod"}], "count": 4, "rotation": "any", "on": "slab",
+     "region": [[-0.4, -0.4], [0.1, -0.4], [-0.4, 0.4]]},
+    {"name": "tray", "models": [{"model": "slab"}], "scale_range": 0.3, "on": "slab",
+     "region": [[0.1, -0.1], [0.5, 0.5]]},
+    {"name": "cube", "models": [{"model": "cube"}], "count": 2, "scale_range": 0.3, "on": "tray",
+     "region": [[0, -0.15], [0.15, 0.15]], "region_of": "support"}])");
+  int num_in = 0;
+  for (std::uint64_t k = 0; k < 12; ++k) {
+    const MadeScene made = make_scene({recipe, models(), {1, 1}}, k);
+    const Scene& scene = made.run.scene;
+    const Object& tray = scene.at(*scene.find("tray_0"));
+    for (const ObjectId id : scene.ids()) {
+      const Object& object = scene.at(id);
+      const std::string group = object.name.substr(0, object.name.find('_'));
+      if (!object.placed || object.fixed) continue;
+      ++num_in;
+      for (const Vec3& vertex : object.shape->mesh.vertices) {
+        const Vec3 p = object.world_from_object().apply(vertex);
+        const Vec3 q = tray.pose.rotation.matrix().transpose() * (p - tray.pose.translation);
+        // Over the side of its region: metres, of any scale.
+        const double beyond = group == "rod"    ? 0.8 * (p.x() - 0.1) + 0.5 * (p.y() + 0.4)
+                              : group == "tray" ? 0.1 - p.x()
+                                                : -q.x();
+        EXPECT_LE(beyond, 1e-12) << object.name;
+      }
+    }
+  }
+  EXPECT_GT(num_in, 60);
+}
+
 // Six cubes of half the slab's width do not fit on it side by side.
 TEST(RecipeScene, TellsRefusalsAsTheRecipeSays) {
   const std::string groups =

@@ -7,6 +7,7 @@
 #include "ops/check/check.h"
 #include "ops/operations/perform.h"
 #include "ops/place/distance_query.h"
+#include "ops/place/place_region.h"
 #include "ops/placement/neighbourhood.h"
 
 namespace trivet {
@@ -122,6 +123,71 @@ TEST(PutSomewhere, KeepsAnyDistanceFromNothing) {
   o.place->keep = 1e15;
   const OperationResult result = perform(scene, o);
   EXPECT_TRUE(result.ok()) << result.reason();
+}
+
+// All vertices of the object at rest, and not only its centre.
+TEST(PutSomewhere, LiesInItsRegion) {
+  test::Random random(11);
+  const std::vector<Vec2> triangle{{0, -0.3}, {0.5, 0}, {0, 0.3}};
+  const std::vector<Vec2> square{{0.7, 0.6}, {1.1, 0.6}, {1.1, 1}, {0.7, 1}};
+  int num_placed = 0, num_beyond_box = 0;
+  for (int i = 0; i < 60; ++i) {
+    TableRoom room;
+    room.scene.add(i % 2 == 0 ? test::box_object("thing", Vec3(0.06, 0.03, 0.02))
+                              : test::object_of("thing", test::torus(0.06, 0.015, 20, 8)));
+    PlaceOptions place;
+    place.on = i % 3 == 0 ? "floor" : "table";
+    place.region = i % 3 == 0 ? square : triangle;
+    place.seed = static_cast<std::uint64_t>(i);
+    if (i % 5 == 0) place.keep = 0.05;
+    if (i % 4 == 1) place.near = Vec2(0.5, 0);  // where it does not fit
+    const OperationResult result = room.put_on("thing", place, random.rotation());
+    ASSERT_TRUE(result.ok()) << i << ": " << result.reason();
+    ++num_placed;
+    const PlaceRegion region(place.region);
+    const Body body = body_of(room.at("thing"));
+    EXPECT_TRUE(region.holds(body)) << i;
+    Vec2 centre = body.world_box.centre().head<2>();
+    if (centre.x() > 0.25) ++num_beyond_box;
+  }
+  EXPECT_EQ(num_placed, 60);
+  EXPECT_GT(num_beyond_box, 20);  // not all in one corner
+}
+
+// Without the region, the nearest place to this point is at the point.
+TEST(PutSomewhere, IsNearestToThePointInItsRegion) {
+  for (const bool has_region : {false, true}) {
+    TableRoom room;
+    room.scene.add(test::box_object("cube", Vec3::Constant(0.05)));
+    PlaceOptions place;
+    place.on = "table";
+    place.near = Vec2(0.3, 0.1);
+    if (has_region) place.region = {{-0.2, -0.2}, {0.2, -0.2}, {0.2, 0.2}, {-0.2, 0.2}};
+    ASSERT_TRUE(room.put_on("cube", place).ok());
+    const Vec3 at = room.at("cube").pose.translation;
+    EXPECT_NEAR(at.x(), has_region ? 0.15 : 0.3, 1e-3);
+    EXPECT_NEAR(at.y(), 0.1, 1e-2);
+  }
+}
+
+TEST(PutSomewhere, SaysWhyItsRegionHasNoPlace) {
+  const std::vector<std::pair<std::vector<Vec2>, std::string>> cases = {
+      {{{0, 0}, {0.09, 0}, {0.09, 0.09}, {0, 0.09}}, "\"cube\" fits nowhere on \"table\" in its"},
+      {{{5, 0}, {6, 0}, {6, 1}, {5, 1}}, "\"cube\" fits nowhere on \"table\" in its region"},
+      {{{0.54, -0.1}, {0.9, -0.1}, {0.9, 0.1}, {0.54, 0.1}}, "no free place for \"cube\""},
+      {{{0, 0}, {0, 1}, {1, 0}}, "region: 3 corners is not accepted"}};
+  for (const auto& [region, says] : cases) {
+    TableRoom room;
+    room.scene.add(test::box_object("cube", Vec3::Constant(0.05)));
+    PlaceOptions place;
+    place.on = "table";
+    place.region = region;
+    place.least_margin = 0.02;
+    const OperationResult result = room.put_on("cube", place);
+    EXPECT_FALSE(result.ok());
+    EXPECT_NE(result.reason().find(says), std::string::npos) << result.reason();
+    EXPECT_FALSE(room.at("cube").placed);
+  }
 }
 
 // A cube of 0.1 m at the table's edge: half of it may hang over, unless it is to stand well.
