@@ -1,5 +1,6 @@
 #include "ops/files/arrange/relation_json.h"
 
+#include <algorithm>
 #include <initializer_list>
 
 #include "core/base/limits.h"
