@@ -1,6 +1,8 @@
 // Scenes of recipes: functions of the recipe, the key and k, and layouts that give the same poses.
 #include <gtest/gtest.h>
 
+#include <atomic>
+
 #include "apps/farm/scene/make_scene.h"
 #include "apps/farm/scene/scene_json.h"
 #include "ops/files/layout/run.h"
@@ -56,6 +58,22 @@ TEST(RecipeScene, IsAFunctionOfRecipeKeyAndNumber) {
     EXPECT_EQ(json_line(scene_json(k, make_scene(source, k))), first[k]);
   EXPECT_NE(json_line(scene_json(0, make_scene(other, 0))), first[0]);
   EXPECT_NE(first[0].substr(10), first[1].substr(10));
+}
+
+TEST(RecipeScene, EndsWhenItIsStopped) {
+  const Recipe recipe = mixed_recipe();
+  SceneSource source{recipe, models(), {1, 2}};
+  const std::string whole = json_line(scene_json(0, make_scene(source, 0)));
+  std::atomic<bool> cancel = false;
+  source.context.cancel = &cancel;
+  source.context.time_budget_s = 1000;
+  const MadeScene made = make_scene(source, 0);
+  EXPECT_EQ(made.end, OperationResult::Status::Ok);
+  EXPECT_EQ(json_line(scene_json(0, made)), whole);
+  source.context.time_budget_s = 1e-6;
+  EXPECT_EQ(make_scene(source, 0).end, OperationResult::Status::OutOfTime);
+  cancel = true;
+  EXPECT_EQ(make_scene(source, 0).end, OperationResult::Status::Cancelled);
 }
 
 // A scene is also made by its layout, which trivet run lays out by code of its own.
