@@ -28,6 +28,8 @@ struct ZListWork {
   std::int64_t face_pairs = 0;       // proposed
   std::int64_t asked_pairs = 0;      // of these, put to Embree; see Confirmation
   std::int64_t confirmed_pairs = 0;  // of these, can meet in time by boxes along the motion
+  std::int64_t gpu_lists = 0;        // queries whose lists a GPU made
+  std::int64_t software_lists = 0;   // queries of a GPU whose lists software made
   std::int64_t bytes_read_back = 0;  // from a GPU
   std::int64_t read_backs = 0;       // times that the processor waited for a GPU's results
 };

@@ -28,6 +28,7 @@ glsl::Layer make_layer(const ZListView& v) {
   out.first_depth = v.first_depth;
   out.upper = out.lower = horizon;
   out.low_x = out.low_y = kFarRight;
+  out.most_handed_over = v.most_handed_over;
   return out;
 }
 

@@ -133,10 +133,10 @@ void visit(Face face, ivec2 pixel, uint id) {
 const char* const kAddEntry = R"(
 uniform uint max_entries;
 
-void add_entry(ivec2 pixel, vec2 span, uint id) {
+void add_entry(ivec2 pixel, vec2 span, uint face) {
   uint i = atomicAdd(num_entries, 1u);
   if (i >= max_entries) return;
-  entries[i] = Entry(pixel_number(pixel), span.x, span.y, first_face + id);
+  entries[i] = Entry(pixel_number(pixel), span.x, span.y, face);
 }
 )";
 
@@ -148,7 +148,8 @@ void visit(Face face, ivec2 pixel, uint id) {
   Cell cell = look(face, pixel);
   float near = nearest_at(pixel);
   for (int i = 0; i < cell.num_spans; ++i)
-    if (below(near - cell.span[i].y) <= unordered(layers[layer].upper)) add_entry(pixel, cell.span[i], id);
+    if (below(near - cell.span[i].y) <= unordered(layers[layer].upper))
+      add_entry(pixel, cell.span[i], first_face + id);
 }
 )";
 
@@ -163,7 +164,7 @@ void visit(Face face, ivec2 pixel, uint id) {
     float shift = next_turn(cell.span[i].y, rear);
     if (is_behind(cell.span[i].y, rear)) continue;
     if (below(cell.span[i].x + shift - front) <= unordered(layers[layer].upper))
-      add_entry(pixel, cell.span[i], id);
+      add_entry(pixel, cell.span[i], first_face + id);
   }
 }
 )";
@@ -203,7 +204,7 @@ void main() {
   uvec2 id = instance_and_face();
   if (id.y >= num_faces) return;
   load_instance(id.x);
-  if (kOnlyDoubtful && layers[layer].num_doubtful == 0u) return;
+  if (kOnlyDoubtful && layers[layer].num_doubtful <= layers[layer].most_handed_over) return;
   Face face = make_face(corner(id.y, 0u), corner(id.y, 1u), corner(id.y, 2u));
   ivec4 box = cropped(face.box);
   if (is_empty(box)) return;
@@ -233,7 +234,6 @@ void main() {
 
 const char* const kReduce = R"(
 layout(local_size_x = 8, local_size_y = 8) in;
-uniform uint hands_over;
 
 void main() {
   load_view(gl_GlobalInvocationID.z);
@@ -244,12 +244,12 @@ void main() {
   uint gap = ordered(below(max(0.0, nearest_at(pixel) - front_at(pixel))));
   if (layers[layer].lower > gap) atomicMin(layers[layer].lower, gap);
   if (!is_doubtful(pixel)) return;
-  atomicAdd(layers[layer].num_doubtful, 1u);
+  uint before = atomicAdd(layers[layer].num_doubtful, 1u);
   atomicMin(layers[layer].low_x, uint(pixel.x));
   atomicMin(layers[layer].low_y, uint(pixel.y));
   atomicMax(layers[layer].high_x, uint(pixel.x));
   atomicMax(layers[layer].high_y, uint(pixel.y));
-  if (hands_over != 0u) add_entry(pixel, vec2(0.0), 0u);
+  if (before < layers[layer].most_handed_over) add_entry(pixel, vec2(0.0), 0xffffffffu);
 }
 )";
 

@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
+#include <mutex>
+#include <tuple>
 
 #include "core/base/error.h"
 #include "gpu/egl/environment_error.h"
+#include "gpu/zlist/measure_lists.h"
 #include "gpu/zlist/zlist_pairs.h"
 #include "gpu/zlist/zlist_view.h"
 
@@ -33,18 +37,12 @@ std::unique_ptr<ZListRaster> make_raster(const GpuZListOptions& options, int gl_
                           "; accepted: the method framebuffer");
 }
 
-ZListAnswer answer_of(const ZListAsk& ask, const ZListView& view, bool bounds_alone,
-                      ZLists& lists) {
-  if (lists.overflow) return {ZListTrouble::Entries, {}};
+ZListAnswer answer_of(const ZListAsk& ask, const ZListView& view, ZLists& lists) {
   ZListAnswer out;
   CandidatePairs& p = out.proposal;
-  if (bounds_alone)
-    p.why = "only bounds were requested";
-  else if (!make_pairs(view, lists, ask.frame, p.pairs))
-    return {ZListTrouble::Pairs, {}};
-  p.usable = !bounds_alone;
-  p.lower = std::min(ask.frame.time_before(lists.lower), ask.horizon);
-  if (lists.upper < view.horizon) p.upper = ask.frame.time_after(lists.upper);
+  if (!make_pairs(view, lists, ask.frame, p.pairs)) return {ZListTrouble::Pairs, false, {}};
+  p.usable = true;
+  p.work.gpu_lists = lists.num_doubtful > 0;
   return out;
 }
 
@@ -53,10 +51,17 @@ ZListAnswer answer_in_software(const ZListAsk& ask, const ZListView& view, const
   Doubt doubt;
   for (const ZListEntry& e : lists.entries) doubt.pixels.push_back(e.pixel);
   if (lists.upper < view.horizon) doubt.upper = lists.upper;
-  ZListAnswer out{ZListTrouble::None, software.find_candidates(*ask.query, ask.frame, doubt)};
-  CandidatePairs& p = out.proposal;
-  p.lower = std::max(p.lower, std::min(ask.frame.time_before(lists.lower), ask.horizon));
+  ZListAnswer out{ZListTrouble::None, true, software.find_candidates(*ask.query, ask.frame, doubt)};
+  out.proposal.work.software_lists = lists.num_doubtful > 0;
   return out;
+}
+
+void set_bounds(const ZListAsk& ask, const ZListView& view, const ZLists& lists,
+                ZListAnswer& answer) {
+  CandidatePairs& p = answer.proposal;
+  p.lower = std::max(p.lower, std::min(ask.frame.time_before(lists.lower), ask.horizon));
+  if (!answer.in_software && lists.upper < view.horizon)
+    p.upper = ask.frame.time_after(lists.upper);
 }
 
 void set_work(const ZListAsk& ask, const ZLists& lists, CandidatePairs& p) {
@@ -66,6 +71,19 @@ void set_work(const ZListAsk& ask, const ZLists& lists, CandidatePairs& p) {
   p.work.face_pairs = static_cast<std::int64_t>(p.pairs.size());
   p.work.bytes_read_back = lists.bytes_read_back;
   p.work.read_backs = lists.read_backs;
+}
+
+ZListAnswer without_lists() {
+  ZListAnswer out;
+  out.proposal.why = "only bounds were requested";
+  return out;
+}
+
+double num_faces(const ZListView& view) {
+  double out = 0;
+  for (const auto* bodies : {&view.moving, &view.fixed})
+    for (const ZListBody& body : *bodies) out += body.mesh->num_faces;
+  return out;
 }
 
 std::size_t num_bodies(std::span<const ZListView> views) {
@@ -135,39 +153,67 @@ void ZListDevice::check_alive() const {
     throw environment_error("the graphics hardware was reset, injected");
 }
 
+// Measured ones of this process, by renderer, method and kind of motion.
+ListCosts ZListDevice::list_costs(Motion::Kind kind) {
+  if (m_options.list_costs) return *m_options.list_costs;
+  if (m_context.is_software()) return list_costs_of_llvmpipe(kind);
+  static std::mutex mutex;
+  static std::map<std::tuple<std::string, std::string, Motion::Kind>, ListCosts> known;
+  const std::lock_guard lock(mutex);
+  const std::tuple key(m_context.renderer(), std::string(m_raster->description()), kind);
+  const auto found = known.find(key);
+  if (found != known.end()) return found->second;
+  return known.emplace(key, measure_list_costs(*this, kind)).first->second;
+}
+
+std::uint32_t ZListDevice::most_handed_over(const ZListView& view, ZListWanted wanted) {
+  if (wanted == ZListWanted::SoftwareLists) return kAllHandedOver;
+  if (wanted != ZListWanted::Chosen) return 0;
+  const ListCosts costs = list_costs(view.kind);
+  return costs.most_in_software(num_faces(view));
+}
+
 std::vector<ZListAnswer> ZListDevice::answer(std::span<const ZListAsk> asks,
-                                             std::span<const ZListView> views, bool in_software) {
+                                             std::span<const ZListView> views, ZListWanted wanted) {
+  const bool bounds_alone = wanted == ZListWanted::Bounds;
   std::vector<ZLists> lists =
-      m_raster->rasterise(views, m_options.bounds_alone ? ZListOutput::Bounds
-                                 : in_software          ? ZListOutput::DoubtfulPixels
-                                                        : ZListOutput::Lists);
+      m_raster->rasterise(views, bounds_alone ? ZListOutput::Bounds : ZListOutput::Lists);
   check_alive();
   std::vector<ZListAnswer> out;
   for (std::size_t i = 0; i < asks.size(); ++i) {
-    out.push_back(in_software
-                      ? answer_in_software(asks[i], views[i], lists[i], *m_options.software_lists)
-                      : answer_of(asks[i], views[i], m_options.bounds_alone, lists[i]));
+    if (lists[i].overflow)
+      out.push_back({ZListTrouble::Entries, false, {}});
+    else if (bounds_alone)
+      out.push_back(without_lists());
+    else if (lists[i].handed_over)
+      out.push_back(answer_in_software(asks[i], views[i], lists[i], *m_options.software_lists));
+    else
+      out.push_back(answer_of(asks[i], views[i], lists[i]));
+    set_bounds(asks[i], views[i], lists[i], out.back());
     set_work(asks[i], lists[i], out.back().proposal);
   }
   return out;
 }
 
 std::vector<ZListAnswer> ZListDevice::find_candidates(std::span<const ZListAsk> asks,
-                                                      bool in_software) {
+                                                      ZListWanted wanted) {
   const EglContext::Current current(m_context);
+  // Before the meshes are named: it may send others.
+  if (wanted == ZListWanted::Chosen) list_costs(asks.front().query->motion.kind);
   m_meshes->begin_query();
   std::vector<ZListView> views;
   int width = 0, height = 0;
   for (const ZListAsk& ask : asks) {
     views.push_back(make_view(*ask.query, ask.frame, *m_meshes));
     if (views.back().fixed.empty())
-      return std::vector<ZListAnswer>(asks.size(), {ZListTrouble::Meshes, {}});
+      return std::vector<ZListAnswer>(asks.size(), {ZListTrouble::Meshes, false, {}});
+    views.back().most_handed_over = most_handed_over(views.back(), wanted);
     width = std::max(width, ask.frame.width);
     height = std::max(height, ask.frame.height);
   }
   if (!m_raster->has_room(asks.size(), num_bodies(views), width, height))
-    return std::vector<ZListAnswer>(asks.size(), {ZListTrouble::Bodies, {}});
-  return answer(asks, views, in_software);
+    return std::vector<ZListAnswer>(asks.size(), {ZListTrouble::Bodies, false, {}});
+  return answer(asks, views, wanted);
 }
 
 }  // namespace trivet

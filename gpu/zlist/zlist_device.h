@@ -20,8 +20,12 @@ const char* to_string(ZListTrouble trouble);
 
 struct ZListAnswer {
   ZListTrouble trouble = ZListTrouble::None;
-  CandidatePairs proposal;  // valid if there is no trouble
+  bool in_software = false;  // software made the lists
+  CandidatePairs proposal;   // valid if there is no trouble
 };
+
+/// What comes after the depths. Chosen: the cheaper lists, see ListCosts.
+enum class ZListWanted { Bounds, GpuLists, SoftwareLists, Chosen };
 
 class ZListDevice {
  public:
@@ -32,9 +36,8 @@ class ZListDevice {
   ZListDevice& operator=(const ZListDevice&) = delete;
 
   /// Answers queries with one kind of motion, within the available memory.
-  /// @param in_software  lists by GpuZListOptions::software_lists.
   /// @throws Error (Environment) when OpenGL fails or the hardware was reset.
-  std::vector<ZListAnswer> find_candidates(std::span<const ZListAsk> asks, bool in_software);
+  std::vector<ZListAnswer> find_candidates(std::span<const ZListAsk> asks, ZListWanted wanted);
 
   const ZListRaster& raster() const { return *m_raster; }
   const EglContext& context() const { return m_context; }
@@ -44,7 +47,9 @@ class ZListDevice {
 
  private:
   std::vector<ZListAnswer> answer(std::span<const ZListAsk> asks, std::span<const ZListView> views,
-                                  bool in_software);
+                                  ZListWanted wanted);
+  ListCosts list_costs(Motion::Kind kind);
+  std::uint32_t most_handed_over(const ZListView& view, ZListWanted wanted);
   void check_alive() const;
 
   GpuZListOptions m_options;

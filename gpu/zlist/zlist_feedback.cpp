@@ -65,6 +65,7 @@ ZLists lists_of(const ZListView& view, const Texels& texels) {
     if (texels.has_both(i) && texels.gap(i) <= out.upper)
       out.entries.push_back({static_cast<std::uint32_t>(i), 0, 0, 0});
   out.num_doubtful = static_cast<std::int64_t>(out.entries.size());
+  out.handed_over = view.most_handed_over > 0 && out.entries.size() <= view.most_handed_over;
   return out;
 }
 
@@ -277,7 +278,8 @@ std::vector<ZLists> FeedbackRaster::rasterise(std::span<const ZListView> views,
 
 void FeedbackRaster::list(std::span<const ZListView> views, std::vector<ZLists>& lists) {
   const FeedbackState state(m_no_target);
-  for (std::size_t i = 0; i < views.size(); ++i) list(views[i], static_cast<int>(i), lists[i]);
+  for (std::size_t i = 0; i < views.size(); ++i)
+    if (!lists[i].handed_over) list(views[i], static_cast<int>(i), lists[i]);
 }
 
 }  // namespace

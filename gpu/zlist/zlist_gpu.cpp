@@ -63,9 +63,9 @@ class GpuZListStage : public CandidateFinder {
   int resolution_of(const FirstContactQuery& query) const;
   int other_resolution(Trouble trouble, int resolution) const;
   void tell(bool& told, const std::string& text);
-  bool starts_in_software() const;
+  ZListWanted wanted() const;
   std::optional<std::vector<ZListAnswer>> try_asking(std::span<const ZListAsk> asks,
-                                                     bool in_software);
+                                                     ZListWanted wanted);
   CandidatePairs answer_of(const ZListAsk& ask, Trouble& trouble);
   bool add(ZListAsk& ask, Group& group) const;
   void ask_together(Group& group, std::span<const FirstContactQuery> queries,
@@ -86,11 +86,11 @@ void GpuZListStage::tell(bool& told, const std::string& text) {
 
 // Recreates a lost context and retries.
 std::optional<std::vector<ZListAnswer>> GpuZListStage::try_asking(std::span<const ZListAsk> asks,
-                                                                  bool in_software) {
+                                                                  ZListWanted wanted) {
   while (m_num_errors < kMostErrors) {
     try {
       if (!m_device) m_device = std::make_unique<ZListDevice>(m_options);
-      auto out = m_device->find_candidates(asks, in_software);
+      auto out = m_device->find_candidates(asks, wanted);
       if (m_num_errors > 0) tell(m_told_lost, m_last_error + "; a new OpenGL context goes on");
       m_num_errors = 0;
       return out;
@@ -117,22 +117,24 @@ int GpuZListStage::other_resolution(Trouble trouble, int resolution) const {
   return may_be_finer && !m_prefers_large_pixels ? finer : 0;
 }
 
-bool GpuZListStage::starts_in_software() const {
-  if (!m_options.software_lists || m_options.bounds_alone) return false;
-  return m_options.listing == GpuListing::Software ||
-         (m_options.listing == GpuListing::Auto && m_is_software);
+ZListWanted GpuZListStage::wanted() const {
+  if (m_options.bounds_alone) return ZListWanted::Bounds;
+  if (!m_options.software_lists || m_options.listing == GpuListing::Gpu)
+    return ZListWanted::GpuLists;
+  return m_options.listing == GpuListing::Software ? ZListWanted::SoftwareLists
+                                                   : ZListWanted::Chosen;
 }
 
 // A proposal, or trouble that another resolution may avoid.
 CandidatePairs GpuZListStage::answer_of(const ZListAsk& ask, Trouble& trouble) {
-  const bool in_software = starts_in_software();
-  auto answers = try_asking({&ask, 1}, in_software);
+  const ZListWanted first = wanted();
+  auto answers = try_asking({&ask, 1}, first);
   const bool too_long = answers && (answers->front().trouble == Trouble::Entries ||
                                     answers->front().trouble == Trouble::Pairs);
-  if (too_long && m_options.software_lists && m_options.listing != GpuListing::Gpu)
-    answers = try_asking({&ask, 1}, true);
-  if (in_software && answers && !answers->front().proposal.usable)
-    answers = try_asking({&ask, 1}, false);
+  if (too_long && first == ZListWanted::Chosen)
+    answers = try_asking({&ask, 1}, ZListWanted::SoftwareLists);
+  else if (answers && answers->front().in_software && !answers->front().proposal.usable)
+    answers = try_asking({&ask, 1}, ZListWanted::GpuLists);
   trouble = answers ? answers->front().trouble : Trouble::None;
   return answers ? std::move(answers->front().proposal) : gives_up(m_last_error);
 }
@@ -170,14 +172,14 @@ bool GpuZListStage::add(ZListAsk& ask, Group& group) const {
 void GpuZListStage::ask_together(Group& group, std::span<const FirstContactQuery> queries,
                                  std::vector<CandidatePairs>& out) {
   if (group.asks.empty()) return;
-  auto answers = try_asking(group.asks, starts_in_software());
+  auto answers = try_asking(group.asks, wanted());
   for (std::size_t i = 0; i < group.asks.size(); ++i) {
     const ZListAsk& ask = group.asks[i];
     CandidatePairs& proposal = out[static_cast<std::size_t>(ask.query - queries.data())];
     if (!answers)
       proposal = gives_up(m_last_error);
     else if ((*answers)[i].trouble == Trouble::None &&
-             ((*answers)[i].proposal.usable || !starts_in_software()))
+             ((*answers)[i].proposal.usable || !(*answers)[i].in_software))
       proposal = std::move((*answers)[i].proposal);
     else
       proposal = find_candidates(*ask.query, ask.horizon);
@@ -221,8 +223,7 @@ std::unique_ptr<CandidateFinder> make_gpu_candidate_finder(const GpuZListOptions
     check_range("resolution", options.resolution, kLeastResolution, kLargestResolution);
   check_range("largest number of entries", options.max_list_entries, kLeastEntries, kMostEntries);
   check_range("latest OpenGL version", options.most_gl_version, 33, 46);
-  if (options.listing != GpuListing::Auto && options.listing != GpuListing::Gpu &&
-      !options.software_lists)
+  if (options.listing == GpuListing::Software && !options.software_lists)
     throw Error(Error::Kind::BadInput,
                 "z-lists are to be made in software, but by nobody; accepted: software_lists");
   if (options.method == GpuMethod::Auto) return make_faster_candidate_finder(options);

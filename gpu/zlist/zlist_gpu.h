@@ -4,8 +4,10 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "core/contact/doubtful_lists.h"
+#include "gpu/zlist/list_costs.h"
 
 namespace trivet {
 
@@ -21,9 +23,9 @@ GpuMethod gpu_method_from_name(const std::string& name);
 
 /// Method that lists the faces of doubtful pixels. Software needs GpuZListOptions::software_lists.
 enum class GpuListing {
-  Auto,  // Software where the renderer runs on the CPU, else GpuFirst; without software_lists Gpu
-  Gpu,   // it draws again
-  GpuFirst,  // software where there are too many for the GPU
+  Auto,      // per query, by the number of doubtful pixels, what costs less; the other one where it
+             // gives up; without software_lists Gpu
+  Gpu,       // it draws again
   Software,  // as in the paper; where it gives up (too many pieces of faces about an axis), the GPU
 };
 
@@ -46,6 +48,9 @@ struct GpuZListOptions {
   GpuListing listing = GpuListing::Auto;
   std::shared_ptr<DoubtfulLists> software_lists =
       {};  // such as SoftwareDoubtfulLists; null: the GPU's
+  /// For GpuListing::Auto. Without: on graphics hardware measured, once per process, renderer and
+  /// kind of motion, when first needed; on renderers that run on the CPU those of llvmpipe.
+  std::optional<ListCosts> list_costs = {};
   /// Told once when the hardware was lost and a new context goes on, once when there is none and
   /// BVHs answer. May be empty.
   std::function<void(const std::string&)> note = {};

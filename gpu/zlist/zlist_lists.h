@@ -32,23 +32,31 @@ struct ZListView {
   float first_depth = 0;  // origin of angles
   float sample_error = 0;
   float horizon = 0;  // later times are irrelevant
+  /// So many doubtful pixels, or fewer, are handed over, for lists in software; of more, lists are
+  /// made. 0: always made.
+  std::uint32_t most_handed_over = 0;
   std::vector<ZListBody> moving, fixed;
 };
 
 using ZListEntry = glsl::Entry;
 
-/// Complete lists of the doubtful pixels, unordered; times are depths, see ZListView.
+/// The doubtful pixels themselves, or complete lists of them, unordered; times are depths, see
+/// ZListView.
 struct ZLists {
-  bool overflow = false;  // more entries than fit: the other fields are meaningless
-  float upper = 0;        // two samples meet by then; the horizon if none do
-  float lower = 0;        // no contact before this
+  bool overflow = false;     // more entries than fit: the other fields are meaningless
+  bool handed_over = false;  // entries are the doubtful pixels, without depths and face
+  float upper = 0;           // two samples meet by then; the horizon if none do
+  float lower = 0;           // no contact before this
   std::int64_t num_pixels = 0, num_doubtful = 0;
   std::int64_t bytes_read_back = 0, read_backs = 0;  // of a batch: in its first view
-  std::vector<ZListEntry> entries;                   // or doubtful pixels, without depths and face
+  std::vector<ZListEntry> entries;
 };
 
-/// Output of a rasteriser.
-enum class ZListOutput { Bounds, DoubtfulPixels, Lists };
+/// Output of a rasteriser. Bounds: without entries.
+enum class ZListOutput { Bounds, Lists };
+
+/// For ZListView::most_handed_over: lists are never made.
+inline constexpr std::uint32_t kAllHandedOver = 0xffffffffu;
 
 /// A way of using the hardware. All need a current context to be created and destroyed.
 class ZListRaster {

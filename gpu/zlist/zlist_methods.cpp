@@ -5,11 +5,11 @@
 #include <cmath>
 #include <map>
 #include <mutex>
-#include <numbers>
 #include <optional>
 
 #include "core/base/error.h"
 #include "gpu/egl/egl_context.h"
+#include "gpu/zlist/measured_shapes.h"
 
 namespace trivet {
 namespace {
@@ -17,25 +17,6 @@ namespace {
 /// Rows and columns of the spheres' quadrilaterals; on the CPU the smaller ones tell as much.
 constexpr int kRows = 75, kRowsOnCpu = 20;
 constexpr int kRepeats = 3;
-
-/// A sphere with bumps; radius about 1, 2 * rows * (rows + rows / 3) faces.
-std::shared_ptr<const Shape> bumpy_sphere(int rows) {
-  const int columns = rows + rows / 3;
-  const auto vertex = [&](int i, int j) {
-    const double polar = std::numbers::pi * i / rows,
-                 turn = 2 * std::numbers::pi * (j % columns) / columns;
-    const double radius = 1 + 0.05 * std::sin(5 * polar) * std::cos(7 * turn);
-    return Vec3(radius * std::sin(polar) * std::cos(turn),
-                radius * std::sin(polar) * std::sin(turn), radius * std::cos(polar));
-  };
-  std::vector<Triangle> faces;
-  for (int i = 0; i < rows; ++i)
-    for (int j = 0; j < columns; ++j) {
-      faces.push_back({vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1)});
-      faces.push_back({vertex(i, j), vertex(i + 1, j + 1), vertex(i, j + 1)});
-    }
-  return make_shape(weld(faces));
-}
 
 double milliseconds_of(CandidateFinder& stage, const FirstContactQuery& query) {
   const auto start = std::chrono::steady_clock::now();

@@ -41,6 +41,19 @@ void read(std::size_t first, void* to, std::size_t bytes) {
                      static_cast<GLsizeiptr>(bytes), to);
 }
 
+/// As in the shaders: nothing is listed.
+bool hands_over(const glsl::Layer& layer) {
+  return layer.most_handed_over > 0 && layer.num_doubtful <= layer.most_handed_over;
+}
+
+/// False if every view hands over as many pixels as it has.
+bool may_make_lists(const ZListBatch& batch) {
+  return std::any_of(batch.layers.begin(), batch.layers.end(), [](const glsl::Layer& layer) {
+    return layer.most_handed_over <
+           static_cast<std::uint32_t>(layer.size.x) * static_cast<std::uint32_t>(layer.size.y);
+  });
+}
+
 /// Of every view, from the layers as read back.
 std::vector<ZLists> bounds_of(const ZListBatch& batch, const char* layers) {
   std::vector<ZLists> out(batch.layers.size());
@@ -51,6 +64,7 @@ std::vector<ZLists> bounds_of(const ZListBatch& batch, const char* layers) {
     out[i].lower = unordered(layer.lower);
     out[i].num_pixels = layer.num_pixels;
     out[i].num_doubtful = layer.num_doubtful;
+    out[i].handed_over = hands_over(layer);
   }
   return out;
 }
@@ -139,10 +153,9 @@ void ZListPasses::run_job(const GlProgram& program, const ZListJob& job) {
                        GL_RED_INTEGER, GL_UNSIGNED_INT, &none);
 }
 
-void ZListPasses::over_pixels(const GlProgram& program, const ZListBatch& batch, bool hands_over) {
+void ZListPasses::over_pixels(const GlProgram& program, const ZListBatch& batch) {
   program.use();
   set_batch(program, batch, m_max_entries);
-  glUniform1ui(program.uniform("hands_over"), hands_over);
   glDispatchCompute((batch.width + 7) / 8, (batch.height + 7) / 8,
                     static_cast<GLuint>(batch.layers.size()));
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
@@ -153,16 +166,12 @@ void ZListPasses::find_upper_bounds(const ZListBatch& batch) {
     m_upper_bounds.emplace(
         "z-list bounds",
         std::initializer_list<GlShaderSource>{{GL_COMPUTE_SHADER, zlist_shaders::upper_bounds()}});
-  over_pixels(*m_upper_bounds, batch, false);
-}
-
-void ZListPasses::reduce(const ZListBatch& batch, bool hands_over) {
-  over_pixels(m_reduction, batch, hands_over);
+  over_pixels(*m_upper_bounds, batch);
 }
 
 std::vector<ZLists> ZListPasses::finish(const ZListBatch& batch, ZListOutput output) {
-  reduce(batch, output == ZListOutput::DoubtfulPixels);
-  if (output == ZListOutput::Lists) {
+  over_pixels(m_reduction, batch);
+  if (output == ZListOutput::Lists && may_make_lists(batch)) {
     run(batch, Pass::MovingLists);
     run(batch, Pass::FixedLists);
   }
@@ -191,9 +200,10 @@ std::vector<ZLists> ZListPasses::read_back(const ZListBatch& batch) {
   out[0].bytes_read_back = static_cast<std::int64_t>(head.size() + rest);
   out[0].read_backs = rest > 0 ? 2 : 1;
   for (ZListEntry e : entries) {
-    std::vector<ZListEntry>& list = out[e.pixel / batch.layer_pixels].entries;
+    ZLists& lists = out[e.pixel / batch.layer_pixels];
+    if (!lists.handed_over && e.face == glsl::kNoFace) continue;  // too many to be handed over
     e.pixel %= batch.layer_pixels;
-    list.push_back(e);
+    lists.entries.push_back(e);
   }
   return out;
 }

@@ -26,15 +26,16 @@ class ZListPasses {
   void run(const ZListBatch& batch, zlist_shaders::Pass pass);
   /// The upper bounds of the time from the pixels of framebuffers.
   void find_upper_bounds(const ZListBatch& batch);
-  /// Reduction and, if wanted, lists; waits for all. One read, unless the entries are many.
+  /// Reduction and lists of the views that have more doubtful pixels than are handed over; waits
+  /// for all. One read, unless the entries are many: the hardware itself decides, so that nobody
+  /// waits for the number of doubtful pixels.
   std::vector<ZLists> finish(const ZListBatch& batch, ZListOutput output);
 
  private:
-  void reduce(const ZListBatch& batch, bool hands_over);
   std::vector<ZLists> read_back(const ZListBatch& batch);
   const GlProgram& program(Motion::Kind kind, zlist_shaders::Pass pass);
   void run_job(const GlProgram& program, const ZListJob& job);
-  void over_pixels(const GlProgram& program, const ZListBatch& batch, bool hands_over);
+  void over_pixels(const GlProgram& program, const ZListBatch& batch);
   std::size_t first_entry(const ZListBatch& batch) const;
 
   zlist_shaders::Depths m_depths;

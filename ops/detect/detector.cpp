@@ -16,6 +16,8 @@ void add(const ZListWork& work, ZListWork& sum) {
   sum.face_pairs += work.face_pairs;
   sum.asked_pairs += work.asked_pairs;
   sum.confirmed_pairs += work.confirmed_pairs;
+  sum.gpu_lists += work.gpu_lists;
+  sum.software_lists += work.software_lists;
   sum.bytes_read_back += work.bytes_read_back;
   sum.read_backs += work.read_backs;
 }

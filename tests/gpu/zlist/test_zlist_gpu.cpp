@@ -150,7 +150,8 @@ TEST_P(ZListGpuLists, RetriesLongListsWithLargerPixels) {
 /// Lists that are too long for the GPU are made in software.
 TEST_P(ZListGpuLists, LeavesLongListsToSoftware) {
   GpuZListOptions options = GetParam().options({.resolution = 128, .max_list_entries = 1 << 14});
-  options.listing = GpuListing::GpuFirst;
+  options.listing = GpuListing::Auto;
+  options.list_costs = ListCosts{{kInfinity, 0, 0}, {}};
   options.software_lists = std::make_shared<SoftwareDoubtfulLists>();
   const auto stage = make_stage(options);
   TRIVET_SKIP_WITHOUT_EGL(stage);
@@ -158,6 +159,7 @@ TEST_P(ZListGpuLists, LeavesLongListsToSoftware) {
   CandidatePairs proposal;
   EXPECT_TRUE(test::same_answer(q.with_stage(*stage, &proposal), q.fast()));
   EXPECT_TRUE(proposal.usable) << proposal.why;
+  EXPECT_EQ(proposal.work.software_lists, 1);
   EXPECT_GT(proposal.work.pixels, 64 * 64);
 }
 
