@@ -48,6 +48,11 @@ void add_common_options(CLI::App& app, CommonOptions& common) {
          "How --backend gpu finds depths; auto: the faster one; results do not depend on it")
       ->check(one_of({"auto", "framebuffer", "compute"}))
       ->group(group);
+  app.add_option("--gpu-lists", common.gpu_lists,
+                 "Who lists the faces of the pixels in doubt with --backend gpu; auto: for each "
+                 "query what costs less; results do not depend on it")
+      ->check(one_of({"auto", "gpu", "software"}))
+      ->group(group);
   app.add_option("--confirm", common.confirm,
                  "Whether Embree takes pairs away from what z-lists propose; auto: where they are "
                  "many; results do not depend on it")
@@ -187,9 +192,7 @@ BackendOptions backend_options(const CommonOptions& common) {
   options.confirmation = confirmation_from_name(common.confirm);
   if (options.backend == Backend::Auto) options.machine = make_machine(common);
   options.note = [&common](const std::string& note) { print_note(common, note); };
-  options.make_gpu_stage = [&common, note = options.note] {
-    return make_gpu_stage(common.gpu_method, common.num_threads, note);
-  };
+  options.make_gpu_stage = [&common, note = options.note] { return make_gpu_stage(common, note); };
   options.make_gpu_brackets = make_gpu_brackets;
   return options;
 }

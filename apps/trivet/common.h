@@ -19,6 +19,7 @@ namespace trivet::apps {
 struct CommonOptions {
   std::string backend = "auto";
   std::string gpu_method = "auto";  // see GpuMethod
+  std::string gpu_lists = "auto";   // see GpuListing
   std::string confirm = "auto";     // see confirmation_from_name()
   int num_threads = 0;              // 0: all cores
   bool json = false;
@@ -58,7 +59,7 @@ struct MaterialArguments {
 };
 void add_material_options(CLI::App& app, MaterialArguments& arguments);
 
-/// By --backend, --gpu-method, --confirm and --threads; notes on standard error if what was asked
+/// By --backend, --gpu-method, --gpu-lists, --confirm and --threads; notes on standard error if what was asked
 /// for is unavailable. `common` must outlive it.
 BackendOptions backend_options(const CommonOptions& common);
 std::unique_ptr<Detector> make_detector(const CommonOptions& common);
@@ -71,12 +72,11 @@ std::string graphics_hardware_here();
 /// Methods on the GPU that `auto` may choose. @param note  as in make_gpu_stage().
 std::vector<GpuSource> gpu_sources(int num_threads,
                                    const std::function<void(const std::string&)>& note);
-/// Candidate finder by z-lists on the GPU. @throws Error (Environment) if unavailable, and in a
+/// Candidate finder by z-lists on the GPU, as --backend gpu asks for it. @throws Error (Environment) if unavailable, and in a
 /// build without it.
 /// @param note  told when the hardware is lost later.
 std::unique_ptr<CandidateFinder> make_gpu_stage(
-    const std::string& method, int num_threads,
-    const std::function<void(const std::string&)>& note);
+    const CommonOptions& common, const std::function<void(const std::string&)>& note);
 /// Brackets of falls at many places, on the GPU. @throws Error (Environment) likewise.
 DropBracketFunction make_gpu_brackets();
 

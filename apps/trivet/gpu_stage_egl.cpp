@@ -37,9 +37,11 @@ std::vector<GpuSource> gpu_sources(int num_threads, const Note& note) {
           source_of("gpu compute", GpuMethod::Compute, num_threads, note)};
 }
 
-std::unique_ptr<CandidateFinder> make_gpu_stage(const std::string& method, int num_threads,
-                                                const Note& note) {
-  return make_gpu_candidate_finder(options_of(gpu_method_from_name(method), num_threads, note));
+std::unique_ptr<CandidateFinder> make_gpu_stage(const CommonOptions& common, const Note& note) {
+  GpuZListOptions options =
+      options_of(gpu_method_from_name(common.gpu_method), common.num_threads, note);
+  options.listing = gpu_listing_from_name(common.gpu_lists);
+  return make_gpu_candidate_finder(options);
 }
 
 DropBracketFunction make_gpu_brackets() {

@@ -16,7 +16,7 @@ std::string graphics_hardware_here() { return ""; }
 std::vector<GpuSource> gpu_sources(int, const std::function<void(const std::string&)>&) {
   return {};
 }
-std::unique_ptr<CandidateFinder> make_gpu_stage(const std::string&, int,
+std::unique_ptr<CandidateFinder> make_gpu_stage(const CommonOptions&,
                                                 const std::function<void(const std::string&)>&) {
   refuse();
 }

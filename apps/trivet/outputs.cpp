@@ -110,6 +110,15 @@ std::string check_summary(const SceneCheck& check) {
   return out.str();
 }
 
+// Empty without a GPU.
+std::string lists_summary(const Detector& detector) {
+  if (detector.lists().empty()) return "";
+  const ZListWork& work = detector.work().zlist;
+  return "    by the GPU (" + detector.method() + ") in " + std::to_string(work.gpu_lists) +
+         " queries, in software in " + std::to_string(work.software_lists) + " (" +
+         detector.lists() + ")\n";
+}
+
 // Statistics of the paper's three stages and of the narrow phase, for display.
 std::string work_summary(const Detector& detector) {
   const DetectionWork& work = detector.work();
@@ -122,7 +131,7 @@ std::string work_summary(const Detector& detector) {
         << "  stage 3, lists: " << work.zlist.doubtful_pixels << " doubtful pixels, "
         << work.zlist.face_pairs << " candidate pairs of faces, " << work.zlist.bytes_read_back
         << " bytes read back\n"
-        << "  stage 4, Embree (" << to_string(detector.confirmation())
+        << lists_summary(detector) << "  stage 4, Embree (" << to_string(detector.confirmation())
         << "): " << work.zlist.confirmed_pairs << " of " << work.zlist.asked_pairs
         << " pairs of faces confirmed\n"
         << "  given up, answered by BVHs: " << work.fallbacks << " queries\n";
@@ -140,6 +149,8 @@ void tell_work(const Detector& detector, const CommonOptions& common, ReportOpti
   if (!report) return;
   report->backend = detector.name();
   report->device = detector.device();
+  report->gpu_method = detector.method();
+  report->gpu_lists = detector.lists();
   report->confirmation = to_string(detector.confirmation());
   report->work = detector.work();
 }

@@ -88,6 +88,8 @@ std::string as_text(Machine& machine, const Calibration& calibration, const std:
         << note_on(source);
     out << "\n";
   }
+  out << "faces of doubtful pixels: listed by the GPU or in software, for each query by what costs "
+         "less\n";
   for (const Motion::Kind kind : kKinds) out << table_text(machine, calibration, kind);
   return out.str();
 }
@@ -102,6 +104,7 @@ std::string as_json(Machine& machine, const Calibration& calibration, const std:
   }
   OrderedJson json = OrderedJson::parse(to_json(calibration));
   json["file"] = file;
+  json["gpu_lists"] = "auto";
   json["choices"] = std::move(choices);
   return readable_json(json);
 }

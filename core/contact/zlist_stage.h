@@ -55,6 +55,8 @@ class CandidateFinder {
   virtual std::string device() const { return "cpu"; }
   /// Use of the GPU: "framebuffer" or "compute"; empty: of no GPU.
   virtual std::string method() const { return ""; }
+  /// Who lists the faces of a GPU's doubtful pixels: "auto", "gpu" or "software"; empty: of no GPU.
+  virtual std::string lists() const { return ""; }
 
   /// @param horizon  contacts later than this do not matter; at most query.motion.limit.
   /// Pairs stop at distances of up to query.clearance.largest_stop(): "touch" above means that.

@@ -48,6 +48,9 @@ class GpuZListStage : public CandidateFinder {
   std::string method() const override {
     return m_options.method == GpuMethod::Compute ? "compute" : "framebuffer";
   }
+  std::string lists() const override {
+    return to_string(m_options.software_lists ? m_options.listing : GpuListing::Gpu);
+  }
   CandidatePairs find_candidates(const FirstContactQuery& query, double horizon) override;
   std::vector<CandidatePairs> find_candidates_for_all(std::span<const FirstContactQuery> queries,
                                                       std::span<const double> horizons) override;
@@ -217,6 +220,19 @@ void check_range(const char* what, int value, int least, int largest) {
 }
 
 }  // namespace
+
+GpuListing gpu_listing_from_name(const std::string& name) {
+  if (name == "auto") return GpuListing::Auto;
+  if (name == "gpu") return GpuListing::Gpu;
+  if (name == "software") return GpuListing::Software;
+  throw Error(Error::Kind::BadInput,
+              "lists by \"" + name + "\" are not accepted; accepted: auto, gpu, software");
+}
+
+std::string to_string(GpuListing listing) {
+  if (listing == GpuListing::Auto) return "auto";
+  return listing == GpuListing::Gpu ? "gpu" : "software";
+}
 
 std::unique_ptr<CandidateFinder> make_gpu_candidate_finder(const GpuZListOptions& options) {
   if (options.resolution != 0)

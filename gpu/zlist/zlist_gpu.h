@@ -29,6 +29,11 @@ enum class GpuListing {
   Software,  // as in the paper; where it gives up (too many pieces of faces about an axis), the GPU
 };
 
+/// From "auto", "gpu" or "software". @throws Error (BadInput) for anything else.
+GpuListing gpu_listing_from_name(const std::string& name);
+/// And back.
+std::string to_string(GpuListing listing);
+
 /// Faults that tests inject into a stage.
 struct GpuFaults {
   std::function<bool()> resets = {};   // asked after every query; true: the hardware was reset

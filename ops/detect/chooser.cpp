@@ -95,6 +95,7 @@ CandidateFinder* BackendChooser::use(const std::string& name) {
   if (stage && stage->device() != "cpu") {
     m_device = stage->device();
     m_method = stage->method();
+    m_lists = stage->lists();
   }
   return stage;
 }

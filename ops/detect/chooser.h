@@ -29,6 +29,7 @@ class BackendChooser {
   /// Renderer of the last GPU source used, and how it is used; "cpu" and empty if none was.
   const std::string& device() const { return m_device; }
   const std::string& method() const { return m_method; }
+  const std::string& lists() const { return m_lists; }
 
  private:
   using Stages = std::map<std::string, std::unique_ptr<CandidateFinder>>;
@@ -46,7 +47,7 @@ class BackendChooser {
   Stages m_ready;
   std::map<std::string, double> m_saved_ms;  // savings missed so far, by source not ready
   std::set<std::string> m_given_up, m_used;
-  std::string m_current = Calibration::kBvh, m_device = "cpu", m_method;
+  std::string m_current = Calibration::kBvh, m_device = "cpu", m_method, m_lists;
   bool m_recalibrated = false;
   int m_failures = 0;  // of the current source, in a row
 };

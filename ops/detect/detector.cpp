@@ -42,6 +42,11 @@ std::string Detector::method() const {
   return m_stage ? m_stage->method() : "";
 }
 
+std::string Detector::lists() const {
+  if (m_chooser) return m_chooser->lists();
+  return m_stage ? m_stage->lists() : "";
+}
+
 FirstContact Detector::first_contact(const FirstContactQuery& query) {
   const Stopwatch stopwatch;
   ++m_work.num_queries;

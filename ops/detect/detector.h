@@ -54,6 +54,8 @@ class Detector {
   std::string device() const;
   /// Use of the GPU, see CandidateFinder::method(); empty without one.
   std::string method() const;
+  /// Who lists the faces of its doubtful pixels, see CandidateFinder::lists(); likewise.
+  std::string lists() const;
 
  private:
   FirstContact ask_stage(const FirstContactQuery& query, CandidateFinder& stage);

@@ -7,7 +7,7 @@ import unittest
 from program import PROGRAM, SLAB, SOURCE_DIR, Case, main, put
 
 MODELS = os.path.join(SOURCE_DIR, "..", "shared", "data", "models")
-OWN_KEYS = ("backend", "device", "work")
+OWN_KEYS = ("backend", "device", "gpu_method", "gpu_lists", "work")
 
 
 def common_part(report):
@@ -55,6 +55,8 @@ class Backends(Case):
     def test_demo(self):
         found = self.reports("demo", "spoon-saucer")
         self.assertEqual(found["bvh"]["device"], "cpu")
+        for backend in ("bvh", "software"):
+            self.assertEqual((found[backend]["gpu_method"], found[backend]["gpu_lists"]), ("", ""))
         self.assertGreater(found["bvh"]["work"]["node_pairs"], 0)
         self.assertEqual(found["software"]["work"]["fallbacks"], 0)
         self.assertLess(found["software"]["work"]["node_pairs"],  # of the floor
@@ -146,17 +148,30 @@ class Backends(Case):
         self.assertIn("places are judged in software instead", err)
 
     def test_methods(self):
-        """--gpu-method is named in the report; results do not depend on it."""
+        """--gpu-method and --gpu-lists are named in the report; results do not depend on them."""
         layout = self.two_cubes()
         self.trivet("run", layout, "-o", "bvh.glb", "--report", "bvh.json")
         for method, name in (("framebuffer", "framebuffers"), ("compute", "compute shaders")):
-            _, err = self.trivet("run", layout, "-o", "gpu.glb", "--report", "gpu.json",
-                                 "--backend", "gpu", "--gpu-method", method, "--verbose")
-            report = self.read_json("gpu.json")
-            self.assertEqual(self.read("bvh.glb"), self.read("gpu.glb"))
-            if self.has_gpu:
-                self.assertIn(name, report["device"])
-                self.assertIn(name, err)
+            for lists in ("gpu", "software", "auto"):
+                _, err = self.trivet("run", layout, "-o", "gpu.glb", "--report", "gpu.json", "--backend", "gpu",
+                                     "--gpu-method", method, "--gpu-lists", lists, "--verbose")
+                report = self.read_json("gpu.json")
+                self.assertEqual(self.read("bvh.glb"), self.read("gpu.glb"))
+                if self.has_gpu:
+                    self.assert_listed(method, name, lists, report, err)
+
+    def assert_listed(self, method, name, lists, report, err):
+        self.assertIn(name, report["device"])
+        self.assertIn(name, err)
+        self.assertEqual((report["gpu_method"], report["gpu_lists"]), (method, lists))
+        work = report["work"]
+        self.assertIn(f"by the GPU ({method}) in {work['lists_by_gpu']} queries, "
+                      f"in software in {work['lists_in_software']} ({lists})", err)
+        self.assertGreater(work["lists_by_gpu"] + work["lists_in_software"], 0)
+        if lists == "gpu":
+            self.assertEqual(work["lists_in_software"], 0)
+        elif lists == "software":
+            self.assertGreater(work["lists_in_software"], work["lists_by_gpu"])
 
     def test_confirmation(self):
         """--confirm is named in the report; results do not depend on it, on any backend."""

@@ -39,7 +39,7 @@ class Layout(HelpCase):
                 self.assertIn("\n  --backend", common)
                 self.assertNotIn("\n  --backend", own)
                 for option in re.findall(r"^  (-.*?)(?:  |$)", common.split("Examples:")[0], re.M):
-                    self.assertRegex(option, "backend|gpu-method|confirm|threads|max-file|import|json|quiet|verbose|"
+                    self.assertRegex(option, "backend|gpu-method|gpu-lists|confirm|threads|max-file|import|json|quiet|verbose|"
                                              "help|version")
 
     def test_lines_fit(self):

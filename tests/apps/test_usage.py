@@ -42,6 +42,8 @@ class WrongUsage(Case):
                 ((*run, "--confirm", "yes"), "yes\" is not accepted; accepted: auto, embree, off"),
                 ((*run, "--gpu-method", "raster"),
                  '"raster" is not accepted; accepted: auto, framebuffer, compute'),
+                ((*run, "--gpu-lists", "cpu"),
+                 '"cpu" is not accepted; accepted: auto, gpu, software'),
                 ((*run, "--backend", "cuda"),
                  '"cuda" is not accepted; accepted: auto, gpu, software, bvh'),
                 ((*run, "--threads", "many"), '"many" is not accepted; accepted: whole numbers'),

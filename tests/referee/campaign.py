@@ -23,7 +23,8 @@ many times in all; "placed" counts objects, "PUTs ok" PUTs.
 --same-as, --threads and --backends run each layout again, by another build, with other numbers of
 threads or other sources of candidates: reports (apart from milliseconds, and what a backend says of
 itself) and scenes must be the same bytes. Without --referee, no other check is made.
-A backend may be followed by the method of the GPU and by what Embree confirms: gpu/framebuffer/off.
+A backend may be followed by the method of the GPU, by who lists the doubtful pixels and by what Embree confirms:
+gpu/framebuffer/software/off. "five" is short for BVHs, software, both methods with lists by the GPU, and the hybrid.
 Prints a table; exit status 1 if a scene is not true, a result differs, a backend is not the one asked
 for, or fewer are placed than --placed says, 98 % by default.
 """
@@ -48,18 +49,28 @@ def read_report(path):
 def comparable(report):
     """Part of a report that must be the same in every run."""
     report = {key: value for key, value in report.items()
-              if key not in ("backend", "device", "work")}
+              if key not in ("backend", "device", "gpu_method", "gpu_lists", "confirmation", "work")}
     report["operations"] = [{key: value for key, value in operation.items()
                              if key != "milliseconds"} for operation in report["operations"]]
     return json.dumps(report)
 
 
+HOW = {"framebuffer": "--gpu-method", "compute": "--gpu-method", "gpu": "--gpu-lists", "software": "--gpu-lists",
+       "embree": "--confirm", "off": "--confirm"}
+FIVE_WAYS = "bvh,software,gpu/framebuffer/gpu,gpu/compute/gpu,gpu/framebuffer/software"
+
+
 def backend_options(backend):
+    """Of a name such as gpu/compute/software/off."""
     name, *how = backend.split("/")
-    out = ["--backend", name]
-    for value in how:
-        out += ["--gpu-method" if value in ("framebuffer", "compute") else "--confirm", value]
-    return out
+    return ["--backend", name, *(text for value in how for text in (HOW[value], value))]
+
+
+def is_as_asked(backend, report):
+    """Whether a report is of the backend that was asked for."""
+    name, *how = backend.split("/")
+    keys = {"--gpu-method": "gpu_method", "--gpu-lists": "gpu_lists", "--confirm": "confirmation"}
+    return report["backend"] == name and all(report[keys[HOW[value]]] == value for value in how)
 
 
 def run_trivet(trivet, base, suffix, *options):
@@ -105,7 +116,7 @@ def differences(options, base, scene, report):
             same = a.read() == b.read() and comparable(report) == comparable(other)
         if backend:
             options.work.add(backend, other)
-            same = same and other["backend"] == backend.split("/")[0]
+            same = same and is_as_asked(backend, other)
         if not same:
             found.append(os.path.basename(base) + suffix)
         os.remove(other_scene)
@@ -235,8 +246,10 @@ def main():
     parser.add_argument("--tries", type=int, default=1, help="PUTs of an object that heaps and bins refuse")
     parser.add_argument("--same-as", help="another build of trivet to compare with")
     parser.add_argument("--threads", default="", help="numbers of threads to compare, comma-separated")
-    parser.add_argument("--backends", default="", help="bvh, software, gpu, with commas; also gpu/compute/off")
+    parser.add_argument("--backends", default="", help="bvh, software, gpu, with commas; also gpu/compute/software/off; or five")
     options = parser.parse_args()
+    if options.backends == "five":
+        options.backends = FIVE_WAYS
     options.work = BackendWork()
     options.rules = ["--perfect-friction"] if not options.friction else \
         [] if options.whole else ["--objects-alone"]

@@ -12,7 +12,8 @@ GuardedStage::GuardedStage(std::unique_ptr<CandidateFinder> stage)
     : m_stage(std::move(stage)),
       m_name(m_stage->name()),
       m_device(m_stage->device()),
-      m_method(m_stage->method()) {}
+      m_method(m_stage->method()),
+      m_lists(m_stage->lists()) {}
 
 void GuardedStage::note(const CandidatePairs& found) {
   m_num_unusable = found.usable ? 0 : m_num_unusable + 1;

@@ -17,6 +17,7 @@ class GuardedStage final : public CandidateFinder {
   std::string name() const override { return m_name; }
   std::string device() const override { return m_device; }
   std::string method() const override { return m_method; }
+  std::string lists() const override { return m_lists; }
   CandidatePairs find_candidates(const FirstContactQuery& query, double horizon) override;
   std::vector<CandidatePairs> find_candidates_for_all(std::span<const FirstContactQuery> queries,
                                                       std::span<const double> horizons) override;
@@ -30,7 +31,7 @@ class GuardedStage final : public CandidateFinder {
   void note(const CandidatePairs& found);
 
   std::unique_ptr<CandidateFinder> m_stage;  // null once it has failed
-  std::string m_name, m_device, m_method, m_failure;
+  std::string m_name, m_device, m_method, m_lists, m_failure;
   int m_num_unusable = 0;  // in a row
 };
 

@@ -13,6 +13,7 @@ class SharedStage final : public CandidateFinder {
   std::string name() const override { return m_stage->name(); }
   std::string device() const override { return m_stage->device(); }
   std::string method() const override { return m_stage->method(); }
+  std::string lists() const override { return m_stage->lists(); }
   CandidatePairs find_candidates(const FirstContactQuery& query, double horizon) override {
     return m_stage->find_candidates(query, horizon);
   }

@@ -18,9 +18,11 @@ namespace {
 constexpr const char *kBackendKey = "detection/backend", *kMethodKey = "detection/gpu_method";
 
 // Each stage has lists of its own: threads share nothing.
-std::unique_ptr<CandidateFinder> gpu_stage(GpuMethod method, bool allow_software) {
+std::unique_ptr<CandidateFinder> gpu_stage(GpuMethod method, GpuListing listing,
+                                           bool allow_software) {
   GpuZListOptions options;
   options.method = method;
+  options.listing = listing;
   options.allow_software = allow_software;
   options.software_lists = std::make_shared<SoftwareDoubtfulLists>();
   return make_gpu_candidate_finder(options);
@@ -35,7 +37,7 @@ std::shared_ptr<Machine> machine_here() {
     for (const auto& [name, method] : {std::pair("gpu framebuffer", GpuMethod::Framebuffer),
                                        std::pair("gpu compute", GpuMethod::Compute)})
       options.gpu.push_back({name, [method = method](bool allow_software) {
-                               return gpu_stage(method, allow_software);
+                               return gpu_stage(method, GpuListing::Auto, allow_software);
                              }});
     options.file = calibration_path();
     return std::make_shared<Machine>(std::move(options));
@@ -57,7 +59,8 @@ BackendOptions backend_options(const DetectionChoice& choice) {
   options.backend = backend_from_name(choice.backend.toStdString());
   if (options.backend == Backend::Auto) options.machine = machine_here();
   const GpuMethod method = gpu_method_from_name(choice.gpu_method.toStdString());
-  options.make_gpu_stage = [method] { return gpu_stage(method, true); };
+  const GpuListing listing = gpu_listing_from_name(choice.gpu_lists.toStdString());
+  options.make_gpu_stage = [=] { return gpu_stage(method, listing, true); };
   options.make_gpu_brackets = gpu_brackets;
   return options;
 }

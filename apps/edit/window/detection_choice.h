@@ -7,10 +7,11 @@
 
 namespace trivet::edit {
 
-/// By name: see backend_from_name(), gpu_method_from_name().
+/// By name: see backend_from_name(), gpu_method_from_name(), gpu_listing_from_name().
 struct DetectionChoice {
   QString backend = "auto";     // "auto", "bvh", "software", "gpu"
   QString gpu_method = "auto";  // "auto", "framebuffer", "compute"
+  QString gpu_lists = "auto";   // "auto", "gpu", "software"; of the command line, not kept
   bool operator==(const DetectionChoice&) const = default;
 };
 

@@ -36,6 +36,8 @@ void add_options(QCommandLineParser& parser) {
   parser.addOption(
       {"language", "Of the windows: en or de; otherwise as chosen, or the system's", "code"});
   parser.addOption({"gpu-method", "How a GPU does it: auto, framebuffer or compute", "name"});
+  parser.addOption(
+      {"gpu-lists", "Who lists faces in its pixels in doubt: auto, gpu or software", "name"});
 }
 
 // Help, version and a language that is none need no display.
@@ -65,6 +67,7 @@ int run(int argc, char** argv) {
   trivet::edit::DetectionChoice detection = trivet::edit::saved_detection();
   if (parser.isSet("backend")) detection.backend = parser.value("backend");
   if (parser.isSet("gpu-method")) detection.gpu_method = parser.value("gpu-method");
+  if (parser.isSet("gpu-lists")) detection.gpu_lists = parser.value("gpu-lists");
   trivet::edit::DocumentOptions options;
   options.version = TRIVET_VERSION;
   options.detection = trivet::edit::backend_options(detection);

@@ -9,7 +9,10 @@ namespace trivet::edit {
 
 PreferencesDialog::PreferencesDialog(Document& document, const DetectionChoice& choice,
                                      const SnapSteps& steps, QWidget* parent)
-    : QDialog(parent), m_document(document), m_answering(new QLabel) {
+    : QDialog(parent),
+      m_document(document),
+      m_gpu_lists(choice.gpu_lists),
+      m_answering(new QLabel) {
   setWindowTitle(tr("Preferences"));
   m_backend = make_box("backend",
                        {{"auto", tr("Automatic: the fastest here")},
@@ -92,7 +95,7 @@ QDoubleSpinBox* PreferencesDialog::make_step(const char* name, double value, dou
 }
 
 DetectionChoice PreferencesDialog::choice() const {
-  return {m_backend->currentData().toString(), m_method->currentData().toString()};
+  return {m_backend->currentData().toString(), m_method->currentData().toString(), m_gpu_lists};
 }
 
 void PreferencesDialog::show_answering() {

@@ -42,6 +42,7 @@ class PreferencesDialog : public QDialog {
 
   Document& m_document;
   QComboBox *m_backend, *m_method;
+  QString m_gpu_lists;  // of the command line
   QDoubleSpinBox *m_grid, *m_angle;
   QLabel* m_answering;
 };

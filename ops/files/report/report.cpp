@@ -71,6 +71,8 @@ OrderedJson work_json(const DetectionWork& work) {
           {"proposed_face_pairs", work.zlist.face_pairs},
           {"asked_face_pairs", work.zlist.asked_pairs},
           {"confirmed_face_pairs", work.zlist.confirmed_pairs},
+          {"lists_by_gpu", work.zlist.gpu_lists},
+          {"lists_in_software", work.zlist.software_lists},
           {"bytes_read_back", work.zlist.bytes_read_back},
           {"fallbacks", work.fallbacks},
           {"places", work.places},
@@ -87,6 +89,8 @@ std::string report_json(const LayoutRun& run, const ReportOptions& options) {
                       {"version", options.version},
                       {"backend", options.backend},
                       {"device", options.device},
+                      {"gpu_method", options.gpu_method},
+                      {"gpu_lists", options.gpu_lists},
                       {"confirmation", options.confirmation}};
   if (options.work) json["work"] = work_json(*options.work);
   if (!options.arrangement.empty()) json["arrange"] = OrderedJson::parse(options.arrangement);

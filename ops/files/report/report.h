@@ -15,6 +15,7 @@ struct ReportOptions {
   std::string version;
   std::string backend = "bvh";
   std::string device = "cpu";
+  std::string gpu_method, gpu_lists;  // see Detector::method(), lists(); empty without a GPU
   std::string confirmation = "auto";  // by Embree, see confirmation_from_name()
   std::optional<DetectionWork> work;  // left over by the stages of the queries; nullopt: omitted
   /// Put before relative model paths; empty: paths as the scene has them.
@@ -23,8 +24,8 @@ struct ReportOptions {
 };
 
 /// The report as JSON text (apps/python/docs/report.rst has its fields). Two runs of one input
-/// differ in nothing but "milliseconds"; two backends also in "backend", "device" and "work", two
-/// kinds of confirmation in "confirmation" and "work". "check" names
+/// differ in nothing but "milliseconds"; two backends also in "backend", "device", "gpu_method",
+/// "gpu_lists" and "work", two kinds of confirmation in "confirmation" and "work". "check" names
 /// what it found: "pairs" of objects that interpenetrate (in double, in float32, or one inside the
 /// other) and objects "not_at_rest". "settle" has the rules of layouts. "stability" is of the scene
 /// as a whole, as struct Stability has it; newtons, metres. Null: a number that is infinite; pose,

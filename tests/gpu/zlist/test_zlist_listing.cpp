@@ -53,6 +53,29 @@ TEST(ListCosts, AreMeasuredOnAnyRenderer) {
   }
 }
 
+TEST(GpuListing, HasNames) {
+  for (const char* name : {"auto", "gpu", "software"})
+    EXPECT_EQ(to_string(gpu_listing_from_name(name)), name);
+  try {
+    gpu_listing_from_name("cpu");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), Error::Kind::BadInput);
+    EXPECT_STREQ(error.what(), "lists by \"cpu\" are not accepted; accepted: auto, gpu, software");
+  }
+}
+
+TEST(GpuListing, IsNamedByTheStage) {
+  GpuZListOptions options = test::kFramebufferWay.options();
+  const auto alone = make_stage(options);
+  TRIVET_SKIP_WITHOUT_EGL(alone);
+  EXPECT_EQ(alone->lists(), "gpu");  // nobody else is there
+  options.software_lists = std::make_shared<SoftwareDoubtfulLists>();
+  EXPECT_EQ(make_stage(options)->lists(), "auto");
+  options.listing = GpuListing::Software;
+  EXPECT_EQ(make_stage(options)->lists(), "software");
+}
+
 /// Cheaper in software up to kMost doubtful pixels, whatever the faces.
 GpuZListOptions choosing(const Way& way, int resolution) {
   GpuZListOptions out = way.options({.resolution = resolution});

@@ -40,8 +40,9 @@ TEST(Report, HasKeysInDocumentedOrder) {
   options.version = "1.2.3";
   const Json report = Json::parse(report_json(run_boxes(), options));
   EXPECT_EQ(keys(report),
-            (std::vector<std::string>{"trivet", "version", "backend", "device", "confirmation",
-                                      "settle", "objects", "operations", "check", "stability"}));
+            (std::vector<std::string>{"trivet", "version", "backend", "device", "gpu_method",
+                                      "gpu_lists", "confirmation", "settle", "objects",
+                                      "operations", "check", "stability"}));
   EXPECT_EQ(keys(report["settle"]),
             (std::vector<std::string>{"perfect_friction", "whole_at_rest", "literal_paper_rules"}));
   EXPECT_EQ(report["trivet"], 1);
