@@ -40,9 +40,10 @@ std::vector<GpuSource> gpu_stages() {
   std::vector<GpuSource> out;
   for (const GpuMethod method : {GpuMethod::Framebuffer, GpuMethod::Compute})
     out.push_back({method == GpuMethod::Compute ? "compute shaders" : "framebuffers",
-                   [=](bool allow_software) {
+                   [=](bool allow_software, const GpuNotes& notes) {
                      GpuZListOptions options = options_of(method);
                      options.allow_software = allow_software;
+                     options.notes = notes;
                      return make_gpu_candidate_finder(options);
                    }});
   return out;

@@ -177,7 +177,7 @@ std::vector<Finder> finders() {
                               }}};
   for (const GpuSource& source : gpu_stages())
     out.push_back(
-        {source.name, [=] { return std::make_unique<Detector>(source.make(true), "gpu"); }});
+        {source.name, [=] { return std::make_unique<Detector>(source.make(true, {}), "gpu"); }});
   return out;
 }
 

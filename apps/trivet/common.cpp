@@ -151,7 +151,7 @@ std::shared_ptr<Machine> make_machine(const CommonOptions& common) {
   options.version = TRIVET_VERSION;
   options.hardware = graphics_hardware_here();
   options.note = [&common](const std::string& note) { print_note(common, note); };
-  options.gpu = gpu_sources(common.num_threads, options.note);
+  options.gpu = gpu_sources(common.num_threads);
   options.num_threads = common.num_threads;
   options.file = calibration_path();
   return std::make_shared<Machine>(std::move(options));
@@ -192,7 +192,9 @@ BackendOptions backend_options(const CommonOptions& common) {
   options.confirmation = confirmation_from_name(common.confirm);
   if (options.backend == Backend::Auto) options.machine = make_machine(common);
   options.note = [&common](const std::string& note) { print_note(common, note); };
-  options.make_gpu_stage = [&common, note = options.note] { return make_gpu_stage(common, note); };
+  options.make_gpu_stage = [&common](const GpuNotes& notes) {
+    return make_gpu_stage(common, notes);
+  };
   options.make_gpu_brackets = make_gpu_brackets;
   return options;
 }

@@ -59,8 +59,8 @@ struct MaterialArguments {
 };
 void add_material_options(CLI::App& app, MaterialArguments& arguments);
 
-/// By --backend, --gpu-method, --gpu-lists, --confirm and --threads; notes on standard error if what was asked
-/// for is unavailable. `common` must outlive it.
+/// By --backend, --gpu-method, --gpu-lists, --confirm and --threads; notes on standard error if
+/// what was asked for is unavailable. `common` must outlive it.
 BackendOptions backend_options(const CommonOptions& common);
 std::unique_ptr<Detector> make_detector(const CommonOptions& common);
 
@@ -69,16 +69,14 @@ std::shared_ptr<Machine> make_machine(const CommonOptions& common);
 
 /// Graphics hardware as the kernel shows it; empty: none, or a build without GPU support.
 std::string graphics_hardware_here();
-/// Methods on the GPU that `auto` may choose. @param note  as in make_gpu_stage().
-std::vector<GpuSource> gpu_sources(int num_threads,
-                                   const std::function<void(const std::string&)>& note);
-/// Candidate finder by z-lists on the GPU, as --backend gpu asks for it. @throws Error (Environment) if unavailable, and in a
-/// build without it.
-/// @param note  told when the hardware is lost later.
-std::unique_ptr<CandidateFinder> make_gpu_stage(
-    const CommonOptions& common, const std::function<void(const std::string&)>& note);
+/// Methods on the GPU that `auto` may choose.
+std::vector<GpuSource> gpu_sources(int num_threads);
+/// Candidate finder by z-lists on the GPU, as --backend gpu asks for it. @throws Error
+/// (Environment) if unavailable, and in a build without it.
+/// @param notes  told when the hardware is lost later.
+std::unique_ptr<CandidateFinder> make_gpu_stage(const CommonOptions& common, const GpuNotes& notes);
 /// Brackets of falls at many places, on the GPU. @throws Error (Environment) likewise.
-DropBracketFunction make_gpu_brackets();
+DropBracketFunction make_gpu_brackets(bool allow_software);
 
 /// Context for a run of operations. The detector is not owned; null: BVHs.
 RunOptions run_options(const CommonOptions& common, const SettleArguments& arguments,

@@ -13,13 +13,8 @@ namespace {
 }  // namespace
 
 std::string graphics_hardware_here() { return ""; }
-std::vector<GpuSource> gpu_sources(int, const std::function<void(const std::string&)>&) {
-  return {};
-}
-std::unique_ptr<CandidateFinder> make_gpu_stage(const CommonOptions&,
-                                                const std::function<void(const std::string&)>&) {
-  refuse();
-}
-DropBracketFunction make_gpu_brackets() { refuse(); }
+std::vector<GpuSource> gpu_sources(int) { return {}; }
+std::unique_ptr<CandidateFinder> make_gpu_stage(const CommonOptions&, const GpuNotes&) { refuse(); }
+DropBracketFunction make_gpu_brackets(bool) { refuse(); }
 
 }  // namespace trivet::apps

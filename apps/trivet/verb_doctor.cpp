@@ -25,7 +25,7 @@ NodeCheck check_graphics(bool needed) {
     return {"graphics", needed ? NodeCheck::Verdict::Lacking : NodeCheck::Verdict::Note,
             "no graphics hardware: pictures are drawn by rays on the processor"};
   try {
-    make_gpu_stage({}, [](const std::string&) {});
+    make_gpu_stage({}, {});
   } catch (const Error& e) {
     return {"graphics", needed ? NodeCheck::Verdict::Lacking : NodeCheck::Verdict::Note,
             hardware + ": " + e.what()};

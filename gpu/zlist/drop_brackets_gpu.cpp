@@ -52,10 +52,12 @@ GlBuffer upload(const HeightMap& map) {
 }  // namespace
 
 struct GpuDropBrackets::State {
+  GpuFaults faults;
   EglContext context;
   std::unique_ptr<GlProgram> program;
 
-  explicit State(const EglOptions& options) : context(options) {
+  State(const EglOptions& options, const GpuFaults& injected)
+      : faults(injected), context((injected.check_present(), options)) {
     if (context.gl_version() < 43)
       throw Error(Error::Kind::Environment,
                   "brackets of falls need OpenGL 4.3, but " + context.description() + " has less");
@@ -95,6 +97,7 @@ struct GpuDropBrackets::State {
     glGetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0,
                        static_cast<GLsizeiptr>(out.size() * sizeof(DropBracket)), out.data());
     check_gl("brackets of falls");
+    faults.check_no_reset();
     return out;
   }
 };
@@ -113,8 +116,8 @@ bool is_exact(const std::vector<DropBracket>& found, const HeightMap& object,
 
 }  // namespace
 
-GpuDropBrackets::GpuDropBrackets(const EglOptions& options)
-    : m_state(std::make_unique<State>(options)) {
+GpuDropBrackets::GpuDropBrackets(const EglOptions& options, const GpuFaults& faults)
+    : m_state(std::make_unique<State>(options, faults)) {
   HeightMap object(1, 1, 0), scene(256, 1, 0);
   object.bound[0] = 1.0F / 3;
   object.sample[0] = 1e4F / 7;

@@ -6,6 +6,7 @@
 
 #include "core/contact/height_map.h"
 #include "gpu/egl/egl_context.h"
+#include "gpu/egl/gpu_faults.h"
 
 namespace trivet {
 
@@ -15,11 +16,12 @@ namespace trivet {
 class GpuDropBrackets {
  public:
   /// @throws Error (Environment): no EGL, no OpenGL 4.3, or a driver that is not exact.
-  explicit GpuDropBrackets(const EglOptions& options = {});
+  explicit GpuDropBrackets(const EglOptions& options = {}, const GpuFaults& faults = {});
   ~GpuDropBrackets();
 
   std::string name() const;  // of the renderer
-  /// See DropBracketFunction. @throws Error (Environment) when OpenGL fails.
+  /// See DropBracketFunction. @throws Error (Environment) when OpenGL fails or the hardware was
+  /// reset; then another one has to be made.
   std::vector<DropBracket> operator()(const HeightMap& object, const HeightMap& scene, int columns,
                                       int rows);
 

@@ -21,8 +21,7 @@ constexpr std::size_t kLeastMeshBytes = 8 << 10;
 constexpr int kComputes = 43;
 
 EglOptions context_options(const GpuZListOptions& options) {
-  if (options.faults.is_gone && options.faults.is_gone())
-    throw environment_error("no OpenGL context: the device is gone");
+  options.faults.check_present();
   return {options.allow_software, options.most_gl_version};
 }
 
@@ -147,12 +146,6 @@ std::string ZListDevice::description() const {
          std::to_string(version / 10) + "." + std::to_string(version % 10);
 }
 
-void ZListDevice::check_alive() const {
-  check_no_reset();
-  if (m_options.faults.resets && m_options.faults.resets())
-    throw environment_error("the graphics hardware was reset, injected");
-}
-
 // Measured ones of this process, by renderer, method and kind of motion.
 ListCosts ZListDevice::list_costs(Motion::Kind kind) {
   if (m_options.list_costs) return *m_options.list_costs;
@@ -178,7 +171,7 @@ std::vector<ZListAnswer> ZListDevice::answer(std::span<const ZListAsk> asks,
   const bool bounds_alone = wanted == ZListWanted::Bounds;
   std::vector<ZLists> lists =
       m_raster->rasterise(views, bounds_alone ? ZListOutput::Bounds : ZListOutput::Lists);
-  check_alive();
+  m_options.faults.check_no_reset();
   std::vector<ZListAnswer> out;
   for (std::size_t i = 0; i < asks.size(); ++i) {
     if (lists[i].overflow)

@@ -50,7 +50,6 @@ class ZListDevice {
                                   ZListWanted wanted);
   ListCosts list_costs(Motion::Kind kind);
   std::uint32_t most_handed_over(const ZListView& view, ZListWanted wanted);
-  void check_alive() const;
 
   GpuZListOptions m_options;
   EglContext m_context;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "core/base/error.h"
 #include "gpu/zlist/zlist_device.h"
@@ -41,6 +42,7 @@ class GpuZListStage : public CandidateFinder {
         m_device(std::make_unique<ZListDevice>(options)),
         m_is_software(m_device->context().is_software()),
         m_prefers_large_pixels(m_device->raster().prefers_large_pixels()),
+        m_notes(once_each(options.notes)),
         m_description(m_device->description()) {}
 
   std::string name() const override { return "gpu (" + m_description + ")"; }
@@ -65,7 +67,6 @@ class GpuZListStage : public CandidateFinder {
 
   int resolution_of(const FirstContactQuery& query) const;
   int other_resolution(Trouble trouble, int resolution) const;
-  void tell(bool& told, const std::string& text);
   ZListWanted wanted() const;
   std::optional<std::vector<ZListAnswer>> try_asking(std::span<const ZListAsk> asks,
                                                      ZListWanted wanted);
@@ -78,14 +79,9 @@ class GpuZListStage : public CandidateFinder {
   std::unique_ptr<ZListDevice> m_device;  // null after an error
   bool m_is_software, m_prefers_large_pixels;
   int m_num_errors = 0;  // since the last success
-  bool m_told_lost = false, m_told_gone = false;
+  GpuNotes m_notes;
   std::string m_description, m_last_error;
 };
-
-void GpuZListStage::tell(bool& told, const std::string& text) {
-  if (!told && m_options.note) m_options.note(text);
-  told = true;
-}
 
 // Recreates a lost context and retries.
 std::optional<std::vector<ZListAnswer>> GpuZListStage::try_asking(std::span<const ZListAsk> asks,
@@ -94,8 +90,8 @@ std::optional<std::vector<ZListAnswer>> GpuZListStage::try_asking(std::span<cons
     try {
       if (!m_device) m_device = std::make_unique<ZListDevice>(m_options);
       auto out = m_device->find_candidates(asks, wanted);
-      if (m_num_errors > 0) tell(m_told_lost, m_last_error + "; a new OpenGL context goes on");
-      m_num_errors = 0;
+      if (std::exchange(m_num_errors, 0) > 0)
+        m_notes.tell_recovered(m_last_error + "; a new OpenGL context goes on");
       return out;
     } catch (const Error& error) {
       m_device.reset();
@@ -103,7 +99,7 @@ std::optional<std::vector<ZListAnswer>> GpuZListStage::try_asking(std::span<cons
       ++m_num_errors;
     }
   }
-  tell(m_told_gone, m_last_error + "; BVHs answer instead of the GPU");
+  m_notes.tell_lost(m_last_error + kInsteadOfGpu);
   return std::nullopt;
 }
 

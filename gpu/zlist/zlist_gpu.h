@@ -2,11 +2,12 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <memory>
 #include <optional>
 
 #include "core/contact/doubtful_lists.h"
+#include "core/contact/gpu_notes.h"
+#include "gpu/egl/gpu_faults.h"
 #include "gpu/zlist/list_costs.h"
 
 namespace trivet {
@@ -34,12 +35,6 @@ GpuListing gpu_listing_from_name(const std::string& name);
 /// And back.
 std::string to_string(GpuListing listing);
 
-/// Faults that tests inject into a stage.
-struct GpuFaults {
-  std::function<bool()> resets = {};   // asked after every query; true: the hardware was reset
-  std::function<bool()> is_gone = {};  // asked before a context is made; true: no device is there
-};
-
 struct GpuZListOptions {
   int resolution = 0;                     // pixels along the longer side, 16 to 1024; 0: 128,
                                           // or less on renderers that run on the CPU
@@ -57,8 +52,8 @@ struct GpuZListOptions {
   /// kind of motion, when first needed; on renderers that run on the CPU those of llvmpipe.
   std::optional<ListCosts> list_costs = {};
   /// Told once when the hardware was lost and a new context goes on, once when there is none and
-  /// BVHs answer. May be empty.
-  std::function<void(const std::string&)> note = {};
+  /// BVHs answer.
+  GpuNotes notes = {};
   GpuFaults faults = {};
 };
 

@@ -9,19 +9,23 @@
 namespace trivet {
 namespace {
 
-std::unique_ptr<CandidateFinder> gpu_stage(const BackendOptions& options) {
+GpuNotes notes_of(const BackendOptions& options) {
+  return options.gpu_notes ? *options.gpu_notes : once_each(options.note);
+}
+
+std::unique_ptr<CandidateFinder> gpu_stage(const BackendOptions& options, const GpuNotes& notes) {
   std::string why;
   try {
     if (!options.make_gpu_stage)
       throw Error(Error::Kind::Environment, "this build has no GPU support");
-    std::unique_ptr<CandidateFinder> stage = options.make_gpu_stage();
+    std::unique_ptr<CandidateFinder> stage = options.make_gpu_stage(notes);
     why = self_test(*stage);
     if (why.empty()) return stage;
     why = stage->name() + " fails its self-test: " + why;
   } catch (const Error& error) {
     why = error.what();
   }
-  if (options.note) options.note(why + "; z-lists in software are used instead of the GPU");
+  notes.tell_lost(why + "; z-lists in software are used instead of the GPU");
   return nullptr;
 }
 
@@ -35,20 +39,27 @@ bool chooses(const BackendOptions& options) {
   return options.backend == Backend::Auto && options.machine && options.machine->has_hardware();
 }
 
+GpuBrackets::Make brackets_maker(const BackendOptions& options) {
+  if (!options.make_gpu_brackets) return {};
+  return [make = options.make_gpu_brackets, allow_software = options.backend != Backend::Auto] {
+    return make(allow_software);
+  };
+}
+
 std::unique_ptr<Detector> detector_of(const BackendOptions& options) {
+  const GpuNotes notes = notes_of(options);
   if (options.backend == Backend::Gpu)
-    if (std::unique_ptr<CandidateFinder> stage = gpu_stage(options)) {
+    if (std::unique_ptr<CandidateFinder> stage = gpu_stage(options, notes)) {
       auto detector = std::make_unique<Detector>(std::move(stage), "gpu");
-      detector->use_brackets(
-          std::make_unique<GpuBrackets>(options.make_gpu_brackets, options.note));
+      detector->use_brackets(std::make_unique<GpuBrackets>(brackets_maker(options), notes));
       return detector;
     }
   if (options.backend == Backend::Gpu || options.backend == Backend::Software)
     return std::make_unique<Detector>(software_stage(options), "software");
   if (!chooses(options)) return std::make_unique<Detector>();
-  auto detector =
-      std::make_unique<Detector>(std::make_unique<BackendChooser>(options.machine, options.note));
-  detector->use_brackets(std::make_unique<FasterBrackets>(options.make_gpu_brackets, options.note));
+  auto detector = std::make_unique<Detector>(
+      std::make_unique<BackendChooser>(options.machine, options.note, notes));
+  detector->use_brackets(std::make_unique<FasterBrackets>(brackets_maker(options), notes));
   return detector;
 }
 
@@ -78,7 +89,8 @@ std::string to_string(const Confirmation& confirmation) {
 
 std::unique_ptr<CandidateFinder> make_zlist_stage(const BackendOptions& options) {
   if (options.backend == Backend::Gpu)
-    if (std::unique_ptr<CandidateFinder> stage = gpu_stage(options)) return stage;
+    if (std::unique_ptr<CandidateFinder> stage = gpu_stage(options, notes_of(options)))
+      return stage;
   return software_stage(options);
 }
 

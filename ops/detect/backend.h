@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "core/contact/zlist_self_test.h"
@@ -35,12 +36,16 @@ struct BackendOptions {
   /// For Backend::Auto, one object for all threads. Null, or without hardware: BVHs.
   std::shared_ptr<Machine> machine;
   /// Makes the stage for Backend::Gpu, such as make_gpu_candidate_finder(); empty: a build without.
-  std::function<std::unique_ptr<CandidateFinder>()> make_gpu_stage;
+  std::function<std::unique_ptr<CandidateFinder>(const GpuNotes& notes)> make_gpu_stage;
   /// Makes what computes brackets of falls for Backend::Gpu and, where there is graphics hardware,
-  /// for Backend::Auto, such as a GpuDropBrackets; empty: software.
-  std::function<DropBracketFunction()> make_gpu_brackets;
+  /// for Backend::Auto, such as a GpuDropBrackets; empty: software. Not on a renderer that runs on
+  /// the CPU if `allow_software` is false, as with Backend::Auto: then it throws Error.
+  std::function<DropBracketFunction(bool allow_software)> make_gpu_brackets;
   /// Told, once, why another source answers than was asked for. May be empty.
   std::function<void(const std::string&)> note;
+  /// Told when a GPU is lost, of queries or of places. Without, once_each(note). Detectors of
+  /// several threads that have the same one tell a loss once together.
+  std::optional<GpuNotes> gpu_notes;
 };
 
 /// A GPU that cannot be had (the factory throws), or that fails self_test(), is replaced by

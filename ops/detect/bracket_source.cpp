@@ -16,22 +16,40 @@ double machine_clock() {
 
 }  // namespace
 
-GpuBrackets::GpuBrackets(Make make, Note note) : m_make(std::move(make)), m_note(std::move(note)) {}
+GpuBrackets::GpuBrackets(Make make, GpuNotes notes)
+    : m_make(std::move(make)), m_notes(std::move(notes)) {}
+
+// What was lost is made again. Nothing: it is given up.
+std::optional<std::vector<DropBracket>> GpuBrackets::try_finding(const HeightMap& object,
+                                                                 const HeightMap& scene,
+                                                                 int columns, int rows) {
+  std::string why;
+  for (int tries = 0; m_make && tries < 2; ++tries) try {
+      if (!m_gpu) m_gpu = m_make();
+      m_was_made = true;
+      auto out = m_gpu(object, scene, columns, rows);
+      if (!why.empty()) m_notes.tell_recovered(why + "; a new OpenGL context goes on");
+      return out;
+    } catch (const Error& error) {
+      why = error.what();
+      m_gpu = {};
+      if (!m_was_made) break;
+    }
+  if (m_make)
+    m_notes.tell_lost(why +
+                      (m_was_made ? kInsteadOfGpu : "; places are judged in software instead"));
+  m_make = {};
+  return std::nullopt;
+}
 
 BracketSource::Answer GpuBrackets::find(const HeightMap& object, const HeightMap& scene,
                                         int columns, int rows) {
-  try {
-    if (m_make) m_gpu = std::exchange(m_make, {})();
-    if (m_gpu) return {m_gpu(object, scene, columns, rows), true};
-  } catch (const Error& error) {
-    m_gpu = {};
-    if (m_note) m_note(std::string(error.what()) + "; places are judged in software instead");
-  }
+  if (auto found = try_finding(object, scene, columns, rows)) return {std::move(*found), true};
   return {drop_brackets(object, scene, columns, rows), false};
 }
 
-FasterBrackets::FasterBrackets(GpuBrackets::Make make, GpuBrackets::Note note, Clock clock)
-    : m_gpu(std::move(make), std::move(note)), m_clock(clock ? std::move(clock) : machine_clock) {}
+FasterBrackets::FasterBrackets(GpuBrackets::Make make, GpuNotes notes, Clock clock)
+    : m_gpu(std::move(make), std::move(notes)), m_clock(clock ? std::move(clock) : machine_clock) {}
 
 BracketSource::Answer FasterBrackets::find(const HeightMap& object, const HeightMap& scene,
                                            int columns, int rows) {

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "core/contact/gpu_notes.h"
 #include "core/contact/height_map.h"
 
 namespace trivet {
@@ -21,22 +23,25 @@ class BracketSource {
   virtual Answer find(const HeightMap& object, const HeightMap& scene, int columns, int rows) = 0;
 };
 
-/// On a GPU, which is made ready when it is first asked; where that or an answer fails, in software
-/// from then on.
+/// On a GPU, which is made ready when it is first asked; one that is lost is made again, once for a
+/// request. Where it cannot be had, in software from then on.
 class GpuBrackets : public BracketSource {
  public:
   using Make = std::function<DropBracketFunction()>;
-  using Note = std::function<void(const std::string&)>;
 
   /// @param make  may throw Error (Environment); empty: software.
-  /// @param note  told, once, when software does it instead. May be empty.
-  GpuBrackets(Make make, Note note);
+  GpuBrackets(Make make, GpuNotes notes);
   Answer find(const HeightMap& object, const HeightMap& scene, int columns, int rows) override;
 
  private:
-  Make m_make;  // empty: done
-  Note m_note;
-  DropBracketFunction m_gpu;  // empty: not made yet, or failed
+  std::optional<std::vector<DropBracket>> try_finding(const HeightMap& object,
+                                                      const HeightMap& scene, int columns,
+                                                      int rows);
+
+  Make m_make;  // empty: it failed
+  GpuNotes m_notes;
+  DropBracketFunction m_gpu;  // empty: not made yet, or lost
+  bool m_was_made = false;
 };
 
 /// The choice of `auto`: software until it has spent as much time as it takes to make a GPU ready;
@@ -47,7 +52,7 @@ class FasterBrackets : public BracketSource {
   using Clock = std::function<double()>;  // milliseconds
 
   /// @param clock  empty: that of the machine.
-  FasterBrackets(GpuBrackets::Make make, GpuBrackets::Note note, Clock clock = {});
+  FasterBrackets(GpuBrackets::Make make, GpuNotes notes, Clock clock = {});
   Answer find(const HeightMap& object, const HeightMap& scene, int columns, int rows) override;
 
  private:

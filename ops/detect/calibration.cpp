@@ -62,11 +62,11 @@ double ms_per_new_triangle(const Shape& shape) {
 // On hardware, else on a renderer that runs on the CPU.
 std::unique_ptr<CandidateFinder> make_stage(const GpuSource& source, SourceCost& out) {
   try {
-    auto stage = source.make(false);
+    auto stage = source.make(false, {});
     out.on_cpu = false;
     return stage;
   } catch (const Error&) {
-    return source.make(true);
+    return source.make(true, {});
   }
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/contact/gpu_notes.h"
 #include "core/contact/zlist_stage.h"
 #include "ops/detect/cost_model.h"
 
@@ -16,7 +17,7 @@ struct GpuSource {
   std::string name;  // "gpu framebuffer", "gpu compute"
   /// @throws Error (Environment) if it cannot be had, or only on a renderer that runs on the CPU
   ///   and `allow_software` is false.
-  std::function<std::unique_ptr<CandidateFinder>(bool allow_software)> make;
+  std::function<std::unique_ptr<CandidateFinder>(bool allow_software, const GpuNotes& notes)> make;
 };
 
 /// Machine and version for which a calibration is valid.

@@ -29,8 +29,8 @@ Triangles triangles_of(const FirstContactQuery& query) {
 }  // namespace
 
 BackendChooser::BackendChooser(std::shared_ptr<Machine> machine,
-                               std::function<void(const std::string&)> note)
-    : m_machine(std::move(machine)), m_note(std::move(note)) {}
+                               std::function<void(const std::string&)> note, GpuNotes gpu_notes)
+    : m_machine(std::move(machine)), m_note(std::move(note)), m_gpu_notes(std::move(gpu_notes)) {}
 
 double BackendChooser::ms(const SourceCost& source, const QuerySize& size) const {
   return m_given_up.contains(source.name) ? kInfinity : source.ms(size);
@@ -74,17 +74,25 @@ const SourceCost* BackendChooser::choose(const QuerySize& size, double new_trian
 bool BackendChooser::make_ready(const SourceCost& source) {
   if (m_ready.contains(source.name)) return true;
   try {
-    std::unique_ptr<CandidateFinder> stage = m_machine->make_stage(source.name);
+    std::unique_ptr<CandidateFinder> stage = m_machine->make_stage(source.name, m_gpu_notes);
     const bool is_other = stage && stage->device() != source.device && !m_recalibrated;
     m_ready[source.name] = std::move(stage);
     if (!is_other) return true;
     m_recalibrated = true;  // another renderer than the one that was measured
     m_calibration = m_machine->recalibrate(m_calibration);
   } catch (const Error& error) {
-    m_given_up.insert(source.name);
-    if (m_note) m_note(std::string(error.what()) + "; auto goes on without " + source.name);
+    give_up(source.name, error.what());
   }
   return false;
+}
+
+void BackendChooser::give_up(const std::string& name, const std::string& why) {
+  m_given_up.insert(name);
+  const std::string text = why + "; auto goes on without " + name;
+  if (name != Calibration::kSoftware)
+    m_gpu_notes.tell_lost(text);
+  else if (m_note)
+    m_note(text);
 }
 
 CandidateFinder* BackendChooser::use(const std::string& name) {
@@ -117,10 +125,9 @@ CandidateFinder* BackendChooser::stage_for(const FirstContactQuery& query) {
 void BackendChooser::answered(bool usable, const std::string& why) {
   m_failures = usable ? 0 : m_failures + 1;
   if (m_failures < kMostFailures || m_current == Calibration::kBvh) return;
-  m_given_up.insert(m_current);
   m_ready.erase(m_current);
   m_failures = 0;
-  if (m_note) m_note(why + "; auto goes on without " + m_current);
+  give_up(m_current, why);
 }
 
 std::string BackendChooser::names() const {

@@ -16,8 +16,11 @@ namespace trivet {
 /// fails is given up with one note.
 class BackendChooser {
  public:
+  /// @param note       told what is given up in software.
+  /// @param gpu_notes  told what is given up on a GPU, and of losses.
   explicit BackendChooser(std::shared_ptr<Machine> machine,
-                          std::function<void(const std::string&)> note = {});
+                          std::function<void(const std::string&)> note = {},
+                          GpuNotes gpu_notes = {});
 
   /// The stage to ask; null: BVHs. Valid until answered().
   CandidateFinder* stage_for(const FirstContactQuery& query);
@@ -40,9 +43,11 @@ class BackendChooser {
   const SourceCost* choose(const QuerySize& size, double new_triangles);
   bool make_ready(const SourceCost& source);
   CandidateFinder* use(const std::string& name);
+  void give_up(const std::string& name, const std::string& why);
 
   std::shared_ptr<Machine> m_machine;
   std::function<void(const std::string&)> m_note;
+  GpuNotes m_gpu_notes;
   std::shared_ptr<const Calibration> m_calibration;  // null: not asked for yet
   Stages m_ready;
   std::map<std::string, double> m_saved_ms;  // savings missed so far, by source not ready

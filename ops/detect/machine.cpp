@@ -41,7 +41,8 @@ std::string Machine::choice(const QuerySize& size) {
   return found ? found->name : Calibration::kBvh;
 }
 
-std::unique_ptr<CandidateFinder> Machine::make_stage(const std::string& name) const {
+std::unique_ptr<CandidateFinder> Machine::make_stage(const std::string& name,
+                                                     const GpuNotes& notes) const {
   if (name == Calibration::kBvh) return nullptr;
   if (name == Calibration::kSoftware) {
     SoftwareZListOptions options;
@@ -50,7 +51,7 @@ std::unique_ptr<CandidateFinder> Machine::make_stage(const std::string& name) co
   }
   for (const GpuSource& source : m_options.gpu) {
     if (source.name != name) continue;
-    auto stage = source.make(false);
+    auto stage = source.make(false, notes);
     const std::string wrong = self_test(*stage);
     if (wrong.empty()) return stage;
     throw Error(Error::Kind::Environment, stage->name() + " fails its self-test: " + wrong);

@@ -42,7 +42,8 @@ class Machine {
 
   /// By its name in the calibration, with its self-test passed; null: BVHs.
   /// @throws Error (Environment) why it cannot be had.
-  std::unique_ptr<CandidateFinder> make_stage(const std::string& name) const;
+  std::unique_ptr<CandidateFinder> make_stage(const std::string& name,
+                                              const GpuNotes& notes = {}) const;
 
  private:
   std::shared_ptr<const Calibration> read() const;

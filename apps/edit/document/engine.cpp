@@ -28,9 +28,9 @@ DocumentOptions with_importer(DocumentOptions options) {
 Engine::Engine(Document& document, DocumentOptions options)
     : m_document(document),
       m_options(with_importer(std::move(options))),
-      m_detector(until_measured(with_notes(m_options.detection))),
-      m_chosen(with_notes(m_options.detection)),
-      m_ghosts(with_notes(m_options.detection), ghost_listener()),
+      m_detector(until_measured(m_options.detection = with_notes(m_options.detection))),
+      m_chosen(m_options.detection),
+      m_ghosts(m_options.detection, ghost_listener()),
       m_layouts(layout_listener()),
       m_thread([this] { run(); }) {}
 

@@ -45,7 +45,8 @@ bool ThreadDetector::take_choice(BackendOptions& options) {
   if (!is_new && !(m_gpu && m_gpu->has_failed())) return false;
   options = m_options;
   if (!is_new)
-    options.make_gpu_stage = [why = m_gpu->failure()]() -> std::unique_ptr<CandidateFinder> {
+    options.make_gpu_stage =
+        [why = m_gpu->failure()](const GpuNotes&) -> std::unique_ptr<CandidateFinder> {
       throw Error(Error::Kind::Environment, why);
     };
   m_num_made = m_num_choices;
@@ -58,8 +59,8 @@ void ThreadDetector::renew() {
   m_detector.reset();  // frees graphics memory first
   m_gpu.reset();
   if (options.backend == Backend::Gpu && options.make_gpu_stage)
-    options.make_gpu_stage = [this, make = options.make_gpu_stage] {
-      m_gpu = std::make_shared<GuardedStage>(make());
+    options.make_gpu_stage = [this, make = options.make_gpu_stage](const GpuNotes& notes) {
+      m_gpu = std::make_shared<GuardedStage>(make(notes));
       return std::make_unique<SharedStage>(m_gpu);
     };
   try {

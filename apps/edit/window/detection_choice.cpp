@@ -19,10 +19,11 @@ constexpr const char *kBackendKey = "detection/backend", *kMethodKey = "detectio
 
 // Each stage has lists of its own: threads share nothing.
 std::unique_ptr<CandidateFinder> gpu_stage(GpuMethod method, GpuListing listing,
-                                           bool allow_software) {
+                                           bool allow_software, const GpuNotes& notes) {
   GpuZListOptions options;
   options.method = method;
   options.listing = listing;
+  options.notes = notes;
   options.allow_software = allow_software;
   options.software_lists = std::make_shared<SoftwareDoubtfulLists>();
   return make_gpu_candidate_finder(options);
@@ -36,8 +37,8 @@ std::shared_ptr<Machine> machine_here() {
     options.hardware = graphics_hardware();
     for (const auto& [name, method] : {std::pair("gpu framebuffer", GpuMethod::Framebuffer),
                                        std::pair("gpu compute", GpuMethod::Compute)})
-      options.gpu.push_back({name, [method = method](bool allow_software) {
-                               return gpu_stage(method, GpuListing::Auto, allow_software);
+      options.gpu.push_back({name, [method = method](bool allow_software, const GpuNotes& notes) {
+                               return gpu_stage(method, GpuListing::Auto, allow_software, notes);
                              }});
     options.file = calibration_path();
     return std::make_shared<Machine>(std::move(options));
@@ -45,8 +46,8 @@ std::shared_ptr<Machine> machine_here() {
   return machine;
 }
 
-DropBracketFunction gpu_brackets() {
-  return [gpu = std::make_shared<GpuDropBrackets>()](
+DropBracketFunction gpu_brackets(bool allow_software) {
+  return [gpu = std::make_shared<GpuDropBrackets>(EglOptions{allow_software})](
              const HeightMap& object, const HeightMap& scene, int columns, int rows) {
     return (*gpu)(object, scene, columns, rows);
   };
@@ -60,7 +61,9 @@ BackendOptions backend_options(const DetectionChoice& choice) {
   if (options.backend == Backend::Auto) options.machine = machine_here();
   const GpuMethod method = gpu_method_from_name(choice.gpu_method.toStdString());
   const GpuListing listing = gpu_listing_from_name(choice.gpu_lists.toStdString());
-  options.make_gpu_stage = [=] { return gpu_stage(method, listing, true); };
+  options.make_gpu_stage = [=](const GpuNotes& notes) {
+    return gpu_stage(method, listing, true, notes);
+  };
   options.make_gpu_brackets = gpu_brackets;
   return options;
 }

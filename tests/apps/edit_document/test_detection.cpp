@@ -108,7 +108,7 @@ class TestStage : public CandidateFinder {
 
 BackendOptions on_gpu(bool framebuffer, std::atomic<int>& num_usable) {
   BackendOptions options = backend(Backend::Gpu);
-  options.make_gpu_stage = [framebuffer, &num_usable] {
+  options.make_gpu_stage = [framebuffer, &num_usable](const GpuNotes&) {
     GpuZListOptions gpu;
     gpu.method = framebuffer ? GpuMethod::Framebuffer : GpuMethod::Compute;
     return std::make_unique<TestStage>(make_gpu_candidate_finder(gpu), num_usable);
@@ -125,7 +125,7 @@ TEST_P(EditorDetectionBy, GivesTheSamePosesInEveryDrag) {
   if (which == "framebuffer" || which == "compute") {
     options = on_gpu(which == "framebuffer", num_usable);
     try {
-      options.make_gpu_stage();
+      options.make_gpu_stage({});
     } catch (const Error& error) {
       GTEST_SKIP() << error.what();
     }
@@ -157,7 +157,7 @@ TEST(EditorDetection, AutomaticTakesWhatIsMeasuredAsFaster) {
                                  {"gpu compute", "cpu", false, "", 0, 0, fast, fast}}};
   MachineOptions machine;
   machine.hardware = "a card";
-  machine.gpu = {{"gpu compute", [&](bool) -> std::unique_ptr<CandidateFinder> {
+  machine.gpu = {{"gpu compute", [&](bool, const GpuNotes&) -> std::unique_ptr<CandidateFinder> {
                     return std::make_unique<TestStage>(std::make_unique<SoftwareZLists>(),
                                                        num_usable);
                   }}};
@@ -200,7 +200,7 @@ TEST(EditorDetection, CanBeChangedInTheMiddleOfADrag) {
 
 TEST(EditorDetection, FallsBackWithOneNoteWithoutAGpu) {
   BackendOptions options = backend(Backend::Gpu);
-  options.make_gpu_stage = []() -> std::unique_ptr<CandidateFinder> {
+  options.make_gpu_stage = [](const GpuNotes&) -> std::unique_ptr<CandidateFinder> {
     throw Error(Error::Kind::Environment, "no graphics here");
   };
   Table table(options);
@@ -216,12 +216,68 @@ TEST(EditorDetection, FallsBackWithOneNoteWithoutAGpu) {
   EXPECT_EQ(table.notes.size(), 2);
 }
 
+/// Real contexts of all threads, reset at the same moment; then there is a device, or none.
+struct LossyGpu {
+  explicit LossyGpu(bool away) : stays_away(away) {}
+
+  bool stays_away;
+  std::atomic<bool> was_reset = false;
+  std::atomic<int> num_lost = 0;
+
+  BackendOptions options() {
+    BackendOptions out = backend(Backend::Gpu);
+    out.make_gpu_stage = [this](const GpuNotes& notes) {
+      GpuZListOptions gpu;
+      gpu.method = GpuMethod::Compute;
+      gpu.notes = notes;
+      gpu.faults.resets = [this, seen = std::make_shared<bool>()] {
+        const bool sees = was_reset && !std::exchange(*seen, true);
+        num_lost += sees;
+        return sees;
+      };
+      gpu.faults.is_gone = [this] { return stays_away && was_reset; };
+      return make_gpu_candidate_finder(gpu);
+    };
+    return out;
+  }
+};
+
+TEST(EditorDetection, TellsALostGpuInOneNote) {
+  const auto drag_two = [](Table& table) {
+    table.toolbox.take(ToolKind::Push);
+    table.drag("teapot", Vec2(40, -12));
+    table.drag("plate_front", Vec2(25, -20));
+    return table.poses;
+  };
+  Table bvhs(backend(Backend::Bvh));
+  const Poses truth = drag_two(bvhs);
+  for (const bool stays_away : {false, true}) {
+    LossyGpu gpu(stays_away);
+    try {
+      gpu.options().make_gpu_stage({});
+    } catch (const Error& error) {
+      GTEST_SKIP() << error.what();
+    }
+    Table table(gpu.options());
+    EXPECT_EQ(table.document->detection().moves.name, "gpu");
+    QObject::connect(&*table.document, &Document::snapshot_changed,
+                     [&] { gpu.was_reset = gpu.was_reset || table.poses.size() > 4u * 7; });
+    EXPECT_EQ(drag_two(table), truth);
+    EXPECT_GE(gpu.num_lost, 1);
+    EXPECT_EQ(table.document->detection().moves.name, stays_away ? "software" : "gpu");
+    ASSERT_EQ(table.notes.size(), 1) << table.notes.join("\n").toStdString();
+    EXPECT_TRUE(table.notes[0].contains(stays_away ? "answer instead of the GPU"
+                                                   : "a new OpenGL context goes on"))
+        << table.notes[0].toStdString();
+  }
+}
+
 TEST(EditorDetection, GoesOnWhenTheGpuFailsInTheMiddle) {
   for (const auto failure : {TestStage::Failure::Throws, TestStage::Failure::GivesUp}) {
     std::atomic<int> num_usable = 0;
     std::atomic<bool> fails = false;
     BackendOptions options = backend(Backend::Gpu);
-    options.make_gpu_stage = [&, failure] {
+    options.make_gpu_stage = [&, failure](const GpuNotes&) {
       return std::make_unique<TestStage>(std::make_unique<SoftwareZLists>(), num_usable, failure,
                                          &fails);
     };

@@ -63,16 +63,16 @@ TEST(Backend, ReplacesUnavailableGpuBySoftware) {
   options.backend = Backend::Gpu;
   options.note = [&](const std::string& note) { notes.push_back(note); };
   EXPECT_EQ(make_detector(options)->name(), "software");  // a build without GPU support
-  options.make_gpu_stage = []() -> std::unique_ptr<CandidateFinder> {
+  options.make_gpu_stage = [](const GpuNotes&) -> std::unique_ptr<CandidateFinder> {
     throw Error(Error::Kind::Environment, "no EGL here");
   };
   EXPECT_EQ(make_detector(options)->name(), "software");
-  options.make_gpu_stage = [] { return std::make_unique<ForgetfulStage>(); };
+  options.make_gpu_stage = [](const GpuNotes&) { return std::make_unique<ForgetfulStage>(); };
   EXPECT_EQ(make_detector(options)->name(), "software");
   ASSERT_EQ(notes.size(), 3u);
   EXPECT_NE(notes[1].find("no EGL here"), std::string::npos);
   EXPECT_NE(notes[2].find("forgetful fails its self-test"), std::string::npos);
-  options.make_gpu_stage = [] { return std::make_unique<SoftwareZLists>(); };
+  options.make_gpu_stage = [](const GpuNotes&) { return std::make_unique<SoftwareZLists>(); };
   EXPECT_EQ(make_detector(options)->name(), "gpu");
   EXPECT_EQ(notes.size(), 3u);
   options.backend = Backend::Auto;
@@ -124,9 +124,9 @@ struct TimedBrackets {
     };
     const auto make = [=, this]() -> DropBracketFunction { return ++num_made, on_gpu; };
     int num_asked = 0;
-    FasterBrackets brackets(
-        make, [this](const std::string& note) { notes.push_back(note); },
-        [&] { return num_asked++ % 2 ? now_ms += 100 : now_ms; });
+    FasterBrackets brackets(make,
+                            once_each([this](const std::string& note) { notes.push_back(note); }),
+                            [&] { return num_asked++ % 2 ? now_ms += 100 : now_ms; });
     int out = 0;
     for (int i = 0; i < num; ++i) out += brackets.find(object, scene, 3, 2).by_gpu;
     return out;
@@ -146,9 +146,41 @@ TEST(FasterBrackets, BeginInSoftwareAndKeepTheFaster) {
 TEST(FasterBrackets, StayInSoftwareOnceTheGpuFails) {
   TimedBrackets lost;
   EXPECT_EQ(lost.answered_by_gpu(1, 10, 4), 4);
-  EXPECT_EQ(lost.num_on_gpu, 5);
+  EXPECT_EQ(lost.num_on_gpu, 6);  // one of them by another context
+  EXPECT_EQ(lost.num_made, 2);
   ASSERT_EQ(lost.notes.size(), 1u);
   EXPECT_NE(lost.notes[0].find("context lost"), std::string::npos);
+}
+
+// Places, too, never go to a renderer that runs on the CPU unless it was asked for.
+TEST(Backend, AsksForHardwareForPlacesUnderAuto) {
+  const HeightMap object(2, 2, 0.5F), scene(4, 3, 0.125F);
+  for (const Backend backend : {Backend::Auto, Backend::Gpu}) {
+    std::vector<bool> allowed;
+    std::vector<std::string> notes;
+    BackendOptions options;
+    options.backend = backend;
+    MachineOptions machine;
+    machine.hardware = "a node without a driver";
+    options.machine = std::make_shared<Machine>(machine, Calibration{});
+    options.make_gpu_stage = [](const GpuNotes&) { return std::make_unique<SoftwareZLists>(); };
+    options.note = [&](const std::string& note) { notes.push_back(note); };
+    // Only a renderer that runs on the CPU is here.
+    options.make_gpu_brackets = [&](bool allow_software) -> DropBracketFunction {
+      allowed.push_back(allow_software);
+      if (!allow_software) throw Error(Error::Kind::Environment, "runs on the CPU");
+      return drop_brackets;
+    };
+    const auto detector = make_detector(options);
+    const HeightMap large(64, 64, 0.5F), below(600, 400, 0.125F);
+    for (int i = 0; i < 400 && allowed.empty(); ++i)
+      detector->drop_brackets(large, below, 500, 300);  // until a GPU would pay
+    for (int i = 0; i < 3; ++i) detector->drop_brackets(object, scene, 3, 2);
+    ASSERT_EQ(allowed.size(), 1u);
+    EXPECT_EQ(allowed[0], backend == Backend::Gpu);
+    EXPECT_EQ(detector->work().places_on_gpu > 0, backend == Backend::Gpu);
+    EXPECT_EQ(notes.size(), backend == Backend::Gpu ? 0u : 1u);
+  }
 }
 
 // With an unavailable or failing GPU, brackets equal those of the software.
@@ -161,7 +193,7 @@ TEST(Backend, FallsBackToSoftwareForPlaces) {
   std::vector<std::string> notes;
   options.note = [&](const std::string& note) { notes.push_back(note); };
   options.backend = Backend::Gpu;
-  options.make_gpu_stage = [] { return std::make_unique<SoftwareZLists>(); };
+  options.make_gpu_stage = [](const GpuNotes&) { return std::make_unique<SoftwareZLists>(); };
   const auto ask = [&](Detector& detector) {
     const auto found = drop_brackets_of(&detector)(object, scene, 3, 2);
     ASSERT_EQ(found.size(), truth.size());
@@ -171,7 +203,7 @@ TEST(Backend, FallsBackToSoftwareForPlaces) {
     }
   };
   // Works once, then fails.
-  options.make_gpu_brackets = [&]() -> DropBracketFunction {
+  options.make_gpu_brackets = [&](bool) -> DropBracketFunction {
     ++num_made;
     return [&](const HeightMap& o, const HeightMap& s, int columns, int rows) {
       if (++num_asked > 1) throw Error(Error::Kind::Environment, "context lost");
@@ -181,14 +213,14 @@ TEST(Backend, FallsBackToSoftwareForPlaces) {
   const auto breaks = make_detector(options);
   EXPECT_EQ(num_made, 0);
   for (int i = 0; i < 3; ++i) ask(*breaks);
-  EXPECT_EQ(num_made, 1);
-  EXPECT_EQ(num_asked, 2);
+  EXPECT_EQ(num_made, 2);
+  EXPECT_EQ(num_asked, 3);
   EXPECT_EQ(breaks->work().places, 18);
   EXPECT_EQ(breaks->work().places_on_gpu, 6);
   ASSERT_EQ(notes.size(), 1u);
-  EXPECT_NE(notes[0].find("context lost; places are judged in software"), std::string::npos);
+  EXPECT_NE(notes[0].find("context lost; BVHs and software answer"), std::string::npos);
   // Unavailable.
-  options.make_gpu_brackets = []() -> DropBracketFunction {
+  options.make_gpu_brackets = [](bool) -> DropBracketFunction {
     throw Error(Error::Kind::Environment, "no OpenGL 4.3");
   };
   const auto without = make_detector(options);

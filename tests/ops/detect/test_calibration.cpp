@@ -107,9 +107,10 @@ TEST(CalibrationQueries, EndInContactsAndDifferInPixels) {
 }
 
 TEST(Calibration, MeasuresWhatIsHere) {
-  const std::vector<GpuSource> gpu = {{"gpu compute", [](bool) -> std::unique_ptr<CandidateFinder> {
-                                         throw Error(Error::Kind::Environment, "no EGL here");
-                                       }}};
+  const std::vector<GpuSource> gpu = {
+      {"gpu compute", [](bool, const GpuNotes&) -> std::unique_ptr<CandidateFinder> {
+         throw Error(Error::Kind::Environment, "no EGL here");
+       }}};
   const Calibration found = calibrate({"1", "2", "3"}, gpu);
   ASSERT_EQ(found.sources.size(), 3u);
   EXPECT_EQ(found.sources[2].failure, "no EGL here");
@@ -182,10 +183,12 @@ struct Kept {
   explicit Kept(const std::string& file) {
     options.version = "1";
     options.file = file;
-    options.gpu = {{"gpu compute", [this](bool allow_software) -> std::unique_ptr<CandidateFinder> {
-                      num_measured += allow_software;
-                      throw Error(Error::Kind::Environment, "none");
-                    }}};
+    options.gpu = {
+        {"gpu compute",
+         [this](bool allow_software, const GpuNotes&) -> std::unique_ptr<CandidateFinder> {
+           num_measured += allow_software;
+           throw Error(Error::Kind::Environment, "none");
+         }}};
     options.note = [this](const std::string& note) { notes.push_back(note); };
   }
 };

@@ -69,7 +69,7 @@ struct Mock {
                 const std::string& hardware = "card0") {
     MachineOptions options;
     options.hardware = hardware;
-    options.gpu = {{kGpu, [this, most](bool) -> std::unique_ptr<CandidateFinder> {
+    options.gpu = {{kGpu, [this, most](bool, const GpuNotes&) -> std::unique_ptr<CandidateFinder> {
                       if (most < 0) throw Error(Error::Kind::Environment, "no EGL here");
                       return std::make_unique<MockGpu>(counts, most);
                     }}};

@@ -168,7 +168,7 @@ std::unique_ptr<Detector> detector(Backend backend, int num_threads) {
   options.backend = backend;
   options.num_threads = num_threads;
 #ifdef TRIVET_HAS_GPU
-  options.make_gpu_stage = [] { return make_gpu_candidate_finder(); };
+  options.make_gpu_stage = [](const GpuNotes&) { return make_gpu_candidate_finder(); };
 #endif
   return make_detector(options);
 }
