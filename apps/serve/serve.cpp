@@ -1,5 +1,6 @@
 #include "apps/serve/serve.h"
 
+#include "apps/serve/detectors.h"
 #include "apps/serve/http_server.h"
 #include "apps/serve/routes.h"
 #include "apps/serve/sessions.h"
@@ -7,11 +8,14 @@
 namespace trivet::serve {
 namespace {
 
-std::vector<OpenedSession> open_all(const ServeOptions& options) {
+std::vector<OpenedSession> open_all(const ServeOptions& options, Detectors& detectors) {
+  const Detectors::Loan detector(detectors);
+  RunOptions run = options.run;
+  run.context.detector = detector.get();
   std::vector<OpenedSession> out;
   out.reserve(options.starts.size());
   for (const std::string& start : options.starts) {
-    out.push_back(open_session(start, options.run, options.import));
+    out.push_back(open_session(start, run, options.import));
     for (const std::string& note : out.back().notes) options.note(start + ": " + note);
   }
   return out;
@@ -46,8 +50,11 @@ HttpLimits http_limits(const ServeOptions& options) {
 }  // namespace
 
 void serve(const ServeOptions& options) {
-  const ServedThings things{open_all(options), scenes_of(options), options.import, options.version};
-  ServedSessions sessions(dialogue_options(options), {options.max_sessions, options.idle_seconds});
+  Detectors detectors(options.make_detector);
+  const ServedThings things{open_all(options, detectors), scenes_of(options), options.import,
+                            options.version};
+  ServedSessions sessions(dialogue_options(options), {options.max_sessions, options.idle_seconds},
+                          detectors);
   const HttpServer* carrier = nullptr;
   Routes routes(things, sessions, [&] { return carrier->load(); });
   HttpServer server(

@@ -4,19 +4,24 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "core/io/model.h"
+#include "ops/detect/detector.h"
 #include "ops/files/layout/run.h"
 
 namespace trivet::serve {
 
 struct ServeOptions {
-  std::vector<std::string> starts;    // layouts and scenes; one at least, or a recipe
-  std::string recipe;                 // of random scenes, see apps/farm; empty: none
-  std::uint64_t seed = 0;             // of these
-  RunOptions run;                     // of the layouts; `settle` and `rules` of the sessions, too
+  std::vector<std::string> starts;  // layouts and scenes; one at least, or a recipe
+  std::string recipe;               // of random scenes, see apps/farm; empty: none
+  std::uint64_t seed = 0;           // of these
+  RunOptions run;                   // of the layouts; `settle` and `rules` of the sessions, too
+  /// Of each computing thread, for the operations of starts and sessions; scenes of the recipe are
+  /// made by BVHs. Safe to call from many threads; empty: BVHs.
+  std::function<std::unique_ptr<Detector>()> make_detector;
   ImportLimits import;                // of models that are read
   std::string address = "127.0.0.1";  // of TCP
   unsigned short port = 0;            // 0: any that is free

@@ -16,15 +16,19 @@ std::string new_id() {
 
 }  // namespace
 
-ServedSession::ServedSession(OpenedSession opened, const DialogueOptions& options)
-    : m_opened(std::move(opened)), m_dialogue(m_opened, options) {}
+ServedSession::ServedSession(OpenedSession opened, const DialogueOptions& options,
+                             Detectors& detectors)
+    : m_opened(std::move(opened)), m_dialogue(m_opened, options), m_detectors(detectors) {}
 
 std::optional<Dialogue::Answer> ServedSession::ask(const std::string& line) {
   const std::unique_lock lock(m_busy, std::try_to_lock);
   if (!lock) return std::nullopt;
   m_cancelled = false;
   if (m_ended) m_cancelled = true;  // in this order: end() may come at any moment
+  const Detectors::Loan detector(m_detectors);
+  m_dialogue.use(detector.get());
   Dialogue::Answer out = m_dialogue.answer(line, m_cancelled);
+  m_dialogue.use(nullptr);
   m_used = Clock::now();
   return out;
 }
@@ -45,8 +49,9 @@ double ServedSession::idle_seconds() const {
   return std::chrono::duration<double>(Clock::now() - m_used.load()).count();
 }
 
-ServedSessions::ServedSessions(DialogueOptions options, const SessionLimits& limits)
-    : m_options(std::move(options)), m_limits(limits) {}
+ServedSessions::ServedSessions(DialogueOptions options, const SessionLimits& limits,
+                               Detectors& detectors)
+    : m_options(std::move(options)), m_limits(limits), m_detectors(detectors) {}
 
 bool ServedSessions::reserve() {
   const std::lock_guard lock(m_mutex);
@@ -64,7 +69,7 @@ std::optional<ServedSessions::Opened> ServedSessions::open(
   if (!reserve()) return std::nullopt;
   Opened out{new_id(), nullptr};
   try {
-    out.session = std::make_shared<ServedSession>(make(), m_options);
+    out.session = std::make_shared<ServedSession>(make(), m_options, m_detectors);
   } catch (...) {
     const std::lock_guard lock(m_mutex);
     --m_reserved;

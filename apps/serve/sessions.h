@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 
+#include "apps/serve/detectors.h"
 #include "ops/session/dialogue.h"
 
 namespace trivet::serve {
@@ -22,7 +23,8 @@ struct SessionLimits {
 /// One client's session. One thread at a time asks it; any may cancel.
 class ServedSession {
  public:
-  ServedSession(OpenedSession opened, const DialogueOptions& options);
+  /// @param detectors  outlive it.
+  ServedSession(OpenedSession opened, const DialogueOptions& options, Detectors& detectors);
 
   /// @return nullopt while another request is under way.
   std::optional<Dialogue::Answer> ask(const std::string& line);
@@ -38,6 +40,7 @@ class ServedSession {
   using Clock = std::chrono::steady_clock;
   OpenedSession m_opened;
   Dialogue m_dialogue;
+  Detectors& m_detectors;
   std::mutex m_busy;
   std::atomic<bool> m_cancelled = false, m_ended = false;
   std::atomic<Clock::time_point> m_used = Clock::now();
@@ -46,7 +49,8 @@ class ServedSession {
 /// Safe to use from many threads.
 class ServedSessions {
  public:
-  ServedSessions(DialogueOptions options, const SessionLimits& limits);
+  /// @param detectors  outlive it.
+  ServedSessions(DialogueOptions options, const SessionLimits& limits, Detectors& detectors);
 
   struct Opened {
     std::string id;  // 32 hexadecimal digits that nobody can guess
@@ -69,6 +73,7 @@ class ServedSessions {
 
   DialogueOptions m_options;
   SessionLimits m_limits;
+  Detectors& m_detectors;
   mutable std::mutex m_mutex;
   std::map<std::string, std::shared_ptr<ServedSession>> m_sessions;
   size_t m_reserved = 0;  // by sessions that are being made

@@ -199,6 +199,12 @@ BackendOptions backend_options(const CommonOptions& common) {
   return options;
 }
 
+BackendOptions shared_backend_options(const CommonOptions& common) {
+  BackendOptions options = backend_options(common);
+  options.gpu_notes = once_each(options.note);
+  return options;
+}
+
 std::unique_ptr<Detector> make_detector(const CommonOptions& common) {
   return trivet::make_detector(backend_options(common));
 }

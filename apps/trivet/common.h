@@ -62,6 +62,8 @@ void add_material_options(CLI::App& app, MaterialArguments& arguments);
 /// By --backend, --gpu-method, --gpu-lists, --confirm and --threads; notes on standard error if
 /// what was asked for is unavailable. `common` must outlive it.
 BackendOptions backend_options(const CommonOptions& common);
+/// The same for detectors of several threads: what a GPU's loss tells is told once by all.
+BackendOptions shared_backend_options(const CommonOptions& common);
 std::unique_ptr<Detector> make_detector(const CommonOptions& common);
 
 /// Sources of candidates for `auto`, with their speed here. `common` must outlive it.

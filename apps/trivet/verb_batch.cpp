@@ -248,6 +248,13 @@ void add_worker_options(CLI::App& verb, int& jobs, WorkLimits& limits) {
       ->check(integer_from(1, 1'000'000'000));
 }
 
+// Workers have a small memory limit each, and scenes that small: none makes an OpenGL context.
+void check_backend(const CommonOptions& common) {
+  if (common.backend == "auto" || common.backend == "bvh") return;
+  bad_input("batch: --backend " + common.backend +
+            " is not accepted, its workers ask BVHs; accepted: auto, bvh");
+}
+
 Verb add_batch(CLI::App& app, const CommonOptions& common) {
   CLI::App* const verb =
       app.add_subcommand("batch", "Make random scenes by a recipe, one machine or many");
@@ -257,6 +264,7 @@ Verb add_batch(CLI::App& app, const CommonOptions& common) {
   std::vector<Verb> audits = add_batch_audits(*verb, common);
   audits.push_back(add_batch_pictures(*verb, common));
   return {verb, [arguments, audits, &common] {
+            check_backend(common);
             for (const Verb& audit : audits)
               if (audit.app->parsed()) return audit.run();
             return batch(*arguments, common);

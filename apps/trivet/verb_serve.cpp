@@ -24,6 +24,9 @@ int run_server(const ServeArguments& arguments, const CommonOptions& common) {
   if (options.starts.empty() && options.recipe.empty())
     throw Error(Error::Kind::BadInput, "missing START; accepted: layouts, scenes, or --recipe");
   options.run = run_options(common, arguments.settle);
+  options.make_detector = [detection = shared_backend_options(common)] {
+    return trivet::make_detector(detection);
+  };
   options.import = common.limits();
   options.operation_seconds = arguments.settle.operation_seconds;
   options.num_threads = common.num_threads > 0

@@ -40,6 +40,8 @@ class Dialogue {
     std::string text;    // JSON without line breaks
   };
 
+  /// Answers first contacts from now on; null: BVHs. Not owned.
+  void use(Detector* detector) { m_options.context.detector = detector; }
   /// Greets: the state of the session.
   Answer greeting() const;
   /// Errors of a line are its answer; it throws std::bad_alloc alone.

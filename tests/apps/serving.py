@@ -23,10 +23,11 @@ class UnixConnection(http.client.HTTPConnection):
 class Server:
     """A running `trivet serve`."""
 
-    def __init__(self, folder, *arguments, before=None):
+    def __init__(self, folder, *arguments, before=None, env=None):
         self.process = subprocess.Popen([PROGRAM, "serve", *map(str, arguments)], cwd=folder,
                                         stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
-                                        preexec_fn=before)
+                                        preexec_fn=before, env=env and {**os.environ, **env})
+        self.errors = ""  # standard error, once it has ended
         line = self.process.stdout.readline()
         if not line:
             raise RuntimeError(self.process.stderr.read())
@@ -68,6 +69,7 @@ class Server:
         self.process.send_signal(number)
         status = self.process.wait(60)
         self.process.stdout.close()
+        self.errors = self.process.stderr.read()
         self.process.stderr.close()
         return status
 
@@ -80,8 +82,8 @@ class Served(Case):
         self.start = layout
 
     @contextlib.contextmanager
-    def server(self, *arguments, before=None):
-        server = Server(self.folder, self.start, *arguments, before=before)
+    def server(self, *arguments, before=None, env=None):
+        server = Server(self.folder, self.start, *arguments, before=before, env=env)
         try:
             yield server
         finally:

@@ -6,6 +6,7 @@ import random
 import resource
 import subprocess
 import time
+from concurrent.futures import ThreadPoolExecutor
 
 from program import PROGRAM, SLAB, put
 from serving import Served, main_if_built
@@ -38,6 +39,31 @@ class Routes(Served):
             session = server.open()
             answers = [server.ask("POST", session, line)[1] for line in lines]
         self.assertEqual(answers, expected[1:])
+
+    def test_backends_give_the_same_bytes(self):
+        """A detector for each computing thread, as --backend asks for; what is missing is told once."""
+        hidden = {"__EGL_VENDOR_LIBRARY_FILENAMES": "/nonexistent"}
+        answers = {}
+        for backend in ("bvh", "software", "gpu"):
+            with self.server("--backend", backend, "--threads", "3", env=hidden) as server:
+                sessions = [server.open() for _ in range(3)]
+                with ThreadPoolExecutor(3) as pool:
+                    found = list(pool.map(lambda s: server.ask("POST", s, put("b", 0.01, 0.02, 1)), sessions))
+                self.assertEqual([status for status, _ in found], [200] * 3)
+                self.assertEqual(found[0], found[1])
+                answers[backend] = found[0]
+            told = server.errors.count("used instead of the GPU")
+            # Drivers that cannot be hidden answer without a note.
+            self.assertLessEqual(told, 1 if backend == "gpu" else 0, server.errors)
+            if backend == "gpu" and self.hides_egl():
+                self.assertEqual(told, 1, server.errors)
+        self.assertEqual(answers["bvh"], answers["software"])
+        self.assertEqual(answers["bvh"], answers["gpu"])
+
+    def hides_egl(self):
+        _, err = self.trivet("run", self.start, "-o", "s.glb", "--backend", "gpu",
+                             env={"__EGL_VENDOR_LIBRARY_FILENAMES": "/nonexistent"})
+        return "used instead of the GPU" in err
 
     def test_wrong_requests_are_named(self):
         with self.server() as server:

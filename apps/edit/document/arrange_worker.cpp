@@ -45,8 +45,10 @@ void describe(const Conflict& conflict, const Arrangement& arrangement,
 
 }  // namespace
 
-ArrangeWorker::ArrangeWorker(Listener listener)
-    : m_listener(std::move(listener)), m_thread([this] { run(); }) {}
+ArrangeWorker::ArrangeWorker(BackendOptions detection, Listener listener)
+    : m_listener(std::move(listener)),
+      m_detector(std::move(detection)),
+      m_thread([this] { run(); }) {}
 
 ArrangeWorker::~ArrangeWorker() {
   {
@@ -104,8 +106,10 @@ LayoutGhost ArrangeWorker::answer_to(Request& request) {
   out.problem = request.part.json;
   out.seed = request.seed;
   out.committed = request.committed;
+  m_detector.renew();
   RunContext context;
   context.cancel = &m_cancel;
+  context.detector = m_detector.get();
   try {
     const Arrangement arrangement = parse_arrange_section(request.part.json, *request.scene);
     const ArrangeResult result =

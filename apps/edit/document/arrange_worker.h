@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "apps/edit/document/layout_ghost.h"
+#include "apps/edit/document/thread_detector.h"
 #include "apps/edit/document/wishes.h"
 
 namespace trivet::edit {
@@ -29,9 +30,11 @@ class ArrangeWorker {
     std::function<void(std::uint64_t number, const std::string& thing, size_t done, size_t total)>
         progressed;
   };
-  explicit ArrangeWorker(Listener listener);
+  ArrangeWorker(BackendOptions detection, Listener listener);
   ~ArrangeWorker();
 
+  /// Takes effect with the next request.
+  void choose(BackendOptions detection) { m_detector.choose(std::move(detection)); }
   /// Not of a number that was cancelled. Numbers grow.
   void request(Request request);
   /// Cancels requests up to this number, also those that are yet to come.
@@ -43,6 +46,7 @@ class ArrangeWorker {
   LayoutGhost answer_to(Request& request);
 
   Listener m_listener;
+  ThreadDetector m_detector;
   std::atomic<bool> m_cancel = false;
   mutable std::mutex m_mutex;  // guards the members below
   std::condition_variable m_wake;

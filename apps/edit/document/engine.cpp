@@ -31,7 +31,7 @@ Engine::Engine(Document& document, DocumentOptions options)
       m_detector(until_measured(m_options.detection = with_notes(m_options.detection))),
       m_chosen(m_options.detection),
       m_ghosts(m_options.detection, ghost_listener()),
-      m_layouts(layout_listener()),
+      m_layouts(m_options.detection, layout_listener()),
       m_thread([this] { run(); }) {}
 
 Engine::~Engine() {

@@ -43,6 +43,7 @@ void Engine::choose_detection(BackendOptions options) {
     m_chosen = options;
   }
   m_detector.choose(until_measured(options));
+  m_layouts.choose(options);
   m_ghosts.choose(std::move(options));
   post({0, "detection", [](Engine&) { return true; }});  // renews it
 }

@@ -1,4 +1,5 @@
 // Arrangements of the editor: wishes, previews that change nothing, one step, conflicts, files.
+#include <atomic>
 #include <fstream>
 #include <sstream>
 
@@ -8,6 +9,7 @@
 #include "core/scene/transaction.h"
 #include "ops/arrange/arrange.h"
 #include "ops/files/arrange/problem.h"
+#include "raster/zlist/software_zlists.h"
 
 namespace trivet::edit::test {
 namespace {
@@ -15,7 +17,8 @@ namespace {
 /// A table, and three boxes that are not placed yet.
 class Layouts : public testing::Test {
  protected:
-  Layouts() : document(folder.file("recovery")) {
+  explicit Layouts(BackendOptions detection = {})
+      : document(folder.file("recovery"), std::move(detection)) {
     write_boxes(folder.file("table.obj"), {{{-0.5, -0.4, 0}, {0.5, 0.4, 0.7}}});
     write_boxes(folder.file("box.obj"), {{{-0.05, -0.04, 0}, {0.05, 0.04, 0.1}}});
     document.import(folder.file("table.obj"), "table", true);
@@ -48,6 +51,62 @@ class Layouts : public testing::Test {
   TemporaryFolder folder;
   Recorder document;
 };
+
+/// Counts the queries of z-lists in software, made on request for the GPU of each thread.
+struct CountedGpu {
+  class Stage : public CandidateFinder {
+   public:
+    explicit Stage(std::atomic<int>& num) : m_num(num) {}
+    std::string name() const override { return "counted"; }
+    CandidatePairs find_candidates(const FirstContactQuery& query, double horizon) override {
+      ++m_num;
+      return m_zlists.find_candidates(query, horizon);
+    }
+
+   private:
+    std::atomic<int>& m_num;
+    SoftwareZLists m_zlists;
+  };
+
+  std::atomic<int> num_made = 0, num_asked = 0;
+  BackendOptions options() {
+    BackendOptions out;
+    out.backend = Backend::Gpu;
+    out.make_gpu_stage = [this](const GpuNotes&) {
+      ++num_made;
+      return std::make_unique<Stage>(num_asked);
+    };
+    return out;
+  }
+};
+
+class LayoutsByGpu : public CountedGpu, public Layouts {
+ protected:
+  LayoutsByGpu() : Layouts(options()) {}
+};
+
+/// The thread of arrangements has a detector of its own, as was chosen, and finds the same bits.
+TEST_F(LayoutsByGpu, AskTheChosenDetector) {
+  ASSERT_TRUE(document->wait_until_idle());
+  const int made = num_made, asked = num_asked;
+  ASSERT_TRUE(seek(1)) << document.last_text();
+  EXPECT_EQ(num_made, made + 1);
+  EXPECT_GT(num_asked, asked + 32);  // of the self-test
+  const std::vector<Ghost::Member> members = document->layout()->members;
+  BackendOptions bvh;
+  bvh.backend = Backend::Bvh;
+  document->choose_detection(bvh);
+  ASSERT_TRUE(document->wait_until_idle());
+  const int before = num_asked;
+  ASSERT_TRUE(seek(1)) << document.last_text();
+  EXPECT_EQ(num_asked, before);
+  ASSERT_EQ(document->layout()->members.size(), members.size());
+  for (size_t i = 0; i < members.size(); ++i) {
+    const Pose &a = members[i].pose, &b = document->layout()->members[i].pose;
+    EXPECT_EQ(a.translation, b.translation);
+    EXPECT_EQ(a.rotation.matrix(), b.rotation.matrix());
+  }
+}
 
 TEST_F(Layouts, PreviewChangesNothingAndAcceptingIsOneStep) {
   const std::uint64_t before = fingerprint(*document->snapshot());

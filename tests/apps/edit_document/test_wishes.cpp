@@ -74,7 +74,7 @@ TEST(ArrangeWorker, ForgetsRequestsThatWereCancelledBefore) {
   ArrangeWorker::Listener listener;
   listener.found = [&](std::uint64_t, const LayoutGhost&) { ++num_found; };
   listener.progressed = [](std::uint64_t, const std::string&, size_t, size_t) {};
-  ArrangeWorker worker(listener);
+  ArrangeWorker worker({}, listener);
   const auto request = [&](std::uint64_t number) {
     ArrangeWorker::Request out;
     out.number = number;
