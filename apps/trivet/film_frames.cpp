@@ -53,7 +53,7 @@ class Frames {
     out.objects.reserve(all.size());
     for (const MotionFilm::Seen& seen : all) {
       const auto [mesh, is_new] = m_meshes.try_emplace(seen.model.get());
-      if (is_new) mesh->second = picture_mesh(*seen.model);
+      if (is_new) mesh->second = picture_mesh(seen.model);
       out.objects.push_back({&mesh->second, seen.world_from_object, std::nullopt});
     }
     return out;

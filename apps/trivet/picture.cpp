@@ -53,7 +53,7 @@ std::string PictureMaker::png(const Scene& scene) {
     const Object& object = scene.at(id);
     if (!object.placed) continue;
     const auto [it, is_new] = mesh_of.try_emplace(object.model.get());
-    if (is_new) it->second = picture_mesh(*object.model);
+    if (is_new) it->second = picture_mesh(object.model);
     picture.objects.push_back({&it->second, object.world_from_object(), std::nullopt});
   }
   return encode_png(image(picture, m_request.explicit_camera()));

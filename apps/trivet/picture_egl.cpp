@@ -9,16 +9,17 @@ class EglPictures : public GlPictures {
  public:
   Image render(const PictureScene& scene, const std::optional<Camera>& camera,
                const PictureOptions& options) override {
-    return render_picture(m_context, scene, camera, options);
+    return m_drawer.render(scene, camera, options);
   }
   Image render(const PictureScene& scene, const PinholeCamera& camera,
                const PictureOptions& options) override {
-    return render_picture(m_context, scene, camera, options);
+    return m_drawer.render(scene, camera, options);
   }
   std::string device() const override { return m_context.description(); }
 
  private:
   EglContext m_context;
+  PictureDrawer m_drawer{m_context};
 };
 
 }  // namespace

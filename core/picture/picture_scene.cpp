@@ -70,4 +70,10 @@ PictureMesh picture_mesh(const Model& model) {
   return mesh;
 }
 
+PictureMesh picture_mesh(const std::shared_ptr<const Model>& model) {
+  PictureMesh mesh = picture_mesh(*model);
+  mesh.source = model;
+  return mesh;
+}
+
 }  // namespace trivet

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -24,11 +25,16 @@ struct PictureMesh {
   // Textures, vertex colours and more, with materials and faces of their own, made when a renderer
   // first asks, with at most so many bytes of texels; empty, or null: the members above are all.
   std::function<std::shared_ptr<const SurfaceLook>(std::size_t max_bytes)> look;
+  // What the arrays are of: while it lives, renderers may keep what they made of this mesh. Empty:
+  // nothing is kept.
+  std::weak_ptr<const void> source;
 };
 
 /// Of the whole model, which must outlive it. A model without any colour gets a quiet one of its
 /// own (quiet_colour.h). Textures are decoded when first drawn, once for all copies of the mesh.
 PictureMesh picture_mesh(const Model& model);
+/// The same, with the model as its source.
+PictureMesh picture_mesh(const std::shared_ptr<const Model>& model);
 
 struct PictureObject {
   const PictureMesh* mesh = nullptr;  // objects may share one

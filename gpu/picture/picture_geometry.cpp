@@ -6,16 +6,17 @@
 
 namespace trivet {
 
-PictureGeometry::PictureGeometry(const PictureScene& scene, const PictureFrame& frame) {
+PictureGeometry::PictureGeometry(const PictureScene& scene, const PictureFrame& frame,
+                                 PictureStore& store) {
   std::map<const PictureMesh*, std::size_t> known;
   std::size_t texture_bytes = 0;
   for (const PictureObject& object : scene.objects) {
     const auto [entry, is_new] = known.emplace(object.mesh, m_meshes.size());
     if (is_new) {
-      m_meshes.push_back(upload_mesh(*object.mesh, texture_bytes));
-      texture_bytes += m_meshes.back().texture_bytes();
+      m_meshes.push_back(store.mesh(*object.mesh, texture_bytes));
+      texture_bytes += m_meshes.back()->texture_bytes();
     }
-    const UploadedMesh& mesh = m_meshes[entry->second];
+    const UploadedMesh& mesh = *m_meshes[entry->second];
     if (!mesh.empty()) add_instance(object, entry->second, frame);
   }
 }
@@ -25,25 +26,24 @@ void PictureGeometry::add_instance(const PictureObject& object, std::size_t mesh
   const Affine& pose = object.world_from_object;
   Instance instance;
   instance.mesh = mesh;
-  instance.placement = place_mesh(m_meshes[mesh], pose, frame);
+  instance.placement = place_mesh(*m_meshes[mesh], pose, frame);
   const auto highlight = object.highlight.value_or(std::array<float, 4>{});
   for (int i = 0; i < 4; ++i)
     instance.highlight[i] =
         std::isfinite(highlight[i]) ? std::clamp(highlight[i], 0.0f, 1.0f) : 0.0f;
   m_instances.push_back(instance);
   for (int i = 0; i < 8; ++i)
-    m_hull_points.push_back(frame.apply(pose.apply(box_corner(m_meshes[mesh].box, i))));
+    m_hull_points.push_back(frame.apply(pose.apply(box_corner(m_meshes[mesh]->box, i))));
 }
 
 bool PictureGeometry::has_textures() const {
   return std::any_of(m_meshes.begin(), m_meshes.end(),
-                     [](const UploadedMesh& mesh) { return mesh.textured(); });
+                     [](const auto& mesh) { return mesh->textured(); });
 }
 
 bool PictureGeometry::emits() const {
-  return std::any_of(m_meshes.begin(), m_meshes.end(), [](const UploadedMesh& mesh) {
-    return mesh.textured() && mesh.surface->emits();
-  });
+  return std::any_of(m_meshes.begin(), m_meshes.end(),
+                     [](const auto& mesh) { return mesh->textured() && mesh->surface->emits(); });
 }
 
 void PictureGeometry::draw(const GlProgram& program, const Which& which) const {
@@ -57,7 +57,7 @@ void PictureGeometry::draw(const GlProgram& program, const Which& which) const {
   if (finishes) uniforms.emplace(program).set_units();
   for (std::size_t i = 0; i < m_instances.size(); ++i) {
     const Instance& instance = m_instances[i];
-    const UploadedMesh& mesh = m_meshes[instance.mesh];
+    const UploadedMesh& mesh = *m_meshes[instance.mesh];
     if (which.textured && mesh.textured() != *which.textured) continue;
     glUniformMatrix4fv(frame_from_object, 1, GL_FALSE, instance.placement.frame_from_object.data());
     glUniformMatrix3fv(frame_from_normal, 1, GL_FALSE, instance.placement.frame_from_normal.data());

@@ -1,10 +1,11 @@
 // Private to gpu: the triangles of a picture in graphics memory.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
-#include "gpu/picture/picture_mesh.h"
+#include "gpu/picture/picture_store.h"
 
 namespace trivet {
 
@@ -12,7 +13,7 @@ namespace trivet {
 class PictureGeometry {
  public:
   /// @throws Error (Environment) for lack of graphics memory.
-  PictureGeometry(const PictureScene& scene, const PictureFrame& frame);
+  PictureGeometry(const PictureScene& scene, const PictureFrame& frame, PictureStore& store);
 
   /// Which groups of triangles a program draws.
   struct Which {
@@ -41,7 +42,7 @@ class PictureGeometry {
   };
   void add_instance(const PictureObject& object, std::size_t mesh, const PictureFrame& frame);
 
-  std::vector<UploadedMesh> m_meshes;
+  std::vector<std::shared_ptr<const UploadedMesh>> m_meshes;
   std::vector<Instance> m_instances;
   std::vector<Vec3> m_hull_points;
 };

@@ -3,12 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gpu/picture/picture_shaders.h"
-
 namespace trivet {
 namespace {
-
-using picture_shaders::Surfaces;
 
 constexpr int kMaxTile = 2048;                // px; bounds the memory of large pictures
 constexpr int kMinMap = 512, kMaxMap = 2048;  // px; side of the key light's shadow map
@@ -21,31 +17,6 @@ int largest_map(const PictureOptions& options) {
 }
 
 }  // namespace
-
-PicturePrograms::PicturePrograms(bool emits)
-    : surface("surfaces", picture_shaders::surface_vertex(Surfaces::Plain),
-              picture_shaders::surface_fragment(false, Surfaces::Plain)),
-      surface_see_through("see-through surfaces", picture_shaders::surface_vertex(Surfaces::Plain),
-                          picture_shaders::surface_fragment(true, Surfaces::Plain)),
-      shadow("shadows", picture_shaders::shadow_vertex(), picture_shaders::shadow_fragment(false)),
-      shadow_see_through("see-through shadows", picture_shaders::shadow_vertex(),
-                         picture_shaders::shadow_fragment(true)),
-      floor_light("floor light", picture_shaders::whole_target_vertex(),
-                  picture_shaders::floor_light_fragment()),
-      light("light", picture_shaders::whole_target_vertex(),
-            picture_shaders::light_fragment(emits)),
-      develop("development", picture_shaders::whole_target_vertex(),
-              picture_shaders::develop_fragment()) {}
-
-TexturedPrograms::TexturedPrograms()
-    : surface("textured surfaces", picture_shaders::surface_vertex(Surfaces::Textured),
-              picture_shaders::surface_fragment(false, Surfaces::Textured)),
-      surface_see_through("textured see-through surfaces",
-                          picture_shaders::surface_vertex(Surfaces::Textured),
-                          picture_shaders::surface_fragment(true, Surfaces::Textured)),
-      shadow_see_through("textured see-through shadows",
-                         picture_shaders::shadow_vertex(Surfaces::Textured),
-                         picture_shaders::shadow_fragment(true, Surfaces::Textured)) {}
 
 PictureTargets::PictureTargets(int width, int height, int map_size, bool emits)
     : surfaces(make_texture_2d(GL_RGBA32UI, width, height)),
@@ -65,18 +36,18 @@ PictureTargets::PictureTargets(int width, int height, int map_size, bool emits)
 }
 
 PictureRenderer::PictureRenderer(const PictureScene& scene, const FrameCamera& camera,
-                                 const PictureOptions& options)
+                                 const PictureOptions& options, PictureStore& store)
     : m_options(options),
       m_has_floor(scene.floor),
       m_frame(make_picture_frame(scene)),
       m_camera(camera),
       m_lights(options.samples, m_camera),
-      m_geometry(scene, m_frame),
-      m_programs(m_geometry.emits()),
+      m_geometry(scene, m_frame, store),
+      m_programs(store.programs(m_geometry.emits())),
+      m_textured(m_geometry.has_textures() ? &store.textured_programs() : nullptr),
       m_targets(std::min(options.width, kMaxTile), std::min(options.height, kMaxTile),
                 largest_map(options), m_geometry.emits()),
       m_no_attributes(GlVertexArray::create()) {
-  if (m_geometry.has_textures()) m_textured.emplace();
   find_depth_range();
 }
 

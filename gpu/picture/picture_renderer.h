@@ -13,21 +13,10 @@
 #include "core/picture/picture_lights.h"
 #include "gpu/egl/gl_objects.h"
 #include "gpu/picture/picture_geometry.h"
+#include "gpu/picture/picture_store.h"
 #include "gpu/picture/shadow_map.h"
 
 namespace trivet {
-
-struct PicturePrograms {
-  /// @param emits  whether surfaces give light.
-  explicit PicturePrograms(bool emits);
-  GlProgram surface, surface_see_through, shadow, shadow_see_through, floor_light, light, develop;
-};
-
-/// Those of textured meshes.
-struct TexturedPrograms {
-  TexturedPrograms();
-  GlProgram surface, surface_see_through, shadow_see_through;
-};
 
 /// Textures of one tile, shadow maps, the floor's light, and their framebuffers.
 struct PictureTargets {
@@ -53,9 +42,9 @@ struct PictureTile {
 
 class PictureRenderer {
  public:
-  /// `options` must outlive it. Needs a current context throughout its lifetime.
+  /// `options` and `store` must outlive it. Needs a current context throughout its lifetime.
   PictureRenderer(const PictureScene& scene, const FrameCamera& camera,
-                  const PictureOptions& options);
+                  const PictureOptions& options, PictureStore& store);
 
   Image render();
 
@@ -95,8 +84,8 @@ class PictureRenderer {
   std::array<int, kLightsPerView> m_map_px{};
   double m_near = 0.01, m_far = 10;
   PictureGeometry m_geometry;
-  PicturePrograms m_programs;
-  std::optional<TexturedPrograms> m_textured;  // if there are any
+  const PicturePrograms& m_programs;
+  const TexturedPrograms* m_textured;  // null: there are none
   PictureTargets m_targets;
   GlVertexArray m_no_attributes;  // the core profile requires a vertex array to draw
   std::array<ShadowMap, kLightsPerView> m_maps;

@@ -52,7 +52,7 @@ LabelledScene labelled_scene(const Scene& scene, const Layout& layout,
     const Object& object = scene.at(id);
     if (!object.placed) continue;
     const auto [mesh, is_new] = out.meshes.try_emplace(object.model.get());
-    if (is_new) mesh->second = picture_mesh(*object.model);
+    if (is_new) mesh->second = picture_mesh(object.model);
     out.picture.objects.push_back({&mesh->second, object.world_from_object(), std::nullopt});
     const LayoutObject* const made = named.find(object.name);
     LabelledObject labelled;

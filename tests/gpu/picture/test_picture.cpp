@@ -106,6 +106,30 @@ class Picture : public testing::Test {
   std::unique_ptr<EglContext> m_context;
 };
 
+TEST_F(Picture, KeepsMeshesWhileTheirModelsLive) {
+  const Boxes boxes = cube();
+  PictureMesh mesh = boxes.view();
+  auto model = std::make_shared<const int>(0);
+  mesh.source = model;
+  const PictureScene scene = scene_of(mesh);
+  const PictureOptions options = small();
+  PictureDrawer drawer(*m_context);
+  const Image first = drawer.render(scene, std::nullopt, options);
+  const Image again = drawer.render(scene, std::nullopt, options);
+  EXPECT_EQ(first.rgba, again.rgba);
+  EXPECT_EQ(first.rgba, render(scene, std::nullopt, options).rgba);
+  EXPECT_EQ(drawer.num_meshes_sent(), 1u);
+
+  model = std::make_shared<const int>(1);  // another one, though with the same arrays
+  mesh.source = model;
+  EXPECT_EQ(drawer.render(scene, std::nullopt, options).rgba, first.rgba);
+  EXPECT_EQ(drawer.num_meshes_sent(), 2u);
+  mesh.source.reset();
+  drawer.render(scene, std::nullopt, options);
+  drawer.render(scene, std::nullopt, options);
+  EXPECT_EQ(drawer.num_meshes_sent(), 4u);
+}
+
 TEST_F(Picture, ShowsCubeAgainstBackground) {
   const Boxes boxes = cube();
   const PictureMesh mesh = boxes.view();
