@@ -1,6 +1,7 @@
 // Contact points summed up: merged, their hull, type and faces.
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <tuple>
 #include <utility>
 
@@ -36,6 +37,33 @@ void add_faces(const Body& body, ContactFeatures features, bool is_object, Index
 void sort_unique(std::vector<Index>& ids) {
   std::sort(ids.begin(), ids.end());
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+}
+
+constexpr size_t kManyPoints = 24;
+constexpr double kInside = 1e-9;  // of the extent: no rounding makes such a point a corner
+
+// Leaves out points inside the octagon of the extreme ones: most of those of flush faces, which
+// need not be sorted then [Akl 1978].
+void drop_inner(std::vector<Vec2>& points) {
+  constexpr size_t kDirections = 8;
+  const std::array<Vec2, kDirections> directions{Vec2(1, 0),  Vec2(1, 1),  Vec2(0, 1),
+                                                 Vec2(-1, 1), Vec2(-1, 0), Vec2(-1, -1),
+                                                 Vec2(0, -1), Vec2(1, -1)};
+  std::array<Vec2, kDirections> corners;
+  corners.fill(points.front());
+  for (const Vec2& p : points)
+    for (size_t k = 0; k < kDirections; ++k)
+      if (directions[k].dot(p) > directions[k].dot(corners[k])) corners[k] = p;
+  const double extent = (corners[0] - corners[4]).cwiseAbs().maxCoeff() +
+                        (corners[2] - corners[6]).cwiseAbs().maxCoeff();
+  const double inside = kInside * extent * extent;
+  std::erase_if(points, [&](const Vec2& p) {
+    for (size_t k = 0; k < kDirections; ++k) {
+      const Vec2 &a = corners[k], &b = corners[(k + 1) % kDirections];
+      if (a != b && !(cross(b - a, p - a) > inside)) return false;
+    }
+    return inside > 0;
+  });
 }
 
 ContactType type_of(const std::vector<Vec2>& hull, double extent) {
@@ -148,6 +176,7 @@ std::vector<ContactPoint> merged(const std::vector<ContactPoint>& points, double
 }
 
 std::vector<Vec2> convex_hull(std::vector<Vec2> points) {
+  if (points.size() >= kManyPoints) drop_inner(points);
   // Monotone chain [Andrew 1979].
   const auto less = [](const Vec2& a, const Vec2& b) {
     return std::make_tuple(a.x(), a.y()) < std::make_tuple(b.x(), b.y());
