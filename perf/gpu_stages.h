@@ -12,7 +12,7 @@ namespace trivet::perf {
 /// Framebuffers and compute shaders.
 std::vector<GpuSource> gpu_stages();
 
-/// A finder of candidates, and the same that stops after the depths of pixels; null: it cannot.
+/// A finder of candidates, and the same that stops after the depths of pixels.
 struct StagedFinder {
   std::string name;
   std::unique_ptr<CandidateFinder> whole, depths;

@@ -1,12 +1,18 @@
-// Stages of a query by each finder of candidates: depths, lists, Embree's confirmation and the
-// closed form, and the pairs that are left.
+// Stages of a query by each finder of candidates: depths alone, depths and lists, Embree's
+// confirmation and the closed form, and the pairs that are left. Each is timed by itself.
 #include <tbb/global_control.h>
 
+#include <algorithm>
+#include <optional>
+
 #include "core/base/error.h"
+#include "core/contact/confirm.h"
+#include "core/contact/zlist_frame.h"
 #include "perf/gpu_stages.h"
 #include "perf/result_hash.h"
 #include "perf/rows.h"
 #include "perf/sweeps.h"
+#include "raster/zlist/motion_depths.h"
 #include "raster/zlist/software_zlists.h"
 
 namespace trivet::perf {
@@ -16,6 +22,19 @@ constexpr int kStageSweeps = 12;
 constexpr double kFinderBudget_ms = 8000;  // CPU, then other sweeps are skipped
 constexpr size_t kFewestStageSweeps = 3;
 constexpr Confirmation kNone{false, 0};
+
+/// Depths of all faces in software, as a GPU draws them: no candidates.
+class SoftwareDepths : public CandidateFinder {
+ public:
+  std::string name() const override { return "software, depths"; }
+  CandidatePairs find_candidates(const FirstContactQuery& query, double horizon) override {
+    const MotionDepths depths =
+        motion_depths(query, horizon, zlist_resolution_of_processors(query));
+    CandidatePairs out;
+    out.lower = depths.lower, out.upper = depths.upper;
+    return out;
+  }
+};
 
 /// Says again what another stage said.
 class Replay : public CandidateFinder {
@@ -38,9 +57,12 @@ struct AnsweredSweep {
 /// By one finder, of all sweeps of a size and kind of motion; CPU ms of all threads.
 struct Stages {
   Samples whole;
-  std::vector<double> depth_ms, list_ms, confirm_ms, exact_ms, exact_alone_ms;
-  std::vector<double> proposed, asked, confirmed, share;
-  int num_given_up = 0, num_wrong = 0;
+  std::vector<double> depth_ms, drawn_ms;  // alone; with lists
+  // Embree is forced on all pairs of every proposal. Then the closed form, and the same without it.
+  std::vector<double> confirm_ms, exact_ms, exact_alone_ms;
+  std::vector<double> proposed, confirmed;
+  std::vector<double> share, share_by_rule;  // % of depths and lists; 0 where the rule asks not
+  int num_asked_by_rule = 0, num_too_many = 0, num_given_up = 0, num_wrong = 0;
 };
 
 bool same_contact(const FirstContact& a, const FirstContact& b) {
@@ -54,25 +76,60 @@ Took timed_all(Work&& work) {
   return timed_warm(std::forward<Work>(work), CLOCK_PROCESS_CPUTIME_ID);
 }
 
+/// What Embree is asked about, and up to when.
+struct Question {
+  std::vector<FacePair> pairs;
+  double horizon;
+
+  /// @return CPU ms.
+  double ask(const FirstContactQuery& query, std::vector<FacePair>& kept, bool& answered) const {
+    return timed_all([&] {
+             kept = pairs;
+             answered = confirm_pairs(query, horizon, kept);
+           })
+        .cpu_ms;
+  }
+};
+
+/// As first_contact() asks: about what is left when the first pairs are decided, if it is much.
+std::optional<Question> question_by_rule(const FirstContactQuery& query,
+                                         const CandidatePairs& proposal) {
+  const size_t num_first = std::min(kPairsBeforeEmbree, proposal.pairs.size());
+  const auto begin = proposal.pairs.begin() + static_cast<std::ptrdiff_t>(num_first);
+  CandidatePairs first;
+  first.usable = true;
+  first.pairs.assign(proposal.pairs.begin(), begin);
+  Replay replay(std::move(first));
+  const double horizon =
+      std::min(first_contact(query, replay, nullptr, kNone).time, query.motion.limit);
+  const auto end = std::partition_point(begin, proposal.pairs.end(),
+                                        [&](const FacePair& p) { return p.not_before <= horizon; });
+  if (static_cast<size_t>(end - begin) < Confirmation().fewest_pairs) return std::nullopt;
+  return Question{{begin, end}, std::min(horizon, proposal.upper)};
+}
+
 /// Embree and the closed form, from a proposal that costs nothing.
 void decide(const FirstContactQuery& query, const FirstContact& truth,
             const CandidatePairs& proposal, double drawn_ms, Stages& out) {
-  Replay all(proposal);
-  CandidatePairs kept;
+  bool answered = true;
+  CandidatePairs kept = proposal;
+  const Question forced{proposal.pairs, std::min(query.motion.limit, proposal.upper)};
+  out.confirm_ms.push_back(forced.ask(query, kept.pairs, answered));
+  out.num_too_many += !answered;
+  out.share.push_back(100 * out.confirm_ms.back() / drawn_ms);
+  out.proposed.push_back(static_cast<double>(proposal.pairs.size()));
+  out.confirmed.push_back(static_cast<double>(kept.pairs.size()));
+  const std::optional<Question> by_rule = question_by_rule(query, proposal);
+  std::vector<FacePair> left;
+  const double by_rule_ms = by_rule ? by_rule->ask(query, left, answered) : 0;
+  out.share_by_rule.push_back(100 * by_rule_ms / drawn_ms);
+  out.num_asked_by_rule += by_rule.has_value();
+  Replay confirmed(kept), all(proposal);
   FirstContact with, without;
-  const double both = timed_all([&] { with = first_contact(query, all, &kept); }).cpu_ms;
-  Replay confirmed(kept);
-  const double after = timed_all([&] { first_contact(query, confirmed, nullptr, kNone); }).cpu_ms;
-  const double alone =
-      timed_all([&] { without = first_contact(query, all, nullptr, kNone); }).cpu_ms;
-  const double confirm = kept.work.asked_pairs > 0 ? std::max(0.0, both - after) : 0;
-  out.confirm_ms.push_back(confirm);
-  out.exact_ms.push_back(after);
-  out.exact_alone_ms.push_back(alone);
-  out.proposed.push_back(static_cast<double>(kept.work.face_pairs));
-  out.asked.push_back(static_cast<double>(kept.work.asked_pairs));
-  out.confirmed.push_back(static_cast<double>(kept.work.confirmed_pairs));
-  out.share.push_back(100 * confirm / drawn_ms);
+  out.exact_ms.push_back(
+      timed_all([&] { with = first_contact(query, confirmed, nullptr, kNone); }).cpu_ms);
+  out.exact_alone_ms.push_back(
+      timed_all([&] { without = first_contact(query, all, nullptr, kNone); }).cpu_ms);
   out.num_wrong += !same_contact(with, truth) || !same_contact(without, truth);
 }
 
@@ -83,13 +140,10 @@ void ask(const FirstContactQuery& query, const FirstContact& truth, const Staged
   FirstContact found;
   const double drawn =
       timed_all([&] { proposal = finder.whole->find_candidates(query, limit); }).cpu_ms;
-  double depth = 0;
-  if (finder.depths)
-    depth = timed_all([&] { finder.depths->find_candidates(query, limit); }).cpu_ms;
+  out.depth_ms.push_back(timed_all([&] { finder.depths->find_candidates(query, limit); }).cpu_ms);
   out.whole.add(timed_all([&] { found = first_contact(query, *finder.whole); }));
   out.num_wrong += !same_contact(found, truth);
-  out.depth_ms.push_back(depth);
-  out.list_ms.push_back(std::max(0.0, drawn - depth));
+  out.drawn_ms.push_back(drawn);
   if (proposal.usable)
     decide(query, truth, proposal, drawn, out);
   else
@@ -107,20 +161,23 @@ Stages ask_all(const std::vector<AnsweredSweep>& sweeps, const StagedFinder& fin
         {&moving, 1}, {&fixed, 1}, false, a.sweep.motion, a.sweep.clearance};
     // Meshes get into graphics memory.
     if (&a == sweeps.data()) finder.whole->find_candidates(query, query.motion.limit);
-    if (&a == sweeps.data() && finder.depths)
-      finder.depths->find_candidates(query, query.motion.limit);
+    if (&a == sweeps.data()) finder.depths->find_candidates(query, query.motion.limit);
     ask(query, a.truth, finder, out);
   }
   return out;
 }
 
 std::string outcome_of(const Stages& s) {
-  std::string out = text(
-      "depths %.3g, lists %.3g, Embree %.3g (%.1f %% of both, at most %.1f), closed form %.3g "
-      "(without Embree %.3g); pairs: %.0f proposed, %.0f asked about, %.0f confirmed",
-      median(s.depth_ms), median(s.list_ms), median(s.confirm_ms), median(s.share),
-      quantile(s.share, 1), median(s.exact_ms), median(s.exact_alone_ms), median(s.proposed),
-      median(s.asked), median(s.confirmed));
+  std::string out =
+      text("depths %.3g, depths and lists %.3g", median(s.depth_ms), median(s.drawn_ms));
+  out += text("; pairs: %.0f proposed, %.0f confirmed", median(s.proposed), median(s.confirmed));
+  out += text("; Embree on all %.3g (%.1f %% of depths and lists, at most %.1f)",
+              median(s.confirm_ms), median(s.share), quantile(s.share, 1));
+  if (s.num_too_many > 0) out += text(", too many for it in %d", s.num_too_many);
+  out += text(", by the rule in %d of %zu (%.1f %%, at most %.1f)", s.num_asked_by_rule,
+              s.share.size(), median(s.share_by_rule), quantile(s.share_by_rule, 1));
+  out +=
+      text("; closed form %.3g, without Embree %.3g", median(s.exact_ms), median(s.exact_alone_ms));
   if (s.num_given_up > 0) out += text("; gave up %d", s.num_given_up);
   return out + (s.num_wrong ? text("; WRONG %d", s.num_wrong) : "; the same bits");
 }
@@ -162,7 +219,8 @@ void rows_of(const SpherePair& spheres, Motion::Kind kind, std::vector<StagedFin
 
 std::vector<StagedFinder> finders(Report& report) {
   std::vector<StagedFinder> out;
-  out.push_back({"z-lists in software, one thread", std::make_unique<SoftwareZLists>(), nullptr});
+  out.push_back({"z-lists in software, one thread", std::make_unique<SoftwareZLists>(),
+                 std::make_unique<SoftwareDepths>()});
   try {
     for (StagedFinder& finder : staged_gpu_finders()) out.push_back(std::move(finder));
   } catch (const Error& error) {

@@ -5,6 +5,9 @@
 
 namespace trivet {
 
+/// Pairs that are decided before Embree is asked about the others: they lower the horizon.
+inline constexpr std::size_t kPairsBeforeEmbree = 64;
+
 /// Removes the pairs whose boxes, the moving face's swept up to the horizon, the fixed one's grown
 /// by the largest stop, do not overlap: what Embree reports (rtcCollide over the distinct faces),
 /// as far as it was proposed. The order of the others stays. No pair is removed that stops at or

@@ -8,9 +8,6 @@
 namespace trivet {
 namespace {
 
-/// Decided before Embree is asked about the others.
-constexpr std::size_t kFirstPairs = 64;
-
 // Builds no tree: a stage needs none, either.
 FirstContact first_floor_contact_of(const FirstContactQuery& query) {
   FirstContact best;
@@ -60,7 +57,7 @@ void confirm_others(const FirstContactQuery& query, double horizon, std::size_t 
 FirstContact decide(const FirstContactQuery& query, FirstContact best, CandidatePairs& found,
                     const Confirmation& confirmation) {
   if (found.usable) {
-    const std::size_t num_first = std::min(kFirstPairs, found.pairs.size());
+    const std::size_t num_first = std::min(kPairsBeforeEmbree, found.pairs.size());
     decide_pairs(query, std::span(found.pairs).first(num_first), best);
     if (confirmation.enabled)
       confirm_others(query, horizon_of(query, best), num_first, confirmation, found);
