@@ -106,16 +106,18 @@ GhostWorker::Task GhostWorker::next_task(Request& request, ZListQuestion& questi
   m_works = true;
   if (m_stop) return Task::Stop;
   if (std::exchange(m_renew, false)) return Task::Renew;
-  if (m_next) {
-    request = std::move(*m_next);
-    m_next.reset();
-    if (m_next_scene) m_scene = std::move(m_next_scene);
-    m_cancel = false;
-    return Task::Ghost;
+  // First, as a mouse that moves on would always ask for another ghost; they leave most of the
+  // time.
+  if (may_look()) {
+    question = std::move(*m_question);
+    m_question.reset();
+    return Task::ZLists;
   }
-  question = std::move(*m_question);
-  m_question.reset();
-  return Task::ZLists;
+  request = std::move(*m_next);
+  m_next.reset();
+  if (m_next_scene) m_scene = std::move(m_next_scene);
+  m_cancel = false;
+  return Task::Ghost;
 }
 
 void GhostWorker::run() {
