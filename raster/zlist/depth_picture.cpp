@@ -12,6 +12,11 @@ constexpr Rgb kScale[] = {
     {44, 114, 142}, {38, 130, 142}, {33, 145, 140}, {31, 160, 136}, {40, 174, 128}, {63, 188, 115},
     {94, 201, 98},  {132, 212, 75}, {173, 220, 48}, {216, 226, 25}, {253, 231, 37}};
 
+constexpr int kLargeSquare = 6;  // an outline within it is seen
+
+// -1, 0 or 1: before, in or past a square.
+int beside(int i, int magnify) { return i < 0 ? -1 : i >= magnify; }
+
 }  // namespace
 
 Rgb scale_colour(double part) {
@@ -114,19 +119,24 @@ void DepthPicture::paint_square(int x, int y, int magnify, const Rgb& colour,
   }
 }
 
-// The sides of a doubtful pixel towards others that are not.
+// The sides of a doubtful pixel towards others that are not; where pixels are small, also around
+// it.
 void DepthPicture::outline(int x, int y, int magnify, std::vector<std::uint8_t>& out) const {
-  const int last = magnify - 1, thick = std::max(1, magnify / 3);
+  const int inside = std::max(1, magnify / 3), outside = magnify < kLargeSquare ? 1 : 0;
   const bool left = !is_doubtful(x - 1, y), right = !is_doubtful(x + 1, y);
   const bool above = !is_doubtful(x, y - 1), below = !is_doubtful(x, y + 1);
-  for (int j = 0; j < magnify; ++j)
-    for (int i = 0; i < magnify; ++i) {
-      const bool on = (left && i < thick) || (right && i > last - thick) || (above && j < thick) ||
-                      (below && j > last - thick);
-      if (!on) continue;
-      const size_t row = static_cast<size_t>(y) * magnify + j;
-      std::copy(kDoubtfulColour.begin(), kDoubtfulColour.end(),
-                &out[4 * ((row * m_width + x) * magnify + i)]);
+  for (int j = -outside; j < magnify + outside; ++j)
+    for (int i = -outside; i < magnify + outside; ++i) {
+      const bool on = (left && i < inside) || (right && i >= magnify - inside) ||
+                      (above && j < inside) || (below && j >= magnify - inside);
+      const int at_x = x + beside(i, magnify), at_y = y + beside(j, magnify);
+      const bool in_another = (at_x != x || at_y != y) && is_doubtful(at_x, at_y);
+      const bool in_picture = at_x >= 0 && at_y >= 0 && at_x < m_width && at_y < m_height;
+      if (!on || in_another || !in_picture) continue;
+      const size_t row = static_cast<size_t>(y * magnify + j);
+      std::uint8_t* const to = &out[4 * (row * m_width * magnify + x * magnify + i)];
+      std::copy(kDoubtfulColour.begin(), kDoubtfulColour.end(), to);
+      to[3] = 255;
     }
 }
 
@@ -140,8 +150,10 @@ std::vector<std::uint8_t> DepthPicture::paint(DepthShow show, int magnify) const
       const auto depth = value(show, x, y);
       if (!depth) continue;
       paint_square(x, y, magnify, scale_colour((*depth - (*shown)[0]) / span), out);
-      if (m_depths.doubtful[pixel(x, y)]) outline(x, y, magnify, out);
     }
+  for (int y = 0; y < m_height; ++y)
+    for (int x = 0; x < m_width; ++x)
+      if (is_doubtful(x, y)) outline(x, y, magnify, out);
   return out;
 }
 

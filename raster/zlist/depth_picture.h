@@ -48,7 +48,7 @@ class DepthPicture {
   std::optional<std::array<double, 2>> range(DepthShow show) const;
 
   /// RGBA, row by row from above, every pixel a square of `magnify` x `magnify`; transparent where
-  /// there is nothing. Doubtful regions are outlined.
+  /// there is nothing. Doubtful regions are outlined, small squares on both sides of the line.
   std::vector<std::uint8_t> paint(DepthShow show, int magnify) const;
 
  private:

@@ -9,7 +9,9 @@
 namespace trivet::edit {
 namespace {
 
-constexpr int kGhostRestsMs = 120;  // without motion, after which it counts as still
+constexpr int kRestsMs = 120;  // without motion, after which what is held counts as still
+
+bool moves(const QElapsedTimer& moved) { return moved.isValid() && moved.elapsed() < kRestsMs; }
 
 /// Marks whole objects weakly when faces are lit.
 float strength(float alone, bool faces_are_lit) { return faces_are_lit ? 0.35f * alone : alone; }
@@ -34,8 +36,8 @@ SceneDrawing::SceneDrawing(Document& document, Toolbox& toolbox, QObject* parent
 }
 
 bool SceneDrawing::is_moving() const {
-  return m_playback.is_on() || m_document.snapshot()->drag ||
-         (m_ghost_moved.isValid() && m_ghost_moved.elapsed() < kGhostRestsMs);
+  return m_playback.is_on() || moves(m_ghost_moved) ||
+         (m_document.snapshot()->drag && moves(m_drag_moved));
 }
 
 void SceneDrawing::set_theme(const Theme& theme) {
@@ -68,6 +70,7 @@ void SceneDrawing::follow_document() {
       m_playback.end();
   }
   m_before = now;
+  if (now->drag) m_drag_moved.start();
   Q_EMIT changed();
 }
 

@@ -30,7 +30,7 @@ class SceneDrawing : public QObject {
   const DrawingOptions& options() const { return m_options; }
   void set_options(const DrawingOptions& options);
 
-  /// True if anything moves, so that drafts suffice.
+  /// True if anything moves, so that drafts suffice. What is held still does not.
   bool is_moving() const;
   /// True while a playback is running.
   bool is_playing() const { return m_playback.is_on(); }
@@ -74,7 +74,7 @@ class SceneDrawing : public QObject {
   Message m_lit;
   std::shared_ptr<const SceneSnapshot> m_before;
   Playback m_playback;
-  QElapsedTimer m_ghost_moved;
+  QElapsedTimer m_ghost_moved, m_drag_moved;
 };
 
 }  // namespace trivet::edit

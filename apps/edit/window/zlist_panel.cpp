@@ -20,7 +20,7 @@
 namespace trivet::edit {
 namespace {
 
-constexpr int kMargin = 10, kBarHeight = 8;
+constexpr int kMargin = 10, kBarHeight = 8, kCrossLength = 5;
 
 QString number(double x) { return QLocale().toString(x, 'g', 4); }
 
@@ -53,12 +53,14 @@ void draw_scale(QPainter& painter, const QRect& bar, const std::array<double, 2>
   painter.drawText(below, Qt::AlignRight, number(range[1]) + unit);
 }
 
-// A white cross with a black rim, open in the middle.
-void draw_cross(QPainter& painter, const QPoint& at) {
+// A white cross with a black rim. The middle is left open for the outlines of doubtful pixels
+// there.
+void draw_cross(QPainter& painter, const QPoint& at, int magnify) {
+  const int begin = 3 * magnify;
   for (const auto& [width, colour] : {std::pair(3, Qt::black), std::pair(1, Qt::white)}) {
     painter.setPen(QPen(colour, width));
     for (const QPoint& way : {QPoint(1, 0), QPoint(-1, 0), QPoint(0, 1), QPoint(0, -1)})
-      painter.drawLine(at + 3 * way, at + 7 * way);
+      painter.drawLine(at + begin * way, at + (begin + kCrossLength) * way);
   }
 }
 
@@ -135,8 +137,10 @@ void DepthImages::paintEvent(QPaintEvent*) {
     painter.setPen(palette().color(QPalette::PlaceholderText));
     painter.drawRect(at.adjusted(-1, -1, 0, 0));
     if (met)
-      draw_cross(painter, at.topLeft() + magnify * QPoint((*met)[0], (*met)[1]) +
-                              QPoint(magnify / 2, magnify / 2));
+      draw_cross(
+          painter,
+          at.topLeft() + magnify * QPoint((*met)[0], (*met)[1]) + QPoint(magnify / 2, magnify / 2),
+          magnify);
     if (const auto range = picture.range(show))
       draw_scale(painter, QRect(left, at.bottom() + 6, room, kBarHeight), *range,
                  unit_of(m_view->motion), text);
@@ -153,6 +157,9 @@ ZListPanel::ZListPanel(Document& document, QWidget* parent)
   m_summary->setWordWrap(true);
   m_summary->setTextFormat(Qt::RichText);
   m_summary->setContentsMargins(kMargin, 2, kMargin, 0);
+  m_summary->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  // Views that grow or shrink by a line would move the scene under the mouse.
+  m_summary->setFixedHeight(2 * m_summary->fontMetrics().lineSpacing() + 4);
   m_pairs->setObjectName("zlist_pairs");
   m_pairs->setHeaderLabels({tr("Moving face"), tr("Fixed face"), tr("Not before")});
   m_pairs->setRootIsDecorated(false);
@@ -183,6 +190,7 @@ void ZListPanel::follow() {
   const std::shared_ptr<const ZListView> view = m_document.zlists();
   m_images->show_view(view);
   m_summary->setText(view ? summary_of(*view) : QString());
+  m_summary->setToolTip(m_summary->text());
   if (view)
     list_pairs(*view);
   else

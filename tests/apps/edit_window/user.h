@@ -44,6 +44,7 @@ class User {
   bool wait_for_drag(const SceneView& view);
   /// Saves and returns a screenshot.
   QImage look(const QString& name);
+  QString pictures() const { return m_pictures.path(); }  // their folder
 
   /// Imports a file as an object of this name; not placed unless it is put at a position.
   void import_model(const QString& file, const std::string& name,

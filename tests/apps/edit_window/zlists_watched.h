@@ -5,6 +5,9 @@
 
 namespace trivet::edit::test {
 
+/// During a drag that something stops: doubtful pixels are outlined, in both themes.
+void look_at_doubtful_pixels(Document& document, MainWindow& window, User& user);
+
 void look_at_zlists(Document& document, MainWindow& window, User& user);
 
 }  // namespace trivet::edit::test

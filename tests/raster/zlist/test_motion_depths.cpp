@@ -277,23 +277,45 @@ TEST(DepthPicture, PaintsScaleAndOutlines) {
   d.doubtful = {0, 0, 1};
   const DepthPicture picture(d);
   ASSERT_EQ(picture.width() * picture.height(), 3);
-  const int magnify = 4;
-  const auto rgba = picture.paint(DepthShow::Gap, magnify);
-  ASSERT_EQ(rgba.size(), 4u * 3 * magnify * magnify);
-  int num_clear = 0, num_outline = 0, num_largest = 0;
-  for (size_t i = 0; i < rgba.size(); i += 4) {
-    const Rgb colour{rgba[i], rgba[i + 1], rgba[i + 2]};
-    num_clear += rgba[i + 3] == 0;
-    num_outline += rgba[i + 3] == 255 && colour == kDoubtfulColour;
-    num_largest += rgba[i + 3] == 255 && colour == scale_colour(1);
+  for (const int magnify : {4, 6}) {
+    const auto rgba = picture.paint(DepthShow::Gap, magnify);
+    ASSERT_EQ(rgba.size(), 4u * 3 * magnify * magnify);
+    int num_clear = 0, num_outline = 0, num_largest = 0, num_inner = 0;
+    for (size_t i = 0; i < rgba.size(); i += 4) {
+      const Rgb colour{rgba[i], rgba[i + 1], rgba[i + 2]};
+      num_clear += rgba[i + 3] == 0;
+      num_outline += rgba[i + 3] == 255 && colour == kDoubtfulColour;
+      num_largest += rgba[i + 3] == 255 && colour == scale_colour(1);
+      num_inner += rgba[i + 3] == 255 && colour == scale_colour(1.0 / 12);
+    }
+    const int all = magnify * magnify;
+    const int beside = magnify == 4 ? magnify : 0;  // of the outline, outside the image above
+    EXPECT_EQ(num_clear, all - beside);             // nothing fixed in the middle
+    EXPECT_EQ(num_largest, all);                    // a gap of 12 mm
+    EXPECT_EQ(num_inner, 4);                        // of the gap of 1 mm, within its outline
+    EXPECT_EQ(num_outline, all - num_inner + beside);
   }
-  EXPECT_EQ(num_clear, magnify * magnify);    // nothing fixed in the middle
-  EXPECT_EQ(num_largest, magnify * magnify);  // a gap of 12 mm
-  EXPECT_EQ(num_outline, 4 * (magnify - 1));  // around the gap of 1 mm
   EXPECT_EQ((*picture.range(DepthShow::Gap))[0], 0);
   EXPECT_NEAR((*picture.range(DepthShow::Gap))[1], 12, 1e-9);
   EXPECT_FALSE(DepthPicture(MotionDepths{}).range(DepthShow::Fixed));
   EXPECT_TRUE(DepthPicture(MotionDepths{}).paint(DepthShow::Fixed, 2).empty());
+}
+
+// Pixels next to each other are outlined as one, and no line crosses them.
+TEST(DepthPicture, OutlinesRegionsAsOne) {
+  MotionDepths d;
+  d.frame.width = 4, d.frame.height = 3;
+  d.frame.pixel = 1e-3;
+  d.moving_front.assign(12, 0);
+  d.fixed_front.assign(12, 5);
+  d.doubtful.assign(12, 0);
+  d.doubtful[5] = d.doubtful[6] = 1;
+  constexpr int kMagnify = 3;
+  const auto rgba = DepthPicture(d).paint(DepthShow::Gap, kMagnify);
+  int num_outline = 0;
+  for (size_t i = 0; i < rgba.size(); i += 4)
+    num_outline += Rgb{rgba[i], rgba[i + 1], rgba[i + 2]} == kDoubtfulColour;
+  EXPECT_EQ(num_outline, 5 * 8 - 1 * 4);  // a pixel beyond and one within 3 x 6
 }
 
 }  // namespace
