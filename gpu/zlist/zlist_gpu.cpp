@@ -86,7 +86,7 @@ class GpuZListStage : public CandidateFinder {
 // Recreates a lost context and retries.
 std::optional<std::vector<ZListAnswer>> GpuZListStage::try_asking(std::span<const ZListAsk> asks,
                                                                   ZListWanted wanted) {
-  while (m_num_errors < kMostErrors) {
+  while (m_num_errors < (m_options.recreates_context ? kMostErrors : 1)) {
     try {
       if (!m_device) m_device = std::make_unique<ZListDevice>(m_options);
       auto out = m_device->find_candidates(asks, wanted);
@@ -99,7 +99,7 @@ std::optional<std::vector<ZListAnswer>> GpuZListStage::try_asking(std::span<cons
       ++m_num_errors;
     }
   }
-  m_notes.tell_lost(m_last_error + kInsteadOfGpu);
+  if (m_options.recreates_context) m_notes.tell_lost(m_last_error + kInsteadOfGpu);
   return std::nullopt;
 }
 

@@ -45,6 +45,9 @@ struct GpuZListOptions {
   int most_gl_version = 46;   // 33 to 46: uses no later OpenGL, for tests of older ones
   bool bounds_alone = false;  // for measurements: no lists, so no usable candidates, but
                               // `lower`, `upper` and the work up to there are valid
+  /// Makes a new context at once when the hardware is lost, within the query, which takes up to a
+  /// second; false: that query and all later ones are given up, for users who make another finder.
+  bool recreates_context = true;
   GpuListing listing = GpuListing::Auto;
   std::shared_ptr<DoubtfulLists> software_lists =
       {};  // such as SoftwareDoubtfulLists; null: the GPU's

@@ -9,6 +9,7 @@ void Engine::begin_drag(std::uint64_t drag, const Operation& operation) {
   post({0, "drag", [drag, operation](Engine& engine) {
           engine.m_drag = drag;
           Engine& e = engine;
+          e.renew_detector();
           e.m_live.emplace(
               e.m_opened->session.begin_live(operation, e.settle_options(), e.context()));
           if (!e.m_live->refused()) {

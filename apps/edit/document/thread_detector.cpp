@@ -1,10 +1,15 @@
 #include "apps/edit/document/thread_detector.h"
 
+#include <chrono>
+#include <utility>
+
 #include "apps/edit/document/guarded_stage.h"
 #include "core/base/error.h"
 
 namespace trivet::edit {
 namespace {
+
+constexpr int kMostLosses = 3;  // of a GPU, after which it is given up
 
 /// Detectors own their stage; this one is shared.
 class SharedStage final : public CandidateFinder {
@@ -37,46 +42,65 @@ void ThreadDetector::choose(BackendOptions options) {
   ++m_num_choices;
 }
 
-// Returns whether a detector has to be made. A GPU that has failed fails again until the next
-// choice.
+// Returns whether another one was chosen.
 bool ThreadDetector::take_choice(BackendOptions& options) {
   const std::lock_guard lock(m_mutex);
-  const bool is_new = m_num_made != m_num_choices;
-  if (!is_new && !(m_gpu && m_gpu->has_failed())) return false;
   options = m_options;
-  if (!is_new)
-    options.make_gpu_stage =
-        [why = m_gpu->failure()](const GpuNotes&) -> std::unique_ptr<CandidateFinder> {
-      throw Error(Error::Kind::Environment, why);
-    };
-  m_num_made = m_num_choices;
-  return true;
+  return std::exchange(m_num_made, m_num_choices) != m_num_choices;
 }
 
 void ThreadDetector::renew() {
   BackendOptions options;
-  if (!take_choice(options)) return;
-  m_detector.reset();  // frees graphics memory first
-  m_gpu.reset();
+  if (take_choice(options)) {
+    m_next = {};
+    m_made = {};  // frees graphics memory first
+    m_num_losses = 0;
+    m_made = make(std::move(options));
+  } else if (m_next.valid()) {
+    if (m_next.wait_for(std::chrono::seconds(0)) == std::future_status::ready)
+      m_made = m_next.get();
+  } else if (m_made.gpu && m_made.gpu->has_failed()) {
+    make_again(std::move(options));
+  }
+}
+
+// A GPU that fails again and again is not asked again until the next choice.
+void ThreadDetector::make_again(BackendOptions options) {
+  const std::string why = m_made.gpu->failure();
+  if (++m_num_losses > kMostLosses)
+    options.make_gpu_stage = [why](const GpuNotes&) -> std::unique_ptr<CandidateFinder> {
+      throw Error(Error::Kind::Environment, why);
+    };
+  m_next = std::async(std::launch::async, [why, options = std::move(options)] {
+    Made made = make(options);
+    if (made.gpu && options.gpu_notes)
+      options.gpu_notes->tell_recovered(why + "; a new OpenGL context goes on");
+    return made;
+  });
+}
+
+ThreadDetector::Made ThreadDetector::make(BackendOptions options) {
+  Made out;
   if (options.backend == Backend::Gpu && options.make_gpu_stage)
-    options.make_gpu_stage = [this, make = options.make_gpu_stage](const GpuNotes& notes) {
-      m_gpu = std::make_shared<GuardedStage>(make(notes));
-      return std::make_unique<SharedStage>(m_gpu);
+    options.make_gpu_stage = [&out, make = options.make_gpu_stage](const GpuNotes& notes) {
+      out.gpu = std::make_shared<GuardedStage>(make(notes));
+      return std::make_unique<SharedStage>(out.gpu);
     };
   try {
-    m_detector = make_detector(options);
+    out.detector = make_detector(options);
   } catch (const std::exception& error) {
     if (options.note) options.note(std::string(error.what()) + "; BVHs are used instead");
-    m_detector = std::make_unique<Detector>();
+    out.detector = std::make_unique<Detector>();
   }
-  if (m_detector->name() != "gpu") m_gpu.reset();
+  if (out.detector->name() != "gpu") out.gpu.reset();
+  return out;
 }
 
 Answering ThreadDetector::answering() const {
-  if (!m_detector) return {};
-  return {m_detector->name(), m_detector->device(), m_detector->method()};
+  if (!m_made.detector || (m_made.gpu && m_made.gpu->has_failed())) return {};
+  return {m_made.detector->name(), m_made.detector->device(), m_made.detector->method()};
 }
 
-CandidateFinder* ThreadDetector::gpu_stage() const { return m_gpu.get(); }
+CandidateFinder* ThreadDetector::gpu_stage() const { return m_made.gpu.get(); }
 
 }  // namespace trivet::edit

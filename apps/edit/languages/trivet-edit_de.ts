@@ -130,6 +130,10 @@
             <numerusform> · %n Flächenpaare durch %1, %2 bestätigt</numerusform>
         </translation>
     </message>
+    <message>
+        <source>The saved choice of collision detection, %1 by %2, is not accepted: it is automatic</source>
+        <translation>Die gespeicherte Wahl der Kollisionserkennung, %1 durch %2, gibt es nicht: sie ist automatisch</translation>
+    </message>
 </context>
 <context>
     <name>assets</name>

@@ -25,6 +25,7 @@ std::unique_ptr<CandidateFinder> gpu_stage(GpuMethod method, GpuListing listing,
   options.listing = listing;
   options.notes = notes;
   options.allow_software = allow_software;
+  options.recreates_context = false;  // not while a mouse is followed: see ThreadDetector
   options.software_lists = std::make_shared<SoftwareDoubtfulLists>();
   return make_gpu_candidate_finder(options);
 }
@@ -68,7 +69,7 @@ BackendOptions backend_options(const DetectionChoice& choice) {
   return options;
 }
 
-DetectionChoice saved_detection() {
+DetectionChoice saved_detection(QString* note) {
   const QSettings settings;
   DetectionChoice choice;
   choice.backend = settings.value(kBackendKey, choice.backend).toString();
@@ -77,6 +78,11 @@ DetectionChoice saved_detection() {
     backend_options(choice);
     return choice;
   } catch (const Error&) {
+    if (note)
+      *note = QObject::tr(
+                  "The saved choice of collision detection, %1 by %2, is not accepted: it "
+                  "is automatic")
+                  .arg(choice.backend, choice.gpu_method);
     return {};
   }
 }

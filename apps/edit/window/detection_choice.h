@@ -18,8 +18,9 @@ struct DetectionChoice {
 /// With the factories of gpu. @throws Error (BadInput) for a name that is not accepted.
 BackendOptions backend_options(const DetectionChoice& choice);
 
-/// The defaults where the settings hold no accepted name.
-DetectionChoice saved_detection();
+/// The defaults where the settings hold a name that is not accepted.
+/// @param note  then set to what the user is told.
+DetectionChoice saved_detection(QString* note = nullptr);
 void save_detection(const DetectionChoice& choice);
 
 /// Such as "BVHs", "z-lists: framebuffer, llvmpipe (LLVM 15.0.6, 256 bits)", "automatic: bvh,

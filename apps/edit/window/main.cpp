@@ -64,7 +64,8 @@ int run(int argc, char** argv) {
   parser.process(application);
   trivet::edit::speak(application, parser.isSet("language") ? parser.value("language")
                                                             : trivet::edit::saved_language());
-  trivet::edit::DetectionChoice detection = trivet::edit::saved_detection();
+  QString note;
+  trivet::edit::DetectionChoice detection = trivet::edit::saved_detection(&note);
   if (parser.isSet("backend")) detection.backend = parser.value("backend");
   if (parser.isSet("gpu-method")) detection.gpu_method = parser.value("gpu-method");
   if (parser.isSet("gpu-lists")) detection.gpu_lists = parser.value("gpu-lists");
@@ -79,6 +80,7 @@ int run(int argc, char** argv) {
   trivet::edit::Document document(options);
   trivet::edit::MainWindow window(document, detection);
   window.show();
+  if (!note.isEmpty()) window.show_note(note);
   if (parser.isSet("demo"))
     window.open_demo(parser.value("demo"));
   else if (!parser.positionalArguments().isEmpty())

@@ -137,8 +137,7 @@ void MainWindow::connect_document() {
   connect(&m_document, &Document::detection_changed, this, &MainWindow::show_detection);
   connect(&m_document, &Document::snapshot_changed, this, &MainWindow::show_verdict);
   connect(&m_document, &Document::verdict_changed, this, &MainWindow::show_verdict);
-  connect(&m_document, &Document::detection_noted, this,
-          [this](const QString& note) { statusBar()->showMessage(note, kNoteMs); });
+  connect(&m_document, &Document::detection_noted, this, &MainWindow::show_note);
   show_detection();
   connect(&m_document, &Document::busy_changed, this, &MainWindow::follow_busy);
   connect(&m_document, &Document::progressed, this,
@@ -158,6 +157,8 @@ void MainWindow::connect_document() {
 }
 
 // --- display -----------------------------------------------------------------------------------
+
+void MainWindow::show_note(const QString& note) { statusBar()->showMessage(note, kNoteMs); }
 
 void MainWindow::show_start_page() {
   m_start_page->show_choices(recent_files(), m_document.recoverable());

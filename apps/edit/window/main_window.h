@@ -41,6 +41,7 @@ class MainWindow : public QMainWindow {
   // For the command line and tests.
   void open_file(const QString& file);  // scene, layout, or a model to import
   void open_demo(const QString& name);
+  void show_note(const QString& note);  // in the status bar, for a while
   SceneView& view(WindowKind kind);
   Toolbox& toolbox() { return m_toolbox; }
   MessageBar& message_bar() { return *m_message_bar; }

@@ -16,6 +16,7 @@
 #include "apps/edit_window/arranged.h"
 #include "apps/edit_window/breakfast_table.h"
 #include "apps/edit_window/by_numbers.h"
+#include "apps/edit_window/detection_chosen.h"
 #include "apps/edit_window/large_scene.h"
 #include "apps/edit_window/lit_and_watched.h"
 #include "apps/edit_window/monkey.h"
@@ -76,6 +77,7 @@ class TestWindow : public QObject {
   void moves_several_at_once();
   void lights_what_interferes();
   void shows_zlists_of_motions();
+  void answers_by_framebuffers();
   void plays_what_settles();
   void shows_full_scenes_at_every_size();
   void shows_dialogs_and_menus();
@@ -369,6 +371,10 @@ void TestWindow::moves_several_at_once() { move_several(*m_document, *m_window, 
 void TestWindow::lights_what_interferes() { look_at_interference(*m_document, *m_window, *m_user); }
 
 void TestWindow::shows_zlists_of_motions() { look_at_zlists(*m_document, *m_window, *m_user); }
+
+void TestWindow::answers_by_framebuffers() {
+  choose_framebuffers(*m_document, *m_window, *m_user, m_folder.filePath("framebuffers"));
+}
 
 void TestWindow::arranges_by_wishes() {
   arrange_by_wishes(*m_document, *m_window, *m_user, m_folder.path());
