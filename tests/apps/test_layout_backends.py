@@ -1,0 +1,75 @@
+"""Layouts give the same scene, to the byte, on every backend, by every GPU method, with and without Embree's confirmation."""
+import itertools
+import json
+import os
+import unittest
+
+from program import Case, main
+
+WAYS = (("bvh",), ("software",), ("gpu", "--gpu-method", "framebuffer"), ("gpu", "--gpu-method", "compute"))
+CONFIRMATIONS = ("off", "embree")
+PUSHES = [{"op": "push", "object": "spoon", "direction": [1, 0.3], "distance": 0.02},
+          {"op": "push", "object": "spoon", "direction": [-1, 0.4], "distance": 0.03},
+          {"op": "push", "object": "saucer", "direction": [0.2, 1], "distance": 0.05}]
+
+
+class Layouts(Case):
+    @classmethod
+    def setUpClass(cls):
+        """If pictures work, there is a GPU or its software emulation, and it must be used."""
+        case = Case("setUp")
+        case.setUp()
+        out, _ = case.trivet("render", "cube.obj", "-o", "p.png", "--samples", 1, status=(0, 3))
+        case.doCleanups()
+        cls.has_gpu = out == ""
+
+    def check_all_ways(self, *arguments):
+        scenes = set()
+        for way, confirm in itertools.product(WAYS, CONFIRMATIONS):
+            with self.subTest(backend=" ".join(way), confirm=confirm):
+                self.trivet(*arguments, "-o", "s.glb", "--report", "r.json", "--backend", *way, "--confirm", confirm)
+                self.check_report(self.read_json("r.json"), way, confirm)
+                scenes.add(self.read("s.glb"))
+        self.assertEqual(len(scenes), 1)
+
+    def check_report(self, report, way, confirm):
+        """What was asked for has answered."""
+        on_gpu = way[0] == "gpu"
+        if on_gpu and not self.has_gpu:
+            self.assertEqual(report["backend"], "software")
+        else:
+            self.assertEqual(report["backend"], way[0])
+            if on_gpu:
+                self.assertIn(way[-1], report["device"])
+        work = report["work"]
+        self.assertEqual(work["fallbacks"], 0)
+        self.assertEqual(work["asked_face_pairs"] > 0, confirm == "embree" and way[0] != "bvh")
+        self.assertEqual({operation["status"] for operation in report["operations"]}, {"ok"})
+
+
+class Small(Layouts):
+    def test_spoon_saucer(self):
+        self.check_all_ways("demo", "spoon-saucer")
+
+    def test_push(self):
+        """PUSH after the PUTs of SPOON-SAUCER."""
+        self.trivet("demo", "spoon-saucer", "-o", "demo.glb", "--export", "demo")
+        layout = self.read_json("demo/layout.json")
+        layout["operations"] += PUSHES
+        self.write("demo/layout.json", json.dumps(layout))
+        self.check_all_ways("run", os.path.join("demo", "layout.json"))
+
+
+class Demos(Layouts):
+    def test_breakfast(self):
+        self.check_all_ways("demo", "breakfast")
+
+    def test_office1(self):
+        self.check_all_ways("demo", "office1")
+
+    def test_office2(self):
+        self.check_all_ways("demo", "office2")
+
+
+if __name__ == "__main__":
+    main()
