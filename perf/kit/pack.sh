@@ -1,14 +1,15 @@
 #!/usr/bin/env bash
 # Packs what measures Trivet on a machine with a GPU: program, tests of the GPU, benchmarks, and their libraries.
-#   perf/kit/pack.sh BUILD OUT.tar.xz      (or .tar.gz or .tar.zst, sooner packed and larger)
-# BUILD: configured with -DTRIVET_PERF=ON; trivet, trivet-import, trivet_perf and test_gpu_* are built.
+#   perf/kit/pack.sh BUILD OUT.tar.gz      (or .tar.xz or .tar.zst, smaller, for machines that have xz or zstd)
+# BUILD: configured as perf/README.md says, without the libraries that are only compared with; trivet, trivet-import, trivet_perf and
+# test_gpu_* are built.
 # Left out: glibc with its loader, and the drivers of EGL and OpenGL; both must be those of the machine. In lib/machine are
 # libraries that its drivers may use, too, and GLVND's loaders: they are taken only where the machine has none (or an older libstdc++).
 set -euo pipefail
 build="$1" out="$(realpath -m "$2")"
 here="$(dirname "$(readlink -f "$0")")"
 case "$out" in
-  *.tar.gz) packer="gzip -6n" ;;
+  *.tar.gz) packer="gzip -9n" ;;
   *.tar.xz) packer="xz -T0 -6" ;;
   *.tar.zst) packer="zstd -T0 -12 -q" ;;
   *) echo "pack.sh: $out is not accepted; accepted: a name that ends in .tar.gz, .tar.xz or .tar.zst" >&2; exit 2 ;;
@@ -48,8 +49,9 @@ newest() { objdump -T "$root"/bin/* "$root"/lib/*.so* "$root"/lib/machine/* 2>/d
 printf '%s\n%s\n' "$(newest GLIBC_2)" "$(newest GLIBCXX_3)" >"$root/NEEDS"
 git -C "$here" describe --always --dirty >"$root/COMMIT" 2>/dev/null || echo unknown >"$root/COMMIT"
 install -m 755 "$here/run.sh" "$root/run.sh"
+install -m 644 "$here/check_auto.sh" "$root/check_auto.sh"
 
 tar --sort=name --owner=0 --group=0 --numeric-owner --mtime=@0 -C "$work" -cf - trivet-kit | $packer >"$out"
 bytes="$(stat -c %s "$out")"
 echo "$out: $((bytes >> 10)) KiB packed, $(du -sk "$root" | cut -f1) KiB unpacked; needs $(tr '\n' ' ' <"$root/NEEDS")"
-[ "$bytes" -lt $most_bytes ] || { echo "larger than 64 MiB; .tar.xz takes least" >&2; exit 1; }
+[ "$bytes" -lt $most_bytes ] || { echo "larger than 64 MiB: leave out libraries (see perf/README.md), or pack a .tar.xz" >&2; exit 1; }

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # Measures Trivet on this machine's GPU, without installing anything, within 10 minutes:
-#   mkdir kit && tar -xf trivet-kit.tar.xz -C kit && kit/trivet-kit/run.sh OUT [--allow-software] [--parts table1,zlists]
-# Leaves in the folder OUT: summary.txt, backends.txt and backends.json (devices, self-tests, what `auto` takes), tests.txt,
-# table1.md, zlists.md, zlists.csv. Status 0: done; 1: a test or a measurement failed; 3: no hardware renderer answers, unless
-# --allow-software is given, for trying the kit where there is none.
+#   mkdir kit && tar -xf trivet-kit.tar.gz -C kit && kit/trivet-kit/run.sh OUT [--allow-software] [--parts table1,confirm,zlists]
+# Leaves in the folder OUT: summary.txt, backends.txt and backends.json (devices, self-tests, what `auto` takes), auto.txt (layouts by `auto`
+# and by each backend), tests.txt, table1.md, confirm.md, zlists.md, zlists.csv. Status 0: done; 1: a test or a measurement failed, or `auto` does not
+# take what is fastest; 3: no hardware renderer answers, unless --allow-software is given, for trying the kit where there is none.
 set -uo pipefail
 kit="$(dirname "$(readlink -f "$0")")"
-out="" parts="table1 zlists" allow=0
+out="" parts="table1 confirm zlists" allow=0
 while [ $# -gt 0 ]; do
   case "$1" in
     --allow-software) allow=1 ;;
@@ -16,7 +16,7 @@ while [ $# -gt 0 ]; do
   esac
   shift
 done
-[ -n "$out" ] || { sed -n '2,7s/^# \?//p' "$0"; exit 2; }
+[ -n "$out" ] || { sed -n '2,8s/^# \?//p' "$0"; exit 2; }
 mkdir -p "$out" && out="$(readlink -f "$out")" || exit 3
 deadline=$((SECONDS + 570)) status=0
 work="$(mktemp -d)"; trap 'rm -rf "$work"' EXIT
@@ -61,7 +61,9 @@ timeout 120 "$kit/bin/trivet" backends --recalibrate --json >"$out/backends.json
   { say "FAILED: trivet backends: $(tail -n 1 "$work/notes")"; exit 3; }
 cat "$out/backends.txt"
 # A key a line: of a GPU source that is on hardware, the next one is why it fails.
+hardware=0
 if grep -A3 '"name": "gpu' "$out/backends.json" | grep -A1 '"on_cpu": false' | grep -q '"failure": ""'; then
+  hardware=1  # for check_auto.sh
   say "hardware: $(sed -n 's/^gpu [a-z]*: //p' "$out/backends.txt" | head -n 1)"
 elif [ $allow = 1 ]; then
   say "no hardware renderer, allowed: $(sed -n 's/^gpu [a-z]*: //p' "$out/backends.txt" | head -n 1)"
@@ -69,6 +71,11 @@ else
   say "FAILED: no hardware renderer answers; see backends.txt"
   exit 3
 fi
+
+# shellcheck source=perf/kit/check_auto.sh
+. "$kit/check_auto.sh"
+check_table || status=1
+check_layouts || status=1
 
 : >"$out/tests.txt"
 for test in "$kit"/bin/test_gpu_*; do
