@@ -124,6 +124,7 @@ class Engine {
   Document& m_document;
   DocumentOptions m_options;
   std::atomic<bool> m_cancel = false;
+  std::atomic<int> m_num_open = 0;  // posts and signals not yet delivered; detectors send notes
 
   std::optional<OpenedSession> m_opened;  // always set while jobs run
   std::uint64_t m_scene = 0;              // number of this session's scene
@@ -140,8 +141,6 @@ class Engine {
   std::uint64_t m_drag = 0;
   std::uint64_t m_published = 0;  // SceneSnapshot::committed
   bool m_ghosts_know = false;     // the ghost worker has the current scene
-
-  std::atomic<int> m_num_open = 0;  // posts and signals not yet delivered
 
   std::mutex m_mutex;  // guards the members below
   std::condition_variable m_wake;
