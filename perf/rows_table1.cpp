@@ -176,17 +176,28 @@ void add_row(const std::string& what, const Cell& cell, Report& report) {
   report.add({what, cell.samples, 0, 0, outcome});
 }
 
+Line line_of(std::string name, std::unique_ptr<Detector> detector) {
+  Line out;
+  out.name = std::move(name);
+  out.detector = std::move(detector);
+  return out;
+}
+
+Line line_of(const GpuSource& source) {
+  Line out = line_of({}, std::make_unique<Detector>(source.make(true, {}), "gpu"));
+  out.name = out.detector->device();  // says how, too
+  return out;
+}
+
 /// BVHs first: the others are compared with them. What cannot be made is remarked upon.
 std::vector<Line> make_lines(Report& report) {
   std::vector<Line> out;
-  out.push_back({"BVHs", std::make_unique<Detector>(), {}, {}});
+  out.push_back(line_of("BVHs", std::make_unique<Detector>()));
   BackendOptions software;
   software.backend = Backend::Software;
-  out.push_back({"z-lists in software, all cores", make_detector(software), {}, {}});
+  out.push_back(line_of("z-lists in software, all cores", make_detector(software)));
   for (const GpuSource& source : gpu_stages()) try {
-      auto detector = std::make_unique<Detector>(source.make(true, {}), "gpu");
-      const std::string name = detector->device();  // says how, too
-      out.push_back({name, std::move(detector), {}, {}});
+      out.push_back(line_of(source));
     } catch (const Error& error) {
       report.remark(source.name, error.what());
     }

@@ -123,6 +123,7 @@ TEST_P(ZListListing, IsChosenForEachQueryOfABatch) {
   std::vector<test::RandomQuery> cases;
   std::vector<std::vector<Body>> bodies;
   std::vector<FirstContactQuery> queries;
+  cases.reserve(100);
   for (int i = 0; i < 100; ++i) cases.push_back(test::random_query(pool, kListingSeed, i));
   for (const test::RandomQuery& q : cases) {
     for (const auto* side : {&q.moving, &q.fixed}) {
