@@ -1,4 +1,4 @@
-// What people are told when a GPU is lost while it works.
+// Notes for people when a GPU is lost while it works.
 #pragma once
 
 #include <functional>

@@ -55,7 +55,7 @@ class CandidateFinder {
   virtual std::string device() const { return "cpu"; }
   /// Use of the GPU: "framebuffer" or "compute"; empty: of no GPU.
   virtual std::string method() const { return ""; }
-  /// Who lists the faces of a GPU's doubtful pixels: "auto", "gpu" or "software"; empty: of no GPU.
+  /// Lister of the faces of a GPU's doubtful pixels: "auto", "gpu" or "software"; empty: of no GPU.
   virtual std::string lists() const { return ""; }
 
   /// @param horizon  contacts later than this do not matter; at most query.motion.limit.

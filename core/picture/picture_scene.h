@@ -25,7 +25,7 @@ struct PictureMesh {
   // Textures, vertex colours and more, with materials and faces of their own, made when a renderer
   // first asks, with at most so many bytes of texels; empty, or null: the members above are all.
   std::function<std::shared_ptr<const SurfaceLook>(std::size_t max_bytes)> look;
-  // What the arrays are of: while it lives, renderers may keep what they made of this mesh. Empty:
+  // Owner of the arrays: while it lives, renderers may keep what they made of this mesh. Empty:
   // nothing is kept.
   std::weak_ptr<const void> source;
 };

@@ -1,4 +1,4 @@
-// What lists in doubtful pixels cost, by a GPU and in software: for the choice per query.
+// Costs of lists in doubtful pixels, by a GPU and in software: for the choice per query.
 #pragma once
 
 #include <cstdint>

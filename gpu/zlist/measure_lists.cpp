@@ -12,7 +12,7 @@ namespace {
 constexpr int kListRepeats = 5;  // the least counts, after one that sends meshes
 constexpr int kResolution = 128;
 
-/// What a fall or a turn took, in milliseconds, by what came after the depths.
+/// Milliseconds of a fall or a turn, by what came after the depths.
 struct ListSample {
   double num_faces = 0, num_doubtful = 0, bounds_ms = 0, gpu_ms = 0, software_ms = 0;
 };

@@ -24,7 +24,7 @@ struct ZListAnswer {
   CandidatePairs proposal;   // valid if there is no trouble
 };
 
-/// What comes after the depths. Chosen: the cheaper lists, see ListCosts.
+/// Work after the depths. Chosen: the cheaper lists, see ListCosts.
 enum class ZListWanted { Bounds, GpuLists, SoftwareLists, Chosen };
 
 class ZListDevice {

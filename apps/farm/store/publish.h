@@ -59,7 +59,7 @@ bool is_temporary(const std::string& file_name);
 /// True while a process on this machine holds its lock; on NFS one on any machine, where locks of
 /// files are the server's, but not those of folders.
 bool is_being_written(const std::string& temporary);
-/// What time it is for the file system: that of a file made there just now. Times of files are to
+/// Time by the file system's clock: that of a file made there just now. Times of files are to
 /// be compared with this, as clocks of machines differ and jump.
 /// @throws Error (Environment) where no file can be made.
 std::filesystem::file_time_type time_in(const std::string& folder);

@@ -25,7 +25,7 @@ struct BatchRun {
   std::string views, scenes_sha256;  // JSON, see farm/recipe/views.h; of that batch's run.json
   bool with_opengl = false;          // pictures by OpenGL, not by rays
 
-  /// What its units name: SHA-256 of all that a scene depends on, hence not of count, per_unit,
+  /// Named by its units: SHA-256 of all that a scene depends on, hence not of count, per_unit,
   /// format, and views of the recipe. Empty for file_version 1.
   std::string id() const;
 

@@ -98,6 +98,22 @@ TEST(ConvexHull, HoldsAllPointsAndTurnsLeft) {
   }
 }
 
+// Of a few points at a time, none of which is left out before sorting. Whole numbers: exact.
+TEST(ConvexHull, OfManyPointsIsThatOfItsParts) {
+  test::Random random(46);
+  for (int i = 0; i < 500; ++i) {
+    const int side = random.integer(1, 40), away = i % 3 * 1'000'000;
+    std::vector<Vec2> points, part;
+    for (int k = random.integer(24, 400); k > 0; --k) {
+      points.emplace_back(away + random.integer(-side, side), random.integer(-side, side) - away);
+      part.push_back(points.back());
+      if (part.size() == 23) part = convex_hull(part);
+      ASSERT_LT(part.size(), 23u);
+    }
+    EXPECT_EQ(convex_hull(points), convex_hull(part));
+  }
+}
+
 TEST(ConvexHull, Degenerate) {
   EXPECT_TRUE(convex_hull({}).empty());
   EXPECT_EQ(convex_hull({{1, 2}}).size(), 1u);
