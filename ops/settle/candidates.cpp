@@ -50,6 +50,12 @@ double gauss_gain(const Vec3& axis, const Vec3& r, double radius_squared) {
   return speed.z() * speed.z() / (radius_squared + speed.squaredNorm());
 }
 
+void keep_best(std::vector<Candidate>& candidates, size_t limit) {
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.gain > b.gain; });
+  if (candidates.size() > limit) candidates.resize(limit);
+}
+
 class Enumeration {
  public:
   Enumeration(const std::vector<ContactPoint>& contacts, const SettlingObject& object)
@@ -59,55 +65,44 @@ class Enumeration {
     const bool held = std::any_of(m_contacts.begin(), m_contacts.end(),
                                   [](const ContactPoint& c) { return c.normal.z() >= kNoSupport; });
     if (!held)
-      m_out.sticking.push_back(
-          {SettleStep::Kind::Fall, Motion::translation(-Vec3::UnitZ(), limit), 1});
+      m_out.push_back({SettleStep::Kind::Fall, Motion::translation(-Vec3::UnitZ(), limit), 1});
   }
 
   void about_point(const Vec3& p) {
     for (const Vec3& axis : sinking_axes(p, m_object))
-      add(SettleStep::Kind::TurnAboutPoint, p, axis);
+      if (!stands_against(m_contacts, p, axis)) add(SettleStep::Kind::TurnAboutPoint, p, axis);
   }
 
   void about_line(const Vec3& p, const Vec3& q) {
     for (const Vec3& axis : sinking_axes(p, q, m_object))
-      add(SettleStep::Kind::TurnAboutLine, p, axis);
+      if (!stands_against(m_contacts, p, axis)) add(SettleStep::Kind::TurnAboutLine, p, axis);
   }
 
-  Candidates best() {
-    keep_best(m_out.sticking, kMaxCandidates);
-    keep_best(m_out.last_resorts, kMaxLastResorts);
+  // Where other contacts stand against the turn: the nearest one that they allow.
+  void about_point_parting(const Vec3& p) {
+    for (const Vec3& wanted : sinking_axes(p, m_object)) {
+      if (!stands_against(m_contacts, p, wanted)) continue;
+      const Vec3 axis = parting_axis(m_contacts, p, wanted);
+      if (axis != Vec3::Zero() && axis.cross(m_object.centre - p).z() < 0 &&
+          !stands_against(m_contacts, p, axis))
+        add(SettleStep::Kind::TurnAboutPoint, p, axis);
+    }
+  }
+
+  std::vector<Candidate> best(size_t limit) {
+    keep_best(m_out, limit);
     return std::move(m_out);
   }
 
  private:
-  static void keep_best(std::vector<Candidate>& candidates, size_t limit) {
-    std::stable_sort(candidates.begin(), candidates.end(),
-                     [](const Candidate& a, const Candidate& b) { return a.gain > b.gain; });
-    if (candidates.size() > limit) candidates.resize(limit);
-  }
-
-  // A turn about one point that other contacts stand against: the nearest turn that they allow.
-  void add_last_resort(const Vec3& point, const Vec3& wanted) {
-    const Vec3 axis = parting_axis(m_contacts, point, wanted), r = m_object.centre - point;
-    if (axis == Vec3::Zero() || axis.cross(r).z() >= 0 || stands_against(m_contacts, point, axis))
-      return;
-    m_out.last_resorts.push_back({SettleStep::Kind::TurnAboutPoint,
-                                  turn_to_lowest(point, axis, m_object.centre),
-                                  gauss_gain(axis, r, m_object.radius_squared)});
-  }
-
   void add(SettleStep::Kind kind, const Vec3& point, const Vec3& axis) {
-    if (stands_against(m_contacts, point, axis)) {
-      if (kind == SettleStep::Kind::TurnAboutPoint) add_last_resort(point, axis);
-      return;
-    }
-    m_out.sticking.push_back({kind, turn_to_lowest(point, axis, m_object.centre),
-                              gauss_gain(axis, m_object.centre - point, m_object.radius_squared)});
+    m_out.push_back({kind, turn_to_lowest(point, axis, m_object.centre),
+                     gauss_gain(axis, m_object.centre - point, m_object.radius_squared)});
   }
 
   const std::vector<ContactPoint>& m_contacts;
   const SettlingObject& m_object;
-  Candidates m_out;
+  std::vector<Candidate> m_out;
 };
 
 // --- the paper's cases -----------------------------------------------------------------------
@@ -193,8 +188,8 @@ Motion turn_to_lowest(const Vec3& point, const Vec3& axis, const Vec3& centre) {
   return Motion::rotation(point, axis, s > 0 && s < kQuarterTurn ? s : kQuarterTurn);
 }
 
-Candidates gauss_candidates(const std::vector<ContactPoint>& all, const SettlingObject& object,
-                            double fall_limit) {
+std::vector<Candidate> gauss_candidates(const std::vector<ContactPoint>& all,
+                                        const SettlingObject& object, double fall_limit) {
   const std::vector<ContactPoint> contacts = reduced(all, kMaxContacts);
   Enumeration enumeration(contacts, object);
   enumeration.fall(fall_limit);
@@ -203,24 +198,32 @@ Candidates gauss_candidates(const std::vector<ContactPoint>& all, const Settling
     for (size_t j = i + 1; j < contacts.size(); ++j)
       enumeration.about_line(contacts[i].point, contacts[j].point);
   }
-  return enumeration.best();
+  return enumeration.best(kMaxCandidates);
 }
 
-Candidates paper_candidates(const std::vector<ContactPoint>& contacts, const SettlingObject& object,
-                            double fall_limit) {
+std::vector<Candidate> last_resorts(const std::vector<ContactPoint>& all,
+                                    const SettlingObject& object) {
+  const std::vector<ContactPoint> contacts = reduced(all, kMaxContacts);
+  Enumeration enumeration(contacts, object);
+  for (const ContactPoint& c : contacts) enumeration.about_point_parting(c.point);
+  return enumeration.best(kMaxLastResorts);
+}
+
+std::vector<Candidate> paper_candidates(const std::vector<ContactPoint>& contacts,
+                                        const SettlingObject& object, double fall_limit) {
   if (contacts.empty())
-    return {{{SettleStep::Kind::Fall, Motion::translation(-Vec3::UnitZ(), fall_limit), 1}}, {}};
+    return {{SettleStep::Kind::Fall, Motion::translation(-Vec3::UnitZ(), fall_limit), 1}};
   std::vector<Vec2> points;
   for (const ContactPoint& c : contacts) points.push_back(c.point.head<2>());
   const std::vector<Vec2> hull = convex_hull(points);
-  if (hull.size() > 2) return {paper_area(contacts, hull, object), {}};
-  if (hull.size() == 1) return {{paper_point(contacts.front().point, object)}, {}};
+  if (hull.size() > 2) return paper_area(contacts, hull, object);
+  if (hull.size() == 1) return {paper_point(contacts.front().point, object)};
   // All above one line: the two that are farthest apart.
   const auto by_xy = [](const ContactPoint& a, const ContactPoint& b) {
     return std::make_tuple(a.point.x(), a.point.y()) < std::make_tuple(b.point.x(), b.point.y());
   };
   const auto [p, q] = std::minmax_element(contacts.begin(), contacts.end(), by_xy);
-  return {{paper_line(p->point, q->point, object)}, {}};
+  return {paper_line(p->point, q->point, object)};
 }
 
 }  // namespace trivet

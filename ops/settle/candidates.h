@@ -58,17 +58,16 @@ Axes sinking_axes(const Vec3& p, const Vec3& q, const SettlingObject& object);
 /// Generalises the three cases of Shinya 1995, 5.3, which get stuck where supports differ in height
 /// or slope.
 /// @param fall_limit  metres.
-struct Candidates {
-  std::vector<Candidate> sticking;
-  /// For an object that no sticking motion lowers and no forces hold: turns about one contact point
-  /// on the nearest axis about which all other contacts part.
-  std::vector<Candidate> last_resorts;
-};
-Candidates gauss_candidates(const std::vector<ContactPoint>& contacts, const SettlingObject& object,
-                            double fall_limit);
+std::vector<Candidate> gauss_candidates(const std::vector<ContactPoint>& contacts,
+                                        const SettlingObject& object, double fall_limit);
+
+/// For an object that none of these lowers and no forces hold: turns about one contact point, each
+/// on the nearest axis about which all other contacts part.
+std::vector<Candidate> last_resorts(const std::vector<ContactPoint>& contacts,
+                                    const SettlingObject& object);
 
 /// The paper's three cases literally (one motion, or none when its rules call the object stable).
-Candidates paper_candidates(const std::vector<ContactPoint>& contacts, const SettlingObject& object,
-                            double fall_limit);
+std::vector<Candidate> paper_candidates(const std::vector<ContactPoint>& contacts,
+                                        const SettlingObject& object, double fall_limit);
 
 }  // namespace trivet

@@ -30,16 +30,16 @@ class Settling {
         return m_body.finish(SettleOutcome::Status::AtRest);
       if (is_rocking() && is_held(points)) return m_body.finish(SettleOutcome::Status::AtRest);
       if (may_stay(points)) return m_body.finish(SettleOutcome::Status::AtRest);
-      const Candidates candidates = candidate_motions(points);
-      Outcome outcome = give_way(candidates.sticking, kEnergyDrop);
+      const std::vector<Candidate> sticking = candidate_motions(points);
+      Outcome outcome = give_way(sticking, kEnergyDrop);
       if (outcome == Outcome::Stuck) {
         const bool balanced = balance(m_body.points(kBalanceTolerance));
         const std::vector<Candidate> motions =
-            balanced ? carrying_motions(points) : candidates.last_resorts;
+            balanced ? carrying_motions(points) : last_motions(points);
         if (balanced && (m_problem.options.literal_paper_rules || none_sinks(motions)))
           return m_body.finish(SettleOutcome::Status::AtRest);
         outcome = give_way(motions, kEnergyDrop);
-        if (outcome == Outcome::Stuck) outcome = give_way(candidates.sticking, kLastEnergyDrop);
+        if (outcome == Outcome::Stuck) outcome = give_way(sticking, kLastEnergyDrop);
       }
       if (outcome == Outcome::FallsOut) return m_body.finish(SettleOutcome::Status::FallsOut);
       if (outcome == Outcome::Crossing) return m_body.finish(SettleOutcome::Status::Crossing);
@@ -65,7 +65,7 @@ class Settling {
 
   std::vector<Candidate> carrying_motions(std::vector<ContactPoint> points) const {
     std::erase_if(points, [](const ContactPoint& c) { return !may_be_pivot(c); });
-    return gauss_candidates(points, object(), m_body.fall_limit()).sticking;
+    return gauss_candidates(points, object(), m_body.fall_limit());
   }
 
   // An object that hovers turns about what is below.
@@ -88,7 +88,7 @@ class Settling {
   // Contacts that are merely near do not count: the turn would close these.
   bool may_stay(const std::vector<ContactPoint>& points) {
     if (m_sank || points.empty() || m_problem.options.literal_paper_rules) return false;
-    return balance(points) && !none_sinks(candidate_motions(points).sticking) && is_held(points);
+    return balance(points) && !none_sinks(candidate_motions(points)) && is_held(points);
   }
 
   // Rest must not end because of one more contact: bodies that give pivots are left out in turn. As
@@ -115,10 +115,15 @@ class Settling {
                         [&](const Candidate& c) { return m_body.can_sink(c.motion, tolerance); });
   }
 
-  Candidates candidate_motions(const std::vector<ContactPoint>& points) const {
+  std::vector<Candidate> candidate_motions(const std::vector<ContactPoint>& points) const {
     return m_problem.options.literal_paper_rules
                ? paper_candidates(points, object(), m_body.fall_limit())
                : gauss_candidates(points, object(), m_body.fall_limit());
+  }
+
+  std::vector<Candidate> last_motions(const std::vector<ContactPoint>& points) const {
+    if (m_problem.options.literal_paper_rules) return {};
+    return last_resorts(points, object());
   }
 
   // Executes the first candidate that lowers the centre of mass by `least` clearances.

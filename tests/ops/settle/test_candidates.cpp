@@ -15,18 +15,6 @@ using Kind = SettleStep::Kind;
 
 using test::contact;
 
-std::vector<Candidate> gauss(const std::vector<ContactPoint>& contacts,
-                             const SettlingObject& object, double fall_limit) {
-  return gauss_candidates(contacts, object, fall_limit).sticking;
-}
-
-std::vector<Candidate> paper(const std::vector<ContactPoint>& contacts,
-                             const SettlingObject& object, double fall_limit) {
-  const Candidates found = paper_candidates(contacts, object, fall_limit);
-  EXPECT_TRUE(found.last_resorts.empty());
-  return found.sticking;
-}
-
 SettlingObject object_at(const Vec3& centre) { return {centre, 0.1, 1}; }
 
 double drop_of(const Candidate& c, const Vec3& centre) {
@@ -34,7 +22,7 @@ double drop_of(const Candidate& c, const Vec3& centre) {
 }
 
 TEST(GaussCandidates, FallWithoutContact) {
-  const auto found = gauss({}, object_at({0, 0, 1}), 7);
+  const auto found = gauss_candidates({}, object_at({0, 0, 1}), 7);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].kind, Kind::Fall);
   EXPECT_EQ(found[0].motion.axis, -Vec3::UnitZ());
@@ -43,14 +31,15 @@ TEST(GaussCandidates, FallWithoutContact) {
 }
 
 TEST(GaussCandidates, FallBesideWall) {
-  const auto found = gauss({contact({-1, 0, 0}, Vec3::UnitX())}, object_at({0, 0, 0}), 7);
+  const auto found =
+      gauss_candidates({contact({-1, 0, 0}, Vec3::UnitX())}, object_at({0, 0, 0}), 7);
   ASSERT_FALSE(found.empty());
   EXPECT_EQ(found[0].kind, Kind::Fall);
 }
 
 TEST(GaussCandidates, TurnTowardsGroundOnOnePoint) {
   const Vec3 pivot(0, 0, 0), centre(1, 0, 1);
-  const auto found = gauss({contact(pivot)}, object_at(centre), 7);
+  const auto found = gauss_candidates({contact(pivot)}, object_at(centre), 7);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].kind, Kind::TurnAboutPoint);
   EXPECT_EQ(found[0].motion.centre, pivot);
@@ -62,14 +51,15 @@ TEST(GaussCandidates, EndTurnAtLowestCentre) {
   // Hanging: the centre is 30 degrees from below the pivot.
   const double angle = M_PI / 6;
   const Vec3 centre(std::sin(angle), 0, -std::cos(angle));
-  const auto found = gauss({contact({0, 0, 0})}, object_at(centre), 7);
+  const auto found = gauss_candidates({contact({0, 0, 0})}, object_at(centre), 7);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_NEAR(found[0].motion.limit, std::tan(angle / 2), 1e-15);
   EXPECT_NEAR(drop_of(found[0], centre), 1 - std::cos(angle), 1e-15);
 }
 
 TEST(GaussCandidates, TurnOnlyAboutLineOnTwoPoints) {
-  const auto found = gauss({contact({0, -1, 0}), contact({0, 1, 0})}, object_at({0.3, 0.2, 1}), 7);
+  const auto found =
+      gauss_candidates({contact({0, -1, 0}), contact({0, 1, 0})}, object_at({0.3, 0.2, 1}), 7);
   ASSERT_FALSE(found.empty());
   EXPECT_EQ(found[0].kind, Kind::TurnAboutLine);
   EXPECT_LT((found[0].motion.axis - Vec3::UnitY()).norm(), 1e-12);
@@ -79,17 +69,18 @@ TEST(GaussCandidates, TurnOnlyAboutLineOnTwoPoints) {
 TEST(GaussCandidates, AreEmptyOnThreeLeggedStool) {
   const std::vector<ContactPoint> legs{contact({1, 0, 0}), contact({-1, 1, 0}),
                                        contact({-1, -1, 0})};
-  EXPECT_TRUE(gauss(legs, object_at({0, 0, 1}), 7).empty());
-  const auto tipping = gauss(legs, object_at({-1.2, 0, 1}), 7);
+  EXPECT_TRUE(gauss_candidates(legs, object_at({0, 0, 1}), 7).empty());
+  const auto tipping = gauss_candidates(legs, object_at({-1.2, 0, 1}), 7);
   ASSERT_FALSE(tipping.empty());
   EXPECT_EQ(tipping[0].kind, Kind::TurnAboutLine);
 }
 
 TEST(GaussCandidates, BreakExactTiesToAllSides) {
-  const auto on_tip = gauss({contact({0, 0, 0})}, object_at({0, 0, 1}), 7);
+  const auto on_tip = gauss_candidates({contact({0, 0, 0})}, object_at({0, 0, 1}), 7);
   EXPECT_EQ(on_tip.size(), 8u);
   for (const Candidate& c : on_tip) EXPECT_NEAR(drop_of(c, {0, 0, 1}), 1, 1e-12);
-  const auto on_edge = gauss({contact({0, -1, 0}), contact({0, 1, 0})}, object_at({0, 0, 1}), 7);
+  const auto on_edge =
+      gauss_candidates({contact({0, -1, 0}), contact({0, 1, 0})}, object_at({0, 0, 1}), 7);
   int num_lines = 0;
   for (const Candidate& c : on_edge) num_lines += c.kind == Kind::TurnAboutLine;
   EXPECT_EQ(num_lines, 2);  // either side
@@ -105,7 +96,7 @@ TEST(GaussCandidates, AreOrderedAndPressIntoNoContact) {
       contacts.push_back(contact(random.in_cube(1), random.direction() + 0.7 * Vec3::UnitZ()));
     const SettlingObject object = object_at(random.in_cube(0.5));
     double gain = kInfinity;
-    for (const Candidate& c : gauss(contacts, object, 7)) {
+    for (const Candidate& c : gauss_candidates(contacts, object, 7)) {
       ++num_candidates;
       EXPECT_LE(c.gain, gain);
       EXPECT_GE(c.gain, 0);
@@ -128,7 +119,7 @@ TEST(GaussCandidates, StayFewForManyContacts) {
   std::vector<ContactPoint> contacts;
   for (int k = 0; k < 2000; ++k)
     contacts.push_back(contact(random.in_cube(1), random.direction() + 0.3 * Vec3::UnitZ()));
-  EXPECT_LE(gauss(contacts, object_at({0, 0, 0}), 7).size(), 16u);
+  EXPECT_LE(gauss_candidates(contacts, object_at({0, 0, 0}), 7).size(), 16u);
 }
 
 TEST(LastResorts, LowerCentreAndSeparateOtherContacts) {
@@ -140,7 +131,7 @@ TEST(LastResorts, LowerCentreAndSeparateOtherContacts) {
     for (int k = 0; k < n; ++k)
       contacts.push_back(contact(random.in_cube(1), random.direction() + 0.7 * Vec3::UnitZ()));
     const SettlingObject object = object_at(random.in_cube(0.5));
-    for (const Candidate& c : gauss_candidates(contacts, object, 7).last_resorts) {
+    for (const Candidate& c : last_resorts(contacts, object)) {
       ++num_candidates;
       EXPECT_EQ(c.kind, Kind::TurnAboutPoint);
       EXPECT_LE(c.motion.limit, 1);
@@ -157,27 +148,27 @@ TEST(LastResorts, LowerCentreAndSeparateOtherContacts) {
 
 TEST(PaperCandidates, FollowThreeCases) {
   const SettlingObject object = object_at({0.4, 0.1, 1});
-  const auto fall = paper({}, object, 7);
+  const auto fall = paper_candidates({}, object, 7);
   ASSERT_EQ(fall.size(), 1u);
   EXPECT_EQ(fall[0].kind, Kind::Fall);
 
-  const auto point = paper({contact({0, 0, 0})}, object, 7);
+  const auto point = paper_candidates({contact({0, 0, 0})}, object, 7);
   ASSERT_EQ(point.size(), 1u);
   EXPECT_EQ(point[0].kind, Kind::TurnAboutPoint);
 
-  const auto line = paper({contact({0, -1, 0}), contact({0, 1, 0})}, object, 7);
+  const auto line = paper_candidates({contact({0, -1, 0}), contact({0, 1, 0})}, object, 7);
   ASSERT_EQ(line.size(), 1u);
   EXPECT_EQ(line[0].kind, Kind::TurnAboutLine);
   EXPECT_GT(drop_of(line[0], object.centre), 0);
 
   const auto stable =
-      paper({contact({1, 0, 0}), contact({-1, 1, 0}), contact({-1, -1, 0})}, object, 7);
+      paper_candidates({contact({1, 0, 0}), contact({-1, 1, 0}), contact({-1, -1, 0})}, object, 7);
   EXPECT_TRUE(stable.empty());
 }
 
 TEST(PaperCandidates, TurnAboutNearerEndPastLine) {
   const SettlingObject object = object_at({0.4, 3, 1});
-  const auto found = paper({contact({0, -1, 0}), contact({0, 1, 0})}, object, 7);
+  const auto found = paper_candidates({contact({0, -1, 0}), contact({0, 1, 0})}, object, 7);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].kind, Kind::TurnAboutPoint);
   EXPECT_EQ(found[0].motion.centre, Vec3(0, 1, 0));
@@ -188,7 +179,7 @@ TEST(PaperCandidates, TurnAboutNearestSideOutsideArea) {
   std::vector<ContactPoint> square;
   for (const double x : {-1.0, 1.0})
     for (const double y : {-1.0, 1.0}) square.push_back(contact({x, y, 0}));
-  const auto found = paper(square, object, 7);
+  const auto found = paper_candidates(square, object, 7);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].kind, Kind::TurnAboutLine);
   EXPECT_EQ(found[0].motion.centre.x(), 1);
@@ -201,12 +192,12 @@ TEST(PaperCandidates, PressIntoSteepSupport) {
   // higher.
   const std::vector<ContactPoint> contacts{contact({-1, 0, 0}), contact({1, 0, 1}, {1, 0, 0.3})};
   const SettlingObject object = object_at({-1.5, 0, 0.2});
-  const auto literal = paper(contacts, object, 7);
+  const auto literal = paper_candidates(contacts, object, 7);
   ASSERT_EQ(literal.size(), 1u);
   const double speed = contacts[1].normal.dot(
       literal[0].motion.axis.cross(contacts[1].point - literal[0].motion.centre));
   EXPECT_LT(speed, 0);
-  for (const Candidate& c : gauss(contacts, object, 7))
+  for (const Candidate& c : gauss_candidates(contacts, object, 7))
     for (const ContactPoint& p : contacts)
       EXPECT_GT(p.normal.dot(moved_point(p.point, c.motion, 1e-6) - p.point), -1e-9);
 }
