@@ -1,5 +1,6 @@
 #include "ops/arrange/angles.h"
 
+#include <Eigen/Geometry>
 #include <cmath>
 
 #include "core/motion/motion.h"

@@ -1,5 +1,6 @@
 #include "ops/arrange/hull_facets.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <numeric>
 #include <tuple>

@@ -1,5 +1,6 @@
 #include "ops/arrange/sight_grid.h"
 
+#include <Eigen/Geometry>
 #include <cmath>
 
 namespace trivet {

@@ -1,5 +1,6 @@
 #include "ops/arrange/sights.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 
 #include "ops/arrange/relation_parts.h"

@@ -1,5 +1,6 @@
 #include "ops/arrange/support_surfaces.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numeric>

@@ -1,6 +1,7 @@
 // The first motion of bodies that are let go, with Coulomb friction at their contacts.
 #pragma once
 
+#include <Eigen/Geometry>
 #include <vector>
 
 #include "core/base/types.h"

@@ -1,5 +1,6 @@
 #include "apps/edit/document/scene_verdict.h"
 
+#include <Eigen/Geometry>
 #include <QCoreApplication>
 #include <QLocale>
 #include <algorithm>

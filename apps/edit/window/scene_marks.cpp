@@ -1,5 +1,6 @@
 // Marks of a view over the objects: contacts, gravity line, projection volume, faces that
 // interfere, arrows, the tool's handles.
+#include <Eigen/Geometry>
 #include <QColor>
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,6 @@
 #include "reference_distance.h"
 
+#include <Eigen/Geometry>
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>

@@ -2,6 +2,8 @@
 // exact surfaces, with names and colours.
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+
 #ifdef TRIVET_TEST_OCCT
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepBndLib.hxx>
