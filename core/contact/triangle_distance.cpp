@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/lanes.h"
+
 namespace trivet {
 namespace {
 
@@ -14,79 +16,91 @@ constexpr double kNearlyParallel = 1e-10;  // squared sine
 
 double clamp01(double x) { return std::clamp(x, 0.0, 1.0); }
 
-struct Prepared {
-  const Triangle& p;
-  std::array<Vec3, 3> edge;
-  Vec3 normal;          // not unit
-  double squared_area;  // squared length of the normal; 0: no inside
+// Two triangles, one in each lane.
+struct TriangleLanes {
+  std::array<Vec3Lanes, 3> p, edge;
+  std::array<Double2, 3> squared_edge;
+  std::array<Vec3Lanes, 3> inward;  // of each edge, in the plane
+  Vec3Lanes normal;                 // not unit
+  Double2 squared_area;             // squared length of the normal; 0: no inside
 
-  explicit Prepared(const Triangle& t)
-      : p(t), edge{t[1] - t[0], t[2] - t[1], t[0] - t[2]}, normal(edge[0].cross(edge[1])) {
-    squared_area = normal.squaredNorm();
-    const double longest =
-        std::max({edge[0].squaredNorm(), edge[1].squaredNorm(), edge[2].squaredNorm()});
-    if (squared_area <= kSliver * longest * longest) squared_area = 0;
+  TriangleLanes(const Triangle& a, const Triangle& b)
+      : p{lanes(a[0], b[0]), lanes(a[1], b[1]), lanes(a[2], b[2])},
+        edge{p[1] - p[0], p[2] - p[1], p[0] - p[2]},
+        normal(cross(edge[0], edge[1])),
+        squared_area(squared_norm(normal)) {
+    for (int k = 0; k < 3; ++k) {
+      squared_edge[k] = squared_norm(edge[k]);
+      inward[k] = cross(normal, edge[k]);
+    }
+    Double2 longest = squared_edge[0];
+    for (int k = 1; k < 3; ++k) longest = longest < squared_edge[k] ? squared_edge[k] : longest;
+    squared_area = squared_area <= kSliver * longest * longest ? both(0) : squared_area;
+  }
+  // False if the foot of the perpendicular from x to the plane is inside.
+  Mask2 beside(const Vec3Lanes& x) const {
+    return (dot(inward[0], x - p[0]) < 0.0) | (dot(inward[1], x - p[1]) < 0.0) |
+           (dot(inward[2], x - p[2]) < 0.0);
   }
 };
 
-// True if the foot of the perpendicular from x to the plane of t is inside t.
-bool over_inside(const Vec3& x, const Prepared& t) {
-  for (int k = 0; k < 3; ++k)
-    if (t.normal.cross(t.edge[k]).dot(x - t.p[k]) < 0) return false;
-  return true;
-}
+// Lane 0: the corners of a over the plane of b. Lane 1: those of b over the plane of a.
+struct CornersOver {
+  std::array<Vec3Lanes, 3> p;
+  TriangleLanes face;
+  std::array<Double2, 3> height;
 
-// The edge of `e` from corner k passes through the inside of t (heights are those over t's plane).
-bool pierces(const Prepared& e, int k, double height, double height_next, const Prepared& t) {
-  if (height * height_next > 0 || height == height_next) return false;
-  return over_inside(e.p[k] + height / (height - height_next) * e.edge[k], t);
-}
-
-bool any_pierces(const Prepared& e, const std::array<double, 3>& heights, const Prepared& t) {
-  for (int k = 0; k < 3; ++k)
-    if (pierces(e, k, heights[k], heights[(k + 1) % 3], t)) return true;
-  return false;
-}
-
-std::array<double, 3> heights_over(const Prepared& t, const Triangle& p) {
-  return {t.normal.dot(p[0] - t.p[0]), t.normal.dot(p[1] - t.p[0]), t.normal.dot(p[2] - t.p[0])};
-}
-
-bool one_side(const std::array<double, 3>& h) {
-  return (h[0] > 0 && h[1] > 0 && h[2] > 0) || (h[0] < 0 && h[1] < 0 && h[2] < 0);
-}
-
-// Feet of the corners of `p` inside `t`.
-void vertices_over(const Triangle& p, const std::array<double, 3>& heights, const Prepared& t,
-                   ClosestPoints::Features features, double& best, ClosestPoints& out) {
-  if (t.squared_area == 0) return;
-  for (int k = 0; k < 3; ++k) {
-    const double squared = heights[k] * heights[k] / t.squared_area;
-    if (squared >= best || !over_inside(p[k], t)) continue;
-    best = squared;
-    const Vec3 foot = p[k] - heights[k] / t.squared_area * t.normal;
-    const bool vertex_of_a = features == ClosestPoints::Features::VertexFace;
-    out.point_a = vertex_of_a ? p[k] : foot;
-    out.point_b = vertex_of_a ? foot : p[k];
-    out.features = features;
-    out.a = vertex_of_a ? k : 0;
-    out.b = vertex_of_a ? 0 : k;
+  CornersOver(const Triangle& a, const Triangle& b)
+      : p{lanes(a[0], b[0]), lanes(a[1], b[1]), lanes(a[2], b[2])}, face(b, a) {
+    for (int k = 0; k < 3; ++k) height[k] = dot(face.normal, p[k] - face.p[0]);
   }
+  Mask2 one_side() const {
+    const auto& h = height;
+    return ((h[0] > 0.0) & (h[1] > 0.0) & (h[2] > 0.0)) |
+           ((h[0] < 0.0) & (h[1] < 0.0) & (h[2] < 0.0));
+  }
+  // The edge from corner k passes through the inside of the face.
+  Mask2 pierces(int k) const {
+    const int next = (k + 1) % 3;
+    const Double2 h = height[k], h_next = height[next];
+    const Mask2 misses = (h * h_next > 0.0) | (h == h_next);
+    return ~(misses | face.beside(p[k] + h / (h - h_next) * (p[next] - p[k])));
+  }
+  bool any_pierces() const {
+    const Mask2 may = (face.squared_area > 0.0) & ~one_side();
+    return any(may) && any(may & (pierces(0) | pierces(1) | pierces(2)));
+  }
+};
+
+// The foot of corner k of the triangle `of`, 0 for a, is the closest point of the other one.
+void put_foot(const CornersOver& c, int of, int k, ClosestPoints& out) {
+  const double height = c.height[k][of];
+  const Vec3 corner = lane(c.p[k], of);
+  const Vec3 foot = corner - height / c.face.squared_area[of] * lane(c.face.normal, of);
+  const bool vertex_of_a = of == 0;
+  out.point_a = vertex_of_a ? corner : foot;
+  out.point_b = vertex_of_a ? foot : corner;
+  out.features =
+      vertex_of_a ? ClosestPoints::Features::VertexFace : ClosestPoints::Features::FaceVertex;
+  out.a = vertex_of_a ? k : 0;
+  out.b = vertex_of_a ? 0 : k;
 }
 
-void edges_over(const Prepared& a, const Prepared& b, double& best, ClosestPoints& out) {
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) {
-      const SegmentPoints c = closest_on_segments(a.p[i], a.edge[i], b.p[j], b.edge[j]);
-      if (c.squared_distance >= best) continue;
-      best = c.squared_distance;
-      out.point_a = a.p[i] + c.s * a.edge[i];
-      out.point_b = b.p[j] + c.t * b.edge[j];
-      const bool inside = c.s > 0 && c.s < 1 && c.t > 0 && c.t < 1;
-      out.features = inside ? ClosestPoints::Features::EdgeEdge : ClosestPoints::Features::Other;
-      out.a = i;
-      out.b = j;
-    }
+// Feet of the corners inside the faces.
+void vertices_over(const CornersOver& c, double& best, ClosestPoints& out) {
+  const Mask2 flat = c.face.squared_area == 0.0;
+  std::array<Mask2, 3> inside;
+  for (int k = 0; k < 3; ++k) inside[k] = ~(flat | c.face.beside(c.p[k]));
+  if (!any(inside[0] | inside[1] | inside[2])) return;
+  int nearest = -1;  // 3 of + k
+  for (int i = 0; i < 6; ++i) {
+    const int of = i / 3, k = i % 3;
+    const double squared = c.height[k][of] * c.height[k][of] / c.face.squared_area[of];
+    if (!inside[k][of] || squared >= best) continue;
+    best = squared;
+    nearest = i;
+  }
+  if (nearest >= 0) put_foot(c, nearest / 3, nearest % 3, out);
 }
 
 SegmentPoints with_distance(double s, double t, const Vec3& r, const Vec3& u, const Vec3& v) {
@@ -107,6 +121,108 @@ SegmentPoints better_end(SegmentPoints best, const Vec3& r, const Vec3& u, const
   }
   return best;
 }
+
+struct SegmentLanes {
+  Vec3Lanes p, u;
+  Double2 uu;
+};
+
+// Edges k and l of the triangle in lane kLane.
+template <int kLane>
+SegmentLanes edges(const TriangleLanes& f, int k, int l) {
+  const auto pick = [](Double2 x, Double2 y) { return Double2{x[kLane], y[kLane]}; };
+  const auto pick_vec = [&](const Vec3Lanes& x, const Vec3Lanes& y) {
+    return Vec3Lanes{pick(x.x, y.x), pick(x.y, y.y), pick(x.z, y.z)};
+  };
+  return {pick_vec(f.p[k], f.p[l]), pick_vec(f.edge[k], f.edge[l]),
+          pick(f.squared_edge[k], f.squared_edge[l])};
+}
+
+struct SegmentPointsLanes {
+  Double2 s, t, squared_distance;
+  Mask2 known;  // false for points and what is nearly parallel: the rest means nothing then
+};
+
+// clamp01(x / y), y > 0. By the lesser of x and y, not of the ratio and 1: gcc has an instruction
+// for the lesser of two variables, but takes four if one is a constant. The bits are the same: what
+// is above y has a ratio of at least 1 when rounded, and y / y is 1.
+Double2 clamped_ratio(Double2 x, Double2 y) {
+  const Double2 ratio = (y < x ? y : x) / y;
+  return ratio < 0.0 ? both(0) : ratio;
+}
+
+// The operations of closest_on_segments(), so that the bits are the same; branches compute both.
+SegmentPointsLanes closest_on_lanes(const SegmentLanes& a, const SegmentLanes& b) {
+  const Vec3Lanes r = a.p - b.p;
+  const Double2 uv = dot(a.u, b.u), ur = dot(a.u, r), vr = dot(b.u, r);
+  const Double2 determinant = a.uu * b.uu - uv * uv;
+  Double2 s = clamped_ratio(uv * vr - ur * b.uu, determinant);
+  Double2 t = (uv * s + vr) / b.uu;
+  const Mask2 before = t < 0.0;
+  const Mask2 after = t > 1.0;
+  // -0 - ur is -ur, also where ur is 0.
+  const Double2 s_of_end = clamped_ratio((before ? both(-0.0) : uv) - ur, a.uu);
+  s = (before | after) ? s_of_end : s;
+  t = before ? both(0) : t;
+  t = after ? both(1) : t;
+  return {s, t, squared_norm(r + s * a.u - t * b.u), determinant > kNearlyParallel * a.uu * b.uu};
+}
+
+// Closest points of the nine pairs of edges of a, in lane 1, and b, in lane 0.
+class EdgePairs {
+ public:
+  explicit EdgePairs(const TriangleLanes& f) : m_faces(f) {
+    // Pairs that share what is packed: 00 11, 02 12, 01 10, 20 21, and 22 twice.
+    const SegmentLanes a[] = {edges<1>(f, 0, 1), edges<1>(f, 2, 2)};
+    const SegmentLanes b[] = {edges<0>(f, 0, 1), edges<0>(f, 2, 2), edges<0>(f, 1, 0)};
+    Mask2 known = ~Mask2{};
+    for (int k = 0; k < 5; ++k) {
+      m_found[k] = closest_on_lanes(a[k / 3], b[k % 3]);
+      known &= m_found[k].known;
+    }
+    if (any(~known)) find_others();
+  }
+  void nearest(double& best, ClosestPoints& out) const {
+    int nearest = -1;
+    for (int k = 0; k < 9; ++k) {
+      const double squared = m_found[kWhere[k].pair].squared_distance[kWhere[k].lane];
+      if (squared >= best) continue;
+      best = squared;
+      nearest = k;
+    }
+    if (nearest >= 0) put(nearest, out);
+  }
+
+ private:
+  // Of edges k / 3 of a and k % 3 of b. Of equals the first in this order is taken.
+  static constexpr struct {
+    int pair, lane;
+  } kWhere[] = {{0, 0}, {2, 0}, {1, 0}, {2, 1}, {0, 1}, {1, 1}, {3, 0}, {3, 1}, {4, 0}};
+
+  void find_others() {
+    for (int k = 0; k < 9; ++k) {
+      const auto [pair, l] = kWhere[k];
+      SegmentPointsLanes& found = m_found[pair];
+      if (found.known[l]) continue;
+      const SegmentPoints c =
+          closest_on_segments(lane(m_faces.p[k / 3], 1), lane(m_faces.edge[k / 3], 1),
+                              lane(m_faces.p[k % 3], 0), lane(m_faces.edge[k % 3], 0));
+      found.s[l] = c.s, found.t[l] = c.t, found.squared_distance[l] = c.squared_distance;
+    }
+  }
+  void put(int k, ClosestPoints& out) const {
+    const SegmentPointsLanes& found = m_found[kWhere[k].pair];
+    const double s = found.s[kWhere[k].lane], t = found.t[kWhere[k].lane];
+    out.a = k / 3, out.b = k % 3;
+    out.point_a = lane(m_faces.p[out.a], 1) + s * lane(m_faces.edge[out.a], 1);
+    out.point_b = lane(m_faces.p[out.b], 0) + t * lane(m_faces.edge[out.b], 0);
+    const bool inside = s > 0 && s < 1 && t > 0 && t < 1;
+    out.features = inside ? ClosestPoints::Features::EdgeEdge : ClosestPoints::Features::Other;
+  }
+
+  const TriangleLanes& m_faces;
+  SegmentPointsLanes m_found[5];
+};
 
 }  // namespace
 
@@ -134,20 +250,17 @@ SegmentPoints closest_on_segments(const Vec3& p, const Vec3& u, const Vec3& q, c
   return better_end(found, r, u, v, uu, vv, uv);
 }
 
-ClosestPoints closest_points(const Triangle& ta, const Triangle& tb) {
-  const Prepared a(ta), b(tb);
-  const auto heights_a = heights_over(b, ta), heights_b = heights_over(a, tb);
+ClosestPoints closest_points(const Triangle& a, const Triangle& b) {
+  const CornersOver corners(a, b);
   ClosestPoints out;
-  if ((b.squared_area > 0 && !one_side(heights_a) && any_pierces(a, heights_a, b)) ||
-      (a.squared_area > 0 && !one_side(heights_b) && any_pierces(b, heights_b, a))) {
+  if (corners.any_pierces()) {
     out.distance = 0;
     out.features = ClosestPoints::Features::Crossing;
     return out;
   }
   double best = kInfinity;
-  vertices_over(ta, heights_a, b, ClosestPoints::Features::VertexFace, best, out);
-  vertices_over(tb, heights_b, a, ClosestPoints::Features::FaceVertex, best, out);
-  edges_over(a, b, best, out);
+  vertices_over(corners, best, out);
+  EdgePairs(corners.face).nearest(best, out);
   out.distance = std::sqrt(best);
   return out;
 }
