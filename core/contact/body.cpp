@@ -16,16 +16,4 @@ UnitFrame::UnitFrame(const Body& fixed)
     : unit_from_world((fixed.world_from_object.linear / fixed.scale()).transpose()),
       origin(fixed.world_from_object.translation) {}
 
-PlacedBvh UnitFrame::tree(const Body& other) const {
-  return {other.shape->bvh(), unit_from_world * other.world_from_object.linear,
-          point(other.world_from_object.translation), other.scale()};
-}
-
-PlacedBvh UnitFrame::own_tree(const Body& fixed) const {
-  const double scale = fixed.scale();
-  PlacedBvh tree(fixed.shape->bvh(), scale * Mat3::Identity(), Vec3::Zero(), scale);
-  tree.own_frame = true;
-  return tree;
-}
-
 }  // namespace trivet

@@ -13,7 +13,7 @@
 #include "core/contact/dips.h"
 #include "core/contact/flush_faces.h"
 #include "core/contact/leaf_box.h"
-#include "core/contact/node_slab.h"
+#include "core/contact/node_gaps.h"
 #include "core/contact/pair_numbers.h"
 #include "core/contact/recent_nodes.h"
 #include "core/contact/triangle_distance.h"
@@ -22,6 +22,8 @@ namespace trivet {
 namespace {
 
 constexpr double kParallelSine = 1e-6;  // edges closer to parallel than this do not cross
+// Nodes are compared as they are: of the two bodies, the object is the one that could move.
+const Motion kAtRest = Motion::translation(Vec3::Zero(), 0);
 // Tolerances: a foot may be beside a face, by kFootSlope of its height.
 constexpr double kFar = 1.01;
 
@@ -77,16 +79,6 @@ void append_elsewhere(const std::vector<ContactPoint>& more, double distance,
             [](const ContactPoint& a, const ContactPoint& b) { return order_of(a) < order_of(b); });
 }
 
-/// A node's box and slab in the support's frame.
-struct ContactNode {
-  PlacedBvh::Box box;
-  NodeSlab slab;
-
-  ContactNode(const PlacedBvh& tree, Index node, const Mat3& rotation)
-      : box(tree.box(node)), slab(tree, node, rotation) {}
-  ContactNode(const PlacedBvh& tree, Index node) : box(tree.box(node)), slab(tree, node) {}
-};
-
 /// Faces of a leaf with their boxes, world.
 struct BoxedFaces : LeafFaces {
   std::array<Aabb, kMaxLeafFaces> boxes;
@@ -99,7 +91,7 @@ struct BoxedFaces : LeafFaces {
 /// Nodes and leaves that were met last.
 struct SearchMemory {
   struct OfBody {
-    RecentNodes<ContactNode, 256> nodes;
+    RecentNodes<PlacedNode, 256> nodes;
     RecentNodes<LeafBox, 128> boxes;
     RecentNodes<BoxedFaces, 64> faces;
   };
@@ -114,18 +106,15 @@ class ContactSearch {
         m_tolerance(tolerance),
         m_slack(slack),
         m_flush(object, support, tolerance, slack),
-        m_frame(support),
-        m_tree_object(m_frame.tree(object)),
-        m_tree_support(m_frame.own_tree(support)),
-        m_own_axis{m_tree_object.own_axis(0), m_tree_object.own_axis(1), m_tree_object.own_axis(2)},
-        m_rotation(m_tree_object.linear / m_tree_object.scale),
-        m_reach(tolerance * 1.001 + 1e-14 * m_tree_object.translation.cwiseAbs().maxCoeff()),
+        m_frames(object, support),
+        m_object_nodes(m_frames.moving_nodes(object, kAtRest)),
+        m_support_nodes(m_frames.fixed_nodes(support, kAtRest)),
+        m_reach(tolerance * 1.001 + 1e-14 * m_frames.origin_of_moving.cwiseAbs().maxCoeff()),
         m_ends(object, support, tolerance, m_reach) {}
 
   std::vector<ContactPoint> run() {
     if (!m_object.shape->has_faces() || !m_support.shape->has_faces()) return {};
-    m_slab_reach =
-        m_reach + 1e-14 * (farthest(m_tree_object.box(0)) + farthest(m_tree_support.box(0)));
+    m_node_reach = m_reach + 1e-14 * (farthest(node_a(0)) + farthest(node_b(0)));
     visit(0, 0);
     std::vector<ContactPoint> points = first_of_each(m_found);
     std::vector<ContactPoint> more = m_ends.points();
@@ -138,44 +127,34 @@ class ContactSearch {
   }
 
  private:
-  static double farthest(const PlacedBvh::Box& box) {
-    return (box.centre.cwiseAbs() + box.half).maxCoeff();
+  static double farthest(const PlacedNode& n) {
+    Double2 out = both(0);
+    for (int k = 0; k < 3; ++k) out = max(out, abs(n.centre[k]) + n.half[k]);
+    return std::max(out[kFixed], out[kMoving]);
   }
 
-  bool apart(const PlacedBvh::Box& a, const PlacedBvh::Box& b) const {
-    const Vec3 d = a.centre - b.centre;
-    if ((d.cwiseAbs().array() > (a.half + b.half).array() + m_reach).any()) return true;
-    for (int k = 0; k < 3; ++k) {
-      const Vec3& n = m_own_axis[k];
-      if (std::abs(n.dot(d)) > a.own_half[k] + n.cwiseAbs().dot(b.half) + m_reach) return true;
-    }
-    return false;
+  const PlacedNode& node_a(Index a) {
+    return m_memory.object.nodes.get(m_search, a, m_object_nodes, a);
   }
-
-  const ContactNode& node_a(Index a) {
-    return m_memory.object.nodes.get(m_search, a, m_tree_object, a, m_rotation);
-  }
-  const ContactNode& node_b(Index b) {
-    return m_memory.support.nodes.get(m_search, b, m_tree_support, b);
+  const PlacedNode& node_b(Index b) {
+    return m_memory.support.nodes.get(m_search, b, m_support_nodes, b);
   }
 
   // The leaf of one body and a node of the other are apart, by the leaf's tight box.
   bool leaf_clear(SearchMemory::OfBody& of_leaf, const Body& body, Index leaf, const BvhNode& node,
-                  const PlacedBvh::Box& other) {
-    const LeafBox& box = of_leaf.boxes.get(m_search, leaf, body, node, m_frame);
-    return box.valid && box.gap(other) > m_reach;
+                  const PlacedNode& other) {
+    const LeafBox& box = of_leaf.boxes.get(m_search, leaf, body, node, m_frames.fixed);
+    return box.valid && box.gap(other.centre_in(kFixed), other.radius) > m_reach;
   }
 
   void visit(Index ia, Index ib) {
-    const ContactNode &in_a = node_a(ia), &in_b = node_b(ib);
-    if (apart(in_a.box, in_b.box) ||
-        slabs_apart(in_a.slab, in_b.slab, in_a.box, in_b.box, m_slab_reach))
-      return;
-    const BvhNode &a = m_tree_object.bvh.nodes[ia], &b = m_tree_support.bvh.nodes[ib];
-    if (a.is_leaf() && leaf_clear(m_memory.object, m_object, ia, a, in_b.box)) return;
-    if (b.is_leaf() && leaf_clear(m_memory.support, m_support, ib, b, in_a.box)) return;
+    const PlacedNode &in_a = node_a(ia), &in_b = node_b(ib);
+    if (boxes_apart(in_a, in_b, m_node_reach) || slabs_apart(in_a, in_b, m_node_reach)) return;
+    const BvhNode &a = m_object_nodes.bvh().nodes[ia], &b = m_support_nodes.bvh().nodes[ib];
+    if (a.is_leaf() && leaf_clear(m_memory.object, m_object, ia, a, in_b)) return;
+    if (b.is_leaf() && leaf_clear(m_memory.support, m_support, ib, b, in_a)) return;
     if (a.is_leaf() && b.is_leaf()) return try_leaves(ia, ib);
-    if (!a.is_leaf() && (b.is_leaf() || in_a.box.radius > in_b.box.radius)) {
+    if (!a.is_leaf() && (b.is_leaf() || in_a.radius > in_b.radius)) {
       visit(ia + 1, ib);
       visit(a.second_child, ib);
     } else {
@@ -186,9 +165,9 @@ class ContactSearch {
 
   void try_leaves(Index ia, Index ib) {
     const BoxedFaces& a =
-        m_memory.object.faces.get(m_search, ia, m_object, m_tree_object.bvh.nodes[ia]);
+        m_memory.object.faces.get(m_search, ia, m_object, m_object_nodes.bvh().nodes[ia]);
     const BoxedFaces& b =
-        m_memory.support.faces.get(m_search, ib, m_support, m_tree_support.bvh.nodes[ib]);
+        m_memory.support.faces.get(m_search, ib, m_support, m_support_nodes.bvh().nodes[ib]);
     if (m_plane != Vec3::Zero() && plane_separates(a, b)) return;
     for (size_t i = 0; i < a.num; ++i)
       for (size_t j = 0; j < b.num; ++j) {
@@ -298,12 +277,10 @@ class ContactSearch {
 
   const Body &m_object, &m_support;
   double m_tolerance, m_slack;
-  double m_slab_reach = 0;  // with the rounding of slabs
+  double m_node_reach = 0;  // with the rounding of nodes
   FlushFaces m_flush;
-  UnitFrame m_frame;
-  PlacedBvh m_tree_object, m_tree_support;
-  std::array<Vec3, 3> m_own_axis;  // of the object
-  Mat3 m_rotation;                 // likewise
+  PairFrames m_frames;
+  NodePlacer m_object_nodes, m_support_nodes;
   double m_reach;
   ContactEnds m_ends;
   SearchMemory& m_memory = memory_of_thread<SearchMemory>();

@@ -37,13 +37,13 @@ LeafBox::LeafBox(const Body& body, const BvhNode& leaf, const UnitFrame& frame) 
       }
 }
 
-LeafBox::Outside LeafBox::outside(int k, const PlacedBvh::Box& box) const {
-  const double x = axis[k].dot(box.centre), above = x - upper[k], below = lower[k] - x;
-  return above > below ? Outside{above - box.radius, 1.0} : Outside{below - box.radius, -1.0};
-}
-
-double LeafBox::gap(const PlacedBvh::Box& box) const {
-  return std::max({outside(0, box).gap, outside(1, box).gap, outside(2, box).gap});
+double LeafBox::gap(const Vec3& centre, double radius) const {
+  double gap = -kInfinity;
+  for (int k = 0; k < 3; ++k) {
+    const double x = axis[k].dot(centre);
+    gap = std::max({gap, x - upper[k], lower[k] - x});
+  }
+  return gap - radius;
 }
 
 }  // namespace trivet

@@ -49,13 +49,8 @@ struct LeafBox {
 
   LeafBox(const Body& body, const BvhNode& leaf, const UnitFrame& frame);
 
-  struct Outside {
-    double gap;   // of the box's sphere beyond the leaf along the axis; negative: overlap
-    double side;  // +1: beyond `upper`, -1: beyond `lower`
-  };
-  Outside outside(int k, const PlacedBvh::Box& box) const;
-  /// Largest of the three gaps: a lower bound of the distance.
-  double gap(const PlacedBvh::Box& box) const;
+  /// @return a lower bound of the distance to a sphere, in the same frame; negative: they may meet.
+  double gap(const Vec3& centre, double radius) const;
 };
 
 }  // namespace trivet

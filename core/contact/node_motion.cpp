@@ -1,45 +1,54 @@
 #include "core/contact/node_motion.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
+#include <bit>
 #include <cmath>
+
+#include "core/contact/node_gaps.h"
 
 namespace trivet {
 namespace {
 
 constexpr auto kRotation = Motion::Kind::Rotation;
 
-struct Range {
-  double lower, upper;
+/// An Approach of each body, by the body that moves.
+struct Approaches {
+  Double2 gap, extent, radius;
+  Double2 A, B;  // of the centre
+
+  Approach of(int lane) const {
+    return {gap[lane], extent[lane], radius[lane], {0, A[lane], B[lane]}};
+  }
 };
 
-// Of n . x of a node about its centre: along the part of n in the slab's normal by the slab, along
-// the rest by the box. n is in the node's own frame.
-Range range_along(const PlacedNode& node, const Vec3& n) {
-  const double c = n.dot(node.own.normal);
-  const double beside = (n - c * node.own.normal).cwiseAbs().dot(node.own.half);
-  const double box = n.cwiseAbs().dot(node.own.half);
-  return {std::max(std::min(c * node.lower, c * node.upper) - beside, -box),
-          std::min(std::max(c * node.lower, c * node.upper) + beside, box)};
+// positive_until() of turns.
+Mask2 positive_until(Double2 f0, Double2 A, Double2 B, Double2 h) {
+  const Double2 leading = f0 - 2 * A, end = leading * h;
+  return (f0 > 0.0) & ((end + 2 * B) * h + f0 > 0.0) &
+         ((leading <= 0.0) | (B >= 0.0) | (-B >= end) | (B * B < f0 * leading));
 }
 
-double turn_until(const Approach& x, double horizon) {
-  if (!positive_until(grown_box(x), kRotation, horizon) &&
-      !positive_until(sphere_of_box(x), kRotation, horizon))
-    return 0;
-  return std::max(std::nextafter(horizon, kInfinity), box_until(x, kRotation));
+// The first double after x >= 0.
+double after(double x) { return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) + 1); }
+
+double turn_until(const Approaches& x, double horizon) {
+  const Double2 h = both(std::min(horizon, 1.0));
+  const Mask2 beside = x.gap > 0.0;
+  // As grown_box(), which mostly decides, and sphere_of_box().
+  Mask2 apart = beside & positive_until(x.gap, x.A + 0.41425 * x.radius, x.B - x.radius, h);
+  if (!any(apart)) apart = beside & positive_until(x.gap + x.extent - x.radius, x.A, x.B, h);
+  if (!any(apart)) return 0;
+  return std::max(after(horizon), box_until(x.of(apart[kFixed] ? kFixed : kMoving), kRotation));
 }
 
 }  // namespace
 
 NodeMotion::NodeMotion(const Motion& of_moving, const Motion& of_fixed, double margin)
     : m_kind(of_moving.kind), m_margin(margin) {
-  const auto side = [](const Motion& motion) {
-    const Vec3& v = motion.axis;
-    return Side{v, v.cwiseAbs().cwiseMax(1e-300).cwiseInverse()};
-  };
-  m_of_moving = side(of_moving);
-  m_of_fixed = side(of_fixed);
+  for (int k = 0; k < 3; ++k) {
+    m_direction[k] = Double2{of_moving.axis[k], of_fixed.axis[k]};
+    m_inverse_speed[k] = 1.0 / max(abs(m_direction[k]), both(1e-300));
+  }
 }
 
 double NodeMotion::apart_until(const PlacedNode& moving, const PlacedNode& fixed,
@@ -50,40 +59,32 @@ double NodeMotion::apart_until(const PlacedNode& moving, const PlacedNode& fixed
 
 double NodeMotion::sliding_until(const PlacedNode& moving, const PlacedNode& fixed,
                                  double horizon) const {
-  double leave = kInfinity;
-  double enter = boxes_slide(moving, fixed, m_of_moving, leave);
-  if (enter > horizon || enter > leave) return enter > leave ? kInfinity : enter;
-  enter = std::max(enter, boxes_slide(fixed, moving, m_of_fixed, leave));
-  if (enter > horizon || enter > leave) return enter > leave ? kInfinity : enter;
-  enter = std::max(enter, slab_slides(moving, fixed, m_of_moving));
-  if (enter > horizon) return enter;
-  return std::max(enter, slab_slides(fixed, moving, m_of_fixed));
-}
-
-double NodeMotion::boxes_slide(const PlacedNode& mover, const PlacedNode& still, const Side& side,
-                               double& leave) const {
-  double enter = 0;
+  Double2 enters = both(0), leaves = both(kInfinity);
   for (int k = 0; k < 3; ++k) {
-    const double reach = mover.other.half[k] + still.own.half[k] + m_margin;
-    const double d = mover.other.centre[k] - still.own.centre[k];
-    const double x = side.direction[k] < 0 ? -d : d;
-    enter = std::max(enter, (-reach - x) * side.inverse_speed[k]);
-    leave = std::min(leave, (reach - x) * side.inverse_speed[k]);
+    const Double2 reach = moving.half[k] + fixed.half[k] + m_margin;
+    const Double2 d = seen_from_still(moving.centre[k] - fixed.centre[k]);
+    const Double2 x = times_sign(d, m_direction[k]);
+    enters = max(enters, (-reach - x) * m_inverse_speed[k]);
+    leaves = min(leaves, (reach - x) * m_inverse_speed[k]);
   }
-  return enter;
+  const double enter = std::max(enters[0], enters[1]), leave = std::min(leaves[0], leaves[1]);
+  if (enter > leave) return kInfinity;
+  return enter > horizon ? enter : std::max(enter, slabs_slide(moving, fixed));
 }
 
-double NodeMotion::slab_slides(const PlacedNode& mover, const PlacedNode& still,
-                               const Side& side) const {
-  const Vec3& n = still.own.normal;
-  const Range of_mover = range_along(mover, still.other.normal);
-  const double along = n.dot(mover.other.centre - still.own.centre);
-  const double speed = n.dot(side.direction);
-  const double above = along + of_mover.lower - still.upper - m_margin;
-  if (above > 0) return speed < 0 ? above / -speed : kInfinity;
-  const double below = still.lower - of_mover.upper - along - m_margin;
-  if (below > 0) return speed > 0 ? below / speed : kInfinity;
-  return 0;
+double NodeMotion::slabs_slide(const PlacedNode& moving, const PlacedNode& fixed) const {
+  const SlabGaps gaps(moving, fixed);
+  const Double2 above = gaps.above - m_margin, below = gaps.below - m_margin;
+  const Double2 speed = dot(gaps.normal, m_direction);
+  double until = 0;
+  for (const int lane : {kFixed, kMoving}) {
+    const double v = speed[lane];
+    if (above[lane] > 0)
+      until = std::max(until, v < 0 ? above[lane] / -v : kInfinity);
+    else if (below[lane] > 0)
+      until = std::max(until, v > 0 ? below[lane] / v : kInfinity);
+  }
+  return until;
 }
 
 double NodeMotion::turning_until(const PlacedNode& moving, const PlacedNode& fixed,
@@ -92,41 +93,38 @@ double NodeMotion::turning_until(const PlacedNode& moving, const PlacedNode& fix
   const double reach = moving.radius + fixed.radius + m_margin;
   if (std::abs(moving.height + fixed.height) > reach || std::abs(moving.ring - fixed.ring) > reach)
     return kInfinity;
-  if (const double until = boxes_turn(moving, fixed, horizon); until > 0) return until;
-  if (const double until = boxes_turn(fixed, moving, horizon); until > 0) return until;
-  if (const double until = slab_turns(moving, fixed, horizon); until > 0) return until;
-  return slab_turns(fixed, moving, horizon);
+  const double until = boxes_turn(moving, fixed, horizon);
+  return until > 0 ? until : slabs_turn(moving, fixed, horizon);
 }
 
-double NodeMotion::boxes_turn(const PlacedNode& mover, const PlacedNode& still,
+double NodeMotion::boxes_turn(const PlacedNode& moving, const PlacedNode& fixed,
                               double horizon) const {
+  const Double2 radius{moving.radius, fixed.radius};
   for (int k = 0; k < 3; ++k) {
-    const double d = mover.other.centre[k] - still.own.centre[k], sign = d < 0 ? -1 : 1;
-    const double gap = std::abs(d) - mover.other.half[k] - still.own.half[k] - m_margin;
-    if (gap <= 0) continue;
-    const double until = turn_until({gap,
-                                     mover.other.half[k],
-                                     mover.radius,
-                                     {0, sign * mover.radial[k], sign * mover.tangent[k]}},
+    const Double2 d = moving.centre[k] - fixed.centre[k];
+    const Double2 gap = abs(d) - moving.half[k] - fixed.half[k] - m_margin;
+    if (!any(gap > 0.0)) continue;
+    const Double2 side = seen_from_still(d);
+    const Double2 radial{moving.radial[k], fixed.radial[k]};
+    const Double2 tangent{moving.tangent[k], fixed.tangent[k]};
+    const double until = turn_until({gap, others(moving.half[k], fixed.half[k]), radius,
+                                     times_sign(radial, side), times_sign(tangent, side)},
                                     horizon);
     if (until > 0) return until;
   }
   return 0;
 }
 
-double NodeMotion::slab_turns(const PlacedNode& mover, const PlacedNode& still,
+double NodeMotion::slabs_turn(const PlacedNode& moving, const PlacedNode& fixed,
                               double horizon) const {
-  const Vec3& n = still.own.normal;
-  const Range of_mover = range_along(mover, still.other.normal);
-  const double along = n.dot(mover.other.centre - still.own.centre);
-  const double above = along + of_mover.lower - still.upper - m_margin;
-  const double below = still.lower - of_mover.upper - along - m_margin;
-  if (above <= 0 && below <= 0) return 0;
-  const double sign = above > 0 ? 1 : -1;
-  return turn_until({std::max(above, below),
-                     above > 0 ? -of_mover.lower : of_mover.upper,
-                     mover.radius,
-                     {0, sign * n.dot(mover.radial), sign * n.dot(mover.tangent)}},
+  const SlabGaps gaps(moving, fixed);
+  const Double2 gap = max(gaps.above, gaps.below) - m_margin;
+  if (!any(gap > 0.0)) return 0;
+  const Double2 A = dot(gaps.normal, lanes(moving.radial, fixed.radial));
+  const Double2 B = dot(gaps.normal, lanes(moving.tangent, fixed.tangent));
+  const Mask2 is_above = gaps.above > m_margin;
+  return turn_until({gap, is_above ? -gaps.lower : gaps.upper, Double2{moving.radius, fixed.radius},
+                     is_above ? A : -A, is_above ? B : -B},
                     horizon);
 }
 

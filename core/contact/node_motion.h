@@ -6,7 +6,9 @@
 
 namespace trivet {
 
-/// Bounds of a pair of nodes, from boxes along the axes of both bodies and from slabs.
+/// Bounds of a pair of nodes, from boxes along the axes of both bodies and from slabs. Of
+/// everything that counts both ways, by the moving body and by the fixed one as seen from it, each
+/// has a lane.
 class NodeMotion {
  public:
   /// @param of_moving, of_fixed  motions of each body relative to the other one, in the frame of
@@ -18,21 +20,16 @@ class NodeMotion {
   double apart_until(const PlacedNode& moving, const PlacedNode& fixed, double horizon) const;
 
  private:
-  struct Side {  // one body stands still, the other one moves
-    Vec3 direction;
-    Vec3 inverse_speed;  // along each axis, of either sign
-  };
   double sliding_until(const PlacedNode& moving, const PlacedNode& fixed, double horizon) const;
   double turning_until(const PlacedNode& moving, const PlacedNode& fixed, double horizon) const;
-  double boxes_slide(const PlacedNode& mover, const PlacedNode& still, const Side& side,
-                     double& leave) const;
-  double slab_slides(const PlacedNode& mover, const PlacedNode& still, const Side& side) const;
-  double boxes_turn(const PlacedNode& mover, const PlacedNode& still, double horizon) const;
-  double slab_turns(const PlacedNode& mover, const PlacedNode& still, double horizon) const;
+  double slabs_slide(const PlacedNode& moving, const PlacedNode& fixed) const;
+  double boxes_turn(const PlacedNode& moving, const PlacedNode& fixed, double horizon) const;
+  double slabs_turn(const PlacedNode& moving, const PlacedNode& fixed, double horizon) const;
 
   Motion::Kind m_kind;
   double m_margin;
-  Side m_of_moving, m_of_fixed;
+  Vec3Lanes m_direction;      // of the body that is not at home in a frame
+  Vec3Lanes m_inverse_speed;  // along each axis, of either sign
 };
 
 }  // namespace trivet

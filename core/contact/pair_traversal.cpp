@@ -31,15 +31,11 @@ LeafInMotion::LeafInMotion(const Body& body, const BvhNode& leaf, const Motion& 
   }
 }
 
-PairFrames::PairFrames(const Body& moving, const Body& fixed_body, const Motion& motion)
-    : fixed(fixed_body),
-      fixed_from_moving(fixed.unit_from_world * moving.world_from_object.linear / moving.scale()),
-      origin_of_moving(fixed.point(moving.world_from_object.translation)),
-      of_moving(motion),
-      of_fixed(motion) {
-  const Mat3 moving_from_fixed = fixed_from_moving.transpose();
-  of_moving.axis = fixed.direction(motion.axis);
-  of_moving.centre = fixed.point(motion.centre);
+PairMotions::PairMotions(const PairFrames& frames, const Motion& motion)
+    : of_moving(motion), of_fixed(motion) {
+  const Mat3 moving_from_fixed = frames.fixed_from_moving.transpose();
+  of_moving.axis = frames.fixed.direction(motion.axis);
+  of_moving.centre = frames.fixed.point(motion.centre);
   of_fixed.axis = -(moving_from_fixed * of_moving.axis);
   of_fixed.centre = moving_from_fixed * of_moving.centre;
 }
@@ -52,17 +48,16 @@ PairTraversal::PairTraversal(const FirstContactQuery& query, Index moving, Index
       m_fixed(fixed),
       m_memory(memory),
       m_best(best),
-      m_frames(query.moving[moving], query.fixed[fixed], query.motion),
+      m_frames(query.moving[moving], query.fixed[fixed]),
+      m_motions(m_frames, query.motion),
       m_margin(margin(query, m_frames.origin_of_moving.cwiseAbs().maxCoeff() +
-                                 m_frames.of_moving.centre.cwiseAbs().maxCoeff())),
+                                 m_motions.of_moving.centre.cwiseAbs().maxCoeff())),
       m_world_margin(margin(query, std::max(query.moving[moving].world_box.max_abs_coordinate(),
                                             query.fixed[fixed].world_box.max_abs_coordinate()) +
                                        query.motion.centre.cwiseAbs().maxCoeff())),
-      m_a(query.moving[moving], m_frames.fixed_from_moving,
-          m_frames.fixed_from_moving.transpose() * m_frames.origin_of_moving, m_frames.of_moving),
-      m_b(query.fixed[fixed], m_frames.fixed_from_moving.transpose(), Vec3::Zero(),
-          m_frames.of_fixed),
-      m_nodes(m_frames.of_moving, m_frames.of_fixed, m_margin),
+      m_a(m_frames.moving_nodes(query.moving[moving], m_motions.of_moving)),
+      m_b(m_frames.fixed_nodes(query.fixed[fixed], m_motions.of_fixed)),
+      m_nodes(m_motions.of_moving, m_motions.of_fixed, m_margin),
       m_apart_until(m_nodes.apart_until({m_a, 0}, {m_b, 0}, query.motion.limit)) {
   if (m_apart_until <= query.motion.limit) m_waiting.push_back({m_apart_until, 0, 0, false});
 }
@@ -91,17 +86,17 @@ void PairTraversal::resume(const Waiting& pair) {
 // The leaf of one body and a node of the other are apart, by the leaf's tight box.
 bool PairTraversal::leaf_clear(const LeafBox& leaf, bool leaf_moves, const PlacedNode& node) const {
   if (!leaf.valid) return false;
-  const Vec3& centre = leaf_moves ? node.own.centre : node.other.centre;
-  const Vec3 x = centre - m_frames.of_moving.centre;
+  const Vec3 centre = node.centre_in(kFixed);
+  const Vec3 x = centre - m_motions.of_moving.centre;
   for (int k = 0; k < 3; ++k) {
     const double along = leaf.axis[k].dot(centre), above = along - leaf.upper[k];
     const double below = leaf.lower[k] - along;
     const double gap = std::max(above, below) - node.radius - m_margin;
     if (gap <= 0) continue;
     const Vec3 n = above > below ? leaf.axis[k] : Vec3(-leaf.axis[k]);
-    const HeightFunction f = leaf_moves ? height_over_moving_plane(gap, n, x, m_frames.of_moving)
-                                        : height_of_moving_point(gap, n, x, m_frames.of_moving);
-    if (positive_until(f, m_frames.of_moving.kind, horizon())) return true;
+    const HeightFunction f = leaf_moves ? height_over_moving_plane(gap, n, x, m_motions.of_moving)
+                                        : height_of_moving_point(gap, n, x, m_motions.of_moving);
+    if (positive_until(f, m_motions.of_moving.kind, horizon())) return true;
   }
   return false;
 }
@@ -126,7 +121,8 @@ PairTraversal::Next PairTraversal::next(Index a, Index b) {
   double until = m_nodes.apart_until(in_a, in_b, horizon());
   if (!hopeless(until) && leaves_clear(a, b, in_a, in_b))
     until = std::nextafter(horizon(), kInfinity);
-  const double gap = (in_a.other.centre - in_b.own.centre).norm() - in_a.radius - in_b.radius;
+  const double gap =
+      (in_a.centre_in(kFixed) - in_b.centre_in(kFixed)).norm() - in_a.radius - in_b.radius;
   return {until, gap, a, b};
 }
 

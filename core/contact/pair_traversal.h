@@ -30,15 +30,11 @@ struct TraversalMemory {
   OfBody moving, fixed;
 };
 
-/// A moving and a fixed body at time 0: frames of unit scale along the axes of each, both about the
-/// origin of the fixed one.
-struct PairFrames {
-  UnitFrame fixed;
-  Mat3 fixed_from_moving;
-  Vec3 origin_of_moving;       // in the fixed body's frame
-  Motion of_moving, of_fixed;  // of either relative to the other one, in the frame of that one
+/// Motions of either body relative to the other one, in the frame of that one.
+struct PairMotions {
+  Motion of_moving, of_fixed;
 
-  PairFrames(const Body& moving, const Body& fixed, const Motion& motion);
+  PairMotions(const PairFrames& frames, const Motion& motion);
 };
 
 /// One moving against one fixed body, in the frame of the fixed body (unit scale, its boxes are
@@ -91,6 +87,7 @@ class PairTraversal {
   TraversalMemory& m_memory;
   FirstContact& m_best;
   PairFrames m_frames;
+  PairMotions m_motions;
   double m_margin, m_world_margin;
   NodePlacer m_a, m_b;
   NodeMotion m_nodes;

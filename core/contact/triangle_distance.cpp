@@ -33,8 +33,7 @@ struct TriangleLanes {
       squared_edge[k] = squared_norm(edge[k]);
       inward[k] = cross(normal, edge[k]);
     }
-    Double2 longest = squared_edge[0];
-    for (int k = 1; k < 3; ++k) longest = longest < squared_edge[k] ? squared_edge[k] : longest;
+    const Double2 longest = max(max(squared_edge[0], squared_edge[1]), squared_edge[2]);
     squared_area = squared_area <= kSliver * longest * longest ? both(0) : squared_area;
   }
   // False if the foot of the perpendicular from x to the plane is inside.
@@ -132,7 +131,7 @@ template <int kLane>
 SegmentLanes edges(const TriangleLanes& f, int k, int l) {
   const auto pick = [](Double2 x, Double2 y) { return Double2{x[kLane], y[kLane]}; };
   const auto pick_vec = [&](const Vec3Lanes& x, const Vec3Lanes& y) {
-    return Vec3Lanes{pick(x.x, y.x), pick(x.y, y.y), pick(x.z, y.z)};
+    return Vec3Lanes{pick(x[0], y[0]), pick(x[1], y[1]), pick(x[2], y[2])};
   };
   return {pick_vec(f.p[k], f.p[l]), pick_vec(f.edge[k], f.edge[l]),
           pick(f.squared_edge[k], f.squared_edge[l])};
@@ -147,7 +146,7 @@ struct SegmentPointsLanes {
 // for the lesser of two variables, but takes four if one is a constant. The bits are the same: what
 // is above y has a ratio of at least 1 when rounded, and y / y is 1.
 Double2 clamped_ratio(Double2 x, Double2 y) {
-  const Double2 ratio = (y < x ? y : x) / y;
+  const Double2 ratio = min(x, y) / y;
   return ratio < 0.0 ? both(0) : ratio;
 }
 

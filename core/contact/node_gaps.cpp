@@ -1,0 +1,21 @@
+#include "core/contact/node_gaps.h"
+
+namespace trivet {
+
+// What moves reaches, along the part of the normal in its own slab's normal, as far as its slab,
+// along the rest as its box. This is computed in its own frame, which is the other lane.
+SlabGaps::SlabGaps(const PlacedNode& moving, const PlacedNode& fixed)
+    : normal(own(moving.normal, fixed.normal)) {
+  const Vec3Lanes theirs = others(moving.normal, fixed.normal), half = own(moving.half, fixed.half);
+  const Double2 c = dot(theirs, normal);
+  const Double2 beside = dot(abs(theirs - c * normal), half), box = dot(abs(theirs), half);
+  const Double2 slab_lower{fixed.lower, moving.lower}, slab_upper{fixed.upper, moving.upper};
+  const Double2 low = c * slab_lower, high = c * slab_upper;
+  lower = swapped(max(min(low, high) - beside, -box));
+  upper = swapped(min(max(low, high) + beside, box));
+  const Double2 along = seen_from_still(dot(normal, moving.centre - fixed.centre));
+  above = along + lower - slab_upper;
+  below = slab_lower - upper - along;
+}
+
+}  // namespace trivet

@@ -1,0 +1,54 @@
+// How far two nodes are apart at time 0, by their boxes and slabs. Private.
+#pragma once
+
+#include "core/contact/placed_node.h"
+
+namespace trivet {
+
+// Of everything that counts both ways, by the moving body and by the fixed one as seen from it,
+// each has a lane. Lane kFixed: the moving body moves in the frame of the fixed one, which stands
+// still; lane kMoving: the other way about.
+
+/// Of each body what the other one's frame sees, by the lane of that frame.
+inline Double2 others(Double2 of_moving, Double2 of_fixed) {
+  return Double2{of_moving[kFixed], of_fixed[kMoving]};
+}
+inline Vec3Lanes others(const Vec3Lanes& of_moving, const Vec3Lanes& of_fixed) {
+  return {others(of_moving[0], of_fixed[0]), others(of_moving[1], of_fixed[1]),
+          others(of_moving[2], of_fixed[2])};
+}
+/// Of each body what its own frame sees.
+inline Double2 own(Double2 of_moving, Double2 of_fixed) {
+  return Double2{of_fixed[kFixed], of_moving[kMoving]};
+}
+inline Vec3Lanes own(const Vec3Lanes& of_moving, const Vec3Lanes& of_fixed) {
+  return {own(of_moving[0], of_fixed[0]), own(of_moving[1], of_fixed[1]),
+          own(of_moving[2], of_fixed[2])};
+}
+/// What points from the fixed to the moving body, from what stands still to what moves.
+inline Double2 seen_from_still(Double2 x) { return times_sign(x, Double2{1, -1}); }
+
+/// True if they are farther apart than `reach` along an axis of either body.
+inline bool boxes_apart(const PlacedNode& moving, const PlacedNode& fixed, double reach) {
+  Mask2 apart{0, 0};
+  for (int k = 0; k < 3; ++k)
+    apart |= abs(moving.centre[k] - fixed.centre[k]) - moving.half[k] - fixed.half[k] > reach;
+  return any(apart);
+}
+
+/// Along the normal of the slab of the node that stands still.
+struct SlabGaps {
+  Double2 above, below;  // from the slab to what moves; negative: they overlap
+  Double2 lower, upper;  // of what moves, about its centre
+  Vec3Lanes normal;      // of the slab
+
+  SlabGaps(const PlacedNode& moving, const PlacedNode& fixed);
+};
+
+/// True if they are farther apart than `reach` along the normal of either slab.
+inline bool slabs_apart(const PlacedNode& moving, const PlacedNode& fixed, double reach) {
+  const SlabGaps gaps(moving, fixed);
+  return any((gaps.above > reach) | (gaps.below > reach));
+}
+
+}  // namespace trivet
