@@ -7,6 +7,7 @@
 
 #include "core/contact/floor_traversal.h"
 #include "core/contact/pair_traversal.h"
+#include "core/contact/separating_planes.h"
 
 namespace trivet {
 namespace {
@@ -77,6 +78,7 @@ class Search {
   const FirstContactQuery& m_query;
   FirstContact m_best;
   std::vector<FloorTraversal> m_floors;
+  const SeparatingPlanes m_planes;  // later parts of the motion meet faces again
   TraversalMemory& m_memory = memory_of_thread<TraversalMemory>();
   std::vector<PairTraversal> m_pairs;
   std::vector<Index> m_order;  // nearest first

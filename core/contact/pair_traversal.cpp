@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/contact/separating_planes.h"
+
 namespace trivet {
 namespace {
 
@@ -168,11 +170,20 @@ void PairTraversal::try_leaves(Index ia, Index ib) {
   wait({apart_until, ia, ib, true});
 }
 
-// @return time until which they are apart. The plane between them may separate others, too.
+// @return time until which they are apart. The plane between them may separate others, too, and the
+// same faces in the next motion.
 double PairTraversal::decide(const LeafFaces& a, size_t i, const LeafFaces& b, size_t j) {
+  if (const Vec3* n = SeparatingPlanes::find(a.face[i], b.face[j]))
+    if (const double until =
+            apart_by_plane({&a.corners[i], 1}, {&b.corners[j], 1}, *n, m_query.motion,
+                           m_query.clearance.largest_stop(), horizon());
+        until > 0)
+      return until;
   const DecidedPair found = decide_faces(m_part, m_moving, m_fixed, a.face[i], b.face[j],
                                          a.corners[i], b.corners[j], m_best);
-  if (found.normal != Vec3::Zero()) m_plane = found.normal;
+  if (found.normal == Vec3::Zero()) return found.apart_until;
+  m_plane = found.normal;
+  if (hopeless(found.apart_until)) SeparatingPlanes::remember(a.face[i], b.face[j], found.normal);
   return found.apart_until;
 }
 

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "core/contact/first_contact.h"
+#include "core/contact/separating_planes.h"
 #include "support/effort.h"
 #include "support/random_queries.h"
 
@@ -100,6 +101,37 @@ TEST(FirstContact, EqualsBruteForceForGroupsOverFloor) {
   EXPECT_LT(all.crossing_percent(), 25);
   EXPECT_GT(num_floor, 0.02 * all.total);
   EXPECT_GT(num_later_body, 0.02 * all.total);
+}
+
+// Faces of several bodies share numbers, so that planes of other pairs are tried, too.
+TEST(FirstContact, RemembersPlanesWithTheSameAnswers) {
+  constexpr unsigned kSeed = 20261125;
+  const int num_queries = test::with_effort(2000);
+  const test::MeshPool pool(kSeed, 12);
+  std::int64_t num_before = 0, num_again = 0;
+  for (int i = 0; i < num_queries; ++i) {
+    RandomQuery q = test::random_group_query(pool, kSeed, i);
+    const FirstContact before = q.fast();
+    {
+      const SeparatingPlanes planes;
+      const FirstContact first = q.fast();
+      const SeparatingPlanes inner;  // leaves all to the first one
+      const FirstContact again = q.fast();
+      EXPECT_TRUE(test::same_answer(first, before)) << i << q.describe();
+      EXPECT_TRUE(test::same_answer(again, before)) << i << q.describe();
+      // A query without any begins with none.
+      EXPECT_EQ(first.work.face_pairs, before.work.face_pairs);
+      num_before += first.work.face_pairs;
+      num_again += again.work.face_pairs;
+      if (before.status == Status::Contact) {
+        q.advance(0.5 * before.time);
+        if (!agree(q, q.fast(), kSeed, i)) break;
+      }
+    }
+  }
+  std::printf("  %lld pairs of faces, %lld with the planes of the first time\n",
+              static_cast<long long>(num_before), static_cast<long long>(num_again));
+  EXPECT_LT(num_again, 0.8 * num_before);
 }
 
 }  // namespace
