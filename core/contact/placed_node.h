@@ -10,7 +10,7 @@
 namespace trivet {
 
 /// The two bodies of a pair; of lanes, the frame of either.
-enum PairSide { kFixed, kMoving };
+inline constexpr int kFixed = 0, kMoving = 1;
 
 /// A node's box and slab as both bodies see them at time 0. The frames share their origin; in the
 /// frame of its own body a node stands still, in that of the other body it moves.
@@ -25,7 +25,7 @@ struct PlacedNode {
 
   PlacedNode(const class NodePlacer& placer, Index node);
 
-  Vec3 centre_in(PairSide frame) const { return lane(centre, frame); }
+  Vec3 centre_in(int frame) const { return lane(centre, frame); }
 };
 
 /// Places the nodes of one body's tree.
@@ -34,7 +34,7 @@ class NodePlacer {
   /// @param side  which of the two bodies it is. @param other_from_own  rotation. @param own_origin
   ///   of the tree, in the body's own frame. @param motion  of the body relative to the other one,
   ///   in the other one's frame.
-  NodePlacer(const Body& body, PairSide side, const Mat3& other_from_own, const Vec3& own_origin,
+  NodePlacer(const Body& body, int side, const Mat3& other_from_own, const Vec3& own_origin,
              const Motion& motion)
       : m_bvh(body.shape->bvh()),
         m_side(side),
@@ -51,7 +51,7 @@ class NodePlacer {
   Vec3Lanes in_both(const Vec3& own, const Vec3& other) const;
 
   const Bvh& m_bvh;
-  PairSide m_side;
+  int m_side;
   double m_scale;
   Mat3 m_turn, m_abs_turn;
   Vec3 m_origin;

@@ -52,11 +52,12 @@ std::array<Vec3, 2> tangents(const Vec3& n) {
 
 // No libm: the diagonals are written down.
 std::array<Vec3, 8> friction_pyramid(const Vec3& n, double friction) {
-  constexpr double d = 0.70710678118654752;
+  constexpr double kDiagonal = 0.70710678118654752;
   const auto [u, v] = tangents(n);
-  return {n + friction * u,           n + friction * d * (u + v), n + friction * v,
-          n + friction * d * (v - u), n - friction * u,           n - friction * d * (u + v),
-          n - friction * v,           n + friction * d * (u - v)};
+  return {n + friction * u, n + friction * kDiagonal * (u + v),
+          n + friction * v, n + friction * kDiagonal * (v - u),
+          n - friction * u, n - friction * kDiagonal * (u + v),
+          n - friction * v, n + friction * kDiagonal * (u - v)};
 }
 
 int LinearProgram::add_row(double lower, double upper) {

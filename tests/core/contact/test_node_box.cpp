@@ -73,16 +73,16 @@ struct PlacedPair {
       1e-13 * (frames.origin_of_moving.norm() + moving.world_box.half_extent().norm() +
                fixed.world_box.half_extent().norm());
 
-  Vec3 in(PairSide frame, const Vec3& world) const {
+  Vec3 in(int frame, const Vec3& world) const {
     const Vec3 p = frames.fixed.point(world);
     return frame == kFixed ? p : Vec3(frames.fixed_from_moving.transpose() * p);
   }
 };
 
-void expect_holds(const PlacedPair& pair, const PlacedNode& node, PairSide own,
+void expect_holds(const PlacedPair& pair, const PlacedNode& node, int own,
                   const std::vector<Vec3>& vertices) {
   for (const Vec3& v : vertices) {
-    for (const PairSide frame : {kFixed, kMoving}) {
+    for (const int frame : {kFixed, kMoving}) {
       const Vec3 d = pair.in(frame, v) - node.centre_in(frame);
       EXPECT_LE((d.cwiseAbs() - lane(node.half, frame)).maxCoeff(), pair.rounding);
       EXPECT_LE(d.norm(), node.radius + pair.rounding);
@@ -135,7 +135,7 @@ TEST(NodeGaps, AreAtMostThoseOfTheFaces) {
       const SlabGaps gaps(moving, fixed);
       std::vector<Vec3> points_a = vertices_of_leaf(pair.moving, pair.moving_nodes.bvh().nodes[a]);
       std::vector<Vec3> points_b = vertices_of_leaf(pair.fixed, pair.fixed_nodes.bvh().nodes[b]);
-      for (const PairSide still : {kFixed, kMoving}) {
+      for (const int still : {kFixed, kMoving}) {
         std::vector<Vec3> here_a, here_b;
         for (const Vec3& p : points_a) here_a.push_back(pair.in(still, p));
         for (const Vec3& p : points_b) here_b.push_back(pair.in(still, p));

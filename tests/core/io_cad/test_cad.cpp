@@ -68,7 +68,8 @@ double distance(const Vec3& p, const Triangle& t) {
   bool inside = true;
   double least = kInfinity;
   for (int k = 0; k < 3; ++k) {
-    const Vec3 a = t[k], d = t[(k + 1) % 3] - a;
+    const Vec3& a = t[k];
+    const Vec3 d = t[(k + 1) % 3] - a;
     const double u = std::clamp(d.dot(p - a) / d.squaredNorm(), 0.0, 1.0);
     least = std::min(least, (a + u * d - p).norm());
     inside &= n.dot(d.cross(p - a)) >= 0;

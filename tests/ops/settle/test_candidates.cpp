@@ -21,6 +21,15 @@ double drop_of(const Candidate& c, const Vec3& centre) {
   return centre.z() - moved_point(centre, c.motion, c.motion.limit).z();
 }
 
+// Their normals point upwards, the more the larger `up` is.
+std::vector<ContactPoint> random_contacts(test::Random& random, int number, double up) {
+  std::vector<ContactPoint> out;
+  out.reserve(number);
+  for (int k = 0; k < number; ++k)
+    out.push_back(contact(random.in_cube(1), random.direction() + up * Vec3::UnitZ()));
+  return out;
+}
+
 TEST(GaussCandidates, FallWithoutContact) {
   const auto found = gauss_candidates({}, object_at({0, 0, 1}), 7);
   ASSERT_EQ(found.size(), 1u);
@@ -90,10 +99,7 @@ TEST(GaussCandidates, AreOrderedAndPressIntoNoContact) {
   test::Random random(1);
   int num_candidates = 0;
   for (int i = 0; i < 500; ++i) {
-    std::vector<ContactPoint> contacts;
-    const int n = random.integer(1, 8);
-    for (int k = 0; k < n; ++k)
-      contacts.push_back(contact(random.in_cube(1), random.direction() + 0.7 * Vec3::UnitZ()));
+    const auto contacts = random_contacts(random, random.integer(1, 8), 0.7);
     const SettlingObject object = object_at(random.in_cube(0.5));
     double gain = kInfinity;
     for (const Candidate& c : gauss_candidates(contacts, object, 7)) {
@@ -116,9 +122,7 @@ TEST(GaussCandidates, AreOrderedAndPressIntoNoContact) {
 
 TEST(GaussCandidates, StayFewForManyContacts) {
   test::Random random(2);
-  std::vector<ContactPoint> contacts;
-  for (int k = 0; k < 2000; ++k)
-    contacts.push_back(contact(random.in_cube(1), random.direction() + 0.3 * Vec3::UnitZ()));
+  const auto contacts = random_contacts(random, 2000, 0.3);
   EXPECT_LE(gauss_candidates(contacts, object_at({0, 0, 0}), 7).size(), 16u);
 }
 
@@ -126,10 +130,7 @@ TEST(LastResorts, LowerCentreAndSeparateOtherContacts) {
   test::Random random(3);
   int num_candidates = 0;
   for (int i = 0; i < 500; ++i) {
-    std::vector<ContactPoint> contacts;
-    const int n = random.integer(2, 6);
-    for (int k = 0; k < n; ++k)
-      contacts.push_back(contact(random.in_cube(1), random.direction() + 0.7 * Vec3::UnitZ()));
+    const auto contacts = random_contacts(random, random.integer(2, 6), 0.7);
     const SettlingObject object = object_at(random.in_cube(0.5));
     for (const Candidate& c : last_resorts(contacts, object)) {
       ++num_candidates;
