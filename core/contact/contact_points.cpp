@@ -12,7 +12,7 @@
 #include "core/contact/contact_memory.h"
 #include "core/contact/dips.h"
 #include "core/contact/flush_faces.h"
-#include "core/contact/leaf_box.h"
+#include "core/contact/leaf_faces.h"
 #include "core/contact/node_gaps.h"
 #include "core/contact/pair_numbers.h"
 #include "core/contact/recent_nodes.h"
@@ -92,7 +92,6 @@ struct BoxedFaces : LeafFaces {
 struct SearchMemory {
   struct OfBody {
     RecentNodes<PlacedNode, 256> nodes;
-    RecentNodes<LeafBox, 128> boxes;
     RecentNodes<BoxedFaces, 64> faces;
   };
   OfBody object, support;
@@ -140,19 +139,10 @@ class ContactSearch {
     return m_memory.support.nodes.get(m_search, b, m_support_nodes, b);
   }
 
-  // The leaf of one body and a node of the other are apart, by the leaf's tight box.
-  bool leaf_clear(SearchMemory::OfBody& of_leaf, const Body& body, Index leaf, const BvhNode& node,
-                  const PlacedNode& other) {
-    const LeafBox& box = of_leaf.boxes.get(m_search, leaf, body, node, m_frames.fixed);
-    return box.valid && box.gap(other.centre_in(kFixed), other.radius) > m_reach;
-  }
-
   void visit(Index ia, Index ib) {
     const PlacedNode &in_a = node_a(ia), &in_b = node_b(ib);
     if (boxes_apart(in_a, in_b, m_node_reach) || slabs_apart(in_a, in_b, m_node_reach)) return;
     const BvhNode &a = m_object_nodes.bvh().nodes[ia], &b = m_support_nodes.bvh().nodes[ib];
-    if (a.is_leaf() && leaf_clear(m_memory.object, m_object, ia, a, in_b)) return;
-    if (b.is_leaf() && leaf_clear(m_memory.support, m_support, ib, b, in_a)) return;
     if (a.is_leaf() && b.is_leaf()) return try_leaves(ia, ib);
     if (!a.is_leaf() && (b.is_leaf() || in_a.radius > in_b.radius)) {
       visit(ia + 1, ib);

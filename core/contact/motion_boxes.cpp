@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/contact/leaf_box.h"
+#include "core/contact/leaf_faces.h"
 
 namespace trivet {
 namespace {

@@ -85,44 +85,11 @@ void PairTraversal::resume(const Waiting& pair) {
   visit(n.a, n.b);
 }
 
-// The leaf of one body and a node of the other are apart, by the leaf's tight box.
-bool PairTraversal::leaf_clear(const LeafBox& leaf, bool leaf_moves, const PlacedNode& node) const {
-  if (!leaf.valid) return false;
-  const Vec3 centre = node.centre_in(kFixed);
-  const Vec3 x = centre - m_motions.of_moving.centre;
-  for (int k = 0; k < 3; ++k) {
-    const double along = leaf.axis[k].dot(centre), above = along - leaf.upper[k];
-    const double below = leaf.lower[k] - along;
-    const double gap = std::max(above, below) - node.radius - m_margin;
-    if (gap <= 0) continue;
-    const Vec3 n = above > below ? leaf.axis[k] : Vec3(-leaf.axis[k]);
-    const HeightFunction f = leaf_moves ? height_over_moving_plane(gap, n, x, m_motions.of_moving)
-                                        : height_of_moving_point(gap, n, x, m_motions.of_moving);
-    if (positive_until(f, m_motions.of_moving.kind, horizon())) return true;
-  }
-  return false;
-}
-
-bool PairTraversal::leaves_clear(Index a, Index b, const PlacedNode& in_a, const PlacedNode& in_b) {
-  const BvhNode &node_of_a = m_a.bvh().nodes[a], &node_of_b = m_b.bvh().nodes[b];
-  if (node_of_a.is_leaf() &&
-      leaf_clear(m_memory.moving.boxes.get(m_search, a, m_query.moving[m_moving], node_of_a,
-                                           m_frames.fixed),
-                 true, in_b))
-    return true;
-  return node_of_b.is_leaf() &&
-         leaf_clear(m_memory.fixed.boxes.get(m_search, b, m_query.fixed[m_fixed], node_of_b,
-                                             m_frames.fixed),
-                    false, in_a);
-}
-
 // The bound of a pair of nodes.
 PairTraversal::Next PairTraversal::next(Index a, Index b) {
   ++m_best.work.node_pairs;
   const PlacedNode &in_a = node_a(a), &in_b = node_b(b);
-  double until = m_nodes.apart_until(in_a, in_b, horizon());
-  if (!hopeless(until) && leaves_clear(a, b, in_a, in_b))
-    until = std::nextafter(horizon(), kInfinity);
+  const double until = m_nodes.apart_until(in_a, in_b, horizon());
   const double gap =
       (in_a.centre_in(kFixed) - in_b.centre_in(kFixed)).norm() - in_a.radius - in_b.radius;
   return {until, gap, a, b};

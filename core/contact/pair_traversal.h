@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/contact/decide.h"
-#include "core/contact/leaf_box.h"
+#include "core/contact/leaf_faces.h"
 #include "core/contact/node_motion.h"
 #include "core/contact/recent_nodes.h"
 
@@ -25,7 +25,6 @@ struct TraversalMemory {
   struct OfBody {
     RecentNodes<PlacedNode, 256> nodes;
     RecentNodes<LeafInMotion, 64> faces;
-    RecentNodes<LeafBox, 128> boxes;
   };
   OfBody moving, fixed;
 };
@@ -59,7 +58,6 @@ class PairTraversal {
 
   void wait(const Waiting& pair);
   void resume(const Waiting& pair);
-  bool leaf_clear(const LeafBox& leaf, bool leaf_moves, const PlacedNode& node) const;
 
   // Later contacts do not matter.
   double horizon() const { return std::min(m_best.time, m_part.motion.limit); }
@@ -74,7 +72,6 @@ class PairTraversal {
   const PlacedNode& node_a(Index a) { return m_memory.moving.nodes.get(m_search, a, m_a, a); }
   const PlacedNode& node_b(Index b) { return m_memory.fixed.nodes.get(m_search, b, m_b, b); }
   Next next(Index a, Index b);
-  bool leaves_clear(Index a, Index b, const PlacedNode& node_a, const PlacedNode& node_b);
   void visit(Index ia, Index ib);
   void try_leaves(Index ia, Index ib);
   double decide(const LeafFaces& a, size_t i, const LeafFaces& b, size_t j);

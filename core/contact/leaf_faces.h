@@ -1,4 +1,4 @@
-// Faces of a leaf, and boxes about faces: axis-aligned, and the tight one of a leaf.
+// Faces of a leaf of a BVH, in the world.
 #pragma once
 
 #include <algorithm>
@@ -38,19 +38,6 @@ struct LeafFaces {
       }
     return {low, high};
   }
-};
-
-/// Along the normal of the leaf's first face, its longest edge, and across both. A large tilted
-/// triangle has a useless axis-aligned box; this one has no thickness.
-struct LeafBox {
-  std::array<Vec3, 3> axis;            // unit, in the frame given
-  std::array<double, 3> lower, upper;  // extents along the axes
-  bool valid = false;                  // false for a face without area
-
-  LeafBox(const Body& body, const BvhNode& leaf, const UnitFrame& frame);
-
-  /// @return a lower bound of the distance to a sphere, in the same frame; negative: they may meet.
-  double gap(const Vec3& centre, double radius) const;
 };
 
 }  // namespace trivet
