@@ -16,9 +16,10 @@ struct Approach {
 };
 
 /// A turning box stays within two bounds: itself grown by the chord 2 sin(angle / 2) times the
-/// radius (for s <= 1 that chord is at most 2 s + 0.8285 s^2, over 1 + s^2), and its sphere.
+/// radius (for s <= 1 that chord is at most 2 s + 2 kBend s^2, over 1 + s^2), and its sphere.
+inline constexpr double kBend = 0.41425;
 inline HeightFunction grown_box(const Approach& x) {
-  return {x.gap, x.centre.A + 0.41425 * x.radius, x.centre.B - x.radius};
+  return {x.gap, x.centre.A + kBend * x.radius, x.centre.B - x.radius};
 }
 inline HeightFunction sphere_of_box(const Approach& x) {
   return {x.gap + x.extent - x.radius, x.centre.A, x.centre.B};

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cassert>
+#include <optional>
 #include <tuple>
 #include <utility>
 
 #include "core/contact/floor_traversal.h"
 #include "core/contact/pair_traversal.h"
-#include "core/contact/separating_planes.h"
 
 namespace trivet {
 namespace {
@@ -21,7 +21,8 @@ constexpr double kLeastPart = 16;  // clearances that something moves in the fir
 /// All moving against all fixed bodies and the floor.
 class Search {
  public:
-  explicit Search(const FirstContactQuery& query) : m_query(query) {
+  explicit Search(const FirstContactQuery& query)
+      : m_query(query), m_planes(query.planes ? *query.planes : m_own_planes.emplace()) {
     for (Index m = 0; m < static_cast<Index>(query.moving.size()); ++m) {
       if (!query.moving[m].shape->has_faces()) continue;
       if (query.floor) m_floors.emplace_back(query, m, m_best);
@@ -49,7 +50,7 @@ class Search {
 
  private:
   void add_pair(Index moving, Index fixed) {
-    PairTraversal pair(m_query, moving, fixed, m_memory, m_best);
+    PairTraversal pair(m_query, moving, fixed, m_memory, m_planes, m_best);
     if (pair.apart_until() > m_query.motion.limit) return;
     m_order.push_back(static_cast<Index>(m_pairs.size()));
     m_pairs.push_back(std::move(pair));
@@ -78,7 +79,8 @@ class Search {
   const FirstContactQuery& m_query;
   FirstContact m_best;
   std::vector<FloorTraversal> m_floors;
-  const SeparatingPlanes m_planes;  // later parts of the motion meet faces again
+  std::optional<SeparatingPlanes> m_own_planes;  // later parts of the motion meet faces again
+  SeparatingPlanes& m_planes;
   TraversalMemory& m_memory = memory_of_thread<TraversalMemory>();
   std::vector<PairTraversal> m_pairs;
   std::vector<Index> m_order;  // nearest first

@@ -5,6 +5,7 @@
 
 #include "core/contact/body.h"
 #include "core/contact/pair_contact.h"
+#include "core/contact/separating_planes.h"
 
 namespace trivet {
 
@@ -14,9 +15,10 @@ struct FirstContactQuery {
   bool floor = false;  // the half space z <= 0 is fixed, too
   Motion motion;
   Clearance clearance;
+  SeparatingPlanes* planes = nullptr;  // of earlier queries, and for later ones; null: none
 };
 
-/// Cost of a query, in pairs of boxes and faces.
+/// Cost of a query, in pairs of boxes and faces. Of faces it depends on FirstContactQuery::planes.
 struct QueryWork {
   std::int64_t node_pairs = 0, face_pairs = 0;
   std::int64_t stalled_pairs = 0;  // of face_pairs: gave up, see PairContact::Status::Stalled

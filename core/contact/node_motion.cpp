@@ -11,7 +11,7 @@ namespace {
 
 constexpr auto kRotation = Motion::Kind::Rotation;
 
-/// An Approach of each body, by the body that moves.
+/// An Approach of each body, in the lane of the frame that it moves in: see node_gaps.h.
 struct Approaches {
   Double2 gap, extent, radius;
   Double2 A, B;  // of the centre
@@ -28,14 +28,14 @@ Mask2 positive_until(Double2 f0, Double2 A, Double2 B, Double2 h) {
          ((leading <= 0.0) | (B >= 0.0) | (-B >= end) | (B * B < f0 * leading));
 }
 
-// The first double after x >= 0.
+// The first double after a finite x, which is +0 or more.
 double after(double x) { return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) + 1); }
 
 double turn_until(const Approaches& x, double horizon) {
   const Double2 h = both(std::min(horizon, 1.0));
   const Mask2 beside = x.gap > 0.0;
   // As grown_box(), which mostly decides, and sphere_of_box().
-  Mask2 apart = beside & positive_until(x.gap, x.A + 0.41425 * x.radius, x.B - x.radius, h);
+  Mask2 apart = beside & positive_until(x.gap, x.A + kBend * x.radius, x.B - x.radius, h);
   if (!any(apart)) apart = beside & positive_until(x.gap + x.extent - x.radius, x.A, x.B, h);
   if (!any(apart)) return 0;
   return std::max(after(horizon), box_until(x.of(apart[kFixed] ? kFixed : kMoving), kRotation));

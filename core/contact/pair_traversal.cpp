@@ -4,8 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "core/contact/separating_planes.h"
-
 namespace trivet {
 namespace {
 
@@ -43,12 +41,13 @@ PairMotions::PairMotions(const PairFrames& frames, const Motion& motion)
 }
 
 PairTraversal::PairTraversal(const FirstContactQuery& query, Index moving, Index fixed,
-                             TraversalMemory& memory, FirstContact& best)
+                             TraversalMemory& memory, SeparatingPlanes& planes, FirstContact& best)
     : m_query(query),
       m_part(query),
       m_moving(moving),
       m_fixed(fixed),
       m_memory(memory),
+      m_planes(planes),
       m_best(best),
       m_frames(query.moving[moving], query.fixed[fixed]),
       m_motions(m_frames, query.motion),
@@ -140,7 +139,7 @@ void PairTraversal::try_leaves(Index ia, Index ib) {
 // @return time until which they are apart. The plane between them may separate others, too, and the
 // same faces in the next motion.
 double PairTraversal::decide(const LeafFaces& a, size_t i, const LeafFaces& b, size_t j) {
-  if (const Vec3* n = SeparatingPlanes::find(a.face[i], b.face[j]))
+  if (const Vec3* n = m_planes.find(a.face[i], b.face[j]))
     if (const double until =
             apart_by_plane({&a.corners[i], 1}, {&b.corners[j], 1}, *n, m_query.motion,
                            m_query.clearance.largest_stop(), horizon());
@@ -150,7 +149,7 @@ double PairTraversal::decide(const LeafFaces& a, size_t i, const LeafFaces& b, s
                                          a.corners[i], b.corners[j], m_best);
   if (found.normal == Vec3::Zero()) return found.apart_until;
   m_plane = found.normal;
-  if (hopeless(found.apart_until)) SeparatingPlanes::remember(a.face[i], b.face[j], found.normal);
+  if (hopeless(found.apart_until)) m_planes.remember(a.face[i], b.face[j], found.normal);
   return found.apart_until;
 }
 

@@ -41,7 +41,7 @@ struct PairMotions {
 class PairTraversal {
  public:
   PairTraversal(const FirstContactQuery& query, Index moving, Index fixed, TraversalMemory& memory,
-                FirstContact& best);
+                SeparatingPlanes& planes, FirstContact& best);
 
   double apart_until() const { return m_apart_until; }
 
@@ -82,6 +82,7 @@ class PairTraversal {
   Index m_moving, m_fixed;
   std::uint64_t m_search = new_search();
   TraversalMemory& m_memory;
+  SeparatingPlanes& m_planes;
   FirstContact& m_best;
   PairFrames m_frames;
   PairMotions m_motions;

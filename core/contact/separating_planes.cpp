@@ -2,20 +2,18 @@
 
 #include <array>
 #include <cstdint>
-#include <memory>
+#include <vector>
 
 namespace trivet {
-namespace {
 
-/// A table in which newer planes take the place of older ones, cleared by counting on.
-struct Table {
+/// Newer planes take the place of older ones. Cleared by counting on.
+struct SeparatingPlanes::Table {
   struct Slot {
-    std::uint64_t owner = 0;
+    std::uint64_t use = 0;
     Index face_moving, face_fixed;
     Vec3 normal;
   };
-  std::uint64_t owner = 0;
-  bool is_in_use = false;
+  std::uint64_t use = 0;
   std::array<Slot, 2048> slots;
 
   Slot& slot(Index face_moving, Index face_fixed) {
@@ -23,37 +21,39 @@ struct Table {
                        static_cast<std::uint32_t>(face_fixed) * 2246822519u;
     return slots[(mixed >> 16) % slots.size()];
   }
+  /// Those of this thread that nobody uses: making one takes as long as a small query.
+  static std::vector<std::unique_ptr<Table>>& unused() {
+    thread_local std::vector<std::unique_ptr<Table>> tables;
+    return tables;
+  }
 };
 
-Table& table() {
-  thread_local const std::unique_ptr<Table> table = std::make_unique<Table>();
-  return *table;
-}
-
-}  // namespace
-
-SeparatingPlanes::SeparatingPlanes() : m_is_first(!table().is_in_use) {
-  if (!m_is_first) return;
-  table().is_in_use = true;
-  ++table().owner;
+SeparatingPlanes::SeparatingPlanes() {
+  auto& unused = Table::unused();
+  if (unused.empty()) {
+    m_table = std::make_unique<Table>();
+  } else {
+    m_table = std::move(unused.back());
+    unused.pop_back();
+  }
+  ++m_table->use;
 }
 
 SeparatingPlanes::~SeparatingPlanes() {
-  if (m_is_first) table().is_in_use = false;
+  constexpr size_t kMostKept = 2;
+  auto& unused = Table::unused();
+  if (unused.size() < kMostKept) unused.push_back(std::move(m_table));
 }
 
-const Vec3* SeparatingPlanes::find(Index face_moving, Index face_fixed) {
-  Table& t = table();
-  if (!t.is_in_use) return nullptr;
-  const Table::Slot& slot = t.slot(face_moving, face_fixed);
+const Vec3* SeparatingPlanes::find(Index face_moving, Index face_fixed) const {
+  const Table::Slot& slot = m_table->slot(face_moving, face_fixed);
   const bool found =
-      slot.owner == t.owner && slot.face_moving == face_moving && slot.face_fixed == face_fixed;
+      slot.use == m_table->use && slot.face_moving == face_moving && slot.face_fixed == face_fixed;
   return found ? &slot.normal : nullptr;
 }
 
 void SeparatingPlanes::remember(Index face_moving, Index face_fixed, const Vec3& normal) {
-  Table& t = table();
-  if (t.is_in_use) t.slot(face_moving, face_fixed) = {t.owner, face_moving, face_fixed, normal};
+  m_table->slot(face_moving, face_fixed) = {m_table->use, face_moving, face_fixed, normal};
 }
 
 }  // namespace trivet

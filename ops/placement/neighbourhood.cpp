@@ -70,14 +70,14 @@ Neighbours Neighbourhood::near(const Aabb& box, double margin) const {
 Aabb Neighbourhood::box() const { return m_scene->extent_without(m_without).box; }
 
 ObstacleContact first_contact(std::span<const Body> moving, const Neighbourhood& others,
-                              const Motion& motion, const Clearance& clearance,
-                              Detector* detector) {
+                              const Motion& motion, const Clearance& clearance, Detector* detector,
+                              SeparatingPlanes* planes) {
   Aabb box;
   for (const Body& body : moving)
     if (!body.world_box.empty()) box.extend(body.world_box);
   const double margin = 1.01 * clearance.largest_stop() + 1e-13 * box.max_abs_coordinate();
   const Neighbours near = others.near(swept_box(box, motion, margin), 0);
-  const FirstContactQuery query{moving, near.bodies, others.floor(), motion, clearance};
+  const FirstContactQuery query{moving, near.bodies, others.floor(), motion, clearance, planes};
   const FirstContact found = detector ? detector->first_contact(query) : first_contact(query);
   ObstacleContact out{found, Support::floor()};
   if (found.status != FirstContact::Status::Free && found.fixed != FirstContact::kFloor)

@@ -63,8 +63,10 @@ struct ObstacleContact : FirstContact {
 
 /// First contact of bodies that move as one. Only neighbours in the box that the motion sweeps are
 /// looked at.
-/// @param detector  null: BVHs; the answer does not depend on it.
+/// @param detector  null: BVHs; the answer does not depend on it. @param planes  see
+///   FirstContactQuery.
 ObstacleContact first_contact(std::span<const Body> moving, const Neighbourhood& others,
-                              const Motion& motion, const Clearance& clearance, Detector* detector);
+                              const Motion& motion, const Clearance& clearance, Detector* detector,
+                              SeparatingPlanes* planes = nullptr);
 
 }  // namespace trivet

@@ -61,8 +61,8 @@ Axes sinking_axes(const Vec3& p, const Vec3& q, const SettlingObject& object);
 std::vector<Candidate> gauss_candidates(const std::vector<ContactPoint>& contacts,
                                         const SettlingObject& object, double fall_limit);
 
-/// For an object that none of these lowers and no forces hold: turns about one contact point, each
-/// on the nearest axis about which all other contacts part.
+/// For an object that no motion of gauss_candidates() lowers and no forces hold: turns about one
+/// contact point, each on the nearest axis about which all other contacts part.
 std::vector<Candidate> last_resorts(const std::vector<ContactPoint>& contacts,
                                     const SettlingObject& object);
 

@@ -14,8 +14,8 @@ namespace {
 constexpr double kNoise = 1e-12;  // forces and torques of size one: rounding below this
 
 // Every solver takes up to 1 MiB, which glibc gives back to the system after each and asks for
-// again: a twentieth of a PUT. A larger block freed once raises its limit, M_TRIM_THRESHOLD, to
-// twice the block's size: mallopt(3).
+// again: a twentieth of a PUT. A block that is mapped, not taken from a hole of the heap, raises
+// the limits of the process when it is freed, M_TRIM_THRESHOLD to twice its size: mallopt(3).
 bool keep_freed_memory() {
   void* volatile block = std::malloc(size_t{1} << 20);
   std::free(block);

@@ -6,7 +6,6 @@
 
 #include "core/base/tunables.h"
 #include "core/contact/contact_points.h"
-#include "core/contact/separating_planes.h"
 #include "core/scene/scene.h"
 #include "ops/settle/candidates.h"
 #include "ops/settle/equilibrium.h"
@@ -165,7 +164,6 @@ bool is_at_rest(const SettleProblem& problem) {
 }
 
 SettleOutcome settle(const SettleProblem& problem) {
-  const SeparatingPlanes planes;  // every motion meets the faces of the one before
   return has_finite_friction(problem.options) ? settle_with_friction(problem)
                                               : Settling(problem).run();
 }

@@ -68,6 +68,7 @@ class SettlingBody {
   void weigh();
 
   const SettleProblem& m_problem;
+  SeparatingPlanes m_planes;  // every motion meets faces of the one before
   SettleOutcome m_out;
   SettlingObject m_object;
   std::vector<Body> m_bodies;  // the object, then what it carries
