@@ -214,6 +214,7 @@ std::vector<Candidate> paper_candidates(const std::vector<ContactPoint>& contact
   if (contacts.empty())
     return {{SettleStep::Kind::Fall, Motion::translation(-Vec3::UnitZ(), fall_limit), 1}};
   std::vector<Vec2> points;
+  points.reserve(contacts.size());
   for (const ContactPoint& c : contacts) points.push_back(c.point.head<2>());
   const std::vector<Vec2> hull = convex_hull(points);
   if (hull.size() > 2) return paper_area(contacts, hull, object);

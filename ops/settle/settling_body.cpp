@@ -149,7 +149,7 @@ std::vector<TouchedPoint> SettlingBody::touched(double num_clearances) const {
 ObstacleContact SettlingBody::query(const Motion& motion) {
   Clearance keep;
   keep.distance = clearance();
-  const ObstacleContact found =
+  ObstacleContact found =
       first_contact(m_bodies, *m_problem.others, motion, keep, m_problem.detector, &m_planes);
   ++m_out.num_queries;
   m_out.num_face_pairs += found.work.face_pairs;

@@ -160,20 +160,20 @@ void for_random_nodes(int num_queries, const Visit& visit) {
 
 // What proves that nodes stay apart in a turn: boxes in the frame of the fixed or the moving body,
 // slabs there; the first of these, or nothing.
-enum Proof { kBoxesInFixed, kBoxesInMoving, kSlabOfFixed, kSlabOfMoving, kNoProof };
+enum Proof { BoxesInFixed, BoxesInMoving, SlabOfFixed, SlabOfMoving, NoProof };
 Proof proof(const RandomNodes& n, double horizon, double more_margin) {
   for (const int frame : {kFixed, kMoving})
     if (boxes_stay_apart(n.seen_in(frame, more_margin), horizon))
-      return static_cast<Proof>(kBoxesInFixed + frame);
+      return static_cast<Proof>(BoxesInFixed + frame);
   for (const int frame : {kFixed, kMoving})
     if (slab_stays_apart(n.seen_in(frame, more_margin), horizon))
-      return static_cast<Proof>(kSlabOfFixed + frame);
-  return kNoProof;
+      return static_cast<Proof>(SlabOfFixed + frame);
+  return NoProof;
 }
 
 TEST(NodeMotion, TurnsAsPlainFormulasSay) {
   constexpr double kRounding = 1e-12;
-  std::array<int, kNoProof + 1> counts{};
+  std::array<int, NoProof + 1> counts{};
   for_random_nodes(test::with_effort(4000), [&](const RandomNodes& n, test::Random& random) {
     if (n.pair.motion.kind != kTurnKind) return;
     const double horizon = random.uniform(0, 1);
@@ -181,8 +181,8 @@ TEST(NodeMotion, TurnsAsPlainFormulasSay) {
     if (until == kInfinity) return;  // the rings
     const Proof nearer = proof(n, horizon, kRounding), farther = proof(n, horizon, -kRounding);
     ++counts[nearer];
-    if ((nearer == kNoProof) == (farther == kNoProof)) {
-      EXPECT_EQ(until > 0, nearer != kNoProof);
+    if ((nearer == NoProof) == (farther == NoProof)) {
+      EXPECT_EQ(until > 0, nearer != NoProof);
     }
     EXPECT_TRUE(until == 0 || until > horizon) << until << " " << horizon;
   });
