@@ -76,7 +76,7 @@ Took timed_all(Work&& work) {
   return timed_warm(std::forward<Work>(work), CLOCK_PROCESS_CPUTIME_ID);
 }
 
-/// What Embree is asked about, and up to when.
+/// A question for Embree: faces, and up to when.
 struct Question {
   std::vector<FacePair> pairs;
   double horizon;

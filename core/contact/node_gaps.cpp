@@ -2,8 +2,8 @@
 
 namespace trivet {
 
-// What moves reaches, along the part of the normal in its own slab's normal, as far as its slab,
-// along the rest as its box. This is computed in its own frame, which is the other lane.
+// Reach of what moves: along the part of the normal in its own slab's normal that of its slab,
+// along the rest that of its box. Computed in its own frame, which is the other lane.
 SlabGaps::SlabGaps(const PlacedNode& moving, const PlacedNode& fixed)
     : normal(own(moving.normal, fixed.normal)) {
   const Vec3Lanes theirs = others(moving.normal, fixed.normal), half = own(moving.half, fixed.half);

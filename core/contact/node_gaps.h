@@ -25,7 +25,8 @@ inline Vec3Lanes own(const Vec3Lanes& of_moving, const Vec3Lanes& of_fixed) {
   return {own(of_moving[0], of_fixed[0]), own(of_moving[1], of_fixed[1]),
           own(of_moving[2], of_fixed[2])};
 }
-/// What points from the fixed to the moving body, from what stands still to what moves.
+/// A direction from the fixed to the moving body, turned so that it leads from what stands still to
+/// what moves.
 inline Double2 seen_from_still(Double2 x) { return times_sign(x, Double2{1, -1}); }
 
 /// True if they are farther apart than `reach` along an axis of either body.

@@ -28,7 +28,7 @@ void choose(QComboBox& box, const QString& wanted) {
   QCOMPARE(box.currentData().toString(), wanted);
 }
 
-/// What Preferences choose, and say of who answers, and the status bar does.
+/// The choice of detection in Preferences, and what these and the status bar say of it.
 void check_says(MainWindow& window, User& user, const DetectionChoice& choice,
                 const QString& answers) {
   user.with_dialog([&] { window.action("preferences")->trigger(); },

@@ -1,4 +1,4 @@
-// Who answers: chosen in Preferences, named in the status bar, kept in the settings.
+// Detection: chosen in Preferences, named in the status bar, kept in the settings.
 #pragma once
 
 #include "apps/edit_window/user.h"

@@ -25,7 +25,7 @@ struct MovingPair {
   NodePlacer moving_nodes = frames.moving_nodes(moving, motions.of_moving);
   NodePlacer fixed_nodes = frames.fixed_nodes(fixed, motions.of_fixed);
 
-  // What moves in a frame, in the coordinates of the frame that is not its own.
+  // Motion of the body that is not at home in a frame, in the coordinates of that frame.
   const Motion& in(int frame) const {
     return frame == kFixed ? motions.of_moving : motions.of_fixed;
   }
@@ -50,7 +50,7 @@ bool stays_apart(const Approach& x, double horizon) {
                        positive_until(sphere_of_box(x), kTurnKind, horizon));
 }
 
-/// What moves beside the slab of what stands still.
+/// Heights of what moves over and under the slab of what stands still.
 struct BesideSlab {
   double above, below;  // without the margin
   double lower, upper;
@@ -158,7 +158,7 @@ void for_random_nodes(int num_queries, const Visit& visit) {
   }
 }
 
-// What proves that nodes stay apart in a turn: boxes in the frame of the fixed or the moving body,
+// Proof that nodes stay apart in a turn: boxes in the frame of the fixed or the moving body,
 // slabs there; the first of these, or nothing.
 enum Proof { BoxesInFixed, BoxesInMoving, SlabOfFixed, SlabOfMoving, NoProof };
 Proof proof(const RandomNodes& n, double horizon, double more_margin) {
