@@ -119,41 +119,66 @@ double distance_along(const Vec3& n, const std::vector<Vec3>& a, const std::vect
   return std::max(low_a - high_b, low_b - high_a);
 }
 
+/// A leaf of each body, and the corners of their faces, world.
+struct LeafPair {
+  const PlacedPair& pair;
+  Index a, b;
+  PlacedNode moving{pair.moving_nodes, a}, fixed{pair.fixed_nodes, b};
+  std::vector<Vec3> of_moving = vertices_of_leaf(pair.moving, pair.moving_nodes.bvh().nodes[a]);
+  std::vector<Vec3> of_fixed = vertices_of_leaf(pair.fixed, pair.fixed_nodes.bvh().nodes[b]);
+
+  // @param n  in the frame `frame`
+  double distance_in(int frame, const Vec3& n) const {
+    const auto seen = [&](std::vector<Vec3> points) {
+      for (Vec3& p : points) p = pair.in(frame, p);
+      return points;
+    };
+    return distance_along(n, seen(of_moving), seen(of_fixed));
+  }
+};
+
+// @return the number of slabs, of two, that tell the leaves apart
+int expect_slab_gaps(const LeafPair& leaves) {
+  const SlabGaps gaps(leaves.moving, leaves.fixed);
+  int num_apart = 0;
+  for (const int still : {kFixed, kMoving}) {
+    const double gap = std::max(gaps.above[still], gaps.below[still]);
+    const Vec3 normal = lane(gaps.normal, still);
+    EXPECT_LE(gap, leaves.distance_in(still, normal) + leaves.pair.rounding);
+    EXPECT_EQ(normal, lane(still == kFixed ? leaves.fixed.normal : leaves.moving.normal, still));
+    num_apart += gap > 0;
+  }
+  return num_apart;
+}
+
+// @return whether boxes tell the leaves apart
+bool expect_box_gaps(const LeafPair& leaves) {
+  if (!boxes_apart(leaves.moving, leaves.fixed, 0)) return false;
+  double gap = -kInfinity;
+  for (const int frame : {kFixed, kMoving})
+    for (int axis = 0; axis < 3; ++axis)
+      gap = std::max(gap, leaves.distance_in(frame, Vec3::Unit(axis)));
+  EXPECT_GT(gap, -leaves.pair.rounding);
+  return true;
+}
+
 TEST(NodeGaps, AreAtMostThoseOfTheFaces) {
   const test::MeshPool pool(kPlacedSeed, 16);
   test::Random random(kPlacedSeed);
+  const auto any_of = [&](const std::vector<Index>& nodes) {
+    return nodes[random.integer(0, static_cast<int>(nodes.size()) - 1)];
+  };
   int num_by_slabs = 0, num_by_boxes = 0;
   for (int i = 0; i < 400; ++i) {
     const test::RandomQuery q = test::random_query(pool, kPlacedSeed, i);
     const PlacedPair pair{q.moving[0].body(), q.fixed[0].body()};
-    const std::vector<Index> of_moving = leaves(pair.moving_nodes.bvh()),
-                             of_fixed = leaves(pair.fixed_nodes.bvh());
+    const std::vector<Index> of_moving = leaves(pair.moving_nodes.bvh());
+    const std::vector<Index> of_fixed = leaves(pair.fixed_nodes.bvh());
     for (int k = 0; k < 50; ++k) {
-      const Index a = of_moving[random.integer(0, static_cast<int>(of_moving.size()) - 1)];
-      const Index b = of_fixed[random.integer(0, static_cast<int>(of_fixed.size()) - 1)];
-      const PlacedNode moving(pair.moving_nodes, a), fixed(pair.fixed_nodes, b);
-      const SlabGaps gaps(moving, fixed);
-      std::vector<Vec3> points_a = vertices_of_leaf(pair.moving, pair.moving_nodes.bvh().nodes[a]);
-      std::vector<Vec3> points_b = vertices_of_leaf(pair.fixed, pair.fixed_nodes.bvh().nodes[b]);
-      for (const int still : {kFixed, kMoving}) {
-        std::vector<Vec3> here_a, here_b;
-        for (const Vec3& p : points_a) here_a.push_back(pair.in(still, p));
-        for (const Vec3& p : points_b) here_b.push_back(pair.in(still, p));
-        const double gap = std::max(gaps.above[still], gaps.below[still]);
-        EXPECT_LE(gap, distance_along(lane(gaps.normal, still), here_a, here_b) + pair.rounding);
-        num_by_slabs += gap > 0;
-        EXPECT_EQ(lane(gaps.normal, still),
-                  lane(still == kFixed ? fixed.normal : moving.normal, still));
-      }
-      if (boxes_apart(moving, fixed, 0)) {
-        ++num_by_boxes;
-        double gap = -kInfinity;
-        for (const Mat3& axes : {Mat3(pair.frames.fixed.unit_from_world.transpose()),
-                                 Mat3(pair.moving.world_from_object.linear / pair.moving.scale())})
-          for (int axis = 0; axis < 3; ++axis)
-            gap = std::max(gap, distance_along(axes.col(axis), points_a, points_b));
-        EXPECT_GT(gap, -pair.rounding);
-      }
+      const Index a = any_of(of_moving), b = any_of(of_fixed);
+      const LeafPair pair_of_leaves{pair, a, b};
+      num_by_slabs += expect_slab_gaps(pair_of_leaves);
+      num_by_boxes += expect_box_gaps(pair_of_leaves);
     }
   }
   EXPECT_GT(num_by_slabs, 5000);
