@@ -1,6 +1,6 @@
 // All of Trivet that programs embed, without pictures: link trivet::ops.
 //
-//   scene.add(object)                  a name, a Model, its Shape      core/scene, core/io/model.h
+//   scene.add(object)                  a name, a Model, its Shape      core/scene, core/model
 //   perform(scene, operation), put()   the operations                  ops/operations/perform.h
 //   arrange(scene, arrangement)        places by relations             ops/arrange/arrange.h
 //   check_scene(scene)                 judge a scene from its poses    ops/check/check.h
@@ -14,8 +14,8 @@
 
 #include "core/contact/first_contact.h"
 #include "core/exact/interpenetration.h"
-#include "core/io/export.h"
-#include "core/io/model.h"
+#include "core/model/exported_floats.h"
+#include "core/model/model.h"
 #include "core/scene/scene.h"
 #include "core/scene/transaction.h"
 #include "ops/arrange/arrange.h"

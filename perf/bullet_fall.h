@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "core/convex/convex_parts.h"
+#include "core/convex/parts.h"
 #include "core/scene/scene.h"
 
 namespace trivet::perf {

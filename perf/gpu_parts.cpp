@@ -2,8 +2,8 @@
 #include "perf/frame_time.h"
 #include "perf/gpu_stages.h"
 #ifdef TRIVET_PERF_GPU
-#include "gpu/live/live_view.h"
-#include "gpu/zlist/zlist_gpu.h"
+#include "gpu/live/view.h"
+#include "gpu/zlist/stage.h"
 #include "raster/zlist/software_zlists.h"
 #endif
 

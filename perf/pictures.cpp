@@ -8,7 +8,7 @@
 
 #include "ops/files/report/scene_file.h"
 #include "perf/timing.h"
-#include "raster/path/path_picture.h"
+#include "raster/path/picture.h"
 #ifdef TRIVET_PERF_GPU
 #include "gpu/picture/picture.h"
 #endif

@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "core/base/error.h"
-#include "core/contact/confirm.h"
-#include "core/contact/zlist_frame.h"
+#include "core/candidates/confirm.h"
+#include "core/candidates/zlist_frame.h"
 #include "perf/gpu_stages.h"
 #include "perf/result_hash.h"
 #include "perf/rows.h"

@@ -2,7 +2,8 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "core/io/model.h"
+#include "core/io/read_model.h"
+#include "core/model/model.h"
 #include "ops/check/check.h"
 #include "ops/operations/perform.h"
 #include "perf/rows.h"

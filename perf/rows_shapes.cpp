@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/io/export.h"
+#include "core/io/read_model.h"
 #include "perf/result_hash.h"
 #include "perf/rows.h"
 #include "perf/sweeps.h"

@@ -1,6 +1,6 @@
 // z-lists on the GPU.
 #include "core/base/error.h"
-#include "gpu/zlist/zlist_gpu.h"
+#include "gpu/zlist/stage.h"
 #include "perf/zlist_cases.h"
 #include "raster/zlist/software_zlists.h"
 

@@ -4,7 +4,7 @@
 
 #include "core/contact/body.h"
 #include "core/exact/interpenetration.h"
-#include "ops/place/distance_query.h"
+#include "ops/free_places/distance_query.h"
 
 namespace trivet::perf {
 namespace {

@@ -12,7 +12,7 @@
 #include <thread>
 #include <vector>
 
-#include "core/io/export.h"
+#include "core/io/atomic_file.h"
 #include "ops/base/stopwatch.h"
 #include "ops/detect/calibration.h"
 #include "perf/fcl_baseline.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/contact/zlist_stage.h"
+#include "core/candidates/zlist_stage.h"
 #include "perf/result_hash.h"
 #include "perf/rows.h"
 #include "perf/sweeps.h"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/io/model.h"
+#include "core/model/model.h"
 #include "ops/files/layout/layout.h"
 
 namespace trivet {

@@ -4,7 +4,7 @@
 
 #include "apps/demo/shapes/assemble.h"
 #include "apps/demo/shapes/models.h"
-#include "ops/files/json/json_text.h"
+#include "ops/files/json/text.h"
 
 namespace trivet {
 

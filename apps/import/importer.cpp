@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "core/base/standard_streams.h"
-#include "core/io/importer_process.h"
-#include "core/io/sandboxed_import.h"
+#include "core/io/process/importer_process.h"
+#include "core/io/process/sandboxed_import.h"
+#include "core/io/process/standard_streams.h"
 
 namespace trivet::apps {
 namespace {

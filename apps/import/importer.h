@@ -1,8 +1,9 @@
 // Common part of the programs that import one model for another process
-// (core/io/sandboxed_import.h).
+// (core/io/process/sandboxed_import.h).
 #pragma once
 
-#include "core/io/model.h"
+#include "core/io/read_model.h"
+#include "core/model/model.h"
 
 namespace trivet::apps {
 

@@ -7,7 +7,7 @@
 #include "core/base/error.h"
 #include "core/base/nearest_name.h"
 #include "ops/base/stopwatch.h"
-#include "ops/files/json/json_text.h"
+#include "ops/files/json/text.h"
 
 namespace trivet::serve {
 namespace {

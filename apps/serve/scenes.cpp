@@ -4,7 +4,7 @@
 #include "apps/farm/recipe/sha256.h"
 #include "apps/farm/scene/make_scene.h"
 #include "ops/files/json/input_text.h"
-#include "ops/files/json/json_text.h"
+#include "ops/files/json/text.h"
 #include "ops/files/layout/paths.h"
 
 namespace trivet::serve {

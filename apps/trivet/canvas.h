@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "core/picture/image.h"
+#include "core/base/image.h"
 #include "raster/zlist/depth_picture.h"
 
 namespace trivet::apps {

@@ -9,10 +9,10 @@
 #include "apps/trivet/help.h"
 #include "core/base/error.h"
 #include "core/base/nearest_name.h"
-#include "core/io/sandboxed_import.h"
+#include "core/io/process/sandboxed_import.h"
 #include "core/scene/materials.h"
 #include "ops/detect/calibration_file.h"
-#include "ops/files/json/json_text.h"
+#include "ops/files/json/text.h"
 
 namespace trivet::apps {
 namespace {

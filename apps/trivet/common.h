@@ -9,7 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "core/io/model.h"
+#include "core/io/read_model.h"
+#include "core/model/model.h"
 #include "ops/detect/backend.h"
 #include "ops/files/layout/run.h"
 

@@ -9,9 +9,10 @@
 #include "apps/trivet/outputs.h"
 #include "core/base/bad_input.h"
 #include "core/base/extension.h"
-#include "core/io/export.h"
+#include "core/io/atomic_file.h"
+#include "core/picture/png.h"
 #include "core/picture/webp_animation.h"
-#include "ops/files/json/json_text.h"
+#include "ops/files/json/text.h"
 
 namespace trivet::apps {
 namespace {

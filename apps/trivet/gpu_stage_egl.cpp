@@ -1,7 +1,7 @@
 #include "apps/trivet/common.h"
 #include "gpu/egl/graphics_hardware.h"
 #include "gpu/zlist/drop_brackets_gpu.h"
-#include "gpu/zlist/zlist_gpu.h"
+#include "gpu/zlist/stage.h"
 #include "raster/zlist/software_zlists.h"
 
 namespace trivet::apps {

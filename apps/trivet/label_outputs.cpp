@@ -7,11 +7,11 @@
 #include "core/base/arena.h"
 #include "core/base/bad_input.h"
 #include "core/base/extension.h"
-#include "core/io/export.h"
+#include "core/io/atomic_file.h"
 #include "core/picture/image_files.h"
-#include "ops/files/json/json_text.h"
+#include "ops/files/json/text.h"
 #include "ops/files/labels/data_sets.h"
-#include "raster/path/path_picture.h"
+#include "raster/path/picture.h"
 
 namespace trivet::apps {
 namespace {

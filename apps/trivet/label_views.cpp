@@ -4,7 +4,7 @@
 #include "core/base/limits.h"
 #include "core/picture/camera_dome.h"
 #include "ops/files/json/input_text.h"
-#include "ops/files/json/json_text.h"
+#include "ops/files/json/text.h"
 #include "ops/files/labels/folders.h"
 
 namespace trivet::apps {

@@ -3,7 +3,7 @@
 
 #include "apps/trivet/common.h"
 #include "apps/trivet/picture.h"
-#include "core/picture/picture_scene.h"
+#include "core/picture/scene.h"
 #include "ops/files/labels/label_json.h"
 
 namespace trivet::apps {

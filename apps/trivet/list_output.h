@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/base/types.h"
-#include "core/io/export.h"
+#include "core/io/atomic_file.h"
 
 namespace trivet::apps {
 

@@ -1,5 +1,5 @@
 #include "apps/trivet/program.h"
-#include "core/base/standard_streams.h"
+#include "core/io/process/standard_streams.h"
 
 int main(int argc, char** argv) {
   trivet::open_standard_streams();

@@ -4,7 +4,7 @@
 
 #include "core/base/error.h"
 #include "ops/base/refusal.h"
-#include "ops/files/json/json_text.h"
+#include "ops/files/json/text.h"
 #include "ops/operations/moving_group.h"
 
 namespace trivet::apps {

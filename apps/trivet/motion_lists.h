@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "core/io/export.h"
-#include "core/picture/image.h"
+#include "core/base/image.h"
+#include "core/io/atomic_file.h"
 #include "core/scene/scene.h"
 #include "ops/detect/motion_zlists.h"
 

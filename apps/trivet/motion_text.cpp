@@ -4,7 +4,7 @@
 #include "apps/trivet/list_output.h"
 #include "apps/trivet/motion_lists.h"
 #include "core/motion/motion.h"
-#include "ops/files/json/json_text.h"
+#include "ops/files/json/text.h"
 #include "raster/zlist/depth_picture.h"
 
 namespace trivet::apps {

@@ -5,7 +5,7 @@
 #include "apps/trivet/common.h"
 #include "core/base/arena.h"
 #include "core/base/error.h"
-#include "raster/path/path_picture.h"
+#include "raster/path/picture.h"
 
 namespace trivet::apps {
 namespace {

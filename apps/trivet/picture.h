@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/picture/image.h"
+#include "core/base/image.h"
 #include "core/picture/pinhole_camera.h"
 #include "core/scene/scene.h"
 

@@ -1,5 +1,5 @@
 #include "apps/trivet/picture.h"
-#include "gpu/egl/egl_context.h"
+#include "gpu/egl/context.h"
 #include "gpu/picture/picture.h"
 
 namespace trivet::apps {

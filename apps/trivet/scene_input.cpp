@@ -1,7 +1,7 @@
 #include "apps/trivet/scene_input.h"
 
 #include "core/base/extension.h"
-#include "core/io/sandboxed_import.h"
+#include "core/io/process/sandboxed_import.h"
 #include "core/scene/transaction.h"
 
 namespace trivet::apps {

@@ -4,9 +4,8 @@
 #include <sstream>
 
 #include "apps/trivet/verbs.h"
-#include "core/io/export.h"
 #include "ops/detect/calibration_file.h"
-#include "ops/files/json/json_text.h"
+#include "ops/files/json/text.h"
 
 namespace trivet::apps {
 namespace {

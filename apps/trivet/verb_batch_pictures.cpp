@@ -9,7 +9,7 @@
 #include "apps/trivet/picture.h"
 #include "apps/trivet/verb_batch_parts.h"
 #include "core/base/bad_input.h"
-#include "core/base/local_sockets.h"
+#include "core/io/process/local_sockets.h"
 #include "ops/files/json/input_text.h"
 
 namespace trivet::apps {

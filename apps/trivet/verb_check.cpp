@@ -5,7 +5,7 @@
 #include "apps/trivet/verbs.h"
 #include "core/base/error.h"
 #include "core/base/extension.h"
-#include "core/io/export.h"
+#include "core/io/atomic_file.h"
 #include "ops/base/refusal.h"
 #include "ops/files/report/queries.h"
 #include "ops/files/report/report.h"

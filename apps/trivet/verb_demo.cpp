@@ -6,6 +6,7 @@
 #include "apps/trivet/arranging.h"
 #include "apps/trivet/verbs.h"
 #include "core/base/error.h"
+#include "core/io/atomic_file.h"
 #include "core/io/export.h"
 
 namespace trivet::apps {

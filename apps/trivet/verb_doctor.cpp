@@ -4,7 +4,7 @@
 #include "apps/farm/node/node_checks.h"
 #include "apps/trivet/verbs.h"
 #include "core/base/error.h"
-#include "ops/files/json/json_text.h"
+#include "ops/files/json/text.h"
 
 namespace trivet::apps {
 namespace {

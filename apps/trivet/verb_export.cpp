@@ -4,7 +4,7 @@
 #include "apps/trivet/verbs.h"
 #include "core/base/error.h"
 #include "core/base/extension.h"
-#include "core/io/export.h"
+#include "core/io/atomic_file.h"
 #include "ops/files/report/tables.h"
 #include "ops/simulation/scene_formats.h"
 #include "ops/simulation/simulate.h"

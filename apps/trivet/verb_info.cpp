@@ -2,7 +2,7 @@
 
 #include "apps/trivet/verbs.h"
 #include "core/index/shape.h"
-#include "core/io/sandboxed_import.h"
+#include "core/io/process/sandboxed_import.h"
 #include "ops/files/arrange/model_supports.h"
 
 namespace trivet::apps {

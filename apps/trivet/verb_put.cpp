@@ -4,7 +4,7 @@
 #include "apps/trivet/outputs.h"
 #include "apps/trivet/verbs.h"
 #include "core/base/error.h"
-#include "core/io/sandboxed_import.h"
+#include "core/io/process/sandboxed_import.h"
 #include "ops/base/names.h"
 #include "ops/files/report/geometry.h"
 #include "ops/operations/perform.h"

@@ -6,7 +6,7 @@
 #include "apps/trivet/scene_input.h"
 #include "apps/trivet/verbs.h"
 #include "core/base/bad_input.h"
-#include "core/io/export.h"
+#include "core/io/atomic_file.h"
 
 namespace trivet::apps {
 namespace {

@@ -5,7 +5,7 @@
 #include "apps/trivet/verbs.h"
 #include "core/base/error.h"
 #include "core/base/extension.h"
-#include "core/io/export.h"
+#include "core/io/atomic_file.h"
 #include "ops/files/inplace/run_in_scene.h"
 
 namespace trivet::apps {

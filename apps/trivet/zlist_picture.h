@@ -2,7 +2,7 @@
 #pragma once
 
 #include "apps/trivet/zlist_text.h"
-#include "core/picture/image.h"
+#include "core/base/image.h"
 
 namespace trivet::apps {
 

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/trivet/list_output.h"
-#include "ops/files/json/json_text.h"
+#include "ops/files/json/text.h"
 
 namespace trivet::apps {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/io/export.h"
+#include "core/io/atomic_file.h"
 #include "raster/zlist/complete_zlists.h"
 
 namespace trivet::apps {

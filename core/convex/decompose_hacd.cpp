@@ -5,7 +5,7 @@
 #include <set>
 
 #include "core/base/tunables.h"
-#include "core/convex/convex_parts.h"
+#include "core/convex/parts.h"
 
 namespace trivet {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/convex/convex_parts.h"
+#include "core/convex/parts.h"
 
 namespace trivet {
 

@@ -1,7 +1,7 @@
 // Penetration depth of two placed convex parts.
 #pragma once
 
-#include "core/convex/convex_parts.h"
+#include "core/convex/parts.h"
 
 namespace trivet {
 

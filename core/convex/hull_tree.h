@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "core/convex/convex_parts.h"
+#include "core/convex/parts.h"
 
 namespace trivet {
 

@@ -4,8 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "core/io/export.h"
-
 namespace trivet {
 
 /// Where an object is at a time.

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/io/mesh/normals.h"
-#include "core/io/model.h"
+#include "core/model/model.h"
 
 namespace trivet {
 

@@ -9,7 +9,6 @@
 #include <memory>
 
 #include "core/base/error.h"
-#include "core/io/export.h"
 #include "core/io/staged_files.h"
 
 namespace trivet {

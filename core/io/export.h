@@ -1,33 +1,13 @@
 // Scenes to files: glTF 2.0, OBJ, PLY, STL. Files are replaced atomically.
 #pragma once
 
-#include <functional>
-#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "core/io/model.h"
+#include "core/model/exported_floats.h"
 
 namespace trivet {
-
-/// One object of an exported scene.
-struct ExportObject {
-  std::string name;
-  std::shared_ptr<const Model> model;  // shared: stored once in the file
-  Affine world_from_object;
-  std::string extras_json;  // glTF `extras` of the node; empty: none
-};
-
-/// Origin of a scene's exported float32 positions, metres. Zero near the world's origin; for a
-/// scene that reaches farther than 16 m and 8 of its diagonals a grid point near it: float32 digits
-/// then describe the scene, not its distance. Depends on the box alone.
-Vec3 export_origin(const Aabb& scene_box);
-
-/// The same transform with world coordinates relative to `origin`.
-inline Affine relative_to(const Vec3& origin, Affine world_from_object) {
-  world_from_object.translation -= origin;
-  return world_from_object;
-}
 
 struct ExportScene {
   std::vector<ExportObject> objects;
@@ -36,26 +16,6 @@ struct ExportScene {
   /// in double; OBJ, PLY and STL name it in their headers.
   Vec3 origin = Vec3::Zero();
 };
-
-/// Position of a vertex as a reader of the glTF computes it, in doubles (world, z up): the float32
-/// vertex, in double through the nodes below the object's own as in read_model(), then through the
-/// object's float32 matrix, rounded to float32. The exact check of a float32 export tests these
-/// positions; the code that writes the file computes them.
-class ExportedPlacement {
- public:
-  /// @param object  its model may be null: of no appearance. @param mesh_box  of its mesh.
-  /// @throws Error (BadInput) naming the object when its pose is beyond the range of float32.
-  ExportedPlacement(const ExportObject& object, const Aabb& mesh_box);
-  Vec3 operator()(const Vec3& vertex) const;
-
- private:
-  Vec3 m_centre;
-  bool m_has_look;
-  Affine m_y_up_from_local;  // float32 entries
-};
-
-/// All vertices of the mesh through ExportedPlacement.
-std::vector<Eigen::Vector3f> exported_positions(const ExportObject& object);
 
 /// Writes by extension: .glb; .gltf (with .bin and images beside it); .obj (with .mtl beside it),
 /// .ply and .stl, which hold the coordinates of exported_positions(). glTF holds a model with its
@@ -79,14 +39,6 @@ void check_files_beside(const std::string& path);
 /// Checks that the companion file `beside`, in the folder of the glTF or OBJ `path`, may be
 /// written: it does not exist, or the existing `path` names it. @throws Error (BadInput) if not.
 void check_file_beside(const std::string& path, const std::string& beside);
-
-/// Writes bytes atomically: temporary file in the same folder, fsync, rename.
-/// @throws Error (Environment) naming the path and the system's reason; no partial output is left.
-void write_file_atomically(const std::string& path, const std::string& bytes);
-/// The same for content too large for memory: `content` passes it on piece by piece.
-using ByteSink = std::function<void(const std::string& bytes)>;
-using FileContent = std::function<void(const ByteSink& write)>;
-void write_file_atomically(const std::string& path, const FileContent& content);
 
 /// The extras of a .glb as JSON text: of the scene (empty: none), and of each node that has any, by
 /// the node's name.

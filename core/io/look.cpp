@@ -3,7 +3,7 @@
 #include "core/base/error.h"
 #include "core/base/printable.h"
 #include "core/io/gltf/component_types.h"
-#include "core/io/gltf/gltf_copy.h"
+#include "core/io/gltf/copy.h"
 
 namespace trivet {
 namespace {

@@ -1,7 +1,7 @@
 // Models of meshes that no file has.
 #pragma once
 
-#include "core/io/model.h"
+#include "core/model/model.h"
 
 namespace trivet {
 

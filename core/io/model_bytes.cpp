@@ -4,7 +4,7 @@
 #include <cstring>
 #include <type_traits>
 
-#include "core/io/gltf/gltf_document.h"
+#include "core/io/gltf/document.h"
 #include "core/io/look.h"
 #include "core/io/writers.h"
 

@@ -5,7 +5,8 @@
 #include <string_view>
 
 #include "core/base/error.h"
-#include "core/io/model.h"
+#include "core/io/read_model.h"
+#include "core/model/model.h"
 
 namespace trivet {
 

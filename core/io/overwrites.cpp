@@ -10,7 +10,7 @@
 
 #include "core/base/error.h"
 #include "core/base/extension.h"
-#include "core/io/gltf/gltf_builder.h"
+#include "core/io/gltf/builder.h"
 
 namespace trivet {
 namespace {

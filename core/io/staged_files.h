@@ -5,8 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "core/io/export.h"
-
 namespace trivet {
 
 /// Files are written beside their targets first, and renamed together at the end: a full disk

@@ -6,7 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/extension.h"
-#include "core/io/gltf/gltf_builder.h"
+#include "core/io/gltf/builder.h"
 #include "core/io/staged_files.h"
 #include "core/io/writers.h"
 

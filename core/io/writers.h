@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/io/export.h"
-#include "core/io/gltf/gltf_document.h"
+#include "core/io/gltf/document.h"
 
 namespace trivet {
 

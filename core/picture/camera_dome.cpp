@@ -6,7 +6,7 @@
 
 #include "core/base/bad_input.h"
 #include "core/base/limits.h"
-#include "core/picture/picture_frame.h"
+#include "core/picture/frame.h"
 
 namespace trivet {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/picture/picture_scene.h"
+#include "core/picture/scene.h"
 
 namespace trivet {
 

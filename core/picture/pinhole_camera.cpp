@@ -4,7 +4,7 @@
 #include <string>
 
 #include "core/base/bad_input.h"
-#include "core/picture/picture_frame.h"
+#include "core/picture/frame.h"
 
 namespace trivet {
 

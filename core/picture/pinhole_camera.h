@@ -1,7 +1,7 @@
 // The camera of labelled images, in the convention of OpenCV.
 #pragma once
 
-#include "core/picture/picture_scene.h"
+#include "core/picture/scene.h"
 
 namespace trivet {
 

@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "core/picture/image.h"
+#include "core/base/image.h"
 
 namespace trivet {
 

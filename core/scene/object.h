@@ -7,7 +7,7 @@
 
 #include "core/contact/contact.h"
 #include "core/index/shape.h"
-#include "core/io/model.h"
+#include "core/model/model.h"
 #include "core/motion/pose.h"
 #include "core/scene/physics_material.h"
 #include "core/scene/support.h"

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "core/scene/index.h"
 #include "core/scene/object.h"
-#include "core/scene/scene_index.h"
 
 namespace trivet {
 

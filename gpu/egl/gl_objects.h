@@ -10,8 +10,8 @@
 #include <string>
 #include <utility>
 
+#include "core/base/image.h"
 #include "core/base/types.h"
-#include "core/picture/image.h"
 
 namespace trivet {
 

@@ -1,7 +1,7 @@
 #include "gpu/picture/picture.h"
 
 #include "core/base/error.h"
-#include "gpu/picture/picture_renderer.h"
+#include "gpu/picture/renderer.h"
 
 namespace trivet {
 namespace {

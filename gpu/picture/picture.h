@@ -4,10 +4,10 @@
 
 #include <memory>
 
-#include "core/picture/image.h"
-#include "core/picture/picture_scene.h"
+#include "core/base/image.h"
 #include "core/picture/pinhole_camera.h"
-#include "gpu/egl/egl_context.h"
+#include "core/picture/scene.h"
+#include "gpu/egl/context.h"
 
 namespace trivet {
 

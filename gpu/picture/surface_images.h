@@ -7,7 +7,7 @@
 namespace trivet {
 
 /// Locations of what a program of textured surfaces takes per material (`surface_details()` of
-/// picture_shaders.h).
+/// shaders.h).
 struct FinishUniforms {
   explicit FinishUniforms(const GlProgram& program);
   /// Once per use of the program.

@@ -4,8 +4,8 @@
 #include <memory>
 #include <string>
 
-#include "core/contact/height_map.h"
-#include "gpu/egl/egl_context.h"
+#include "core/candidates/height_map.h"
+#include "gpu/egl/context.h"
 #include "gpu/egl/gpu_faults.h"
 
 namespace trivet {

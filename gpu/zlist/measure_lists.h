@@ -1,8 +1,8 @@
 // Private to gpu: what lists cost here.
 #pragma once
 
+#include "gpu/zlist/device.h"
 #include "gpu/zlist/list_costs.h"
-#include "gpu/zlist/zlist_device.h"
 
 namespace trivet {
 

@@ -6,7 +6,7 @@
 #include "ops/arrange/relation_parts.h"
 #include "ops/arrange/steadiness.h"
 #include "ops/arrange/zones.h"
-#include "ops/place/distance_query.h"
+#include "ops/free_places/distance_query.h"
 
 namespace trivet {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/base/quoted.h"
-#include "core/io/export.h"
+#include "core/model/exported_floats.h"
 #include "ops/placement/verify.h"
 
 namespace trivet {

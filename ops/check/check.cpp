@@ -6,7 +6,7 @@
 
 #include "core/base/in_parallel.h"
 #include "core/base/tunables.h"
-#include "core/io/export.h"
+#include "core/model/exported_floats.h"
 #include "core/scene/transaction.h"
 #include "ops/operations/commit.h"
 #include "ops/placement/clearance.h"

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "core/contact/zlist_self_test.h"
+#include "core/candidates/self_test.h"
 #include "ops/detect/detector.h"
 #include "ops/detect/machine.h"
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "core/contact/gpu_notes.h"
-#include "core/contact/height_map.h"
+#include "core/candidates/gpu_notes.h"
+#include "core/candidates/height_map.h"
 
 namespace trivet {
 

@@ -5,7 +5,7 @@
 #include <thread>
 
 #include "core/base/error.h"
-#include "core/contact/zlist_self_test.h"
+#include "core/candidates/self_test.h"
 #include "ops/base/stopwatch.h"
 #include "ops/detect/calibration_queries.h"
 #include "raster/zlist/software_zlists.h"

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "core/contact/gpu_notes.h"
-#include "core/contact/zlist_stage.h"
+#include "core/candidates/gpu_notes.h"
+#include "core/candidates/zlist_stage.h"
 #include "ops/detect/cost_model.h"
 
 namespace trivet {

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
-#include "core/io/export.h"
+#include "core/io/atomic_file.h"
 
 namespace trivet {
 namespace {

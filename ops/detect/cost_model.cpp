@@ -3,7 +3,7 @@
 #include <Eigen/LU>
 #include <cmath>
 
-#include "core/contact/zlist_frame.h"
+#include "core/candidates/zlist_frame.h"
 
 namespace trivet {
 namespace {

@@ -5,8 +5,8 @@
 #include <memory>
 #include <string>
 
-#include "core/contact/height_map.h"
-#include "core/contact/zlist_stage.h"
+#include "core/candidates/height_map.h"
+#include "core/candidates/zlist_stage.h"
 #include "ops/detect/bracket_source.h"
 
 namespace trivet {

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "core/base/error.h"
-#include "core/contact/zlist_self_test.h"
+#include "core/candidates/self_test.h"
 #include "ops/detect/calibration_file.h"
 #include "raster/zlist/software_zlists.h"
 

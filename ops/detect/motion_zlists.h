@@ -2,7 +2,7 @@
 // were left for the exact decision.
 #pragma once
 
-#include "core/contact/zlist_stage.h"
+#include "core/candidates/zlist_stage.h"
 #include "raster/zlist/motion_depths.h"
 
 namespace trivet {

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "core/index/shape.h"
-#include "core/io/model.h"
-#include "core/io/tessellation.h"
+#include "core/model/model.h"
+#include "core/model/tessellation.h"
 #include "core/motion/pose.h"
 #include "core/scene/physics_material.h"
 

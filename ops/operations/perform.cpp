@@ -1,13 +1,13 @@
 #include "ops/operations/perform.h"
 
 #include "core/contact/contact_memory.h"
+#include "ops/free_places/place_region.h"
 #include "ops/operations/arrange_problem.h"
 #include "ops/operations/commit.h"
 #include "ops/operations/edit.h"
 #include "ops/operations/put.h"
 #include "ops/operations/validate.h"
 #include "ops/operations/whole.h"
-#include "ops/place/place_region.h"
 #include "ops/placement/clearance.h"
 
 namespace trivet {

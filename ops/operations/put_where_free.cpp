@@ -5,9 +5,9 @@
 
 #include "core/base/tunables.h"
 #include "ops/detect/detector.h"
+#include "ops/free_places/distance_query.h"
+#include "ops/free_places/exact_places.h"
 #include "ops/operations/put.h"
-#include "ops/place/distance_query.h"
-#include "ops/place/exact_places.h"
 #include "ops/placement/coarseness.h"
 
 namespace trivet {

@@ -5,7 +5,7 @@
 
 #include "core/base/limits.h"
 #include "core/scene/materials.h"
-#include "ops/place/place_region.h"
+#include "ops/free_places/place_region.h"
 
 namespace trivet {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/base/tunables.h"
-#include "core/io/export.h"
+#include "core/model/exported_floats.h"
 #include "ops/placement/coarseness.h"
 
 namespace trivet {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/io/export.h"
+#include "core/model/exported_floats.h"
 #include "ops/placement/clearance.h"
 
 namespace trivet {

@@ -9,7 +9,7 @@
 #include "core/scene/fingerprint.h"
 #include "ops/base/context.h"
 #include "ops/base/options.h"
-#include "ops/files/json/json_text.h"
+#include "ops/files/json/text.h"
 #include "ops/session/restore.h"
 #include "ops/session/told_poses.h"
 

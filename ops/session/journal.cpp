@@ -12,7 +12,7 @@
 
 #include "core/base/error.h"
 #include "core/base/hash.h"
-#include "core/io/export.h"
+#include "core/io/atomic_file.h"
 #include "ops/files/json/operation_json.h"
 #include "ops/files/layout/paths.h"
 #include "ops/session/journal_text.h"

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "ops/files/json/json_text.h"
+#include "ops/files/json/text.h"
 #include "ops/session/journal.h"
 
 namespace trivet {

@@ -6,7 +6,7 @@
 #include <cassert>
 #include <limits>
 
-#include "raster/zlist/parallel.h"
+#include "core/base/parallel.h"
 
 namespace trivet {
 namespace {

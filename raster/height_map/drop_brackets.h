@@ -12,7 +12,7 @@
 
 #include <vector>
 
-#include "core/contact/height_map.h"
+#include "core/candidates/height_map.h"
 
 namespace trivet {
 

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "core/base/bad_input.h"
+#include "core/base/parallel.h"
 #include "raster/labels/silhouette.h"
-#include "raster/zlist/parallel.h"
 
 namespace trivet {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "raster/zlist/parallel.h"
+#include "core/base/parallel.h"
 
 namespace trivet {
 namespace {

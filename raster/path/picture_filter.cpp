@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "raster/zlist/parallel.h"
+#include "core/base/parallel.h"
 
 namespace trivet {
 namespace {

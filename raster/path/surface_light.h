@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "raster/path/path_scene.h"
 #include "raster/path/sampler.h"
+#include "raster/path/scene.h"
 
 namespace trivet {
 

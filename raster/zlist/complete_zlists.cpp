@@ -9,8 +9,8 @@
 #include <tuple>
 
 #include "core/base/error.h"
+#include "core/base/parallel.h"
 #include "raster/zlist/depth_map.h"
-#include "raster/zlist/parallel.h"
 
 namespace trivet {
 namespace {

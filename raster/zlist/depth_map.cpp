@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "raster/zlist/parallel.h"
+#include "core/base/parallel.h"
 
 namespace trivet {
 namespace {

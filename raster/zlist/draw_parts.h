@@ -1,8 +1,8 @@
 // Passes of a search over a layer, in parts. Private.
 #pragma once
 
+#include "core/base/parallel.h"
 #include "raster/zlist/fragment_sinks.h"
-#include "raster/zlist/parallel.h"
 
 namespace trivet {
 

@@ -1,7 +1,7 @@
 // Sinks for the passes of a search. Private.
 #pragma once
 
-#include "raster/zlist/zlist_search.h"
+#include "raster/zlist/search.h"
 
 namespace trivet {
 

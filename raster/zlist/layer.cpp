@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/parallel.h"
 #include "raster/zlist/angles.h"
-#include "raster/zlist/parallel.h"
 
 namespace trivet {
 namespace {

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "core/contact/zlist_frame.h"
+#include "core/candidates/zlist_frame.h"
 
 namespace trivet {
 

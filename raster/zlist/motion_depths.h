@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/contact/zlist_frame.h"
+#include "core/candidates/zlist_frame.h"
 
 namespace trivet {
 

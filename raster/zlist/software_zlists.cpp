@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "raster/zlist/zlist_search.h"
+#include "raster/zlist/search.h"
 
 namespace trivet {
 namespace {

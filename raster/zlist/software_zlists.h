@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "core/contact/doubtful_lists.h"
+#include "core/candidates/doubtful_lists.h"
 
 namespace trivet {
 

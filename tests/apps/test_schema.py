@@ -44,7 +44,7 @@ def document_of(case, base):
 @unittest.skipIf(jsonschema is None, "Python has no jsonschema (Debian: python3-jsonschema)")
 class Schema(Case):
     def test_layouts_schema_and_reader_agree(self):
-        self.check_agreement("layout", "tests/ops/layout/corpus.json", 65)
+        self.check_agreement("layout", "tests/ops/files/layout/corpus.json", 65)
 
     def test_recipes_schema_and_reader_agree(self):
         self.check_agreement("recipe", "tests/apps/farm/recipes.json", 45)

@@ -24,7 +24,7 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/io/sandboxed_import.h"
+#include "core/io/process/sandboxed_import.h"
 
 namespace {
 

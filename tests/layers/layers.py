@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""Checks that includes point downwards: between the top level folders, and between the folders of ops.
+"""Checks that includes point downwards, between the top level folders and between those of core and ops; that
+geometry needs no POSIX; and that no file repeats the name of its folder.
 
-Usage: layers.py [--graph]     --graph: prints the edges between the folders of ops for Graphviz
+Usage: layers.py [--graph]     --graph: prints the edges between the folders of core and ops for Graphviz
 """
 import collections
 import os
@@ -12,8 +13,18 @@ ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
 # Each may include itself and those before it; raster and gpu never see each other.
 TOP = ["core", "raster", "gpu", "ops", "apps"]
 APART = {("raster", "gpu"), ("gpu", "raster")}
-OPS = ["base", "detect", "placement", "settle", "stability", "place", "operations", "check", "arrange",
-       "files", "session", "simulation"]
+ROOMS = {
+    "core": ["base", "mesh", "motion", "index", "contact", "exact", "candidates", "model", "scene",
+             "convex", "io", "picture"],
+    "ops": ["base", "detect", "placement", "settle", "stability", "free_places", "operations",
+            "check", "arrange", "files", "session", "simulation"],
+}
+# Geometry is for every system: no header of POSIX.
+PORTABLE = {"base", "mesh", "motion", "index", "contact", "exact", "candidates", "model", "scene"}
+POSIX = re.compile(r"^#include <(unistd|fcntl|poll|pthread|dlfcn|sys/.*|linux/.*)(\.h)?>", re.M)
+# The field's own words begin with the name of their room.
+WORDS = {"contact_ends", "contact_face", "contact_memory", "contact_points", "contact_summary",
+         "motion_boxes", "motion_depths", "settle_problem", "stable_poses"}
 INCLUDE = re.compile(r'^#include "([^"]+)"', re.M)
 
 
@@ -25,31 +36,46 @@ def sources(folder):
                 yield os.path.relpath(file, ROOT), open(file, encoding="utf-8").read()
 
 
+def check_edge(top, file, header, edges):
+    to = header.split("/")[0]
+    if to in TOP and (TOP.index(to) > TOP.index(top) or (top, to) in APART):
+        return "%s includes %s: %s is not below %s" % (file, header, to, top)
+    if top != to or top not in ROOMS:
+        return None
+    rooms, here, there = ROOMS[top], file.split("/")[1], header.split("/")[1]
+    edges[top + "/" + here, top + "/" + there] += here != there
+    if here not in rooms or there not in rooms:
+        return "%s: not in a folder of %s that has a place" % (file, top)
+    if rooms.index(there) > rooms.index(here):
+        return "%s includes %s: %s/%s is above %s/%s" % (file, header, top, there, top, here)
+    return None
+
+
+def check_file(top, file, text):
+    folder, name = os.path.split(file)
+    stem, room = os.path.splitext(name)[0], os.path.basename(folder)
+    if top != "apps" and stem.startswith(room + "_") and stem not in WORDS:
+        yield "%s: repeats the name of its folder" % file
+    if top == "core" and file.split("/")[1] in PORTABLE and POSIX.search(text):
+        yield "%s: geometry and scenes do without POSIX" % file
+
+
 def main():
     wrong, edges = [], collections.Counter()
     for top in TOP:
         for file, text in sources(top):
-            for header in INCLUDE.findall(text):
-                to = header.split("/")[0]
-                if to in TOP and (TOP.index(to) > TOP.index(top) or (top, to) in APART):
-                    wrong.append("%s includes %s: %s is not below %s" % (file, header, to, top))
-                if top == "ops" and to == "ops":
-                    here, there = file.split("/")[1], header.split("/")[1]
-                    edges[here, there] += here != there
-                    if here not in OPS or there not in OPS:
-                        wrong.append("%s: not in a folder of ops that has a place" % file)
-                    elif OPS.index(there) > OPS.index(here):
-                        wrong.append("%s includes %s: ops/%s is above ops/%s"
-                                     % (file, header, there, here))
+            wrong += check_file(top, file, text)
+            found = [check_edge(top, file, header, edges) for header in INCLUDE.findall(text)]
+            wrong += [line for line in found if line]
     if "--graph" in sys.argv:
-        print("digraph ops {")
+        print("digraph rooms {")
         for (here, there), count in sorted(edges.items()):
             if count:
                 print('  "%s" -> "%s" [label=%d]' % (here, there, count))
         print("}")
     for line in wrong:
         print(line)
-    print("%d includes point upwards" % len(wrong))
+    print("%d findings" % len(wrong))
     return bool(wrong)
 
 

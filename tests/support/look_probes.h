@@ -8,8 +8,8 @@
 #include <functional>
 #include <memory>
 
-#include "core/picture/image.h"
-#include "core/picture/picture_scene.h"
+#include "core/base/image.h"
+#include "core/picture/scene.h"
 
 namespace trivet::testing {
 

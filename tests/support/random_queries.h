@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/contact/zlist_stage.h"
+#include "core/candidates/zlist_stage.h"
 #include "support/random_shapes.h"
 
 namespace trivet::test {

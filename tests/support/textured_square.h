@@ -4,8 +4,9 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "core/base/image.h"
 #include "core/io/base64.h"
-#include "core/picture/image.h"
+#include "core/picture/png.h"
 
 namespace trivet::testing {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "apps/demo/shapes/surface.h"
-#include "core/io/model.h"
+#include "core/model/model.h"
 
 namespace trivet::shapes {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/io/model.h"
+#include "core/model/model.h"
 
 namespace trivet::shapes {
 

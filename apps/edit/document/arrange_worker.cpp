@@ -6,7 +6,7 @@
 #include "apps/edit/document/words.h"
 #include "ops/arrange/arrange.h"
 #include "ops/base/stopwatch.h"
-#include "ops/files/arrange/arrange_section.h"
+#include "ops/files/arrange/section.h"
 
 namespace trivet::edit {
 namespace {

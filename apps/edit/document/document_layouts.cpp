@@ -5,10 +5,10 @@
 #include "apps/edit/document/engine.h"
 #include "apps/edit/document/words.h"
 #include "core/base/error.h"
-#include "ops/files/arrange/arrange_section.h"
 #include "ops/files/arrange/marks_json.h"
+#include "ops/files/arrange/section.h"
 #include "ops/files/json/input_text.h"
-#include "ops/files/json/json_text.h"
+#include "ops/files/json/text.h"
 
 namespace trivet::edit {
 namespace {

@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "apps/edit/document/thread_detector.h"
-#include "core/io/model.h"
+#include "core/io/read_model.h"
+#include "core/model/model.h"
 #include "ops/operations/perform.h"
 
 namespace trivet::edit {

@@ -5,7 +5,7 @@
 #include "apps/edit/document/results.h"
 #include "apps/edit/document/words.h"
 #include "core/base/error.h"
-#include "core/io/sandboxed_import.h"
+#include "core/io/process/sandboxed_import.h"
 #include "ops/placement/neighbourhood.h"
 
 namespace trivet::edit {

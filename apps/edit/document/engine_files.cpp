@@ -12,6 +12,7 @@
 #include "core/base/error.h"
 #include "core/base/extension.h"
 #include "core/base/quoted.h"
+#include "core/io/atomic_file.h"
 #include "core/io/export.h"
 #include "core/io/overwrites.h"
 #include "ops/base/names.h"

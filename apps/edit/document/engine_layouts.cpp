@@ -4,8 +4,8 @@
 #include "apps/edit/document/engine.h"
 #include "apps/edit/document/layout_paths.h"
 #include "core/base/error.h"
-#include "core/io/export.h"
-#include "ops/files/arrange/arrange_section.h"
+#include "core/io/atomic_file.h"
+#include "ops/files/arrange/section.h"
 #include "ops/files/layout/paths.h"
 
 namespace trivet::edit {

@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "core/contact/zlist_stage.h"
+#include "core/candidates/zlist_stage.h"
 
 namespace trivet::edit {
 

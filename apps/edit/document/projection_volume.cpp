@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/contact/zlist_frame.h"
+#include "core/candidates/zlist_frame.h"
 
 namespace trivet::edit {
 namespace {

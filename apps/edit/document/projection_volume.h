@@ -15,7 +15,7 @@ namespace trivet::edit {
 using ProjectionVolume = std::vector<std::array<Vec3, 2>>;
 
 /// Edges of the box around the moving bodies, along their motion; of a turn, of the part of a ring
-/// about its axis. In the image plane of z-lists (core/contact/zlist_frame.h), before it is
+/// about its axis. In the image plane of z-lists (core/candidates/zlist_frame.h), before it is
 /// restricted to what may be in the way. Empty: no body has faces.
 /// @param moving  as one body, where the motion begins.
 ProjectionVolume projection_volume(std::span<const Body> moving, const Motion& motion);

@@ -10,7 +10,7 @@
 
 #include "core/base/error.h"
 #include "core/base/quoted.h"
-#include "ops/files/arrange/arrange_section.h"
+#include "ops/files/arrange/section.h"
 
 namespace trivet::edit {
 namespace {

@@ -16,10 +16,11 @@
 
 #include "apps/edit/window/units.h"
 #include "core/base/arena.h"
-#include "core/io/sandboxed_import.h"
-#include "core/picture/image.h"
+#include "core/base/image.h"
+#include "core/io/process/sandboxed_import.h"
+#include "core/io/read_model.h"
 #include "ops/files/report/model_info.h"
-#include "raster/path/path_picture.h"
+#include "raster/path/picture.h"
 
 namespace trivet::edit {
 namespace {

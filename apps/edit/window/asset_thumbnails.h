@@ -14,7 +14,8 @@
 #include <thread>
 
 #include "core/base/types.h"
-#include "core/io/model.h"
+#include "core/io/read_model.h"
+#include "core/model/model.h"
 
 namespace trivet::edit {
 

@@ -8,7 +8,7 @@
 #include "core/base/error.h"
 #include "gpu/egl/graphics_hardware.h"
 #include "gpu/zlist/drop_brackets_gpu.h"
-#include "gpu/zlist/zlist_gpu.h"
+#include "gpu/zlist/stage.h"
 #include "ops/detect/calibration_file.h"
 #include "raster/zlist/software_zlists.h"
 

@@ -5,7 +5,7 @@
 
 #include "apps/edit/document/ghost.h"
 #include "apps/edit/document/snapshot.h"
-#include "gpu/live/live_scene.h"
+#include "gpu/live/scene.h"
 
 namespace trivet::edit {
 

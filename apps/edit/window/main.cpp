@@ -8,7 +8,7 @@
 #include "apps/edit/window/language.h"
 #include "apps/edit/window/main_window.h"
 #include "core/base/error.h"
-#include "core/base/standard_streams.h"
+#include "core/io/process/standard_streams.h"
 
 namespace {
 

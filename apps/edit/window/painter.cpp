@@ -4,7 +4,7 @@
 #include <QMetaObject>
 
 #include "core/base/error.h"
-#include "gpu/live/live_view.h"
+#include "gpu/live/view.h"
 
 namespace trivet::edit {
 namespace {

@@ -9,7 +9,7 @@
 #include <mutex>
 #include <thread>
 
-#include "gpu/live/live_scene.h"
+#include "gpu/live/scene.h"
 
 namespace trivet::edit {
 

@@ -11,10 +11,11 @@
 #include <map>
 
 #include "apps/edit/document/words.h"
-#include "core/picture/image.h"
-#include "gpu/egl/egl_context.h"
+#include "core/base/image.h"
+#include "core/picture/png.h"
+#include "gpu/egl/context.h"
 #include "gpu/egl/graphics_hardware.h"
-#include "raster/path/path_picture.h"
+#include "raster/path/picture.h"
 
 namespace trivet::edit {
 namespace {

@@ -6,7 +6,7 @@
 #include <atomic>
 #include <thread>
 
-#include "gpu/live/live_scene.h"
+#include "gpu/live/scene.h"
 #include "gpu/picture/picture.h"
 
 class QWidget;

@@ -4,7 +4,7 @@
 #include <QColor>
 #include <QString>
 
-#include "gpu/live/live_scene.h"
+#include "gpu/live/scene.h"
 
 class QApplication;
 

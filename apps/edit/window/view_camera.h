@@ -5,7 +5,7 @@
 #include <QSize>
 
 #include "apps/edit/tools/view.h"
-#include "gpu/live/live_scene.h"
+#include "gpu/live/scene.h"
 
 namespace trivet::edit {
 

@@ -6,7 +6,8 @@
 
 #include "apps/farm/store/publish.h"
 #include "core/base/bad_input.h"
-#include "core/io/export.h"
+#include "core/io/atomic_file.h"
+#include "core/io/read_model.h"
 #include "ops/files/layout/paths.h"
 #include "ops/files/report/scene_file.h"
 

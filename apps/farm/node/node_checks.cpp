@@ -12,7 +12,7 @@
 
 #include "apps/farm/store/publish.h"
 #include "core/base/error.h"
-#include "core/io/sandboxed_import.h"
+#include "core/io/process/sandboxed_import.h"
 
 namespace trivet::farm {
 namespace {

@@ -6,8 +6,8 @@
 #include "core/base/arena.h"
 #include "core/picture/image_files.h"
 #include "core/scene/transaction.h"
-#include "ops/files/json/json_text.h"
-#include "raster/path/path_picture.h"
+#include "ops/files/json/text.h"
+#include "raster/path/picture.h"
 
 namespace trivet::farm {
 namespace {

@@ -8,7 +8,7 @@
 #include "apps/farm/recipe/sha256.h"
 #include "apps/farm/recipe/views.h"
 #include "core/base/nearest_name.h"
-#include "ops/files/json/json_text.h"
+#include "ops/files/json/text.h"
 #include "ops/files/layout/named_objects.h"
 
 namespace trivet::farm {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/picture/camera_dome.h"
-#include "ops/files/json/json_text.h"
+#include "ops/files/json/text.h"
 #include "ops/files/labels/label_json.h"
 
 namespace trivet::farm {

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/base/local_sockets.h"
+#include "core/io/process/local_sockets.h"
 
 namespace trivet::farm {
 

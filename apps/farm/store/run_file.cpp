@@ -4,7 +4,7 @@
 
 #include "apps/farm/store/publish.h"
 #include "core/base/bad_input.h"
-#include "ops/files/json/json_text.h"
+#include "ops/files/json/text.h"
 
 namespace trivet::farm {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <set>
 
-#include "core/io/sandboxed_import.h"
+#include "core/io/process/sandboxed_import.h"
 #include "ops/files/report/json_parts.h"
 #include "ops/files/report/report.h"
 #include "ops/files/report/scene_file.h"

@@ -8,7 +8,8 @@
 #include "apps/farm/pictures/scene_pictures.h"
 #include "apps/farm/recipe/recipe.h"
 #include "apps/farm/store/unit.h"
-#include "core/io/model.h"
+#include "core/io/read_model.h"
+#include "core/model/model.h"
 
 namespace trivet::farm {
 

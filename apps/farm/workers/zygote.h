@@ -11,7 +11,7 @@
 #include <sys/types.h>
 
 #include "apps/farm/workers/work.h"
-#include "core/base/local_sockets.h"
+#include "core/io/process/local_sockets.h"
 
 namespace trivet::farm {
 

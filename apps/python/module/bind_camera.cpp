@@ -5,8 +5,9 @@
 #include "apps/python/module/bindings.h"
 #include "apps/python/module/made_by_functions.h"
 #include "core/base/bad_input.h"
-#include "core/picture/image.h"
+#include "core/base/image.h"
 #include "core/picture/pinhole_camera.h"
+#include "core/picture/png.h"
 
 namespace trivet::python {
 namespace {

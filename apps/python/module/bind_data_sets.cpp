@@ -8,7 +8,7 @@
 #include "core/base/bad_input.h"
 #include "ops/files/labels/data_sets.h"
 #include "ops/files/labels/folders.h"
-#include "raster/path/path_picture.h"
+#include "raster/path/picture.h"
 
 namespace trivet::python {
 namespace {

@@ -10,7 +10,7 @@
 #include "core/base/bad_input.h"
 #include "core/picture/camera_dome.h"
 #include "ops/files/labels/label_json.h"
-#include "raster/path/path_picture.h"
+#include "raster/path/picture.h"
 
 namespace trivet::python {
 namespace {

@@ -13,7 +13,7 @@
 #include "core/base/bad_input.h"
 #include "core/io/mesh_model.h"
 #include "core/io/model_bytes.h"
-#include "core/io/sandboxed_import.h"
+#include "core/io/process/sandboxed_import.h"
 #include "core/mesh/hull.h"
 #include "core/mesh/weld_arrays.h"
 #include "core/picture/face_colours.h"

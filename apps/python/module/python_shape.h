@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/index/shape.h"
-#include "core/io/model.h"
+#include "core/model/model.h"
 
 namespace trivet::python {
 

@@ -1,3 +1,5 @@
+#include "core/io/read_model.h"
+
 #include <assimp/importerdesc.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
@@ -11,14 +13,15 @@
 #include "core/base/error.h"
 #include "core/base/extension.h"
 #include "core/base/printable.h"
-#include "core/io/assimp/assimp_appearance.h"
-#include "core/io/assimp/assimp_files.h"
-#include "core/io/assimp/assimp_geometry.h"
-#include "core/io/assimp/assimp_look.h"
-#include "core/io/gltf/gltf_document.h"
-#include "core/io/model.h"
-#include "core/io/preflight.h"
+#include "core/io/assimp/appearance.h"
+#include "core/io/assimp/files.h"
+#include "core/io/assimp/geometry.h"
+#include "core/io/assimp/look.h"
+#include "core/io/cad_format.h"
+#include "core/io/gltf/document.h"
+#include "core/io/process/preflight.h"
 #include "core/io/textures/surface_look.h"
+#include "core/model/model.h"
 
 namespace trivet {
 namespace {

@@ -2,10 +2,11 @@
 #include <cmath>
 
 #include "core/io/animation.h"
+#include "core/io/export.h"
+#include "core/io/gltf/builder.h"
 #include "core/io/gltf/component_types.h"
-#include "core/io/gltf/gltf_builder.h"
-#include "core/io/mesh/float_export.h"
 #include "core/io/writers.h"
+#include "core/model/exported_floats.h"
 #include "core/motion/pose.h"
 
 namespace trivet {

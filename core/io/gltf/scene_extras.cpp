@@ -1,6 +1,6 @@
 #include "core/base/error.h"
 #include "core/io/export.h"
-#include "core/io/gltf/gltf_document.h"
+#include "core/io/gltf/document.h"
 
 namespace trivet {
 namespace {

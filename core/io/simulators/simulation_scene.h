@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "core/convex/convex_parts.h"
-#include "core/io/model.h"
+#include "core/convex/parts.h"
+#include "core/model/model.h"
 
 namespace trivet {
 

@@ -5,7 +5,6 @@
 
 #include "core/base/error.h"
 #include "core/base/extension.h"
-#include "core/io/export.h"
 #include "core/io/simulators/simulation_files.h"
 #include "core/io/staged_files.h"
 

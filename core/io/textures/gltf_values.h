@@ -1,7 +1,7 @@
 // Numbers of glTF accessors. Private: exposes the JSON library.
 #pragma once
 
-#include "core/io/gltf/gltf_document.h"
+#include "core/io/gltf/document.h"
 
 namespace trivet {
 

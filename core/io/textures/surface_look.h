@@ -4,8 +4,8 @@
 
 #include <memory>
 
-#include "core/io/model.h"
 #include "core/io/textures/texture_image.h"
+#include "core/model/model.h"
 
 namespace trivet {
 

@@ -4,7 +4,7 @@
 
 #include "core/base/limits.h"
 #include "ops/files/arrange/relation_json.h"
-#include "ops/files/json/json_values.h"
+#include "ops/files/json/values.h"
 
 namespace trivet {
 namespace {

@@ -2,7 +2,7 @@
 // "surfaces".
 #pragma once
 
-#include "ops/files/json/json_text.h"
+#include "ops/files/json/text.h"
 
 namespace trivet {
 

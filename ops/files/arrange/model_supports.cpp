@@ -8,7 +8,7 @@
 #include "core/contact/body.h"
 #include "ops/arrange/settled_poses.h"
 #include "ops/arrange/support_surfaces.h"
-#include "ops/files/json/json_text.h"
+#include "ops/files/json/text.h"
 #include "ops/files/report/json_parts.h"
 #include "ops/files/report/model_info.h"
 

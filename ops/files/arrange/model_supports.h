@@ -4,7 +4,7 @@
 #include <string>
 
 #include "core/index/shape.h"
-#include "core/io/model.h"
+#include "core/model/model.h"
 
 namespace trivet {
 

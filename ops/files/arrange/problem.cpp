@@ -4,7 +4,7 @@
 
 #include "ops/files/arrange/arrangement_json.h"
 #include "ops/files/json/input_text.h"
-#include "ops/files/json/json_text.h"
+#include "ops/files/json/text.h"
 #include "ops/files/layout/named_objects.h"
 
 namespace trivet {

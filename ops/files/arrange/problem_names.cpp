@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/base/nearest_name.h"
-#include "ops/files/arrange/arrange_section.h"
+#include "ops/files/arrange/section.h"
 
 namespace trivet {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "ops/files/json/json_text.h"
+#include "ops/files/json/text.h"
 
 namespace trivet {
 

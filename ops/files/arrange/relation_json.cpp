@@ -6,7 +6,7 @@
 #include "core/base/limits.h"
 #include "core/base/nearest_name.h"
 #include "ops/arrange/angles.h"
-#include "ops/files/json/json_values.h"
+#include "ops/files/json/values.h"
 
 namespace trivet {
 namespace {

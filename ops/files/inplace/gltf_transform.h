@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "core/base/types.h"
-#include "core/io/gltf/gltf_document.h"
+#include "core/io/gltf/document.h"
 
 namespace trivet {
 

@@ -9,8 +9,8 @@
 #include "core/base/quoted.h"
 #include "core/base/tunables.h"
 #include "core/exact/interpenetration.h"
-#include "core/io/export.h"
-#include "ops/files/json/json_text.h"
+#include "core/model/exported_floats.h"
+#include "ops/files/json/text.h"
 #include "ops/placement/clearance.h"
 #include "ops/placement/verify.h"
 

@@ -8,7 +8,7 @@
 #include "core/base/extension.h"
 #include "core/base/printable.h"
 #include "core/io/export.h"
-#include "core/io/gltf/gltf_builder.h"
+#include "core/io/gltf/builder.h"
 #include "core/io/model_folder.h"
 #include "core/io/staged_files.h"
 

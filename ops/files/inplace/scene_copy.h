@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "core/io/gltf/gltf_document.h"
+#include "core/io/gltf/document.h"
 
 namespace trivet {
 

@@ -1,7 +1,7 @@
 // Looks of objects and collections as JSON, as in layout.schema.json.
 #pragma once
 
-#include "ops/files/json/json_text.h"
+#include "ops/files/json/text.h"
 #include "ops/files/layout/scene_looks.h"
 
 namespace trivet {

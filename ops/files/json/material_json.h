@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/scene/physics_material.h"
-#include "ops/files/json/json_text.h"
+#include "ops/files/json/text.h"
 
 namespace trivet {
 

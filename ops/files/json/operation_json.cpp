@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "core/base/nearest_name.h"
-#include "ops/files/arrange/arrange_operation.h"
+#include "ops/files/arrange/operation.h"
 #include "ops/files/json/material_json.h"
 #include "ops/files/layout/layout.h"
 #include "ops/operations/validate.h"

@@ -1,7 +1,7 @@
 // Private. One operation as JSON: for layouts, journals and sessions.
 #pragma once
 
-#include "ops/files/json/json_values.h"
+#include "ops/files/json/values.h"
 #include "ops/operations/operations.h"
 
 namespace trivet {

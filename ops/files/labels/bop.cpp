@@ -1,9 +1,11 @@
 #include <cmath>
 
+#include "core/io/atomic_file.h"
 #include "core/io/export.h"
 #include "core/mesh/hull.h"
+#include "core/model/exported_floats.h"
 #include "core/picture/image_files.h"
-#include "ops/files/json/json_text.h"
+#include "ops/files/json/text.h"
 #include "ops/files/labels/data_sets.h"
 #include "ops/files/labels/folders.h"
 

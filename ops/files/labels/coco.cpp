@@ -1,7 +1,7 @@
 #include <filesystem>
 
-#include "core/io/export.h"
-#include "ops/files/json/json_text.h"
+#include "core/io/atomic_file.h"
+#include "ops/files/json/text.h"
 #include "ops/files/labels/data_sets.h"
 #include "ops/files/labels/folders.h"
 

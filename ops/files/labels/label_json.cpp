@@ -5,8 +5,8 @@
 #include <set>
 
 #include "core/base/error.h"
-#include "ops/files/json/json_text.h"
-#include "ops/files/json/json_values.h"
+#include "ops/files/json/text.h"
+#include "ops/files/json/values.h"
 #include "ops/files/labels/folders.h"
 
 namespace trivet {

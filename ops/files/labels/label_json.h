@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "ops/files/json/json_text.h"
+#include "ops/files/json/text.h"
 #include "ops/files/labels/labelled_scene.h"
 #include "raster/labels/labels.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/picture/picture_scene.h"
+#include "core/picture/scene.h"
 #include "core/scene/scene.h"
 #include "ops/files/layout/layout.h"
 

@@ -1,7 +1,7 @@
 // Private. What labelled images are told of an object: "class" and "attributes".
 #pragma once
 
-#include "ops/files/json/json_text.h"
+#include "ops/files/json/text.h"
 #include "ops/files/layout/layout.h"
 
 namespace trivet {

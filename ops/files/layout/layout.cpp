@@ -5,14 +5,14 @@
 #include <map>
 
 #include "core/base/nearest_name.h"
-#include "ops/files/arrange/arrange_operation.h"
 #include "ops/files/arrange/marks_json.h"
+#include "ops/files/arrange/operation.h"
 #include "ops/files/json/input_text.h"
-#include "ops/files/json/json_text.h"
 #include "ops/files/json/looks_json.h"
 #include "ops/files/json/material_json.h"
 #include "ops/files/json/operation_json.h"
 #include "ops/files/json/settle_json.h"
+#include "ops/files/json/text.h"
 #include "ops/files/layout/label_keys.h"
 #include "ops/files/layout/named_objects.h"
 

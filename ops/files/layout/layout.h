@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/base/limits.h"
-#include "core/io/tessellation.h"
+#include "core/model/tessellation.h"
 #include "core/motion/pose.h"
 #include "core/scene/physics_material.h"
 #include "ops/base/options.h"

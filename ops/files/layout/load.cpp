@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "core/base/arena.h"
-#include "core/io/sandboxed_import.h"
+#include "core/io/process/sandboxed_import.h"
 
 namespace trivet {
 namespace {

@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "core/index/shape.h"
-#include "core/io/model.h"
+#include "core/io/read_model.h"
+#include "core/model/model.h"
 #include "core/scene/scene.h"
 #include "ops/operations/operations.h"
 

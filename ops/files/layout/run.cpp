@@ -9,7 +9,7 @@
 #include "core/base/error.h"
 #include "core/contact/contact_memory.h"
 #include "core/scene/transaction.h"
-#include "ops/files/json/json_text.h"
+#include "ops/files/json/text.h"
 #include "ops/files/layout/scene_of_layout.h"
 #include "ops/files/layout/watched_run.h"
 #include "ops/operations/perform.h"

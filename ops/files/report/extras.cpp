@@ -3,11 +3,11 @@
 #include <map>
 #include <set>
 
-#include "core/io/export.h"
-#include "ops/files/json/json_text.h"
-#include "ops/files/json/json_values.h"
+#include "core/model/exported_floats.h"
 #include "ops/files/json/material_json.h"
 #include "ops/files/json/operation_json.h"
+#include "ops/files/json/text.h"
+#include "ops/files/json/values.h"
 #include "ops/files/report/json_parts.h"
 #include "ops/files/report/report.h"
 #include "ops/files/report/stored_mesh.h"

@@ -6,8 +6,9 @@
 #include "core/base/error.h"
 #include "core/base/hash.h"
 #include "core/io/appearance.h"
-#include "core/io/mesh/float_export.h"
-#include "core/io/sandboxed_import.h"
+#include "core/io/process/sandboxed_import.h"
+#include "core/io/read_model.h"
+#include "core/model/exported_floats.h"
 #include "ops/files/report/glb_nodes.h"
 
 namespace trivet {

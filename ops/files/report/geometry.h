@@ -11,7 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "core/io/model.h"
+#include "core/io/read_model.h"
+#include "core/model/model.h"
 
 namespace trivet {
 

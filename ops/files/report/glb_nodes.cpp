@@ -3,7 +3,7 @@
 #include <map>
 
 #include "core/base/error.h"
-#include "core/io/gltf/gltf_builder.h"
+#include "core/io/gltf/builder.h"
 
 namespace trivet {
 namespace {

@@ -7,7 +7,7 @@
 #include "core/base/count_of.h"
 #include "core/io/look.h"
 #include "core/io/textures/surface_look.h"
-#include "ops/files/json/json_text.h"
+#include "ops/files/json/text.h"
 #include "ops/files/report/json_parts.h"
 
 namespace trivet {

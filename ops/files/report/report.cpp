@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <map>
 
-#include "ops/files/json/json_text.h"
 #include "ops/files/json/settle_json.h"
+#include "ops/files/json/text.h"
 #include "ops/files/report/json_parts.h"
 #include "ops/files/report/models_of_shapes.h"
 

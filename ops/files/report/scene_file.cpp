@@ -5,8 +5,9 @@
 
 #include "core/base/error.h"
 #include "core/io/export.h"
-#include "core/io/mesh/float_export.h"
-#include "core/io/sandboxed_import.h"
+#include "core/io/process/sandboxed_import.h"
+#include "core/io/read_model.h"
+#include "core/model/exported_floats.h"
 #include "ops/files/report/extras.h"
 #include "ops/files/report/glb_nodes.h"
 #include "ops/files/report/models_of_shapes.h"

@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "core/io/model.h"
+#include "core/io/read_model.h"
+#include "core/model/model.h"
 #include "core/scene/scene.h"
 #include "ops/files/layout/layout.h"
 

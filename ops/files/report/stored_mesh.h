@@ -6,8 +6,8 @@
 //    "face_material": int32, "corner_normals": float32, 9 each}        if there are any
 #pragma once
 
-#include "core/io/model.h"
-#include "ops/files/json/json_text.h"
+#include "core/model/model.h"
+#include "ops/files/json/text.h"
 #include "ops/files/report/json_parts.h"
 
 namespace trivet {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "core/io/export.h"
+#include "core/io/atomic_file.h"
 #include "ops/files/report/json_parts.h"
 #include "ops/files/report/models_of_shapes.h"
 

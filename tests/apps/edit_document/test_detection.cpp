@@ -3,7 +3,7 @@
 
 #include "apps/edit_document/breakfast_drags.h"
 #include "core/base/error.h"
-#include "gpu/zlist/zlist_gpu.h"
+#include "gpu/zlist/stage.h"
 #include "raster/zlist/software_zlists.h"
 
 namespace trivet::edit::test {

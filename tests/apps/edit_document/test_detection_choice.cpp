@@ -2,7 +2,7 @@
 #include "apps/edit/window/detection_choice.h"
 #include "apps/edit_document/breakfast_drags.h"
 #include "core/base/error.h"
-#include "gpu/zlist/zlist_gpu.h"
+#include "gpu/zlist/stage.h"
 
 namespace trivet::edit::test {
 namespace {

@@ -8,7 +8,7 @@
 #include "apps/edit/document/words.h"
 #include "apps/edit_document/testing.h"
 #include "core/base/error.h"
-#include "core/io/sandboxed_import.h"
+#include "core/io/process/sandboxed_import.h"
 #include "ops/arrange/arrange_testing.h"
 #include "ops/files/layout/layout.h"
 #include "ops/files/report/scene_file.h"

@@ -2,7 +2,7 @@
 #include "apps/edit/document/arrange_worker.h"
 #include "apps/edit_document/testing.h"
 #include "core/base/error.h"
-#include "ops/files/arrange/arrange_section.h"
+#include "ops/files/arrange/section.h"
 
 namespace trivet::edit::test {
 namespace {

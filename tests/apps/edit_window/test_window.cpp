@@ -27,6 +27,7 @@
 #include "apps/edit_window/views_and_tools.h"
 #include "apps/edit_window/zlists_watched.h"
 #include "core/io/export.h"
+#include "core/model/exported_floats.h"
 #include "support/effort.h"
 
 namespace trivet::edit::test {

@@ -5,8 +5,8 @@
 
 #include "apps/farm/scene/make_scene.h"
 #include "apps/farm/scene/scene_json.h"
+#include "ops/files/layout/boxes.h"
 #include "ops/files/layout/run.h"
-#include "ops/layout/boxes.h"
 
 namespace trivet::farm {
 namespace {

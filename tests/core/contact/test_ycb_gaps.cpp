@@ -10,7 +10,8 @@
 #include <sstream>
 
 #include "core/contact/first_contact.h"
-#include "core/io/model.h"
+#include "core/io/read_model.h"
+#include "core/model/model.h"
 #include "support/shared_data.h"
 
 namespace trivet {

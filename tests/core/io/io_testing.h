@@ -8,8 +8,7 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/io/export.h"
-#include "core/io/model.h"
+#include "core/model/model.h"
 
 namespace trivet::testing {
 

@@ -6,11 +6,12 @@
 #include <random>
 
 #include "core/base/error.h"
+#include "core/base/image.h"
 #include "core/io/base64.h"
 #include "core/io/colour.h"
 #include "core/io/textures/texture_image.h"
-#include "core/picture/image.h"
 #include "core/picture/image_files.h"
+#include "core/picture/png.h"
 
 namespace trivet {
 namespace {

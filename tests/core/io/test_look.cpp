@@ -2,7 +2,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "core/io/gltf/gltf_document.h"
+#include "core/io/gltf/document.h"
 #include "core/io/io_testing.h"
 #include "core/io/look.h"
 

@@ -8,7 +8,7 @@
 
 #include "core/io/io_testing.h"
 #include "core/io/model_bytes.h"
-#include "core/io/sandboxed_import.h"
+#include "core/io/process/sandboxed_import.h"
 
 namespace trivet {
 namespace {

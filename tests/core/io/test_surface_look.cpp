@@ -5,11 +5,13 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "core/base/image.h"
 #include "core/io/base64.h"
-#include "core/io/gltf/gltf_document.h"
+#include "core/io/gltf/document.h"
 #include "core/io/io_testing.h"
+#include "core/io/read_model.h"
 #include "core/io/textures/surface_look.h"
-#include "core/picture/image.h"
+#include "core/picture/png.h"
 #include "support/textured_square.h"
 
 namespace trivet {

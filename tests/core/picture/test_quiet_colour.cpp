@@ -5,8 +5,8 @@
 #include <set>
 
 #include "core/io/mesh_model.h"
-#include "core/picture/picture_scene.h"
 #include "core/picture/quiet_colour.h"
+#include "core/picture/scene.h"
 
 namespace trivet {
 namespace {

@@ -10,7 +10,7 @@
 #include <thread>
 
 #include "core/base/error.h"
-#include "gpu/egl/egl_context.h"
+#include "gpu/egl/context.h"
 
 namespace trivet {
 namespace {

@@ -5,7 +5,7 @@
 #include <fstream>
 
 #include "core/base/error.h"
-#include "gpu/egl/egl_context.h"
+#include "gpu/egl/context.h"
 #include "gpu/egl/graphics_hardware.h"
 #include "support/temporary_folder.h"
 

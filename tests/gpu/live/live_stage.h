@@ -9,8 +9,8 @@
 #include <memory>
 
 #include "core/base/error.h"
-#include "gpu/live/live_camera.h"
-#include "gpu/live/live_view.h"
+#include "gpu/live/camera.h"
+#include "gpu/live/view.h"
 
 namespace trivet::test {
 

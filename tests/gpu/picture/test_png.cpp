@@ -8,7 +8,8 @@
 #include <string>
 
 #include "core/base/error.h"
-#include "core/picture/image.h"
+#include "core/base/image.h"
+#include "core/picture/png.h"
 
 namespace trivet {
 namespace {

@@ -8,7 +8,7 @@
 #include <cstdlib>
 
 #include "core/base/error.h"
-#include "gpu/zlist/zlist_gpu.h"
+#include "gpu/zlist/stage.h"
 #include "support/check_stage.h"
 
 namespace trivet {

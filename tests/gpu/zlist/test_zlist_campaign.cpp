@@ -5,7 +5,7 @@
 #include <iostream>
 #include <sstream>
 
-#include "core/contact/confirm.h"
+#include "core/candidates/confirm.h"
 #include "gpu/zlist/ways.h"
 #include "support/effort.h"
 #include "support/random_queries.h"

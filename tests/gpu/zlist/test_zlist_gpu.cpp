@@ -8,8 +8,8 @@
 #include <fstream>
 #include <set>
 
-#include "core/contact/zlist_self_test.h"
-#include "gpu/egl/egl_context.h"
+#include "core/candidates/self_test.h"
+#include "gpu/egl/context.h"
 #include "gpu/zlist/ways.h"
 #include "support/check_stage.h"
 #include "support/effort.h"

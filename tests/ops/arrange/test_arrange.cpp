@@ -9,7 +9,7 @@
 #include "ops/arrange/arrange_testing.h"
 #include "ops/arrange/relations.h"
 #include "ops/detect/detector.h"
-#include "ops/place/distance_query.h"
+#include "ops/free_places/distance_query.h"
 
 namespace trivet {
 namespace {

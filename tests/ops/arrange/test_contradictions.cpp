@@ -5,7 +5,7 @@
 
 #include "ops/arrange/arrange_testing.h"
 #include "ops/arrange/contradictions.h"
-#include "ops/place/distance_query.h"
+#include "ops/free_places/distance_query.h"
 #include "ops/placement/neighbourhood.h"
 
 namespace trivet {

@@ -2,11 +2,11 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
-#include "core/contact/gpu_notes.h"
+#include "core/candidates/gpu_notes.h"
 
 #ifdef TRIVET_HAS_GPU
 #include "gpu/zlist/drop_brackets_gpu.h"
-#include "gpu/zlist/zlist_gpu.h"
+#include "gpu/zlist/stage.h"
 #include "ops/detect/backend.h"
 #include "raster/height_map/drop_brackets.h"
 #include "support/random_queries.h"

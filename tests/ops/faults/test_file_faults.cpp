@@ -15,7 +15,7 @@
 #include <new>
 
 #include "core/base/error.h"
-#include "core/io/export.h"
+#include "core/io/atomic_file.h"
 #include "core/io/mesh_model.h"
 #include "core/scene/allocation_faults.h"
 #include "core/scene/fingerprint.h"

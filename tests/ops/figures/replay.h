@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "ops/move/stage.h"
+#include "ops/operations/stage.h"
 #include "support/settle_options.h"
 
 namespace trivet::test {

@@ -1,9 +1,9 @@
 // The paper's figures of operations and of the load-support list: Fig. 1, 4, 5, 6 and 18.
 #include <cmath>
 
-#include "ops/move/pile.h"
-#include "ops/move/push_stage.h"
-#include "ops/move/turn_stage.h"
+#include "ops/operations/pile.h"
+#include "ops/operations/push_stage.h"
+#include "ops/operations/turn_stage.h"
 
 namespace trivet {
 namespace {

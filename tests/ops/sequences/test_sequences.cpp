@@ -19,7 +19,7 @@
 #include "support/same_scene.h"
 #include "support/shared_data.h"
 #ifdef TRIVET_HAS_GPU
-#include "gpu/zlist/zlist_gpu.h"
+#include "gpu/zlist/stage.h"
 #endif
 
 namespace trivet::test {

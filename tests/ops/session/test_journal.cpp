@@ -9,8 +9,7 @@
 #include <sstream>
 
 #include "core/base/error.h"
-#include "core/io/export.h"
-#include "ops/files/json/json_text.h"
+#include "ops/files/json/text.h"
 #include "ops/files/report/scene_file.h"
 #include "ops/operations/live_move.h"
 #include "ops/placement/clearance.h"

@@ -5,7 +5,8 @@
 
 #include "apps/demo/shapes/models.h"
 #include "core/base/tunables.h"
-#include "core/io/model.h"
+#include "core/io/read_model.h"
+#include "core/model/model.h"
 #include "support/settle_options.h"
 #include "support/shared_data.h"
 #include "support/solids.h"

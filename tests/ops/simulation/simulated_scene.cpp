@@ -6,7 +6,7 @@
 #include "apps/demo/shapes/models.h"
 #include "core/scene/transaction.h"
 #include "ops/check/check.h"
-#include "ops/layout/boxes.h"
+#include "ops/files/layout/boxes.h"
 #include "ops/operations/perform.h"
 
 namespace trivet::test {

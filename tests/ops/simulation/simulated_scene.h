@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "core/convex/convex_parts.h"
+#include "core/convex/parts.h"
 #include "core/scene/scene.h"
 
 namespace trivet::test {

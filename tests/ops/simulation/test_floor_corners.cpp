@@ -4,7 +4,7 @@
 #include <cstdio>
 
 #include "core/io/simulators/floor_corners.h"
-#include "ops/layout/boxes.h"
+#include "ops/files/layout/boxes.h"
 #include "ops/simulation/simulate.h"
 #include "ops/simulation/simulation.h"
 #include "support/effort.h"

@@ -8,8 +8,8 @@
 
 #include "core/base/error.h"
 #include "core/scene/transaction.h"
+#include "ops/files/layout/boxes.h"
 #include "ops/files/layout/run.h"
-#include "ops/layout/boxes.h"
 #include "ops/simulation/simulate.h"
 #include "ops/simulation/simulated_scene.h"
 #include "ops/simulation/simulation.h"

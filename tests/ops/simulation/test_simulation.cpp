@@ -13,7 +13,7 @@
 #include "core/scene/materials.h"
 #include "core/scene/transaction.h"
 #include "ops/check/check.h"
-#include "ops/layout/boxes.h"
+#include "ops/files/layout/boxes.h"
 #include "ops/simulation/simulated_scene.h"
 #include "ops/simulation/simulation.h"
 #include "support/solids.h"

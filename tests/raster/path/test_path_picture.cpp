@@ -8,7 +8,7 @@
 #include <set>
 
 #include "core/base/error.h"
-#include "raster/path/path_picture.h"
+#include "raster/path/picture.h"
 #include "raster/path/sampler.h"
 
 namespace trivet {

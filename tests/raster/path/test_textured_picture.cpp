@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 #include <tbb/task_arena.h>
 
-#include "raster/path/path_picture.h"
+#include "raster/path/picture.h"
 #include "support/look_probes.h"
 
 namespace trivet {

@@ -1,0 +1,40 @@
+#include "core/candidates/gpu_notes.h"
+
+#include <memory>
+#include <mutex>
+#include <utility>
+
+namespace trivet {
+namespace {
+
+struct Told {
+  std::mutex mutex;
+  bool recovered = false, lost = false;
+
+  bool is_first_recovery() {
+    const std::lock_guard lock(mutex);
+    return !lost && !std::exchange(recovered, true);
+  }
+  bool is_first_loss() {
+    const std::lock_guard lock(mutex);
+    return !std::exchange(lost, true);
+  }
+};
+
+}  // namespace
+
+GpuNotes once_each(GpuNotes notes) {
+  const auto told = std::make_shared<Told>();
+  GpuNotes out;
+  out.recovered = [told, notes](const std::string& text) {
+    if (told->is_first_recovery()) notes.tell_recovered(text);
+  };
+  out.lost = [told, notes](const std::string& text) {
+    if (told->is_first_loss()) notes.tell_lost(text);
+  };
+  return out;
+}
+
+GpuNotes once_each(const GpuNotes::Note& note) { return once_each(GpuNotes{note, note}); }
+
+}  // namespace trivet

@@ -1,0 +1,263 @@
+#include "core/io/gltf/document.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <string_view>
+
+#include "core/base/bad_input.h"
+#include "core/base/error.h"
+#include "core/base/extension.h"
+#include "core/base/printable.h"
+#include "core/io/base64.h"
+#include "core/io/gltf/glb_container.h"
+#include "core/io/model_folder.h"
+
+namespace trivet {
+namespace {
+
+namespace fs = std::filesystem;
+
+// dump() recurses; a hostile file must not exhaust the stack.
+constexpr int kMaxJsonDepth = 200;
+
+std::string whole_file(const fs::path& path, std::uintmax_t max_bytes) {
+  std::error_code error;
+  if (fs::is_directory(path, error)) bad_input(path.string() + ": is a folder, not a file");
+  const auto bytes = fs::is_regular_file(path, error) ? fs::file_size(path, error) : 0;
+  if (error || bytes == 0) bad_input(path.string() + ": is missing or empty");
+  if (bytes > max_bytes)
+    bad_input(path.string() + ": " + std::to_string(bytes) + " bytes, more than the limit of " +
+              std::to_string(max_bytes));
+  std::string out(bytes, '\0');
+  if (!std::ifstream(path, std::ios::binary).read(out.data(), static_cast<long>(bytes)))
+    bad_input(path.string() + ": cannot be read");
+  return out;
+}
+
+// Recognised by content too: sessions rename their start file.
+bool is_glb(const std::string& path) {
+  if (lower_extension(path) == ".glb") return true;
+  std::error_code error;
+  if (!fs::is_regular_file(path, error)) return false;  // opening a pipe would wait
+  std::array<char, 4> begin{};
+  std::ifstream in(path, std::ios::binary);
+  return in.read(begin.data(), begin.size()) && std::string_view(begin.data(), 4) == "glTF";
+}
+
+class DocumentReader {
+ public:
+  DocumentReader(const std::string& path, const ImportLimits& limits)
+      : m_path(path), m_limits(limits), m_folder(path) {}
+
+  GltfDocument read() {
+    const std::string text = read_gltf_text(m_path);
+    m_document.json = parse_gltf_json(m_path, text);
+    std::string chunk = is_glb(m_path) ? read_glb_binary(m_path, text.size()) : "";
+    if (!member(m_document.json, "asset").is_object())
+      bad_input("the JSON has no \"asset\" object");
+    read_buffers(std::move(chunk));
+    move_views();
+    read_images();
+    return std::move(m_document);
+  }
+
+ private:
+  std::string bytes_of_uri(const std::string& uri) const {
+    if (uri.rfind("data:", 0) == 0) {
+      const size_t comma = uri.find(";base64,");
+      if (comma == std::string::npos) bad_input("a data URI is not base64");
+      return decoded_base64(std::string_view(uri).substr(comma + 8));
+    }
+    const fs::path path = fs::path(m_path).parent_path() / decoded_uri(uri);
+    if (!m_folder.holds(path)) bad_input(outside_folder(uri));
+    return whole_file(path, m_limits.max_file_bytes);
+  }
+
+  void read_buffers(std::string chunk) {
+    const GltfJson& buffers = member(m_document.json, "buffers");
+    for (size_t i = 0; i < buffers.size(); ++i) {
+      const GltfJson& uri = member(buffers[i], "uri");
+      const std::string bytes =
+          uri.is_string() ? bytes_of_uri(uri.get<std::string>()) : std::exchange(chunk, {});
+      const size_t length = index_from(member(buffers[i], "byteLength"));
+      if (length > bytes.size())
+        bad_input("buffer " + std::to_string(i) + " has " + std::to_string(bytes.size()) +
+                  " bytes, expected " + std::to_string(length));
+      m_starts.push_back(m_document.binary.size());
+      m_ends.push_back(m_starts.back() + length);
+      m_document.binary.append(bytes, 0, length);
+      m_document.binary.resize((m_document.binary.size() + 3) / 4 * 4);
+      if (m_document.binary.size() > m_limits.max_file_bytes)
+        bad_input("the buffers exceed the limit");
+    }
+  }
+
+  // Merges all views into the single buffer.
+  void move_views() {
+    if (!m_document.json.contains("bufferViews")) return;
+    for (GltfJson& view : m_document.json["bufferViews"]) {
+      const size_t buffer = index_from(member(view, "buffer"));
+      if (buffer >= m_starts.size()) bad_input("a buffer view refers to a missing buffer");
+      const GltfJson& given = member(view, "byteOffset");
+      const size_t offset = given.is_null() ? 0 : index_from(given);
+      const size_t length = index_from(member(view, "byteLength"));
+      const size_t available = m_ends[buffer] - m_starts[buffer];
+      if (offset > available || length > available - offset)
+        bad_input("a buffer view extends beyond its buffer");
+      view["buffer"] = 0;
+      view["byteOffset"] = m_starts[buffer] + offset;
+    }
+    m_document.json.erase("buffers");
+  }
+
+  void read_images() {
+    if (!m_document.json.contains("images")) return;
+    for (GltfJson& image : m_document.json["images"]) {
+      if (!image.is_object()) bad_input("an image is not an object");
+      m_document.images.push_back(bytes_of(image));
+      name_after_file(image);
+      image.erase("uri");
+      image.erase("bufferView");
+    }
+  }
+
+  SharedBytes bytes_of(const GltfJson& image) const {
+    if (const GltfJson& view = member(image, "bufferView"); !view.is_null()) {
+      const GltfJson& found = element(m_document.json, "bufferViews", view);
+      return std::make_shared<const std::string>(m_document.binary.substr(
+          found["byteOffset"].get<size_t>(), found["byteLength"].get<size_t>()));
+    }
+    if (!member(image, "uri").is_string()) return nullptr;
+    try {
+      auto bytes = bytes_of_uri(image["uri"].get<std::string>());
+      // Passes on images only, whatever an untrusted file's path points to.
+      if (image_type(bytes).empty()) return nullptr;
+      return std::make_shared<const std::string>(std::move(bytes));
+    } catch (const Error&) {
+      return nullptr;
+    }
+  }
+
+  static void name_after_file(GltfJson& image) {
+    const GltfJson& uri = member(image, "uri");
+    if (image.contains("name") || !uri.is_string()) return;
+    const std::string text = uri.get<std::string>();
+    if (text.rfind("data:", 0) != 0) image["name"] = fs::path(decoded_uri(text)).stem().string();
+  }
+
+  const std::string m_path;
+  const ImportLimits m_limits;
+  const ModelFolder m_folder;
+  GltfDocument m_document;
+  std::vector<size_t> m_starts, m_ends;  // of the file's buffers in the merged buffer
+};
+
+}  // namespace
+
+GltfJson parse_gltf_json(const std::string& path, const std::string& text) {
+  const auto check_depth = [&](int depth, GltfJson::parse_event_t, GltfJson&) {
+    if (depth > kMaxJsonDepth)
+      bad_input(path + ": the glTF JSON is nested deeper than " + std::to_string(kMaxJsonDepth) +
+                " levels");
+    return true;
+  };
+  try {
+    return GltfJson::parse(text, check_depth);
+  } catch (const GltfJson::exception& e) {
+    bad_input(path + ": the glTF JSON is malformed: " + printable(e.what()));
+  }
+}
+
+std::string read_gltf_text(const std::string& path) {
+  constexpr std::uintmax_t kMaxJson = std::uintmax_t{4} << 30;
+  std::error_code error;
+  if (fs::exists(path, error) && !fs::is_regular_file(path, error) &&
+      !fs::is_directory(path, error))
+    bad_input(path + ": is a device or a pipe; accepted: a regular file");
+  if (is_glb(path)) return read_glb_json(path);
+  std::string text = whole_file(path, kMaxJson);
+  const size_t first = text.find_first_not_of(" \t\r\n");
+  if (first == text.npos || text[first] != '{')
+    bad_input(path + ": is not glTF, neither binary nor JSON; accepted: .glb and .gltf");
+  return text;
+}
+
+GltfDocument read_gltf_document(const std::string& path, const ImportLimits& limits) {
+  try {
+    return DocumentReader(path, limits).read();
+  } catch (const GltfJson::exception& e) {
+    bad_input(path + ": is not valid glTF: " + printable(e.what()));
+  } catch (const Error& e) {
+    const std::string message = e.what();
+    bad_input(message.rfind(path, 0) == 0 ? message : path + ": is not valid glTF: " + message);
+  }
+}
+
+std::string decoded_uri(const std::string& uri) {
+  std::string out;
+  for (size_t i = 0; i < uri.size(); ++i) {
+    const bool escape = uri[i] == '%' && i + 2 < uri.size() &&
+                        std::isxdigit(static_cast<unsigned char>(uri[i + 1])) &&
+                        std::isxdigit(static_cast<unsigned char>(uri[i + 2]));
+    out += escape ? static_cast<char>(std::stoi(uri.substr(i + 1, 2), nullptr, 16)) : uri[i];
+    if (escape) i += 2;
+  }
+  return out;
+}
+
+const GltfJson& member(const GltfJson& object, const char* key) {
+  static const GltfJson none;
+  if (!object.is_object()) return none;
+  const auto found = object.find(key);
+  return found == object.end() ? none : *found;
+}
+
+const GltfJson& element(const GltfJson& root, const char* list, const GltfJson& index) {
+  const GltfJson& found = member(root, list);
+  const size_t i = index_from(index);
+  if (!found.is_array() || i >= found.size())
+    bad_input("refers to element " + std::to_string(i) + " of \"" + list + "\", which has " +
+              std::to_string(found.is_array() ? found.size() : 0));
+  if (!found[i].is_object())
+    bad_input("element " + std::to_string(i) + " of \"" + list + "\" is not an object");
+  return found[i];
+}
+
+std::string name_of(const GltfJson& object) {
+  const GltfJson& name = member(object, "name");
+  return name.is_string() ? name.get<std::string>() : "";
+}
+
+size_t index_from(const GltfJson& value) {
+  // 2^53: sums of such numbers cannot overflow.
+  const bool unsigned_or_positive =
+      value.is_number_unsigned() || (value.is_number_integer() && value.get<std::int64_t>() >= 0);
+  if (unsigned_or_positive && value.get<std::uint64_t>() < std::uint64_t{1} << 53)
+    return value.get<size_t>();
+  bad_input(value.dump(-1, ' ', false, GltfJson::error_handler_t::replace).substr(0, 40) +
+            " is not an index or a size");
+}
+
+std::vector<int> scene_roots(const GltfJson& root) {
+  const GltfJson& shown = member(root, "scene");
+  const GltfJson& scene = element(root, "scenes", shown.is_null() ? GltfJson(0u) : shown);
+  std::vector<int> roots;
+  for (const GltfJson& node : member(scene, "nodes")) {
+    element(root, "nodes", node);
+    roots.push_back(static_cast<int>(index_from(node)));
+  }
+  return roots;
+}
+
+std::string image_type(const std::string& bytes) {
+  if (bytes.rfind("\x89PNG\r\n\x1a\n", 0) == 0) return "image/png";
+  if (bytes.rfind("\xff\xd8\xff", 0) == 0) return "image/jpeg";
+  if (bytes.size() > 12 && bytes.rfind("RIFF", 0) == 0 && bytes.compare(8, 4, "WEBP") == 0)
+    return "image/webp";
+  return "";
+}
+
+}  // namespace trivet

@@ -1,0 +1,203 @@
+#include "core/io/process/sandboxed_import.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <new>
+
+#include "core/base/bad_input.h"
+#include "core/io/model_bytes.h"
+#include "core/io/process/importer_process.h"
+#include "core/io/process/preflight.h"
+
+namespace trivet {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+constexpr double kBaseSeconds = 60, kSecondsPerByte = 1e-6;
+constexpr std::uintmax_t kBaseMemory = std::uintmax_t{1} << 30, kMemoryPerByte = 64;
+constexpr int kPipeBytes = 1 << 20;
+constexpr double kCancelSeconds = 0.05;  // until it is noticed
+
+ImportLimits with_defaults(ImportLimits limits, const std::string& path) {
+  std::error_code error;
+  const std::uintmax_t bytes = fs::file_size(path, error);
+  const std::uintmax_t size = error ? 0 : bytes;
+  if (!(limits.max_seconds > 0))
+    limits.max_seconds = kBaseSeconds + kSecondsPerByte * static_cast<double>(size);
+  if (limits.max_memory_bytes == 0) limits.max_memory_bytes = kBaseMemory + kMemoryPerByte * size;
+  return limits;
+}
+
+/// Importer program for this file. @throws Error (Environment) if its format has none.
+std::string importer_of(const std::string& path, const ImportLimits& limits) {
+  const std::string format = cad_format(path);
+  if (format.empty()) return limits.importer;
+  std::string importer = limits.importer + "-cad";
+  if (access(importer.c_str(), X_OK) == 0) return importer;
+  throw Error(
+      Error::Kind::Environment,
+      path + ": " + format + " files need " + importer +
+          ", which is missing: this build of Trivet lacks Open CASCADE; accepted: a "
+          "build with it (Debian: libocct-data-exchange-dev libocct-ocaf-dev; TRIVET_OCCT)");
+}
+
+/// Reads all output up to the deadline. @throws Error (BadInput) at the deadline, if the output
+/// exceeds the limit, and if cancelled.
+std::string received(int descriptor, const std::string& path, const ImportLimits& limits,
+                     const std::atomic<bool>* cancel) {
+  const auto deadline = Clock::now() + std::chrono::duration<double>(limits.max_seconds);
+  std::string out;
+  std::array<char, 1 << 16> block;
+  while (true) {
+    if (cancel && *cancel) bad_file(path, "reading it was cancelled");
+    const double left = std::chrono::duration<double>(deadline - Clock::now()).count();
+    if (left <= 0)
+      bad_file(path, "reading it took longer than the limit of " +
+                         std::to_string(static_cast<long>(std::ceil(limits.max_seconds))) + " s");
+    pollfd waiting{descriptor, POLLIN, 0};
+    const double wait = std::min(left, cancel ? kCancelSeconds : 1e3);
+    const int ready = poll(&waiting, 1, static_cast<int>(wait * 1e3 + 1));
+    if (ready < 0 && errno != EINTR) fail_environment(path + ": cannot be awaited", errno);
+    if (ready <= 0) continue;
+    const ssize_t count = read(descriptor, block.data(), block.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) fail_environment(path + ": cannot be received", errno);
+    if (count == 0) return out;
+    out.append(block.data(), static_cast<size_t>(count));
+    if (out.size() > limits.max_memory_bytes) bad_file(path, "output exceeds the memory limit");
+  }
+}
+
+void check_end(int status, const std::string& importer, const std::string& path,
+               const ImportLimits& limits) {
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return;
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 127)
+    throw Error(Error::Kind::Environment, importer + ": cannot be started");
+  const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+  if (signal == SIGXCPU)
+    bad_file(path, "reading it took longer than the limit of " +
+                       std::to_string(static_cast<long>(std::ceil(limits.max_seconds))) + " s");
+  bad_file(path, "cannot be read as a model: the importer ended with " +
+                     (signal ? std::string(strsignal(signal))
+                             : "status " + std::to_string(WEXITSTATUS(status))) +
+                     "; the file is broken, or needs more memory than the limit of " +
+                     std::to_string(limits.max_memory_bytes >> 20) + " MiB");
+}
+
+bool write_all(int descriptor, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t count = write(descriptor, bytes.data(), bytes.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) return false;
+    bytes.remove_prefix(static_cast<size_t>(count));
+  }
+  return true;
+}
+
+// Of this thread; null: each file has an importer of its own.
+thread_local SharedImporters* t_shared = nullptr;
+
+/// The importer's answer, and in `status` how it ended.
+std::string answer_of(const std::string& importer, const ImportRequest& request,
+                      ImporterServer* server, const std::atomic<bool>* cancel, int& status) {
+  int ends[2];
+  if (pipe2(ends, O_CLOEXEC) != 0) fail_environment(request.path + ": cannot create a pipe", errno);
+  fcntl(ends[0], F_SETPIPE_SZ, kPipeBytes);  // or as it is
+  const Descriptor input(ends[0]);
+  Descriptor output(ends[1]);
+  std::optional<ImporterProcess> own;
+  if (server)
+    server->ask(request, output.number());
+  else
+    own.emplace(importer, request.texts(), output.number());
+  output.reset();
+  std::string bytes = received(input.number(), request.path, request.limits, cancel);
+  status = server ? server->status() : own->wait();
+  return bytes;
+}
+
+}  // namespace
+
+SharedImporters::SharedImporters() : m_outer(t_shared) { t_shared = this; }
+
+SharedImporters::~SharedImporters() { t_shared = m_outer; }
+
+std::unique_ptr<ImporterServer> SharedImporters::take(const std::string& importer) {
+  for (auto it = m_idle.begin(); it != m_idle.end(); ++it) {
+    if ((*it)->program() != importer) continue;
+    std::unique_ptr<ImporterServer> out = std::move(*it);
+    m_idle.erase(it);
+    return out;
+  }
+  return std::make_unique<ImporterServer>(importer);
+}
+
+Model read_model_sandboxed(const std::string& path, const ImportLimits& given,
+                           const Tessellation& tessellation, const std::atomic<bool>* cancel) {
+  check_file(path, given);  // checks that need no other process
+  const std::string importer = importer_of(path, given);
+  const ImportLimits limits = with_defaults(given, path);
+  // An exception ends the importer, with what it is doing.
+  std::unique_ptr<ImporterServer> shared = t_shared ? t_shared->take(importer) : nullptr;
+  int status = 0;
+  const std::string bytes =
+      answer_of(importer, {path, limits, tessellation}, shared.get(), cancel, status);
+  check_end(status, importer, path, limits);
+  if (shared) t_shared->m_idle.push_back(std::move(shared));
+  try {
+    Model model = model_from_bytes(bytes, path, limits);
+    if (model.polygonised) model.tessellation = tessellation;
+    return model;
+  } catch (const Error& e) {
+    const std::string message = e.what();
+    if (message.rfind(path, 0) == 0 || e.kind() != Error::Kind::BadInput) throw;
+    bad_file(path, message);
+  }
+}
+
+Model import_model(const std::string& path, const ImportLimits& limits,
+                   const Tessellation& tessellation, const std::atomic<bool>* cancel) {
+  return limits.importer.empty() ? read_model(path, limits)
+                                 : read_model_sandboxed(path, limits, tessellation, cancel);
+}
+
+std::string find_importer() {
+  if (const char* named = std::getenv("TRIVET_IMPORTER")) return named;
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  if (error) return "";
+  for (const fs::path& folder : {program.parent_path(), program.parent_path().parent_path()})
+    if (const fs::path importer = folder / "trivet-import"; access(importer.c_str(), X_OK) == 0)
+      return importer.string();
+  return "";
+}
+
+int serve_import(const std::function<Model()>& read, const std::string& path,
+                 const ImportLimits& limits, int descriptor) {
+  const auto answer = [&](const std::string& bytes) {
+    return write_all(descriptor, bytes) ? 0 : 1;
+  };
+  try {
+    return answer(bytes_of_model(read()));
+  } catch (const Error& e) {
+    return answer(bytes_of_error(e.kind(), e.what()));
+  } catch (const std::bad_alloc&) {
+    return answer(bytes_of_error(Error::Kind::BadInput,
+                                 path + ": needs more memory than the limit of " +
+                                     std::to_string(limits.max_memory_bytes >> 20) + " MiB"));
+  }
+}
+
+}  // namespace trivet

@@ -1,0 +1,292 @@
+#include "ops/files/json/text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <set>
+#include <sstream>
+
+#include "core/base/bad_input.h"
+#include "core/base/nearest_name.h"
+#include "core/base/printable.h"
+#include "ops/files/json/input_text.h"
+
+namespace trivet {
+namespace {
+
+std::string joined(std::initializer_list<const char*> a, std::initializer_list<const char*> b) {
+  std::string out;
+  for (const auto& list : {a, b})
+    for (const char* key : list) out += (out.empty() ? "" : ", ") + std::string(key);
+  return out;
+}
+
+std::vector<std::string> joined_keys(std::initializer_list<const char*> a,
+                                     std::initializer_list<const char*> b) {
+  std::vector<std::string> out(a.begin(), a.end());
+  out.insert(out.end(), b.begin(), b.end());
+  return out;
+}
+
+bool contains(std::initializer_list<const char*> keys, const std::string& key) {
+  return std::any_of(keys.begin(), keys.end(), [&](const char* k) { return key == k; });
+}
+
+// Long values are cut, so that a message stays a line.
+std::string shown(const nlohmann::json& value) {
+  constexpr size_t kMaxLength = 60;
+  std::string text = value.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
+  if (text.size() > kMaxLength) text = text.substr(0, kMaxLength) + "...";
+  return text;
+}
+
+void append_plain(const nlohmann::ordered_json& value, std::string& out) {
+  out += value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+void append_readable(const nlohmann::ordered_json& value, const std::string& indent,
+                     std::string& out) {
+  const auto is_plain = [](const auto& item) { return item.is_primitive(); };
+  const bool nested = value.is_structured() && !std::all_of(value.begin(), value.end(), is_plain);
+  if (value.empty() || value.is_primitive()) return append_plain(value, out);
+  const bool one_line = !nested && value.is_array();
+  const std::string deeper = one_line ? "" : "\n" + indent + ' ';
+  const char* separator = value.is_object() ? "{" : "[";
+  for (const auto& [key, entry] : value.items()) {
+    out += separator;
+    out += deeper;
+    if (value.is_object())
+      out +=
+          nlohmann::json(key).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + ": ";
+    append_readable(entry, indent + ' ', out);
+    separator = one_line ? ", " : ",";
+  }
+  if (!one_line) out += '\n' + indent;
+  out += value.is_object() ? '}' : ']';
+}
+
+// Reads ahead of the parser, because a finished document no longer shows that a key came twice, and
+// because the library prints and copies documents recursively. (Callbacks of the parser itself
+// take time in the square of an array's length.) Ends at errors, which the parser then tells.
+class ReadAhead final : public nlohmann::json_sax<nlohmann::json> {
+ public:
+  explicit ReadAhead(const std::string& file) : m_file(file) {}
+
+  bool null() override { return count_item(); }
+  bool boolean(bool) override { return count_item(); }
+  bool number_integer(number_integer_t) override { return count_item(); }
+  bool number_unsigned(number_unsigned_t) override { return count_item(); }
+  bool number_float(number_float_t, const string_t&) override { return count_item(); }
+  bool string(string_t&) override { return count_item(); }
+  bool binary(binary_t&) override { return count_item(); }
+  bool start_object(std::size_t) override { return enter(false); }
+  bool start_array(std::size_t) override { return enter(true); }
+  bool end_object() override { return leave(); }
+  bool end_array() override { return leave(); }
+  bool parse_error(std::size_t, const std::string&, const nlohmann::json::exception&) override {
+    return false;
+  }
+
+  bool key(string_t& key) override {
+    Level& level = m_levels.back();
+    level.key = key;
+    if (!level.keys.insert(key).second)
+      bad_input(m_file + ": " + pointer() + ": this key comes twice; accepted: each key once");
+    return true;
+  }
+
+ private:
+  struct Level {
+    bool array;
+    long index;
+    std::string key;
+    std::set<std::string> keys;
+  };
+
+  static constexpr size_t kMaxDepth = 64;
+
+  std::string pointer() const {
+    std::string out;
+    for (const Level& l : m_levels) {
+      out += '/';
+      out += l.array ? std::to_string(l.index) : pointer_token(l.key);
+    }
+    return out;
+  }
+
+  bool count_item() {
+    if (!m_levels.empty() && m_levels.back().array) ++m_levels.back().index;
+    return true;
+  }
+
+  bool enter(bool array) {
+    count_item();
+    if (m_levels.size() >= kMaxDepth)
+      bad_input(m_file + ": " + pointer() + ": nested too deep; accepted: up to " +
+                std::to_string(kMaxDepth) + " levels");
+    m_levels.push_back({array, -1, {}, {}});
+    return true;
+  }
+
+  bool leave() {
+    m_levels.pop_back();
+    return true;
+  }
+
+  const std::string& m_file;
+  std::vector<Level> m_levels;
+};
+
+// "[json.exception.parse_error.101] parse error at line 1, column 5: what" -> from "line" on.
+std::string without_prefix(const std::string& message) {
+  for (const char* mark : {"parse error at ", "parse error: ", "] "}) {
+    const size_t at = message.find(mark);
+    if (at != std::string::npos) return message.substr(at + std::strlen(mark));
+  }
+  return message;
+}
+
+// The library does not say where a number overflows, only which: 'number overflow parsing '1e999''.
+std::string overflow_message(const std::string& text, const std::string& what) {
+  const size_t first = what.find('\''), last = what.rfind('\'');
+  if (first == std::string::npos || last <= first) return without_prefix(what);
+  const std::string token = what.substr(first + 1, last - first - 1);
+  const size_t at = std::min(text.find(token), text.size());
+  const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<long>(at), '\n');
+  const size_t line_start = at == 0 ? std::string::npos : text.rfind('\n', at - 1);
+  const size_t column = line_start == std::string::npos ? at + 1 : at - line_start;
+  return "line " + std::to_string(line) + ", column " + std::to_string(column) + ": " +
+         token.substr(0, 40) +
+         " is not accepted; accepted: numbers between -1.797e308 and 1.797e308";
+}
+
+}  // namespace
+
+std::string read_text_file(const std::string& path, std::uintmax_t max_bytes) {
+  return read_input_text(path, max_bytes, TextKind::Any);
+}
+
+nlohmann::json parse_json(const std::string& text, const std::string& file) {
+  if (text.find_first_not_of(" \t\r\n") == std::string::npos)
+    bad_input(file + ": is empty; accepted: a JSON object");
+  if (text.rfind("glTF", 0) == 0)
+    bad_input(file + ": is a scene or a model in binary glTF; accepted: JSON, as of a layout");
+  try {
+    ReadAhead ahead(file);
+    nlohmann::json::sax_parse(text, static_cast<nlohmann::json_sax<nlohmann::json>*>(&ahead));
+    return nlohmann::json::parse(text);
+  } catch (const nlohmann::json::out_of_range& e) {
+    bad_input(file + ": " + overflow_message(text, e.what()));
+  } catch (const nlohmann::json::exception& e) {
+    bad_input(file + ": " + printable(without_prefix(e.what()), 200));
+  }
+}
+
+std::string pointer_token(const std::string& key) {
+  std::string out;
+  for (char c : key) out += c == '~' ? "~0" : c == '/' ? "~1" : std::string(1, c);
+  return out;
+}
+
+std::string readable_json(const nlohmann::ordered_json& value) {
+  std::string out;
+  append_readable(value, "", out);
+  return out + "\n";
+}
+
+std::string short_number(double value) {
+  std::ostringstream out;
+  out << value;
+  return out.str();
+}
+
+JsonPlace JsonPlace::child(const std::string& token, const nlohmann::json& value) const {
+  return JsonPlace(value, m_file, m_pointer + "/" + pointer_token(token));
+}
+
+std::string JsonPlace::where() const {
+  return m_pointer.empty() ? m_file : m_file + ": " + m_pointer;
+}
+
+void JsonPlace::fail(const std::string& what) const { bad_input(where() + ": " + what); }
+
+void JsonPlace::refuse(const std::string& accepted) const {
+  fail(shown(*m_value) + " is not accepted; accepted: " + accepted);
+}
+
+void JsonPlace::expect_object(std::initializer_list<const char*> required,
+                              std::initializer_list<const char*> optional) const {
+  const std::string accepted = joined(required, optional);
+  if (!m_value->is_object()) refuse("an object with the keys " + accepted);
+  for (const auto& [key, value] : m_value->items())
+    if (!contains(required, key) && !contains(optional, key))
+      child(key, value)
+          .fail("unknown key; accepted: " + accepted +
+                did_you_mean(key, joined_keys(required, optional)));
+  for (const char* key : required)
+    if (!m_value->contains(key))
+      fail("the key \"" + std::string(key) + "\" is missing; required: " + joined(required, {}));
+}
+
+JsonPlace JsonPlace::at(const char* key) const {
+  if (const auto found = find(key)) return *found;
+  fail("the key \"" + std::string(key) + "\" is missing");
+}
+
+std::optional<JsonPlace> JsonPlace::find(const char* key) const {
+  if (!m_value->is_object()) return std::nullopt;
+  const auto it = m_value->find(key);
+  if (it == m_value->end()) return std::nullopt;
+  return child(key, *it);
+}
+
+std::vector<JsonPlace> JsonPlace::items() const {
+  if (!m_value->is_array()) refuse("an array");
+  std::vector<JsonPlace> out;
+  out.reserve(m_value->size());
+  for (const nlohmann::json& item : *m_value)
+    out.push_back(child(std::to_string(out.size()), item));
+  return out;
+}
+
+std::string JsonPlace::text() const {
+  const char* const accepted = "text of at least one character, without control characters";
+  if (!m_value->is_string()) refuse(accepted);
+  const auto& text = m_value->get_ref<const std::string&>();
+  const auto is_control = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
+  if (text.empty() || std::any_of(text.begin(), text.end(), is_control)) refuse(accepted);
+  return text;
+}
+
+bool JsonPlace::boolean() const {
+  if (!m_value->is_boolean()) refuse("true or false");
+  return m_value->get<bool>();
+}
+
+double JsonPlace::number() const {
+  if (!m_value->is_number()) refuse("a number");
+  return m_value->get<double>();
+}
+
+double JsonPlace::number(double lower, double upper) const {
+  const double value = m_value->is_number() ? m_value->get<double>() : NAN;
+  if (!(lower <= value && value <= upper))
+    refuse("a number from " + short_number(lower) + " to " + short_number(upper));
+  return value;
+}
+
+std::vector<double> JsonPlace::numbers(size_t count) const {
+  if (!m_value->is_array() || m_value->size() != count)
+    refuse("an array of " + std::to_string(count) + " numbers");
+  std::vector<double> out;
+  for (const JsonPlace& item : items()) out.push_back(item.number());
+  return out;
+}
+
+std::vector<double> JsonPlace::numbers(size_t count, double lower, double upper) const {
+  std::vector<double> out = numbers(count);
+  for (const JsonPlace& item : items()) item.number(lower, upper);
+  return out;
+}
+
+}  // namespace trivet

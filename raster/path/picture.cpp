@@ -1,0 +1,102 @@
+#include "raster/path/picture.h"
+
+#include <cmath>
+#include <string>
+
+#include "core/base/bad_input.h"
+#include "core/base/parallel.h"
+#include "raster/path/picture_filter.h"
+#include "raster/path/tracer.h"
+
+namespace trivet {
+namespace {
+
+constexpr float kKnee = 0.6f;
+
+// Straight up to kKnee, then bent so that white is reached slowly: gpu's film().
+float film(float x) {
+  return x <= kKnee ? x : 1 - (1 - kKnee) * std::exp(-(x - kKnee) / (1 - kKnee));
+}
+
+float srgb_from_linear(float x) {
+  return x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1 / 2.4f) - 0.055f;
+}
+float linear_from_srgb(float x) {
+  return x <= 0.04045f ? x / 12.92f : std::pow((x + 0.055f) / 1.055f, 2.4f);
+}
+
+// Up to half an 8-bit step either way, to hide banding.
+float dither(std::uint32_t x, std::uint32_t y) {
+  std::uint32_t h = (x * 1973u + y * 9277u + 26699u) | 1u;
+  h = (h ^ (h >> 15)) * 0x846ca68bu;
+  h ^= h >> 16;
+  return (float(h & 65535u) / 65535 - 0.5f) / 255;
+}
+
+std::uint8_t byte_of(float x) {
+  return static_cast<std::uint8_t>(std::clamp(x, 0.0f, 1.0f) * 255 + 0.5f);
+}
+
+void develop_pixel(const Radiance& light, const std::array<float, 4>& background, float noise,
+                   std::uint8_t* out) {
+  const float cover = std::clamp(light.coverage, 0.0f, 1.0f);
+  const float behind = background[3] * (1 - cover), alpha = cover + behind;
+  for (int k = 0; k < 3; ++k) {
+    if (cover <= 1e-4f || alpha <= 0) {
+      out[k] = byte_of(background[k]);
+      continue;
+    }
+    const float drawn = film(std::max(light.colour[k], 0.0f) / cover) * cover;
+    const float over = (linear_from_srgb(background[k]) * behind + drawn) / alpha;
+    out[k] = byte_of(srgb_from_linear(over) + noise);
+  }
+  out[3] = cover <= 1e-4f ? byte_of(background[3]) : byte_of(alpha);
+}
+
+Image develop(const std::vector<Radiance>& light, const PictureOptions& options) {
+  Image image{options.width, options.height, {}};
+  image.rgba.resize(4 * light.size());
+  in_parallel(static_cast<std::size_t>(options.height), [&](std::size_t y) {
+    for (int x = 0; x < options.width; ++x) {
+      const std::size_t i = y * options.width + x;
+      develop_pixel(light[i], options.background,
+                    dither(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y)),
+                    image.rgba.data() + 4 * i);
+    }
+  });
+  return image;
+}
+
+}  // namespace
+
+Image trace_picture(const PictureScene& scene, const PinholeCamera& camera,
+                    const PictureOptions& options, const PathOptions& path) {
+  check_picture(scene, options);
+  check_camera(camera);
+  if (path.bounces < 0 || path.bounces > 64)
+    bad_input("paths of " + std::to_string(path.bounces) + " bounces; accepted: 0 to 64");
+  if (camera.width != options.width || camera.height != options.height)
+    bad_input("a camera of " + std::to_string(camera.width) + " x " +
+              std::to_string(camera.height) + " pixels for a picture of " +
+              std::to_string(options.width) + " x " + std::to_string(options.height));
+  const SumImage sums = PathTracer(scene, camera, options, path).trace();
+  return develop(path.filter ? filtered(sums) : unfiltered(sums), options);
+}
+
+std::string traced_png(const PictureScene& scene, const PinholeCamera& camera, int samples,
+                       const PathOptions& path) {
+  PictureOptions options;
+  options.width = camera.width, options.height = camera.height;
+  options.samples = samples;
+  return encode_png(trace_picture(scene, camera, options, path));
+}
+
+Image trace_picture(const PictureScene& scene, const std::optional<Camera>& camera,
+                    const PictureOptions& options, const PathOptions& path) {
+  check_picture(scene, options);
+  const double aspect = double(options.width) / options.height;
+  const Camera view = camera ? *camera : automatic_camera(scene, aspect);
+  return trace_picture(scene, pinhole_camera(view, options.width, options.height), options, path);
+}
+
+}  // namespace trivet

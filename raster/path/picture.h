@@ -1,0 +1,49 @@
+// Pictures by rays on the processor: soft shadows, reflections, glass, light between surfaces.
+#pragma once
+
+#include <atomic>
+#include <exception>
+#include <string>
+
+#include "core/base/image.h"
+#include "core/picture/pinhole_camera.h"
+
+namespace trivet {
+
+/// Thrown when PathOptions::cancel was set.
+class PictureCancelled : public std::exception {
+ public:
+  const char* what() const noexcept override { return "the picture was cancelled"; }
+};
+
+struct PathOptions {
+  /// Reflections that a path may have before it ends in an estimate; 0 to 64. 0: shadows and sky
+  /// only, as OpenGL's pictures have. See-through surfaces do not count.
+  int bounces = 3;
+  /// Smooth what is left of the noise, guided by normals, positions and colours: worth about three
+  /// times the samples at 4 to 16.
+  bool filter = true;
+  /// Set from another thread or by a signal: trace_picture() throws PictureCancelled, within the
+  /// time of eight pixels once the tree of all triangles is made.
+  const std::atomic<bool>* cancel = nullptr;
+};
+
+/// Renders the scene as render_picture() of gpu does: same cameras, same key light, sky, floor and
+/// film; `samples` are paths per pixel: 4 with the filter is a draft, 16 clean, 64 for print.
+/// See-through materials of closed meshes are glass, of index 1.5, that absorbs by thickness; of
+/// open meshes, thin sheets. Path tracing by Embree with light sampling; even random numbers per
+/// pixel, sums in a fixed order: the same bytes for any number of threads of the arena, on one
+/// machine (the mathematical library is used, as pictures are no answers). `progress` is called
+/// from any thread, one at a time; what it throws ends the work.
+/// @throws Error (BadInput) for sizes, samples, bounces, camera or poses out of range;
+///   (Environment) for lack of memory.
+Image trace_picture(const PictureScene& scene, const PinholeCamera& camera,
+                    const PictureOptions& options = {}, const PathOptions& path = {});
+/// The same as a picture of the camera's size: the bytes of a PNG file.
+std::string traced_png(const PictureScene& scene, const PinholeCamera& camera, int samples,
+                       const PathOptions& path = {});
+/// Without a camera, with the automatic one.
+Image trace_picture(const PictureScene& scene, const std::optional<Camera>& camera,
+                    const PictureOptions& options = {}, const PathOptions& path = {});
+
+}  // namespace trivet

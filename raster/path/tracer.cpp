@@ -1,0 +1,240 @@
+#include "raster/path/tracer.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+
+#include "raster/path/state.h"
+
+namespace trivet {
+namespace {
+
+constexpr float kRayEnd = 1e6f;  // of the picture frame
+constexpr float kFloorAlbedo = 0.62f;
+constexpr float kDimGround = 0.30f;                 // radiance from below without a floor
+constexpr float kFromNeighbours = 0.45f;            // share of the sky's light where paths end
+constexpr float kBelowTolerance = 2e-4f;            // objects up to this below the floor hide it
+constexpr double kFadeBegin = 1.0, kFadeEnd = 3.2;  // of the floor, in radii of the scene
+constexpr int kSkyViews = 256;                      // that the lights' brightness is fitted to
+constexpr float kKeep = 1.5f;                       // paths of this inverse weight go on
+constexpr int kMaxThrough = 24;                     // see-through surfaces of a path
+constexpr int kMaxAbsent = 256;                     // cut-out ones
+// Cones of rays, over which textures are looked up; by length. Half a pixel, as samples differ.
+constexpr float kPixelShare = 0.5f, kMattSpread = 0.3f, kBrightSpread = 0.2f;
+
+float smoothstep(float a, float b, float x) {
+  const float t = std::clamp((x - a) / (b - a), 0.0f, 1.0f);
+  return t * t * (3 - 2 * t);
+}
+
+float opacity_of(const SurfacePoint& at) {
+  return at.material.finish == Finish::Thin ? at.material.alpha : 1;
+}
+
+FrameCamera frame_camera(const PinholeCamera& camera) {
+  FrameCamera out{};
+  out.right = camera.camera_from_world.row(0);  // all that the lights look at
+  return out;
+}
+
+}  // namespace
+
+PathTracer::PathTracer(const PictureScene& scene, const PinholeCamera& camera,
+                       const PictureOptions& options, const PathOptions& path)
+    : m_options(options),
+      m_path(path),
+      m_camera(camera),
+      m_has_floor(scene.floor),
+      m_frame(make_picture_frame(scene)),
+      m_scene(scene, m_frame),
+      m_frame_from_camera(camera.camera_from_world.transpose().cast<float>()),
+      m_eye(m_frame.apply(camera.eye).cast<float>()) {
+  const PictureLights lights(kSkyViews, frame_camera(camera));
+  m_key = lights.key_direction().cast<float>();
+  const Tangents t = tangents(m_key);
+  m_key_x = t.x, m_key_y = t.y;
+  m_key_radius = static_cast<float>(std::tan(kKeyRadiusDeg * std::numbers::pi / 180));
+  m_key_irradiance = lights.key_irradiance().cast<float>();
+  m_sky_horizon = lights.sky_colour(0).cast<float>();
+  m_sky_slope = lights.sky_colour(1).cast<float>() - m_sky_horizon;
+  m_floor_z = static_cast<float>(m_frame.floor_z);
+  const double radius = std::max(m_frame.radius, 0.05);
+  m_fade_begin = float(kFadeBegin * radius), m_fade_end = float(kFadeEnd * radius);
+}
+
+Vec3f PathTracer::key_light(Sampler::Pair u) const {
+  const float r = m_key_radius * std::sqrt(u.x), phi = 2 * std::numbers::pi_v<float> * u.y;
+  return (m_key + r * std::cos(phi) * m_key_x + r * std::sin(phi) * m_key_y).normalized();
+}
+
+Vec3f PathTracer::sky(const Vec3f& direction, bool mirrored) const {
+  if (direction.z() < 0 && !m_has_floor) return Vec3f::Constant(kDimGround);
+  const Vec3f light = m_sky_horizon + m_sky_slope * std::max(direction.z(), 0.0f);
+  // What mirrors see is no dark studio: a room would have walls that the key light lights.
+  return mirrored ? Vec3f(light * float(0.75 / (1 - kKeyShare))) : light;
+}
+
+void PathTracer::start_path(Path& path, int x, int y, int sample) const {
+  const auto pixel = static_cast<std::uint32_t>(std::int64_t(y) * m_camera.width + x);
+  path.sampler = Sampler(pixel, static_cast<std::uint32_t>(sample));
+  const Sampler::Pair u = path.sampler.next();
+  const Vec3f ray(float((x + u.x - 0.5 - m_camera.cx) / m_camera.fx),
+                  float((y + u.y - 0.5 - m_camera.cy) / m_camera.fy), 1);
+  path.from = m_eye;
+  path.direction = (m_frame_from_camera * ray).normalized();
+  path.spread = kPixelShare / float(m_camera.fx);
+}
+
+bool PathTracer::meets_floor(const Path& path, const HitPacket& hits, int lane,
+                             float& distance) const {
+  if (!m_has_floor || path.direction.z() > -1e-6f || path.from.z() < m_floor_z) return false;
+  const bool is_hidden =
+      hits.face[lane] != kNoFace &&
+      path.from.z() + hits.distance[lane] * path.direction.z() >= m_floor_z - kBelowTolerance;
+  if (is_hidden) return false;
+  distance = (m_floor_z - path.from.z()) / path.direction.z();
+  return true;
+}
+
+SurfacePoint PathTracer::floor_point(const Path& path, float distance) const {
+  SurfacePoint out;
+  out.position = path.from + distance * path.direction;
+  out.position.z() = m_floor_z;
+  out.start = out.position;
+  out.face = out.normal = Vec3f::UnitZ();
+  out.outside = true;
+  out.material.base = Vec3f::Constant(kFloorAlbedo);
+  out.material.roughness = 0.9f;
+  return out;
+}
+
+float PathTracer::floor_coverage(const Vec3f& at) const {
+  return 1 - smoothstep(m_fade_begin, m_fade_end, at.head<2>().norm());
+}
+
+void PathTracer::leave(Path& path) const {
+  path.on = false;
+  if (!path.has_seen) return;  // the background
+  if (path.sees_background())
+    path.uncover(path.coverage);
+  else
+    path.add(path.weight.cwiseProduct(sky(path.direction, path.kind == NextRay::Kind::Bright)));
+}
+
+// What is seen first; or the floor behind glass, which fades into the background.
+void PathTracer::note(Path& path, const SurfacePoint& at, bool on_floor) const {
+  const float coverage = on_floor ? floor_coverage(at.position) : 1;
+  if (path.has_seen) {
+    if (!path.sees_background()) return;
+    path.uncover((1 - coverage) * path.coverage);
+    path.weight *= coverage;
+    return;
+  }
+  path.has_seen = coverage > 0;
+  path.coverage = coverage;
+  path.normal = at.normal, path.position = at.position;
+  if (at.material.finish != Finish::Glass) path.albedo = diffuse_albedo(at.material);
+}
+
+void PathTracer::ask_key_light(Path& path, const SurfacePoint& at) const {
+  path.key_direction = key_light(path.sampler.next());
+  const Reflected light = reflected(at, path.key_direction, -path.direction);
+  path.asks_key = light.matt > 0 || light.bright.maxCoeff() > 0;
+  if (!path.asks_key) return;
+  path.asks_first = path.is_first();
+  const Vec3f weight = opacity_of(at) * path.weight.cwiseProduct(m_key_irradiance);
+  path.key_bright = weight.cwiseProduct(light.bright);
+  path.key_matt = weight * light.matt;
+  if (!path.asks_first) path.key_matt = path.key_matt.cwiseProduct(diffuse_albedo(at.material));
+  path.key_from = lifted(at, path.key_direction);
+}
+
+// Along the next ray, or to the end.
+void PathTracer::go_on(Path& path, const SurfacePoint& at) const {
+  const Sampler::Pair choice = path.sampler.next(), at_random = path.sampler.next();
+  const auto next = next_ray(at, -path.direction, choice, at_random);
+  path.on = next && next->direction.allFinite();
+  if (!path.on) return;
+  if (path.is_first())
+    path.matt = next->kind == NextRay::Kind::Matt;
+  else if (next->kind == NextRay::Kind::Matt)
+    path.weight = path.weight.cwiseProduct(diffuse_albedo(at.material));
+  path.kind = next->kind;
+  path.weight = path.weight.cwiseProduct(next->weight);
+  path.from = next->from, path.direction = next->direction;
+  if (at.material.finish == Finish::Glass)
+    path.inside = next->enters, path.absorbed = at.material.absorbed;
+  if (path.kind == NextRay::Kind::Matt)
+    path.spread = std::max(path.spread, kMattSpread);
+  else if (path.kind == NextRay::Kind::Bright)
+    path.spread += kBrightSpread * at.material.roughness;
+  const bool passes = path.kind == NextRay::Kind::Through || path.inside;
+  if (passes) path.on = ++path.num_through < kMaxThrough;
+  if (passes) return;
+  ++path.num_bounces;
+  if (path.kind == NextRay::Kind::Matt && !m_options.ambient_occlusion) return leave(path);
+  // Faint paths end early, the others make up for them.
+  const float keep = std::clamp(path.weight.maxCoeff() * kKeep, 0.05f, 1.0f);
+  if (path.num_bounces < 2 || keep >= 1) return;
+  path.on = path.sampler.next().x < keep;
+  path.weight /= keep;
+}
+
+// On through what is cut out, as if nothing were there.
+void PathTracer::pass_absent(Path& path, const SurfacePoint& at) {
+  path.from = lifted(at, path.direction);
+  path.on = ++path.num_absent < kMaxAbsent;
+}
+
+// From where a ray came to its hit, and on.
+void PathTracer::advance(Path& path, const RayPacket& rays, const HitPacket& hits, int lane) const {
+  float distance = hits.distance[lane];
+  const bool on_floor = meets_floor(path, hits, lane, distance);
+  if (!on_floor && hits.face[lane] == kNoFace) return leave(path);
+  path.width += distance * path.spread;
+  const SurfacePoint at =
+      on_floor ? floor_point(path, distance) : m_scene.surface(rays, hits, lane, path.width);
+  if (path.inside)
+    path.weight = path.weight.cwiseProduct((-distance * path.absorbed).array().exp().matrix());
+  if (at.material.finish == Finish::Absent) return pass_absent(path, at);
+  note(path, at, on_floor);
+  path.on = path.has_seen;
+  if (!path.on) return;
+  if (path.num_bounces > m_path.bounces) {
+    // Nothing is traced from here: lit as the surroundings are.
+    const Vec3f dim = kFromNeighbours * diffuse_albedo(at.material);
+    path.add(path.weight.cwiseProduct(dim.cwiseProduct(sky(Vec3f::UnitZ(), false))));
+    path.on = false;
+    return;
+  }
+  if (at.material.emitted.maxCoeff() > 0)
+    path.add((opacity_of(at) * path.weight).cwiseProduct(at.material.emitted));
+  ask_key_light(path, at);
+  go_on(path, at);
+}
+
+void PathTracer::follow(std::array<Path, kRayLanes>& paths) const {
+  const auto is_on = [](const Path& path) { return path.on; };
+  while (std::any_of(paths.begin(), paths.end(), is_on)) {
+    RayPacket rays{}, shadows{};
+    for (int i = 0; i < kRayLanes; ++i)
+      if (paths[i].on) rays.set(i, paths[i].from, paths[i].direction, 0, kRayEnd);
+    const HitPacket hits = m_scene.rays().first_hits(rays);
+    bool any_shadow = false;
+    for (int i = 0; i < kRayLanes; ++i) {
+      Path& path = paths[i];
+      path.asks_key = false;
+      if (path.on) advance(path, rays, hits, i);
+      if (!path.asks_key || !m_options.shadows) continue;
+      shadows.set(i, path.key_from, path.key_direction, 0, kRayEnd);
+      any_shadow = true;
+    }
+    std::array<Vec3f, kRayLanes> passed;
+    passed.fill(Vec3f::Ones());
+    if (any_shadow) passed = m_scene.rays().passed(shadows);
+    for (int i = 0; i < kRayLanes; ++i)
+      if (paths[i].asks_key) paths[i].add_key(passed[i]);
+  }
+}
+
+}  // namespace trivet

@@ -1,0 +1,52 @@
+// Paths of light, eight pixels at a time. Private.
+#pragma once
+
+#include "core/picture/lights.h"
+#include "core/picture/pinhole_camera.h"
+#include "raster/path/picture.h"
+#include "raster/path/sums.h"
+#include "raster/path/surface_light.h"
+
+namespace trivet {
+
+class PathTracer {
+ public:
+  /// The arguments must outlive it.
+  PathTracer(const PictureScene& scene, const PinholeCamera& camera, const PictureOptions& options,
+             const PathOptions& path);
+
+  /// Means over all samples.
+  SumImage trace();
+
+ private:
+  struct Path;
+
+  void trace_block(int x0, int y0, SumImage& image) const;
+  void start_path(Path& path, int x, int y, int sample) const;
+  /// Goes from hit to hit until all paths end.
+  void follow(std::array<Path, kRayLanes>& paths) const;
+  static void pass_absent(Path& path, const SurfacePoint& at);
+  void advance(Path& path, const RayPacket& rays, const HitPacket& hits, int lane) const;
+  bool meets_floor(const Path& path, const HitPacket& hits, int lane, float& distance) const;
+  SurfacePoint floor_point(const Path& path, float distance) const;
+  void leave(Path& path) const;
+  void note(Path& path, const SurfacePoint& at, bool on_floor) const;
+  void ask_key_light(Path& path, const SurfacePoint& at) const;
+  void go_on(Path& path, const SurfacePoint& at) const;
+  static void finish(const Path& path, PixelSums& sums);
+  float floor_coverage(const Vec3f& at) const;
+  Vec3f key_light(Sampler::Pair u) const;  // direction towards a point of its disc
+  Vec3f sky(const Vec3f& direction, bool mirrored) const;
+
+  const PictureOptions& m_options;
+  const PathOptions& m_path;
+  const PinholeCamera& m_camera;
+  bool m_has_floor;
+  PictureFrame m_frame;
+  PathScene m_scene;
+  Eigen::Matrix3f m_frame_from_camera;
+  Vec3f m_eye, m_key, m_key_x, m_key_y, m_key_irradiance, m_sky_horizon, m_sky_slope;
+  float m_key_radius, m_floor_z, m_fade_begin, m_fade_end;
+};
+
+}  // namespace trivet
