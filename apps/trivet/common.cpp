@@ -9,6 +9,7 @@
 #include "apps/trivet/help.h"
 #include "core/base/error.h"
 #include "core/base/nearest_name.h"
+#include "core/io/cad_format.h"
 #include "core/io/process/sandboxed_import.h"
 #include "core/scene/materials.h"
 #include "ops/detect/calibration_file.h"

@@ -5,6 +5,7 @@
 #include "apps/trivet/common.h"
 #include "core/base/arena.h"
 #include "core/base/error.h"
+#include "core/picture/png.h"
 #include "raster/path/picture.h"
 
 namespace trivet::apps {

@@ -10,6 +10,7 @@
 #include "apps/trivet/verb_batch_parts.h"
 #include "core/base/bad_input.h"
 #include "core/io/process/local_sockets.h"
+#include "core/picture/png.h"
 #include "ops/files/json/input_text.h"
 
 namespace trivet::apps {

@@ -7,6 +7,7 @@
 #include "apps/trivet/zlist_picture.h"
 #include "core/base/error.h"
 #include "core/base/extension.h"
+#include "core/picture/png.h"
 #include "ops/base/stopwatch.h"
 #include "ops/check/check.h"
 #include "ops/placement/clearance.h"

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "core/model/exported_floats.h"
+
 namespace trivet {
 
 /// Where an object is at a time.

@@ -1,3 +1,5 @@
+#include "core/io/atomic_file.h"
+
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>

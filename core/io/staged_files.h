@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "core/io/atomic_file.h"
+
 namespace trivet {
 
 /// Files are written beside their targets first, and renamed together at the end: a full disk

@@ -5,6 +5,7 @@
 
 #include "core/base/bad_input.h"
 #include "core/base/parallel.h"
+#include "core/picture/png.h"
 #include "raster/path/picture_filter.h"
 #include "raster/path/tracer.h"
 

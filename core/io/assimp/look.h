@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/io/look.h"
+#include "core/io/read_model.h"
 
 struct aiScene;
 

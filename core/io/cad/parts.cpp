@@ -21,6 +21,7 @@
 
 #include "core/base/bad_input.h"
 #include "core/base/quoted.h"
+#include "core/io/cad_format.h"
 
 namespace trivet {
 namespace {

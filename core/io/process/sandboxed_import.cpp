@@ -15,6 +15,7 @@
 #include <new>
 
 #include "core/base/bad_input.h"
+#include "core/io/cad_format.h"
 #include "core/io/model_bytes.h"
 #include "core/io/process/importer_process.h"
 #include "core/io/process/preflight.h"

@@ -1,6 +1,7 @@
 #include "ops/files/json/values.h"
 
 #include "core/base/limits.h"
+#include "core/io/cad_format.h"
 #include "ops/files/layout/layout.h"
 #include "ops/free_places/place_region.h"
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/io/look.h"
+#include "core/io/read_model.h"
 #include "ops/files/report/temporary_file.h"
 
 namespace trivet {

@@ -6,6 +6,8 @@
 #include <fstream>
 #include <thread>
 
+#include "core/io/atomic_file.h"
+#include "core/io/export.h"
 #include "core/io/io_testing.h"
 
 namespace trivet {

@@ -2,9 +2,11 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "core/io/export.h"
 #include "core/io/gltf/document.h"
 #include "core/io/io_testing.h"
 #include "core/io/look.h"
+#include "core/model/exported_floats.h"
 
 namespace trivet {
 namespace {

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "core/io/io_testing.h"
+#include "core/io/read_model.h"
 
 namespace trivet {
 namespace {

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "core/io/io_testing.h"
+#include "core/io/read_model.h"
 
 namespace trivet {
 namespace {

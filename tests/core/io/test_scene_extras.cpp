@@ -1,6 +1,7 @@
 // Reading extras of foreign, truncated and hostile files.
 #include <cstring>
 
+#include "core/io/export.h"
 #include "core/io/io_testing.h"
 
 namespace trivet {

@@ -2,7 +2,10 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/io/export.h"
 #include "core/io/io_testing.h"
+#include "core/io/read_model.h"
+#include "core/model/exported_floats.h"
 
 namespace trivet {
 namespace {

@@ -1,5 +1,8 @@
 // OBJ, PLY and STL: world coordinates, z up, the float32 of exported_positions().
+#include "core/io/export.h"
 #include "core/io/io_testing.h"
+#include "core/io/read_model.h"
+#include "core/model/exported_floats.h"
 
 namespace trivet {
 namespace {

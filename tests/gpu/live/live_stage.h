@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "core/base/error.h"
+#include "core/picture/png.h"
 #include "gpu/live/camera.h"
 #include "gpu/live/view.h"
 

@@ -1,6 +1,7 @@
 // Textures in live views, of models as they are read from files.
 #include <fstream>
 
+#include "core/io/read_model.h"
 #include "live_stage.h"
 #include "support/mesa_leaks.h"
 #include "support/temporary_folder.h"

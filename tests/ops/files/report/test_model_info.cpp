@@ -5,6 +5,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "core/io/read_model.h"
 #include "ops/files/layout/boxes.h"
 #include "ops/files/report/model_info.h"
 
