@@ -87,7 +87,6 @@ constexpr const char* kModels[] = {
     QT_TRANSLATE_NOOP("refusal", "buffer %1 has %2 bytes, expected %3"),
     QT_TRANSLATE_NOOP("refusal", "the buffers exceed the limit"),
     QT_TRANSLATE_NOOP("refusal", "an image is not an object"),
-    QT_TRANSLATE_NOOP("refusal", "the glTF JSON is nested deeper than %1 levels"),
     QT_TRANSLATE_NOOP("refusal", "the glTF JSON is malformed: %1"),
     QT_TRANSLATE_NOOP("refusal", "is not glTF, neither binary nor JSON"),
     QT_TRANSLATE_NOOP("refusal", ".glb and .gltf"),

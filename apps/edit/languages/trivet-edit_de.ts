@@ -2083,10 +2083,6 @@
         <translation>ein Bild ist kein Objekt</translation>
     </message>
     <message>
-        <source>the glTF JSON is nested deeper than %1 levels</source>
-        <translation>das glTF-JSON ist tiefer als %1 Ebenen verschachtelt</translation>
-    </message>
-    <message>
         <source>the glTF JSON is malformed: %1</source>
         <translation>das glTF-JSON ist fehlerhaft: %1</translation>
     </message>

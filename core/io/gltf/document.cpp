@@ -13,6 +13,7 @@
 #include "core/base/printable.h"
 #include "core/io/base64.h"
 #include "core/io/gltf/glb_container.h"
+#include "core/io/json.h"
 #include "core/io/model_folder.h"
 
 namespace trivet {
@@ -20,8 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// dump() recurses; a hostile file must not exhaust the stack.
-constexpr int kMaxJsonDepth = 200;
+constexpr JsonLimits kGltfJsonLimits{.max_depth = 200};
 
 std::string whole_file(const fs::path& path, std::uintmax_t max_bytes) {
   std::error_code error;
@@ -158,17 +158,7 @@ class DocumentReader {
 }  // namespace
 
 GltfJson parse_gltf_json(const std::string& path, const std::string& text) {
-  const auto check_depth = [&](int depth, GltfJson::parse_event_t, GltfJson&) {
-    if (depth > kMaxJsonDepth)
-      bad_input(path + ": the glTF JSON is nested deeper than " + std::to_string(kMaxJsonDepth) +
-                " levels");
-    return true;
-  };
-  try {
-    return GltfJson::parse(text, check_depth);
-  } catch (const GltfJson::exception& e) {
-    bad_input(path + ": the glTF JSON is malformed: " + printable(e.what()));
-  }
+  return json_from_text<GltfJson>(text, path + ": the glTF JSON is malformed", kGltfJsonLimits);
 }
 
 std::string read_gltf_text(const std::string& path) {

@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
-#include <set>
 #include <sstream>
 
 #include "core/base/bad_input.h"
 #include "core/base/nearest_name.h"
-#include "core/base/printable.h"
+#include "core/io/json.h"
 #include "ops/files/json/input_text.h"
 
 namespace trivet {
@@ -65,101 +63,6 @@ void append_readable(const nlohmann::ordered_json& value, const std::string& ind
   out += value.is_object() ? '}' : ']';
 }
 
-// Reads ahead of the parser, because a finished document no longer shows that a key came twice, and
-// because the library prints and copies documents recursively. (Callbacks of the parser itself
-// take time in the square of an array's length.) Ends at errors, which the parser then tells.
-class ReadAhead final : public nlohmann::json_sax<nlohmann::json> {
- public:
-  explicit ReadAhead(const std::string& file) : m_file(file) {}
-
-  bool null() override { return count_item(); }
-  bool boolean(bool) override { return count_item(); }
-  bool number_integer(number_integer_t) override { return count_item(); }
-  bool number_unsigned(number_unsigned_t) override { return count_item(); }
-  bool number_float(number_float_t, const string_t&) override { return count_item(); }
-  bool string(string_t&) override { return count_item(); }
-  bool binary(binary_t&) override { return count_item(); }
-  bool start_object(std::size_t) override { return enter(false); }
-  bool start_array(std::size_t) override { return enter(true); }
-  bool end_object() override { return leave(); }
-  bool end_array() override { return leave(); }
-  bool parse_error(std::size_t, const std::string&, const nlohmann::json::exception&) override {
-    return false;
-  }
-
-  bool key(string_t& key) override {
-    Level& level = m_levels.back();
-    level.key = key;
-    if (!level.keys.insert(key).second)
-      bad_input(m_file + ": " + pointer() + ": this key comes twice; accepted: each key once");
-    return true;
-  }
-
- private:
-  struct Level {
-    bool array;
-    long index;
-    std::string key;
-    std::set<std::string> keys;
-  };
-
-  static constexpr size_t kMaxDepth = 64;
-
-  std::string pointer() const {
-    std::string out;
-    for (const Level& l : m_levels) {
-      out += '/';
-      out += l.array ? std::to_string(l.index) : pointer_token(l.key);
-    }
-    return out;
-  }
-
-  bool count_item() {
-    if (!m_levels.empty() && m_levels.back().array) ++m_levels.back().index;
-    return true;
-  }
-
-  bool enter(bool array) {
-    count_item();
-    if (m_levels.size() >= kMaxDepth)
-      bad_input(m_file + ": " + pointer() + ": nested too deep; accepted: up to " +
-                std::to_string(kMaxDepth) + " levels");
-    m_levels.push_back({array, -1, {}, {}});
-    return true;
-  }
-
-  bool leave() {
-    m_levels.pop_back();
-    return true;
-  }
-
-  const std::string& m_file;
-  std::vector<Level> m_levels;
-};
-
-// "[json.exception.parse_error.101] parse error at line 1, column 5: what" -> from "line" on.
-std::string without_prefix(const std::string& message) {
-  for (const char* mark : {"parse error at ", "parse error: ", "] "}) {
-    const size_t at = message.find(mark);
-    if (at != std::string::npos) return message.substr(at + std::strlen(mark));
-  }
-  return message;
-}
-
-// The library does not say where a number overflows, only which: 'number overflow parsing '1e999''.
-std::string overflow_message(const std::string& text, const std::string& what) {
-  const size_t first = what.find('\''), last = what.rfind('\'');
-  if (first == std::string::npos || last <= first) return without_prefix(what);
-  const std::string token = what.substr(first + 1, last - first - 1);
-  const size_t at = std::min(text.find(token), text.size());
-  const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<long>(at), '\n');
-  const size_t line_start = at == 0 ? std::string::npos : text.rfind('\n', at - 1);
-  const size_t column = line_start == std::string::npos ? at + 1 : at - line_start;
-  return "line " + std::to_string(line) + ", column " + std::to_string(column) + ": " +
-         token.substr(0, 40) +
-         " is not accepted; accepted: numbers between -1.797e308 and 1.797e308";
-}
-
 }  // namespace
 
 std::string read_text_file(const std::string& path, std::uintmax_t max_bytes) {
@@ -171,21 +74,7 @@ nlohmann::json parse_json(const std::string& text, const std::string& file) {
     bad_input(file + ": is empty; accepted: a JSON object");
   if (text.rfind("glTF", 0) == 0)
     bad_input(file + ": is a scene or a model in binary glTF; accepted: JSON, as of a layout");
-  try {
-    ReadAhead ahead(file);
-    nlohmann::json::sax_parse(text, static_cast<nlohmann::json_sax<nlohmann::json>*>(&ahead));
-    return nlohmann::json::parse(text);
-  } catch (const nlohmann::json::out_of_range& e) {
-    bad_input(file + ": " + overflow_message(text, e.what()));
-  } catch (const nlohmann::json::exception& e) {
-    bad_input(file + ": " + printable(without_prefix(e.what()), 200));
-  }
-}
-
-std::string pointer_token(const std::string& key) {
-  std::string out;
-  for (char c : key) out += c == '~' ? "~0" : c == '/' ? "~1" : std::string(1, c);
-  return out;
+  return json_from_text<nlohmann::json>(text, file);
 }
 
 std::string readable_json(const nlohmann::ordered_json& value) {

@@ -57,9 +57,6 @@ class JsonPlace {
   std::string m_file, m_pointer;
 };
 
-/// One step of a JSON pointer, escaped: "~" as "~0", "/" as "~1" [RFC 6901].
-std::string pointer_token(const std::string& key);
-
 /// JSON text with a line per entry, and lists of plain values, such as vectors, on one line. What
 /// is no UTF-8 is replaced.
 std::string readable_json(const nlohmann::ordered_json& value);

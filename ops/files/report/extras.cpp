@@ -3,6 +3,7 @@
 #include <map>
 #include <set>
 
+#include "core/io/json.h"
 #include "core/model/exported_floats.h"
 #include "ops/files/json/material_json.h"
 #include "ops/files/json/operation_json.h"
@@ -189,8 +190,8 @@ TrivetExtras parse_scene_extras(const std::string& text, const std::string& file
 
 bool has_trivet_extras(const std::string& text) {
   if (text.empty()) return false;
-  const nlohmann::json document = nlohmann::json::parse(text, nullptr, false);
-  return document.is_object() && document.contains("trivet");
+  const auto document = json_if_valid<nlohmann::json>(text);
+  return document && document->is_object() && document->contains("trivet");
 }
 
 }  // namespace trivet
