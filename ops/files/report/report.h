@@ -23,7 +23,7 @@ struct ReportOptions {
   std::string arrangement = {};  // JSON text of "arrange"; empty: there was none
 };
 
-/// The report as JSON text (apps/python/docs/report.rst has its fields). Two runs of one input
+/// The report as JSON text (docs/reference/report.rst has its fields). Two runs of one input
 /// differ in nothing but "milliseconds"; two backends also in "backend", "device", "gpu_method",
 /// "gpu_lists" and "work", two kinds of confirmation in "confirmation" and "work". "check" names
 /// what it found: "pairs" of objects that interpenetrate (in double, in float32, or one inside the

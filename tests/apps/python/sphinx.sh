@@ -1,26 +1,23 @@
 #!/usr/bin/env bash
-# Builds the pages of Python's documentation; warnings are errors.
+# Builds the documentation site, and looks for its pages; warnings are errors.
 #   tests/apps/python/sphinx.sh PYTHON PACKAGE_FOLDER OUTPUT_FOLDER
 # Status 77: a prerequisite is missing.
 set -euo pipefail
-docs="$(cd "$(dirname "${BASH_SOURCE[0]}")/../../../apps/python/docs" && pwd)"
+root="$(cd "$(dirname "${BASH_SOURCE[0]}")/../../.." && pwd)"
 python="$1" package="$2" output="$3"
 if [ -z "$python" ]; then
   echo "Skipped: the package was not built; install pybind11-dev, python3-dev and python3-numpy"
   exit 77
 fi
-if ! "$python" -c "import sphinx, numpydoc" 2>/dev/null; then
-  echo "Skipped: Sphinx or numpydoc is missing; install python3-sphinx and python3-numpydoc"
-  exit 77
-fi
-rm -rf "$output"
-PYTHONPATH="$package${PYTHONPATH:+:$PYTHONPATH}" PYTHONDONTWRITEBYTECODE=1 \
-  "$python" -m sphinx -q -W --keep-going -b html -d "$output/doctrees" "$docs" "$output/html"
-for page in index tutorial examples cookbook notebooks faq report api; do
+status=0
+PYTHON="$python" "$root/docs/build.sh" "$package/../.." "$output/html" || status=$?
+[ $status -eq 0 ] || exit $status
+for page in index tutorial/index guide/index reference/index python/index python/tutorial python/examples python/cookbook \
+  python/notebooks python/faq reference/report python/api; do
   grep -q "<h1>" "$output/html/$page.html"
 done
 # All that is public has an entry.
-"$python" - "$output/html/api.html" "$package" <<'END'
+"$python" - "$output/html/python/api.html" "$package" <<'END'
 import sys
 sys.path.insert(0, sys.argv[2])
 import trivet

@@ -14,9 +14,11 @@ import pytest
 
 import trivet
 
-DOCS = Path(__file__).resolve().parents[3] / "apps" / "python" / "docs"
+DOCS = Path(__file__).resolve().parents[3] / "docs" / "python"
 PROGRAM = os.environ.get("TRIVET_PROGRAM")
 BLOCK = re.compile(r"^\.\. code-block:: (\w+)\n((?:   :\w+:.*\n)*)\n((?:(?:   .*)?\n)+)", re.M)
+# In Markdown, blocks without a language are excerpts; those with one run.
+FENCE = re.compile(r"^```(?:\{code-block\} )?(\w+)\n(?::caption: (\S+)\n\n)?(.*?)^```$", re.M | re.S)
 needs_program = pytest.mark.skipif(not PROGRAM, reason="TRIVET_PROGRAM is not set")
 
 
@@ -33,7 +35,12 @@ def folder(tmp_path, monkeypatch):
 
 def blocks(page):
     """(language, file name, text) of each block of code."""
-    for language, options, text in BLOCK.findall((DOCS / page).read_text(encoding="utf-8") + "\n"):
+    source = (DOCS.parent / page).read_text(encoding="utf-8") + "\n"
+    if page.endswith(".md"):
+        for language, caption, text in FENCE.findall(source):
+            yield language, caption, text
+        return
+    for language, options, text in BLOCK.findall(source):
         caption = re.search(r":caption: (\S+)", options)
         yield language, caption and caption.group(1), textwrap.dedent(text)
 
@@ -47,7 +54,8 @@ def test_the_ten_examples_are_doctests(folder):
 
 
 @needs_program
-@pytest.mark.parametrize("page, least", [("index.rst", 1), ("tutorial.rst", 9), ("cookbook.rst", 20)])
+@pytest.mark.parametrize("page, least", [("python/index.rst", 1), ("python/tutorial.rst", 9), ("python/cookbook.rst", 20),
+                                         ("tutorial/command-line.md", 4), ("tutorial/python.md", 5)])
 def test_every_block_of_a_page_runs(page, least, folder):
     subprocess.run([PROGRAM, "demo", "breakfast", "-o", "breakfast.glb", "--export", "models", "--quiet"], check=True)
     names, count = {"__name__": "page"}, 0

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Builds the reference of the C++ libraries by Doxygen; a warning is an error.
-#   apps/docs/reference.sh [OUTPUT_FOLDER]      default: build/reference; open its html/index.html
+#   docs/doxygen/reference.sh [OUTPUT_FOLDER]      default: build/reference; open its html/index.html
 # Status 77: Doxygen is missing.
 set -euo pipefail
 mkdir -p "${1:-build/reference}"
@@ -16,7 +16,7 @@ for room in core raster gpu ops; do
 done
 rm -rf "$output/html"
 {
-  cat apps/docs/Doxyfile
+  cat docs/doxygen/Doxyfile
   echo "OUTPUT_DIRECTORY = \"$output\""
   echo "EXCLUDE_PATTERNS = ${private[*]}"
 } | doxygen -

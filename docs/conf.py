@@ -1,0 +1,101 @@
+"""Configuration of the documentation site. docs/build.sh builds it; see there for what must be importable and on the path."""
+import json
+import os
+import subprocess
+from pathlib import Path
+
+from docutils import nodes
+from docutils.parsers.rst import Directive
+from docutils.statemachine import StringList
+from sphinx.util.nodes import nested_parse_with_titles
+
+import trivet
+
+ROOT = Path(__file__).resolve().parents[1]
+PROGRAM = os.environ.get("TRIVET_PROGRAM", "trivet")
+
+project = "Trivet"
+copyright = "the authors of Trivet"
+version = release = trivet.__version__
+extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.mathjax", "numpydoc"]
+myst_enable_extensions = ["dollarmath", "colon_fence", "deflist"]
+myst_heading_anchors = 3
+exclude_patterns = ["doxygen", "python/notebooks/.ipynb_checkpoints", "README.md"]
+suppress_warnings = ["toc.not_readable", "myst.ref", "ref.myst", "myst.xref_missing"]
+html_theme = "furo"
+html_title = f"Trivet {version}"
+html_show_sphinx = False
+html_show_copyright = False
+html_static_path = ["static"]
+# Pages are read without a network: Debian's copy of MathJax is put beside them by build.sh.
+mathjax_path = "mathjax/MathJax.js?config=TeX-AMS_HTML"
+nitpicky = False
+autodoc_member_order = "bysource"
+autodoc_typehints = "none"  # Docstrings give types with shapes and units.
+numpydoc_show_class_members = False
+
+
+class ProgramHelp(Directive):
+    """``.. trivet-help:: put push``: the text of ``--help`` of each verb, as the program of this build prints it."""
+
+    required_arguments = 1
+    final_argument_whitespace = True
+
+    def run(self):
+        result = []
+        for verb in self.arguments[0].split():
+            done = subprocess.run([PROGRAM, *verb.split("/"), "--help"], capture_output=True, text=True, check=True)
+            section = nodes.section(ids=[nodes.make_id(f"trivet-{verb}")])
+            section += nodes.title("", f"trivet {verb.replace('/', ' ')}")
+            section += nodes.literal_block(done.stdout, done.stdout, language="text")
+            result.append(section)
+        return result
+
+
+class SchemaKeys(Directive):
+    """``.. trivet-schema:: ops/files/layout/layout.schema.json``: one table of keys for each object of a JSON Schema."""
+
+    required_arguments = 1
+
+    def run(self):
+        schema = json.loads((ROOT / self.arguments[0]).read_text(encoding="utf-8"))
+        lines = []
+        for title, part in [(schema["title"], schema)] + sorted(schema.get("$defs", {}).items()):
+            lines += self.table(title, part)
+        holder = nodes.section()
+        holder.document = self.state.document
+        nested_parse_with_titles(self.state, StringList(lines, source=self.arguments[0]), holder)
+        return holder.children
+
+    def table(self, title, part):
+        keys = part.get("properties")
+        if not keys:
+            return []
+        lines = [title, "-" * len(title), "", part.get("description", ""), "", ".. list-table::", "   :widths: 20 25 55",
+                 "   :header-rows: 1", "", "   * - key", "     - value", "     - meaning"]
+        required = part.get("required", [])
+        for name, value in keys.items():
+            lines += [f"   * - ``{name}``{' (required)' if name in required else ''}", f"     - {self.kind(value)}",
+                      f"     - {' '.join(value.get('description', '').split())}"]
+        return lines + [""]
+
+    def kind(self, value):
+        if "$ref" in value:
+            return value["$ref"].rsplit("/", 1)[-1]
+        if "const" in value:
+            return f"``{json.dumps(value['const'])}``"
+        if "enum" in value:
+            return ", ".join(f"``{json.dumps(one)}``" for one in value["enum"])
+        for key in ("oneOf", "anyOf"):
+            if key in value:
+                return " or ".join(dict.fromkeys(self.kind(one) for one in value[key]))
+        kind = value.get("type", "")
+        if kind == "array" and isinstance(value.get("items"), dict):
+            return f"list of {self.kind(value['items'])}"
+        return " or ".join(kind) if isinstance(kind, list) else kind
+
+
+def setup(app):
+    app.add_directive("trivet-help", ProgramHelp)
+    app.add_directive("trivet-schema", SchemaKeys)
+    return {"parallel_read_safe": True}
