@@ -136,7 +136,7 @@ constexpr const char* kModels[] = {
     QT_TRANSLATE_NOOP("refusal", "lines left out: %1"),
     QT_TRANSLATE_NOOP("refusal", "polygons left out, as they could not be triangulated: %1"),
     QT_TRANSLATE_NOOP("refusal", "meshes with bones, read in bind pose: %1"),
-    QT_TRANSLATE_NOOP("refusal", "mirrored meshes, winding kept as in the file: %1"),
+    QT_TRANSLATE_NOOP("refusal", "mirrored meshes, winding turned round: %1"),
     QT_TRANSLATE_NOOP("refusal", "not drawn: the image \"%1\" %2"),
     QT_TRANSLATE_NOOP("refusal", "is a damaged JPEG: %1"),
     QT_TRANSLATE_NOOP("refusal", "is a damaged PNG: %1"),

@@ -2255,8 +2255,8 @@
         <translation>Netze mit Knochen, in Grundstellung gelesen: %1</translation>
     </message>
     <message>
-        <source>mirrored meshes, winding kept as in the file: %1</source>
-        <translation>gespiegelte Netze, Umlaufsinn wie in der Datei: %1</translation>
+        <source>mirrored meshes, winding turned round: %1</source>
+        <translation>gespiegelte Netze, Umlaufsinn umgekehrt: %1</translation>
     </message>
     <message>
         <source>not drawn: the image &quot;%1&quot; %2</source>

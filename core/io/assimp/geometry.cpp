@@ -55,6 +55,8 @@ struct Instance {
   Affine object_from_mesh;
 };
 
+using Corners = std::array<unsigned, 3>;  // of a triangle, vertices of its mesh
+
 /// Counts of file contents that the model omits.
 struct LeftOut {
   std::int64_t points = 0, lines = 0, polygons = 0;
@@ -129,8 +131,9 @@ class Reader {
                                    : m_left_out.polygons);
         continue;
       }
-      read_corners(instance, face);
-      read_normals(mesh, face, normal_matrix);
+      const Corners corners = corners_of(face, sign < 0);
+      read_corners(instance, corners);
+      read_normals(mesh, corners, normal_matrix);
       m_model.face_material.push_back(material);
     }
   }
@@ -140,11 +143,16 @@ class Reader {
     m_left_out.mirrored += mirrored;
   }
 
-  void read_corners(const Instance& instance, const aiFace& face) {
+  // A mirror turns inside and outside round; so does the order of the corners.
+  static Corners corners_of(const aiFace& face, bool mirrored) {
+    return {face.mIndices[0], face.mIndices[mirrored ? 2 : 1], face.mIndices[mirrored ? 1 : 2]};
+  }
+
+  void read_corners(const Instance& instance, const Corners& corners) {
     const aiMesh& mesh = *instance.mesh;
     Triangle triangle;
     for (int k = 0; k < 3; ++k) {
-      const unsigned v = face.mIndices[k];
+      const unsigned v = corners[k];
       const aiVector3D& p = mesh.mVertices[v];
       triangle[k] = instance.object_from_mesh.apply(Vec3(p.x, p.y, p.z));
       if (!triangle[k].allFinite())
@@ -170,11 +178,11 @@ class Reader {
   }
 
   // The zero vector stands for a missing normal until fill_missing_normals().
-  void read_normals(const aiMesh& mesh, const aiFace& face, const Mat3& normal_matrix) {
+  void read_normals(const aiMesh& mesh, const Corners& corners, const Mat3& normal_matrix) {
     std::array<Eigen::Vector3f, 3> normals;
     normals.fill(Eigen::Vector3f::Zero());
     for (int k = 0; mesh.HasNormals() && k < 3; ++k) {
-      const aiVector3D& n = mesh.mNormals[face.mIndices[k]];
+      const aiVector3D& n = mesh.mNormals[corners[k]];
       const Vec3 turned = normal_matrix * Vec3(n.x, n.y, n.z);
       const double length = turned.norm();
       if (!std::isfinite(length) || length == 0) continue;
@@ -193,7 +201,7 @@ class Reader {
     note("lines left out", m_left_out.lines);
     note("polygons left out, as they could not be triangulated", m_left_out.polygons);
     note("meshes with bones, read in bind pose", m_left_out.skinned);
-    note("mirrored meshes, winding kept as in the file", m_left_out.mirrored);
+    note("mirrored meshes, winding turned round", m_left_out.mirrored);
   }
 
   const aiScene& m_scene;

@@ -1,5 +1,6 @@
 #include "core/io/textures/surface_look.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -46,17 +47,32 @@ class LookReader {
  private:
   // Depth first, as the importer does, without recursion.
   void read_tree(const GltfJson& root) {
-    std::vector<GltfJson> open{root};
+    std::vector<std::pair<GltfJson, bool>> open{{root, false}};
     while (!open.empty()) {
-      const GltfJson& node = element(m_document.json, "nodes", open.back());
+      const GltfJson& node = element(m_document.json, "nodes", open.back().first);
+      m_mirrored = open.back().second != mirrors(node);
       open.pop_back();
       if (const GltfJson& mesh = member(node, "mesh"); !mesh.is_null())
         for (const GltfJson& primitive :
              member(element(m_document.json, "meshes", mesh), "primitives"))
           read_primitive(primitive);
       const GltfJson& children = member(node, "children");
-      for (size_t i = children.size(); i-- > 0;) open.push_back(children[i]);
+      for (size_t i = children.size(); i-- > 0;) open.emplace_back(children[i], m_mirrored);
     }
+  }
+
+  static bool mirrors(const GltfJson& node) {
+    const auto number = [](const GltfJson& list, size_t i, double otherwise) {
+      return list.is_array() && i < list.size() && list[i].is_number() ? list[i].get<double>()
+                                                                       : otherwise;
+    };
+    const GltfJson &matrix = member(node, "matrix"), &scale = member(node, "scale");
+    Mat3 linear = Mat3::Identity();
+    for (int c = 0; c < 3; ++c)
+      for (int r = 0; r < 3; ++r)
+        linear(r, c) = number(matrix, static_cast<size_t>(4 * c + r), r == c ? 1 : 0);
+    for (int c = 0; c < 3; ++c) linear.col(c) *= number(scale, static_cast<size_t>(c), 1);
+    return linear.determinant() < 0;
   }
 
   void read_primitive(const GltfJson& primitive) {
@@ -64,8 +80,10 @@ class LookReader {
     const GltfJson& positions = member(attributes, "POSITION");
     if (positions.is_null()) return;
     const GltfJson& accessor = element(m_document.json, "accessors", positions);
-    const auto faces = gltf_triangles(m_document, primitive, index_from(member(accessor, "count")));
+    auto faces = gltf_triangles(m_document, primitive, index_from(member(accessor, "count")));
     if (faces.empty()) return;
+    if (m_mirrored)  // as the importer turns them
+      for (auto& face : faces) std::swap(face[1], face[2]);
     const Material plain = m_model.materials.empty() ? Material() : m_model.materials.front();
     const Index material = m_materials.add(primitive, plain);
     m_look->face_material.insert(m_look->face_material.end(), faces.size(), material);
@@ -119,7 +137,7 @@ class LookReader {
   const GltfDocument& m_document;
   SurfaceMaterials m_materials;
   std::unique_ptr<SurfaceLook> m_look;
-  bool m_is_coloured = false;
+  bool m_is_coloured = false, m_mirrored = false;
 };
 
 /// Broken looks are none: the importer has noted them.

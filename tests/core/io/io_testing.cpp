@@ -4,6 +4,7 @@
 #include <assimp/scene.h>
 #include <unistd.h>
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <assimp/Importer.hpp>
 #include <fstream>
@@ -73,14 +74,15 @@ Vec3 applied(const Eigen::Matrix4d& m, const aiVector3D& v) {
 void add_triangles(const aiScene& scene, const aiNode& node, const Eigen::Matrix4d& parent,
                    std::vector<Triangle>& out) {
   const Eigen::Matrix4d matrix = parent * matrix_of(node);
+  const bool mirrored = matrix.topLeftCorner<3, 3>().determinant() < 0;
   for (unsigned i = 0; i < node.mNumMeshes; ++i) {
     const aiMesh& mesh = *scene.mMeshes[node.mMeshes[i]];
     for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
       const aiFace& face = mesh.mFaces[f];
       if (face.mNumIndices == 3)
         out.push_back({applied(matrix, mesh.mVertices[face.mIndices[0]]),
-                       applied(matrix, mesh.mVertices[face.mIndices[1]]),
-                       applied(matrix, mesh.mVertices[face.mIndices[2]])});
+                       applied(matrix, mesh.mVertices[face.mIndices[mirrored ? 2 : 1]]),
+                       applied(matrix, mesh.mVertices[face.mIndices[mirrored ? 1 : 2]])});
     }
   }
   for (unsigned i = 0; i < node.mNumChildren; ++i)

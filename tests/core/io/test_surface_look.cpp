@@ -1,5 +1,6 @@
 // Look of a model as renderers take it: texture coordinates, colours, materials and images, in the
 // order of its triangles.
+#include <Eigen/Geometry>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -56,6 +57,25 @@ TEST_F(SurfaceLookTest, ReadsTexturedGltf) {
       EXPECT_EQ(at.x(), float(p.x()));
       EXPECT_EQ(at.y(), float(1 - p.y()));
     }
+}
+
+// The importer turns triangles below a mirror; texture coordinates go along with their corners.
+TEST_F(SurfaceLookTest, FollowsCornersOfMirroredNodes) {
+  write("c.png", four_colours_png());
+  GltfJson json = square_json();
+  json["nodes"][0]["scale"] = {-1, 1, 1};
+  const Model model = read_model(write_json(json));
+  const auto look = surface_look(model);
+  ASSERT_TRUE(look);
+  ASSERT_EQ(look->coordinates[0].size(), 2u);
+  for (Index f = 0; f < 2; ++f) {
+    const Triangle t = model.mesh.triangle(f);
+    EXPECT_GT((t[1] - t[0]).cross(t[2] - t[0]).z(), 0);
+    for (int k = 0; k < 3; ++k) {
+      const Eigen::Vector2f at = look->coordinates[0][size_t(f)][size_t(k)];
+      EXPECT_EQ(at, Eigen::Vector2f(float(-t[k].x()), float(1 - t[k].y())));
+    }
+  }
 }
 
 TEST_F(SurfaceLookTest, ReadsSamplersTransformsAndFactors) {
