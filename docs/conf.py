@@ -29,6 +29,9 @@ html_show_copyright = False
 html_static_path = ["static"]
 # Pages are read without a network: Debian's copy of MathJax is put beside them by build.sh.
 mathjax_path = "mathjax/MathJax.js?config=TeX-AMS_HTML"
+# MyST tells MathJax 3 to look at formulas alone; Debian's is MathJax 2.
+myst_update_mathjax = False
+mathjax2_config = {"tex2jax": {"inlineMath": [["\\(", "\\)"]], "displayMath": [["\\[", "\\]"]], "processClass": "math"}}
 nitpicky = False
 autodoc_member_order = "bysource"
 autodoc_typehints = "none"  # Docstrings give types with shapes and units.
