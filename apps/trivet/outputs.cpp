@@ -17,6 +17,7 @@
 #include "core/base/extension.h"
 #include "core/io/export.h"
 #include "core/io/overwrites.h"
+#include "core/io/process/sandboxed_import.h"
 #include "core/io/staged_files.h"
 #include "ops/files/report/verdict.h"
 #include "ops/simulation/scene_formats.h"
@@ -152,6 +153,7 @@ void tell_work(const Detector& detector, const CommonOptions& common, ReportOpti
   report->gpu_method = detector.method();
   report->gpu_lists = detector.lists();
   report->confirmation = to_string(detector.confirmation());
+  report->importer = import_protection();
   report->work = detector.work();
 }
 

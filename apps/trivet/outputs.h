@@ -66,7 +66,8 @@ class Outputs {
   std::string m_arrangement;
 };
 
-/// Reports the detector's statistics: with --verbose to standard error, and into the report.
+/// Reports the detector's statistics: with --verbose to standard error, and into the report, with
+/// what confined the importers.
 /// @param report  may be null.
 void tell_work(const Detector& detector, const CommonOptions& common, ReportOptions* report);
 

@@ -13,6 +13,7 @@
 #include "apps/trivet/verbs.h"
 #include "core/base/error.h"
 #include "core/base/nearest_name.h"
+#include "core/io/process/sandboxed_import.h"
 
 namespace trivet::apps {
 namespace {
@@ -96,6 +97,12 @@ std::string message_of(const CLI::ParseError& error, const CLI::App& app, int ar
   return out;
 }
 
+// Where the system cannot confine what reads models, once.
+void warn_of_importers(const CommonOptions& common) {
+  const auto protection = import_protection();
+  if (protection && !protection->whole()) print_note(common, warning_about(*protection));
+}
+
 int do_verb(const std::vector<Verb>& verbs, const CommonOptions& common) {
   const auto all = tbb::global_control::max_allowed_parallelism;
   const tbb::global_control threads(all, common.num_threads > 0
@@ -104,6 +111,7 @@ int do_verb(const std::vector<Verb>& verbs, const CommonOptions& common) {
   for (const Verb& verb : verbs)
     if (verb.app->parsed()) {
       const int status = verb.run();
+      warn_of_importers(common);
       if (!std::cout.flush())
         throw Error(Error::Kind::Environment, "cannot write to the standard output");
       return status;

@@ -53,10 +53,11 @@ int examine(const DoctorArguments& arguments, const CommonOptions& common) {
 }  // namespace
 
 Verb add_doctor(CLI::App& app, const CommonOptions& common) {
-  CLI::App* const verb = app.add_subcommand(
-      "doctor",
-      "Tell what this machine lacks for batches: importer, memory, disk, files, clock, graphics. "
-      "Exit status 3 if anything that is needed is missing");
+  CLI::App* const verb =
+      app.add_subcommand("doctor",
+                         "Tell what this machine lacks for batches: importer and its sandbox, "
+                         "memory, disk, files, clock, graphics. "
+                         "Exit status 3 if anything that is needed is missing");
   const auto arguments = std::make_shared<DoctorArguments>();
   verb->add_option("--out", arguments->needs.out,
                    "Folder that batches are written to: free space, hard links")

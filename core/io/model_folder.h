@@ -19,6 +19,9 @@ class ModelFolder {
   /// The same, of a regular file that is there: no folder, device or pipe.
   bool has(const std::filesystem::path& file) const;
 
+  /// One or two, absolute, without links.
+  const std::vector<std::filesystem::path>& folders() const { return m_folders; }
+
  private:
   std::vector<std::filesystem::path> m_folders;  // canonical
 };

@@ -42,6 +42,16 @@ class Doctor(Case):
         found = self.examine(status=3, env=environment)
         self.assertEqual(found["importer"][0], "lacking")
 
+    def test_what_confines_the_importer(self):
+        verdict, text = self.examine()["sandbox"]
+        self.assertIn("privileges", text)
+        self.assertEqual(verdict, "ok" if "landlock, seccomp" in text.split(";")[0] else "note")
+        for script, says in (("true", "does not say"), ("printf 'TRIVET-IMPORTER-1\\n\\000' >&3", "only; not here: landlock"),
+                             ("printf 'TRIVET-IMPORTER-1\\n\\003' >&3", "landlock, seccomp; not here: network")):
+            verdict, text = self.examine(env={**os.environ, **self.importer(script)})["sandbox"]
+            self.assertEqual(verdict, "ok" if "003" in script else "note")
+            self.assertIn(says, text)
+
     def test_few_files(self):
         found = self.examine(status=3, preexec_fn=lambda: resource.setrlimit(
             resource.RLIMIT_NOFILE, (40, 40)))

@@ -73,6 +73,25 @@ class Importer(Case):
         in_process, _ = self.trivet("info", "cube.obj", "--json", "--import-in-process")
         self.assertEqual(isolated, in_process)
 
+    def test_a_missing_sandbox_is_noted_once(self):
+        env = {**self.importer('"$REAL" "$@" 3>&1 | (dd bs=1 count=18; dd bs=1 count=1 of=/dev/null; '
+                               'printf "\\000"; cat) 2>/dev/null >&3'),
+               "REAL": os.path.join(os.path.dirname(PROGRAM), "trivet-import")}
+        out, err = self.trivet("info", "cube.obj", env=env)
+        self.assertEqual(out, self.trivet("info", "cube.obj")[0])
+        self.assertEqual(err.count("\n"), 1, err)
+        self.assertIn("without Landlock (Linux 5.13 or later) and seccomp", err)
+        self.assertEqual(self.trivet("info", "cube.obj", "--quiet", env=env)[1], "")
+
+    def test_reports_tell_what_confined_the_importer(self):
+        layout = self.layout([SLAB, {"name": "a", "model": "cube.obj"}], [put("a", 0, 0, 1)])
+        self.trivet("run", layout, "-o", "s.glb", "--report", "r.json")
+        told = self.read_json("r.json")["importer"]
+        self.assertEqual(sorted(told["sandbox"] + told["lacking"]),
+                         ["landlock", "mounts", "network", "privileges", "seccomp"])
+        self.trivet("run", layout, "-o", "s.glb", "--report", "none.json", "--import-in-process")
+        self.assertNotIn("importer", self.read_json("none.json"))
+
     def test_a_layout_names_the_model(self):
         layout = self.layout([{"name": "bad", "model": "cube.obj"}])
         out, err = self.trivet("run", layout, "-o", "s.glb", status=2,

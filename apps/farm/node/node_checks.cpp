@@ -35,6 +35,28 @@ NodeCheck check_importer() {
   return {"importer", Verdict::Ok, importer};
 }
 
+std::string joined(const std::vector<std::string>& words) {
+  std::string out;
+  for (const std::string& word : words) out += (out.empty() ? "" : ", ") + word;
+  return out;
+}
+
+NodeCheck check_protection(const Protection& protection) {
+  const std::string parts = joined(parts_of(protection)), lacking = joined(lacking_in(protection));
+  return {"sandbox", protection.whole() ? Verdict::Ok : Verdict::Note,
+          (parts.empty() ? "limits on time and memory only" : parts) +
+              (lacking.empty() ? "" : "; not here: " + lacking)};
+}
+
+NodeCheck check_sandbox(const std::string& importer) {
+  try {
+    if (const auto protection = protection_of(importer)) return check_protection(*protection);
+  } catch (const Error& e) {
+    return {"sandbox", Verdict::Note, e.what()};
+  }
+  return {"sandbox", Verdict::Note, importer + " does not say what confines it"};
+}
+
 // Of a line such as "MemAvailable:   123 kB"; nullopt: there is none.
 std::optional<double> memory_available() {
   std::ifstream file("/proc/meminfo");
@@ -140,8 +162,10 @@ const char* to_string(NodeCheck::Verdict verdict) {
 }
 
 std::vector<NodeCheck> check_node(const NodeNeeds& needs) {
-  std::vector<NodeCheck> out = {check_importer(), check_memory(needs.memory_mb),
-                                check_descriptors(), check_clock()};
+  std::vector<NodeCheck> out = {check_importer()};
+  if (out.front().verdict == Verdict::Ok) out.push_back(check_sandbox(find_importer()));
+  for (const NodeCheck& check : {check_memory(needs.memory_mb), check_descriptors(), check_clock()})
+    out.push_back(check);
   if (needs.out.empty()) return out;
   if (!fs::is_directory(needs.out)) {
     out.push_back({"folder", Verdict::Lacking, needs.out + " is no folder"});

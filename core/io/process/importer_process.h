@@ -28,6 +28,9 @@ struct ImportRequest {
   static std::optional<ImportRequest> of(const std::vector<std::string>& texts);
 };
 
+/// The only argument of an importer that is to tell what confines it.
+inline constexpr const char* kAskProtection = "--protection";
+
 /// A running importer; killed and reaped on destruction at the latest.
 class ImporterProcess {
  public:

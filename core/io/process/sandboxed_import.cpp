@@ -107,24 +107,54 @@ bool write_all(int descriptor, std::string_view bytes) {
   return true;
 }
 
+// Begins an answer; what confines the importer follows, a byte.
+constexpr std::string_view kAnswerMagic = "TRIVET-IMPORTER-1\n";
+
+// The parts of all importers so far; no bits: none was started.
+std::atomic<unsigned> g_protection = 0;
+constexpr unsigned kStarted = 0x100;
+
+void remember(std::uint8_t bits) {
+  unsigned before = g_protection;
+  while (!g_protection.compare_exchange_weak(
+      before, before & kStarted ? before & (kStarted | bits) : kStarted | bits)) {
+  }
+}
+
+// Takes it from the beginning of an answer. nullopt: it does not begin like one.
+std::optional<std::uint8_t> take_protection(std::string_view& answer) {
+  if (!answer.starts_with(kAnswerMagic) || answer.size() == kAnswerMagic.size())
+    return std::nullopt;
+  const auto bits = static_cast<std::uint8_t>(answer[kAnswerMagic.size()]);
+  answer.remove_prefix(kAnswerMagic.size() + 1);
+  return bits;
+}
+
 // Of this thread; null: each file has an importer of its own.
 thread_local SharedImporters* t_shared = nullptr;
+
+struct Pipe {
+  Descriptor input, output;
+};
+
+Pipe make_pipe(const std::string& path) {
+  int ends[2];
+  if (pipe2(ends, O_CLOEXEC) != 0) fail_environment(path + ": cannot create a pipe", errno);
+  fcntl(ends[0], F_SETPIPE_SZ, kPipeBytes);  // or as it is
+  return {Descriptor(ends[0]), Descriptor(ends[1])};
+}
 
 /// The importer's answer, and in `status` how it ended.
 std::string answer_of(const std::string& importer, const ImportRequest& request,
                       ImporterServer* server, const std::atomic<bool>* cancel, int& status) {
-  int ends[2];
-  if (pipe2(ends, O_CLOEXEC) != 0) fail_environment(request.path + ": cannot create a pipe", errno);
-  fcntl(ends[0], F_SETPIPE_SZ, kPipeBytes);  // or as it is
-  const Descriptor input(ends[0]);
-  Descriptor output(ends[1]);
+  Pipe pipe = make_pipe(request.path);
   std::optional<ImporterProcess> own;
   if (server)
-    server->ask(request, output.number());
+    server->ask(request, pipe.output.number());
   else
-    own.emplace(importer, request.texts(), output.number());
-  output.reset();
-  std::string bytes = received(input.number(), request.path, request.limits, cancel);
+    own.emplace(importer, request.texts(), pipe.output.number());
+  pipe.output.reset();
+  std::string bytes = received(pipe.input.number(), request.path, request.limits, cancel);
   status = server ? server->status() : own->wait();
   return bytes;
 }
@@ -158,7 +188,10 @@ Model read_model_sandboxed(const std::string& path, const ImportLimits& given,
   check_end(status, importer, path, limits);
   if (shared) t_shared->m_idle.push_back(std::move(shared));
   try {
-    Model model = model_from_bytes(bytes, path, limits);
+    std::string_view answer = bytes;
+    const std::uint8_t protection = take_protection(answer).value_or(0);
+    Model model = model_from_bytes(answer, path, limits);
+    remember(protection);
     if (model.polygonised) model.tessellation = tessellation;
     return model;
   } catch (const Error& e) {
@@ -174,6 +207,26 @@ Model import_model(const std::string& path, const ImportLimits& limits,
                                  : read_model_sandboxed(path, limits, tessellation, cancel);
 }
 
+std::optional<Protection> import_protection() {
+  const unsigned bits = g_protection;
+  if (!(bits & kStarted)) return std::nullopt;
+  return protection_of_bits(static_cast<std::uint8_t>(bits));
+}
+
+std::optional<Protection> protection_of(const std::string& importer) {
+  constexpr double kSeconds = 10;
+  Pipe pipe = make_pipe(importer);
+  const ImporterProcess process(importer, {kAskProtection}, pipe.output.number());
+  pipe.output.reset();
+  ImportLimits limits;
+  limits.max_seconds = kSeconds;
+  limits.max_memory_bytes = kAnswerMagic.size() + 1;
+  const std::string bytes = received(pipe.input.number(), importer, limits, nullptr);
+  std::string_view answer = bytes;
+  const auto bits = take_protection(answer);
+  return bits ? std::optional(protection_of_bits(*bits)) : std::nullopt;
+}
+
 std::string find_importer() {
   if (const char* named = std::getenv("TRIVET_IMPORTER")) return named;
   std::error_code error;
@@ -183,6 +236,12 @@ std::string find_importer() {
     if (const fs::path importer = folder / "trivet-import"; access(importer.c_str(), X_OK) == 0)
       return importer.string();
   return "";
+}
+
+bool answer_protection(const Protection& protection, int descriptor) {
+  std::string answer(kAnswerMagic);
+  answer += static_cast<char>(bits_of(protection));
+  return write_all(descriptor, answer);
 }
 
 int serve_import(const std::function<Model()>& read, const std::string& path,

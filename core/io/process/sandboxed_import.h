@@ -4,9 +4,11 @@
 #include <atomic>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "core/io/process/protection.h"
 #include "core/io/read_model.h"
 #include "core/model/model.h"
 
@@ -53,9 +55,20 @@ Model import_model(const std::string& path, const ImportLimits& limits,
                    const Tessellation& tessellation = {},
                    const std::atomic<bool>* cancel = nullptr);
 
+/// What confines the importers of this process: what all had that it has started for models so far.
+/// @return nullopt: there was none. Thread-safe.
+std::optional<Protection> import_protection();
+
+/// Starts an importer that reads nothing.
+/// @return what confines it. nullopt: it does not say.   @throws Error (Environment)
+std::optional<Protection> protection_of(const std::string& importer);
+
 /// Path in the environment variable TRIVET_IMPORTER, else trivet-import beside the running program
 /// or in its parent folder; empty: not found.
 std::string find_importer();
+
+/// Child side: says first of all what confines it. @return false: nobody listens.
+bool answer_protection(const Protection& protection, int descriptor);
 
 /// Child side: writes the model that `read` returns, or its error, to a descriptor.
 /// @param path  of the file, for messages.

@@ -63,6 +63,10 @@ OrderedJson check_json(const SceneCheck& check) {
           {"not_at_rest", check.not_at_rest}};
 }
 
+OrderedJson importer_json(const Protection& protection) {
+  return {{"sandbox", parts_of(protection)}, {"lacking", lacking_in(protection)}};
+}
+
 OrderedJson work_json(const DetectionWork& work) {
   return {{"queries", work.num_queries},
           {"body_pairs", work.zlist.body_pairs},
@@ -92,6 +96,7 @@ std::string report_json(const LayoutRun& run, const ReportOptions& options) {
                       {"gpu_method", options.gpu_method},
                       {"gpu_lists", options.gpu_lists},
                       {"confirmation", options.confirmation}};
+  if (options.importer) json["importer"] = importer_json(*options.importer);
   if (options.work) json["work"] = work_json(*options.work);
   if (!options.arrangement.empty()) json["arrange"] = OrderedJson::parse(options.arrangement);
   json["settle"] = settle_rules_json(rules_of(run.settle));
