@@ -16,6 +16,7 @@ struct PutArguments {
   std::string scene, model, name, up;
   std::vector<double> position, rotation{1, 0, 0, 0};
   double scale = 1;
+  PutOperation operation;  // its tries
   Tessellation tessellation;
   MaterialArguments material;
   OutputPaths outputs;
@@ -102,7 +103,10 @@ int put(const PutArguments& arguments, const CommonOptions& common) {
   Layout addition;
   addition.material = file.layout.material;
   addition.objects.push_back(layout_object(arguments, file));
-  addition.operations.push_back(PutOperation{{addition.objects.back().name}, start});
+  PutOperation operation = arguments.operation;
+  operation.object = addition.objects.back().name;
+  operation.start = start;
+  addition.operations.push_back(operation);
   const std::unique_ptr<Detector> detector = make_detector(common);
   RunOptions options = run_options(common, arguments.settle, detector.get());
   if (!(options.settle.clearance > 0)) options.settle.clearance = file.clearance;
@@ -144,6 +148,12 @@ Verb add_put(CLI::App& app, const CommonOptions& common) {
       ->expected(4)
       ->type_name("W X Y Z")
       ->check(number_from(-kMaxQuaternionComponent, kMaxQuaternionComponent));
+  verb->add_option("--tries", arguments->operation.tries,
+                   "Number of starts to try: where it would topple or be wedged, nearby ones, too")
+      ->check(integer_from(1, kMaxTriesOfPut));
+  verb->add_option("--within", arguments->operation.within,
+                   "Largest distance of these from the position, in parts of the object's size")
+      ->check(number_from(0, kMaxWithin));
   verb->add_option("--name", arguments->name, "Name of the object; default: the file's name");
   verb->add_option("--scale", arguments->scale, "Metres per unit of the file")
       ->check(number_from(kMinScale, kMaxScale));

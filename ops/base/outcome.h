@@ -35,6 +35,14 @@ struct GaveWay {
   double turned_deg = 0;
 };
 
+/// Start from which a PUT with several tries came to rest.
+struct StartTried {
+  int number = 1;         // 1: the one that was asked for
+  double shifted = 0;     // metres from it, horizontally, of the centre of mass
+  double turned_deg = 0;  // about the vertical through the centre of mass
+  Pose start;
+};
+
 struct OperationResult {
   enum class Status {
     Ok,
@@ -68,6 +76,7 @@ struct OperationResult {
   std::vector<std::string> settled;          // released objects, in order
   std::vector<GaveWay> gave_way;             // in the scene's order
   std::vector<std::string> interpenetrates;  // after a free move; "floor" too
+  std::optional<StartTried> tried;           // of a PUT that might try several starts
 
   bool ok() const { return status == Status::Ok; }
   /// The refusal as a sentence; empty when there is none.

@@ -48,8 +48,9 @@ struct Refusal {
     BelowFloor,         // objects: it
     Float32BelowFloor,  // objects: it
     // Motion and rest.
-    AlreadyTouches,    // objects: it, the other
-    NothingBelow,      // objects: it
+    AlreadyTouches,  // objects: it, the other
+    NothingBelow,    // objects: it
+    // Of a PUT that tried several starts, the next two have the numbers tries, within (metres):
     Topples,           // objects: it, those that would move. numbers: friction
     Wedged,            // objects: it, all between which it is wedged
     TouchesAtStart,    // objects: it

@@ -20,7 +20,7 @@ class Writer {
   Sentence run() const {
     for (const auto part :
          {&Writer::request, &Writer::state, &Writer::exact_test, &Writer::motion, &Writer::place})
-      if (auto out = (this->*part)()) return *out;
+      if (auto out = (this->*part)()) return with_tries(*out);
     return interruption();
   }
 
@@ -40,6 +40,12 @@ class Writer {
     return verbatim(std::to_string(static_cast<long>(m_r.number(key))));
   }
   Sentence detail() const { return verbatim(m_r.detail); }
+
+  Sentence with_tries(const Sentence& reason) const {
+    if (!(m_r.number("tries") > 1)) return reason;
+    return say(TRIVET_SENTENCE("refusal", "%1; %2 starts were tried, up to %3 m from there"),
+               {reason, whole("tries"), number("within")});
+  }
 
   Maybe request() const {
     switch (m_r.cause) {

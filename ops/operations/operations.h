@@ -49,7 +49,15 @@ struct PlaceOptions {
 struct PutOperation : MoveOptions {
   Pose start;                              // with a place: its rotation only
   std::optional<PlaceOptions> place = {};  // search for a start from which it rests on this alone
+  /// Starts to try, without a place: where it would topple or be wedged, nearby ones; see tries.h.
+  /// 1: exactly from `start`.
+  int tries = 1;
+  double within = 0.5;  // of it, in parts of the object's size
 };
+/// Tries of a PUT that drops an object, where the user did not say how many.
+inline constexpr int kTriesOfDrop = 12;
+inline constexpr int kMaxTriesOfPut = 64;
+inline constexpr double kMaxWithin = 10;
 
 /// Along the surface on which the object lies, or any other that it touches; see push.h. "push"
 struct PushOperation : JointMoveOptions {

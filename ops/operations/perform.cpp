@@ -6,6 +6,7 @@
 #include "ops/operations/commit.h"
 #include "ops/operations/edit.h"
 #include "ops/operations/put.h"
+#include "ops/operations/tries.h"
 #include "ops/operations/validate.h"
 #include "ops/operations/whole.h"
 #include "ops/placement/clearance.h"
@@ -71,7 +72,12 @@ OperationResult perform_one(Transaction& transaction, ObjectId id, const Any& o,
           return refuse_to_stand(trial.scene(), id, *o.place);
         };
     }
-    return commit_at_rest(transaction, plan(transaction.scene(), id, o, run), run, name);
+    const auto do_it = [&](Transaction& inner, const Any& move) {
+      return commit_at_rest(inner, plan(inner.scene(), id, move, run), run, name);
+    };
+    if constexpr (std::is_same_v<Any, PutOperation>)
+      if (o.tries > 1 && !o.place) return put_by_tries(transaction, id, o, run, do_it);
+    return do_it(transaction, o);
   } else {
     OperationResult result = apply(transaction, o, run);
     if (!result.ok()) return result;

@@ -42,9 +42,11 @@ MovePlan plan(const Scene& scene, ObjectId id, const PutOperation& o, OperationR
                  : plan_put_from_start(scene, id, o, run, {});
 }
 
-std::optional<Pose> start_of_put(const Operation& operation, std::span<const SettleStep> steps) {
+std::optional<Pose> start_of_put(const Operation& operation, const OperationResult& result,
+                                 std::span<const SettleStep> steps) {
   const auto* const put = std::get_if<PutOperation>(&operation);
   if (!put) return std::nullopt;
+  if (result.tried) return result.tried->start;
   if (!put->place) return put->start;
   if (steps.empty() || steps.front().kind != SettleStep::Kind::Fall) return std::nullopt;
   Pose start = steps.front().pose_after;

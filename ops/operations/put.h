@@ -24,8 +24,9 @@ MovePlan plan_put_where_free(const Scene& scene, ObjectId id, const PutOperation
                              OperationRun& run);
 
 /// Pose from which a PUT let its object go: if its place was searched for, above the end of the
-/// first fall. @param steps  of its result. @return nothing of other operations, or where no fall
-/// is.
-std::optional<Pose> start_of_put(const Operation& operation, std::span<const SettleStep> steps);
+/// first fall. @param steps  of `result`, or more. @return nothing of other operations, or where no
+/// fall is.
+std::optional<Pose> start_of_put(const Operation& operation, const OperationResult& result,
+                                 std::span<const SettleStep> steps);
 
 }  // namespace trivet

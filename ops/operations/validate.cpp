@@ -88,6 +88,8 @@ class Checker {
 };
 
 void check(const PutOperation& o, Checker& checker) {
+  checker.range("tries", o.tries, 1, o.place ? 1 : kMaxTriesOfPut);
+  checker.range("within", o.within, 0, kMaxWithin);
   if (!o.place) return checker.pose(o.start);
   checker.rotation("rotation", o.start.rotation);
   if (o.place->near) checker.vector("at", *o.place->near);

@@ -13,7 +13,7 @@ std::optional<SettledWay> settled_way(const Scene& scene, const Operation& opera
                                       std::span<const SettleStep> steps,
                                       const std::optional<Pose>& from) {
   const auto id = scene.find(object_name(operation));
-  const auto start = from ? from : start_of_put(operation, steps);
+  const auto start = from ? from : start_of_put(operation, result, steps);
   if (!result.ok() || !id || !start || steps.empty()) return std::nullopt;
   const Object& object = scene.at(*id);
   SettledWay way;

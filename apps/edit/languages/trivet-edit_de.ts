@@ -375,6 +375,10 @@
         <translation>die Szene stünde bei Reibung %1 nicht; in Bewegung gerieten: %2</translation>
     </message>
     <message>
+        <source>%1; %2 starts were tried, up to %3 m from there</source>
+        <translation>%1; versucht wurden %2 Anfangslagen, bis zu %3 m entfernt</translation>
+    </message>
+    <message>
         <source>%1 touches something at its start</source>
         <translation>%1 berührt am Anfang etwas</translation>
     </message>

@@ -10,6 +10,9 @@
 namespace trivet::farm {
 namespace {
 
+// In parts of the object's size: farther starts come to rest sooner, and none leaves the container.
+constexpr double kWithinContainer = 2;
+
 // Objects of these names, and of these groups, that are in the scene; "floor" is empty.
 std::vector<std::string> placed_of(const Scene& scene, const std::vector<std::string>& names,
                                    const Members& members) {
@@ -114,6 +117,8 @@ std::optional<Placing> draw_placing(const Scene& scene, const RecipeGroup& group
     }
   }
   out.put.object = name;
+  if (!out.put.place) out.put.tries = kTriesOfDrop;
+  if (out.container) out.put.within = kWithinContainer;
   return out;
 }
 

@@ -89,6 +89,11 @@ py::dict dict_of(const OperationResult& result) {
       "interpenetrates"_a = tuple_of(result.interpenetrates), "num_motions"_a = result.num_motions,
       "seconds"_a = 1e-3 * result.milliseconds, "path"_a = path_of(result.steps));
   if (!result.blocked_by.name.empty()) out["blocked_at"] = array_of(result.blocked_at);
+  if (const auto& tried = result.tried) {
+    out["try_number"] = tried->number;
+    out["start_shifted"] = tried->shifted;
+    out["start_turned_deg"] = tried->turned_deg;
+  }
   if (result.refusal) add_refusal(*result.refusal, out);
   return out;
 }

@@ -48,7 +48,7 @@ class Object(Moves):
 
     def put(self, position: Optional[ArrayLike] = None, wxyz: Optional[ArrayLike] = None, *, on: Optional[Other] = None,
             at: Optional[ArrayLike] = None, keep: float = 0.0, seed: int = 0, least_margin: float = 0.0,
-            most_friction: Optional[float] = None, settle_left: bool = False,
+            most_friction: Optional[float] = None, tries: int = 1, within: float = 0.5, settle_left: bool = False,
             budget: Optional[float] = None) -> Result:
         """Let the object fall from where it is held, settle, and prove that it rests.
 
@@ -72,6 +72,11 @@ class Object(Moves):
             Metres of its centre of mass from where it would tip, at rest; other places are tried.
         most_friction : float, optional
             Coulomb's coefficient that it may need to stay there; other places are tried.
+        tries : int
+            Starts to try, from 1 to 64; not with `on`. Where it would topple or be wedged, it is turned about the vertical,
+            moved, and let fall again, in the same container; `Result.try_number` says which start it was.
+        within : float
+            Largest distance of these from `position`, in parts of the object's size.
         settle_left : bool
             Objects that it leaves without support settle, too; else they are named in `Result.unsupported`.
         budget : float, optional
@@ -91,17 +96,20 @@ class Object(Moves):
             An argument is not accepted.
         """
         return checked(self.try_put(position, wxyz, on=on, at=at, keep=keep, seed=seed, least_margin=least_margin,
-                                     most_friction=most_friction, settle_left=settle_left, budget=budget))
+                                     most_friction=most_friction, tries=tries, within=within,
+                                     settle_left=settle_left, budget=budget))
 
     def try_put(self, position: Optional[ArrayLike] = None, wxyz: Optional[ArrayLike] = None, *,
                 on: Optional[Other] = None, at: Optional[ArrayLike] = None, keep: float = 0.0, seed: int = 0,
-                least_margin: float = 0.0, most_friction: Optional[float] = None, settle_left: bool = False,
-                budget: Optional[float] = None) -> Result:
+                least_margin: float = 0.0, most_friction: Optional[float] = None, tries: int = 1,
+                within: float = 0.5, settle_left: bool = False, budget: Optional[float] = None) -> Result:
         """As `put`, with its parameters, but a refusal is returned: a `Result` that is false."""
         flag = _arrays.flag("settle_left", settle_left) or None
         if on is not None:
             if position is not None:
                 raise BadInputError("put: position and on are given; accepted: one of them")
+            if tries != 1:
+                raise BadInputError("put: on and tries are given; accepted: one of them, as on tries places of its own")
             return self._put_on(on, budget, at=place(at), seed=_arrays.whole("seed", seed, 0, 2 ** 63 - 1),
                                 keep=_arrays.number("keep", keep),
                                 least_margin=_arrays.number("least_margin", least_margin),
@@ -115,6 +123,7 @@ class Object(Moves):
                 raise BadInputError(f'put "{self._name}": it is out of the scene; accepted: with position, or on')
             wxyz = self.wxyz if wxyz is None else wxyz
         return self._try(budget, op="put", position=_arrays.vector("position", position, 3), rotation=rotation(wxyz),
+                         tries=_arrays.whole("tries", tries, 1, 64), within=_arrays.number("within", within),
                          settle_left=flag)
 
     def _put_on(self, on: Other, budget: Optional[float], **options: Any) -> Result:

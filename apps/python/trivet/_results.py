@@ -51,6 +51,10 @@ class Result:
     num_motions : int
     seconds : float
         Wall clock.
+    try_number : int
+        Of a `put` with `tries`: which start it was; 1 is the one that was asked for.
+    start_shifted, start_turned_deg : float
+        Metres and degrees about the vertical of that start from the one that was asked for.
     """
 
     status: str
@@ -71,6 +75,9 @@ class Result:
     num_motions: int
     seconds: float
     path: Floats = field(repr=False)
+    try_number: int = 1
+    start_shifted: float = 0.0
+    start_turned_deg: float = 0.0
 
     def __bool__(self) -> bool:
         return self.status == "ok"

@@ -86,7 +86,7 @@ void MotionFilm::add(const Scene& after, const Operation& operation,
   const auto id = after.find(object_name(operation));
   if (id && after.at(*id).placed && !result.steps.empty()) {
     Actor& actor = m_actors.at(id_of(*id));
-    std::optional<Pose> start = start_of_put(operation, result.steps);
+    std::optional<Pose> start = start_of_put(operation, result, result.steps);
     if (!start) start = actor.pose();
     if (start) follow(actor, *start, after, after.at(*id), result);
   }

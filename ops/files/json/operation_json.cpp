@@ -59,11 +59,14 @@ PlaceOptions read_place(const JsonPlace& place) {
   return out;
 }
 
-// Common part of put and stand.
-Pose read_posed(const JsonPlace& place, MoveOptions& move) {
-  place.expect_object({"op", "object", "position"}, {"rotation", "settle_left"});
-  read_common(place, move);
-  return read_pose(place);
+void read_tries(const JsonPlace& place, PutOperation& put) {
+  if (const auto tries = place.find("tries")) {
+    const double number = tries->value().is_number_integer() ? tries->number() : 0;
+    if (number < 1 || number > kMaxTriesOfPut)
+      tries->refuse("a whole number from 1 to " + std::to_string(kMaxTriesOfPut));
+    put.tries = static_cast<int>(number);
+  }
+  read_to(place, "within", put.within);
 }
 
 PutOperation read_put(const JsonPlace& place) {
@@ -75,13 +78,16 @@ PutOperation read_put(const JsonPlace& place) {
     return put;
   }
   if (!place.find("position")) {
-    place.expect_object({"op", "object"}, {"rotation", "settle_left"});
+    place.expect_object({"op", "object"}, {"rotation", "tries", "within", "settle_left"});
     place.fail(
         "a place is missing; accepted: \"position\", from where it falls, or \"on\", an object or "
         "\"floor\", on which a place is found");
   }
+  place.expect_object({"op", "object", "position"}, {"rotation", "tries", "within", "settle_left"});
   PutOperation put;
-  put.start = read_posed(place, put);
+  read_common(place, put);
+  put.start = read_pose(place);
+  read_tries(place, put);
   return put;
 }
 
@@ -211,8 +217,10 @@ Removal read_removal(const JsonPlace& place) {
 }
 
 StandOperation read_stand(const JsonPlace& place) {
+  place.expect_object({"op", "object", "position"}, {"rotation", "settle_left"});
   StandOperation operation;
-  operation.pose = read_posed(place, operation);
+  read_common(place, operation);
+  operation.pose = read_pose(place);
   return operation;
 }
 

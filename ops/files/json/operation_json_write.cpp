@@ -44,7 +44,13 @@ const char* to_string(TurnOperation::About about) {
 }
 
 void write(const PutOperation& put, Json& json) {
-  if (!put.place) return write_pose(put.start, json);
+  if (!put.place) {
+    write_pose(put.start, json);
+    const PutOperation usual;
+    write_if(put.tries != usual.tries, "tries", put.tries, json);
+    write_if(put.within != usual.within, "within", put.within, json);
+    return;
+  }
   const PlaceOptions& place = *put.place;
   json["on"] = place.on;
   if (place.near)

@@ -98,6 +98,11 @@ void add_outcome(const OperationResult& result, OrderedJson& json) {
     json["blocked_by"] = result.blocked_by.name;
     json["blocked_at"] = to_json(result.blocked_at);
   }
+  if (const auto& tried = result.tried) {
+    json["try"] = tried->number;
+    json["start_shifted"] = tried->shifted;
+    json["start_turned_deg"] = tried->turned_deg;
+  }
   json["moved"] = result.moved;
   if (result.turned_deg != 0) json["turned_deg"] = result.turned_deg;
   const auto add = [&](const char* key, const std::vector<std::string>& names) {

@@ -55,6 +55,13 @@ double least_pair_friction(const Scene& scene, ObjectId object) {
   return least;
 }
 
+std::string start_text(const StartTried& tried) {
+  char text[120];
+  std::snprintf(text, sizeof text, "from start %d, %.2g mm away and turned by %.4g degrees",
+                tried.number, 1000 * tried.shifted, tried.turned_deg);
+  return text;
+}
+
 std::string gave_way_text(const std::vector<GaveWay>& objects) {
   std::string out;
   for (const GaveWay& object : objects) {

@@ -17,6 +17,8 @@ std::string way_text(const Object& object, const VirtualMotion& motion);
 /// none.
 double least_pair_friction(const Scene& scene, ObjectId object);
 
+/// "from start 3, 52 mm away and turned by 137.5 degrees".
+std::string start_text(const StartTried& tried);
 /// "\"a\" by 1.2 mm and 0.3 degrees, \"b\" by ...", of objects that an operation moved.
 std::string gave_way_text(const std::vector<GaveWay>& objects);
 

@@ -1,0 +1,132 @@
+#include "ops/operations/tries.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/motion/motion.h"
+#include "ops/operations/container.h"
+#include "ops/operations/moving_group.h"
+
+namespace trivet {
+namespace {
+
+constexpr double kTurnDeg = 137.5;          // of a start from that before it: the golden angle
+constexpr double kWayDeg = 2.1 * kTurnDeg;  // of their shifts
+constexpr int kStartsOfTry = 2;             // looked at for each try: some interpenetrate
+/// First contacts by which the whole may come to rest in a try, and in the last; see whole.h. More
+/// are seldom worth the time that another start takes.
+constexpr std::int64_t kQueriesOfTry = 40, kQueriesOfLast = 600;
+
+// Between half a turn either way.
+double wrapped_deg(double deg) { return std::remainder(deg, 360); }
+
+// At most half a turn either way.
+Rotation about_vertical(double deg) {
+  const Rotation half = Rotation::about_axis(Vec3::UnitZ(), turn_time(deg / 2));
+  return (half * half).normalized();
+}
+
+Vec3 centre_at(const Object& object, const Pose& pose) {
+  return world_from_object(pose, object.up, object.scale).apply(object.shape->mass.centre);
+}
+
+bool may_do_better_nearby(const OperationResult& result) {
+  return result.status == OperationResult::Status::Refused &&
+         (result.refusal->cause == Refusal::Cause::Topples ||
+          result.refusal->cause == Refusal::Cause::Wedged);
+}
+
+bool starts_blocked(const OperationResult& result) {
+  return result.status == OperationResult::Status::Refused &&
+         result.refusal->at == Refusal::At::Start;
+}
+
+/// The starts after the first.
+class Tries {
+ public:
+  Tries(Transaction& transaction, ObjectId id, const PutOperation& o, OperationRun& run,
+        const PutFrom& put)
+      : m_transaction(transaction),
+        m_id(id),
+        m_operation(o),
+        m_run(run),
+        m_put(put),
+        m_container(transaction.scene(), carried_with(transaction.scene(), id), centre(o.start),
+                    size_of(object())) {}
+
+  OperationResult go_on(OperationResult first) {
+    int num_tries = 1;
+    for (int n = 2; n <= kStartsOfTry * m_operation.tries && num_tries < m_operation.tries; ++n) {
+      const StartTried start = start_to_try(object(), m_operation, n);
+      if (!m_container.holds(centre(start.start))) continue;
+      const bool is_last = num_tries + 1 == m_operation.tries;
+      m_run.whole_queries = is_last ? kQueriesOfLast : kQueriesOfTry;
+      OperationResult result = try_from(start);
+      const bool is_over = result.ok() || result.status != OperationResult::Status::Refused;
+      if (is_over) return result;
+      num_tries += !starts_blocked(result);
+    }
+    if (num_tries > 1) {
+      first.refusal->numbers.push_back({"tries", static_cast<double>(num_tries)});
+      first.refusal->numbers.push_back({"within", m_operation.within * size_of(object())});
+    }
+    return first;
+  }
+
+ private:
+  const Object& object() const { return m_transaction.scene().at(m_id); }
+  Vec3 centre(const Pose& pose) const { return centre_at(object(), pose); }
+
+  OperationResult try_from(const StartTried& start) {
+    PutOperation put = m_operation;
+    put.start = start.start;
+    Transaction inner(m_transaction);
+    OperationResult result = m_put(inner, put);
+    if (!result.ok()) return result;
+    if (!m_container.holds(inner.scene().at(m_id).centre_of_mass()))
+      return refused({Refusal::Cause::LeavesRegion, {named(inner.scene(), Support(m_id))}});
+    result.tried = start;
+    inner.commit();
+    return result;
+  }
+
+  Transaction& m_transaction;
+  const ObjectId m_id;
+  const PutOperation& m_operation;
+  OperationRun& m_run;
+  const PutFrom& m_put;
+  const Container m_container;
+};
+
+}  // namespace
+
+StartTried start_to_try(const Object& object, const PutOperation& o, int number) {
+  StartTried out{number, 0, 0, o.start};
+  if (number <= 1) return out;
+  const double n = number - 1, part = std::min(1.0, n / std::max(1, o.tries - 1));
+  out.shifted = o.within * size_of(object) * std::sqrt(part);
+  out.turned_deg = wrapped_deg(n * kTurnDeg);
+  const Vec3 way = about_vertical(wrapped_deg(n * kWayDeg)).matrix() * Vec3::UnitX();
+  out.start.rotation = (about_vertical(out.turned_deg) * o.start.rotation).normalized();
+  out.start.translation.setZero();
+  out.start.translation =
+      centre_at(object, o.start) + out.shifted * way - centre_at(object, out.start);
+  return out;
+}
+
+OperationResult put_by_tries(Transaction& transaction, ObjectId id, const PutOperation& o,
+                             OperationRun& run, const PutFrom& put) {
+  OperationResult first;
+  {
+    Transaction inner(transaction);
+    first = put(inner, o);
+    if (first.ok()) {
+      first.tried = StartTried{1, 0, 0, o.start};
+      inner.commit();
+    }
+  }
+  if (!may_do_better_nearby(first)) return first;
+  return Tries(transaction, id, o, run, put).go_on(std::move(first));
+}
+
+}  // namespace trivet

@@ -1,0 +1,29 @@
+// PUT from several starts: the one that was asked for, and, where the object would topple or be
+// wedged there, others near it.
+//
+//   start n (n = 1, 2, ...)  turned about the vertical by n x 137.5 degrees, shifted by within x
+//                            size x sqrt(n / (tries - 1)) in a direction of 2.1 times that angle
+//   interpenetrates, or leaves the container (container.h)  -> skipped
+//   else                     an operation of its own, proved as any other, with a third of the time
+//                            to bring the whole to rest (the last: with five times as much); the
+//                            first that is done and ends in the container is taken
+#pragma once
+
+#include "core/scene/transaction.h"
+#include "ops/operations/operation_run.h"
+#include "ops/operations/operations.h"
+
+namespace trivet {
+
+/// A start of the sequence. @param number  1: the one that was asked for.
+StartTried start_to_try(const Object& object, const PutOperation& o, int number);
+
+/// A PUT of which each start is an operation of its own.
+using PutFrom = std::function<OperationResult(Transaction&, const PutOperation&)>;
+
+/// The first start from which `put` is done. Otherwise the refusal of the one that was asked for,
+/// with the number of tries. @param o  without a place, with more than one try.
+OperationResult put_by_tries(Transaction& transaction, ObjectId id, const PutOperation& o,
+                             OperationRun& run, const PutFrom& put);
+
+}  // namespace trivet

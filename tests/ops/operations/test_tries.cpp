@@ -1,0 +1,218 @@
+// PUT from several starts, and the container in which they stay.
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "ops/operations/arrangements.h"
+#include "ops/operations/container.h"
+#include "ops/operations/perform.h"
+#include "ops/operations/stage.h"
+#include "ops/operations/tries.h"
+
+namespace trivet::test {
+namespace {
+
+Triangles box_at(const Vec3& lower, const Vec3& upper) {
+  return moved(box_triangles((upper - lower) / 2), (upper + lower) / 2);
+}
+
+/// A box open above: inner edges of `edge`, walls of `wall`; its floor is as thick.
+Triangles bin(double edge, double height, double wall) {
+  const double in = edge / 2, out = in + wall;
+  Triangles all = box_at({-out, -out, 0}, {out, out, wall});
+  for (const auto& [lower, upper] : {std::pair{Vec3(-out, -out, wall), Vec3(out, -in, height)},
+                                     {Vec3(-out, in, wall), Vec3(out, out, height)},
+                                     {Vec3(-out, -in, wall), Vec3(-in, in, height)},
+                                     {Vec3(in, -in, wall), Vec3(out, in, height)}})
+    all = joined(all, box_at(lower, upper));
+  return all;
+}
+
+ObjectId add_at(Scene& scene, const std::string& name, const Triangles& triangles, const Vec3& at,
+                bool fixed) {
+  const ObjectId id = scene.add(object_of(name, triangles, fixed));
+  EXPECT_TRUE(stand(scene, id, {{}, at}).ok());
+  return id;
+}
+
+bool is_same_place(const Scene& scene, const Vec3& a, const Vec3& b, double size = 0.1) {
+  return Container(scene, {}, a, size).holds(b);
+}
+
+TEST(Container, EndsAtWalls) {
+  for (const bool fixed : {false, true}) {
+    Scene scene;
+    add_at(scene, "bin", bin(0.4, 0.2, 0.002), {1, 2, 1e-4}, fixed);
+    const Vec3 centre(1, 2, 0.5);
+    EXPECT_TRUE(is_same_place(scene, centre, {1.15, 2.15, 0.05}));
+    EXPECT_TRUE(is_same_place(scene, centre, {0.81, 2, 0.3}));
+    EXPECT_FALSE(is_same_place(scene, centre, {1.25, 2, 0.05}));
+    EXPECT_FALSE(is_same_place(scene, centre, {1.3, 2.3, 0.3}));
+    EXPECT_FALSE(is_same_place(scene, {1, 2, 0.1}, {1.25, 2, 0.1})) << "from below the rim";
+    EXPECT_FALSE(is_same_place(scene, {1.25, 2, 0.5}, {1.15, 2, 0.05}) && fixed)
+        << "into a fixed one";
+  }
+}
+
+TEST(Container, IsNotWhatLiesInHeap) {
+  Scene scene;
+  add_at(scene, "piece", box_triangles({0.05, 0.05, 0.05}), {0, 0, 0.0501}, false);
+  EXPECT_TRUE(is_same_place(scene, {0, 0, 0.5}, {0.1, 0, 0.05}));
+}
+
+TEST(Container, IsTableWhoeverHoldsIt) {
+  for (const bool fixed : {false, true}) {
+    Scene scene;
+    add_at(scene, "table", box_triangles({0.5, 0.5, 0.35}), {0, 0, 0.3501}, fixed);
+    EXPECT_TRUE(is_same_place(scene, {0.4, 0, 1}, {0.45, 0.1, 0.75}));
+    EXPECT_FALSE(is_same_place(scene, {0.45, 0, 1}, {0.55, 0, 0.05}));
+    EXPECT_TRUE(is_same_place(scene, {0.55, 0, 0.1}, {0.6, 0, 0.05})) << "on the floor beside";
+  }
+}
+
+TEST(Container, IsBowlUpToItsRim) {
+  Scene scene;
+  add_at(scene, "bowl", dish(0.3, 0.15, 0.01, 2, 48), {0, 0, 1e-4}, false);
+  EXPECT_TRUE(is_same_place(scene, {0, 0, 0.5}, {0.2, 0.1, 0.1}));
+  EXPECT_FALSE(is_same_place(scene, {0, 0, 0.5}, {0.35, 0, 0.05}));
+}
+
+TEST(Container, IsRoomBetweenSeparateWalls) {
+  Scene scene;
+  add_at(scene, "wall", box_triangles({0.01, 1, 1}), {0.5, 0, 1.001}, true);
+  EXPECT_FALSE(is_same_place(scene, {0.4, 0, 0.5}, {0.6, 0, 0.5}));
+  EXPECT_TRUE(is_same_place(scene, {0.4, 0, 0.5}, {0.4, 0.5, 0.5}));
+  EXPECT_FALSE(is_same_place(scene, {0.4, 0, 3}, {0.6, 0, 0.5})) << "over the wall";
+}
+
+TEST(Tries, StartAsStated) {
+  const Object object = object_of("o", box_triangles({0.1, 0.2, 0.2}));  // its diagonal is 0.6
+  PutOperation o{{"o"}, {Rotation::about_axis(Vec3::UnitX(), 0.3), Vec3(1, 2, 3)}};
+  o.tries = 12;
+  EXPECT_EQ(start_to_try(object, o, 1).shifted, 0);
+  for (int n = 1; n <= 14; ++n) {
+    const StartTried start = start_to_try(object, o, n + 1);
+    const double way = 0.5 * 0.6 * std::sqrt(std::min(1.0, n / 11.0));
+    EXPECT_NEAR(start.shifted, way, 1e-8);
+    EXPECT_NEAR(std::remainder(start.turned_deg - n * 137.5, 360), 0, 1e-12);
+    const double angle = n * 2.1 * 137.5 * M_PI / 180;
+    const Vec3 to = Vec3(1, 2, 3) + way * Vec3(std::cos(angle), std::sin(angle), 0);
+    EXPECT_LT((start.start.translation - to).norm(), 1e-8) << n;
+    const double turn = n * 137.5 * M_PI / 180;
+    const Mat3 turned = Eigen::AngleAxisd(turn, Vec3::UnitZ()) * o.start.rotation.matrix();
+    EXPECT_LT((start.start.rotation.matrix() - turned).norm(), 1e-12) << n;
+  }
+}
+
+/// Balls let go over a bin, at 0.1 of its edge from the middle.
+int num_in_bin(int num, int tries, std::string& poses) {
+  Scene scene;
+  add_at(scene, "bin", bin(0.3, 0.3, 0.01), {0, 0, 1e-4}, true);
+  int done = 0;
+  for (int i = 0; i < num; ++i) {
+    const std::string name = "ball " + std::to_string(i);
+    const ObjectId id = scene.add(object_of(name, ball(0.045, 8, 12)));
+    const Vec3 at(0.03 * (i % 3 - 1), 0.03 * (i / 3 % 3 - 1), 0.4 + 0.01 * i);
+    PutOperation put{{name}, {{}, at}};
+    put.tries = tries;
+    const OperationResult result = perform(scene, put);
+    done += result.ok();
+    EXPECT_EQ(result.ok() && tries > 1, result.tried.has_value());
+    if (!result.ok()) continue;
+    EXPECT_LT(scene.at(id).centre_of_mass().head<2>().cwiseAbs().maxCoeff(), 0.15) << name;
+  }
+  poses = snapshot(scene);
+  return done;
+}
+
+TEST(Tries, FillBin) {
+  std::string once, poses, again;
+  const int num = 12, exactly = num_in_bin(num, 1, once);
+  EXPECT_EQ(num_in_bin(num, 12, poses), num);
+  EXPECT_LT(exactly, num);
+  num_in_bin(num, 12, again);
+  EXPECT_EQ(poses, again);
+  std::printf("%d of %d with one try each\n", exactly, num);
+}
+
+/// Counts tries, and answers them as it is told to.
+struct Answers {
+  Scene scene;
+  ObjectId id = scene.add(object_of("o", box_triangles({0.1, 0.2, 0.2})));
+  std::vector<Pose> starts;
+
+  OperationResult run(int tries, const std::function<OperationResult(int)>& answer) {
+    PutOperation o{{"o"}, {{}, Vec3(0, 0, 1)}};
+    o.tries = tries;
+    Transaction transaction(scene);
+    OperationRun operation({}, {});
+    return put_by_tries(transaction, id, o, operation, [&](Transaction& inner, const auto& put) {
+      starts.push_back(put.start);
+      inner.edit(id, [&](Object& object) { object.pose = put.start; });
+      return answer(static_cast<int>(starts.size()));
+    });
+  }
+};
+
+OperationResult topples() { return refused({Refusal::Cause::Topples, {}, {{"friction", 0.5}}}); }
+OperationResult wedged() { return refused({Refusal::Cause::Wedged}); }
+OperationResult blocked() {
+  Refusal why{Refusal::Cause::Crossing};
+  why.at = Refusal::At::Start;
+  return refused(why);
+}
+
+TEST(Tries, SayHowManyWereMade) {
+  Answers answers;
+  const OperationResult result =
+      answers.run(3, [](int k) { return k == 1 ? topples() : wedged(); });
+  ASSERT_FALSE(result.ok());
+  EXPECT_EQ(answers.starts.size(), 3u);
+  EXPECT_EQ(result.refusal->cause, Refusal::Cause::Topples) << "that of the first";
+  EXPECT_EQ(result.refusal->number("tries"), 3);
+  EXPECT_NE(result.reason().find("3 starts were tried, up to 0.3 m"), std::string::npos)
+      << result.reason();
+}
+
+TEST(Tries, SkipStartsThatInterpenetrate) {
+  Answers answers;
+  const auto answer = [](int k) { return k == 1 || k == 5 ? topples() : blocked(); };
+  const OperationResult result = answers.run(3, answer);
+  ASSERT_FALSE(result.ok());
+  EXPECT_EQ(answers.starts.size(), 6u) << "twice as many starts as tries are looked at";
+  EXPECT_EQ(result.refusal->number("tries"), 2);
+}
+
+TEST(Tries, EndWithTheFirstThatIsDone) {
+  Answers answers;
+  const OperationResult result =
+      answers.run(12, [](int k) { return k < 4 ? topples() : OperationResult(); });
+  ASSERT_TRUE(result.ok());
+  ASSERT_TRUE(result.tried);
+  EXPECT_EQ(result.tried->number, 4);
+  EXPECT_EQ(result.tried->start.translation, answers.starts.back().translation);
+  EXPECT_EQ(answers.scene.at(answers.id).pose.translation, Vec3::Zero()) << "not committed outside";
+}
+
+TEST(Tries, AreMadeOnlyWhereItWouldToppleOrWedge) {
+  Answers answers;
+  const OperationResult result =
+      answers.run(12, [](int) { return refused({Refusal::Cause::NothingBelow}); });
+  EXPECT_EQ(result.refusal->cause, Refusal::Cause::NothingBelow);
+  EXPECT_EQ(answers.starts.size(), 1u);
+}
+
+TEST(Tries, AreRefusedWithPlace) {
+  Stage stage;
+  stage.scene.add(object_of("o", box_triangles({0.1, 0.1, 0.1})));
+  PutOperation put{{"o"}, {}};
+  put.place = PlaceOptions{"floor", {}, 0, 0, {}};
+  put.tries = 2;
+  stage.refused(put, "tries: 2 is not accepted");
+  put.place.reset();
+  put.tries = 65;
+  stage.refused(put, "tries: 65 is not accepted");
+}
+
+}  // namespace
+}  // namespace trivet::test
