@@ -104,8 +104,8 @@ if(TARGET trivet_gpu)
 endif()
 list(JOIN needs ", " needs)
 debian_package(dev libtrivet-dev libdevel "${needs}"
-  "lays out 3D objects at rest: C++ libraries and headers
-Static libraries for find_package(Trivet): exact first contact, PUT and the
+  "lays out 3D objects at rest: C++ library and headers
+For find_package(Trivet), shared and static: exact first contact, PUT and the
 other operations of the program trivet, scenes, pictures, export.")
 
 include(CPack)

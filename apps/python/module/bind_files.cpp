@@ -1,8 +1,6 @@
 // Scenes from and to files, bytes and simulators; snapshots.
 #include <pybind11/stl.h>
 
-#include <algorithm>
-
 #include "apps/python/module/bindings.h"
 #include "apps/python/module/callback.h"
 #include "apps/python/module/errors.h"
@@ -10,9 +8,9 @@
 #include "core/io/overwrites.h"
 #include "core/scene/fingerprint.h"
 #include "ops/check/check.h"
-#include "ops/files/layout/named_objects.h"
 #include "ops/files/layout/paths.h"
 #include "ops/files/report/scene_file.h"
+#include "ops/session/kept_layout.h"
 #include "ops/simulation/simulation.h"
 
 namespace trivet::python {
@@ -63,33 +61,9 @@ struct Snapshot {
   SettleOptions settle;
 };
 
-// True if a file may keep this layout: all objects that there ever were are of files, or copies of
-// such.
-bool is_of_files(const Layout& layout, const Scene& scene) {
-  NamedObjects known(layout.objects);
-  for (const Operation& operation : layout.operations) {
-    const auto* const append = std::get_if<AppendOperation>(&operation);
-    if ((append && append->model.empty()) || !known.follow(operation)) return false;
-  }
-  const std::vector<ObjectId> ids = scene.ids();
-  return std::all_of(ids.begin(), ids.end(),
-                     [&](ObjectId id) { return known.contains(scene.at(id).name); });
-}
-
-// Of scenes whose objects come from arrays: nothing; the scene file has all there is.
-Layout layout_of(const Session& session, const SettleOptions& settle) {
-  Layout layout = session.layout();
-  if (!is_of_files(layout, session.scene())) {
-    layout = Layout{};
-    layout.floor = session.scene().floor;
-  }
-  layout.settle = rules_of(settle);
-  return layout;
-}
-
 Snapshot snapshot(SharedScene& scene) {
   const SceneGuard guard(scene);
-  return {scene.scene(), layout_of(scene.session(), scene.settle), scene.opened().model_folder,
+  return {scene.scene(), kept_layout(scene.session(), scene.settle), scene.opened().model_folder,
           scene.settle};
 }
 
