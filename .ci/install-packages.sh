@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs what is missing of packages.txt.
-#   .ci/install-packages.sh [build|editor|cad|convex|exr|serve|python|docs|tests|packages|farm|interop|perf|dev]...     without arguments: build
+#   .ci/install-packages.sh [build|editor|cad|convex|exr|gltf|serve|python|docs|tests|packages|farm|interop|perf|dev]...     without arguments: build
 set -euo pipefail
 list="$(dirname "${BASH_SOURCE[0]}")/packages.txt"
 
@@ -8,7 +8,7 @@ wanted=()
 for group in "${@:-build}"; do
   mapfile -t packages < <(awk -v group="$group" '$1 == group { print $2 }' "$list")
   if [ ${#packages[@]} -eq 0 ]; then
-    echo "$0: no packages for '$group' in $list; try build, editor, cad, convex, exr, serve, python, docs, tests, packages, farm, interop, perf or dev" >&2
+    echo "$0: no packages for '$group' in $list; try build, editor, cad, convex, exr, gltf, serve, python, docs, tests, packages, farm, interop, perf or dev" >&2
     exit 2
   fi
   wanted+=("${packages[@]}")

@@ -93,8 +93,7 @@ class JsonBuilder {
 
   bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception& e) {
     constexpr int kNumberOverflow = 406;
-    fail(e.id == kNumberOverflow ? overflow_message(m_text, e.what())
-                                 : printable(without_prefix(e.what()), 200));
+    fail(e.id == kNumberOverflow ? overflow_message(m_text, e.what()) : complaint_of(e));
     return false;
   }
 
@@ -205,6 +204,10 @@ template nlohmann::ordered_json json_from_text(const std::string&, const std::st
                                                const JsonLimits&);
 template std::optional<nlohmann::json> json_if_valid(const std::string&, const JsonLimits&);
 template std::optional<nlohmann::ordered_json> json_if_valid(const std::string&, const JsonLimits&);
+
+std::string complaint_of(const nlohmann::detail::exception& e) {
+  return printable(without_prefix(e.what()), 200);
+}
 
 std::string pointer_token(const std::string& key) {
   std::string out;

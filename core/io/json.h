@@ -27,6 +27,9 @@ Json json_from_text(const std::string& text, const std::string& name,
 template <class Json>
 std::optional<Json> json_if_valid(const std::string& text, const JsonLimits& limits = {});
 
+/// What the library complains about, without its codes.
+std::string complaint_of(const nlohmann::detail::exception& e);
+
 /// One step of a JSON pointer, escaped: "~" as "~0", "/" as "~1" [RFC 6901].
 std::string pointer_token(const std::string& key);
 

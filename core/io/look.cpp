@@ -1,27 +1,11 @@
 #include "core/io/look.h"
 
 #include "core/base/error.h"
-#include "core/base/printable.h"
-#include "core/io/gltf/component_types.h"
 #include "core/io/gltf/copy.h"
+#include "core/io/gltf/plain.h"
+#include "core/io/json.h"
 
 namespace trivet {
-namespace {
-
-// Rejects integer positions, allowed by extensions, and sparse ones: importers differ there.
-void check_positions(const GltfJson& root) {
-  for (const GltfJson& mesh : member(root, "meshes"))
-    for (const GltfJson& primitive : member(mesh, "primitives")) {
-      const GltfJson& position = member(member(primitive, "attributes"), "POSITION");
-      if (position.is_null()) continue;
-      const GltfJson& accessor = element(root, "accessors", position);
-      if (member(accessor, "componentType") != gltf::kFloat || accessor.contains("sparse"))
-        throw Error(Error::Kind::BadInput, "positions that are not plain float32");
-    }
-}
-
-}  // namespace
-
 std::shared_ptr<const Appearance> appearance_of_gltf(const GltfDocument& source,
                                                      const std::vector<int>& roots,
                                                      std::vector<std::string>& notes) {
@@ -30,21 +14,18 @@ std::shared_ptr<const Appearance> appearance_of_gltf(const GltfDocument& source,
     return nullptr;
   };
   try {
-    GltfBuilder builder;
-    GltfCopier copier(builder);
-    Appearance look;
-    for (const int root : roots)
-      look.roots.push_back(static_cast<int>(copier.copy_tree(source, root)));
-    auto document = std::make_shared<GltfDocument>(builder.take(GltfJson::object()));
-    check_positions(document->json);
-    for (const std::string& what : copier.left_out()) notes.push_back("left out: " + what);
+    GltfPart part = copied_part(source, roots);
+    check_plain(part.document.json);
+    for (const std::string& what : part.left_out) notes.push_back("left out: " + what);
     if (!member(source.json, "animations").empty()) notes.push_back("left out: animations");
-    look.document = std::move(document);
+    Appearance look;
+    look.roots = std::move(part.roots);
+    look.document = std::make_shared<const GltfDocument>(std::move(part.document));
     return std::make_shared<const Appearance>(std::move(look));
   } catch (const Error& e) {
     return give_up(e.what());
   } catch (const GltfJson::exception& e) {
-    return give_up(printable(e.what()));
+    return give_up(complaint_of(e));
   }
 }
 

@@ -33,6 +33,7 @@ ModelFolder::ModelFolder(const std::string& model) {
 }
 
 bool ModelFolder::holds(const fs::path& file) const {
+  if (file.native().find('\0') != std::string::npos) return false;  // the system reads a part
   const fs::path whole = resolved(file);
   return !whole.empty() && std::any_of(m_folders.begin(), m_folders.end(),
                                        [&](const fs::path& f) { return is_below(whole, f); });

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/base/error.h"
+#include "core/mesh/vertex_table.h"
 
 namespace trivet {
 namespace {
@@ -36,13 +37,17 @@ void check(std::span<const Vec3> vertices, std::span<const Index3> triangles) {
 
 WeldedMesh weld(std::span<const Vec3> vertices, std::span<const Index3> triangles) {
   check(vertices, triangles);
-  std::vector<Triangle> corners;
-  corners.reserve(triangles.size());
-  for (const Index3& t : triangles)
-    corners.push_back({vertices[t[0]], vertices[t[1]], vertices[t[2]]});
-  WeldedMesh out{weld(corners), std::vector<Index>(vertices.size(), -1)};
-  for (size_t f = 0; f < triangles.size(); ++f)
-    for (int k = 0; k < 3; ++k) out.new_id[triangles[f][k]] = out.mesh.triangles[f][k];
+  WeldedMesh out{{}, std::vector<Index>(vertices.size(), -1)};
+  out.mesh.triangles.reserve(triangles.size());
+  VertexTable table(out.mesh.vertices);
+  for (const Index3& t : triangles) {
+    for (const Index v : t)
+      if (Index& id = out.new_id[static_cast<size_t>(v)]; id < 0)
+        id = table.find_or_add(vertices[static_cast<size_t>(v)]);
+    const auto new_id = [&](int k) { return out.new_id[static_cast<size_t>(t[k])]; };
+    out.mesh.triangles.push_back({new_id(0), new_id(1), new_id(2)});
+  }
+  out.mesh.vertices.shrink_to_fit();
   return out;
 }
 

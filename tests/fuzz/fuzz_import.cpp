@@ -25,6 +25,7 @@
 
 #include "core/base/error.h"
 #include "core/io/process/sandboxed_import.h"
+#include "support/mutated_gltf.h"
 
 namespace {
 
@@ -167,8 +168,12 @@ class Fuzzer {
     Random random(m_seed * 1'000'003 + number);
     const Seed& seed = m_corpus[number % m_corpus.size()];
     std::string bytes = seed.bytes;
-    const size_t times = 1 + random.below(3);
-    for (size_t i = 0; i < times; ++i) mutate_once(bytes, m_corpus, random);
+    if (bytes.rfind("glTF", 0) == 0 && random.below(2)) {
+      bytes = trivet::test::mutated_gltf(bytes, random);
+    } else {
+      const size_t times = 1 + random.below(3);
+      for (size_t i = 0; i < times; ++i) mutate_once(bytes, m_corpus, random);
+    }
     const fs::path file =
         fs::temp_directory_path() /
         ("trivet_fuzz_" + std::to_string(getpid()) + "_" + std::to_string(worker) + seed.extension);

@@ -167,6 +167,8 @@ def main():
             "t.off": off(), "t.x3d": x3d()}
     for name, content in made.items():
         (folder / name).write_bytes(content if isinstance(content, bytes) else content.encode())
+    for packed in (Path(__file__).resolve().parent.parent / "support/gltf").glob("*.glb"):
+        (folder / packed.name).write_bytes(packed.read_bytes())
     models = folder / "models"
     models.mkdir(exist_ok=True)
     make_models.lamp(models)

@@ -79,7 +79,6 @@ constexpr const char* kModels[] = {
                       "the scene needs %1 bytes, more than the 4 GiB limit of "
                       "binary glTF"),
     QT_TRANSLATE_NOOP("refusal", "its nodes do not form a tree, or nest too deeply"),
-    QT_TRANSLATE_NOOP("refusal", "a mesh is compressed (Draco), which is not supported"),
     QT_TRANSLATE_NOOP("refusal", "a buffer view extends beyond its buffer"),
     QT_TRANSLATE_NOOP("refusal", "a buffer view refers to a missing buffer"),
     QT_TRANSLATE_NOOP("refusal", "the JSON has no \"asset\" object"),
@@ -151,9 +150,7 @@ constexpr const char* kModels[] = {
     QT_TRANSLATE_NOOP("refusal", "is of the kind %1"),
     QT_TRANSLATE_NOOP("refusal", "an accessor has the component type %1"),
     QT_TRANSLATE_NOOP("refusal", "an accessor is no scalar and no vector"),
-    QT_TRANSLATE_NOOP("refusal", "an accessor is sparse"),
     QT_TRANSLATE_NOOP("refusal", "an accessor extends beyond its buffer"),
-    QT_TRANSLATE_NOOP("refusal", "a primitive refers to a vertex that it has not"),
 };
 
 }  // namespace

@@ -8,6 +8,7 @@ namespace trivet::edit {
 
 std::span<const char* const> joining_patterns();
 std::span<const char* const> model_patterns();
+std::span<const char* const> gltf_patterns();
 std::span<const char* const> file_patterns();
 std::span<const char* const> layout_patterns();
 std::span<const char* const> arrangement_patterns();

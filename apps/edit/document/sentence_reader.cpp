@@ -34,7 +34,7 @@ Pattern pattern_of(const char* text) {
 const std::vector<Pattern>& all_patterns() {
   static const std::vector<Pattern> all = [] {
     std::vector<Pattern> out;
-    for (const auto& some : {joining_patterns(), model_patterns(), file_patterns(),
+    for (const auto& some : {joining_patterns(), model_patterns(), gltf_patterns(), file_patterns(),
                              layout_patterns(), arrangement_patterns(), refusal_patterns()})
       for (const char* const text : some) out.push_back(pattern_of(text));
     std::stable_sort(out.begin(), out.end(), [](const Pattern& a, const Pattern& b) {

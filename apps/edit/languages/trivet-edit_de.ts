@@ -2055,10 +2055,6 @@
         <translation>seine Knoten bilden keinen Baum, oder sind zu tief verschachtelt</translation>
     </message>
     <message>
-        <source>a mesh is compressed (Draco), which is not supported</source>
-        <translation>ein Netz ist komprimiert (Draco), was nicht unterstützt wird</translation>
-    </message>
-    <message>
         <source>a buffer view extends beyond its buffer</source>
         <translation>eine Puffersicht reicht über ihren Puffer hinaus</translation>
     </message>
@@ -2319,16 +2315,188 @@
         <translation>ein Accessor ist weder Skalar noch Vektor</translation>
     </message>
     <message>
-        <source>an accessor is sparse</source>
-        <translation>ein Accessor ist dünn besetzt</translation>
-    </message>
-    <message>
         <source>an accessor extends beyond its buffer</source>
         <translation>ein Accessor reicht über seinen Puffer hinaus</translation>
     </message>
     <message>
-        <source>a primitive refers to a vertex that it has not</source>
-        <translation>ein Grundelement verweist auf eine Ecke, die es nicht hat</translation>
+        <source>has no scene</source>
+        <translation>hat keine Szene</translation>
+    </message>
+    <message>
+        <source>its Draco data has no attribute %1</source>
+        <translation>seine Draco-Daten haben kein Attribut %1</translation>
+    </message>
+    <message>
+        <source>its Draco data is damaged: %1</source>
+        <translation>seine Draco-Daten sind beschädigt: %1</translation>
+    </message>
+    <message>
+        <source>a point without a value</source>
+        <translation>ein Punkt ohne Wert</translation>
+    </message>
+    <message>
+        <source>a face without a point</source>
+        <translation>eine Fläche ohne Punkt</translation>
+    </message>
+    <message>
+        <source>files without KHR_draco_mesh_compression</source>
+        <translation>Dateien ohne KHR_draco_mesh_compression</translation>
+    </message>
+    <message>
+        <source>an entry of &quot;extensionsRequired&quot; is no text</source>
+        <translation>ein Eintrag von &quot;extensionsRequired&quot; ist kein Text</translation>
+    </message>
+    <message>
+        <source>requires %1, which Trivet does not have</source>
+        <translation>verlangt %1, was Trivet nicht hat</translation>
+    </message>
+    <message>
+        <source>files that do without</source>
+        <translation>Dateien, die ohne das auskommen</translation>
+    </message>
+    <message>
+        <source>positions and normals that are no vectors of 3</source>
+        <translation>Positionen und Normalen, die keine Vektoren mit 3 Zahlen sind</translation>
+    </message>
+    <message>
+        <source>vertices left out, too few for another triangle: %1</source>
+        <translation>weggelassene Ecken, zu wenige für ein weiteres Dreieck: %1</translation>
+    </message>
+    <message>
+        <source>primitives left out, as they have no positions: %1</source>
+        <translation>weggelassene Primitive, die keine Positionen haben: %1</translation>
+    </message>
+    <message>
+        <source>meshes with morph targets, read without them: %1</source>
+        <translation>Netze mit Morph-Zielen, ohne diese gelesen: %1</translation>
+    </message>
+    <message>
+        <source>its nodes do not form a tree: two have node %1 among their children</source>
+        <translation>seine Knoten bilden keinen Baum: zwei haben Knoten %1 unter ihren Kindern</translation>
+    </message>
+    <message>
+        <source>a compressed buffer view %1</source>
+        <translation>ein komprimierter Puffer-Ausschnitt %1</translation>
+    </message>
+    <message>
+        <source>of mode %1 and filter %2 has %3 items of %4 bytes</source>
+        <translation>mit Modus %1 und Filter %2 hat %3 Einträge von %4 Bytes</translation>
+    </message>
+    <message>
+        <source>has the mode %1</source>
+        <translation>hat den Modus %1</translation>
+    </message>
+    <message>
+        <source>of %1 bytes claims to hold %2 items of %3</source>
+        <translation>von %1 Bytes soll %2 Einträge von %3 enthalten</translation>
+    </message>
+    <message>
+        <source>has the filter %1</source>
+        <translation>hat den Filter %1</translation>
+    </message>
+    <message>
+        <source>NONE, OCTAHEDRAL, QUATERNION, EXPONENTIAL and COLOR</source>
+        <translation>NONE, OCTAHEDRAL, QUATERNION, EXPONENTIAL und COLOR</translation>
+    </message>
+    <message>
+        <source>is damaged</source>
+        <translation>ist beschädigt</translation>
+    </message>
+    <message>
+        <source>files without EXT_meshopt_compression</source>
+        <translation>Dateien ohne EXT_meshopt_compression</translation>
+    </message>
+    <message>
+        <source>other scenes left out: %1 (%2)</source>
+        <translation>weggelassene andere Szenen: %1 (%2)</translation>
+    </message>
+    <message>
+        <source>has more than %1 instances, the limit</source>
+        <translation>hat mehr als %1 Instanzen, die Grenze</translation>
+    </message>
+    <message>
+        <source>instances have a %1 of %2 components</source>
+        <translation>Instanzen haben %1 mit %2 Komponenten</translation>
+    </message>
+    <message>
+        <source>instances have %1 values of %2 for %3 instances</source>
+        <translation>Instanzen haben %1 Werte von %2 für %3 Instanzen</translation>
+    </message>
+    <message>
+        <source>instance %1 has a %2 that is not finite</source>
+        <translation>Instanz %1 hat %2, das nicht endlich ist</translation>
+    </message>
+    <message>
+        <source>a buffer view that is compressed</source>
+        <translation>ein Puffer-Ausschnitt, der komprimiert ist</translation>
+    </message>
+    <message>
+        <source>instances by extension</source>
+        <translation>Instanzen durch eine Erweiterung</translation>
+    </message>
+    <message>
+        <source>a mesh that is compressed by Draco</source>
+        <translation>ein Netz, das mit Draco komprimiert ist</translation>
+    </message>
+    <message>
+        <source>has the type %1</source>
+        <translation>hat den Typ %1</translation>
+    </message>
+    <message>
+        <source>an accessor has %1 items and no data</source>
+        <translation>ein Accessor hat %1 Einträge und keine Daten</translation>
+    </message>
+    <message>
+        <source>indices have the component type %1</source>
+        <translation>Indizes haben den Komponententyp %1</translation>
+    </message>
+    <message>
+        <source>5121, 5123 and 5125</source>
+        <translation>5121, 5123 und 5125</translation>
+    </message>
+    <message>
+        <source>a sparse accessor of %1 items replaces item %2</source>
+        <translation>ein dünn besetzter Accessor mit %1 Einträgen ersetzt Eintrag %2</translation>
+    </message>
+    <message>
+        <source>a primitive has the mode %1</source>
+        <translation>ein Primitiv hat den Modus %1</translation>
+    </message>
+    <message>
+        <source>0 to 6</source>
+        <translation>0 bis 6</translation>
+    </message>
+    <message>
+        <source>index %1 refers to vertex %2 of %3</source>
+        <translation>Index %1 verweist auf Ecke %2 von %3</translation>
+    </message>
+    <message>
+        <source>names &quot;%1&quot;, which is missing</source>
+        <translation>nennt „%1“, das fehlt</translation>
+    </message>
+    <message>
+        <source>is UTF-16 text</source>
+        <translation>ist Text in UTF-16</translation>
+    </message>
+    <message>
+        <source>glTF in UTF-8</source>
+        <translation>glTF in UTF-8</translation>
+    </message>
+    <message>
+        <source>mesh &apos;%1&apos;, primitive %2: %3</source>
+        <translation>Netz &apos;%1&apos;, Primitiv %2: %3</translation>
+    </message>
+    <message>
+        <source>it is compressed by Draco, which this build lacks</source>
+        <translation>es ist mit Draco komprimiert, das dieser Build nicht hat</translation>
+    </message>
+    <message>
+        <source>normals left out, as they are not one to each vertex: %1</source>
+        <translation>weggelassene Normalen, die nicht eine für jede Ecke sind: %1</translation>
+    </message>
+    <message>
+        <source>a buffer view is compressed by meshoptimizer, which this build lacks</source>
+        <translation>ein Puffer-Ausschnitt ist mit meshoptimizer komprimiert, das dieser Build nicht hat</translation>
     </message>
 </context>
 <context>

@@ -12,7 +12,8 @@
 namespace trivet {
 namespace {
 
-bool is_gltf(const Model& model) { return model.format == "gltf2" || model.format == "gltf"; }
+// Version 1; glTF 2 has a reader of its own.
+bool is_gltf(const Model& model) { return model.format == "gltf"; }
 
 // Replaces out-of-range and non-finite numbers of broken files by the default.
 float unit_interval(float value, float otherwise) {

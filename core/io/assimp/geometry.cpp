@@ -2,49 +2,17 @@
 
 #include <assimp/scene.h>
 
-#include <Eigen/Geometry>
-#include <Eigen/LU>
-#include <cmath>
-#include <sstream>
-
 #include "core/base/error.h"
-#include "core/io/mesh/normals.h"
+#include "core/io/mesh/assembly.h"
+#include "core/io/mesh/node_product.h"
 
 namespace trivet {
 namespace {
-
-constexpr double kMaxCoordinate = 1e30;  // squares and cubes of it stay finite in double
-
-/// Row by row; the bottom row matters only in products, as files may store anything there.
-using Matrix4 = std::array<std::array<double, 4>, 4>;
 
 Matrix4 matrix_of(const aiNode& node) {
   Matrix4 out;
   for (unsigned r = 0; r < 4; ++r)
     for (unsigned c = 0; c < 4; ++c) out[r][c] = node.mTransformation[r][c];
-  return out;
-}
-
-Matrix4 identity() { return {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}}; }
-
-// Sums from left to right, as Eigen's packet product does on every x86-64.
-Matrix4 product(const Matrix4& a, const Matrix4& b) {
-  Matrix4 out;
-  for (int r = 0; r < 4; ++r)
-    for (int c = 0; c < 4; ++c) {
-      double sum = a[r][0] * b[0][c];
-      for (int k = 1; k < 4; ++k) sum += a[r][k] * b[k][c];
-      out[r][c] = sum;
-    }
-  return out;
-}
-
-Affine affine_of(const Matrix4& m) {
-  Affine out;
-  for (int r = 0; r < 3; ++r) {
-    for (int c = 0; c < 3; ++c) out.linear(r, c) = m[r][c];
-    out.translation[r] = m[r][3];
-  }
   return out;
 }
 
@@ -55,8 +23,6 @@ struct Instance {
   Affine object_from_mesh;
 };
 
-using Corners = std::array<unsigned, 3>;  // of a triangle, vertices of its mesh
-
 /// Counts of file contents that the model omits.
 struct LeftOut {
   std::int64_t points = 0, lines = 0, polygons = 0;
@@ -66,7 +32,7 @@ struct LeftOut {
 // Depth first, children in order; no recursion, as a hostile file may nest deeply.
 std::vector<Instance> instances_of(const aiScene& scene, Model& model) {
   std::vector<Instance> instances;
-  std::vector<std::pair<const aiNode*, Matrix4>> stack{{scene.mRootNode, identity()}};
+  std::vector<std::pair<const aiNode*, Matrix4>> stack{{scene.mRootNode, identity_matrix4()}};
   while (!stack.empty()) {
     const auto [node, object_from_parent] = stack.back();
     stack.pop_back();
@@ -92,104 +58,47 @@ std::int64_t count_triangles(const std::vector<Instance>& instances) {
   return count;
 }
 
-std::string coordinates(const aiVector3D& v) {
-  std::ostringstream out;
-  out.precision(9);
-  out << "(" << v.x << ", " << v.y << ", " << v.z << ")";
-  return out.str();
+std::span<const Eigen::Vector3f> rows(const aiVector3D* first, unsigned count) {
+  static_assert(sizeof(aiVector3D) == sizeof(Eigen::Vector3f));
+  return {reinterpret_cast<const Eigen::Vector3f*>(first), first ? count : 0};
+}
+
+MeshVertices vertices_of(const Instance& instance) {
+  const aiMesh& mesh = *instance.mesh;
+  return {mesh.mName.length ? mesh.mName.C_Str() : instance.node->mName.C_Str(),
+          rows(mesh.mVertices, mesh.mNumVertices), rows(mesh.mNormals, mesh.mNumVertices)};
 }
 
 class Reader {
  public:
-  Reader(const aiScene& scene, Model& model) : m_scene(scene), m_model(model) {}
+  Reader(const aiScene& scene, const ImportLimits& limits, Model& model)
+      : m_scene(scene), m_model(model), m_assembly(model, limits) {}
 
   void read(const std::vector<Instance>& instances) {
+    m_assembly.expect(static_cast<std::uint64_t>(count_triangles(instances)));
     for (const Instance& instance : instances) read(instance);
     note_left_out();
+    // Normals of an STL only repeat the facets, and often wrongly.
+    m_assembly.finish(m_model.format != "stl");
   }
-  bool has_normals() const { return m_has_normals; }
-  std::vector<Triangle>& triangles() { return m_triangles; }
 
  private:
   void read(const Instance& instance) {
     const aiMesh& mesh = *instance.mesh;
-    const Mat3 linear = instance.object_from_mesh.linear;
-    // Cofactors are the inverse transpose times the determinant: only its sign remains to be
-    // applied.
-    const double sign = linear.determinant() < 0 ? -1.0 : 1.0;
-    Mat3 normal_matrix;
-    for (int r = 0; r < 3; ++r)
-      normal_matrix.row(r) = sign * linear.row((r + 1) % 3).cross(linear.row((r + 2) % 3));
-    survey(mesh, sign < 0);
+    m_left_out.skinned += mesh.HasBones();
+    m_left_out.mirrored += mirrors(instance.object_from_mesh);
+    m_assembly.place(vertices_of(instance), instance.object_from_mesh);
     const Index material =
         mesh.mMaterialIndex < m_scene.mNumMaterials ? static_cast<Index>(mesh.mMaterialIndex) : 0;
     for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
       const aiFace& face = mesh.mFaces[f];
-      if (face.mNumIndices != 3) {
+      if (face.mNumIndices == 3)
+        m_assembly.add({face.mIndices[0], face.mIndices[1], face.mIndices[2]}, material);
+      else
         ++(face.mNumIndices < 2    ? m_left_out.points
            : face.mNumIndices == 2 ? m_left_out.lines
                                    : m_left_out.polygons);
-        continue;
-      }
-      const Corners corners = corners_of(face, sign < 0);
-      read_corners(instance, corners);
-      read_normals(mesh, corners, normal_matrix);
-      m_model.face_material.push_back(material);
     }
-  }
-
-  void survey(const aiMesh& mesh, bool mirrored) {
-    m_left_out.skinned += mesh.HasBones();
-    m_left_out.mirrored += mirrored;
-  }
-
-  // A mirror turns inside and outside round; so does the order of the corners.
-  static Corners corners_of(const aiFace& face, bool mirrored) {
-    return {face.mIndices[0], face.mIndices[mirrored ? 2 : 1], face.mIndices[mirrored ? 1 : 2]};
-  }
-
-  void read_corners(const Instance& instance, const Corners& corners) {
-    const aiMesh& mesh = *instance.mesh;
-    Triangle triangle;
-    for (int k = 0; k < 3; ++k) {
-      const unsigned v = corners[k];
-      const aiVector3D& p = mesh.mVertices[v];
-      triangle[k] = instance.object_from_mesh.apply(Vec3(p.x, p.y, p.z));
-      if (!triangle[k].allFinite())
-        fail(instance, "vertex " + std::to_string(v) + " " + coordinates(p) + " is not finite" +
-                           after_node(p));
-      if (triangle[k].cwiseAbs().maxCoeff() > kMaxCoordinate)
-        fail(instance, "vertex " + std::to_string(v) + " " + coordinates(p) + " lies beyond 1e30" +
-                           after_node(p));
-    }
-    m_triangles.push_back(triangle);
-  }
-
-  static std::string after_node(const aiVector3D& p) {
-    const bool own_fault = !(std::abs(p.x) <= kMaxCoordinate && std::abs(p.y) <= kMaxCoordinate &&
-                             std::abs(p.z) <= kMaxCoordinate);
-    return own_fault ? "" : " after the transform of its node";
-  }
-
-  [[noreturn]] void fail(const Instance& instance, const std::string& what) const {
-    const std::string mesh = instance.mesh->mName.C_Str(), node = instance.node->mName.C_Str();
-    throw Error(Error::Kind::BadInput,
-                m_model.path + ": mesh '" + (mesh.empty() ? node : mesh) + "': " + what);
-  }
-
-  // The zero vector stands for a missing normal until fill_missing_normals().
-  void read_normals(const aiMesh& mesh, const Corners& corners, const Mat3& normal_matrix) {
-    std::array<Eigen::Vector3f, 3> normals;
-    normals.fill(Eigen::Vector3f::Zero());
-    for (int k = 0; mesh.HasNormals() && k < 3; ++k) {
-      const aiVector3D& n = mesh.mNormals[corners[k]];
-      const Vec3 turned = normal_matrix * Vec3(n.x, n.y, n.z);
-      const double length = turned.norm();
-      if (!std::isfinite(length) || length == 0) continue;
-      normals[k] = (turned / length).cast<float>();
-      m_has_normals = true;
-    }
-    m_model.corner_normals.push_back(normals);
   }
 
   void note(const char* what, std::int64_t count) {
@@ -206,35 +115,14 @@ class Reader {
 
   const aiScene& m_scene;
   Model& m_model;
-  std::vector<Triangle> m_triangles;
+  ModelAssembly m_assembly;
   LeftOut m_left_out;
-  bool m_has_normals = false;
 };
 
 }  // namespace
 
 void read_geometry(const aiScene& scene, const ImportLimits& limits, Model& model) {
-  const std::vector<Instance> instances = instances_of(scene, model);
-  const std::int64_t count = count_triangles(instances);
-  if (count > limits.max_triangles)
-    throw Error(Error::Kind::BadInput, model.path + ": " + std::to_string(count) +
-                                           " faces, more than the limit of " +
-                                           std::to_string(limits.max_triangles));
-  Reader reader(scene, model);
-  reader.triangles().reserve(count);
-  model.face_material.reserve(count);
-  model.corner_normals.reserve(count);
-  reader.read(instances);
-  if (reader.triangles().empty())
-    throw Error(Error::Kind::BadInput,
-                model.path + ": contains no triangle" +
-                    (model.notes.empty() ? "" : " (" + model.notes.front() + ")"));
-  model.mesh = weld(reader.triangles());
-  // Normals of an STL only repeat the facets, and often wrongly.
-  if (reader.has_normals() && model.format != "stl")
-    fill_missing_normals(model.mesh, model.corner_normals);
-  else
-    model.corner_normals.clear();
+  Reader(scene, limits, model).read(instances_of(scene, model));
 }
 
 }  // namespace trivet

@@ -17,7 +17,7 @@ namespace trivet {
 /// a fixed order: other programs that read the file with assimp can reproduce them bit for bit.
 ///
 /// @throws Error (BadInput): no triangle, more triangles than the limit, a coordinate that is not
-///   finite or beyond 1e30; every message begins with `model.path`.
+///   finite or beyond 1e30.
 void read_geometry(const aiScene& scene, const ImportLimits& limits, Model& model);
 
 }  // namespace trivet

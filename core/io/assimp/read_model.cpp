@@ -11,14 +11,13 @@
 
 #include "core/base/bad_input.h"
 #include "core/base/error.h"
-#include "core/base/extension.h"
 #include "core/base/printable.h"
 #include "core/io/assimp/appearance.h"
 #include "core/io/assimp/files.h"
 #include "core/io/assimp/geometry.h"
 #include "core/io/assimp/look.h"
 #include "core/io/cad_format.h"
-#include "core/io/gltf/document.h"
+#include "core/io/gltf/model.h"
 #include "core/io/process/preflight.h"
 #include "core/io/textures/surface_look.h"
 #include "core/model/model.h"
@@ -36,15 +35,14 @@ void check_extension(const Assimp::Importer& importer, const std::string& path) 
                       ".brep and others"));
 }
 
-// First extension in the importer's list; glTF 1 and 2 share theirs and differ in the name.
+// First extension in the importer's list.
 std::string format_of(const Assimp::Importer& importer) {
   const aiImporterDesc* description =
       importer.GetImporterInfo(importer.GetPropertyInteger("importerIndex", -1));
   if (!description) return "";
   std::string format;
   std::istringstream(description->mFileExtensions) >> format;
-  const bool gltf2 = std::string(description->mName).find("glTF2") != std::string::npos;
-  return gltf2 ? "gltf2" : format;
+  return format;
 }
 
 // A message of assimp, which may span lines and contain bytes of the file.
@@ -76,43 +74,28 @@ const aiScene& import_scene(Assimp::Importer& importer, const FolderIoSystem& fi
   return *scene;
 }
 
-// assimp takes names of buffers another way than glTF means them: they are looked at before.
-void check_buffers(const std::string& path) {
-  GltfJson json;
-  try {
-    json = parse_gltf_json(path, read_gltf_text(path));
-  } catch (const Error&) {
-    return;  // assimp will say so
-  }
-  const ModelFolder folder(path);
-  for (const GltfJson& buffer : member(json, "buffers")) {
-    const GltfJson& uri = member(buffer, "uri");
-    if (!uri.is_string() || uri.get_ref<const std::string&>().rfind("data:", 0) == 0) continue;
-    const auto name = uri.get<std::string>();
-    if (!folder.holds(fs::path(path).parent_path() / decoded_uri(name)))
-      bad_file(path, outside_folder(name));
-  }
+Model read_with_assimp(const std::string& path, const ImportLimits& limits) {
+  Assimp::Importer importer;
+  auto* const files = new FolderIoSystem(path);
+  importer.SetIOHandler(files);  // owns it from here on
+  check_extension(importer, path);
+  const aiScene& scene = import_scene(importer, *files, path);
+  Model model;
+  for (const std::string& name : files->outside())
+    model.notes.push_back("left out: it " + outside_folder(name_in_file(name, path)));
+  model.path = path;
+  model.format = format_of(importer);
+  read_materials(scene, model);
+  read_frame(scene, model);
+  read_geometry(scene, limits, model);
+  model.appearance = appearance_of_assimp(scene, limits, model);
+  return model;
 }
 
-bool is_gltf(const std::string& path) {
-  const std::string extension = lower_extension(path);
-  return extension == ".gltf" || extension == ".glb";
-}
-
-// glTF from the file itself: nothing that it says gets lost on the way.
-void read_look(const aiScene& scene, const ImportLimits& limits, Model& model) {
-  if (model.format != "gltf2") {
-    model.appearance = appearance_of_assimp(scene, limits, model);
-  } else {
-    try {
-      const GltfDocument document = read_gltf_document(model.path, limits);
-      model.appearance = appearance_of_gltf(document, scene_roots(document.json), model.notes);
-    } catch (const Error& e) {
-      model.notes.push_back(std::string("hierarchy and textures left out: ") + e.what());
-    }
-  }
-  // Here, as this is the process that may crash: renderers decode the same bytes again.
-  for (std::string& note : undrawn_textures(model)) model.notes.push_back(std::move(note));
+Model read_by_format(const std::string& path, const ImportLimits& limits) {
+  if (may_be_gltf(path))
+    if (auto model = read_gltf_model(path, limits)) return *std::move(model);
+  return read_with_assimp(path, limits);
 }
 
 }  // namespace
@@ -124,24 +107,14 @@ Model read_model(const std::string& path, const ImportLimits& limits) {
         path,
         format + " files are read only by the program trivet-import-cad, never in this process");
   try {
-    Assimp::Importer importer;
-    auto* const files = new FolderIoSystem(path);
-    importer.SetIOHandler(files);  // owns it from here on
-    check_extension(importer, path);
-    if (is_gltf(path)) check_buffers(path);
-    const aiScene& scene = import_scene(importer, *files, path);
-    Model model;
-    for (const std::string& name : files->outside())
-      model.notes.push_back("left out: it " + outside_folder(name_in_file(name, path)));
-    model.path = path;
-    model.format = format_of(importer);
-    read_materials(scene, model);
-    read_frame(scene, model);
-    read_geometry(scene, limits, model);
-    read_look(scene, limits, model);
+    Model model = read_by_format(path, limits);
+    // Here, as this is the process that may crash: renderers decode the same bytes again.
+    for (std::string& note : undrawn_textures(model)) model.notes.push_back(std::move(note));
     return model;
-  } catch (const Error&) {
-    throw;
+  } catch (const Error& e) {
+    const std::string message = e.what();
+    if (message.rfind(path, 0) == 0) throw;
+    bad_file(path, message);
   } catch (const std::bad_alloc&) {
     bad_file(path, "runs out of memory; the file is broken or too large");
   } catch (const std::exception& e) {

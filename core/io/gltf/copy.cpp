@@ -1,23 +1,13 @@
 #include "core/io/gltf/copy.h"
 
 #include <algorithm>
-#include <array>
 
 #include "core/base/bad_input.h"
 #include "core/base/printable.h"
+#include "core/io/gltf/extensions.h"
 
 namespace trivet {
 namespace {
-
-// Extensions without references by index, or only with references handled here.
-bool is_known(const std::string& extension) {
-  static const std::array<std::string_view, 8> known = {
-      "KHR_texture_transform", "KHR_lights_punctual", "KHR_mesh_quantization",
-      "KHR_node_visibility",   "KHR_texture_basisu",  "EXT_texture_webp",
-      "EXT_texture_avif",      "MSFT_texture_dds"};
-  if (std::find(known.begin(), known.end(), extension) != known.end()) return true;
-  return extension.rfind("KHR_materials_", 0) == 0 && extension != "KHR_materials_variants";
-}
 
 bool is_texture_key(const std::string& key) {
   constexpr std::string_view end = "Texture";
@@ -52,7 +42,7 @@ void GltfCopier::keep_known_extensions(const GltfDocument& source, GltfJson& obj
   if (found == object.end()) return;
   GltfJson kept = GltfJson::object();
   for (const auto& [name, content] : found->items()) {
-    if (is_known(name)) {
+    if (gltf::is_known(name)) {
       m_target.use_extension(name, is_required(source, name));
       kept[name] = content;
     } else {
@@ -63,6 +53,17 @@ void GltfCopier::keep_known_extensions(const GltfDocument& source, GltfJson& obj
     object.erase("extensions");
   else
     *found = std::move(kept);
+}
+
+GltfPart copied_part(const GltfDocument& source, const std::vector<int>& roots) {
+  GltfBuilder builder;
+  GltfCopier copier(builder);
+  GltfPart out;
+  for (const int root : roots)
+    out.roots.push_back(static_cast<int>(copier.copy_tree(source, root)));
+  out.document = builder.take(GltfJson::object());
+  out.left_out = copier.left_out();
+  return out;
 }
 
 size_t GltfCopier::copy_tree(const GltfDocument& source, int node) {
@@ -87,6 +88,9 @@ size_t GltfCopier::copy_node(const GltfDocument& source, int node, int depth) {
   if (const GltfJson& light = member(member(out, "extensions"), "KHR_lights_punctual");
       !light.is_null())
     out["extensions"]["KHR_lights_punctual"]["light"] = copy_light(source, member(light, "light"));
+  if (!member(member(out, "extensions"), gltf::kInstancing).is_null())
+    for (auto& [name, accessor] : out["extensions"][gltf::kInstancing]["attributes"].items())
+      accessor = copy_accessor(source, accessor);
   GltfJson children = GltfJson::array();
   for (const GltfJson& child : member(out, "children"))
     children.push_back(copy_node(source, static_cast<int>(index_from(child)), depth + 1));
@@ -107,9 +111,11 @@ size_t GltfCopier::copy_mesh(const GltfDocument& source, const GltfJson& mesh) {
 }
 
 GltfJson GltfCopier::primitive_of(const GltfDocument& source, GltfJson primitive) {
-  if (member(primitive, "extensions").contains("KHR_draco_mesh_compression"))
-    bad_input("a mesh is compressed (Draco), which is not supported");
   keep_known_extensions(source, primitive);
+  if (!member(member(primitive, "extensions"), gltf::kDraco).is_null()) {
+    GltfJson& view = primitive["extensions"][gltf::kDraco]["bufferView"];
+    view = copy_view(source, view);
+  }
   const auto copy_attributes = [&](const GltfJson& attributes) {
     GltfJson out = GltfJson::object();
     for (const auto& [name, accessor] : attributes.items()) {

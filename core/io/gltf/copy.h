@@ -6,8 +6,8 @@
 namespace trivet {
 
 /// Everything but nodes is copied once, however often it is referenced; numbers are copied bit for
-/// bit, unknown members unchanged. Omitted and listed: skins and joints, active deformations,
-/// instances by extension, extensions that may contain unknown references by index.
+/// bit, unknown members unchanged; what is compressed stays so. Omitted and listed: skins and
+/// joints, active deformations, extensions that may contain unknown references by index.
 class GltfCopier {
  public:
   explicit GltfCopier(GltfBuilder& target) : m_target(target) {}
@@ -41,5 +41,14 @@ class GltfCopier {
   std::set<std::string> m_left_out;
   std::set<int> m_tree;  // nodes of the tree being copied
 };
+
+/// What is below some nodes of an asset, as an asset.
+struct GltfPart {
+  GltfDocument document;
+  std::vector<int> roots;
+  std::set<std::string> left_out;
+};
+/// @throws Error (BadInput): an index out of range, nodes that do not form a tree.
+GltfPart copied_part(const GltfDocument& source, const std::vector<int>& roots);
 
 }  // namespace trivet

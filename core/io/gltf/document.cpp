@@ -12,7 +12,9 @@
 #include "core/base/extension.h"
 #include "core/base/printable.h"
 #include "core/io/base64.h"
+#include "core/io/gltf/extensions.h"
 #include "core/io/gltf/glb_container.h"
+#include "core/io/gltf/structure.h"
 #include "core/io/json.h"
 #include "core/io/model_folder.h"
 
@@ -37,14 +39,28 @@ std::string whole_file(const fs::path& path, std::uintmax_t max_bytes) {
   return out;
 }
 
-// Recognised by content too: sessions rename their start file.
+// By its content: names lie, and sessions rename their start file. The name counts where the
+// content says nothing.
 bool is_glb(const std::string& path) {
-  if (lower_extension(path) == ".glb") return true;
   std::error_code error;
-  if (!fs::is_regular_file(path, error)) return false;  // opening a pipe would wait
-  std::array<char, 4> begin{};
+  if (!fs::is_regular_file(path, error))  // opening a pipe would wait
+    return lower_extension(path) == ".glb";
+  std::array<char, 64> begin{};
   std::ifstream in(path, std::ios::binary);
-  return in.read(begin.data(), begin.size()) && std::string_view(begin.data(), 4) == "glTF";
+  in.read(begin.data(), begin.size());
+  const std::string_view head(begin.data(), static_cast<size_t>(in.gcount()));
+  if (head.starts_with("glTF")) return true;
+  const size_t first = head.find_first_not_of(" \t\r\n\xef\xbb\xbf");
+  const bool text = first != head.npos && (head[first] == '{' || head.starts_with("\xff\xfe"));
+  return !text && lower_extension(path) == ".glb";
+}
+
+// glTF is UTF-8; a byte order mark may be ignored.
+std::string without_mark(const std::string& path, std::string text) {
+  if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
+    bad_input(path + ": is UTF-16 text; accepted: glTF in UTF-8");
+  if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);
+  return text;
 }
 
 class DocumentReader {
@@ -52,13 +68,11 @@ class DocumentReader {
   DocumentReader(const std::string& path, const ImportLimits& limits)
       : m_path(path), m_limits(limits), m_folder(path) {}
 
-  GltfDocument read() {
-    const std::string text = read_gltf_text(m_path);
-    m_document.json = parse_gltf_json(m_path, text);
-    std::string chunk = is_glb(m_path) ? read_glb_binary(m_path, text.size()) : "";
-    if (!member(m_document.json, "asset").is_object())
-      bad_input("the JSON has no \"asset\" object");
-    read_buffers(std::move(chunk));
+  GltfDocument read(GltfJson json) {
+    m_document.json = std::move(json);
+    check_structure(m_document.json);
+    gltf::check_required(m_path, m_document.json);
+    read_buffers(is_glb(m_path) ? read_glb_binary(m_path) : "");
     move_views();
     read_images();
     return std::move(m_document);
@@ -71,18 +85,28 @@ class DocumentReader {
       if (comma == std::string::npos) bad_input("a data URI is not base64");
       return decoded_base64(std::string_view(uri).substr(comma + 8));
     }
-    const fs::path path = fs::path(m_path).parent_path() / decoded_uri(uri);
-    if (!m_folder.holds(path)) bad_input(outside_folder(uri));
-    return whole_file(path, m_limits.max_file_bytes);
+    return whole_file(file_of_uri(uri), m_limits.max_file_bytes);
+  }
+
+  // Names should be percent-encoded, and often are not.
+  fs::path file_of_uri(const std::string& uri) const {
+    const fs::path folder = fs::path(m_path).parent_path();
+    for (const std::string& name : {decoded_uri(uri), uri}) {
+      if (!m_folder.holds(folder / name)) bad_file(m_path, outside_folder(uri));
+      if (m_folder.has(folder / name)) return folder / name;
+    }
+    bad_file(m_path, "names \"" + printable(uri, 100) + "\", which is missing");
   }
 
   void read_buffers(std::string chunk) {
     const GltfJson& buffers = member(m_document.json, "buffers");
     for (size_t i = 0; i < buffers.size(); ++i) {
       const GltfJson& uri = member(buffers[i], "uri");
-      const std::string bytes =
-          uri.is_string() ? bytes_of_uri(uri.get<std::string>()) : std::exchange(chunk, {});
-      const size_t length = index_from(member(buffers[i], "byteLength"));
+      const bool placeholder = gltf::is_placeholder(buffers[i]) || (!uri.is_string() && i > 0);
+      std::string bytes;
+      if (uri.is_string() && !placeholder) bytes = bytes_of_uri(uri.get<std::string>());
+      if (!uri.is_string() && i == 0) bytes = std::move(chunk);
+      const size_t length = placeholder ? 0 : index_from(member(buffers[i], "byteLength"));
       if (length > bytes.size())
         bad_input("buffer " + std::to_string(i) + " has " + std::to_string(bytes.size()) +
                   " bytes, expected " + std::to_string(length));
@@ -95,22 +119,35 @@ class DocumentReader {
     }
   }
 
-  // Merges all views into the single buffer.
+  // Merges all views into the single buffer. A compressed one then has the range of its compressed
+  // bytes.
   void move_views() {
     if (!m_document.json.contains("bufferViews")) return;
     for (GltfJson& view : m_document.json["bufferViews"]) {
-      const size_t buffer = index_from(member(view, "buffer"));
-      if (buffer >= m_starts.size()) bad_input("a buffer view refers to a missing buffer");
-      const GltfJson& given = member(view, "byteOffset");
-      const size_t offset = given.is_null() ? 0 : index_from(given);
-      const size_t length = index_from(member(view, "byteLength"));
-      const size_t available = m_ends[buffer] - m_starts[buffer];
-      if (offset > available || length > available - offset)
-        bad_input("a buffer view extends beyond its buffer");
+      const GltfJson& compression = gltf::compression_of(view);
+      const bool own = compression.is_null() || !compression.contains("buffer");
+      const auto [offset, length] = range_in_buffer(own ? view : compression);
       view["buffer"] = 0;
-      view["byteOffset"] = m_starts[buffer] + offset;
+      view["byteOffset"] = offset;
+      view["byteLength"] = length;
+      if (own) continue;
+      for (auto& [name, content] : view["extensions"].items())
+        if (content.is_object())
+          for (const char* const key : {"buffer", "byteOffset", "byteLength"}) content.erase(key);
     }
     m_document.json.erase("buffers");
+  }
+
+  std::pair<size_t, size_t> range_in_buffer(const GltfJson& view) const {
+    const size_t buffer = index_from(member(view, "buffer"));
+    if (buffer >= m_starts.size()) bad_input("a buffer view refers to a missing buffer");
+    const GltfJson& given = member(view, "byteOffset");
+    const size_t offset = given.is_null() ? 0 : index_from(given);
+    const size_t length = index_from(member(view, "byteLength"));
+    const size_t available = m_ends[buffer] - m_starts[buffer];
+    if (offset > available || length > available - offset)
+      bad_input("a buffer view extends beyond its buffer");
+    return {m_starts[buffer] + offset, length};
   }
 
   void read_images() {
@@ -168,7 +205,7 @@ std::string read_gltf_text(const std::string& path) {
       !fs::is_directory(path, error))
     bad_input(path + ": is a device or a pipe; accepted: a regular file");
   if (is_glb(path)) return read_glb_json(path);
-  std::string text = whole_file(path, kMaxJson);
+  std::string text = without_mark(path, whole_file(path, kMaxJson));
   const size_t first = text.find_first_not_of(" \t\r\n");
   if (first == text.npos || text[first] != '{')
     bad_input(path + ": is not glTF, neither binary nor JSON; accepted: .glb and .gltf");
@@ -176,10 +213,14 @@ std::string read_gltf_text(const std::string& path) {
 }
 
 GltfDocument read_gltf_document(const std::string& path, const ImportLimits& limits) {
+  return resolved_gltf(path, parse_gltf_json(path, read_gltf_text(path)), limits);
+}
+
+GltfDocument resolved_gltf(const std::string& path, GltfJson json, const ImportLimits& limits) {
   try {
-    return DocumentReader(path, limits).read();
+    return DocumentReader(path, limits).read(std::move(json));
   } catch (const GltfJson::exception& e) {
-    bad_input(path + ": is not valid glTF: " + printable(e.what()));
+    bad_input(path + ": is not valid glTF: " + complaint_of(e));
   } catch (const Error& e) {
     const std::string message = e.what();
     bad_input(message.rfind(path, 0) == 0 ? message : path + ": is not valid glTF: " + message);
@@ -233,6 +274,8 @@ size_t index_from(const GltfJson& value) {
 
 std::vector<int> scene_roots(const GltfJson& root) {
   const GltfJson& shown = member(root, "scene");
+  if (shown.is_null() && member(root, "scenes").empty())
+    bad_input("has no scene; accepted: one at least");
   const GltfJson& scene = element(root, "scenes", shown.is_null() ? GltfJson(0u) : shown);
   std::vector<int> roots;
   for (const GltfJson& node : member(scene, "nodes")) {

@@ -15,7 +15,8 @@ namespace trivet {
 using GltfJson = nlohmann::ordered_json;
 using SharedBytes = std::shared_ptr<const std::string>;
 
-/// Buffer 0 is `binary`; images have neither uri nor bufferView, their bytes are in `images`.
+/// Buffer 0 is `binary`; images have neither uri nor bufferView, their bytes are in `images`. Views
+/// compressed by an extension have the range of their compressed bytes.
 struct GltfDocument {
   GltfJson json = GltfJson::object();
   std::string binary;
@@ -32,6 +33,8 @@ std::string read_gltf_text(const std::string& path);
 /// Reads a .glb or .gltf with its buffers and images into the form above. Unavailable images are
 /// null. @throws Error (BadInput) naming the file and the missing or out-of-range item.
 GltfDocument read_gltf_document(const std::string& path, const ImportLimits& limits);
+/// The same of the file's JSON, once that is parsed.
+GltfDocument resolved_gltf(const std::string& path, GltfJson json, const ImportLimits& limits);
 
 /// A relative URI as a path.
 std::string decoded_uri(const std::string& uri);

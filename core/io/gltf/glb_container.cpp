@@ -79,21 +79,37 @@ std::string read_glb_json(const std::string& path) {
   check_header(path, header, file_bytes);
   std::string json(header.json_bytes, '\0');
   if (!in.read(json.data(), header.json_bytes)) bad_file(path, "cannot be read to its end");
+  json.erase(json.find_last_not_of('\0') + 1);  // padding of some writers
   return json;
 }
 
-std::string read_glb_binary(const std::string& path, size_t json_bytes) {
+std::uint32_t glb_version(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::uint32_t words[2] = {0, 0};
+  const bool read = bool(in.read(reinterpret_cast<char*>(words), sizeof words));
+  return read && words[0] == kGlbMagic ? words[1] : 0;
+}
+
+// Chunks begin at multiples of 4, but some writers do not pad the JSON.
+std::string read_glb_binary(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
-  file.seekg(static_cast<std::streamoff>(sizeof(Header) + json_bytes));
-  std::uint32_t header[2] = {0, 0};
-  if (!file.read(reinterpret_cast<char*>(header), kChunkHeaderBytes) || header[1] != kBinaryChunk)
-    return "";
-  std::error_code error;
-  std::string bytes(std::min<std::uintmax_t>(header[0], std::filesystem::file_size(path, error)),
-                    '\0');
-  file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  bytes.resize(static_cast<size_t>(file.gcount()));
-  return bytes;
+  Header head;
+  if (!file.read(reinterpret_cast<char*>(&head), sizeof head)) return "";
+  const std::uint64_t end = sizeof head + std::uint64_t{head.json_bytes};
+  for (const std::uint64_t at : {end, (end + 3) / 4 * 4}) {
+    std::uint32_t header[2] = {0, 0};
+    file.clear();
+    file.seekg(static_cast<std::streamoff>(at));
+    if (!file.read(reinterpret_cast<char*>(header), kChunkHeaderBytes) || header[1] != kBinaryChunk)
+      continue;
+    std::error_code error;
+    const std::uintmax_t size = std::filesystem::file_size(path, error);
+    std::string bytes(error ? 0 : std::min<std::uintmax_t>(header[0], size), '\0');
+    file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    bytes.resize(static_cast<size_t>(file.gcount()));
+    return bytes;
+  }
+  return "";
 }
 
 }  // namespace trivet

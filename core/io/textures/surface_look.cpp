@@ -1,12 +1,12 @@
 #include "core/io/textures/surface_look.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <set>
 
 #include "core/base/error.h"
 #include "core/base/printable.h"
+#include "core/io/gltf/instances.h"
 #include "core/io/look.h"
 #include "core/io/textures/surface_materials.h"
 
@@ -33,8 +33,9 @@ class LookReader {
   /// Null: the appearance adds nothing, or has not the model's triangles.
   std::unique_ptr<SurfaceLook> read() {
     m_look = std::make_unique<SurfaceLook>();
-    for (const int root : m_model.appearance->roots)
-      read_tree(GltfJson(static_cast<unsigned>(root)));
+    for (const GltfInstance& instance :
+         gltf_tree(m_document.json, m_model.appearance->roots).instances)
+      read_mesh(instance);
     m_look->materials = std::move(m_materials.materials);
     m_look->finishes = std::move(m_materials.finishes);
     if (m_look->face_material.size() != m_model.mesh.triangles.size()) return nullptr;
@@ -45,34 +46,12 @@ class LookReader {
   const std::vector<std::pair<size_t, bool>>& images() const { return m_materials.images; }
 
  private:
-  // Depth first, as the importer does, without recursion.
-  void read_tree(const GltfJson& root) {
-    std::vector<std::pair<GltfJson, bool>> open{{root, false}};
-    while (!open.empty()) {
-      const GltfJson& node = element(m_document.json, "nodes", open.back().first);
-      m_mirrored = open.back().second != mirrors(node);
-      open.pop_back();
-      if (const GltfJson& mesh = member(node, "mesh"); !mesh.is_null())
-        for (const GltfJson& primitive :
-             member(element(m_document.json, "meshes", mesh), "primitives"))
-          read_primitive(primitive);
-      const GltfJson& children = member(node, "children");
-      for (size_t i = children.size(); i-- > 0;) open.emplace_back(children[i], m_mirrored);
-    }
-  }
-
-  static bool mirrors(const GltfJson& node) {
-    const auto number = [](const GltfJson& list, size_t i, double otherwise) {
-      return list.is_array() && i < list.size() && list[i].is_number() ? list[i].get<double>()
-                                                                       : otherwise;
-    };
-    const GltfJson &matrix = member(node, "matrix"), &scale = member(node, "scale");
-    Mat3 linear = Mat3::Identity();
-    for (int c = 0; c < 3; ++c)
-      for (int r = 0; r < 3; ++r)
-        linear(r, c) = number(matrix, static_cast<size_t>(4 * c + r), r == c ? 1 : 0);
-    for (int c = 0; c < 3; ++c) linear.col(c) *= number(scale, static_cast<size_t>(c), 1);
-    return linear.determinant() < 0;
+  void read_mesh(const GltfInstance& instance) {
+    m_mirrored = mirrors(instance.object_from_mesh);
+    const GltfJson& node = m_document.json["nodes"][static_cast<size_t>(instance.node)];
+    for (const GltfJson& primitive :
+         member(element(m_document.json, "meshes", node["mesh"]), "primitives"))
+      read_primitive(primitive);
   }
 
   void read_primitive(const GltfJson& primitive) {
@@ -102,7 +81,6 @@ class LookReader {
   template <class Corner>
   static void append(const GltfValues& from, const std::vector<std::array<std::uint32_t, 3>>& faces,
                      std::vector<std::array<Corner, 3>>& out) {
-    out.reserve(out.size() + faces.size());
     for (const auto& face : faces) {
       auto& corners = out.emplace_back();
       for (size_t k = 0; k < 3; ++k) corners[k] = corner(from, face[k], Corner());

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/io/gltf/materials.h"
+
 namespace trivet {
 namespace {
 
@@ -87,14 +89,9 @@ Index SurfaceMaterials::add(const GltfJson& primitive, const Material& plain) {
 }
 
 void SurfaceMaterials::read(const GltfJson& json) {
-  Material material;
+  Material material = gltf_material(json);
   SurfaceFinish finish;
-  material.name = name_of(json);
   const GltfJson& pbr = member(json, "pbrMetallicRoughness");
-  for (size_t i = 0; i < 4; ++i)
-    material.base_colour[i] = share_or(item(member(pbr, "baseColorFactor"), i), 1);
-  material.metallic = share_or(member(pbr, "metallicFactor"), 1);
-  material.roughness = share_or(member(pbr, "roughnessFactor"), 1);
   finish.base_colour = use_of(member(pbr, "baseColorTexture"), true);
   finish.metallic_roughness = use_of(member(pbr, "metallicRoughnessTexture"), false);
   finish.normal = use_of(member(json, "normalTexture"), false);

@@ -3,7 +3,7 @@
 
 #include <map>
 
-#include "core/io/textures/gltf_values.h"
+#include "core/io/gltf/values.h"
 #include "core/io/textures/surface_look.h"
 
 namespace trivet {

@@ -9,8 +9,9 @@
 #include "core/base/float32.h"
 #include "core/base/hash.h"
 #include "core/base/printable.h"
-#include "core/io/gltf/builder.h"
-#include "core/io/look.h"
+#include "core/io/gltf/copy.h"
+#include "core/io/gltf/extensions.h"
+#include "core/io/mesh/node_product.h"
 #include "core/io/process/sandboxed_import.h"
 #include "ops/base/names.h"
 #include "ops/files/inplace/scene_copy.h"
@@ -55,6 +56,8 @@ GltfJson bare_node(const GltfJson& root, int node, SceneRule rule) {
   for (const char* key : {"mesh", "children"})
     if (from.contains(key) && (rule != SceneRule::Meshes || std::strcmp(key, "mesh") == 0))
       out[key] = from[key];
+  const GltfJson& instances = member(member(from, "extensions"), gltf::kInstancing);
+  if (!instances.is_null()) out["extensions"][gltf::kInstancing] = instances;
   return out;
 }
 
@@ -63,6 +66,7 @@ std::string geometry_key(const GltfJson& root, const GltfJson& bare) {
   GltfJson out = GltfJson::object();
   for (const char* key : {"mesh", "matrix", "translation", "rotation", "scale"})
     if (bare.contains(key)) out[key] = bare[key];
+  out["instances"] = member(member(bare, "extensions"), gltf::kInstancing);
   std::string text = out.dump();
   for (const GltfJson& child : member(bare, "children"))
     text += "(" + geometry_key(root, element(root, "nodes", child)) + ")";
@@ -86,17 +90,22 @@ Model stretched(Model model, const Mat3& stretch) {
   std::vector<Triangle> triangles;
   triangles.reserve(model.mesh.triangles.size());
   const Affine affine{stretch, Vec3::Zero()};
+  const bool mirrored = mirrors(affine);
   for (size_t f = 0; f < model.mesh.triangles.size(); ++f) {
     Triangle t = model.mesh.triangle(static_cast<Index>(f));
     for (Vec3& p : t) p = affine.apply(p);
+    if (mirrored) std::swap(t[1], t[2]);  // inside and outside are turned round
     triangles.push_back(t);
   }
   model.mesh = weld(triangles);
   Mat3 cofactors;  // transforms normals
   for (int i = 0; i < 3; ++i)
     cofactors.row(i) = stretch.row((i + 1) % 3).cross(stretch.row((i + 2) % 3));
-  for (auto& face : model.corner_normals)
+  if (mirrored) cofactors = -cofactors;
+  for (auto& face : model.corner_normals) {
+    if (mirrored) std::swap(face[1], face[2]);
     for (Eigen::Vector3f& n : face) n = (cofactors * n.cast<double>()).normalized().cast<float>();
+  }
   return model;
 }
 
@@ -189,14 +198,9 @@ void GltfScene::Document::find_objects() {
 }
 
 Model GltfScene::Document::read(size_t object) const {
-  std::vector<std::string> notes;
-  const auto look = appearance_of_gltf(resolved, {bare[object]}, notes);
-  if (!look)
-    throw Error(Error::Kind::BadInput,
-                path + ": \"" + objects[object].name + "\": " + notes.back());
-  GltfDocument part = *look->document;
-  part.json["scenes"] = GltfJson::array({{{"nodes", look->roots}}});
-  const TemporaryFile file(glb_bytes(std::move(part)), ".glb");
+  GltfPart part = copied_part(resolved, {bare[object]});
+  part.document.json["scenes"] = GltfJson::array({{{"nodes", part.roots}}});
+  const TemporaryFile file(glb_bytes(std::move(part.document)), ".glb");
   Model model = stretched(import_model(file.path(), limits), objects[object].stretch);
   model.path = path;
   return model;

@@ -56,8 +56,8 @@ TEST_F(ReadErrors, ReportsUnknownExtension) {
 
 TEST_F(ReadErrors, ReportsBrokenFile) {
   expect_refused(write("t.glb", "glTF nonsense that is long enough to be looked at"),
-                 {"cannot be read as a model: "});
-  expect_refused(write("t.gltf", "{\"asset\":"), {"cannot be read as a model: "});
+                 {"glTF version", "accepted: 2"});
+  expect_refused(write("t.gltf", "{\"asset\":"), {"the glTF JSON is malformed: line 1"});
   expect_refused(write("t.ply", "play"), {"cannot be read as a model: "});
   expect_refused(write("t.dae", "<COLLADA>"), {"cannot be read as a model: "});
   expect_refused(write("t.fbx", "Kaydara FBX Binary  "), {"cannot be read as a model: "});
