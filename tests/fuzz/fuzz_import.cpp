@@ -196,7 +196,7 @@ class Fuzzer {
       if (message.find(file) == std::string::npos)
         return "FAILED: does not name the file: " + message;
       if (message.find("importer ended") != std::string::npos) return "crashed the importer";
-      if (message.find("longer than") != std::string::npos) return "hung the importer";
+      if (message.find("longer than the limit") != std::string::npos) return "hung the importer";
       if (message.find("memory") != std::string::npos) return "wanted too much memory";
       return "refused";
     } catch (const std::exception& e) {
