@@ -19,6 +19,7 @@
 #include "core/io/overwrites.h"
 #include "core/io/process/sandboxed_import.h"
 #include "core/io/staged_files.h"
+#include "core/mesh/part_masses.h"
 #include "ops/files/report/verdict.h"
 #include "ops/simulation/scene_formats.h"
 
@@ -215,7 +216,10 @@ void print_model_notes(const Scene& scene, const CommonOptions& common) {
   std::set<std::string> told;
   for (const ObjectId id : scene.ids()) {
     const std::shared_ptr<const Model> model = scene.at(id).model;
-    for (const std::string& note : model ? model->notes : std::vector<std::string>())
+    if (!model) continue;
+    std::vector<std::string> notes = model->notes;
+    for (std::string& note : mass_notes(scene.at(id).shape->mass)) notes.push_back(std::move(note));
+    for (const std::string& note : notes)
       if (told.insert(model->path + ": " + note).second)
         print_note(common, model->path + ": " + note);
   }

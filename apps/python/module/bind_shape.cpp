@@ -15,6 +15,7 @@
 #include "core/io/model_bytes.h"
 #include "core/io/process/sandboxed_import.h"
 #include "core/mesh/hull.h"
+#include "core/mesh/part_masses.h"
 #include "core/mesh/weld_arrays.h"
 #include "core/picture/face_colours.h"
 
@@ -174,7 +175,11 @@ void bind_shape(py::module_& m) {
           [](const PythonShape& s) { return s.model && s.model->up == UpAxis::Y ? "y" : "z"; })
       .def_property_readonly("notes",
                              [](const PythonShape& s) {
-                               return s.model ? s.model->notes : std::vector<std::string>();
+                               std::vector<std::string> out;
+                               if (s.model) out = s.model->notes;
+                               for (std::string& note : mass_notes(s.shape->mass))
+                                 out.push_back(std::move(note));
+                               return out;
                              })
       .def("state", &state_of)
       .def_static("of_state", &shape_of_state, "state"_a);
