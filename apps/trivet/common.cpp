@@ -24,8 +24,22 @@ bool shows_progress(const CommonOptions& common) { return !common.quiet && isatt
 
 }  // namespace
 
+namespace {
+
+// 0: as files state.
+double metres_of_unit(const std::string& unit) {
+  static constexpr std::pair<const char*, double> kUnits[] = {
+      {"m", 1}, {"cm", 0.01}, {"mm", 0.001}, {"um", 1e-6}, {"in", 0.0254}, {"ft", 0.3048}};
+  for (const auto& [name, metres] : kUnits)
+    if (unit == name) return metres;
+  return 0;
+}
+
+}  // namespace
+
 ImportLimits CommonOptions::limits() const {
   ImportLimits limits;
+  limits.metres_per_unit = metres_of_unit(unit);
   limits.max_file_bytes = static_cast<std::uintmax_t>(max_file_mb * 1e6);
   limits.max_seconds = import_seconds;
   limits.max_memory_bytes = static_cast<std::uintmax_t>(import_memory_mb * 1e6);
@@ -61,6 +75,10 @@ void add_common_options(CLI::App& app, CommonOptions& common) {
       ->group(group);
   app.add_option("--threads", common.num_threads, "0: all cores; results do not depend on it")
       ->check(integer_from(0, 4096))
+      ->group(group);
+  app.add_option("--unit", common.unit,
+                 "Unit of model files, whatever they state; default: what they state, else metres")
+      ->check(one_of({"m", "cm", "mm", "um", "in", "ft"}))
       ->group(group);
   app.add_option("--max-file-mb", common.max_file_mb, "Refuse larger input files")
       ->check(number_from(0, 1e9))

@@ -26,6 +26,7 @@ struct CommonOptions {
   bool json = false;
   bool quiet = false;
   bool verbose = false;
+  std::string unit;  // of model files; empty: as they state
   double max_file_mb = 4096;
   bool import_in_process = false;
   double import_seconds = 0;    // 0: 60, plus one for each MB

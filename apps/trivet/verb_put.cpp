@@ -15,7 +15,7 @@ namespace {
 struct PutArguments {
   std::string scene, model, name, up;
   std::vector<double> position, rotation{1, 0, 0, 0};
-  double scale = 1;
+  std::optional<double> scale;
   PutOperation operation;  // its tries
   Tessellation tessellation;
   MaterialArguments material;
@@ -155,7 +155,7 @@ Verb add_put(CLI::App& app, const CommonOptions& common) {
                    "Largest distance of these from the position, in parts of the object's size")
       ->check(number_from(0, kMaxWithin));
   verb->add_option("--name", arguments->name, "Name of the object; default: the file's name");
-  verb->add_option("--scale", arguments->scale, "Metres per unit of the file")
+  verb->add_option("--scale", arguments->scale, "Metres per unit of the file; default: as it states, else 1")
       ->check(number_from(kMinScale, kMaxScale));
   verb->add_option("--up", arguments->up,
                    "Up axis of the file; default: as its format states, else z")

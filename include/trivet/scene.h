@@ -70,9 +70,9 @@ struct ObjectInfo {
 };
 
 struct AddOptions {
-  double scale = 1;          // metres per unit of the model
-  std::optional<bool> y_up;  // nullopt: as its format says
-  std::optional<Pose> pose;  // stands there, untested by motion; nullopt: put it later
+  std::optional<double> scale;  // metres per unit of the model; nullopt: as its file says, else 1
+  std::optional<bool> y_up;     // nullopt: as its format says
+  std::optional<Pose> pose;     // stands there, untested by motion; nullopt: put it later
   bool fixed = false;
   std::optional<Material> material;
 };

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "core/model/unit.h"
 #include "ops/base/names.h"
 #include "ops/operations/commit.h"
 #include "ops/settle/rest.h"
@@ -94,7 +95,7 @@ OperationResult apply(Transaction& transaction, const AppendOperation& o, Operat
   object.model = o.model_data;
   object.shape = o.shape;
   object.up = o.up.value_or(object.model ? object.model->up : UpAxis::Z);
-  object.scale = o.scale;
+  object.scale = metres_per_unit(o.scale, o.model_data.get());
   object.fixed = o.fixed;
   if (o.material) object.material = *o.material;
   transaction.add(std::move(object));

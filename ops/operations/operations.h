@@ -118,10 +118,10 @@ struct RotateOperation : JointMoveOptions {
 
 /// A new object, not placed until it is put. "append"
 struct AppendOperation {
-  std::string object;        // its name
-  std::string model;         // path as the scene's models have theirs
-  double scale = 1;          // metres per unit of the file
-  std::optional<UpAxis> up;  // nullopt: as the model's format says, else z
+  std::string object;           // its name
+  std::string model;            // path as the scene's models have theirs
+  std::optional<double> scale;  // metres per unit of the file; nullopt: as it states, else 1
+  std::optional<UpAxis> up;     // nullopt: as the model's format says, else z
   bool fixed = false;
   std::shared_ptr<const Model> model_data;  // filled by load_model(); not written down
   std::shared_ptr<const Shape> shape;

@@ -138,7 +138,7 @@ void check(const RotateOperation& o, Checker& checker) {
 }
 
 void check(const AppendOperation& o, Checker& checker) {
-  checker.range("scale", o.scale, kMinScale, kMaxScale);
+  if (o.scale) checker.range("scale", *o.scale, kMinScale, kMaxScale);
   if (o.material) checker.material(*o.material);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "apps/farm/scene/placing.h"
+#include "core/model/unit.h"
 #include "ops/base/interrupt.h"
 #include "ops/base/stopwatch.h"
 #include "ops/files/json/operation_json.h"
@@ -100,7 +101,9 @@ void Attempt::draw_objects() {
       const std::string name = group.name + "_" + std::to_string(i);
       LayoutObject object = group.models[decide(name + "/model").weighted(weights)].object;
       object.name = name;
-      object.scale *= decide(name + "/scale").within(group.scale_range);
+      const LoadedModel& loaded = m_source.models.at({object.model, object.tessellation});
+      object.scale = metres_per_unit(object.scale, loaded.model.get()) *
+                     decide(name + "/scale").within(group.scale_range);
       m_out.layout.objects.push_back(std::move(object));
       members.push_back(name);
     }

@@ -6,6 +6,7 @@
 #include "apps/python/module/operation_values.h"
 #include "apps/python/module/python_shape.h"
 #include "core/base/bad_input.h"
+#include "core/model/unit.h"
 
 namespace trivet::python {
 namespace {
@@ -34,7 +35,7 @@ UpAxis up_of(const std::string& up) {
 }
 
 py::dict add(SharedScene& scene, const std::string& name, const PythonShape& shape,
-             const std::optional<Doubles>& matrix, double scale, bool fixed,
+             const std::optional<Doubles>& matrix, std::optional<double> scale, bool fixed,
              const std::optional<std::string>& up, const py::object& material) {
   AppendOperation append;
   append.object = name;
@@ -48,7 +49,7 @@ py::dict add(SharedScene& scene, const std::string& name, const PythonShape& sha
   StandOperation stand;
   if (matrix) {
     const Similarity place = similarity_of(*matrix, "pose of \"" + name + "\"");
-    append.scale *= place.scale;
+    append.scale = metres_per_unit(append.scale, shape.model.get()) * place.scale;
     stand.object = name;
     stand.pose = place.pose;
   }

@@ -189,7 +189,7 @@ AppendOperation read_append(const JsonPlace& place) {
   AppendOperation append;
   append.object = read_new_name(place.at("object"));
   append.model = place.at("model").text();
-  read_to(place, "scale", append.scale);
+  if (const auto scale = place.find("scale")) append.scale = scale->number();
   if (const auto up = place.find("up")) append.up = read_up(*up);
   read_to(place, "fixed", append.fixed);
   if (const auto material = place.find("material")) append.material = read_material(*material);

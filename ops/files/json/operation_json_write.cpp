@@ -116,7 +116,7 @@ void write(const RotateOperation& rotate, Json& json) {
 
 void write(const AppendOperation& append, Json& json) {
   json["model"] = append.model;
-  write_if(append.scale != 1, "scale", append.scale, json);
+  if (append.scale) json["scale"] = *append.scale;
   if (append.up) json["up"] = *append.up == UpAxis::Y ? "y" : "z";
   write_if(append.fixed, "fixed", true, json);
   if (append.material) json["material"] = material_json(*append.material);

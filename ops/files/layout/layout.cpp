@@ -193,7 +193,8 @@ std::string write_layout(const Layout& layout) {
   json["objects"] = Json::array();
   for (const LayoutObject& o : layout.objects) {
     Json entry = {{"name", o.name}};
-    if (layout.scene.empty()) entry.update({{"model", o.model}, {"scale", o.scale}});
+    if (layout.scene.empty()) entry["model"] = o.model;
+    if (layout.scene.empty() && o.scale) entry["scale"] = *o.scale;
     if (o.up) entry["up"] = *o.up == UpAxis::Y ? "y" : "z";
     if (o.fixed) entry["fixed"] = true;
     if (o.material) entry["material"] = material_json(*o.material);

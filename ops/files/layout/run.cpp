@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/contact/contact_memory.h"
+#include "core/model/unit.h"
 #include "core/scene/transaction.h"
 #include "ops/files/json/text.h"
 #include "ops/files/layout/scene_of_layout.h"
@@ -44,10 +45,10 @@ double reach_of(const LoadedModel& loaded) {
   return loaded.shape->box.max_abs_coordinate() * std::sqrt(3.0);
 }
 
-void check_reach(const LayoutObject& object, double reach, size_t index,
+void check_reach(const LayoutObject& object, double scale, double reach, size_t index,
                  const std::string& layout_file) {
   const double offset = object.pose ? object.pose->translation.cwiseAbs().maxCoeff() : 0;
-  const double total = object.scale * reach + offset;
+  const double total = scale * reach + offset;
   if (total <= kMaxLength) return;
   throw Error(Error::Kind::BadInput, place(layout_file, index, ": \"") + object.name +
                                          "\" reaches " + short_number(total) +
@@ -192,13 +193,14 @@ Scene make_scene(const Layout& layout, const LoadedModels& models, const std::st
   for (size_t i = 0; i < layout.objects.size(); ++i) {
     const LayoutObject& wanted = layout.objects[i];
     const LoadedModel& loaded = models.at({wanted.model, wanted.tessellation});
-    check_reach(wanted, reach_of(loaded), i, layout_file);
+    const double scale = metres_per_unit(wanted.scale, loaded.model.get());
+    check_reach(wanted, scale, reach_of(loaded), i, layout_file);
     Object object;
     object.name = wanted.name;
     object.model = loaded.model;
     object.shape = loaded.shape;
     object.up = wanted.up.value_or(object.model->up);
-    object.scale = wanted.scale;
+    object.scale = scale;
     object.fixed = wanted.fixed;
     object.material = wanted.material.value_or(layout.material);
     scene.add(std::move(object));

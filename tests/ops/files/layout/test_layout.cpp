@@ -42,7 +42,7 @@ TEST(Layout, KeepsValues) {
   EXPECT_TRUE(table.fixed);
   ASSERT_TRUE(table.pose);
   const LayoutObject& spoon = layout.objects[1];
-  EXPECT_EQ(spoon.scale, 1);
+  EXPECT_FALSE(spoon.scale);
   EXPECT_FALSE(spoon.up);
   EXPECT_FALSE(spoon.fixed);
   EXPECT_FALSE(spoon.pose);
