@@ -165,6 +165,7 @@ Model get_model(ByteReader& in, const ImportLimits& limits) {
   for (std::uint64_t i = 0; i < num_notes; ++i) model.notes.emplace_back(in.text());
   get_polygonisation(in, model);
   if (in.get<std::uint8_t>()) model.appearance = get_look(in);
+  model.rounded_appearance = in.get<std::uint8_t>() != 0;
   in.expect(in.at_end());
   return model;
 }
@@ -196,6 +197,7 @@ std::string bytes_of_model(const Model& model) {
   if (model.polygonised) put_polygonisation(out, *model.polygonised);
   append_bytes(out, std::uint8_t{model.appearance != nullptr});
   if (model.appearance) put_look(out, *model.appearance);
+  append_bytes(out, std::uint8_t{model.rounded_appearance});
   return out;
 }
 

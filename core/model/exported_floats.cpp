@@ -89,7 +89,7 @@ NodeMatrix node_matrix(const ExportObject& object, const Vec3& centre) {
 
 ExportedPlacement::ExportedPlacement(const ExportObject& object, const Aabb& mesh_box)
     : m_centre(export_centre(object.model.get(), mesh_box)),
-      m_has_look(object.model && object.model->appearance) {
+      m_has_look(object.model && object.model->appearance && !object.model->rounded_appearance) {
   const NodeMatrix rows = node_matrix(object, m_centre);
   for (int r = 0; r < 3; ++r) {
     for (int c = 0; c < 3; ++c) m_y_up_from_local.linear(r, c) = rows[r][c];

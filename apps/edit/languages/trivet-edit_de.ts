@@ -2159,16 +2159,8 @@
         <translation>eine Pipe lässt sich nicht anlegen: %1</translation>
     </message>
     <message>
-        <source>the importer ended with %1</source>
-        <translation>das Leseprogramm endete mit %1</translation>
-    </message>
-    <message>
         <source>status %1</source>
         <translation>Status %1</translation>
-    </message>
-    <message>
-        <source>the file is broken, or needs more memory than the limit of %1 MiB</source>
-        <translation>die Datei ist beschädigt, oder braucht mehr Speicher als die Grenze von %1 MiB</translation>
     </message>
     <message>
         <source>needs more memory than the limit of %1 MiB</source>
@@ -2261,6 +2253,370 @@
     <message>
         <source>mirrored meshes, winding turned round: %1</source>
         <translation>gespiegelte Netze, Umlaufsinn umgekehrt: %1</translation>
+    </message>
+    <message>
+        <source>polygons that cross themselves, read as fans: %1</source>
+        <translation>Vielecke, die sich selbst schneiden, als Fächer gelesen: %1</translation>
+    </message>
+    <message>
+        <source>weights of vertices left out: %1</source>
+        <translation>weggelassene Gewichte von Ecken: %1</translation>
+    </message>
+    <message>
+        <source>curves and free-form surfaces left out: %1</source>
+        <translation>weggelassene Kurven und Freiformflächen: %1</translation>
+    </message>
+    <message>
+        <source>commands to other programs left out: %1</source>
+        <translation>weggelassene Befehle an andere Programme: %1</translation>
+    </message>
+    <message>
+        <source>texture coordinates and normals left out that cannot be read: %1</source>
+        <translation>weggelassene unlesbare Texturkoordinaten und Normalen: %1</translation>
+    </message>
+    <message>
+        <source>texture coordinates and normals of corners left out that are not there: %1</source>
+        <translation>weggelassene Texturkoordinaten und Normalen von Ecken, die es nicht gibt: %1</translation>
+    </message>
+    <message>
+        <source>lines of unknown kinds left out, the first line %1, &quot;%2&quot;: %3</source>
+        <translation>weggelassene Zeilen unbekannter Art, die erste Zeile %1, „%2“: %3</translation>
+    </message>
+    <message>
+        <source>the material file &quot;%1&quot;, which is missing</source>
+        <translation>die Materialdatei „%1“, die fehlt</translation>
+    </message>
+    <message>
+        <source>the material &quot;%1&quot;, which no .mtl file has</source>
+        <translation>das Material „%1“, das keine .mtl-Datei hat</translation>
+    </message>
+    <message>
+        <source>materials left out beside it: %1</source>
+        <translation>außerdem weggelassene Materialien: %1</translation>
+    </message>
+    <message>
+        <source>lines of the .mtl file: %1</source>
+        <translation>Zeilen der .mtl-Datei: %1</translation>
+    </message>
+    <message>
+        <source>colours of the .mtl file by &quot;%1&quot;</source>
+        <translation>Farben der .mtl-Datei durch „%1“</translation>
+    </message>
+    <message>
+        <source>maps of ambient colour</source>
+        <translation>Texturen der Umgebungsfarbe</translation>
+    </message>
+    <message>
+        <source>maps of gloss</source>
+        <translation>Texturen des Glanzes</translation>
+    </message>
+    <message>
+        <source>displacement maps</source>
+        <translation>Verschiebungstexturen</translation>
+    </message>
+    <message>
+        <source>decals</source>
+        <translation>Abziehbilder</translation>
+    </message>
+    <message>
+        <source>reflection maps</source>
+        <translation>Spiegelungstexturen</translation>
+    </message>
+    <message>
+        <source>elements &quot;%1&quot; left out: %2</source>
+        <translation>weggelassene Elemente „%1“: %2</translation>
+    </message>
+    <message>
+        <source>bytes behind the data left out: %1</source>
+        <translation>weggelassene Bytes hinter den Daten: %1</translation>
+    </message>
+    <message>
+        <source>bytes behind the triangles left out: %1</source>
+        <translation>weggelassene Bytes hinter den Dreiecken: %1</translation>
+    </message>
+    <message>
+        <source>textures without coordinates</source>
+        <translation>Texturen ohne Koordinaten</translation>
+    </message>
+    <message>
+        <source>numbers in lines of which the header says nothing</source>
+        <translation>Zahlen in Zeilen, von denen der Kopf nichts sagt</translation>
+    </message>
+    <message>
+        <source>the number of triangles is not stated</source>
+        <translation>die Zahl der Dreiecke ist nicht angegeben</translation>
+    </message>
+    <message>
+        <source>by the size of the file: %1</source>
+        <translation>nach der Größe der Datei: %1</translation>
+    </message>
+    <message>
+        <source>facets of other than three or more vertices left out: %1</source>
+        <translation>weggelassene Facetten mit weniger als drei Ecken: %1</translation>
+    </message>
+    <message>
+        <source>facets without their end left out: %1</source>
+        <translation>weggelassene Facetten ohne ihr Ende: %1</translation>
+    </message>
+    <message>
+        <source>unknown words left out: %1</source>
+        <translation>weggelassene unbekannte Wörter: %1</translation>
+    </message>
+    <message>
+        <source>triangles whose corners have different colours, of which the first is taken: %1</source>
+        <translation>Dreiecke mit verschiedenfarbigen Ecken, von denen die erste gilt: %1</translation>
+    </message>
+    <message>
+        <source>properties of triangles left out that are neither materials nor colours: %1</source>
+        <translation>weggelassene Eigenschaften von Dreiecken, die weder Materialien noch Farben sind: %1</translation>
+    </message>
+    <message>
+        <source>supports for printing left out: %1</source>
+        <translation>weggelassene Druckstützen: %1</translation>
+    </message>
+    <message>
+        <source>textures and mixed materials</source>
+        <translation>Texturen und gemischte Materialien</translation>
+    </message>
+    <message>
+        <source>slices</source>
+        <translation>Schichten</translation>
+    </message>
+    <message>
+        <source>lattices of beams</source>
+        <translation>Gitter aus Stäben</translation>
+    </message>
+    <message>
+        <source>the unit &quot;%1&quot; is unknown</source>
+        <translation>die Einheit „%1“ ist unbekannt</translation>
+    </message>
+    <message>
+        <source>millimetres are taken</source>
+        <translation>Millimeter werden angenommen</translation>
+    </message>
+    <message>
+        <source>the unit of the file is out of range, and left out</source>
+        <translation>die Einheit der Datei liegt außerhalb des Bereichs und bleibt weg</translation>
+    </message>
+    <message>
+        <source>the unit is %1 m, says the file</source>
+        <translation>die Einheit ist %1 m, sagt die Datei</translation>
+    </message>
+    <message>
+        <source>the unit is %1 m, as given</source>
+        <translation>die Einheit ist %1 m, wie angegeben</translation>
+    </message>
+    <message>
+        <source>scenes apply it where no scale is given</source>
+        <translation>Szenen wenden sie an, wo kein Maßstab angegeben ist</translation>
+    </message>
+    <message>
+        <source>closed parts inside out, or cavities wound as solids, turned round for mass: %1</source>
+        <translation>geschlossene Teile mit der Innenseite außen, oder Hohlräume wie Körper, für die Masse umgekehrt: %1</translation>
+    </message>
+    <message>
+        <source>faces of closed parts wound the other way than most, turned round for mass: %1</source>
+        <translation>Flächen geschlossener Teile mit anderem Umlaufsinn als die meisten, für die Masse umgekehrt: %1</translation>
+    </message>
+    <message>
+        <source>faces there more than once, counted once for mass: %1</source>
+        <translation>mehrfach vorhandene Flächen, für die Masse einmal gezählt: %1</translation>
+    </message>
+    <message>
+        <source>open parts without an inside, which weigh nothing: %1</source>
+        <translation>offene Teile ohne Inneres, die nichts wiegen: %1</translation>
+    </message>
+    <message>
+        <source>open parts without an inside</source>
+        <translation>offene Teile ohne Inneres</translation>
+    </message>
+    <message>
+        <source>mass by the surface of all parts: %1</source>
+        <translation>Masse nach der Oberfläche aller Teile: %1</translation>
+    </message>
+    <message>
+        <source>mass by surface would have its centre farther away by %1 in units of the file</source>
+        <translation>nach der Oberfläche läge der Schwerpunkt um %1 Einheiten der Datei entfernt</translation>
+    </message>
+    <message>
+        <source>mass by volume of the closed parts would have its centre farther away by %1 in units of the file</source>
+        <translation>nach dem Volumen der geschlossenen Teile läge der Schwerpunkt um %1 Einheiten der Datei entfernt</translation>
+    </message>
+    <message>
+        <source>the reader for %1 files stopped with %2</source>
+        <translation>das Lesen von %1-Dateien brach ab mit %2</translation>
+    </message>
+    <message>
+        <source>the reader for this file stopped with %1</source>
+        <translation>das Lesen dieser Datei brach ab mit %1</translation>
+    </message>
+    <message>
+        <source>a fault of the reader, or it needs more memory than the limit of %1 MiB</source>
+        <translation>ein Fehler des Leseprogramms, oder es braucht mehr Speicher als die Grenze von %1 MiB</translation>
+    </message>
+    <message>
+        <source>is a pointer of Git LFS, not the model itself</source>
+        <translation>ist ein Verweis von Git LFS, nicht das Modell selbst</translation>
+    </message>
+    <message>
+        <source>the file that it stands for (git lfs pull)</source>
+        <translation>die Datei, für die er steht (git lfs pull)</translation>
+    </message>
+    <message>
+        <source>is a web page, not a model</source>
+        <translation>ist eine Webseite, kein Modell</translation>
+    </message>
+    <message>
+        <source>the file that the page offers</source>
+        <translation>die Datei, die die Seite anbietet</translation>
+    </message>
+    <message>
+        <source>is packed by gzip</source>
+        <translation>ist mit gzip gepackt</translation>
+    </message>
+    <message>
+        <source>is a packed file</source>
+        <translation>ist eine gepackte Datei</translation>
+    </message>
+    <message>
+        <source>the unpacked file</source>
+        <translation>die ausgepackte Datei</translation>
+    </message>
+    <message>
+        <source>the unpacked model</source>
+        <translation>das ausgepackte Modell</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>Zeile %1</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a number</source>
+        <translation>„%1“ ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a number, in line %2 of the PLY data</source>
+        <translation>„%1“ ist keine Zahl, in Zeile %2 der PLY-Daten</translation>
+    </message>
+    <message>
+        <source>a vertex of %1 numbers</source>
+        <translation>eine Ecke mit %1 Zahlen</translation>
+    </message>
+    <message>
+        <source>3 at least</source>
+        <translation>mindestens 3</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a corner of a face</source>
+        <translation>„%1“ ist keine Ecke einer Fläche</translation>
+    </message>
+    <message>
+        <source>7, 7/1, 7//3, 7/1/3</source>
+        <translation>7, 7/1, 7//3, 7/1/3</translation>
+    </message>
+    <message>
+        <source>a face refers to vertex %1, which is out of range</source>
+        <translation>eine Fläche verweist auf Ecke %1, die es nicht gibt</translation>
+    </message>
+    <message>
+        <source>1 to %1, and -1 to -%2 from the last one back</source>
+        <translation>1 bis %1, und -1 bis -%2 von der letzten zurück</translation>
+    </message>
+    <message>
+        <source>face %1 refers to vertex %2 of %3</source>
+        <translation>Fläche %1 verweist auf Ecke %2 von %3</translation>
+    </message>
+    <message>
+        <source>too many vertices</source>
+        <translation>zu viele Ecken</translation>
+    </message>
+    <message>
+        <source>is truncated: %1 of %2 elements of PLY data</source>
+        <translation>ist abgeschnitten: %1 von %2 Elementen der PLY-Daten</translation>
+    </message>
+    <message>
+        <source>is truncated: %1 of %2 triangles of a binary STL</source>
+        <translation>ist abgeschnitten: %1 von %2 Dreiecken eines binären STL</translation>
+    </message>
+    <message>
+        <source>is truncated within a vertex</source>
+        <translation>ist in einer Ecke abgeschnitten</translation>
+    </message>
+    <message>
+        <source>it does not begin with &quot;ply&quot;</source>
+        <translation>es beginnt nicht mit „ply“</translation>
+    </message>
+    <message>
+        <source>the format &quot;%1&quot;</source>
+        <translation>das Format „%1“</translation>
+    </message>
+    <message>
+        <source>ascii, binary_little_endian, binary_big_endian</source>
+        <translation>ascii, binary_little_endian, binary_big_endian</translation>
+    </message>
+    <message>
+        <source>an element without its number</source>
+        <translation>ein Element ohne seine Anzahl</translation>
+    </message>
+    <message>
+        <source>a property before the first element</source>
+        <translation>eine Eigenschaft vor dem ersten Element</translation>
+    </message>
+    <message>
+        <source>the type &quot;%1&quot;</source>
+        <translation>der Typ „%1“</translation>
+    </message>
+    <message>
+        <source>char, uchar, short, ushort, int, uint, float, double</source>
+        <translation>char, uchar, short, ushort, int, uint, float, double</translation>
+    </message>
+    <message>
+        <source>neither text nor a binary STL, which has 84 bytes at least</source>
+        <translation>weder Text noch ein binäres STL, das mindestens 84 Bytes hat</translation>
+    </message>
+    <message>
+        <source>is a damaged ZIP archive: %1</source>
+        <translation>ist ein beschädigtes ZIP-Archiv: %1</translation>
+    </message>
+    <message>
+        <source>has more than %1 bytes unpacked</source>
+        <translation>hat ausgepackt mehr als %1 Bytes</translation>
+    </message>
+    <message>
+        <source>is a ZIP archive without a model of 3MF</source>
+        <translation>ist ein ZIP-Archiv ohne Modell von 3MF</translation>
+    </message>
+    <message>
+        <source>refers to the object %1 of &quot;%2&quot;, which is not there</source>
+        <translation>verweist auf das Objekt %1 von „%2“, das es nicht gibt</translation>
+    </message>
+    <message>
+        <source>its components are nested too deeply, or too many</source>
+        <translation>ihre Bestandteile sind zu tief verschachtelt oder zu viele</translation>
+    </message>
+    <message>
+        <source>more faces than the limit of %1</source>
+        <translation>mehr Flächen als die Grenze von %1</translation>
+    </message>
+    <message>
+        <source>coordinates are read as float32, so far from the origin in steps of up to %1: digits of the file may be lost</source>
+        <translation>Koordinaten werden als float32 gelesen, so weit vom Ursprung in Schritten bis %1: Ziffern der Datei können verloren sein</translation>
+    </message>
+    <message>
+        <source>requires the extension &quot;%1&quot;</source>
+        <translation>verlangt die Erweiterung „%1“</translation>
+    </message>
+    <message>
+        <source>production, materials, slices</source>
+        <translation>Produktion, Materialien, Schichten</translation>
+    </message>
+    <message>
+        <source>a reference to %1 %2 of %3</source>
+        <translation>ein Verweis auf %1 %2 von %3</translation>
+    </message>
+    <message>
+        <source>a transform that is not 12 numbers: &quot;%1&quot;</source>
+        <translation>eine Transformation, die nicht aus 12 Zahlen besteht: „%1“</translation>
     </message>
     <message>
         <source>not drawn: the image &quot;%1&quot; %2</source>

@@ -9,11 +9,10 @@
 
 #include "core/base/error.h"
 #include "core/io/mesh/normals.h"
+#include "core/io/surface/coordinate_limit.h"
 
 namespace trivet {
 namespace {
-
-constexpr double kMaxCoordinate = 1e30;  // squares and cubes of it stay finite in double
 
 /// Row by row; the bottom row matters only in products, as files may store anything there.
 using Matrix4 = std::array<std::array<double, 4>, 4>;
@@ -230,8 +229,7 @@ void read_geometry(const aiScene& scene, const ImportLimits& limits, Model& mode
                 model.path + ": contains no triangle" +
                     (model.notes.empty() ? "" : " (" + model.notes.front() + ")"));
   model.mesh = weld(reader.triangles());
-  // Normals of an STL only repeat the facets, and often wrongly.
-  if (reader.has_normals() && model.format != "stl")
+  if (reader.has_normals())
     fill_missing_normals(model.mesh, model.corner_normals);
   else
     model.corner_normals.clear();

@@ -86,7 +86,7 @@ class LookMaker {
     for (const unsigned id : ids) {
       const aiMesh& mesh = *m_scene.mMeshes[id];
       if (!has_triangles(mesh)) continue;
-      GltfJson primitive = primitive_of_assimp(mesh, m_model.format != "stl", m_builder);
+      GltfJson primitive = primitive_of_assimp(mesh, m_builder);
       primitive["material"] = m_materials.material(mesh.mMaterialIndex);
       primitives.push_back(std::move(primitive));
     }

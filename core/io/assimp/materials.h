@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/io/gltf/builder.h"
-#include "core/io/model_folder.h"
+#include "core/io/textures/texture_adder.h"
 
 struct aiScene;
 struct aiMaterial;
@@ -22,17 +22,13 @@ class MaterialConverter {
   /// Reference to a texture of that kind (aiTextureType); null if there is none.
   GltfJson texture(const aiMaterial& material, int kind);
   SharedBytes image_bytes(const std::string& path);
-  SharedBytes file_bytes(const std::string& path) const;
-  void note(const std::string& text);
 
   const aiScene& m_scene;
-  const ImportLimits& m_limits;
-  Model& m_model;
   GltfBuilder& m_builder;
-  const ModelFolder m_folder;
+  Model& m_model;
+  TextureAdder m_textures;
   std::map<unsigned, size_t> m_materials;
-  std::map<std::string, SharedBytes> m_images;
-  std::map<GltfJson, size_t> m_samplers, m_textures;
+  std::map<std::string, SharedBytes> m_embedded;
 };
 
 }  // namespace trivet

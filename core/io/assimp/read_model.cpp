@@ -1,11 +1,12 @@
-#include "core/io/read_model.h"
+#include "core/io/assimp/read_model.h"
 
 #include <assimp/importerdesc.h>
-#include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
 #include <assimp/Importer.hpp>
+#include <cmath>
 #include <filesystem>
+#include <memory>
 #include <new>
 #include <sstream>
 
@@ -17,10 +18,10 @@
 #include "core/io/assimp/files.h"
 #include "core/io/assimp/geometry.h"
 #include "core/io/assimp/look.h"
-#include "core/io/cad_format.h"
+#include "core/io/assimp/polygons.h"
 #include "core/io/gltf/document.h"
 #include "core/io/process/preflight.h"
-#include "core/io/textures/surface_look.h"
+#include "core/io/surface/file_surface.h"
 #include "core/model/model.h"
 
 namespace trivet {
@@ -59,21 +60,17 @@ std::string name_in_file(const std::string& file, const std::string& model) {
   return before ? file.substr(folder.size() + 1) : file;
 }
 
-// In two steps, as the second trusts what the first left behind; the result is that of one.
-const aiScene& import_scene(Assimp::Importer& importer, const FolderIoSystem& files,
-                            const std::string& path) {
-  const aiScene* scene = importer.ReadFile(path, 0);
-  if (scene && scene->mRootNode) {
-    check_faces(path, *scene);
-    scene = importer.ApplyPostProcessing(aiProcess_Triangulate);
-  }
+std::unique_ptr<aiScene> import_scene(Assimp::Importer& importer, const FolderIoSystem& files,
+                                      const std::string& path) {
+  const aiScene* const scene = importer.ReadFile(path, 0);
   if (!scene && std::string(importer.GetErrorString()).find("bad_alloc") != std::string::npos)
     throw std::bad_alloc();
   if ((!scene || !scene->mRootNode) && !files.outside().empty())
     bad_file(path, outside_folder(name_in_file(files.outside().front(), path)));
   if (!scene || !scene->mRootNode)
     bad_file(path, "cannot be read as a model: " + why(importer.GetErrorString()));
-  return *scene;
+  check_faces(path, *scene);
+  return std::unique_ptr<aiScene>(importer.GetOrphanedScene());
 }
 
 // assimp takes names of buffers another way than glTF means them: they are looked at before.
@@ -99,6 +96,19 @@ bool is_gltf(const std::string& path) {
   return extension == ".gltf" || extension == ".glb";
 }
 
+// assimp has float32 where FBX and text have doubles: told where it shows.
+void note_lost_digits(Model& model) {
+  constexpr double kVisible = 1e-6;  // of the model's size
+  const Aabb box = model.mesh.box();
+  const double step = std::ldexp(box.max_abs_coordinate(), -24);
+  if (model.format == "gltf2" || !(step > kVisible * box.diagonal())) return;
+  std::ostringstream note;
+  note.precision(2);
+  note << "coordinates are read as float32, so far from the origin in steps of up to " << 2 * step
+       << ": digits of the file may be lost";
+  model.notes.push_back(note.str());
+}
+
 // glTF from the file itself: nothing that it says gets lost on the way.
 void read_look(const aiScene& scene, const ImportLimits& limits, Model& model) {
   if (model.format != "gltf2") {
@@ -111,42 +121,31 @@ void read_look(const aiScene& scene, const ImportLimits& limits, Model& model) {
       model.notes.push_back(std::string("hierarchy and textures left out: ") + e.what());
     }
   }
-  // Here, as this is the process that may crash: renderers decode the same bytes again.
-  for (std::string& note : undrawn_textures(model)) model.notes.push_back(std::move(note));
 }
 
 }  // namespace
 
-Model read_model(const std::string& path, const ImportLimits& limits) {
-  check_file(path, limits);
-  if (const std::string format = cad_format(path); !format.empty())
-    bad_file(
-        path,
-        format + " files are read only by the program trivet-import-cad, never in this process");
-  try {
-    Assimp::Importer importer;
-    auto* const files = new FolderIoSystem(path);
-    importer.SetIOHandler(files);  // owns it from here on
-    check_extension(importer, path);
-    if (is_gltf(path)) check_buffers(path);
-    const aiScene& scene = import_scene(importer, *files, path);
-    Model model;
-    for (const std::string& name : files->outside())
-      model.notes.push_back("left out: it " + outside_folder(name_in_file(name, path)));
-    model.path = path;
-    model.format = format_of(importer);
-    read_materials(scene, model);
-    read_frame(scene, model);
-    read_geometry(scene, limits, model);
-    read_look(scene, limits, model);
-    return model;
-  } catch (const Error&) {
-    throw;
-  } catch (const std::bad_alloc&) {
-    bad_file(path, "runs out of memory; the file is broken or too large");
-  } catch (const std::exception& e) {
-    bad_file(path, "cannot be read as a model: " + why(e.what()));
-  }
+Model read_assimp_model(const std::string& path, const ImportLimits& limits) {
+  Assimp::Importer importer;
+  auto* const files = new FolderIoSystem(path);
+  importer.SetIOHandler(files);  // owns it from here on
+  check_extension(importer, path);
+  if (is_gltf(path)) check_buffers(path);
+  const std::unique_ptr<aiScene> owned = import_scene(importer, *files, path);
+  const std::int64_t num_fans = triangulate_polygons(*owned);
+  const aiScene& scene = *owned;
+  Model model;
+  note_count(model.notes, "polygons that cross themselves, read as fans", num_fans);
+  for (const std::string& name : files->outside())
+    model.notes.push_back("left out: it " + outside_folder(name_in_file(name, path)));
+  model.path = path;
+  model.format = format_of(importer);
+  read_materials(scene, model);
+  read_frame(scene, model);
+  read_geometry(scene, limits, model);
+  note_lost_digits(model);
+  read_look(scene, limits, model);
+  return model;
 }
 
 }  // namespace trivet

@@ -13,8 +13,10 @@
 #include <cstring>
 #include <filesystem>
 #include <new>
+#include <sstream>
 
 #include "core/base/bad_input.h"
+#include "core/base/extension.h"
 #include "core/io/cad_format.h"
 #include "core/io/model_bytes.h"
 #include "core/io/process/importer_process.h"
@@ -90,10 +92,12 @@ void check_end(int status, const std::string& importer, const std::string& path,
   if (signal == SIGXCPU)
     bad_file(path, "reading it took longer than the limit of " +
                        std::to_string(static_cast<long>(std::ceil(limits.max_seconds))) + " s");
-  bad_file(path, "cannot be read as a model: the importer ended with " +
+  const std::string extension = lower_extension(path);
+  bad_file(path, "the reader for " + (extension.empty() ? "this file" : extension + " files") +
+                     " stopped with " +
                      (signal ? std::string(strsignal(signal))
                              : "status " + std::to_string(WEXITSTATUS(status))) +
-                     "; the file is broken, or needs more memory than the limit of " +
+                     ": a fault of the reader, or it needs more memory than the limit of " +
                      std::to_string(limits.max_memory_bytes >> 20) + " MiB");
 }
 
@@ -201,10 +205,27 @@ Model read_model_sandboxed(const std::string& path, const ImportLimits& given,
   }
 }
 
+namespace {
+
+// Told where scenes apply it; metres need no word.
+void note_unit(Model& model, bool is_given) {
+  const double metres = model.metres_per_unit.value_or(1);
+  if (metres == 1) return;
+  std::ostringstream note;
+  note << "the unit is " << metres << " m, " << (is_given ? "as given" : "says the file")
+       << "; scenes apply it where no scale is given";
+  model.notes.push_back(note.str());
+}
+
+}  // namespace
+
 Model import_model(const std::string& path, const ImportLimits& limits,
                    const Tessellation& tessellation, const std::atomic<bool>* cancel) {
-  return limits.importer.empty() ? read_model(path, limits)
-                                 : read_model_sandboxed(path, limits, tessellation, cancel);
+  Model model = limits.importer.empty() ? read_model(path, limits)
+                                        : read_model_sandboxed(path, limits, tessellation, cancel);
+  if (limits.metres_per_unit > 0) model.metres_per_unit = limits.metres_per_unit;
+  note_unit(model, limits.metres_per_unit > 0);
+  return model;
 }
 
 std::optional<Protection> import_protection() {

@@ -30,7 +30,12 @@ OrderedJson model_json(const Model& model, bool shown, const SceneFileOptions& o
                {"centre", to_json(stored.centre)},
                {"face_order", stored.face_order}});
   if (stored.own_nodes) json["own_nodes"] = true;
-  if (model.path.empty() && (!shown || stored.stored_fingerprint != stored.fingerprint))
+  // Scenes come back to the bit without their models' files, but for those with many doubles that
+  // these have anyway: curved surfaces, nodes with transforms.
+  const bool lossy = stored.stored_fingerprint != stored.fingerprint;
+  const bool is_text = model.format == "obj" || model.format == "stl" || model.format == "ply" ||
+                       model.format == "3mf";
+  if (model.path.empty() ? !shown || lossy : shown && lossy && is_text)
     json["mesh"] = stored_mesh_json(model, !shown);
   write_tessellation(model.tessellation, json);
   return json;
