@@ -177,9 +177,9 @@ constexpr const char* kModels[] = {
     QT_TRANSLATE_NOOP("refusal", "the unit is %1 m, says the file"),
     QT_TRANSLATE_NOOP("refusal", "the unit is %1 m, as given"),
     QT_TRANSLATE_NOOP("refusal", "scenes apply it where no scale is given"),
-    QT_TRANSLATE_NOOP("refusal",
-                      "closed parts inside out, or cavities wound as solids, turned round for mass "
-                      "and inside: %1"),
+    QT_TRANSLATE_NOOP(
+        "refusal",
+        "closed parts inside out, or cavities wound as solids, turned round for mass: %1"),
     QT_TRANSLATE_NOOP(
         "refusal",
         "faces of closed parts wound the other way than most, turned round for mass: %1"),
