@@ -52,7 +52,7 @@ void save_scene(const Scene& scene, const std::string& path) {
 
 Scene open_session(const std::string& path, const std::string& journal) {
   return guarded([&] {
-    return scene_of(trivet::open_session(path, run_options(path), usual_limits(), journal));
+    return scene_of(trivet::open_session(path, run_options(path), usual_limits(), {journal}));
   });
 }
 

@@ -13,5 +13,7 @@ void write_file_atomically(const std::string& path, const std::string& bytes);
 using ByteSink = std::function<void(const std::string& bytes)>;
 using FileContent = std::function<void(const ByteSink& write)>;
 void write_file_atomically(const std::string& path, const FileContent& content);
+/// The same for the bytes of another file; see StagedFiles::add_copy().
+void copy_file_atomically(const std::string& from, const std::string& to);
 
 }  // namespace trivet

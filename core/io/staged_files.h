@@ -25,6 +25,9 @@ class StagedFiles {
   /// @throws Error (Environment).
   void add(const std::string& path, const std::string& bytes);
   void add(const std::string& path, const FileContent& content);
+  /// A copy of the file `from`, of its own: it shares blocks where the file system has such copies
+  /// (FICLONE), but no later change.
+  void add_copy(const std::string& path, const std::string& from);
   /// Renames in the order of add(): what names others comes last.
   /// @throws Error (Environment) when the system refuses a rename; those before it are taken back
   ///   (but for files that were replaced where there are no hard links).
@@ -32,6 +35,8 @@ class StagedFiles {
 
  private:
   struct File;
+  void add_folder_above(const std::string& path);
+
   std::vector<std::unique_ptr<File>> m_files;
   std::vector<std::string> m_folders;  // that were made, the outer ones first
 };

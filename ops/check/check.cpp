@@ -158,10 +158,17 @@ ObjectState state_as_it_lies(const Scene& scene, ObjectId id, const Neighbourhoo
 }  // namespace
 
 void update_contacts(Scene& scene, double clearance, const SettleOptions& settled_by) {
-  const RestRules rules = rest_rules(settled_by, believable_clearance(scene, clearance));
   Transaction transaction(scene);
-  for (const ObjectId id : scene.ids()) {
-    const Object& object = transaction.scene().at(id);
+  update_contacts(transaction, scene.ids(), clearance, settled_by);
+  transaction.commit();
+}
+
+void update_contacts(Transaction& transaction, const std::vector<ObjectId>& ids, double clearance,
+                     const SettleOptions& settled_by) {
+  const Scene& scene = transaction.scene();
+  const RestRules rules = rest_rules(settled_by, believable_clearance(scene, clearance));
+  for (const ObjectId id : ids) {
+    const Object& object = scene.at(id);
     if (!object.placed) continue;
     const Neighbourhood others = holders(scene, id);
     const auto contacts = touching(body_of(object), others, rules.clearance);
@@ -169,8 +176,7 @@ void update_contacts(Scene& scene, double clearance, const SettleOptions& settle
         object.fixed ? ObjectState::Fixed : state_as_it_lies(scene, id, others, rules);
     commit_object(transaction, id, object.pose, state, contacts, rules);
   }
-  rate_again(transaction, scene.ids(), rules);
-  transaction.commit();
+  rate_again(transaction, ids, rules);
 }
 
 }  // namespace trivet

@@ -34,5 +34,8 @@ SceneCheck check_scene(const Scene& scene, int num_threads = 0, double clearance
 /// @param clearance  metres; 0: default_clearance() of the scene.
 /// @param settled_by  the friction by which the scene was settled; its clearance is not used.
 void update_contacts(Scene& scene, double clearance = 0, const SettleOptions& settled_by = {});
+/// The same of those of these objects that are placed. @param ids  in the scene's list.
+void update_contacts(Transaction& transaction, const std::vector<ObjectId>& ids, double clearance,
+                     const SettleOptions& settled_by);
 
 }  // namespace trivet

@@ -107,7 +107,7 @@ bool Engine::new_scene() {
   if (!journal.empty()) {
     const std::string start = journal + ".json";
     write_file_atomically(start, write_layout(Layout()));
-    opened = open_session(start, run_options(), m_options.limits, journal);
+    opened = open_session(start, run_options(), m_options.limits, {journal});
   }
   adopt(std::move(opened), "", "Untitled", nullptr);
   return true;
@@ -122,7 +122,7 @@ bool Engine::open(const std::string& file) {
       throw Error(Error::Kind::BadInput, file +
                                              ": cannot be opened; accepted: a scene (.glb) written "
                                              "by Trivet, or a layout (.json)");
-    OpenedSession opened = open_session(file, run_options(), m_options.limits, new_journal());
+    OpenedSession opened = open_session(file, run_options(), m_options.limits, {new_journal()});
     adopt(std::move(opened), extension == ".glb" ? file : "", fs::path(file).filename().string(),
           std::move(lock));
   } catch (...) {
@@ -142,7 +142,7 @@ bool Engine::open_demo(const std::string& name) {
   make_folder(folder);
   write_demo(demo, folder);
   const std::string layout = (fs::path(folder) / "layout.json").string();
-  adopt(open_session(layout, run_options(), m_options.limits, new_journal()), "", name, nullptr);
+  adopt(open_session(layout, run_options(), m_options.limits, {new_journal()}), "", name, nullptr);
   return true;
 }
 

@@ -1251,10 +1251,6 @@
         <translation>16 hexadezimale Ziffern</translation>
     </message>
     <message>
-        <source>%1, the version of the journal</source>
-        <translation>%1, die Version des Journals</translation>
-    </message>
-    <message>
         <source>an operation or several</source>
         <translation>eine Operation oder mehrere</translation>
     </message>
@@ -2329,6 +2325,58 @@
     <message>
         <source>a primitive refers to a vertex that it has not</source>
         <translation>ein Grundelement verweist auf eine Ecke, die es nicht hat</translation>
+    </message>
+    <message>
+        <source>the journal was deleted, and no further step is done</source>
+        <translation>das Journal wurde gelöscht, und kein weiterer Schritt wird getan</translation>
+    </message>
+    <message>
+        <source>another program has changed the journal, and no further step is done</source>
+        <translation>ein anderes Programm hat das Journal geändert, und kein weiterer Schritt wird getan</translation>
+    </message>
+    <message>
+        <source>save the scene</source>
+        <translation>speichern Sie die Szene</translation>
+    </message>
+    <message>
+        <source>is there already, and would be replaced by the journal&apos;s copy of &quot;%1&quot;</source>
+        <translation>ist schon da und würde durch die Kopie des Journals von „%1“ ersetzt</translation>
+    </message>
+    <message>
+        <source>another name of the journal</source>
+        <translation>ein anderer Name des Journals</translation>
+    </message>
+    <message>
+        <source>has changed while it was opened; open it again</source>
+        <translation>hat sich geändert, während es geöffnet wurde; öffnen Sie es noch einmal</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has changed since the session</source>
+        <translation>„%1“ hat sich seit der Sitzung geändert</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be read, and a box of its size stands in for it: %2</source>
+        <translation>„%1“ lässt sich nicht lesen, und ein Quader seiner Größe steht dafür: %2</translation>
+    </message>
+    <message>
+        <source>poses of &quot;%1&quot; are as they were recorded: %2</source>
+        <translation>Lagen aus „%1“ sind so, wie sie aufgezeichnet wurden: %2</translation>
+    </message>
+    <message>
+        <source>a position and a rotation w, x, y, z</source>
+        <translation>eine Position und eine Drehung w, x, y, z</translation>
+    </message>
+    <message>
+        <source>its lower corner, then its upper one</source>
+        <translation>seine untere Ecke, dann seine obere</translation>
+    </message>
+    <message>
+        <source>an object of poses</source>
+        <translation>ein Objekt mit Lagen</translation>
+    </message>
+    <message>
+        <source>1 and %1, the versions of journals</source>
+        <translation>1 und %1, die Versionen von Journalen</translation>
     </message>
 </context>
 <context>

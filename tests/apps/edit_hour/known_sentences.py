@@ -9,7 +9,7 @@ import sys
 
 # Sources of sentences that the editor can show.
 kSources = ["core/io", "core/base/bad_input.h", "ops/files/arrange", "ops/files/json", "ops/files/layout", "ops/files/report",
-            "ops/session/journal.cpp", "ops/session/journal_text.cpp", "ops/session/restore.cpp", "ops/arrange",
+            "ops/session/journal.cpp", "ops/session/journal_text.cpp", "ops/session/restore.cpp", "ops/session/recorded_sources.cpp", "ops/arrange",
             "ops/simulation/scene_formats.cpp", "ops/simulation/simulate_mujoco.cpp", "apps/edit/document"]
 kCall = re.compile(r"\b(?:bad_file|bad_input|bad|fail|fail_environment|fail_changed|refuse|note|Error|notes\.push_back|insert)\s*\(")
 kLiteral = re.compile(r'"((?:[^"\\]|\\.)*)"')

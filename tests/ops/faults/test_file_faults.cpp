@@ -168,7 +168,7 @@ class FaultySession {
         object.model = std::make_shared<const Model>(model_of_mesh(object.shape->mesh));
       });
     write_scene_file(scene, {}, {}, folder.file("start.glb"));
-    return open_session(folder.file("start.glb"), {}, {}, folder.file("journal"));
+    return open_session(folder.file("start.glb"), {}, {}, {folder.file("journal")});
   }
 
   static bool completes(const Work& work) {
