@@ -82,7 +82,7 @@ void HttpServer::State::end_if_drained() {
 }
 
 void HttpServer::State::dispatch(HttpRequest&& request, std::function<void(HttpResponse&&)> done) {
-  if (request.from_browser) return done(problem(403, "pages in a browser are not served"));
+  if (auto refusal = handlers.refusal(request)) return done(std::move(*refusal));
   if (handlers.is_quick(request)) return done(handlers.answer(request));
   if (num_waiting >= limits.max_waiting)
     return done(problem(503, "too many requests wait; ask again later"));
@@ -99,6 +99,11 @@ void HttpServer::State::compute(HttpRequest&& request, std::function<void(HttpRe
     --num_computing;
     asio::post(io, [done, response] { done(std::move(*response)); });
   });
+}
+
+HttpResponse problem(int status, const char* reason) {
+  return {status, "application/json",
+          std::string("{\"status\":\"error\",\"reason\":\"") + reason + "\"}"};
 }
 
 HttpServer::HttpServer(Handlers handlers, const HttpLimits& limits)
@@ -148,7 +153,7 @@ void HttpServer::run() {
 }
 
 HttpLoad HttpServer::load() const {
-  return {m_state->num_connections, m_state->num_waiting, m_state->num_computing};
+  return {m_state->num_connections, m_state->num_waiting, m_state->num_computing, 0};
 }
 
 }  // namespace trivet::serve

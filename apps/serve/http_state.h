@@ -56,10 +56,4 @@ struct HttpServer::State {
   std::atomic<int> num_connections = 0, num_waiting = 0, num_computing = 0;
 };
 
-/// An answer of the server itself.
-inline HttpResponse problem(int status, const char* reason) {
-  return {status, "application/json",
-          std::string("{\"status\":\"error\",\"reason\":\"") + reason + "\"}"};
-}
-
 }  // namespace trivet::serve

@@ -25,10 +25,13 @@ struct ServeOptions {
   std::function<std::unique_ptr<Detector>()> make_detector;
   ImportLimits import;                // of models that are read
   std::string address = "127.0.0.1";  // of TCP
+  std::vector<std::string> hosts;     // names of the server beside those of the loopback
   unsigned short port = 0;            // 0: any that is free
   std::string socket;                 // path of a Unix socket, instead of TCP; empty: none
   int num_threads = 1;                // that compute
   int max_sessions = 64, max_waiting = 64, max_connections = 256;
+  int max_states = 10'000;        // of objects that a session keeps for undo
+  int max_objects = 10'000;       // of a session, that clients may make
   double idle_seconds = 600;      // see SessionLimits
   double request_seconds = 30;    // see HttpLimits
   double operation_seconds = 60;  // that an operation may take; 0: unlimited
