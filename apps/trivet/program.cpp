@@ -149,6 +149,9 @@ int run_program(int argc, char** argv) {
                 bad_input ? kBadInput : kEnvironment);
   } catch (const std::bad_alloc&) {
     return fail(json, "environment", "not enough memory", kEnvironment);
+  } catch (const nlohmann::json::exception&) {  // in its own words it says nothing to users
+    return fail(json, "bad input",
+                "a file is damaged: a value in it is missing, or of another kind", kBadInput);
   } catch (const std::exception& e) {
     return fail(json, "environment", std::string("unexpected: ") + e.what(), kEnvironment);
   }

@@ -131,7 +131,7 @@ class JsonBuilder {
 
   bool enter(bool array, size_t first) {
     if (m_levels.size() >= m_limits.max_depth)
-      fail(pointer(m_levels.size()) + ": nested too deep; accepted: up to " +
+      fail(pointer(m_levels.size()) + ": " + kTooDeep + "; accepted: up to " +
            std::to_string(m_limits.max_depth) + " levels");
     m_levels.push_back({array, first, {}});
     return true;

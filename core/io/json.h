@@ -13,6 +13,9 @@ struct JsonLimits {
   size_t max_bytes = size_t{256} << 20;  // a document takes up to 20 times that in memory
 };
 
+/// Words of the error about too many levels.
+inline constexpr const char* kTooDeep = "nested too deep";
+
 /// A document in UTF-8, with or without a byte order mark, in time linear in its length. `Json` is
 /// nlohmann::json or nlohmann::ordered_json.
 /// @param name  begins every message, as "layout.json".

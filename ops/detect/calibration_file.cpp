@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/io/atomic_file.h"
+#include "core/io/json.h"
 
 namespace trivet {
 namespace {
@@ -90,7 +91,7 @@ std::string to_json(const Calibration& calibration) {
 
 Calibration calibration_from_json(const std::string& text) {
   try {
-    const Json json = Json::parse(text);
+    const Json json = json_from_text<Json>(text, "backends.json");
     if (json.at("format") != kFormat)
       throw Error(Error::Kind::BadInput,
                   "\"format\" is " + json.at("format").dump() + "; accepted: 1");
@@ -102,8 +103,8 @@ Calibration calibration_from_json(const std::string& text) {
       throw Error(Error::Kind::BadInput,
                   "it has " + std::to_string(out.sources.size()) + " sources; accepted: 1 to 64");
     return out;
-  } catch (const Json::exception& error) {
-    throw Error(Error::Kind::BadInput, error.what());
+  } catch (const Json::exception&) {
+    throw Error(Error::Kind::BadInput, "a value is missing, or of another kind");
   }
 }
 

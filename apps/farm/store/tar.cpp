@@ -98,7 +98,7 @@ TarReader::~TarReader() = default;
 
 void TarReader::fail() const {
   const char* const why = archive_error_string(m_state->tar.get());
-  bad_file(m_path, std::string("cannot be read as a tar: ") + (why ? why : "unknown"));
+  bad_file(m_path, std::string("is damaged, or no tar: ") + (why ? why : "unknown"));
 }
 
 std::optional<std::string> TarReader::next() {

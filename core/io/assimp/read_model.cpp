@@ -19,6 +19,7 @@
 #include "core/io/assimp/look.h"
 #include "core/io/cad_format.h"
 #include "core/io/gltf/document.h"
+#include "core/io/json.h"
 #include "core/io/process/preflight.h"
 #include "core/io/textures/surface_look.h"
 #include "core/model/model.h"
@@ -81,8 +82,9 @@ void check_buffers(const std::string& path) {
   GltfJson json;
   try {
     json = parse_gltf_json(path, read_gltf_text(path));
-  } catch (const Error&) {
-    return;  // assimp will say so
+  } catch (const Error& e) {
+    if (std::string(e.what()).find(kTooDeep) != std::string::npos) throw;  // assimp would crash
+    return;                                                                // assimp will say so
   }
   const ModelFolder folder(path);
   for (const GltfJson& buffer : member(json, "buffers")) {
