@@ -7,7 +7,7 @@
 #include "core/base/arena.h"
 #include "core/base/bad_input.h"
 #include "core/base/extension.h"
-#include "core/io/atomic_file.h"
+#include "core/io/staged_files.h"
 #include "core/picture/image_files.h"
 #include "ops/files/json/text.h"
 #include "ops/files/labels/data_sets.h"
@@ -48,6 +48,7 @@ class LabelWriter {
   void write(const LabelView& view);
   void finish() {
     for (const auto& set : m_sets) set->finish();
+    m_files.commit();
     if (m_num_beyond > 0)
       print_note(m_common, std::to_string(m_num_beyond) + " pixels are farther than " +
                                short_number(65535 * m_arguments.depth_unit) +
@@ -58,7 +59,7 @@ class LabelWriter {
   std::string depth_bytes(const Labels& labels);
   std::string normal_bytes(const Labels& labels) const;
   void write_file(const std::string& pattern, const LabelView& view, const std::string& bytes) {
-    write_file_atomically(with_name(pattern, view.name), bytes);
+    m_files.add(with_name(pattern, view.name), bytes);
   }
 
   const LabelledScene& m_scene;
@@ -66,6 +67,7 @@ class LabelWriter {
   const PictureRequest& m_request;
   const CommonOptions& m_common;
   std::vector<std::unique_ptr<DataSetWriter>> m_sets;
+  StagedFiles m_files;
   std::int64_t m_num_beyond = 0;
 };
 
