@@ -22,6 +22,7 @@ class ObjectTree {
     Aabb box;                              // empty: overlaps nothing
     double smallest_diagonal = kInfinity;  // metres, > 0; infinity: there is none
     double leaning_reach = 0;  // metres, largest size of an object that leans; 0: there is none
+    double coarse_size = 0;    // metres, largest coarse_size() of an object; 0: there is none
 
     void unite(const Extent& other);
   };

@@ -153,6 +153,30 @@ SceneExtent Scene::extent_without(std::span<const ObjectId> left_out) const {
   return m_index.tree().extent_without(slots);
 }
 
+namespace {
+
+bool is_within(const Aabb& inner, const Aabb& outer) {
+  return (inner.lower.array() >= outer.lower.array()).all() &&
+         (inner.upper.array() <= outer.upper.array()).all();
+}
+
+}  // namespace
+
+SceneExtent Scene::extent_near(const Aabb& box, double margin) const {
+  const ObjectTree& tree = m_index.tree();
+  const SceneExtent all = tree.extent();
+  if (is_within(all.box, {box.lower.array() - margin, box.upper.array() + margin})) return all;
+  SceneExtent out;
+  const auto adds = [&](const SceneExtent& there) {
+    return !is_within(there.box, out.box) || there.coarse_size > out.coarse_size ||
+           there.smallest_diagonal < out.smallest_diagonal;
+  };
+  tree.visit(
+      [&](const SceneExtent& there) { return overlaps(there.box, box, margin) && adds(there); },
+      [&](Index slot) { out.unite(tree.at(slot)); });
+  return out;
+}
+
 void Scene::set_contacts(ObjectId id, std::vector<ObjectContact> object_contacts) {
   // All that allocates comes first: nothing is half done when memory runs out.
   std::map<std::uint32_t, std::vector<ObjectContact>> new_of_others;
@@ -232,7 +256,8 @@ bool Scene::is_consistent() const {
     const ObjectTree::Extent extent = extent_of(object);
     const Aabb box = extent.box.empty() ? Aabb{} : extent.box, there = world_box(id);
     if (box.lower != there.lower || box.upper != there.upper) return false;
-    all.unite({box, extent.smallest_diagonal > 0 ? extent.smallest_diagonal : kInfinity});
+    all.unite({box, extent.smallest_diagonal > 0 ? extent.smallest_diagonal : kInfinity, 0,
+               extent.coarse_size});
   }
   const auto free_slot =
       std::find_if(m_slots.begin(), m_slots.end(), [](const Slot& slot) { return !slot.object; });
@@ -240,7 +265,8 @@ bool Scene::is_consistent() const {
   const ObjectTree::Extent known = m_index.tree().extent();
   return m_index.tree().is_valid() && ids.size() == m_num_objects &&
          m_index.first_free() == first && all.box.lower == known.box.lower &&
-         all.box.upper == known.box.upper && all.smallest_diagonal == known.smallest_diagonal;
+         all.box.upper == known.box.upper && all.smallest_diagonal == known.smallest_diagonal &&
+         all.coarse_size == known.coarse_size;
 }
 
 std::vector<ObjectId> SceneChange::ids() const {

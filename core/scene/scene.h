@@ -43,6 +43,9 @@ class Scene {
   /// Box of the placed objects but these, and the smallest diagonal (scale times that of the
   /// shape's box) above zero: metres, infinity if there is none. Cost O(k log n).
   SceneExtent extent_without(std::span<const ObjectId> left_out) const;
+  /// The same of the objects whose world box overlaps `box` by the margin in metres, wholly. Cost
+  /// O(log n) where that is all or little, else up to O(n).
+  SceneExtent extent_near(const Aabb& box, double margin) const;
   /// Placed objects whose world box overlaps `box`, closed, by the margin in metres; in the scene's
   /// order. Cost O(log n) and what is found.
   std::vector<ObjectId> near(const Aabb& box, double margin = 0) const;

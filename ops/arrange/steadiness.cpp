@@ -38,8 +38,9 @@ double common_margin(const World& world, const std::vector<ObjectId>& all) {
     return c.with.is_object() && std::count(all.begin(), all.end(), c.with.object());
   });
   const SettleOptions& settle = world.setting().settle;
-  return tipping_margin(scene, object, moment / weight, below,
-                        rest_rules(settle, clearance_of(scene, settle)));
+  return tipping_margin(
+      scene, object, moment / weight, below,
+      rest_rules(settle, clearance_near(scene, settle, scene.world_box(all.front()))));
 }
 
 // @param all  the object first, then what lies on it.

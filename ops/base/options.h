@@ -7,7 +7,7 @@ namespace trivet {
 
 /// Clearance of motions and end of settling. Lengths in metres.
 struct SettleOptions {
-  /// Clearance at which motions stop; 0: 2^-20 of the scene's size or largest coordinate.
+  /// Clearance at which motions stop; 0: 2^-20 of the size of what is near.
   double clearance = 0;
   /// The paper's three cases literally, for comparison, instead of the enumerated Gauss principle.
   bool literal_paper_rules = false;

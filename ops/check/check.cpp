@@ -97,9 +97,8 @@ void add_rest_findings(const PlacedObject& o, const Neighbourhood& others, const
 
 // Clearance of a file, limited: it must not turn hovering into rest.
 double believable_clearance(const Scene& scene, double clearance) {
-  const double usual = default_clearance(scene);
-  return clearance > 0 ? std::min(clearance, kLargestClearance / kRelativeClearance * usual)
-                       : usual;
+  const ClearanceRange range = clearance_range(scene);
+  return clearance > 0 ? std::min(clearance, range.largest) : range.usual;
 }
 
 }  // namespace

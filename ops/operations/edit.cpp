@@ -48,7 +48,7 @@ OperationResult take_away(Transaction& transaction, ObjectId id, const MoveOptio
                           const char* op, OperationRun& run, const Remove& remove) {
   const Scene& scene = transaction.scene();
   if (scene.at(id).locked) return refused(locked(scene, id));
-  const double clearance = clearance_of(scene, run.options);
+  const double clearance = clearance_near(scene, run.options, scene.world_box(id));
   const Named name = named(scene, Support(id));
   const std::vector<ObjectId> dependents = dependents_of(scene, id);
   remove();
@@ -60,7 +60,8 @@ OperationResult take_away(Transaction& transaction, ObjectId id, const MoveOptio
 // Refuses a pose that cannot be committed as it is.
 std::optional<Refusal> refuse_stand(const Scene& scene, ObjectId id, const Pose& pose,
                                     const SettleOptions& options) {
-  const ClearanceRange range = clearance_range(scene, expected_box(scene, scene.at(id), pose));
+  const PlacedBox expected{id, expected_box(scene, scene.at(id), pose)};
+  const ClearanceRange range = clearance_range_near(scene, expected.box, {&expected, 1});
   const Placement stands{id, pose};
   if (auto why = refuse_too_coarse(scene, {&stands, 1}, options.clearance)) return why;
   const double clearance = options.clearance > 0 ? options.clearance : range.usual;
@@ -153,7 +154,7 @@ OperationResult apply(Transaction& transaction, const FixOperation& o, Operation
   if (scene.at(id).fixed == o.fixed) return done();
   transaction.edit(id, [&](Object& object) { object.fixed = o.fixed; });
   if (!scene.at(id).placed) return done();
-  const double clearance = clearance_of(scene, run.options);
+  const double clearance = clearance_near(scene, run.options, scene.world_box(id));
   if (o.fixed) {
     if (auto why = refuse_stand(scene, id, scene.at(id).pose, run.options))
       return refused(std::move(*why));
@@ -174,7 +175,8 @@ OperationResult apply(Transaction& transaction, const MaterialOperation& o, Oper
   OperationResult result = done();
   // No rest depends on it by these rules; what others have judged stays.
   if (!has_finite_friction(run.options)) return result;
-  const RestRules rules = rest_rules(run.options, clearance_of(scene, run.options));
+  const RestRules rules =
+      rest_rules(run.options, clearance_near(scene, run.options, scene.world_box(id)));
   std::vector<ObjectId> touched{id};
   for (const ObjectContact& entry : scene.at(id).contacts)
     if (entry.with.is_object()) touched.push_back(entry.with.object());
@@ -199,7 +201,8 @@ OperationResult apply(Transaction& transaction, const StandOperation& o, Operati
   if (object.locked) return refused(locked(scene, id));
   if (object.fixed && was_placed) return refused({Cause::Fixed, {named(scene, Support(id))}});
   if (auto why = refuse_stand(scene, id, o.pose, run.options)) return refused(std::move(*why));
-  const double clearance = clearance_of(scene, run.options, expected_box(scene, object, o.pose));
+  const PlacedBox expected{id, expected_box(scene, object, o.pose)};
+  const double clearance = clearance_near(scene, run.options, expected.box, {&expected, 1});
   std::vector<ObjectId> dependents;
   if (was_placed) dependents = dependents_of(scene, id);
   stand_at(transaction, id, o.pose, rest_rules(run.options, clearance));

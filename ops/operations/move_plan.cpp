@@ -23,6 +23,12 @@ std::vector<Named> wedge(const MovingGroup& group, const std::vector<ContactsWit
   return out;
 }
 
+Aabb box_of(const Scene& scene, ObjectId id, const std::vector<ObjectId>& together) {
+  Aabb out = scene.world_box(id);
+  for (const ObjectId other : together) out.extend(scene.world_box(other));
+  return out;
+}
+
 std::optional<Refusal> refuse_unsettled(const MovingGroup& group, const SettleOutcome& outcome,
                                         const SettleOptions& options) {
   const Named name = named(group.scene(), Support(group.ids()[0]));
@@ -69,7 +75,8 @@ MovePlanner::MovePlanner(const Scene& scene, ObjectId id, const MoveOptions& mov
 void MovePlanner::begin(ObjectId id, const std::vector<ObjectId>& together,
                         const std::vector<PlacedBox>& started) {
   const Object& object = m_scene.at(id);
-  const ClearanceRange range = clearance_range(m_scene, m_is_put ? started.front().box : Aabb{});
+  const ClearanceRange range = clearance_range_near(
+      m_scene, m_is_put ? started.front().box : box_of(m_scene, id, together), started);
   const double clearance = options().clearance > 0 ? options().clearance : range.usual;
   m_group.emplace(m_scene, id, together, clearance, options(), m_run.detector);
   m_joint = !together.empty() && m_group->driven().size() > 1;

@@ -79,9 +79,11 @@ OperationResult perform_one(Transaction& transaction, ObjectId id, const Any& o,
       if (o.tries > 1 && !o.place) return put_by_tries(transaction, id, o, run, do_it);
     return do_it(transaction, o);
   } else {
+    const Scene& scene = transaction.scene();
+    const Aabb place = scene.contains(id) ? scene.world_box(id) : Aabb{};
     OperationResult result = apply(transaction, o, run);
     if (!result.ok()) return result;
-    const double clearance = clearance_of(transaction.scene(), run.options);
+    const double clearance = clearance_near(scene, run.options, place);
     if (keeps_whole_at_rest(run.options) && unbalances(o))
       settle_whole(transaction, name, clearance, run, result);
     if (result.ok())

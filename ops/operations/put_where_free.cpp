@@ -119,7 +119,9 @@ class FreePlaceSearch {
   }
 
   double clearance() const {
-    const double usual = clearance_of(m_scene, m_run.options);
+    const Support on = *m_on.support;
+    const double usual = clearance_near(m_scene, m_run.options,
+                                        on.is_object() ? m_scene.world_box(on.object()) : Aabb{});
     if (usual > 0) return usual;
     // The first object of the scene.
     const Object& object = m_scene.at(m_id);

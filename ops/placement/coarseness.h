@@ -16,7 +16,8 @@ inline constexpr double kCoarsestClearance = 1.0 / 64;
 inline double largest_distance(double smallest_diagonal, double clearance) {
   const double accepted = kCoarsestClearance * smallest_diagonal;
   if (clearance > 0 && clearance <= accepted) return clearance / kSmallestClearance;
-  return accepted / kRelativeClearance;
+  const bool follows = accepted < kRelativeClearance * kClearanceReach;
+  return accepted / (follows ? kRelativeClearance : kSmallestClearance);
 }
 
 }  // namespace trivet

@@ -22,7 +22,9 @@ Body body_of(const PythonShape& shape, const Similarity& place) {
 double usual_clearance(const Body& a, const Body& b) {
   Aabb box = a.world_box;
   box.extend(b.world_box);
-  return kRelativeClearance * std::max(box.diagonal(), box.max_abs_coordinate());
+  const double size = std::max(box.diagonal(), box.max_abs_coordinate());
+  const double larger = std::max(a.world_box.diagonal(), b.world_box.diagonal());
+  return kRelativeClearance * std::min(size, std::max(kClearanceReach, kCoarseDiagonals * larger));
 }
 
 py::dict first_contact_dict(const FirstContact& contact, double amount) {

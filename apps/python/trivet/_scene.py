@@ -35,7 +35,7 @@ class Scene(Files, Pictures, Questions):
     floor_material : str or dict, optional
         A name of `materials`, or "friction", "density", "restitution"; nothing: friction 0.5.
     clearance : float
-        Metres that objects stay apart; 0: 2^-20 of the scene's size.
+        Metres that objects stay apart; 0: 2^-20 of the size of what is within 10 m, at most 0.0095 mm (more for large objects).
     **options
         How to settle: `perfect_friction`, `whole_at_rest`, `accept_wedged` (bool), `max_motions` (int); what is left out
         is as in the program `trivet`.

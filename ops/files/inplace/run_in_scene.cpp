@@ -163,8 +163,9 @@ LayoutRun run_in_scene(const Layout& layout, GltfScene& source, const RunOptions
   const std::map<size_t, const LayoutObject*> picked = picked_objects(layout, source, options);
   LayoutRun run;
   run.scene = make_scene(layout, source, picked, options);
-  if (!(options.settle.clearance > 0) && !export_origin(run.scene.box()).isZero(0))
-    options.settle.clearance = default_clearance_in_world(run.scene);
+  if (const double in_world = default_clearance_in_world(run.scene);
+      !(options.settle.clearance > 0) && in_world > default_clearance(run.scene))
+    options.settle.clearance = in_world;
   if (const auto why =
           refuse_too_coarse(run.scene, std::span<const PlacedBox>(), options.settle.clearance))
     throw Error(Error::Kind::BadInput, source.path() + ": " + message(*why));

@@ -43,6 +43,7 @@ class NodeModels {
 struct NodePose {
   std::string name;
   std::vector<double> matrix;  // empty: given in another way than Trivet writes it
+  Vec3 place = Vec3::Zero();   // of a wide scene: translation of the node that it is below, z up
 };
 struct NodePoses {
   std::vector<NodePose> nodes;

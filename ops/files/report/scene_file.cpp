@@ -158,17 +158,19 @@ class SceneReader {
 
   // Other programs must see the scene that Trivet has.
   void check_poses() const {
-    std::map<std::string, std::vector<double>> matrix_of;
+    std::map<std::string, NodePose> node_of;
     NodePoses nodes = read_node_poses(m_path);
     if (nodes.origin != m_extras.origin) fail_changed(m_path, "the scene was moved");
-    for (NodePose& node : nodes.nodes) matrix_of[node.name] = std::move(node.matrix);
+    for (NodePose& node : nodes.nodes) node_of[node.name] = std::move(node);
     for (const ObjectId id : m_file.scene.ids()) {
       const Object& object = m_file.scene.at(id);
       if (!object.placed) continue;
-      const NodeMatrix rows = node_matrix(
-          {object.name, object.model, relative_to(m_extras.origin, object.world_from_object()), ""},
-          m_centre_of.at(object.model.get()));
-      const std::vector<double>& columns = matrix_of[object.name];
+      const NodePose& node = node_of[object.name];
+      const Affine near = relative_to(m_extras.origin, object.world_from_object());
+      const NodeMatrix rows =
+          node_matrix({object.name, object.model, relative_to(node.place, near), ""},
+                      m_centre_of.at(object.model.get()));
+      const std::vector<double>& columns = node.matrix;
       bool same = columns.size() == 16;
       for (int r = 0; same && r < 3; ++r)
         for (int c = 0; c < 4; ++c) same &= static_cast<float>(columns[c * 4 + r]) == rows[r][c];
