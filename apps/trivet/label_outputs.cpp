@@ -8,9 +8,11 @@
 #include "core/base/bad_input.h"
 #include "core/base/extension.h"
 #include "core/io/atomic_file.h"
+#include "core/io/overwrites.h"
 #include "core/picture/image_files.h"
 #include "ops/files/json/text.h"
 #include "ops/files/labels/data_sets.h"
+#include "ops/files/layout/paths.h"
 #include "raster/path/picture.h"
 
 namespace trivet::apps {
@@ -158,6 +160,11 @@ void check_label_outputs(const LabelArguments& arguments, const std::vector<std:
 void write_labels(const std::string& scene_file, const LabelArguments& arguments,
                   const PictureRequest& request, const CommonOptions& common) {
   const SceneFile file = read_scene_with_layout(scene_file, common);
+  std::vector<std::string> outputs = patterns(arguments);
+  outputs.insert(outputs.end(), {arguments.coco, arguments.bop});
+  for (const std::string& output : outputs)
+    if (!output.empty())
+      check_not_an_input(output, model_files(file.layout, folder_of(scene_file)));
   const LabelledScene scene = labelled_scene(file.scene, file.layout);
   const std::vector<LabelView> views = label_views(arguments.views, request, scene.picture, common);
   check_one_view(arguments, views.size());

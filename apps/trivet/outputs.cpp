@@ -38,7 +38,7 @@ void check_distinct(const std::vector<std::string>& outputs,
       if (same_file(outputs[i], outputs[j]))
         throw Error(Error::Kind::BadInput,
                     outputs[i] + ": used for two outputs; accepted: different files");
-    check_not_an_input(outputs[i], inputs);
+    check_not_the_same(outputs[i], inputs);
   }
 }
 

@@ -36,8 +36,4 @@ SceneFile read_scene_with_layout(const std::string& path, const CommonOptions& c
   return file;
 }
 
-Scene read_scene_or_model(const std::string& path, const CommonOptions& common) {
-  return std::move(read_scene_with_layout(path, common).scene);
-}
-
 }  // namespace trivet::apps

@@ -31,8 +31,12 @@ struct ZListArguments {
 
 // A layout is run first, like by `run`.
 Scene scene_of(const ZListArguments& arguments, const CommonOptions& common, int& status) {
-  if (lower_extension(arguments.input) != ".json")
-    return read_scene_or_model(arguments.input, common);
+  if (lower_extension(arguments.input) != ".json") {
+    SceneFile file = read_scene_with_layout(arguments.input, common);
+    check_not_inputs({"", arguments.dump, arguments.picture},
+                     model_files(file.layout, folder_of(arguments.input)));
+    return std::move(file.scene);
+  }
   const Layout layout = read_layout(arguments.input, common.limits().max_file_bytes);
   check_not_inputs({"", arguments.dump, arguments.picture},
                    model_files(layout, folder_of(arguments.input)));

@@ -11,6 +11,8 @@
 #include <memory>
 
 #include "core/base/error.h"
+#include "core/io/opened_files.h"
+#include "core/io/overwrites.h"
 #include "core/io/staged_files.h"
 
 namespace trivet {
@@ -163,7 +165,7 @@ struct StagedFiles::File {
   }
 };
 
-StagedFiles::StagedFiles() = default;
+StagedFiles::StagedFiles(std::string owner) : m_owner(std::move(owner)) {}
 
 StagedFiles::~StagedFiles() {
   m_files.clear();
@@ -188,6 +190,8 @@ void StagedFiles::add(const std::string& path, const std::string& bytes) {
 }
 
 void StagedFiles::add(const std::string& path, const FileContent& content) {
+  if (const std::string model = model_that_opened(path, m_owner); !model.empty())
+    fail_as_input(path, model);
   const std::string folder = fs::path(path).parent_path().string();
   std::error_code ignored;
   if (!folder.empty() && !fs::exists(folder, ignored)) add_folder(folder);

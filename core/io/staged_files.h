@@ -13,7 +13,8 @@ namespace trivet {
 /// leaves all as it was. Folders that are made for them vanish again, too.
 class StagedFiles {
  public:
-  StagedFiles();
+  /// @param owner  a model or scene that is replaced, too: its own files may be.
+  explicit StagedFiles(std::string owner = {});
   ~StagedFiles();  // deletes files that were not committed
   StagedFiles(const StagedFiles&) = delete;
   StagedFiles& operator=(const StagedFiles&) = delete;
@@ -22,7 +23,8 @@ class StagedFiles {
   /// @throws Error (Environment).
   void add_folder(const std::string& path);
   /// As write_file_atomically(), up to the rename; makes missing folders above the file.
-  /// @throws Error (Environment).
+  /// @throws Error: BadInput where a model that was read consists of this file (note_opened());
+  ///   Environment.
   void add(const std::string& path, const std::string& bytes);
   void add(const std::string& path, const FileContent& content);
   /// Renames in the order of add(): what names others comes last.
@@ -32,6 +34,7 @@ class StagedFiles {
 
  private:
   struct File;
+  std::string m_owner;
   std::vector<std::unique_ptr<File>> m_files;
   std::vector<std::string> m_folders;  // that were made, the outer ones first
 };

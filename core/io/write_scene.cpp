@@ -39,7 +39,7 @@ void write_gltf(const ExportScene& scene, const fs::path& target) {
   const fs::path folder = target.parent_path();
   for (const auto& [name, bytes] : files.images) check_file_beside(target.string(), name);
   if (!files.binary.empty()) check_file_beside(target.string(), files.binary_name);
-  StagedFiles staged;
+  StagedFiles staged(target.string());
   for (const auto& [name, bytes] : files.images) staged.add((folder / name).string(), *bytes);
   if (!files.binary.empty()) staged.add((folder / files.binary_name).string(), files.binary);
   staged.add(target.string(), files.json);
@@ -51,7 +51,7 @@ void write_obj(const ExportScene& scene, const fs::path& target) {
   const std::string mtl = mtl_name(target);
   check_file_beside(target.string(), mtl);
   const ObjText text = obj_text(scene, mtl);
-  StagedFiles staged;
+  StagedFiles staged(target.string());
   staged.add((target.parent_path() / mtl).string(), text.mtl);
   staged.add(target.string(), text.obj);
   staged.commit();

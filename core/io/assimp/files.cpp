@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "core/base/extension.h"
+#include "core/io/opened_files.h"
 
 namespace trivet {
 namespace {
@@ -128,6 +129,7 @@ bool FolderIoSystem::Exists(const char* file) const {
 Assimp::IOStream* FolderIoSystem::Open(const char* file, const char* mode) {
   const bool reads = std::string(mode).find_first_of("wa+") == std::string::npos;
   if (!reads || !may_open(file)) return nullptr;
+  note_opened(m_model, {file});
   if (is_obj(file) && must_be_mended(file)) return stream_of(mended_obj(file));
   return DefaultIOSystem::Open(file, mode);
 }

@@ -144,6 +144,27 @@ GltfJson MaterialConverter::texture(const aiMaterial& material, int kind_number)
   return out;
 }
 
+std::vector<fs::path> places_of_texture(const std::string& model, const std::string& texture) {
+  std::string relative = texture;
+  std::replace(relative.begin(), relative.end(), '\\', '/');
+  const fs::path folder = fs::path(model).parent_path(), name = fs::path(relative).filename();
+  return {folder / relative, folder / name, folder / "textures" / name};
+}
+
+void note_textures(const aiScene& scene, const std::string& model) {
+  const ModelFolder folder(model);
+  for (unsigned i = 0; i < scene.mNumMaterials; ++i)
+    for (int kind = aiTextureType_NONE; kind <= AI_TEXTURE_TYPE_MAX; ++kind) {
+      const auto type = static_cast<aiTextureType>(kind);
+      for (unsigned k = 0; k < scene.mMaterials[i]->GetTextureCount(type); ++k) {
+        aiString name;
+        if (scene.mMaterials[i]->GetTexture(type, k, &name) != aiReturn_SUCCESS) continue;
+        for (const fs::path& place : places_of_texture(model, text_of(name)))
+          if (folder.has(place)) note_opened(model, {place.string()});
+      }
+    }
+}
+
 SharedBytes MaterialConverter::image_bytes(const std::string& path) {
   const auto [entry, is_new] = m_images.try_emplace(path, nullptr);
   if (!is_new) return entry->second;
@@ -162,13 +183,8 @@ SharedBytes MaterialConverter::image_bytes(const std::string& path) {
   return entry->second;
 }
 
-// Looked up at the stated path, else beside the model: models get moved, and their paths break.
 SharedBytes MaterialConverter::file_bytes(const std::string& path) const {
-  std::string relative = path;
-  std::replace(relative.begin(), relative.end(), '\\', '/');
-  const fs::path folder = fs::path(m_model.path).parent_path();
-  for (const fs::path& candidate : {folder / relative, folder / fs::path(relative).filename(),
-                                    folder / "textures" / fs::path(relative).filename()}) {
+  for (const fs::path& candidate : places_of_texture(m_model.path, path)) {
     std::error_code error;
     if (!m_folder.has(candidate)) continue;
     const std::uintmax_t size = fs::file_size(candidate, error);

@@ -2,6 +2,10 @@
 // library.
 #pragma once
 
+#include <filesystem>
+#include <string>
+#include <vector>
+
 #include "core/io/gltf/builder.h"
 #include "core/io/model_folder.h"
 
@@ -9,6 +13,13 @@ struct aiScene;
 struct aiMaterial;
 
 namespace trivet {
+
+/// Where a texture may lie that a model names: at the stated path, else beside the model, as models
+/// get moved, and their paths break.
+std::vector<std::filesystem::path> places_of_texture(const std::string& model,
+                                                     const std::string& texture);
+/// Notes all textures that the materials name, whether they are shown or not.
+void note_textures(const aiScene& scene, const std::string& model);
 
 /// Adds materials to a glTF asset, each on first use.
 class MaterialConverter {

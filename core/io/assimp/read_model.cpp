@@ -17,8 +17,10 @@
 #include "core/io/assimp/files.h"
 #include "core/io/assimp/geometry.h"
 #include "core/io/assimp/look.h"
+#include "core/io/assimp/materials.h"
 #include "core/io/cad_format.h"
 #include "core/io/gltf/document.h"
+#include "core/io/opened_files.h"
 #include "core/io/process/preflight.h"
 #include "core/io/textures/surface_look.h"
 #include "core/model/model.h"
@@ -119,6 +121,7 @@ void read_look(const aiScene& scene, const ImportLimits& limits, Model& model) {
 
 Model read_model(const std::string& path, const ImportLimits& limits) {
   check_file(path, limits);
+  note_opened(path, {});
   if (const std::string format = cad_format(path); !format.empty())
     bad_file(
         path,
@@ -135,6 +138,7 @@ Model read_model(const std::string& path, const ImportLimits& limits) {
       model.notes.push_back("left out: it " + outside_folder(name_in_file(name, path)));
     model.path = path;
     model.format = format_of(importer);
+    note_textures(scene, path);
     read_materials(scene, model);
     read_frame(scene, model);
     read_geometry(scene, limits, model);

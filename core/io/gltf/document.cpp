@@ -15,6 +15,7 @@
 #include "core/io/gltf/glb_container.h"
 #include "core/io/json.h"
 #include "core/io/model_folder.h"
+#include "core/io/opened_files.h"
 
 namespace trivet {
 namespace {
@@ -73,6 +74,7 @@ class DocumentReader {
     }
     const fs::path path = fs::path(m_path).parent_path() / decoded_uri(uri);
     if (!m_folder.holds(path)) bad_input(outside_folder(uri));
+    note_opened(m_path, {path.string()});
     return whole_file(path, m_limits.max_file_bytes);
   }
 

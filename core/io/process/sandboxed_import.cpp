@@ -17,6 +17,8 @@
 #include "core/base/bad_input.h"
 #include "core/io/cad_format.h"
 #include "core/io/model_bytes.h"
+#include "core/io/model_folder.h"
+#include "core/io/opened_files.h"
 #include "core/io/process/importer_process.h"
 #include "core/io/process/preflight.h"
 
@@ -24,6 +26,7 @@ namespace trivet {
 namespace {
 
 namespace fs = std::filesystem;
+using Names = std::vector<std::string>;
 using Clock = std::chrono::steady_clock;
 
 constexpr double kBaseSeconds = 60, kSecondsPerByte = 1e-6;
@@ -121,13 +124,35 @@ void remember(std::uint8_t bits) {
   }
 }
 
-// Takes it from the beginning of an answer. nullopt: it does not begin like one.
-std::optional<std::uint8_t> take_protection(std::string_view& answer) {
+// Takes it from the beginning of an answer.
+std::uint8_t take_protection(std::string_view& answer) {
   if (!answer.starts_with(kAnswerMagic) || answer.size() == kAnswerMagic.size())
-    return std::nullopt;
+    throw Error(Error::Kind::BadInput, "the importer's answer is incomplete");
   const auto bits = static_cast<std::uint8_t>(answer[kAnswerMagic.size()]);
   answer.remove_prefix(kAnswerMagic.size() + 1);
   return bits;
+}
+
+// What an importer opened comes between that and the model: each name with its end, an empty one.
+std::string bytes_of_names(const std::vector<std::string>& names) {
+  std::string out;
+  for (const std::string& name : names) out += name + '\0';
+  return out + '\0';
+}
+
+// Takes them; those that a model cannot have opened are left out, as the importer is not trusted.
+std::vector<std::string> take_names(std::string_view& answer, const std::string& model) {
+  const ModelFolder folder(model);
+  std::vector<std::string> out;
+  while (true) {
+    const size_t end = answer.find('\0');
+    if (end == answer.npos)
+      throw Error(Error::Kind::BadInput, "the importer's answer is incomplete");
+    const std::string name(answer.substr(0, end));
+    answer.remove_prefix(end + 1);
+    if (name.empty()) return out;
+    if (folder.has(name)) out.push_back(name);
+  }
 }
 
 // Of this thread; null: each file has an importer of its own.
@@ -189,7 +214,8 @@ Model read_model_sandboxed(const std::string& path, const ImportLimits& given,
   if (shared) t_shared->m_idle.push_back(std::move(shared));
   try {
     std::string_view answer = bytes;
-    const std::uint8_t protection = take_protection(answer).value_or(0);
+    const std::uint8_t protection = take_protection(answer);
+    note_opened(path, take_names(answer, path));
     Model model = model_from_bytes(answer, path, limits);
     remember(protection);
     if (model.polygonised) model.tessellation = tessellation;
@@ -223,8 +249,8 @@ std::optional<Protection> protection_of(const std::string& importer) {
   limits.max_memory_bytes = kAnswerMagic.size() + 1;
   const std::string bytes = received(pipe.input.number(), importer, limits, nullptr);
   std::string_view answer = bytes;
-  const auto bits = take_protection(answer);
-  return bits ? std::optional(protection_of_bits(*bits)) : std::nullopt;
+  if (bytes.empty()) return std::nullopt;
+  return protection_of_bits(take_protection(answer));
 }
 
 std::string find_importer() {
@@ -247,7 +273,8 @@ bool answer_protection(const Protection& protection, int descriptor) {
 int serve_import(const std::function<Model()>& read, const std::string& path,
                  const ImportLimits& limits, int descriptor) {
   const auto answer = [&](const std::string& bytes) {
-    return write_all(descriptor, bytes) ? 0 : 1;
+    const std::string names = bytes_of_names(files_opened_for(path).value_or(Names{}));
+    return write_all(descriptor, names) && write_all(descriptor, bytes) ? 0 : 1;
   };
   try {
     return answer(bytes_of_model(read()));

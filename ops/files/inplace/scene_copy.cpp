@@ -90,7 +90,7 @@ void write_scene_copy(const std::string& from, const GltfJson& original, const G
                 to + ": the scene stays what it is; accepted: " + lower_extension(from));
   const bool glb = lower_extension(to) == ".glb";
   const std::string text = json.dump(glb ? -1 : 1, ' ', false, GltfJson::error_handler_t::replace);
-  StagedFiles staged;
+  StagedFiles staged(to);
   copy_companions(original, from, to, staged);
   staged.add(to, glb ? with_json(from, text) : text);
   staged.commit();
