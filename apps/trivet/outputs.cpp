@@ -75,7 +75,9 @@ void check_writable(const std::string& path) {
 void append_findings(std::ostringstream& out, const std::vector<SceneCheck::PairFinding>& findings,
                      const char* what) {
   for (const SceneCheck::PairFinding& f : findings)
-    out << "  \"" << f.a << "\" and \"" << f.b << "\": " << f.count << " " << what << "\n";
+    out << "  \"" << f.a << "\" and \"" << f.b << "\": " << f.count << " " << what << ", "
+        << f.depth << " m deep near (" << f.point.x() << ", " << f.point.y() << ", " << f.point.z()
+        << ")\n";
 }
 
 std::string quoted_list(const std::vector<std::string>& names) {
@@ -89,14 +91,29 @@ std::string end_of(const OperationRecord& record) {
   const OperationResult& r = record.result;
   using End = OperationResult::End;
   std::string out;
+  if (record.op == "stand" && r.moved > 0) out += ": moved apart from what it touches";
   if (r.end == End::Blocked) out += ": blocked by \"" + r.blocked_by.name + "\"";
   if (r.end == End::Step) out += ": stopped by a step, \"" + r.blocked_by.name + "\"";
   if (r.end == End::Edge) out += ": stopped at an edge";
   if (r.tried && r.tried->number > 1) out += ": " + start_text(*r.tried);
   if (!r.interpenetrates.empty()) out += "; passes through " + quoted_list(r.interpenetrates);
   if (!r.gave_way.empty()) out += "; gave way: " + gave_way_text(r.gave_way);
+  if (!r.unsound.empty())
+    out += "; below it " + quoted_list(r.unsound) + (r.unsound.size() > 1 ? " are" : " is") +
+           " held, unsupported or invalid";
   if (!r.unsupported.empty()) out += "; leaves unsupported: " + quoted_list(r.unsupported);
   return out.empty() ? "" : record.op + " \"" + record.object + "\"" + out + "\n";
+}
+
+std::string hovering_text(const SceneCheck& check, const std::string& name) {
+  for (const SceneCheck::Hovering& h : check.hovering) {
+    if (h.name != name) continue;
+    if (h.above.empty()) return ": it hovers above nothing";
+    std::ostringstream out;
+    out << ": it hovers " << h.height << " m above \"" << h.above << "\"";
+    return out.str();
+  }
+  return "";
 }
 
 std::string check_summary(const SceneCheck& check) {
@@ -108,7 +125,10 @@ std::string check_summary(const SceneCheck& check) {
   append_findings(out, check.crossings, "pairs of faces interpenetrate");
   append_findings(out, check.float32_crossings, "pairs of faces interpenetrate in float32");
   append_findings(out, check.contained, "parts of the first are inside the second");
-  for (const std::string& name : check.not_at_rest) out << "  \"" << name << "\" is not at rest\n";
+  for (const SceneCheck::PairFinding& f : check.touching)
+    out << "  note: \"" << f.a << "\" and \"" << f.b << "\" only touch, by " << f.depth << " m\n";
+  for (const std::string& name : check.not_at_rest)
+    out << "  \"" << name << "\" is not at rest" << hovering_text(check, name) << "\n";
   return out.str();
 }
 

@@ -76,8 +76,6 @@ inline constexpr int kLiftsOfRocking = 8;
 /// Contacts within this many clearances may carry once nothing can sink any further: a final
 /// closing motion shorter than kEnergyDrop is not executed.
 inline constexpr double kBalanceTolerance = 20;
-/// An object farther than this many clearances from all others hovers.
-inline constexpr double kHoverTolerance = 8;
 /// Accepted clearances, relative to the scene's size: smaller ones drown in rounding, larger ones
 /// are visible gaps.
 inline constexpr double kSmallestClearance = 1e-10;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <iterator>
+#include <set>
 #include <type_traits>
 #include <utility>
 
@@ -163,7 +164,8 @@ void Scene::set_contacts(ObjectId id, std::vector<ObjectContact> object_contacts
   };
   for (const ObjectContact& l : at(id).contacts) note(l);
   for (const ObjectContact& l : object_contacts)
-    if (std::vector<ObjectContact>* others = note(l)) others->push_back({id, reversed(l.contact)});
+    if (std::vector<ObjectContact>* others = note(l))
+      others->push_back({id, reversed(l.contact), l.across_gap, l.is_carried, l.carries});
   keep(id.index);
   for (const auto& [index, news] : new_of_others) {
     keep(index);
@@ -264,6 +266,30 @@ bool weighs_on(const Contact& contact) {
                      [](const ContactPoint& p) { return p.normal.z() < -kSupportNormalZ; });
 }
 
+bool holds_up(const ObjectContact& entry) { return entry.carries || holds_up(entry.contact); }
+bool weighs_on(const ObjectContact& entry) { return entry.is_carried || weighs_on(entry.contact); }
+
+std::vector<ObjectId> unsound_supports(const Scene& scene, ObjectId id) {
+  const auto is_unsound = [](ObjectState state) {
+    return state == ObjectState::Held || state == ObjectState::Invalid ||
+           state == ObjectState::Unsupported;
+  };
+  std::vector<ObjectId> waiting{id}, out;
+  std::set<std::uint32_t> seen{id.index};
+  for (size_t i = 0; i < waiting.size(); ++i) {
+    if (scene.at(waiting[i]).fixed) continue;
+    for (const ObjectContact& entry : scene.at(waiting[i]).contacts) {
+      if (entry.with.is_floor() || !holds_up(entry)) continue;
+      const ObjectId below = entry.with.object();
+      if (!seen.insert(below.index).second) continue;
+      waiting.push_back(below);
+      if (is_unsound(scene.at(below).state)) out.push_back(below);
+    }
+  }
+  scene.sort(out);
+  return out;
+}
+
 namespace {
 
 void sort_by_slot(std::vector<ObjectId>& ids) {
@@ -279,13 +305,13 @@ LoadSupport load_support(const Scene& scene) {
     if (!object.placed) continue;
     LoadSupport::Entry entry{id, false, {}, {}};
     for (const ObjectContact& l : object.contacts) {
-      if (holds_up(l.contact)) {
+      if (holds_up(l)) {
         if (l.with.is_object())
           entry.supports.push_back(l.with.object());
         else
           entry.on_floor = true;
       }
-      if (l.with.is_object() && weighs_on(l.contact)) entry.loads.push_back(l.with.object());
+      if (l.with.is_object() && weighs_on(l)) entry.loads.push_back(l.with.object());
     }
     sort_by_slot(entry.supports);
     sort_by_slot(entry.loads);

@@ -135,9 +135,18 @@ struct LoadSupport {
 /// Of an uneven contact both may be true.
 bool holds_up(const Contact& contact);
 bool weighs_on(const Contact& contact);
+/// The same of a link: by its normals, or by the forces that hold one of the two.
+bool holds_up(const ObjectContact& entry);
+bool weighs_on(const ObjectContact& entry);
+
+/// Supports of an object, and theirs in turn, that would move or do not count as they are: held by
+/// a hand, unsupported or invalid. In the scene's order. What is fixed needs none. Cost of what is
+/// below.
+std::vector<ObjectId> unsound_supports(const Scene& scene, ObjectId id);
 
 /// A supports B when B touches A and the contact's normal points up from A to B (normal.z of the
-/// contact, or of one of its points, above kSupportNormalZ).
+/// contact, or of one of its points, above kSupportNormalZ), or B leans and the forces that hold it
+/// come from A.
 LoadSupport load_support(const Scene& scene);
 inline constexpr double kSupportNormalZ = 1e-3;
 

@@ -37,7 +37,7 @@ std::optional<std::string> judge_slot(const World& world, const Slot& slot, cons
   const Support on =
       pattern.on == kFloorName ? Support::floor() : Support(*world.scene().find(pattern.on));
   for (const ObjectContact& entry : object.contacts)
-    if (holds_up(entry.contact) && !(entry.with == on))
+    if (holds_up(entry) && !(entry.with == on))
       return who + " does not rest on " + quoted(pattern.on) + " alone";
   if (auto why = broken_sight(world)) return why;
   return taken_zone(world, thing);

@@ -120,8 +120,8 @@ std::optional<std::string> Placer::judge_supports(const Combination& combination
   bool carried = false;
   for (const ObjectContact& entry : m_world.object(model()).contacts) {
     const bool asked = std::count(supports.begin(), supports.end(), entry.with) > 0;
-    carried = carried || (asked && holds_up(entry.contact));
-    if (!asked && holds_up(entry.contact))
+    carried = carried || (asked && holds_up(entry));
+    if (!asked && holds_up(entry))
       return quoted(name()) + " comes to rest on " +
              (entry.with.is_floor() ? "the floor"
                                     : quoted(m_world.scene().at(entry.with.object()).name));

@@ -15,7 +15,7 @@ std::vector<ObjectId> with_loads(const Scene& scene, ObjectId id) {
   std::vector<ObjectId> out{id};
   for (size_t i = 0; i < out.size(); ++i)
     for (const ObjectContact& entry : scene.at(out[i]).contacts) {
-      if (!entry.with.is_object() || !weighs_on(entry.contact)) continue;
+      if (!entry.with.is_object() || !weighs_on(entry)) continue;
       const ObjectId load = entry.with.object();
       if (!scene.at(load).fixed && !std::count(out.begin(), out.end(), load)) out.push_back(load);
     }

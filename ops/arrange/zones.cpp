@@ -20,7 +20,7 @@ bool is_in(const World& world, const Object& zone, const Pose& pose, const Objec
 // Carries it, and so may be in its zones.
 bool carries(const Object& owner, ObjectId other) {
   return std::any_of(owner.contacts.begin(), owner.contacts.end(), [&](const ObjectContact& c) {
-    return c.with == Support(other) && holds_up(c.contact);
+    return c.with == Support(other) && holds_up(c);
   });
 }
 

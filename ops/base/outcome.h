@@ -76,6 +76,7 @@ struct OperationResult {
   std::vector<std::string> settled;          // released objects, in order
   std::vector<GaveWay> gave_way;             // in the scene's order
   std::vector<std::string> interpenetrates;  // after a free move; "floor" too
+  std::vector<std::string> unsound;          // below it, held, unsupported or invalid
   std::optional<StartTried> tried;           // of a PUT that might try several starts
 
   bool ok() const { return status == Status::Ok; }

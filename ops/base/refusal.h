@@ -41,7 +41,8 @@ struct Refusal {
     TooCoarse,         // objects: the farthest, the smallest. numbers: coordinate, clearance,
                        // diagonal, largest_coordinate [, largest_clearance]
     InvalidClearance,  // numbers: clearance, smallest, largest
-    // Exact test of a pose; objects: the one that moves [, the other].
+    // Exact test of a pose; objects: the one that moves [, the other]. Numbers, where the user gave
+    // the pose: depth, metres, 0 where they touch; x, y, z of a point there, world.
     Crossing,           // passes through the other
     Inside,             // is inside the other
     Float32Contact,     // would touch the other in the float32 values of an exported file

@@ -1,4 +1,5 @@
 // Refusals as sentences, one per cause.
+#include <algorithm>
 #include <sstream>
 
 #include "core/base/quoted.h"
@@ -145,10 +146,21 @@ class Writer {
     }
   }
 
+  // Only poses that a user gave have one.
+  Sentence with_depth(const Sentence& pattern) const {
+    const auto has_depth = [](const Refusal::Number& n) { return n.key == "depth"; };
+    if (std::none_of(m_r.numbers.begin(), m_r.numbers.end(), has_depth)) return pattern;
+    if (m_r.number("depth") == 0 && has(1))
+      return say(TRIVET_SENTENCE("refusal", "%1 touches %2, and there is no room to move it apart"),
+                 {name(0), name(1)});
+    return say(TRIVET_SENTENCE("refusal", "%1, by %2 m near (%3, %4, %5)"),
+               {pattern, number("depth"), number("x"), number("y"), number("z")});
+  }
+
   Maybe exact_test() const {
     const char* const pattern = exact_pattern();
     if (!pattern) return {};
-    Sentence out = say(pattern, {name(0), name(1)});
+    Sentence out = with_depth(say(pattern, {name(0), name(1)}));
     switch (m_r.at) {
       case Refusal::At::Start:
         return say(TRIVET_SENTENCE("refusal", "at its start position %1"), {out});

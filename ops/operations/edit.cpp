@@ -9,6 +9,8 @@
 namespace trivet {
 namespace {
 
+constexpr double kApart = 1.5;  // clearances between what touched; less than contacts have
+
 using Cause = Refusal::Cause;
 
 std::optional<Refusal> refuse_name(const Scene& scene, const std::string& name) {
@@ -70,12 +72,31 @@ std::optional<Refusal> refuse_stand(const Scene& scene, ObjectId id, const Pose&
   return why;
 }
 
+bool is_interpenetration(const Refusal& why) {
+  return why.cause == Cause::Crossing || why.cause == Cause::Float32Contact ||
+         why.cause == Cause::BelowFloor || why.cause == Cause::Float32BelowFloor;
+}
+
+// The pose of an object that only touches others there, as flush walls do, moved apart from them:
+// kApart clearances along one axis of the world, two or all three.
+std::optional<Pose> moved_apart(const Scene& scene, ObjectId id, const Pose& pose,
+                                double clearance) {
+  for (int num_axes = 1; num_axes <= 3; ++num_axes)
+    for (int code = 0; code < 27; ++code) {
+      const Vec3 way(code % 3 - 1, code / 3 % 3 - 1, code / 9 - 1);
+      if (way.squaredNorm() != num_axes) continue;
+      Pose apart = pose;
+      apart.translation += kApart * clearance * way;
+      if (!refuse_interpenetration(scene, id, apart, true)) return apart;
+    }
+  return std::nullopt;
+}
+
 void stand_at(Transaction& transaction, ObjectId id, const Pose& pose, const RestRules& rules) {
   const Object& object = transaction.scene().at(id);
   const Neighbourhood others(transaction.scene(), id);
   ObjectState state = ObjectState::Fixed;
-  if (!object.fixed)
-    state = rests_at(object, pose, others, rules) ? ObjectState::Stable : ObjectState::Wedged;
+  if (!object.fixed) state = state_at(object, pose, others, rules);
   commit_object(transaction, id, pose, state,
                 touching(body_of(object, pose), others, rules.clearance), rules);
 }
@@ -198,12 +219,19 @@ OperationResult apply(Transaction& transaction, const StandOperation& o, Operati
   const bool was_placed = object.placed;
   if (object.locked) return refused(locked(scene, id));
   if (object.fixed && was_placed) return refused({Cause::Fixed, {named(scene, Support(id))}});
-  if (auto why = refuse_stand(scene, id, o.pose, run.options)) return refused(std::move(*why));
   const double clearance = clearance_of(scene, run.options, expected_box(scene, object, o.pose));
+  Pose pose = o.pose;
+  if (auto why = refuse_stand(scene, id, pose, run.options)) {
+    std::optional<Pose> apart;
+    if (is_interpenetration(*why)) apart = moved_apart(scene, id, pose, clearance);
+    if (!apart) return refused(std::move(*why));
+    pose = *apart;
+  }
   std::vector<ObjectId> dependents;
   if (was_placed) dependents = dependents_of(scene, id);
-  stand_at(transaction, id, o.pose, rest_rules(run.options, clearance));
+  stand_at(transaction, id, pose, rest_rules(run.options, clearance));
   OperationResult result = done();
+  result.moved = (pose.translation - o.pose.translation).norm();
   leave(transaction, dependents, o, "stand", named(scene, Support(id)), clearance, run, result);
   result.milliseconds = run.stopwatch.milliseconds();
   return result;

@@ -39,8 +39,10 @@ OperationResult apply(Transaction& transaction, const MaterialOperation& o, Oper
 OperationResult apply(Transaction& transaction, const GroupOperation& o, OperationRun& run);
 
 /// Tested like every end pose, but not settled: fixed objects become ObjectState::Fixed; free ones
-/// are Stable if at rest there, else Wedged. Objects that touched it before are rated again.
-/// Refused: it is locked, or fixed and placed already; the exact test fails.
+/// are Stable if at rest there, else Wedged or Unsupported; see state_at(). What only touches
+/// others there is moved apart from them by a clearance or two: result.moved. Objects that touched
+/// it before are rated again. Refused: it is locked, or fixed and placed already; the exact test
+/// fails.
 OperationResult apply(Transaction& transaction, const StandOperation& o, OperationRun& run);
 
 }  // namespace trivet

@@ -10,17 +10,21 @@ namespace {
 constexpr double kQuarterTurnDeg = 90;
 constexpr double kSmallestDirection = 1e-3;  // of summed-up unit normals: opposite ones cancel out
 
-/// Direction away from the supports, or from one partner: the sum of the contacts' normals. Zero:
-/// there is none.
+/// Direction away from the supports, or from one partner: the sum of the contacts' normals;
+/// straight up where supports pinch the object, so that theirs cancel out. Zero: there is none.
 Vec3 away_from_contacts(const Scene& scene, const MovingGroup& group,
                         const std::optional<std::string>& with) {
   Vec3 sum = Vec3::Zero();
+  bool is_held = false;
   for (const ObjectContact& entry : group.object().contacts) {
     const std::string name = named(scene, entry.with).name;
-    if (with ? name == *with : holds_up(entry.contact)) sum += entry.contact.normal;
+    if (!(with ? name == *with : holds_up(entry))) continue;
+    sum += entry.contact.normal;
+    is_held |= holds_up(entry);
   }
   const double length = sum.norm();
-  return length > kSmallestDirection ? Vec3(sum / length) : Vec3(Vec3::Zero());
+  if (length > kSmallestDirection) return sum / length;
+  return is_held ? Vec3(Vec3::UnitZ()) : Vec3(Vec3::Zero());
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/tunables.h"
+#include "ops/settle/rest.h"
 
 namespace trivet {
 namespace {
@@ -132,7 +133,20 @@ void MovePlanner::release() {
     end_settled(settle());
 }
 
-void MovePlanner::end_settled(const SettleOutcome& outcome) {
+// What settling calls wedged is rated as `check` will: at the clearance of the scene, too.
+SettleOutcome::Status MovePlanner::rated(const SettleOutcome& outcome) const {
+  if (outcome.status != SettleOutcome::Status::Wedged || m_group->ids().size() > 1)
+    return outcome.status;
+  const double of_scene = default_clearance(m_scene, m_group->box());
+  for (const double clearance : {m_group->clearance(), of_scene})
+    if (rests_at(m_group->object(), m_group->pose(), m_group->outside(),
+                 rest_rules(options(), clearance)))
+      return SettleOutcome::Status::AtRest;
+  return outcome.status;
+}
+
+void MovePlanner::end_settled(SettleOutcome outcome) {
+  outcome.status = rated(outcome);
   m_result.steps.insert(m_result.steps.end(), outcome.steps.begin(), outcome.steps.end());
   if (interrupted()) return;
   if (const auto why = refuse_unsettled(*m_group, outcome, options())) {

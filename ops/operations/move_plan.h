@@ -64,7 +64,7 @@ class MovePlanner {
   bool is_joint() const { return m_joint; }  // several objects in one hand
   /// The same in two steps: the group is where it settled, and may go back.
   SettleOutcome settle() { return m_group->settle(&m_run.interrupt); }
-  void end_settled(const SettleOutcome& outcome);
+  void end_settled(SettleOutcome outcome);
 
   /// Verifies where the group is. Once; the planner is empty afterwards.
   /// @param otherwise  state of the object when it does not rest.
@@ -76,6 +76,7 @@ class MovePlanner {
   void begin(ObjectId id, const std::vector<ObjectId>& together,
              const std::vector<PlacedBox>& started);
   std::optional<Refusal> refuse_start(bool free) const;
+  SettleOutcome::Status rated(const SettleOutcome& outcome) const;
   bool releases_each() const { return m_joint && m_released; }
   bool is_too_far();
   MovePlan plan();

@@ -10,6 +10,7 @@
 #include "ops/operations/validate.h"
 #include "ops/operations/whole.h"
 #include "ops/placement/clearance.h"
+#include "ops/placement/depth.h"
 
 namespace trivet {
 namespace {
@@ -90,6 +91,24 @@ OperationResult perform_one(Transaction& transaction, ObjectId id, const Any& o,
   }
 }
 
+// How deep, of poses that a user gave; ours are tried by the hundreds.
+void tell_depth(const Scene& scene, std::optional<ObjectId> id, const Operation& operation,
+                OperationResult& result) {
+  if (!id || !result.refusal) return;
+  Refusal& why = *result.refusal;
+  const bool is_exact_test =
+      why.cause == Refusal::Cause::Crossing || why.cause == Refusal::Cause::Inside ||
+      why.cause == Refusal::Cause::Float32Contact || why.cause == Refusal::Cause::BelowFloor ||
+      why.cause == Refusal::Cause::Float32BelowFloor;
+  if (!is_exact_test || why.at == Refusal::At::End) return;
+  Pose pose = scene.at(*id).pose;
+  const auto* const put = std::get_if<PutOperation>(&operation);
+  if (put && put->place) return;
+  if (put) pose = put->start;
+  if (const auto* const stand = std::get_if<StandOperation>(&operation)) pose = stand->pose;
+  add_depth(scene, {*id, pose}, why);
+}
+
 }  // namespace
 
 OperationResult perform(Transaction& outer, const Operation& operation,
@@ -107,7 +126,13 @@ OperationResult perform(Transaction& outer, const Operation& operation,
         return perform_one(inner, object.value_or(ObjectId{}), o, run, context);
       },
       operation);
-  if (result.ok()) inner.commit();
+  if (result.ok() && object && inner.scene().contains(*object))
+    for (const ObjectId id : unsound_supports(inner.scene(), *object))
+      result.unsound.push_back(inner.scene().at(id).name);
+  if (result.ok())
+    inner.commit();
+  else
+    tell_depth(inner.scene(), object, operation, result);
   return result;
 }
 

@@ -32,7 +32,7 @@ Vec3 chosen_direction(const Vec3& along, const Vec3& line, const Vec3& centre, d
 
 bool holds_more(const ObjectContact& a, const ObjectContact& b) {
   const auto rank = [](const ObjectContact& entry) {
-    return std::make_tuple(holds_up(entry.contact), entry.contact.type, entry.contact.normal.z());
+    return std::make_tuple(holds_up(entry), entry.contact.type, entry.contact.normal.z());
   };
   return rank(a) > rank(b);
 }

@@ -77,6 +77,7 @@ FreeBodies linked_bodies(const Scene& scene, std::span<const ObjectId> ids,
   const BodyIndex index(ids);
   for (Index i = 0; i < static_cast<Index>(ids.size()); ++i)
     for (const ObjectContact& entry : scene.at(ids[i]).contacts) {
+      if (entry.across_gap) continue;
       const Index from = index.find(entry.with);
       if (from != BodyContact::kGround && from < i) continue;  // seen from the other side already
       const double of_pair = friction.value_or(friction_between(scene, ids[i], entry.with));

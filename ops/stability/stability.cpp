@@ -236,6 +236,24 @@ Stability stability_of_part(const Scene& scene, ObjectId object, const Stability
   return StabilityCheck(scene, options, linked_bodies(scene, ids, options.friction)).run();
 }
 
+std::vector<CarriedBy> carried_by_forces(const Scene& scene, const Stability& stability) {
+  std::vector<CarriedBy> out;
+  if (!stability.stable()) return out;
+  for (auto f = stability.forces.begin(); f != stability.forces.end();) {
+    const ObjectId on = f->on;
+    std::vector<std::pair<Support, double>> upward;
+    for (; f != stability.forces.end() && f->on == on; ++f) {
+      auto at = std::find_if(upward.begin(), upward.end(),
+                             [&](const auto& sum) { return sum.first == f->from; });
+      if (at == upward.end()) at = upward.insert(at, {f->from, 0});
+      at->second += f->force.z();
+    }
+    for (const auto& [from, force] : upward)
+      if (force > kCarriedPart * weight_of(scene.at(on))) out.push_back({on, from});
+  }
+  return out;
+}
+
 double weight_of(const Object& object, double density) {
   const MassProperties& mass = object.shape->mass;
   const double wall = kWallThickness * object.shape->box.diagonal();

@@ -86,6 +86,16 @@ Stability stability(const Scene& scene, const StabilityOptions& options = {});
 Stability stability_of_part(const Scene& scene, ObjectId object,
                             const StabilityOptions& options = {});
 
+/// An object and a partner whose forces bear more than kCarriedPart of its weight.
+struct CarriedBy {
+  ObjectId object;
+  Support by;
+};
+/// By the forces of a verdict that says the scene is stable, in the order of its objects; else
+/// none.
+std::vector<CarriedBy> carried_by_forces(const Scene& scene, const Stability& stability);
+inline constexpr double kCarriedPart = 0.01;
+
 inline constexpr double kMarginalFriction = 0.99, kMarginalShift = 1e-3;
 inline constexpr double kGravity = 9.80665;  // m/s^2
 /// Newtons. By volume, or by area and kWallThickness where there is none.

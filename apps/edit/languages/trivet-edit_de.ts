@@ -375,6 +375,14 @@
         <translation>die Szene stünde bei Reibung %1 nicht; in Bewegung gerieten: %2</translation>
     </message>
     <message>
+        <source>%1 touches %2, and there is no room to move it apart</source>
+        <translation>%1 berührt %2, und für einen Abstand ist kein Platz</translation>
+    </message>
+    <message>
+        <source>%1, by %2 m near (%3, %4, %5)</source>
+        <translation>%1, um %2 m nahe (%3, %4, %5)</translation>
+    </message>
+    <message>
         <source>%1; %2 starts were tried, up to %3 m from there</source>
         <translation>%1; versucht wurden %2 Anfangslagen, bis zu %3 m entfernt</translation>
     </message>
@@ -2368,6 +2376,10 @@
     <message>
         <source>interpenetrates %1</source>
         <translation>durchdringt %1</translation>
+    </message>
+    <message>
+        <source>rests on what is held, unsupported or invalid: %1</source>
+        <translation>ruht auf Gehaltenem, Ungestütztem oder Ungültigem: %1</translation>
     </message>
 </context>
 <context>
