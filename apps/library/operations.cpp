@@ -5,7 +5,7 @@
 
 #include "apps/library/scene_internal.h"
 #include "core/base/bad_input.h"
-#include "ops/files/json/operation_json.h"
+#include "ops/files/json/operations.h"
 #include "trivet/arrange.h"
 
 namespace trivet::v0 {

@@ -41,15 +41,15 @@ bool asks_for_json(int argc, char** argv) {
 
 std::vector<Verb> add_verbs(CLI::App& app, CommonOptions& common) {
   std::vector<Verb> verbs;
+  for (const auto add : {add_info, add_run, add_put}) verbs.push_back(add(app, common));
+  for (Verb& verb : add_operations(app, common)) verbs.push_back(std::move(verb));
   for (const auto add :
-       {add_info,      add_run,    add_put,      add_push,    add_turn,     add_pick_up,
-        add_translate, add_rotate, add_fix,      add_unfix,   add_material, add_check,
-        add_export,    add_render, add_zlist,    add_arrange, add_demo,     add_session,
-        add_serve,     add_replay, add_backends, add_batch,   add_doctor,   add_schema}) {
+       {add_check, add_export, add_render, add_zlist, add_arrange, add_demo, add_session, add_serve,
+        add_replay, add_backends, add_batch, add_doctor, add_schema})
     verbs.push_back(add(app, common));
-    CLI::App& verb = *verbs.back().app;
-    add_common_options(verb, common);
-    verb.footer(examples_of(verb.get_name()));
+  for (const Verb& verb : verbs) {
+    add_common_options(*verb.app, common);
+    verb.app->footer(examples_of(verb.app->get_name()));
   }
   return verbs;
 }
@@ -91,10 +91,7 @@ std::string message_of(const CLI::ParseError& error, const CLI::App& app, int ar
   if (dynamic_cast<const CLI::ExtrasError*>(&error))
     if (const std::string unknown = unknown_option(app, argc, argv); !unknown.empty())
       return unknown + accepted_verbs(app);
-  std::string out = error.what() + accepted_verbs(app, argc > 1 ? argv[1] : "");
-  if (parsed_part(app).get_name() == "put" && out.rfind("--position is required", 0) == 0)
-    out += "; accepted: X Y Z, from where it falls; in a layout also \"on\" with \"at\"";
-  return out;
+  return error.what() + accepted_verbs(app, argc > 1 ? argv[1] : "");
 }
 
 // Where the system cannot confine what reads models, once.

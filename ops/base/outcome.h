@@ -63,8 +63,8 @@ struct OperationResult {
     AtRest,   // PUT: it settled
     Reached,  // as far as was asked for
     Blocked,  // by `blocked_by` at `blocked_at`
-    Step,     // the same, by a step higher than step_up
-    Edge,     // before an edge deeper than step_down; pulled back
+    Step,     // the same, by a step that is too high
+    Edge,     // before an edge that is too deep; pulled back
   };
   End end = End::AtRest;
   Named blocked_by;                          // its name is empty when nothing did

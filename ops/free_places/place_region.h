@@ -12,6 +12,9 @@ bool is_convex_region(const std::vector<Vec2>& corners);
 inline constexpr const char* kConvexRegion =
     "at least 3 corners [x, y] of a convex polygon, counter-clockwise";
 
+/// The corners of a region: of the rectangle, where two opposite ones are given.
+std::vector<Vec2> region_of(const std::vector<Vec2>& corners);
+
 /// A convex polygon of the plane, or all of it.
 class PlaceRegion {
  public:

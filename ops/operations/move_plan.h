@@ -3,9 +3,9 @@
 
 #include <optional>
 
+#include "ops/operations/move_options.h"
 #include "ops/operations/moving_group.h"
 #include "ops/operations/operation_run.h"
-#include "ops/operations/operations.h"
 #include "ops/placement/clearance.h"
 #include "ops/placement/verify.h"
 
@@ -88,14 +88,5 @@ class MovePlanner {
   std::optional<MovingGroup> m_group;
   bool m_is_put = false, m_joint = false, m_released = false, m_wedged = false;
 };
-
-// Plans of the operations.
-
-MovePlan plan(const Scene& scene, ObjectId id, const PutOperation& o, OperationRun& run);
-MovePlan plan(const Scene& scene, ObjectId id, const PushOperation& o, OperationRun& run);
-MovePlan plan(const Scene& scene, ObjectId id, const TurnOperation& o, OperationRun& run);
-MovePlan plan(const Scene& scene, ObjectId id, const PickUpOperation& o, OperationRun& run);
-MovePlan plan(const Scene& scene, ObjectId id, const TranslateOperation& o, OperationRun& run);
-MovePlan plan(const Scene& scene, ObjectId id, const RotateOperation& o, OperationRun& run);
 
 }  // namespace trivet

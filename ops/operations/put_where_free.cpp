@@ -7,7 +7,7 @@
 #include "ops/detect/detector.h"
 #include "ops/free_places/distance_query.h"
 #include "ops/free_places/exact_places.h"
-#include "ops/operations/put.h"
+#include "ops/operations/put_parts.h"
 #include "ops/placement/coarseness.h"
 
 namespace trivet {
@@ -20,11 +20,13 @@ constexpr size_t kMaxDoubtful = 1024;  // places at which the distance is measur
 /// Search for one object. Plans are pure: no trial touches the scene.
 class FreePlaceSearch {
  public:
-  FreePlaceSearch(const Scene& scene, ObjectId id, const PutOperation& o, OperationRun& run)
+  FreePlaceSearch(const Scene& scene, ObjectId id, const PutOperation& o, OperationRun& run,
+                  const TryCommit& try_commit)
       : m_scene(scene),
         m_id(id),
         m_operation(o),
         m_run(run),
+        m_try_commit(try_commit),
         m_name(named(scene, Support(id))),
         m_on(named(scene, o.place->on)),
         m_carried(carried_with(scene, id)) {}
@@ -143,8 +145,8 @@ class FreePlaceSearch {
     put.start = start;
     MovePlan plan = plan_put_from_start(
         m_scene, m_id, put, m_run, [this](const MovingGroup& group) { return refuse_end(group); });
-    if (plan.result.ok() && m_run.refuse_commit)
-      if (auto why = m_run.refuse_commit(plan)) plan.result.refuse(std::move(*why));
+    if (plan.result.ok() && m_try_commit)
+      if (auto why = m_try_commit(plan)) plan.result.refuse(std::move(*why));
     return plan;
   }
 
@@ -238,6 +240,7 @@ class FreePlaceSearch {
   ObjectId m_id;
   const PutOperation& m_operation;
   OperationRun& m_run;
+  const TryCommit& m_try_commit;
   Named m_name, m_on;
   std::vector<ObjectId> m_carried;
   std::vector<Vec2> m_failures;
@@ -252,8 +255,8 @@ bool is_judged_at_rest(const PlaceOptions& place) {
 }
 
 MovePlan plan_put_where_free(const Scene& scene, ObjectId id, const PutOperation& o,
-                             OperationRun& run) {
-  return FreePlaceSearch(scene, id, o, run).plan();
+                             OperationRun& run, const TryCommit& try_commit) {
+  return FreePlaceSearch(scene, id, o, run, try_commit).plan();
 }
 
 }  // namespace trivet

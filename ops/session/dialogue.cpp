@@ -6,7 +6,7 @@
 #include "core/base/hash.h"
 #include "core/io/model_folder.h"
 #include "ops/base/refusal.h"
-#include "ops/files/json/operation_json.h"
+#include "ops/files/json/operations.h"
 #include "ops/files/report/queries.h"
 
 namespace trivet {

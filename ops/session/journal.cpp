@@ -13,7 +13,7 @@
 #include "core/base/error.h"
 #include "core/base/hash.h"
 #include "core/io/atomic_file.h"
-#include "ops/files/json/operation_json.h"
+#include "ops/files/json/operations.h"
 #include "ops/files/layout/paths.h"
 #include "ops/session/journal_text.h"
 #include "ops/session/session.h"

@@ -1,7 +1,7 @@
 #include "ops/session/journal_text.h"
 
 #include "core/base/hash.h"
-#include "ops/files/json/operation_json.h"
+#include "ops/files/json/operations.h"
 #include "ops/files/json/settle_json.h"
 #include "ops/files/layout/layout.h"
 

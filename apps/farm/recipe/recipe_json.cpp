@@ -4,7 +4,7 @@
 
 #include "core/base/limits.h"
 #include "ops/files/json/material_json.h"
-#include "ops/files/json/operation_json.h"
+#include "ops/files/json/operations.h"
 #include "ops/files/layout/label_keys.h"
 
 namespace trivet::farm {

@@ -5,7 +5,7 @@
 #include "apps/farm/scene/placing.h"
 #include "ops/base/interrupt.h"
 #include "ops/base/stopwatch.h"
-#include "ops/files/json/operation_json.h"
+#include "ops/files/json/operations.h"
 #include "ops/operations/perform.h"
 
 namespace trivet::farm {

@@ -4,7 +4,7 @@
 
 #include "core/base/bad_input.h"
 #include "ops/files/json/material_json.h"
-#include "ops/files/json/operation_json.h"
+#include "ops/files/json/operations.h"
 #include "ops/files/layout/named_objects.h"
 #include "ops/files/report/json_parts.h"
 

@@ -5,7 +5,7 @@
 #include "apps/python/module/arrays.h"
 #include "apps/python/module/python_json.h"
 #include "ops/files/json/material_json.h"
-#include "ops/files/json/operation_json.h"
+#include "ops/files/json/operations.h"
 #include "ops/files/report/json_parts.h"
 
 namespace trivet::python {

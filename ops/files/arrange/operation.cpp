@@ -5,7 +5,7 @@
 #include "ops/arrange/as_operation.h"
 #include "ops/files/arrange/arrangement_json.h"
 #include "ops/files/arrange/section.h"
-#include "ops/operations/arrange_problem.h"
+#include "ops/operations/arrange.h"
 
 namespace trivet {
 namespace {

@@ -12,21 +12,22 @@
 namespace trivet {
 namespace {
 
-std::string joined(std::initializer_list<const char*> a, std::initializer_list<const char*> b) {
+using Keys = std::vector<const char*>;
+
+std::string joined(const Keys& a, const Keys& b) {
   std::string out;
-  for (const auto& list : {a, b})
-    for (const char* key : list) out += (out.empty() ? "" : ", ") + std::string(key);
+  for (const Keys* list : {&a, &b})
+    for (const char* key : *list) out += (out.empty() ? "" : ", ") + std::string(key);
   return out;
 }
 
-std::vector<std::string> joined_keys(std::initializer_list<const char*> a,
-                                     std::initializer_list<const char*> b) {
+std::vector<std::string> joined_keys(const Keys& a, const Keys& b) {
   std::vector<std::string> out(a.begin(), a.end());
   out.insert(out.end(), b.begin(), b.end());
   return out;
 }
 
-bool contains(std::initializer_list<const char*> keys, const std::string& key) {
+bool contains(const Keys& keys, const std::string& key) {
   return std::any_of(keys.begin(), keys.end(), [&](const char* k) { return key == k; });
 }
 
@@ -105,13 +106,19 @@ void JsonPlace::refuse(const std::string& accepted) const {
 
 void JsonPlace::expect_object(std::initializer_list<const char*> required,
                               std::initializer_list<const char*> optional) const {
+  expect_object(Keys(required), Keys(optional), [](const std::string&) { return std::string(); });
+}
+
+void JsonPlace::expect_object(
+    const Keys& required, const Keys& optional,
+    const std::function<std::string(const std::string& key)>& explain) const {
   const std::string accepted = joined(required, optional);
   if (!m_value->is_object()) refuse("an object with the keys " + accepted);
   for (const auto& [key, value] : m_value->items())
     if (!contains(required, key) && !contains(optional, key))
       child(key, value)
           .fail("unknown key; accepted: " + accepted +
-                did_you_mean(key, joined_keys(required, optional)));
+                did_you_mean(key, joined_keys(required, optional)) + explain(key));
   for (const char* key : required)
     if (!m_value->contains(key))
       fail("the key \"" + std::string(key) + "\" is missing; required: " + joined(required, {}));

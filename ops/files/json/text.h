@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -29,6 +30,10 @@ class JsonPlace {
   /// An object that has all `required` keys and beside them only `optional` ones.
   void expect_object(std::initializer_list<const char*> required,
                      std::initializer_list<const char*> optional) const;
+  /// The same; `explain` adds to the message about an unknown key.
+  void expect_object(const std::vector<const char*>& required,
+                     const std::vector<const char*>& optional,
+                     const std::function<std::string(const std::string& key)>& explain) const;
   JsonPlace at(const char* key) const;  // refuses when it is missing
   std::optional<JsonPlace> find(const char* key) const;
   std::vector<JsonPlace> items() const;  // of an array

@@ -10,7 +10,7 @@
 #include "ops/files/json/input_text.h"
 #include "ops/files/json/looks_json.h"
 #include "ops/files/json/material_json.h"
-#include "ops/files/json/operation_json.h"
+#include "ops/files/json/operations.h"
 #include "ops/files/json/settle_json.h"
 #include "ops/files/json/text.h"
 #include "ops/files/layout/label_keys.h"

@@ -58,7 +58,7 @@ struct Layout {
 /// magnitude kMinQuaternionComponent.
 std::optional<Rotation> unit_rotation(const std::array<double, 4>& quaternion);
 
-/// Reads a layout strictly: whatever is not in layout.schema.json is an error, and so are names
+/// Reads a layout strictly: whatever is not in its schema is an error, and so are names
 /// that come twice, keys that come twice and operations on unknown objects, which a schema cannot
 /// say. Models are not opened.
 /// @param file  name for messages.

@@ -6,7 +6,7 @@
 #include "core/io/json.h"
 #include "core/model/exported_floats.h"
 #include "ops/files/json/material_json.h"
-#include "ops/files/json/operation_json.h"
+#include "ops/files/json/operations.h"
 #include "ops/files/json/text.h"
 #include "ops/files/json/values.h"
 #include "ops/files/report/json_parts.h"

@@ -5,7 +5,7 @@
 
 #include "apps/demo/demo.h"
 #include "core/base/error.h"
-#include "ops/files/json/operation_json.h"
+#include "ops/files/json/operations.h"
 #include "ops/files/layout/run.h"
 
 namespace trivet {
