@@ -232,8 +232,9 @@ ObjectInfo Scene::info(ObjectId id) const {
 Model Scene::model(ObjectId id) const {
   return guarded([&] {
     const Object& object = m_internal->at(id);
-    return Model(std::make_shared<Model::Internal>(
-        Model::Internal{object.model, object.model ? object.model->path : std::string()}));
+    return Model(std::make_shared<Model::Internal>(Model::Internal{
+        object.model, object.model ? object.model->path : std::string(),
+        object.model ? in_english(object.model->notes) : std::vector<std::string>()}));
   });
 }
 

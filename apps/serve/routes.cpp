@@ -146,7 +146,7 @@ std::function<OpenedSession()> Routes::start_of(const std::string& body) const {
     number =
         static_cast<size_t>(std::find(names.begin(), names.end(), start->text()) - names.begin());
     if (number == names.size())
-      start->refuse("a start of this server" + did_you_mean(start->text(), names));
+      start->refuse(say("a start of this server%1", did_you_mean(start->text(), names)));
   }
   if (names.empty()) place.refuse("{\"scene\": K}, a scene of the recipe");
   return [this, number] { return copy_of(m_things.starts[number], m_things.import); };

@@ -16,7 +16,7 @@ std::vector<OpenedSession> open_all(const ServeOptions& options, Detectors& dete
   out.reserve(options.starts.size());
   for (const std::string& start : options.starts) {
     out.push_back(open_session(start, run, options.import));
-    for (const std::string& note : out.back().notes) options.note(start + ": " + note);
+    for (const Sentence& note : out.back().notes) options.note(start + ": " + in_english(note));
   }
   return out;
 }

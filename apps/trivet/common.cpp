@@ -142,16 +142,16 @@ void add_tessellation_options(CLI::App& app, Tessellation& tessellation) {
 void check_tessellation(const Tessellation& tessellation, const std::string& model) {
   if (tessellation == Tessellation{} || !cad_format(model).empty()) return;
   throw Error(Error::Kind::BadInput,
-              "--chord, --facet-angle-deg: \"" + model +
-                  "\" has no curved surfaces; accepted: models in STEP, IGES or BREP (.step "
-                  ".stp .iges .igs .brep .brp)");
+              "--chord, --facet-angle-deg: \"%1\" has no curved surfaces; accepted: models in "
+              "STEP, IGES or BREP (.step .stp .iges .igs .brep .brp)",
+              model);
 }
 
 std::shared_ptr<Machine> make_machine(const CommonOptions& common) {
   MachineOptions options;
   options.version = TRIVET_VERSION;
   options.hardware = graphics_hardware_here();
-  options.note = [&common](const std::string& note) { print_note(common, note); };
+  options.note = [&common](const Sentence& note) { print_note(common, note); };
   options.gpu = gpu_sources(common.num_threads);
   options.num_threads = common.num_threads;
   options.file = calibration_path();
@@ -192,7 +192,7 @@ BackendOptions backend_options(const CommonOptions& common) {
   options.num_threads = common.num_threads;
   options.confirmation = confirmation_from_name(common.confirm);
   if (options.backend == Backend::Auto) options.machine = make_machine(common);
-  options.note = [&common](const std::string& note) { print_note(common, note); };
+  options.note = [&common](const Sentence& note) { print_note(common, note); };
   options.make_gpu_stage = [&common](const GpuNotes& notes) {
     return make_gpu_stage(common, notes);
   };
@@ -255,7 +255,7 @@ CLI::Validator one_of(std::vector<std::string> accepted) {
       [=](const std::string& text) -> std::string {
         for (const std::string& name : accepted)
           if (text == name) return "";
-        return quoted(text) + "; accepted: " + list + did_you_mean(text, accepted);
+        return quoted(text) + "; accepted: " + list + in_english(did_you_mean(text, accepted));
       },
       CLI::detail::join(accepted, "|"));
 }
@@ -276,8 +276,8 @@ std::string json_string(const std::string& text) {
   return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
-void print_note(const CommonOptions& common, const std::string& note) {
-  if (!common.quiet) std::cerr << "trivet: note: " << note << "\n";
+void print_note(const CommonOptions& common, const Sentence& note) {
+  if (!common.quiet) std::cerr << "trivet: note: " << in_english(note) << "\n";
 }
 
 }  // namespace trivet::apps

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/sentence.h"
 #include "core/io/read_model.h"
 #include "core/model/model.h"
 #include "ops/detect/backend.h"
@@ -98,6 +99,6 @@ void clear_progress_line(const CommonOptions& common);
 std::string json_string(const std::string& text);
 
 /// Prints a note to standard error; silent with --quiet.
-void print_note(const CommonOptions& common, const std::string& note);
+void print_note(const CommonOptions& common, const Sentence& note);
 
 }  // namespace trivet::apps

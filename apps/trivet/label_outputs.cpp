@@ -29,8 +29,9 @@ void check_one_view(const LabelArguments& arguments, std::size_t num_views) {
   if (num_views < 2) return;
   for (const std::string& file : patterns(arguments))
     if (file.find(kPlaceOfName) == std::string::npos)
-      bad_input(file + ": one file for " + std::to_string(num_views) +
-                " views; accepted: a name with {}, which stands for that of the view");
+      bad_input(
+          "%1: one file for %2 views; accepted: a name with {}, which stands for that of the view",
+          file, num_views);
 }
 
 // Writes the files of one view after another.

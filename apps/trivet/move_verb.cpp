@@ -20,14 +20,14 @@ int run_move(const MoveArguments& arguments, const Operation& asked, const Commo
   const Operation operation = checked(asked);
   Outputs outputs(arguments.outputs, {}, common);
   SceneFile file = read_scene_file(arguments.scene, common.limits());
-  for (const std::string& note : file.notes) print_note(common, note);
+  for (const Sentence& note : file.notes) print_note(common, note);
   check_not_inputs(arguments.outputs, model_files(file.layout, folder_of(arguments.scene)));
   std::vector<std::string> names = arguments.move.together;
   names.insert(names.begin(), arguments.move.object);
   for (const std::string& name : names)
     if (!file.scene.find(name))
-      throw Error(Error::Kind::BadInput,
-                  arguments.scene + ": " + message(unknown_object(file.scene, name)));
+      throw Error(Error::Kind::BadInput, "%1: %2", arguments.scene,
+                  message(unknown_object(file.scene, name)));
   const std::unique_ptr<Detector> detector = make_detector(common);
   RunOptions options = run_options(common, arguments.settle, detector.get());
   if (!(options.settle.clearance > 0)) options.settle.clearance = file.clearance;

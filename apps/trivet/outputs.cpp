@@ -28,7 +28,7 @@ namespace {
 namespace fs = std::filesystem;
 
 [[noreturn]] void fail_write(const std::string& path) {
-  throw Error(Error::Kind::Environment, path + ": cannot be written: " + std::strerror(errno));
+  throw Error(Error::Kind::Environment, "%1: cannot be written: %2", path, std::strerror(errno));
 }
 
 void check_distinct(const std::vector<std::string>& outputs,
@@ -36,8 +36,8 @@ void check_distinct(const std::vector<std::string>& outputs,
   for (size_t i = 0; i < outputs.size(); ++i) {
     for (size_t j = 0; j < i; ++j)
       if (same_file(outputs[i], outputs[j]))
-        throw Error(Error::Kind::BadInput,
-                    outputs[i] + ": used for two outputs; accepted: different files");
+        throw Error(Error::Kind::BadInput, "%1: used for two outputs; accepted: different files",
+                    outputs[i]);
     check_not_an_input(outputs[i], inputs);
   }
 }
@@ -173,8 +173,8 @@ void check_extension(const std::string& path, const std::vector<std::string>& ac
   if (std::find(accepted.begin(), accepted.end(), extension) != accepted.end()) return;
   std::string list;
   for (const std::string& e : accepted) list += (list.empty() ? "" : ", ") + e;
-  throw Error(Error::Kind::BadInput,
-              path + ": the extension \"" + extension + "\" is not accepted; accepted: " + list);
+  throw Error(Error::Kind::BadInput, "%1: the extension \"%2\" is not accepted; accepted: %3", path,
+              extension, list);
 }
 
 void check_outputs(const OutputPaths& paths, const std::vector<std::string>& inputs) {
@@ -215,9 +215,10 @@ void print_model_notes(const Scene& scene, const CommonOptions& common) {
   std::set<std::string> told;
   for (const ObjectId id : scene.ids()) {
     const std::shared_ptr<const Model> model = scene.at(id).model;
-    for (const std::string& note : model ? model->notes : std::vector<std::string>())
-      if (told.insert(model->path + ": " + note).second)
-        print_note(common, model->path + ": " + note);
+    for (const Sentence& note : model ? model->notes : std::vector<Sentence>())
+      if (const Sentence said = say("%1: %2", model->path, note);
+          told.insert(in_english(said)).second)
+        print_note(common, said);
   }
 }
 

@@ -63,7 +63,7 @@ std::string accepted_verbs(const CLI::App& app, const std::string& given = "") {
     names.push_back(verb->get_name());
     list += (list.empty() ? "; accepted verbs: " : ", ") + names.back();
   }
-  return list + did_you_mean(given, names);
+  return list + in_english(did_you_mean(given, names));
 }
 
 // The verb that was given, else the program.
@@ -82,7 +82,8 @@ std::string unknown_option(const CLI::App& app, int argc, char** argv) {
     const std::string given = std::string(argv[i]).substr(0, std::string(argv[i]).find('='));
     if (given.size() < 3 || given.compare(0, 2, "--") != 0) continue;
     if (std::find(names.begin(), names.end(), given) == names.end())
-      return part.get_name() + ": there is no option " + given + did_you_mean(given, names);
+      return part.get_name() + ": there is no option " + given +
+             in_english(did_you_mean(given, names));
   }
   return "";
 }

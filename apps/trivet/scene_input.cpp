@@ -32,7 +32,7 @@ SceneFile read_scene_with_layout(const std::string& path, const CommonOptions& c
     return file;
   }
   SceneFile file = read_scene_file(path, common.limits());
-  for (const std::string& note : file.notes) print_note(common, note);
+  for (const Sentence& note : file.notes) print_note(common, note);
   return file;
 }
 

@@ -29,12 +29,13 @@ class DemoFolder {
     if (m_keep) {
       fs::create_directories(m_path, error);
       if (error)
-        throw Error(Error::Kind::Environment, wanted + ": cannot be created: " + error.message());
+        throw Error(Error::Kind::Environment, "%1: cannot be created: %2", wanted,
+                    error.message().c_str());
       return;
     }
     m_path = (fs::temp_directory_path() / "trivet_demo_XXXXXX").string();
     if (!mkdtemp(m_path.data()))
-      throw Error(Error::Kind::Environment, m_path + ": cannot create a temporary folder");
+      throw Error(Error::Kind::Environment, "%1: cannot create a temporary folder", m_path);
   }
   ~DemoFolder() {
     std::error_code ignored;
@@ -139,8 +140,9 @@ int run_any_demo(const DemoArguments& arguments, const CommonOptions& common) {
   if (arguments.arranging.seed || arguments.arranging.seconds > 0 ||
       arguments.arranging.solutions > 1)
     throw Error(Error::Kind::BadInput,
-                "--seed, --seconds and --solutions: the demo " + arguments.name +
-                    " is laid out by operations; accepted: with " + listed(arranged_demo_names()));
+                "--seed, --seconds and --solutions: the demo %1 is laid out by operations; "
+                "accepted: with %2",
+                arguments.name, listed(arranged_demo_names()));
   return run_demo(arguments, common);
 }
 

@@ -39,13 +39,13 @@ std::string free_name(const PutArguments& arguments, const Scene& scene) {
                                  ? std::filesystem::path(arguments.model).stem().string()
                                  : arguments.name;
   if (!is_object_name(wanted))
-    throw Error(Error::Kind::BadInput, "--name: \"" + wanted +
-                                           "\" is not accepted; accepted: UTF-8 without control "
-                                           "characters, not \"floor\"");
+    throw Error(
+        Error::Kind::BadInput,
+        "--name: \"%1\" is not accepted; accepted: UTF-8 without control characters, not \"floor\"",
+        wanted);
   if (!arguments.name.empty() && scene.find(wanted))
-    throw Error(Error::Kind::BadInput, "--name: \"" + wanted +
-                                           "\" is taken; accepted: a name not used in the "
-                                           "scene");
+    throw Error(Error::Kind::BadInput,
+                "--name: \"%1\" is taken; accepted: a name not used in the scene", wanted);
   std::string name = wanted;
   for (int i = 2; scene.find(name); ++i) name = wanted + "_" + std::to_string(i);
   return name;
@@ -98,7 +98,7 @@ int put(const PutArguments& arguments, const CommonOptions& common) {
   check_tessellation(arguments.tessellation, arguments.model);
   Outputs outputs(arguments.outputs, {arguments.model}, common);
   SceneFile file = read_scene_file(arguments.scene, common.limits());
-  for (const std::string& note : file.notes) print_note(common, note);
+  for (const Sentence& note : file.notes) print_note(common, note);
   check_not_inputs(arguments.outputs, model_files(file.layout, folder_of(arguments.scene)));
   Layout addition;
   addition.material = file.layout.material;

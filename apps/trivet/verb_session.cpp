@@ -54,7 +54,7 @@ int session(const SessionArguments& arguments, const CommonOptions& common) {
   const std::unique_ptr<Detector> detector = make_detector(common);
   OpenedSession opened = open(arguments, common, *detector);
   clear_progress_line(common);
-  for (const std::string& note : opened.notes) print_note(common, note);
+  for (const Sentence& note : opened.notes) print_note(common, note);
   Dialogue dialogue(opened, dialogue_options(arguments, *detector));
   tell(dialogue.greeting());
   CancellableLines lines(std::cin, is_cancel_line);

@@ -66,9 +66,8 @@ std::optional<ImagePixel> pixel_of(const ZListArguments& arguments, const Projec
   const int column = arguments.pixel[0], row = arguments.pixel[1];
   if (column < view.width && row < view.height) return ImagePixel{column, row};
   throw Error(Error::Kind::BadInput,
-              "--pixel: " + std::to_string(column) + " " + std::to_string(row) +
-                  " is not accepted; accepted: less than " + std::to_string(view.width) + " " +
-                  std::to_string(view.height) + ", the size of the image");
+              "--pixel: %1 %2 is not accepted; accepted: less than %3 %4, the size of the image",
+              column, row, view.width, view.height);
 }
 
 ZListShow show_of(const std::string& name) {
@@ -87,8 +86,8 @@ int resolution_of_motion(const ZListArguments& arguments) {
   const int asked = arguments.resolution ? arguments.resolution : kMotionResolution;
   if (asked <= kLargestMotionResolution) return asked;
   throw Error(Error::Kind::BadInput,
-              "--resolution: " + std::to_string(asked) + " is not accepted; accepted: 1 to " +
-                  std::to_string(kLargestMotionResolution) + " for a motion");
+              "--resolution: %1 is not accepted; accepted: 1 to %2 for a motion", asked,
+              kLargestMotionResolution);
 }
 
 // @param scene  gets its contacts, which say what is carried along.

@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 [[noreturn]] void fail_to_write(const std::string& path, int error) {
-  throw Error(Error::Kind::Environment, path + ": cannot be written: " + std::strerror(error));
+  throw Error(Error::Kind::Environment, "%1: cannot be written: %2", path, std::strerror(error));
 }
 
 }  // namespace
@@ -180,7 +180,8 @@ void StagedFiles::add_folder(const std::string& path) {
     made.insert(made.begin(), folder.string());
   m_folders.insert(m_folders.end(), made.begin(), made.end());
   fs::create_directories(path, error);
-  if (error) throw Error(Error::Kind::Environment, path + ": cannot be made: " + error.message());
+  if (error)
+    throw Error(Error::Kind::Environment, "%1: cannot be made: %2", path, error.message().c_str());
 }
 
 void StagedFiles::add(const std::string& path, const std::string& bytes) {

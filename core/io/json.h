@@ -6,6 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "core/base/sentence.h"
+
 namespace trivet {
 
 struct JsonLimits {
@@ -20,8 +22,7 @@ struct JsonLimits {
 ///   place as a JSON pointer, the same key twice in one object and too many levels; too long a
 ///   text.
 template <class Json>
-Json json_from_text(const std::string& text, const std::string& name,
-                    const JsonLimits& limits = {});
+Json json_from_text(const std::string& text, const Sentence& name, const JsonLimits& limits = {});
 
 /// The same where the reason does not matter: empty for all that is refused.
 template <class Json>

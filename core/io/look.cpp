@@ -24,9 +24,9 @@ void check_positions(const GltfJson& root) {
 
 std::shared_ptr<const Appearance> appearance_of_gltf(const GltfDocument& source,
                                                      const std::vector<int>& roots,
-                                                     std::vector<std::string>& notes) {
-  const auto give_up = [&](const std::string& reason) {
-    notes.push_back("hierarchy and textures left out: " + reason);
+                                                     std::vector<Sentence>& notes) {
+  const auto give_up = [&](const Sentence& reason) {
+    notes.push_back(say("hierarchy and textures left out: %1", reason));
     return nullptr;
   };
   try {
@@ -37,12 +37,13 @@ std::shared_ptr<const Appearance> appearance_of_gltf(const GltfDocument& source,
       look.roots.push_back(static_cast<int>(copier.copy_tree(source, root)));
     auto document = std::make_shared<GltfDocument>(builder.take(GltfJson::object()));
     check_positions(document->json);
-    for (const std::string& what : copier.left_out()) notes.push_back("left out: " + what);
+    for (const auto& [english, what] : copier.left_out())
+      notes.push_back(say("left out: %1", what));
     if (!member(source.json, "animations").empty()) notes.push_back("left out: animations");
     look.document = std::move(document);
     return std::make_shared<const Appearance>(std::move(look));
   } catch (const Error& e) {
-    return give_up(e.what());
+    return give_up(e.sentence());
   } catch (const GltfJson::exception& e) {
     return give_up(printable(e.what()));
   }

@@ -106,8 +106,9 @@ void check_not_named(const std::string& output, const std::string& model) {
   }
   for (const std::string& name : names)
     if (exists(name) && same_file(output, name))
-      throw Error(Error::Kind::BadInput, output + ": is an input, named by " + model +
-                                             ", and would be overwritten; accepted: another name");
+      throw Error(Error::Kind::BadInput,
+                  "%1: is an input, named by %2, and would be overwritten; accepted: another name",
+                  output, model);
 }
 
 }  // namespace
@@ -127,7 +128,7 @@ void check_not_an_input(const std::string& output, const std::vector<std::string
     });
     if (it != inputs.end())
       throw Error(Error::Kind::BadInput,
-                  written + ": is an input and would be overwritten; accepted: another name");
+                  "%1: is an input and would be overwritten; accepted: another name", written);
     if (!exists(written) || is_never_beside(written)) continue;
     for (const std::string& input : inputs) check_not_named(written, input);
   }

@@ -64,9 +64,9 @@ void check_file_beside(const std::string& path, const std::string& beside) {
   std::error_code ignored;
   if (!fs::exists(file, ignored) || names(target, beside)) return;
   throw Error(Error::Kind::BadInput,
-              file.string() + ": exists and does not belong to " + path +
-                  ", so it would be overwritten; accepted: another name or folder, or a "
-                  "single-file format, such as .glb");
+              "%1: exists and does not belong to %2, so it would be overwritten; accepted: another "
+              "name or folder, or a single-file format, such as .glb",
+              file.string(), path);
 }
 
 void check_files_beside(const std::string& path) {
@@ -81,7 +81,7 @@ std::string scene_bytes(const ExportScene& scene, const std::string& extension) 
   if (extension == ".ply") return ply_bytes(scene);
   if (extension == ".stl") return stl_bytes(scene);
   throw Error(Error::Kind::BadInput,
-              "\"" + extension + "\" is no format of one file; accepted are .glb, .ply and .stl");
+              "\"%1\" is no format of one file; accepted are .glb, .ply and .stl", extension);
 }
 
 void write_scene(const ExportScene& scene, const std::string& path) {
@@ -94,9 +94,8 @@ void write_scene(const ExportScene& scene, const std::string& path) {
   } else if (extension == ".glb" || extension == ".ply" || extension == ".stl") {
     write_file_atomically(path, scene_bytes(scene, extension));
   } else {
-    throw Error(Error::Kind::BadInput,
-                path + ": " + (extension.empty() ? "no extension" : "cannot write " + extension) +
-                    "; accepted: .glb, .gltf, .obj, .ply and .stl");
+    throw Error(Error::Kind::BadInput, "%1: %2; accepted: .glb, .gltf, .obj, .ply and .stl", path,
+                extension.empty() ? "no extension" : say("cannot write %1", extension));
   }
 }
 

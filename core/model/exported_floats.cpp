@@ -17,9 +17,10 @@ constexpr double kFarScene = 16.0;
 constexpr double kFarSceneInDiagonals = 8.0;
 
 [[noreturn]] void fail_range(const ExportObject& object) {
-  throw Error(Error::Kind::BadInput, "object '" + object.name +
-                                         "' lies beyond the range of float32, or its pose is not "
-                                         "finite; it cannot be exported");
+  throw Error(Error::Kind::BadInput,
+              "object '%1' lies beyond the range of float32, or its pose is not finite; it cannot "
+              "be exported",
+              object.name);
 }
 
 // World row -> glTF row: (x, z, -y). Sums run in the fixed order of Affine::apply.

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/sentence.h"
 #include "core/mesh/mesh.h"
 #include "core/model/tessellation.h"
 #include "core/motion/pose.h"
@@ -35,7 +36,7 @@ struct Model {
   UpAxis up = UpAxis::Z;                  // stated by the format, else z
   bool up_from_format = false;            // stated by the format or the file
   std::optional<double> metres_per_unit;  // stated by the file, if any (reported, not applied)
-  std::vector<std::string> notes;  // contents noticed and left out: lines, points, empty nodes
+  std::vector<Sentence> notes;  // contents noticed and left out: lines, points, empty nodes
   int num_nodes = 0;
   // Hierarchy, texture coordinates, textures, cameras, lights, for export to glTF. Null if the
   // members above are complete.

@@ -42,8 +42,8 @@ ObjectId Scene::add(Object object) {
   if (object.name.empty())
     throw Error(Error::Kind::BadInput, "an object has an empty name; every object needs one");
   if (find(object.name))
-    throw Error(Error::Kind::BadInput,
-                "two objects are named \"" + object.name + "\"; names must be unique");
+    throw Error(Error::Kind::BadInput, "two objects are named \"%1\"; names must be unique",
+                object.name);
   const Index free = m_index.first_free();
   const size_t index = free >= 0 ? free : m_slots.size();
   if (free < 0) {

@@ -1,9 +1,61 @@
 #include "ops/arrange/arrangement.h"
 
-#include "core/base/count_of.h"
 #include "core/base/quoted.h"
 
 namespace trivet {
+namespace {
+
+// By the numbers of the kinds; the other is an object or the floor.
+constexpr const char* kWithOther[] = {TRIVET_SENTENCE("%1 on %2"),
+                                      TRIVET_SENTENCE("%1 in %2"),
+                                      TRIVET_SENTENCE("%1 against %2"),
+                                      TRIVET_SENTENCE("%1 near %2"),
+                                      TRIVET_SENTENCE("%1 left_of %2"),
+                                      TRIVET_SENTENCE("%1 right_of %2"),
+                                      TRIVET_SENTENCE("%1 in_front_of %2"),
+                                      TRIVET_SENTENCE("%1 behind %2"),
+                                      TRIVET_SENTENCE("%1 facing %2"),
+                                      TRIVET_SENTENCE("%1 away %2"),
+                                      TRIVET_SENTENCE("%1 aligned %2"),
+                                      TRIVET_SENTENCE("%1 parallel %2"),
+                                      TRIVET_SENTENCE("%1 perpendicular %2"),
+                                      TRIVET_SENTENCE("%1 same %2"),
+                                      TRIVET_SENTENCE("%1 centred %2"),
+                                      TRIVET_SENTENCE("%1 within %2"),
+                                      TRIVET_SENTENCE("%1 at %2"),
+                                      TRIVET_SENTENCE("%1 symmetric %2"),
+                                      TRIVET_SENTENCE("%1 at_edge %2"),
+                                      TRIVET_SENTENCE("%1 under %2"),
+                                      TRIVET_SENTENCE("%1 in view of %2"),
+                                      TRIVET_SENTENCE("%1 in reach of %2")};
+constexpr const char* kOfMany[] = {
+    TRIVET_SENTENCE("row of %1 things on %2"), TRIVET_SENTENCE("grid of %1 things on %2"),
+    TRIVET_SENTENCE("circle of %1 things on %2"), TRIVET_SENTENCE("facings of %1 things on %2"),
+    TRIVET_SENTENCE("line of %1 things on %2")};
+constexpr const char* kOfOne[] = {
+    TRIVET_SENTENCE("row of 1 thing on %1"), TRIVET_SENTENCE("grid of 1 thing on %1"),
+    TRIVET_SENTENCE("circle of 1 thing on %1"), TRIVET_SENTENCE("facings of 1 thing on %1"),
+    TRIVET_SENTENCE("line of 1 thing on %1")};
+
+// Without another object.
+const char* alone(RelationKind kind) {
+  switch (kind) {
+    case RelationKind::Facing:
+      return TRIVET_SENTENCE("%1 facing its point");
+    case RelationKind::Away:
+      return TRIVET_SENTENCE("%1 away its point");
+    case RelationKind::Within:
+      return TRIVET_SENTENCE("%1 within its region");
+    case RelationKind::View:
+      return TRIVET_SENTENCE("%1 in view of its point");
+    case RelationKind::Reach:
+      return TRIVET_SENTENCE("%1 in reach of its point");
+    default:
+      return TRIVET_SENTENCE("%1 at its point");
+  }
+}
+
+}  // namespace
 
 const char* to_string(RelationKind kind) {
   constexpr const char* kNames[] = {
@@ -19,23 +71,18 @@ const char* to_string(Side side) {
   return kNames[static_cast<int>(side)];
 }
 
-std::string Relation::text() const {
-  std::string out = quoted(a) + " " + to_string(kind);
-  if (!b.empty()) out += " " + (b == "floor" ? "the floor" : quoted(b));
-  if (kind == RelationKind::View || kind == RelationKind::Reach)
-    return quoted(a) + (kind == RelationKind::View ? " in view" : " in reach") + " of " +
-           (b.empty() ? "its point" : quoted(b));
-  if (b.empty() && kind == RelationKind::Within) out += " its region";
-  if (b.empty() && kind != RelationKind::Within) out += " its point";
-  return out;
+Sentence Relation::text() const {
+  const Sentence to = b == "floor" ? Sentence("the floor") : Sentence(quoted(b));
+  return b.empty() ? say(alone(kind), quoted(a))
+                   : say(kWithOther[static_cast<int>(kind)], quoted(a), to);
 }
 
-std::string Pattern::text() const {
-  constexpr const char* kNames[] = {"row", "grid", "circle", "facings", "line"};
-  return std::string(kNames[static_cast<int>(kind)]) + " of " + count_of(things.size(), "thing") +
-         " on " + (on == "floor" ? "the floor" : quoted(on));
+Sentence Pattern::text() const {
+  const Sentence support = on == "floor" ? Sentence("the floor") : Sentence(quoted(on));
+  const int k = static_cast<int>(kind);
+  return things.size() == 1 ? say(kOfOne[k], support) : say(kOfMany[k], things.size(), support);
 }
 
-std::string Zone::text() const { return "zone " + quoted(name) + " of " + quoted(object); }
+Sentence Zone::text() const { return say("zone %1 of %2", quoted(name), quoted(object)); }
 
 }  // namespace trivet

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/sentence.h"
 #include "core/base/types.h"
 
 namespace trivet {
@@ -94,7 +95,7 @@ struct Relation {
     return kind == RelationKind::Under || kind == RelationKind::View || kind == RelationKind::Reach;
   }
   /// "cup" right_of "plate".
-  std::string text() const;
+  Sentence text() const;
 };
 
 /// Things side by side on one surface, placed together without a search.
@@ -130,7 +131,7 @@ struct Pattern {
   double spacing = 0;              // of Along: metres along it; 0: from its beginning to its end
   enum class Front { Right, Left, Onwards, Back };
   Front front = Front::Right;  // of Along: of the things, seen along the line
-  std::string text() const;    // grid of 12 things on "tray"
+  Sentence text() const;       // grid of 12 things on "tray"
 };
 
 /// Space beside an object that all others keep out of, but for what carries it: before a drawer,
@@ -139,7 +140,7 @@ struct Zone {
   std::string object, name;
   Vec3 lower = Vec3::Zero(), upper = Vec3::Zero();  // metres, in the model's frame after its up
                                                     // axis
-  std::string text() const;                         // zone "drawers" of "desk"
+  Sentence text() const;                            // zone "drawers" of "desk"
 };
 
 /// A distance to keep of each of these from all that is no support of it.

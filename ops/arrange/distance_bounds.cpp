@@ -102,7 +102,7 @@ void DistanceBounds::set_range(Node& node, const ThingModel& thing) {
 }
 
 void DistanceBounds::add_link(const std::string& a, const std::string& b, double length,
-                              const std::string& text, const Relation* relation) {
+                              const Sentence& text, const Relation* relation) {
   const size_t i = m_node_of.at(a), j = m_node_of.at(b);
   m_links[i].push_back({j, length, text, relation});
   m_links[j].push_back({i, length, text, relation});

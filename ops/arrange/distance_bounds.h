@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/sentence.h"
 #include "ops/arrange/world.h"
 
 namespace trivet {
@@ -25,7 +26,7 @@ class DistanceBounds {
   struct Link {
     size_t to;
     double length;
-    std::string text;  // empty: both stand there
+    Sentence text;  // empty: both stand there
     const Relation* relation = nullptr;
   };
   struct Bound {
@@ -52,7 +53,7 @@ class DistanceBounds {
   void add_thing(const ThingModel& thing);
   void set_range(Node& node, const ThingModel& thing);
   void add_links();
-  void add_link(const std::string& a, const std::string& b, double length, const std::string& text,
+  void add_link(const std::string& a, const std::string& b, double length, const Sentence& text,
                 const Relation* relation = nullptr);
   void link_standing();
   double reach_of(const Relation& r) const;

@@ -102,7 +102,7 @@ bool Placer::turns_are_free() const {
 void Placer::combine() {
   m_turns_are_free = m_temperature > 0 && turns_are_free();
   for (const Rest& rest : model().rests) {
-    std::string why_none;
+    Sentence why_none;
     const double height = rest.outline.top - rest.outline.bottom;
     const auto landings = m_world.landings(model(), height, why_none);
     const std::vector<Rotation> turns = this->turns(rest);

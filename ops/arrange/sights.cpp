@@ -286,10 +286,10 @@ std::vector<size_t> things_between(const SightTrial& trial, const Relation& rela
   return Eyes(trial, relation).between();
 }
 
-std::optional<std::string> broken_sight(const World& world) {
+std::optional<Sentence> broken_sight(const World& world) {
   const SightTrial as_it_is{world, -1, {}};
   for (const Relation* r : sights_of(as_it_is))
-    if (!(sight_cost(as_it_is, *r) <= 1)) return "as things come to rest, not: " + r->text();
+    if (!(sight_cost(as_it_is, *r) <= 1)) return say("as things come to rest, not: %1", r->text());
   return std::nullopt;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/sentence.h"
 #include "ops/arrange/world.h"
 
 namespace trivet {
@@ -46,7 +47,7 @@ class SightJudge {
 std::vector<size_t> things_between(const SightTrial& trial, const Relation& relation);
 
 /// Why a hard relation of sight of what stands does not hold; nullopt: all do.
-std::optional<std::string> broken_sight(const World& world);
+std::optional<Sentence> broken_sight(const World& world);
 
 /// Hard relations of sight that can be judged in the trial: all their objects stand then.
 std::vector<const Relation*> sights_of(const SightTrial& trial);

@@ -280,16 +280,11 @@ std::optional<StablePose> upright_pose(const std::vector<StablePose>& poses) {
   return *nearest;
 }
 
-std::string no_upright_pose(const std::string& name, const std::vector<StablePose>& poses) {
+Sentence no_upright_pose(const std::string& name, const std::vector<StablePose>& poses) {
   const StablePose* nearest = nearest_to_up(poses);
-  std::ostringstream out;
-  out.precision(3);
-  out << "\"" << name << "\" does not stand upright: ";
-  if (nearest)
-    out << "its nearest stable pose is tilted by " << nearest->tilt_deg << " degrees";
-  else
-    out << "it has no stable pose";
-  return out.str();
+  if (!nearest) return say("\"%1\" does not stand upright: it has no stable pose", name);
+  return say("\"%1\" does not stand upright: its nearest stable pose is tilted by %2 degrees", name,
+             figure(nearest->tilt_deg, 3));
 }
 
 }  // namespace trivet

@@ -58,11 +58,11 @@ std::vector<Body> zones_of(const World& world, const std::string& object, const 
   return out;
 }
 
-std::optional<std::string> taken_zone(const World& world, const ThingModel& thing) {
+std::optional<Sentence> taken_zone(const World& world, const ThingModel& thing) {
   const std::vector<Zone>& zones = world.arrangement().zones;
   const Object& object = world.object(thing);
   const auto said = [](const std::string& name, const Zone& zone) {
-    return quoted(name) + " is in the " + zone.text();
+    return say("%1 is in the %2", quoted(name), zone.text());
   };
   for (size_t z = 0; z < zones.size(); ++z) {
     if (!world.stands(zones[z].object)) continue;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/sentence.h"
 #include "core/scene/scene.h"
 #include "core/scene/support.h"
 
@@ -91,7 +92,7 @@ struct Refusal {
   Cause cause = Cause::InvalidArgument;
   std::vector<Named> objects = {};
   std::vector<Number> numbers = {};
-  std::string detail = {};
+  Sentence detail = {};
   At at = At::End;
   std::shared_ptr<const Refusal> first = nullptr;
 
@@ -107,6 +108,7 @@ Refusal unknown_object(const Scene& scene, const std::string& name);
 const char* to_string(Refusal::Cause cause);
 
 /// The sentence for people: geometric, names the objects.
+Sentence sentence_of(const Refusal& refusal);
 std::string message(const Refusal& refusal);
 
 /// The floor, as files and people call it; no object is named so.

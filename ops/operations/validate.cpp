@@ -21,32 +21,29 @@ std::string shown(const Values& values) {
   return out.str();
 }
 
+Sentence numbers(long count, double most) {
+  return say("%1 numbers from %2 to %3", count, figure(-most), figure(most));
+}
+
 /// Collects the first complaint.
 class Checker {
  public:
   void range(const char* key, double value, double lower, double upper) {
     if (value >= lower && value <= upper) return;
-    std::ostringstream shown, accepted;
-    shown << value;
-    accepted << "a number from " << lower << " to " << upper;
-    complain(key, shown.str(), accepted.str());
+    complain(key, in_english(figure(value)),
+             say("a number from %1 to %2", figure(lower), figure(upper)));
   }
 
   template <class Vec>
   void vector(const char* key, const Vec& v) {
     if ((v.array().abs() <= kMaxLength).all()) return;
-    std::ostringstream accepted;
-    accepted << v.size() << " numbers from " << -kMaxLength << " to " << kMaxLength;
-    complain(key, shown(v), accepted.str());
+    complain(key, shown(v), numbers(v.size(), kMaxLength));
   }
 
   template <class Vec>
   void direction(const char* key, const Vec& v) {
     if (!(v.array().abs() <= kMaxDirectionComponent).all()) {
-      std::ostringstream accepted;
-      accepted << v.size() << " numbers from " << -kMaxDirectionComponent << " to "
-               << kMaxDirectionComponent;
-      complain(key, shown(v), accepted.str());
+      complain(key, shown(v), numbers(v.size(), kMaxDirectionComponent));
     } else if (v.cwiseAbs().maxCoeff() < kMinDirectionComponent) {
       complain(key, shown(v), "a direction whose length is not zero");
     }
@@ -77,7 +74,7 @@ class Checker {
       complain("material", "\"" + m.name + "\"", "no name, or a preset's with its numbers");
   }
 
-  void complain(const char* key, std::string value, std::string accepted) {
+  void complain(const char* key, std::string value, Sentence accepted) {
     if (!m_found) m_found = InvalidArgument{key, std::move(value), std::move(accepted)};
   }
 
@@ -165,8 +162,8 @@ std::optional<Refusal> validate(const Operation& operation) {
   const auto found = find_invalid_argument(operation);
   if (!found) return std::nullopt;
   Refusal why{Refusal::Cause::InvalidArgument};
-  why.detail = std::string(op_name(operation)) + ": " + found->key + ": " + found->value +
-               " is not accepted; accepted: " + found->accepted;
+  why.detail = say("%1: %2: %3 is not accepted; accepted: %4", std::string(op_name(operation)),
+                   found->key, found->value, found->accepted);
   return why;
 }
 

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "core/base/sentence.h"
 #include "ops/base/refusal.h"
 #include "ops/operations/operations.h"
 
@@ -10,7 +11,8 @@ namespace trivet {
 
 /// An argument out of range, by its key in layouts.
 struct InvalidArgument {
-  std::string key, value, accepted;
+  std::string key, value;
+  Sentence accepted;
 };
 
 /// The first argument that is not accepted: not finite, beyond the limits of core/base/limits.h, a

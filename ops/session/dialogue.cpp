@@ -168,8 +168,8 @@ OrderedJson Dialogue::save(const JsonPlace& file) {
   if (m_options.own_files)
     file.fail("this server writes no files; it answers with a scene's bytes");
   if (fs::path(file.text()).extension() != ".glb")
-    throw Error(Error::Kind::BadInput,
-                file.text() + ": cannot be saved; accepted: a file name ending in .glb");
+    throw Error(Error::Kind::BadInput, "%1: cannot be saved; accepted: a file name ending in .glb",
+                file.text());
   save_session(m_opened, m_options.version, file.text());
   return state();
 }

@@ -24,8 +24,8 @@ namespace {
 namespace fs = std::filesystem;
 constexpr auto kAnySize = std::numeric_limits<std::uintmax_t>::max();
 
-[[noreturn]] void fail(const std::string& path, const std::string& what, int error) {
-  throw Error(Error::Kind::Environment, path + ": " + what + ": " + std::strerror(error));
+[[noreturn]] void fail(const std::string& path, const Sentence& what, int error) {
+  throw Error(Error::Kind::Environment, "%1: %2: %3", path, what, std::strerror(error));
 }
 
 // The lines, and how many bytes they are with their ends; what follows the last end is left out.
@@ -67,9 +67,10 @@ JournalContent read_journal(const std::string& path) {
     if (!json) continue;
     const std::string name = path + ": line " + std::to_string(i + 1);
     if (i != num_valid)
-      throw Error(Error::Kind::BadInput,
-                  path + ": line " + std::to_string(num_valid + 1) +
-                      " is damaged, and others follow it; accepted: a journal as Trivet wrote it");
+      throw Error(
+          Error::Kind::BadInput,
+          "%1: line %2 is damaged, and others follow it; accepted: a journal as Trivet wrote it",
+          path, num_valid + 1);
     const JsonPlace place(*json, name);
     if (i == 0)
       content.start = read_start(place);
@@ -79,8 +80,8 @@ JournalContent read_journal(const std::string& path) {
     ++num_valid;
   }
   if (num_valid == 0)
-    throw Error(Error::Kind::BadInput,
-                path + ": is no journal; accepted: a journal that Trivet wrote");
+    throw Error(Error::Kind::BadInput, "%1: is no journal; accepted: a journal that Trivet wrote",
+                path);
   content.all_bytes = text.size();
   return content;
 }
@@ -92,7 +93,7 @@ Journal::Journal(std::string path, std::uintmax_t size) : m_path(std::move(path)
   const int error = errno;
   close(m_descriptor);
   if (error == EWOULDBLOCK)
-    throw Error(Error::Kind::Environment, m_path + ": another session is writing this journal");
+    throw Error(Error::Kind::Environment, "%1: another session is writing this journal", m_path);
   fail(m_path, "the journal cannot be locked", error);
 }
 
@@ -103,11 +104,11 @@ std::unique_ptr<Journal> Journal::create(const std::string& path, const std::str
   std::error_code ignored;
   if (fs::exists(path, ignored))
     throw Error(Error::Kind::BadInput,
-                path + ": there is a journal already; accepted: a new name, or restore this one");
+                "%1: there is a journal already; accepted: a new name, or restore this one", path);
   const fs::path folder = fs::path(path).parent_path();
   if (!folder.empty() && !fs::is_directory(folder, ignored))
-    throw Error(Error::Kind::Environment,
-                path + ": there is no folder \"" + folder.string() + "\" for the journal");
+    throw Error(Error::Kind::Environment, "%1: there is no folder \"%2\" for the journal", path,
+                folder.string());
   JournalStart start;
   start.file =
       (fs::path(folder_from(path, folder_of(start_file))) / fs::path(start_file).filename())
@@ -126,7 +127,7 @@ std::unique_ptr<Journal> Journal::reopen(const std::string& path, const JournalC
   struct stat now {};
   if (fstat(journal->m_descriptor, &now) != 0) fail(path, "the journal cannot be read", errno);
   if (static_cast<std::uintmax_t>(now.st_size) != content.all_bytes)
-    throw Error(Error::Kind::Environment, path + ": another session has written this journal");
+    throw Error(Error::Kind::Environment, "%1: another session has written this journal", path);
   if (content.torn() && ftruncate(journal->m_descriptor, static_cast<off_t>(journal->m_size)) != 0)
     fail(path, "the journal cannot be written", errno);
   return journal;

@@ -75,7 +75,7 @@ JournalStart read_start(const JsonPlace& place) {
   place.expect_object({"trivet_journal", "start", "settle", "state"}, {});
   const JsonPlace version = place.at("trivet_journal");
   if (version.value() != kJournalVersion)
-    version.refuse(std::to_string(kJournalVersion) + ", the version of the journal");
+    version.refuse(say("%1, the version of the journal", kJournalVersion));
   const JsonPlace file = place.at("start");
   file.expect_object({"file", "bytes", "hash"}, {});
   JournalStart start;

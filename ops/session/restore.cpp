@@ -37,10 +37,11 @@ OpenedSession open_start(const std::string& content, const std::string& file,
   Layout layout = read_layout(content, limits.max_file_bytes);
   layout.settle = rules_of(settle_options(options, layout.settle));
   LayoutRun run = run_layout(layout, models, options);
-  std::vector<std::string> notes;
+  std::vector<Sentence> notes;
   for (const OperationRecord& record : run.operations)
     if (!record.result.ok())
-      notes.push_back(record.op + " \"" + record.object + "\": refused: " + record.result.reason());
+      notes.push_back(say("%1 \"%2\": refused: %3", record.op, record.object,
+                          sentence_of(*record.result.refusal)));
   const SettleRules rules = layout.settle;
   return {Session(std::move(run.scene), std::move(layout), models),
           file,
@@ -60,13 +61,14 @@ std::string find_start(const std::string& journal, const JournalStart& start,
     if (hash_of_file(name, bytes) == start.hash && bytes == start.bytes) return name;
   }
   throw Error(Error::Kind::BadInput,
-              journal + ": neither \"" + file + "\" nor \"" + start_copy_of(journal) +
-                  "\" is the file that the session began with; accepted: the same bytes");
+              "%1: neither \"%2\" nor \"%3\" is the file that the session began with; accepted: "
+              "the same bytes",
+              journal, file, start_copy_of(journal));
 }
 
 // One line of the journal done again. @return whether it gave the same bits.
 bool replay(const JournalRecord& record, const RunOptions& options, Session& session,
-            std::string& why) {
+            Sentence& why) {
   std::vector<ObjectId> changed;
   OperationResult result;
   session.on_event([&](const SessionEvent& event) { changed = event.changed; });
@@ -89,12 +91,13 @@ bool replay(const JournalRecord& record, const RunOptions& options, Session& ses
   }
   session.on_event({});
   if (!done) {
-    why = result.refusal ? result.reason() : "there is nothing to undo or redo";
+    why = result.refusal ? sentence_of(*result.refusal)
+                         : TRIVET_SENTENCE("there is nothing to undo or redo");
     return false;
   }
   if (record.kind == JournalRecord::Kind::Saved) return true;
   if (fingerprint(session.scene(), changed) == record.state) return true;
-  why = "the result is not the same to the bit";
+  why = TRIVET_SENTENCE("the result is not the same to the bit");
   if (record.kind == JournalRecord::Kind::Redo)
     session.undo();
   else if (record.kind == JournalRecord::Kind::Undo)
@@ -139,20 +142,21 @@ RestoredSession restore_session(const std::string& journal, const RunOptions& op
   RestoredSession restored{open_start(start, file, start_options, limits), true};
   OpenedSession& opened = restored.opened;
   if (content.torn())
-    opened.notes.push_back("the last line of \"" + journal +
-                           "\" is torn: its operation was never committed, and is left out");
-  std::string why;
+    opened.notes.push_back(
+        say("the last line of \"%1\" is torn: its operation was never committed, and is left out",
+            journal));
+  Sentence why;
   restored.exact = fingerprint(opened.session.scene()) == content.start.state;
-  if (!restored.exact) why = "\"" + file + "\" does not give the same scene to the bit";
+  if (!restored.exact) why = say("\"%1\" does not give the same scene to the bit", file);
   for (size_t i = 0; restored.exact && i < content.records.size(); ++i) {
     if (options.progress) options.progress({"replay", journal, i, content.records.size()});
     restored.exact = replay(content.records[i], options, opened.session, why);
-    if (!restored.exact) why = "line " + std::to_string(i + 2) + ": " + why;
+    if (!restored.exact) why = say("line %1: %2", i + 2, why);
   }
   if (restored.exact)
     opened.session.keep_journal(std::move(reopened));
   else
-    opened.notes.push_back("\"" + journal + "\" is restored up to here: " + why);
+    opened.notes.push_back(say("\"%1\" is restored up to here: %2", journal, why));
   return restored;
 }
 

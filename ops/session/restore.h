@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/sentence.h"
 #include "ops/files/layout/run.h"
 #include "ops/session/session.h"
 
@@ -11,11 +12,11 @@ namespace trivet {
 
 struct OpenedSession {
   Session session;
-  std::string start_file;          // layout or scene
-  std::string model_folder;        // where relative model paths start: the start file's
-  double clearance = 0;            // that a scene file was settled with; 0: the default
-  std::vector<std::string> notes;  // refused operations of a layout, what a scene file lost
-  SettleRules rules = {};          // that hold: those asked for, else the file's, else the defaults
+  std::string start_file;       // layout or scene
+  std::string model_folder;     // where relative model paths start: the start file's
+  double clearance = 0;         // that a scene file was settled with; 0: the default
+  std::vector<Sentence> notes;  // refused operations of a layout, what a scene file lost
+  SettleRules rules = {};       // that hold: those asked for, else the file's, else the defaults
 };
 
 /// A layout (.json) is run; a scene (.glb) is read, and its contacts are brought up to date.

@@ -70,7 +70,8 @@ class MujocoRun {
     *m_mujoco.user_warning = [](const char*) {};  // else it writes a file to the working directory
     char why[1000] = "";
     m_model.reset(m_mujoco.load(path.c_str(), nullptr, why, sizeof why));
-    if (!m_model) throw Error(Error::Kind::BadInput, path + ": MuJoCo does not accept it: " + why);
+    if (!m_model)
+      throw Error(Error::Kind::BadInput, "%1: MuJoCo does not accept it: %2", path, why);
     m_data.reset(m_mujoco.make_data(m_model.get()));
     m_mujoco.forward(m_model.get(), m_data.get());
   }

@@ -33,6 +33,7 @@
 #include "apps/edit/document/snapshot.h"
 #include "apps/edit/document/wishes.h"
 #include "apps/edit/document/zlist_view.h"
+#include "core/base/sentence.h"
 
 namespace trivet::edit {
 
@@ -239,7 +240,7 @@ class Document : public QObject {
   void show_zlists(std::shared_ptr<const ZListView> view);
   void show_moves_by(const Answering& answering);
   void show_previews_by(const Answering& answering);
-  void show_detection_note(const std::string& note);
+  void show_detection_note(const Sentence& note);
   void drag_refused(std::uint64_t drag);
   void set_selection(Selection selection);
   void put_looks(Looks looks);

@@ -225,7 +225,7 @@ Json SceneReader::read(std::uint64_t unit, std::uint64_t k) {
   if (!m_goes_on || unit != m_unit || k <= m_last) open(unit);
   m_goes_on = false;  // after an error from the beginning
   Json scene;
-  if (!find(k, scene)) bad_file(m_path, "has no scene " + std::to_string(k));
+  if (!find(k, scene)) bad_file(m_path, "has no scene %1", k);
   m_goes_on = true;
   m_last = k;
   return scene;

@@ -132,8 +132,8 @@ py::dict export_to(SharedScene& scene, const std::string& path, const std::strin
     overlaps.append(py::make_tuple(one.a, one.b, one.depth, one.allowed));
   py::dict masses;
   for (const SimulationBody& body : done.scene.bodies) masses[py::str(body.name)] = body.mass;
-  return py::dict("files"_a = done.files, "notes"_a = done.notes, "overlaps"_a = overlaps,
-                  "masses"_a = masses);
+  return py::dict("files"_a = done.files, "notes"_a = in_english(done.notes),
+                  "overlaps"_a = overlaps, "masses"_a = masses);
 }
 
 }  // namespace

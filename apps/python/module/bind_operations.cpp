@@ -30,7 +30,7 @@ py::dict perform_all(SharedScene& scene, const std::vector<py::dict>& values, do
 UpAxis up_of(const std::string& up) {
   if (up == "y") return UpAxis::Y;
   if (up == "z") return UpAxis::Z;
-  bad_input("up: \"" + up + "\" is not accepted; accepted: \"y\" or \"z\"");
+  bad_input("up: \"%1\" is not accepted; accepted: \"y\" or \"z\"", up);
 }
 
 py::dict add(SharedScene& scene, const std::string& name, const PythonShape& shape,

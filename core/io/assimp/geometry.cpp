@@ -7,7 +7,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "core/base/error.h"
+#include "core/base/bad_input.h"
 #include "core/io/mesh/normals.h"
 
 namespace trivet {
@@ -75,9 +75,8 @@ std::vector<Instance> instances_of(const aiScene& scene, Model& model) {
     for (unsigned i = 0; i < node->mNumMeshes; ++i) {
       const unsigned id = node->mMeshes[i];
       if (id >= scene.mNumMeshes)
-        throw Error(Error::Kind::BadInput, model.path + ": node '" + node->mName.C_Str() +
-                                               "' refers to mesh " + std::to_string(id) + " of " +
-                                               std::to_string(scene.mNumMeshes));
+        throw Error(Error::Kind::BadInput, "%1: node '%2' refers to mesh %3 of %4", model.path,
+                    node->mName.C_Str(), id, scene.mNumMeshes);
       instances.push_back({scene.mMeshes[id], node, affine_of(object_from_node)});
     }
     for (unsigned i = node->mNumChildren; i-- > 0;)
@@ -156,25 +155,23 @@ class Reader {
       const aiVector3D& p = mesh.mVertices[v];
       triangle[k] = instance.object_from_mesh.apply(Vec3(p.x, p.y, p.z));
       if (!triangle[k].allFinite())
-        fail(instance, "vertex " + std::to_string(v) + " " + coordinates(p) + " is not finite" +
-                           after_node(p));
+        fail(instance, say("vertex %1 %2 is not finite%3", v, coordinates(p), after_node(p)));
       if (triangle[k].cwiseAbs().maxCoeff() > kMaxCoordinate)
-        fail(instance, "vertex " + std::to_string(v) + " " + coordinates(p) + " lies beyond 1e30" +
-                           after_node(p));
+        fail(instance, say("vertex %1 %2 lies beyond 1e30%3", v, coordinates(p), after_node(p)));
     }
     m_triangles.push_back(triangle);
   }
 
-  static std::string after_node(const aiVector3D& p) {
+  static Sentence after_node(const aiVector3D& p) {
     const bool own_fault = !(std::abs(p.x) <= kMaxCoordinate && std::abs(p.y) <= kMaxCoordinate &&
                              std::abs(p.z) <= kMaxCoordinate);
-    return own_fault ? "" : " after the transform of its node";
+    return own_fault ? Sentence() : Sentence(" after the transform of its node");
   }
 
-  [[noreturn]] void fail(const Instance& instance, const std::string& what) const {
+  [[noreturn]] void fail(const Instance& instance, const Sentence& what) const {
     const std::string mesh = instance.mesh->mName.C_Str(), node = instance.node->mName.C_Str();
-    throw Error(Error::Kind::BadInput,
-                m_model.path + ": mesh '" + (mesh.empty() ? node : mesh) + "': " + what);
+    throw Error(Error::Kind::BadInput, "%1: mesh '%2': %3", m_model.path,
+                (mesh.empty() ? node : mesh), what);
   }
 
   // The zero vector stands for a missing normal until fill_missing_normals().
@@ -192,8 +189,8 @@ class Reader {
     m_model.corner_normals.push_back(normals);
   }
 
-  void note(const char* what, std::int64_t count) {
-    if (count > 0) m_model.notes.push_back(what + (": " + std::to_string(count)));
+  void note(const Sentence& what, std::int64_t count) {
+    if (count > 0) m_model.notes.push_back(say("%1: %2", what, count));
   }
 
   void note_left_out() {
@@ -217,18 +214,17 @@ void read_geometry(const aiScene& scene, const ImportLimits& limits, Model& mode
   const std::vector<Instance> instances = instances_of(scene, model);
   const std::int64_t count = count_triangles(instances);
   if (count > limits.max_triangles)
-    throw Error(Error::Kind::BadInput, model.path + ": " + std::to_string(count) +
-                                           " faces, more than the limit of " +
-                                           std::to_string(limits.max_triangles));
+    throw Error(Error::Kind::BadInput, "%1: %2 faces, more than the limit of %3", model.path, count,
+                limits.max_triangles);
   Reader reader(scene, model);
   reader.triangles().reserve(count);
   model.face_material.reserve(count);
   model.corner_normals.reserve(count);
   reader.read(instances);
   if (reader.triangles().empty())
-    throw Error(Error::Kind::BadInput,
-                model.path + ": contains no triangle" +
-                    (model.notes.empty() ? "" : " (" + model.notes.front() + ")"));
+    bad_file(model.path, model.notes.empty()
+                             ? "contains no triangle"
+                             : say("contains no triangle (%1)", model.notes.front()));
   model.mesh = weld(reader.triangles());
   // Normals of an STL only repeat the facets, and often wrongly.
   if (reader.has_normals() && model.format != "stl")

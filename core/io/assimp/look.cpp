@@ -218,7 +218,7 @@ std::shared_ptr<const Appearance> appearance_of_assimp(const aiScene& scene,
   try {
     return LookMaker(scene, limits, model).make();
   } catch (const Error& e) {
-    model.notes.push_back(std::string("hierarchy and textures left out: ") + e.what());
+    model.notes.push_back(say("hierarchy and textures left out: %1", e.what()));
     return nullptr;
   }
 }

@@ -98,11 +98,12 @@ GltfJson MaterialConverter::converted(unsigned id) {
     out["emissiveFactor"] = std::move(emissive);
   if (material.GetTextureCount(aiTextureType_OPACITY) && has_base_texture(material))
     out["alphaMode"] = "BLEND";
-  for (const auto& [kind, what] : {std::pair(aiTextureType_HEIGHT, "bump maps"),
-                                   std::pair(aiTextureType_METALNESS, "maps of metalness"),
-                                   std::pair(aiTextureType_DIFFUSE_ROUGHNESS, "maps of roughness"),
-                                   std::pair(aiTextureType_SPECULAR, "maps of specular colour")})
-    if (material.GetTextureCount(kind)) note(std::string("left out: ") + what);
+  for (const auto& [kind, what] :
+       {std::pair(aiTextureType_HEIGHT, TRIVET_SENTENCE("bump maps")),
+        std::pair(aiTextureType_METALNESS, TRIVET_SENTENCE("maps of metalness")),
+        std::pair(aiTextureType_DIFFUSE_ROUGHNESS, TRIVET_SENTENCE("maps of roughness")),
+        std::pair(aiTextureType_SPECULAR, TRIVET_SENTENCE("maps of specular colour"))})
+    if (material.GetTextureCount(kind)) note(say("left out: %1", Sentence(what)));
   return out;
 }
 
@@ -157,8 +158,10 @@ SharedBytes MaterialConverter::image_bytes(const std::string& path) {
     entry->second = file_bytes(path);
   }
   if (!entry->second)
-    note("left out: the texture \"" + path +
-         "\", missing, outside the model's folder, or neither PNG, JPEG nor WebP");
+    note(say(
+        "left out: the texture \"%1\", missing, outside the model's folder, or neither PNG, JPEG "
+        "nor WebP",
+        path));
   return entry->second;
 }
 
@@ -182,9 +185,11 @@ SharedBytes MaterialConverter::file_bytes(const std::string& path) const {
   return nullptr;
 }
 
-void MaterialConverter::note(const std::string& text) {
+void MaterialConverter::note(const Sentence& note) {
   auto& notes = m_model.notes;
-  if (std::find(notes.begin(), notes.end(), text) == notes.end()) notes.push_back(text);
+  const std::string text = in_english(note);
+  const auto says_it = [&](const Sentence& other) { return in_english(other) == text; };
+  if (std::none_of(notes.begin(), notes.end(), says_it)) notes.push_back(note);
 }
 
 }  // namespace trivet

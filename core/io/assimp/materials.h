@@ -2,6 +2,7 @@
 // library.
 #pragma once
 
+#include "core/base/sentence.h"
 #include "core/io/gltf/builder.h"
 #include "core/io/model_folder.h"
 
@@ -23,7 +24,7 @@ class MaterialConverter {
   GltfJson texture(const aiMaterial& material, int kind);
   SharedBytes image_bytes(const std::string& path);
   SharedBytes file_bytes(const std::string& path) const;
-  void note(const std::string& text);
+  void note(const Sentence& note);
 
   const aiScene& m_scene;
   const ImportLimits& m_limits;

@@ -31,9 +31,10 @@ namespace fs = std::filesystem;
 void check_extension(const Assimp::Importer& importer, const std::string& path) {
   const std::string extension = fs::path(path).extension().string();
   if (!extension.empty() && importer.IsExtensionSupported(extension)) return;
-  bad_file(path, (extension.empty() ? "has no file extension" : "no importer for " + extension) +
-                     ("; accepted: .obj, .ply, .stl, .gltf, .glb, .fbx, .dae, .3ds, .step, .iges, "
-                      ".brep and others"));
+  bad_file(path, "%1; accepted: %2",
+           extension.empty() ? "has no file extension" : say("no importer for %1", extension),
+           TRIVET_SENTENCE(".obj, .ply, .stl, .gltf, .glb, .fbx, .dae, .3ds, .step, .iges, .brep "
+                           "and others"));
 }
 
 // First extension in the importer's list; glTF 1 and 2 share theirs and differ in the name.
@@ -72,7 +73,7 @@ const aiScene& import_scene(Assimp::Importer& importer, const FolderIoSystem& fi
   if ((!scene || !scene->mRootNode) && !files.outside().empty())
     bad_file(path, outside_folder(name_in_file(files.outside().front(), path)));
   if (!scene || !scene->mRootNode)
-    bad_file(path, "cannot be read as a model: " + why(importer.GetErrorString()));
+    bad_file(path, "cannot be read as a model: %1", why(importer.GetErrorString()));
   return *scene;
 }
 
@@ -108,11 +109,11 @@ void read_look(const aiScene& scene, const ImportLimits& limits, Model& model) {
       const GltfDocument document = read_gltf_document(model.path, limits);
       model.appearance = appearance_of_gltf(document, scene_roots(document.json), model.notes);
     } catch (const Error& e) {
-      model.notes.push_back(std::string("hierarchy and textures left out: ") + e.what());
+      model.notes.push_back(say("hierarchy and textures left out: %1", e.sentence()));
     }
   }
   // Here, as this is the process that may crash: renderers decode the same bytes again.
-  for (std::string& note : undrawn_textures(model)) model.notes.push_back(std::move(note));
+  for (Sentence& note : undrawn_textures(model)) model.notes.push_back(std::move(note));
 }
 
 }  // namespace
@@ -120,9 +121,8 @@ void read_look(const aiScene& scene, const ImportLimits& limits, Model& model) {
 Model read_model(const std::string& path, const ImportLimits& limits) {
   check_file(path, limits);
   if (const std::string format = cad_format(path); !format.empty())
-    bad_file(
-        path,
-        format + " files are read only by the program trivet-import-cad, never in this process");
+    bad_file(path, "%1 files are read only by the program trivet-import-cad, never in this process",
+             format);
   try {
     Assimp::Importer importer;
     auto* const files = new FolderIoSystem(path);
@@ -132,7 +132,7 @@ Model read_model(const std::string& path, const ImportLimits& limits) {
     const aiScene& scene = import_scene(importer, *files, path);
     Model model;
     for (const std::string& name : files->outside())
-      model.notes.push_back("left out: it " + outside_folder(name_in_file(name, path)));
+      model.notes.push_back(say("left out: it %1", outside_folder(name_in_file(name, path))));
     model.path = path;
     model.format = format_of(importer);
     read_materials(scene, model);
@@ -145,7 +145,7 @@ Model read_model(const std::string& path, const ImportLimits& limits) {
   } catch (const std::bad_alloc&) {
     bad_file(path, "runs out of memory; the file is broken or too large");
   } catch (const std::exception& e) {
-    bad_file(path, "cannot be read as a model: " + why(e.what()));
+    bad_file(path, "cannot be read as a model: %1", why(e.what()));
   }
 }
 

@@ -69,8 +69,7 @@ GltfJson parsed_extras(const std::string& text, const std::string& whose) {
   try {
     return GltfJson::parse(text);
   } catch (const GltfJson::exception& e) {
-    throw Error(Error::Kind::BadInput,
-                "the extras of " + whose + " are not valid JSON: " + e.what());
+    throw Error(Error::Kind::BadInput, "the extras of %1 are not valid JSON: %2", whose, e.what());
   }
 }
 

@@ -49,9 +49,9 @@ std::string importer_of(const std::string& path, const ImportLimits& limits) {
   if (access(importer.c_str(), X_OK) == 0) return importer;
   throw Error(
       Error::Kind::Environment,
-      path + ": " + format + " files need " + importer +
-          ", which is missing: this build of Trivet lacks Open CASCADE; accepted: a "
-          "build with it (Debian: libocct-data-exchange-dev libocct-ocaf-dev; TRIVET_OCCT)");
+      "%1: %2 files need %3, which is missing: this build of Trivet lacks Open CASCADE; accepted: "
+      "a build with it (Debian: libocct-data-exchange-dev libocct-ocaf-dev; TRIVET_OCCT)",
+      path, format, importer);
 }
 
 /// Reads all output up to the deadline. @throws Error (BadInput) at the deadline, if the output
@@ -65,16 +65,16 @@ std::string received(int descriptor, const std::string& path, const ImportLimits
     if (cancel && *cancel) bad_file(path, "reading it was cancelled");
     const double left = std::chrono::duration<double>(deadline - Clock::now()).count();
     if (left <= 0)
-      bad_file(path, "reading it took longer than the limit of " +
-                         std::to_string(static_cast<long>(std::ceil(limits.max_seconds))) + " s");
+      bad_file(path, "reading it took longer than the limit of %1 s",
+               static_cast<long>(std::ceil(limits.max_seconds)));
     pollfd waiting{descriptor, POLLIN, 0};
     const double wait = std::min(left, cancel ? kCancelSeconds : 1e3);
     const int ready = poll(&waiting, 1, static_cast<int>(wait * 1e3 + 1));
-    if (ready < 0 && errno != EINTR) fail_environment(path + ": cannot be awaited", errno);
+    if (ready < 0 && errno != EINTR) fail_environment(say("%1: cannot be awaited", path), errno);
     if (ready <= 0) continue;
     const ssize_t count = read(descriptor, block.data(), block.size());
     if (count < 0 && errno == EINTR) continue;
-    if (count < 0) fail_environment(path + ": cannot be received", errno);
+    if (count < 0) fail_environment(say("%1: cannot be received", path), errno);
     if (count == 0) return out;
     out.append(block.data(), static_cast<size_t>(count));
     if (out.size() > limits.max_memory_bytes) bad_file(path, "output exceeds the memory limit");
@@ -85,16 +85,16 @@ void check_end(int status, const std::string& importer, const std::string& path,
                const ImportLimits& limits) {
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return;
   if (WIFEXITED(status) && WEXITSTATUS(status) == 127)
-    throw Error(Error::Kind::Environment, importer + ": cannot be started");
+    throw Error(Error::Kind::Environment, "%1: cannot be started", importer);
   const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
   if (signal == SIGXCPU)
-    bad_file(path, "reading it took longer than the limit of " +
-                       std::to_string(static_cast<long>(std::ceil(limits.max_seconds))) + " s");
-  bad_file(path, "cannot be read as a model: the importer ended with " +
-                     (signal ? std::string(strsignal(signal))
-                             : "status " + std::to_string(WEXITSTATUS(status))) +
-                     "; the file is broken, or needs more memory than the limit of " +
-                     std::to_string(limits.max_memory_bytes >> 20) + " MiB");
+    bad_file(path, "reading it took longer than the limit of %1 s",
+             static_cast<long>(std::ceil(limits.max_seconds)));
+  bad_file(path,
+           "cannot be read as a model: the importer ended with %1; the file is broken, or needs "
+           "more memory than the limit of %2 MiB",
+           signal ? strsignal(signal) : say("status %1", WEXITSTATUS(status)),
+           limits.max_memory_bytes >> 20);
 }
 
 bool write_all(int descriptor, std::string_view bytes) {
@@ -139,7 +139,7 @@ struct Pipe {
 
 Pipe make_pipe(const std::string& path) {
   int ends[2];
-  if (pipe2(ends, O_CLOEXEC) != 0) fail_environment(path + ": cannot create a pipe", errno);
+  if (pipe2(ends, O_CLOEXEC) != 0) fail_environment(say("%1: cannot create a pipe", path), errno);
   fcntl(ends[0], F_SETPIPE_SZ, kPipeBytes);  // or as it is
   return {Descriptor(ends[0]), Descriptor(ends[1])};
 }
@@ -197,7 +197,7 @@ Model read_model_sandboxed(const std::string& path, const ImportLimits& given,
   } catch (const Error& e) {
     const std::string message = e.what();
     if (message.rfind(path, 0) == 0 || e.kind() != Error::Kind::BadInput) throw;
-    bad_file(path, message);
+    bad_file(path, e.sentence());
   }
 }
 
@@ -252,11 +252,11 @@ int serve_import(const std::function<Model()>& read, const std::string& path,
   try {
     return answer(bytes_of_model(read()));
   } catch (const Error& e) {
-    return answer(bytes_of_error(e.kind(), e.what()));
+    return answer(bytes_of_error(e.kind(), e.sentence()));
   } catch (const std::bad_alloc&) {
-    return answer(bytes_of_error(Error::Kind::BadInput,
-                                 path + ": needs more memory than the limit of " +
-                                     std::to_string(limits.max_memory_bytes >> 20) + " MiB"));
+    return answer(
+        bytes_of_error(Error::Kind::BadInput, say("%1: needs more memory than the limit of %2 MiB",
+                                                  path, limits.max_memory_bytes >> 20)));
   }
 }
 

@@ -24,8 +24,8 @@ Format format_of(const std::string& path) {
   std::string accepted;
   for (const std::string& e : simulation_extensions())
     accepted += (accepted.empty() ? "" : ", ") + e;
-  throw Error(Error::Kind::BadInput,
-              path + ": cannot write \"" + extension + "\"; accepted: " + accepted);
+  throw Error(Error::Kind::BadInput, "%1: cannot write \"%2\"; accepted: %3", path, extension,
+              accepted);
 }
 
 /// Names reserved by the format.

@@ -24,7 +24,7 @@ int bytes_of_component(int component) {
     case gltf::kFloat:
       return 4;
     default:
-      bad_input("an accessor has the component type " + std::to_string(component));
+      bad_input("an accessor has the component type %1", component);
   }
 }
 

@@ -74,7 +74,7 @@ void add_poses(const Model& model, const Shape& shape, OrderedJson& json) {
   }
   json["upright"] = nullptr;
   const auto upright = upright_pose(poses);
-  if (!upright) json["upright_reason"] = no_upright_pose(node_name(model), poses);
+  if (!upright) json["upright_reason"] = in_english(no_upright_pose(node_name(model), poses));
   for (size_t i = 0; upright && i < poses.size(); ++i)
     if (poses[i].tilt_deg == upright->tilt_deg && json["upright"].is_null()) json["upright"] = i;
 }
@@ -98,7 +98,8 @@ void write_poses(const Model& model, const Shape& shape, std::ostream& out) {
   }
   if (poses.size() > kShownPoses)
     out << "              and " << poses.size() - kShownPoses << " less likely ones: see --json\n";
-  if (!upright) out << "  upright     " << no_upright_pose(node_name(model), poses) << "\n";
+  if (!upright)
+    out << "  upright     " << in_english(no_upright_pose(node_name(model), poses)) << "\n";
 }
 
 void write_surfaces(const Model& model, const Shape& shape, std::ostream& out) {

@@ -35,7 +35,7 @@ class WrittenProblem : public ArrangeProblem {
     } catch (const Error& e) {
       if (e.kind() != Error::Kind::BadInput) throw;
       Refusal why{Refusal::Cause::InvalidArgument};
-      why.detail = e.what();
+      why.detail = e.sentence();
       return refused(std::move(why));
     }
   }

@@ -17,7 +17,7 @@ Pattern::Align read_align(const JsonPlace& place, const std::vector<std::string>
     if (place.value() == accepted[i]) return static_cast<Pattern::Align>(i);
     list += (list.empty() ? "\"" : ", \"") + accepted[i] + "\"";
   }
-  place.refuse("one of " + list);
+  place.refuse(say("one of %1", list));
 }
 
 void read_pattern_values(const JsonPlace& place, const ProblemNames& names, Pattern& pattern) {

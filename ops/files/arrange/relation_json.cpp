@@ -134,8 +134,7 @@ void read_kind(const JsonPlace& place, RelationKind kind, bool next_to, const Pr
     relation.a = a;
     out.relations.push_back(relation);
     if (out.relations.size() > kMaxRelations)
-      place.fail("with this there are more than " + std::to_string(kMaxRelations) +
-                 " relations; accepted: fewer");
+      place.fail(say("with this there are more than %1 relations; accepted: fewer", kMaxRelations));
   }
 }
 
@@ -183,7 +182,7 @@ int read_level(const JsonPlace& place, const ProblemNames& names, const std::str
   if (place.value() == "top" || place.value() == "bottom") return read_level_number(place);
   std::string list;
   for (const auto& [name, level] : surfaces) list += "\"" + name + "\", ";
-  place.refuse(list + "\"top\", \"bottom\", or a number as trivet info --surfaces has them");
+  place.refuse(say("%1\"top\", \"bottom\", or a number as trivet info --surfaces has them", list));
 }
 
 int read_level_number(const JsonPlace& place) {
@@ -250,7 +249,7 @@ void read_relation(const JsonPlace& place, const ProblemNames& names, Arrangemen
   }
   std::string list;
   for (const std::string& each : known) list += (list.empty() ? "" : ", ") + each;
-  place.at("is").refuse("one of " + list + did_you_mean(is, known));
+  place.at("is").refuse(say("one of %1%2", list, did_you_mean(is, known)));
 }
 
 void read_count(const JsonPlace& place, const char* key, int lower, int upper, int& out) {

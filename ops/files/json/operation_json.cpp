@@ -63,7 +63,7 @@ void read_tries(const JsonPlace& place, PutOperation& put) {
   if (const auto tries = place.find("tries")) {
     const double number = tries->value().is_number_integer() ? tries->number() : 0;
     if (number < 1 || number > kMaxTriesOfPut)
-      tries->refuse("a whole number from 1 to " + std::to_string(kMaxTriesOfPut));
+      tries->refuse(say("a whole number from 1 to %1", kMaxTriesOfPut));
     put.tries = static_cast<int>(number);
   }
   read_to(place, "within", put.within);
@@ -288,7 +288,7 @@ constexpr std::pair<const char*, Operation (*)(const JsonPlace&)> kReaders[] = {
     names.emplace_back(name);
   }
   const std::string given = op.value().is_string() ? op.value().get<std::string>() : "";
-  op.refuse(list + did_you_mean(given, names));
+  op.refuse(say("%1%2", list, did_you_mean(given, names)));
 }
 
 Operation read_values(const JsonPlace& place) {

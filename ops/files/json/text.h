@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "core/base/sentence.h"
+
 namespace trivet {
 
 /// The whole file; pipes too.
@@ -44,9 +46,9 @@ class JsonPlace {
   /// "FILE: /objects/3/scale"
   std::string where() const;
   /// @throws Error "FILE: /objects/3/scale: 0 is not accepted; accepted: ..."
-  [[noreturn]] void refuse(const std::string& accepted) const;
+  [[noreturn]] void refuse(const Sentence& accepted) const;
   /// @throws Error "FILE: /objects/3/scale: `what`"
-  [[noreturn]] void fail(const std::string& what) const;
+  [[noreturn]] void fail(const Sentence& what) const;
 
  private:
   JsonPlace(const nlohmann::json& value, std::string file, std::string pointer)

@@ -80,9 +80,10 @@ Tessellation read_tessellation(const JsonPlace& place, const std::string& model)
   read_to(place, "facet_angle_deg", kMinFacetAngleDeg, kMaxFacetAngleDeg, out.facet_angle_deg);
   for (const char* const key : {"chord", "facet_angle_deg"})
     if (const auto found = place.find(key); found && cad_format(model).empty())
-      found->fail("\"" + model +
-                  "\" has no curved surfaces; accepted: with models in STEP, IGES or BREP (.step "
-                  ".stp .iges .igs .brep .brp)");
+      found->fail(
+          say("\"%1\" has no curved surfaces; accepted: with models in STEP, IGES or BREP (.step "
+              ".stp .iges .igs .brep .brp)",
+              model));
   return out;
 }
 

@@ -10,8 +10,9 @@ void make_folder(const std::string& path) {
   std::error_code error;
   std::filesystem::create_directories(path, error);
   if (error || !std::filesystem::is_directory(path))
-    throw Error(Error::Kind::Environment,
-                path + ": this folder cannot be made" + (error ? ": " + error.message() : ""));
+    throw Error(Error::Kind::Environment, "%1: %2", path,
+                error ? say("this folder cannot be made: %1", error.message().c_str())
+                      : "this folder cannot be made");
 }
 
 std::string number_text(int number) {

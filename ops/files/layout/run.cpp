@@ -18,7 +18,7 @@
 namespace trivet {
 namespace {
 
-std::string place(const std::string& layout_file, size_t object, const std::string& key) {
+std::string place(const std::string& layout_file, size_t object, const std::string& key = "") {
   return layout_file + ": /objects/" + std::to_string(object) + key;
 }
 
@@ -34,7 +34,7 @@ ModelSource with_place(const Layout& layout, const ModelSource& models, const Ru
       };
       const auto it = std::find_if(layout.objects.begin(), layout.objects.end(), asks);
       const auto index = static_cast<size_t>(it - layout.objects.begin());
-      throw Error(e.kind(), place(options.layout_file, index, "/model: ") + e.what());
+      throw Error(e.kind(), "%1: %2", place(options.layout_file, index, "/model"), e.sentence());
     }
   };
 }
@@ -49,9 +49,8 @@ void check_reach(const LayoutObject& object, double reach, size_t index,
   const double offset = object.pose ? object.pose->translation.cwiseAbs().maxCoeff() : 0;
   const double total = object.scale * reach + offset;
   if (total <= kMaxLength) return;
-  throw Error(Error::Kind::BadInput, place(layout_file, index, ": \"") + object.name +
-                                         "\" reaches " + short_number(total) +
-                                         " metres; accepted: up to " + short_number(kMaxLength));
+  throw Error(Error::Kind::BadInput, "%1: \"%2\" reaches %3 metres; accepted: up to %4",
+              place(layout_file, index), object.name, figure(total), figure(kMaxLength));
 }
 
 LoadedModels load_all(const Layout& layout, const ModelSource& models, const RunOptions& options) {
@@ -208,9 +207,10 @@ Scene make_scene(const Layout& layout, const LoadedModels& models, const std::st
 
 Scene make_scene(const Layout& layout, const ModelSource& models, const RunOptions& options) {
   if (!layout.scene.empty())
-    throw Error(Error::Kind::BadInput, options.layout_file +
-                                           ": /scene: is not accepted here; accepted: layouts of "
-                                           "models. Scenes in place are laid out by trivet run");
+    throw Error(Error::Kind::BadInput,
+                "%1: /scene: is not accepted here; accepted: layouts of models. Scenes in place "
+                "are laid out by trivet run",
+                options.layout_file);
   return make_scene(layout, load_all(layout, models, options), options.layout_file);
 }
 
@@ -275,7 +275,7 @@ LayoutRun run_start_only(const Layout& layout, const ModelSource& models, const 
   transaction.commit();
   if (const auto why =
           refuse_too_coarse(run.scene, std::span<const PlacedBox>(), options.settle.clearance))
-    throw Error(Error::Kind::BadInput, options.layout_file + ": " + message(*why));
+    throw Error(Error::Kind::BadInput, "%1: %2", options.layout_file, message(*why));
   finish_run(options, run);
   return run;
 }

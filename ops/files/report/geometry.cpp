@@ -127,9 +127,9 @@ std::vector<Model> read_node_models(
   NodeModels parts(path, wanted, limits);
   Model all = import_model(parts.path(), limits);
   if (static_cast<std::int64_t>(all.mesh.triangles.size()) != total)
-    throw Error(Error::Kind::BadInput, path + ": has " + std::to_string(all.mesh.triangles.size()) +
-                                           " triangles, not " + std::to_string(total) +
-                                           " as Trivet wrote; another program has changed it");
+    throw Error(Error::Kind::BadInput,
+                "%1: has %2 triangles, not %3 as Trivet wrote; another program has changed it",
+                path, all.mesh.triangles.size(), total);
   all.path = path;
   std::vector<Model> models;
   size_t first = 0;

@@ -89,7 +89,7 @@ NodeModels::NodeModels(const std::string& path, const std::vector<ModelNode>& no
   GltfDocument document = read_gltf_document(path, limits);
   const std::map<std::string, int> roots = objects_by_name(document.json);
   GltfJson ids = GltfJson::array();
-  std::vector<std::string> notes;
+  std::vector<Sentence> notes;
   for (const ModelNode& wanted : nodes) {
     const auto found = roots.find(wanted.name);
     const GltfJson bare =
@@ -97,8 +97,8 @@ NodeModels::NodeModels(const std::string& path, const std::vector<ModelNode>& no
             ? GltfJson::object()
             : bare_node(document.json, document.json["nodes"][found->second], wanted);
     if (bare.empty())
-      throw Error(Error::Kind::BadInput, path + ": has no mesh for \"" + wanted.name +
-                                             "\"; another program has changed it");
+      throw Error(Error::Kind::BadInput,
+                  "%1: has no mesh for \"%2\"; another program has changed it", path, wanted.name);
     const size_t id = document.json["nodes"].size();
     ids.push_back(id);
     document.json["nodes"].push_back(bare);

@@ -183,7 +183,7 @@ std::string model_info_json(const Model& model, const Shape& shape) {
   json["centre"] = to_json(shape.mass.centre);
   json["volume"] = shape.mass.volume;
   json["area"] = shape.mass.area;
-  json["notes"] = model.notes;
+  json["notes"] = in_english(model.notes);
   return readable_json(json);
 }
 
@@ -214,7 +214,7 @@ std::string model_info_text(const Model& model, const Shape& shape) {
   out << "  mass        by " << to_string(shape.mass.rule) << ", centre "
       << vector_text(shape.mass.centre) << "\n"
       << "  volume      " << shape.mass.volume << ", area " << shape.mass.area << "\n";
-  for (const std::string& note : model.notes) out << "  note        " << note << "\n";
+  for (const Sentence& note : model.notes) out << "  note        " << in_english(note) << "\n";
   return out.str();
 }
 

@@ -33,7 +33,7 @@ void expect_at_once(Stage& stage, const std::vector<std::string>& constraints,
   ASSERT_EQ(result.status, ArrangeResult::Status::Conflict);
   EXPECT_EQ(result.num_puts, 0);
   EXPECT_EQ(result.num_attempts, 1);
-  EXPECT_EQ(result.conflict->constraints, constraints) << result.reason();
+  EXPECT_EQ(in_english(result.conflict->constraints), constraints) << result.reason();
   EXPECT_NE(result.reason().find(says), std::string::npos) << result.reason();
   EXPECT_TRUE(result.conflict->is_certain);
   EXPECT_EQ(state_of(stage.scene), before);
@@ -165,7 +165,7 @@ TEST(Contradictions, OfTrueScenesAreNone) {
     TrueScene scene(seed), false_scene(seed);
     scene.relate(1);
     const auto conflict = contradiction(scene.stage);
-    EXPECT_FALSE(conflict) << "seed " << seed << ": " << conflict->text;
+    EXPECT_FALSE(conflict) << "seed " << seed << ": " << in_english(conflict->text);
     false_scene.relate(4);
     num_named += contradiction(false_scene.stage).has_value();
   }

@@ -129,7 +129,7 @@ TEST(Sights, AreNamedOnlyWhereNoPlaceIsLeft) {
     Transaction transaction(stage.scene);
     World world(transaction, stage.arrangement, {});
     const Conflict conflict = find_conflict(world, 0, "");
-    EXPECT_EQ(!conflict.relations.empty(), closed) << conflict.text;
+    EXPECT_EQ(!conflict.relations.empty(), closed) << in_english(conflict.text);
   }
 }
 

@@ -38,7 +38,7 @@ TEST(Zones, ChairThatNeedsTheDrawersPlaceIsAConflict) {
   EXPECT_EQ(result.conflict->thing, "chair");
   const std::vector<std::string> both{"\"chair\" in_front_of \"desk\"",
                                       "out of the zone \"drawers\" of \"desk\""};
-  EXPECT_EQ(result.conflict->constraints, both) << result.reason();
+  EXPECT_EQ(in_english(result.conflict->constraints), both) << result.reason();
   EXPECT_EQ(result.conflict->objects, std::vector<std::string>{"desk"});
   EXPECT_FALSE(stage.at("chair").placed);
 }

@@ -164,7 +164,7 @@ TEST(Far, StaysWholeInSceneFiles) {
     });
   const std::string bytes = scene_file_bytes(s.scene, {}, {});
   SceneFile back = read_scene_bytes(bytes);
-  for (const std::string& note : back.notes) ADD_FAILURE() << note;
+  for (const Sentence& note : back.notes) ADD_FAILURE() << in_english(note);
   update_contacts(back.scene);
   update_contacts(s.scene);
   EXPECT_EQ(snapshot(back.scene), snapshot(s.scene));

@@ -1,10 +1,9 @@
-// English sentences that come as text: errors of files and conflicts of arrangements, as they are.
+// Errors of files and conflicts of arrangements in another language.
 #include <QCoreApplication>
 #include <QRegularExpression>
 #include <QTranslator>
 #include <fstream>
 
-#include "apps/edit/document/sentence_reader.h"
 #include "apps/edit/document/words.h"
 #include "apps/edit_document/testing.h"
 #include "core/base/error.h"
@@ -31,11 +30,10 @@ class Capitals : public QTranslator {
 };
 
 /// Small letters outside quotes, files of the folder, places in JSON and numbers.
-std::string left_in_english(const std::string& english, const std::string& folder = "?") {
-  EXPECT_EQ(in_english(read_sentence(english)), english);
-  EXPECT_EQ(english_in_words(english), english);
+std::string left_in_english(const Sentence& sentence, const std::string& folder = "?") {
+  EXPECT_EQ(in_words(sentence), in_english(sentence));
   const Capitals translator;
-  QString said = QString::fromStdString(english_in_words(english));
+  QString said = QString::fromStdString(in_words(sentence));
   said.remove(QString::fromStdString(folder));
   for (const char* const name :
        {"\"[^\"]*\"", "'[^']*'", "[0-9]+\\.[a-z0-9]+", "/[a-z0-9/]+", "[0-9.]+e[-+]?[0-9]+"})
@@ -44,11 +42,12 @@ std::string left_in_english(const std::string& english, const std::string& folde
   return said.toStdString();
 }
 
-std::string error_of(const std::function<void()>& act) {
+Sentence error_of(const std::function<void()>& act) {
   try {
     act();
   } catch (const Error& error) {
-    return error.what();
+    EXPECT_EQ(in_english(error.sentence()), error.what());
+    return error.sentence();
   }
   return {};
 }
@@ -61,9 +60,9 @@ class ErrorsOfFiles : public testing::Test {
   }
   void expect_none_in_english(const std::vector<std::function<void()>>& all) const {
     for (size_t i = 0; i < all.size(); ++i) {
-      const std::string english = error_of(all[i]);
-      ASSERT_FALSE(english.empty()) << i;
-      EXPECT_EQ(left_in_english(english, folder.file("")), "") << english;
+      const Sentence error = error_of(all[i]);
+      ASSERT_FALSE(error.empty()) << i;
+      EXPECT_EQ(left_in_english(error, folder.file("")), "") << in_english(error);
     }
   }
 
@@ -115,7 +114,7 @@ TEST_F(ErrorsOfFiles, OfScenesAndLayoutsAreTranslated) {
 void expect_translated(const ArrangeResult& result, const std::string& part) {
   ASSERT_EQ(result.status, ArrangeResult::Status::Conflict);
   EXPECT_NE(result.reason().find(part), std::string::npos) << result.reason();
-  EXPECT_EQ(left_in_english(result.reason()), "") << result.reason();
+  EXPECT_EQ(left_in_english(result.sentence()), "") << result.reason();
 }
 
 TEST(ConflictsOfArrangements, BetweenRelationsAreTranslated) {
@@ -151,17 +150,28 @@ TEST(ConflictsOfArrangements, OfSupportsAndPatternsAreTranslated) {
   expect_translated(row.run(), "there is room for");
 }
 
-// Names are no words, whatever they are.
-TEST(SentenceReader, LeavesNamesAsTheyAre) {
+// What another library says stays as it is, and so do names, whatever they are.
+TEST(Sentences, LeaveNamesAsTheyAre) {
   const Capitals translator;
-  EXPECT_EQ(english_in_words("/a/b on c/d.obj: no such file"), "/a/b on c/d.obj: NO SUCH FILE");
-  EXPECT_EQ(english_in_words("/an array: is empty; accepted: an array"),
-            "/an array: IS EMPTY; ACCEPTED: AN ARRAY");
-  EXPECT_EQ(english_in_words("\"a\" on \"b tips\"; \"c, d\" tips"),
-            "\"a\" ON \"b tips\"; \"c, d\" TIPS");
-  EXPECT_EQ(english_in_words("\"things\" on \"an array\""), "\"things\" ON \"an array\"");
-  EXPECT_EQ(english_in_words("said by a library"), "said by a library");
-  EXPECT_EQ(english_in_words(""), "");
+  EXPECT_EQ(in_words(say("%1: no such file", std::string("/a/b on c/d.obj"))),
+            "/a/b on c/d.obj: NO SUCH FILE");
+  EXPECT_EQ(in_words(say("\"%1\" tips", std::string("b tips"))), "\"b tips\" TIPS");
+  EXPECT_EQ(in_words(std::runtime_error("said by a library")), "said by a library");
+  EXPECT_EQ(in_words(Error(Error::Kind::BadInput, "is empty")), "IS EMPTY");
+  EXPECT_EQ(in_words(Sentence()), "");
+}
+
+// Across the importer's process, with what the system says.
+TEST(Sentences, ComeWholeFromAnotherProcess) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.file("half.ply"), std::ios::binary)
+      << "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nend_header\n1\n";
+  ImportLimits limits;
+  limits.importer = find_importer();
+  ASSERT_FALSE(limits.importer.empty());
+  EXPECT_EQ(left_in_english(error_of([&] { import_model(folder.file("half.ply"), limits); }),
+                            folder.file("")),
+            "");
 }
 
 }  // namespace
