@@ -4,7 +4,7 @@
 
 #include "core/base/quoted.h"
 #include "ops/arrange/conflict_search.h"
-#include "ops/arrange/relation_parts.h"
+#include "ops/arrange/relations.h"
 
 namespace trivet {
 namespace {
@@ -89,18 +89,18 @@ Sentence ConflictSearch::where() const {
   const Relation* support = m_world.support_of(m_thing);
   if (!support || support->b == "floor") return "on the floor";
   const Sentence out =
-      say(support->kind == RelationKind::In ? TRIVET_SENTENCE("in %1") : TRIVET_SENTENCE("on %1"),
+      say(support->as<relations::In>() ? TRIVET_SENTENCE("in %1") : TRIVET_SENTENCE("on %1"),
           quoted(support->b));
-  return support->level ? say("%1, level %2", out, *support->level) : out;
+  const auto* const on = support->as<relations::On>();
+  return on && on->level ? say("%1, level %2", out, *on->level) : out;
 }
 
 // Not of things that may be turned otherwise than they were tried.
 bool ConflictSearch::is_certain() const {
   const auto& relations = m_placer.m_relations;
   return !m_out.as_they_stand && !m_thing.thing->any_yaw &&
-         std::none_of(relations.begin(), relations.end(), [](const Relation* r) {
-           return r->kind == RelationKind::Facing || r->kind == RelationKind::Away;
-         });
+         std::none_of(relations.begin(), relations.end(),
+                      [](const Relation* r) { return r->faces(); });
 }
 
 std::string ConflictSearch::support() const {
@@ -209,7 +209,7 @@ Sentence ConflictSearch::between(const Set& set) const {
     const Outline &first = *m_placer.partner(r), &second = *m_placer.partner(s);
     const Vec2 d = direction_of(r, c.outline, first), e = direction_of(s, c.outline, second);
     const double room = -extent(second.hull, e) - extent(first.hull, d);
-    const double need = c.outline.width(d) + r.lower + s.lower;
+    const double need = c.outline.width(d) + gap_of(r).lower + gap_of(s).lower;
     if (d.dot(e) > kOpposite || room < 0 || need - room >= least) continue;
     least = need - room, left = room, needed = need, along = d;
   }

@@ -202,10 +202,7 @@ Sentence ConflictSearch::zones_text(const std::string& other) const {
 // Relations need not hold to the last bit on the grid.
 bool ConflictSearch::nearly_holds(const Relation& r, const Outline& outline, double pixel) const {
   const double slack_deg = 360.0 / 64;
-  const bool of_angles = r.kind == RelationKind::Facing || r.kind == RelationKind::Away ||
-                         r.kind == RelationKind::Aligned || r.kind == RelationKind::Parallel ||
-                         r.kind == RelationKind::Perpendicular || r.kind == RelationKind::Same;
-  return m_placer.cost(r, outline) <= 1 + (of_angles ? slack_deg : pixel) / r.tolerance;
+  return m_placer.cost(r, outline) <= 1 + (r.is_in_degrees() ? slack_deg : pixel) / r.tolerance;
 }
 
 bool ConflictSearch::find_in_masks() {

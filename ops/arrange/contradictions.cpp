@@ -16,7 +16,7 @@ class ContradictionSearch {
  public:
   explicit ContradictionSearch(const World& world) : m_world(world), m_bounds(world) {
     for (const Relation& r : world.arrangement().relations)
-      if (r.is_hard() && (r.kind == RelationKind::Near || separates(r)) && r.lower > r.tolerance)
+      if (r.is_hard() && has_least_distance(r) && gap_of(r).lower > r.tolerance)
         m_least_of[m_bounds.node_of(r.a)].push_back(&r);
   }
 
@@ -53,7 +53,7 @@ std::optional<Conflict> ContradictionSearch::too_near() const {
     const auto least = m_least_of.find(i);
     double most = m_world.thing_of(name(i)) >= 0 ? keep : 0;
     if (least != m_least_of.end())
-      for (const Relation* r : least->second) most = std::max(most, r->lower);
+      for (const Relation* r : least->second) most = std::max(most, gap_of(*r).lower);
     if (!(most > 0)) continue;
     if (auto conflict = judge(i, m_bounds.from(i, most))) return conflict;
   }
@@ -65,8 +65,9 @@ std::optional<Conflict> ContradictionSearch::judge(size_t a, const Bounds& bound
     for (const Relation* r : least->second) {
       const size_t b = m_bounds.node_of(r->b);
       const auto bound = bounds.find(b);
-      if (bound != bounds.end() && bound->second.distance < r->lower - r->tolerance)
-        return conflict_of(a, b, bounds, r->text(), r->lower, bound->second.distance, r);
+      const double lower = gap_of(*r).lower;
+      if (bound != bounds.end() && bound->second.distance < lower - r->tolerance)
+        return conflict_of(a, b, bounds, r->text(), lower, bound->second.distance, r);
     }
   const DistanceBounds::Node& node = m_bounds.nodes()[a];
   for (const auto& [b, bound] : bounds) {
@@ -119,8 +120,9 @@ Conflict ContradictionSearch::conflict_of(size_t a, size_t b, const Bounds& boun
 // Of supports that stand, and of those that have one pose alone.
 std::optional<Conflict> ContradictionSearch::missing_level() const {
   for (const Relation& r : m_world.arrangement().relations) {
-    if (r.kind != RelationKind::On || !r.level || r.b == kFloorName) continue;
-    if (auto out = missing_level(r.a, r.b, *r.level)) {
+    const auto* const on = r.as<relations::On>();
+    if (!on || !on->level || r.b == kFloorName) continue;
+    if (auto out = missing_level(r.a, r.b, *on->level)) {
       out->relations = {index_of(r)};
       return out;
     }

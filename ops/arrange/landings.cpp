@@ -98,16 +98,16 @@ std::vector<Landing> World::landings(const ThingModel& thing, double height,
     return out;
   }
   const ObjectId id = *scene().find(support->b);
-  if (support->kind == RelationKind::In) return {landing_in(scene(), id, clearance)};
+  if (support->as<relations::In>()) return {landing_in(scene(), id, clearance)};
   const std::vector<SupportSurface>& surfaces = this->surfaces(support->b);
   const auto add = [&](const SupportSurface& surface) {
     if (auto landing = landing_on(scene(), id, surfaces, surface, height, clearance))
       out.push_back(std::move(*landing));
   };
-  if (support->level) {
-    const SupportSurface* surface = surface_at(surfaces, *support->level);
+  if (const auto* const on = support->as<relations::On>(); on && on->level) {
+    const SupportSurface* surface = surface_at(surfaces, *on->level);
     why_none = surface ? TRIVET_SENTENCE("the head room there is less than its height")
-                       : no_such_level(support->b, surfaces.size(), *support->level);
+                       : no_such_level(support->b, surfaces.size(), *on->level);
     if (surface) add(*surface);
     return out;
   }

@@ -3,7 +3,7 @@
 
 #include "core/base/quoted.h"
 #include "ops/arrange/place_order.h"
-#include "ops/arrange/relation_parts.h"
+#include "ops/arrange/relations.h"
 #include "ops/arrange/steadiness.h"
 #include "ops/arrange/zones.h"
 #include "ops/free_places/distance_query.h"
@@ -50,7 +50,7 @@ Rotation Placer::turned_to_face(const PlaceCandidate& candidate, const Vec2& at)
     const Outline outline = moved(c.outline, at);
     const Vec2 wanted = wanted_front(*r, outline, partner(*r));
     if (wanted != Vec2::Zero() && model().thing->yaws_deg.empty())
-      return (turn_between(outline.front, wanted) * c.rotation).normalized();
+      return (relations::turn_between(outline.front, wanted) * c.rotation).normalized();
   }
   return c.rotation;
 }

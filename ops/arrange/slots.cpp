@@ -66,7 +66,7 @@ SlotSearch::Member SlotSearch::member_of(size_t thing, const Vec2& front) const 
   const ThingModel& model = m_world.things()[thing];
   const Rest& rest = model.rests.front();
   const double yaw = model.thing->yaws_deg.empty() ? 0 : model.thing->yaws_deg.front();
-  const Rotation turn = turned_about_z(yaw) * turn_between(rest.outline.front, front);
+  const Rotation turn = turned_about_z(yaw) * relations::turn_between(rest.outline.front, front);
   Member out{thing, (turn * rest.rotation).normalized(), m_world.outline(model, rest, turn), 0, 0};
   out.width = out.outline.width(m_on.right());
   out.depth = out.outline.width(m_on.front);

@@ -58,7 +58,7 @@ World::World(Transaction& transaction, const Arrangement& arrangement,
 
 void World::find_hulls() {
   for (const Relation& r : m_arrangement.relations)
-    for (const std::string& name : {r.b, r.about}) {
+    for (const std::string& name : {r.b, r.about() ? *r.about() : ""}) {
       const auto id = scene().find(name);
       if (id && !r.is_support() && thing_of(name) < 0 && !m_hulls.count(name))
         m_hulls[name] = facts().hull(scene().at(*id));
@@ -76,10 +76,9 @@ void World::check_zones() const {
 // Symmetric about an object: about the plane between its left and its right.
 void World::find_planes() {
   for (Relation& r : m_arrangement.relations) {
-    if (r.about.empty()) continue;
-    const Outline middle = outline(r.about);
-    r.point = middle.centre;
-    r.axis = middle.front;
+    if (!r.about()) continue;
+    const Outline middle = outline(*r.about());
+    std::visit([&](auto& kind) { kind.set_about(middle); }, r.kind);
   }
 }
 
@@ -110,11 +109,11 @@ void World::check_names() const {
     if (!seen.count(r.a) && !seen.count(r.b))
       refuse(say("%1: neither is one of the things to arrange", r.text()));
     stand(r.a, r.text());
-    if (!r.about.empty()) {
-      check_name(scene(), r.about, r.text());
-      if (seen.count(r.about) || !stands(r.about))
+    if (const std::string* const about = r.about()) {
+      check_name(scene(), *about, r.text());
+      if (seen.count(*about) || !stands(*about))
         refuse(say("%1: %2 is no object that stands already; accepted for \"about\": one that does",
-                   r.text(), quoted(r.about)));
+                   r.text(), quoted(*about)));
     }
     if (!r.b.empty() && r.b != "floor") stand(r.b, r.text());
   }

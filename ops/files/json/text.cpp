@@ -12,21 +12,22 @@
 namespace trivet {
 namespace {
 
-std::string joined(std::initializer_list<const char*> a, std::initializer_list<const char*> b) {
+using Keys = std::span<const char* const>;
+
+std::string joined(Keys a, Keys b) {
   std::string out;
   for (const auto& list : {a, b})
     for (const char* key : list) out += (out.empty() ? "" : ", ") + std::string(key);
   return out;
 }
 
-std::vector<std::string> joined_keys(std::initializer_list<const char*> a,
-                                     std::initializer_list<const char*> b) {
+std::vector<std::string> joined_keys(Keys a, Keys b) {
   std::vector<std::string> out(a.begin(), a.end());
   out.insert(out.end(), b.begin(), b.end());
   return out;
 }
 
-bool contains(std::initializer_list<const char*> keys, const std::string& key) {
+bool contains(Keys keys, const std::string& key) {
   return std::any_of(keys.begin(), keys.end(), [&](const char* k) { return key == k; });
 }
 
@@ -103,8 +104,7 @@ void JsonPlace::refuse(const Sentence& accepted) const {
   fail(say("%1 is not accepted; accepted: %2", shown(*m_value), accepted));
 }
 
-void JsonPlace::expect_object(std::initializer_list<const char*> required,
-                              std::initializer_list<const char*> optional) const {
+void JsonPlace::expect_object(Keys required, Keys optional) const {
   const std::string accepted = joined(required, optional);
   if (!m_value->is_object()) refuse(say("an object with the keys %1", accepted));
   for (const auto& [key, value] : m_value->items())

@@ -6,6 +6,7 @@
 #include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -29,8 +30,13 @@ class JsonPlace {
       : m_value(&document), m_file(std::move(file)) {}
 
   /// An object that has all `required` keys and beside them only `optional` ones.
+  void expect_object(std::span<const char* const> required,
+                     std::span<const char* const> optional) const;
   void expect_object(std::initializer_list<const char*> required,
-                     std::initializer_list<const char*> optional) const;
+                     std::initializer_list<const char*> optional) const {
+    expect_object(std::span(required.begin(), required.size()),
+                  std::span(optional.begin(), optional.size()));
+  }
   JsonPlace at(const char* key) const;  // refuses when it is missing
   std::optional<JsonPlace> find(const char* key) const;
   std::vector<JsonPlace> items() const;  // of an array

@@ -121,11 +121,11 @@ TEST(ConflictsOfArrangements, BetweenRelationsAreTranslated) {
   Stage stage;
   stage.fix("post", trivet::test::box_between({-0.1, -0.1, 0}, {0.1, 0.1, 0.1}), {0, 0, 1e-5});
   stage.add_cube("cube");
-  stage.relate("cube", RelationKind::RightOf, "post");
-  stage.relate("cube", RelationKind::LeftOf, "post");
+  stage.relate<relations::RightOf>("cube", "post");
+  stage.relate<relations::LeftOf>("cube", "post");
   expect_translated(stage.run(), "m are missing; the cheapest to drop: ");
   stage.arrangement.relations.clear();
-  stage.relate("cube", RelationKind::Within).region = {
+  stage.relate<relations::Within>("cube").as<relations::Within>()->region = {
       {-0.09, -0.09}, {0.09, -0.09}, {0.09, 0.09}, {-0.09, 0.09}};
   expect_translated(stage.run(), "clear of \"post\"");
 }
@@ -134,9 +134,9 @@ TEST(ConflictsOfArrangements, OfSupportsAndPatternsAreTranslated) {
   Stage stage;
   stage.fix("shelf", trivet::test::shelf({0.1, 0.4, 0.8}), {0, 0, 1e-5});
   stage.add_cube("cube", 0.29);
-  stage.relate("cube", RelationKind::On, "shelf").level = 0;
+  stage.relate<relations::On>("cube", "shelf").as<relations::On>()->level = 0;
   expect_translated(stage.run(), "head room");
-  stage.arrangement.relations.back().level = 7;
+  stage.arrangement.relations.back().as<relations::On>()->level = 7;
   expect_translated(stage.run(), "surfaces, none of which is 7");
   Stage row;
   row.fix("board", trivet::test::box_between({-0.2, -0.1, 0}, {0.2, 0.1, 0.05}), {0, 0, 1e-5});
