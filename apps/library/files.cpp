@@ -97,6 +97,7 @@ Export export_scene(const Scene& scene, const std::string& path, const ExportOpt
     inner.density = options.density;
     inner.friction = options.friction;
     inner.max_overlap = options.max_overlap;
+    inner.files.mujoco = options.mujoco;
     check_collision_rule(inner.collision, path);
     const SimulationExport done = export_simulation(scene.internal().scene(), path, inner);
     return Export{done.files, done.notes};

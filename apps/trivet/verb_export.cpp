@@ -55,7 +55,7 @@ int export_for_simulator(const ExportArguments& arguments, const CommonOptions& 
   const SimulationExport done =
       export_simulation(scene_of(arguments, common), arguments.output, options);
   std::optional<SimulatedScene> simulated;
-  if (arguments.simulate > 0) simulated = simulate(done, arguments.simulate);
+  if (arguments.simulate > 0) simulated = simulate(done, arguments.simulate, options.files);
   const std::string report = simulation_json(done, options, simulated ? &*simulated : nullptr);
   if (!arguments.report.empty()) write_file_atomically(arguments.report, report);
   if (common.json)
@@ -107,6 +107,10 @@ void add_simulator_options(CLI::App& verb, ExportArguments& arguments) {
                   "Run MuJoCo on what was written for so many seconds, and tell what moved; exit "
                   "status 1 if by more than a centimetre. For .xml and .mjcf")
       ->check(number_from(0, 1e4))
+      ->group(kSimulators);
+  verb.add_option("--mujoco", options.files.mujoco,
+                  "Version of MuJoCo that reads the .xml or .mjcf: 3 (default) or 2")
+      ->check(integer_from(kOldestMujoco, kNewestMujoco))
       ->group(kSimulators);
   verb.add_option("--hull-clearance", options.hull_clearance,
                   "Move the faces of hulls inwards by these metres; default: 0")

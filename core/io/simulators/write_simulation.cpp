@@ -64,7 +64,7 @@ struct SimulationText {
 };
 
 SimulationText text_of(const SimulationScene& scene, Format format, const std::string& folder,
-                       const std::string& prefix) {
+                       const SimulationFileOptions& options) {
   SimulationText out;
   if (format == Format::Usda) {
     out.meshes = usda_meshes(scene);
@@ -75,9 +75,9 @@ SimulationText text_of(const SimulationScene& scene, Format format, const std::s
   }
   const MeshFiles meshes(scene, format == Format::Mjcf);
   out.meshes = meshes.files();
-  if (format == Format::Mjcf) out.scene = mjcf_text(scene, meshes, folder);
-  if (format == Format::Urdf) out.scene = urdf_text(scene, meshes, prefix + folder);
-  if (format == Format::Sdf) out.scene = sdf_text(scene, meshes, prefix + folder);
+  if (format == Format::Mjcf) out.scene = mjcf_text(scene, meshes, folder, options.mujoco);
+  if (format == Format::Urdf) out.scene = urdf_text(scene, meshes, options.mesh_prefix + folder);
+  if (format == Format::Sdf) out.scene = sdf_text(scene, meshes, options.mesh_prefix + folder);
   return out;
 }
 
@@ -101,8 +101,7 @@ std::vector<std::string> write_simulation(SimulationScene& scene, const std::str
   const fs::path wanted = options.mesh_folder.empty() ? fs::path(file.stem().string() + "_meshes")
                                                       : fs::path(options.mesh_folder);
   const fs::path folder = wanted.is_absolute() ? wanted : file.parent_path() / wanted;
-  const SimulationText text =
-      text_of(scene, format, wanted.generic_string() + "/", options.mesh_prefix);
+  const SimulationText text = text_of(scene, format, wanted.generic_string() + "/", options);
   std::vector<std::string> written{path};
   StagedFiles staged;
   if (!text.meshes.empty()) staged.add_folder(folder.string());
